@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "calibrate/target/curve.hpp"
+
+namespace plastica::calibrate {
+
+/// One kind of mending done to the measured samples, and how often.
+struct Repair {
+  std::string kind;       ///< "nan-rows", "strain-reversals", "torn-last-row", …: a fixed word
+  std::size_t count = 0;  ///< samples touched
+  std::string text;       ///< one sentence for the report
+};
+
+/// One correction of the curve as a whole.
+struct Correction {
+  std::string kind;     ///< "toe", "preload-offset", "trim-at-break", "true-measure", …
+  bool applied = false;
+  double amount = 0.0;  ///< its size in SI: strain shift, stress shift, samples cut
+  std::string unit;     ///< unit of the amount: "1", "Pa", "samples"
+  std::string text;     ///< the rule that triggered it, or why it did not
+};
+
+/// When the specimen broke, between two samples.
+struct BreakObservation {
+  double last_whole_strain = 0.0;    ///< [1] last sample that still carries load
+  double last_whole_stress = 0.0;    ///< [Pa]
+  double first_broken_strain = 0.0;  ///< [1] first sample after; never below last_whole_strain
+  std::string rule;                  ///< "fall-to-zero", "load-drop", "end-of-data"
+  /// Middle of the sampling interval, the measured break strain [1].
+  double strain() const { return 0.5 * (last_whole_strain + first_broken_strain); }
+  /// Half of the interval: the break is known to +- this [1].
+  double half_interval() const { return 0.5 * (first_broken_strain - last_whole_strain); }
+};
+
+/// Characteristics after ISO 6892-1 / ASTM E8, from the corrected curve. What a curve does not
+/// have is empty. Strains [1] and stresses [Pa] in the measure of the target.
+struct Characteristics {
+  std::optional<double> youngs_modulus;
+  std::optional<double> youngs_modulus_stderr;  ///< of the regression
+  double modulus_window_low = 0.0;   ///< stress window of the modulus [Pa]
+  double modulus_window_high = 0.0;
+  std::string modulus_method;        ///< "regression", "chord", "given"
+  std::optional<double> offset;      ///< the proof-stress offset used [1], 0.002 by default
+  std::optional<double> rp02;        ///< proof stress at that offset
+  std::optional<double> reh;         ///< upper yield strength
+  std::optional<double> rel;         ///< lower yield strength
+  std::optional<double> rm;          ///< largest stress
+  std::optional<double> strain_at_rm;
+  std::optional<double> break_strain;          ///< total, middle of the sampling interval
+  std::optional<double> break_strain_plastic;  ///< break_strain - stress/E
+  std::optional<BreakObservation> observed_break;
+  double largest_strain = 0.0;       ///< of the whole specimen
+};
+
+/// What became of a specimen on its way from the file to the fit.
+enum class TargetStatus {
+  Ready,      ///< can be fitted
+  TooCoarse,  ///< too few samples on the elastic part or the plateau
+  Rejected,   ///< cannot be repaired; `reason` says why
+};
+
+/// One specimen, ready for a fit or rejected with its reason.
+struct Target {
+  std::string name;  ///< unique in a batch: the file's stem (and column, where a file holds many)
+  std::string file;
+  Test test = Test::Tension;
+  Measure measure = Measure::Engineering;
+  Loading loading = Loading::Monotonic;
+  TargetStatus status = TargetStatus::Ready;
+  std::string reason;  ///< for all but Ready
+
+  std::vector<std::pair<std::string, std::string>> group;  ///< e.g. {"temperature", "20"}
+  std::vector<std::pair<std::string, double>> properties;  ///< per-specimen SI values used (area…)
+
+  Curve raw;        ///< as read, in SI, before any repair
+  Curve corrected;  ///< repaired, corrected and trimmed: whole samples only, break not included
+  std::vector<Repair> repairs;
+  std::vector<Correction> corrections;
+  std::vector<std::string> warnings;
+  Characteristics characteristics;
+};
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,9 @@
+# plastica_options: how every target of ours is compiled; never handed to a user's targets.
+add_library(plastica_options INTERFACE)
+target_compile_options(plastica_options INTERFACE
+  # Results must not depend on which operations a compiler chooses to fuse: fused
+  # multiply-adds are written out where they are wanted.
+  -ffp-contract=off)
+if(PLASTICA_WARNINGS_AS_ERRORS)
+  target_compile_options(plastica_options INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror)
+endif()

@@ -1,0 +1,43 @@
+#include "plastica/base/quantity.hpp"
+
+namespace plastica {
+
+std::string_view name_of(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::None: return "pure number";
+    case Dimension::Strain: return "strain";
+    case Dimension::Angle: return "angle";
+    case Dimension::Stress: return "stress";
+    case Dimension::Length: return "length";
+    case Dimension::Area: return "area";
+    case Dimension::Force: return "force";
+    case Dimension::Moment: return "moment";
+    case Dimension::Curvature: return "curvature";
+    case Dimension::Density: return "density";
+    case Dimension::Temperature: return "temperature";
+    case Dimension::Time: return "time";
+    case Dimension::StrainRate: return "strain rate";
+  }
+  return "unknown";
+}
+
+std::string_view si_unit(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::None: return "1";
+    case Dimension::Strain: return "1";
+    case Dimension::Angle: return "rad";
+    case Dimension::Stress: return "Pa";
+    case Dimension::Length: return "m";
+    case Dimension::Area: return "m^2";
+    case Dimension::Force: return "N";
+    case Dimension::Moment: return "N m";
+    case Dimension::Curvature: return "rad/m";
+    case Dimension::Density: return "kg/m^3";
+    case Dimension::Temperature: return "K";
+    case Dimension::Time: return "s";
+    case Dimension::StrainRate: return "1/s";
+  }
+  return "1";
+}
+
+}  // namespace plastica

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+
+namespace plastica {
+
+/// What a number measures. Every field and column has one; it decides which units are allowed.
+enum class Dimension {
+  None,         ///< a pure number or a count
+  Strain,       ///< %, 1, mm/mm, in/in
+  Angle,        ///< rad, deg
+  Stress,       ///< Pa; never a bare number
+  Length,       ///< m
+  Area,         ///< m^2
+  Force,        ///< N
+  Moment,       ///< N m
+  Curvature,    ///< rad/m (bending), twist per length (torsion)
+  Density,      ///< kg/m^3
+  Temperature,  ///< K
+  Time,         ///< s
+  StrainRate,   ///< 1/s
+};
+
+/// Name of a dimension as messages use it: "stress", "a pure number".
+std::string_view name_of(Dimension dimension);
+
+/// The SI unit in which the library holds values of a dimension: "Pa", "m^2", "1".
+std::string_view si_unit(Dimension dimension);
+
+}  // namespace plastica

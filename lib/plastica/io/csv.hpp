@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plastica/base/check.hpp"
+
+namespace plastica::io {
+
+/// How to read a delimited text file; what is unset is found out from the text.
+struct CsvOptions {
+  std::optional<char> separator;       ///< ',', ';' or tab
+  std::optional<char> decimal;         ///< '.' or ','
+  std::optional<std::size_t> header;   ///< line of the column names, from 1; 0: there is none
+};
+
+/// A delimited text file as laboratories write it: metadata lines, a header, a unit row, data.
+///
+/// The text is kept, cells are views into it; copies are not allowed, moves are.
+class CsvTable {
+ public:
+  /// @throws InputError if the file cannot be read, holds no data row, or rows have unequal widths
+  ///         (a shorter last row, cut off while writing, is dropped and reported by `torn_last_row`)
+  static CsvTable read(const std::string& path, const CsvOptions& options = {});
+  static CsvTable parse(std::string text, std::string name, const CsvOptions& options = {});
+
+  CsvTable(CsvTable&&) noexcept = default;
+  CsvTable& operator=(CsvTable&&) noexcept = default;
+
+  const std::string& file() const { return file_; }
+  char separator() const { return separator_; }
+  char decimal() const { return decimal_; }
+  bool torn_last_row() const { return torn_last_row_; }
+  /// Lines before the header that are not column names (metadata).
+  const std::vector<std::string>& preamble() const { return preamble_; }
+  /// Column names without quotes, blanks and unit; empty strings where the file has no header.
+  const std::vector<std::string>& names() const { return names_; }
+  /// Unit of each column from a unit row or from "name (unit)", "name [unit]", "name / unit";
+  /// empty if the file gives none.
+  const std::vector<std::string>& units() const { return units_; }
+
+  std::size_t rows() const { return line_of_row_.size(); }
+  std::size_t columns() const { return names_.size(); }
+  int line_of_row(std::size_t row) const { return line_of_row_[row]; }
+  std::string_view cell(std::size_t row, std::size_t column) const {
+    return cells_[row * columns() + column];
+  }
+
+  /// A cell as a number; NaN for an empty cell or one that says NaN, NA, n/a, -, null.
+  /// @throws InputError if it is anything else
+  double number(std::size_t row, std::size_t column) const;
+  /// A whole column as numbers. @throws InputError as above
+  std::vector<double> numbers(std::size_t column) const;
+
+  /// Column by exact name, by name without case, or by number ("1" is the first).
+  /// @throws InputError that lists the columns there are; `where`, `field`: who asked
+  std::size_t find(std::string_view name_or_number, const SourceLocation& where,
+                   std::string_view field) const;
+  /// The same, empty if there is none.
+  std::optional<std::size_t> find(std::string_view name_or_number) const;
+
+ private:
+  CsvTable() = default;
+
+  std::string file_;
+  std::vector<char> text_;  // not a string: a moved short string would move its characters
+  char separator_ = ',';
+  char decimal_ = '.';
+  bool torn_last_row_ = false;
+  std::vector<std::string> preamble_;
+  std::vector<std::string> names_;
+  std::vector<std::string> units_;
+  std::vector<int> line_of_row_;
+  std::vector<std::string_view> cells_;  // (rows x columns), row by row
+};
+
+}  // namespace plastica::io

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "plastica/base/check.hpp"
+#include "plastica/base/quantity.hpp"
+
+namespace plastica::io {
+
+/// A linear conversion to SI: si = scale * value + offset.
+struct UnitConversion {
+  double scale = 1.0;
+  double offset = 0.0;
+  double operator()(double value) const { return scale * value + offset; }
+};
+
+/// The conversion of a unit to the library's SI unit of a dimension.
+///
+/// Knows what udunits2 knows ("MPa", "ksi", "N/mm^2", "degC", "mm^2") and, for strains, "%", "1",
+/// "mm/mm", "in/in", "m/m", "um/m", "microstrain"; for angles "rad", "deg", "°". An empty unit is
+/// the same as "1": right for strains and pure numbers, an error for all else. Safe to call from
+/// several threads.
+/// @throws InputError whose rule says what kind of unit is wanted; `where` and `field` go into it
+UnitConversion unit_conversion(std::string_view unit, Dimension dimension,
+                               const SourceLocation& where = {}, std::string_view field = {});
+
+/// Reads "355 MPa", "0.2 %", "1e-3" into SI.
+/// @throws InputError if there is no number, or the unit does not fit
+double parse_quantity(std::string_view text, Dimension dimension, const SourceLocation& where = {},
+                      std::string_view field = {});
+
+}  // namespace plastica::io
