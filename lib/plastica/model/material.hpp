@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "plastica/base/check.hpp"
+
+namespace plastica {
+
+/// How the stress goes on after first yield.
+enum class HardeningLaw {
+  Ideal,         ///< ideal plasticity: the stress stays at the yield stress
+  Linear,        ///< a straight line, part isotropic, part kinematic
+  VoceChaboche,  ///< Voce isotropic hardening and three Armstrong-Frederick back-stresses
+};
+
+/// Parameters of the hardening laws; those of another law than `law` are ignored.
+///
+/// VoceChaboche: |sigma - sum X_i| = sigma_y + Q (1 - exp(-b p)), dX_i = C_i de_p - gamma_i X_i dp,
+/// with p the accumulated plastic strain (Lemaitre & Chaboche, Mechanics of Solid Materials, 1990,
+/// ch. 5). A back-stress with C_i = 0 is absent; with gamma_i = 0 it is linear.
+struct Hardening {
+  HardeningLaw law = HardeningLaw::Ideal;
+  /// E_t [Pa], 0 <= E_t < E, Linear: slope d(stress)/d(strain) of the monotonic curve after yield
+  double tangent_modulus = 0.0;
+  /// share [1], 0..1, Linear: the part of the hardening that moves the yield surface
+  double kinematic_share = 0.0;
+  double saturation_stress = 0.0;  ///< Q [Pa], VoceChaboche; negative softens, above -sigma_y
+  double saturation_rate = 0.0;    ///< b [1], >= 0, VoceChaboche
+  std::array<double, 3> backstress_modulus{};  ///< C_i [Pa], >= 0, VoceChaboche (3)
+  std::array<double, 3> backstress_rate{};     ///< gamma_i [1], >= 0, VoceChaboche (3)
+};
+
+/// A material. The defaults are those of structural steel S355.
+///
+/// An empty optional is derived: see resolved_shear_modulus() and its kin.
+struct Material {
+  std::string name = "S355";
+  double youngs_modulus = 210e9;             ///< E [Pa], > 0
+  double poisson_ratio = 0.3;                ///< nu [1], -1 < nu <= 0.5
+  std::optional<double> shear_modulus;       ///< G [Pa], > 0; empty: E/(2(1+nu)), isotropic
+  double density = 7850.0;                   ///< rho [kg/m^3], > 0
+  double yield_stress = 355e6;               ///< sigma_y [Pa], > 0
+  std::optional<double> shear_yield_stress;  ///< tau_y [Pa], > 0; empty: sigma_y/sqrt(3), Mises
+  std::optional<double> break_strain;        ///< permanent strain [1], > 0; empty: never breaks
+  std::optional<double> break_shear_strain;  ///< permanent [1], > 0; empty: sqrt(3) break_strain
+  Hardening hardening;
+};
+
+/// G [Pa]: as given, or E/(2(1+nu)) of an isotropic material.
+double resolved_shear_modulus(const Material& material);
+
+/// tau_y [Pa]: as given, or sigma_y/sqrt(3) (von Mises).
+double resolved_shear_yield_stress(const Material& material);
+
+/// gamma_break [1]: as given, or sqrt(3) break_strain (equal von Mises strain); empty if neither is
+/// given, and then nothing breaks in torsion.
+std::optional<double> resolved_break_shear_strain(const Material& material);
+
+/// H = d(stress)/d(plastic strain) [Pa] of linear hardening: E E_t/(E - E_t); 0 for E_t = 0.
+/// @param youngs_modulus   E [Pa]
+/// @param tangent_modulus  E_t [Pa], 0 <= E_t < E
+double plastic_modulus(double youngs_modulus, double tangent_modulus);
+
+/// Checks every field against the range in its doc, hardening included.
+/// @throws InputError that names the field: "material.yield_stress = -1: must be positive …"
+void check_material(const Material& material, const SourceLocation& where = {});
+
+}  // namespace plastica

@@ -1,0 +1,60 @@
+#include "plastica/model/torsion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace plastica {
+namespace {
+
+using std::numbers::pi;
+
+// In the sums below tanh is split into 1, summed in closed form, and a rest that dies like
+// exp(-n pi), so that seven odd terms reach rounding.
+constexpr int kLastTerm = 13;
+
+/// 1 - tanh(x) without cancellation.
+double one_minus_tanh(double x) { return 2.0 / (std::exp(2.0 * x) + 1.0); }
+
+/// Largest shear stress of a rectangle over G theta s.
+double long_side_stress(double ratio) {
+  double sum = 0.0;
+  for (int n = kLastTerm; n >= 1; n -= 2) {
+    sum += 1.0 / (n * n * std::cosh(n * pi * ratio / 2.0));
+  }
+  return 1.0 - 8.0 / (pi * pi) * sum;
+}
+
+}  // namespace
+
+double saint_venant_beta(double ratio) {
+  constexpr double kZeta5 = 1.0369277551433699;
+  double rest = 0.0;
+  for (int n = kLastTerm; n >= 1; n -= 2) {
+    rest += one_minus_tanh(n * pi * ratio / 2.0) / std::pow(n, 5);
+  }
+  const double sum = 31.0 / 32.0 * kZeta5 - rest;
+  return 1.0 / 3.0 - 64.0 / std::pow(pi, 5) / ratio * sum;
+}
+
+double saint_venant_alpha(double ratio) {
+  return saint_venant_beta(ratio) / long_side_stress(ratio);
+}
+
+double saint_venant_eta(double ratio) {
+  constexpr double kCatalan = 0.91596559417721902;
+  double rest = 0.0;
+  for (int n = kLastTerm; n >= 1; n -= 2) {
+    const double sign = (n / 2) % 2 == 0 ? 1.0 : -1.0;
+    rest += sign * one_minus_tanh(n * pi * ratio / 2.0) / (n * n);
+  }
+  return 8.0 / (pi * pi) * (kCatalan - rest) / long_side_stress(ratio);
+}
+
+double sand_heap_modulus_rectangle(double width, double height) {
+  const double c = std::max(width, height);
+  const double s = std::min(width, height);
+  return s * s * (3.0 * c - s) / 6.0;
+}
+
+}  // namespace plastica
