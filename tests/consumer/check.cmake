@@ -1,0 +1,28 @@
+# Installs the build into an empty prefix, builds the project beside this file against it as a user
+# would, and runs it: cmake -D build=… -D scratch=… -D generator=… -D compiler=… -P check.cmake
+function(step)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " line)
+    message(FATAL_ERROR "${line}\nends with ${result}:\n${text}")
+  endif()
+  set(text "${text}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${scratch})
+step(${CMAKE_COMMAND} --install ${build} --prefix ${scratch}/installed)
+step(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${scratch}/build -G ${generator}
+  -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_PREFIX_PATH=${scratch}/installed)
+step(${CMAKE_COMMAND} --build ${scratch}/build)
+
+# How we compile is our own affair.
+file(READ ${scratch}/build/compile_commands.json commands)
+if(commands MATCHES " (-ffp-contract|-W|-O|-fopenmp)")
+  message(FATAL_ERROR "the package changes its user's flags:\n${commands}")
+endif()
+
+step(${scratch}/build/consumer)
+set(expected "2 samples in Pa\nfit.toml:3: yield_stress = -1: must be positive\n")
+if(NOT text STREQUAL expected)
+  message(FATAL_ERROR "the consumer prints\n${text}\ninstead of\n${expected}")
+endif()

@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Each rule of check_tree.py, kept and broken, in small repositories made for it."""
+
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import check_tree
+
+
+class CheckTree(unittest.TestCase):
+    def breaches(self, **files):
+        """Breaches in a repository of `files`: name with __ for / and _dot_ for . → text."""
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            subprocess.run(["git", "init", "-q", folder], check=True)
+            for name, text in files.items():
+                path = root / name.replace("__", "/").replace("_dot_", ".")
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text)
+            return check_tree.breaches(root)
+
+    def assert_one(self, found, words):
+        self.assertEqual(len(found), 1, found)
+        self.assertIn(words, found[0])
+
+    def test_includes_upward_are_kept(self):
+        self.assertEqual([], self.breaches(
+            lib__plastica__law__a_dot_cpp='#include "plastica/base/check.hpp"\n',
+            calibrate__fit__b_dot_cpp='#include "plastica/io/csv.hpp"\n#include "calibrate/x.hpp"\n',
+            tests__lib__c_dot_cpp='#include "cli/x.hpp"\n#include "tests/support.hpp"\n'))
+
+    def test_an_include_downward_is_a_breach_with_its_line(self):
+        found = self.breaches(lib__plastica__law__a_dot_cpp='\n#include "plastica/io/csv.hpp"\n')
+        self.assert_one(found, "lib/plastica/law/a.cpp:2: plastica/law must not include")
+
+    def test_a_library_must_not_include_calibrate(self):
+        found = self.breaches(lib__plastica__io__a_dot_cpp='#include "calibrate/target/x.hpp"\n')
+        self.assert_one(found, "plastica/io must not include")
+
+    def test_an_include_beside_the_file_is_a_breach(self):
+        self.assert_one(self.breaches(cli__a_dot_cpp='#include "b.hpp"\n'), "from one of the roots")
+
+    def test_a_product_must_not_include_the_tests(self):
+        self.assert_one(self.breaches(cli__a_dot_cpp='#include "tests/b.hpp"\n'), "of the tests")
+
+    def test_400_lines_are_kept_and_401_are_a_breach(self):
+        self.assertEqual([], self.breaches(cli__a_dot_cpp="//\n" * 400))
+        self.assert_one(self.breaches(cli__a_dot_cpp="//\n" * 401), "401 lines")
+
+    def test_a_header_without_pragma_once_is_a_breach(self):
+        self.assert_one(self.breaches(cli__a_dot_hpp="int a();\n"), "no #pragma once")
+
+    def test_openmp_in_two_files_is_a_breach(self):
+        loop = "#pragma omp parallel for\n"
+        self.assertEqual([], self.breaches(lib__plastica__base__a_dot_cpp=loop))
+        found = self.breaches(lib__plastica__base__a_dot_cpp=loop, lib__plastica__base__b_dot_cpp=loop)
+        self.assert_one(found, "#pragma omp belongs in one file")
+
+    def test_nlopt_in_a_header_is_a_breach(self):
+        found = self.breaches(calibrate__a_dot_hpp="#pragma once\n#include <nlopt.hpp>\n")
+        self.assert_one(found, "<nlopt.hpp> belongs in a .cpp")
+
+    def test_hdf5_in_one_folder_is_kept_and_in_two_is_a_breach(self):
+        include = "#include <hdf5.h>\n"
+        self.assertEqual([], self.breaches(lib__plastica__io__hdf5__a_dot_cpp=include,
+                                           lib__plastica__io__hdf5__b_dot_cpp=include))
+        found = self.breaches(lib__plastica__io__a_dot_cpp=include, calibrate__b_dot_cpp=include)
+        self.assert_one(found, "<hdf5.h> belongs in one folder")
+
+    def test_udunits_in_two_files_is_a_breach(self):
+        include = "#include <udunits2.h>\n"
+        found = self.breaches(lib__plastica__io__a_dot_cpp=include, cli__b_dot_cpp=include)
+        self.assert_one(found, "<udunits2.h> belongs in one file")
+
+    def test_a_machines_path_is_a_breach_and_a_relative_path_is_not(self):
+        self.assertEqual([], self.breaches(README_dot_md="../home/a data/root/b\n"))
+        found = self.breaches(README_dot_md="see /" + "home/someone/file\n")
+        self.assert_one(found, "README.md:1: '/" + "home/' is a machine's path")
+
+    def test_what_is_left_to_do_is_a_breach(self):
+        self.assert_one(self.breaches(cli__a_dot_cpp="// TO" + "DO: mend\n"), "is left to do")
+
+    def test_an_ignored_file_is_not_read(self):
+        self.assertEqual([], self.breaches(_dot_gitignore="/build/\n",
+                                           build__a_dot_hpp="int a();\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
