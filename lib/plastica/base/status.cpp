@@ -1,0 +1,29 @@
+#include "plastica/base/status.hpp"
+
+namespace plastica {
+
+std::string_view name_of(Status status) {
+  switch (status) {
+    case Status::NotRun: return "not-run";
+    case Status::Completed: return "completed";
+    case Status::Broken: return "broken";
+    case Status::Rejected: return "rejected";
+    case Status::InvalidParameter: return "invalid-parameter";
+    case Status::NonFinite: return "non-finite";
+  }
+  return "unknown";
+}
+
+std::string_view advice(Status status) {
+  switch (status) {
+    case Status::NotRun: return "call run";
+    case Status::Rejected: return "mend the input that the reason names";
+    case Status::InvalidParameter: return "keep every parameter inside of its field's range";
+    case Status::NonFinite: return "look at the largest strain and stiffness of the scene";
+    case Status::Completed:
+    case Status::Broken: return "";
+  }
+  return "";
+}
+
+}  // namespace plastica

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string_view>
+
+namespace plastica {
+
+/// How a simulation ended. A numerical outcome is a status in the response, never an exception.
+enum class Status {
+  NotRun,            ///< `run` has not been called on this response
+  Completed,         ///< went to the end of the drive; the response is whole
+  Broken,            ///< went to the end, and the beam broke on the way (see the break event)
+  Rejected,          ///< the scene is bad input; nothing was computed, the reason is in the row
+  InvalidParameter,  ///< a parameter value is outside of its field's range; nothing was computed
+  NonFinite,         ///< a number overflowed or became NaN; the response ends before that sample
+};
+
+/// One word for tables and files: "completed", "broken", …
+std::string_view name_of(Status status);
+
+/// Whether the response may be used.
+constexpr bool usable(Status status) {
+  return status == Status::Completed || status == Status::Broken;
+}
+
+/// What to change when a run ended this way; empty where nothing needs to change.
+std::string_view advice(Status status);
+
+}  // namespace plastica

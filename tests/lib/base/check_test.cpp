@@ -1,0 +1,51 @@
+#include "plastica/base/check.hpp"
+
+#include <gtest/gtest.h>
+
+#include "plastica/base/quantity.hpp"
+#include "plastica/base/status.hpp"
+#include "plastica/base/version.hpp"
+
+namespace plastica {
+namespace {
+
+TEST(InputError, NamesFileLineFieldValueAndRule) {
+  const InputError error({"fit.toml", 12}, "yield_stress", "-3 MPa", "must be above 0");
+  EXPECT_STREQ(error.what(), "fit.toml:12: yield_stress = -3 MPa: must be above 0");
+  EXPECT_EQ(error.field(), "yield_stress");
+  EXPECT_EQ(error.where().line, 12);
+}
+
+TEST(InputError, LeavesOutWhatIsUnknown) {
+  EXPECT_STREQ(InputError({}, "", "", "is empty").what(), "is empty");
+  EXPECT_STREQ(InputError({"a.csv", 0}, "", "", "is empty").what(), "a.csv: is empty");
+  EXPECT_STREQ(InputError({"a.csv", 3}, "x", "", "is unknown").what(), "a.csv:3: x: is unknown");
+}
+
+TEST(InputError, StaysOneShortLineForAnyValue) {
+  const InputError error({}, "x", std::string(500, 'a') + "\n\tb", "is odd");
+  const std::string text = error.what();
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+  EXPECT_LT(text.size(), 120U);
+}
+
+TEST(Status, TellsWhatIsUsableAndWhatToDo) {
+  EXPECT_TRUE(usable(Status::Completed));
+  EXPECT_TRUE(usable(Status::Broken));
+  for (const Status bad :
+       {Status::NotRun, Status::Rejected, Status::InvalidParameter, Status::NonFinite}) {
+    EXPECT_FALSE(usable(bad));
+    EXPECT_FALSE(advice(bad).empty());
+    EXPECT_FALSE(name_of(bad).empty());
+  }
+}
+
+TEST(Dimension, HasANameAndAnSiUnit) {
+  EXPECT_EQ(si_unit(Dimension::Stress), "Pa");
+  EXPECT_EQ(name_of(Dimension::Strain), "strain");
+}
+
+TEST(Version, IsTheProjects) { EXPECT_FALSE(version().empty()); }
+
+}  // namespace
+}  // namespace plastica
