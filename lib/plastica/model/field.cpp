@@ -1,0 +1,104 @@
+#include "plastica/model/field.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "plastica/model/check_value.hpp"
+#include "plastica/model/field_table.hpp"
+
+namespace plastica {
+
+using model_detail::number_text;
+
+bool Range::contains(double value) const {
+  const bool above = low_open ? value > low : value >= low;
+  const bool below = high_open ? value < high : value <= high;
+  return above && below;
+}
+
+std::string Range::rule() const {
+  const bool bounded_low = std::isfinite(low);
+  const bool bounded_high = std::isfinite(high);
+  std::string text = "must be ";
+  if (bounded_low && bounded_high && !low_open && !high_open) {
+    return text + "from " + number_text(low) + " to " + number_text(high);
+  }
+  if (bounded_low) text += (low_open ? "above " : "at least ") + number_text(low);
+  if (bounded_low && bounded_high) text += " and ";
+  if (bounded_high) text += (high_open ? "below " : "at most ") + number_text(high);
+  if (!bounded_low && !bounded_high) text += "finite";
+  return text;
+}
+
+const Field* find_field_or_null(std::string_view path) {
+  for (const Field& field : fields()) {
+    if (field.path == path) return &field;
+  }
+  return nullptr;
+}
+
+const Field& find_field(std::string_view name, const SourceLocation& where) {
+  if (const Field* field = find_field_or_null(name)) return *field;
+  const Field* found = nullptr;
+  for (const Field& field : fields()) {
+    const auto dot = field.path.rfind('.');
+    if (field.path.substr(dot + 1) != name) continue;
+    if (found != nullptr) {
+      throw InputError(
+          where, name, "",
+          "is ambiguous: " + std::string(found->path) + " or " + std::string(field.path));
+    }
+    found = &field;
+  }
+  if (found == nullptr) {
+    throw InputError(where, name, "", "is not a field; `plastica fields` lists them");
+  }
+  return *found;
+}
+
+void check_field(const Field& field, double value, const SourceLocation& where,
+                 std::string_view shown) {
+  const std::string text = shown.empty() ? number_text(value) : std::string(shown);
+  if (!std::isfinite(value) || !field.range.contains(value)) {
+    std::string rule = field.range.rule();
+    if (field.dimension != Dimension::None && rule != "must be finite") {
+      rule += " " + std::string(si_unit(field.dimension));
+    }
+    throw InputError(where, field.path, text, rule);
+  }
+  if (field.kind == FieldKind::Integer && value != std::floor(value)) {
+    throw InputError(where, field.path, text, "must be a whole number");
+  }
+}
+
+void set_field(Setup& setup, const Field& field, const FieldValue& value,
+               const SourceLocation& where, std::string_view shown) {
+  if (const double* number = std::get_if<double>(&value)) {
+    if (field.kind == FieldKind::Choice) {
+      throw InputError(where, field.path, shown, "must be a word");
+    }
+    check_field(field, *number, where, shown);
+  } else if (const std::string* word = std::get_if<std::string>(&value)) {
+    std::string list;
+    bool known = false;
+    for (const std::string_view choice : field.choices) {
+      known = known || choice == *word;
+      list += (list.empty() ? "" : ", ") + std::string(choice);
+    }
+    if (field.kind != FieldKind::Choice) {
+      throw InputError(where, field.path, *word, "must be a number");
+    }
+    if (!known) throw InputError(where, field.path, *word, "must be one of " + list);
+  }
+  field.set(setup, value);
+}
+
+std::string default_text(const Field& field) {
+  static const Setup defaults;
+  const FieldValue value = field.get(defaults);
+  if (const double* number = std::get_if<double>(&value)) return number_text(*number);
+  if (const std::string* word = std::get_if<std::string>(&value)) return *word;
+  return "unset";
+}
+
+}  // namespace plastica

@@ -1,0 +1,162 @@
+#include "plastica/model/field_table.hpp"
+
+#include <array>
+#include <vector>
+
+namespace plastica {
+namespace model_detail {
+
+template <>
+std::span<const std::string_view> words<SectionShape>() {
+  static constexpr std::array<std::string_view, 4> kWords{"rectangle", "circle", "round_tube",
+                                                          "rectangular_tube"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<HardeningLaw>() {
+  static constexpr std::array<std::string_view, 3> kWords{"ideal", "linear", "voce_chaboche"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<Deformation>() {
+  static constexpr std::array<std::string_view, 3> kWords{"tension", "bending", "torsion"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<Formulas>() {
+  static constexpr std::array<std::string_view, 2> kWords{"mechanics", "report"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<YieldCap>() {
+  static constexpr std::array<std::string_view, 2> kWords{"first_yield", "fully_plastic"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<BreakMeasure>() {
+  static constexpr std::array<std::string_view, 2> kWords{"net", "accumulated"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<BreakPolicy>() {
+  static constexpr std::array<std::string_view, 2> kWords{"cut_all", "record_only"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<Level>() {
+  static constexpr std::array<std::string_view, 2> kWords{"auto", "coupon"};
+  return kWords;
+}
+
+namespace {
+
+constexpr Range kPositive{0.0, std::numeric_limits<double>::infinity(), true, false};
+constexpr Range kNotNegative{0.0};
+constexpr Range kAny{};
+
+#define PLASTICA_REACH(member) \
+  [](auto& setup) -> auto& { return setup.member; }
+
+std::vector<Field> make_table() {
+  using enum Dimension;
+  return {
+      number<PLASTICA_REACH(scene.material.youngs_modulus)>("material.youngs_modulus", Stress,
+                                                            kPositive, "Young's modulus E",
+                                                            MaterialField::YoungsModulus),
+      number<PLASTICA_REACH(scene.material.poisson_ratio)>(
+          "material.poisson_ratio", None, Range{-1.0, 0.5, true, false}, "Poisson's ratio",
+          MaterialField::PoissonRatio),
+      number<PLASTICA_REACH(scene.material.shear_modulus)>(
+          "material.shear_modulus", Stress, kPositive, "shear modulus G; unset: E/2(1+nu)",
+          MaterialField::ShearModulus),
+      number<PLASTICA_REACH(scene.material.density)>("material.density", Density, kPositive,
+                                                     "mass density"),
+      number<PLASTICA_REACH(scene.material.yield_stress)>("material.yield_stress", Stress,
+                                                          kPositive, "initial yield stress",
+                                                          MaterialField::YieldStress),
+      number<PLASTICA_REACH(scene.material.shear_yield_stress)>(
+          "material.shear_yield_stress", Stress, kPositive,
+          "yield stress in shear; unset: yield_stress/sqrt(3)", MaterialField::ShearYieldStress),
+      number<PLASTICA_REACH(scene.material.break_strain)>(
+          "material.break_strain", Strain, kPositive,
+          "permanent strain at which a joint breaks; unset: never", MaterialField::BreakStrain),
+      number<PLASTICA_REACH(scene.material.break_shear_strain)>(
+          "material.break_shear_strain", Strain, kPositive,
+          "permanent shear strain at break; unset: sqrt(3) break_strain",
+          MaterialField::BreakShearStrain),
+      choice<PLASTICA_REACH(scene.material.hardening.law)>(
+          "material.hardening.law", "how the stress goes on after first yield"),
+      number<PLASTICA_REACH(scene.material.hardening.tangent_modulus)>(
+          "material.hardening.tangent_modulus", Stress, kNotNegative,
+          "linear: slope of the stress-strain curve after yield, below E",
+          MaterialField::TangentModulus),
+      number<PLASTICA_REACH(scene.material.hardening.kinematic_share)>(
+          "material.hardening.kinematic_share", None, Range{0.0, 1.0},
+          "linear: share of the hardening that is kinematic", MaterialField::KinematicShare),
+      number<PLASTICA_REACH(scene.material.hardening.saturation_stress)>(
+          "material.hardening.saturation_stress", Stress, kAny,
+          "voce_chaboche: Q, growth of the yield stress", MaterialField::SaturationStress),
+      number<PLASTICA_REACH(scene.material.hardening.saturation_rate)>(
+          "material.hardening.saturation_rate", None, kNotNegative,
+          "voce_chaboche: b, how fast Q is reached", MaterialField::SaturationRate),
+      number<PLASTICA_REACH(scene.material.hardening.backstress_modulus[0])>(
+          "material.hardening.backstress_modulus_1", Stress, kNotNegative,
+          "voce_chaboche: C of the first back stress", MaterialField::BackModulus1),
+      number<PLASTICA_REACH(scene.material.hardening.backstress_modulus[1])>(
+          "material.hardening.backstress_modulus_2", Stress, kNotNegative,
+          "voce_chaboche: C of the second back stress", MaterialField::BackModulus2),
+      number<PLASTICA_REACH(scene.material.hardening.backstress_modulus[2])>(
+          "material.hardening.backstress_modulus_3", Stress, kNotNegative,
+          "voce_chaboche: C of the third back stress", MaterialField::BackModulus3),
+      number<PLASTICA_REACH(scene.material.hardening.backstress_rate[0])>(
+          "material.hardening.backstress_rate_1", None, kNotNegative,
+          "voce_chaboche: gamma of the first back stress", MaterialField::BackRate1),
+      number<PLASTICA_REACH(scene.material.hardening.backstress_rate[1])>(
+          "material.hardening.backstress_rate_2", None, kNotNegative,
+          "voce_chaboche: gamma of the second back stress", MaterialField::BackRate2),
+      number<PLASTICA_REACH(scene.material.hardening.backstress_rate[2])>(
+          "material.hardening.backstress_rate_3", None, kNotNegative,
+          "voce_chaboche: gamma of the third back stress", MaterialField::BackRate3),
+      choice<PLASTICA_REACH(scene.section.shape)>("section.shape", "shape of the cross section"),
+      number<PLASTICA_REACH(scene.section.width)>("section.width", Length, kPositive, "b, along x"),
+      number<PLASTICA_REACH(scene.section.height)>("section.height", Length, kPositive,
+                                                   "h, along y"),
+      number<PLASTICA_REACH(scene.section.radius)>("section.radius", Length, kPositive,
+                                                   "outer radius R of circle and round tube"),
+      number<PLASTICA_REACH(scene.section.inner_radius)>("section.inner_radius", Length, kPositive,
+                                                         "inner radius r of a round tube, below R"),
+      number<PLASTICA_REACH(scene.section.inner_width)>("section.inner_width", Length, kPositive,
+                                                        "width of a rectangular tube's hole"),
+      number<PLASTICA_REACH(scene.section.inner_height)>("section.inner_height", Length, kPositive,
+                                                         "height of a rectangular tube's hole"),
+      number<PLASTICA_REACH(scene.section.shear_coefficient)>(
+          "section.shear_coefficient", None, kPositive, "kappa; unset: from shape and nu"),
+      number<PLASTICA_REACH(scene.beam.length)>("beam.length", Length, kPositive,
+                                                "length of the beam"),
+      integer<PLASTICA_REACH(scene.beam.segments)>("beam.segments", Range{1.0, 1e7},
+                                                   "number of rigid segments"),
+      choice<PLASTICA_REACH(scene.drive.deformation)>("drive.deformation",
+                                                      "what the strain history does"),
+      choice<PLASTICA_REACH(scene.formulas)>("rules.formulas",
+                                             "mechanics, or the report's formulas to the letter"),
+      choice<PLASTICA_REACH(scene.yield_cap)>("rules.yield_cap",
+                                              "largest moment of an ideal joint"),
+      choice<PLASTICA_REACH(scene.break_measure)>(
+          "rules.break_measure", "which permanent strain is held against the limit"),
+      choice<PLASTICA_REACH(scene.on_break)>("rules.on_break",
+                                             "what happens to a joint over its limit"),
+      choice<PLASTICA_REACH(solver.level)>("solver.level", "how much of the beam is modelled"),
+  };
+}
+
+#undef PLASTICA_REACH
+
+}  // namespace
+}  // namespace model_detail
+
+std::span<const Field> fields() {
+  static const std::vector<Field> table = model_detail::make_table();
+  return table;
+}
+
+}  // namespace plastica
