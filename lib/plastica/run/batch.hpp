@@ -1,0 +1,45 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "plastica/run/simulate.hpp"
+
+namespace plastica {
+
+/// A scene of its own in a batch.
+struct BatchCase {
+  std::string id;  ///< unique in the batch
+  Scene scene;
+  SolverOptions options;
+};
+
+/// What became of a case. A case that cannot be run is a row too, and the others go on.
+struct BatchRow {
+  std::string id;
+  std::string reason;  ///< for a case whose input was rejected: the error line
+  Response response;   ///< status Rejected for such a case, NotRun for one that was not begun
+};
+
+struct BatchOptions {
+  int threads = 0;  ///< 0: as many as the machine has
+  /// Once true, no further case is begun. May be null.
+  const std::atomic<bool>* stop = nullptr;
+  /// Called after each case with the number finished, from any thread, one call at a time.
+  std::function<void(std::size_t finished)> progress;
+};
+
+/// Runs cases in parallel; row i is case i, with the same bits for every number of threads.
+std::vector<BatchRow> run_batch(std::span<const BatchCase> cases, const BatchOptions& options = {});
+
+/// Runs one model with many sets of parameter values.
+/// @param values  (n_cases x n_parameters), row by row, SI
+/// @return the responses (n_cases)
+std::vector<Response> run_batch(const Model& model, std::span<const double> values,
+                                std::size_t cases, const BatchOptions& options = {});
+
+}  // namespace plastica

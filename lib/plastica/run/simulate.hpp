@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "plastica/run/model.hpp"
+#include "plastica/run/response.hpp"
+
+namespace plastica {
+
+/// Checks a scene, chooses its level and lays out a model, once.
+/// @param parameters  paths of the fields that each `run` sets; others keep the scene's value
+/// @throws InputError naming the field that is out of range, does not fit, or cannot be a
+///         parameter at this level
+Model prepare(const Scene& scene, const SolverOptions& options = {},
+              std::span<const std::string> parameters = {});
+
+/// A response with room for a model's probes and samples.
+Response make_response(const Model& model);
+/// Derivatives with room for a model's samples and parameters.
+Sensitivity make_sensitivity(const Model& model);
+Workspace make_workspace(const Model& model);
+
+/// Runs a model. Neither checks the scene again nor allocates; any number of threads may run one
+/// model, each with its own workspace and response.
+/// @param values  SI, in the order of `model.parameters` (n_parameters)
+void run(const Model& model, ParameterValues values, Workspace& workspace, Response& response);
+
+/// Runs a model and differentiates the stress at each sample, and the permanent strain at the end,
+/// by the parameters (exactly, with dual numbers). Probes of the response are filled as by `run`.
+/// A cut has no derivative: the model's scene has no break limit, and the stress as its one probe.
+void run_sensitivity(const Model& model, ParameterValues values, Workspace& workspace,
+                     Response& response, Sensitivity& sensitivity);
+
+/// `prepare` and `run` in a row, for a scene that is run once.
+/// @throws InputError as `prepare`
+Response simulate(const Scene& scene, const SolverOptions& options = {});
+
+}  // namespace plastica
