@@ -12,9 +12,9 @@ namespace plastica::io {
 
 /// How to read a delimited text file; what is unset is found out from the text.
 struct CsvOptions {
-  std::optional<char> separator;       ///< ',', ';' or tab
-  std::optional<char> decimal;         ///< '.' or ','
-  std::optional<std::size_t> header;   ///< line of the column names, from 1; 0: there is none
+  std::optional<char> separator = {};      ///< ',', ';' or tab
+  std::optional<char> decimal = {};        ///< '.' or ','
+  std::optional<std::size_t> header = {};  ///< line of the column names, from 1; 0: there is none
 };
 
 /// A delimited text file as laboratories write it: metadata lines, a header, a unit row, data.
@@ -23,12 +23,15 @@ struct CsvOptions {
 class CsvTable {
  public:
   /// @throws InputError if the file cannot be read, holds no data row, or rows have unequal widths
-  ///         (a shorter last row, cut off while writing, is dropped and reported by `torn_last_row`)
+  ///         (a shorter last row, cut off while writing, is dropped and reported by
+  ///         `torn_last_row`)
   static CsvTable read(const std::string& path, const CsvOptions& options = {});
   static CsvTable parse(std::string text, std::string name, const CsvOptions& options = {});
 
   CsvTable(CsvTable&&) noexcept = default;
   CsvTable& operator=(CsvTable&&) noexcept = default;
+  CsvTable(const CsvTable&) = delete;
+  CsvTable& operator=(const CsvTable&) = delete;
 
   const std::string& file() const { return file_; }
   char separator() const { return separator_; }
@@ -55,15 +58,20 @@ class CsvTable {
   /// A whole column as numbers. @throws InputError as above
   std::vector<double> numbers(std::size_t column) const;
 
-  /// Column by exact name, by name without case, or by number ("1" is the first).
-  /// @throws InputError that lists the columns there are; `where`, `field`: who asked
+  /// Column by exact name, by name without case, by name with unit as in the file, or by number
+  /// ("1" is the first).
+  /// @throws InputError that lists the columns there are, or says that two have that name;
+  ///         `where`, `field`: who asked
   std::size_t find(std::string_view name_or_number, const SourceLocation& where,
                    std::string_view field) const;
-  /// The same, empty if there is none.
+  /// The same, empty if there is none or more than one.
   std::optional<std::size_t> find(std::string_view name_or_number) const;
 
  private:
   CsvTable() = default;
+
+  void drop_last_column();
+  std::vector<std::size_t> matches(std::string_view name_or_number) const;
 
   std::string file_;
   std::vector<char> text_;  // not a string: a moved short string would move its characters

@@ -25,6 +25,10 @@ struct UnitConversion {
 UnitConversion unit_conversion(std::string_view unit, Dimension dimension,
                                const SourceLocation& where = {}, std::string_view field = {});
 
+/// Whether a text is a unit that `unit_conversion` knows for one dimension or another. A column's
+/// header "Stress (MPa)" has one, "Stress (true)" has not. A number alone is none: "Run (2)".
+bool is_unit(std::string_view text);
+
 /// Reads "355 MPa", "0.2 %", "1e-3" into SI.
 /// @throws InputError if there is no number, or the unit does not fit
 double parse_quantity(std::string_view text, Dimension dimension, const SourceLocation& where = {},

@@ -1,0 +1,238 @@
+#include "plastica/io/csv.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "plastica/io/csv_layout.hpp"
+#include "plastica/io/csv_text.hpp"
+
+namespace plastica::io {
+namespace {
+
+using csv_text::CellKind;
+using csv_text::Layout;
+using csv_text::Line;
+
+std::string count_of_cells(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " cell" : " cells");
+}
+
+std::string bytes_of(const std::string& path) {
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
+  const auto refuse = [&] {
+    throw InputError({path, 0}, "", "", std::string("cannot be read: ") + std::strerror(errno));
+  };
+  if (!file) refuse();
+  std::string bytes;
+  std::vector<char> block(std::size_t{1} << 18U);
+  while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
+    bytes.append(block.data(), count);
+  }
+  if (std::ferror(file.get()) != 0) refuse();
+  return bytes;
+}
+
+/// Makes one quote of each doubled one of a quoted cell, in place.
+std::string_view unescaped(std::string_view cell, std::vector<char>& text) {
+  const auto begin = static_cast<std::size_t>(cell.data() - text.data());
+  const bool quoted = begin > 0 && text[begin - 1] == '"';
+  if (!quoted || cell.find('"') == std::string_view::npos) return cell;
+  std::size_t to = begin;
+  for (std::size_t from = begin; from < begin + cell.size(); ++from) {
+    text[to++] = text[from];
+    const bool more = from + 1 < begin + cell.size();
+    if (text[from] == '"' && more && text[from + 1] == '"') ++from;
+  }
+  return {text.data() + begin, to - begin};
+}
+
+}  // namespace
+
+CsvTable CsvTable::read(const std::string& path, const CsvOptions& options) {
+  return parse(bytes_of(path), path, options);
+}
+
+CsvTable CsvTable::parse(std::string text, std::string name, const CsvOptions& options) {
+  CsvTable table;
+  table.file_ = std::move(name);
+  table.text_ = csv_text::decoded(text, table.file_);
+  const std::string_view all(table.text_.data(), table.text_.size());
+  const std::vector<Line> lines = csv_text::lines_of(all);
+  const Layout layout = csv_text::layout_of(lines, table.file_, options);
+  const char separator = layout.dialect.separator;
+  table.separator_ = separator;
+  table.decimal_ = layout.dialect.decimal;
+
+  std::vector<std::string_view> cells;
+  const std::size_t before =
+      layout.header ? *layout.header : layout.unit_row.value_or(layout.first_data);
+  for (std::size_t i = 0; i < before; ++i) table.preamble_.emplace_back(lines[i].text);
+
+  if (layout.header) {
+    std::string_view header = csv_text::without_blanks(lines[*layout.header].text);
+    if (header.starts_with('#')) header.remove_prefix(1);  // as NumPy writes it
+    if (!csv_text::split(header, separator, cells)) {
+      throw InputError({table.file_, lines[*layout.header].number}, "", "",
+                       "has a quote that is not closed");
+    }
+    while (cells.size() > layout.dialect.width && cells.back().empty()) cells.pop_back();
+    for (const std::string_view cell : cells) {
+      auto [column, unit] = csv_text::name_and_unit(unescaped(cell, table.text_));
+      table.names_.push_back(std::move(column));
+      table.units_.push_back(std::move(unit));
+    }
+  }
+  const std::size_t named = table.names_.size();
+  const std::size_t width = std::max(named, layout.dialect.width);
+  table.names_.resize(width);
+  table.units_.resize(width);
+  if (layout.unit_row) {
+    csv_text::split(lines[*layout.unit_row].text, separator, cells);
+    for (std::size_t i = 0; i < std::min(cells.size(), width); ++i) {
+      std::string unit = csv_text::unit_cell(cells[i]).unit;
+      if (!unit.empty()) table.units_[i] = std::move(unit);
+    }
+  }
+  const auto wanted = [&] {
+    return layout.header ? "the header on line " + std::to_string(lines[*layout.header].number) +
+                               " has " + std::to_string(named)
+                         : "the other rows have " + std::to_string(width);
+  };
+
+  const bool ends_in_newline = all.ends_with('\n') || all.ends_with('\r');
+  std::vector<bool> filled(width, false);
+  table.cells_.reserve((lines.size() - layout.first_data) * width);
+  for (std::size_t i = layout.first_data; i < lines.size(); ++i) {
+    const bool closed = csv_text::split(lines[i].text, separator, cells);
+    const bool last = i + 1 == lines.size();
+    while (cells.size() > width && cells.back().empty()) cells.pop_back();
+    bool torn = last && (!closed || cells.size() < width);
+    if (last && !torn && !ends_in_newline && cells.size() == width) {
+      const auto kind = csv_text::read_number(cells.back(), table.decimal_).kind;
+      const bool number_wanted = layout.dialect.numeric.size() == width &&
+                                 layout.dialect.numeric.back() && table.rows() > 0;
+      // Cut off inside its last cell ("1.2e-"), or just before it.
+      torn = number_wanted && (kind == CellKind::Text || cells.back() == "-" ||
+                               (cells.back().empty() && !table.cells_.back().empty()));
+    }
+    if (torn && table.rows() > 0) {
+      table.torn_last_row_ = true;
+      break;
+    }
+    if (!closed) {
+      throw InputError({table.file_, lines[i].number}, "", "", "has a quote that is not closed");
+    }
+    if (cells.size() != width) {
+      throw InputError({table.file_, lines[i].number}, "", "",
+                       "has " + count_of_cells(cells.size()) + ", " + wanted());
+    }
+    for (std::size_t k = 0; k < width; ++k) {
+      const std::string_view cell = cells[k];
+      if (!cell.empty()) filled[k] = true;
+      table.cells_.push_back(unescaped(cell, table.text_));
+    }
+    table.line_of_row_.push_back(lines[i].number);
+  }
+  if (table.rows() == 0) throw InputError({table.file_, 0}, "", "", "holds no data row");
+
+  // A separator behind the last cell of each row makes a column without name or content.
+  if (width > 1 && named < width && layout.header) {
+    if (filled.back()) {
+      throw InputError({table.file_, table.line_of_row_[0]}, "", "",
+                       "has " + count_of_cells(width) + ", " + wanted());
+    }
+    table.drop_last_column();
+  } else if (width > 1 && !filled.back() && table.names_.back().empty()) {
+    table.drop_last_column();
+  }
+  return table;
+}
+
+void CsvTable::drop_last_column() {
+  const std::size_t old_width = columns();
+  names_.pop_back();
+  units_.pop_back();
+  const std::size_t width = columns();
+  for (std::size_t row = 0; row < rows(); ++row) {
+    for (std::size_t k = 0; k < width; ++k) cells_[row * width + k] = cells_[row * old_width + k];
+  }
+  cells_.resize(rows() * width);
+}
+
+double CsvTable::number(std::size_t row, std::size_t column) const {
+  const std::string_view text = cell(row, column);
+  const csv_text::Number number = csv_text::read_number(text, decimal_);
+  if (number.kind == CellKind::Number || number.kind == CellKind::Missing) return number.value;
+  const std::string& name = names_[column];
+  throw InputError(
+      {file_, line_of_row_[row]}, name.empty() ? "column " + std::to_string(column + 1) : name,
+      text, number.kind == CellKind::OutOfRange ? "is a number out of range" : "is not a number");
+}
+
+std::vector<double> CsvTable::numbers(std::size_t column) const {
+  std::vector<double> values(rows());
+  for (std::size_t row = 0; row < rows(); ++row) values[row] = number(row, column);
+  return values;
+}
+
+std::vector<std::size_t> CsvTable::matches(std::string_view name_or_number) const {
+  const std::string_view wanted = csv_text::without_blanks(name_or_number);
+  if (wanted.empty()) return {};
+  std::vector<std::size_t> found;
+  const auto collect = [&](auto&& fits) {
+    for (std::size_t i = 0; found.size() < columns() && i < columns(); ++i) {
+      if (!names_[i].empty() && fits(i)) found.push_back(i);
+    }
+    return !found.empty();
+  };
+  const std::string lower = csv_text::lower_case(wanted);
+  // "Stress (MPa)" as the file has it, though its name here is "Stress".
+  const auto [name, unit] = csv_text::name_and_unit(wanted);
+  if (collect([&](std::size_t i) { return names_[i] == wanted; }) ||
+      collect([&](std::size_t i) { return csv_text::lower_case(names_[i]) == lower; }) ||
+      (!unit.empty() &&
+       collect([&](std::size_t i) { return names_[i] == name && units_[i] == unit; }))) {
+    return found;
+  }
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+  const bool whole = error == std::errc{} && end == wanted.data() + wanted.size();
+  if (whole && number >= 1 && number <= columns()) found.push_back(number - 1);
+  return found;
+}
+
+std::optional<std::size_t> CsvTable::find(std::string_view name_or_number) const {
+  const std::vector<std::size_t> found = matches(name_or_number);
+  if (found.size() != 1) return std::nullopt;
+  return found[0];
+}
+
+std::size_t CsvTable::find(std::string_view name_or_number, const SourceLocation& where,
+                           std::string_view field) const {
+  const std::vector<std::size_t> found = matches(name_or_number);
+  if (found.size() == 1) return found[0];
+  if (found.size() > 1) {
+    throw InputError(where, field, name_or_number,
+                     "is the name of columns " + std::to_string(found[0] + 1) + " and " +
+                         std::to_string(found[1] + 1) + " of " + file_ + "; give the number");
+  }
+  std::string list;
+  constexpr std::size_t kShown = 12;
+  for (std::size_t i = 0; i < std::min(columns(), kShown); ++i) {
+    if (!names_[i].empty()) list += (list.empty() ? "" : ", ") + names_[i];
+  }
+  if (!list.empty() && columns() > kShown) list += ", ...";
+  const std::string count = std::to_string(columns()) + (columns() == 1 ? " column" : " columns");
+  throw InputError(where, field, name_or_number,
+                   "is not a column of " + file_ + ", which has " + count +
+                       (list.empty() ? " without names" : ": " + list));
+}
+
+}  // namespace plastica::io

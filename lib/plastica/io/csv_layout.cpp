@@ -1,0 +1,243 @@
+#include "plastica/io/csv_layout.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+namespace plastica::io::csv_text {
+namespace {
+
+using Cells = std::vector<std::string_view>;
+
+/// Lines that the dialect is judged by: all of a short file, an even choice of a long one.
+std::vector<Line> sample_of(const std::vector<Line>& lines) {
+  constexpr std::size_t kLines = 600;
+  if (lines.size() <= kLines) return lines;
+  std::vector<Line> sample;
+  for (std::size_t i = 0; i < kLines; ++i) sample.push_back(lines[i * lines.size() / kLines]);
+  return sample;
+}
+
+/// What speaks for a dialect: numbers in rows of its most usual width; then rows of that width.
+struct Evidence {
+  long numbers = 0;
+  std::size_t lines = 0;
+  std::size_t width = 1;
+};
+
+Evidence evidence_for(const std::vector<Line>& sample, char separator, char decimal) {
+  std::map<std::size_t, Evidence> by_width;
+  Cells cells;
+  for (const Line& line : sample) {
+    if (!split(line.text, separator, cells)) continue;
+    Evidence& evidence = by_width[cells.size()];
+    evidence.width = cells.size();
+    ++evidence.lines;
+    for (const std::string_view cell : cells) {
+      if (read_number(cell, decimal).kind == CellKind::Number) ++evidence.numbers;
+      // "5;1" between commas: a row of "0,5;1,5" cut at its decimal commas.
+      if (separator == ',' && cell.find(';') != std::string_view::npos) --evidence.numbers;
+    }
+  }
+  Evidence best;
+  for (const auto& [width, evidence] : by_width) {
+    const bool more = evidence.numbers > best.numbers ||
+                      (evidence.numbers == best.numbers && evidence.lines > best.lines);
+    if (more) best = evidence;
+  }
+  return best;
+}
+
+Dialect dialect_of(const std::vector<Line>& lines, const CsvOptions& options) {
+  const std::vector<Line> sample = sample_of(lines);
+  Dialect best;
+  Evidence most;
+  bool first = true;
+  // In the order of preference when the numbers are equal: "1,5;2,5" has two either way.
+  for (const char separator : {'\t', ';', ','}) {
+    if (options.separator && *options.separator != separator) continue;
+    for (const char decimal : {'.', ','}) {
+      if (options.decimal && *options.decimal != decimal) continue;
+      const Evidence evidence = evidence_for(sample, separator, decimal);
+      const bool wider = evidence.numbers == most.numbers && evidence.width > 1 && most.width == 1;
+      if (first || evidence.numbers > most.numbers || wider) {
+        most = evidence;
+        best = {separator, decimal, evidence.width, {}};
+        first = false;
+      }
+    }
+  }
+
+  std::vector<std::size_t> numbers(best.width, 0);
+  std::vector<std::size_t> texts(best.width, 0);
+  std::vector<CellKind> kinds;
+  Cells cells;
+  for (const Line& line : sample) {
+    if (!split(line.text, best.separator, cells) || cells.size() != best.width) continue;
+    kinds.clear();
+    for (const std::string_view cell : cells) {
+      kinds.push_back(read_number(cell, best.decimal).kind);
+    }
+    // Headers and unit rows, which have no number, must not outvote a file of few rows.
+    if (std::count(kinds.begin(), kinds.end(), CellKind::Number) == 0) continue;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      const CellKind kind = kinds[i];
+      if (kind == CellKind::Number) ++numbers[i];
+      if (kind == CellKind::Text) ++texts[i];
+    }
+  }
+  for (std::size_t i = 0; i < best.width; ++i) best.numeric.push_back(numbers[i] > texts[i]);
+  return best;
+}
+
+/// Finds the parts of a file whose dialect is known.
+class Finder {
+ public:
+  Finder(const std::vector<Line>& lines, const std::string& file, const CsvOptions& options)
+      : lines_(lines), file_(file), options_(options), dialect_(dialect_of(lines, options)) {
+    any_numeric_ =
+        std::find(dialect_.numeric.begin(), dialect_.numeric.end(), true) != dialect_.numeric.end();
+  }
+
+  Layout layout() {
+    Layout layout;
+    layout.dialect = dialect_;
+    if (options_.header.value_or(0) > 0) {
+      layout.header = line_index(*options_.header);
+      layout.first_data = *layout.header + 1;
+      const bool more = layout.first_data < lines_.size();
+      if (more && !is_data(layout.first_data) && is_unit_row(layout.first_data)) {
+        layout.unit_row = layout.first_data++;
+      }
+    } else {
+      layout.first_data = first_data();
+      if (!options_.header && layout.first_data > 0) find_header(layout);
+    }
+    if (layout.first_data >= lines_.size()) {
+      throw InputError({file_, 0}, "", "", "holds no data row");
+    }
+    return layout;
+  }
+
+ private:
+  const Cells& cells_of(std::size_t line) {
+    if (!split(lines_[line].text, dialect_.separator, cells_)) cells_.clear();
+    return cells_;
+  }
+
+  CellKind kind_of(std::string_view cell) const { return read_number(cell, dialect_.decimal).kind; }
+
+  bool is_data(std::size_t line) {
+    const Cells& cells = cells_of(line);
+    bool any = false;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      // A row of another width is a broken one, to be reported, if it is numbers all through.
+      if (cells.size() == dialect_.width && !dialect_.numeric[i]) continue;
+      const CellKind kind = kind_of(cells[i]);
+      if (kind == CellKind::Text) return false;
+      any = any || kind != CellKind::Missing || says_nan(cells[i]);
+    }
+    return any && (cells.size() == dialect_.width || cells.size() > 1);
+  }
+
+  bool is_unit_row(std::size_t line) {
+    const Cells& cells = cells_of(line);
+    const bool fits = cells.size() == dialect_.width || cells.size() + 1 == dialect_.width;
+    return fits && std::all_of(cells.begin(), cells.end(),
+                               [](std::string_view cell) { return unit_cell(cell).is_unit; });
+  }
+
+  /// Could be a row of names over the data: few numbers in it, not a line of metadata.
+  bool is_header(std::size_t line) {
+    std::string_view text = without_blanks(lines_[line].text);
+    if (text.starts_with('{')) return false;
+    const Cells& cells = cells_of(line);
+    const auto numbers = std::count_if(cells.begin(), cells.end(), [&](std::string_view cell) {
+      return kind_of(cell) == CellKind::Number || kind_of(cell) == CellKind::OutOfRange;
+    });
+    // "Strain,Stress,2" is one; "Area,120" is metadata or a broken row.
+    if (numbers > 0 && (cells.size() != dialect_.width || numbers * 3 > std::ssize(cells))) {
+      return false;
+    }
+    const auto filled = static_cast<std::size_t>(std::count_if(
+        cells.begin(), cells.end(), [](std::string_view cell) { return !cell.empty(); }));
+    if (cells.size() == dialect_.width || filled == dialect_.width) return true;
+    if (cells.size() + 1 == dialect_.width && cells.size() > 1) return true;
+    return cells.size() > dialect_.width && filled > 1;
+  }
+
+  std::size_t line_index(std::size_t number) const {
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      if (lines_[i].number == static_cast<int>(number)) return i;
+    }
+    throw InputError({file_, static_cast<int>(number)}, "", "",
+                     "is blank or past the end, so it cannot be the header");
+  }
+
+  std::size_t first_data() {
+    constexpr std::size_t kFollowers = 3;
+    if (!any_numeric_) {
+      // Text only: the first row of the usual width is the header.
+      std::size_t first = 0;
+      while (first < lines_.size() && cells_of(first).size() != dialect_.width) ++first;
+      return options_.header ? first : first + 1;
+    }
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      if (!is_data(i)) continue;
+      // Under a header, or with no header soon to come: then a broken row below is no excuse to
+      // take this one for metadata.
+      if (i > 0 && is_header(i - 1)) return i;
+      bool header_follows = false;
+      for (std::size_t k = i + 1; k <= i + kFollowers && k < lines_.size(); ++k) {
+        header_follows = header_follows || is_header(k);
+      }
+      if (!header_follows) return i;
+    }
+    return lines_.size();
+  }
+
+  void find_header(Layout& layout) {
+    const std::size_t above = layout.first_data - 1;
+    if (above > 0 && is_unit_row(above) && is_header(above - 1)) {
+      layout.unit_row = above;
+      layout.header = above - 1;
+    } else if (is_header(above)) {
+      layout.header = above;
+    } else if (is_unit_row(above)) {
+      layout.unit_row = above;
+    } else {
+      refuse_broken_row(above);
+    }
+  }
+
+  /// Below a header, a line that is not data is a broken row, never metadata to pass over.
+  void refuse_broken_row(std::size_t line) {
+    for (std::size_t above = line; above-- > 0;) {
+      if (!is_header(above) || cells_of(above).size() != dialect_.width) continue;
+      for (std::size_t broken = above + 1; broken <= line; ++broken) {
+        if (is_unit_row(broken)) continue;
+        for (const std::string_view cell : cells_of(broken)) {
+          if (kind_of(cell) != CellKind::Text) continue;
+          throw InputError({file_, lines_[broken].number}, "", cell, "is not a number");
+        }
+      }
+    }
+  }
+
+  const std::vector<Line>& lines_;
+  const std::string& file_;
+  const CsvOptions& options_;
+  Dialect dialect_;
+  bool any_numeric_ = false;
+  Cells cells_;
+};
+
+}  // namespace
+
+Layout layout_of(const std::vector<Line>& lines, const std::string& file,
+                 const CsvOptions& options) {
+  if (lines.empty()) throw InputError({file, 0}, "", "", "is empty");
+  return Finder(lines, file, options).layout();
+}
+
+}  // namespace plastica::io::csv_text

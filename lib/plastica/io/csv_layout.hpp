@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plastica/io/csv.hpp"
+#include "plastica/io/csv_text.hpp"
+
+namespace plastica::io::csv_text {
+
+/// How a file writes its rows, as its lines show.
+struct Dialect {
+  char separator = ',';
+  char decimal = '.';
+  std::size_t width = 1;      ///< cells of a data row
+  std::vector<bool> numeric;  ///< (width): the column holds numbers, mostly
+};
+
+/// Where things are in a file; indices into its lines.
+struct Layout {
+  Dialect dialect;
+  std::optional<std::size_t> header;
+  std::optional<std::size_t> unit_row;
+  std::size_t first_data = 0;
+};
+
+/// Finds the separator and decimal mark under which the lines hold the most numbers in rows of one
+/// width, and with them the header, the unit row and the first row of data.
+///
+/// Data begin at the first line that is a row of numbers, unless a header follows soon after it.
+/// The line above is the header, or the unit row below it; what stands before is metadata.
+/// @throws InputError if there is no row of data, or a line above the data is a broken row
+Layout layout_of(const std::vector<Line>& lines, const std::string& file,
+                 const CsvOptions& options);
+
+}  // namespace plastica::io::csv_text

@@ -1,0 +1,285 @@
+#include "plastica/io/units.hpp"
+
+#include <udunits2.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace plastica::io {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Why a unit is refused.
+enum class Refusal { None, Unknown, BareNumber };
+
+struct Lookup {
+  Refusal refusal = Refusal::Unknown;
+  UnitConversion conversion;
+};
+
+std::string_view examples(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::None:
+      return "1, %";
+    case Dimension::Strain:
+      return "%, 1, mm/mm, um/m";
+    case Dimension::Angle:
+      return "rad, deg";
+    case Dimension::Stress:
+      return "Pa, MPa, ksi";
+    case Dimension::Length:
+      return "m, mm, in";
+    case Dimension::Area:
+      return "m^2, mm^2, in^2";
+    case Dimension::Force:
+      return "N, kN, lbf";
+    case Dimension::Moment:
+      return "N m, kN m, lbf in";
+    case Dimension::Curvature:
+      return "rad/m, deg/m, 1/mm";
+    case Dimension::Density:
+      return "kg/m^3, g/cm^3";
+    case Dimension::Temperature:
+      return "K, degC";
+    case Dimension::Time:
+      return "s, min, h";
+    case Dimension::StrainRate:
+      return "1/s, %/min";
+  }
+  return "";
+}
+
+/// Spellings that udunits2 does not know, and what they mean to it.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kSpellings{{
+    {"Nm", "N m"},
+    {"kNm", "kN m"},
+    {"MNm", "MN m"},
+    {"Nmm", "N mm"},
+    {"kNmm", "kN mm"},
+    {"deg", "arc_degree"},
+    {"deg/m", "arc_degree/m"},
+    {"deg/mm", "arc_degree/mm"},
+    {"secs", "s"},
+}};
+
+/// Pure numbers are a closed list: to udunits2 an angle, a ratio and a count are the same.
+std::optional<double> strain_scale(std::string_view unit) {
+  if (unit.empty() || unit == "1") return 1.0;
+  if (unit == "%" || unit == "percent") return 0.01;
+  if (unit == "‰" || unit == "permille") return 1e-3;
+  for (const std::string_view name : {"microstrain", "ustrain", "µε", "μɛ", "με", "µɛ", "µm/m",
+                                      "μm/m", "um/m", "uin/in", "µin/in"}) {
+    if (unit == name) return 1e-6;
+  }
+  for (const std::string_view name : {"mm/mm", "m/m", "in/in", "cm/cm", "strain", "-"}) {
+    if (unit == name) return 1.0;
+  }
+  if (unit == "mm/m") return 1e-3;
+  return std::nullopt;
+}
+
+std::optional<double> angle_scale(std::string_view unit) {
+  for (const std::string_view name : {"rad", "radian", "radians"}) {
+    if (unit == name) return 1.0;
+  }
+  if (unit == "mrad") return 1e-3;
+  for (const std::string_view name : {"deg", "degree", "degrees", "°"}) {
+    if (unit == name) return std::numbers::pi / 180.0;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> pure_scale(std::string_view unit) {
+  if (unit.empty() || unit == "1" || unit == "-") return 1.0;
+  if (unit == "%" || unit == "percent") return 0.01;
+  return std::nullopt;
+}
+
+struct FreeUnit {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+using Unit = std::unique_ptr<ut_unit, FreeUnit>;
+
+/// udunits2 and what was looked up already; all access is under the mutex, since udunits2 keeps
+/// its status and parser in globals.
+class UnitTable {
+ public:
+  Lookup find(std::string_view unit, Dimension dimension) {
+    const std::lock_guard lock(mutex_);
+    const auto key = std::pair(std::string(unit), dimension);
+    if (const auto known = known_.find(key); known != known_.end()) return known->second;
+    const Lookup found = look_up(unit, dimension);
+    known_.emplace(key, found);
+    return found;
+  }
+
+  bool parses(std::string_view unit) {
+    const std::lock_guard lock(mutex_);
+    return parsed(unit) != nullptr;
+  }
+
+ private:
+  ut_system* system() {
+    if (system_ == nullptr) {
+      ut_set_error_message_handler(ut_ignore);
+      system_ = ut_read_xml(nullptr);
+      if (system_ == nullptr) throw std::runtime_error("udunits2: cannot read its table of units");
+    }
+    return system_;
+  }
+
+  Unit parsed(std::string_view unit) {
+    // udunits2 takes "5 mm" for a unit five times as long; in our files that is a slip.
+    const bool starts_with_number =
+        !unit.empty() && (is_digit(unit[0]) || unit[0] == '.' || unit[0] == '+' || unit[0] == '-');
+    if (unit.empty() || (starts_with_number && unit.substr(0, 2) != "1/")) return nullptr;
+    std::string text(unit);
+    for (const auto& [ours, theirs] : kSpellings) {
+      if (unit == ours) text = theirs;
+    }
+    return Unit(ut_parse(system(), text.c_str(), UT_UTF8));
+  }
+
+  Lookup look_up(std::string_view unit, Dimension dimension) {
+    const Unit from = parsed(unit);
+    if (!from) return {};
+    const Unit to(ut_parse(system(), std::string(si_unit(dimension)).c_str(), UT_UTF8));
+    if (!to || ut_are_convertible(from.get(), to.get()) == 0) return {};
+    cv_converter* converter = ut_get_converter(from.get(), to.get());
+    if (converter == nullptr) return {};
+    const double at_0 = cv_convert_double(converter, 0.0);
+    const double at_1 = cv_convert_double(converter, 1.0);
+    const double at_2 = cv_convert_double(converter, 2.0);
+    cv_free(converter);
+    // udunits2 also "converts" to the reciprocal (s to Hz) and to logarithms (dB): not a unit here.
+    if (!std::isfinite(at_0) || !std::isfinite(at_1)) return {};
+    const double slope = at_1 - at_0;
+    if (std::abs(at_2 - at_0 - 2.0 * slope) > 1e-9 * (std::abs(at_2) + std::abs(at_0))) return {};
+    return {Refusal::None, {at_0 == 0.0 ? shortest(at_1, 1e-15) : shortest(slope, 1e-13), at_0}};
+  }
+
+  /// Undoes rounding: 0.001^2 is not quite 1e-6, 274.15 - 273.15 not quite 1.
+  /// @param tolerance  of the rounding, relative
+  static double shortest(double value, double tolerance) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                   std::chars_format::general, 12);
+    double rounded = value;
+    std::from_chars(text.data(), end.ptr, rounded);
+    return std::abs(rounded - value) < tolerance * std::abs(value) ? rounded : value;
+  }
+
+  std::mutex mutex_;
+  ut_system* system_ = nullptr;  // lives as long as the process
+  std::map<std::pair<std::string, Dimension>, Lookup> known_;
+};
+
+UnitTable& unit_table() {
+  // Never destroyed, so that threads that outlive main may still ask.
+  static auto& table = *new UnitTable;
+  return table;
+}
+
+Lookup found(std::optional<double> scale) {
+  if (!scale) return {};
+  return {Refusal::None, {*scale, 0.0}};
+}
+
+Lookup look_up(std::string_view unit, Dimension dimension) {
+  switch (dimension) {
+    case Dimension::None:
+      return found(pure_scale(unit));
+    case Dimension::Strain:
+      return found(strain_scale(unit));
+    case Dimension::Angle:
+      if (unit.empty() || unit == "1") return {Refusal::BareNumber, {}};
+      return found(angle_scale(unit));
+    default:
+      break;
+  }
+  if (unit.empty() || unit == "1") return {Refusal::BareNumber, {}};
+  return unit_table().find(unit, dimension);
+}
+
+std::string article_for(std::string_view noun) { return noun.starts_with('a') ? "an " : "a "; }
+
+std::string rule_for(Refusal refusal, Dimension dimension) {
+  const std::string name(name_of(dimension));
+  const std::string such_as = " (examples: " + std::string(examples(dimension)) + ")";
+  if (refusal == Refusal::BareNumber) {
+    return article_for(name) + name + " needs a unit" + such_as;
+  }
+  return "is not a unit of " + (dimension == Dimension::None ? "a " + name : name) + such_as;
+}
+
+}  // namespace
+
+UnitConversion unit_conversion(std::string_view unit, Dimension dimension,
+                               const SourceLocation& where, std::string_view field) {
+  const std::string_view text = trimmed(unit);
+  const Lookup result = look_up(text, dimension);
+  if (result.refusal != Refusal::None) {
+    throw InputError(where, field, text, rule_for(result.refusal, dimension));
+  }
+  return result.conversion;
+}
+
+bool is_unit(std::string_view text) {
+  text = trimmed(text);
+  if (text.empty()) return false;
+  if (text.size() == 1) {
+    // udunits2 knows most letters ("a" is 100 m^2, "d" a day); in headers they number things.
+    constexpr std::string_view kLetters = "%msKNVAh";
+    return kLetters.find(text[0]) != std::string_view::npos;
+  }
+  return strain_scale(text) || angle_scale(text) || unit_table().parses(text);
+}
+
+double parse_quantity(std::string_view text, Dimension dimension, const SourceLocation& where,
+                      std::string_view field) {
+  const std::string_view whole = trimmed(text);
+  std::string_view rest = whole;
+  if (rest.starts_with('+')) rest.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  if (error == std::errc::result_out_of_range || (error == std::errc{} && !std::isfinite(value))) {
+    throw InputError(where, field, whole, "is not a finite number");
+  }
+  if (error != std::errc{}) {
+    throw InputError(where, field, whole,
+                     "does not begin with a number; wanted: a number and a unit of " +
+                         std::string(name_of(dimension)) + ", such as \"1 " +
+                         std::string(si_unit(dimension)) + "\"");
+  }
+  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+  if (rest.size() > 1 && rest[0] == ',' && is_digit(rest[1])) {
+    throw InputError(where, field, whole, "has a decimal comma; write a point");
+  }
+  const std::string_view unit = trimmed(rest);
+  const Lookup result = look_up(unit, dimension);
+  if (result.refusal != Refusal::None) {
+    const std::string quoted = unit.empty() || result.refusal == Refusal::BareNumber
+                                   ? std::string()
+                                   : "\"" + std::string(unit) + "\" ";
+    throw InputError(where, field, whole, quoted + rule_for(result.refusal, dimension));
+  }
+  return result.conversion(value);
+}
+
+}  // namespace plastica::io

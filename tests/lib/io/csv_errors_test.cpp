@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include "plastica/io/csv.hpp"
+
+namespace plastica::io {
+namespace {
+
+/// The message of the InputError that an action throws.
+template <typename Action>
+std::string message_of(const Action& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string parse_error(const std::string& text, const CsvOptions& options = {}) {
+  return message_of([&] { CsvTable::parse(text, "curve.csv", options); });
+}
+
+TEST(CsvErrors, AMissingFileIsNamed) {
+  EXPECT_EQ(message_of([] { CsvTable::read("no/such/file.csv"); }),
+            "no/such/file.csv: cannot be read: No such file or directory");
+}
+
+TEST(CsvErrors, AFolderIsNotAFile) {
+  EXPECT_EQ(message_of([] { CsvTable::read("/"); }), "/: cannot be read: Is a directory");
+}
+
+TEST(CsvErrors, EmptyTextIsSaidToBeEmpty) {
+  EXPECT_EQ(parse_error(""), "curve.csv: is empty");
+  EXPECT_EQ(parse_error("\n \n;;\n"), "curve.csv: is empty");
+}
+
+TEST(CsvErrors, AHeaderAloneHoldsNoData) {
+  EXPECT_EQ(parse_error("a,b\n"), "curve.csv: holds no data row");
+  EXPECT_EQ(parse_error("a,b\n", {.header = 1}), "curve.csv: holds no data row");
+}
+
+TEST(CsvErrors, BinaryAndUtf16AreRefused) {
+  EXPECT_EQ(parse_error(std::string("a,b\n1,\0\n", 8)),
+            "curve.csv:2: is not text (it has a zero byte)");
+  EXPECT_EQ(parse_error("\xFF\xFE"
+                        "a"),
+            "curve.csv: is UTF-16 text; save it as UTF-8");
+}
+
+TEST(CsvErrors, ARowOfAnotherWidthIsNamedWithItsLine) {
+  EXPECT_EQ(parse_error("a,b\n1,2\n3,4\n5\n6,7\n8,9\n"),
+            "curve.csv:4: has 1 cell, the header on line 1 has 2");
+  EXPECT_EQ(parse_error("a,b\n1,2\n3,4,5\n6,7\n"),
+            "curve.csv:3: has 3 cells, the header on line 1 has 2");
+  EXPECT_EQ(parse_error("1,2\n3,4\n5,6,7\n8,9\n"),
+            "curve.csv:3: has 3 cells, the other rows have 2");
+}
+
+TEST(CsvErrors, AHeaderOfAnotherWidthIsNamed) {
+  EXPECT_EQ(parse_error("a,b,c\n1,2\n3,4\n5,6\n"),
+            "curve.csv:2: has 2 cells, the header on line 1 has 3");
+  EXPECT_EQ(parse_error("a,b\n1,2,3\n3,4,3\n5,6,3\n"),
+            "curve.csv:2: has 3 cells, the header on line 1 has 2");
+}
+
+TEST(CsvErrors, AQuoteThatIsNotClosedIsNamedWithItsLine) {
+  EXPECT_EQ(parse_error("a,b\n1,2\n\"3,4\n5,6\n7,8\n"),
+            "curve.csv:3: has a quote that is not closed");
+  EXPECT_EQ(parse_error("\"a,b\n1,2\n5,6\n", {.header = 1}),
+            "curve.csv:1: has a quote that is not closed");
+}
+
+TEST(CsvErrors, ACellThatIsNoNumberIsNamedWithLineAndColumn) {
+  const CsvTable table = CsvTable::parse("a,\n0,1\n1,2\n3,x7\n5,1e999\n6,inf\n8,9\n", "c.csv");
+  EXPECT_EQ(message_of([&] { table.number(2, 1); }), "c.csv:4: column 2 = x7: is not a number");
+  EXPECT_EQ(message_of([&] { table.number(3, 1); }),
+            "c.csv:5: column 2 = 1e999: is a number out of range");
+  EXPECT_EQ(message_of([&] { table.number(4, 1); }), "c.csv:6: column 2 = inf: is not a number");
+  EXPECT_EQ(message_of([&] { table.numbers(1); }), "c.csv:4: column 2 = x7: is not a number");
+}
+
+TEST(CsvErrors, ThousandsSeparatorsAreNotGuessed) {
+  const CsvTable table = CsvTable::parse("a;b\n0,5;1,5\n1.234,5;2,5\n2,5;3,5\n4,5;1,5\n", "c.csv");
+  EXPECT_EQ(message_of([&] { table.numbers(0); }), "c.csv:3: a = 1.234,5: is not a number");
+}
+
+TEST(CsvErrors, ABrokenFirstRowIsNotTakenForAHeader) {
+  EXPECT_EQ(parse_error("a,b\noverflow,2\n1,2\n3,4\n5,6\n7,8\n"),
+            "curve.csv:2: overflow: is not a number");
+}
+
+TEST(CsvErrors, AHeaderLineThatIsNotThereIsNamed) {
+  EXPECT_EQ(parse_error("a,b\n1,2\n", {.header = 9}),
+            "curve.csv:9: is blank or past the end, so it cannot be the header");
+}
+
+TEST(CsvErrors, AnUnknownColumnListsTheColumnsThereAre) {
+  const CsvTable named = CsvTable::parse("Strain,Stress\n1,2\n3,4\n", "c.csv");
+  EXPECT_EQ(message_of([&] {
+              named.find("Force", {"fit.toml", 7}, "stress.column");
+            }),
+            "fit.toml:7: stress.column = Force: is not a column of c.csv, which has 2 columns: "
+            "Strain, Stress");
+  const CsvTable bare = CsvTable::parse("1,2\n3,4\n", "c.csv");
+  EXPECT_EQ(message_of([&] { bare.find("3", {}, "column"); }),
+            "column = 3: is not a column of c.csv, which has 2 columns without names");
+}
+
+TEST(CsvErrors, ANameThatTwoColumnsHaveIsRefused) {
+  const CsvTable table = CsvTable::parse("x,y,X\n1,2,3\n4,5,6\n", "c.csv");
+  EXPECT_EQ(table.find("x"), 0U);
+  const CsvTable twice = CsvTable::parse("x,y,x\n1,2,3\n4,5,6\n", "c.csv");
+  EXPECT_EQ(message_of([&] { twice.find("x", {}, "column"); }),
+            "column = x: is the name of columns 1 and 3 of c.csv; give the number");
+  EXPECT_EQ(twice.find("x"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace plastica::io

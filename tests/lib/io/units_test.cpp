@@ -1,0 +1,175 @@
+#include "plastica/io/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <thread>
+#include <vector>
+
+namespace plastica::io {
+namespace {
+
+double scale(std::string_view unit, Dimension dimension) {
+  const UnitConversion conversion = unit_conversion(unit, dimension);
+  EXPECT_EQ(conversion.offset, 0.0) << unit;
+  return conversion.scale;
+}
+
+template <typename Action>
+std::string message_of(const Action& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Units, ConvertStressesToPascal) {
+  EXPECT_EQ(scale("Pa", Dimension::Stress), 1.0);
+  EXPECT_EQ(scale("MPa", Dimension::Stress), 1e6);
+  EXPECT_EQ(scale("GPa", Dimension::Stress), 1e9);
+  for (const char* unit : {"N/mm^2", "N/mm2", "N/mm²", "N mm-2"}) {
+    EXPECT_EQ(scale(unit, Dimension::Stress), 1e6) << unit;
+  }
+  // 1 lbf = 4.4482216152605 N, 1 in = 0.0254 m, both exact.
+  EXPECT_NEAR(scale("psi", Dimension::Stress), 4.4482216152605 / (0.0254 * 0.0254), 1e-9);
+  EXPECT_NEAR(scale("ksi", Dimension::Stress), 4448.2216152605 / (0.0254 * 0.0254), 1e-6);
+}
+
+TEST(Units, ConvertForcesLengthsAndAreas) {
+  EXPECT_EQ(scale("kN", Dimension::Force), 1e3);
+  EXPECT_EQ(scale("mm", Dimension::Length), 1e-3);
+  EXPECT_EQ(scale("in", Dimension::Length), 0.0254);
+  EXPECT_EQ(scale("mm^2", Dimension::Area), 1e-6);
+  EXPECT_EQ(scale("in^2", Dimension::Area), 0.00064516);
+  EXPECT_EQ(scale("1/s", Dimension::StrainRate), 1.0);
+  EXPECT_EQ(scale("g/cm^3", Dimension::Density), 1e3);
+  EXPECT_EQ(scale("kg/m^3", Dimension::Density), 1.0);
+  EXPECT_EQ(scale("sec", Dimension::Time), 1.0);
+  EXPECT_EQ(scale("1/mm", Dimension::Curvature), 1e3);
+  EXPECT_DOUBLE_EQ(scale("deg/m", Dimension::Curvature), std::numbers::pi / 180.0);
+}
+
+TEST(Units, ConvertMomentsHoweverTheyAreWritten) {
+  for (const char* unit : {"Nm", "N m", "N*m", "N.m", "N·m"}) {
+    EXPECT_EQ(scale(unit, Dimension::Moment), 1.0) << unit;
+  }
+  EXPECT_EQ(scale("kNm", Dimension::Moment), 1e3);
+  EXPECT_EQ(scale("Nmm", Dimension::Moment), 1e-3);
+}
+
+TEST(Units, ConvertTemperaturesWithTheirOffset) {
+  EXPECT_EQ(scale("K", Dimension::Temperature), 1.0);
+  for (const char* unit : {"degC", "°C"}) {
+    const UnitConversion celsius = unit_conversion(unit, Dimension::Temperature);
+    EXPECT_EQ(celsius.scale, 1.0) << unit;
+    EXPECT_DOUBLE_EQ(celsius(20.0), 293.15) << unit;
+  }
+  EXPECT_NEAR(unit_conversion("degF", Dimension::Temperature)(212.0), 373.15, 1e-9);
+}
+
+TEST(Units, ConvertStrainsAndTakeNoUnitForOne) {
+  for (const char* unit : {"", " ", "1", "mm/mm", "in/in", "m/m", "-"}) {
+    EXPECT_EQ(scale(unit, Dimension::Strain), 1.0) << unit;
+  }
+  EXPECT_EQ(scale("%", Dimension::Strain), 0.01);
+  for (const char* unit : {"um/m", "µm/m", "microstrain", "µε"}) {
+    EXPECT_EQ(scale(unit, Dimension::Strain), 1e-6) << unit;
+  }
+}
+
+TEST(Units, ConvertAnglesAndPureNumbers) {
+  EXPECT_EQ(scale("rad", Dimension::Angle), 1.0);
+  EXPECT_EQ(scale("deg", Dimension::Angle), std::numbers::pi / 180.0);
+  EXPECT_EQ(scale("°", Dimension::Angle), std::numbers::pi / 180.0);
+  EXPECT_EQ(scale("", Dimension::None), 1.0);
+  EXPECT_EQ(scale("%", Dimension::None), 0.01);
+}
+
+TEST(Units, AWrongDimensionNamesTheOneWanted) {
+  EXPECT_EQ(message_of([] {
+              unit_conversion("mm", Dimension::Stress, {"fit.toml", 12}, "stress.unit");
+            }),
+            "fit.toml:12: stress.unit = mm: is not a unit of stress (examples: Pa, MPa, ksi)");
+  EXPECT_EQ(message_of([] { unit_conversion("deg", Dimension::Strain, {}, "unit"); }),
+            "unit = deg: is not a unit of strain (examples: %, 1, mm/mm, um/m)");
+  EXPECT_EQ(message_of([] { unit_conversion("m", Dimension::None, {}, "nu"); }),
+            "nu = m: is not a unit of a pure number (examples: 1, %)");
+}
+
+TEST(Units, AnUnknownUnitIsRefusedLikeAWrongOne) {
+  for (const char* unit : {"Mpa", "wibble", "5 MPa", "10", "(", "%", "MPa MPa", "lg(re 1 Pa)"}) {
+    EXPECT_EQ(message_of([&] { unit_conversion(unit, Dimension::Stress, {}, "u"); }),
+              "u = " + std::string(unit) + ": is not a unit of stress (examples: Pa, MPa, ksi)");
+  }
+}
+
+TEST(Units, AReciprocalIsNoConversion) {
+  EXPECT_EQ(message_of([] { unit_conversion("1/s", Dimension::Time, {}, "t"); }),
+            "t = 1/s: is not a unit of time (examples: s, min, h)");
+  EXPECT_EQ(message_of([] { unit_conversion("m", Dimension::Curvature, {}, "k"); }),
+            "k = m: is not a unit of curvature (examples: rad/m, deg/m, 1/mm)");
+}
+
+TEST(Units, ABareNumberIsNoStress) {
+  EXPECT_EQ(message_of([] { unit_conversion("", Dimension::Stress, {}, "stress.unit"); }),
+            "stress.unit: a stress needs a unit (examples: Pa, MPa, ksi)");
+  EXPECT_EQ(message_of([] { parse_quantity("355", Dimension::Stress, {}, "yield_stress"); }),
+            "yield_stress = 355: a stress needs a unit (examples: Pa, MPa, ksi)");
+  EXPECT_EQ(message_of([] { parse_quantity("3", Dimension::Angle, {}, "twist"); }),
+            "twist = 3: an angle needs a unit (examples: rad, deg)");
+}
+
+TEST(Quantity, IsANumberAndAUnit) {
+  EXPECT_EQ(parse_quantity("355 MPa", Dimension::Stress), 355e6);
+  EXPECT_EQ(parse_quantity(" +2.5e2kN ", Dimension::Force), 250e3);
+  EXPECT_DOUBLE_EQ(parse_quantity("0.2 %", Dimension::Strain), 0.002);
+  EXPECT_EQ(parse_quantity("1e-3", Dimension::Strain), 1e-3);
+  EXPECT_EQ(parse_quantity("-40 degC", Dimension::Temperature), 273.15 - 40.0);
+}
+
+TEST(Quantity, SaysWhatIsWrongWithIt) {
+  const auto message = [](const char* text, Dimension dimension) {
+    return message_of([&] { parse_quantity(text, dimension, {"a.toml", 3}, "x"); });
+  };
+  EXPECT_EQ(message("MPa", Dimension::Stress),
+            "a.toml:3: x = MPa: does not begin with a number; wanted: a number and a unit of "
+            "stress, such as \"1 Pa\"");
+  EXPECT_EQ(message("355 kg", Dimension::Stress),
+            "a.toml:3: x = 355 kg: \"kg\" is not a unit of stress (examples: Pa, MPa, ksi)");
+  EXPECT_EQ(message("0,2 %", Dimension::Strain),
+            "a.toml:3: x = 0,2 %: has a decimal comma; write a point");
+  EXPECT_EQ(message("1e999 MPa", Dimension::Stress),
+            "a.toml:3: x = 1e999 MPa: is not a finite number");
+  EXPECT_EQ(message("nan", Dimension::Strain), "a.toml:3: x = nan: is not a finite number");
+  EXPECT_EQ(message("1.2.3", Dimension::Strain),
+            "a.toml:3: x = 1.2.3: \".3\" is not a unit of strain (examples: %, 1, mm/mm, um/m)");
+}
+
+TEST(Units, AreToldFromOtherWords) {
+  for (const char* unit : {"MPa", "%", "kN", "N/mm²", "mm", "degC", "1/s", "microstrain"}) {
+    EXPECT_TRUE(is_unit(unit)) << unit;
+  }
+  for (const char* word : {"", "true", "2", "5 mm", "a", "corrected", "left"}) {
+    EXPECT_FALSE(is_unit(word)) << word;
+  }
+}
+
+TEST(Units, MayBeAskedFromSeveralThreads) {
+  std::vector<std::thread> threads;
+  std::vector<double> sums(4, 0.0);
+  for (std::size_t t = 0; t < sums.size(); ++t) {
+    threads.emplace_back([&, t] {
+      for (int i = 0; i < 200; ++i) {
+        sums[t] += unit_conversion("MPa", Dimension::Stress).scale;
+        sums[t] += is_unit("furlong/fortnight") ? 1.0 : 0.0;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const double sum : sums) EXPECT_EQ(sum, 200.0 * (1e6 + 1.0));
+}
+
+}  // namespace
+}  // namespace plastica::io
