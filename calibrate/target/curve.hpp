@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "plastica/model/drive.hpp"
+
 namespace plastica::calibrate {
 
 /// A stress-strain curve in SI: strain [1], stress [Pa], both (n).
@@ -12,10 +14,8 @@ struct Curve {
   std::size_t size() const { return strain.size(); }
 };
 
-/// What loads the specimen. Strain and stress are those of the extreme fibre:
-/// tension: elongation/gauge length and F/A; bending: kappa h/2 and M/W_elastic;
-/// torsion: gamma = (J/W_t) twist per length and T/W_t.
-enum class Test { Tension, Bending, Torsion };
+/// What loads the specimen; says of which fibre strain and stress are (see `Deformation`).
+using Test = Deformation;
 
 /// How strain and stress are counted; stored and printed beside the yield stress.
 enum class Measure { Engineering, True };

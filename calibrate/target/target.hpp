@@ -19,7 +19,7 @@ struct Repair {
 
 /// One correction of the curve as a whole.
 struct Correction {
-  std::string kind;     ///< "toe", "preload-offset", "trim-at-break", "true-measure", …
+  std::string kind;  ///< "toe", "preload-offset", "trim-at-break", "true-measure", …
   bool applied = false;
   double amount = 0.0;  ///< its size in SI: strain shift, stress shift, samples cut
   std::string unit;     ///< unit of the amount: "1", "Pa", "samples"
@@ -43,19 +43,19 @@ struct BreakObservation {
 struct Characteristics {
   std::optional<double> youngs_modulus;
   std::optional<double> youngs_modulus_stderr;  ///< of the regression
-  double modulus_window_low = 0.0;   ///< stress window of the modulus [Pa]
+  double modulus_window_low = 0.0;              ///< stress window of the modulus [Pa]
   double modulus_window_high = 0.0;
-  std::string modulus_method;        ///< "regression", "chord", "given"
-  std::optional<double> offset;      ///< the proof-stress offset used [1], 0.002 by default
-  std::optional<double> rp02;        ///< proof stress at that offset
-  std::optional<double> reh;         ///< upper yield strength
-  std::optional<double> rel;         ///< lower yield strength
-  std::optional<double> rm;          ///< largest stress
+  std::string modulus_method;    ///< "regression", "chord", "given"
+  std::optional<double> offset;  ///< the proof-stress offset used [1], 0.002 by default
+  std::optional<double> rp02;    ///< proof stress at that offset
+  std::optional<double> reh;     ///< upper yield strength
+  std::optional<double> rel;     ///< lower yield strength
+  std::optional<double> rm;      ///< largest stress
   std::optional<double> strain_at_rm;
   std::optional<double> break_strain;          ///< total, middle of the sampling interval
   std::optional<double> break_strain_plastic;  ///< break_strain - stress/E
   std::optional<BreakObservation> observed_break;
-  double largest_strain = 0.0;       ///< of the whole specimen
+  double largest_strain = 0.0;  ///< of the whole specimen
 };
 
 /// What became of a specimen on its way from the file to the fit.

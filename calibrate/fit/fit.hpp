@@ -1,0 +1,33 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "calibrate/fit/options.hpp"
+#include "calibrate/fit/result.hpp"
+#include "calibrate/target/target.hpp"
+
+namespace plastica::calibrate {
+
+/// Fits one target. Never throws for what a curve is like: that is a status of the result.
+/// @throws InputError if the options themselves are bad (parameters that no coupon has, an unknown
+///         algorithm, bounds out of range)
+FitResult fit_target(const Target& target, const FitOptions& options);
+
+struct BatchFitOptions {
+  int threads = 0;  ///< 0: as many as the machine has
+  /// Once true, no further fit is begun; those under way are finished. May be null.
+  const std::atomic<bool>* stop = nullptr;
+  /// Called after each fit with its index, one call at a time, from any thread: journal, progress.
+  std::function<void(std::size_t index, const FitResult& result)> finished;
+};
+
+/// Fits targets in parallel. Result i belongs to target i and has the same bits for every number of
+/// threads and every order of the targets. A fit that was not begun has the reason "not run".
+std::vector<FitResult> fit_batch(std::span<const Target> targets, const FitOptions& options,
+                                 const BatchFitOptions& batch = {});
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plastica::calibrate {
+
+/// A minimization over a box, in scaled coordinates of order one.
+struct Problem {
+  std::vector<double> lower;  ///< (n), finite
+  std::vector<double> upper;  ///< (n), finite, above lower
+  std::vector<double> start;  ///< (n), within the box
+  /// Cost at x (n); fills `gradient` (n) if it is not empty. May throw: the exception leaves
+  /// `minimize` whole. Not-a-number or infinite costs are taken as very bad points.
+  std::function<double(std::span<const double> x, std::span<double> gradient)> cost;
+};
+
+struct MinimizeOptions {
+  std::string algorithm;  ///< one of `algorithm_names()` but "auto"
+  int max_evaluations = 500;
+  double x_tolerance = 1e-10;     ///< |dx_i| <= x_tolerance for all i
+  double cost_tolerance = 1e-14;  ///< |df| <= cost_tolerance |f|
+  std::uint64_t seed = 1;         ///< for the algorithms that draw random numbers
+};
+
+struct Minimum {
+  std::vector<double> x;  ///< best point that was evaluated (n)
+  double cost = 0.0;
+  int evaluations = 0;
+  std::string outcome;  ///< "xtol-reached", "ftol-reached", "maxeval-reached", "roundoff-limited"…
+  bool usable = false;  ///< whether x is worth keeping; true for "roundoff-limited"
+};
+
+/// Names that a fit file may use: "auto" and those of NLopt that need bounds and no constraints,
+/// in lower case ("crs", "direct-l", "slsqp", "lbfgs", "nelder-mead", "sbplx", "bobyqa", …).
+std::span<const std::string_view> algorithm_names();
+bool is_global(std::string_view algorithm);
+bool needs_gradient(std::string_view algorithm);
+
+/// Minimizes with NLopt. The same problem and options give the same bits, in any thread.
+/// @throws whatever `cost` threw; InputError for an unknown algorithm
+Minimum minimize(const Problem& problem, const MinimizeOptions& options);
+
+}  // namespace plastica::calibrate

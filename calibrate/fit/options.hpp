@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibrate/fit/parameter.hpp"
+#include "plastica/model/field.hpp"
+
+namespace plastica::calibrate {
+
+/// How the misfit between model and curve is counted; r = model stress - measured stress.
+enum class Objective {
+  /// f = sum |de_i| (r_i^2 + r_{i-1}^2)/2 / sum |de_i| over the measured strain path: does not
+  /// depend on how densely the curve is sampled.
+  StrainPath,
+  /// f = sum w_i r_i^2 / sum w_i over the samples; w_i = 1, or 1/noise_i^2 with a given noise.
+  LeastSquares,
+};
+
+/// When an optimizer stage ends: at the first of these.
+struct StoppingRules {
+  /// Largest number of cost evaluations of the global stage; 0 switches it off.
+  int global_evaluations = 60;
+  /// Largest number of cost evaluations of the local stage.
+  int local_evaluations = 500;
+  /// The local stage ends when a step changes every scaled parameter by less than this [1].
+  double parameter_tolerance = 1e-10;
+  /// … or the cost by less than this share of itself.
+  double cost_tolerance = 1e-14;
+};
+
+/// Everything that a fit is told besides the target.
+struct FitOptions {
+  Setup setup;  ///< material, section and rules of the beam; the target sets drive and probes
+  std::vector<Parameter> parameters;
+  Objective objective = Objective::StrainPath;
+  std::optional<double> noise;  ///< standard deviation of the stress [Pa], LeastSquares
+  /// Weight of the break term (see objective.hpp), >= 0; 0 leaves break_strain unidentified.
+  double break_weight = 1.0;
+  std::string algorithm = "auto";  ///< see `algorithm_names()`
+  StoppingRules stopping;
+  std::uint64_t seed = 1;    ///< each target's own seed is made from this and the target's name
+  double confidence = 0.95;  ///< of the intervals, within (0, 1)
+};
+
+}  // namespace plastica::calibrate

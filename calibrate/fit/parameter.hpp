@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plastica/base/check.hpp"
+#include "plastica/model/field.hpp"
+
+namespace plastica::calibrate {
+
+/// What a fit may do with a parameter.
+enum class ParameterRole { Free, Fixed, Tied };
+
+/// In which coordinate the optimizer moves a parameter. Auto: logarithmic if both bounds are
+/// above zero, else linear.
+enum class ParameterScale { Auto, Linear, Logarithmic };
+
+/// One parameter of a fit, as a fit file states it. All values in SI.
+struct Parameter {
+  const Field* field = nullptr;  ///< a material field; its path is the parameter's name in files
+  ParameterRole role = ParameterRole::Free;
+  std::optional<double> value;  ///< Fixed: the value. Free: the start, else from the curve
+  std::optional<double> lower;  ///< Free: bounds, within the field's range; unset: from the curve,
+  std::optional<double> upper;  ///< wide enough to hold any curve of that kind
+  ParameterScale scale = ParameterScale::Auto;
+  const Field* tied_to = nullptr;  ///< Tied: value = factor * value of that parameter
+  double factor = 1.0;
+  SourceLocation where;  ///< for error lines
+
+  /// "yield_stress" of "material.yield_stress": the name that reports use.
+  std::string name() const;
+};
+
+/// Checks a fit's parameters: no field twice, values and bounds in range, lower below upper, start
+/// between the bounds, ties to a parameter of the fit that is not tied itself, at least one free.
+/// @throws InputError naming the parameter
+void check_parameters(const std::vector<Parameter>& parameters);
+
+}  // namespace plastica::calibrate

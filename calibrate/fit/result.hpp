@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "calibrate/fit/parameter.hpp"
+#include "calibrate/target/target.hpp"
+#include "plastica/base/status.hpp"
+
+namespace plastica::calibrate {
+
+/// How a fit ended. Ranked: a smaller one is better.
+enum class FitStatus {
+  Fitted,    ///< parameters found; look at the warnings
+  Failed,    ///< the optimizer or the model gave nothing usable; `reason` says what
+  Rejected,  ///< the target could not be fitted at all: see the target's status and reason
+};
+
+std::string_view name_of(FitStatus status);
+
+/// What the fit says of one parameter; SI.
+struct FittedParameter {
+  std::string name;  ///< "yield_stress"
+  std::string path;  ///< "material.yield_stress"
+  Dimension dimension = Dimension::None;
+  ParameterRole role = ParameterRole::Free;
+  double value = 0.0;
+  double start = 0.0;
+  double lower = 0.0;  ///< bounds; equal to the value if fixed or tied
+  double upper = 0.0;
+  bool logarithmic = false;
+  /// Standard error; empty for fixed parameters and for those that the curve does not determine.
+  std::optional<double> standard_error;
+  std::optional<double> interval_low;  ///< confidence interval
+  std::optional<double> interval_high;
+  bool at_lower = false;
+  bool at_upper = false;
+  bool identified = true;  ///< free: whether the curve determines it
+};
+
+/// One stage of the optimizer.
+struct OptimizerStage {
+  std::string algorithm;  ///< NLopt's name, "GN_CRS2_LM"
+  std::string outcome;    ///< "xtol-reached", "roundoff-limited", …
+  int evaluations = 0;
+  double cost = 0.0;  ///< best cost of the stage [Pa^2]
+};
+
+/// Every cost evaluation in order, for the file.
+struct Trace {
+  std::size_t parameters = 0;  ///< number of free parameters, n
+  std::vector<double> values;  ///< (n_evaluations x n), SI, row by row
+  std::vector<double> costs;   ///< (n_evaluations) [Pa^2]
+};
+
+/// The result of one fit; can explain itself (see report.hpp).
+struct FitResult {
+  FitStatus status = FitStatus::Rejected;
+  std::string reason;  ///< one sentence for all but Fitted
+  std::vector<FittedParameter> parameters;
+  std::vector<double> correlation;  ///< of the free parameters (n x n); NaN where unidentified
+  double cost = 0.0;                ///< f at the solution, break term included [Pa^2]
+  double misfit_rms = 0.0;          ///< sqrt of f without the break term [Pa]
+  double misfit_share = 0.0;        ///< misfit_rms / largest measured stress [1]
+  std::string misfit_word;          ///< "close", "fair", "poor": how well the model can follow
+  std::size_t samples = 0;          ///< that entered the fit
+  std::optional<double> break_strain_total;  ///< total strain at which the fitted model breaks [1]
+  std::uint64_t seed = 0;
+  std::vector<OptimizerStage> stages;
+  Trace trace;
+  Curve fitted;  ///< the model at the corrected samples, and at the break if there is one
+  std::vector<std::string> warnings;
+
+  /// The parameter of a name. @throws std::out_of_range
+  const FittedParameter& parameter(std::string_view name) const;
+  std::size_t evaluations() const { return trace.costs.size(); }
+};
+
+/// A target and what its fit gave: one row of a batch, what journal and file hold.
+struct FitRecord {
+  Target target;
+  FitResult result;
+};
+
+}  // namespace plastica::calibrate
