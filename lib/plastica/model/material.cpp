@@ -16,8 +16,7 @@ using model_detail::require_positive;
 void check_hardening(const Material& material, const SourceLocation& where) {
   const Hardening& h = material.hardening;
   switch (h.law) {
-    case HardeningLaw::Ideal:
-      return;
+    case HardeningLaw::Ideal: return;
     case HardeningLaw::Linear:
       require(h.tangent_modulus >= 0.0 && h.tangent_modulus < material.youngs_modulus, where,
               "material.hardening.tangent_modulus", h.tangent_modulus,

@@ -97,10 +97,8 @@ SectionProperties rectangular_tube(const Section& s, double nu) {
 
 SectionProperties shape_properties(const Section& s, double nu) {
   switch (s.shape) {
-    case SectionShape::Rectangle:
-      return rectangle(s.width, s.height, nu);
-    case SectionShape::Circle:
-      return ring(s.radius, 0.0, nu);
+    case SectionShape::Rectangle: return rectangle(s.width, s.height, nu);
+    case SectionShape::Circle: return ring(s.radius, 0.0, nu);
     case SectionShape::RoundTube: {
       SectionProperties p = ring(s.radius, s.inner_radius, nu);
       const double wall = s.radius - s.inner_radius;
@@ -109,8 +107,7 @@ SectionProperties shape_properties(const Section& s, double nu) {
       p.bredt_torsion_modulus = 2.0 * pi * middle * middle * wall;
       return p;
     }
-    case SectionShape::RectangularTube:
-      return rectangular_tube(s, nu);
+    case SectionShape::RectangularTube: return rectangular_tube(s, nu);
   }
   throw InputError({}, "section.shape", "",
                    "must be rectangle, circle, round-tube or rectangular-tube");
@@ -147,9 +144,7 @@ void check_section(const Section& s, const SourceLocation& where) {
     case SectionShape::RoundTube:
       require_inside(s.inner_radius, s.radius, where, "section.inner_radius", "section.radius");
       [[fallthrough]];
-    case SectionShape::Circle:
-      require_positive(s.radius, where, "section.radius");
-      break;
+    case SectionShape::Circle: require_positive(s.radius, where, "section.radius"); break;
   }
   if (s.shear_coefficient) {
     require_positive(*s.shear_coefficient, where, "section.shear_coefficient");
