@@ -1,0 +1,40 @@
+#pragma once
+
+namespace plastica::theory {
+
+// Cantilever of rectangular section under a tip load, elastic-perfectly-plastic, small
+// displacements. load_ratio = P/P_y, P_y = M_y/L; deflections over delta_y = P_y L^3/(3 E I).
+
+/// delta/delta_y: p for p <= 1, else (5 - (3 + p) sqrt(3 - 2p))/p^2; 20/9 at the limit load p
+/// = 1.5. Source: Prager & Hodge, Theory of Perfectly Plastic Solids, 1951, sec. 9: the
+/// moment-curvature law of the rectangle integrated twice along the beam.
+/// @param load_ratio  p [1], 0 <= p <= 1.5
+double tip_deflection_ratio(double load_ratio);
+
+/// Length of the plastic zone from the clamp over L: 1 - 1/p for p > 1, else 0.
+double plastic_zone_ratio(double load_ratio);
+
+/// How the two ends of a beam are held.
+enum class BeamEnds {
+  ClampedFree,
+  FreeFree,  ///< without the rigid-body modes; the same roots as clamped-clamped
+  ClampedPinned,
+  PinnedPinned,
+};
+
+/// beta L of a mode of an Euler-Bernoulli beam; omega = (beta L)^2 sqrt(E I/(rho A L^4)).
+///
+/// Roots of cos x cosh x = -1 (clamped-free), = +1 (free-free), tan x = tanh x (clamped-pinned),
+/// n pi (pinned-pinned). Source: Timoshenko, Vibration Problems in Engineering, lateral vibration
+/// of bars with various end conditions.
+/// @param mode  1, 2, …
+double frequency_root(BeamEnds ends, int mode);
+
+/// Circular frequency of a bending mode [rad/s].
+/// @param bending_stiffness  E I [N m^2]
+/// @param mass_per_length    rho A [kg/m]
+/// @param length             L [m]
+double circular_frequency(BeamEnds ends, int mode, double bending_stiffness, double mass_per_length,
+                          double length);
+
+}  // namespace plastica::theory

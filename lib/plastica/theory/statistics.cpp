@@ -1,0 +1,122 @@
+#include "plastica/theory/statistics.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace plastica::theory {
+namespace {
+
+/// Beyond this the continued fraction gets slow and lgamma coarse, while the expansion about the
+/// normal quantile is exact to rounding.
+constexpr double kManyDegrees = 1e4;
+
+/// Continued fraction of the incomplete beta function (Abramowitz & Stegun 26.5.8), evaluated from
+/// the front by Lentz's method; converges fast for x < (a + 1)/(a + b + 2).
+double beta_fraction(double x, double a, double b) {
+  constexpr int kMostTerms = 2000;
+  constexpr double kTiny = 1e-300;
+  const auto guarded = [](double v) { return std::abs(v) < kTiny ? kTiny : v; };
+  double c = 1.0;
+  double d = 1.0 / guarded(1.0 - (a + b) * x / (a + 1.0));
+  double value = d;
+  for (int m = 1; m <= kMostTerms; ++m) {
+    const double even = m * (b - m) * x / ((a + 2.0 * m - 1.0) * (a + 2.0 * m));
+    const double odd = -(a + m) * (a + b + m) * x / ((a + 2.0 * m) * (a + 2.0 * m + 1.0));
+    double change = 1.0;
+    for (const double term : {even, odd}) {
+      d = 1.0 / guarded(1.0 + term * d);
+      c = guarded(1.0 + term / c);
+      change = c * d;
+      value *= change;
+    }
+    if (std::abs(change - 1.0) < 4.0 * std::numeric_limits<double>::epsilon()) break;
+  }
+  return value;
+}
+
+/// Regularized incomplete beta function I_x(a, b); `y` is 1 - x without cancellation.
+double incomplete_beta(double x, double y, double a, double b) {
+  if (x <= 0.0) return 0.0;
+  if (y <= 0.0) return 1.0;
+  // Thread-safe: all arguments are positive, so lgamma's sign, a global, is of no interest, but
+  // glibc writes it all the same; lgamma_r does not.
+  int sign = 0;
+  const double log_beta = lgamma_r(a, &sign) + lgamma_r(b, &sign) - lgamma_r(a + b, &sign);
+  const double front = std::exp(a * std::log(x) + b * std::log(y) - log_beta);
+  if (x < (a + 1.0) / (a + b + 2.0)) return front * beta_fraction(x, a, b) / a;
+  return 1.0 - front * beta_fraction(y, b, a) / b;
+}
+
+/// Probability beyond t >= 0.
+double student_t_tail(double t, double nu) {
+  const double square = t * t;
+  return 0.5 * incomplete_beta(nu / (nu + square), square / (nu + square), nu / 2.0, 0.5);
+}
+
+/// t >= 0 with the given probability beyond it. Bisection on log t, which the monotone tail cannot
+/// mislead, until the bracket is as narrow as rounding lets it be.
+double student_t_tail_quantile(double tail, double nu) {
+  double low = 1.0;
+  while (student_t_tail(low, nu) < tail) low /= 2.0;
+  double high = 2.0 * low;
+  while (student_t_tail(high, nu) > tail) {
+    low = high;
+    high *= 2.0;
+  }
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (student_t_tail(middle, nu) > tail ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// Abramowitz & Stegun 26.7.5 up to 1/nu^3.
+double expanded_quantile(double z, double nu) {
+  const double z2 = z * z;
+  const double g1 = (z2 + 1.0) / 4.0;
+  const double g2 = ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
+  const double g3 = (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / 384.0;
+  return z * (1.0 + (g1 + (g2 + g3 / nu) / nu) / nu);
+}
+
+}  // namespace
+
+double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
+
+double normal_quantile(double p) {
+  assert(p > 0.0 && p < 1.0);
+  if (p == 0.5) return 0.0;
+  if (p > 0.5) return -normal_quantile(1.0 - p);
+  // Newton on log(cdf) = log(p). The log is concave and rising, and cdf(x) <= exp(-x^2/2)/2 puts
+  // the start left of the root, so the steps rise to it and never overshoot.
+  double x = -std::sqrt(-2.0 * std::log(2.0 * p));
+  for (int i = 0; i < 60; ++i) {
+    const double cdf = normal_cdf(x);
+    const double density = std::exp(-0.5 * x * x) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
+    const double step = std::log(p / cdf) * cdf / density;
+    x += step;
+    if (std::abs(step) <= 1e-15 * std::abs(x)) break;
+  }
+  return x;
+}
+
+double student_t_cdf(double t, double degrees_of_freedom) {
+  assert(degrees_of_freedom > 0.0);
+  const double tail = student_t_tail(std::abs(t), degrees_of_freedom);
+  return t > 0.0 ? 1.0 - tail : tail;
+}
+
+double student_t_quantile(double p, double degrees_of_freedom) {
+  assert(p > 0.0 && p < 1.0 && degrees_of_freedom > 0.0);
+  if (p == 0.5) return 0.0;
+  if (degrees_of_freedom > kManyDegrees) {
+    return expanded_quantile(normal_quantile(p), degrees_of_freedom);
+  }
+  const double t = student_t_tail_quantile(std::min(p, 1.0 - p), degrees_of_freedom);
+  return p < 0.5 ? -t : t;
+}
+
+}  // namespace plastica::theory
