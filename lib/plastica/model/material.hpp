@@ -37,15 +37,15 @@ struct Hardening {
 /// An empty optional is derived: see resolved_shear_modulus() and its kin.
 struct Material {
   std::string name = "S355";
-  double youngs_modulus = 210e9;             ///< E [Pa], > 0
-  double poisson_ratio = 0.3;                ///< nu [1], -1 < nu <= 0.5
-  std::optional<double> shear_modulus;       ///< G [Pa], > 0; empty: E/(2(1+nu)), isotropic
-  double density = 7850.0;                   ///< rho [kg/m^3], > 0
-  double yield_stress = 355e6;               ///< sigma_y [Pa], > 0
-  std::optional<double> shear_yield_stress;  ///< tau_y [Pa], > 0; empty: sigma_y/sqrt(3), Mises
-  std::optional<double> break_strain;        ///< permanent strain [1], > 0; empty: never breaks
-  std::optional<double> break_shear_strain;  ///< permanent [1], > 0; empty: sqrt(3) break_strain
-  Hardening hardening;
+  double youngs_modulus = 210e9;               ///< E [Pa], > 0
+  double poisson_ratio = 0.3;                  ///< nu [1], -1 < nu <= 0.5
+  std::optional<double> shear_modulus{};       ///< G [Pa], > 0; empty: E/(2(1+nu)), isotropic
+  double density = 7850.0;                     ///< rho [kg/m^3], > 0
+  double yield_stress = 355e6;                 ///< sigma_y [Pa], > 0
+  std::optional<double> shear_yield_stress{};  ///< tau_y [Pa], > 0; empty: sigma_y/sqrt(3), Mises
+  std::optional<double> break_strain{};        ///< permanent strain [1], > 0; empty: never breaks
+  std::optional<double> break_shear_strain{};  ///< permanent [1], > 0; empty: sqrt(3) break_strain
+  Hardening hardening{};
 };
 
 /// G [Pa]: as given, or E/(2(1+nu)) of an isotropic material.

@@ -11,9 +11,9 @@ namespace plastica {
 
 /// A material that a file can name, and where its figures come from.
 struct NamedMaterial {
-  Material material;        ///< its `name` is the one to look up
-  std::string description;  ///< what it is, and what its yield stress stands for
-  std::string source;       ///< standard or handbook of every figure
+  Material material{};        ///< its `name` is the one to look up
+  std::string description{};  ///< what it is, and what its yield stress stands for
+  std::string source{};       ///< standard or handbook of every figure
 };
 
 /// All named materials: steels, aluminium alloys, one wood.

@@ -25,7 +25,7 @@ struct Section {
   double inner_width = 0.08;   ///< b_i [m], 0 < b_i < width: rectangular tube
   double inner_height = 0.08;  ///< h_i [m], 0 < h_i < height: rectangular tube
   /// kappa [1], > 0, both directions; empty: Cowper's value for the shape
-  std::optional<double> shear_coefficient;
+  std::optional<double> shear_coefficient{};
 };
 
 /// What mechanics needs of a cross section. "x" in a name means: bending about x.
@@ -45,8 +45,8 @@ struct SectionProperties {
   double shear_coefficient_x = 0.0;        ///< kappa [1] of a shear force along x
   double shear_coefficient_y = 0.0;        ///< kappa [1] of a shear force along y
   /// Bredt's thin-wall values of J [m^4] and W_t [m^3], for comparison: tubes only.
-  std::optional<double> bredt_torsion_constant;
-  std::optional<double> bredt_torsion_modulus;
+  std::optional<double> bredt_torsion_constant{};
+  std::optional<double> bredt_torsion_modulus{};
 };
 
 /// Computes the properties of a cross section.

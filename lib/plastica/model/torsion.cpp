@@ -9,9 +9,9 @@ namespace {
 
 using std::numbers::pi;
 
-// In the sums below tanh is split into 1, summed in closed form, and a rest that dies like
-// exp(-n pi), so that seven odd terms reach rounding.
-constexpr int kLastTerm = 13;
+// In the sums below tanh is split into 1, summed in closed form, and a rest; what is left dies at
+// least like exp(-n pi/2), so that eleven odd terms reach rounding.
+constexpr int kLastTerm = 21;
 
 /// 1 - tanh(x) without cancellation.
 double one_minus_tanh(double x) { return 2.0 / (std::exp(2.0 * x) + 1.0); }

@@ -1,0 +1,73 @@
+#include "plastica/theory/cantilever.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "plastica/theory/bending.hpp"
+#include "tests/reference/reference_table.hpp"
+
+namespace plastica::theory {
+namespace {
+
+TEST(ElastoplasticCantilever, MatchesTheReferenceTable) {
+  const testing::ReferenceTable table("elastoplastic-cantilever/tip_load_deflection_rectangle.csv");
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const double p = table.at("P_over_Py", i);
+    SCOPED_TRACE(p);
+    EXPECT_NEAR(tip_deflection_ratio(p), table.at("delta_over_delta_y", i), 1e-9);
+    EXPECT_NEAR(plastic_zone_ratio(p), table.at("plastic_zone_length_over_L", i), 1e-9);
+  }
+}
+
+TEST(ElastoplasticCantilever, EndsAtTwentyNinthsAtTheLimitLoad) {
+  EXPECT_NEAR(tip_deflection_ratio(1.5), 20.0 / 9.0, 1e-14);
+  EXPECT_NEAR(plastic_zone_ratio(1.5), 1.0 / 3.0, 1e-14);
+}
+
+TEST(ElastoplasticCantilever, IsElasticUpToYield) {
+  EXPECT_EQ(tip_deflection_ratio(0.6), 0.6);
+  EXPECT_EQ(plastic_zone_ratio(0.6), 0.0);
+}
+
+TEST(ElastoplasticCantilever, IsTheMomentCurvatureLawIntegratedAlongTheBeam) {
+  const double p = 1.3;
+  constexpr int kPoints = 20000;
+  double sum = 0.0;
+  for (int i = 0; i < kPoints; ++i) {
+    const double x = (i + 0.5) / kPoints;  // from the tip, where the moment is zero
+    sum += curvature_ratio_rectangle(p * x) * x / kPoints;
+  }
+  EXPECT_NEAR(tip_deflection_ratio(p), 3.0 * sum, 1e-7);
+}
+
+TEST(BeamFrequencies, RootsMatchTheReferenceTable) {
+  const testing::ReferenceTable table("cantilever-frequencies/beta_L.csv");
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const int mode = static_cast<int>(table.at("mode", i));
+    SCOPED_TRACE(mode);
+    EXPECT_NEAR(frequency_root(BeamEnds::ClampedFree, mode), table.at("clamped_free", i), 1e-13);
+    EXPECT_NEAR(frequency_root(BeamEnds::FreeFree, mode),
+                table.at("free_free_and_clamped_clamped", i), 1e-13);
+    EXPECT_NEAR(frequency_root(BeamEnds::ClampedPinned, mode), table.at("clamped_pinned", i),
+                1e-13);
+    EXPECT_NEAR(frequency_root(BeamEnds::PinnedPinned, mode), table.at("pinned_pinned", i), 1e-13);
+  }
+}
+
+TEST(BeamFrequencies, HighModesTendToTheirAsymptoteWithoutOverflow) {
+  EXPECT_NEAR(frequency_root(BeamEnds::ClampedFree, 1000), 999.5 * std::numbers::pi, 1e-9);
+  EXPECT_NEAR(frequency_root(BeamEnds::ClampedPinned, 1000), 1000.25 * std::numbers::pi, 1e-9);
+}
+
+TEST(BeamFrequencies, FirstOfASteelRulerIsAboutFortyHertz) {
+  // b x h = 30 x 1 mm, L = 145 mm: (1.8751^2/2 pi) sqrt(E/(12 rho)) h/L^2.
+  const double EI = 210e9 * 0.03 * 1e-9 / 12.0, rho_A = 7850.0 * 0.03 * 1e-3;
+  const double hertz =
+      circular_frequency(BeamEnds::ClampedFree, 1, EI, rho_A, 0.145) / (2.0 * std::numbers::pi);
+  EXPECT_NEAR(hertz, 0.55959 * std::sqrt(210e9 / (12.0 * 7850.0)) * 1e-3 / (0.145 * 0.145), 1e-3);
+}
+
+}  // namespace
+}  // namespace plastica::theory

@@ -1,0 +1,84 @@
+#include "plastica/theory/statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace plastica::theory {
+namespace {
+
+// Expected values by mpmath with 25 digits unless a closed form stands beside them.
+
+TEST(NormalQuantile, MatchesKnownValues) {
+  EXPECT_NEAR(normal_quantile(0.975), 1.959963984540054, 1e-14);
+  EXPECT_NEAR(normal_quantile(0.995), 2.575829303548901, 1e-13);
+  EXPECT_NEAR(normal_quantile(0.3), -0.524400512708041, 1e-14);
+  EXPECT_NEAR(normal_quantile(1e-10), -6.361340902404056, 1e-13);
+  EXPECT_NEAR(normal_quantile(1e-300), -37.047096299361199, 1e-12);
+  EXPECT_EQ(normal_quantile(0.5), 0.0);
+}
+
+TEST(NormalQuantile, InvertsTheDistribution) {
+  for (const double p : {1e-200, 1e-20, 1e-6, 0.01, 0.2, 0.4999999, 0.5000001, 0.7, 0.999}) {
+    EXPECT_NEAR(normal_cdf(normal_quantile(p)) / p, 1.0, 1e-12) << p;
+  }
+}
+
+TEST(StudentQuantile, OfOneDegreeIsCauchys) {
+  for (const double p : {1e-6, 0.01, 0.3, 0.6, 0.975, 0.9999}) {
+    const double cauchy = -1.0 / std::tan(std::numbers::pi * p);
+    EXPECT_NEAR(student_t_quantile(p, 1.0) / cauchy, 1.0, 1e-9) << p;
+  }
+}
+
+TEST(StudentQuantile, OfTwoDegreesHasItsClosedForm) {
+  for (const double p : {1e-6, 0.01, 0.3, 0.6, 0.975, 0.9999}) {
+    const double exact = (2.0 * p - 1.0) / std::sqrt(2.0 * p * (1.0 - p));
+    EXPECT_NEAR(student_t_quantile(p, 2.0) / exact, 1.0, 1e-9) << p;
+  }
+}
+
+TEST(StudentQuantile, MatchesKnownValues) {
+  EXPECT_NEAR(student_t_quantile(0.975, 5.0), 2.570581835636316, 1e-9);
+  EXPECT_NEAR(student_t_quantile(0.975, 30.0), 2.042272456301238, 1e-9);
+  EXPECT_NEAR(student_t_quantile(0.995, 10.0), 3.169272672616951, 1e-9);
+  EXPECT_NEAR(student_t_quantile(0.9, 3.0), 1.637744353696210, 1e-9);
+  EXPECT_NEAR(student_t_quantile(0.975, 2.5), 3.574654842003683, 1e-9);
+  EXPECT_NEAR(student_t_quantile(0.975, 1000.0), 1.962339080826408, 1e-9);
+  EXPECT_NEAR(student_t_quantile(0.975, 9999.0), 1.960201263621358, 1e-9);
+  EXPECT_NEAR(student_t_quantile(0.975, 10001.0), 1.960201216164651, 1e-9);
+  EXPECT_NEAR(student_t_quantile(0.975, 20000.0), 1.960082605158135, 1e-9);
+  EXPECT_EQ(student_t_quantile(0.5, 7.0), 0.0);
+}
+
+TEST(StudentQuantile, TendsToTheNormalQuantile) {
+  EXPECT_EQ(student_t_quantile(0.975, std::numeric_limits<double>::infinity()),
+            normal_quantile(0.975));
+}
+
+TEST(StudentQuantile, InvertsTheDistributionAndIsOdd) {
+  for (const double nu : {0.5, 1.5, 4.0, 77.0, 9000.0}) {
+    for (const double p : {1e-5, 0.025, 0.4, 0.6, 0.975}) {
+      const double t = student_t_quantile(p, nu);
+      EXPECT_NEAR(student_t_cdf(t, nu) / p, 1.0, 1e-9) << nu << " " << p;
+      EXPECT_NEAR(student_t_quantile(1.0 - p, nu) / t, -1.0, 1e-9) << nu << " " << p;
+    }
+  }
+}
+
+TEST(StudentDistribution, IsTheIntegralOfItsDensity) {
+  // Four degrees: density (3/8)(1 + t^2/4)^(-5/2).
+  constexpr int kPoints = 20000;
+  const double t = 1.3;
+  double sum = 0.0;
+  for (int i = 0; i < kPoints; ++i) {
+    const double x = (i + 0.5) * t / kPoints;
+    sum += 0.375 * std::pow(1.0 + x * x / 4.0, -2.5) * t / kPoints;
+  }
+  EXPECT_NEAR(student_t_cdf(t, 4.0), 0.5 + sum, 1e-9);
+}
+
+}  // namespace
+}  // namespace plastica::theory
