@@ -40,8 +40,7 @@ double frequency_root(BeamEnds ends, int mode) {
     case BeamEnds::ClampedFree:
       // The first root, 1.875, is far from its asymptote pi/2.
       return cosine_root(mode == 1 ? 1.875 : (mode - 0.5) * pi, 1.0);
-    case BeamEnds::FreeFree:
-      return cosine_root((mode + 0.5) * pi, -1.0);
+    case BeamEnds::FreeFree: return cosine_root((mode + 0.5) * pi, -1.0);
     case BeamEnds::ClampedPinned:
       return refined((mode + 0.25) * pi,
                      [](double x) { return std::sin(x) - std::cos(x) * std::tanh(x); },
@@ -49,8 +48,7 @@ double frequency_root(BeamEnds ends, int mode) {
                        const double t = std::tanh(x);
                        return std::cos(x) + std::sin(x) * t - std::cos(x) * (1.0 - t * t);
                      });
-    case BeamEnds::PinnedPinned:
-      break;
+    case BeamEnds::PinnedPinned: break;
   }
   return mode * pi;
 }

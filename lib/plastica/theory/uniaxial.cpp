@@ -46,8 +46,7 @@ double stabilized_backstress(double plastic_amplitude, double modulus, double ra
 double monotonic_stress(double plastic_strain, const Material& material) {
   const Hardening& h = material.hardening;
   switch (h.law) {
-    case HardeningLaw::Ideal:
-      break;
+    case HardeningLaw::Ideal: break;
     case HardeningLaw::Linear:
       return material.yield_stress +
              plastic_modulus(material.youngs_modulus, h.tangent_modulus) * plastic_strain;

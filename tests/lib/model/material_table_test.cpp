@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -40,6 +44,18 @@ TEST(MaterialTable, WoodHasItsOwnShearValues) {
   EXPECT_LT(resolved_shear_modulus(wood),
             0.2 * wood.youngs_modulus / (2.0 * (1.0 + wood.poisson_ratio)));
   EXPECT_LT(resolved_shear_yield_stress(wood), 0.2 * wood.yield_stress);
+}
+
+TEST(MaterialTable, PageOfSourcesHasTheSameFigures) {
+  std::ifstream file(PLASTICA_SOURCE_DIR "/data/materials/README.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  for (const NamedMaterial& entry : material_table()) {
+    const Material& m = entry.material;
+    std::array<char, 200> row{};
+    std::snprintf(row.data(), row.size(), "| %s | %g | %g | %g | %g | ", m.name.c_str(),
+                  m.youngs_modulus / 1e9, m.poisson_ratio, m.density, m.yield_stress / 1e6);
+    EXPECT_NE(page.find(row.data()), std::string::npos) << row.data();
+  }
 }
 
 TEST(MaterialTable, UnknownNameIsAnsweredWithAllNames) {
