@@ -58,7 +58,7 @@ SectionProperties ring(double R, double r, double nu) {
   return p;
 }
 
-/// Cowper's kappa of a thin-walled box, his table 1.
+/// Cowper's kappa of a thin-walled box.
 /// @param depth, web       middle-line length along the force and thickness of the walls along it
 /// @param breadth, flange  the same of the walls across the force
 double cowper_box(double depth, double web, double breadth, double flange, double nu) {

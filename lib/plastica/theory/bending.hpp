@@ -7,7 +7,7 @@ namespace plastica::theory {
 // result is M/M_y with M_y the moment at first yield. All are odd in k; |k| <= 1 is elastic.
 
 /// M/M_y of a rectangle: 1.5 (1 - 1/(3 k^2)); tends to 1.5.
-/// Source: Prager & Hodge, Theory of Perfectly Plastic Solids, 1951, sec. 8.
+/// Source: Prager & Hodge, Theory of Perfectly Plastic Solids, 1951.
 double moment_ratio_rectangle(double curvature_ratio);
 
 /// The inverse: curvature ratio k = 1/sqrt(3 - 2 m) of a rectangle.

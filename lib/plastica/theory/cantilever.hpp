@@ -6,7 +6,7 @@ namespace plastica::theory {
 // displacements. load_ratio = P/P_y, P_y = M_y/L; deflections over delta_y = P_y L^3/(3 E I).
 
 /// delta/delta_y: p for p <= 1, else (5 - (3 + p) sqrt(3 - 2p))/p^2; 20/9 at the limit load p
-/// = 1.5. Source: Prager & Hodge, Theory of Perfectly Plastic Solids, 1951, sec. 9: the
+/// = 1.5. Source: Prager & Hodge, Theory of Perfectly Plastic Solids, 1951: the
 /// moment-curvature law of the rectangle integrated twice along the beam.
 /// @param load_ratio  p [1], 0 <= p <= 1.5
 double tip_deflection_ratio(double load_ratio);

@@ -4,7 +4,7 @@ namespace plastica::theory {
 
 // Elastic-perfectly-plastic torsion of a solid circle from the virgin state. twist_ratio = twist
 // over the twist at first yield, tau_y/(G R) per length; torques over that at first yield,
-// pi R^3 tau_y/2. Source: Prager & Hodge, Theory of Perfectly Plastic Solids, 1951, sec. 11;
+// pi R^3 tau_y/2. Source: Prager & Hodge, Theory of Perfectly Plastic Solids, 1951;
 // derived by integrating tau = min(G r twist, tau_y) over the circle.
 
 /// T/T_y = (4/3)(1 - 1/(4 t^3)) for t > 1; odd; tends to 4/3.

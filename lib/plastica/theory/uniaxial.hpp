@@ -33,7 +33,7 @@ double voce_yield_stress(double accumulated_strain, double yield_stress, double 
 ///
 /// X = d C/gamma + (X_0 - d C/gamma) exp(-gamma |increment|), d the sign of the increment;
 /// X_0 + C increment for gamma = 0. Source: Lemaitre & Chaboche, Mechanics of Solid Materials,
-/// 1990, sec. 5.4.4, integral of dX = C de_p - gamma X dp.
+/// 1990, ch. 5, integral of dX = C de_p - gamma X dp.
 /// @param start      X_0 [Pa]
 /// @param increment  plastic strain since X_0 [1], either sign
 double backstress(double start, double increment, double modulus, double rate);
