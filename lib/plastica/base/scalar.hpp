@@ -178,4 +178,23 @@ inline S cos(const S& x) {
   return detail::sine_shifted(x, 1.0);
 }
 
+/// Natural logarithm of a number above 0; the same bits on every machine.
+///
+/// x = m 2^k with m in [sqrt(1/2), sqrt(2)); ln m = 2 atanh s, s = (m-1)/(m+1), |s| < 0.172, as a
+/// series up to s^21 (the rest is below 1e-18).
+inline double log(double x) {
+  int exponent = 0;
+  double m = std::frexp(x, &exponent);
+  if (m < 0.70710678118654752440) {
+    m *= 2.0;
+    --exponent;
+  }
+  const double s = (m - 1.0) / (m + 1.0);
+  const double square = s * s;
+  double sum = 1.0 / 21.0;
+  for (int n = 19; n >= 1; n -= 2) sum = sum * square + 1.0 / n;
+  const double k = exponent;
+  return k * 0x1.62e42feep-1 + (2.0 * s * sum + k * 0x1.a39ef35793c76p-33);
+}
+
 }  // namespace plastica

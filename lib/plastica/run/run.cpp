@@ -177,10 +177,14 @@ void run(const Model& model, ParameterValues values, Workspace& /*workspace*/, R
   });
 }
 
-void run_sensitivity(const Model& model, ParameterValues values, Workspace& /*workspace*/,
+void run_sensitivity(const Model& model, ParameterValues values, Workspace& workspace,
                      Response& response, Sensitivity& sensitivity) {
   assert(values.size() == model.parameters.size());
   assert(stress_only(model));
+  if (values.empty()) {
+    run(model, values, workspace, response);
+    return;
+  }
   response.event.reset();
   response.samples = 0;
   if (!in_range(model, values)) {

@@ -42,6 +42,17 @@ TEST(Exp, EndsInZeroAndInfinity) {
   EXPECT_TRUE(std::isnan(exp(std::numeric_limits<double>::quiet_NaN())));
 }
 
+TEST(Log, IsWithinTwoUnitsOfTheTrueValue) {
+  double worst = 0.0;
+  for (int i = -3000; i <= 3000; ++i) {
+    if (i == 0) continue;
+    const double x = std::exp(0.2 * i);
+    worst = std::max(worst, ulps(log(x), std::log(x)));
+  }
+  EXPECT_LT(worst, 2.0);
+  EXPECT_EQ(log(1.0), 0.0);
+}
+
 TEST(Sine, AgreesWithTheTrueValueInEveryQuadrant) {
   for (int i = -4000; i <= 4000; ++i) {
     const double x = 0.0157 * i;

@@ -1,0 +1,206 @@
+#include "calibrate/fit/fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "calibrate/fit/minimize_misfit.hpp"
+#include "calibrate/fit/misfit.hpp"
+#include "calibrate/fit/optimizer.hpp"
+#include "calibrate/fit/uncertainty.hpp"
+#include "plastica/base/parallel_for.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+/// A seed of the target's own, so that its fit does not depend on its place in a batch (FNV-1a).
+std::uint64_t seed_of(const std::string& name, std::uint64_t seed) {
+  std::uint64_t hash = 14695981039346656037ULL ^ seed;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  return hash;
+}
+
+double largest_stress(const Curve& curve) {
+  double size = 0.0;
+  for (const double s : curve.stress) size = std::max(size, std::fabs(s));
+  return size;
+}
+
+/// Limits of the misfit, as a share of the largest stress, for "close" and "fair".
+constexpr double kClose = 0.02;
+constexpr double kFair = 0.05;
+
+void describe_misfit(const Misfit::Details& details, const Target& target, FitResult& result) {
+  const double stress = largest_stress(target.corrected);
+  result.misfit_rms = std::sqrt(std::max(0.0, details.stress_cost));
+  result.misfit_share = stress > 0.0 ? result.misfit_rms / stress : 0.0;
+  result.misfit_word = result.misfit_share < kClose  ? "close"
+                       : result.misfit_share < kFair ? "fair"
+                                                     : "poor";
+  if (result.misfit_word == "poor") {
+    result.warnings.push_back(fmt::format(
+        "the model cannot follow this curve: misfit {:.1f} % of the largest stress; standard "
+        "errors are too small",
+        100.0 * result.misfit_share));
+  }
+}
+
+void add_parameters(const ParameterSet& set, std::span<const double> active, const Uncertainty& u,
+                    FitResult& result) {
+  std::vector<double> values(set.size());
+  set.expand(active, values);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const ResolvedParameter& r = set.all()[i];
+    FittedParameter p;
+    p.path = r.field->path;
+    p.name = p.path.substr(p.path.rfind('.') + 1);
+    p.dimension = r.field->dimension;
+    p.role = r.role;
+    p.value = values[i];
+    p.start = r.start;
+    p.lower = r.role == ParameterRole::Free ? r.lower : p.value;
+    p.upper = r.role == ParameterRole::Free ? r.upper : p.value;
+    p.logarithmic = r.logarithmic;
+    if (r.idle) {
+      p.identified = false;
+    } else if (r.role == ParameterRole::Free) {
+      const std::size_t k = next++;
+      const double span = set.upper(k) - set.lower(k);
+      const double at = set.coordinate(k, p.value);
+      p.at_lower = at - set.lower(k) < 1e-9 * span;
+      p.at_upper = set.upper(k) - at < 1e-9 * span;
+      p.identified = u.identified[k];
+      if (p.identified) {
+        p.standard_error = u.standard_error[k];
+        p.interval_low = p.value - u.half_interval[k];
+        p.interval_high = p.value + u.half_interval[k];
+      }
+    }
+    result.parameters.push_back(p);
+  }
+}
+
+/// A tied parameter has its base's error, scaled.
+void add_tied_errors(const ParameterSet& set, FitResult& result) {
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const ResolvedParameter& r = set.all()[i];
+    if (r.role != ParameterRole::Tied) continue;
+    FittedParameter& tied = result.parameters[i];
+    const FittedParameter& base = result.parameters[r.base];
+    tied.identified = base.identified;
+    if (!base.standard_error) continue;
+    const double half = std::fabs(r.factor) * (*base.interval_high - base.value);
+    tied.standard_error = std::fabs(r.factor) * *base.standard_error;
+    tied.interval_low = tied.value - half;
+    tied.interval_high = tied.value + half;
+  }
+}
+
+void add_warnings(const Target& target, FitResult& result) {
+  for (const FittedParameter& p : result.parameters) {
+    const bool no_break = p.role == ParameterRole::Free && !target.characteristics.observed_break &&
+                          (p.name == "break_strain" || p.name == "break_shear_strain");
+    if (no_break) {
+      result.warnings.push_back(p.name + " is not identified: the specimen did not break");
+    } else if (!p.identified) {
+      result.warnings.push_back(p.name + " is not identified: the curve does not depend on it");
+    }
+    if (p.at_lower) result.warnings.push_back(p.name + " is at its lower bound");
+    if (p.at_upper) result.warnings.push_back(p.name + " is at its upper bound");
+  }
+}
+
+/// The fitted beam on the specimen's strain path, with its break; and the strain where it breaks.
+void add_fitted_curve(const Target& target, const FitOptions& options, FitResult& result) {
+  Setup setup = options.setup;
+  for (const FittedParameter& p : result.parameters) {
+    if (p.identified || p.role != ParameterRole::Free) {
+      set_field(setup, find_field(p.path), p.value);
+    }
+  }
+  Scene& scene = setup.scene;
+  scene.drive.deformation = target.test;
+  scene.drive.strain = target.corrected.strain;
+  scene.probes = {{"stress", ProbeQuantity::Stress}};
+  scene.on_break = BreakPolicy::CutAll;
+  const auto& observed = target.characteristics.observed_break;
+  if (observed) scene.drive.strain.push_back(observed->first_broken_strain);
+  const std::size_t shown = scene.drive.strain.size();
+
+  // Go on in the last direction until the beam must have broken, to learn at which strain.
+  if (scene.material.break_strain || scene.material.break_shear_strain) {
+    const double last = scene.drive.strain.back();
+    const double limit =
+        std::max(scene.material.break_strain.value_or(0.0),
+                 scene.material.break_shear_strain.value_or(0.0));
+    const double elastic = 2.0 * largest_stress(target.corrected) /
+                           target.characteristics.youngs_modulus.value_or(
+                               scene.material.youngs_modulus);
+    scene.drive.strain.push_back(last + std::copysign(4.0 * limit + elastic, last));
+  }
+  const Response response = simulate(scene, setup.solver);
+  result.fitted.strain.assign(scene.drive.strain.begin(),
+                              scene.drive.strain.begin() + static_cast<std::ptrdiff_t>(shown));
+  result.fitted.stress.assign(response.probes[0].begin(),
+                              response.probes[0].begin() + static_cast<std::ptrdiff_t>(shown));
+  if (response.event) result.break_strain_total = response.event->strain;
+}
+
+}  // namespace
+
+FitResult fit_target(const Target& target, const FitOptions& options) {
+  FitResult result;
+  result.seed = seed_of(target.name, options.seed);
+  if (target.status != TargetStatus::Ready) {
+    result.reason = target.reason;
+    return result;
+  }
+  check_parameters(options.parameters);
+  const ParameterSet set(target, options);
+  Misfit misfit(target, options, set);
+  result.samples = misfit.samples();
+  if (set.active().empty()) {
+    result.reason = "the curve determines none of the free parameters";
+    return result;
+  }
+  Solution solution = minimize_misfit(misfit, set, options, result.seed);
+  result.stages = std::move(solution.stages);
+  result.trace = std::move(solution.trace);
+  if (!solution.usable) {
+    result.status = FitStatus::Failed;
+    result.reason = solution.reason;
+    return result;
+  }
+  result.status = FitStatus::Fitted;
+  result.cost = solution.cost;
+  const Misfit::Details details = misfit.details(solution.active);
+  const Uncertainty u =
+      uncertainty(details, solution.active, set, target, options, misfit.break_factor());
+  describe_misfit(details, target, result);
+  add_parameters(set, solution.active, u, result);
+  add_tied_errors(set, result);
+  result.correlation = u.correlation;
+  add_warnings(target, result);
+  add_fitted_curve(target, options, result);
+  return result;
+}
+
+std::vector<FitResult> fit_batch(std::span<const Target> targets, const FitOptions& options,
+                                 const BatchFitOptions& batch) {
+  check_parameters(options.parameters);
+  std::vector<FitResult> results(targets.size());
+  for (FitResult& result : results) result.reason = "not run";
+  std::mutex mutex;
+  parallel_for(targets.size(), {batch.threads, batch.stop}, [&](std::size_t i, int) {
+    results[i] = fit_target(targets[i], options);
+    if (!batch.finished) return;
+    const std::lock_guard lock(mutex);
+    batch.finished(i, results[i]);
+  });
+  return results;
+}
+
+}  // namespace plastica::calibrate

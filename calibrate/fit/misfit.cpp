@@ -1,0 +1,173 @@
+#include "calibrate/fit/misfit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace plastica::calibrate {
+namespace {
+
+std::vector<double> path_weights(const std::vector<double>& strain) {
+  std::vector<double> weight(strain.size(), 0.0);
+  for (std::size_t i = 1; i < strain.size(); ++i) {
+    const double half = 0.5 * std::fabs(strain[i] - strain[i - 1]);
+    weight[i - 1] += half;
+    weight[i] += half;
+  }
+  return weight;
+}
+
+/// The test as a scene: fixed parameters set, one stress probe, and no limit, since the cost
+/// compares breaks itself.
+Scene unbroken_scene(const Target& target, const FitOptions& options) {
+  Setup setup = options.setup;
+  for (const Parameter& p : options.parameters) {
+    if (p.role == ParameterRole::Fixed) set_field(setup, *p.field, *p.value, p.where);
+  }
+  Scene scene = std::move(setup.scene);
+  scene.material.break_strain.reset();
+  scene.material.break_shear_strain.reset();
+  scene.drive.deformation = target.test;
+  scene.drive.strain = target.corrected.strain;
+  if (target.characteristics.observed_break) {
+    scene.drive.strain.push_back(target.characteristics.observed_break->strain());
+  }
+  scene.probes = {{"stress", ProbeQuantity::Stress}};
+  return scene;
+}
+
+}  // namespace
+
+Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterSet& parameters)
+    : target_(target), parameters_(parameters), samples_(target.corrected.size()) {
+  raw_weight_ = options.objective == Objective::StrainPath
+                    ? path_weights(target.corrected.strain)
+                    : std::vector<double>(samples_,
+                                          options.noise ? 1.0 / (*options.noise * *options.noise)
+                                                        : 1.0);
+  const double sum = std::accumulate(raw_weight_.begin(), raw_weight_.end(), 0.0);
+  weight_ = raw_weight_;
+  for (double& w : weight_) w /= sum;
+
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const ResolvedParameter& p = parameters.all()[i];
+    if (!p.is_break) {
+      if (p.role == ParameterRole::Fixed) continue;
+      paths.emplace_back(p.field->path);
+      model_index_.push_back(i);
+      continue;
+    }
+    const auto& observed = target.characteristics.observed_break;
+    if (!observed || options.break_weight == 0.0) continue;
+    double stress = 0.0;
+    for (const double s : target.corrected.stress) stress = std::max(stress, std::fabs(s));
+    const double permanent = target.characteristics.break_strain_plastic.value_or(0.0);
+    const double scale = permanent > 0.0 ? permanent : std::fabs(observed->strain());
+    break_scale_ = options.break_weight * stress * stress / (scale * scale);
+    break_index_ = i;
+    const bool converts = target.test == Test::Torsion &&
+                          p.field->material == MaterialField::BreakStrain &&
+                          options.setup.scene.formulas == Formulas::Mechanics;
+    break_factor_ = converts ? std::sqrt(3.0) : 1.0;
+  }
+
+  model_ = prepare(unbroken_scene(target, options), options.setup.solver, paths);
+  workspace_ = make_workspace(model_);
+  response_ = make_response(model_);
+  sensitivity_ = make_sensitivity(model_);
+  all_values_.resize(parameters.size());
+  by_all_.resize(parameters.size());
+  model_values_.resize(paths.size());
+}
+
+bool Misfit::set_values(std::span<const double> active) {
+  parameters_.expand(active, all_values_);
+  double young = model_.material[static_cast<std::size_t>(MaterialField::YoungsModulus)];
+  double tangent = model_.material[static_cast<std::size_t>(MaterialField::TangentModulus)];
+  for (std::size_t i = 0; i < model_index_.size(); ++i) {
+    model_values_[i] = all_values_[model_index_[i]];
+    const auto field = model_.parameters[i]->material;
+    if (field == MaterialField::YoungsModulus) young = model_values_[i];
+    if (field == MaterialField::TangentModulus) tangent = model_values_[i];
+  }
+  // A box cannot say E_t < E.
+  return model_.coupon.hardening != HardeningLaw::Linear || tangent < young;
+}
+
+double Misfit::break_cost(std::span<double> by_all) const {
+  if (break_scale_ == 0.0) return 0.0;
+  const double gap =
+      response_.permanent_strain - break_factor_ * all_values_[break_index_];
+  if (!by_all.empty()) {
+    const double slope = 2.0 * break_scale_ * gap;
+    for (std::size_t i = 0; i < model_index_.size(); ++i) {
+      by_all[model_index_[i]] += slope * sensitivity_.permanent_strain[i];
+    }
+    by_all[break_index_] -= slope * break_factor_;
+  }
+  return break_scale_ * gap * gap;
+}
+
+double Misfit::cost(std::span<const double> active, std::span<double> gradient) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  if (!set_values(active)) return infinite;
+  if (gradient.empty()) {
+    run(model_, model_values_, workspace_, response_);
+  } else {
+    run_sensitivity(model_, model_values_, workspace_, response_, sensitivity_);
+  }
+  if (!usable(response_.status)) return infinite;
+
+  const double* model_stress = response_.probes[0].data();
+  const double* measured = target_.corrected.stress.data();
+  double sum = 0.0;
+  if (gradient.empty()) {
+    for (std::size_t s = 0; s < samples_; ++s) {
+      const double r = model_stress[s] - measured[s];
+      sum += weight_[s] * r * r;
+    }
+    return sum + break_cost({});
+  }
+  std::fill(by_all_.begin(), by_all_.end(), 0.0);
+  const std::size_t width = model_index_.size();
+  const double* row = sensitivity_.stress.data();
+  for (std::size_t s = 0; s < samples_; ++s, row += width) {
+    const double r = model_stress[s] - measured[s];
+    const double wr = weight_[s] * r;
+    sum += wr * r;
+    for (std::size_t i = 0; i < width; ++i) by_all_[model_index_[i]] += 2.0 * wr * row[i];
+  }
+  sum += break_cost(by_all_);
+  parameters_.contract(by_all_, gradient);
+  return sum;
+}
+
+Misfit::Details Misfit::details(std::span<const double> active) {
+  Details d;
+  std::vector<double> gradient(active.size());
+  const double total = cost(active, gradient);
+  d.break_cost = break_cost({});
+  d.stress_cost = total - d.break_cost;
+  d.residual.resize(samples_);
+  d.weight = raw_weight_;
+  d.jacobian.resize(samples_ * active.size());
+  const std::size_t width = model_index_.size();
+  const auto scatter = [&](const double* by_model, std::span<double> by_active) {
+    std::fill(by_all_.begin(), by_all_.end(), 0.0);
+    for (std::size_t i = 0; i < width; ++i) by_all_[model_index_[i]] = by_model[i];
+    parameters_.contract(by_all_, by_active);
+  };
+  for (std::size_t s = 0; s < samples_; ++s) {
+    d.residual[s] = response_.probes[0][s] - target_.corrected.stress[s];
+    scatter(sensitivity_.stress.data() + s * width,
+            std::span(d.jacobian).subspan(s * active.size(), active.size()));
+  }
+  d.permanent = response_.permanent_strain;
+  d.permanent_gradient.resize(active.size());
+  scatter(sensitivity_.permanent_strain.data(), d.permanent_gradient);
+  return d;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "calibrate/fit/options.hpp"
+#include "calibrate/fit/parameter_set.hpp"
+#include "calibrate/target/target.hpp"
+#include "plastica/run/simulate.hpp"
+
+namespace plastica::calibrate {
+
+/// The cost of a fit: f = f_stress + f_break [Pa^2].
+///
+/// f_stress = sum w_i r_i^2 / sum w_i over the whole samples of the specimen, with r_i = model
+/// stress - measured stress and
+///   strain path:    w_i = (|de_i| + |de_{i+1}|)/2 at sample i, so that f_stress is the integral
+///                   of the trapezia sum |de_i| (r_i^2 + r_{i-1}^2)/2 / sum |de_i|;
+///   least squares:  w_i = 1, or 1/noise^2 (which cancels in f and counts in the uncertainty).
+/// f_break = break_weight S^2 ((p - k break_strain)/P)^2, with p the permanent strain (in the
+/// scene's break measure) that the model has when the specimen breaks, at the middle of the
+/// break's sampling interval; S the largest measured |stress|, P the measured permanent strain at
+/// break, k = sqrt(3) where a break strain of tension is fitted in torsion, else 1.
+///
+/// The stress misfit compares the unbroken law over the specimen's whole life; samples after its
+/// break do not enter. So a model that would break earlier or later meets no jump: breaks of
+/// model and specimen are compared by f_break alone, which is smooth and can always be made zero
+/// by break_strain, so that a free break strain does not pull at the other parameters.
+class Misfit {
+ public:
+  /// @throws InputError if the scene or a parameter does not suit the test
+  Misfit(const Target& target, const FitOptions& options, const ParameterSet& parameters);
+
+  std::size_t samples() const { return samples_; }
+
+  /// Cost at values of the active parameters [SI] (n_active); with their derivatives in
+  /// `gradient` (n_active) if it is not empty. Infinite where the model cannot be run.
+  double cost(std::span<const double> active, std::span<double> gradient);
+
+  /// The parts of a cost and what an uncertainty needs, at a solution.
+  struct Details {
+    double stress_cost = 0.0;        ///< f_stress [Pa^2]
+    double break_cost = 0.0;         ///< f_break [Pa^2]
+    std::vector<double> residual;    ///< (n_samples) [Pa]
+    std::vector<double> weight;      ///< w_i, unscaled (n_samples)
+    std::vector<double> jacobian;    ///< d model stress / d active (n_samples x n_active)
+    double permanent = 0.0;          ///< p above [1]
+    std::vector<double> permanent_gradient;  ///< dp / d active (n_active)
+  };
+  Details details(std::span<const double> active);
+
+  /// k above: limit of the test over the value of the break parameter.
+  double break_factor() const { return break_factor_; }
+
+ private:
+  bool set_values(std::span<const double> active);
+  double break_cost(std::span<double> by_all) const;
+
+  const Target& target_;
+  const ParameterSet& parameters_;
+  std::size_t samples_ = 0;
+  std::vector<double> weight_;          ///< over their sum; 0 at the break sample
+  std::vector<double> raw_weight_;
+  double break_scale_ = 0.0;            ///< break_weight S^2 / P^2; 0 without a break term
+  double break_factor_ = 1.0;
+  std::size_t break_index_ = 0;         ///< of the break parameter in the set
+  std::vector<std::size_t> model_index_;  ///< set index of each model parameter
+  Model model_;
+  Workspace workspace_;
+  Response response_;
+  Sensitivity sensitivity_;
+  std::vector<double> all_values_;
+  std::vector<double> model_values_;
+  std::vector<double> by_all_;
+};
+
+}  // namespace plastica::calibrate

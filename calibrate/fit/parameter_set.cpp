@@ -1,0 +1,115 @@
+#include "calibrate/fit/parameter_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "calibrate/fit/start_values.hpp"
+#include "plastica/base/scalar.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+bool is_break(const Field& field) {
+  return field.material == MaterialField::BreakStrain ||
+         field.material == MaterialField::BreakShearStrain;
+}
+
+ResolvedParameter resolve(const Parameter& p, const Target& target, const FitOptions& options) {
+  ResolvedParameter r;
+  r.field = p.field;
+  r.role = p.role;
+  r.is_break = is_break(*p.field);
+  r.factor = p.factor;
+  if (p.role == ParameterRole::Fixed) {
+    r.start = r.lower = r.upper = *p.value;
+    return r;
+  }
+  if (p.role == ParameterRole::Tied) return r;
+
+  const StartValue found = start_value(*p.field, target, options);
+  r.lower = p.lower.value_or(p.upper ? std::min(found.lower, *p.upper / 30.0) : found.lower);
+  r.upper = p.upper.value_or(p.lower ? std::max(found.upper, *p.lower * 30.0) : found.upper);
+  if (p.value) {
+    if (!p.lower) r.lower = std::min(r.lower, *p.value);
+    if (!p.upper) r.upper = std::max(r.upper, *p.value);
+  }
+  r.start = std::clamp(p.value.value_or(found.start), r.lower, r.upper);
+  r.logarithmic =
+      p.scale == ParameterScale::Logarithmic || (p.scale == ParameterScale::Auto && r.lower > 0.0);
+  r.idle = r.is_break && (!target.characteristics.observed_break || options.break_weight == 0.0);
+  return r;
+}
+
+}  // namespace
+
+ParameterSet::ParameterSet(const Target& target, const FitOptions& options) {
+  for (const Parameter& p : options.parameters) {
+    all_.push_back(resolve(p, target, options));
+    const bool moves = p.role == ParameterRole::Free && !all_.back().idle;
+    active_of_.push_back(moves ? active_.size() : kNone);
+    if (!moves) continue;
+    active_.push_back(all_.size() - 1);
+    const ResolvedParameter& r = all_.back();
+    size_.push_back(r.start != 0.0 ? std::fabs(r.start) : r.upper - r.lower);
+  }
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    if (all_[i].role != ParameterRole::Tied) continue;
+    for (std::size_t j = 0; j < all_.size(); ++j) {
+      if (all_[j].field == options.parameters[i].tied_to) all_[i].base = j;
+    }
+    all_[i].start = all_[i].factor * all_[all_[i].base].start;
+  }
+}
+
+double ParameterSet::lower(std::size_t i) const {
+  return coordinate(i, active_parameter(i).lower);
+}
+
+double ParameterSet::upper(std::size_t i) const {
+  return coordinate(i, active_parameter(i).upper);
+}
+
+double ParameterSet::coordinate(std::size_t i, double value) const {
+  using plastica::log;
+  const ResolvedParameter& p = active_parameter(i);
+  return p.logarithmic ? log(value / p.start) : (value - p.start) / size_[i];
+}
+
+double ParameterSet::value(std::size_t i, double coordinate) const {
+  const ResolvedParameter& p = active_parameter(i);
+  using plastica::exp;
+  const double value =
+      p.logarithmic ? p.start * exp(coordinate) : p.start + size_[i] * coordinate;
+  return std::clamp(value, p.lower, p.upper);
+}
+
+double ParameterSet::slope(std::size_t i, double value) const {
+  return active_parameter(i).logarithmic ? value : size_[i];
+}
+
+void ParameterSet::expand(std::span<const double> active_values,
+                          std::span<double> all_values) const {
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    all_values[i] = active_of_[i] == kNone ? all_[i].start : active_values[active_of_[i]];
+  }
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    if (all_[i].role == ParameterRole::Tied) {
+      all_values[i] = all_[i].factor * all_values[all_[i].base];
+    }
+  }
+}
+
+void ParameterSet::contract(std::span<const double> by_all, std::span<double> by_active) const {
+  std::fill(by_active.begin(), by_active.end(), 0.0);
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    const bool tied = all_[i].role == ParameterRole::Tied;
+    const std::size_t active = active_of_[tied ? all_[i].base : i];
+    if (active != kNone) by_active[active] += (tied ? all_[i].factor : 1.0) * by_all[i];
+  }
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,92 @@
+#include "calibrate/fit/start_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastica::calibrate {
+namespace {
+
+/// What the curve shows, with stand-ins for what its characteristics lack.
+struct Sizes {
+  double stress = 1.0;   ///< largest |stress| [Pa]
+  double strain = 1.0;   ///< largest |strain| [1]
+  double modulus = 1.0;  ///< stiffness of the test: E, or G in torsion [Pa]
+  double yield = 1.0;    ///< start of the yield stress [Pa]
+  double slope = 0.0;    ///< after yield [Pa]
+};
+
+double largest(const std::vector<double>& values) {
+  double size = 0.0;
+  for (const double value : values) size = std::max(size, std::fabs(value));
+  return size;
+}
+
+Sizes sizes_of(const Target& target, const FitOptions& options) {
+  const Characteristics& c = target.characteristics;
+  Sizes s;
+  s.stress = largest(target.corrected.stress);
+  s.strain = largest(target.corrected.strain);
+  s.modulus = c.youngs_modulus.value_or(s.stress / s.strain);
+  const double strength = c.rm.value_or(s.stress);
+  const double proof = c.rp02.value_or(strength);
+  if (target.loading == Loading::Cyclic) {
+    s.yield = 0.8 * s.stress;
+  } else if (options.setup.scene.material.hardening.law == HardeningLaw::Ideal) {
+    s.yield = 0.5 * (proof + strength);
+  } else {
+    s.yield = proof;
+  }
+  const double strain_at_proof = proof / s.modulus;
+  const double run = c.strain_at_rm.value_or(s.strain) - strain_at_proof;
+  if (run > 0.0) s.slope = std::max(0.0, (strength - proof) / run);
+  return s;
+}
+
+/// A factor around the start, within the field's range.
+StartValue around(double start, double factor) { return {start, start / factor, start * factor}; }
+
+StartValue raw_start(MaterialField field, const Target& target, const FitOptions& options) {
+  const Sizes s = sizes_of(target, options);
+  const Material& material = options.setup.scene.material;
+  const bool torsion = target.test == Test::Torsion;
+  const double yield_ratio = torsion ? std::sqrt(3.0) : 1.0;
+  switch (field) {
+    case MaterialField::YoungsModulus: {
+      const double ratio = torsion ? 2.0 * (1.0 + material.poisson_ratio) : 1.0;
+      return around(s.modulus * ratio, 30.0);
+    }
+    case MaterialField::ShearModulus: return around(s.modulus, 30.0);
+    case MaterialField::PoissonRatio: return {material.poisson_ratio, 0.0, 0.5};
+    case MaterialField::YieldStress: return around(s.yield * yield_ratio, 30.0);
+    case MaterialField::ShearYieldStress: return around(s.yield, 30.0);
+    case MaterialField::BreakStrain:
+    case MaterialField::BreakShearStrain: {
+      const double permanent = target.characteristics.break_strain_plastic.value_or(0.0);
+      const double start = permanent > 0.0 ? permanent : s.strain;
+      return around(field == MaterialField::BreakStrain ? start / yield_ratio : start, 30.0);
+    }
+    case MaterialField::TangentModulus: return {s.slope, 0.0, 0.999 * s.modulus};
+    case MaterialField::KinematicShare: return {0.5, 0.0, 1.0};
+    case MaterialField::SaturationStress: return around(0.3 * s.stress, 100.0);
+    case MaterialField::SaturationRate: return around(3.0 / s.strain, 1000.0);
+    case MaterialField::BackModulus1: return around(30.0 * s.stress / s.strain, 1000.0);
+    case MaterialField::BackModulus2: return around(3.0 * s.stress / s.strain, 1000.0);
+    case MaterialField::BackModulus3: return around(0.3 * s.stress / s.strain, 1000.0);
+    case MaterialField::BackRate1: return around(300.0 / s.strain, 1000.0);
+    case MaterialField::BackRate2: return around(30.0 / s.strain, 1000.0);
+    case MaterialField::BackRate3: return around(3.0 / s.strain, 1000.0);
+  }
+  return {};
+}
+
+}  // namespace
+
+StartValue start_value(const Field& field, const Target& target, const FitOptions& options) {
+  StartValue value = raw_start(*field.material, target, options);
+  value.lower = std::max(value.lower, field.range.low);
+  value.upper = std::min(value.upper, field.range.high);
+  value.start = std::clamp(value.start, value.lower, value.upper);
+  return value;
+}
+
+}  // namespace plastica::calibrate

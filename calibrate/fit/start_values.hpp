@@ -1,0 +1,24 @@
+#pragma once
+
+#include "calibrate/fit/options.hpp"
+#include "calibrate/target/target.hpp"
+
+namespace plastica::calibrate {
+
+/// Where a fit begins and how far it may go, from what the curve shows.
+struct StartValue {
+  double start = 0.0;
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+/// Start and default bounds of a material field for a target, in SI.
+///
+/// From the characteristics: Young's modulus as measured; the yield stress as the mean of proof
+/// stress and strength (ideal plasticity has to follow both) or as the proof stress (hardening
+/// laws); the break strain as the permanent strain at break; the tangent modulus as the slope from
+/// proof stress to strength. Where a curve lacks one, its largest stress and strain stand in.
+/// Bounds hold the start with at least a factor of ten, and lie within the field's range.
+StartValue start_value(const Field& field, const Target& target, const FitOptions& options);
+
+}  // namespace plastica::calibrate

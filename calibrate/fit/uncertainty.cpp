@@ -1,0 +1,174 @@
+#include "calibrate/fit/uncertainty.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "plastica/theory/statistics.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kRankTolerance = 1e-12;
+
+/// Parameters that shape the stress (not the break strain), and what the curve says of them.
+struct StressPart {
+  std::vector<std::size_t> columns;  ///< active indices that are identified
+  MatrixXd covariance;               ///< of those, SI
+  double degrees_of_freedom = 1.0;
+};
+
+/// A = J^T W J and B = J^T W^2 J, with columns scaled by `size`.
+struct Normal {
+  MatrixXd a, b;
+};
+
+Normal normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>& columns,
+                       const std::vector<double>& size, std::size_t n) {
+  const auto m = static_cast<Eigen::Index>(columns.size());
+  Normal normal{MatrixXd::Zero(m, m), MatrixXd::Zero(m, m)};
+  VectorXd row(m);
+  for (std::size_t s = 0; s < d.residual.size(); ++s) {
+    for (Eigen::Index k = 0; k < m; ++k) {
+      const std::size_t column = columns[static_cast<std::size_t>(k)];
+      row(k) = d.jacobian[s * n + column] * size[column];
+    }
+    const double w = d.weight[s];
+    normal.a.noalias() += w * row * row.transpose();
+    normal.b.noalias() += w * w * row * row.transpose();
+  }
+  return normal;
+}
+
+/// Drops columns that vanish or that only combinations determine.
+void keep_identified(const Misfit::Details& d, const std::vector<double>& size, double stress,
+                     std::size_t n, std::vector<std::size_t>& columns) {
+  double total = 0.0;
+  for (const double w : d.weight) total += w;
+  Normal normal = normal_matrices(d, columns, size, n);
+  std::vector<std::size_t> seen;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    if (normal.a(i, i) > kRankTolerance * kRankTolerance * stress * stress * total) {
+      seen.push_back(columns[k]);
+    }
+  }
+  columns = seen;
+  if (columns.empty()) return;
+  normal = normal_matrices(d, columns, size, n);
+  const VectorXd scale = normal.a.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixXd unit = scale.asDiagonal() * normal.a * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
+  std::vector<std::size_t> kept;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    bool lost = false;
+    for (Eigen::Index e = 0; e < eigen.eigenvalues().size(); ++e) {
+      const bool unseen = eigen.eigenvalues()(e) < kRankTolerance;
+      lost = lost || (unseen && std::fabs(eigen.eigenvectors()(static_cast<Eigen::Index>(k), e)) >
+                                    1e-3);
+    }
+    if (!lost) kept.push_back(columns[k]);
+  }
+  columns = kept;
+}
+
+StressPart stress_part(const Misfit::Details& d, std::span<const double> active,
+                       const ParameterSet& parameters, const Target& target,
+                       const FitOptions& options) {
+  StressPart part;
+  const std::size_t n = active.size();
+  std::vector<double> size(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    size[i] = active[i] != 0.0 ? std::fabs(active[i]) : 1.0;
+    if (!parameters.all()[parameters.active()[i]].is_break) part.columns.push_back(i);
+  }
+  double stress = 0.0;
+  for (const double s : target.corrected.stress) stress = std::max(stress, std::fabs(s));
+  keep_identified(d, size, stress, n, part.columns);
+
+  const auto m = static_cast<Eigen::Index>(part.columns.size());
+  part.covariance = MatrixXd::Zero(m, m);
+  const double freedom = static_cast<double>(d.residual.size()) - static_cast<double>(m);
+  part.degrees_of_freedom = std::max(1.0, freedom);
+  if (m == 0) return part;
+  const Normal normal = normal_matrices(d, part.columns, size, n);
+  const MatrixXd inverse = normal.a.ldlt().solve(MatrixXd::Identity(m, m));
+  MatrixXd c;
+  if (options.objective == Objective::LeastSquares && options.noise) {
+    c = inverse;
+    part.degrees_of_freedom = std::numeric_limits<double>::infinity();
+  } else {
+    double squares = 0.0;
+    for (const double r : d.residual) squares += r * r;
+    c = squares / part.degrees_of_freedom * inverse * normal.b * inverse;
+  }
+  for (Eigen::Index i = 0; i < m; ++i) {
+    for (Eigen::Index j = 0; j < m; ++j) {
+      part.covariance(i, j) = c(i, j) * size[part.columns[static_cast<std::size_t>(i)]] *
+                              size[part.columns[static_cast<std::size_t>(j)]];
+    }
+  }
+  return part;
+}
+
+}  // namespace
+
+Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> active,
+                        const ParameterSet& parameters, const Target& target,
+                        const FitOptions& options, double break_factor) {
+  const std::size_t n = active.size();
+  const StressPart part = stress_part(details, active, parameters, target, options);
+  const auto m = static_cast<Eigen::Index>(part.columns.size());
+
+  // Every active parameter as a linear map of the identified stress parameters; the break strain
+  // follows the permanent strain at the break.
+  MatrixXd map = MatrixXd::Zero(static_cast<Eigen::Index>(n), m);
+  VectorXd sampling = VectorXd::Zero(static_cast<Eigen::Index>(n));
+  Uncertainty u;
+  u.identified.assign(n, false);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const std::size_t column = part.columns[static_cast<std::size_t>(k)];
+    map(static_cast<Eigen::Index>(column), k) = 1.0;
+    u.identified[column] = true;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!parameters.all()[parameters.active()[i]].is_break) continue;
+    u.identified[i] = true;
+    const auto row = static_cast<Eigen::Index>(i);
+    for (Eigen::Index k = 0; k < m; ++k) {
+      map(row, k) = details.permanent_gradient[part.columns[static_cast<std::size_t>(k)]] /
+                    break_factor;
+    }
+    sampling(row) = target.characteristics.observed_break->half_interval() / break_factor;
+  }
+  const MatrixXd covariance = map * part.covariance * map.transpose();
+  const double quantile = theory::student_t_quantile(0.5 * (1.0 + options.confidence),
+                                                     part.degrees_of_freedom);
+  u.standard_error.assign(n, kNan);
+  u.half_interval.assign(n, kNan);
+  u.correlation.assign(n * n, kNan);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!u.identified[i]) continue;
+    const auto row = static_cast<Eigen::Index>(i);
+    const double variance = std::max(0.0, covariance(row, row));
+    const double half = std::fabs(sampling(row));
+    u.standard_error[i] = std::sqrt(variance + half * half / 3.0);
+    u.half_interval[i] = quantile * std::sqrt(variance) + half;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      if (!u.identified[i] || !u.identified[j]) continue;
+      const double product = u.standard_error[i] * u.standard_error[j];
+      const double c = covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      u.correlation[i * n + j] = i == j ? 1.0 : product > 0.0 ? c / product : 0.0;
+    }
+  }
+  return u;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "calibrate/fit/misfit.hpp"
+#include "calibrate/fit/options.hpp"
+#include "calibrate/fit/parameter_set.hpp"
+
+namespace plastica::calibrate {
+
+/// How well a curve determines the active parameters (n of them).
+///
+/// With the residuals' Jacobian J (n_samples x n), weights W = diag(w_i), A = J^T W J:
+///   least squares with a given noise: C = A^-1;
+///   otherwise: C = s^2 A^-1 (J^T W^2 J) A^-1, s^2 = sum r_i^2/(n_samples - n), the covariance of
+///   a weighted fit of samples with independent errors of equal size (for equal weights it is
+///   s^2 A^-1). Where the model cannot follow the curve the residuals are not independent and the
+///   errors are too small: the report says so beside them.
+/// A break strain adds its sampling interval: its variance is that of the model's permanent strain
+/// at the break (through C) plus h^2/3 of a break that lies anywhere within +-h; its confidence
+/// interval is the one of the model widened by h on both sides.
+///
+/// Not identified is a parameter whose column of J vanishes (its share of the misfit is below
+/// 1e-12 of the largest stress for a relative change of one), or which takes part in a
+/// combination that J does not see (an eigenvalue of A, scaled to a unit diagonal, below 1e-12).
+struct Uncertainty {
+  std::vector<bool> identified;        ///< (n)
+  std::vector<double> standard_error;  ///< SI (n); NaN if not identified
+  std::vector<double> half_interval;   ///< half width of the confidence interval, SI (n); NaN if not
+  std::vector<double> correlation;     ///< (n x n); NaN in rows and columns not identified
+};
+
+/// @param active  solution, SI (n)
+Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> active,
+                        const ParameterSet& parameters, const Target& target,
+                        const FitOptions& options, double break_factor);
+
+}  // namespace plastica::calibrate
