@@ -1,0 +1,210 @@
+#include "plastica/io/scene_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/support/message.hpp"
+
+namespace plastica::io {
+namespace {
+
+using testing::message_of;
+
+const std::string kDrive = "[drive]\nstrain = [0, 0.01]\n";
+
+Setup read(const std::string& text) { return parse_scene_file(text, "s.toml").setup; }
+
+std::string error_of(const std::string& text) {
+  return message_of([&] { parse_scene_file(text, "s.toml"); });
+}
+
+class SceneFileWithTable : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(::testing::TempDir()) / (std::string("scene_") + test->name());
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  plastica::Setup read_here(const std::string& strain) const {
+    return parse_scene_file("[drive]\nstrain = " + strain, path("s.toml")).setup;
+  }
+  std::string error_here(const std::string& strain) const {
+    std::string text = message_of([&] { (void)read_here(strain); });
+    for (auto at = text.find(folder_); at != std::string::npos; at = text.find(folder_)) {
+      text.erase(at, folder_.string().size() + 1);
+    }
+    return text;
+  }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::filesystem::path folder_;
+};
+
+TEST(SceneFile, TakesDefaultsForWhatItDoesNotSay) {
+  const plastica::Setup setup = read(kDrive);
+  const plastica::Setup defaults;
+  EXPECT_EQ(setup.scene.name, "s");
+  EXPECT_EQ(setup.scene.drive.strain, (std::vector<double>{0.0, 0.01}));
+  for (const Field& field : fields())
+    EXPECT_EQ(field.get(setup), field.get(defaults)) << field.path;
+  ASSERT_EQ(setup.scene.probes.size(), 1U);
+  EXPECT_EQ(setup.scene.probes[0].quantity, ProbeQuantity::Stress);
+}
+
+TEST(SceneFile, ReadsEveryFieldOfTheFieldTable) {
+  for (const Field& field : fields()) {
+    std::string value;
+    FieldValue wanted;
+    if (field.kind == FieldKind::Choice) {
+      // The last word, except where other fields would have to follow suit.
+      const std::string word(field.path == "rules.formulas" ? "report" : field.choices.back());
+      value = '"' + word + '"';
+      wanted = word;
+    } else {
+      const double number = field.range.contains(2.0) ? 2.0 : 0.25;
+      // A hole must be smaller than the section around it.
+      const double fitting = field.path.starts_with("section.inner") ? 0.03125 : number;
+      value = '"' + std::to_string(fitting) + " " + std::string(si_unit(field.dimension)) + '"';
+      if (field.kind == FieldKind::Integer) value = "2";
+      wanted = fitting;
+    }
+    const plastica::Setup setup =
+        read("drive.strain = [0]\n" + std::string(field.path) + " = " + value);
+    EXPECT_EQ(field.get(setup), wanted) << field.path;
+  }
+}
+
+TEST(SceneFile, TakesANamedMaterialAsTheBase) {
+  const plastica::Setup shorthand = read("material = '6061-T6'\n" + kDrive);
+  EXPECT_EQ(shorthand.scene.material.name, "6061-T6");
+  EXPECT_EQ(shorthand.scene.material.youngs_modulus, 68.9e9);
+  const plastica::Setup changed =
+      read("[material]\nyield_stress = '300 MPa'\nname = '6061-T6'\n" + kDrive);
+  EXPECT_EQ(changed.scene.material.youngs_modulus, 68.9e9);
+  EXPECT_DOUBLE_EQ(changed.scene.material.yield_stress, 300e6);
+}
+
+TEST(SceneFile, ReadsSamplesWithAndWithoutUnits) {
+  EXPECT_EQ(read("[drive]\nstrain = [0, '1 %', 0.02]").scene.drive.strain,
+            (std::vector<double>{0.0, 0.01, 0.02}));
+}
+
+TEST(SceneFile, RunsStraightOverTurningPoints) {
+  const auto strain = read(
+                          "[drive]\nstrain = { turning_points = ['2 %', 0.02, '-2 %'], "
+                          "points_between = 3 }")
+                          .scene.drive.strain;
+  ASSERT_EQ(strain.size(), 9U);
+  EXPECT_EQ(strain[0], 0.0);
+  EXPECT_DOUBLE_EQ(strain[1], 0.005);
+  EXPECT_EQ(strain[4], 0.02);
+  EXPECT_DOUBLE_EQ(strain[6], 0.0);
+  EXPECT_EQ(strain[8], -0.02);
+  EXPECT_EQ(read("[drive]\nstrain = { turning_points = [0.01] }").scene.drive.strain.size(), 52U);
+}
+
+TEST(SceneFile, ReadsProbes) {
+  const plastica::Setup setup = read(kDrive +
+                                     "[[probe]]\nquantity = 'load'\n[[probe]]\nname = 'used'\n"
+                                     "quantity = 'accumulated_strain'\n");
+  ASSERT_EQ(setup.scene.probes.size(), 2U);
+  EXPECT_EQ(setup.scene.probes[0].name, "load");
+  EXPECT_EQ(setup.scene.probes[0].quantity, ProbeQuantity::Load);
+  EXPECT_EQ(setup.scene.probes[1].name, "used");
+  EXPECT_EQ(setup.scene.probes[1].quantity, ProbeQuantity::AccumulatedStrain);
+}
+
+TEST_F(SceneFileWithTable, ReadsAColumnBesideTheFile) {
+  write("d.csv", "Time (s),Strain (%)\n0,0\n1,0.5\n2,1\n");
+  const std::vector<double> wanted{0.0, 0.005, 0.01};
+  EXPECT_EQ(read_here("{ table = 'd.csv', column = 'Strain' }").scene.drive.strain, wanted);
+  EXPECT_EQ(read_here("{ table = 'd.csv', column = 2 }").scene.drive.strain, wanted);
+  EXPECT_EQ(read_here("{ table = 'd.csv', column = 2, unit = '1' }").scene.drive.strain,
+            (std::vector<double>{0.0, 0.5, 1.0}));
+}
+
+TEST_F(SceneFileWithTable, RefusesATableOrColumnThatIsNotThere) {
+  write("d.csv", "Strain\n0\n1\n2\n");
+  EXPECT_EQ(error_here("{ table = 'e.csv', column = 'Strain' }"),
+            "s.toml:2: drive.strain.table = e.csv: is not a file in the folder of s.toml");
+  EXPECT_EQ(error_here("{ table = 'd.csv', column = 'Stress' }"),
+            "s.toml:2: drive.strain.column = Stress: is not a column of d.csv, which has 1 column: "
+            "Strain");
+}
+
+TEST_F(SceneFileWithTable, RefusesAColumnWithGaps) {
+  write("d.csv", "t,Strain\n0,0\n1,NaN\n2,1\n");
+  EXPECT_EQ(error_here("{ table = 'd.csv', column = 'Strain' }"),
+            "d.csv:3: Strain = NaN: must be a number in a drive");
+}
+
+TEST(SceneFileErrors, AnUnknownMaterialIsRefusedWithTheListOfNames) {
+  const std::string rule =
+      "must be one of S235, S275, S355, 42CrMo4, 1.4301, 6061-T6, 6082-T6, 2024-T3, 7075-T6, C24";
+  EXPECT_EQ(error_of("material = 'S999'\n" + kDrive), "s.toml:1: material = S999: " + rule);
+  EXPECT_EQ(error_of("[material]\nname = 'S999'\n" + kDrive),
+            "s.toml:2: material.name = S999: " + rule);
+}
+
+TEST(SceneFileErrors, AFieldOutOfRangeIsRefusedAsItIsWritten) {
+  EXPECT_EQ(error_of("[material]\nyield_stress = '-5 MPa'\n" + kDrive),
+            "s.toml:2: material.yield_stress = -5 MPa: must be above 0 Pa");
+  EXPECT_EQ(error_of("[beam]\nsegments = 2.5\n" + kDrive),
+            "s.toml:2: beam.segments = 2.5: must be a whole number");
+}
+
+TEST(SceneFileErrors, AChoiceThatIsNoneIsRefused) {
+  EXPECT_EQ(error_of("[section]\nshape = 'round'\n" + kDrive),
+            "s.toml:2: section.shape = round: must be one of rectangle, circle, round_tube, "
+            "rectangular_tube");
+}
+
+TEST(SceneFileErrors, FieldsThatContradictEachOtherAreRefused) {
+  EXPECT_EQ(error_of("[rules]\nformulas = 'report'\nyield_cap = 'fully_plastic'\n" + kDrive),
+            "s.toml: yield_cap = fully_plastic: the report's caps are at first yield");
+}
+
+TEST(SceneFileErrors, AnUnknownKeyIsRefusedWithTheNearestField) {
+  EXPECT_EQ(error_of("[material]\nyeild_stress = '5 MPa'\n" + kDrive),
+            "s.toml:2: material.yeild_stress = '5 MPa': is not a key of material; did you mean "
+            "yield_stress?");
+}
+
+TEST(SceneFileErrors, ASceneWithoutADriveIsRefused) {
+  EXPECT_EQ(error_of("name = 'x'\n"), "s.toml: drive: is missing: a scene needs [drive]");
+  EXPECT_EQ(error_of("[drive]\n"), "s.toml:1: drive.strain: is missing");
+  EXPECT_EQ(error_of("[drive]\nstrain = []\n"),
+            "s.toml:2: drive.strain = []: must have at least one sample");
+}
+
+TEST(SceneFileErrors, ADriveOfNoKnownKindIsRefused) {
+  EXPECT_EQ(error_of("[drive]\nstrain = 0.1\n"),
+            "s.toml:2: drive.strain = 0.1: must be a list of strains, { table, column } or "
+            "{ turning_points }");
+  EXPECT_EQ(error_of("[drive]\nstrain = { turning_point = [1] }\n"),
+            "s.toml:2: drive.strain.turning_point = [1]: is not a key of drive.strain; did you "
+            "mean turning_points?");
+  EXPECT_EQ(error_of("[drive]\nstrain = {}\n"),
+            "s.toml:2: drive.strain = {}: must have either table and column, or turning_points");
+  EXPECT_EQ(error_of("[drive]\nstrain = ['1 MPa']\n"),
+            "s.toml:2: drive.strain[1] = 1 MPa: \"MPa\" is not a unit of strain (examples: %, 1, "
+            "mm/mm, um/m)");
+}
+
+TEST(SceneFileErrors, TwoProbesOfOneNameAreRefused) {
+  EXPECT_EQ(error_of(kDrive + "[[probe]]\nquantity = 'load'\n[[probe]]\nquantity = 'load'\n"),
+            "s.toml:6: probe[2].quantity = load: is the name of another probe, too");
+  EXPECT_EQ(error_of(kDrive + "[[probe]]\nquantity = 'force'\n"),
+            "s.toml:4: probe[1].quantity = 'force': must be one of \"strain\", \"stress\", "
+            "\"plastic_strain\", \"accumulated_strain\", \"load\", \"dissipation\"");
+}
+
+}  // namespace
+}  // namespace plastica::io
