@@ -108,6 +108,7 @@ void add_warnings(const Target& target, FitResult& result) {
     } else if (!p.identified) {
       result.warnings.push_back(p.name + " is not identified: the curve does not depend on it");
     }
+    if (!p.identified) continue;
     if (p.at_lower) result.warnings.push_back(p.name + " is at its lower bound");
     if (p.at_upper) result.warnings.push_back(p.name + " is at its upper bound");
   }
@@ -133,12 +134,11 @@ void add_fitted_curve(const Target& target, const FitOptions& options, FitResult
   // Go on in the last direction until the beam must have broken, to learn at which strain.
   if (scene.material.break_strain || scene.material.break_shear_strain) {
     const double last = scene.drive.strain.back();
-    const double limit =
-        std::max(scene.material.break_strain.value_or(0.0),
-                 scene.material.break_shear_strain.value_or(0.0));
-    const double elastic = 2.0 * largest_stress(target.corrected) /
-                           target.characteristics.youngs_modulus.value_or(
-                               scene.material.youngs_modulus);
+    const double limit = std::max(scene.material.break_strain.value_or(0.0),
+                                  scene.material.break_shear_strain.value_or(0.0));
+    const double elastic =
+        2.0 * largest_stress(target.corrected) /
+        target.characteristics.youngs_modulus.value_or(scene.material.youngs_modulus);
     scene.drive.strain.push_back(last + std::copysign(4.0 * limit + elastic, last));
   }
   const Response response = simulate(scene, setup.solver);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "calibrate/fit/optimizer.hpp"
 
@@ -10,23 +11,54 @@ namespace {
 
 /// ln 5: how far the global stage of `auto` looks around the start.
 constexpr double kGlobalReach = 1.6094379124341003746;
+constexpr double kEverywhere = 1e300;
 /// How far the downhill simplex looks around the end of SLSQP, and how often at most.
-constexpr double kPolishReach = 1e-3;
+constexpr double kPolishReach = 1e-2;
 constexpr int kMostPolishes = 3;
+/// Misfit, as a share of the largest stress, above which kinks can make several minima; how many
+/// restarts look for them, and how high up the cost's parabola they begin.
+constexpr double kCloseFit = 0.02;
+constexpr int kRestarts = 16;
+constexpr double kRestartRise = 0.1;
+/// A decrease of the cost that is not worth a polish, as a share of the cost.
+constexpr double kWorthPolishing = 1e-10;
 
-/// The misfit in the optimizer's coordinates, counted and traced.
+/// The misfit in coordinates of order one, counted and traced.
+///
+/// z_i = scale_i x_i, x_i the set's coordinates, and the cost over the largest stress squared:
+/// algorithms that begin with a unit Hessian (SLSQP) need it to be about right. `rescale` takes
+/// the curvatures at the best point for that, of Gauss and Newton: 2 sum w_i (dr_i/dx)^2.
 class Search {
  public:
   Search(Misfit& misfit, const ParameterSet& parameters, const FitOptions& options,
          std::uint64_t seed, Solution& solution)
-      : misfit_(misfit), parameters_(parameters), options_(options), seed_(seed),
-        solution_(solution), n_(parameters.active().size()), values_(n_) {
+      : misfit_(misfit),
+        parameters_(parameters),
+        options_(options),
+        seed_(seed),
+        solution_(solution),
+        n_(parameters.active().size()),
+        scale_(n_, 1.0),
+        values_(n_) {
     solution_.trace.parameters = n_;
+    for (std::size_t i = 0; i < n_; ++i) {
+      best_.push_back(parameters.coordinate(i, parameters.all()[parameters.active()[i]].start));
+    }
   }
 
-  /// Runs one algorithm over the box; keeps the best point of all. @return whether it got better
-  bool stage(const std::string& algorithm, int evaluations, const std::vector<double>& start,
-             double reach) {
+  void rescale() {
+    set_values(best_, false);
+    const std::vector<double> curvature = misfit_.curvature(values_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double slope = parameters_.slope(i, values_[i]);
+      const double c = curvature[i] * slope * slope / misfit_.cost_unit();
+      // A parameter that does not matter here keeps its scale.
+      if (std::isfinite(c) && c > kLeastCurvature) scale_[i] = std::sqrt(c);
+    }
+  }
+
+  /// Runs one algorithm over the box from the best point. @return whether the cost got less
+  bool stage(const std::string& algorithm, int evaluations, double reach) {
     MinimizeOptions how;
     how.algorithm = algorithm;
     how.max_evaluations = evaluations;
@@ -34,54 +66,99 @@ class Search {
     how.cost_tolerance = options_.stopping.cost_tolerance;
     how.seed = seed_;
     Problem problem;
-    problem.start = start;
     for (std::size_t i = 0; i < n_; ++i) {
-      const double low = std::max(parameters_.lower(i), start[i] - reach);
-      const double high = std::min(parameters_.upper(i), start[i] + reach);
-      problem.lower.push_back(low);
-      problem.upper.push_back(high);
-      problem.start[i] = std::clamp(start[i], low, high);
+      const double low = std::max(parameters_.lower(i), best_[i] - reach);
+      const double high = std::min(parameters_.upper(i), best_[i] + reach);
+      problem.lower.push_back(low * scale_[i]);
+      problem.upper.push_back(high * scale_[i]);
+      problem.start.push_back(std::clamp(best_[i], low, high) * scale_[i]);
     }
-    problem.cost = [this](std::span<const double> x, std::span<double> gradient) {
-      return cost(x, gradient);
+    problem.cost = [this](std::span<const double> z, std::span<double> gradient) {
+      return cost(z, gradient);
     };
     const Minimum minimum = minimize(problem, how);
-    solution_.stages.push_back({algorithm, minimum.outcome, minimum.evaluations,
-                                minimum.x.empty() ? 0.0 : minimum.cost});
+    solution_.stages.push_back(
+        {algorithm, minimum.outcome, minimum.evaluations, minimum.cost * misfit_.cost_unit()});
     if (minimum.x.empty()) return false;
-    const bool better = best_.empty() || minimum.cost < solution_.cost;
-    if (better) {
-      best_ = minimum.x;
-      solution_.cost = minimum.cost;
-    }
     solution_.usable = solution_.usable || minimum.usable;
-    return better;
+    if (found_ && minimum.cost >= best_cost_) return false;
+    for (std::size_t i = 0; i < n_; ++i) best_[i] = minimum.x[i] / scale_[i];
+    best_cost_ = minimum.cost;
+    found_ = true;
+    return true;
   }
 
-  const std::vector<double>& best() const { return best_; }
+  /// Whether the slope at the best point promises a decrease that is worth looking for: with unit
+  /// curvature, half of the squared gradient (at a bound, of its inward part).
+  bool worth_polishing() {
+    if (!found_) return false;
+    std::vector<double> z(n_);
+    std::vector<double> gradient(n_);
+    for (std::size_t i = 0; i < n_; ++i) z[i] = best_[i] * scale_[i];
+    const double f = cost(z, gradient);
+    double decrease = 0.0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const bool blocked =
+          gradient[i] > 0.0 ? best_[i] <= parameters_.lower(i) : best_[i] >= parameters_.upper(i);
+      if (!blocked) decrease += 0.5 * gradient[i] * gradient[i];
+    }
+    return decrease > kWorthPolishing * f + kNoiseFloor;
+  }
+
+  /// Looks for other minima near the best point: SLSQP from seeded points around it, at which the
+  /// cost would be up to kRestartRise higher if it were a parabola.
+  void restart_around(int evaluations) {
+    const std::vector<double> centre = best_;
+    const double reach = std::sqrt(2.0 * kRestartRise * best_cost_);
+    std::mt19937_64 random(seed_);
+    for (int i = 0; i < kRestarts; ++i) {
+      const std::vector<double> kept = best_;
+      for (std::size_t k = 0; k < n_; ++k) {
+        // 53 random bits as a number in [-1, 1).
+        const double uniform = 0x1p-52 * static_cast<double>(random() >> 11U) - 1.0;
+        best_[k] = centre[k] + reach * uniform / scale_[k];
+      }
+      if (!stage("slsqp", evaluations, kEverywhere)) best_ = kept;
+    }
+  }
+
+  bool fits_closely() const { return best_cost_ < kCloseFit * kCloseFit; }
+
+  bool found() const { return found_; }
 
   void finish() {
-    if (best_.empty()) {
+    if (!found_) {
       solution_.reason = "the model could not be run at any point of the box";
       return;
     }
     if (!solution_.usable) solution_.reason = "optimizer: " + solution_.stages.back().outcome;
-    for (std::size_t i = 0; i < n_; ++i) {
-      solution_.active.push_back(parameters_.value(i, best_[i]));
-    }
+    solution_.cost = best_cost_ * misfit_.cost_unit();
+    set_values(best_, false);
+    solution_.active = values_;
   }
 
  private:
-  double cost(std::span<const double> x, std::span<double> gradient) {
-    for (std::size_t i = 0; i < n_; ++i) values_[i] = parameters_.value(i, x[i]);
+  /// Below this, a curvature is rounding; a cost this small is an exact fit (rms 1e-12 of the
+  /// largest stress).
+  static constexpr double kLeastCurvature = 1e-20;
+  static constexpr double kNoiseFloor = 1e-24;
+
+  void set_values(std::span<const double> x, bool scaled) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      values_[i] = parameters_.value(i, scaled ? x[i] / scale_[i] : x[i]);
+    }
+  }
+
+  double cost(std::span<const double> z, std::span<double> gradient) {
+    set_values(z, true);
     const double f = misfit_.cost(values_, gradient);
     for (std::size_t i = 0; i < gradient.size(); ++i) {
-      gradient[i] *= parameters_.slope(i, values_[i]);
+      gradient[i] *= parameters_.slope(i, values_[i]) / (scale_[i] * misfit_.cost_unit());
     }
     Trace& trace = solution_.trace;
     trace.values.insert(trace.values.end(), values_.begin(), values_.end());
     trace.costs.push_back(f);
-    return f;
+    return f / misfit_.cost_unit();
   }
 
   Misfit& misfit_;
@@ -90,8 +167,11 @@ class Search {
   std::uint64_t seed_;
   Solution& solution_;
   std::size_t n_;
+  std::vector<double> scale_;
   std::vector<double> values_;
-  std::vector<double> best_;
+  std::vector<double> best_;  ///< the set's coordinates; the start until a stage has run
+  double best_cost_ = 0.0;
+  bool found_ = false;
 };
 
 }  // namespace
@@ -100,29 +180,21 @@ Solution minimize_misfit(Misfit& misfit, const ParameterSet& parameters, const F
                          std::uint64_t seed) {
   Solution solution;
   Search search(misfit, parameters, options, seed, solution);
-  std::vector<double> start;
-  for (std::size_t i = 0; i < parameters.active().size(); ++i) {
-    start.push_back(parameters.coordinate(i, parameters.all()[parameters.active()[i]].start));
-  }
-  constexpr double kEverywhere = 1e300;
   const StoppingRules& stop = options.stopping;
   if (options.algorithm != "auto") {
-    const int most = is_global(options.algorithm) ? stop.global_evaluations : stop.local_evaluations;
-    search.stage(options.algorithm, most, start, kEverywhere);
-  } else {
-    if (stop.global_evaluations > 0) {
-      search.stage("crs", stop.global_evaluations, start, kGlobalReach);
-    }
-    search.stage("slsqp", stop.local_evaluations, search.best().empty() ? start : search.best(),
+    const bool global = is_global(options.algorithm);
+    search.rescale();
+    search.stage(options.algorithm, global ? stop.global_evaluations : stop.local_evaluations,
                  kEverywhere);
-    for (int i = 0; i < kMostPolishes && !search.best().empty(); ++i) {
-      const std::vector<double> from = search.best();
-      if (!search.stage("nelder-mead", stop.local_evaluations, from, kPolishReach)) break;
-      if (!search.stage("slsqp", stop.local_evaluations, std::vector<double>(search.best()),
-                        kEverywhere)) {
-        break;
-      }
+  } else {
+    if (stop.global_evaluations > 0) search.stage("crs", stop.global_evaluations, kGlobalReach);
+    search.rescale();
+    search.stage("slsqp", stop.local_evaluations, kEverywhere);
+    for (int i = 0; i < kMostPolishes && search.worth_polishing(); ++i) {
+      const bool better = search.stage("nelder-mead", stop.local_evaluations, kPolishReach);
+      if (!better || !search.stage("slsqp", stop.local_evaluations, kEverywhere)) break;
     }
+    if (search.found() && !search.fits_closely()) search.restart_around(stop.local_evaluations);
   }
   search.finish();
   return solution;

@@ -15,18 +15,22 @@ struct Solution {
   std::vector<double> active;  ///< SI (n_active)
   double cost = 0.0;           ///< [Pa^2]
   bool usable = false;
-  std::string reason;          ///< if not usable
+  std::string reason;  ///< if not usable
   std::vector<OptimizerStage> stages;
   Trace trace;
 };
 
 /// Minimizes a target's misfit with the algorithm that the options name.
 ///
-/// `auto`: a seeded global stage (controlled random search within the bounds and a factor of five
-/// around the start), then from its best point, or the start if that is better, SLSQP with exact
-/// derivatives. The cost is smooth but for small kinks where a sample goes from elastic to
-/// plastic; SLSQP can end on one, so a downhill simplex over a small box looks around its end and
-/// SLSQP goes on from there while that finds less cost.
+/// `auto`:
+/// 1. a seeded global stage: controlled random search within the bounds and a factor of five
+///    around the start;
+/// 2. from its best point, or the start if that is better, SLSQP with exact derivatives;
+/// 3. the cost has kinks where a sample goes from elastic to plastic. If SLSQP ended where the
+///    slope still promises less cost, a downhill simplex looks around and SLSQP goes on;
+/// 4. where the misfit is above 2 % of the largest stress (the model cannot follow the curve), the
+///    kinks are large enough for several minima: SLSQP starts again from 16 seeded points nearby,
+///    and the best is kept.
 /// Any other algorithm runs alone from the start.
 Solution minimize_misfit(Misfit& misfit, const ParameterSet& parameters, const FitOptions& options,
                          std::uint64_t seed);

@@ -43,12 +43,15 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
     : target_(target), parameters_(parameters), samples_(target.corrected.size()) {
   raw_weight_ = options.objective == Objective::StrainPath
                     ? path_weights(target.corrected.strain)
-                    : std::vector<double>(samples_,
-                                          options.noise ? 1.0 / (*options.noise * *options.noise)
-                                                        : 1.0);
+                    : std::vector<double>(
+                          samples_, options.noise ? 1.0 / (*options.noise * *options.noise) : 1.0);
   const double sum = std::accumulate(raw_weight_.begin(), raw_weight_.end(), 0.0);
   weight_ = raw_weight_;
   for (double& w : weight_) w /= sum;
+
+  double stress = 0.0;
+  for (const double s : target.corrected.stress) stress = std::max(stress, std::fabs(s));
+  if (stress > 0.0) cost_unit_ = stress * stress;
 
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -61,11 +64,9 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
     }
     const auto& observed = target.characteristics.observed_break;
     if (!observed || options.break_weight == 0.0) continue;
-    double stress = 0.0;
-    for (const double s : target.corrected.stress) stress = std::max(stress, std::fabs(s));
     const double permanent = target.characteristics.break_strain_plastic.value_or(0.0);
     const double scale = permanent > 0.0 ? permanent : std::fabs(observed->strain());
-    break_scale_ = options.break_weight * stress * stress / (scale * scale);
+    break_scale_ = options.break_weight * cost_unit_ / (scale * scale);
     break_index_ = i;
     const bool converts = target.test == Test::Torsion &&
                           p.field->material == MaterialField::BreakStrain &&
@@ -98,8 +99,7 @@ bool Misfit::set_values(std::span<const double> active) {
 
 double Misfit::break_cost(std::span<double> by_all) const {
   if (break_scale_ == 0.0) return 0.0;
-  const double gap =
-      response_.permanent_strain - break_factor_ * all_values_[break_index_];
+  const double gap = response_.permanent_strain - break_factor_ * all_values_[break_index_];
   if (!by_all.empty()) {
     const double slope = 2.0 * break_scale_ * gap;
     for (std::size_t i = 0; i < model_index_.size(); ++i) {
@@ -142,6 +142,32 @@ double Misfit::cost(std::span<const double> active, std::span<double> gradient) 
   sum += break_cost(by_all_);
   parameters_.contract(by_all_, gradient);
   return sum;
+}
+
+std::vector<double> Misfit::curvature(std::span<const double> active) {
+  std::vector<double> curvature(active.size(), 0.0);
+  std::vector<double> by_active(active.size());
+  if (!std::isfinite(cost(active, by_active))) return curvature;
+  const auto add = [&](const double* by_model, double weight) {
+    std::fill(by_all_.begin(), by_all_.end(), 0.0);
+    for (std::size_t i = 0; i < model_index_.size(); ++i) by_all_[model_index_[i]] = by_model[i];
+    parameters_.contract(by_all_, by_active);
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      curvature[i] += 2.0 * weight * by_active[i] * by_active[i];
+    }
+  };
+  for (std::size_t s = 0; s < samples_; ++s) {
+    add(sensitivity_.stress.data() + s * model_index_.size(), weight_[s]);
+  }
+  if (break_scale_ > 0.0) {
+    std::fill(by_all_.begin(), by_all_.end(), 0.0);
+    by_all_[break_index_] = break_factor_;
+    parameters_.contract(by_all_, by_active);
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      curvature[i] += 2.0 * break_scale_ * by_active[i] * by_active[i];
+    }
+  }
+  return curvature;
 }
 
 Misfit::Details Misfit::details(std::span<const double> active) {

@@ -38,14 +38,21 @@ class Misfit {
   /// `gradient` (n_active) if it is not empty. Infinite where the model cannot be run.
   double cost(std::span<const double> active, std::span<double> gradient);
 
+  /// S^2: costs over it are shares of the largest stress [Pa^2].
+  double cost_unit() const { return cost_unit_; }
+
+  /// Second derivatives of the cost by the active parameters after Gauss and Newton,
+  /// 2 sum w_i (dr_i/da)^2 / sum w_i (n_active) [Pa^2 / SI^2].
+  std::vector<double> curvature(std::span<const double> active);
+
   /// The parts of a cost and what an uncertainty needs, at a solution.
   struct Details {
-    double stress_cost = 0.0;        ///< f_stress [Pa^2]
-    double break_cost = 0.0;         ///< f_break [Pa^2]
-    std::vector<double> residual;    ///< (n_samples) [Pa]
-    std::vector<double> weight;      ///< w_i, unscaled (n_samples)
-    std::vector<double> jacobian;    ///< d model stress / d active (n_samples x n_active)
-    double permanent = 0.0;          ///< p above [1]
+    double stress_cost = 0.0;                ///< f_stress [Pa^2]
+    double break_cost = 0.0;                 ///< f_break [Pa^2]
+    std::vector<double> residual;            ///< (n_samples) [Pa]
+    std::vector<double> weight;              ///< w_i, unscaled (n_samples)
+    std::vector<double> jacobian;            ///< d model stress / d active (n_samples x n_active)
+    double permanent = 0.0;                  ///< p above [1]
     std::vector<double> permanent_gradient;  ///< dp / d active (n_active)
   };
   Details details(std::span<const double> active);
@@ -60,11 +67,12 @@ class Misfit {
   const Target& target_;
   const ParameterSet& parameters_;
   std::size_t samples_ = 0;
-  std::vector<double> weight_;          ///< over their sum; 0 at the break sample
+  std::vector<double> weight_;  ///< over their sum; 0 at the break sample
   std::vector<double> raw_weight_;
-  double break_scale_ = 0.0;            ///< break_weight S^2 / P^2; 0 without a break term
+  double cost_unit_ = 1.0;
+  double break_scale_ = 0.0;  ///< break_weight S^2 / P^2; 0 without a break term
   double break_factor_ = 1.0;
-  std::size_t break_index_ = 0;         ///< of the break parameter in the set
+  std::size_t break_index_ = 0;           ///< of the break parameter in the set
   std::vector<std::size_t> model_index_;  ///< set index of each model parameter
   Model model_;
   Workspace workspace_;

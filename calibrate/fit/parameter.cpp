@@ -58,9 +58,8 @@ void check_parameters(const std::vector<Parameter>& parameters) {
         check_field(*p.field, *p.value, p.where);
         break;
       case ParameterRole::Tied: {
-        const auto base = std::find_if(parameters.begin(), parameters.end(), [&](const auto& q) {
-          return q.field == p.tied_to;
-        });
+        const auto base = std::find_if(parameters.begin(), parameters.end(),
+                                       [&](const auto& q) { return q.field == p.tied_to; });
         if (p.tied_to == p.field) refuse(p, "", "must not be tied to itself");
         if (base == parameters.end() || base->role == ParameterRole::Tied) {
           refuse(p, p.tied_to ? p.tied_to->path : "",

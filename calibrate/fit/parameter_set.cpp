@@ -65,13 +65,9 @@ ParameterSet::ParameterSet(const Target& target, const FitOptions& options) {
   }
 }
 
-double ParameterSet::lower(std::size_t i) const {
-  return coordinate(i, active_parameter(i).lower);
-}
+double ParameterSet::lower(std::size_t i) const { return coordinate(i, active_parameter(i).lower); }
 
-double ParameterSet::upper(std::size_t i) const {
-  return coordinate(i, active_parameter(i).upper);
-}
+double ParameterSet::upper(std::size_t i) const { return coordinate(i, active_parameter(i).upper); }
 
 double ParameterSet::coordinate(std::size_t i, double value) const {
   using plastica::log;
@@ -82,8 +78,7 @@ double ParameterSet::coordinate(std::size_t i, double value) const {
 double ParameterSet::value(std::size_t i, double coordinate) const {
   const ResolvedParameter& p = active_parameter(i);
   using plastica::exp;
-  const double value =
-      p.logarithmic ? p.start * exp(coordinate) : p.start + size_[i] * coordinate;
+  const double value = p.logarithmic ? p.start * exp(coordinate) : p.start + size_[i] * coordinate;
   return std::clamp(value, p.lower, p.upper);
 }
 

@@ -56,7 +56,7 @@ class ParameterSet {
 
   std::vector<ResolvedParameter> all_;
   std::vector<std::size_t> active_;
-  std::vector<double> size_;  ///< typical size of each active parameter, linear scale
+  std::vector<double> size_;            ///< typical size of each active parameter, linear scale
   std::vector<std::size_t> active_of_;  ///< index into `active_` of each, or npos
 };
 

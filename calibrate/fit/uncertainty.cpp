@@ -69,8 +69,8 @@ void keep_identified(const Misfit::Details& d, const std::vector<double>& size, 
     bool lost = false;
     for (Eigen::Index e = 0; e < eigen.eigenvalues().size(); ++e) {
       const bool unseen = eigen.eigenvalues()(e) < kRankTolerance;
-      lost = lost || (unseen && std::fabs(eigen.eigenvectors()(static_cast<Eigen::Index>(k), e)) >
-                                    1e-3);
+      lost = lost ||
+             (unseen && std::fabs(eigen.eigenvectors()(static_cast<Eigen::Index>(k), e)) > 1e-3);
     }
     if (!lost) kept.push_back(columns[k]);
   }
@@ -141,14 +141,14 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     u.identified[i] = true;
     const auto row = static_cast<Eigen::Index>(i);
     for (Eigen::Index k = 0; k < m; ++k) {
-      map(row, k) = details.permanent_gradient[part.columns[static_cast<std::size_t>(k)]] /
-                    break_factor;
+      map(row, k) =
+          details.permanent_gradient[part.columns[static_cast<std::size_t>(k)]] / break_factor;
     }
     sampling(row) = target.characteristics.observed_break->half_interval() / break_factor;
   }
   const MatrixXd covariance = map * part.covariance * map.transpose();
-  const double quantile = theory::student_t_quantile(0.5 * (1.0 + options.confidence),
-                                                     part.degrees_of_freedom);
+  const double quantile =
+      theory::student_t_quantile(0.5 * (1.0 + options.confidence), part.degrees_of_freedom);
   u.standard_error.assign(n, kNan);
   u.half_interval.assign(n, kNan);
   u.correlation.assign(n * n, kNan);

@@ -28,8 +28,8 @@ namespace plastica::calibrate {
 struct Uncertainty {
   std::vector<bool> identified;        ///< (n)
   std::vector<double> standard_error;  ///< SI (n); NaN if not identified
-  std::vector<double> half_interval;   ///< half width of the confidence interval, SI (n); NaN if not
-  std::vector<double> correlation;     ///< (n x n); NaN in rows and columns not identified
+  std::vector<double> half_interval;  ///< half width of the confidence interval, SI (n); NaN if not
+  std::vector<double> correlation;    ///< (n x n); NaN in rows and columns not identified
 };
 
 /// @param active  solution, SI (n)
