@@ -35,32 +35,19 @@ struct Lookup {
 
 std::string_view examples(Dimension dimension) {
   switch (dimension) {
-    case Dimension::None:
-      return "1, %";
-    case Dimension::Strain:
-      return "%, 1, mm/mm, um/m";
-    case Dimension::Angle:
-      return "rad, deg";
-    case Dimension::Stress:
-      return "Pa, MPa, ksi";
-    case Dimension::Length:
-      return "m, mm, in";
-    case Dimension::Area:
-      return "m^2, mm^2, in^2";
-    case Dimension::Force:
-      return "N, kN, lbf";
-    case Dimension::Moment:
-      return "N m, kN m, lbf in";
-    case Dimension::Curvature:
-      return "rad/m, deg/m, 1/mm";
-    case Dimension::Density:
-      return "kg/m^3, g/cm^3";
-    case Dimension::Temperature:
-      return "K, degC";
-    case Dimension::Time:
-      return "s, min, h";
-    case Dimension::StrainRate:
-      return "1/s, %/min";
+    case Dimension::None: return "1, %";
+    case Dimension::Strain: return "%, 1, mm/mm, um/m";
+    case Dimension::Angle: return "rad, deg";
+    case Dimension::Stress: return "Pa, MPa, ksi";
+    case Dimension::Length: return "m, mm, in";
+    case Dimension::Area: return "m^2, mm^2, in^2";
+    case Dimension::Force: return "N, kN, lbf";
+    case Dimension::Moment: return "N m, kN m, lbf in";
+    case Dimension::Curvature: return "rad/m, deg/m, 1/mm";
+    case Dimension::Density: return "kg/m^3, g/cm^3";
+    case Dimension::Temperature: return "K, degC";
+    case Dimension::Time: return "s, min, h";
+    case Dimension::StrainRate: return "1/s, %/min";
   }
   return "";
 }
@@ -203,15 +190,12 @@ Lookup found(std::optional<double> scale) {
 
 Lookup look_up(std::string_view unit, Dimension dimension) {
   switch (dimension) {
-    case Dimension::None:
-      return found(pure_scale(unit));
-    case Dimension::Strain:
-      return found(strain_scale(unit));
+    case Dimension::None: return found(pure_scale(unit));
+    case Dimension::Strain: return found(strain_scale(unit));
     case Dimension::Angle:
       if (unit.empty() || unit == "1") return {Refusal::BareNumber, {}};
       return found(angle_scale(unit));
-    default:
-      break;
+    default: break;
   }
   if (unit.empty() || unit == "1") return {Refusal::BareNumber, {}};
   return unit_table().find(unit, dimension);

@@ -6,6 +6,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/lib/io/message_of.hpp"
+
 namespace plastica::io {
 namespace {
 
@@ -13,16 +15,6 @@ double scale(std::string_view unit, Dimension dimension) {
   const UnitConversion conversion = unit_conversion(unit, dimension);
   EXPECT_EQ(conversion.offset, 0.0) << unit;
   return conversion.scale;
-}
-
-template <typename Action>
-std::string message_of(const Action& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 TEST(Units, ConvertStressesToPascal) {
@@ -88,36 +80,38 @@ TEST(Units, ConvertAnglesAndPureNumbers) {
 }
 
 TEST(Units, AWrongDimensionNamesTheOneWanted) {
-  EXPECT_EQ(message_of([] {
+  EXPECT_EQ(message_of<InputError>([] {
               unit_conversion("mm", Dimension::Stress, {"fit.toml", 12}, "stress.unit");
             }),
             "fit.toml:12: stress.unit = mm: is not a unit of stress (examples: Pa, MPa, ksi)");
-  EXPECT_EQ(message_of([] { unit_conversion("deg", Dimension::Strain, {}, "unit"); }),
+  EXPECT_EQ(message_of<InputError>([] { unit_conversion("deg", Dimension::Strain, {}, "unit"); }),
             "unit = deg: is not a unit of strain (examples: %, 1, mm/mm, um/m)");
-  EXPECT_EQ(message_of([] { unit_conversion("m", Dimension::None, {}, "nu"); }),
+  EXPECT_EQ(message_of<InputError>([] { unit_conversion("m", Dimension::None, {}, "nu"); }),
             "nu = m: is not a unit of a pure number (examples: 1, %)");
 }
 
 TEST(Units, AnUnknownUnitIsRefusedLikeAWrongOne) {
   for (const char* unit : {"Mpa", "wibble", "5 MPa", "10", "(", "%", "MPa MPa", "lg(re 1 Pa)"}) {
-    EXPECT_EQ(message_of([&] { unit_conversion(unit, Dimension::Stress, {}, "u"); }),
+    EXPECT_EQ(message_of<InputError>([&] { unit_conversion(unit, Dimension::Stress, {}, "u"); }),
               "u = " + std::string(unit) + ": is not a unit of stress (examples: Pa, MPa, ksi)");
   }
 }
 
 TEST(Units, AReciprocalIsNoConversion) {
-  EXPECT_EQ(message_of([] { unit_conversion("1/s", Dimension::Time, {}, "t"); }),
+  EXPECT_EQ(message_of<InputError>([] { unit_conversion("1/s", Dimension::Time, {}, "t"); }),
             "t = 1/s: is not a unit of time (examples: s, min, h)");
-  EXPECT_EQ(message_of([] { unit_conversion("m", Dimension::Curvature, {}, "k"); }),
+  EXPECT_EQ(message_of<InputError>([] { unit_conversion("m", Dimension::Curvature, {}, "k"); }),
             "k = m: is not a unit of curvature (examples: rad/m, deg/m, 1/mm)");
 }
 
 TEST(Units, ABareNumberIsNoStress) {
-  EXPECT_EQ(message_of([] { unit_conversion("", Dimension::Stress, {}, "stress.unit"); }),
-            "stress.unit: a stress needs a unit (examples: Pa, MPa, ksi)");
-  EXPECT_EQ(message_of([] { parse_quantity("355", Dimension::Stress, {}, "yield_stress"); }),
-            "yield_stress = 355: a stress needs a unit (examples: Pa, MPa, ksi)");
-  EXPECT_EQ(message_of([] { parse_quantity("3", Dimension::Angle, {}, "twist"); }),
+  EXPECT_EQ(
+      message_of<InputError>([] { unit_conversion("", Dimension::Stress, {}, "stress.unit"); }),
+      "stress.unit: a stress needs a unit (examples: Pa, MPa, ksi)");
+  EXPECT_EQ(
+      message_of<InputError>([] { parse_quantity("355", Dimension::Stress, {}, "yield_stress"); }),
+      "yield_stress = 355: a stress needs a unit (examples: Pa, MPa, ksi)");
+  EXPECT_EQ(message_of<InputError>([] { parse_quantity("3", Dimension::Angle, {}, "twist"); }),
             "twist = 3: an angle needs a unit (examples: rad, deg)");
 }
 
@@ -131,7 +125,7 @@ TEST(Quantity, IsANumberAndAUnit) {
 
 TEST(Quantity, SaysWhatIsWrongWithIt) {
   const auto message = [](const char* text, Dimension dimension) {
-    return message_of([&] { parse_quantity(text, dimension, {"a.toml", 3}, "x"); });
+    return message_of<InputError>([&] { parse_quantity(text, dimension, {"a.toml", 3}, "x"); });
   };
   EXPECT_EQ(message("MPa", Dimension::Stress),
             "a.toml:3: x = MPa: does not begin with a number; wanted: a number and a unit of "

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace plastica::io {
+
+/// A 64-bit digest of content, fed piece by piece: identifies cases, runs and records.
+///
+/// Texts and arrays carry their length, so that ("ab", "c") differs from ("a", "bc"). It finds
+/// accidents, not attacks. The same on every machine and in every version: journals depend on it.
+/// Source: FNV-1a, Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash Algorithm", IETF draft.
+class Digest {
+ public:
+  /// Bytes as they are, without their number.
+  Digest& bytes(std::span<const std::byte> data);
+  Digest& text(std::string_view value);
+  Digest& integer(std::uint64_t value);
+  /// -0.0 is 0.0, and all NaN are one.
+  Digest& real(double value);
+  Digest& reals(std::span<const double> values);
+
+  std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325U;
+};
+
+/// A digest as 16 hexadecimal digits.
+std::string hexadecimal(std::uint64_t digest);
+
+}  // namespace plastica::io

@@ -1,0 +1,208 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plastica/base/check.hpp"
+#include "plastica/io/storage_error.hpp"
+
+namespace plastica::io {
+
+/// The element types that we store. Truth values are `std::uint8_t`.
+template <typename T>
+concept Hdf5Number = std::same_as<T, double> || std::same_as<T, float> ||
+    std::same_as<T, std::int32_t> || std::same_as<T, std::int64_t> ||
+    std::same_as<T, std::uint64_t> || std::same_as<T, std::uint8_t>;
+
+/// What stands at a path of a file.
+enum class Hdf5Kind {
+  None,     ///< nothing
+  Group,    ///< a group
+  Real,     ///< a dataset of floating-point numbers
+  Integer,  ///< a dataset of integers
+  Text,     ///< a dataset of strings
+  Other,    ///< something that we never write
+};
+
+/// How a dataset is stored.
+struct DatasetOptions {
+  std::string_view units;  ///< attribute `units`; none if empty
+  int deflate = 0;         ///< 0: as it is; 1...9: in chunks, shuffled and deflated, if over 4 KiB
+};
+
+/// Rows of unequal length: row i is `values[offsets[i] ... offsets[i + 1])`.
+template <Hdf5Number T>
+struct Ragged {
+  std::vector<T> values;
+  std::vector<std::uint64_t> offsets{0};  ///< (rows + 1), from 0 to values.size()
+
+  std::size_t rows() const { return offsets.size() - 1; }
+  std::span<const T> row(std::size_t i) const {
+    return std::span<const T>(values).subspan(offsets[i], offsets[i + 1] - offsets[i]);
+  }
+  void push_back(std::span<const T> row) {
+    values.insert(values.end(), row.begin(), row.end());
+    offsets.push_back(values.size());
+  }
+};
+
+/// Owns one identifier of the HDF5 library: a file, group, dataset, type, ...
+class Hdf5Handle {
+ public:
+  Hdf5Handle() = default;
+  explicit Hdf5Handle(std::int64_t id) : id_(id) {}
+  ~Hdf5Handle();
+  Hdf5Handle(Hdf5Handle&& other) noexcept : id_(other.release()) {}
+  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept;
+  Hdf5Handle(const Hdf5Handle&) = delete;
+  Hdf5Handle& operator=(const Hdf5Handle&) = delete;
+
+  std::int64_t get() const { return id_; }
+  std::int64_t release() {
+    const std::int64_t id = id_;
+    id_ = -1;
+    return id;
+  }
+
+ private:
+  std::int64_t id_ = -1;
+};
+
+/// A group of an open file. Paths are relative to it ("a/b"; "." is the group itself) or, with a
+/// slash in front, to the file's root. Groups must not outlive their file.
+///
+/// Writing creates the groups on the way and throws StorageError when it fails, or when there is
+/// something at the path already. Reading throws InputError when the path, the type or the shape
+/// is not as asked, since the file is the user's; StorageError when the machine fails.
+/// HDF5 is not reentrant: all files must be used from one thread at a time.
+class Hdf5Group {
+ public:
+  /// The group at a path, created if it is missing.
+  Hdf5Group group(std::string_view path);
+  /// The group at a path. @throws InputError if there is none
+  Hdf5Group open_group(std::string_view path) const;
+
+  Hdf5Kind kind(std::string_view path) const;
+  bool exists(std::string_view path) const { return kind(path) != Hdf5Kind::None; }
+  /// Names in the group, in the order in which they were written; by name in files of others.
+  std::vector<std::string> children() const;
+  /// Path of the group in the file: "/fits/0003".
+  const std::string& path() const { return path_; }
+  const std::string& file() const { return file_; }
+
+  template <Hdf5Number T>
+  void write(std::string_view path, T value, const DatasetOptions& options = {});
+  /// A one-dimensional array.
+  template <Hdf5Number T>
+  void write(std::string_view path, std::span<const T> values, const DatasetOptions& options = {});
+  template <Hdf5Number T>
+  void write(std::string_view path, const std::vector<T>& values,
+             const DatasetOptions& options = {}) {
+    write(path, std::span<const T>(values), options);
+  }
+  /// @param values  (rows x columns), row by row
+  template <Hdf5Number T>
+  void write_table(std::string_view path, std::span<const T> values, std::size_t columns,
+                   const DatasetOptions& options = {});
+  /// A group with the datasets `values` and `offsets`.
+  template <Hdf5Number T>
+  void write_ragged(std::string_view path, const Ragged<T>& rows,
+                    const DatasetOptions& options = {});
+  /// UTF-8 text of any length, without zero bytes.
+  void write_text(std::string_view path, const std::string& text);
+  void write_texts(std::string_view path, std::span<const std::string> texts);
+
+  template <Hdf5Number T>
+  T read_scalar(std::string_view path) const;
+  /// All elements of a dataset of any shape, row by row. An integer may be read as a real number,
+  /// not the reverse.
+  template <Hdf5Number T>
+  std::vector<T> read(std::string_view path) const;
+  /// Extents of a dataset; empty for a scalar.
+  std::vector<std::size_t> shape(std::string_view path) const;
+  template <Hdf5Number T>
+  Ragged<T> read_ragged(std::string_view path) const;
+  std::string read_text(std::string_view path) const;
+  std::vector<std::string> read_texts(std::string_view path) const;
+
+  /// Attributes of the group or dataset at a path; an earlier value is replaced.
+  void set_attribute(std::string_view path, const std::string& name, std::string_view text);
+  void set_attribute(std::string_view path, const std::string& name, const char* text) {
+    set_attribute(path, name, std::string_view(text));
+  }
+  void set_attribute(std::string_view path, const std::string& name, double value);
+  void set_attribute(std::string_view path, const std::string& name, std::int64_t value);
+  void set_attribute(std::string_view path, const std::string& name, int value) {
+    set_attribute(path, name, std::int64_t{value});
+  }
+  void set_attribute(std::string_view path, const std::string& name,
+                     std::span<const std::string> texts);
+
+  bool has_attribute(std::string_view path, const std::string& name) const;
+  std::string text_attribute(std::string_view path, const std::string& name) const;
+  std::vector<std::string> texts_attribute(std::string_view path, const std::string& name) const;
+  double real_attribute(std::string_view path, const std::string& name) const;
+  std::int64_t integer_attribute(std::string_view path, const std::string& name) const;
+
+ private:
+  friend class Hdf5File;
+  Hdf5Group(Hdf5Handle handle, std::string file, std::string path)
+      : handle_(std::move(handle)), file_(std::move(file)), path_(std::move(path)) {}
+
+  std::string full_path(std::string_view path) const;
+  Hdf5Handle open_object(std::string_view path) const;
+  Hdf5Handle open_dataset(std::string_view path) const;
+  Hdf5Handle open_attribute(std::string_view path, const std::string& name) const;
+  void make_parents(std::string_view path);
+  void write_raw(std::string_view path, std::int64_t type, const void* values,
+                 std::span<const std::size_t> shape, const DatasetOptions& options);
+  void write_attribute(std::string_view path, const std::string& name, std::int64_t type,
+                       const void* value, std::int64_t space);
+  [[noreturn]] void fail(std::string_view action, std::string_view path) const;
+  [[noreturn]] void refuse(std::string_view path, std::string_view rule) const;
+
+  Hdf5Handle handle_;
+  std::string file_;
+  std::string path_;
+};
+
+/// An HDF5 file. The same content, written in the same order, gives the same bytes.
+class Hdf5File {
+ public:
+  /// Begins a new file. It is written as `PATH.part` and appears under its own name, in place of
+  /// what was there, when it is committed. @throws StorageError
+  static Hdf5File create(const std::string& path);
+  /// Opens a file for reading.
+  /// @throws InputError if there is none, or it is no HDF5 file, or a damaged one
+  static Hdf5File open(const std::string& path);
+
+  /// Removes an uncommitted new file.
+  ~Hdf5File();
+  Hdf5File(Hdf5File&& other) noexcept;
+  Hdf5File& operator=(Hdf5File&&) = delete;
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
+
+  Hdf5Group& root() { return root_; }
+  const Hdf5Group& root() const { return root_; }
+
+  /// Writes everything to the disk and moves the file into place; then it is closed.
+  /// @throws StorageError, after which the unfinished file is gone and an older one untouched
+  void commit();
+
+ private:
+  Hdf5File(Hdf5Handle file, Hdf5Group root, std::string path, std::string part);
+  void discard() noexcept;
+
+  Hdf5Handle file_;
+  Hdf5Group root_;
+  std::string path_;
+  std::string part_;  // empty: nothing to commit or to remove
+};
+
+}  // namespace plastica::io

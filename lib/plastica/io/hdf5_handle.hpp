@@ -1,0 +1,31 @@
+#pragma once
+
+// The HDF5 C API is included by the sources of this folder only.
+#include <hdf5.h>
+
+#include <cstdint>
+#include <string>
+#include <type_traits>
+
+namespace plastica::io::h5 {
+
+static_assert(std::is_same_v<hid_t, std::int64_t>, "identifiers are held as std::int64_t");
+
+/// HDF5's type in memory of an element type of ours.
+template <typename T>
+hid_t memory_type() {
+  if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
+  if constexpr (std::is_same_v<T, float>) return H5T_NATIVE_FLOAT;
+  if constexpr (std::is_same_v<T, std::int32_t>) return H5T_NATIVE_INT32;
+  if constexpr (std::is_same_v<T, std::int64_t>) return H5T_NATIVE_INT64;
+  if constexpr (std::is_same_v<T, std::uint64_t>) return H5T_NATIVE_UINT64;
+  if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_NATIVE_UINT8;
+}
+
+/// The innermost message on HDF5's error stack, which says what really happened.
+std::string innermost_error();
+
+/// A string type of variable length, UTF-8; owned by the caller.
+hid_t new_text_type();
+
+}  // namespace plastica::io::h5

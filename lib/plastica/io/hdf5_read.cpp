@@ -1,0 +1,253 @@
+#include <algorithm>
+
+#include "plastica/io/hdf5.hpp"
+#include "plastica/io/hdf5_handle.hpp"
+
+namespace plastica::io {
+namespace {
+
+/// Whether each link of an absolute path is there; HDF5 asks them one by one.
+bool links_exist(std::int64_t location, const std::string& full) {
+  for (std::size_t slash = full.find('/', 1);; slash = full.find('/', slash + 1)) {
+    const std::string upto = full.substr(0, slash);
+    if (upto != "/" && H5Lexists(location, upto.c_str(), H5P_DEFAULT) <= 0) {
+      H5Eclear2(H5E_DEFAULT);
+      return false;
+    }
+    if (slash == std::string::npos) return true;
+  }
+}
+
+std::size_t count_of(const Hdf5Handle& space) {
+  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
+  return count > 0 ? static_cast<std::size_t>(count) : 0;
+}
+
+/// Strings of a dataset or an attribute, of fixed or variable length.
+/// @param read  reads all elements of a memory type into a buffer; false on failure
+template <typename Read>
+bool read_strings(const Hdf5Handle& type, const Hdf5Handle& space, const Read& read,
+                  std::vector<std::string>& texts) {
+  const std::size_t count = count_of(space);
+  texts.assign(count, {});
+  if (count == 0) return true;
+  const Hdf5Handle memory(H5Tcopy(type.get()));
+  if (H5Tis_variable_str(type.get()) > 0) {
+    std::vector<char*> pointers(count, nullptr);
+    if (!read(memory.get(), pointers.data())) return false;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (pointers[i] != nullptr) texts[i] = pointers[i];
+    }
+    H5Dvlen_reclaim(memory.get(), space.get(), H5P_DEFAULT, pointers.data());
+    return true;
+  }
+  const std::size_t size = H5Tget_size(type.get());
+  std::vector<char> bytes(count * size);
+  if (!read(memory.get(), bytes.data())) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(i * size);
+    const auto end = begin + static_cast<std::ptrdiff_t>(size);
+    texts[i].assign(begin, std::find(begin, end, '\0'));
+  }
+  return true;
+}
+
+}  // namespace
+
+void Hdf5Group::refuse(std::string_view path, std::string_view rule) const {
+  throw InputError({file_, 0}, full_path(path), "", rule);
+}
+
+Hdf5Kind Hdf5Group::kind(std::string_view path) const {
+  const std::string full = full_path(path);
+  if (!links_exist(handle_.get(), full)) return Hdf5Kind::None;
+  const Hdf5Handle object(H5Oopen(handle_.get(), full.c_str(), H5P_DEFAULT));
+  if (object.get() < 0) fail("open", full);
+  const H5I_type_t sort = H5Iget_type(object.get());
+  if (sort == H5I_GROUP) return Hdf5Kind::Group;
+  if (sort != H5I_DATASET) return Hdf5Kind::Other;
+  const Hdf5Handle type(H5Dget_type(object.get()));
+  switch (H5Tget_class(type.get())) {
+    case H5T_FLOAT: return Hdf5Kind::Real;
+    case H5T_INTEGER: return Hdf5Kind::Integer;
+    case H5T_STRING: return Hdf5Kind::Text;
+    default: return Hdf5Kind::Other;
+  }
+}
+
+Hdf5Group Hdf5Group::open_group(std::string_view path) const {
+  const std::string full = full_path(path);
+  if (kind(full) != Hdf5Kind::Group) refuse(full, "is not a group of this file");
+  Hdf5Handle opened(H5Gopen2(handle_.get(), full.c_str(), H5P_DEFAULT));
+  if (opened.get() < 0) fail("open", full);
+  return {std::move(opened), file_, full};
+}
+
+Hdf5Handle Hdf5Group::open_object(std::string_view path) const {
+  const std::string full = full_path(path);
+  if (!links_exist(handle_.get(), full)) refuse(full, "is not in this file");
+  Hdf5Handle object(H5Oopen(handle_.get(), full.c_str(), H5P_DEFAULT));
+  if (object.get() < 0) fail("open", full);
+  return object;
+}
+
+Hdf5Handle Hdf5Group::open_dataset(std::string_view path) const {
+  Hdf5Handle object = open_object(path);
+  if (H5Iget_type(object.get()) != H5I_DATASET) refuse(path, "is not a dataset");
+  return object;
+}
+
+std::vector<std::string> Hdf5Group::children() const {
+  const Hdf5Handle creation(H5Gget_create_plist(handle_.get()));
+  unsigned order = 0;
+  H5Pget_link_creation_order(creation.get(), &order);
+  const H5_index_t index =
+      (order & H5P_CRT_ORDER_INDEXED) != 0U ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
+  std::vector<std::string> names;
+  const auto take = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
+    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+    return 0;
+  };
+  if (H5Literate(handle_.get(), index, H5_ITER_INC, nullptr, take, &names) < 0) {
+    fail("list", path_);
+  }
+  return names;
+}
+
+std::vector<std::size_t> Hdf5Group::shape(std::string_view path) const {
+  const Hdf5Handle dataset = open_dataset(path);
+  const Hdf5Handle space(H5Dget_space(dataset.get()));
+  const int rank = H5Sget_simple_extent_ndims(space.get());
+  std::vector<hsize_t> extents(static_cast<std::size_t>(std::max(rank, 0)));
+  H5Sget_simple_extent_dims(space.get(), extents.data(), nullptr);
+  return {extents.begin(), extents.end()};
+}
+
+template <Hdf5Number T>
+std::vector<T> Hdf5Group::read(std::string_view path) const {
+  const Hdf5Handle dataset = open_dataset(path);
+  const Hdf5Handle type(H5Dget_type(dataset.get()));
+  const H5T_class_t sort = H5Tget_class(type.get());
+  if (sort != H5T_INTEGER && sort != H5T_FLOAT) refuse(path, "does not hold numbers");
+  if (std::is_integral_v<T> && sort == H5T_FLOAT) refuse(path, "does not hold integers");
+  const Hdf5Handle space(H5Dget_space(dataset.get()));
+  std::vector<T> values(count_of(space));
+  if (!values.empty() && H5Dread(dataset.get(), h5::memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                                 values.data()) < 0) {
+    fail("read", path);
+  }
+  return values;
+}
+
+template <Hdf5Number T>
+T Hdf5Group::read_scalar(std::string_view path) const {
+  if (!shape(path).empty()) refuse(path, "is not a single value");
+  return read<T>(path).at(0);
+}
+
+template <Hdf5Number T>
+Ragged<T> Hdf5Group::read_ragged(std::string_view path) const {
+  const Hdf5Group from = open_group(path);
+  Ragged<T> rows;
+  rows.values = from.read<T>("values");
+  rows.offsets = from.read<std::uint64_t>("offsets");
+  const bool whole = !rows.offsets.empty() && rows.offsets.front() == 0 &&
+                     rows.offsets.back() == rows.values.size() &&
+                     std::is_sorted(rows.offsets.begin(), rows.offsets.end());
+  if (!whole) refuse(path, "has offsets that do not fit its values");
+  return rows;
+}
+
+std::vector<std::string> Hdf5Group::read_texts(std::string_view path) const {
+  const Hdf5Handle dataset = open_dataset(path);
+  const Hdf5Handle type(H5Dget_type(dataset.get()));
+  if (H5Tget_class(type.get()) != H5T_STRING) refuse(path, "does not hold text");
+  const Hdf5Handle space(H5Dget_space(dataset.get()));
+  std::vector<std::string> texts;
+  const auto read = [&](hid_t memory, void* out) {
+    return H5Dread(dataset.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, out) >= 0;
+  };
+  if (!read_strings(type, space, read, texts)) fail("read", path);
+  return texts;
+}
+
+std::string Hdf5Group::read_text(std::string_view path) const {
+  if (!shape(path).empty()) refuse(path, "is not a single value");
+  return read_texts(path).at(0);
+}
+
+bool Hdf5Group::has_attribute(std::string_view path, const std::string& name) const {
+  const Hdf5Handle object = open_object(path);
+  return H5Aexists(object.get(), name.c_str()) > 0;
+}
+
+Hdf5Handle Hdf5Group::open_attribute(std::string_view path, const std::string& name) const {
+  const Hdf5Handle object = open_object(path);
+  if (H5Aexists(object.get(), name.c_str()) <= 0) refuse(path, "has no attribute " + name);
+  Hdf5Handle attribute(H5Aopen(object.get(), name.c_str(), H5P_DEFAULT));
+  if (attribute.get() < 0) fail("open attribute " + name + " of", path);
+  return attribute;
+}
+
+std::vector<std::string> Hdf5Group::texts_attribute(std::string_view path,
+                                                    const std::string& name) const {
+  const Hdf5Handle attribute = open_attribute(path, name);
+  const Hdf5Handle type(H5Aget_type(attribute.get()));
+  if (H5Tget_class(type.get()) != H5T_STRING) refuse(path, "attribute " + name + " is not text");
+  const Hdf5Handle space(H5Aget_space(attribute.get()));
+  std::vector<std::string> texts;
+  const auto read = [&](hid_t memory, void* out) {
+    return H5Aread(attribute.get(), memory, out) >= 0;
+  };
+  if (!read_strings(type, space, read, texts)) fail("read attribute " + name + " of", path);
+  return texts;
+}
+
+std::string Hdf5Group::text_attribute(std::string_view path, const std::string& name) const {
+  std::vector<std::string> texts = texts_attribute(path, name);
+  if (texts.size() != 1) refuse(path, "attribute " + name + " is not a single text");
+  return std::move(texts[0]);
+}
+
+double Hdf5Group::real_attribute(std::string_view path, const std::string& name) const {
+  const Hdf5Handle attribute = open_attribute(path, name);
+  const Hdf5Handle type(H5Aget_type(attribute.get()));
+  const H5T_class_t sort = H5Tget_class(type.get());
+  const Hdf5Handle space(H5Aget_space(attribute.get()));
+  double value = 0.0;
+  if ((sort != H5T_FLOAT && sort != H5T_INTEGER) || count_of(space) != 1) {
+    refuse(path, "attribute " + name + " is not a single number");
+  }
+  if (H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, &value) < 0) {
+    fail("read attribute " + name + " of", path);
+  }
+  return value;
+}
+
+std::int64_t Hdf5Group::integer_attribute(std::string_view path, const std::string& name) const {
+  const Hdf5Handle attribute = open_attribute(path, name);
+  const Hdf5Handle type(H5Aget_type(attribute.get()));
+  const Hdf5Handle space(H5Aget_space(attribute.get()));
+  std::int64_t value = 0;
+  if (H5Tget_class(type.get()) != H5T_INTEGER || count_of(space) != 1) {
+    refuse(path, "attribute " + name + " is not a single integer");
+  }
+  if (H5Aread(attribute.get(), H5T_NATIVE_INT64, &value) < 0) {
+    fail("read attribute " + name + " of", path);
+  }
+  return value;
+}
+
+#define PLASTICA_INSTANTIATE(T)                                       \
+  template T Hdf5Group::read_scalar<T>(std::string_view) const;       \
+  template std::vector<T> Hdf5Group::read<T>(std::string_view) const; \
+  template Ragged<T> Hdf5Group::read_ragged<T>(std::string_view) const
+PLASTICA_INSTANTIATE(double);
+PLASTICA_INSTANTIATE(float);
+PLASTICA_INSTANTIATE(std::int32_t);
+PLASTICA_INSTANTIATE(std::int64_t);
+PLASTICA_INSTANTIATE(std::uint64_t);
+PLASTICA_INSTANTIATE(std::uint8_t);
+#undef PLASTICA_INSTANTIATE
+
+}  // namespace plastica::io

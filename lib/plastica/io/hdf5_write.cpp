@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include "plastica/io/hdf5.hpp"
+#include "plastica/io/hdf5_handle.hpp"
+
+namespace plastica::io {
+namespace {
+
+/// HDF5 ends a string at its first zero byte; to cut it there in silence would lose text.
+void check_text(const std::string& file, const std::string& path, std::string_view text) {
+  if (text.find('\0') == std::string_view::npos) return;
+  throw StorageError(file, "cannot write " + path + ": the text has a zero byte");
+}
+
+std::vector<const char*> pointers_to(std::span<const std::string> texts) {
+  std::vector<const char*> pointers;
+  pointers.reserve(texts.size());
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
+  return pointers;
+}
+
+/// Chunks of about 256 KiB: whole rows, in one dimension or two.
+void set_chunks(hid_t creation, std::vector<hsize_t> extents, std::size_t element_bytes) {
+  constexpr std::size_t kChunkBytes = std::size_t{1} << 18U;
+  const hsize_t row = element_bytes * (extents.size() == 2 ? extents[1] : 1);
+  extents[0] = std::clamp<hsize_t>(kChunkBytes / std::max<hsize_t>(row, 1), 1, extents[0]);
+  H5Pset_chunk(creation, static_cast<int>(extents.size()), extents.data());
+}
+
+}  // namespace
+
+void Hdf5Group::fail(std::string_view action, std::string_view path) const {
+  throw StorageError(file_, "cannot " + std::string(action) + " " + full_path(path) + ": " +
+                                h5::innermost_error());
+}
+
+std::string Hdf5Group::full_path(std::string_view path) const {
+  if (path.starts_with('/')) return std::string(path);
+  if (path.empty() || path == ".") return path_;
+  return (path_ == "/" ? "/" : path_ + "/") + std::string(path);
+}
+
+Hdf5Group Hdf5Group::group(std::string_view path) {
+  const std::string full = full_path(path);
+  const Hdf5Kind there = kind(full);
+  if (there == Hdf5Kind::Group) return open_group(full);
+  if (there != Hdf5Kind::None) {
+    throw StorageError(file_, "cannot create group " + full + ": there is a dataset");
+  }
+  make_parents(full);
+  const Hdf5Handle creation(H5Pcreate(H5P_GROUP_CREATE));
+  H5Pset_obj_track_times(creation.get(), false);
+  H5Pset_link_creation_order(creation.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
+  Hdf5Handle made(
+      H5Gcreate2(handle_.get(), full.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT));
+  if (made.get() < 0) fail("create group", full);
+  return {std::move(made), file_, full};
+}
+
+void Hdf5Group::make_parents(std::string_view path) {
+  const std::string full = full_path(path);
+  const std::size_t slash = full.rfind('/');
+  if (slash == 0 || slash == std::string::npos) return;
+  const std::string parent = full.substr(0, slash);
+  if (kind(parent) != Hdf5Kind::Group) group(parent);
+}
+
+void Hdf5Group::write_raw(std::string_view path, std::int64_t type, const void* values,
+                          std::span<const std::size_t> shape, const DatasetOptions& options) {
+  const std::string full = full_path(path);
+  if (exists(full)) throw StorageError(file_, "cannot write " + full + ": it exists already");
+  make_parents(full);
+  const std::vector<hsize_t> extents(shape.begin(), shape.end());
+  const Hdf5Handle space(extents.empty() ? H5Screate(H5S_SCALAR)
+                                         : H5Screate_simple(static_cast<int>(extents.size()),
+                                                            extents.data(), nullptr));
+  const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE));
+  H5Pset_obj_track_times(creation.get(), false);
+  std::size_t count = 1;
+  for (const std::size_t extent : shape) count *= extent;
+  const std::size_t element_bytes = H5Tget_size(type);
+  constexpr std::size_t kSmall = 4096;
+  if (options.deflate > 0 && !extents.empty() && count * element_bytes > kSmall) {
+    set_chunks(creation.get(), extents, element_bytes);
+    H5Pset_shuffle(creation.get());
+    H5Pset_deflate(creation.get(), static_cast<unsigned>(std::min(options.deflate, 9)));
+  }
+  const Hdf5Handle dataset(H5Dcreate2(handle_.get(), full.c_str(), type, space.get(), H5P_DEFAULT,
+                                      creation.get(), H5P_DEFAULT));
+  if (dataset.get() < 0) fail("create", full);
+  if (count > 0 && H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) {
+    fail("write", full);
+  }
+  if (!options.units.empty()) set_attribute(full, "units", options.units);
+}
+
+template <Hdf5Number T>
+void Hdf5Group::write(std::string_view path, T value, const DatasetOptions& options) {
+  write_raw(path, h5::memory_type<T>(), &value, {}, options);
+}
+
+template <Hdf5Number T>
+void Hdf5Group::write(std::string_view path, std::span<const T> values,
+                      const DatasetOptions& options) {
+  const std::size_t shape[] = {values.size()};
+  write_raw(path, h5::memory_type<T>(), values.data(), shape, options);
+}
+
+template <Hdf5Number T>
+void Hdf5Group::write_table(std::string_view path, std::span<const T> values, std::size_t columns,
+                            const DatasetOptions& options) {
+  if (columns == 0 ? !values.empty() : values.size() % columns != 0) {
+    throw std::logic_error("Hdf5Group::write_table: the values do not fill their rows");
+  }
+  const std::size_t shape[] = {columns == 0 ? 0 : values.size() / columns, columns};
+  write_raw(path, h5::memory_type<T>(), values.data(), shape, options);
+}
+
+template <Hdf5Number T>
+void Hdf5Group::write_ragged(std::string_view path, const Ragged<T>& rows,
+                             const DatasetOptions& options) {
+  Hdf5Group into = group(path);
+  into.write("values", rows.values, options);
+  into.write("offsets", rows.offsets, {{}, options.deflate});
+}
+
+void Hdf5Group::write_text(std::string_view path, const std::string& text) {
+  check_text(file_, full_path(path), text);
+  const Hdf5Handle type(h5::new_text_type());
+  const char* const pointer = text.c_str();
+  write_raw(path, type.get(), &pointer, {}, {});
+}
+
+void Hdf5Group::write_texts(std::string_view path, std::span<const std::string> texts) {
+  for (const std::string& text : texts) check_text(file_, full_path(path), text);
+  const Hdf5Handle type(h5::new_text_type());
+  const std::size_t shape[] = {texts.size()};
+  write_raw(path, type.get(), pointers_to(texts).data(), shape, {});
+}
+
+void Hdf5Group::write_attribute(std::string_view path, const std::string& name, std::int64_t type,
+                                const void* value, std::int64_t space) {
+  const Hdf5Handle object = open_object(path);
+  if (H5Aexists(object.get(), name.c_str()) > 0) H5Adelete(object.get(), name.c_str());
+  const Hdf5Handle attribute(
+      H5Acreate2(object.get(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT));
+  if (attribute.get() < 0 || H5Awrite(attribute.get(), type, value) < 0) {
+    fail("write attribute " + name + " of", path);
+  }
+}
+
+void Hdf5Group::set_attribute(std::string_view path, const std::string& name,
+                              std::string_view text) {
+  check_text(file_, full_path(path) + "@" + name, text);
+  const Hdf5Handle type(h5::new_text_type());
+  const Hdf5Handle space(H5Screate(H5S_SCALAR));
+  const std::string copy(text);
+  const char* const pointer = copy.c_str();
+  write_attribute(path, name, type.get(), &pointer, space.get());
+}
+
+void Hdf5Group::set_attribute(std::string_view path, const std::string& name, double value) {
+  const Hdf5Handle space(H5Screate(H5S_SCALAR));
+  write_attribute(path, name, H5T_NATIVE_DOUBLE, &value, space.get());
+}
+
+void Hdf5Group::set_attribute(std::string_view path, const std::string& name, std::int64_t value) {
+  const Hdf5Handle space(H5Screate(H5S_SCALAR));
+  write_attribute(path, name, H5T_NATIVE_INT64, &value, space.get());
+}
+
+void Hdf5Group::set_attribute(std::string_view path, const std::string& name,
+                              std::span<const std::string> texts) {
+  for (const std::string& text : texts) check_text(file_, full_path(path) + "@" + name, text);
+  const Hdf5Handle type(h5::new_text_type());
+  const hsize_t count = texts.size();
+  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr));
+  write_attribute(path, name, type.get(), pointers_to(texts).data(), space.get());
+}
+
+#define PLASTICA_INSTANTIATE(T)                                                                   \
+  template void Hdf5Group::write<T>(std::string_view, T, const DatasetOptions&);                  \
+  template void Hdf5Group::write<T>(std::string_view, std::span<const T>, const DatasetOptions&); \
+  template void Hdf5Group::write_table<T>(std::string_view, std::span<const T>, std::size_t,      \
+                                          const DatasetOptions&);                                 \
+  template void Hdf5Group::write_ragged<T>(std::string_view, const Ragged<T>&,                    \
+                                           const DatasetOptions&)
+PLASTICA_INSTANTIATE(double);
+PLASTICA_INSTANTIATE(float);
+PLASTICA_INSTANTIATE(std::int32_t);
+PLASTICA_INSTANTIATE(std::int64_t);
+PLASTICA_INSTANTIATE(std::uint64_t);
+PLASTICA_INSTANTIATE(std::uint8_t);
+#undef PLASTICA_INSTANTIATE
+
+}  // namespace plastica::io

@@ -1,0 +1,308 @@
+#include "plastica/io/journal.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <condition_variable>
+#include <cstring>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "plastica/io/bytes.hpp"
+#include "plastica/io/digest.hpp"
+#include "plastica/io/durable_file.hpp"
+
+namespace plastica::io {
+namespace {
+
+constexpr std::string_view kMagic = "PLASTJNL";
+constexpr std::uint64_t kVersion = 1;
+constexpr std::size_t kHeaderBytes = 24;
+constexpr std::size_t kRecordHeadBytes = 24;
+
+[[noreturn]] void fail(const std::string& path, const std::string& action) {
+  throw StorageError(path, action + ": " + std::strerror(errno));
+}
+
+/// Owns a file descriptor.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return number_; }
+
+ private:
+  int number_;
+};
+
+/// False if the disk does not take it all; `errno` says why.
+bool write_all(int descriptor, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+std::vector<std::byte> header_of(std::uint64_t run_digest) {
+  ByteWriter writer;
+  for (const char c : kMagic) writer.put(c);
+  writer.put(kVersion).put(run_digest);
+  return writer.take();
+}
+
+std::uint64_t checksum_of(std::string_view id, std::span<const std::byte> payload) {
+  return Digest()
+      .integer(id.size())
+      .integer(payload.size())
+      .bytes(std::as_bytes(std::span(id)))
+      .bytes(payload)
+      .value();
+}
+
+/// All bytes of a file. @return false if there is none
+bool read_all(const std::string& path, std::vector<std::byte>& bytes) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) {
+    if (errno == ENOENT) return false;
+    fail(path, "cannot be read");
+  }
+  constexpr std::size_t kBlock = std::size_t{1} << 18U;
+  std::size_t size = 0;
+  while (true) {
+    bytes.resize(size + kBlock);
+    const ssize_t count = ::read(file.get(), bytes.data() + size, kBlock);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(path, "cannot be read");
+    size += static_cast<std::size_t>(count);
+    if (count == 0) break;
+  }
+  bytes.resize(size);
+  return true;
+}
+
+}  // namespace
+
+JournalContent read_journal(const std::string& path, std::uint64_t run_digest) {
+  JournalContent content;
+  std::vector<std::byte> bytes;
+  if (!read_all(path, bytes)) return content;
+
+  const std::size_t magic_bytes = std::min(bytes.size(), kMagic.size());
+  if (std::memcmp(bytes.data(), kMagic.data(), magic_bytes) != 0) {
+    content.state = JournalState::NotAJournal;
+    return content;
+  }
+  if (bytes.size() < kHeaderBytes) {
+    content.dropped_bytes = bytes.size();
+    return content;
+  }
+  const std::span<const std::byte> all = bytes;
+  ByteReader header(all.subspan(kMagic.size(), kHeaderBytes - kMagic.size()), path);
+  const auto version = header.get<std::uint64_t>();
+  content.run_digest = header.get<std::uint64_t>();
+  content.whole_bytes = kHeaderBytes;
+  if (version != kVersion) {
+    content.state = JournalState::OtherVersion;
+    return content;
+  }
+  if (content.run_digest != run_digest) {
+    content.state = JournalState::OtherRun;
+    return content;
+  }
+  content.state = JournalState::Usable;
+
+  std::span<const std::byte> rest = all.subspan(kHeaderBytes);
+  while (rest.size() >= kRecordHeadBytes) {
+    ByteReader head(rest.first(kRecordHeadBytes), path);
+    const auto id_bytes = head.get<std::uint64_t>();
+    const auto payload_bytes = head.get<std::uint64_t>();
+    const auto checksum = head.get<std::uint64_t>();
+    const std::uint64_t room = rest.size() - kRecordHeadBytes;
+    if (id_bytes > room || payload_bytes > room - id_bytes) break;
+    const auto id_part = rest.subspan(kRecordHeadBytes, static_cast<std::size_t>(id_bytes));
+    const std::string_view id(reinterpret_cast<const char*>(id_part.data()), id_part.size());
+    const auto payload =
+        rest.subspan(kRecordHeadBytes + id_part.size(), static_cast<std::size_t>(payload_bytes));
+    if (checksum_of(id, payload) != checksum) break;
+    content.records.push_back({std::string(id), {payload.begin(), payload.end()}});
+    const std::size_t size = kRecordHeadBytes + id_part.size() + payload.size();
+    content.whole_bytes += size;
+    rest = rest.subspan(size);
+  }
+  content.dropped_bytes = rest.size();
+  return content;
+}
+
+/// The open file, and the thread that forces it to the disk now and then.
+class Journal::Writer {
+ public:
+  /// Opens the file and keeps its first `keep` bytes; with none, it begins with a header.
+  Writer(const std::string& path, std::uint64_t run_digest, std::uint64_t keep,
+         const std::uint64_t* expected_bytes, std::chrono::milliseconds sync_interval)
+      : path_(path),
+        file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666)),
+        sync_interval_(sync_interval) {
+    if (file_.get() < 0) fail(path_, "cannot be written");
+    if (::flock(file_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      throw StorageError(path_, "is in use by another run");
+    }
+    struct stat status {};
+    if (::fstat(file_.get(), &status) != 0) fail(path_, "cannot be written");
+    if (expected_bytes != nullptr &&
+        static_cast<std::uint64_t>(status.st_size) != *expected_bytes) {
+      throw StorageError(path_, "has changed while it was read");
+    }
+    whole_bytes_ = keep;
+    cut();
+    if (keep == 0) {
+      const std::vector<std::byte> header = header_of(run_digest);
+      if (!write_all(file_.get(), header)) fail(path_, "cannot be written");
+      whole_bytes_ = header.size();
+    }
+    if (::fsync(file_.get()) != 0) fail(path_, "cannot be forced to the disk");
+    sync_to_disk(folder_of(path_));
+    syncer_ = std::thread([this] { keep_syncing(); });
+  }
+
+  ~Writer() { close(); }
+
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  void append(std::string_view id, std::span<const std::byte> payload) {
+    std::vector<std::byte> record;
+    {
+      ByteWriter head;
+      head.put(std::uint64_t{id.size()}).put(std::uint64_t{payload.size()});
+      head.put(checksum_of(id, payload));
+      record = head.take();
+      const auto id_bytes = std::as_bytes(std::span(id));
+      record.insert(record.end(), id_bytes.begin(), id_bytes.end());
+      record.insert(record.end(), payload.begin(), payload.end());
+    }
+    const std::lock_guard lock(mutex_);
+    throw_if_failed();
+    if (!write_all(file_.get(), record)) {
+      const int error = errno;
+      cut();  // later records must not stand behind half a one
+      errno = error;
+      fail(path_, "cannot be written");
+    }
+    whole_bytes_ += record.size();
+    dirty_ = true;
+  }
+
+  void sync() {
+    const std::lock_guard lock(mutex_);
+    throw_if_failed();
+    if ((dirty_ || syncing_) && ::fsync(file_.get()) != 0)
+      fail(path_, "cannot be forced to the disk");
+    dirty_ = false;
+  }
+
+  bool synced() const {
+    const std::lock_guard lock(mutex_);
+    return !dirty_ && !syncing_;
+  }
+
+  void remove() {
+    close();
+    if (::unlink(path_.c_str()) != 0) fail(path_, "cannot be removed");
+  }
+
+ private:
+  void cut() {
+    if (::ftruncate(file_.get(), static_cast<off_t>(whole_bytes_)) != 0) {
+      fail(path_, "cannot be cut to its whole records");
+    }
+  }
+
+  void throw_if_failed() const {
+    if (sync_error_ == 0) return;
+    errno = sync_error_;
+    fail(path_, "cannot be forced to the disk");
+  }
+
+  void keep_syncing() {
+    std::unique_lock lock(mutex_);
+    while (!closing_.wait_for(lock, sync_interval_, [this] { return closed_; })) {
+      if (!dirty_) continue;
+      dirty_ = false;
+      syncing_ = true;
+      lock.unlock();  // appending must not wait for the disk
+      const int error = ::fsync(file_.get()) != 0 ? errno : 0;
+      lock.lock();
+      syncing_ = false;
+      if (error != 0) {
+        sync_error_ = error;
+        dirty_ = true;
+      }
+    }
+  }
+
+  void close() {
+    {
+      const std::lock_guard lock(mutex_);
+      if (closed_) return;
+      closed_ = true;
+    }
+    closing_.notify_all();
+    syncer_.join();
+    if (dirty_) ::fsync(file_.get());
+  }
+
+  std::string path_;
+  Descriptor file_;
+  std::chrono::milliseconds sync_interval_;
+  mutable std::mutex mutex_;
+  std::condition_variable closing_;
+  std::uint64_t whole_bytes_ = 0;
+  bool dirty_ = false;    // something was written since the last sync began
+  bool syncing_ = false;  // the thread is at it
+  bool closed_ = false;
+  int sync_error_ = 0;  // errno of a sync that failed between two records
+  std::thread syncer_;
+};
+
+Journal::Journal(std::unique_ptr<Writer> writer) : writer_(std::move(writer)) {}
+Journal::~Journal() = default;
+Journal::Journal(Journal&&) noexcept = default;
+Journal& Journal::operator=(Journal&&) noexcept = default;
+
+Journal Journal::create(const std::string& path, std::uint64_t run_digest,
+                        std::chrono::milliseconds sync_interval) {
+  return Journal(std::make_unique<Writer>(path, run_digest, 0, nullptr, sync_interval));
+}
+
+Journal Journal::resume(const std::string& path, std::uint64_t run_digest,
+                        const JournalContent& content, std::chrono::milliseconds sync_interval) {
+  const bool of_this_run =
+      content.state == JournalState::Usable && content.run_digest == run_digest;
+  if (!of_this_run && content.state != JournalState::Absent) {
+    throw std::logic_error("Journal::resume: not a journal of this run");
+  }
+  const std::uint64_t expected = content.whole_bytes + content.dropped_bytes;
+  return Journal(
+      std::make_unique<Writer>(path, run_digest, content.whole_bytes, &expected, sync_interval));
+}
+
+void Journal::append(std::string_view id, std::span<const std::byte> payload) {
+  writer_->append(id, payload);
+}
+void Journal::sync() { writer_->sync(); }
+bool Journal::synced() const { return writer_->synced(); }
+void Journal::remove() { writer_->remove(); }
+
+}  // namespace plastica::io

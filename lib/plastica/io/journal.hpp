@@ -1,0 +1,91 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plastica/io/storage_error.hpp"
+
+namespace plastica::io {
+
+/// A finished case: who it is and what came out.
+struct JournalRecord {
+  std::string id;
+  std::vector<std::byte> payload;
+};
+
+/// What stands at a journal's path.
+enum class JournalState {
+  Absent,        ///< no file, or one that was cut off inside its header
+  Usable,        ///< a journal of this run
+  OtherRun,      ///< a journal of a run with other settings or inputs
+  OtherVersion,  ///< a journal of another version of the format
+  NotAJournal,   ///< some other file
+};
+
+/// A journal as it was found.
+struct JournalContent {
+  JournalState state = JournalState::Absent;
+  std::uint64_t run_digest = 0;        ///< of the run that wrote it
+  std::vector<JournalRecord> records;  ///< all whole ones, in the order of writing; if `Usable`
+  std::uint64_t whole_bytes = 0;       ///< header and whole records
+  std::uint64_t dropped_bytes = 0;     ///< behind them: a record torn by a crash
+};
+
+/// Reads a journal up to its first record that is torn or damaged.
+/// @param run_digest  identifies what is computed: settings and inputs
+/// @throws StorageError if the file is there but cannot be read
+JournalContent read_journal(const std::string& path, std::uint64_t run_digest);
+
+/// An append-only file of finished cases beside an output, which survives `kill -9` at any byte.
+///
+/// Layout, little-endian: "PLASTJNL", version (8 bytes), run digest (8); then per record the
+/// lengths of id and payload (8 each), the Digest of both lengths, id and payload (8), id, payload.
+/// A record is handed to the system whole when `append` returns and is on the disk at most one
+/// sync interval later. One process at a time may write a journal.
+class Journal {
+ public:
+  static constexpr std::chrono::milliseconds kSyncInterval{500};
+
+  /// Starts afresh, over whatever is at the path.
+  /// @throws StorageError if it cannot be written or another process is writing it
+  static Journal create(const std::string& path, std::uint64_t run_digest,
+                        std::chrono::milliseconds sync_interval = kSyncInterval);
+  /// Goes on behind the whole records of a journal; a torn one is cut off. If it is absent, it is
+  /// created. @param content  as `read_journal` gave it; `Usable` or `Absent`
+  /// @throws StorageError as above, or if the journal has changed since it was read
+  static Journal resume(const std::string& path, std::uint64_t run_digest,
+                        const JournalContent& content,
+                        std::chrono::milliseconds sync_interval = kSyncInterval);
+
+  /// Forces what is written to the disk, as far as that works, and closes.
+  ~Journal();
+  Journal(Journal&&) noexcept;
+  Journal& operator=(Journal&&) noexcept;
+
+  /// Adds a record; may be called by several threads.
+  /// @throws StorageError if it, or an earlier sync, failed; the journal stays readable
+  void append(std::string_view id, std::span<const std::byte> payload);
+
+  /// Forces all records to the disk now. @throws StorageError
+  void sync();
+  /// Whether all records have been forced to the disk.
+  bool synced() const;
+
+  /// Closes and deletes the file: its content has gone into the output. No record may follow.
+  /// @throws StorageError
+  void remove();
+
+ private:
+  class Writer;
+  explicit Journal(std::unique_ptr<Writer> writer);
+
+  std::unique_ptr<Writer> writer_;
+};
+
+}  // namespace plastica::io

@@ -1,0 +1,38 @@
+#include "plastica/io/durable_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/lib/io/message_of.hpp"
+#include "tests/lib/io/scratch_folder.hpp"
+
+namespace plastica::io {
+namespace {
+
+TEST(DurableFile, MovesAFileOverAnOlderOne) {
+  const ScratchFolder folder;
+  const std::string from = folder.write("a.part", "new");
+  const std::string to = folder.write("a", "old");
+  sync_to_disk(from);
+  move_into_place(from, to);
+  EXPECT_EQ(content_of(to), "new");
+  EXPECT_FALSE(std::filesystem::exists(from));
+}
+
+TEST(DurableFile, NamesTheFileThatCannotBeMovedOrSynced) {
+  const ScratchFolder folder;
+  const std::string from = folder.write("a.part", "new");
+  const std::string to = folder.file("none/a");
+  EXPECT_EQ(message_of<StorageError>([&] { move_into_place(from, to); }),
+            to + ": cannot be replaced: No such file or directory");
+  EXPECT_EQ(message_of<StorageError>([&] { sync_to_disk(to); }),
+            to + ": cannot be opened: No such file or directory");
+}
+
+TEST(DurableFile, KnowsTheFolderOfABareName) {
+  EXPECT_EQ(folder_of("a.h5"), ".");
+  EXPECT_EQ(folder_of("x/a.h5"), "x");
+  EXPECT_EQ(folder_of("/a.h5"), "/");
+}
+
+}  // namespace
+}  // namespace plastica::io
