@@ -59,7 +59,7 @@ CsvTable CsvTable::read(const std::string& path, const CsvOptions& options) {
   return parse(bytes_of(path), path, options);
 }
 
-CsvTable CsvTable::parse(std::string text, std::string name, const CsvOptions& options) {
+CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptions& options) {
   CsvTable table;
   table.file_ = std::move(name);
   table.text_ = csv_text::decoded(text, table.file_);
@@ -194,11 +194,12 @@ std::vector<std::size_t> CsvTable::matches(std::string_view name_or_number) cons
   };
   const std::string lower = csv_text::lower_case(wanted);
   // "Stress (MPa)" as the file has it, though its name here is "Stress".
-  const auto [name, unit] = csv_text::name_and_unit(wanted);
+  const std::pair<std::string, std::string> parts = csv_text::name_and_unit(wanted);
   if (collect([&](std::size_t i) { return names_[i] == wanted; }) ||
       collect([&](std::size_t i) { return csv_text::lower_case(names_[i]) == lower; }) ||
-      (!unit.empty() &&
-       collect([&](std::size_t i) { return names_[i] == name && units_[i] == unit; }))) {
+      (!parts.second.empty() && collect([&](std::size_t i) {
+        return names_[i] == parts.first && units_[i] == parts.second;
+      }))) {
     return found;
   }
   std::size_t number = 0;

@@ -26,7 +26,7 @@ class CsvTable {
   ///         (a shorter last row, cut off while writing, is dropped and reported by
   ///         `torn_last_row`)
   static CsvTable read(const std::string& path, const CsvOptions& options = {});
-  static CsvTable parse(std::string text, std::string name, const CsvOptions& options = {});
+  static CsvTable parse(std::string_view text, std::string name, const CsvOptions& options = {});
 
   CsvTable(CsvTable&&) noexcept = default;
   CsvTable& operator=(CsvTable&&) noexcept = default;

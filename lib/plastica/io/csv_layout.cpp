@@ -210,17 +210,26 @@ class Finder {
     }
   }
 
-  /// Below a header, a line that is not data is a broken row, never metadata to pass over.
+  /// A line over the data that is no header is metadata, but not below a header, nor when it has
+  /// the width of the data and numbers in it: then it is a broken row.
   void refuse_broken_row(std::size_t line) {
+    const Cells& cells = cells_of(line);
+    const auto numbers = std::count_if(cells.begin(), cells.end(), [&](std::string_view cell) {
+      return kind_of(cell) == CellKind::Number;
+    });
+    if (cells.size() == dialect_.width && numbers > 1) refuse_text_in(line);
     for (std::size_t above = line; above-- > 0;) {
       if (!is_header(above) || cells_of(above).size() != dialect_.width) continue;
       for (std::size_t broken = above + 1; broken <= line; ++broken) {
-        if (is_unit_row(broken)) continue;
-        for (const std::string_view cell : cells_of(broken)) {
-          if (kind_of(cell) != CellKind::Text) continue;
-          throw InputError({file_, lines_[broken].number}, "", cell, "is not a number");
-        }
+        if (!is_unit_row(broken)) refuse_text_in(broken);
       }
+    }
+  }
+
+  void refuse_text_in(std::size_t line) {
+    for (const std::string_view cell : cells_of(line)) {
+      if (kind_of(cell) != CellKind::Text) continue;
+      throw InputError({file_, lines_[line].number}, "", cell, "is not a number");
     }
   }
 

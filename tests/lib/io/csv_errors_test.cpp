@@ -82,6 +82,8 @@ TEST(CsvErrors, ThousandsSeparatorsAreNotGuessed) {
 TEST(CsvErrors, ABrokenFirstRowIsNotTakenForAHeader) {
   EXPECT_EQ(parse_error("a,b\noverflow,2\n1,2\n3,4\n5,6\n7,8\n"),
             "curve.csv:2: overflow: is not a number");
+  EXPECT_EQ(parse_error("1,2,x7\n1,2,3\n3,4,5\n5,6,7\n7,8,9\n"),
+            "curve.csv:1: x7: is not a number");
 }
 
 TEST(CsvErrors, AHeaderLineThatIsNotThereIsNamed) {
