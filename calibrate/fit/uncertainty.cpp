@@ -32,15 +32,19 @@ Normal normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>&
                        const std::vector<double>& size, std::size_t n) {
   const auto m = static_cast<Eigen::Index>(columns.size());
   Normal normal{MatrixXd::Zero(m, m), MatrixXd::Zero(m, m)};
-  VectorXd row(m);
+  std::vector<double> row(columns.size());
   for (std::size_t s = 0; s < d.residual.size(); ++s) {
-    for (Eigen::Index k = 0; k < m; ++k) {
-      const std::size_t column = columns[static_cast<std::size_t>(k)];
-      row(k) = d.jacobian[s * n + column] * size[column];
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      row[k] = d.jacobian[s * n + columns[k]] * size[columns[k]];
     }
     const double w = d.weight[s];
-    normal.a.noalias() += w * row * row.transpose();
-    normal.b.noalias() += w * w * row * row.transpose();
+    for (Eigen::Index i = 0; i < m; ++i) {
+      for (Eigen::Index j = 0; j < m; ++j) {
+        const double product = row[static_cast<std::size_t>(i)] * row[static_cast<std::size_t>(j)];
+        normal.a(i, j) += w * product;
+        normal.b(i, j) += w * w * product;
+      }
+    }
   }
   return normal;
 }

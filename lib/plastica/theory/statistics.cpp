@@ -9,9 +9,10 @@
 namespace plastica::theory {
 namespace {
 
-/// Beyond this the continued fraction gets slow and lgamma coarse, while the expansion about the
-/// normal quantile is exact to rounding.
-constexpr double kManyDegrees = 1e4;
+/// From so many degrees of freedom on, and for tails with z^2 below this share of them, the
+/// expansion about the normal quantile is as good as bisection, and far faster.
+constexpr double kManyDegrees = 200.0;
+constexpr double kShortTail = 0.11;
 
 /// Continued fraction of the incomplete beta function (Abramowitz & Stegun 26.5.8), evaluated from
 /// the front by Lentz's method; converges fast for x < (a + 1)/(a + b + 2).
@@ -73,13 +74,14 @@ double student_t_tail_quantile(double tail, double nu) {
   return 0.5 * (low + high);
 }
 
-/// Abramowitz & Stegun 26.7.5 up to 1/nu^3.
+/// Abramowitz & Stegun 26.7.5 up to 1/nu^4.
 double expanded_quantile(double z, double nu) {
   const double z2 = z * z;
   const double g1 = (z2 + 1.0) / 4.0;
   const double g2 = ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
   const double g3 = (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / 384.0;
-  return z * (1.0 + (g1 + (g2 + g3 / nu) / nu) / nu);
+  const double g4 = ((((79.0 * z2 + 776.0) * z2 + 1482.0) * z2 - 1920.0) * z2 - 945.0) / 92160.0;
+  return z * (1.0 + (g1 + (g2 + (g3 + g4 / nu) / nu) / nu) / nu);
 }
 
 }  // namespace
@@ -112,8 +114,9 @@ double student_t_cdf(double t, double degrees_of_freedom) {
 double student_t_quantile(double p, double degrees_of_freedom) {
   assert(p > 0.0 && p < 1.0 && degrees_of_freedom > 0.0);
   if (p == 0.5) return 0.0;
-  if (degrees_of_freedom > kManyDegrees) {
-    return expanded_quantile(normal_quantile(p), degrees_of_freedom);
+  const double z = normal_quantile(p);
+  if (degrees_of_freedom > kManyDegrees && z * z < kShortTail * degrees_of_freedom) {
+    return expanded_quantile(z, degrees_of_freedom);
   }
   const double t = student_t_tail_quantile(std::min(p, 1.0 - p), degrees_of_freedom);
   return p < 0.5 ? -t : t;

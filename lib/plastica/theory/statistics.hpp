@@ -15,8 +15,9 @@ double normal_quantile(double probability);
 /// @param degrees_of_freedom  nu > 0, not necessarily whole; up to 1e4
 double student_t_cdf(double t, double degrees_of_freedom);
 
-/// Inverse of student_t_cdf; error below 1e-8 of the value. Beyond 1e4 degrees of freedom by the
-/// Cornish-Fisher expansion about the normal quantile (Abramowitz & Stegun 26.7.5).
+/// Inverse of student_t_cdf; error below 1e-8 of the value. From 200 degrees of freedom on, unless
+/// the tail is so thin that z^2 > 0.11 nu, by the Cornish-Fisher expansion about the normal
+/// quantile z (Abramowitz & Stegun 26.7.5; 2e-9 off at most, against bisection).
 /// @param probability         0 < p < 1
 /// @param degrees_of_freedom  nu > 0; infinity gives the normal quantile
 double student_t_quantile(double probability, double degrees_of_freedom);
