@@ -1,12 +1,11 @@
-#include <iostream>
-
-#include "calibrate/target/target.hpp"
-#include "plastica/base/check.hpp"
-#include "plastica/base/quantity.hpp"
+#include <cstdio>
+#include <plastica/run/simulate.hpp>
 
 int main() {
-  const plastica::calibrate::Curve curve{{0.0, 0.001}, {0.0, 200.0e6}};
-  const plastica::InputError error({"fit.toml", 3}, "yield_stress", "-1", "must be positive");
-  std::cout << curve.size() << " samples in " << si_unit(plastica::Dimension::Stress) << '\n';
-  std::cout << error.what() << '\n';
+  plastica::Scene scene;  // a bar of steel S355; nothing breaks until a limit is set
+  scene.material.break_strain = 0.02;
+  scene.drive.strain = {0.001, 0.010, 0.009, 0.020, 0.025};  // loads, unloads, reloads
+  const plastica::Response response = plastica::simulate(scene);
+  for (const double stress : response.probes[0]) std::printf("%.1f MPa\n", stress / 1e6);
+  if (response.event) std::printf("broke at %.2f %% strain\n", 100.0 * response.event->strain);
 }
