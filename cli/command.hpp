@@ -1,0 +1,22 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace plastica::cli {
+
+/// What the chosen subcommand does; returns the exit code. May throw: `main` turns an InputError
+/// into exit code 2 and anything else into 3, each with one line.
+using Action = std::function<int()>;
+
+// Each adds its subcommand to the program and, when the command line chooses it, sets `action`.
+void add_calibrate(CLI::App& app, Action& action);
+void add_inspect(CLI::App& app, Action& action);
+void add_init(CLI::App& app, Action& action);
+void add_simulate(CLI::App& app, Action& action);
+void add_show(CLI::App& app, Action& action);
+void add_plot(CLI::App& app, Action& action);
+void add_export(CLI::App& app, Action& action);
+void add_fields(CLI::App& app, Action& action);
+
+}  // namespace plastica::cli

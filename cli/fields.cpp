@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include <string>
+
+#include "cli/command.hpp"
+#include "cli/exit_code.hpp"
+#include "plastica/model/field.hpp"
+
+namespace plastica::cli {
+namespace {
+
+std::string allowed(const Field& field) {
+  if (field.kind == FieldKind::Choice) {
+    std::string words;
+    for (const auto& choice : field.choices) {
+      words += (words.empty() ? "" : "|") + std::string(choice);
+    }
+    return words;
+  }
+  const std::string rule = field.range.rule();
+  return rule.starts_with("must be ") ? rule.substr(8) : rule;
+}
+
+int list_fields() {
+  fmt::print("{:<44} {:<7} {:<12} {}\n", "field", "unit", "default", "allowed; meaning");
+  for (const Field& field : fields()) {
+    const bool word = field.kind == FieldKind::Choice;
+    fmt::print("{:<44} {:<7} {:<12} {}; {}{}\n", field.path, word ? "" : si_unit(field.dimension),
+               default_text(field), allowed(field), field.doc,
+               field.material ? " [fit parameter]" : "");
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_fields(CLI::App& app, Action& action) {
+  CLI::App* sub = app.add_subcommand("fields", "every name that a file may use");
+  sub->footer(
+      "Example: plastica fields | grep break\nDefaults and limits are in the unit shown; "
+      "files give theirs: yield_stress = \"355 MPa\".");
+  sub->callback([&action] { action = list_fields; });
+}
+
+}  // namespace plastica::cli

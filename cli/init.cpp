@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "calibrate/config/templates.hpp"
+#include "cli/command.hpp"
+#include "cli/exit_code.hpp"
+#include "plastica/base/check.hpp"
+#include "plastica/io/storage_error.hpp"
+
+namespace plastica::cli {
+namespace {
+
+struct InitArguments {
+  std::string kind;
+  std::string folder = ".";
+  bool force = false;
+};
+
+int init(const InitArguments& arguments) {
+  const std::filesystem::path folder(arguments.folder);
+  const auto files = calibrate::template_files(arguments.kind);
+  if (!std::filesystem::is_directory(folder)) {
+    throw InputError({}, "--directory", arguments.folder, "must be a folder that exists");
+  }
+  // All names are looked at before the first is written.
+  for (const auto& file : files) {
+    const auto path = folder / file.name;
+    if (!arguments.force && std::filesystem::exists(path)) {
+      throw InputError({}, "init", path.string(), "exists already; --force overwrites it");
+    }
+  }
+  for (const auto& file : files) {
+    const auto path = folder / file.name;
+    std::ofstream out(path, std::ios::binary);
+    out << file.text;
+    out.close();
+    if (!out) throw io::StorageError(path.string(), "cannot be written");
+    fmt::print("wrote {}\n", path.string());
+  }
+  const std::string command = arguments.kind == "fit" ? "calibrate" : "simulate";
+  fmt::print("next: plastica {} {}\n", command, (folder / files.front().name).string());
+  return kDone;
+}
+
+}  // namespace
+
+void add_init(CLI::App& app, Action& action) {
+  CLI::App* sub = app.add_subcommand("init", "write a commented file that runs as it is");
+  auto arguments = std::make_shared<InitArguments>();
+  std::vector<std::string> kinds;
+  for (const auto& kind : calibrate::template_kinds()) kinds.emplace_back(kind);
+  sub->add_option("kind", arguments->kind, "what to begin: fit or scene")
+      ->required()
+      ->check(CLI::IsMember(kinds));
+  sub->add_option("-d,--directory", arguments->folder, "where to write")->capture_default_str();
+  sub->add_flag("--force", arguments->force, "overwrite files that exist");
+  sub->footer("Example: plastica init fit && plastica calibrate fit.toml");
+  sub->callback([&action, arguments] { action = [arguments] { return init(*arguments); }; });
+}
+
+}  // namespace plastica::cli
