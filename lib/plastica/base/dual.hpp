@@ -3,10 +3,25 @@
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 #include "plastica/base/scalar.hpp"
 
 namespace plastica {
+
+namespace detail {
+
+/// The array of f(0) … f(N-1). Written out rather than looped over: an array that a loop indexes
+/// stays in memory, and a dual number that does costs three times as much.
+template <std::size_t N, class F>
+[[gnu::always_inline]] inline auto each_of(const F& f) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+    return std::array{f(I)...};
+  }
+  (std::make_index_sequence<N>{});
+}
+
+}  // namespace detail
 
 /// A value and its derivatives by N parameters (forward differentiation); a scalar of kernels.
 ///
@@ -32,31 +47,37 @@ struct Dual {
 
   friend Dual operator+(const Dual& a, const Dual& b) {
     Dual c(a.value + b.value);
-    for (std::size_t i = 0; i < N; ++i) c.derivative[i] = a.derivative[i] + b.derivative[i];
+    c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+      return a.derivative[i] + b.derivative[i];
+    });
     return c;
   }
   friend Dual operator-(const Dual& a, const Dual& b) {
     Dual c(a.value - b.value);
-    for (std::size_t i = 0; i < N; ++i) c.derivative[i] = a.derivative[i] - b.derivative[i];
+    c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+      return a.derivative[i] - b.derivative[i];
+    });
     return c;
   }
   friend Dual operator*(const Dual& a, const Dual& b) {
     Dual c(a.value * b.value);
-    for (std::size_t i = 0; i < N; ++i) {
-      c.derivative[i] = a.derivative[i] * b.value + a.value * b.derivative[i];
-    }
+    c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+      return a.derivative[i] * b.value + a.value * b.derivative[i];
+    });
     return c;
   }
   friend Dual operator/(const Dual& a, const Dual& b) {
     Dual c(a.value / b.value);
-    for (std::size_t i = 0; i < N; ++i) {
-      c.derivative[i] = (a.derivative[i] - c.value * b.derivative[i]) / b.value;
-    }
+    c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+      return (a.derivative[i] - c.value * b.derivative[i]) / b.value;
+    });
     return c;
   }
   friend Dual operator-(const Dual& a) {
     Dual c(-a.value);
-    for (std::size_t i = 0; i < N; ++i) c.derivative[i] = -a.derivative[i];
+    c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+      return -a.derivative[i];
+    });
     return c;
   }
   Dual& operator+=(const Dual& b) { return *this = *this + b; }
@@ -78,9 +99,9 @@ struct ScalarTraits<Dual<T, N>> {
 template <class T, std::size_t N>
 inline Dual<T, N> select(const mask_t<T>& mask, const Dual<T, N>& a, const Dual<T, N>& b) {
   Dual<T, N> c(select(mask, a.value, b.value));
-  for (std::size_t i = 0; i < N; ++i) {
-    c.derivative[i] = select(mask, a.derivative[i], b.derivative[i]);
-  }
+  c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+    return select(mask, a.derivative[i], b.derivative[i]);
+  });
   return c;
 }
 
@@ -93,16 +114,18 @@ inline Dual<T, N> abs(const Dual<T, N>& x) {
 template <class T, std::size_t N>
 inline Dual<T, N> sqrt(const Dual<T, N>& x) {
   Dual<T, N> root(sqrt(x.value));
-  for (std::size_t i = 0; i < N; ++i) {
-    root.derivative[i] = x.derivative[i] / (root.value + root.value);
-  }
+  root.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+    return x.derivative[i] / (root.value + root.value);
+  });
   return root;
 }
 
 template <class T, std::size_t N>
 inline Dual<T, N> exp(const Dual<T, N>& x) {
   Dual<T, N> power(exp(x.value));
-  for (std::size_t i = 0; i < N; ++i) power.derivative[i] = x.derivative[i] * power.value;
+  power.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+    return x.derivative[i] * power.value;
+  });
   return power;
 }
 
@@ -110,7 +133,9 @@ template <class T, std::size_t N>
 inline Dual<T, N> sin(const Dual<T, N>& x) {
   Dual<T, N> sine(sin(x.value));
   const T slope = cos(x.value);
-  for (std::size_t i = 0; i < N; ++i) sine.derivative[i] = x.derivative[i] * slope;
+  sine.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+    return x.derivative[i] * slope;
+  });
   return sine;
 }
 
@@ -118,7 +143,9 @@ template <class T, std::size_t N>
 inline Dual<T, N> cos(const Dual<T, N>& x) {
   Dual<T, N> cosine(cos(x.value));
   const T slope = -sin(x.value);
-  for (std::size_t i = 0; i < N; ++i) cosine.derivative[i] = x.derivative[i] * slope;
+  cosine.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+    return x.derivative[i] * slope;
+  });
   return cosine;
 }
 

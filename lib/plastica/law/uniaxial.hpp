@@ -77,16 +77,22 @@ struct VoceChaboche {
 };
 
 /// Closest-point return: the trial stress K (e - e_p), clipped; what is cut off is permanent.
+///
+/// The permanent strain is written as a play: it stays while the strain is within yield/K of it
+/// and is dragged along beyond. So only a max and a min wait for the sample before.
 template <class S>
 inline UniaxialResponse<S, typename IdealPlastic<S>::State> respond(
     const IdealPlastic<S>& law, const typename IdealPlastic<S>::State& before, const S& strain) {
+  const S reach = law.yield * law.compliance;
   const S trial = law.stiffness * (strain - before.plastic);
-  const S stress = min(max(trial, -law.yield), law.yield);
-  const auto yields = abs(trial) > law.yield;
-  const S plastic = select(yields, strain - stress * law.compliance, before.plastic);
-  const S accumulated = before.accumulated + abs(plastic - before.plastic);
-  const S tangent = select(yields, constant<S>(0), law.stiffness);
-  return {stress, tangent, {plastic, accumulated}};
+  // Member by member: gathered at the end, dual numbers would go through memory (four times
+  // slower).
+  UniaxialResponse<S, typename IdealPlastic<S>::State> now;
+  now.stress = min(max(trial, -law.yield), law.yield);
+  now.tangent = select(abs(trial) > law.yield, constant<S>(0), law.stiffness);
+  now.state.plastic = min(max(before.plastic, strain - reach), strain + reach);
+  now.state.accumulated = before.accumulated + abs(now.state.plastic - before.plastic);
+  return now;
 }
 
 /// With the trial overstress f: dp = f / (K + H_iso + H_kin) (Simo and Hughes 1998, box 1.5).
@@ -100,14 +106,16 @@ inline UniaxialResponse<S, typename LinearHardening<S>::State> respond(
   const S over = abs(relative) - (law.yield + law.isotropic * before.accumulated);
   const auto yields = over > constant<S>(0);
   const S hardening = law.isotropic + law.kinematic;
-  const S dp = select(yields, over / (law.stiffness + hardening), constant<S>(0));
-  typename LinearHardening<S>::State after;
-  after.plastic = before.plastic + direction * dp;
-  after.accumulated = before.accumulated + dp;
-  after.back_stress = before.back_stress + law.kinematic * direction * dp;
-  const S elastic_plastic = law.stiffness * hardening / (law.stiffness + hardening);
-  return {law.stiffness * (strain - after.plastic), select(yields, elastic_plastic, law.stiffness),
-          after};
+  // Without the sample: a loop over samples divides once.
+  const S softness = constant<S>(1) / (law.stiffness + hardening);
+  const S dp = max(over * softness, constant<S>(0));
+  UniaxialResponse<S, typename LinearHardening<S>::State> now;
+  now.state.plastic = before.plastic + direction * dp;
+  now.state.accumulated = before.accumulated + dp;
+  now.state.back_stress = before.back_stress + law.kinematic * direction * dp;
+  now.stress = law.stiffness * (strain - now.state.plastic);
+  now.tangent = select(yields, law.stiffness * hardening * softness, law.stiffness);
+  return now;
 }
 
 namespace detail {
@@ -115,6 +123,19 @@ namespace detail {
 /// How many Newton steps the return of VoceChaboche may take. It converges quadratically; the
 /// bracket halves the rest. Reached only by NaN.
 inline constexpr int kMostReturnSteps = 60;
+
+/// (1 - exp(-rate x))/rate, given power = exp(-rate x): by its series where the difference would
+/// cancel, which also has the right derivative by a rate of zero.
+template <class S>
+inline S decay(const S& rate, const S& x, const S& power) {
+  const S one = constant<S>(1);
+  const S y = rate * x;
+  const auto small = y < constant<S>(sizeof(real_t<S>) == 8 ? 1e-4 : 1e-2);
+  const S series =
+      x * (one - y * constant<S>(1.0 / 2.0) *
+                     (one - y * constant<S>(1.0 / 3.0) * (one - y * constant<S>(1.0 / 4.0))));
+  return select(small, series, (one - power) / select(small, one, rate));
+}
 
 }  // namespace detail
 
@@ -124,7 +145,9 @@ inline constexpr int kMostReturnSteps = 60;
 /// form X_k(dp) = d C_k/gamma_k + (X_k - d C_k/gamma_k) exp(-gamma_k dp), and dp solves
 ///   f(dp) = d K (e - e_p) - K dp - d sum X_k(dp) - yield - Q (1 - exp(-b (p + dp))) = 0.
 /// For Q >= 0, f is convex and falls with dp, so Newton from dp = 0 never overshoots; for Q < 0 a
-/// bracket keeps it inside. It ends when the step is below 4 units in the last place of dp.
+/// bracket keeps it inside. It ends when one more Newton step is sure to reach rounding: after a
+/// Newton step of 1e-5 dp (which leaves its square) or a halving of the bracket by 1e-8 dp (which
+/// leaves itself). A lane that is done waits for its neighbours and does not change.
 template <class S>
 inline UniaxialResponse<S, typename VoceChaboche<S>::State> respond(
     const VoceChaboche<S>& law, const typename VoceChaboche<S>::State& before, const S& strain) {
@@ -138,24 +161,24 @@ inline UniaxialResponse<S, typename VoceChaboche<S>::State> respond(
   const S softened = law.saturation * exp(-law.rate * before.accumulated);
   const S over = direction * (trial - total_back) - (law.yield + law.saturation - softened);
   const auto yields = over > zero;
+  if (!any(yields)) return {trial, law.stiffness, before};
 
-  // (1 - exp(-g x))/g, with its limit x where g = 0.
-  const auto decay = [&](const S& g, const S& x, const S& power) {
-    const auto nil = g <= zero;
-    return select(nil, x, (one - power) / select(nil, one, g));
-  };
-  // f(dp), and -f'(dp) in `slope`. d (X_k(dp) - X_k) =
-  // (C_k - gamma_k d X_k) (1 - exp(-gamma_k dp)) / gamma_k.
-  S slope = law.stiffness;
+  // C_k - gamma_k d X_k: the slope of d X_k where the increment begins.
+  std::array<S, kBackStresses> drive;
+  S slope = law.stiffness + softened * law.rate;
+  for (std::size_t k = 0; k < kBackStresses; ++k) {
+    drive[k] = law.back_modulus[k] - law.back_rate[k] * direction * before.back_stress[k];
+    slope += drive[k];
+  }
+  // f(dp), and -f'(dp) in `slope`. d (X_k(dp) - X_k) = drive_k (1 - exp(-gamma_k dp)) / gamma_k.
   const auto residual_at = [&](const S& dp) {
     const S iso_power = exp(-law.rate * dp);
     S residual = over - law.stiffness * dp - softened * (one - iso_power);
     slope = law.stiffness + softened * law.rate * iso_power;
     for (std::size_t k = 0; k < kBackStresses; ++k) {
       const S power = exp(-law.back_rate[k] * dp);
-      const S drive = law.back_modulus[k] - law.back_rate[k] * direction * before.back_stress[k];
-      residual -= drive * decay(law.back_rate[k], dp, power);
-      slope += drive * power;
+      residual -= drive[k] * detail::decay(law.back_rate[k], dp, power);
+      slope += drive[k] * power;
     }
     return residual;
   };
@@ -163,34 +186,41 @@ inline UniaxialResponse<S, typename VoceChaboche<S>::State> respond(
   S dp = zero;
   S low = zero;
   S high = select(yields, (over + max(zero, -softened)) / law.stiffness, zero);
-  const S tolerance = constant<S>(4.0 * std::numeric_limits<real_t<S>>::epsilon());
+  constexpr bool kDouble = sizeof(real_t<S>) == 8;
+  const S after_newton = constant<S>(kDouble ? 1e-5 : 1e-2);
+  const S after_halving = constant<S>(kDouble ? 1e-8 : 3e-4);
+  auto active = yields;
+  S residual = over;  // at dp = 0, where no power needs to be computed
   for (int step = 0; step < detail::kMostReturnSteps; ++step) {
-    const S residual = residual_at(dp);
     low = select(residual > zero, dp, low);
     high = select(residual < zero, dp, high);
     const S newton = dp + residual / slope;
     const auto inside = (newton >= low) & (newton <= high);
     const S next = select(inside, newton, constant<S>(0.5) * (low + high));
-    const S change = abs(next - dp);
-    dp = select(yields, next, zero);
-    if (!any(yields & (change > tolerance * dp))) break;
+    const auto moves =
+        active & (abs(next - dp) > select(inside, after_newton, after_halving) * next);
+    dp = select(active, next, dp);
+    active = moves;
+    residual = residual_at(dp);
+    if (!any(active)) break;
   }
-  // One step without the bracket: a dual scalar gets the derivative of the root from it.
-  const S residual = residual_at(dp);
+  // One step without the bracket: it squares the error, and a dual scalar gets the derivative of
+  // the root from it.
   dp = select(yields, dp + residual / slope, zero);
 
-  typename VoceChaboche<S>::State after;
-  after.plastic = before.plastic + direction * dp;
-  after.accumulated = before.accumulated + dp;
+  UniaxialResponse<S, typename VoceChaboche<S>::State> now;
+  now.state.plastic = before.plastic + direction * dp;
+  now.state.accumulated = before.accumulated + dp;
   for (std::size_t k = 0; k < kBackStresses; ++k) {
     const S power = exp(-law.back_rate[k] * dp);
-    const S drive = direction * law.back_modulus[k] - law.back_rate[k] * before.back_stress[k];
-    after.back_stress[k] = before.back_stress[k] + drive * decay(law.back_rate[k], dp, power);
+    now.state.back_stress[k] =
+        before.back_stress[k] + direction * drive[k] * detail::decay(law.back_rate[k], dp, power);
   }
+  now.stress = law.stiffness * (strain - now.state.plastic);
   // K h / (K + h), with the hardening modulus h = slope - K at the end of the increment.
   const S elastic_plastic = law.stiffness * (slope - law.stiffness) / slope;
-  return {law.stiffness * (strain - after.plastic), select(yields, elastic_plastic, law.stiffness),
-          after};
+  now.tangent = select(yields, elastic_plastic, law.stiffness);
+  return now;
 }
 
 }  // namespace plastica::law
