@@ -196,6 +196,39 @@ TEST(UniaxialLaws, GiveTheSameForEveryScalar) {
   expect_same_for_all_scalars<VoceChaboche>([]<class S>() { return voce<S>(); });
 }
 
+TEST(UniaxialLaws, GiveALaneTheSameBitsWhateverItsNeighboursDo) {
+  const auto lone_law = voce<double>();
+  const auto law = voce<Lanes>();
+  VoceChaboche<Lanes>::State state;
+  VoceChaboche<double>::State lone[8];
+  for (const double strain : kCycle) {
+    Lanes strains;
+    for (int lane = 0; lane < 8; ++lane) strains.set(lane, strain * (0.1 + 0.7 * lane));
+    const auto now = respond(law, state, strains);
+    state = now.state;
+    for (int lane = 0; lane < 8; ++lane) {
+      const auto expected = respond(lone_law, lone[lane], strain * (0.1 + 0.7 * lane));
+      lone[lane] = expected.state;
+      EXPECT_EQ(now.stress[lane], expected.stress) << strain << " in lane " << lane;
+      EXPECT_EQ(now.tangent[lane], expected.tangent);
+      EXPECT_EQ(state.accumulated[lane], expected.state.accumulated);
+    }
+  }
+}
+
+TEST(VoceChaboche, IsSmoothDownToABackRateOfZero) {
+  const auto with = [](double back_rate) {
+    auto law = voce<double>();
+    law.back_rate[0] = back_rate;
+    return stress_after<double>(law, kCycle);
+  };
+  for (const double rate : {1e-12, 1e-9, 1e-6}) EXPECT_NEAR(with(rate), with(0.0), 10.0) << rate;
+  auto law = voce<D>();
+  law.back_rate[0] = D::parameter(0.0, 0);
+  const double difference = (with(2e-3) - with(0.0)) / 2e-3;
+  EXPECT_NEAR(stress_after<D>(law, kCycle).derivative[0], difference, 1e-3 * std::fabs(difference));
+}
+
 TEST(UniaxialLaws, LetDerivativesThroughPlasticCycles) {
   const auto with = [](double saturation, double rate, double modulus) {
     auto law = voce<double>();
