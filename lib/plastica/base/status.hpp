@@ -10,7 +10,8 @@ enum class Status {
   Completed,         ///< went to the end of the drive; the response is whole
   Broken,            ///< went to the end, and the beam broke on the way (see the break event)
   Rejected,          ///< the scene is bad input; nothing was computed, the reason is in the row
-  InvalidParameter,  ///< a parameter value is outside of its field's range; nothing was computed
+  InvalidParameter,  ///< a parameter is outside of its field's range, or two contradict each other
+                     ///< (tangent modulus not below E, Q not above -yield); nothing was computed
   NonFinite,         ///< a number overflowed or became NaN; the response ends before that sample
 };
 

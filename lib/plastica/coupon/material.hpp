@@ -117,4 +117,26 @@ inline auto break_measure(const CouponShape& shape, const State& state) {
              : law::permanent_bending_strain(angle, lever, length);
 }
 
+/// The law's own permanent strain (net or accumulated) at which `break_measure` reaches `limit`
+/// [1]; infinite where the report's sine never gets there.
+inline double plastic_limit(const CouponShape& shape, double limit) {
+  if (shape.formulas == Formulas::Mechanics || shape.deformation == Deformation::Tension) {
+    return limit;
+  }
+  if (shape.deformation == Deformation::Torsion) return limit * shape.lever / shape.report_lever;
+  if (shape.break_measure == BreakMeasure::Accumulated) {
+    return limit * 2.0 * shape.lever / shape.report_lever;
+  }
+  const double sine = limit * shape.length / shape.report_lever;
+  if (sine >= 1.0) return std::numeric_limits<double>::infinity();
+  // The arc sine by halving: the C library's has different bits on different machines.
+  double low = 0.0;
+  double high = 1.5707963267948966192;
+  for (int i = 0; i < 56; ++i) {
+    const double middle = 0.5 * (low + high);
+    (sin(middle) < sine ? low : high) = middle;
+  }
+  return 2.0 * high * shape.lever / shape.length;
+}
+
 }  // namespace plastica::coupon

@@ -10,10 +10,19 @@ namespace plastica {
 
 using model_detail::number_text;
 
+namespace {
+
+const Setup& defaults() {
+  static const Setup setup;
+  return setup;
+}
+
+}  // namespace
+
 bool Range::contains(double value) const {
   const bool above = low_open ? value > low : value >= low;
   const bool below = high_open ? value < high : value <= high;
-  return above && below;
+  return above && below && std::isfinite(value);
 }
 
 std::string Range::rule() const {
@@ -37,10 +46,13 @@ const Field* find_field_or_null(std::string_view path) {
   return nullptr;
 }
 
-const Field& find_field(std::string_view name, const SourceLocation& where) {
-  if (const Field* field = find_field_or_null(name)) return *field;
+const Field& model_detail::find_in(std::span<const Field> table, std::string_view name,
+                                   const SourceLocation& where) {
   const Field* found = nullptr;
-  for (const Field& field : fields()) {
+  for (const Field& field : table) {
+    if (field.path == name) return field;
+  }
+  for (const Field& field : table) {
     const auto dot = field.path.rfind('.');
     if (field.path.substr(dot + 1) != name) continue;
     if (found != nullptr) {
@@ -56,10 +68,14 @@ const Field& find_field(std::string_view name, const SourceLocation& where) {
   return *found;
 }
 
+const Field& find_field(std::string_view name, const SourceLocation& where) {
+  return model_detail::find_in(fields(), name, where);
+}
+
 void check_field(const Field& field, double value, const SourceLocation& where,
                  std::string_view shown) {
   const std::string text = shown.empty() ? number_text(value) : std::string(shown);
-  if (!std::isfinite(value) || !field.range.contains(value)) {
+  if (!field.range.contains(value)) {
     std::string rule = field.range.rule();
     if (field.dimension != Dimension::None && rule != "must be finite") {
       rule += " " + std::string(si_unit(field.dimension));
@@ -75,7 +91,8 @@ void set_field(Setup& setup, const Field& field, const FieldValue& value,
                const SourceLocation& where, std::string_view shown) {
   if (const double* number = std::get_if<double>(&value)) {
     if (field.kind == FieldKind::Choice) {
-      throw InputError(where, field.path, shown, "must be a word");
+      throw InputError(where, field.path, shown.empty() ? number_text(*number) : shown,
+                       "must be a word");
     }
     check_field(field, *number, where, shown);
   } else if (const std::string* word = std::get_if<std::string>(&value)) {
@@ -89,13 +106,14 @@ void set_field(Setup& setup, const Field& field, const FieldValue& value,
       throw InputError(where, field.path, *word, "must be a number");
     }
     if (!known) throw InputError(where, field.path, *word, "must be one of " + list);
+  } else if (!std::holds_alternative<std::monostate>(field.get(defaults()))) {
+    throw InputError(where, field.path, shown, "cannot be left unset");
   }
   field.set(setup, value);
 }
 
 std::string default_text(const Field& field) {
-  static const Setup defaults;
-  const FieldValue value = field.get(defaults);
+  const FieldValue value = field.get(defaults());
   if (const double* number = std::get_if<double>(&value)) return number_text(*number);
   if (const std::string* word = std::get_if<std::string>(&value)) return *word;
   return "unset";

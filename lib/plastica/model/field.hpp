@@ -30,7 +30,7 @@ struct Range {
   double high = std::numeric_limits<double>::infinity();
   bool low_open = false;
   bool high_open = false;
-  bool contains(double value) const;  ///< false for NaN
+  bool contains(double value) const;  ///< false for NaN and infinities
   std::string rule() const;           ///< "must be above 0", "must be from 0 to 1"
 };
 
@@ -72,7 +72,7 @@ void set_field(Setup& setup, const Field& field, const FieldValue& value,
 void check_field(const Field& field, double value, const SourceLocation& where = {},
                  std::string_view shown = {});
 
-/// A field's default, in SI or as a word; "derived" or "none" for an optional one that is unset.
+/// A field's default, in SI or as a word; "unset" for an optional one.
 std::string default_text(const Field& field);
 
 }  // namespace plastica

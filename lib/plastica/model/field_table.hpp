@@ -10,6 +10,10 @@
 /// How the field table reaches into a Setup; not installed.
 namespace plastica::model_detail {
 
+/// `find_field` in any table.
+const Field& find_in(std::span<const Field> table, std::string_view name,
+                     const SourceLocation& where);
+
 /// The words of a choice, in the order of its enumerators.
 template <class Enum>
 std::span<const std::string_view> words();

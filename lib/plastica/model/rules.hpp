@@ -13,7 +13,8 @@ enum class YieldCap { FirstYield, FullyPlastic };
 /// or the sum of all of it, so that bending to and fro wears out.
 enum class BreakMeasure { Net, Accumulated };
 
-/// What happens to a joint over its limit: it is cut, or only recorded.
+/// What happens to a joint over its limit: it is cut (from then on it carries nothing and keeps
+/// the permanent strain that it broke with), or the break is only recorded.
 enum class BreakPolicy { CutAll, RecordOnly };
 
 /// How much of the beam is modelled. Coupon: a uniform state, one joint stands for all.

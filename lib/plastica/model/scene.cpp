@@ -22,10 +22,11 @@ void check_scene(const Scene& scene, const SolverOptions& /*options*/) {
   if (scene.formulas == Formulas::Report &&
       (scene.section.shape == SectionShape::RoundTube ||
        scene.section.shape == SectionShape::RectangularTube)) {
-    throw InputError({}, "formulas", "report", "the report has no formulas for tubes");
+    throw InputError({}, "rules.formulas", "report", "the report has no formulas for tubes");
   }
   if (scene.formulas == Formulas::Report && scene.yield_cap == YieldCap::FullyPlastic) {
-    throw InputError({}, "yield_cap", "fully_plastic", "the report's caps are at first yield");
+    throw InputError({}, "rules.yield_cap", "fully_plastic",
+                     "the report's caps are at first yield");
   }
   if (scene.drive.strain.empty()) {
     throw InputError({}, "drive.strain", "[]", "needs at least one sample");

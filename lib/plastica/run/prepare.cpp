@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "plastica/run/simulate.hpp"
 
 namespace plastica {
@@ -21,6 +23,10 @@ Model prepare(const Scene& scene, const SolverOptions& options,
     const Field& field = find_field(path);
     if (!field.material) {
       throw InputError({}, field.path, "", "cannot be a parameter of a coupon");
+    }
+    if (std::find(model.parameters.begin(), model.parameters.end(), &field) !=
+        model.parameters.end()) {
+      throw InputError({}, field.path, "", "is a parameter twice");
     }
     // A parameter is given, even if the scene leaves the field to its default.
     switch (*field.material) {

@@ -22,8 +22,9 @@ struct Response {
   Status status = Status::NotRun;
   /// Values of each probe at each sample (n_probes x n_samples), in the order of the scene.
   std::vector<std::vector<double>> probes;
-  std::size_t samples = 0;        ///< samples that are valid; all of them if the status is usable
-  double permanent_strain = 0.0;  ///< break measure at the last sample [1]
+  std::size_t samples = 0;  ///< samples that are valid; all of them if the status is usable
+  /// Break measure at the last sample, or at the break of a beam that was cut there [1].
+  double permanent_strain = 0.0;
   std::optional<BreakEvent> event;
 };
 

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <initializer_list>
 
 #include "plastica/base/dual.hpp"
 #include "plastica/coupon/material.hpp"
+#include "plastica/law/plastic_work.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica {
@@ -16,68 +18,101 @@ void set_parameters(const Model& model, ParameterValues values, MaterialValues<S
   }
 }
 
-bool in_range(const Model& model, ParameterValues values) {
+/// Whether the values can be run: each within its field's range, and those of a law consistent.
+bool valid(const Model& model, ParameterValues values, const MaterialValues<double>& material) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!model.parameters[i]->range.contains(values[i])) return false;
   }
-  return true;
+  const auto value = [&](MaterialField field) { return material[static_cast<std::size_t>(field)]; };
+  switch (model.coupon.hardening) {
+    case HardeningLaw::Ideal: return true;
+    case HardeningLaw::Linear:
+      return value(MaterialField::TangentModulus) < value(MaterialField::YoungsModulus);
+    case HardeningLaw::VoceChaboche:
+      return value(MaterialField::SaturationStress) > -value(MaterialField::YieldStress);
+  }
+  return false;
 }
 
-/// What every sample of a coupon adds to the response.
+/// What every sample of a coupon adds to the response, and whether it broke.
 template <class Law>
 class Recorder {
  public:
   using State = typename Law::State;
 
-  Recorder(const Model& model, double limit, double stiffness, Response& response)
-      : model_(model), limit_(limit), stiffness_(stiffness), response_(response) {}
+  Recorder(const Model& model, const Law& law, double limit, Response& response)
+      : model_(model),
+        law_(law),
+        limit_(limit),
+        plastic_limit_(coupon::plastic_limit(model.coupon, limit)),
+        response_(response) {}
 
-  void take(std::size_t sample, double strain, const State& before,
-            const law::UniaxialResponse<double, State>& now) {
-    const double previous_stress = stress_;
-    stress_ = now.stress;
-    dissipation_ += 0.5 * (previous_stress + stress_) * (now.state.plastic - before.plastic);
-    if (!response_.event) watch(sample, strain, now);
-    record(sample, strain, now.state);
+  void take(std::size_t sample, double strain) {
+    if (!cut_) {
+      const auto now = law::respond(law_, state_, strain);
+      dissipation_ += law::plastic_work(law_, state_, now);
+      state_ = now.state;
+      stress_ = now.stress;
+      if (!response_.event) watch(sample, strain, now.tangent);
+    }
+    record(sample, strain);
     strain_ = strain;
   }
 
+  double stress() const { return stress_; }
+  double dissipation() const { return dissipation_; }
+  const State& state() const { return state_; }
+  bool cut() const { return cut_; }
+
  private:
-  void watch(std::size_t sample, double strain, const law::UniaxialResponse<double, State>& now) {
-    const double permanent = coupon::break_measure(model_.coupon, now.state);
-    if (!(permanent > limit_)) return;
+  void watch(std::size_t sample, double strain, double tangent) {
+    const bool net = model_.coupon.break_measure == BreakMeasure::Net;
+    const double permanent = net ? std::fabs(state_.plastic) : state_.accumulated;
+    if (!(permanent > plastic_limit_)) return;
+    const double excess = permanent - plastic_limit_;
+    const double direction = strain < strain_ ? -1.0 : 1.0;
+    const double at = law::strain_at_break(strain, excess, direction, tangent, law_.stiffness);
     BreakEvent event;
     event.sample = sample;
-    const double direction = strain < strain_ ? -1.0 : 1.0;
-    const double at =
-        law::strain_at_break(strain, permanent - limit_, direction, now.tangent, stiffness_);
     event.strain = direction > 0.0 ? std::max(at, strain_) : std::min(at, strain_);
-    event.stress = now.stress + now.tangent * (event.strain - strain);
+    event.stress = stress_ + tangent * (event.strain - strain);
     event.permanent_strain = limit_;
-    event.dissipation = dissipation_;
+    // From the break to the sample the stress is a straight line over the plastic strain.
+    event.dissipation = dissipation_ - 0.5 * (event.stress + stress_) * direction * excess;
     response_.event = event;
+    if (model_.on_break == BreakPolicy::CutAll) cut_at(event, direction * excess, excess);
   }
 
-  void record(std::size_t sample, double strain, const State& state) {
-    const bool cut = response_.event && model_.on_break == BreakPolicy::CutAll;
-    const double carried = cut ? 0.0 : stress_;
+  /// A cut beam carries nothing and keeps the strain that it broke with.
+  void cut_at(const BreakEvent& event, double signed_excess, double excess) {
+    cut_ = true;
+    stress_ = 0.0;
+    state_.plastic -= signed_excess;
+    state_.accumulated -= excess;
+    dissipation_ = event.dissipation;
+  }
+
+  void record(std::size_t sample, double strain) {
     for (std::size_t i = 0; i < model_.probes.size(); ++i) {
       double& out = response_.probes[i][sample];
       switch (model_.probes[i]) {
         case ProbeQuantity::Strain: out = strain; break;
-        case ProbeQuantity::Stress: out = carried; break;
-        case ProbeQuantity::PlasticStrain: out = state.plastic; break;
-        case ProbeQuantity::AccumulatedStrain: out = state.accumulated; break;
-        case ProbeQuantity::Load: out = carried * model_.coupon.load_per_stress; break;
+        case ProbeQuantity::Stress: out = stress_; break;
+        case ProbeQuantity::PlasticStrain: out = state_.plastic; break;
+        case ProbeQuantity::AccumulatedStrain: out = state_.accumulated; break;
+        case ProbeQuantity::Load: out = stress_ * model_.coupon.load_per_stress; break;
         case ProbeQuantity::Dissipation: out = dissipation_; break;
       }
     }
   }
 
   const Model& model_;
-  double limit_;
-  double stiffness_;
+  const Law& law_;
+  double limit_;          ///< in the break measure
+  double plastic_limit_;  ///< in the law's permanent strain
   Response& response_;
+  State state_;
+  bool cut_ = false;
   double strain_ = 0.0;
   double stress_ = 0.0;
   double dissipation_ = 0.0;
@@ -97,22 +132,66 @@ void run_stress_only(const Model& model, const Law& law, Response& response,
   }
 }
 
-void finish(const Model& model, Response& response, double last_stress) {
+/// The first sample at which a probe is not finite, or the number of samples.
+std::size_t finite_samples(const Response& response, std::size_t samples) {
+  std::size_t first = samples;
+  for (const std::vector<double>& probe : response.probes) {
+    for (std::size_t i = 0; i < first; ++i) {
+      if (!std::isfinite(probe[i])) first = i;
+    }
+  }
+  return first;
+}
+
+/// `ends` are numbers at the last sample; a law that overflowed on the way stays non-finite.
+void finish(const Model& model, Response& response, std::initializer_list<double> ends) {
   response.samples = model.drive.size();
-  if (!std::isfinite(last_stress) || !std::isfinite(response.permanent_strain)) {
+  response.status = response.event ? Status::Broken : Status::Completed;
+  for (const double end : ends) {
+    if (std::isfinite(end)) continue;
     response.status = Status::NonFinite;
-    response.samples = 0;
+    response.samples = finite_samples(response, model.drive.size());
     return;
   }
-  response.status = response.event ? Status::Broken : Status::Completed;
 }
+
+/// Whether the law's numbers are usable: products of valid parameters can overflow or vanish.
+bool representable(const coupon::CouponMaterial<double>& m) {
+  return std::isfinite(m.stiffness) && std::isfinite(1.0 / m.stiffness) && std::isfinite(m.yield) &&
+         m.yield > 0.0;
+}
+
+/// Empties the response and sets the numbers of the run. Whether it can go on; if not, the status
+/// says why.
+bool begin(const Model& model, ParameterValues values, coupon::CouponMaterial<double>& m,
+           Response& response) {
+  response.event.reset();
+  response.samples = 0;
+  response.permanent_strain = 0.0;
+  MaterialValues<double> material = model.material;
+  set_parameters(model, values, material);
+  if (!valid(model, values, material)) {
+    response.status = Status::InvalidParameter;
+    return false;
+  }
+  m = coupon::coupon_material(model.coupon, material);
+  if (!representable(m)) {
+    response.status = Status::NonFinite;
+    return false;
+  }
+  return true;
+}
+
+/// Derivatives that go along in one pass.
+constexpr std::size_t kWidest = 8;
 
 template <std::size_t N>
 void sensitivity_chunk(const Model& model, ParameterValues values, std::size_t first,
                        Response& response, Sensitivity& sensitivity) {
   using D = Dual<double, N>;
   const std::size_t parameters = values.size();
-  const std::size_t width = std::min(N, parameters - first);
+  // Known to the compiler but for the widest, which also takes what does not fill it.
+  const std::size_t width = N == kWidest ? std::min(N, parameters - first) : N;
   MaterialValues<D> material;
   for (std::size_t i = 0; i < kMaterialFields; ++i) material[i] = D(model.material[i]);
   set_parameters(model, values, material);
@@ -147,33 +226,24 @@ bool stress_only(const Model& model) {
 
 void run(const Model& model, ParameterValues values, Workspace& /*workspace*/, Response& response) {
   assert(values.size() == model.parameters.size());
-  response.event.reset();
-  response.samples = 0;
-  if (!in_range(model, values)) {
-    response.status = Status::InvalidParameter;
-    return;
-  }
-  MaterialValues<double> material = model.material;
-  set_parameters(model, values, material);
-  const auto m = coupon::coupon_material(model.coupon, material);
+  coupon::CouponMaterial<double> m;
+  if (!begin(model, values, m, response)) return;
   coupon::with_law(model.coupon.hardening, m, [&](const auto& law) {
     using Law = std::remove_cvref_t<decltype(law)>;
-    typename Law::State state;
-    double stress = 0.0;
     if (stress_only(model)) {
+      typename Law::State state;
       run_stress_only(model, law, response, state);
-      stress = response.probes[0].back();
-    } else {
-      Recorder<Law> recorder(model, m.limit, m.stiffness, response);
-      for (std::size_t i = 0; i < model.drive.size(); ++i) {
-        const auto now = law::respond(law, state, model.drive[i]);
-        recorder.take(i, model.drive[i], state, now);
-        state = now.state;
-        stress = now.stress;
-      }
+      response.permanent_strain = coupon::break_measure(model.coupon, state);
+      finish(model, response, {response.probes[0].back(), state.plastic, state.accumulated});
+      return;
     }
-    response.permanent_strain = coupon::break_measure(model.coupon, state);
-    finish(model, response, stress);
+    Recorder<Law> recorder(model, law, m.limit, response);
+    for (std::size_t i = 0; i < model.drive.size(); ++i) recorder.take(i, model.drive[i]);
+    const auto& state = recorder.state();
+    response.permanent_strain =
+        recorder.cut() ? m.limit : coupon::break_measure(model.coupon, state);
+    finish(model, response,
+           {recorder.stress(), state.plastic, state.accumulated, recorder.dissipation()});
   });
 }
 
@@ -185,13 +255,8 @@ void run_sensitivity(const Model& model, ParameterValues values, Workspace& work
     run(model, values, workspace, response);
     return;
   }
-  response.event.reset();
-  response.samples = 0;
-  if (!in_range(model, values)) {
-    response.status = Status::InvalidParameter;
-    return;
-  }
-  constexpr std::size_t kWidest = 8;
+  coupon::CouponMaterial<double> m;
+  if (!begin(model, values, m, response)) return;
   for (std::size_t first = 0; first < values.size(); first += kWidest) {
     switch (std::min(values.size() - first, kWidest)) {
       case 1: sensitivity_chunk<1>(model, values, first, response, sensitivity); break;
@@ -201,7 +266,7 @@ void run_sensitivity(const Model& model, ParameterValues values, Workspace& work
       default: sensitivity_chunk<kWidest>(model, values, first, response, sensitivity); break;
     }
   }
-  finish(model, response, response.probes[0].back());
+  finish(model, response, {response.probes[0].back(), response.permanent_strain});
 }
 
 }  // namespace plastica
