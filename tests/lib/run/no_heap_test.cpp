@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "tests/support/scene.hpp"
+
+/// A program of its own: it counts what the global operator new hands out.
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+void* counted(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+// Not inlined: the compiler would see malloc behind new, and warn of a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size) { return counted(size); }
+[[gnu::noinline]] void* operator new[](std::size_t size) { return counted(size); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete[](void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace plastica {
+namespace {
+
+using testing::coupon_scene;
+
+constexpr HardeningLaw kLaws[] = {HardeningLaw::Ideal, HardeningLaw::Linear,
+                                  HardeningLaw::VoceChaboche};
+
+TEST(Heap, IsCountedByThisProgram) {
+  const std::size_t before = allocations;
+  const std::vector<double> some(1000, 1.0);
+  EXPECT_GT(allocations, before);
+  EXPECT_EQ(some[999], 1.0);
+}
+
+TEST(Heap, IsNotUsedByRun) {
+  const std::vector<std::string> parameters{"yield_stress", "break_strain"};
+  for (const HardeningLaw law : kLaws) {
+    for (const bool report : {false, true}) {
+      Scene scene = coupon_scene(Deformation::Bending, {0.001, 0.02, -0.03, 0.05});
+      scene.material.hardening.law = law;
+      if (report) scene.formulas = Formulas::Report;
+      const Model model = prepare(scene, {}, parameters);
+      Response response = make_response(model);
+      Workspace workspace = make_workspace(model);
+      // Two that run, one of which breaks, and one that is refused.
+      for (const double limit : {1.0, 0.01, -1.0}) {
+        const double values[] = {300e6, limit};
+        const std::size_t before = allocations;
+        run(model, values, workspace, response);
+        EXPECT_EQ(allocations, before);
+      }
+      EXPECT_EQ(response.status, Status::InvalidParameter);
+    }
+  }
+}
+
+TEST(Heap, IsNotUsedByRunWithTheStressAlone) {
+  for (const HardeningLaw law : kLaws) {
+    Scene scene = coupon_scene(Deformation::Torsion, {0.001, 0.02, -0.03, 0.05});
+    scene.material.hardening.law = law;
+    scene.probes = {{"stress", ProbeQuantity::Stress}};
+    const Model model = prepare(scene);
+    Response response = make_response(model);
+    Workspace workspace = make_workspace(model);
+    const std::size_t before = allocations;
+    run(model, {}, workspace, response);
+    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(response.status, Status::Completed);
+  }
+}
+
+TEST(Heap, IsNotUsedByRunSensitivity) {
+  const std::vector<std::string> all{"yield_stress", "youngs_modulus", "kinematic_share"};
+  for (const HardeningLaw law : kLaws) {
+    for (std::size_t count = 1; count <= all.size(); ++count) {
+      Scene scene = coupon_scene(Deformation::Tension, {0.001, 0.02, -0.03, 0.05});
+      scene.material.hardening.law = law;
+      scene.probes = {{"stress", ProbeQuantity::Stress}};
+      const Model model = prepare(scene, {}, std::span(all).first(count));
+      Response response = make_response(model);
+      Sensitivity sensitivity = make_sensitivity(model);
+      Workspace workspace = make_workspace(model);
+      const double values[] = {300e6, 200e9, 0.5};
+      const std::size_t before = allocations;
+      run_sensitivity(model, std::span(values).first(count), workspace, response, sensitivity);
+      EXPECT_EQ(allocations, before);
+      EXPECT_EQ(response.status, Status::Completed);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace plastica
