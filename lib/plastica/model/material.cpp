@@ -32,7 +32,7 @@ void check_hardening(const Material& material, const SourceLocation& where) {
                   model_detail::number_text(-material.yield_stress));
       require_not_negative(h.saturation_rate, where, "material.hardening.saturation_rate");
       for (std::size_t i = 0; i < h.backstress_modulus.size(); ++i) {
-        const std::string index = "[" + std::to_string(i) + "]";
+        const std::string index = "_" + std::to_string(i + 1);
         require_not_negative(h.backstress_modulus[i], where,
                              "material.hardening.backstress_modulus" + index);
         require_not_negative(h.backstress_rate[i], where,
@@ -40,7 +40,7 @@ void check_hardening(const Material& material, const SourceLocation& where) {
       }
       return;
   }
-  throw InputError(where, "material.hardening.law", "", "must be ideal, linear or voce-chaboche");
+  throw InputError(where, "material.hardening.law", "", "must be ideal, linear or voce_chaboche");
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ SectionProperties shape_properties(const Section& s, double nu) {
     case SectionShape::RectangularTube: return rectangular_tube(s, nu);
   }
   throw InputError({}, "section.shape", "",
-                   "must be rectangle, circle, round-tube or rectangular-tube");
+                   "must be rectangle, circle, round_tube or rectangular_tube");
 }
 
 void require_inside(double inner, double outer, const SourceLocation& where,

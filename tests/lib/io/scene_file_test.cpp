@@ -168,7 +168,7 @@ TEST(SceneFileErrors, AChoiceThatIsNoneIsRefused) {
 
 TEST(SceneFileErrors, FieldsThatContradictEachOtherAreRefused) {
   EXPECT_EQ(error_of("[rules]\nformulas = 'report'\nyield_cap = 'fully_plastic'\n" + kDrive),
-            "s.toml: yield_cap = fully_plastic: the report's caps are at first yield");
+            "s.toml: rules.yield_cap = fully_plastic: the report's caps are at first yield");
 }
 
 TEST(SceneFileErrors, AnUnknownKeyIsRefusedWithTheNearestField) {

@@ -106,12 +106,12 @@ INSTANTIATE_TEST_SUITE_P(
                       m.hardening = {.law = HardeningLaw::VoceChaboche,
                                      .backstress_modulus = {0.0, -1.0, 0.0}};
                     },
-                    "hardening.backstress_modulus[1] = -1: " + kNotNegative},
+                    "hardening.backstress_modulus_2 = -1: " + kNotNegative},
         BadMaterial{[](Material& m) {
                       m.hardening = {.law = HardeningLaw::VoceChaboche,
                                      .backstress_rate = {0.0, 0.0, -2.0}};
                     },
-                    "hardening.backstress_rate[2] = -2: " + kNotNegative}));
+                    "hardening.backstress_rate_3 = -2: " + kNotNegative}));
 
 TEST(Material, ParametersOfOtherLawsAreIgnored) {
   Material m;
