@@ -19,6 +19,7 @@ struct Algorithm {
   bool gradient;
 };
 
+/// PRAXIS is not among them: it knows bounds as infinite costs and ends beside an active one.
 constexpr std::array kAlgorithms{
     Algorithm{"crs", nlopt::GN_CRS2_LM, true, false},
     Algorithm{"direct-l", nlopt::GN_DIRECT_L, true, false},
@@ -35,7 +36,6 @@ constexpr std::array kAlgorithms{
     Algorithm{"sbplx", nlopt::LN_SBPLX, false, false},
     Algorithm{"bobyqa", nlopt::LN_BOBYQA, false, false},
     Algorithm{"cobyla", nlopt::LN_COBYLA, false, false},
-    Algorithm{"praxis", nlopt::LN_PRAXIS, false, false},
 };
 
 const Algorithm& find(std::string_view name) {
@@ -50,12 +50,18 @@ const Algorithm& find(std::string_view name) {
 /// What the cost callback needs; keeps the best point, since NLopt may end on another one.
 struct Run {
   const Problem& problem;
+  int max_evaluations;
   Minimum best;
   std::exception_ptr error;
+  bool spent = false;  ///< more evaluations were asked for than are allowed
 };
 
 double evaluate(unsigned n, const double* x, double* gradient, void* data) {
   Run& run = *static_cast<Run*>(data);
+  // NLopt looks at a forced stop only now and then: some algorithms finish a round first, and some
+  // overstep their number of evaluations so.
+  run.spent = run.spent || run.best.evaluations >= run.max_evaluations;
+  if (run.error || run.spent) throw nlopt::forced_stop();
   const std::span<const double> point(x, n);
   double cost = 0.0;
   try {
@@ -108,7 +114,7 @@ bool needs_gradient(std::string_view algorithm) { return find(algorithm).gradien
 Minimum minimize(const Problem& problem, const MinimizeOptions& options) {
   const Algorithm& algorithm = find(options.algorithm);
   const auto n = static_cast<unsigned>(problem.start.size());
-  Run run{problem, {}, nullptr};
+  Run run{problem, options.max_evaluations, {}, nullptr};
 
   nlopt::opt opt(algorithm.nlopt, n);
   opt.set_min_objective(evaluate, &run);
@@ -129,12 +135,17 @@ Minimum minimize(const Problem& problem, const MinimizeOptions& options) {
     // No further progress in double precision: the best point is as good as it gets.
     run.best.outcome = "roundoff-limited";
   } catch (const nlopt::forced_stop&) {
-    if (!run.error) throw;
+    // By `evaluate`: see below.
   } catch (const std::runtime_error& error) {
     run.best.outcome = std::string("failure: ") + error.what();
     failed = true;
   }
   if (run.error) std::rethrow_exception(run.error);
+  if (run.spent) {
+    // Whatever NLopt made of the stop: some algorithms call it a failure.
+    run.best.outcome = outcome_name(nlopt::MAXEVAL_REACHED);
+    failed = false;
+  }
   run.best.usable = !failed && !run.best.x.empty();
   return run.best;
 }
