@@ -118,9 +118,10 @@ void add_warnings(const Target& target, FitResult& result) {
 void add_fitted_curve(const Target& target, const FitOptions& options, FitResult& result) {
   Setup setup = options.setup;
   for (const FittedParameter& p : result.parameters) {
-    if (p.identified || p.role != ParameterRole::Free) {
-      set_field(setup, find_field(p.path), p.value);
-    }
+    // A break limit that the curve does not show would break the fitted beam at a guess. All else
+    // is what the optimizer compared with the curve, determined by it or not.
+    const bool limit = p.name == "break_strain" || p.name == "break_shear_strain";
+    if (p.identified || !limit) set_field(setup, find_field(p.path), p.value);
   }
   Scene& scene = setup.scene;
   scene.drive.deformation = target.test;
@@ -136,10 +137,14 @@ void add_fitted_curve(const Target& target, const FitOptions& options, FitResult
     const double last = scene.drive.strain.back();
     const double limit = std::max(scene.material.break_strain.value_or(0.0),
                                   scene.material.break_shear_strain.value_or(0.0));
+    const Material& material = scene.material;
+    const double stiffness =
+        target.test == Test::Torsion ? resolved_shear_modulus(material) : material.youngs_modulus;
     const double elastic =
-        2.0 * largest_stress(target.corrected) /
-        target.characteristics.youngs_modulus.value_or(scene.material.youngs_modulus);
-    scene.drive.strain.push_back(last + std::copysign(4.0 * limit + elastic, last));
+        4.0 * std::max(largest_stress(target.corrected), material.yield_stress) / stiffness;
+    const double before = shown > 1 ? scene.drive.strain[shown - 2] : 0.0;
+    const double direction = last == before ? last : last - before;
+    scene.drive.strain.push_back(last + std::copysign(4.0 * limit + elastic, direction));
   }
   const Response response = simulate(scene, setup.solver);
   result.fitted.strain.assign(scene.drive.strain.begin(),
@@ -147,6 +152,43 @@ void add_fitted_curve(const Target& target, const FitOptions& options, FitResult
   result.fitted.stress.assign(response.probes[0].begin(),
                               response.probes[0].begin() + static_cast<std::ptrdiff_t>(shown));
   if (response.event) result.break_strain_total = response.event->strain;
+}
+
+/// Why the samples cannot be fitted, whatever the model; empty if they can.
+std::string defect_of(const Curve& curve) {
+  if (curve.size() < 2) return "the corrected curve has fewer than two samples";
+  if (curve.stress.size() != curve.size()) return "strain and stress differ in length";
+  const auto finite = [](double value) { return std::isfinite(value); };
+  if (!std::all_of(curve.strain.begin(), curve.strain.end(), finite) ||
+      !std::all_of(curve.stress.begin(), curve.stress.end(), finite)) {
+    return "the corrected curve holds numbers that are not finite";
+  }
+  const auto [low, high] = std::minmax_element(curve.strain.begin(), curve.strain.end());
+  if (*low == *high) return "the strain of the corrected curve never changes";
+  if (largest_stress(curve) == 0.0) return "the corrected curve never carries a stress";
+  return "";
+}
+
+void require(bool holds, std::string_view field, double value, std::string_view rule) {
+  if (!holds) throw InputError({}, field, fmt::format("{:g}", value), rule);
+}
+
+void check_options(const FitOptions& options) {
+  check_parameters(options.parameters);
+  const StoppingRules& stop = options.stopping;
+  const bool global = options.algorithm != "auto" && is_global(options.algorithm);
+  require(stop.global_evaluations >= (global ? 1 : 0), "fit.global_evaluations",
+          stop.global_evaluations, global ? "must be at least 1" : "must be at least 0");
+  require(stop.local_evaluations >= 1, "fit.local_evaluations", stop.local_evaluations,
+          "must be at least 1");
+  require(options.confidence > 0.0 && options.confidence < 1.0, "fit.confidence",
+          options.confidence, "must be between 0 and 1");
+  require(options.break_weight >= 0.0 && std::isfinite(options.break_weight), "fit.break_weight",
+          options.break_weight, "must be at least 0");
+  if (options.noise) {
+    require(*options.noise > 0.0 && std::isfinite(*options.noise), "fit.noise", *options.noise,
+            "must be above 0 Pa");
+  }
 }
 
 }  // namespace
@@ -158,7 +200,9 @@ FitResult fit_target(const Target& target, const FitOptions& options) {
     result.reason = target.reason;
     return result;
   }
-  check_parameters(options.parameters);
+  check_options(options);
+  result.reason = defect_of(target.corrected);
+  if (!result.reason.empty()) return result;
   const ParameterSet set(target, options);
   Misfit misfit(target, options, set);
   result.samples = misfit.samples();
@@ -190,7 +234,7 @@ FitResult fit_target(const Target& target, const FitOptions& options) {
 
 std::vector<FitResult> fit_batch(std::span<const Target> targets, const FitOptions& options,
                                  const BatchFitOptions& batch) {
-  check_parameters(options.parameters);
+  check_options(options);
   std::vector<FitResult> results(targets.size());
   for (FitResult& result : results) result.reason = "not run";
   std::mutex mutex;

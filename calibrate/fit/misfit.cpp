@@ -56,22 +56,18 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const ResolvedParameter& p = parameters.all()[i];
-    if (!p.is_break) {
-      if (p.role == ParameterRole::Fixed) continue;
-      paths.emplace_back(p.field->path);
-      model_index_.push_back(i);
-      continue;
-    }
-    const auto& observed = target.characteristics.observed_break;
-    if (!observed || options.break_weight == 0.0) continue;
+    if (p.is_break || p.role == ParameterRole::Fixed) continue;
+    paths.emplace_back(p.field->path);
+    model_index_.push_back(i);
+  }
+  const auto& observed = target.characteristics.observed_break;
+  const auto& decides = parameters.break_parameter();
+  if (decides && observed && options.break_weight > 0.0) {
     const double permanent = target.characteristics.break_strain_plastic.value_or(0.0);
     const double scale = permanent > 0.0 ? permanent : std::fabs(observed->strain());
     break_scale_ = options.break_weight * cost_unit_ / (scale * scale);
-    break_index_ = i;
-    const bool converts = target.test == Test::Torsion &&
-                          p.field->material == MaterialField::BreakStrain &&
-                          options.setup.scene.formulas == Formulas::Mechanics;
-    break_factor_ = converts ? std::sqrt(3.0) : 1.0;
+    break_index_ = decides->index;
+    break_factor_ = decides->factor;
   }
 
   model_ = prepare(unbroken_scene(target, options), options.setup.solver, paths);

@@ -57,7 +57,7 @@ class Misfit {
   };
   Details details(std::span<const double> active);
 
-  /// k above: limit of the test over the value of the break parameter.
+  /// k above times a tie's factor: limit of the test over the value of the break parameter.
   double break_factor() const { return break_factor_; }
 
  private:
@@ -67,7 +67,7 @@ class Misfit {
   const Target& target_;
   const ParameterSet& parameters_;
   std::size_t samples_ = 0;
-  std::vector<double> weight_;  ///< over their sum; 0 at the break sample
+  std::vector<double> weight_;  ///< over their sum (n_samples)
   std::vector<double> raw_weight_;
   double cost_unit_ = 1.0;
   double break_scale_ = 0.0;  ///< break_weight S^2 / P^2; 0 without a break term

@@ -20,7 +20,7 @@ struct Problem {
 };
 
 struct MinimizeOptions {
-  std::string algorithm;  ///< one of `algorithm_names()` but "auto"
+  std::string algorithm;          ///< one of `algorithm_names()` but "auto"
   int max_evaluations = 500;      ///< >= 1; never exceeded
   double x_tolerance = 1e-10;     ///< |dx_i| <= x_tolerance for all i
   double cost_tolerance = 1e-14;  ///< |df| <= cost_tolerance |f|

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,12 +18,18 @@ struct ResolvedParameter {
   double lower = 0.0;
   double upper = 0.0;
   bool logarithmic = false;
-  /// Whether it enters the break term only. Such a one is left out of the model.
+  /// Whether it is a break limit: it enters the break term at most and is left out of the model.
   bool is_break = false;
   /// Free, but the target has nothing that could determine it: it stays at its start.
   bool idle = false;
   std::size_t base = 0;  ///< Tied: index of the parameter it follows
   double factor = 1.0;
+};
+
+/// Which parameter decides when the test's specimen breaks: limit = factor * its value.
+struct BreakParameter {
+  std::size_t index = 0;  ///< into `ParameterSet::all()`; of a tied one, the one that it follows
+  double factor = 1.0;    ///< sqrt(3) where a strain of tension is a torsion's limit; ties
 };
 
 /// A fit's parameters for one target, and the map between the optimizer's coordinates and SI.
@@ -36,6 +43,9 @@ class ParameterSet {
 
   std::span<const ResolvedParameter> all() const { return all_; }
   std::size_t size() const { return all_.size(); }
+  /// Empty if no parameter does. In torsion it is the break shear strain if the scene or the fit
+  /// has one, else the break strain; in all else the break strain.
+  const std::optional<BreakParameter>& break_parameter() const { return break_parameter_; }
   /// Indices into `all()` of the parameters that the optimizer moves (n_active).
   std::span<const std::size_t> active() const { return active_; }
 
@@ -53,8 +63,11 @@ class ParameterSet {
 
  private:
   const ResolvedParameter& active_parameter(std::size_t i) const { return all_[active_[i]]; }
+  void resolve_ties(const FitOptions& options);
+  void find_break_parameter(const Target& target, const FitOptions& options);
 
   std::vector<ResolvedParameter> all_;
+  std::optional<BreakParameter> break_parameter_;
   std::vector<std::size_t> active_;
   std::vector<double> size_;            ///< typical size of each active parameter, linear scale
   std::vector<std::size_t> active_of_;  ///< index into `active_` of each, or npos

@@ -65,7 +65,11 @@ StartValue raw_start(MaterialField field, const Target& target, const FitOptions
       const double start = permanent > 0.0 ? permanent : s.strain;
       return around(field == MaterialField::BreakStrain ? start / yield_ratio : start, 30.0);
     }
-    case MaterialField::TangentModulus: return {s.slope, 0.0, 0.999 * s.modulus};
+    case MaterialField::TangentModulus: {
+      // Hardening moduli of torsion are a third of those of tension; E is 2(1+nu) G.
+      const double young = torsion ? 2.0 * (1.0 + material.poisson_ratio) * s.modulus : s.modulus;
+      return {torsion ? 3.0 * s.slope : s.slope, 0.0, 0.999 * young};
+    }
     case MaterialField::KinematicShare: return {0.5, 0.0, 1.0};
     case MaterialField::SaturationStress: return around(0.3 * s.stress, 100.0);
     case MaterialField::SaturationRate: return around(3.0 / s.strain, 1000.0);
