@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
 
 namespace plastica::cli {
 
@@ -10,7 +11,7 @@ namespace plastica::cli {
 using Action = std::function<int()>;
 
 // Each adds its subcommand to the program and, when the command line chooses it, sets `action`.
-void add_calibrate(CLI::App& app, Action& action);
+void add_calibrate(CLI::App& app, const std::string& command_line, Action& action);
 void add_inspect(CLI::App& app, Action& action);
 void add_init(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);

@@ -23,8 +23,8 @@ constexpr const char* kFooter =
     "Exit codes: 0 done, 1 a target has no usable fit, 2 bad input, 3 the machine failed.\n"
     "`plastica COMMAND --help` says more.";
 
-void add_commands(CLI::App& app, Action& action) {
-  plastica::cli::add_calibrate(app, action);
+void add_commands(CLI::App& app, const std::string& command_line, Action& action) {
+  plastica::cli::add_calibrate(app, command_line, action);
   plastica::cli::add_inspect(app, action);
   plastica::cli::add_init(app, action);
   plastica::cli::add_simulate(app, action);
@@ -45,8 +45,10 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string(plastica::version()));
   app.require_subcommand(1);
   app.footer(kFooter);
+  std::string command_line;
+  for (int i = 0; i < argc; ++i) command_line += (i == 0 ? "" : " ") + std::string(argv[i]);
   Action action;
-  add_commands(app, action);
+  add_commands(app, command_line, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

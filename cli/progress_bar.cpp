@@ -18,9 +18,11 @@ ProgressBar::ProgressBar(std::string what, std::size_t total, bool quiet)
       start_(steady_clock::now()),
       last_(start_) {}
 
-ProgressBar::~ProgressBar() {
-  // Wipes the line: what comes next starts at the left margin.
+ProgressBar::~ProgressBar() { clear(); }
+
+void ProgressBar::clear() {
   if (drawn_) std::fputs("\r\033[K", stderr);
+  drawn_ = false;
 }
 
 void ProgressBar::update(std::size_t done, std::size_t failed) {

@@ -20,6 +20,9 @@ class ProgressBar {
   /// Redraws at most ten times a second.
   void update(std::size_t done, std::size_t failed);
 
+  /// Wipes the line, so that other output starts at the left margin.
+  void clear();
+
   /// The line's text, without the terminal's codes. @param seconds since the start
   static std::string line(const std::string& what, std::size_t done, std::size_t failed,
                           std::size_t total, double seconds);

@@ -51,8 +51,8 @@ int simulate_file(const SimulateArguments& arguments) {
   const Setup setup = io::read_scene_file(arguments.file).setup;
   const Model model = prepare(setup.scene, setup.solver);
   if (arguments.dry_run) {
-    fmt::print("{}: {} samples, {} probes, level coupon: {}\n", arguments.file,
-               model.drive.size(), model.probes.size(), model.level_reason);
+    fmt::print("{}: {} samples, {} probes, level coupon: {}\n", arguments.file, model.drive.size(),
+               model.probes.size(), model.level_reason);
     return kDone;
   }
   const Response response = simulate(setup.scene, setup.solver);

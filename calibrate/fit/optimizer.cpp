@@ -107,6 +107,11 @@ std::span<const std::string_view> algorithm_names() {
   return kNames;
 }
 
+std::string nlopt_version() {
+  return std::to_string(nlopt::version_major()) + "." + std::to_string(nlopt::version_minor()) +
+         "." + std::to_string(nlopt::version_bugfix());
+}
+
 bool is_global(std::string_view algorithm) { return find(algorithm).global; }
 
 bool needs_gradient(std::string_view algorithm) { return find(algorithm).gradient; }

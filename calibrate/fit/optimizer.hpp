@@ -41,6 +41,9 @@ std::span<const std::string_view> algorithm_names();
 bool is_global(std::string_view algorithm);
 bool needs_gradient(std::string_view algorithm);
 
+/// "2.7.1": the NLopt that runs.
+std::string nlopt_version();
+
 /// Minimizes with NLopt. The same problem and options give the same bits, in any thread.
 /// @throws whatever `cost` threw; InputError for an unknown algorithm
 Minimum minimize(const Problem& problem, const MinimizeOptions& options);

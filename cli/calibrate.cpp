@@ -1,0 +1,209 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "calibrate/config/bare_files.hpp"
+#include "calibrate/config/fit_file.hpp"
+#include "calibrate/fit/optimizer.hpp"
+#include "calibrate/report/json.hpp"
+#include "calibrate/report/text.hpp"
+#include "calibrate/store/fit_store.hpp"
+#include "calibrate/store/journaled_batch.hpp"
+#include "cli/command.hpp"
+#include "cli/dry_run.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/progress_bar.hpp"
+#include "plastica/io/storage_error.hpp"
+
+namespace plastica::cli {
+namespace {
+
+struct CalibrateArguments {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string json;
+  int threads = 0;
+  bool dry_run = false;
+  bool resume = false;
+  bool force = false;
+  bool quiet = false;
+  calibrate::BareFiles bare;
+  std::string command_line;
+};
+
+bool is_fit_file(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".toml";
+}
+
+calibrate::FitFile read_inputs(const CalibrateArguments& arguments) {
+  const auto toml = std::find_if(arguments.inputs.begin(), arguments.inputs.end(), is_fit_file);
+  if (toml == arguments.inputs.end()) {
+    calibrate::BareFiles bare = arguments.bare;
+    bare.files = arguments.inputs;
+    // The order of the command line must not change a bit of the result.
+    std::sort(bare.files.begin(), bare.files.end());
+    return calibrate::fit_of_bare_files(bare);
+  }
+  if (arguments.inputs.size() > 1) {
+    throw InputError({}, "calibrate", *toml, "must be the only file: a fit file names its curves");
+  }
+  return calibrate::read_fit_file(*toml);
+}
+
+std::string default_output(const CalibrateArguments& arguments) {
+  const std::filesystem::path first(arguments.inputs.front());
+  return (arguments.inputs.size() == 1 ? first.stem().string() : "fit") + ".h5";
+}
+
+/// The texts that the result depends on, for the file.
+std::vector<calibrate::InputText> input_texts(const calibrate::FitFile& file) {
+  const std::string name = file.path.empty() ? "command-line.toml"
+                                             : std::filesystem::path(file.path).filename().string();
+  return {{name, file.text}};
+}
+
+void write_json(const std::string& path, std::span<const calibrate::FitRecord> records) {
+  std::ofstream out(path, std::ios::binary);
+  out << calibrate::json_summary(records) << '\n';
+  out.close();
+  if (!out) throw io::StorageError(path, "cannot be written");
+}
+
+void print_report(std::span<const calibrate::FitRecord> records, double confidence) {
+  calibrate::ReportOptions options;
+  options.color = isatty(STDOUT_FILENO) != 0;
+  options.confidence = confidence;
+  if (records.size() == 1) fmt::print("{}\n", calibrate::fit_report(records.front(), options));
+  fmt::print("{}", calibrate::batch_report(records, options));
+}
+
+void tell_of_journal(const calibrate::JournaledBatch& batch, bool quiet) {
+  if (batch.dropped_bytes() > 0) {
+    fmt::print(stderr, "plastica: dropped {} bytes of an unfinished record from the journal\n",
+               batch.dropped_bytes());
+  }
+  if (!quiet && batch.taken() > 0) {
+    fmt::print(stderr, "{} fits taken from the journal\n", batch.taken());
+  }
+  if (!quiet && batch.outdated() > 0) {
+    fmt::print(stderr, "{} fits of the journal are outdated and run again\n", batch.outdated());
+  }
+}
+
+int calibrate_files(const CalibrateArguments& arguments) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::string output =
+      arguments.output.empty() ? default_output(arguments) : arguments.output;
+  const calibrate::FitFile file = read_inputs(arguments);
+  if (!arguments.dry_run) {
+    calibrate::check_output_path(output, arguments.force);
+    if (!arguments.json.empty()) calibrate::check_output_path(arguments.json, true);
+  }
+  std::vector<calibrate::Target> targets = calibrate::import_all(file);
+  if (arguments.dry_run) {
+    print_dry_run(targets, file.options, output);
+    return kDone;
+  }
+
+  calibrate::FitStoreContents contents;
+  contents.meta = calibrate::begin_meta(arguments.command_line, arguments.threads);
+  contents.meta.versions.emplace_back("nlopt", calibrate::nlopt_version());
+  const InterruptGuard interrupt;
+  calibrate::JournaledOptions how;
+  how.journal = calibrate::journal_path(output);
+  how.resume = arguments.resume;
+  how.force = arguments.force;
+  how.threads = arguments.threads;
+  how.stop = &interrupt.flag();
+  ProgressBar bar("fitting", targets.size(), arguments.quiet);
+  how.progress = [&bar](const calibrate::BatchProgress& progress) {
+    bar.update(progress.done, progress.failed + progress.rejected);
+  };
+  calibrate::JournaledBatch batch(targets, file.options, how);
+  tell_of_journal(batch, arguments.quiet);
+  std::vector<calibrate::FitResult> results = batch.run();
+  bar.clear();
+  if (!batch.complete()) {
+    fmt::print(stderr, "plastica: interrupted; what is finished is kept: --resume goes on\n");
+    return kInterrupted;
+  }
+
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    contents.records.push_back({std::move(targets[i]), std::move(results[i])});
+  }
+  contents.inputs = input_texts(file);
+  contents.options = file.options;
+  contents.meta.resumptions = batch.taken() > 0 ? 1 : 0;
+  contents.meta.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  calibrate::write_fit_store(output, contents);
+  batch.finish();
+  if (!arguments.json.empty()) write_json(arguments.json, contents.records);
+  if (!arguments.quiet) {
+    print_report(contents.records, file.options.confidence);
+    fmt::print(stderr, "wrote {}\n", output);
+  }
+  const bool all = std::all_of(contents.records.begin(), contents.records.end(), [](const auto& r) {
+    return r.result.status == calibrate::FitStatus::Fitted;
+  });
+  return all ? kDone : kNotAcceptable;
+}
+
+void add_bare_options(CLI::App& sub, calibrate::BareFiles& bare) {
+  const std::string group = "Curves without a fit file";
+  sub.add_option("--strain", bare.strain, "column of the strain: NAME, NAME:UNIT or a number")
+      ->group(group);
+  sub.add_option("--elongation", bare.elongation, "column of the elongation, with --gauge-length")
+      ->group(group);
+  sub.add_option("--gauge-length", bare.gauge_length, "\"50 mm\", or a column of --table")
+      ->group(group);
+  sub.add_option("--stress", bare.stress, "column of the stress: NAME, NAME:UNIT or a number")
+      ->group(group);
+  sub.add_option("--force", bare.force, "column of the force, with --area")->group(group);
+  sub.add_option("--area", bare.area, "\"120 mm^2\", or a column of --table")->group(group);
+  sub.add_option("--test", bare.test, "tension, bending or torsion")->group(group);
+  sub.add_option("--measure", bare.measure, "engineering or true")->group(group);
+  sub.add_option("--table", bare.table, "FILE:KEY, a row per specimen")->group(group);
+  sub.add_option("--group", bare.group, "column of the table that forms groups")
+      ->allow_extra_args(false)
+      ->group(group);
+  sub.add_option("--fix", bare.fixed, "NAME=VALUE, e.g. youngs_modulus=\"200 GPa\"")
+      ->allow_extra_args(false)
+      ->group(group);
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app, const std::string& command_line, Action& action) {
+  CLI::App* sub = app.add_subcommand("calibrate", "fit every target of a fit file, or bare curves");
+  auto arguments = std::make_shared<CalibrateArguments>();
+  sub->add_option("inputs", arguments->inputs, "FIT.toml, or CSV files of curves")->required();
+  sub->add_option("-o,--output", arguments->output,
+                  "result file (HDF5); default: the input's name with .h5, here");
+  sub->add_option("--json", arguments->json, "also write the summary for scripts");
+  sub->add_option("--threads", arguments->threads, "0: as many as the machine has")
+      ->check(CLI::Range(0, 4096));
+  sub->add_flag("--dry-run", arguments->dry_run, "only say what would run");
+  sub->add_flag("--resume", arguments->resume, "go on with an interrupted run");
+  sub->add_flag("--force", arguments->force, "overwrite the output, and an interrupted run");
+  sub->add_flag("--quiet", arguments->quiet, "no report, no progress");
+  add_bare_options(*sub, arguments->bare);
+  sub->footer(
+      "Examples:\n"
+      "  plastica calibrate fit.toml -o fit.h5 --json fit.json\n"
+      "  plastica calibrate a.csv b.csv --strain Strain --stress Stress:MPa "
+      "--fix youngs_modulus=\"200 GPa\"");
+  arguments->command_line = command_line;
+  sub->callback(
+      [&action, arguments] { action = [arguments] { return calibrate_files(*arguments); }; });
+}
+
+}  // namespace plastica::cli

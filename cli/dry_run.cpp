@@ -1,0 +1,62 @@
+#include "cli/dry_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "calibrate/fit/parameter_set.hpp"
+
+namespace plastica::cli {
+namespace {
+
+using calibrate::FitOptions;
+using calibrate::Target;
+using calibrate::TargetStatus;
+
+/// Bytes that a target and its fit hold: four curves and the trace of a fit of usual length.
+std::size_t memory_of(const Target& target, const FitOptions& options) {
+  constexpr std::size_t kCurves = 4;
+  const auto evaluations = static_cast<std::size_t>(options.stopping.global_evaluations) + 100;
+  return sizeof(double) *
+         (2 * kCurves * target.raw.size() + evaluations * (options.parameters.size() + 1));
+}
+
+void print_parameters(const Target& target, const FitOptions& options) {
+  const calibrate::ParameterSet set(target, options);
+  fmt::print("parameters of {} (SI):\n", target.name);
+  for (const calibrate::ResolvedParameter& p : set.all()) {
+    std::string_view role = "fixed";
+    if (p.role == calibrate::ParameterRole::Free) role = p.idle ? "free, not determined" : "free";
+    if (p.role == calibrate::ParameterRole::Tied) role = "tied";
+    fmt::print("  {:<36} {:<6} start {:<12.6g}", p.field->path, role, p.start);
+    if (p.role == calibrate::ParameterRole::Free) {
+      fmt::print(" bounds {:.6g} … {:.6g}{}", p.lower, p.upper, p.logarithmic ? ", log" : "");
+    }
+    fmt::print("\n");
+  }
+}
+
+}  // namespace
+
+void print_dry_run(std::span<const Target> targets, const FitOptions& options,
+                   const std::string& output) {
+  std::size_t ready = 0;
+  std::size_t bytes = 0;
+  for (const Target& target : targets) {
+    ready += target.status == TargetStatus::Ready ? 1 : 0;
+    bytes += memory_of(target, options);
+    fmt::print("{:<32} {:>6} samples  {}\n", target.name, target.corrected.size(),
+               target.status == TargetStatus::Ready ? "ready" : target.reason);
+  }
+  const auto first = std::find_if(targets.begin(), targets.end(), [](const Target& target) {
+    return target.status == TargetStatus::Ready;
+  });
+  if (first != targets.end()) print_parameters(*first, options);
+  fmt::print("{} targets, {} to fit, algorithm {}, about {:.1f} MB\n", targets.size(), ready,
+             options.algorithm, static_cast<double>(bytes) / 1e6);
+  fmt::print("level coupon: a strain history drives all joints alike: one stands for all\n");
+  fmt::print("nothing was run; the result would be {}\n", output);
+}
+
+}  // namespace plastica::cli
