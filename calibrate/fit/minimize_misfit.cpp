@@ -20,6 +20,12 @@ constexpr int kMostPolishes = 3;
 constexpr double kCloseFit = 0.02;
 constexpr int kRestarts = 16;
 constexpr double kRestartRise = 0.1;
+/// With three or more parameters of the stress (a hardening law's) there are other minima far away
+/// too: how many starts look for them, as far around the start as the global stage, unless the
+/// misfit is below this share of the largest stress.
+constexpr std::ptrdiff_t kManyParameters = 3;
+constexpr double kExactFit = 0.002;
+constexpr int kWideRestarts = 12;
 /// A decrease of the cost that is not worth a polish, as a share of the cost.
 constexpr double kWorthPolishing = 1e-10;
 
@@ -44,6 +50,7 @@ class Search {
     for (std::size_t i = 0; i < n_; ++i) {
       best_.push_back(parameters.coordinate(i, parameters.all()[parameters.active()[i]].start));
     }
+    start_ = best_;
   }
 
   void rescale() {
@@ -114,12 +121,32 @@ class Search {
     for (int i = 0; i < kRestarts; ++i) {
       const std::vector<double> kept = best_;
       for (std::size_t k = 0; k < n_; ++k) {
-        // 53 random bits as a number in [-1, 1).
-        const double uniform = 0x1p-52 * static_cast<double>(random() >> 11U) - 1.0;
-        best_[k] = centre[k] + reach * uniform / scale_[k];
+        best_[k] = centre[k] + reach * uniform(random) / scale_[k];
       }
       if (!stage("slsqp", evaluations, kEverywhere)) best_ = kept;
     }
+  }
+
+  /// Looks for minima far away until one fits closely: SLSQP from seeded points around the start,
+  /// each with the scale of its own curvature.
+  void restart_widely(int evaluations) {
+    std::mt19937_64 random(~seed_);
+    for (int i = 0; i < kWideRestarts && best_cost_ > kExactFit * kExactFit; ++i) {
+      const std::vector<double> kept = best_;
+      for (std::size_t k = 0; k < n_; ++k) {
+        const double x = start_[k] + kGlobalReach * uniform(random);
+        best_[k] = std::clamp(x, parameters_.lower(k), parameters_.upper(k));
+      }
+      rescale();
+      if (!stage("slsqp", evaluations, kEverywhere)) best_ = kept;
+    }
+    rescale();
+  }
+
+  bool has_many_parameters() const {
+    const auto shapes_stress = [&](std::size_t i) { return !parameters_.all()[i].is_break; };
+    const auto active = parameters_.active();
+    return std::count_if(active.begin(), active.end(), shapes_stress) >= kManyParameters;
   }
 
   bool fits_closely() const { return best_cost_ < kCloseFit * kCloseFit; }
@@ -142,6 +169,11 @@ class Search {
   /// largest stress).
   static constexpr double kLeastCurvature = 1e-20;
   static constexpr double kNoiseFloor = 1e-24;
+
+  /// 53 random bits as a number in [-1, 1).
+  static double uniform(std::mt19937_64& random) {
+    return 0x1p-52 * static_cast<double>(random() >> 11U) - 1.0;
+  }
 
   void set_values(std::span<const double> x, bool scaled) {
     for (std::size_t i = 0; i < n_; ++i) {
@@ -169,7 +201,8 @@ class Search {
   std::size_t n_;
   std::vector<double> scale_;
   std::vector<double> values_;
-  std::vector<double> best_;  ///< the set's coordinates; the start until a stage has run
+  std::vector<double> start_;  ///< the set's coordinates
+  std::vector<double> best_;   ///< the set's coordinates; the start until a stage has run
   double best_cost_ = 0.0;
   bool found_ = false;
 };
@@ -193,6 +226,9 @@ Solution minimize_misfit(Misfit& misfit, const ParameterSet& parameters, const F
     for (int i = 0; i < kMostPolishes && search.worth_polishing(); ++i) {
       const bool better = search.stage("nelder-mead", stop.local_evaluations, kPolishReach);
       if (!better || !search.stage("slsqp", stop.local_evaluations, kEverywhere)) break;
+    }
+    if (search.found() && search.has_many_parameters()) {
+      search.restart_widely(stop.local_evaluations);
     }
     if (search.found() && !search.fits_closely()) search.restart_around(stop.local_evaluations);
   }

@@ -73,12 +73,14 @@ StartValue raw_start(MaterialField field, const Target& target, const FitOptions
     case MaterialField::KinematicShare: return {0.5, 0.0, 1.0};
     case MaterialField::SaturationStress: return around(0.3 * s.stress, 100.0);
     case MaterialField::SaturationRate: return around(3.0 / s.strain, 1000.0);
-    case MaterialField::BackModulus1: return around(30.0 * s.stress / s.strain, 1000.0);
-    case MaterialField::BackModulus2: return around(3.0 * s.stress / s.strain, 1000.0);
-    case MaterialField::BackModulus3: return around(0.3 * s.stress / s.strain, 1000.0);
-    case MaterialField::BackRate1: return around(300.0 / s.strain, 1000.0);
-    case MaterialField::BackRate2: return around(30.0 / s.strain, 1000.0);
-    case MaterialField::BackRate3: return around(3.0 / s.strain, 1000.0);
+    // Back stresses that each carry a fifth of the stress and are full after 3 %, 30 % of the
+    // strain and never.
+    case MaterialField::BackModulus1: return around(6.0 * s.stress / s.strain, 1000.0);
+    case MaterialField::BackModulus2: return around(0.6 * s.stress / s.strain, 1000.0);
+    case MaterialField::BackModulus3: return around(0.06 * s.stress / s.strain, 1000.0);
+    case MaterialField::BackRate1: return around(30.0 / s.strain, 1000.0);
+    case MaterialField::BackRate2: return around(3.0 / s.strain, 1000.0);
+    case MaterialField::BackRate3: return around(0.3 / s.strain, 1000.0);
   }
   return {};
 }
