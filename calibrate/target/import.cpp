@@ -1,0 +1,294 @@
+#include "calibrate/target/import.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "calibrate/target/make.hpp"
+#include "plastica/io/units.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using io::CsvTable;
+
+bool matches(std::string_view pattern, std::string_view name) {
+  const std::size_t star = pattern.find('*');
+  if (star == std::string_view::npos) return pattern == name;
+  if (name.substr(0, star) != pattern.substr(0, star) || name.size() < star) return false;
+  for (std::size_t skip = star; skip <= name.size(); ++skip) {
+    if (matches(pattern.substr(star + 1), name.substr(skip))) return true;
+  }
+  return false;
+}
+
+/// The checked block: strain and stress columns and what they are divided by.
+struct Plan {
+  const ColumnSource* strain = nullptr;
+  const SpecimenValue* gauge_length = nullptr;
+  const ColumnSource* stress = nullptr;
+  const SpecimenValue* area = nullptr;
+  const char* strain_field = "strain";
+  const char* stress_field = "stress";
+};
+
+void check_value(const TargetSource& source, const SpecimenValue& value, const char* field) {
+  if (value.value) {
+    if (value.value.value() > 0.0) return;
+    throw InputError(value.where, field, std::to_string(*value.value), "must be positive");
+  }
+  if (value.from.empty()) {
+    throw InputError(value.where, field, "", "must be a quantity or a column of the table");
+  }
+  if (!source.table) throw InputError(value.where, field, value.from, "needs a table to come from");
+}
+
+Plan plan_of(const TargetSource& source) {
+  const SourceLocation& where = source.where;
+  if (source.files.empty()) throw InputError(where, "files", "", "must name at least one file");
+  if (source.strain.has_value() == source.elongation.has_value()) {
+    throw InputError(where, "strain", "", "either strain or elongation must be given, not both");
+  }
+  if (source.stress.has_value() == source.force.has_value()) {
+    throw InputError(where, "stress", "", "either stress or force must be given, not both");
+  }
+  const bool divided = source.elongation || source.force;
+  if (divided && source.test != Test::Tension) {
+    throw InputError(where, "test", source.test == Test::Bending ? "bending" : "torsion",
+                     "elongation and force are for tension; give strain and stress");
+  }
+  Plan plan;
+  plan.strain = source.strain ? &*source.strain : &*source.elongation;
+  plan.stress = source.stress ? &*source.stress : &*source.force;
+  if (source.elongation) {
+    if (!source.gauge_length) {
+      throw InputError(where, "gauge_length", "", "is required with elongation");
+    }
+    check_value(source, *source.gauge_length, "gauge_length");
+    plan.gauge_length = &*source.gauge_length;
+    plan.strain_field = "elongation";
+  }
+  if (source.force) {
+    if (!source.area) throw InputError(where, "area", "", "is required with force");
+    check_value(source, *source.area, "area");
+    plan.area = &*source.area;
+    plan.stress_field = "force";
+  }
+  if (plan.strain->column.find('*') != std::string::npos) {
+    throw InputError(plan.strain->where, plan.strain_field, plan.strain->column,
+                     "must name one column; only stress or force may be a pattern");
+  }
+  if (!source.group.empty() && !source.table) {
+    throw InputError(where, "group", source.group.front(), "needs a table to come from");
+  }
+  return plan;
+}
+
+/// The table beside the curves, with the columns that the block asks for.
+class Specimens {
+ public:
+  explicit Specimens(const TargetSource& source)
+      : source_(source),
+        table_(CsvTable::read(source.table->file, source.table->csv)),
+        key_(table_.find(source.table->key, source.table->where, "key")) {
+    for (const std::string& name : source.group) {
+      groups_.push_back(table_.find(name, source.where, "group"));
+    }
+    for (const auto& value : {source.gauge_length, source.area}) {
+      if (value && !value->value) table_.find(value->from, value->where, "from");
+    }
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      const auto [entry, is_new] = rows_.emplace(std::string(table_.cell(row, key_)), row);
+      if (!is_new) entry->second = kTwice;
+    }
+  }
+
+  /// @throws InputError if there is not exactly one row
+  std::size_t row_of(const std::string& stem) const {
+    const auto found = rows_.find(stem);
+    if (found != rows_.end() && found->second != kTwice) return found->second;
+    throw InputError({table_.file(), 0}, source_.table->key, stem,
+                     found == rows_.end() ? "has no row in the table" : "has more than one row");
+  }
+
+  double number(std::size_t row, const SpecimenValue& value, Dimension dimension,
+                const char* field) const {
+    const std::size_t column = table_.find(value.from, value.where, field);
+    const std::string& unit = value.unit ? *value.unit : table_.units()[column];
+    const SourceLocation where = value.unit ? value.where : SourceLocation{table_.file(), 0};
+    const double si =
+        io::unit_conversion(unit, dimension, where, field)(table_.number(row, column));
+    if (si > 0.0 && std::isfinite(si)) return si;
+    throw InputError({table_.file(), table_.line_of_row(row)}, value.from, table_.cell(row, column),
+                     "must be a positive number");
+  }
+
+  void add_groups(std::size_t row, Target& target) const {
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      target.group.emplace_back(source_.group[i], table_.cell(row, groups_[i]));
+    }
+  }
+
+ private:
+  static constexpr std::size_t kTwice = static_cast<std::size_t>(-1);
+  const TargetSource& source_;
+  CsvTable table_;
+  std::size_t key_;
+  std::vector<std::size_t> groups_;
+  std::map<std::string, std::size_t> rows_;
+};
+
+io::UnitConversion conversion_of(const CsvTable& table, std::size_t column,
+                                 const ColumnSource& asked, Dimension dimension,
+                                 const char* field) {
+  const std::string& unit = asked.unit ? *asked.unit : table.units()[column];
+  const SourceLocation where = asked.unit ? asked.where : SourceLocation{table.file(), 0};
+  return io::unit_conversion(unit, dimension, where, field);
+}
+
+void reject(Target& target, std::string reason) {
+  target.status = TargetStatus::Rejected;
+  target.reason = std::move(reason);
+}
+
+std::vector<std::size_t> stress_columns(const CsvTable& table, const ColumnSource& asked,
+                                        const char* field) {
+  if (asked.column.find('*') == std::string::npos) {
+    return {table.find(asked.column, asked.where, field)};
+  }
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < table.columns(); ++i) {
+    if (matches(asked.column, table.names()[i])) columns.push_back(i);
+  }
+  if (columns.empty()) {
+    throw InputError(asked.where, field, asked.column, "matches no column of " + table.file());
+  }
+  return columns;
+}
+
+/// Raw curve of one specimen, in SI.
+void read_curve(const Plan& plan, const CsvTable& table, std::size_t strain_column,
+                std::size_t stress_column, const Specimens* specimens, const std::string& stem,
+                Target& target) {
+  // What the block says must be right for the block; what the file says, for this specimen.
+  const auto to_strain =
+      conversion_of(table, strain_column, *plan.strain,
+                    plan.gauge_length ? Dimension::Length : Dimension::Strain, plan.strain_field);
+  const auto to_stress =
+      conversion_of(table, stress_column, *plan.stress,
+                    plan.area ? Dimension::Force : Dimension::Stress, plan.stress_field);
+  double gauge_length = 1.0;
+  double area = 1.0;
+  const auto value_of = [&](const SpecimenValue& value, Dimension dimension, const char* field) {
+    const double si = value.value
+                          ? *value.value
+                          : specimens->number(specimens->row_of(stem), value, dimension, field);
+    target.properties.emplace_back(field, si);
+    return si;
+  };
+  if (plan.gauge_length)
+    gauge_length = value_of(*plan.gauge_length, Dimension::Length, "gauge_length");
+  if (plan.area) area = value_of(*plan.area, Dimension::Area, "area");
+  target.raw.strain = table.numbers(strain_column);
+  target.raw.stress = table.numbers(stress_column);
+  for (double& value : target.raw.strain) value = to_strain(value) / gauge_length;
+  for (double& value : target.raw.stress) value = to_stress(value) / area;
+}
+
+/// Units that the block itself gives, checked once, as an error of the block.
+void check_units(const TargetSource& source, const Plan& plan) {
+  const auto check = [](const auto& asked, Dimension dimension, const char* field) {
+    if (asked->unit) io::unit_conversion(*asked->unit, dimension, asked->where, field);
+  };
+  check(plan.strain, source.elongation ? Dimension::Length : Dimension::Strain, plan.strain_field);
+  check(plan.stress, source.force ? Dimension::Force : Dimension::Stress, plan.stress_field);
+  if (plan.gauge_length) check(plan.gauge_length, Dimension::Length, "gauge_length");
+  if (plan.area) check(plan.area, Dimension::Area, "area");
+}
+
+/// Alike names get their folder before them, and a number if that does not tell them apart.
+void make_names_unique(std::vector<Target>& targets) {
+  std::map<std::string, std::size_t> count;
+  for (const Target& target : targets) ++count[target.name];
+  std::map<std::string, std::size_t> seen;
+  for (Target& target : targets) {
+    if (count[target.name] > 1) {
+      const auto folder = std::filesystem::path(target.file).parent_path().filename().string();
+      if (!folder.empty()) target.name = folder + "/" + target.name;
+    }
+    const std::size_t number = ++seen[target.name];
+    if (number > 1) target.name += " (" + std::to_string(number) + ")";
+  }
+}
+
+}  // namespace
+
+std::vector<Target> import_targets(const TargetSource& source, const TargetOptions& options) {
+  const Plan plan = plan_of(source);
+  check_units(source, plan);
+  TargetOptions used = options;
+  used.test = source.test;
+  used.measure = source.measure;
+  if (source.loading) used.loading = source.loading;
+  std::optional<Specimens> specimens;
+  if (source.table) specimens.emplace(source);
+  std::vector<Target> targets;
+  for (const std::string& file : source.files) {
+    if (!std::filesystem::is_regular_file(file)) {
+      throw InputError(source.where, "files", file, "is not a file that can be read");
+    }
+    Target first;
+    first.file = file;
+    first.test = source.test;
+    first.measure = source.measure;
+    const std::string stem = std::filesystem::path(file).stem().string();
+    first.name = stem;
+    if (specimens) {
+      try {
+        specimens->add_groups(specimens->row_of(stem), first);
+      } catch (const InputError& error) {
+        reject(first, error.what());
+        targets.push_back(std::move(first));
+        continue;
+      }
+    }
+    std::optional<CsvTable> table;
+    try {
+      table.emplace(CsvTable::read(file, source.csv));
+    } catch (const InputError& error) {
+      reject(first, error.what());
+      targets.push_back(std::move(first));
+      continue;
+    }
+    const std::size_t strain =
+        table->find(plan.strain->column, plan.strain->where, plan.strain_field);
+    const bool pattern = plan.stress->column.find('*') != std::string::npos;
+    for (const std::size_t column : stress_columns(*table, *plan.stress, plan.stress_field)) {
+      if (!plan.stress->unit && table->units()[column].empty()) {
+        throw InputError(plan.stress->where, plan.stress_field, plan.stress->column,
+                         "needs a unit, as " + file + " gives none");
+      }
+      Target target = first;
+      if (pattern) target.name += ":" + table->names()[column];
+      if (table->torn_last_row()) {
+        target.repairs.push_back({"torn-last-row", 1, "the last row was cut off and is dropped"});
+      }
+      try {
+        read_curve(plan, *table, strain, column, specimens ? &*specimens : nullptr, stem, target);
+      } catch (const InputError& error) {
+        reject(target, error.what());
+        targets.push_back(std::move(target));
+        continue;
+      }
+      process_target(target, used);
+      targets.push_back(std::move(target));
+    }
+  }
+  make_names_unique(targets);
+  return targets;
+}
+
+}  // namespace plastica::calibrate

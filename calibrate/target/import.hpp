@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibrate/target/options.hpp"
+#include "calibrate/target/target.hpp"
+#include "plastica/base/check.hpp"
+#include "plastica/io/csv.hpp"
+
+namespace plastica::calibrate {
+
+/// A column of a file of curves.
+struct ColumnSource {
+  /// Name or number (from 1). A `*` stands for any characters: every column that matches is a
+  /// specimen of its own; only for stress or force.
+  std::string column;
+  std::optional<std::string> unit;  ///< empty: the file's own; a stress must have one of them
+  SourceLocation where;             ///< of the user's words, for error lines
+};
+
+/// A value of each specimen: one for all, or a column of the table.
+struct SpecimenValue {
+  std::optional<double> value;  ///< [SI] for all specimens; else:
+  std::string from;             ///< column of the table
+  std::optional<std::string> unit;
+  SourceLocation where;
+};
+
+/// A table beside the curves, one row a specimen.
+struct TableSource {
+  std::string file;
+  std::string key;  ///< column that holds the stem of the curve's file
+  io::CsvOptions csv;
+  SourceLocation where;
+};
+
+/// What a `[[target]]` block says: where the curves are and what their columns mean.
+struct TargetSource {
+  std::vector<std::string> files;  ///< paths, wildcards already expanded
+  SourceLocation where;            ///< of the block
+  Test test = Test::Tension;
+  Measure measure = Measure::Engineering;  ///< of the columns, as measured
+  std::optional<Loading> loading;          ///< empty: found out per specimen
+
+  // One of strain and elongation, one of stress and force; the latter of both in tension only.
+  std::optional<ColumnSource> strain;
+  std::optional<ColumnSource> elongation;
+  std::optional<SpecimenValue> gauge_length;
+  std::optional<ColumnSource> stress;
+  std::optional<ColumnSource> force;
+  std::optional<SpecimenValue> area;
+
+  std::optional<TableSource> table;
+  std::vector<std::string> group;  ///< columns of the table, copied as text to Target::group
+  io::CsvOptions csv;
+};
+
+/// Reads every specimen of a block and makes it a target; test, measure and loading of the block
+/// go before those of the options.
+///
+/// A name is the file's stem, with ":COLUMN" where a pattern chose the column and with the folder
+/// before it where stems are alike.
+/// @return a target per specimen in order of files and columns; one that cannot be read or
+///         repaired is Rejected with its reason
+/// @throws InputError for a block that contradicts itself, a file that is missing, a column that a
+///         file or table has not, a unit in the block that does not fit
+std::vector<Target> import_targets(const TargetSource& source, const TargetOptions& options = {});
+
+/// Proposes columns and units of a bare file of curves from their names and its unit row: strain
+/// (or elongation), stress (or force), in words and abbreviations of English and German
+/// laboratories; a unit may end a name ("Stress_MPa"). What is not found stays empty.
+TargetSource guess_source(const io::CsvTable& table);
+
+}  // namespace plastica::calibrate

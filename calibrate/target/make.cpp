@@ -1,0 +1,158 @@
+#include "calibrate/target/make.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "calibrate/target/characteristics.hpp"
+#include "calibrate/target/correct.hpp"
+#include "calibrate/target/repair.hpp"
+#include "plastica/base/check.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+void check_options(const TargetOptions& options) {
+  const auto must = [](bool right, const char* field, double value, const char* rule) {
+    if (!right) throw InputError({}, field, std::to_string(value), rule);
+  };
+  if (options.youngs_modulus) {
+    must(*options.youngs_modulus > 0.0, "youngs_modulus", *options.youngs_modulus,
+         "must be positive");
+  }
+  must(options.offset > 0.0, "offset", options.offset, "must be positive");
+  must(options.modulus_low >= 0.0 && options.modulus_low < options.modulus_high, "modulus_low",
+       options.modulus_low, "must be at least 0 and below modulus_high");
+  must(options.modulus_high <= 1.0, "modulus_high", options.modulus_high, "must be at most 1");
+  must(options.reversal_tolerance >= 0.0, "reversal_tolerance", options.reversal_tolerance,
+       "must not be negative");
+}
+
+void give_up(Target& target, TargetStatus status, std::string reason) {
+  target.status = status;
+  target.reason = std::move(reason);
+}
+
+/// Whether the curve ends on its elastic line, within its noise.
+bool elastic_to_the_end(const Curve& curve, double modulus, double noise, double yield) {
+  const std::size_t count = std::min<std::size_t>(5, curve.size());
+  double below = 0.0;
+  for (std::size_t i = curve.size() - count; i < curve.size(); ++i) {
+    below += modulus * curve.strain[i] - curve.stress[i];
+  }
+  return below / static_cast<double>(count) <= 3.0 * noise + 1e-6 * yield;
+}
+
+/// The rule of TargetOptions::min_samples.
+void check_sampling(Target& target, double noise, const TargetOptions& options) {
+  const Characteristics& c = target.characteristics;
+  const Curve& curve = target.corrected;
+  const double modulus = *c.youngs_modulus;
+  const double yield =
+      c.rp02 ? *c.rp02 : *std::max_element(curve.stress.begin(), curve.stress.end());
+  const double doubt = std::clamp(
+      5.0 * (c.youngs_modulus_stderr.value_or(0.0) / modulus + noise / yield), 1e-6, 0.1);
+  const double yield_strain = yield / modulus;
+  std::size_t elastic = 0;
+  std::size_t plateau = 0;
+  for (const double strain : curve.strain) {
+    elastic += strain <= yield_strain * (1.0 + doubt) ? 1 : 0;
+    plateau += strain >= yield_strain * (1.0 - doubt) ? 1 : 0;
+  }
+  const bool no_plateau = !c.rp02 && elastic_to_the_end(curve, modulus, noise, yield);
+  if (no_plateau) target.warnings.emplace_back("elastic to its end: the yield stress is not seen");
+  if (elastic >= options.min_samples && (no_plateau || plateau >= options.min_samples)) return;
+  give_up(target, TargetStatus::TooCoarse,
+          "too coarse: " + std::to_string(elastic) + " samples on the elastic part, " +
+              std::to_string(plateau) + " on the plateau, at least " +
+              std::to_string(options.min_samples) + " wanted on each");
+}
+
+void measure_break(Characteristics& c, double modulus) {
+  if (!c.observed_break) return;
+  c.break_strain = c.observed_break->strain();
+  c.break_strain_plastic = *c.break_strain - c.observed_break->last_whole_stress / modulus;
+}
+
+void measure(Target& target, const ElasticLine& line, const RawFacts& facts, double noise,
+             const TargetOptions& options) {
+  Characteristics& c = target.characteristics;
+  const Curve& curve = target.corrected;
+  c.youngs_modulus = line.modulus;
+  c.modulus_method = options.youngs_modulus                           ? "given"
+                     : options.modulus_method == ModulusMethod::Chord ? "chord"
+                                                                      : "regression";
+  if (c.modulus_method == "regression") c.youngs_modulus_stderr = line.modulus_stderr;
+  c.modulus_window_low = line.low;
+  c.modulus_window_high = line.high;
+  c.largest_strain = *std::max_element(curve.strain.begin(), curve.strain.end());
+  const auto peak = std::max_element(curve.stress.begin(), curve.stress.end());
+  c.rm = *peak;
+  if (facts.largest_has_strain || target.measure != options.measure) {
+    c.strain_at_rm = curve.strain[static_cast<std::size_t>(peak - curve.stress.begin())];
+  } else {
+    c.rm = facts.largest_stress;
+  }
+  measure_break(c, line.modulus);
+  if (target.loading == Loading::Cyclic) return;
+
+  c.offset = options.offset;
+  if (!sees_offset(line.modulus, options.offset, noise)) {
+    target.warnings.emplace_back("no proof stress: its offset is lost in the noise");
+  } else if (!elastic_to_the_end(curve, line.modulus, noise, *c.rm)) {
+    c.rp02 = proof_stress(curve.strain, curve.stress, line.modulus, 0.0, options.offset);
+  }
+  if (const auto point = find_yield_point(curve.stress, noise, options.yield_drop)) {
+    c.reh = point->upper;
+    c.rel = point->lower;
+  }
+}
+
+}  // namespace
+
+void process_target(Target& target, const TargetOptions& options) {
+  check_options(options);
+  target.test = options.test;
+  target.measure = options.measure;
+  if (target.raw.strain.size() != target.raw.stress.size()) {
+    throw InputError({}, target.name, "", "strain and stress must be equally long");
+  }
+  const RawFacts facts = drop_missing(target);
+  Curve& curve = target.corrected;
+  if (curve.size() == 0) {
+    return give_up(target, TargetStatus::Rejected, "no row has both strain and stress");
+  }
+  target.loading = options.loading ? *options.loading : find_loading(curve);
+  const bool monotonic = target.loading == Loading::Monotonic;
+  if (monotonic) {
+    if (!(*std::max_element(curve.stress.begin(), curve.stress.end()) > 0.0)) {
+      return give_up(target, TargetStatus::Rejected, "the stress is nowhere positive");
+    }
+    drop_foot_reversals(target, options.reversal_tolerance);
+  }
+  const double noise = noise_of(curve.stress);
+  const auto line = find_elastic_line(curve, target.loading, noise, options);
+  if (!line) {
+    const std::size_t samples = curve.size();
+    return give_up(target, TargetStatus::TooCoarse,
+                   "too coarse: the elastic part has fewer than 3 samples in the window of the "
+                   "modulus, or none that rise; the curve has " +
+                       std::to_string(samples));
+  }
+  trim_at_break(target, line->modulus, facts.extensometer_removed, options);
+  if (monotonic) drop_strain_reversals(target, options.reversal_tolerance);
+  shift_strain(target, *line, options);
+  if (!convert_to_true(target, options)) return;
+  measure(target, *line, facts, noise, options);
+  if (monotonic) check_sampling(target, noise, options);
+}
+
+Target make_target(std::string name, Curve raw, const TargetOptions& options) {
+  Target target;
+  target.name = std::move(name);
+  target.raw = std::move(raw);
+  process_target(target, options);
+  return target;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "calibrate/target/curve.hpp"
+
+namespace plastica::calibrate {
+
+/// Whether a correction follows its rule, is set by the user, or is off.
+struct CorrectionChoice {
+  enum class Mode { Automatic, Set, Off };
+  Mode mode = Mode::Automatic;
+  double amount = 0.0;  ///< with `Set` only; the correction says what it means
+};
+
+enum class ModulusMethod { Regression, Chord };
+
+/// How a measured curve becomes a target: repairs, corrections, characteristics.
+struct TargetOptions {
+  Test test = Test::Tension;
+  Measure measure = Measure::Engineering;  ///< what the samples are, as measured
+  /// Empty: found out. Cyclic if |stress| falls below half of its peak while the strain turns
+  /// back, and rises above that half again; the peak must reach half of the largest |stress|, as
+  /// many tension tests start with settling cycles far below the yield stress.
+  std::optional<Loading> loading;
+
+  // Repairs
+  double reversal_tolerance = 1e-5;  ///< [1] strain may fall this far below its maximum, monotonic
+
+  // Corrections
+  /// Toe (foot) compensation, amount: strain [1] taken off every sample. Automatic: the elastic
+  /// line meets zero stress further than `shift_threshold` of the yield strain and 6 standard
+  /// errors from zero strain, and the first sample is not on that line. Never automatic with a
+  /// given modulus (its line goes through the measured zero), on a cyclic curve, or by more than
+  /// the yield strain.
+  CorrectionChoice toe;
+  /// Preload offset, amount: strain [1] taken off every sample. Automatic: as the toe, but the
+  /// first sample is on the elastic line (nearer to it than half of the shift): the strain was
+  /// zeroed at another load.
+  CorrectionChoice preload;
+  double shift_threshold = 0.01;  ///< of the yield strain, see `toe`
+  /// Trim at break, amount: measured strain [1] beyond which the specimen is broken.
+  /// Automatic, after the largest stress, the first that holds:
+  /// - a run of samples that falls by `drop_share` of Rm or more, each step steeper than half
+  ///   the modulus: broken from the first sample below (1 - drop_share) of the run's start;
+  /// - one step that falls by half of Rm or more;
+  /// - a sample at or below `zero_share` of Rm;
+  /// - the data end at or below `end_share` of Rm (necked): broken within one more step.
+  /// Cyclic: only a last row of exactly zero after more than half of the largest |stress|.
+  CorrectionChoice trim;
+  double drop_share = 0.2;
+  double zero_share = 0.05;
+  double end_share = 0.9;
+  /// Convert engineering to true: strain ln(1 + e), stress s (1 + e). Tension only. Samples
+  /// beyond the strain at Rm are refused (cut, with the break) as the specimen necks there.
+  bool convert_to_true = false;
+  bool force_true = false;  ///< convert beyond Rm as well
+
+  // Characteristics
+  std::optional<double> youngs_modulus;  ///< [Pa] given: nothing is measured
+  ModulusMethod modulus_method = ModulusMethod::Regression;
+  /// Stress window of the modulus [Pa]; required for a chord. Empty: `modulus_low` to
+  /// `modulus_high` of the proof stress (of Rm if there is none). Widened in steps of 0.1: at both
+  /// ends, to at most 0 and 0.8, while it holds fewer than 3 samples; at the low end while the
+  /// modulus has a standard error above 3 %.
+  std::optional<std::pair<double, double>> modulus_window;
+  double modulus_low = 0.2;
+  double modulus_high = 0.6;
+  double offset = 0.002;  ///< [1] plastic strain of the proof stress
+  /// Smallest fall after an upper yield point, as a share of it; also at least 8 times the noise.
+  /// The stress must climb above it again, otherwise it is Rm.
+  double yield_drop = 0.003;
+
+  /// Samples wanted on the elastic part and on the plateau of a monotonic curve; fewer: TooCoarse.
+  /// They part at the yield strain, proof stress (or Rm) / modulus; those within its uncertainty
+  /// (5 standard errors, 1e-6 to 10 %) count for both. A curve that is elastic to its end has no
+  /// plateau to count.
+  std::size_t min_samples = 5;
+};
+
+}  // namespace plastica::calibrate

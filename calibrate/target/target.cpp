@@ -1,1 +1,0 @@
-#include "calibrate/target/target.hpp"

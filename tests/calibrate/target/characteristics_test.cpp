@@ -1,0 +1,130 @@
+#include "calibrate/target/characteristics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "calibrate/target/make.hpp"
+#include "plastica/base/check.hpp"
+#include "tests/calibrate/target/curves.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using plastica::testing::IdealPlastic;
+using plastica::testing::smooth_curve;
+
+/// Elastic to 300 MPa, a fall by `drop` of it, and hardening from there to 400 MPa or not at all.
+Curve with_yield_point(double drop, bool recovers) {
+  Curve curve;
+  for (int i = 0; i <= 30; ++i) {
+    curve.strain.push_back(5e-5 * i);
+    curve.stress.push_back(1e7 * i);
+  }
+  for (int i = 1; i <= 100; ++i) {
+    curve.strain.push_back(1.5e-3 + 1e-3 * i);
+    const double hardening = recovers && i > 20 ? 1.25e6 * (i - 20) : 0.0;
+    curve.stress.push_back(300e6 * (1.0 - drop) + hardening);
+  }
+  return curve;
+}
+
+TEST(Characteristics, NoiseIsZeroOnStraightPiecesAndRightOnNormalNoise) {
+  IdealPlastic test;
+  EXPECT_LT(noise_of(test.curve().stress), 1.0);  // Pa; rounding alone
+  test.noise = 0.01;
+  test.plateau = 2000;
+  EXPECT_NEAR(noise_of(test.curve().stress), 4e6, 0.4e6);
+}
+
+TEST(Characteristics, TheRegressionStatesItsWindowAndStandardError) {
+  const Characteristics c = make_target("smooth", smooth_curve(4000)).characteristics;
+  EXPECT_EQ(c.modulus_method, "regression");
+  EXPECT_NEAR(c.youngs_modulus.value(), 70e9, 0.1e9);
+  EXPECT_NEAR(c.modulus_window_low / c.rp02.value(), 0.2, 1e-3);
+  EXPECT_NEAR(c.modulus_window_high / c.rp02.value(), 0.6, 1e-3);
+  EXPECT_GT(c.youngs_modulus_stderr.value(), 0.0);
+}
+
+TEST(Characteristics, TheChordGoesThroughTheEndsOfItsWindow) {
+  TargetOptions options;
+  options.modulus_method = ModulusMethod::Chord;
+  options.modulus_window = {50e6, 150e6};
+  const Curve curve = with_yield_point(0.0, true);
+  const Characteristics c = make_target("chord", curve, options).characteristics;
+  EXPECT_EQ(c.modulus_method, "chord");
+  EXPECT_NEAR(c.youngs_modulus.value(), 200e9, 1e3);
+  EXPECT_EQ(c.modulus_window_low, 50e6);
+  EXPECT_FALSE(c.youngs_modulus_stderr.has_value());
+  options.modulus_window.reset();
+  EXPECT_THROW(make_target("chord", curve, options), InputError);
+}
+
+TEST(Characteristics, AGivenModulusIsTakenAsItIs) {
+  TargetOptions options;
+  options.youngs_modulus = 69e9;
+  const Characteristics c = make_target("given", smooth_curve(), options).characteristics;
+  EXPECT_EQ(c.modulus_method, "given");
+  EXPECT_EQ(c.youngs_modulus.value(), 69e9);
+  options.youngs_modulus = -1.0;
+  EXPECT_THROW(make_target("given", smooth_curve(), options), InputError);
+}
+
+TEST(Characteristics, TheProofStressIsInterpolatedAtTheLastCrossing) {
+  // stress = 100 MPa + 1 GPa e crosses 100 GPa (e - 0.002) at e = 0.3/99.
+  const std::vector<double> strain{0.0, 0.001, 0.002, 0.01};
+  const std::vector<double> stress{0.0, 101e6, 102e6, 110e6};
+  const auto proof = proof_stress(strain, stress, 100e9, 0.0, 0.002);
+  EXPECT_NEAR(proof.value(), 100e6 + 1e9 * 0.3 / 99.0, 1.0);
+  EXPECT_FALSE(proof_stress(strain, stress, 100e9, 0.0, 0.02).has_value());
+}
+
+TEST(Characteristics, TheOffsetOfTheProofStressCanBeSet) {
+  TargetOptions options;
+  options.offset = 0.01;
+  const Curve curve = smooth_curve(2000);
+  const auto later = make_target("1 %", curve, options).characteristics;
+  EXPECT_EQ(later.offset, 0.01);
+  EXPECT_GT(later.rp02.value(), make_target("0.2 %", curve).characteristics.rp02.value() + 3e6);
+}
+
+TEST(Characteristics, AYieldPointNeedsADropAboveTheThresholdAndARecovery) {
+  const Characteristics c = make_target("drop", with_yield_point(0.02, true)).characteristics;
+  EXPECT_EQ(c.reh.value(), 300e6);
+  EXPECT_NEAR(c.rel.value(), 294e6, 1.0);
+  EXPECT_FALSE(make_target("small", with_yield_point(0.001, true)).characteristics.reh);
+  EXPECT_FALSE(make_target("falls on", with_yield_point(0.02, false)).characteristics.reh);
+}
+
+TEST(Characteristics, ADropWithinTheNoiseIsNoYieldPoint) {
+  const std::vector<double> stress{0.0, 100.0, 200.0, 300.0, 294.0, 295.0, 350.0};
+  EXPECT_TRUE(find_yield_point(stress, 0.5, 0.003).has_value());
+  EXPECT_FALSE(find_yield_point(stress, 1.0, 0.003).has_value());
+}
+
+TEST(Characteristics, TheBreakStrainIsTheMiddleOfItsIntervalTotalAndPermanent) {
+  IdealPlastic test;
+  test.plateau = 99;
+  const Characteristics c = make_target("break", test.curve()).characteristics;
+  const double step = test.permanent_break / 99.5;
+  EXPECT_NEAR(c.break_strain_plastic.value(), test.permanent_break, 1e-12);
+  EXPECT_NEAR(c.break_strain.value(), test.permanent_break + test.yield_strain(), 1e-12);
+  EXPECT_NEAR(c.observed_break->half_interval(), 0.5 * step, 1e-12);
+  EXPECT_NEAR(c.largest_strain, test.yield_strain() + 99.0 * step, 1e-12);
+}
+
+TEST(Characteristics, ACyclicCurveThatStartsInCompressionHasAModulus) {
+  Curve curve;
+  for (int i = 0; i <= 400; ++i) {
+    const double strain = -0.004 * std::sin(0.0314159265 * i);
+    curve.strain.push_back(strain);
+    curve.stress.push_back(70e9 * strain);
+  }
+  const Target target = make_target("compression first", curve);
+  EXPECT_EQ(target.loading, Loading::Cyclic);
+  EXPECT_NEAR(target.characteristics.youngs_modulus.value(), 70e9, 1e3);
+}
+
+}  // namespace
+}  // namespace plastica::calibrate

@@ -1,0 +1,199 @@
+#include "calibrate/target/correct.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "calibrate/target/make.hpp"
+#include "tests/calibrate/target/curves.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using plastica::testing::IdealPlastic;
+using plastica::testing::smooth_curve;
+using Mode = CorrectionChoice::Mode;
+
+const Correction& find(const Target& target, const std::string& kind) {
+  for (const Correction& correction : target.corrections) {
+    if (correction.kind == kind) return correction;
+  }
+  throw std::runtime_error("no correction " + kind);
+}
+
+Curve shifted(double amount) {
+  Curve curve = smooth_curve(2000);
+  for (double& strain : curve.strain) strain += amount;
+  return curve;
+}
+
+/// A soft foot: the strain runs ahead by up to `amount` within the first 50 MPa.
+Curve with_foot(double amount) {
+  Curve curve = smooth_curve(2000);
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    curve.strain[i] += amount * (1.0 - std::exp(-curve.stress[i] / 8e6));
+  }
+  return curve;
+}
+
+/// A smooth curve that falls on from its largest stress along given shares of it.
+Curve ending_with(std::initializer_list<double> shares, double step = 1e-7) {
+  Curve curve = smooth_curve();
+  const double rm = curve.stress.back();
+  for (const double share : shares) {
+    curve.strain.push_back(curve.strain.back() + step);
+    curve.stress.push_back(share * rm);
+  }
+  return curve;
+}
+
+TEST(Correction, ShiftsAFootAway) {
+  const Target target = make_target("foot", with_foot(4e-4));
+  EXPECT_TRUE(find(target, "toe").applied);
+  EXPECT_FALSE(find(target, "preload-offset").applied);
+  EXPECT_NEAR(find(target, "toe").amount, 4e-4, 2e-5);
+  EXPECT_NEAR(target.corrected.strain.back(), target.raw.strain.back() - 4e-4, 2e-5);
+}
+
+TEST(Correction, ShiftsAnOffsetOfTheExtensometerAway) {
+  const Target target = make_target("offset", shifted(6e-4));
+  EXPECT_TRUE(find(target, "preload-offset").applied);
+  EXPECT_FALSE(find(target, "toe").applied);
+  EXPECT_NEAR(find(target, "preload-offset").amount, 6e-4, 1e-6);
+  EXPECT_NEAR(target.corrected.strain.front(), 0.0, 1e-6);
+}
+
+TEST(Correction, LeavesAShiftBelowTheThreshold) {
+  // Threshold: 1 % of about 300 MPa / 70 GPa.
+  const Target below = make_target("below", shifted(3e-5));
+  EXPECT_FALSE(find(below, "preload-offset").applied);
+  EXPECT_FALSE(find(below, "preload-offset").text.empty());
+  EXPECT_EQ(below.corrected.strain, below.raw.strain);
+  EXPECT_TRUE(find(make_target("above", shifted(6e-5)), "preload-offset").applied);
+}
+
+TEST(Correction, DoesNotShiftACurveWhoseModulusIsGiven) {
+  TargetOptions options;
+  options.youngs_modulus = 70e9;
+  const Target target = make_target("given", with_foot(4e-4), options);
+  EXPECT_FALSE(find(target, "toe").applied);
+  EXPECT_NE(find(target, "toe").text.find("given"), std::string::npos);
+  EXPECT_EQ(target.corrected.strain, target.raw.strain);
+}
+
+TEST(Correction, DoesNotShiftACyclicCurve) {
+  TargetOptions options;
+  options.loading = Loading::Cyclic;
+  const Target target = make_target("cyclic", shifted(6e-4), options);
+  EXPECT_EQ(target.corrected.strain, target.raw.strain);
+}
+
+TEST(Correction, CanBeSwitchedOffOrSet) {
+  TargetOptions options;
+  options.toe.mode = Mode::Off;
+  const Target off = make_target("off", with_foot(4e-4), options);
+  EXPECT_FALSE(find(off, "toe").applied);
+  EXPECT_EQ(find(off, "toe").text, "off");
+  EXPECT_EQ(off.corrected.strain, off.raw.strain);
+  options.toe = {Mode::Set, 1e-3};
+  const Target set = make_target("set", with_foot(4e-4), options);
+  EXPECT_TRUE(find(set, "toe").applied);
+  EXPECT_EQ(find(set, "toe").amount, 1e-3);
+  EXPECT_EQ(set.corrected.strain.back(), set.raw.strain.back() - 1e-3);
+}
+
+TEST(Correction, TrimsAtAnExplicitFallToZero) {
+  const Target target = make_target("zero", ending_with({0.0}));
+  ASSERT_TRUE(target.characteristics.observed_break.has_value());
+  EXPECT_EQ(target.characteristics.observed_break->rule, "fall-to-zero");
+  EXPECT_EQ(target.corrected.size(), 500U);
+  EXPECT_EQ(find(target, "trim-at-break").amount, 1.0);
+}
+
+TEST(Correction, TrimsAtASteepDropOfTheLoadThatDecaysOverManySamples) {
+  const Target target = make_target("decay", ending_with({0.97, 0.9, 0.7, 0.4, 0.3, 0.2, 0.15}));
+  ASSERT_TRUE(target.characteristics.observed_break.has_value());
+  const BreakObservation& seen = *target.characteristics.observed_break;
+  EXPECT_EQ(seen.rule, "load-drop");
+  EXPECT_EQ(target.corrected.size(), 502U);  // 0.97 and 0.9 still carry load
+  EXPECT_NEAR(seen.first_broken_strain - seen.last_whole_strain, 1e-7, 1e-12);
+}
+
+TEST(Correction, TakesSlowSofteningForANeckNotForABreak) {
+  const Target target = make_target("neck", ending_with({0.99, 0.97, 0.95, 0.93, 0.91}, 0.005));
+  EXPECT_FALSE(target.characteristics.observed_break.has_value());
+  EXPECT_EQ(target.corrected.size(), 505U);
+}
+
+TEST(Correction, TakesTheEndOfTheDataForTheBreakOfANeckedSpecimen) {
+  const Target target = make_target("end", ending_with({0.97, 0.92, 0.86}, 0.005));
+  ASSERT_TRUE(target.characteristics.observed_break.has_value());
+  const BreakObservation& seen = *target.characteristics.observed_break;
+  EXPECT_EQ(seen.rule, "end-of-data");
+  EXPECT_EQ(target.corrected.size(), 503U);
+  EXPECT_NEAR(seen.half_interval(), 0.0025, 1e-12);
+}
+
+TEST(Correction, DoesNotTakeTheEndOfTheStrainForABreakWhenTheLoadGoesOn) {
+  Curve curve = ending_with({0.97, 0.92, 0.86, 0.5}, 0.005);
+  curve.strain.back() = std::numeric_limits<double>::quiet_NaN();
+  const Target target = make_target("removed", curve);
+  EXPECT_FALSE(target.characteristics.observed_break.has_value());
+  EXPECT_EQ(find(target, "trim-at-break").text, "the strain ends before the break");
+}
+
+TEST(Correction, TrimCanBeSwitchedOffOrSet) {
+  TargetOptions options;
+  options.trim.mode = Mode::Off;
+  const Target off = make_target("off", ending_with({0.0}), options);
+  EXPECT_EQ(off.corrected.size(), 501U);
+  EXPECT_FALSE(off.characteristics.observed_break.has_value());
+  options.trim = {Mode::Set, 0.05};
+  const Target set = make_target("set", ending_with({0.0}), options);
+  EXPECT_EQ(set.corrected.size(), 250U);
+  EXPECT_EQ(set.characteristics.observed_break->rule, "set");
+}
+
+TEST(Correction, CutsACyclicCurveOnlyAtAFinalZero) {
+  TargetOptions options;
+  options.loading = Loading::Cyclic;
+  EXPECT_EQ(make_target("zero", ending_with({0.0}), options).corrected.size(), 500U);
+  EXPECT_EQ(make_target("low", ending_with({0.1}), options).corrected.size(), 501U);
+}
+
+TEST(Correction, ConvertsToTrueUpToRmAndRefusesTheNeck) {
+  TargetOptions options;
+  options.convert_to_true = true;
+  const Curve curve = ending_with({0.99, 0.97}, 0.005);
+  const Target target = make_target("true", curve, options);
+  EXPECT_EQ(target.measure, Measure::True);
+  ASSERT_EQ(target.corrected.size(), 500U);
+  EXPECT_NEAR(target.corrected.strain.back(), std::log(1.1), 1e-12);
+  EXPECT_NEAR(target.corrected.stress.back(), curve.stress[499] * 1.1, 1.0);
+  ASSERT_FALSE(target.warnings.empty());
+  EXPECT_NE(target.warnings[0].find("2 samples"), std::string::npos);
+  options.force_true = true;
+  EXPECT_EQ(make_target("forced", curve, options).corrected.size(), 502U);
+}
+
+TEST(Correction, RefusesToConvertATorsionCurve) {
+  TargetOptions options;
+  options.convert_to_true = true;
+  options.test = calibrate::Test::Torsion;
+  EXPECT_EQ(make_target("torsion", smooth_curve(), options).status, TargetStatus::Rejected);
+}
+
+TEST(Correction, FindsTheBreakOfANoisyPlateauToTheSample) {
+  IdealPlastic test;
+  test.noise = 0.01;
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const Curve curve = test.curve(seed);
+    const auto found = find_break(curve, Loading::Monotonic, test.modulus, false, {});
+    ASSERT_TRUE(found.has_value()) << seed;
+    EXPECT_EQ(found->whole, test.whole()) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace plastica::calibrate

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+
+#include "calibrate/target/curve.hpp"
+
+namespace plastica::testing {
+
+/// An ideal-plastic tension test: clamp(E e) up to the break, then zero stress.
+struct IdealPlastic {
+  double modulus = 200e9;
+  double yield_stress = 400e6;
+  double permanent_break = 0.05;
+  std::size_t elastic = 40;   ///< steps on the elastic part
+  std::size_t plateau = 100;  ///< samples beyond it
+  std::size_t broken = 3;
+  double noise = 0.0;  ///< standard deviation over the yield stress
+
+  double yield_strain() const { return yield_stress / modulus; }
+
+  /// Evenly spaced on the elastic part and on the plateau; the break falls half a step after the
+  /// last whole sample.
+  calibrate::Curve curve(unsigned seed = 1) const {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal(0.0, noise > 0.0 ? noise * yield_stress : 1.0);
+    calibrate::Curve out;
+    const auto add = [&](double strain, double stress) {
+      out.strain.push_back(strain);
+      out.stress.push_back(stress + (noise > 0.0 ? normal(random) : 0.0));
+    };
+    for (std::size_t i = 0; i <= elastic; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(elastic);
+      add(share * yield_strain(), share * yield_stress);
+    }
+    const double step = permanent_break / (static_cast<double>(plateau) + 0.5);
+    for (std::size_t i = 1; i <= plateau + broken; ++i) {
+      add(yield_strain() + step * static_cast<double>(i), i <= plateau ? yield_stress : 0.0);
+    }
+    return out;
+  }
+  std::size_t whole() const { return elastic + 1 + plateau; }
+};
+
+/// A smooth curve with hardening, as of an aluminium alloy: 70 GPa, 300 MPa, to 10 %.
+inline calibrate::Curve smooth_curve(std::size_t samples = 500, double end = 0.1) {
+  calibrate::Curve out;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double strain = end * static_cast<double>(i) / static_cast<double>(samples - 1);
+    const double elastic = 70e9 * strain;
+    const double plastic = 300e6 + 5e8 * strain;
+    out.strain.push_back(strain);
+    out.stress.push_back(elastic / std::pow(1.0 + std::pow(elastic / plastic, 12.0), 1.0 / 12.0));
+  }
+  return out;
+}
+
+}  // namespace plastica::testing

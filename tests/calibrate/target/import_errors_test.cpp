@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "calibrate/target/import.hpp"
+#include "plastica/base/check.hpp"
+#include "tests/calibrate/target/curve_files.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using plastica::testing::CurveFiles;
+
+/// Runs an import that must fail and checks the line and field of its error.
+void expect_error(const TargetSource& source, int line, const std::string& field,
+                  const std::string& rule) {
+  try {
+    import_targets(source);
+    FAIL() << "no error for " << field;
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where().line, line) << error.what();
+    EXPECT_EQ(error.field(), field) << error.what();
+    EXPECT_NE(error.rule().find(rule), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+  }
+}
+
+TEST(ImportErrors, NameTheLineAndFieldOfABlockThatContradictsItself) {
+  const CurveFiles files("errors");
+  const TargetSource good = CurveFiles::source({files.write_curve("one.csv", 1.0, 1e-6)});
+  TargetSource bad = good;
+  bad.files.clear();
+  expect_error(bad, 3, "files", "at least one");
+  bad = good;
+  bad.strain.reset();
+  expect_error(bad, 3, "strain", "either");
+  bad = good;
+  bad.force = bad.stress;
+  expect_error(bad, 3, "stress", "either");
+  bad = good;
+  bad.elongation = bad.strain;
+  bad.strain.reset();
+  expect_error(bad, 3, "gauge_length", "required");
+  bad = good;
+  bad.force = bad.stress;
+  bad.stress.reset();
+  expect_error(bad, 3, "area", "required");
+  bad.area = SpecimenValue{-1.0, "", std::nullopt, {"fit.toml", 9}};
+  expect_error(bad, 9, "area", "positive");
+  bad.area = SpecimenValue{std::nullopt, "S0", std::nullopt, {"fit.toml", 9}};
+  expect_error(bad, 9, "area", "needs a table");
+  bad.test = calibrate::Test::Torsion;
+  expect_error(bad, 3, "test", "tension");
+  bad = good;
+  bad.group = {"lot"};
+  expect_error(bad, 3, "group", "needs a table");
+  bad = good;
+  bad.strain->column = "a*";
+  expect_error(bad, 5, "strain", "one column");
+}
+
+TEST(ImportErrors, NameTheLineAndFieldOfWhatIsNotThere) {
+  const CurveFiles files("missing");
+  const TargetSource good = CurveFiles::source({files.write_curve("one.csv", 1.0, 1e-6)});
+  TargetSource bad = good;
+  bad.files.push_back(files.path("nowhere.csv"));
+  expect_error(bad, 3, "files", "is not a file");
+  bad = good;
+  bad.strain->column = "nowhere";
+  expect_error(bad, 5, "strain", "");
+  bad = good;
+  bad.stress->column = "nowhere_*";
+  expect_error(bad, 6, "stress", "matches no column");
+  bad = good;
+  bad.stress->unit = "mm";
+  expect_error(bad, 6, "stress", "");
+  bad = good;
+  bad.table = TableSource{
+      files.write("info.csv", "id,lot\none,A\ntwo,B\n"), "nowhere", {}, {"fit.toml", 8}};
+  expect_error(bad, 8, "key", "");
+  bad.table->key = "id";
+  bad.group = {"nowhere"};
+  expect_error(bad, 3, "group", "");
+}
+
+TEST(ImportErrors, AStressWithoutAnyUnitIsOneOfTheBlock) {
+  const CurveFiles files("no_unit");
+  TargetSource source = CurveFiles::source({files.write_curve("one.csv", 1.0, 1e-6)});
+  source.stress->unit.reset();
+  expect_error(source, 6, "stress", "");
+}
+
+}  // namespace
+}  // namespace plastica::calibrate

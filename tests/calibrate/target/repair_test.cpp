@@ -1,0 +1,145 @@
+#include "calibrate/target/repair.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "calibrate/target/make.hpp"
+#include "tests/calibrate/target/curves.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using plastica::testing::smooth_curve;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std::size_t count_of(const Target& target, const std::string& kind) {
+  for (const Repair& repair : target.repairs) {
+    if (repair.kind == kind) return repair.count;
+  }
+  return 0;
+}
+
+Curve settling_cycles(double peak_share) {
+  const Curve smooth = smooth_curve();
+  Curve curve;
+  std::size_t top = 0;
+  while (smooth.stress[top] < peak_share * 350e6) ++top;
+  for (std::size_t i = 0; i <= top; ++i) {
+    curve.strain.push_back(smooth.strain[i]);
+    curve.stress.push_back(smooth.stress[i]);
+  }
+  for (std::size_t i = top; i-- > 0;) {
+    curve.strain.push_back(smooth.strain[top] - smooth.stress[top] / 70e9 +
+                           smooth.stress[i] / 70e9);
+    curve.stress.push_back(smooth.stress[i]);
+  }
+  for (std::size_t i = 1; i < smooth.size(); ++i) {
+    curve.strain.push_back(smooth.strain[i]);
+    curve.stress.push_back(smooth.stress[i]);
+  }
+  return curve;
+}
+
+TEST(Repair, LeavesACleanCurveAlone) {
+  const Curve clean = smooth_curve();
+  const Target target = make_target("clean", clean);
+  EXPECT_EQ(target.status, TargetStatus::Ready) << target.reason;
+  EXPECT_TRUE(target.repairs.empty());
+  EXPECT_EQ(target.corrected.strain, clean.strain);
+  EXPECT_EQ(target.corrected.stress, clean.stress);
+}
+
+TEST(Repair, DropsAndCountsRowsWithoutNumbers) {
+  Curve curve = smooth_curve();
+  curve.strain[100] = kNan;
+  curve.stress[200] = kNan;
+  curve.stress[300] = std::numeric_limits<double>::infinity();
+  const Target target = make_target("holes", curve);
+  EXPECT_EQ(count_of(target, "nan-rows"), 3U);
+  EXPECT_EQ(count_of(target, "extensometer-removed"), 0U);
+  EXPECT_EQ(target.corrected.size(), 497U);
+  EXPECT_EQ(target.raw.size(), 500U);
+}
+
+TEST(Repair, TakesRmFromTheRowsAfterTheExtensometerWasRemoved) {
+  Curve curve = smooth_curve();
+  const double rm = curve.stress.back();
+  for (std::size_t i = 200; i < curve.size(); ++i) curve.strain[i] = kNan;
+  const Target target = make_target("removed", curve);
+  EXPECT_EQ(target.status, TargetStatus::Ready) << target.reason;
+  EXPECT_EQ(count_of(target, "extensometer-removed"), 300U);
+  EXPECT_EQ(target.characteristics.rm, rm);
+  EXPECT_FALSE(target.characteristics.strain_at_rm.has_value());
+  EXPECT_FALSE(target.characteristics.observed_break.has_value());
+}
+
+TEST(Repair, DropsSamplesEqualToTheOneBefore) {
+  Curve curve = smooth_curve();
+  curve.strain.insert(curve.strain.begin() + 50, curve.strain[50]);
+  curve.stress.insert(curve.stress.begin() + 50, curve.stress[50]);
+  const Target target = make_target("twins", curve);
+  EXPECT_EQ(count_of(target, "duplicates"), 1U);
+  EXPECT_EQ(target.corrected.size(), 500U);
+}
+
+TEST(Repair, DropsStrainThatRunsBackBeyondTheToleranceAndKeepsLess) {
+  Curve curve = smooth_curve();
+  curve.strain[300] = curve.strain[299] - 2e-5;
+  EXPECT_EQ(count_of(make_target("beyond", curve), "strain-reversals"), 1U);
+  curve.strain[300] = curve.strain[299] - 5e-6;
+  EXPECT_EQ(count_of(make_target("within", curve), "strain-reversals"), 0U);
+  TargetOptions options;
+  options.reversal_tolerance = 1e-6;
+  EXPECT_EQ(count_of(make_target("strict", curve, options), "strain-reversals"), 1U);
+}
+
+TEST(Repair, StartsAFootThatRanBackwardsAtItsLeastStrain) {
+  Curve curve = smooth_curve(2000);
+  for (double& strain : curve.strain) strain -= 5e-4;
+  Curve foot;  // from zero back to the least strain, with little load
+  for (int i = 0; i < 5; ++i) {
+    foot.strain.push_back(-1e-4 * i);
+    foot.stress.push_back(-1e3 * (5 - i));
+  }
+  foot.strain.insert(foot.strain.end(), curve.strain.begin(), curve.strain.end());
+  foot.stress.insert(foot.stress.end(), curve.stress.begin(), curve.stress.end());
+  const Target target = make_target("foot", foot);
+  EXPECT_EQ(count_of(target, "foot-reversals"), 5U);
+  EXPECT_EQ(target.corrected.size(), 2000U);
+  EXPECT_NEAR(target.corrected.strain.front(), 0.0, 1e-6);
+}
+
+TEST(Repair, TakesSettlingCyclesBelowHalfOfTheLargestStressForMonotonic) {
+  const Target target = make_target("settling", settling_cycles(0.3));
+  EXPECT_EQ(target.loading, Loading::Monotonic);
+  EXPECT_GT(count_of(target, "strain-reversals"), 0U);
+}
+
+TEST(Repair, TakesUnloadingBeyondHalfOfTheLargestStressForCyclicAndKeepsIt) {
+  const Curve curve = settling_cycles(0.8);
+  const Target target = make_target("cyclic", curve);
+  EXPECT_EQ(target.loading, Loading::Cyclic);
+  EXPECT_EQ(count_of(target, "strain-reversals"), 0U);
+  EXPECT_EQ(find_loading(curve), Loading::Cyclic);
+}
+
+TEST(Repair, FollowsALoadingThatIsGiven) {
+  TargetOptions options;
+  options.loading = Loading::Monotonic;
+  const Target target = make_target("given", settling_cycles(0.8), options);
+  EXPECT_EQ(target.loading, Loading::Monotonic);
+  EXPECT_GT(count_of(target, "strain-reversals"), 0U);
+  options.loading = Loading::Cyclic;
+  EXPECT_EQ(make_target("given", smooth_curve(), options).loading, Loading::Cyclic);
+}
+
+TEST(Repair, TakesALoadDropForABreakNotForUnloading) {
+  plastica::testing::IdealPlastic test;
+  EXPECT_EQ(find_loading(test.curve()), Loading::Monotonic);
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
