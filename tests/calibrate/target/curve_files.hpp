@@ -1,5 +1,7 @@
 #pragma once
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -14,7 +16,8 @@ namespace plastica::testing {
 class CurveFiles {
  public:
   explicit CurveFiles(const std::string& test)
-      : folder_(std::filesystem::temp_directory_path() / ("plastica_target_" + test)) {
+      : folder_(std::filesystem::temp_directory_path() /
+                ("plastica_target_" + test + "_" + std::to_string(getpid()))) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
