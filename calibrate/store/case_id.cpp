@@ -1,0 +1,51 @@
+#include "calibrate/store/case_id.hpp"
+
+#include <variant>
+
+#include "calibrate/store/record_bytes.hpp"
+#include "plastica/base/version.hpp"
+#include "plastica/io/digest.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using io::ByteWriter;
+
+void put_setup(ByteWriter& writer, const Setup& setup) {
+  for (const Field& field : fields()) {
+    const FieldValue value = field.get(setup);
+    writer.put(field.path).put(std::uint64_t{value.index()});
+    if (const auto* number = std::get_if<double>(&value)) writer.put(*number);
+    if (const auto* word = std::get_if<std::string>(&value)) writer.put(*word);
+  }
+}
+
+void put_parameter(ByteWriter& writer, const Parameter& p) {
+  writer.put(p.field->path).put(p.role).put(p.value).put(p.lower).put(p.upper).put(p.scale);
+  writer.put(p.tied_to != nullptr ? p.tied_to->path : std::string_view()).put(p.factor);
+}
+
+}  // namespace
+
+std::uint64_t digest_of(const FitOptions& options) {
+  ByteWriter writer;
+  writer.put(version()).put(instruction_set());
+  put_setup(writer, options.setup);
+  writer.put(std::uint64_t{options.parameters.size()});
+  for (const Parameter& parameter : options.parameters) put_parameter(writer, parameter);
+  writer.put(options.objective).put(options.noise).put(options.break_weight);
+  writer.put(options.algorithm);
+  writer.put(options.stopping.global_evaluations).put(options.stopping.local_evaluations);
+  writer.put(options.stopping.parameter_tolerance).put(options.stopping.cost_tolerance);
+  writer.put(options.seed).put(options.confidence);
+  return io::Digest().bytes(writer.bytes()).value();
+}
+
+std::string case_id(const Target& target, std::uint64_t options_digest) {
+  ByteWriter writer;
+  put_deciding_parts(writer, target);
+  const auto digest = io::Digest().integer(options_digest).bytes(writer.bytes()).value();
+  return target.name + ' ' + io::hexadecimal(digest);
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,231 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "calibrate/fit/options.hpp"
+#include "calibrate/fit/result.hpp"
+#include "plastica/io/hdf5.hpp"
+
+/// Tables of a result file: a group with one dataset a column and an element a row; not installed.
+///
+/// Which columns a table has is said once, by a function that calls `columns(NAME, UNITS, MEMBER)`
+/// for each; a ColumnWriter then writes them and a ColumnReader fills the rows from them.
+namespace plastica::calibrate::store {
+
+/// How hard numbers are deflated: more costs much time and saves little.
+inline constexpr int kDeflate = 1;
+
+/// The words of an enumeration in files, in the order of its enumerators.
+template <typename Enum>
+std::span<const std::string_view> words_of() {
+  using namespace std::string_view_literals;
+  if constexpr (std::is_same_v<Enum, FitStatus>) {
+    static constexpr std::array kWords{"fitted"sv, "failed"sv, "rejected"sv};
+    return kWords;
+  } else if constexpr (std::is_same_v<Enum, TargetStatus>) {
+    static constexpr std::array kWords{"ready"sv, "too-coarse"sv, "rejected"sv};
+    return kWords;
+  } else if constexpr (std::is_same_v<Enum, Measure>) {
+    static constexpr std::array kWords{"engineering"sv, "true"sv};
+    return kWords;
+  } else if constexpr (std::is_same_v<Enum, Loading>) {
+    static constexpr std::array kWords{"monotonic"sv, "cyclic"sv};
+    return kWords;
+  } else if constexpr (std::is_same_v<Enum, ParameterRole>) {
+    static constexpr std::array kWords{"free"sv, "fixed"sv, "tied"sv};
+    return kWords;
+  } else if constexpr (std::is_same_v<Enum, ParameterScale>) {
+    static constexpr std::array kWords{"auto"sv, "linear"sv, "logarithmic"sv};
+    return kWords;
+  } else if constexpr (std::is_same_v<Enum, Objective>) {
+    static constexpr std::array kWords{"strain-path"sv, "least-squares"sv};
+    return kWords;
+  } else {
+    static_assert(std::is_same_v<Enum, Test>);
+    static const std::span<const std::string_view> words =
+        find_field_or_null("drive.deformation")->choices;
+    return words;
+  }
+}
+
+template <typename Enum>
+std::string word_of(Enum value) {
+  return std::string(words_of<Enum>()[static_cast<std::size_t>(value)]);
+}
+
+/// @throws InputError if the word is none of the enumeration's
+template <typename Enum>
+Enum enumerator_of(const io::Hdf5Group& group, std::string_view name, const std::string& word) {
+  const auto words = words_of<Enum>();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == word) return static_cast<Enum>(i);
+  }
+  throw InputError({group.file(), 0}, group.path() + "/" + std::string(name), word,
+                   "is not a word of this column");
+}
+
+/// The element type of a column in the file.
+template <typename Value>
+using Stored = std::conditional_t<
+    std::is_same_v<Value, bool>, std::uint8_t,
+    std::conditional_t<std::is_same_v<Value, int>, std::int64_t,
+                       std::conditional_t<std::is_integral_v<Value>, std::uint64_t, double>>>;
+
+/// @tparam Row  a null row is missing: NaN, 0 or no text
+template <typename Row>
+class ColumnWriter {
+ public:
+  ColumnWriter(io::Hdf5Group& group, std::vector<const Row*> rows)
+      : group_(group), rows_(std::move(rows)) {}
+
+  template <typename Member>
+  void operator()(std::string_view name, std::string_view units, const Member& member) {
+    using Value = std::remove_cvref_t<decltype(member(std::declval<const Row&>()))>;
+    if constexpr (std::is_same_v<Value, std::string> || std::is_enum_v<Value>) {
+      std::vector<std::string> texts(rows_.size());
+      for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (rows_[i] != nullptr) texts[i] = text(member(*rows_[i]));
+      }
+      group_.write_texts(name, texts);
+    } else {
+      std::vector<Stored<Value>> values(rows_.size(), missing<Stored<Value>>());
+      for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (rows_[i] != nullptr) values[i] = number(member(*rows_[i]));
+      }
+      group_.write(name, values, {units, kDeflate});
+    }
+  }
+
+  /// Columns of a part that not every row has; the column `name` says which do.
+  template <typename Member, typename Columns>
+  void part(std::string_view name, const Member& member, const Columns& columns) {
+    using Part = typename std::remove_cvref_t<decltype(member(*rows_[0]))>::value_type;
+    std::vector<const Part*> parts(rows_.size(), nullptr);
+    std::vector<std::uint8_t> present(rows_.size(), 0);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const auto& there = member(*rows_[i]);
+      if (there) parts[i] = &*there;
+      present[i] = there.has_value();
+    }
+    group_.write(name, present, {{}, kDeflate});
+    ColumnWriter<Part> writer(group_, std::move(parts));
+    columns(writer);
+  }
+
+  /// Columns that only those rows have for which `condition` holds.
+  template <typename Condition, typename Columns>
+  void only(const Condition& condition, const Columns& columns) {
+    ColumnWriter writer(group_, rows_);
+    for (const Row*& row : writer.rows_) {
+      if (!condition(*row)) row = nullptr;
+    }
+    columns(writer);
+  }
+
+ private:
+  static std::string text(const std::string& value) { return value; }
+  template <typename Enum>
+  static std::string text(Enum value) requires std::is_enum_v<Enum> {
+    return word_of(value);
+  }
+  template <typename Value>
+  static Stored<Value> number(Value value) {
+    return static_cast<Stored<Value>>(value);
+  }
+  static double number(const std::optional<double>& value) { return value.value_or(missing()); }
+  template <typename T = double>
+  static T missing() {
+    if constexpr (std::is_floating_point_v<T>) return std::numeric_limits<T>::quiet_NaN();
+    return T{};
+  }
+
+  io::Hdf5Group& group_;
+  std::vector<const Row*> rows_;
+};
+
+template <typename Row>
+class ColumnReader {
+ public:
+  ColumnReader(const io::Hdf5Group& group, std::vector<Row*> rows)
+      : group_(group), rows_(std::move(rows)) {}
+
+  template <typename Member>
+  void operator()(std::string_view name, std::string_view /*units*/, const Member& member) {
+    using Value = std::remove_cvref_t<decltype(member(std::declval<Row&>()))>;
+    if constexpr (std::is_same_v<Value, std::string> || std::is_enum_v<Value>) {
+      std::vector<std::string> texts = checked(name, group_.read_texts(name));
+      for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (rows_[i] != nullptr) set(member(*rows_[i]), name, std::move(texts[i]));
+      }
+    } else {
+      const auto values = checked(name, group_.template read<Stored<Value>>(name));
+      for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (rows_[i] != nullptr) set(member(*rows_[i]), values[i]);
+      }
+    }
+  }
+
+  template <typename Member, typename Columns>
+  void part(std::string_view name, const Member& member, const Columns& columns) {
+    using Part = typename std::remove_cvref_t<decltype(member(*rows_[0]))>::value_type;
+    const auto present = checked(name, group_.template read<std::uint8_t>(name));
+    std::vector<Part*> parts(rows_.size(), nullptr);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (present[i] != 0) parts[i] = &member(*rows_[i]).emplace();
+    }
+    ColumnReader<Part> reader(group_, std::move(parts));
+    columns(reader);
+  }
+
+  template <typename Condition, typename Columns>
+  void only(const Condition& condition, const Columns& columns) {
+    ColumnReader reader(group_, rows_);
+    for (Row*& row : reader.rows_) {
+      if (!condition(*row)) row = nullptr;
+    }
+    columns(reader);
+  }
+
+ private:
+  template <typename Values>
+  Values checked(std::string_view name, Values values) const {
+    if (values.size() == rows_.size()) return values;
+    throw InputError({group_.file(), 0}, group_.path() + "/" + std::string(name),
+                     std::to_string(values.size()) + " rows",
+                     "must have " + std::to_string(rows_.size()) + ", as the rest of its table");
+  }
+
+  static void set(std::string& value, std::string_view, std::string&& text) {
+    value = std::move(text);
+  }
+  template <typename Enum>
+  void set(Enum& value, std::string_view name,
+           const std::string& text) const requires std::is_enum_v<Enum> {
+    value = enumerator_of<Enum>(group_, name, text);
+  }
+  template <typename Value, typename Number>
+  static void set(Value& value, Number number) {
+    if constexpr (std::is_same_v<Value, bool>) {
+      value = number != 0;
+    } else {
+      value = static_cast<Value>(number);
+    }
+  }
+  static void set(std::optional<double>& value, double number) {
+    value.reset();
+    if (number == number) value = number;  // NaN: missing
+  }
+
+  const io::Hdf5Group& group_;
+  std::vector<Row*> rows_;
+};
+
+}  // namespace plastica::calibrate::store

@@ -1,0 +1,206 @@
+#include <algorithm>
+
+#include "calibrate/store/columns.hpp"
+#include "calibrate/store/fit_store.hpp"
+#include "calibrate/store/layout.hpp"
+#include "calibrate/store/stored_options.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+/// Fills records from a file, of which it knows how many there are.
+class StoreReader {
+ public:
+  StoreReader(const io::Hdf5Group& root, std::vector<FitRecord>& records, const FitOptions& options)
+      : root_(root), records_(records), options_(options) {}
+
+  template <typename Columns, typename Member>
+  void table(const std::string& path, const Columns& columns, const Member& member) {
+    using Row = std::remove_cvref_t<decltype(member(records_[0]))>;
+    std::vector<Row*> rows;
+    rows.reserve(records_.size());
+    for (FitRecord& record : records_) rows.push_back(&member(record));
+    read_columns(path, std::move(rows), columns);
+  }
+
+  template <typename Member, typename Columns>
+  void list(const std::string& path, const Member& member, const Columns& columns) {
+    using Row = typename std::remove_cvref_t<decltype(member(records_[0]))>::value_type;
+    const auto fits = root_.read<std::uint64_t>(path + "/fit");
+    for (const std::uint64_t fit : fits) {
+      if (fit >= records_.size()) refuse(path + "/fit", "names a fit that is not in the file");
+      member(records_[fit]).emplace_back();
+    }
+    std::vector<std::size_t> next(records_.size(), 0);
+    std::vector<Row*> rows;  // only now that no list grows any more
+    for (const std::uint64_t fit : fits) rows.push_back(&member(records_[fit])[next[fit]++]);
+    read_columns(path, std::move(rows), columns);
+  }
+
+  template <typename Member>
+  void curve(const std::string& path, const Member& member) {
+    const auto offsets = root_.read<std::uint64_t>(path + "/offsets");
+    const auto strain = root_.read<double>(path + "/strain");
+    const auto stress = root_.read<double>(path + "/stress");
+    check_offsets(path, offsets, strain.size());
+    check_offsets(path, offsets, stress.size());
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      member(records_[i]) = {cut(strain, offsets[i], offsets[i + 1]),
+                             cut(stress, offsets[i], offsets[i + 1])};
+    }
+  }
+
+  void parameters() {
+    const auto present = root_.read<std::uint8_t>("parameters/present");
+    if (present.size() != records_.size()) {
+      refuse("parameters/present", "does not have a row for each fit");
+    }
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      if (present[i] == 0) continue;
+      for (const Parameter& parameter : options_.parameters) {
+        FittedParameter& p = records_[i].result.parameters.emplace_back();
+        p.name = parameter.name();
+        p.path = parameter.field->path;
+        p.dimension = parameter.field->dimension;
+        p.role = parameter.role;
+      }
+    }
+    for (std::size_t j = 0; j < options_.parameters.size(); ++j) {
+      std::vector<FittedParameter*> rows(records_.size(), nullptr);
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (present[i] != 0) rows[i] = &records_[i].result.parameters[j];
+      }
+      read_columns("parameters/" + options_.parameters[j].name(), std::move(rows),
+                   store::parameter_columns(""));
+    }
+  }
+
+  void correlation() {
+    const auto rows = root_.read_ragged<double>("correlation");
+    check_offsets("correlation", rows.offsets, rows.values.size());
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      const auto row = rows.row(i);
+      records_[i].result.correlation.assign(row.begin(), row.end());
+    }
+  }
+
+  void evaluations() {
+    const auto offsets = root_.read<std::uint64_t>("evaluations/offsets");
+    const auto costs = root_.read<double>("evaluations/cost");
+    const auto values = root_.read<double>("evaluations/values");
+    const auto shape = root_.shape("evaluations/values");
+    check_offsets("evaluations", offsets, costs.size());
+    if (shape.size() != 2 || values.size() != costs.size() * shape[1]) {
+      refuse("evaluations/values", "does not have a row for each cost");
+    }
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      Trace& trace = records_[i].result.trace;
+      if (trace.parameters > shape[1]) {
+        refuse("evaluations/values", "has fewer columns than a fit moves parameters");
+      }
+      trace.costs = cut(costs, offsets[i], offsets[i + 1]);
+      trace.values.reserve(trace.costs.size() * trace.parameters);
+      for (std::size_t k = offsets[i]; k < offsets[i + 1]; ++k) {
+        const auto row = values.begin() + static_cast<std::ptrdiff_t>(k * shape[1]);
+        const auto end = row + static_cast<std::ptrdiff_t>(trace.parameters);
+        trace.values.insert(trace.values.end(), row, end);
+      }
+    }
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& path, const std::string& rule) const {
+    throw InputError({root_.file(), 0}, "/" + path, "", rule);
+  }
+
+  void check_offsets(const std::string& path, const std::vector<std::uint64_t>& offsets,
+                     std::size_t size) const {
+    const bool whole = offsets.size() == records_.size() + 1 && offsets.front() == 0 &&
+                       offsets.back() == size && std::is_sorted(offsets.begin(), offsets.end());
+    if (!whole) refuse(path, "has offsets that do not fit its values");
+  }
+
+  static std::vector<double> cut(const std::vector<double>& all, std::uint64_t from,
+                                 std::uint64_t to) {
+    return {all.begin() + static_cast<std::ptrdiff_t>(from),
+            all.begin() + static_cast<std::ptrdiff_t>(to)};
+  }
+
+  template <typename Row, typename Columns>
+  void read_columns(const std::string& path, std::vector<Row*> rows, const Columns& columns) {
+    const io::Hdf5Group group = root_.open_group(path);
+    store::ColumnReader<Row> reader(group, std::move(rows));
+    columns(reader);
+  }
+
+  const io::Hdf5Group& root_;
+  std::vector<FitRecord>& records_;
+  const FitOptions& options_;
+};
+
+std::vector<InputText> read_inputs(const io::Hdf5Group& root) {
+  std::vector<std::string> names = root.read_texts("inputs/name");
+  std::vector<std::string> texts = root.read_texts("inputs/text");
+  if (names.size() != texts.size()) {
+    throw InputError({root.file(), 0}, "/inputs", "", "must have as many names as texts");
+  }
+  std::vector<InputText> inputs;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    inputs.push_back({std::move(names[i]), std::move(texts[i])});
+  }
+  return inputs;
+}
+
+RunMeta read_meta(const io::Hdf5Group& root) {
+  const io::Hdf5Group group = root.open_group("meta");
+  RunMeta meta;
+  meta.start_time = group.read_text("start_time");
+  meta.seconds = group.read_scalar<double>("seconds");
+  meta.host = group.read_text("host");
+  meta.threads = static_cast<int>(group.read_scalar<std::int64_t>("threads"));
+  meta.instruction_set = group.read_text("instruction_set");
+  meta.command_line = group.read_text("command_line");
+  meta.resumptions = static_cast<int>(group.read_scalar<std::int64_t>("resumptions"));
+  const io::Hdf5Group versions = group.open_group("versions");
+  for (const std::string& name : versions.children()) {
+    meta.versions.emplace_back(name, versions.read_text(name));
+  }
+  return meta;
+}
+
+void check_schema(const io::Hdf5Group& root) {
+  const auto refuse = [&](const std::string& name, const std::string& value,
+                          const std::string& rule) {
+    throw InputError({root.file(), 0}, name, value, rule);
+  };
+  if (!root.has_attribute(".", "schema")) {
+    refuse("", "", "is not a result file of Plastica: it has no attribute schema");
+  }
+  const std::string schema = root.text_attribute(".", "schema");
+  if (schema != kFitStoreSchema) {
+    refuse("schema", schema, "must be " + std::string(kFitStoreSchema));
+  }
+  const std::int64_t version = root.integer_attribute(".", "version");
+  if (version != kFitStoreVersion) {
+    refuse("version", std::to_string(version),
+           "must be " + std::to_string(kFitStoreVersion) + ", which this Plastica reads");
+  }
+}
+
+}  // namespace
+
+FitStoreContents read_fit_store(const std::string& path) {
+  const io::Hdf5File file = io::Hdf5File::open(path);
+  const io::Hdf5Group& root = file.root();
+  check_schema(root);
+  FitStoreContents contents;
+  contents.options = store::read_options(root.open_group("options"));
+  contents.records.resize(root.read_texts("fits/name").size());
+  StoreReader reader(root, contents.records, contents.options);
+  store::walk_records(reader);
+  contents.inputs = read_inputs(root);
+  contents.meta = read_meta(root);
+  return contents;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "calibrate/store/columns.hpp"
+#include "calibrate/store/fit_store.hpp"
+#include "calibrate/store/layout.hpp"
+#include "calibrate/store/stored_options.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, const std::string& why) {
+  throw std::logic_error("write_fit_store: " + name + " " + why);
+}
+
+/// Writes the records in the order in which they are given.
+class StoreWriter {
+ public:
+  StoreWriter(io::Hdf5Group& root, std::vector<const FitRecord*> records, const FitOptions& options)
+      : root_(root), records_(std::move(records)), options_(options) {}
+
+  template <typename Columns, typename Member>
+  void table(const std::string& path, const Columns& columns, const Member& member) {
+    using Row = std::remove_cvref_t<decltype(member(*records_[0]))>;
+    std::vector<const Row*> rows;
+    for (const FitRecord* record : records_) rows.push_back(&member(*record));
+    write_columns(path, std::move(rows), columns);
+  }
+
+  /// One table of what each record has a list of; the column `fit` says whose a row is.
+  template <typename Member, typename Columns>
+  void list(const std::string& path, const Member& member, const Columns& columns) {
+    using Row = typename std::remove_cvref_t<decltype(member(*records_[0]))>::value_type;
+    std::vector<const Row*> rows;
+    std::vector<std::uint64_t> fits;
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      for (const Row& row : member(*records_[i])) {
+        rows.push_back(&row);
+        fits.push_back(i);
+      }
+    }
+    root_.write(path + "/fit", fits, {{}, store::kDeflate});
+    write_columns(path, std::move(rows), columns);
+  }
+
+  template <typename Member>
+  void curve(const std::string& path, const Member& member) {
+    Curve all;
+    std::vector<std::uint64_t> offsets{0};
+    for (const FitRecord* record : records_) {
+      const Curve& curve = member(*record);
+      if (curve.strain.size() != curve.stress.size()) {
+        refuse(record->target.name, "has a curve with more strains than stresses or fewer");
+      }
+      all.strain.insert(all.strain.end(), curve.strain.begin(), curve.strain.end());
+      all.stress.insert(all.stress.end(), curve.stress.begin(), curve.stress.end());
+      offsets.push_back(all.size());
+    }
+    root_.write(path + "/strain", all.strain, {"1", store::kDeflate});
+    root_.write(path + "/stress", all.stress, {"Pa", store::kDeflate});
+    root_.write(path + "/offsets", offsets, {{}, store::kDeflate});
+  }
+
+  void parameters() {
+    const std::size_t count = options_.parameters.size();
+    std::vector<std::uint8_t> present;
+    for (const FitRecord* record : records_) {
+      const auto& own = record->result.parameters;
+      const auto same = [](const FittedParameter& p, const Parameter& q) {
+        return p.path == q.field->path && p.name == q.name() && p.role == q.role &&
+               p.dimension == q.field->dimension;
+      };
+      const auto& all = options_.parameters;
+      if (!own.empty() && !std::equal(own.begin(), own.end(), all.begin(), all.end(), same)) {
+        refuse(record->target.name, "has other parameters than the options");
+      }
+      present.push_back(own.empty() ? 0 : 1);
+    }
+    io::Hdf5Group group = root_.group("parameters");
+    group.write("present", present, {{}, store::kDeflate});
+    for (std::size_t j = 0; j < count; ++j) {
+      const Parameter& parameter = options_.parameters[j];
+      std::vector<const FittedParameter*> rows(records_.size(), nullptr);
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (present[i] != 0) rows[i] = &records_[i]->result.parameters[j];
+      }
+      const std::string path = "parameters/" + parameter.name();
+      write_columns(path, std::move(rows),
+                    store::parameter_columns(si_unit(parameter.field->dimension)));
+      root_.set_attribute(path, "path", parameter.field->path);
+      root_.set_attribute(path, "role", store::word_of(parameter.role));
+    }
+  }
+
+  void correlation() {
+    io::Ragged<double> rows;
+    for (const FitRecord* record : records_) rows.push_back(record->result.correlation);
+    root_.write_ragged("correlation", rows, {"1", store::kDeflate});
+  }
+
+  void evaluations() {
+    std::size_t width = 0;
+    std::vector<double> costs;
+    std::vector<std::uint64_t> offsets{0};
+    for (const FitRecord* record : records_) {
+      const Trace& trace = record->result.trace;
+      if (trace.values.size() != trace.costs.size() * trace.parameters) {
+        refuse(record->target.name, "has a trace whose values do not fit its costs");
+      }
+      width = std::max(width, trace.parameters);
+      costs.insert(costs.end(), trace.costs.begin(), trace.costs.end());
+      offsets.push_back(costs.size());
+    }
+    // A fit that moves fewer parameters than another leaves the last columns of its rows empty.
+    std::vector<double> values(costs.size() * width, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      const Trace& trace = records_[i]->result.trace;
+      for (std::size_t k = 0; k < trace.costs.size(); ++k) {
+        std::copy_n(&trace.values[k * trace.parameters], trace.parameters,
+                    &values[(offsets[i] + k) * width]);
+      }
+    }
+    root_.write("evaluations/cost", costs, {"Pa^2", store::kDeflate});
+    root_.write_table<double>("evaluations/values", values, width, {{}, store::kDeflate});
+    root_.write("evaluations/offsets", offsets, {{}, store::kDeflate});
+  }
+
+ private:
+  template <typename Row, typename Columns>
+  void write_columns(const std::string& path, std::vector<const Row*> rows,
+                     const Columns& columns) {
+    io::Hdf5Group group = root_.group(path);
+    store::ColumnWriter<Row> writer(group, std::move(rows));
+    columns(writer);
+  }
+
+  io::Hdf5Group& root_;
+  std::vector<const FitRecord*> records_;
+  const FitOptions& options_;
+};
+
+/// Pointers to the records, sorted by name and checked.
+std::vector<const FitRecord*> by_name(const std::vector<FitRecord>& records) {
+  std::vector<const FitRecord*> sorted;
+  sorted.reserve(records.size());
+  for (const FitRecord& record : records) sorted.push_back(&record);
+  const auto before = [](const FitRecord* a, const FitRecord* b) {
+    return a->target.name < b->target.name;
+  };
+  std::sort(sorted.begin(), sorted.end(), before);
+  const auto same = [](const FitRecord* a, const FitRecord* b) {
+    return a->target.name == b->target.name;
+  };
+  for (const FitRecord* record : sorted) {
+    const FitResult& r = record->result;
+    const bool empty = r.cost == 0.0 && r.misfit_rms == 0.0 && r.misfit_share == 0.0;
+    if (r.status != FitStatus::Fitted && !(empty && r.misfit_word.empty())) {
+      refuse(record->target.name, "has a misfit without having been fitted");
+    }
+  }
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end(), same);
+  if (twice != sorted.end()) refuse((*twice)->target.name, "is the name of two targets");
+  return sorted;
+}
+
+void write_inputs(io::Hdf5Group& root, const std::vector<InputText>& inputs) {
+  std::vector<std::string> names;
+  std::vector<std::string> texts;
+  for (const InputText& input : inputs) {
+    names.push_back(input.name);
+    texts.push_back(input.text);
+  }
+  root.write_texts("inputs/name", names);
+  root.write_texts("inputs/text", texts);
+}
+
+void write_meta(io::Hdf5Group& root, const RunMeta& meta) {
+  io::Hdf5Group group = root.group("meta");
+  group.write_text("start_time", meta.start_time);
+  group.write("seconds", meta.seconds, {"s"});
+  group.write_text("host", meta.host);
+  group.write("threads", std::int64_t{meta.threads});
+  group.write_text("instruction_set", meta.instruction_set);
+  group.write_text("command_line", meta.command_line);
+  group.write("resumptions", std::int64_t{meta.resumptions});
+  io::Hdf5Group versions = group.group("versions");
+  for (const auto& [name, version] : meta.versions) versions.write_text(name, version);
+}
+
+}  // namespace
+
+void write_fit_store(const std::string& path, const FitStoreContents& contents) {
+  std::vector<const FitRecord*> records = by_name(contents.records);
+  io::Hdf5File file = io::Hdf5File::create(path);
+  io::Hdf5Group& root = file.root();
+  root.set_attribute(".", "schema", kFitStoreSchema);
+  root.set_attribute(".", "version", kFitStoreVersion);
+  StoreWriter writer(root, std::move(records), contents.options);
+  store::walk_records(writer);
+  io::Hdf5Group options = root.group("options");
+  store::write_options(options, contents.options);
+  write_inputs(root, contents.inputs);
+  write_meta(root, contents.meta);  // last: what differs in it moves nothing else
+  file.commit();
+}
+
+}  // namespace plastica::calibrate

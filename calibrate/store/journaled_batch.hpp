@@ -1,0 +1,108 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "calibrate/fit/options.hpp"
+#include "calibrate/fit/result.hpp"
+#include "calibrate/target/target.hpp"
+#include "plastica/io/journal.hpp"
+
+namespace plastica::calibrate {
+
+/// Where the journal of an output stands: beside it, "OUT.h5.journal".
+std::string journal_path(const std::string& output);
+
+/// How far a batch has come.
+struct BatchProgress {
+  std::size_t done = 0;  ///< fitted, failed and rejected, those of the journal included
+  std::size_t failed = 0;
+  std::size_t rejected = 0;
+  std::size_t taken = 0;  ///< of the done: taken from the journal, so that they took no time
+  std::size_t total = 0;
+};
+
+struct JournaledOptions {
+  std::string journal{};  ///< path; see `journal_path`
+  bool resume = false;    ///< go on from the journal; start afresh where there is none
+  bool force = false;     ///< start afresh, over the journal of an interrupted run
+  int threads = 0;        ///< 0: as many as the machine has
+  /// Once true, no further fit is begun; those under way are finished. May be null.
+  const std::atomic<bool>* stop = nullptr;
+  /// Called once before the first fit and after each, one call at a time, from any thread.
+  std::function<void(const BatchProgress&)> progress{};
+};
+
+/// Fits a batch and survives its interruption: each finished fit goes to a journal, and a later
+/// run takes from it all those fits whose target, options, library version and instruction set are
+/// still the same. The results have the same bits as those of a run without interruption.
+///
+///     JournaledBatch batch(targets, options, {.journal = journal_path(output), .resume = true});
+///     std::vector<FitResult> results = batch.run();
+///     if (!batch.complete()) return;  // stopped: the journal keeps what is done
+///     write_fit_store(output, …);
+///     batch.finish();  // the journal has done its work
+///
+/// A journal without any fit in it is never left behind.
+class JournaledBatch {
+ public:
+  /// Reads the journal, if one is there, and opens it for writing; computes nothing.
+  /// @param targets  must outlive the batch, as `options` must
+  /// @throws InputError if the options are bad or two targets have the same name; if there is the
+  /// journal of an interrupted run that
+  ///         is neither to be resumed nor overwritten, or of another version and not to be
+  ///         overwritten; if there is some other file in its place
+  /// @throws io::StorageError if the journal cannot be read or written, or another run has it
+  JournaledBatch(std::span<const Target> targets, const FitOptions& options, JournaledOptions how);
+  ~JournaledBatch();
+  JournaledBatch(const JournaledBatch&) = delete;
+  JournaledBatch& operator=(const JournaledBatch&) = delete;
+
+  /// Number of fits taken from the journal.
+  std::size_t taken() const { return taken_; }
+  /// Number of fits in the journal that are of no use: target or options have changed.
+  std::size_t outdated() const { return outdated_; }
+  /// Bytes at the journal's end that were dropped: a record torn by a crash. 0: none.
+  std::uint64_t dropped_bytes() const { return dropped_bytes_; }
+
+  /// How often this batch was interrupted and resumed, this time included.
+  int resumptions() const { return resumptions_; }
+
+  /// Fits what is missing. Result i belongs to target i; a fit that was not begun, because of the
+  /// stop flag, has the reason "not run". To be called once.
+  /// @throws InputError as `fit_target`; io::StorageError if the journal cannot be written. What
+  ///         was finished before is in the journal.
+  std::vector<FitResult> run();
+  /// Whether `run` fitted all targets.
+  bool complete() const { return complete_; }
+  /// Deletes the journal, once the results of a complete run are stored elsewhere.
+  /// @throws io::StorageError
+  void finish();
+
+ private:
+  void take_from(const std::vector<io::JournalRecord>& records);
+  void count(const FitResult& result, BatchProgress& progress) const;
+  void keep(std::size_t target, const FitResult& result);
+
+  std::span<const Target> targets_;
+  const FitOptions& options_;
+  JournaledOptions how_;
+  std::vector<std::string> ids_;                   ///< of the targets (n_targets)
+  std::vector<std::optional<FitResult>> results_;  ///< those of the journal (n_targets)
+  std::optional<io::Journal> journal_;
+  std::size_t taken_ = 0;
+  std::size_t outdated_ = 0;
+  std::uint64_t dropped_bytes_ = 0;
+  int resumptions_ = 0;
+  std::size_t kept_ = 0;  ///< number of fits in the journal
+  bool has_run_ = false;
+  bool complete_ = false;
+};
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,170 @@
+#include "calibrate/store/record_bytes.hpp"
+
+#include <concepts>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace plastica::calibrate {
+namespace {
+
+using io::ByteReader;
+using io::ByteWriter;
+
+/// Each structure is walked by one function, `code`, for both directions, so that reading cannot
+/// forget a field that writing has: a coder puts the field, or gets it.
+class Putter {
+ public:
+  explicit Putter(ByteWriter& writer) : writer_(writer) {}
+
+  template <typename... T>
+  void operator()(const T&... values) {
+    (writer_.put(values), ...);
+  }
+  template <typename T, typename Code>
+  void each(const std::vector<T>& items, const Code& code_item) {
+    writer_.put(std::uint64_t{items.size()});
+    for (const T& item : items) code_item(*this, item);
+  }
+  template <typename T, typename Code>
+  void maybe(const std::optional<T>& item, const Code& code_item) {
+    writer_.put(item.has_value());
+    if (item) code_item(*this, *item);
+  }
+
+ private:
+  ByteWriter& writer_;
+};
+
+class Getter {
+ public:
+  explicit Getter(ByteReader& reader) : reader_(reader) {}
+
+  template <typename... T>
+  void operator()(T&... values) {
+    ((values = reader_.get<T>()), ...);
+  }
+  template <typename T, typename Code>
+  void each(std::vector<T>& items, const Code& code_item) {
+    const auto count = reader_.get<std::uint64_t>();
+    items.clear();
+    // No reserve: a count that is wrong must run into the record's end, not ask for all memory.
+    for (std::uint64_t i = 0; i < count; ++i) code_item(*this, items.emplace_back());
+  }
+  template <typename T, typename Code>
+  void maybe(std::optional<T>& item, const Code& code_item) {
+    item.reset();
+    if (reader_.get<bool>()) code_item(*this, item.emplace());
+  }
+
+ private:
+  ByteReader& reader_;
+};
+
+/// A structure as a coder wants it: constant for writing.
+template <typename T, typename Wanted>
+concept A = std::same_as<std::remove_const_t<T>, Wanted>;
+
+constexpr auto kPair = [](auto& coder, auto& pair) { coder(pair.first, pair.second); };
+
+void code(auto& coder, A<Curve> auto& curve) { coder(curve.strain, curve.stress); }
+
+void code(auto& coder, A<BreakObservation> auto& b) {
+  coder(b.last_whole_strain, b.last_whole_stress, b.first_broken_strain, b.rule);
+}
+
+void code(auto& coder, A<Characteristics> auto& c) {
+  coder(c.youngs_modulus, c.youngs_modulus_stderr, c.modulus_window_low, c.modulus_window_high,
+        c.modulus_method, c.offset, c.rp02, c.reh, c.rel, c.rm, c.strain_at_rm, c.break_strain,
+        c.break_strain_plastic, c.largest_strain);
+  coder.maybe(c.observed_break, [](auto& to, auto& observed) { code(to, observed); });
+}
+
+void code_deciding_parts(auto& coder, A<Target> auto& t) {
+  coder(t.name, t.test, t.measure, t.loading, t.status, t.reason);
+  code(coder, t.corrected);
+  code(coder, t.characteristics);
+}
+
+void code(auto& coder, A<Target> auto& t) {
+  code_deciding_parts(coder, t);
+  coder(t.file);
+  coder.each(t.group, kPair);
+  coder.each(t.properties, kPair);
+  code(coder, t.raw);
+  coder.each(t.repairs, [](auto& to, auto& r) { to(r.kind, r.count, r.text); });
+  coder.each(t.corrections,
+             [](auto& to, auto& c) { to(c.kind, c.applied, c.amount, c.unit, c.text); });
+  coder(t.warnings);
+}
+
+void code(auto& coder, A<FittedParameter> auto& p) {
+  coder(p.name, p.path, p.dimension, p.role, p.value, p.start, p.lower, p.upper, p.logarithmic,
+        p.standard_error, p.interval_low, p.interval_high, p.at_lower, p.at_upper, p.identified);
+}
+
+void code(auto& coder, A<FitResult> auto& r) {
+  coder(r.status, r.reason);
+  coder.each(r.parameters, [](auto& to, auto& parameter) { code(to, parameter); });
+  coder(r.correlation, r.cost, r.misfit_rms, r.misfit_share, r.misfit_word, r.samples,
+        r.break_strain_total, r.seed);
+  coder.each(r.stages, [](auto& to, auto& stage) {
+    to(stage.algorithm, stage.outcome, stage.evaluations, stage.cost);
+  });
+  coder(r.trace.parameters, r.trace.values, r.trace.costs);
+  code(coder, r.fitted);
+  coder(r.warnings);
+}
+
+void code(auto& coder, A<FitRecord> auto& record) {
+  code(coder, record.target);
+  code(coder, record.result);
+}
+
+/// Not inlined: g++ 12 would warn of an overflow that is none (-Wstringop-overflow) where it knows
+/// that the writer is still empty.
+[[gnu::noinline]] void put_version(ByteWriter& writer) { writer.put(kRecordVersion); }
+
+template <typename T>
+std::vector<std::byte> to_bytes(const T& value) {
+  ByteWriter writer;
+  put_version(writer);
+  Putter putter(writer);
+  code(putter, value);
+  return writer.take();
+}
+
+template <typename T>
+T from_bytes(std::span<const std::byte> bytes) {
+  ByteReader reader(bytes, "a record of a fit");
+  const auto version = reader.get<std::uint32_t>();
+  if (version != kRecordVersion) {
+    throw io::StorageError("a record of a fit", "has version " + std::to_string(version) +
+                                                    ", this library reads version " +
+                                                    std::to_string(kRecordVersion));
+  }
+  T value;
+  Getter getter(reader);
+  code(getter, value);
+  reader.expect_end();
+  return value;
+}
+
+}  // namespace
+
+std::vector<std::byte> bytes_of(const FitResult& result) { return to_bytes(result); }
+FitResult result_from_bytes(std::span<const std::byte> bytes) {
+  return from_bytes<FitResult>(bytes);
+}
+
+std::vector<std::byte> bytes_of(const FitRecord& record) { return to_bytes(record); }
+FitRecord record_from_bytes(std::span<const std::byte> bytes) {
+  return from_bytes<FitRecord>(bytes);
+}
+
+void put_deciding_parts(ByteWriter& writer, const Target& target) {
+  Putter putter(writer);
+  code_deciding_parts(putter, target);
+}
+
+}  // namespace plastica::calibrate

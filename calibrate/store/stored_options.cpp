@@ -1,0 +1,161 @@
+#include "calibrate/store/stored_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "calibrate/store/columns.hpp"
+
+namespace plastica::calibrate::store {
+namespace {
+
+/// "setup/material/yield_stress" of "material.yield_stress".
+std::string setup_path(const Field& field) {
+  std::string path = "setup/" + std::string(field.path);
+  std::replace(path.begin(), path.end(), '.', '/');
+  return path;
+}
+
+void write_setup(io::Hdf5Group& group, const Setup& setup) {
+  for (const Field& field : fields()) {
+    const std::string path = setup_path(field);
+    const FieldValue value = field.get(setup);
+    if (const auto* word = std::get_if<std::string>(&value)) {
+      group.write_text(path, *word);
+    } else {
+      const auto* number = std::get_if<double>(&value);
+      group.write(path, number != nullptr ? *number : std::numeric_limits<double>::quiet_NaN(),
+                  {si_unit(field.dimension)});
+    }
+  }
+}
+
+void read_setup(const io::Hdf5Group& group, Setup& setup) {
+  const SourceLocation where{group.file(), 0};
+  for (const Field& field : fields()) {
+    const std::string path = setup_path(field);
+    FieldValue value;
+    if (group.kind(path) == io::Hdf5Kind::Text) {
+      value = group.read_text(path);
+    } else if (const auto number = group.read_scalar<double>(path); !std::isnan(number)) {
+      value = number;
+    }
+    set_field(setup, field, value, where);
+  }
+}
+
+/// A parameter as a row of a table.
+struct ParameterRow {
+  std::string path;
+  ParameterRole role = ParameterRole::Free;
+  std::optional<double> value;
+  std::optional<double> lower;
+  std::optional<double> upper;
+  ParameterScale scale = ParameterScale::Auto;
+  std::string tied_to;
+  double factor = 1.0;
+  std::string units;
+};
+
+constexpr auto kParameterColumns = [](auto& columns) {
+  columns(
+      "path", "", [](auto& row) -> auto& { return row.path; });
+  columns(
+      "role", "", [](auto& row) -> auto& { return row.role; });
+  columns(
+      "value", "", [](auto& row) -> auto& { return row.value; });
+  columns(
+      "lower", "", [](auto& row) -> auto& { return row.lower; });
+  columns(
+      "upper", "", [](auto& row) -> auto& { return row.upper; });
+  columns(
+      "value_units", "", [](auto& row) -> auto& { return row.units; });
+  columns(
+      "scale", "", [](auto& row) -> auto& { return row.scale; });
+  columns(
+      "tied_to", "", [](auto& row) -> auto& { return row.tied_to; });
+  columns(
+      "factor", "1", [](auto& row) -> auto& { return row.factor; });
+};
+
+void write_parameters(io::Hdf5Group& group, const std::vector<Parameter>& parameters) {
+  std::vector<ParameterRow> rows;
+  rows.reserve(parameters.size());
+  for (const Parameter& p : parameters) {
+    rows.push_back({std::string(p.field->path), p.role, p.value, p.lower, p.upper, p.scale,
+                    p.tied_to != nullptr ? std::string(p.tied_to->path) : "", p.factor,
+                    std::string(si_unit(p.field->dimension))});
+  }
+  std::vector<const ParameterRow*> pointers;
+  pointers.reserve(rows.size());
+  for (const ParameterRow& row : rows) pointers.push_back(&row);
+  ColumnWriter<ParameterRow> columns(group, std::move(pointers));
+  kParameterColumns(columns);
+}
+
+std::vector<Parameter> read_parameters(const io::Hdf5Group& group) {
+  std::vector<ParameterRow> rows(group.read_texts("path").size());
+  std::vector<ParameterRow*> pointers;
+  pointers.reserve(rows.size());
+  for (ParameterRow& row : rows) pointers.push_back(&row);
+  ColumnReader<ParameterRow> columns(group, std::move(pointers));
+  kParameterColumns(columns);
+  const SourceLocation where{group.file(), 0};
+  std::vector<Parameter> parameters;
+  for (const ParameterRow& row : rows) {
+    Parameter& p = parameters.emplace_back();
+    p.field = &find_field(row.path, where);
+    p.role = row.role;
+    p.value = row.value;
+    p.lower = row.lower;
+    p.upper = row.upper;
+    p.scale = row.scale;
+    if (!row.tied_to.empty()) p.tied_to = &find_field(row.tied_to, where);
+    p.factor = row.factor;
+  }
+  return parameters;
+}
+
+constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+void write_options(io::Hdf5Group& group, const FitOptions& options) {
+  group.write_text("objective", word_of(options.objective));
+  group.write("noise", options.noise.value_or(kUnset), {"Pa"});
+  group.write("break_weight", options.break_weight, {"1"});
+  group.write_text("algorithm", options.algorithm);
+  const StoppingRules& stopping = options.stopping;
+  group.write("global_evaluations", std::int64_t{stopping.global_evaluations});
+  group.write("local_evaluations", std::int64_t{stopping.local_evaluations});
+  group.write("parameter_tolerance", stopping.parameter_tolerance, {"1"});
+  group.write("cost_tolerance", stopping.cost_tolerance, {"1"});
+  group.write("seed", options.seed);
+  group.write("confidence", options.confidence, {"1"});
+  io::Hdf5Group parameters = group.group("parameters");
+  write_parameters(parameters, options.parameters);
+  write_setup(group, options.setup);
+}
+
+FitOptions read_options(const io::Hdf5Group& group) {
+  FitOptions options;
+  options.objective = enumerator_of<Objective>(group, "objective", group.read_text("objective"));
+  const auto noise = group.read_scalar<double>("noise");
+  if (!std::isnan(noise)) options.noise = noise;
+  options.break_weight = group.read_scalar<double>("break_weight");
+  options.algorithm = group.read_text("algorithm");
+  StoppingRules& stopping = options.stopping;
+  stopping.global_evaluations =
+      static_cast<int>(group.read_scalar<std::int64_t>("global_evaluations"));
+  stopping.local_evaluations =
+      static_cast<int>(group.read_scalar<std::int64_t>("local_evaluations"));
+  stopping.parameter_tolerance = group.read_scalar<double>("parameter_tolerance");
+  stopping.cost_tolerance = group.read_scalar<double>("cost_tolerance");
+  options.seed = group.read_scalar<std::uint64_t>("seed");
+  options.confidence = group.read_scalar<double>("confidence");
+  options.parameters = read_parameters(group.open_group("parameters"));
+  read_setup(group, options.setup);
+  return options;
+}
+
+}  // namespace plastica::calibrate::store

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "calibrate/fit/options.hpp"
+#include "plastica/io/hdf5.hpp"
+
+/// The group /options of a result file; not installed.
+namespace plastica::calibrate::store {
+
+/// Writes all that the fits were told: single values, a table of parameters, and under setup/ a
+/// value for each field of the scene and the solver, with its unit.
+void write_options(io::Hdf5Group& group, const FitOptions& options);
+
+/// @throws InputError if something is missing or out of a field's range
+FitOptions read_options(const io::Hdf5Group& group);
+
+}  // namespace plastica::calibrate::store

@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+
+#include "calibrate/store/fit_store.hpp"
+#include "plastica/io/hdf5.hpp"
+#include "tests/calibrate/store/synthetic_fits.hpp"
+#include "tests/lib/io/scratch_folder.hpp"
+#include "tests/support/message.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using plastica::testing::message_of;
+
+class FitStoreErrors : public ::testing::Test {
+ protected:
+  std::string reading(const std::string& path) const {
+    return message_of([&] { read_fit_store(path); });
+  }
+  void expect_refused(const FitStoreContents& contents) const {
+    EXPECT_THROW(write_fit_store(path_, contents), std::logic_error);
+    EXPECT_FALSE(std::filesystem::exists(path_));
+    EXPECT_FALSE(std::filesystem::exists(path_ + ".part"));
+  }
+
+  io::ScratchFolder folder_;
+  std::string path_ = folder_.file("out.h5");
+  FitStoreContents contents_{{filled_record("a"), filled_record("b")}, {}, ideal_options(), {}};
+};
+
+TEST_F(FitStoreErrors, TwoRecordsOfOneNameAreRefused) {
+  contents_.records[1].target.name = "a";
+  expect_refused(contents_);
+}
+
+TEST_F(FitStoreErrors, ParametersThatAreNotThoseOfTheOptionsAreRefused) {
+  contents_.records[1].result.parameters.pop_back();
+  expect_refused(contents_);
+}
+
+TEST_F(FitStoreErrors, ACurveWithoutAStressToEachStrainIsRefused) {
+  contents_.records[0].target.raw.stress.pop_back();
+  expect_refused(contents_);
+}
+
+TEST_F(FitStoreErrors, ATraceWithoutAPointToEachCostIsRefused) {
+  contents_.records[0].result.trace.costs.pop_back();
+  expect_refused(contents_);
+}
+
+TEST_F(FitStoreErrors, ACostOfAFitThatGaveNoneIsRefused) {
+  contents_.records[0].result.status = FitStatus::Failed;
+  expect_refused(contents_);
+}
+
+TEST_F(FitStoreErrors, AFileThatIsNotThereIsNamed) {
+  EXPECT_NE(reading(folder_.file("none.h5")).find("none.h5: cannot be read"), std::string::npos);
+}
+
+TEST_F(FitStoreErrors, AFileOfAnotherFormatIsNamed) {
+  EXPECT_EQ(reading(folder_.write("a.h5", "strain,stress")),
+            folder_.file("a.h5") + ": is not an HDF5 file");
+}
+
+TEST_F(FitStoreErrors, AnHdf5FileOfSomebodyElseIsNamed) {
+  {
+    auto file = io::Hdf5File::create(path_);
+    file.root().write("x", 1.0);
+    file.commit();
+  }
+  EXPECT_EQ(reading(path_),
+            path_ + ": is not a result file of Plastica: it has no attribute schema");
+}
+
+TEST_F(FitStoreErrors, AnotherSchemaAndAnotherVersionAreNamed) {
+  const auto write = [&](const std::string& schema, int version) {
+    auto file = io::Hdf5File::create(path_);
+    file.root().set_attribute(".", "schema", schema);
+    file.root().set_attribute(".", "version", version);
+    file.commit();
+  };
+  write("plastica/sweep", 1);
+  EXPECT_EQ(reading(path_), path_ + ": schema = plastica/sweep: must be plastica/fits");
+  write("plastica/fits", kFitStoreVersion + 1);
+  EXPECT_EQ(reading(path_), path_ + ": version = 2: must be 1, which this Plastica reads");
+  write("plastica/fits", kFitStoreVersion);
+  EXPECT_NE(reading(path_).find("/options"), std::string::npos);
+}
+
+TEST_F(FitStoreErrors, AnOutputThatExistsIsRefusedUnlessForced) {
+  folder_.write("out.h5", "");
+  EXPECT_EQ(message_of([&] { check_output_path(path_, false); }),
+            path_ + ": exists already: use --force to overwrite it");
+  EXPECT_NO_THROW(check_output_path(path_, true));
+}
+
+TEST_F(FitStoreErrors, AnOutputWithoutAFolderIsRefused) {
+  const std::string path = folder_.file("none/out.h5");
+  EXPECT_EQ(message_of([&] { check_output_path(path, true); }),
+            path + ": cannot be written: there is no folder " + folder_.file("none"));
+  folder_.write("file", "");
+  EXPECT_EQ(message_of([&] { check_output_path(folder_.file("file/out.h5"), false); }),
+            folder_.file("file/out.h5") + ": cannot be written: " + folder_.file("file") +
+                " is no folder");
+}
+
+TEST_F(FitStoreErrors, AnOutputThatIsAFolderIsRefused) {
+  std::filesystem::create_directory(path_);
+  EXPECT_EQ(message_of([&] { check_output_path(path_, true); }),
+            path_ + ": cannot be written: it is a folder");
+}
+
+TEST_F(FitStoreErrors, AnOutputWithoutANameIsRefused) {
+  EXPECT_EQ(message_of([&] { check_output_path("", false); }), "output: must name a file");
+}
+
+TEST_F(FitStoreErrors, AnOutputInAFolderClosedToWritingIsRefused) {
+  // Also the system's administrator cannot write here.
+  if (!std::filesystem::is_directory("/proc/self")) GTEST_SKIP() << "no /proc/self";
+  EXPECT_THROW(check_output_path("/proc/self/out.h5", false), InputError);
+}
+
+TEST_F(FitStoreErrors, AnOutputInTheWorkingFolderIsFine) {
+  EXPECT_NO_THROW(check_output_path("surely-not-there.h5", false));
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
