@@ -185,13 +185,39 @@ bool begin(const Model& model, ParameterValues values, coupon::CouponMaterial<do
 /// Derivatives that go along in one pass.
 constexpr std::size_t kWidest = 8;
 
+/// A function of its own for each law and N: inlined into one, they would use up what the compiler
+/// allows a function to grow by inlining, and call dual numbers' operators (four times slower).
+template <std::size_t N, class Law>
+[[gnu::noinline]] void differentiate(const Model& model, const Law& law, std::size_t parameters,
+                                     std::size_t first, Response& response,
+                                     Sensitivity& sensitivity) {
+  using D = Dual<double, N>;
+  // Known to the compiler but for the widest, which also takes what does not fill it.
+  const std::size_t width = N == kWidest ? std::min(N, parameters - first) : N;
+  typename Law::State state;
+  const double* strain = model.drive.data();
+  double* stress = response.probes[0].data();
+  double* out = sensitivity.stress.data() + first;
+  const std::size_t samples = model.drive.size();
+  for (std::size_t s = 0; s < samples; ++s, out += parameters) {
+    const auto now = law::respond(law, state, D(strain[s]));
+    state = now.state;
+    stress[s] = now.stress.value;
+    for (std::size_t i = 0; i < width; ++i) out[i] = now.stress.derivative[i];
+  }
+  const D permanent = coupon::break_measure(model.coupon, state);
+  response.permanent_strain = permanent.value;
+  for (std::size_t i = 0; i < width; ++i) {
+    sensitivity.permanent_strain[first + i] = permanent.derivative[i];
+  }
+}
+
 template <std::size_t N>
 void sensitivity_chunk(const Model& model, ParameterValues values, std::size_t first,
                        Response& response, Sensitivity& sensitivity) {
   using D = Dual<double, N>;
   const std::size_t parameters = values.size();
-  // Known to the compiler but for the widest, which also takes what does not fill it.
-  const std::size_t width = N == kWidest ? std::min(N, parameters - first) : N;
+  const std::size_t width = std::min(N, parameters - first);
   MaterialValues<D> material;
   for (std::size_t i = 0; i < kMaterialFields; ++i) material[i] = D(model.material[i]);
   set_parameters(model, values, material);
@@ -201,19 +227,7 @@ void sensitivity_chunk(const Model& model, ParameterValues values, std::size_t f
   }
   const auto m = coupon::coupon_material(model.coupon, material);
   coupon::with_law(model.coupon.hardening, m, [&](const auto& law) {
-    typename std::remove_cvref_t<decltype(law)>::State state;
-    double* out = sensitivity.stress.data() + first;
-    for (std::size_t s = 0; s < model.drive.size(); ++s, out += parameters) {
-      const auto now = law::respond(law, state, D(model.drive[s]));
-      state = now.state;
-      response.probes[0][s] = now.stress.value;
-      for (std::size_t i = 0; i < width; ++i) out[i] = now.stress.derivative[i];
-    }
-    const D permanent = coupon::break_measure(model.coupon, state);
-    response.permanent_strain = permanent.value;
-    for (std::size_t i = 0; i < width; ++i) {
-      sensitivity.permanent_strain[first + i] = permanent.derivative[i];
-    }
+    differentiate<N>(model, law, parameters, first, response, sensitivity);
   });
 }
 
