@@ -25,6 +25,7 @@ template <std::size_t N, class F>
 
 /// A value and its derivatives by N parameters (forward differentiation); a scalar of kernels.
 ///
+/// Its operators are always inlined: in a large function a compiler would call them instead.
 /// Where a kernel selects, the derivative is that of the chosen branch: at a kink, one-sided.
 /// @tparam T  double, float or a Pack of them
 template <class T, std::size_t N>
@@ -45,35 +46,35 @@ struct Dual {
     return x;
   }
 
-  friend Dual operator+(const Dual& a, const Dual& b) {
+  [[gnu::always_inline]] friend Dual operator+(const Dual& a, const Dual& b) {
     Dual c(a.value + b.value);
     c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
       return a.derivative[i] + b.derivative[i];
     });
     return c;
   }
-  friend Dual operator-(const Dual& a, const Dual& b) {
+  [[gnu::always_inline]] friend Dual operator-(const Dual& a, const Dual& b) {
     Dual c(a.value - b.value);
     c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
       return a.derivative[i] - b.derivative[i];
     });
     return c;
   }
-  friend Dual operator*(const Dual& a, const Dual& b) {
+  [[gnu::always_inline]] friend Dual operator*(const Dual& a, const Dual& b) {
     Dual c(a.value * b.value);
     c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
       return a.derivative[i] * b.value + a.value * b.derivative[i];
     });
     return c;
   }
-  friend Dual operator/(const Dual& a, const Dual& b) {
+  [[gnu::always_inline]] friend Dual operator/(const Dual& a, const Dual& b) {
     Dual c(a.value / b.value);
     c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
       return (a.derivative[i] - c.value * b.derivative[i]) / b.value;
     });
     return c;
   }
-  friend Dual operator-(const Dual& a) {
+  [[gnu::always_inline]] friend Dual operator-(const Dual& a) {
     Dual c(-a.value);
     c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
       return -a.derivative[i];
@@ -97,7 +98,8 @@ struct ScalarTraits<Dual<T, N>> {
 };
 
 template <class T, std::size_t N>
-inline Dual<T, N> select(const mask_t<T>& mask, const Dual<T, N>& a, const Dual<T, N>& b) {
+[[gnu::always_inline]] inline Dual<T, N> select(const mask_t<T>& mask, const Dual<T, N>& a,
+                                                const Dual<T, N>& b) {
   Dual<T, N> c(select(mask, a.value, b.value));
   c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
     return select(mask, a.derivative[i], b.derivative[i]);
@@ -107,7 +109,7 @@ inline Dual<T, N> select(const mask_t<T>& mask, const Dual<T, N>& a, const Dual<
 
 /// |x| with the derivative of x at 0.
 template <class T, std::size_t N>
-inline Dual<T, N> abs(const Dual<T, N>& x) {
+[[gnu::always_inline]] inline Dual<T, N> abs(const Dual<T, N>& x) {
   return select(x.value < constant<T>(0), -x, x);
 }
 
