@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "calibrate/fit/parameter.hpp"
+#include "plastica/io/toml.hpp"
+#include "plastica/model/drive.hpp"
+
+namespace plastica::calibrate {
+
+/// Reads the table `parameters` of [fit]; the default ones where it names none.
+/// @throws InputError naming file, line, key, value and rule
+std::vector<Parameter> read_parameters(const io::TomlTable& fit);
+
+/// The parameters of a fit that names none: youngs_modulus, yield_stress, break_strain, all free.
+std::vector<Parameter> default_parameters();
+
+/// The material field of a parameter's name: a path, or its last part.
+/// @param key  what to call it in the error
+/// @throws InputError with the nearest name there is
+const Field& parameter_field(std::string_view name, const SourceLocation& where,
+                             std::string_view key);
+
+/// Refuses a fit of some test that leaves a stiffness or a yield stress neither to the fit nor to
+/// the file: a default of the library is no property of the user's material.
+/// @param root  the file, whose [material] may give it
+/// @throws InputError that names the parameter
+void check_material_is_given(const io::TomlTable& root, const std::vector<Parameter>& parameters,
+                             Deformation test);
+
+}  // namespace plastica::calibrate
