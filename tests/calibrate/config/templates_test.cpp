@@ -1,0 +1,61 @@
+#include "calibrate/config/templates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plastica/io/csv.hpp"
+#include "plastica/io/scene_file.hpp"
+#include "tests/support/message.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+TEST(Templates, AreReadWithoutComplaint) {
+  const auto scene = template_files("scene");
+  ASSERT_EQ(scene.size(), 1U);
+  const auto file = io::parse_scene_file(scene[0].text, scene[0].name);
+  EXPECT_EQ(file.setup.scene.drive.strain.size(), 304U);
+  EXPECT_EQ(file.setup.scene.probes.size(), 3U);
+}
+
+TEST(Templates, AreListedByKind) {
+  for (const auto kind : template_kinds()) EXPECT_FALSE(template_files(kind).empty());
+  EXPECT_EQ(testing::message_of([] { template_files("fits"); }),
+            "init = fits: must be one of fit, scene");
+}
+
+TEST(ExampleCurve, HasTheFormOfATensionTestWithABreak) {
+  const auto table = io::CsvTable::parse(example_curve(), "example-curve.csv");
+  EXPECT_EQ(table.names(), (std::vector<std::string>{"Strain", "Stress"}));
+  EXPECT_EQ(table.units(), (std::vector<std::string>{"%", "MPa"}));
+  const auto strain = table.numbers(0);
+  const auto stress = table.numbers(1);
+  ASSERT_EQ(strain.size(), 112U);
+  double sum = 0.0;
+  double square = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < strain.size(); ++i) {
+    if (strain[i] > 2.175) {
+      EXPECT_EQ(stress[i], 0.0);
+      continue;
+    }
+    const double noise = stress[i] - std::min(2000.0 * strain[i], 350.0);
+    sum += noise;
+    square += noise * noise;
+    ++count;
+  }
+  EXPECT_EQ(count, 109U);
+  // Three standard errors of mean and variance of that many numbers with variance 1.
+  EXPECT_LT(std::abs(sum / 109.0), 0.29);
+  EXPECT_NEAR(square / 109.0, 1.0, 0.41);
+}
+
+TEST(ExampleCurve, IsTheSameEveryTime) {
+  EXPECT_EQ(example_curve(), example_curve());
+  EXPECT_TRUE(example_curve().starts_with("Strain (%),Stress (MPa)\n0.00,"));
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
