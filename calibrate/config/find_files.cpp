@@ -5,19 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <new>
+#include <string_view>
+#include <utility>
 
 namespace plastica::calibrate {
 namespace {
-
-/// A folder's name is meant to the letter, whatever characters it has.
-std::string escaped(const std::string& folder) {
-  std::string text;
-  for (const char c : folder) {
-    if (std::string_view("*?[]{}\\~,").find(c) != std::string_view::npos) text += '\\';
-    text += c;
-  }
-  return text;
-}
 
 struct GlobResult {
   glob_t paths{};
@@ -29,9 +21,19 @@ struct GlobResult {
 
 }  // namespace
 
+std::string literal_pattern(const std::string& path) {
+  std::string text;
+  for (const char c : path) {
+    if (std::string_view("*?[]{}\\~,").find(c) != std::string_view::npos) text += '\\';
+    text += c;
+  }
+  return text;
+}
+
 std::vector<std::string> find_files(const std::string& folder, const std::string& pattern) {
   const bool relative = !std::filesystem::path(pattern).is_absolute();
-  const std::string whole = relative && !folder.empty() ? escaped(folder) + "/" + pattern : pattern;
+  const std::string whole =
+      relative && !folder.empty() ? literal_pattern(folder) + "/" + pattern : pattern;
   GlobResult found;
   const int code = glob(whole.c_str(), GLOB_BRACE, nullptr, &found.paths);
   if (code == GLOB_NOSPACE) throw std::bad_alloc();

@@ -46,6 +46,12 @@ TEST_F(FindFiles, KnowsQuestionMarksSetsAndBraces) {
 
 TEST_F(FindFiles, GivesNothingIfNothingMatches) { EXPECT_TRUE(names("*.tsv").empty()); }
 
+TEST_F(FindFiles, MatchesAnyNameToTheLetter) {
+  const std::string name = "b{1,2}[x]*?\\.csv";
+  std::ofstream(folder_ / name) << "1\n";
+  EXPECT_EQ(names(literal_pattern(name)), Names{name});
+}
+
 TEST_F(FindFiles, LeavesAbsolutePatternsAlone) {
   EXPECT_EQ(find_files("elsewhere", "/dev/nul[l]*nothing"), Names{});
   EXPECT_EQ(find_files("elsewhere", PLASTICA_SOURCE_DIR "/LICENS?"),

@@ -1,0 +1,226 @@
+#include "calibrate/config/bare_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "calibrate/config/read_parameters.hpp"
+#include "calibrate/config/write_target.hpp"
+#include "plastica/io/csv.hpp"
+#include "plastica/io/units.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using Text = std::optional<std::string>;
+
+/// Splits at the last occurrence of a character; the second part is empty if there is none.
+std::pair<std::string, Text> split_last(const std::string& text, char mark) {
+  const std::size_t at = text.rfind(mark);
+  if (at == std::string::npos) return {text, std::nullopt};
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+std::optional<ColumnSource> column_of(const Text& given, Dimension dimension,
+                                      std::string_view option) {
+  if (!given) return std::nullopt;
+  auto [column, unit] = split_last(*given, ':');
+  if (column.empty()) throw InputError({}, option, *given, "must be COLUMN or COLUMN:UNIT");
+  if (unit && unit->empty()) unit.reset();
+  if (unit) {
+    try {
+      io::unit_conversion(*unit, dimension);
+    } catch (const InputError& error) {
+      throw InputError({}, option, *given, "\"" + *unit + "\" " + error.rule());
+    }
+  }
+  return ColumnSource{column, unit, {}};
+}
+
+/// "50 mm", or a column of the table, as COLUMN or COLUMN:UNIT.
+std::optional<SpecimenValue> specimen_value_of(const Text& given, Dimension dimension,
+                                               std::string_view option, bool has_table) {
+  if (!given) return std::nullopt;
+  SpecimenValue value;
+  if (has_table && given->find_first_of("0123456789.") != 0) {
+    const auto column = column_of(given, dimension, option);
+    value.from = column->column;
+    value.unit = column->unit;
+    return value;
+  }
+  value.value = io::parse_quantity(*given, dimension, {}, option);
+  if (*value.value <= 0.0) throw InputError({}, option, *given, "must be positive");
+  return value;
+}
+
+template <typename Enum>
+void set_word(const Text& given, std::string_view option,
+              std::initializer_list<std::string_view> words, Enum& target) {
+  if (!given) return;
+  const auto* found = std::find(words.begin(), words.end(), *given);
+  if (found == words.end()) {
+    throw InputError({}, option, *given,
+                     fmt::format("must be one of {}", fmt::join(words.begin(), words.end(), ", ")));
+  }
+  target = static_cast<Enum>(found - words.begin());
+}
+
+void refuse_both(const Text& first, std::string_view first_option, const Text& second,
+                 std::string_view second_option) {
+  if (!first || !second) return;
+  throw InputError({}, second_option, *second, "cannot go with " + std::string(first_option));
+}
+
+/// What the options say, without files.
+TargetSource source_of(const BareFiles& bare) {
+  refuse_both(bare.strain, "--strain", bare.elongation, "--elongation");
+  refuse_both(bare.stress, "--stress", bare.force, "--force");
+  TargetSource source;
+  set_word(bare.test, "--test", {"tension", "bending", "torsion"}, source.test);
+  set_word(bare.measure, "--measure", {"engineering", "true"}, source.measure);
+  source.strain = column_of(bare.strain, Dimension::Strain, "--strain");
+  source.elongation = column_of(bare.elongation, Dimension::Length, "--elongation");
+  source.stress = column_of(bare.stress, Dimension::Stress, "--stress");
+  source.force = column_of(bare.force, Dimension::Force, "--force");
+  const bool has_table = bare.table.has_value();
+  source.gauge_length =
+      specimen_value_of(bare.gauge_length, Dimension::Length, "--gauge-length", has_table);
+  source.area = specimen_value_of(bare.area, Dimension::Area, "--area", has_table);
+  if (has_table) {
+    const auto [file, key] = split_last(*bare.table, ':');
+    if (file.empty() || !key || key->empty()) {
+      throw InputError({}, "--table", *bare.table, "must be FILE:KEY, the key being a column");
+    }
+    source.table.emplace();
+    source.table->file = file;
+    source.table->key = *key;
+  }
+  if (!bare.group.empty() && !has_table) {
+    throw InputError({}, "--group", bare.group.front(), "needs --table, which has this column");
+  }
+  source.group = bare.group;
+  return source;
+}
+
+std::string names_of(const io::CsvTable& table) {
+  std::string names;
+  for (const std::string& name : table.names()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+/// The unit of a column must stand in its option or in the file, unless it needs none.
+void check_unit(const io::CsvTable& table, const ColumnSource& column, Dimension dimension,
+                std::string_view option) {
+  if (column.unit || column.column.find('*') != std::string::npos) return;
+  const std::size_t index = table.find(column.column, {}, option);
+  const std::string& unit = table.units()[index];
+  try {
+    io::unit_conversion(unit, dimension);
+  } catch (const InputError& error) {
+    throw InputError(
+        {table.file(), 0}, option, column.column,
+        (unit.empty() ? "has no unit in the file: " : "\"" + unit + "\" ") + error.rule() +
+            fmt::format("; write {} \"{}:{}\"", option, column.column, si_unit(dimension)));
+  }
+}
+
+/// Completes what the options say by what the columns of a file are called.
+void complete(const io::CsvTable& table, TargetSource& source, bool measure_given) {
+  const TargetSource guess = guess_source(table);
+  const auto missing = [&](std::string_view option, std::string_view what) {
+    return InputError({table.file(), 0}, option, "",
+                      fmt::format("no column is known for the {}; it has {}: give {}", what,
+                                  names_of(table), option));
+  };
+  if (!source.strain && !source.elongation) {
+    source.strain = guess.strain;
+    source.elongation = guess.elongation;
+    if (!measure_given) source.measure = guess.measure;
+  }
+  if (!source.stress && !source.force) {
+    source.stress = guess.stress;
+    source.force = guess.force;
+    if (!measure_given) source.measure = guess.measure;
+  }
+  if (!source.strain && !source.elongation) throw missing("--strain", "strain");
+  if (!source.stress && !source.force) throw missing("--stress", "stress");
+  if (source.strain) check_unit(table, *source.strain, Dimension::Strain, "--strain");
+  if (source.stress) check_unit(table, *source.stress, Dimension::Stress, "--stress");
+  const auto need = [&](const auto& column, const auto& value, Dimension dimension,
+                        std::string_view option, std::string_view other) {
+    if (!column) return;
+    check_unit(table, *column, dimension, option);
+    if (value) return;
+    throw InputError({table.file(), 0}, option, column->column,
+                     "needs " + std::string(other) + " to become a strain or stress");
+  };
+  need(source.elongation, source.gauge_length, Dimension::Length, "--elongation", "--gauge-length");
+  need(source.force, source.area, Dimension::Force, "--force", "--area");
+  // Of use to other files only.
+  if (!source.elongation) source.gauge_length.reset();
+  if (!source.force) source.area.reset();
+}
+
+std::string parameters_text(const std::vector<std::string>& fixed) {
+  std::string text = "[fit.parameters]\n";
+  std::map<const Field*, std::string> taken;
+  for (const std::string& entry : fixed) {
+    const std::size_t at = entry.find('=');
+    if (at == std::string::npos || at == 0 || at + 1 == entry.size()) {
+      throw InputError({}, "--fix", entry,
+                       "must be NAME=VALUE, such as youngs_modulus=\"200 GPa\"");
+    }
+    const Field& field = parameter_field(entry.substr(0, at), {}, "--fix " + entry.substr(0, at));
+    if (!taken.emplace(&field, entry).second) {
+      throw InputError({}, "--fix", entry, "this parameter is fixed twice");
+    }
+    const std::string value = entry.substr(at + 1);
+    try {
+      check_field(field, io::parse_quantity(value, field.dimension));
+    } catch (const InputError& error) {
+      throw InputError({}, "--fix " + entry.substr(0, at), value, error.rule());
+    }
+    text += fmt::format("{} = {{ value = {}, fixed = true }}\n", toml_string(field.path),
+                        toml_string(value));
+  }
+  bool any_free = false;
+  for (const Parameter& parameter : default_parameters()) {
+    if (taken.count(parameter.field) > 0) continue;
+    text += parameter.name() + " = {}\n";
+    any_free = true;
+  }
+  if (!any_free) {
+    throw InputError({}, "--fix", fixed.back(), "leaves nothing to fit: all parameters are fixed");
+  }
+  return text;
+}
+
+}  // namespace
+
+FitFile fit_of_bare_files(const BareFiles& bare) {
+  if (bare.files.empty()) throw InputError({}, "FILE", "", "give at least one file");
+  const TargetSource given = source_of(bare);
+  std::string text = parameters_text(bare.fixed);
+  // Blocks by what they say, in the order of their first files.
+  std::vector<std::pair<std::string, TargetSource>> blocks;
+  for (const std::string& file : bare.files) {
+    TargetSource source = given;
+    complete(io::CsvTable::read(file, source.csv), source, bare.measure.has_value());
+    const std::string columns = target_text(source);
+    auto block = std::find_if(blocks.begin(), blocks.end(),
+                              [&](const auto& other) { return other.first == columns; });
+    if (block == blocks.end()) block = blocks.emplace(blocks.end(), columns, std::move(source));
+    block->second.files.push_back(file);
+  }
+  for (const auto& [columns, source] : blocks) text += "\n" + target_text(source);
+  try {
+    return parse_fit_file(std::move(text), "");
+  } catch (const InputError& error) {
+    // Lines of a text that the user has not written would only confuse.
+    throw InputError({}, error.field(), error.value(), error.rule());
+  }
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibrate/config/fit_file.hpp"
+
+namespace plastica::calibrate {
+
+/// Curves named on the command line, and what its options say of them.
+///
+/// A column is "NAME", "NAME:UNIT" or "NUMBER:UNIT"; the unit stands after the last colon, so a
+/// name that has colons itself ends with one more. What is not given is guessed from each file.
+struct BareFiles {
+  std::vector<std::string> files;
+  std::optional<std::string> strain;        ///< --strain COLUMN[:UNIT]
+  std::optional<std::string> elongation;    ///< --elongation COLUMN[:UNIT]
+  std::optional<std::string> gauge_length;  ///< --gauge-length "50 mm", or a column of the table
+  std::optional<std::string> stress;        ///< --stress COLUMN[:UNIT]
+  std::optional<std::string> force;         ///< --force COLUMN[:UNIT]
+  std::optional<std::string> area;          ///< --area "120 mm^2", or a column of the table
+  std::optional<std::string> test;          ///< --test tension|bending|torsion
+  std::optional<std::string> measure;       ///< --measure engineering|true
+  std::optional<std::string> table;         ///< --table FILE:KEY
+  std::vector<std::string> group;           ///< --group COLUMN, as often as wanted
+  std::vector<std::string> fixed;           ///< --fix NAME=VALUE, as often as wanted
+};
+
+/// The fit file that the command line stands for; its text can be kept and run again in the same
+/// folder. Files of the same columns make one [[target]]. Parameters are the default ones; those of
+/// --fix are fixed.
+/// @throws InputError naming the option (or file), value and rule
+FitFile fit_of_bare_files(const BareFiles& bare);
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,104 @@
+#include "calibrate/config/fit_file.hpp"
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "calibrate/config/find_files.hpp"
+#include "calibrate/config/read_fit_options.hpp"
+#include "calibrate/config/read_parameters.hpp"
+#include "calibrate/config/read_target.hpp"
+#include "plastica/io/toml.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using io::TomlTable;
+using io::TomlValue;
+
+/// `files` as single patterns, each with its own place for errors.
+std::vector<TomlValue> patterns_of(const TomlValue& files) {
+  (void)files.strings();
+  return files.is_array() ? files.array() : std::vector<TomlValue>{files};
+}
+
+/// The files that a target's patterns match, each once.
+std::vector<std::string> files_of(const TomlTable& table, const std::string& folder) {
+  std::vector<std::string> files;
+  std::map<std::string, int> lines;
+  for (const TomlValue& pattern : patterns_of(table.at("files"))) {
+    const std::vector<std::string> found = find_files(folder, pattern.string());
+    if (found.empty()) {
+      throw pattern.error("matches no file" + (folder.empty() ? "" : " in " + folder));
+    }
+    for (const std::string& file : found) {
+      files.push_back(std::filesystem::path(file).lexically_normal().string());
+      const auto [known, is_new] = lines.emplace(files.back(), pattern.where().line);
+      if (!is_new) {
+        throw pattern.error("matches " + files.back() + ", which line " +
+                            std::to_string(known->second) + " has already");
+      }
+    }
+  }
+  return files;
+}
+
+std::vector<TargetBlock> read_targets(const TomlTable& root, const std::string& folder,
+                                      const std::vector<Parameter>& parameters) {
+  TargetBlock defaults;
+  if (const auto table = root.find_table("target_defaults")) {
+    read_target(*table, folder, defaults);
+  }
+  const std::vector<TomlTable> tables = root.find_tables("target");
+  if (tables.empty()) {
+    root.check_unused();
+    throw InputError({root.where().file, 0}, "target", "",
+                     "is missing: a fit needs at least one [[target]]");
+  }
+  std::vector<TargetBlock> blocks;
+  for (const TomlTable& table : tables) {
+    TargetBlock block = defaults;
+    block.source.where = table.where();
+    read_target(table, folder, block);
+    block.source.files = files_of(table, folder);
+    table.check_unused();
+    check_target(table, block.source);
+    check_material_is_given(root, parameters, block.source.test);
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
+}  // namespace
+
+FitFile parse_fit_file(std::string text, const std::string& path) {
+  const auto document = io::TomlDocument::parse(std::move(text), path);
+  const TomlTable& root = document.root();
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  FitFile file{path, document.text(), read_fit_options(root), {}};
+  file.targets = read_targets(root, folder, file.options.parameters);
+  root.check_unused();
+  return file;
+}
+
+FitFile read_fit_file(const std::string& path) {
+  return parse_fit_file(io::TomlDocument::read(path).text(), path);
+}
+
+std::vector<Target> import_all(const FitFile& file) {
+  std::vector<Target> targets;
+  std::set<std::string> names;
+  for (const TargetBlock& block : file.targets) {
+    for (Target& target : import_targets(block.source, block.options)) {
+      const std::string name = target.name;
+      for (int use = 2; !names.insert(target.name).second; ++use) {
+        target.name = name + "#" + std::to_string(use);
+      }
+      targets.push_back(std::move(target));
+    }
+  }
+  return targets;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calibrate/config/read_target.hpp"
+#include "calibrate/fit/options.hpp"
+
+namespace plastica::calibrate {
+
+/// What a fit file says; calibrate/config/README.md lists its keys.
+struct FitFile {
+  std::string path;  ///< as the user gave it; empty for curves named on the command line
+  std::string text;
+  FitOptions options;
+  std::vector<TargetBlock> targets;  ///< in the order of the file
+};
+
+/// Reads a fit file and finds the files of its targets; does not read those.
+/// @throws InputError naming file, line, key, value and rule, for the first thing that is wrong:
+///         keys that nobody knows, and patterns that match no file, included
+FitFile read_fit_file(const std::string& path);
+/// @param path  stands for the file in errors; its folder is where relative paths begin
+FitFile parse_fit_file(std::string text, const std::string& path);
+
+/// Imports the specimens of all targets. A name that an earlier specimen has gets "#2", "#3", …
+/// @throws InputError as `import_targets`, but not for a bad specimen: that one is Rejected
+std::vector<Target> import_all(const FitFile& file);
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,317 @@
+#include "calibrate/config/read_target.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+#include "plastica/io/units.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using io::TomlTable;
+using io::TomlValue;
+
+std::string column_name(const TomlValue& value) {
+  return value.is_number() ? std::to_string(value.integer(1, 1'000'000)) : value.string();
+}
+
+/// The key `unit` of a column's table, checked.
+std::optional<std::string> read_unit(const TomlTable& table, Dimension dimension) {
+  const auto unit = table.find("unit");
+  if (!unit) return std::nullopt;
+  io::unit_conversion(unit->string(), dimension, unit->where(), unit->key());
+  return unit->string();
+}
+
+/// A header or number, or { column = "Stress", unit = "MPa" }.
+ColumnSource read_column(const TomlValue& value, Dimension dimension) {
+  if (value.is_table()) {
+    const TomlTable table = value.table();
+    const auto unit = read_unit(table, dimension);
+    const TomlValue column = table.at("column");
+    return {column_name(column), unit, column.where()};
+  }
+  if (!value.is_string() && !value.is_number()) {
+    throw value.error("must be a column, { column = \"...\", unit = \"" +
+                      std::string(si_unit(dimension)) + "\" }");
+  }
+  return {column_name(value), std::nullopt, value.where()};
+}
+
+/// "50 mm" for all specimens, or { from = "Le_mm", unit = "mm" }.
+SpecimenValue read_specimen_value(const TomlValue& value, Dimension dimension) {
+  SpecimenValue specimen;
+  specimen.where = value.where();
+  if (value.is_table()) {
+    const TomlTable table = value.table();
+    specimen.unit = read_unit(table, dimension);
+    specimen.from = column_name(table.at("from"));
+    return specimen;
+  }
+  specimen.value = value.quantity(dimension);
+  if (*specimen.value <= 0.0) {
+    throw value.error("must be above 0 " + std::string(si_unit(dimension)));
+  }
+  return specimen;
+}
+
+void read_csv(const TomlTable& table, io::CsvOptions& csv) {
+  static constexpr std::array<std::string_view, 4> kSeparators{",", ";", "tab", "\t"};
+  static constexpr std::array<std::string_view, 2> kDecimals{".", ","};
+  const auto separator = table.find("separator");
+  if (separator) csv.separator = std::string_view(",;\t\t")[separator->word(kSeparators)];
+  if (const auto value = table.find("decimal")) {
+    csv.decimal = kDecimals[value->word(kDecimals)][0];
+    if (csv.separator == csv.decimal) throw value->error("is the separator, too");
+  } else if (separator && csv.separator == csv.decimal) {
+    throw separator->error("is the decimal mark, too");
+  }
+  if (const auto value = table.find("header")) {
+    csv.header = static_cast<std::size_t>(value->integer(0, 1'000'000));
+  }
+}
+
+TableSource read_table(const TomlValue& value, const std::string& folder) {
+  const TomlTable table = value.table();
+  const TomlValue file = table.at("file");
+  const auto path = std::filesystem::path(folder) / file.string();
+  if (!std::filesystem::is_regular_file(path)) {
+    throw file.error("is not a file" + (folder.empty() ? "" : " in " + folder));
+  }
+  TableSource source;
+  source.file = path.lexically_normal().string();
+  source.key = column_name(table.at("key"));
+  source.where = value.where();
+  read_csv(table, source.csv);
+  return source;
+}
+
+/// Of two ways to say the same, a table may use one; it replaces what the defaults say.
+template <typename Source, typename Read>
+void read_either(const TomlTable& table, const std::pair<std::string_view, Source*>& direct,
+                 const std::pair<std::string_view, Source*>& indirect, const Read& read) {
+  const auto first = table.find(direct.first);
+  const auto second = table.find(indirect.first);
+  if (first && second) {
+    throw second->error("cannot go with " + std::string(direct.first));
+  }
+  if (first) {
+    *direct.second = read(*first, true);
+    indirect.second->reset();
+  } else if (second) {
+    *indirect.second = read(*second, false);
+    direct.second->reset();
+  }
+}
+
+void read_columns(const TomlTable& table, TargetSource& source) {
+  using Column = std::optional<ColumnSource>;
+  read_either<Column>(table, {"strain", &source.strain}, {"elongation", &source.elongation},
+                      [](const TomlValue& value, bool direct) {
+                        return read_column(value, direct ? Dimension::Strain : Dimension::Length);
+                      });
+  read_either<Column>(table, {"stress", &source.stress}, {"force", &source.force},
+                      [](const TomlValue& value, bool direct) {
+                        return read_column(value, direct ? Dimension::Stress : Dimension::Force);
+                      });
+  if (const auto value = table.find("gauge_length")) {
+    source.gauge_length = read_specimen_value(*value, Dimension::Length);
+  }
+  if (const auto value = table.find("area")) {
+    source.area = read_specimen_value(*value, Dimension::Area);
+  }
+}
+
+/// A share for which low < share < high. @param value  0.1, or "10 %"
+void read_share(const TomlTable& table, std::string_view key, double low, double high,
+                double& share) {
+  const auto value = table.find(key);
+  if (!value) return;
+  share = value->quantity(Dimension::None);
+  if (share <= low || share >= high) {
+    throw value->error(fmt::format("must be above {:g} and below {:g}", low, high));
+  }
+}
+
+bool is_quantity(const TomlValue& value) {
+  if (!value.is_string()) return value.is_number();
+  return std::string_view("+-.0123456789").find(value.string()[0]) != std::string_view::npos;
+}
+
+/// "auto", "off" or a strain.
+CorrectionChoice read_choice(const TomlValue& value) {
+  using enum CorrectionChoice::Mode;
+  if (value.is_string() && value.string() == "auto") return {Automatic, 0.0};
+  if (value.is_string() && value.string() == "off") return {Off, 0.0};
+  if (!is_quantity(value)) throw value.error("must be \"auto\", \"off\" or a strain");
+  return {Set, value.quantity(Dimension::Strain)};
+}
+
+void read_corrections(const TomlTable& table, TargetOptions& options) {
+  if (const auto value = table.find("toe")) options.toe = read_choice(*value);
+  if (const auto value = table.find("preload")) options.preload = read_choice(*value);
+  if (const auto value = table.find("trim")) {
+    options.trim = read_choice(*value);
+    if (options.trim.mode == CorrectionChoice::Mode::Set && options.trim.amount <= 0.0) {
+      throw value->error("must be above 0");
+    }
+  }
+  if (const auto value = table.find("measure")) {
+    static constexpr std::array<std::string_view, 3> kWords{"as-measured", "true", "true-forced"};
+    const std::size_t word = value->word(kWords);
+    options.convert_to_true = word > 0;
+    options.force_true = word > 1;
+    if (word > 0 && options.measure == Measure::True) {
+      throw value->error("the columns are true strain and stress already");
+    }
+    if (word > 0 && options.test != Test::Tension) {
+      throw value->error("goes with test = \"tension\" alone");
+    }
+  }
+  if (const auto value = table.find("reversal_tolerance")) {
+    options.reversal_tolerance = value->quantity(Dimension::Strain);
+    if (options.reversal_tolerance < 0.0) throw value->error("must be at least 0");
+  }
+  constexpr double kNone = -std::numeric_limits<double>::min();
+  read_share(table, "shift_threshold", kNone, 1.0, options.shift_threshold);
+  read_share(table, "drop_share", 0.0, 1.0, options.drop_share);
+  read_share(table, "zero_share", kNone, 1.0, options.zero_share);
+  read_share(table, "end_share", 0.0, 1.0, options.end_share);
+}
+
+void read_modulus(const TomlValue& value, TargetOptions& options) {
+  options.youngs_modulus.reset();
+  if (value.is_string() && value.string() == "regression") {
+    options.modulus_method = ModulusMethod::Regression;
+  } else if (value.is_string() && value.string() == "chord") {
+    options.modulus_method = ModulusMethod::Chord;
+  } else {
+    if (!is_quantity(value)) {
+      throw value.error("must be \"regression\", \"chord\" or a stress such as \"200 GPa\"");
+    }
+    options.youngs_modulus = value.quantity(Dimension::Stress);
+    if (*options.youngs_modulus <= 0.0) throw value.error("must be above 0 Pa");
+  }
+}
+
+/// Two stresses, or two shares of the proof stress.
+void read_window(const TomlValue& value, TargetOptions& options) {
+  const auto ends = value.array();
+  if (ends.size() != 2) throw value.error("must be two stresses or two shares, [lower, upper]");
+  const auto is_share = [](const TomlValue& end) {
+    return end.is_number() || (end.is_string() && end.string().ends_with('%'));
+  };
+  const bool shares = is_share(ends[0]);
+  if (shares != is_share(ends[1])) {
+    throw value.error("must be two stresses or two shares of the proof stress, not one of each");
+  }
+  const Dimension dimension = shares ? Dimension::None : Dimension::Stress;
+  const double low = ends[0].quantity(dimension);
+  const double high = ends[1].quantity(dimension);
+  if (low < 0.0 || low >= high) throw value.error("must rise, from 0 or more");
+  if (shares && high > 1.0) throw value.error("must not exceed 100 % of the proof stress");
+  options.modulus_window.reset();
+  if (shares) {
+    options.modulus_low = low;
+    options.modulus_high = high;
+  } else {
+    options.modulus_window = std::pair(low, high);
+  }
+}
+
+void read_characteristics(const TomlTable& table, TargetOptions& options) {
+  const auto modulus = table.find("modulus");
+  const auto window = table.find("window");
+  if (modulus) read_modulus(*modulus, options);
+  if (window) read_window(*window, options);
+  if (window && options.youngs_modulus) throw window->error("is of no use: the modulus is given");
+  if (options.modulus_method == ModulusMethod::Chord && !options.youngs_modulus &&
+      !options.modulus_window) {
+    throw InputError(table.where(), table.key() + ".window", "",
+                     "must be two stresses where the modulus is a chord");
+  }
+  if (const auto value = table.find("offset")) {
+    options.offset = value->quantity(Dimension::Strain);
+    if (options.offset <= 0.0 || options.offset >= 1.0) {
+      throw value->error("must be above 0 % and below 100 %");
+    }
+  }
+  read_share(table, "yield_drop", 0.0, 1.0, options.yield_drop);
+  if (const auto value = table.find("min_samples")) {
+    options.min_samples = static_cast<std::size_t>(value->integer(2, 1'000'000));
+  }
+}
+
+}  // namespace
+
+void read_target(const TomlTable& table, const std::string& folder, TargetBlock& block) {
+  static constexpr std::array<std::string_view, 3> kTests{"tension", "bending", "torsion"};
+  static constexpr std::array<std::string_view, 2> kMeasures{"engineering", "true"};
+  static constexpr std::array<std::string_view, 3> kLoadings{"monotonic", "cyclic", "auto"};
+  TargetSource& source = block.source;
+  TargetOptions& options = block.options;
+  if (const auto value = table.find("test")) {
+    source.test = options.test = static_cast<Test>(value->word(kTests));
+  }
+  if (const auto value = table.find("measure")) {
+    source.measure = options.measure = static_cast<Measure>(value->word(kMeasures));
+  }
+  if (const auto value = table.find("loading")) {
+    const std::size_t word = value->word(kLoadings);
+    options.loading.reset();
+    if (word < 2) options.loading = static_cast<Loading>(word);
+    source.loading = options.loading;
+  }
+  read_columns(table, source);
+  if (const auto value = table.find("table")) source.table = read_table(*value, folder);
+  if (const auto value = table.find("group")) source.group = value->strings();
+  read_csv(table, source.csv);
+  if (const auto corrections = table.find_table("corrections")) {
+    read_corrections(*corrections, options);
+  }
+  if (const auto characteristics = table.find_table("characteristics")) {
+    read_characteristics(*characteristics, options);
+  }
+}
+
+void check_target(const TomlTable& table, const TargetSource& source) {
+  const auto refuse = [&](std::string_view key, std::string_view rule) {
+    if (const auto value = table.find(key)) throw value->error(rule);
+    throw InputError(table.where(), table.key() + "." + std::string(key), "", rule);
+  };
+  if (!source.strain && !source.elongation) {
+    refuse("strain", "is missing: give strain, or elongation and gauge_length");
+  }
+  if (!source.stress && !source.force) {
+    refuse("stress", "is missing: give stress, or force and area");
+  }
+  const std::string_view kTensionOnly =
+      "goes with test = \"tension\" alone; bending and torsion take strain and stress of the "
+      "outermost fibre";
+  if (source.test != Test::Tension && source.elongation) refuse("elongation", kTensionOnly);
+  if (source.test != Test::Tension && source.force) refuse("force", kTensionOnly);
+  if (source.elongation && !source.gauge_length) {
+    refuse("gauge_length", "is missing: elongation needs it");
+  }
+  if (source.force && !source.area) refuse("area", "is missing: force needs it");
+  if (!source.elongation && source.gauge_length && table.contains("gauge_length")) {
+    refuse("gauge_length", "is of no use without elongation");
+  }
+  if (!source.force && source.area && table.contains("area")) {
+    refuse("area", "is of no use without force");
+  }
+  if (source.table) return;
+  const auto needs_table = [&](const std::optional<SpecimenValue>& value) {
+    return value && !value->value;
+  };
+  constexpr std::string_view kNeedsTable = "needs `table`, the file that has this column";
+  if (source.elongation && needs_table(source.gauge_length)) refuse("gauge_length", kNeedsTable);
+  if (source.force && needs_table(source.area)) refuse("area", kNeedsTable);
+  if (!source.group.empty()) refuse("group", kNeedsTable);
+}
+
+}  // namespace plastica::calibrate
