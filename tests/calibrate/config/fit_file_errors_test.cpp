@@ -1,4 +1,8 @@
 #include "calibrate/config/fit_file.hpp"
+
+#include <iterator>
+#include <sstream>
+
 #include "tests/calibrate/config/config_folder.hpp"
 
 namespace plastica::calibrate {
@@ -216,6 +220,31 @@ TEST_F(FitFileErrors, AMaterialMustNotBeLeftToTheLibrarysDefaults) {
   EXPECT_EQ(with("[fit.parameters]\nyield_stress = {}"),
             "f.toml:1: fit.parameters.youngs_modulus: is missing: make it a parameter, or give it "
             "in [material]");
+}
+
+TEST_F(FitFileErrors, EveryKeyStandsInTheReadme) {
+  std::ifstream file(PLASTICA_SOURCE_DIR "/calibrate/config/README.md");
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_FALSE(readme.empty());
+  const std::string target = "[[target]]\nfiles = 'a.csv'\nstrain = 'e'\nstress = 's'\n";
+  const std::string q = "qqqqqqqqqqqqqqqqqqqqqqqqqq = 1\n";
+  for (const std::string& text :
+       {target + "[fit]\n" + q, target + "[fit.stop]\n" + q, target + q,
+        target + "[target.corrections]\n" + q, target + "[target.characteristics]\n" + q,
+        target + "[fit.parameters.yield_stress]\n" + q + "[material]\nname = 'S355'\n"}) {
+    const std::string message = error(text);
+    const auto at = message.find("its keys are ");
+    ASSERT_NE(at, std::string::npos) << message;
+    std::istringstream keys(message.substr(at + 13));
+    for (std::string key; std::getline(keys, key, ',');) {
+      key.erase(0, key.find_first_not_of(' '));
+      const bool found = readme.find('`' + key + '`') != std::string::npos ||
+                         readme.find("`stop." + key + '`') != std::string::npos ||
+                         readme.find(key + " = ") != std::string::npos ||
+                         readme.find("[fit." + key + "]") != std::string::npos;
+      EXPECT_TRUE(found || key == "stop") << key;
+    }
+  }
 }
 
 }  // namespace

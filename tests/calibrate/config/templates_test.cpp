@@ -7,17 +7,21 @@
 
 #include "plastica/io/csv.hpp"
 #include "plastica/io/scene_file.hpp"
+#include "plastica/run/simulate.hpp"
 #include "tests/support/message.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
-TEST(Templates, AreReadWithoutComplaint) {
+TEST(Templates, RunAsTheyAre) {
   const auto scene = template_files("scene");
   ASSERT_EQ(scene.size(), 1U);
   const auto file = io::parse_scene_file(scene[0].text, scene[0].name);
   EXPECT_EQ(file.setup.scene.drive.strain.size(), 304U);
   EXPECT_EQ(file.setup.scene.probes.size(), 3U);
+  const Response response = simulate(file.setup.scene, file.setup.solver);
+  ASSERT_TRUE(response.event);
+  EXPECT_GT(response.event->strain, 0.03);
 }
 
 TEST(Templates, AreListedByKind) {
