@@ -1,6 +1,7 @@
 #include "calibrate/config/find_files.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -13,7 +14,7 @@ class FindFiles : public ::testing::Test {
   void SetUp() override {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = std::filesystem::path(::testing::TempDir()) /
-              (std::string("find [a]*{x,y}_") + test->name());
+              (std::string("find [a]*{x,y}_") + test->name() + std::to_string(getpid()));
     std::filesystem::create_directories(folder_ / "deep.csv");
     for (const char* name : {"b.csv", "a.csv", "c.txt", "deep.csv/d.csv"}) {
       std::ofstream(folder_ / name) << "1\n";
