@@ -167,7 +167,7 @@ void add_bare_options(CLI::App& sub, calibrate::BareFiles& bare) {
       ->group(group);
   sub.add_option("--stress", bare.stress, "column of the stress: NAME, NAME:UNIT or a number")
       ->group(group);
-  sub.add_option("--force", bare.force, "column of the force, with --area")->group(group);
+  sub.add_option("--load", bare.force, "column of the force, with --area")->group(group);
   sub.add_option("--area", bare.area, "\"120 mm^2\", or a column of --table")->group(group);
   sub.add_option("--test", bare.test, "tension, bending or torsion")->group(group);
   sub.add_option("--measure", bare.measure, "engineering or true")->group(group);
