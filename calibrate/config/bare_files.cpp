@@ -76,14 +76,14 @@ void refuse_both(const Text& first, std::string_view first_option, const Text& s
 /// What the options say, without files.
 TargetSource source_of(const BareFiles& bare) {
   refuse_both(bare.strain, "--strain", bare.elongation, "--elongation");
-  refuse_both(bare.stress, "--stress", bare.force, "--force");
+  refuse_both(bare.stress, "--stress", bare.force, "--load");
   TargetSource source;
   set_word(bare.test, "--test", {"tension", "bending", "torsion"}, source.test);
   set_word(bare.measure, "--measure", {"engineering", "true"}, source.measure);
   source.strain = column_of(bare.strain, Dimension::Strain, "--strain");
   source.elongation = column_of(bare.elongation, Dimension::Length, "--elongation");
   source.stress = column_of(bare.stress, Dimension::Stress, "--stress");
-  source.force = column_of(bare.force, Dimension::Force, "--force");
+  source.force = column_of(bare.force, Dimension::Force, "--load");
   const bool has_table = bare.table.has_value();
   source.gauge_length =
       specimen_value_of(bare.gauge_length, Dimension::Length, "--gauge-length", has_table);
@@ -157,7 +157,7 @@ void complete(const io::CsvTable& table, TargetSource& source, bool measure_give
                      "needs " + std::string(other) + " to become a strain or stress");
   };
   need(source.elongation, source.gauge_length, Dimension::Length, "--elongation", "--gauge-length");
-  need(source.force, source.area, Dimension::Force, "--force", "--area");
+  need(source.force, source.area, Dimension::Force, "--load", "--area");
   // Of use to other files only.
   if (!source.elongation) source.gauge_length.reset();
   if (!source.force) source.area.reset();

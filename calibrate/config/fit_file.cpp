@@ -44,6 +44,20 @@ std::vector<std::string> files_of(const TomlTable& table, const std::string& fol
   return files;
 }
 
+/// A modulus that the fit holds fixed is also that of the characteristics, unless the target says
+/// otherwise: a proof stress should not be found with another one.
+void use_fixed_modulus(const std::vector<Parameter>& parameters, TargetBlock& block) {
+  const auto wanted = block.source.test == Deformation::Torsion ? MaterialField::ShearModulus
+                                                                : MaterialField::YoungsModulus;
+  const TargetOptions& options = block.options;
+  if (options.youngs_modulus || options.modulus_window) return;
+  for (const Parameter& parameter : parameters) {
+    if (parameter.field->material == wanted && parameter.role == ParameterRole::Fixed) {
+      block.options.youngs_modulus = parameter.value;
+    }
+  }
+}
+
 std::vector<TargetBlock> read_targets(const TomlTable& root, const std::string& folder,
                                       const std::vector<Parameter>& parameters) {
   TargetBlock defaults;
@@ -65,6 +79,7 @@ std::vector<TargetBlock> read_targets(const TomlTable& root, const std::string& 
     table.check_unused();
     check_target(table, block.source);
     check_material_is_given(root, parameters, block.source.test);
+    use_fixed_modulus(parameters, block);
     blocks.push_back(std::move(block));
   }
   return blocks;

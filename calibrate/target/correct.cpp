@@ -115,14 +115,15 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
     }
   }
 
-  const double zero = line.zero_strain;
-  const double threshold = std::max(options.shift_threshold * line.yield_stress / line.modulus,
-                                    6.0 * line.zero_strain_stderr);
+  // With a given modulus the line goes through the first sample, and only a coarse offset counts.
+  const bool given = options.youngs_modulus.has_value();
+  const double zero = given ? curve.strain[0] - curve.stress[0] / line.modulus : line.zero_strain;
+  const double share = given ? options.given_modulus_threshold : options.shift_threshold;
+  const double threshold =
+      std::max(share * line.yield_stress / line.modulus, 6.0 * line.zero_strain_stderr);
   const char* why_not = nullptr;
   if (total != 0.0) {
     why_not = "another strain shift is set";
-  } else if (options.youngs_modulus) {
-    why_not = "the modulus is given: its line goes through the measured zero";
   } else if (target.loading == Loading::Cyclic) {
     why_not = "a cyclic curve keeps its measured zero";
   } else if (!(std::abs(zero) > threshold)) {

@@ -38,9 +38,12 @@ struct TargetOptions {
   CorrectionChoice toe;
   /// Preload offset, amount: strain [1] taken off every sample. Automatic: as the toe, but the
   /// first sample is on the elastic line (nearer to it than half of the shift): the strain was
-  /// zeroed at another load.
+  /// zeroed at another load. With a given modulus: the line of that slope through the first sample
+  /// misses the origin by more than `given_modulus_threshold` of the strain Rm/modulus; smaller
+  /// offsets may as well be a modulus that differs from the given one.
   CorrectionChoice preload;
-  double shift_threshold = 0.01;  ///< of the yield strain, see `toe`
+  double shift_threshold = 0.01;         ///< of the yield strain, see `toe`
+  double given_modulus_threshold = 0.1;  ///< of Rm/modulus, see `preload`
   /// Trim at break, amount: measured strain [1] beyond which the specimen is broken.
   /// Automatic, after the largest stress, the first that holds:
   /// - a run of samples that falls by `drop_share` of Rm or more, each step steeper than half

@@ -158,7 +158,7 @@ TEST_F(BareFilesTest, RefusesForceWithoutAreaAndTheLike) {
             "machine.csv: --elongation = Elongation: needs --gauge-length to become a strain or "
             "stress");
   bare.gauge_length = "50 mm";
-  EXPECT_EQ(error(bare), "machine.csv: --force = Load: needs --area to become a strain or stress");
+  EXPECT_EQ(error(bare), "machine.csv: --load = Load: needs --area to become a strain or stress");
   bare.area = "100";
   EXPECT_EQ(error(bare), "--area = 100: an area needs a unit (examples: m^2, mm^2, in^2)");
   bare.area = "0 mm^2";
@@ -167,7 +167,7 @@ TEST_F(BareFilesTest, RefusesForceWithoutAreaAndTheLike) {
 
 TEST_F(BareFilesTest, RefusesOptionsThatContradictEachOther) {
   EXPECT_EQ(error_with([](BareFiles& bare) { bare.force = "b"; }),
-            "--force = b: cannot go with --stress");
+            "--load = b: cannot go with --stress");
   EXPECT_EQ(error_with([](BareFiles& bare) { bare.group = {"lot"}; }),
             "--group = lot: needs --table, which has this column");
   EXPECT_EQ(error_with([](BareFiles& bare) { bare.table = "info.csv"; }),
