@@ -1,0 +1,66 @@
+#include "calibrate/report/advice.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "calibrate/report/format.hpp"
+
+namespace plastica::calibrate::report {
+namespace {
+
+bool moves_hardening(const FitResult& result) {
+  return std::any_of(
+      result.parameters.begin(), result.parameters.end(), [](const FittedParameter& parameter) {
+        const std::string_view name = parameter.name;
+        return name.find("tangent_modulus") != name.npos || name.find("saturation") != name.npos ||
+               name.find("backstress") != name.npos;
+      });
+}
+
+void advise_on(const FittedParameter& parameter, std::vector<std::string>& advice) {
+  const std::string_view bound = word_of_bound(parameter);
+  if (parameter.role != ParameterRole::Free) return;
+  if (!parameter.identified) {
+    advice.push_back(parameter.name +
+                     ": no value is better than another for this curve; fix it, or fit a curve "
+                     "that goes far enough to show it.");
+  } else if (!bound.empty()) {
+    advice.push_back(parameter.name + ": the best value is at the " + std::string(bound) +
+                     " bound or beyond; widen the bounds if the material allows it, else fix it.");
+  }
+}
+
+}  // namespace
+
+std::string misfit_meaning(const FitResult& result) {
+  if (result.misfit_word == "close") return "the model follows the curve";
+  if (result.misfit_word == "fair") return "the model follows the curve roughly";
+  if (result.misfit_word == "poor") return "the model cannot follow this curve";
+  return {};
+}
+
+std::vector<std::string> advice_for(const FitRecord& record) {
+  const FitResult& result = record.result;
+  std::vector<std::string> advice;
+  if (record.target.status == TargetStatus::TooCoarse) {
+    advice.push_back("Sample the test more often, or fit fewer parameters by fixing E.");
+  }
+  if (result.status != FitStatus::Fitted) return advice;
+  for (const FittedParameter& parameter : result.parameters) advise_on(parameter, advice);
+  if (!result.stages.empty() && result.stages.back().outcome.find("maxeval") != std::string::npos) {
+    advice.push_back("The optimizer stopped at its limit of evaluations: allow it more.");
+  }
+  if (result.misfit_word == "poor" || result.misfit_word == "fair") {
+    advice.push_back(
+        "Standard errors hold only as far as the model does: they count the scatter about the "
+        "fitted curve, not the shape that the model lacks.");
+  }
+  if (result.misfit_word == "poor") {
+    advice.push_back(moves_hardening(result)
+                         ? "Hardening is fitted already: look at the picture for what is missing."
+                         : "Let the material harden: add tangent_modulus to the parameters.");
+  }
+  return advice;
+}
+
+}  // namespace plastica::calibrate::report

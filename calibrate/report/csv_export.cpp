@@ -1,0 +1,171 @@
+#include "calibrate/report/csv_export.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "calibrate/report/format.hpp"
+#include "calibrate/report/summary.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using namespace report;
+
+std::string quoted(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string cell = "\"";
+  for (const char c : text) {
+    if (c == '"') cell += '"';
+    cell += c;
+  }
+  return cell + '"';
+}
+
+std::string cell_of(std::optional<double> value) {
+  return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string();
+}
+
+void put_row(std::ostream& out, const std::vector<std::string>& cells) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) out << ',';
+    out << quoted(cells[i]);
+  }
+  out << '\n';
+}
+
+/// Names that any record has, in the order in which they come up first.
+template <typename Names>
+std::vector<std::string> all_names(std::span<const FitRecord> records, const Names& names_of) {
+  std::vector<std::string> all;
+  for (const FitRecord& record : records) {
+    for (const auto& entry : names_of(record)) {
+      if (std::find(all.begin(), all.end(), entry) == all.end()) all.push_back(entry);
+    }
+  }
+  return all;
+}
+
+std::vector<std::string> group_keys(const FitRecord& record) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : record.target.group) keys.push_back(key);
+  return keys;
+}
+
+const FittedParameter* find_parameter(const FitRecord& record, std::string_view name) {
+  for (const FittedParameter& parameter : record.result.parameters) {
+    if (parameter.name == name) return &parameter;
+  }
+  return nullptr;
+}
+
+/// One line of the curves; the columns are those of write_curves_csv.
+void put_sample(std::ostream& out, const std::string& name, double strain,
+                std::optional<double> measured, std::optional<double> fitted) {
+  out << name << ',' << cell_of(strain) << ',' << cell_of(measured) << ',' << cell_of(fitted)
+      << '\n';
+}
+
+}  // namespace
+
+void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) {
+  const std::vector<std::string> keys = all_names(records, group_keys);
+  const std::vector<std::string> parameters = all_names(records, [](const FitRecord& record) {
+    std::vector<std::string> names;
+    for (const FittedParameter& parameter : record.result.parameters) {
+      names.push_back(parameter.name);
+    }
+    return names;
+  });
+  std::vector<std::string> header = {"name",    "file",   "test",  "measure",
+                                     "loading", "status", "reason"};
+  for (const std::string& key : keys) header.push_back("group." + key);
+  for (const CharacteristicEntry& entry : characteristic_entries()) {
+    header.push_back(fmt::format("{} [{}]", entry.name, si_unit(entry.dimension)));
+  }
+  for (const std::string& name : parameters) {
+    const FittedParameter* example = nullptr;
+    for (std::size_t i = 0; example == nullptr; ++i) example = find_parameter(records[i], name);
+    for (const char* what : {"", ".stderr", ".low", ".high"}) {
+      header.push_back(fmt::format("fit.{}{} [{}]", name, what, si_unit(example->dimension)));
+    }
+  }
+  for (const char* last : {"objective [Pa^2]", "misfit_rms [Pa]", "misfit_share [1]", "misfit",
+                           "break_strain_total [1]", "samples", "evaluations"}) {
+    header.emplace_back(last);
+  }
+  put_row(out, header);
+
+  for (const FitRecord& record : records) {
+    const Target& target = record.target;
+    const FitResult& result = record.result;
+    const bool fitted = result.status == FitStatus::Fitted;
+    const auto if_fitted = [&](double value) { return fitted ? cell_of(value) : std::string(); };
+    std::vector<std::string> row = {target.name,
+                                    target.file,
+                                    std::string(word_of(target.test)),
+                                    std::string(word_of(target.measure)),
+                                    std::string(word_of(target.loading)),
+                                    std::string(word_of(result.status)),
+                                    reason_of(record)};
+    for (const std::string& key : keys) {
+      const auto pair = std::find_if(target.group.begin(), target.group.end(),
+                                     [&](const auto& entry) { return entry.first == key; });
+      row.push_back(pair == target.group.end() ? std::string() : pair->second);
+    }
+    for (const CharacteristicEntry& entry : characteristic_entries()) {
+      row.push_back(cell_of(target.characteristics.*entry.value));
+    }
+    for (const std::string& name : parameters) {
+      const FittedParameter* parameter = find_parameter(record, name);
+      const bool there = parameter != nullptr;
+      row.push_back(there ? cell_of(parameter->value) : std::string());
+      row.push_back(there ? cell_of(parameter->standard_error) : std::string());
+      row.push_back(there ? cell_of(parameter->interval_low) : std::string());
+      row.push_back(there ? cell_of(parameter->interval_high) : std::string());
+    }
+    row.push_back(if_fitted(result.cost));
+    row.push_back(if_fitted(result.misfit_rms));
+    row.push_back(if_fitted(result.misfit_share));
+    row.push_back(fitted ? result.misfit_word : std::string());
+    row.push_back(cell_of(result.break_strain_total));
+    row.push_back(std::to_string(result.samples));
+    row.push_back(std::to_string(result.evaluations()));
+    put_row(out, row);
+  }
+}
+
+void write_curves_csv(std::ostream& out, std::span<const FitRecord> records) {
+  out << "specimen,strain [1],stress_measured [Pa],stress_fitted [Pa]\n";
+  for (const FitRecord& record : records) {
+    const std::string name = quoted(record.target.name);
+    const Target& target = record.target;
+    const Curve& measured = target.corrected.size() > 0 ? target.corrected : target.raw;
+    const Curve& fitted = record.result.fitted;
+    std::size_t j = 0;
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+      // The fitted curve has the strains of the corrected one, and its break among or after them.
+      while (fitted.size() - j > measured.size() - i && fitted.strain[j] != measured.strain[i]) {
+        put_sample(out, name, fitted.strain[j], std::nullopt, fitted.stress[j]);
+        ++j;
+      }
+      if (j < fitted.size() && fitted.strain[j] == measured.strain[i]) {
+        put_sample(out, name, measured.strain[i], measured.stress[i], fitted.stress[j]);
+        ++j;
+      } else {
+        put_sample(out, name, measured.strain[i], measured.stress[i], std::nullopt);
+      }
+    }
+    for (; j < fitted.size(); ++j) {
+      put_sample(out, name, fitted.strain[j], std::nullopt, fitted.stress[j]);
+    }
+  }
+}
+
+}  // namespace plastica::calibrate

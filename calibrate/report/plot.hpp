@@ -1,0 +1,41 @@
+#pragma once
+
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "calibrate/fit/result.hpp"
+
+namespace plastica::calibrate {
+
+/// A picture that a file of fits can be drawn as.
+struct PlotKind {
+  std::string_view name;  ///< "curve"
+  std::string_view doc;   ///< one line for `--list`
+};
+
+/// All pictures: "curve", "overview", "parameters".
+std::span<const PlotKind> plot_kinds();
+
+/// Which picture, of what, and where to.
+struct PlotRequest {
+  std::string what;      ///< name of a kind; empty: a curve for one specimen, else the overview
+  std::string specimen;  ///< name of the target for a curve; empty: the first
+  /// A path that ends in .svg, .png, .pdf, or .gp for the script with its data; "-" for a picture
+  /// of characters on standard output.
+  std::string output;
+};
+
+/// The picture as a gnuplot script with its data, without terminal and output.
+/// @throws InputError for a kind or specimen that does not exist, or one without a curve
+std::string plot_script(std::span<const FitRecord> records, const PlotRequest& request);
+
+/// Draws and writes the picture; a file is replaced as a whole or left alone.
+/// @param standard_output  where a picture of characters goes
+/// @throws InputError as plot_script, and for an output of another kind; MachineError if gnuplot
+///         is missing or fails, or the file cannot be written
+void draw_plot(std::span<const FitRecord> records, const PlotRequest& request,
+               std::ostream& standard_output);
+
+}  // namespace plastica::calibrate

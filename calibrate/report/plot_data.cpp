@@ -1,0 +1,155 @@
+#include "calibrate/report/plot_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "calibrate/report/format.hpp"
+#include "plastica/io/gnuplot.hpp"
+
+namespace plastica::calibrate::report {
+namespace {
+
+constexpr std::size_t kMeanPoints = 200;
+
+void put_curve(std::string& block, const Curve& curve) {
+  const Curve shown = thinned(curve);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    fmt::format_to(std::back_inserter(block), "{:.7g} {:.7g}\n", 100.0 * shown.strain[i],
+                   1e-6 * shown.stress[i]);
+  }
+}
+
+struct Extent {
+  double low = 0.0;
+  double high = 0.0;
+  double size() const { return high > low ? high - low : 1.0; }
+};
+
+Extent extent_of(const std::vector<double>& values) {
+  Extent extent;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    extent.low = std::min(extent.low, value);
+    extent.high = std::max(extent.high, value);
+  }
+  return extent;
+}
+
+/// Whether strain only grows, but for noise of a hundredth of its range.
+bool grows(const Curve& curve) {
+  double largest = curve.strain.front();
+  const double noise = 0.01 * extent_of(curve.strain).size();
+  for (const double strain : curve.strain) {
+    if (strain < largest - noise) return false;
+    largest = std::max(largest, strain);
+  }
+  return true;
+}
+
+/// Stress at a strain, linear between the first two samples that enclose it.
+double stress_at(const Curve& curve, double strain, std::size_t& from) {
+  while (from + 1 < curve.size() && curve.strain[from + 1] < strain) ++from;
+  if (from + 1 >= curve.size()) return curve.stress.back();
+  const double width = curve.strain[from + 1] - curve.strain[from];
+  if (!(width > 0.0)) return curve.stress[from + 1];
+  const double share = std::clamp((strain - curve.strain[from]) / width, 0.0, 1.0);
+  return curve.stress[from] + share * (curve.stress[from + 1] - curve.stress[from]);
+}
+
+}  // namespace
+
+PlotScript::PlotScript() {
+  commands_ =
+      "set encoding utf8\n"
+      "set termoption noenhanced\n"
+      "set border 3 linewidth 0.8 linecolor rgb '#333333'\n"
+      "set tics nomirror out scale 0.6 textcolor rgb '#333333'\n"
+      "set grid ytics linecolor rgb '#E4E4E4' linewidth 0.6 linetype 1\n"
+      "set key outside bottom center horizontal samplen 2.5 textcolor rgb '#333333'\n";
+}
+
+std::string PlotScript::next_name() { return fmt::format("$data{}", ++count_); }
+
+std::string PlotScript::add_points(const std::vector<std::vector<double>>& rows) {
+  const std::string name = next_name();
+  blocks_ += name + " << END_OF_DATA\n";
+  for (const std::vector<double>& row : rows) {
+    for (const double value : row) {
+      fmt::format_to(std::back_inserter(blocks_), "{:.7g} ", value);
+    }
+    blocks_ += '\n';
+  }
+  blocks_ += "END_OF_DATA\n";
+  return name;
+}
+
+std::string PlotScript::add_curve(const Curve& curve) { return add_curves({&curve}); }
+
+std::string PlotScript::add_curves(const std::vector<const Curve*>& curves) {
+  const std::string name = next_name();
+  blocks_ += name + " << END_OF_DATA\n";
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (i > 0) blocks_ += '\n';
+    put_curve(blocks_, *curves[i]);
+  }
+  blocks_ += "END_OF_DATA\n";
+  return name;
+}
+
+void PlotScript::command(std::string_view line) { commands_.append(line).append("\n"); }
+
+std::string quoted(std::string_view text) { return io::gnuplot_string(printable(text)); }
+
+std::string quoted_tic(std::string_view text) {
+  std::string doubled;
+  for (const char c : text) doubled += c == '%' ? "%%" : std::string(1, c);
+  return quoted(doubled);
+}
+
+Curve thinned(const Curve& curve, std::size_t spots) {
+  const Extent strains = extent_of(curve.strain);
+  const Extent stresses = extent_of(curve.stress);
+  const auto count = static_cast<double>(spots);
+  Curve kept;
+  double last_x = -1.0;
+  double last_y = -1.0;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (!std::isfinite(curve.strain[i]) || !std::isfinite(curve.stress[i])) continue;
+    const double x = std::floor(count * (curve.strain[i] - strains.low) / strains.size());
+    const double y = std::floor(count * (curve.stress[i] - stresses.low) / stresses.size());
+    if (x == last_x && y == last_y && i + 1 < curve.size()) continue;
+    last_x = x;
+    last_y = y;
+    kept.strain.push_back(curve.strain[i]);
+    kept.stress.push_back(curve.stress[i]);
+  }
+  return kept;
+}
+
+Curve mean_curve(const std::vector<const Curve*>& curves) {
+  if (curves.size() < 2) return {};
+  double end = curves.front()->strain.back();
+  for (const Curve* curve : curves) {
+    if (!grows(*curve)) return {};
+    end = std::min(end, *std::max_element(curve->strain.begin(), curve->strain.end()));
+  }
+  std::vector<std::size_t> from(curves.size(), 0);
+  Curve mean;
+  for (std::size_t k = 0; k < kMeanPoints; ++k) {
+    // Denser at the start, where the curves are steep.
+    const double share = static_cast<double>(k) / static_cast<double>(kMeanPoints - 1);
+    const double strain = end * share * share;
+    double sum = 0.0;
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+      sum += stress_at(*curves[c], strain, from[c]);
+    }
+    mean.strain.push_back(strain);
+    mean.stress.push_back(sum / static_cast<double>(curves.size()));
+  }
+  return mean;
+}
+
+}  // namespace plastica::calibrate::report

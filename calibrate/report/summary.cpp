@@ -1,0 +1,171 @@
+#include "calibrate/report/summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+namespace plastica::calibrate {
+namespace {
+
+constexpr std::array<CharacteristicEntry, 8> kEntries = {{
+    {"youngs_modulus", "E", Dimension::Stress, &Characteristics::youngs_modulus},
+    {"rp02", "Rp", Dimension::Stress, &Characteristics::rp02},
+    {"reh", "ReH", Dimension::Stress, &Characteristics::reh},
+    {"rel", "ReL", Dimension::Stress, &Characteristics::rel},
+    {"rm", "Rm", Dimension::Stress, &Characteristics::rm},
+    {"strain_at_rm", "strain at Rm", Dimension::Strain, &Characteristics::strain_at_rm},
+    {"break_strain", "break, total", Dimension::Strain, &Characteristics::break_strain},
+    {"break_strain_plastic", "break, permanent", Dimension::Strain,
+     &Characteristics::break_strain_plastic},
+}};
+
+using Group = std::vector<std::pair<std::string, std::string>>;
+
+/// The whole text as a finite number.
+std::optional<double> number_of(const std::string& text) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// Numbers come before words, numbers by size; a strict order.
+bool value_before(const std::string& a, const std::string& b) {
+  const std::optional<double> x = number_of(a);
+  const std::optional<double> y = number_of(b);
+  if (x.has_value() != y.has_value()) return x.has_value();
+  if (x && *x != *y) return *x < *y;
+  return a < b;
+}
+
+struct GroupBefore {
+  bool operator()(const Group& a, const Group& b) const {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                        [](const auto& p, const auto& q) {
+                                          if (p.first != q.first) return p.first < q.first;
+                                          return value_before(p.second, q.second);
+                                        });
+  }
+};
+
+/// Numbers of the same name, in the order in which the names came up.
+struct Collector {
+  struct Entry {
+    GroupStatistic result;
+    std::vector<double> values;
+  };
+  std::vector<Entry> entries;
+
+  void add(std::string_view name, Dimension dimension, double value) {
+    if (!std::isfinite(value)) return;
+    auto entry = std::find_if(entries.begin(), entries.end(),
+                              [&](const Entry& e) { return e.result.name == name; });
+    if (entry == entries.end()) {
+      entry = entries.insert(entries.end(), Entry{{std::string(name), dimension, {}}, {}});
+    }
+    entry->values.push_back(value);
+  }
+
+  std::vector<GroupStatistic> statistics() && {
+    std::vector<GroupStatistic> all;
+    for (Entry& entry : entries) {
+      entry.result.statistic = statistic_of(std::move(entry.values));
+      all.push_back(std::move(entry.result));
+    }
+    return all;
+  }
+};
+
+GroupSummary summarize(std::span<const FitRecord> records,
+                       const std::vector<std::size_t>& members) {
+  GroupSummary summary;
+  summary.group = records[members.front()].target.group;
+  Collector characteristics;
+  Collector parameters;
+  for (const CharacteristicEntry& entry : kEntries) {
+    for (const std::size_t i : members) {
+      const Target& target = records[i].target;
+      if (target.status == TargetStatus::Rejected) continue;
+      const std::optional<double> value = target.characteristics.*entry.value;
+      if (value) characteristics.add(entry.name, entry.dimension, *value);
+    }
+  }
+  for (const std::size_t i : members) {
+    const FitResult& result = records[i].result;
+    if (result.status == FitStatus::Fitted) ++summary.fitted;
+    if (result.status == FitStatus::Rejected) ++summary.rejected;
+    if (result.status == FitStatus::Failed) ++summary.failed;
+    if (result.status != FitStatus::Fitted) continue;
+    for (const FittedParameter& parameter : result.parameters) {
+      if (parameter.role == ParameterRole::Fixed || !parameter.identified) continue;
+      parameters.add(parameter.name, parameter.dimension, parameter.value);
+    }
+  }
+  summary.characteristics = std::move(characteristics).statistics();
+  summary.parameters = std::move(parameters).statistics();
+  return summary;
+}
+
+}  // namespace
+
+Statistic statistic_of(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  std::sort(values.begin(), values.end());
+  Statistic statistic;
+  statistic.n = values.size();
+  if (values.empty()) return statistic;
+  const auto n = static_cast<double>(values.size());
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  statistic.mean = sum / n;
+  if (values.size() < 2) return statistic;
+  double squares = 0.0;
+  for (const double value : values) {
+    squares += (value - statistic.mean) * (value - statistic.mean);
+  }
+  statistic.standard_deviation = std::sqrt(squares / (n - 1.0));
+  return statistic;
+}
+
+std::span<const CharacteristicEntry> characteristic_entries() { return kEntries; }
+
+Counts count_statuses(std::span<const FitRecord> records) {
+  Counts counts;
+  for (const FitRecord& record : records) {
+    if (record.result.status == FitStatus::Fitted) ++counts.fitted;
+    if (record.result.status == FitStatus::Rejected) ++counts.rejected;
+    if (record.result.status == FitStatus::Failed) ++counts.failed;
+  }
+  return counts;
+}
+
+std::string group_label(const Group& group) {
+  if (group.empty()) return "all specimens";
+  std::string label;
+  for (const auto& [key, value] : group) {
+    if (!label.empty()) label += ", ";
+    label += key + " " + value;
+  }
+  return label;
+}
+
+std::vector<std::vector<std::size_t>> group_indices(std::span<const FitRecord> records) {
+  std::map<Group, std::vector<std::size_t>, GroupBefore> groups;
+  for (std::size_t i = 0; i < records.size(); ++i) groups[records[i].target.group].push_back(i);
+  std::vector<std::vector<std::size_t>> all;
+  for (auto& [group, members] : groups) all.push_back(std::move(members));
+  return all;
+}
+
+std::vector<GroupSummary> summarize_groups(std::span<const FitRecord> records) {
+  std::vector<GroupSummary> all;
+  for (const std::vector<std::size_t>& members : group_indices(records)) {
+    all.push_back(summarize(records, members));
+  }
+  return all;
+}
+
+}  // namespace plastica::calibrate

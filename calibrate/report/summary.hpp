@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "calibrate/fit/result.hpp"
+#include "calibrate/target/target.hpp"
+#include "plastica/base/quantity.hpp"
+
+namespace plastica::calibrate {
+
+/// Mean and scatter of a set of numbers.
+struct Statistic {
+  std::size_t n = 0;
+  double mean = 0.0;                         ///< 0 if n = 0
+  std::optional<double> standard_deviation;  ///< of the sample (n - 1); empty for n < 2
+};
+
+/// Statistic of the finite ones among numbers. They are summed in order of size, so that their
+/// order does not change a bit of the result.
+Statistic statistic_of(std::vector<double> values);
+
+/// One of the characteristics that reports, JSON and files name.
+struct CharacteristicEntry {
+  std::string_view name;   ///< "youngs_modulus": in JSON, CSV and HDF5
+  std::string_view label;  ///< "E": in reports
+  Dimension dimension;
+  std::optional<double> Characteristics::*value;
+};
+
+/// All of them, in the order in which they are shown.
+std::span<const CharacteristicEntry> characteristic_entries();
+
+/// One quantity over the specimens of a group.
+struct GroupStatistic {
+  std::string name;  ///< of the characteristic or parameter
+  Dimension dimension = Dimension::None;
+  Statistic statistic;
+};
+
+/// What the specimens of one group have in common.
+struct GroupSummary {
+  std::vector<std::pair<std::string, std::string>> group;  ///< as in Target; empty: no groups
+  std::size_t fitted = 0;
+  std::size_t rejected = 0;
+  std::size_t failed = 0;
+  /// Over the specimens that have it and whose target is not rejected; n >= 1 each.
+  std::vector<GroupStatistic> characteristics;
+  /// Free and tied parameters over the fitted specimens whose curve determines them; n >= 1 each.
+  std::vector<GroupStatistic> parameters;
+  std::size_t specimens() const { return fitted + rejected + failed; }
+};
+
+/// How many fits ended how.
+struct Counts {
+  std::size_t fitted = 0;
+  std::size_t rejected = 0;
+  std::size_t failed = 0;
+};
+
+Counts count_statuses(std::span<const FitRecord> records);
+
+/// "temperature 20, lot A"; "all specimens" for a group without keys.
+std::string group_label(const std::vector<std::pair<std::string, std::string>>& group);
+
+/// Indices of the records of each group; groups in order of their values, numbers by size.
+std::vector<std::vector<std::size_t>> group_indices(std::span<const FitRecord> records);
+
+/// The summary of each group, in the order of `group_indices`.
+std::vector<GroupSummary> summarize_groups(std::span<const FitRecord> records);
+
+}  // namespace plastica::calibrate

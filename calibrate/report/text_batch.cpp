@@ -1,0 +1,329 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "calibrate/report/format.hpp"
+#include "calibrate/report/ink.hpp"
+#include "calibrate/report/summary.hpp"
+#include "calibrate/report/table.hpp"
+#include "calibrate/report/text.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using namespace report;
+
+/// The letters of the table's last column, in their order.
+struct Flag {
+  char letter;
+  std::string_view meaning;
+};
+constexpr std::array<Flag, 5> kFlags = {{{'b', "a parameter at a bound"},
+                                         {'n', "a parameter not identified"},
+                                         {'p', "poor: the model cannot follow the curve"},
+                                         {'r', "curve repaired"},
+                                         {'w', "warnings"}}};
+
+std::string flags_of(const FitRecord& record) {
+  const FitResult& result = record.result;
+  const auto any_parameter = [&](auto&& test) {
+    return std::any_of(result.parameters.begin(), result.parameters.end(), test);
+  };
+  std::string flags;
+  if (any_parameter([](const FittedParameter& p) { return p.at_lower || p.at_upper; })) {
+    flags += 'b';
+  }
+  if (any_parameter([](const FittedParameter& p) {
+        return p.role == ParameterRole::Free && !p.identified;
+      })) {
+    flags += 'n';
+  }
+  if (result.misfit_word == "poor") flags += 'p';
+  if (!record.target.repairs.empty()) flags += 'r';
+  if (!record.target.warnings.empty() || !result.warnings.empty()) flags += 'w';
+  return flags;
+}
+
+const FittedParameter* find_parameter(const FitResult& result, std::string_view name) {
+  for (const FittedParameter& parameter : result.parameters) {
+    if (parameter.name == name) return &parameter;
+  }
+  return nullptr;
+}
+
+/// The symbol of the parameters that people know by one.
+std::string symbol_of(std::string_view name) {
+  if (name == "yield_stress") return "σ_y";
+  if (name == "break_strain") return "ε_break";
+  if (name == "shear_yield_stress") return "τ_y";
+  if (name == "break_shear_strain") return "γ_break";
+  return std::string(name);
+}
+
+/// Largest magnitude of a value over the records; 0 if none has it.
+template <typename Value>
+double largest(std::span<const FitRecord> records, const Value& value) {
+  double most = 0.0;
+  for (const FitRecord& record : records) {
+    const std::optional<double> here = value(record);
+    if (here && std::isfinite(*here)) most = std::max(most, std::fabs(*here));
+  }
+  return most;
+}
+
+struct ShownParameter {
+  std::string name;
+  DisplayUnit unit;
+};
+
+/// At most two parameters: yield and break, or what is fitted instead of them.
+std::vector<ShownParameter> shown_parameters(std::span<const FitRecord> records) {
+  std::vector<std::string> names;
+  const auto consider = [&](std::string_view name) {
+    if (names.size() < 2 && std::find(names.begin(), names.end(), name) == names.end()) {
+      names.emplace_back(name);
+    }
+  };
+  const auto fitted = std::find_if(records.begin(), records.end(), [](const FitRecord& record) {
+    return record.result.status == FitStatus::Fitted;
+  });
+  if (fitted == records.end()) return {};
+  for (const std::string_view name :
+       {"yield_stress", "shear_yield_stress", "break_strain", "break_shear_strain"}) {
+    const FittedParameter* parameter = find_parameter(fitted->result, name);
+    if (parameter != nullptr && parameter->role == ParameterRole::Free) consider(name);
+  }
+  for (const FittedParameter& parameter : fitted->result.parameters) {
+    if (parameter.role == ParameterRole::Free) consider(parameter.name);
+  }
+  std::vector<ShownParameter> shown;
+  for (const std::string& name : names) {
+    FittedParameter typical = *find_parameter(fitted->result, name);
+    typical.value = largest(records, [&](const FitRecord& record) -> std::optional<double> {
+      const FittedParameter* parameter = find_parameter(record.result, name);
+      if (parameter == nullptr) return std::nullopt;
+      return parameter->value;
+    });
+    shown.push_back({name, display_unit(typical)});
+  }
+  return shown;
+}
+
+std::string parameter_cell(const FittedParameter* parameter, const DisplayUnit& unit) {
+  if (parameter == nullptr) return "-";
+  const double value = parameter->value / unit.scale;
+  if (!parameter->standard_error) return significant(value);
+  return with_error(value, *parameter->standard_error / unit.scale);
+}
+
+/// "Rp0.2", or "Rp" where the specimens have different offsets.
+std::string proof_label(std::span<const FitRecord> records) {
+  std::optional<double> offset;
+  for (const FitRecord& record : records) {
+    const std::optional<double>& here = record.target.characteristics.offset;
+    if (here && offset && *here != *offset) return "Rp";
+    if (here) offset = here;
+  }
+  return "Rp" + brief(100.0 * offset.value_or(0.002));
+}
+
+/// What the reader has to know of the parameters' columns: measure and kind of strain.
+std::string meaning_of_columns(std::span<const FitRecord> records,
+                               const std::vector<ShownParameter>& parameters) {
+  bool engineering = false;
+  bool true_measure = false;
+  for (const FitRecord& record : records) {
+    if (record.result.status != FitStatus::Fitted) continue;
+    (record.target.measure == Measure::True ? true_measure : engineering) = true;
+  }
+  const std::string_view measure = engineering && true_measure
+                                       ? "engineering or true stress, see the specimen"
+                                   : true_measure ? "true stress"
+                                                  : "engineering stress";
+  std::string text;
+  for (const ShownParameter& parameter : parameters) {
+    const std::string symbol = symbol_of(parameter.name);
+    if (symbol == parameter.name) continue;
+    const bool strain = parameter.name.find("strain") != std::string::npos;
+    text += (text.empty() ? "" : "; ") + symbol + ": " +
+            std::string(strain ? "permanent strain at break" : measure);
+  }
+  return text;
+}
+
+std::string specimens_text(std::span<const FitRecord> records, const ReportOptions& options,
+                           const Ink& ink) {
+  using Align = Table::Align;
+  const auto characteristic = [](std::optional<double> Characteristics::*value) {
+    return [value](const FitRecord& record) { return record.target.characteristics.*value; };
+  };
+  const auto modulus = characteristic(&Characteristics::youngs_modulus);
+  const auto proof = characteristic(&Characteristics::rp02);
+  const auto strength = characteristic(&Characteristics::rm);
+  const DisplayUnit gpa = display_unit(Dimension::Stress, largest(records, modulus), true);
+  const DisplayUnit mpa = display_unit(Dimension::Stress, largest(records, strength));
+  const std::vector<ShownParameter> parameters = shown_parameters(records);
+
+  std::vector<Table::Column> columns = {{"specimen", Align::Left, ""},
+                                        {"E", Align::Right, std::string(gpa.name)},
+                                        {proof_label(records), Align::Right, std::string(mpa.name)},
+                                        {"Rm", Align::Right, std::string(mpa.name)}};
+  for (const ShownParameter& parameter : parameters) {
+    columns.push_back({symbol_of(parameter.name) + " ± error", Align::PlusMinus,
+                       std::string(parameter.unit.name)});
+  }
+  columns.push_back({"misfit", Align::Right, "% of Rm"});
+  columns.push_back({"flags", Align::Left, ""});
+  Table table(std::move(columns));
+
+  const std::size_t limit = options.specimens_shown == 0
+                                ? records.size()
+                                : std::max<std::size_t>(options.specimens_shown, 2);
+  const std::size_t head = records.size() > limit ? limit / 2 : records.size();
+  const std::size_t tail = records.size() > limit ? records.size() - (limit - head) : head;
+  std::string seen;
+  const auto cell = [](const std::optional<double>& value, const DisplayUnit& unit, int digits) {
+    return value ? significant(*value / unit.scale, digits) : std::string("-");
+  };
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (i == head && tail > head) {
+      table.add_line(fmt::format("… {} left out …", counted(tail - head, "specimen")));
+      i = tail;
+    }
+    const FitRecord& record = records[i];
+    const FitResult& result = record.result;
+    const bool fitted = result.status == FitStatus::Fitted;
+    std::vector<std::string> cells = {printable(record.target.name), cell(modulus(record), gpa, 4),
+                                      cell(proof(record), mpa, 4), cell(strength(record), mpa, 4)};
+    for (const ShownParameter& parameter : parameters) {
+      const FittedParameter* found = fitted ? find_parameter(result, parameter.name) : nullptr;
+      cells.push_back(parameter_cell(found, parameter.unit));
+    }
+    cells.push_back(fitted ? significant(100.0 * result.misfit_share, 2) : "-");
+    const std::string flags = flags_of(record);
+    seen += flags;
+    cells.push_back(fitted ? flags : std::string(word_of(result.status)));
+    table.add(std::move(cells));
+  }
+  std::string text = ink.heading("Specimens\n") + table.text(2, kWidth);
+  const std::string meanings = meaning_of_columns(records, parameters);
+  if (!meanings.empty()) text += wrapped("  ", meanings, kWidth);
+  std::string legend;
+  for (const Flag& flag : kFlags) {
+    if (seen.find(flag.letter) == std::string::npos) continue;
+    legend += (legend.empty() ? "" : "; ") + fmt::format("{} {}", flag.letter, flag.meaning);
+  }
+  if (!legend.empty()) text += wrapped("  ", legend, kWidth);
+  return text;
+}
+
+std::string label_of(std::string_view name, const std::string& proof) {
+  for (const CharacteristicEntry& entry : characteristic_entries()) {
+    if (entry.name == name) return name == "rp02" ? proof : std::string(entry.label);
+  }
+  return printable(name);
+}
+
+void add_statistic(Table& table, const GroupStatistic& entry, const std::string& label) {
+  const bool modulus = entry.name.find("modulus") != std::string::npos;
+  const DisplayUnit unit = display_unit(entry.dimension, entry.statistic.mean, modulus);
+  const Statistic& statistic = entry.statistic;
+  const double mean = statistic.mean / unit.scale;
+  std::string middle = significant(mean);
+  std::string deviation = "-";
+  if (statistic.standard_deviation) {
+    const double scatter = *statistic.standard_deviation / unit.scale;
+    deviation = significant(scatter, 3);
+    if (std::fabs(mean) < 1e7 && std::fabs(mean) > 1e-4) {
+      // With as many decimals as the scatter says something of.
+      const int decimals = scatter > 0.0 ? decimals_for(mean, scatter, 3) : 3;
+      middle = fmt::format("{:.{}f}", mean, decimals);
+      deviation = fmt::format("{:.{}f}", scatter, decimals);
+    }
+  }
+  table.add({label, std::to_string(statistic.n), middle, deviation, std::string(unit.name)});
+}
+
+std::string groups_text(std::span<const FitRecord> records, const ReportOptions& options,
+                        const Ink& ink) {
+  const std::vector<GroupSummary> groups = summarize_groups(records);
+  const std::string proof = proof_label(records);
+  const std::size_t shown =
+      options.groups_shown == 0 ? groups.size() : std::min(groups.size(), options.groups_shown);
+  std::string text;
+  for (std::size_t g = 0; g < shown; ++g) {
+    const GroupSummary& group = groups[g];
+    text +=
+        '\n' + ink.heading(wrapped("",
+                                   fmt::format("Group {}: {}", printable(group_label(group.group)),
+                                               counted(group.specimens(), "specimen")),
+                                   kWidth));
+    Table table(
+        {{"", Table::Align::Left}, {"n"}, {"mean"}, {"std. dev."}, {"", Table::Align::Left}});
+    for (const GroupStatistic& entry : group.characteristics) {
+      add_statistic(table, entry, label_of(entry.name, proof));
+    }
+    if (!group.parameters.empty()) table.add_line("fitted");
+    for (const GroupStatistic& entry : group.parameters) {
+      add_statistic(table, entry, printable(entry.name));
+    }
+    if (table.rows() > 0) text += table.text(2, kWidth);
+  }
+  if (shown < groups.size()) {
+    text += fmt::format("\n… {} left out …\n", counted(groups.size() - shown, "group"));
+  }
+  return text;
+}
+
+std::string names_text(std::span<const FitRecord> records, const Ink& ink) {
+  std::size_t longest = 0;
+  for (const FitRecord& record : records) {
+    longest = std::max(longest, width_of(printable(record.target.name)));
+  }
+  const auto first = [&](const FitRecord& record) {
+    const std::string name = cut(printable(record.target.name), 30);
+    const std::size_t wide = std::min<std::size_t>(longest, 30) + 4;
+    return "  " + name + std::string(wide - 2 - width_of(name), ' ');
+  };
+  std::string text;
+  for (const FitStatus status : {FitStatus::Rejected, FitStatus::Failed}) {
+    std::string list;
+    for (const FitRecord& record : records) {
+      if (record.result.status != status) continue;
+      list += wrapped(first(record), printable(reason_of(record)), kWidth);
+    }
+    const std::string_view heading = status == FitStatus::Rejected ? "Rejected\n" : "Failed\n";
+    if (!list.empty()) text += '\n' + ink.bad(heading) + list;
+  }
+  std::string list;
+  for (const FitRecord& record : records) {
+    std::string all;
+    for (const Repair& repair : record.target.repairs) {
+      all += (all.empty() ? "" : "; ") +
+             fmt::format("{} ({}): {}", repair.kind, counted(repair.count, "sample"), repair.text);
+    }
+    if (!all.empty()) list += wrapped(first(record), printable(all), kWidth);
+  }
+  if (!list.empty()) text += '\n' + ink.heading("Repaired\n") + list;
+  return text;
+}
+
+}  // namespace
+
+std::string batch_report(std::span<const FitRecord> records, const ReportOptions& options) {
+  const Ink ink(options.color);
+  const Counts counts = count_statuses(records);
+  std::string text;
+  if (!records.empty()) text += specimens_text(records, options, ink);
+  text += groups_text(records, options, ink) + names_text(records, ink);
+  if (!text.empty()) text += '\n';
+  const std::string last = fmt::format("fitted {}, rejected {}, failed {}\n", counts.fitted,
+                                       counts.rejected, counts.failed);
+  return text + (counts.rejected + counts.failed == 0 ? ink.good(last) : ink.bad(last));
+}
+
+}  // namespace plastica::calibrate

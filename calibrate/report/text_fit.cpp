@@ -1,0 +1,293 @@
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "calibrate/report/advice.hpp"
+#include "calibrate/report/format.hpp"
+#include "calibrate/report/ink.hpp"
+#include "calibrate/report/summary.hpp"
+#include "calibrate/report/table.hpp"
+#include "calibrate/report/text.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using namespace report;
+
+std::string entry(std::string_view label, std::string_view text) {
+  return wrapped(fmt::format("  {:<14}", label), text, kWidth);
+}
+
+std::string header(const FitRecord& record, const Ink& ink) {
+  const Target& target = record.target;
+  const bool fitted = record.result.status == FitStatus::Fitted;
+  const std::string status(word_of(record.result.status));
+  std::string text = wrapped("", printable(target.name) + ": " + status, kWidth);
+  text = fitted ? ink.heading(text) : ink.bad(text);
+  const std::string reason = reason_of(record);
+  if (!reason.empty()) text += entry("reason", printable(reason));
+  text += entry("file", printable(target.file));
+  text += entry("test", fmt::format("{}, {}", word_of(target.test), word_of(target.loading)));
+  text += entry("measure", fmt::format("{} strain and stress", word_of(target.measure)));
+  std::string samples = fmt::format("{} measured", target.raw.size());
+  if (record.result.samples > 0) samples += fmt::format(", {} fitted", record.result.samples);
+  text += entry("samples", samples);
+  if (!target.group.empty()) text += entry("group", printable(group_label(target.group)));
+  if (!target.properties.empty()) {
+    std::string list;
+    for (const auto& [name, value] : target.properties) {
+      list += (list.empty() ? "" : ", ") + fmt::format("{} {:.6g}", printable(name), value);
+    }
+    text += entry("specimen (SI)", list);
+  }
+  return text;
+}
+
+/// The size of a correction in the unit that people use: "+0.021 %".
+std::string size_of(const Correction& correction) {
+  if (correction.unit == "1") return fmt::format("{:+.3g} %", 100.0 * correction.amount);
+  if (correction.unit == "Pa") {
+    const DisplayUnit unit = display_unit(Dimension::Stress, correction.amount);
+    return fmt::format("{:+.3g} {}", correction.amount / unit.scale, unit.name);
+  }
+  return quantity(fmt::format("{:.6g}", correction.amount), correction.unit);
+}
+
+std::string mending(const Target& target, const Ink& ink) {
+  std::string text;
+  if (!target.repairs.empty()) {
+    text += '\n' + ink.heading("Repairs\n");
+    for (const Repair& repair : target.repairs) {
+      const std::string first =
+          fmt::format("  {:<18}{:<14}", repair.kind, counted(repair.count, "sample"));
+      text += wrapped(first, printable(repair.text), kWidth);
+    }
+  }
+  if (!target.corrections.empty()) {
+    text += '\n' + ink.heading("Corrections\n");
+    for (const Correction& correction : target.corrections) {
+      const std::string size = correction.applied ? size_of(correction) : "not done";
+      text += wrapped(fmt::format("  {:<18}{:<14}", correction.kind, size),
+                      printable(correction.text), kWidth);
+    }
+  }
+  return text;
+}
+
+/// A break strain and how far the sampling leaves it open.
+std::string break_text(double strain, const std::optional<BreakObservation>& seen) {
+  if (!seen || !(seen->half_interval() > 0.0)) return significant(100.0 * strain, 4);
+  return with_error(100.0 * strain, 100.0 * seen->half_interval());
+}
+
+std::string proof_label(const Characteristics& all) {
+  return "Rp" + brief(100.0 * all.offset.value_or(0.002));
+}
+
+std::string characteristics_text(const Target& target, const Ink& ink) {
+  const Characteristics& all = target.characteristics;
+  Table table({{"", Table::Align::Left},
+               {"", Table::Align::PlusMinus},
+               {"", Table::Align::Left},
+               {"", Table::Align::Left}});
+  const auto add_stress = [&](std::string label, std::optional<double> value, std::string note) {
+    if (!value) return;
+    const DisplayUnit unit = display_unit(Dimension::Stress, *value);
+    table.add({std::move(label), significant(*value / unit.scale), std::string(unit.name),
+               std::move(note)});
+  };
+  if (all.youngs_modulus) {
+    const DisplayUnit unit = display_unit(Dimension::Stress, *all.youngs_modulus, true);
+    const double value = *all.youngs_modulus / unit.scale;
+    const DisplayUnit window = display_unit(Dimension::Stress, all.modulus_window_high);
+    std::string note = all.modulus_method;
+    if (all.modulus_window_high > all.modulus_window_low) {
+      note += fmt::format(" from {} to {} {}", brief(all.modulus_window_low / window.scale),
+                          brief(all.modulus_window_high / window.scale), window.name);
+    }
+    table.add({"E",
+               all.youngs_modulus_stderr
+                   ? with_error(value, *all.youngs_modulus_stderr / unit.scale)
+                   : significant(value),
+               std::string(unit.name), note});
+  }
+  add_stress(proof_label(all), all.rp02, "proof stress");
+  add_stress("ReH", all.reh, "upper yield strength");
+  add_stress("ReL", all.rel, "lower yield strength");
+  add_stress("Rm", all.rm, "largest stress");
+  if (all.strain_at_rm) {
+    table.add({"strain at Rm", significant(100.0 * *all.strain_at_rm, 4), "%", ""});
+  }
+  const std::optional<BreakObservation>& seen = all.observed_break;
+  if (all.break_strain) {
+    std::string note = "total";
+    if (seen) {
+      note += fmt::format("; last whole sample at {:.5g} %, by {}", 100.0 * seen->last_whole_strain,
+                          seen->rule);
+    }
+    table.add({"break strain", break_text(*all.break_strain, seen), "%", note});
+  }
+  if (all.break_strain_plastic) {
+    table.add({"", break_text(*all.break_strain_plastic, seen), "%", "permanent"});
+  }
+  if (table.rows() == 0) return {};
+  return '\n' + ink.heading("Characteristics\n") + table.text(2, kWidth);
+}
+
+bool is_stress_at_yield(const FittedParameter& parameter) {
+  return parameter.dimension == Dimension::Stress &&
+         parameter.name.find("yield_stress") != std::string::npos;
+}
+
+/// What stands below a parameter's row.
+std::vector<std::string> notes_on(const FittedParameter& parameter, const FitRecord& record) {
+  std::vector<std::string> notes;
+  if (is_stress_at_yield(parameter)) {
+    notes.push_back(fmt::format("{} stress", word_of(record.target.measure)));
+  }
+  if (parameter.name == "break_strain" || parameter.name == "break_shear_strain") {
+    std::string note = "permanent strain";
+    if (record.result.break_strain_total) {
+      note += fmt::format("; the fitted model breaks at {} % in total",
+                          significant(100.0 * *record.result.break_strain_total, 4));
+    } else if (record.result.status == FitStatus::Fitted) {
+      note += "; the fitted model does not break within this curve";
+    }
+    notes.push_back(std::move(note));
+  }
+  if (parameter.role == ParameterRole::Free && !parameter.identified) {
+    notes.push_back("! not identified: the curve does not determine it");
+  }
+  const std::string_view bound = word_of_bound(parameter);
+  if (!bound.empty()) notes.push_back(fmt::format("! at its {} bound", bound));
+  return notes;
+}
+
+std::vector<std::string> row_of(const FittedParameter& parameter) {
+  const DisplayUnit unit = display_unit(parameter);
+  const auto shown = [&](double value) { return value / unit.scale; };
+  std::string value = significant(shown(parameter.value));
+  std::string share;
+  std::string interval;
+  if (parameter.standard_error) {
+    value = with_error(shown(parameter.value), shown(*parameter.standard_error));
+    if (parameter.value != 0.0) {
+      share =
+          fmt::format("{:.2g} %", 100.0 * *parameter.standard_error / std::fabs(parameter.value));
+    }
+  }
+  if (parameter.interval_low && parameter.interval_high) {
+    const double low = shown(*parameter.interval_low);
+    const double high = shown(*parameter.interval_high);
+    const double error = std::isfinite(high - low) ? 0.25 * (high - low) : 0.0;
+    const int decimals = decimals_for(shown(parameter.value), error);
+    const bool plain = std::fabs(low) < 1e7 && std::fabs(high) < 1e7 && error >= 1e-6;
+    interval = plain ? fmt::format("{:.{}f} … {:.{}f}", low, decimals, high, decimals)
+                     : significant(low) + " … " + significant(high);
+  }
+  std::vector<std::string> cells = {
+      printable(parameter.name),           value, std::string(unit.name), share, interval, "", "",
+      std::string(word_of(parameter.role))};
+  if (parameter.role == ParameterRole::Free) {
+    cells[5] = brief(shown(parameter.start));
+    cells[6] = brief(shown(parameter.lower)) + " … " + brief(shown(parameter.upper));
+  }
+  return cells;
+}
+
+std::string parameters_text(const FitRecord& record, const ReportOptions& options, const Ink& ink) {
+  if (record.result.parameters.empty()) return {};
+  using Align = Table::Align;
+  Table table({{"", Align::Left},
+               {"value ± error", Align::PlusMinus},
+               {"", Align::Left},
+               {"share", Align::Right},
+               {fmt::format("{:.4g} % interval", 100.0 * options.confidence), Align::Range},
+               {"start", Align::Right},
+               {"bounds", Align::Range},
+               {"role", Align::Left}});
+  for (const FittedParameter& parameter : record.result.parameters) {
+    table.add(row_of(parameter));
+    for (std::string& note : notes_on(parameter, record)) table.add_note(std::move(note));
+  }
+  return '\n' + ink.heading("Parameters\n") + table.text(2, kWidth);
+}
+
+std::string correlations_text(const FitResult& result, const ReportOptions& options,
+                              const Ink& ink) {
+  std::vector<std::string> names;
+  for (const FittedParameter& parameter : result.parameters) {
+    if (parameter.role == ParameterRole::Free) names.push_back(printable(parameter.name));
+  }
+  const std::size_t n = names.size();
+  if (result.correlation.size() != n * n) return {};
+  Table table({{"", Table::Align::Left}, {"", Table::Align::Right}});
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const double value = result.correlation[i * n + j];
+      if (!(std::fabs(value) >= options.correlation_shown)) continue;
+      table.add({names[i] + ", " + names[j], fmt::format("{:+.3f}", value)});
+    }
+  }
+  if (table.rows() == 0) return {};
+  const std::string heading =
+      fmt::format("Correlations from {:.2g} on\n", options.correlation_shown);
+  return '\n' + ink.heading(heading) + table.text(2, kWidth);
+}
+
+/// A cost [Pa^2] with the square of the stress unit of its size.
+std::string cost_text(double cost) {
+  const DisplayUnit unit = display_unit(Dimension::Stress, std::sqrt(std::fabs(cost)));
+  return fmt::format("{:.6g} {}²", cost / (unit.scale * unit.scale), unit.name);
+}
+
+std::string fit_text(const FitRecord& record, const Ink& ink) {
+  const FitResult& result = record.result;
+  if (result.evaluations() == 0 && result.stages.empty()) return {};
+  std::string text = '\n' + ink.heading("Fit\n");
+  if (result.status == FitStatus::Fitted) {
+    const DisplayUnit unit = display_unit(Dimension::Stress, result.misfit_rms);
+    const bool tension = record.target.characteristics.rm.has_value();
+    std::string misfit = fmt::format(
+        "rms {} {}, {} % of {}", significant(result.misfit_rms / unit.scale, 3), unit.name,
+        significant(100.0 * result.misfit_share, 2), tension ? "Rm" : "the largest stress");
+    if (!result.misfit_word.empty()) misfit += ": " + result.misfit_word;
+    const std::string meaning = misfit_meaning(result);
+    if (!meaning.empty()) misfit += ", " + meaning;
+    text += entry("misfit", misfit);
+    text += entry("objective", "f = " + cost_text(result.cost));
+  }
+  text += entry("evaluations", fmt::format("{}, seed {}", result.evaluations(), result.seed));
+  Table stages({{"", Table::Align::Left},
+                {"", Table::Align::Right},
+                {"", Table::Align::Right},
+                {"", Table::Align::Left}});
+  for (const OptimizerStage& stage : result.stages) {
+    stages.add({stage.algorithm, std::to_string(stage.evaluations), cost_text(stage.cost),
+                printable(stage.outcome)});
+  }
+  return text + stages.text(4, kWidth);
+}
+
+}  // namespace
+
+std::string fit_report(const FitRecord& record, const ReportOptions& options) {
+  const Ink ink(options.color);
+  std::string text = header(record, ink) + mending(record.target, ink) +
+                     characteristics_text(record.target, ink) +
+                     parameters_text(record, options, ink) +
+                     correlations_text(record.result, options, ink) + fit_text(record, ink);
+  std::string remarks;
+  for (const std::vector<std::string>* list : {&record.target.warnings, &record.result.warnings}) {
+    for (const std::string& warning : *list) remarks += wrapped("  ! ", printable(warning), kWidth);
+  }
+  if (!remarks.empty()) text += '\n' + ink.bad("Warnings\n") + remarks;
+  const std::vector<std::string> advice = advice_for(record);
+  if (!advice.empty()) text += '\n' + ink.heading("Advice\n");
+  for (const std::string& line : advice) text += wrapped("  - ", printable(line), kWidth);
+  return text;
+}
+
+}  // namespace plastica::calibrate
