@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include "calibrate/fit/optimizer.hpp"
@@ -61,6 +62,21 @@ class Search {
       const double c = curvature[i] * slope * slope / misfit_.cost_unit();
       // A parameter that does not matter here keeps its scale.
       if (std::isfinite(c) && c > kLeastCurvature) scale_[i] = std::sqrt(c);
+    }
+  }
+
+  /// Gives a free break strain the value that goes with the other parameters at the best point.
+  /// The break term can always be made zero so, and must not decide where the search begins: where
+  /// most of the strain is elastic it changes a hundred times faster than the stress.
+  void settle_break() {
+    for (std::size_t i = 0; i < n_; ++i) {
+      const ResolvedParameter& p = parameters_.all()[parameters_.active()[i]];
+      if (!p.is_break) continue;
+      set_values(best_, false);
+      const std::optional<double> permanent = misfit_.permanent_strain(values_);
+      if (!permanent) return;
+      const double value = std::clamp(*permanent / misfit_.break_factor(), p.lower, p.upper);
+      best_[i] = parameters_.coordinate(i, value);
     }
   }
 
@@ -137,6 +153,7 @@ class Search {
         const double x = start_[k] + kGlobalReach * uniform(random);
         best_[k] = std::clamp(x, parameters_.lower(k), parameters_.upper(k));
       }
+      settle_break();
       rescale();
       if (!stage("slsqp", evaluations, kEverywhere)) best_ = kept;
     }
@@ -220,6 +237,7 @@ Solution minimize_misfit(Misfit& misfit, const ParameterSet& parameters, const F
     search.stage(options.algorithm, global ? stop.global_evaluations : stop.local_evaluations,
                  kEverywhere);
   } else {
+    search.settle_break();
     if (stop.global_evaluations > 0) search.stage("crs", stop.global_evaluations, kGlobalReach);
     search.rescale();
     search.stage("slsqp", stop.local_evaluations, kEverywhere);

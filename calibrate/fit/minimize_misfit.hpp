@@ -23,6 +23,7 @@ struct Solution {
 /// Minimizes a target's misfit with the algorithm that the options name.
 ///
 /// `auto`:
+/// 0. a free break strain begins at the permanent strain that the other starts give the model;
 /// 1. a seeded global stage: controlled random search within the bounds and a factor of five
 ///    around the start;
 /// 2. from its best point, or the start if that is better, SLSQP with exact derivatives;

@@ -140,6 +140,13 @@ double Misfit::cost(std::span<const double> active, std::span<double> gradient) 
   return sum;
 }
 
+std::optional<double> Misfit::permanent_strain(std::span<const double> active) {
+  if (!set_values(active)) return std::nullopt;
+  run(model_, model_values_, workspace_, response_);
+  if (!usable(response_.status)) return std::nullopt;
+  return response_.permanent_strain;
+}
+
 std::vector<double> Misfit::curvature(std::span<const double> active) {
   std::vector<double> curvature(active.size(), 0.0);
   std::vector<double> by_active(active.size());

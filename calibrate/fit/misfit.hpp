@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,6 +57,9 @@ class Misfit {
     std::vector<double> permanent_gradient;  ///< dp / d active (n_active)
   };
   Details details(std::span<const double> active);
+
+  /// p above; empty where the model cannot be run.
+  std::optional<double> permanent_strain(std::span<const double> active);
 
   /// k above times a tie's factor: limit of the test over the value of the break parameter.
   double break_factor() const { return break_factor_; }

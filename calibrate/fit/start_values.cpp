@@ -36,6 +36,9 @@ Sizes sizes_of(const Target& target, const FitOptions& options) {
   } else {
     s.yield = proof;
   }
+  // The largest of noisy stresses lies above the plateau, where the model does not yield at all and
+  // no slope leads back.
+  if (!c.rp02 && target.loading == Loading::Monotonic) s.yield *= 0.95;
   const double strain_at_proof = proof / s.modulus;
   const double run = c.strain_at_rm.value_or(s.strain) - strain_at_proof;
   if (run > 0.0) s.slope = std::max(0.0, (strength - proof) / run);

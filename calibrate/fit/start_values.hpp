@@ -17,7 +17,8 @@ struct StartValue {
 /// From the characteristics: Young's modulus as measured; the yield stress as the mean of proof
 /// stress and strength (ideal plasticity has to follow both) or as the proof stress (hardening
 /// laws); the break strain as the permanent strain at break; the tangent modulus as the slope from
-/// proof stress to strength. Where a curve lacks one, its largest stress and strain stand in.
+/// proof stress to strength. Where a curve lacks one, its largest stress and strain stand in (95 %
+/// of the stress for a yield stress).
 /// Bounds hold the start with at least a factor of ten, and lie within the field's range.
 StartValue start_value(const Field& field, const Target& target, const FitOptions& options);
 

@@ -74,7 +74,7 @@ TEST(StartValues, StandInWithTheCurvesSizesWhereCharacteristicsAreMissing) {
   bare.characteristics = {};
   const double strength = 300e6 + 2e9 * 0.0185;
   EXPECT_NEAR(start_of("youngs_modulus", bare).start, strength / 0.02, 1e3);
-  EXPECT_NEAR(start_of("yield_stress", bare).start, strength, 1.0);
+  EXPECT_NEAR(start_of("yield_stress", bare).start, 0.95 * strength, 1.0);
   EXPECT_NEAR(start_of("break_strain", bare).start, 0.02, 1e-15);
 }
 
