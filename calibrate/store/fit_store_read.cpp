@@ -33,6 +33,7 @@ class StoreReader {
     }
     std::vector<std::size_t> next(records_.size(), 0);
     std::vector<Row*> rows;  // only now that no list grows any more
+    rows.reserve(fits.size());
     for (const std::uint64_t fit : fits) rows.push_back(&member(records_[fit])[next[fit]++]);
     read_columns(path, std::move(rows), columns);
   }
