@@ -141,7 +141,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   }
   contents.inputs = input_texts(file);
   contents.options = file.options;
-  contents.meta.resumptions = batch.taken() > 0 ? 1 : 0;
+  contents.meta.resumptions = batch.resumptions();
   contents.meta.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   calibrate::write_fit_store(output, contents);

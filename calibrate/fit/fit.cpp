@@ -68,10 +68,11 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
       p.identified = false;
     } else if (r.role == ParameterRole::Free) {
       const std::size_t k = next++;
-      const double span = set.upper(k) - set.lower(k);
+      const double top = set.coordinate(k, r.upper);
+      const double span = top - set.lower(k);
       const double at = set.coordinate(k, p.value);
       p.at_lower = at - set.lower(k) < 1e-9 * span;
-      p.at_upper = set.upper(k) - at < 1e-9 * span;
+      p.at_upper = top - at < 1e-9 * span;
       p.identified = u.identified[k];
       if (p.identified) {
         p.standard_error = u.standard_error[k];

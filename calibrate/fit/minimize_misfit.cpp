@@ -54,6 +54,23 @@ class Search {
     start_ = best_;
   }
 
+  /// Begins with the yield stress at the largest measured stress if that costs less: right for a
+  /// plateau without noise, however short it is beside the elastic part.
+  void try_largest_yield() {
+    settle_break();
+    const std::vector<double> kept = best_;
+    const double kept_cost = cost_at_best();
+    for (std::size_t i = 0; i < n_; ++i) {
+      const auto field = parameters_.all()[parameters_.active()[i]].field->material;
+      const bool yield =
+          field == MaterialField::YieldStress || field == MaterialField::ShearYieldStress;
+      if (yield) best_[i] = parameters_.upper(i);
+    }
+    settle_break();
+    if (!(cost_at_best() < kept_cost)) best_ = kept;
+    start_ = best_;
+  }
+
   void rescale() {
     set_values(best_, false);
     const std::vector<double> curvature = misfit_.curvature(values_);
@@ -182,6 +199,12 @@ class Search {
   }
 
  private:
+  double cost_at_best() {
+    std::vector<double> z(n_);
+    for (std::size_t i = 0; i < n_; ++i) z[i] = best_[i] * scale_[i];
+    return cost(z, {});
+  }
+
   /// Below this, a curvature is rounding; a cost this small is an exact fit (rms 1e-12 of the
   /// largest stress).
   static constexpr double kLeastCurvature = 1e-20;
@@ -237,7 +260,7 @@ Solution minimize_misfit(Misfit& misfit, const ParameterSet& parameters, const F
     search.stage(options.algorithm, global ? stop.global_evaluations : stop.local_evaluations,
                  kEverywhere);
   } else {
-    search.settle_break();
+    search.try_largest_yield();
     if (stop.global_evaluations > 0) search.stage("crs", stop.global_evaluations, kGlobalReach);
     search.rescale();
     search.stage("slsqp", stop.local_evaluations, kEverywhere);

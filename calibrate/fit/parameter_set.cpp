@@ -53,6 +53,8 @@ ResolvedParameter resolve(const Parameter& p, const Target& target, const FitOpt
                      "a logarithmic scale needs a lower bound above 0");
   }
   r.start = std::clamp(p.value.value_or(found.start), r.lower, r.upper);
+  const double useful = largest_useful_value(*p.field, target, options);
+  r.search_upper = useful > r.lower ? std::min(r.upper, useful) : r.upper;
   r.logarithmic =
       p.scale == ParameterScale::Logarithmic || (p.scale == ParameterScale::Auto && r.lower > 0.0);
   return r;
@@ -111,7 +113,9 @@ void ParameterSet::find_break_parameter(const Target& target, const FitOptions& 
 
 double ParameterSet::lower(std::size_t i) const { return coordinate(i, active_parameter(i).lower); }
 
-double ParameterSet::upper(std::size_t i) const { return coordinate(i, active_parameter(i).upper); }
+double ParameterSet::upper(std::size_t i) const {
+  return coordinate(i, active_parameter(i).search_upper);
+}
 
 double ParameterSet::coordinate(std::size_t i, double value) const {
   using plastica::log;

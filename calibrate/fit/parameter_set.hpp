@@ -17,6 +17,10 @@ struct ResolvedParameter {
   double start = 0.0;  ///< Free: start; Fixed: the value [SI]
   double lower = 0.0;
   double upper = 0.0;
+  /// The search goes no further up than this. A yield stress above the largest measured stress is
+  /// never better than that stress itself, and no sample can tell one from another there: a search
+  /// that gets into that range does not come back.
+  double search_upper = 0.0;
   bool logarithmic = false;
   /// Whether it is a break limit: it enters the break term at most and is left out of the model.
   bool is_break = false;
@@ -49,6 +53,7 @@ class ParameterSet {
   /// Indices into `all()` of the parameters that the optimizer moves (n_active).
   std::span<const std::size_t> active() const { return active_; }
 
+  /// Coordinates between which an active parameter is searched.
   double lower(std::size_t active_index) const;
   double upper(std::size_t active_index) const;
   double coordinate(std::size_t active_index, double value) const;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "plastica/coupon/shape.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -96,6 +99,21 @@ StartValue start_value(const Field& field, const Target& target, const FitOption
   value.upper = std::min(value.upper, field.range.high);
   value.start = std::clamp(value.start, value.lower, value.upper);
   return value;
+}
+
+double largest_useful_value(const Field& field, const Target& target, const FitOptions& options) {
+  const double stress = largest(target.corrected.stress);
+  const bool torsion = target.test == Test::Torsion;
+  const bool shear = field.material == MaterialField::ShearYieldStress;
+  if ((field.material != MaterialField::YieldStress && !shear) || (shear && !torsion)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  if (target.test == Test::Tension) return stress;
+  Scene scene = options.setup.scene;
+  scene.drive.deformation = target.test;
+  const double cap = coupon::coupon_shape(scene).cap_factor;
+  const bool equal = scene.formulas == Formulas::Report;
+  return stress / cap * (torsion && !shear && !equal ? std::sqrt(3.0) : 1.0);
 }
 
 }  // namespace plastica::calibrate

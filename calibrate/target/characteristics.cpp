@@ -144,18 +144,22 @@ bool sees_offset(double modulus, double offset, double noise) {
   return 6.0 * noise < modulus * offset;
 }
 
-double noise_of(std::span<const double> stress) {
+double noise_of(std::span<const double> strain, std::span<const double> stress) {
   if (stress.size() < 5) return 0.0;
   // Enough for a median, and a curve of many thousand samples costs no more than a short one.
   const std::size_t stride = std::max<std::size_t>(1, stress.size() / 2000);
   std::vector<double> bends;
   bends.reserve(stress.size() / stride + 1);
   for (std::size_t i = 1; i + 1 < stress.size(); i += stride) {
-    bends.push_back(std::abs(stress[i - 1] - 2.0 * stress[i] + stress[i + 1]));
+    const double gap = strain[i + 1] - strain[i - 1];
+    const double share = gap != 0.0 ? (strain[i] - strain[i - 1]) / gap : 0.5;
+    const double a = std::clamp(share, 0.0, 1.0);
+    const double bend = stress[i] - (1.0 - a) * stress[i - 1] - a * stress[i + 1];
+    bends.push_back(std::abs(bend) / std::sqrt(1.0 + a * a + (1.0 - a) * (1.0 - a)));
   }
   const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
   std::nth_element(bends.begin(), middle, bends.end());
-  return *middle / (0.6745 * std::sqrt(6.0));
+  return *middle / 0.6745;
 }
 
 std::optional<ElasticLine> find_elastic_line(const Curve& curve, Loading loading, double noise,

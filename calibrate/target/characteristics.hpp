@@ -21,9 +21,11 @@ struct ElasticLine {
   std::size_t samples = 0;    ///< in the window
 };
 
-/// Standard deviation of the noise of the stress [Pa], from the median of its second differences:
-/// 0 on straight pieces, little disturbed by bends. Source: MAD of normal noise, 0.6745 sqrt(6).
-double noise_of(std::span<const double> stress);
+/// Standard deviation of the noise of the stress [Pa]: the median distance of a sample from the
+/// straight line between its neighbours, over what unit noise gives (0.6745 for a median, and the
+/// root of 1 + a^2 + (1-a)^2 for a sample at the share a between its neighbours). 0 on straight
+/// pieces however they are sampled, little disturbed by bends.
+double noise_of(std::span<const double> strain, std::span<const double> stress);
 
 /// Whether the proof stress can be told from the elastic line: the line shifted by the offset must
 /// lie more than 6 standard deviations of the noise beside it.

@@ -130,7 +130,7 @@ void process_target(Target& target, const TargetOptions& options) {
     }
     drop_foot_reversals(target, options.reversal_tolerance);
   }
-  const double noise = noise_of(curve.stress);
+  const double noise = noise_of(curve.strain, curve.stress);
   const auto line = find_elastic_line(curve, target.loading, noise, options);
   if (!line) {
     const std::size_t samples = curve.size();

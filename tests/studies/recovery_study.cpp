@@ -110,11 +110,12 @@ TEST(Recovery, GivesYieldStressAndBreakStrainBackWithoutNoise) {
 
 TEST(Recovery, CallsCurvesTooCoarseInsteadOfFittingThem) {
   std::mt19937_64 random(7);
-  std::uniform_int_distribution<int> few(1, 4);
+  std::uniform_int_distribution<int> few(2, 4);    // one, at yield, is no plateau: a brittle bar
+  std::uniform_int_distribution<int> fewer(0, 2);  // with those at zero and at yield: 4 at most
   std::uniform_int_distribution<int> enough(6, 60);
   for (std::size_t i = 0; i < cases(); ++i) {
     const bool on_plateau = i % 2 == 0;
-    const Specimen s = make_specimen(random, on_plateau ? enough(random) : few(random) - 1,
+    const Specimen s = make_specimen(random, on_plateau ? enough(random) : fewer(random),
                                      on_plateau ? few(random) : enough(random), 0.0);
     const Target target = make_target("coarse-" + std::to_string(i), s.curve, {});
     EXPECT_EQ(target.status, TargetStatus::TooCoarse)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -57,10 +58,10 @@ TEST(ParameterSet, TiesMayPrecedeWhatTheyFollow) {
 }
 
 TEST(ParameterSet, CoordinatesAreLogarithmsWhereBoundsArePositive) {
-  Parameter yield = free_parameter("yield_stress", 300e6);
-  yield.lower = 100e6;
-  yield.upper = 900e6;
-  const ParameterSet set(steel(), fit_of({yield}));
+  Parameter modulus = free_parameter("youngs_modulus", 300e6);
+  modulus.lower = 100e6;
+  modulus.upper = 900e6;
+  const ParameterSet set(steel(), fit_of({modulus}));
   EXPECT_TRUE(set.all()[0].logarithmic);
   EXPECT_NEAR(set.lower(0), -std::log(3.0), 1e-15);
   EXPECT_NEAR(set.upper(0), std::log(3.0), 1e-15);
@@ -72,12 +73,12 @@ TEST(ParameterSet, CoordinatesAreLogarithmsWhereBoundsArePositive) {
 }
 
 TEST(ParameterSet, CoordinatesAreSharesOfTheStartOnALinearScale) {
-  Parameter yield = free_parameter("yield_stress", 300e6);
-  yield.lower = 100e6;
-  yield.upper = 900e6;
-  yield.scale = ParameterScale::Linear;
+  Parameter modulus = free_parameter("youngs_modulus", 300e6);
+  modulus.lower = 100e6;
+  modulus.upper = 900e6;
+  modulus.scale = ParameterScale::Linear;
   Parameter share = free_parameter("kinematic_share", 0.0);
-  const ParameterSet set(steel(), fit_of({yield, share}));
+  const ParameterSet set(steel(), fit_of({modulus, share}));
   EXPECT_FALSE(set.all()[0].logarithmic);
   EXPECT_NEAR(set.lower(0), -2.0 / 3.0, 1e-15);
   EXPECT_NEAR(set.upper(0), 2.0, 1e-15);
@@ -85,6 +86,23 @@ TEST(ParameterSet, CoordinatesAreSharesOfTheStartOnALinearScale) {
   // A start of zero has no size: the box has.
   EXPECT_FALSE(set.all()[1].logarithmic);
   EXPECT_EQ(set.coordinate(1, 0.25), 0.25);
+}
+
+TEST(ParameterSet, SearchesNoYieldStressAboveTheLargestMeasuredStress) {
+  Parameter yield = free_parameter("yield_stress", 200e6);
+  yield.lower = 100e6;
+  yield.upper = 900e6;
+  const Target target = steel();
+  const double largest =
+      *std::max_element(target.corrected.stress.begin(), target.corrected.stress.end());
+  const ParameterSet set(target, fit_of({yield}));
+  EXPECT_EQ(set.all()[0].upper, 900e6);
+  EXPECT_EQ(set.all()[0].search_upper, largest);
+  EXPECT_NEAR(set.upper(0), std::log(largest / 200e6), 1e-14);
+  // Bounds above it are the user's own business.
+  yield.lower = 2.0 * largest;
+  yield.value = 3.0 * largest;
+  EXPECT_EQ(ParameterSet(target, fit_of({yield})).all()[0].search_upper, 900e6);
 }
 
 TEST(ParameterSet, ValueAndCoordinateAreInverse) {
