@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+"""Holds the README to what the program does: its examples are the ones that tests build and run,
+and the report that it shows is the one that the command prints.
+
+    check_readme.py COMMAND          checks
+    check_readme.py COMMAND --write  writes what comes out into the README
+"""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def marked(name):
+    return re.compile(rf"(<!-- {name} -->\n)(.*?)(<!-- /{name} -->)", re.DOTALL)
+
+
+def fenced(language, text):
+    return f"```{language}\n{text.rstrip()}\n```\n"
+
+
+def run(command, *arguments, folder):
+    done = subprocess.run([command, *arguments], cwd=folder, capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(arguments)}: exit code {done.returncode}: {done.stderr}")
+    return done.stdout
+
+
+def main():
+    command = str(pathlib.Path(sys.argv[1]).resolve())
+    write = "--write" in sys.argv[2:]
+    path = ROOT / "README.md"
+    text = path.read_text()
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copytree(ROOT / "data", pathlib.Path(folder) / "data")
+        report = run(command, "calibrate", "data/fits/demo.toml", "-o", "demo.h5", folder=folder)
+        expected = {
+            "demo-report": fenced("text", report),
+            "library-example": fenced("cpp", (ROOT / "tests/consumer/main.cpp").read_text()),
+        }
+        example = marked("fit-example").search(text).group(2)
+        toml = re.search(r"```toml\n(.*?)```", example, re.DOTALL).group(1)
+        (pathlib.Path(folder) / "data/fits/example.toml").write_text(toml)
+        run(command, "calibrate", "data/fits/example.toml", "-o", "example.h5", folder=folder)
+
+    stale = []
+    for name, block in expected.items():
+        if marked(name).search(text).group(2) != block:
+            stale.append(name)
+            text = marked(name).sub(lambda match: match.group(1) + block + match.group(3), text)
+    if write:
+        path.write_text(text)
+    elif stale:
+        sys.exit(f"README.md is stale: {', '.join(stale)}; tests/tools/check_readme.py --write")
+
+
+if __name__ == "__main__":
+    main()
