@@ -21,6 +21,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
+#include "cli/run_files.hpp"
 #include "plastica/io/storage_error.hpp"
 
 namespace plastica::cli {
@@ -36,6 +37,7 @@ struct CalibrateArguments {
   bool force = false;
   bool quiet = false;
   calibrate::BareFiles bare;
+  std::string bare_option;  ///< first of the options for curves without a fit file that was given
   std::string command_line;
 };
 
@@ -50,10 +52,16 @@ calibrate::FitFile read_inputs(const CalibrateArguments& arguments) {
     bare.files = arguments.inputs;
     // The order of the command line must not change a bit of the result.
     std::sort(bare.files.begin(), bare.files.end());
+    const auto twice = std::adjacent_find(bare.files.begin(), bare.files.end());
+    if (twice != bare.files.end()) throw InputError({}, "inputs", *twice, "is named twice");
     return calibrate::fit_of_bare_files(bare);
   }
   if (arguments.inputs.size() > 1) {
     throw InputError({}, "calibrate", *toml, "must be the only file: a fit file names its curves");
+  }
+  if (!arguments.bare_option.empty()) {
+    throw InputError({}, arguments.bare_option, "",
+                     "is for curves without a fit file; this is what " + *toml + " says");
   }
   return calibrate::read_fit_file(*toml);
 }
@@ -61,13 +69,6 @@ calibrate::FitFile read_inputs(const CalibrateArguments& arguments) {
 std::string default_output(const CalibrateArguments& arguments) {
   const std::filesystem::path first(arguments.inputs.front());
   return (arguments.inputs.size() == 1 ? first.stem().string() : "fit") + ".h5";
-}
-
-/// The texts that the result depends on, for the file.
-std::vector<calibrate::InputText> input_texts(const calibrate::FitFile& file) {
-  const std::string name = file.path.empty() ? "command-line.toml"
-                                             : std::filesystem::path(file.path).filename().string();
-  return {{name, file.text}};
 }
 
 void write_json(const std::string& path, std::span<const calibrate::FitRecord> records) {
@@ -103,10 +104,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   const std::string output =
       arguments.output.empty() ? default_output(arguments) : arguments.output;
   const calibrate::FitFile file = read_inputs(arguments);
-  if (!arguments.dry_run) {
-    calibrate::check_output_path(output, arguments.force);
-    if (!arguments.json.empty()) calibrate::check_output_path(arguments.json, true);
-  }
+  if (!arguments.dry_run) check_outputs(file, output, arguments.json, arguments.force);
   std::vector<calibrate::Target> targets = calibrate::import_all(file);
   if (arguments.dry_run) {
     print_dry_run(targets, file.options, output);
@@ -114,6 +112,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   }
 
   calibrate::FitStoreContents contents;
+  contents.inputs = input_texts(file);
   contents.meta = calibrate::begin_meta(arguments.command_line, arguments.threads);
   contents.meta.versions.emplace_back("nlopt", calibrate::nlopt_version());
   const InterruptGuard interrupt;
@@ -139,7 +138,6 @@ int calibrate_files(const CalibrateArguments& arguments) {
   for (std::size_t i = 0; i < targets.size(); ++i) {
     contents.records.push_back({std::move(targets[i]), std::move(results[i])});
   }
-  contents.inputs = input_texts(file);
   contents.options = file.options;
   contents.meta.resumptions = batch.resumptions();
   contents.meta.seconds =
@@ -157,8 +155,10 @@ int calibrate_files(const CalibrateArguments& arguments) {
   return all ? kDone : kNotAcceptable;
 }
 
+constexpr const char* kBareGroup = "Curves without a fit file";
+
 void add_bare_options(CLI::App& sub, calibrate::BareFiles& bare) {
-  const std::string group = "Curves without a fit file";
+  const std::string group = kBareGroup;
   sub.add_option("--strain", bare.strain, "column of the strain: NAME, NAME:UNIT or a number")
       ->group(group);
   sub.add_option("--elongation", bare.elongation, "column of the elongation, with --gauge-length")
@@ -202,8 +202,14 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
       "  plastica calibrate a.csv b.csv --strain Strain --stress Stress:MPa "
       "--fix youngs_modulus=\"200 GPa\"");
   arguments->command_line = command_line;
-  sub->callback(
-      [&action, arguments] { action = [arguments] { return calibrate_files(*arguments); }; });
+  sub->callback([&action, arguments, sub] {
+    for (const CLI::Option* option : sub->get_options()) {
+      if (option->get_group() != kBareGroup || option->count() == 0) continue;
+      arguments->bare_option = option->get_name();
+      break;
+    }
+    action = [arguments] { return calibrate_files(*arguments); };
+  });
 }
 
 }  // namespace plastica::cli

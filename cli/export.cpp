@@ -11,6 +11,7 @@
 #include "calibrate/store/fit_store.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/run_files.hpp"
 #include "plastica/base/machine_error.hpp"
 
 namespace plastica::cli {
@@ -21,6 +22,7 @@ struct ExportArguments {
   std::string to = "csv";
   std::string what = "specimens";
   std::string output = "-";
+  bool force = false;
 };
 
 void write(const ExportArguments& arguments, const calibrate::FitStoreContents& contents,
@@ -35,6 +37,10 @@ void write(const ExportArguments& arguments, const calibrate::FitStoreContents& 
 }
 
 int run_export(const ExportArguments& arguments) {
+  if (arguments.output != "-") {
+    refuse_input("--output", arguments.output, arguments.file);
+    calibrate::check_output_path(arguments.output, arguments.force);
+  }
   const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
   if (arguments.output == "-") {
     write(arguments, contents, std::cout);
@@ -61,6 +67,7 @@ void add_export(CLI::App& app, Action& action) {
       ->capture_default_str();
   sub->add_option("-o,--output", arguments->output, "file, or - for the terminal")
       ->capture_default_str();
+  sub->add_flag("--force", arguments->force, "overwrite the output");
   sub->footer("Example: plastica export fit.h5 --to csv -o fit.csv");
   sub->callback([&action, arguments] { action = [arguments] { return run_export(*arguments); }; });
 }

@@ -1,13 +1,19 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/base/version.hpp"
+#include "plastica/io/nearest_word.hpp"
 
 namespace {
 
@@ -34,9 +40,39 @@ void add_commands(CLI::App& app, const std::string& command_line, Action& action
   plastica::cli::add_fields(app, action);
 }
 
-int complain(std::string_view what, int code) {
+int complain(std::string what, int code) {
+  // One line, whatever a file is called.
+  std::replace(what.begin(), what.end(), '\n', ' ');
   fmt::print(stderr, "plastica: {}\n", what);
   return code;
+}
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
+  return names;
+}
+
+/// What is wrong with the command line, in a line.
+std::string rule_of(const CLI::App& app, const CLI::ParseError& error, std::string_view first) {
+  const std::vector<std::string> names = names_of_commands(app);
+  const bool named = std::find(names.begin(), names.end(), first) != names.end();
+  if (!named && !first.empty() && first.front() != '-') {
+    const auto nearest = plastica::io::nearest_word(first, names);
+    return fmt::format("{}: is not a command; {}", first,
+                       nearest ? "did you mean " + *nearest + "?"
+                               : fmt::format("there are {}", fmt::join(names, ", ")));
+  }
+  return fmt::format("{} (see plastica {}--help)", error.what(),
+                     named ? std::string(first) + " " : "");
+}
+
+/// A full disk shows no earlier than when the last byte is written.
+int finish_output(int code) {
+  std::cout.flush();
+  const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
+  return failed ? complain("standard output: cannot be written", plastica::cli::kMachineFailed)
+                : code;
 }
 
 int run(int argc, char** argv) {
@@ -53,9 +89,9 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    return complain(std::string(error.what()) + " (see plastica --help)", plastica::cli::kBadInput);
+    return complain(rule_of(app, error, argc > 1 ? argv[1] : ""), plastica::cli::kBadInput);
   }
-  return action();
+  return finish_output(action());
 }
 
 }  // namespace

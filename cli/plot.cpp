@@ -23,9 +23,11 @@ int plot(const PlotArguments& arguments) {
     for (const auto& kind : calibrate::plot_kinds()) fmt::print("{:<12} {}\n", kind.name, kind.doc);
     return kDone;
   }
+  const std::string& output = arguments.request.output;
+  if (output != "-") calibrate::check_output_path(output, true);
   const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
   calibrate::draw_plot(contents.records, arguments.request, std::cout);
-  if (arguments.request.output != "-") fmt::print("wrote {}\n", arguments.request.output);
+  if (output != "-") fmt::print("wrote {}\n", output);
   return kDone;
 }
 

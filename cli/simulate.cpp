@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "calibrate/store/fit_store.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/run_files.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/storage_error.hpp"
 #include "plastica/run/simulate.hpp"
@@ -19,6 +21,7 @@ struct SimulateArguments {
   std::string file;
   std::string output = "-";
   bool dry_run = false;
+  bool force = false;
 };
 
 std::string_view unit_of(ProbeQuantity quantity, Deformation deformation) {
@@ -55,6 +58,10 @@ int simulate_file(const SimulateArguments& arguments) {
                model.probes.size(), model.level_reason);
     return kDone;
   }
+  if (arguments.output != "-") {
+    refuse_input("--output", arguments.output, arguments.file);
+    calibrate::check_output_path(arguments.output, arguments.force);
+  }
   const Response response = simulate(setup.scene, setup.solver);
   if (arguments.output == "-") {
     write_table(std::cout, setup.scene, response);
@@ -84,6 +91,7 @@ void add_simulate(CLI::App& app, Action& action) {
   sub->add_option("-o,--output", arguments->output, "CSV file, or - for the terminal")
       ->capture_default_str();
   sub->add_flag("--dry-run", arguments->dry_run, "only say what would run");
+  sub->add_flag("--force", arguments->force, "overwrite the output");
   sub->footer("Example: plastica init scene && plastica simulate scene.toml");
   sub->callback(
       [&action, arguments] { action = [arguments] { return simulate_file(*arguments); }; });

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -205,15 +206,29 @@ FitFile fit_of_bare_files(const BareFiles& bare) {
   std::string text = parameters_text(bare.fixed);
   // Blocks by what they say, in the order of their first files.
   std::vector<std::pair<std::string, TargetSource>> blocks;
+  std::vector<std::string> unreadable;
+  std::optional<InputError> first_error;
   for (const std::string& file : bare.files) {
     TargetSource source = given;
-    complete(io::CsvTable::read(file, source.csv), source, bare.measure.has_value());
+    std::optional<io::CsvTable> table;
+    try {
+      table.emplace(io::CsvTable::read(file, source.csv));
+    } catch (const InputError& error) {
+      if (!std::filesystem::is_regular_file(file)) throw;
+      if (!first_error) first_error = error;
+      unreadable.push_back(file);
+      continue;
+    }
+    complete(*table, source, bare.measure.has_value());
     const std::string columns = target_text(source);
     auto block = std::find_if(blocks.begin(), blocks.end(),
                               [&](const auto& other) { return other.first == columns; });
     if (block == blocks.end()) block = blocks.emplace(blocks.end(), columns, std::move(source));
     block->second.files.push_back(file);
   }
+  if (blocks.empty()) throw InputError(*first_error);
+  // Their import rejects them, with the reason, and no specimen beside them.
+  for (std::string& file : unreadable) blocks.front().second.files.push_back(std::move(file));
   for (const auto& [columns, source] : blocks) text += "\n" + target_text(source);
   try {
     return parse_fit_file(std::move(text), "");

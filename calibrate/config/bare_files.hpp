@@ -29,7 +29,8 @@ struct BareFiles {
 
 /// The fit file that the command line stands for; its text can be kept and run again in the same
 /// folder. Files of the same columns make one [[target]]. Parameters are the default ones; those of
-/// --fix are fixed.
+/// --fix are fixed. A file that cannot be read stands in the first [[target]], whose import rejects
+/// it; it is an error here if all of them are so.
 /// @throws InputError naming the option (or file), value and rule
 FitFile fit_of_bare_files(const BareFiles& bare);
 

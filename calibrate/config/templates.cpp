@@ -57,7 +57,7 @@ stress = { column = "Stress", unit = "MPa" }
 constexpr std::string_view kScene =
     R"(# A scene: a beam, what it is made of, and how it is deformed.
 #
-#   plastica simulate scene.toml -o scene.h5
+#   plastica simulate scene.toml -o scene.csv
 #
 # Runs as it is. `plastica fields` lists every key with unit, range and default.
 # `#` begins a comment. Quantities stand in quotes with their unit: "355 MPa", "0.2 %".

@@ -192,10 +192,10 @@ void read_curve(const Plan& plan, const CsvTable& table, std::size_t strain_colu
   if (plan.gauge_length)
     gauge_length = value_of(*plan.gauge_length, Dimension::Length, "gauge_length");
   if (plan.area) area = value_of(*plan.area, Dimension::Area, "area");
-  target.raw.strain = table.numbers(strain_column);
-  target.raw.stress = table.numbers(stress_column);
-  for (double& value : target.raw.strain) value = to_strain(value) / gauge_length;
-  for (double& value : target.raw.stress) value = to_stress(value) / area;
+  Curve raw{table.numbers(strain_column), table.numbers(stress_column)};
+  for (double& value : raw.strain) value = to_strain(value) / gauge_length;
+  for (double& value : raw.stress) value = to_stress(value) / area;
+  target.raw = std::move(raw);  // both columns or none
 }
 
 /// Units that the block itself gives, checked once, as an error of the block.

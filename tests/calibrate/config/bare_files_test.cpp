@@ -198,5 +198,16 @@ TEST_F(BareFilesTest, RefusesFixesThatMakeNoSense) {
             "--fix = break_strain=1 %: leaves nothing to fit: all parameters are fixed");
 }
 
+TEST_F(BareFilesTest, KeepAFileThatCannotBeReadForItsRejection) {
+  write("empty.csv", "");
+  const FitFile file = fit_of_bare_files(of({"empty.csv", "named.csv"}));
+  ASSERT_EQ(file.targets.size(), 1U);
+  const std::vector<Target> targets = import_all(file);
+  ASSERT_EQ(targets.size(), 2U);
+  EXPECT_EQ(targets[1].name, "empty");
+  EXPECT_EQ(targets[1].status, TargetStatus::Rejected);
+  EXPECT_EQ(error(of({"empty.csv"})), "empty.csv: is empty");
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

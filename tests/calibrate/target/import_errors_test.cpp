@@ -90,5 +90,16 @@ TEST(ImportErrors, AStressWithoutAnyUnitIsOneOfTheBlock) {
   expect_error(source, 6, "stress", "");
 }
 
+TEST(ImportErrors, OfAColumnOfWordsLeaveNoHalfACurveBehind) {
+  const CurveFiles files("words");
+  const std::string file = files.write("one.csv", "a,b\n0,low\n1,low\n2,high\n");
+  const std::vector<Target> targets = import_targets(CurveFiles::source({file}));
+  ASSERT_EQ(targets.size(), 1U);
+  EXPECT_EQ(targets[0].status, TargetStatus::Rejected);
+  EXPECT_NE(targets[0].reason.find("low"), std::string::npos) << targets[0].reason;
+  EXPECT_TRUE(targets[0].raw.strain.empty());
+  EXPECT_TRUE(targets[0].raw.stress.empty());
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

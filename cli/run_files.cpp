@@ -1,0 +1,71 @@
+#include "cli/run_files.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "plastica/base/check.hpp"
+
+namespace plastica::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> tables_of(const calibrate::FitFile& file) {
+  std::vector<std::string> tables;
+  for (const calibrate::TargetBlock& block : file.targets) {
+    if (!block.source.table) continue;
+    const std::string& table = block.source.table->file;
+    if (std::find(tables.begin(), tables.end(), table) == tables.end()) tables.push_back(table);
+  }
+  return tables;
+}
+
+std::vector<std::string> files_read(const calibrate::FitFile& file) {
+  std::vector<std::string> files = tables_of(file);
+  if (!file.path.empty()) files.push_back(file.path);
+  for (const calibrate::TargetBlock& block : file.targets) {
+    files.insert(files.end(), block.source.files.begin(), block.source.files.end());
+  }
+  return files;
+}
+
+}  // namespace
+
+std::vector<calibrate::InputText> input_texts(const calibrate::FitFile& file) {
+  const std::string name =
+      file.path.empty() ? "command-line.toml" : fs::path(file.path).filename().string();
+  std::vector<calibrate::InputText> texts{{name, file.text}};
+  for (const std::string& table : tables_of(file)) {
+    std::ifstream in(table, std::ios::binary);
+    if (!in) throw InputError({table, 0}, "", "", "cannot be read");
+    texts.push_back(
+        {fs::path(table).filename().string(), {std::istreambuf_iterator<char>(in), {}}});
+  }
+  return texts;
+}
+
+void refuse_input(std::string_view option, const std::string& output, const std::string& input) {
+  std::error_code ignored;
+  if (!fs::equivalent(output, input, ignored)) return;
+  throw InputError({}, option, output, "is a file that this run reads");
+}
+
+void check_outputs(const calibrate::FitFile& file, const std::string& output,
+                   const std::string& json, bool force) {
+  const auto check = [&](std::string_view option, const std::string& path) {
+    for (const std::string& input : files_read(file)) refuse_input(option, path, input);
+  };
+  check("--output", output);
+  calibrate::check_output_path(output, force);
+  if (json.empty()) return;
+  check("--json", json);
+  if (fs::path(json).lexically_normal() == fs::path(output).lexically_normal()) {
+    throw InputError({}, "--json", json, "is the result file, too");
+  }
+  calibrate::check_output_path(json, true);
+}
+
+}  // namespace plastica::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "calibrate/config/fit_file.hpp"
+#include "calibrate/store/fit_store.hpp"
+
+namespace plastica::cli {
+
+/// The texts that a result depends on, for the file: the fit file, then the tables, each once.
+/// @throws InputError if a table cannot be read
+std::vector<calibrate::InputText> input_texts(const calibrate::FitFile& file);
+
+/// Refuses to write over a file that is read, whatever is forced. @throws InputError
+void refuse_input(std::string_view option, const std::string& output, const std::string& input);
+
+/// Checks where the result and the summary are to go, before anything is computed. Not even
+/// `force` lets a run write over what it reads.
+/// @param json  empty: none is asked for
+/// @throws InputError
+void check_outputs(const calibrate::FitFile& file, const std::string& output,
+                   const std::string& json, bool force);
+
+}  // namespace plastica::cli
