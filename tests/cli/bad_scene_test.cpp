@@ -1,0 +1,104 @@
+#include <stdexcept>
+
+#include "tests/cli/bad_input.hpp"
+
+namespace plastica::testing {
+namespace {
+
+constexpr const char* kScene =
+    "[material]\n"                                     // 1
+    "name = 'S355'\n"                                  // 2
+    "yield_stress = '370 MPa'\n"                       // 3
+    "[section]\n"                                      // 4
+    "shape = 'rectangle'\n"                            // 5
+    "width = '20 mm'\n"                                // 6
+    "height = '40 mm'\n"                               // 7
+    "[beam]\n"                                         // 8
+    "segments = 10\n"                                  // 9
+    "[drive]\n"                                        // 10
+    "deformation = 'tension'\n"                        // 11
+    "strain = { turning_points = ['1 %', '-1 %'] }\n"  // 12
+    "[[probe]]\n"                                      // 13
+    "quantity = 'strain'\n"                            // 14
+    "[[probe]]\n"                                      // 15
+    "quantity = 'stress'\n";                           // 16
+
+BadInput change(std::string name, const std::string& from, const std::string& to,
+                std::string line) {
+  std::string text = kScene;
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error(from + " is not in the scene");
+  text.replace(at, from.size(), to);
+  return {std::move(name),
+          {{"scene.toml", text}, {"mine.csv", "my own"}},
+          {"simulate", "scene.toml", "-o", "out.csv"},
+          "scene.toml:" + std::move(line)};
+}
+
+BadInput output(std::string name, std::vector<std::string> options, std::string line) {
+  options.insert(options.begin(), {"simulate", "scene.toml", "-o"});
+  return {std::move(name),
+          {{"scene.toml", kScene}, {"mine.csv", "my own"}},
+          std::move(options),
+          std::move(line)};
+}
+
+class BadScene : public ::testing::TestWithParam<BadInput> {};
+
+TEST_P(BadScene, IsRefusedInOneLine) { expect_refusal(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(
+    File, BadScene,
+    ::testing::Values(
+        BadInput{"Missing",
+                 {},
+                 {"simulate", "scene.toml"},
+                 "scene.toml: cannot be read: No such file or directory"},
+        change("UnknownMaterial", "S355", "S356",
+               "2: material.name = S356: must be one of S235, S275, S355, …"),
+        change("ValueOutOfRange", "370 MPa", "-370 MPa",
+               "3: material.yield_stress = -370 MPa: must be above 0 Pa"),
+        change("UnknownShape", "rectangle", "square",
+               "5: section.shape = square: must be one of rectangle, circle, round_tube, "
+               "rectangular_tube"),
+        change("LengthWithoutUnit", "'20 mm'", "20",
+               "6: section.width = 20: a length needs a unit (examples: m, mm, in)"),
+        change("UnknownKey", "height", "heigth",
+               "7: section.heigth = '40 mm': is not a key of section; did you mean height?"),
+        change("BrokenCount", "10", "1.5", "9: beam.segments = 1.5: must be a whole number"),
+        change("CountOutOfRange", "10", "0", "9: beam.segments = 0: must be from 1 to 1e+07"),
+        change("UnknownDeformation", "tension", "shear",
+               "11: drive.deformation = shear: must be one of tension, bending, torsion"),
+        change("StrainInMegapascal", "-1 %", "-1 MPa",
+               "12: drive.strain.turning_points[2] = -1 MPa: \"MPa\" is not a unit of strain "
+               "(examples: %, 1, mm/mm, um/m)"),
+        change("NoSamples", "{ turning_points = ['1 %', '-1 %'] }", "[]",
+               "12: drive.strain = []: must have at least one sample"),
+        change("MissingTable", "turning_points = ['1 %', '-1 %']",
+               "table = 'm.csv', column = 'Strain'",
+               "12: drive.strain.table = m.csv: is not a file in the folder of scene.toml"),
+        change("UnknownProbe", "'stress'", "'stres'",
+               "16: probe[2].quantity = 'stres': must be one of \"strain\", \"stress\", …"),
+        change("ProbeTwice", "'stress'", "'strain'",
+               "16: probe[2].quantity = strain: is the name of another probe, too")),
+    name_of_case);
+
+INSTANTIATE_TEST_SUITE_P(
+    Output, BadScene,
+    ::testing::Values(output("OutputExists", {"mine.csv"},
+                             "mine.csv: exists already: use --force to overwrite it"),
+                      output("OutputInMissingFolder", {"none/out.csv"},
+                             "none/out.csv: cannot be written: there is no folder none"),
+                      output("OutputOverTheScene", {"scene.toml", "--force"},
+                             "--output = scene.toml: is a file that this run reads")),
+    name_of_case);
+
+TEST(BadScenes, NeedADrive) {
+  expect_refusal({"",
+                  {{"scene.toml", "[material]\nname = 'S355'\n"}},
+                  {"simulate", "scene.toml"},
+                  "scene.toml: drive: is missing: a scene needs [drive]"});
+}
+
+}  // namespace
+}  // namespace plastica::testing
