@@ -113,7 +113,7 @@ void draw_plot(std::span<const FitRecord> records, const PlotRequest& request,
                std::ostream& standard_output) {
   terminal_of(request.output, 1.0);  // an output of no kind is an error before any work is done
   const PlotScript script = make(records, request);
-  const std::string terminal = terminal_of(request.output, script.relative_height);
+  const std::string terminal = terminal_of(request.output, script.relative_height());
   if (terminal.empty()) {
     write_file(
         request.output,
@@ -121,7 +121,13 @@ void draw_plot(std::span<const FitRecord> records, const PlotRequest& request,
             script.text());
     return;
   }
-  const std::string picture = io::run_gnuplot(terminal + script.text());
+  std::string text = script.text();
+  if (request.output == "-") {
+    // Of characters, a grid would be as heavy as the curves.
+    const std::string_view grid = "set grid ytics";
+    text.replace(text.find(grid), grid.size(), "unset grid #");
+  }
+  const std::string picture = io::run_gnuplot(terminal + text);
   if (request.output == "-") {
     standard_output << picture;
     if (!standard_output.flush()) throw MachineError("cannot write to standard output");

@@ -20,11 +20,11 @@ std::span<const PlotKind> plot_kinds();
 
 /// Which picture, of what, and where to.
 struct PlotRequest {
-  std::string what;      ///< name of a kind; empty: a curve for one specimen, else the overview
-  std::string specimen;  ///< name of the target for a curve; empty: the first
+  std::string what = {};  ///< name of a kind; empty: a curve for one specimen, else the overview
+  std::string specimen = {};  ///< name of the target for a curve; empty: the first
   /// A path that ends in .svg, .png, .pdf, or .gp for the script with its data; "-" for a picture
   /// of characters on standard output.
-  std::string output;
+  std::string output = {};
 };
 
 /// The picture as a gnuplot script with its data, without terminal and output.

@@ -12,10 +12,8 @@ namespace plastica::calibrate::report {
 /// Colours that people tell apart whatever they see (Okabe and Ito 2008).
 inline constexpr std::string_view kBlue = "#0072B2";
 inline constexpr std::string_view kVermillion = "#D55E00";
-inline constexpr std::string_view kGreen = "#009E73";
 inline constexpr std::string_view kDark = "#333333";
 inline constexpr std::string_view kGrey = "#8C8C8C";
-inline constexpr std::string_view kLight = "#B8B8B8";
 
 /// A script with its data blocks; commands are added as text, texts of users by `quoted`.
 class PlotScript {
@@ -30,9 +28,29 @@ class PlotScript {
   std::string add_curves(const std::vector<const Curve*>& curves);
   void command(std::string_view line);
 
-  /// The picture's size relative to the usual 900 x 560.
-  double relative_height = 1.0;
+  /// Lays out equal panels with one legend below all of them; the first call of a picture.
+  /// @param title  above all panels; may be empty
+  /// @param head   lines that the title of a panel takes
+  /// @param below  room for labels below a panel beyond the usual [pixels of 900 in a row]
+  void begin_panels(std::size_t count, std::string_view title = {}, int head = 1,
+                    double below = 0.0);
+  /// What the next panel shows.
+  /// @param title  of the panel, as a gnuplot string expression
+  void begin_panel(std::string_view title);
+  /// Adds a series to the panel.
+  /// @param block  its data: a name that `add_…` gave
+  /// @param style  "using 1:2 with lines …"
+  /// @param name   in the legend; each name is there once
+  void add_series(std::string_view block, std::string_view style, std::string_view name);
+  /// Draws the panel.
+  void end_panel();
 
+  /// Whether the next panel stands at the left edge, and at the lower end of its column.
+  bool at_left() const { return panel_ % columns_ == 0; }
+  bool at_bottom() const { return panel_ + columns_ >= count_of_panels_; }
+
+  /// The picture's height relative to the usual 900 x 560.
+  double relative_height() const { return relative_height_; }
   std::string text() const { return blocks_ + commands_; }
 
  private:
@@ -41,6 +59,15 @@ class PlotScript {
   std::string blocks_;
   std::string commands_;
   int count_ = 0;
+  double relative_height_ = 1.0;
+  std::size_t count_of_panels_ = 1;
+  std::size_t columns_ = 1;
+  double below_ = 0.0;
+  double head_ = 0.0;      ///< room above the panels, in pixels of a picture 900 wide
+  std::size_t panel_ = 0;  ///< the one being drawn, or next
+  std::string plot_;       ///< its series
+  std::vector<std::string> names_;
+  std::string legend_;
 };
 
 /// A user's text as a gnuplot string: printable, in quotes.

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kMostPanels = 12;
 constexpr std::size_t kMostCurves = 60;  // of a panel; more are a blot
+constexpr std::size_t kMostFalls = 3;    // of a panel's fits
 
 const FittedParameter* find_parameter(const FitResult& result, std::string_view name) {
   for (const FittedParameter& parameter : result.parameters) {
@@ -35,7 +36,7 @@ const Curve& measured_of(const FitRecord& record) {
 std::string measured_parameter(const FitResult& result, std::string_view name,
                                std::string_view symbol, std::string_view remark) {
   const FittedParameter* parameter = find_parameter(result, name);
-  if (parameter == nullptr) return {};
+  if (parameter == nullptr || !parameter->identified) return {};
   const DisplayUnit unit = display_unit(*parameter);
   const double value = parameter->value / unit.scale;
   const std::string number = parameter->standard_error
@@ -107,14 +108,90 @@ Curve fitted_with_break(const FitResult& result) {
   return curve;
 }
 
+/// The fitted curve without its fall.
+Curve fitted_while_whole(const FitResult& result) {
+  Curve curve = result.fitted;
+  while (curve.size() > 1 && curve.stress.back() == 0.0) {
+    curve.strain.pop_back();
+    curve.stress.pop_back();
+  }
+  return curve;
+}
+
+std::string with_color(std::string_view style, std::string_view color) {
+  return fmt::format("{} linecolor rgb '{}'", style, color);
+}
+
 /// Every specimen's break as (strain in %, stress in MPa).
 void add_break(const FitRecord& record, std::vector<std::vector<double>>& rows) {
   const std::optional<BreakObservation>& seen = record.target.characteristics.observed_break;
   if (seen) rows.push_back({100.0 * seen->strain(), 1e-6 * seen->last_whole_stress});
 }
 
-void join(std::string& plot, const std::string& part) {
-  plot += (plot.empty() ? "plot " : ", \\\n     ") + part;
+/// What a panel of the overview shows.
+struct Panel {
+  std::vector<const Curve*> measured;
+  std::vector<Curve> fits;
+  std::vector<std::vector<double>> breaks;
+  Curve mean;
+};
+
+Panel panel_of(std::span<const FitRecord> records, const std::vector<std::size_t>& members) {
+  Panel panel;
+  std::vector<const FitRecord*> usable;
+  std::vector<const Curve*> curves;
+  for (const std::size_t i : members) {
+    const FitRecord& record = records[i];
+    if (record.target.status == TargetStatus::Rejected || measured_of(record).size() < 2) continue;
+    usable.push_back(&record);
+    curves.push_back(&measured_of(record));
+  }
+  panel.mean = mean_curve(curves);
+  const std::size_t step = (usable.size() + kMostCurves - 1) / kMostCurves;
+  for (std::size_t k = 0; k < usable.size(); k += step) {
+    const FitRecord& record = *usable[k];
+    panel.measured.push_back(curves[k]);
+    add_break(record, panel.breaks);
+    if (!is_fitted(record) || record.result.fitted.size() == 0) continue;
+    // The falls of many fits would be a fence in front of the curves.
+    panel.fits.push_back(usable.size() <= kMostFalls ? fitted_with_break(record.result)
+                                                     : fitted_while_whole(record.result));
+  }
+  return panel;
+}
+
+/// What a panel shows: the group and how many of its specimens, or the specimen if it is alone.
+std::string panel_title(std::span<const FitRecord> records, const std::vector<std::size_t>& members,
+                        std::size_t drawn, std::size_t room) {
+  const Target& first = records[members.front()].target;
+  if (members.size() == 1) return cut(first.name, room);
+  const std::string count = drawn < members.size()
+                                ? fmt::format(", {} of {}", drawn, members.size())
+                                : fmt::format(", {}", counted(members.size(), "specimen"));
+  std::string group = group_label(first.group);
+  if (width_of(group) + width_of(count) > room && !first.group.empty()) {
+    group.clear();  // the values alone say enough beside the other panels
+    for (const auto& [key, value] : first.group) group += (group.empty() ? "" : ", ") + value;
+  }
+  return cut(group, room - std::min(room, width_of(count))) + count;
+}
+
+/// One scale for all panels, so that groups can be compared.
+void set_common_range(PlotScript& script, std::span<const FitRecord> records) {
+  double most_strain = 0.0;
+  double most_stress = 0.0;
+  for (const FitRecord& record : records) {
+    if (record.target.loading == Loading::Cyclic) return;
+    for (const Curve* curve : {&measured_of(record), &record.result.fitted}) {
+      for (std::size_t i = 0; i < curve->size(); ++i) {
+        if (std::isfinite(curve->strain[i])) most_strain = std::max(most_strain, curve->strain[i]);
+        if (std::isfinite(curve->stress[i])) most_stress = std::max(most_stress, curve->stress[i]);
+      }
+    }
+  }
+  if (!(most_strain > 0.0 && most_stress > 0.0)) return;
+  script.command(fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]", 104.0 * most_strain,
+                             1.08e-6 * most_stress));
 }
 
 }  // namespace
@@ -126,42 +203,41 @@ PlotScript curve_plot(const FitRecord& record) {
     throw InputError({}, "--case", target.name, "has no curve to draw: " + reason_of(record));
   }
   PlotScript script;
-  script.command("set title " + quoted(target.name) + ".\"\\n\"." + quoted(subtitle_of(record)) +
-                 " textcolor rgb '#333333'");
+  script.begin_panels(1, {}, 2);
   script.command("set xlabel " + quoted(strain_label(target)));
   script.command("set ylabel " + quoted(stress_label(target)));
   const bool cyclic = target.loading == Loading::Cyclic;
   if (cyclic) {
     script.command("set xzeroaxis linecolor rgb '#B8B8B8'");
   } else {
-    script.command(
-        "set xrange [0:*]\nset yrange [0:*]\nset offsets graph 0, graph 0.03, graph "
-        "0.08, graph 0");
+    script.command("set xrange [0:*]\nset yrange [0:*]");
+    script.command("set offsets graph 0, graph 0.03, graph 0.08, graph 0");
   }
-  std::string plot;
-  join(plot,
-       fmt::format("{} using 1:2 with {} title 'measured'", script.add_curve(measured),
-                   measured.size() < 80 && !cyclic
-                       ? fmt::format("points pointtype 7 pointsize 0.5 linecolor rgb '{}'", kGrey)
-                       : fmt::format("lines linewidth 1.6 linecolor rgb '{}'", kGrey)));
+  script.begin_panel(quoted(target.name) + ".\"\\n\"." + quoted(subtitle_of(record)));
+  const bool few = measured.size() < 80 && !cyclic;
+  script.add_series(script.add_curve(measured),
+                    few ? "using 1:2 with points pointtype 6 pointsize 0.6 linewidth 1.2 linecolor "
+                          "rgb '#333333'"
+                        : "using 1:2 with lines linewidth 1.6 linecolor rgb '#333333'",
+                    "measured");
   if (is_fitted(record) && record.result.fitted.size() > 0) {
-    join(plot,
-         fmt::format("{} using 1:2 with lines linewidth 2.2 linecolor rgb '{}' title 'fitted'",
-                     script.add_curve(fitted_with_break(record.result)), kVermillion));
+    script.add_series(script.add_curve(fitted_with_break(record.result)),
+                      with_color("using 1:2 with lines linewidth 2", kVermillion), "fitted");
     if (const auto yield = yield_point(record.result); yield && !cyclic) {
-      join(plot, fmt::format("{} using 1:2 with points pointtype 7 pointsize 0.9 linecolor rgb "
-                             "'{}' title 'yield, fitted'",
-                             script.add_points({*yield}), kVermillion));
+      script.add_series(script.add_points({*yield}),
+                        with_color("using 1:2 with points pointtype 7 pointsize 0.8", kVermillion),
+                        "yield, fitted");
     }
   }
   std::vector<std::vector<double>> breaks;
   add_break(record, breaks);
   if (!breaks.empty()) {
-    join(plot, fmt::format("{} using 1:2 with points pointtype 2 pointsize 1.2 linewidth 2 "
-                           "linecolor rgb '{}' title 'break, measured'",
-                           script.add_points(breaks), kBlue));
+    script.add_series(
+        script.add_points(breaks),
+        with_color("using 1:2 with points pointtype 2 pointsize 1.1 linewidth 2", kBlue),
+        "break, measured");
   }
-  script.command(plot);
+  script.end_panel();
   return script;
 }
 
@@ -170,154 +246,46 @@ PlotScript overview_plot(std::span<const FitRecord> records) {
   PlotScript script;
   const std::size_t all = groups.size();
   groups.resize(std::min(all, kMostPanels));
-  const std::size_t columns = groups.size() == 1 ? 1 : (groups.size() <= 4 ? 2 : 3);
-  const std::size_t rows = (groups.size() + columns - 1) / columns;
-  script.relative_height = std::max(1.0, 0.62 * static_cast<double>(rows));
-
-  double most_strain = 0.0;
-  double most_stress = 0.0;
-  bool cyclic = false;
-  for (const FitRecord& record : records) {
-    cyclic = cyclic || record.target.loading == Loading::Cyclic;
-    const Curve& curve = measured_of(record);
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-      if (std::isfinite(curve.strain[i])) most_strain = std::max(most_strain, curve.strain[i]);
-      if (std::isfinite(curve.stress[i])) most_stress = std::max(most_stress, curve.stress[i]);
-    }
-  }
+  script.begin_panels(groups.size(), all > groups.size() ? fmt::format("the first {} of {} groups",
+                                                                       groups.size(), all)
+                                                         : std::string());
+  set_common_range(script, records);
   const Target& first = records.front().target;
-  script.command("set xlabel " + quoted(strain_label(first)));
-  script.command("set ylabel " + quoted(stress_label(first)));
-  if (!cyclic && most_strain > 0.0 && most_stress > 0.0) {
-    // One scale for all panels, so that groups can be compared.
-    script.command(fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]", 104.0 * most_strain,
-                               1.08e-6 * most_stress));
-  }
-  if (groups.size() > 1) {
-    const std::string left_out =
-        all > groups.size() ? fmt::format(" title 'the first {} of {} groups'", groups.size(), all)
-                            : std::string();
-    script.command(fmt::format("set multiplot layout {},{}{}", rows, columns, left_out));
-  }
   for (const std::vector<std::size_t>& members : groups) {
-    std::vector<const Curve*> measured;
-    std::vector<Curve> fits;
-    std::vector<std::vector<double>> breaks;
-    const std::size_t step = (members.size() + kMostCurves - 1) / kMostCurves;
-    std::vector<const Curve*> whole;
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      const FitRecord& record = records[members[k]];
-      if (record.target.status == TargetStatus::Rejected || measured_of(record).size() < 2)
-        continue;
-      whole.push_back(&measured_of(record));
-      if (k % step != 0) continue;
-      measured.push_back(whole.back());
-      add_break(record, breaks);
-      if (is_fitted(record) && record.result.fitted.size() > 0) {
-        fits.push_back(fitted_with_break(record.result));
-      }
+    const Panel panel = panel_of(records, members);
+    script.command("set xlabel " + quoted(script.at_bottom() ? strain_label(first) : ""));
+    script.command("set ylabel " + quoted(script.at_left() ? stress_label(first) : ""));
+    script.begin_panel(
+        quoted(panel_title(records, members, panel.measured.size(), groups.size() == 1 ? 70 : 34)));
+    const bool few = panel.measured.size() <= kMostFalls;
+    if (!panel.measured.empty()) {
+      script.add_series(script.add_curves(panel.measured),
+                        few ? with_color("using 1:2 with lines linewidth 1.6", kDark)
+                            : with_color("using 1:2 with lines linewidth 1", kGrey),
+                        "measured");
     }
-    std::string title = fmt::format("{} ({}", group_label(records[members.front()].target.group),
-                                    counted(members.size(), "specimen"));
-    if (measured.size() < members.size()) title += fmt::format(", {} drawn", measured.size());
-    script.command("set title " + quoted(title + ")") + " textcolor rgb '#333333'");
-    std::string plot;
-    if (!measured.empty()) {
-      join(plot, fmt::format("{} using 1:2 with lines linewidth 0.9 linecolor rgb '{}' title "
-                             "'measured'",
-                             script.add_curves(measured), kLight));
+    if (!panel.fits.empty()) {
+      std::vector<const Curve*> fits;
+      for (const Curve& fit : panel.fits) fits.push_back(&fit);
+      script.add_series(script.add_curves(fits),
+                        with_color(few ? "using 1:2 with lines linewidth 1.6"
+                                       : "using 1:2 with lines linewidth 0.8",
+                                   kVermillion),
+                        "fitted");
     }
-    if (!fits.empty()) {
-      std::vector<const Curve*> pointers;
-      for (const Curve& fit : fits) pointers.push_back(&fit);
-      join(plot, fmt::format("{} using 1:2 with lines linewidth 0.7 linecolor rgb '{}' title "
-                             "'fitted'",
-                             script.add_curves(pointers), kVermillion));
+    if (panel.mean.size() > 0) {
+      script.add_series(script.add_curve(panel.mean),
+                        with_color("using 1:2 with lines linewidth 2.2", kBlue),
+                        "mean to first break");
     }
-    const Curve mean = mean_curve(whole);
-    if (mean.size() > 0) {
-      join(plot, fmt::format("{} using 1:2 with lines linewidth 2.4 linecolor rgb '{}' title "
-                             "'mean, while all are whole'",
-                             script.add_curve(mean), kBlue));
+    if (!panel.breaks.empty()) {
+      script.add_series(
+          script.add_points(panel.breaks),
+          with_color("using 1:2 with points pointtype 2 pointsize 0.6 linewidth 1.4", kDark),
+          "break");
     }
-    if (!breaks.empty()) {
-      join(plot, fmt::format("{} using 1:2 with points pointtype 2 pointsize 0.7 linewidth 1.4 "
-                             "linecolor rgb '{}' title 'break'",
-                             script.add_points(breaks), kDark));
-    }
-    script.command(plot.empty() ? "plot NaN notitle" : plot);
+    script.end_panel();
   }
-  if (groups.size() > 1) script.command("unset multiplot");
-  return script;
-}
-
-PlotScript parameters_plot(std::span<const FitRecord> records) {
-  const std::vector<std::vector<std::size_t>> groups = group_indices(records);
-  std::vector<FittedParameter> shown;
-  for (const FitRecord& record : records) {
-    if (!is_fitted(record)) continue;
-    for (const FittedParameter& parameter : record.result.parameters) {
-      if (parameter.role == ParameterRole::Free) shown.push_back(parameter);
-    }
-    break;
-  }
-  if (shown.empty()) throw InputError({}, "--what", "parameters", "there is no fitted specimen");
-  PlotScript script;
-  const std::size_t columns = shown.size() == 1 ? 1 : (shown.size() <= 4 ? 2 : 3);
-  const std::size_t rows = (shown.size() + columns - 1) / columns;
-  script.relative_height = std::max(1.0, 0.62 * static_cast<double>(rows));
-  script.command(fmt::format("set multiplot layout {},{}", rows, columns));
-  script.command(
-      fmt::format("set xrange [0.4:{:.1f}]\nset offsets graph 0, graph 0, graph 0.08, "
-                  "graph 0.08",
-                  static_cast<double>(groups.size()) + 0.6));
-  // Labels that would run into each other are turned.
-  std::string tics = groups.size() > 5 ? "set xtics rotate by -35 (" : "set xtics (";
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const std::string label = cut(group_label(records[groups[g].front()].target.group), 24);
-    tics += fmt::format("{}{} {}", g == 0 ? "" : ", ", quoted_tic(label), g + 1);
-  }
-  script.command(tics + ")");
-  for (const FittedParameter& parameter : shown) {
-    const DisplayUnit unit = display_unit(parameter);
-    std::vector<std::vector<double>> points;
-    std::vector<std::vector<double>> means;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      std::vector<double> values;
-      for (std::size_t k = 0; k < groups[g].size(); ++k) {
-        const FitRecord& record = records[groups[g][k]];
-        if (!is_fitted(record)) continue;
-        const FittedParameter* found = find_parameter(record.result, parameter.name);
-        if (found == nullptr || !found->identified) continue;
-        values.push_back(found->value / unit.scale);
-        // Spread sideways by the golden ratio: even, and the same in each picture.
-        const double spread = std::fmod(0.6180339887 * static_cast<double>(k + 1), 1.0) - 0.5;
-        points.push_back({static_cast<double>(g + 1) + 0.36 * spread, values.back(),
-                          found->standard_error.value_or(0.0) / unit.scale});
-      }
-      const Statistic statistic = statistic_of(std::move(values));
-      if (statistic.n > 1) {
-        means.push_back({static_cast<double>(g + 1) + 0.3, statistic.mean,
-                         statistic.standard_deviation.value_or(0.0)});
-      }
-    }
-    script.command("set title " + quoted(parameter.name) + " textcolor rgb '#333333'");
-    script.command("set ylabel " + quoted(unit.name.empty() ? "value" : unit.name));
-    std::string plot;
-    if (!points.empty()) {
-      join(plot,
-           fmt::format("{} using 1:2:3 with yerrorbars pointtype 7 pointsize {} linewidth 0.7 "
-                       "linecolor rgb '{}' title 'specimens, standard error'",
-                       script.add_points(points), points.size() > 200 ? 0.25 : 0.5, kGrey));
-    }
-    if (!means.empty()) {
-      join(plot, fmt::format("{} using 1:2:3 with yerrorbars pointtype 5 pointsize 0.8 linewidth 2 "
-                             "linecolor rgb '{}' title 'mean, standard deviation'",
-                             script.add_points(means), kBlue));
-    }
-    script.command(plot.empty() ? "plot NaN notitle" : plot);
-  }
-  script.command("unset multiplot");
   return script;
 }
 
