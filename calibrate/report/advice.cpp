@@ -17,6 +17,13 @@ bool moves_hardening(const FitResult& result) {
       });
 }
 
+/// Whether a warning already says how much the standard errors are worth.
+bool warns_of_errors(const FitResult& result) {
+  return std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& text) {
+    return text.find("standard error") != std::string::npos;
+  });
+}
+
 void advise_on(const FittedParameter& parameter, std::vector<std::string>& advice) {
   const std::string_view bound = word_of_bound(parameter);
   if (parameter.role != ParameterRole::Free) return;
@@ -50,7 +57,7 @@ std::vector<std::string> advice_for(const FitRecord& record) {
   if (!result.stages.empty() && result.stages.back().outcome.find("maxeval") != std::string::npos) {
     advice.push_back("The optimizer stopped at its limit of evaluations: allow it more.");
   }
-  if (result.misfit_word == "poor" || result.misfit_word == "fair") {
+  if ((result.misfit_word == "poor" || result.misfit_word == "fair") && !warns_of_errors(result)) {
     advice.push_back(
         "Standard errors hold only as far as the model does: they count the scatter about the "
         "fitted curve, not the shape that the model lacks.");

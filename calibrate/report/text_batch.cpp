@@ -114,7 +114,9 @@ std::vector<ShownParameter> shown_parameters(std::span<const FitRecord> records)
 }
 
 std::string parameter_cell(const FittedParameter* parameter, const DisplayUnit& unit) {
-  if (parameter == nullptr) return "-";
+  if (parameter == nullptr || (parameter->role == ParameterRole::Free && !parameter->identified)) {
+    return "-";
+  }
   const double value = parameter->value / unit.scale;
   if (!parameter->standard_error) return significant(value);
   return with_error(value, *parameter->standard_error / unit.scale);

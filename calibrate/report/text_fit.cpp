@@ -52,6 +52,9 @@ std::string size_of(const Correction& correction) {
     const DisplayUnit unit = display_unit(Dimension::Stress, correction.amount);
     return fmt::format("{:+.3g} {}", correction.amount / unit.scale, unit.name);
   }
+  if (correction.unit == "samples" && correction.amount >= 0.0) {
+    return counted(static_cast<std::size_t>(correction.amount), "sample");
+  }
   return quantity(fmt::format("{:.6g}", correction.amount), correction.unit);
 }
 
@@ -261,12 +264,23 @@ std::string fit_text(const FitRecord& record, const Ink& ink) {
   }
   text += entry("evaluations", fmt::format("{}, seed {}", result.evaluations(), result.seed));
   Table stages({{"", Table::Align::Left},
+                {"", Table::Align::Left},
                 {"", Table::Align::Right},
                 {"", Table::Align::Right},
                 {"", Table::Align::Left}});
-  for (const OptimizerStage& stage : result.stages) {
-    stages.add({stage.algorithm, std::to_string(stage.evaluations), cost_text(stage.cost),
-                printable(stage.outcome)});
+  for (std::size_t i = 0; i < result.stages.size();) {
+    // Starts of the same algorithm that ended alike are one line.
+    const OptimizerStage& first = result.stages[i];
+    OptimizerStage all = first;
+    std::size_t starts = 1;
+    for (++i; i < result.stages.size(); ++i, ++starts) {
+      const OptimizerStage& next = result.stages[i];
+      if (next.algorithm != first.algorithm || next.outcome != first.outcome) break;
+      all.evaluations += next.evaluations;
+      all.cost = std::fmin(all.cost, next.cost);
+    }
+    stages.add({all.algorithm, counted(starts, "start"), std::to_string(all.evaluations),
+                cost_text(all.cost), printable(all.outcome)});
   }
   return text + stages.text(4, kWidth);
 }
