@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "calibrate/report/plot.hpp"
+#include "calibrate/report/plot_data.hpp"
+#include "plastica/base/check.hpp"
+#include "tests/calibrate/report/records.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using testing::fitted_record;
+using testing::parameter_of;
+using testing::rejected_record;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string message_of(const std::vector<FitRecord>& records, const PlotRequest& request) {
+  try {
+    plot_script(records, request);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(PlotScript, OfOneSpecimenShowsCurveFitYieldAndBreak) {
+  const std::string script = plot_script(std::vector{fitted_record()}, {});
+  EXPECT_TRUE(contains(script, "set title 'bar-01'.\"\\n\".'E 70.00 ± 0.30 GPa"));
+  EXPECT_TRUE(contains(script, "σ_y 280.00 ± 0.41 MPa"));
+  EXPECT_TRUE(contains(script, "ε_break 10.025 ± 0.025 % permanent"));
+  EXPECT_TRUE(contains(script, "set xlabel 'engineering strain [%]'"));
+  for (const char* name : {"'measured'", "'fitted'", "'yield, fitted'", "'break, measured'"}) {
+    EXPECT_TRUE(contains(script, std::string("title ") + name)) << name;
+  }
+  EXPECT_TRUE(contains(script, "\n10.425 280 \n10.425 0 \n") ||
+              contains(script, "\n10.425 280\n10.425 0\n"))
+      << "the fall at the break, in % and MPa";
+}
+
+TEST(PlotScript, OfManySpecimensHasAPanelPerGroupAndTheMean) {
+  const std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b", 290e6),
+                                          fitted_record("c", 200e6, "150")};
+  const std::string script = plot_script(records, {});
+  EXPECT_TRUE(contains(script, "set title 'temperature 20, 2 specimens'"));
+  EXPECT_TRUE(contains(script, "set title 'c'"));
+  EXPECT_TRUE(contains(script, "title 'mean to first break'"));
+  EXPECT_TRUE(contains(script, "unset multiplot"));
+}
+
+TEST(PlotScript, OfParametersHasAPanelForEachFreeOne) {
+  std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b", 290e6)};
+  for (FitRecord& record : records) {
+    parameter_of(record, "youngs_modulus").role = ParameterRole::Fixed;
+  }
+  const std::string script = plot_script(records, {.what = "parameters"});
+  EXPECT_TRUE(contains(script, "set title 'yield_stress [MPa]'"));
+  EXPECT_TRUE(contains(script, "set title 'break_strain [%]'"));
+  EXPECT_FALSE(contains(script, "youngs_modulus"));
+  EXPECT_TRUE(contains(script, "set xtics ('20' 1)"));
+}
+
+TEST(PlotScript, LetsNoTextOfAUserLeaveItsQuotes) {
+  FitRecord record = fitted_record("it's \"_{x}\\\n`id`\nsystem('id')");
+  record.target.group = {{"l'ot", "5%d'\nplot x"}};
+  EXPECT_TRUE(contains(plot_script(std::vector{record}, {}),
+                       "set title 'it''s \"_{x}\\ `id` system(''id'')'.\"\\n\"."));
+  const std::string parameters = plot_script(std::vector{record}, {.what = "parameters"});
+  EXPECT_TRUE(contains(parameters, "('5%%d'' plot x' 1)"));
+  EXPECT_TRUE(contains(parameters, "set xlabel 'l''ot'"));
+}
+
+TEST(PlotScript, LeavesOutOfTheTitleWhatIsNotIdentified) {
+  FitRecord record = fitted_record();
+  parameter_of(record, "break_strain").identified = false;
+  EXPECT_FALSE(contains(plot_script(std::vector{record}, {}), "ε_break"));
+}
+
+TEST(PlotScript, OfARejectedSpecimenShowsItsSamplesAndTheReason) {
+  FitRecord record = rejected_record("bad", "turns back");
+  EXPECT_EQ(message_of({record}, {}), "--case = bad: has no curve to draw: turns back");
+  record.target.raw = fitted_record().target.raw;
+  const std::string script = plot_script(std::vector{record}, {});
+  EXPECT_TRUE(contains(script, "rejected: turns back"));
+  EXPECT_FALSE(contains(script, "title 'fitted'"));
+}
+
+TEST(PlotScript, SaysWhatThereIsToDraw) {
+  const std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b")};
+  EXPECT_EQ(message_of(records, {.what = "pie"}),
+            "--what = pie: must be curve, overview or parameters");
+  EXPECT_EQ(message_of(records, {.specimen = "c"}),
+            "--case = c: is not a specimen of this file; it has a, b");
+  EXPECT_EQ(message_of(records, {.what = "overview", .specimen = "a"}),
+            "--case = a: goes with the picture 'curve' only");
+  EXPECT_EQ(message_of({}, {}), "plot: there is no specimen to draw");
+  EXPECT_EQ(message_of({rejected_record("a", "x")}, {.what = "parameters"}),
+            "--what = parameters: there is no fitted specimen");
+  ASSERT_EQ(plot_kinds().size(), 3U);
+  EXPECT_EQ(plot_kinds()[0].name, "curve");
+}
+
+TEST(PlotData, IsThinnedToWhatAPictureCanShow) {
+  Curve curve;
+  for (int i = 0; i <= 100000; ++i) {
+    curve.strain.push_back(1e-6 * i);
+    curve.stress.push_back(i == 50000 ? 500e6 : 300e6);
+  }
+  curve.stress[7] = std::numeric_limits<double>::quiet_NaN();
+  const Curve thin = report::thinned(curve, 1000);
+  EXPECT_LT(thin.size(), 1100U);
+  EXPECT_EQ(*std::max_element(thin.stress.begin(), thin.stress.end()), 500e6);
+  EXPECT_EQ(thin.strain.back(), curve.strain.back());
+}
+
+TEST(MeanCurve, EndsWhereTheFirstCurveEnds) {
+  const Curve a = {{0.0, 0.01, 0.02}, {0.0, 100.0, 100.0}};
+  const Curve b = {{0.0, 0.01, 0.04}, {0.0, 200.0, 200.0}};
+  const Curve mean = report::mean_curve({&a, &b});
+  ASSERT_GT(mean.size(), 10U);
+  EXPECT_DOUBLE_EQ(mean.strain.back(), 0.02);
+  EXPECT_DOUBLE_EQ(mean.stress.back(), 150.0);
+  EXPECT_DOUBLE_EQ(mean.stress.front(), 0.0);
+}
+
+TEST(MeanCurve, IsNoneForOneCurveAndForCycles) {
+  const Curve a = {{0.0, 0.01, 0.02}, {0.0, 100.0, 100.0}};
+  const Curve cycle = {{0.0, 0.01, -0.01}, {0.0, 100.0, -100.0}};
+  EXPECT_EQ(report::mean_curve({&a}).size(), 0U);
+  EXPECT_EQ(report::mean_curve({&a, &cycle}).size(), 0U);
+}
+
+}  // namespace
+}  // namespace plastica::calibrate

@@ -1,0 +1,112 @@
+#include "calibrate/report/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/calibrate/report/records.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using testing::failed_record;
+using testing::fitted_record;
+using testing::parameter_of;
+using testing::rejected_record;
+
+const GroupStatistic* find(const std::vector<GroupStatistic>& all, const std::string& name) {
+  const auto at =
+      std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.name == name; });
+  return at == all.end() ? nullptr : &*at;
+}
+
+TEST(Statistics, AreMeanAndSampleStandardDeviation) {
+  const Statistic statistic = statistic_of({2.0, 4.0, 4.0, 4.0, 5.0, 5.0, 7.0, 9.0});
+  EXPECT_EQ(statistic.n, 8U);
+  EXPECT_DOUBLE_EQ(statistic.mean, 5.0);
+  EXPECT_DOUBLE_EQ(statistic.standard_deviation.value_or(0.0), std::sqrt(32.0 / 7.0));
+}
+
+TEST(Statistics, OfOneNumberHaveNoDeviation) {
+  const Statistic statistic = statistic_of({3.0});
+  EXPECT_EQ(statistic.mean, 3.0);
+  EXPECT_FALSE(statistic.standard_deviation.has_value());
+  EXPECT_EQ(statistic_of({}).n, 0U);
+}
+
+TEST(Statistics, LeaveOutWhatIsNotFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(statistic_of({1.0, nan, 3.0, HUGE_VAL}).n, 2U);
+  EXPECT_EQ(statistic_of({1.0, nan, 3.0, HUGE_VAL}).mean, 2.0);
+}
+
+TEST(Statistics, HaveTheSameBitsInEveryOrder) {
+  std::vector<double> values;
+  for (int i = 0; i < 1000; ++i) values.push_back(std::sin(i) * std::exp(i % 37));
+  const Statistic before = statistic_of(values);
+  std::reverse(values.begin() + 100, values.end());
+  std::rotate(values.begin(), values.begin() + 333, values.end());
+  const Statistic after = statistic_of(values);
+  EXPECT_EQ(before.mean, after.mean);
+  EXPECT_EQ(before.standard_deviation, after.standard_deviation);
+}
+
+TEST(Groups, AreInTheOrderOfTheirNumbers) {
+  const std::vector<FitRecord> records = {
+      fitted_record("a", 280e6, "150"), fitted_record("b", 280e6, "20"),
+      fitted_record("c", 280e6, "room"), fitted_record("d", 280e6, "-40"),
+      fitted_record("e", 290e6, "20")};
+  const std::vector<GroupSummary> groups = summarize_groups(records);
+  ASSERT_EQ(groups.size(), 4U);
+  EXPECT_EQ(group_label(groups[0].group), "temperature -40");
+  EXPECT_EQ(group_label(groups[1].group), "temperature 20");
+  EXPECT_EQ(group_label(groups[2].group), "temperature 150");
+  EXPECT_EQ(group_label(groups[3].group), "temperature room");
+  EXPECT_EQ(groups[1].specimens(), 2U);
+  EXPECT_EQ(group_label({}), "all specimens");
+}
+
+TEST(Groups, CountEachStatusAndAverageWhatThereIs) {
+  std::vector<FitRecord> records = {fitted_record("a", 280e6), fitted_record("b", 290e6),
+                                    failed_record("c", "no number"), rejected_record("d", "empty")};
+  records[3].target.characteristics.rm = 1e9;  // of a curve that nobody may believe
+  const std::vector<GroupSummary> groups = summarize_groups(records);
+  ASSERT_EQ(groups.size(), 1U);
+  EXPECT_EQ(groups[0].fitted, 2U);
+  EXPECT_EQ(groups[0].failed, 1U);
+  EXPECT_EQ(groups[0].rejected, 1U);
+  const GroupStatistic* yield = find(groups[0].parameters, "yield_stress");
+  ASSERT_NE(yield, nullptr);
+  EXPECT_EQ(yield->statistic.n, 2U);
+  EXPECT_DOUBLE_EQ(yield->statistic.mean, 285e6);
+  const GroupStatistic* rm = find(groups[0].characteristics, "rm");
+  ASSERT_NE(rm, nullptr);
+  EXPECT_EQ(rm->statistic.n, 3U);
+  EXPECT_EQ(find(groups[0].characteristics, "reh"), nullptr);
+}
+
+TEST(Groups, LeaveOutFixedAndUnidentifiedParameters) {
+  std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b")};
+  for (FitRecord& record : records) {
+    parameter_of(record, "youngs_modulus").role = ParameterRole::Fixed;
+  }
+  parameter_of(records[1], "break_strain").identified = false;
+  const GroupSummary group = summarize_groups(records).front();
+  EXPECT_EQ(find(group.parameters, "youngs_modulus"), nullptr);
+  EXPECT_EQ(find(group.parameters, "break_strain")->statistic.n, 1U);
+  EXPECT_EQ(find(group.parameters, "yield_stress")->statistic.n, 2U);
+}
+
+TEST(Counts, AreOfAllRecords) {
+  const std::vector<FitRecord> records = {fitted_record(), rejected_record("b", "x"),
+                                          rejected_record("c", "y")};
+  const Counts counts = count_statuses(records);
+  EXPECT_EQ(counts.fitted, 1U);
+  EXPECT_EQ(counts.rejected, 2U);
+  EXPECT_EQ(counts.failed, 0U);
+}
+
+}  // namespace
+}  // namespace plastica::calibrate

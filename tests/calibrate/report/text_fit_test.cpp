@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "calibrate/report/format.hpp"
+#include "calibrate/report/text.hpp"
+#include "tests/calibrate/report/records.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using testing::fitted_record;
+using testing::free_parameter;
+using testing::parameter_of;
+using testing::rejected_record;
+
+/// Whether one of the lines is this one; the test fails with the whole text.
+::testing::AssertionResult has_line(const std::string& text, const std::string& wanted) {
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    if (line == wanted) return ::testing::AssertionSuccess();
+  }
+  return ::testing::AssertionFailure() << "no line '" << wanted << "' in\n" << text;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(FitReport, BeginsWithWhatWasFitted) {
+  const std::string text = fit_report(fitted_record());
+  EXPECT_EQ(text.substr(0, text.find('\n')), "bar-01: fitted");
+  EXPECT_TRUE(has_line(text, "  file          targets/bar-01.csv"));
+  EXPECT_TRUE(has_line(text, "  test          tension, monotonic"));
+  EXPECT_TRUE(has_line(text, "  measure       engineering strain and stress"));
+  EXPECT_TRUE(has_line(text, "  samples       209 measured, 209 fitted"));
+  EXPECT_TRUE(has_line(text, "  group         temperature 20"));
+}
+
+TEST(FitReport, NamesRepairsAndCorrectionsWithTheirSizes) {
+  FitRecord record = fitted_record();
+  record.target.corrections.push_back({"trim-at-break", true, 1.0, "samples", "fell to zero"});
+  record.target.corrections.push_back({"preload-offset", true, 2.5e6, "Pa", "begins at 2.5 MPa"});
+  const std::string text = fit_report(record);
+  EXPECT_TRUE(
+      has_line(text, "  nan-rows          3 samples     rows without a number were left out"));
+  EXPECT_TRUE(has_line(
+      text, "  toe               -0.021 %      the foot below 40 MPa is softer than the modulus"));
+  EXPECT_TRUE(has_line(text, "  preload-offset    not done      the curve begins at zero load"));
+  EXPECT_TRUE(has_line(text, "  preload-offset    +2.5 MPa      begins at 2.5 MPa"));
+  EXPECT_TRUE(has_line(text, "  trim-at-break     1 sample      fell to zero"));
+}
+
+TEST(FitReport, ShowsCharacteristicsInEngineeringUnits) {
+  const std::string text = fit_report(fitted_record());
+  EXPECT_TRUE(has_line(text, "  E              70.00 ± 0.21   GPa  regression from 28 to 112 MPa"));
+  EXPECT_TRUE(has_line(text, "  Rp0.2         280.00          MPa  proof stress"));
+  EXPECT_TRUE(has_line(text, "  Rm            281.40          MPa  largest stress"));
+  EXPECT_TRUE(has_line(text, "  strain at Rm   8.000          %"));
+  EXPECT_TRUE(
+      has_line(text,
+               "  break strain  10.425 ± 0.025  %    total; last whole sample at 10.4 %, by "
+               "fall-to-zero"));
+  EXPECT_TRUE(has_line(text, "                10.025 ± 0.025  %    permanent"));
+  EXPECT_FALSE(contains(text, "ReH"));
+}
+
+TEST(FitReport, NamesTheProofStressAfterItsOffset) {
+  FitRecord record = fitted_record();
+  record.target.characteristics.offset = 0.001;
+  record.target.characteristics.reh = 290e6;
+  EXPECT_TRUE(contains(fit_report(record), "\n  Rp0.1  "));
+  EXPECT_TRUE(contains(fit_report(record), "upper yield strength"));
+}
+
+TEST(FitReport, ShowsEachParameterWithErrorIntervalStartAndBounds) {
+  const std::string text = fit_report(fitted_record());
+  EXPECT_TRUE(has_line(text,
+                       "                   value ± error        share    95 % interval  start      "
+                       "bounds  role"));
+  EXPECT_TRUE(has_line(text,
+                       "  youngs_modulus   70.00 ± 0.30   GPa  0.43 %   69.41 … 70.59      69   20 "
+                       "… 400   free"));
+  EXPECT_TRUE(has_line(text,
+                       "  yield_stress    280.00 ± 0.41   MPa  0.15 %  279.20 … 280.80    279   10 "
+                       "… 2000  free"));
+}
+
+TEST(FitReport, PrintsTheMeasureBesideTheYieldAndTheTotalBesideThePermanentBreak) {
+  FitRecord record = fitted_record();
+  EXPECT_TRUE(has_line(fit_report(record), "                  engineering stress"));
+  EXPECT_TRUE(has_line(fit_report(record),
+                       "                  permanent strain; the fitted model breaks at 10.42 % in "
+                       "total"));
+  record.target.measure = Measure::True;
+  record.result.break_strain_total.reset();
+  EXPECT_TRUE(has_line(fit_report(record), "                  true stress"));
+  EXPECT_TRUE(contains(fit_report(record), "the fitted model does not break within this curve"));
+}
+
+TEST(FitReport, WarnsOfBoundsAndOfWhatIsNotIdentified) {
+  FitRecord record = fitted_record();
+  EXPECT_FALSE(contains(fit_report(record), "!"));
+  EXPECT_FALSE(contains(fit_report(record), "Advice"));
+  parameter_of(record, "youngs_modulus").at_upper = true;
+  parameter_of(record, "yield_stress").identified = false;
+  parameter_of(record, "yield_stress").standard_error.reset();
+  const std::string text = fit_report(record);
+  EXPECT_TRUE(has_line(text, "                  ! at its upper bound"));
+  EXPECT_TRUE(
+      has_line(text, "                  ! not identified: the curve does not determine it"));
+  EXPECT_TRUE(contains(text, "  - youngs_modulus: the best value is at the upper bound"));
+  EXPECT_TRUE(contains(text, "  - yield_stress: no value is better than another"));
+}
+
+TEST(FitReport, ShowsFixedAndTiedParametersWithoutStartAndBounds) {
+  FitRecord record = fitted_record();
+  FittedParameter& modulus = parameter_of(record, "youngs_modulus");
+  modulus.role = ParameterRole::Fixed;
+  modulus.standard_error.reset();
+  modulus.interval_low.reset();
+  modulus.interval_high.reset();
+  parameter_of(record, "break_strain").role = ParameterRole::Tied;
+  const std::string text = fit_report(record);
+  const std::size_t at = text.find("  youngs_modulus");
+  const std::string line = text.substr(at, text.find('\n', at) - at);
+  EXPECT_TRUE(line.ends_with("fixed")) << line;
+  EXPECT_FALSE(contains(line, "…")) << line;
+  EXPECT_TRUE(contains(text, "tied\n"));
+}
+
+TEST(FitReport, ListsStrongCorrelationsOnly) {
+  const std::string text = fit_report(fitted_record());
+  EXPECT_TRUE(has_line(text, "  youngs_modulus, yield_stress  -0.620"));
+  EXPECT_FALSE(contains(text, "yield_stress, break_strain"));
+  EXPECT_FALSE(contains(fit_report(fitted_record(), {.correlation_shown = 0.7}), "Correlations"));
+}
+
+TEST(FitReport, SaysHowWellTheModelFollowsInAPlainWord) {
+  FitRecord record = fitted_record();
+  EXPECT_TRUE(has_line(fit_report(record),
+                       "  misfit        rms 1.10 MPa, 0.39 % of Rm: close, the model follows the "
+                       "curve"));
+  record.result.misfit_word = "poor";
+  const std::string text = fit_report(record);
+  EXPECT_TRUE(contains(text, "poor, the model cannot follow this curve"));
+  EXPECT_TRUE(contains(text, "add tangent_modulus to the parameters"));
+  record.result.parameters.push_back(
+      free_parameter("tangent_modulus", Dimension::Stress, 1e9, 1e7, 1e9, 0.0, 1e11));
+  EXPECT_FALSE(contains(fit_report(record), "add tangent_modulus"));
+}
+
+TEST(FitReport, CountsTheEvaluationsOfEachStage) {
+  FitRecord record = fitted_record();
+  record.result.stages.push_back({"LN_BOBYQA", "xtol-reached", 18, 1.1e12});
+  const std::string text = fit_report(record);
+  EXPECT_TRUE(has_line(text, "  objective     f = 1.2 MPa²"));
+  EXPECT_TRUE(has_line(text, "  evaluations   142, seed 12345"));
+  EXPECT_TRUE(has_line(text, "    GN_CRS2_LM  1 start    60    4 MPa²  maxeval-reached"));
+  EXPECT_TRUE(has_line(text, "    LN_BOBYQA   2 starts  100  1.1 MPa²  xtol-reached"));
+}
+
+TEST(FitReport, OfARejectedSpecimenGivesTheReason) {
+  const std::string text = fit_report(rejected_record("bad", "no column 'Stress'"));
+  EXPECT_EQ(text.substr(0, text.find('\n')), "bad: rejected");
+  EXPECT_TRUE(has_line(text, "  reason        no column 'Stress'"));
+  EXPECT_FALSE(contains(text, "Parameters"));
+  EXPECT_FALSE(contains(text, "misfit"));
+}
+
+TEST(FitReport, IsNowhereWiderThanAHundredColumns) {
+  FitRecord record = fitted_record(std::string(150, 'n'));
+  record.target.warnings = {std::string(150, 'w') + " and " + std::string(150, 'v')};
+  record.target.repairs[0].text = "a sentence " + std::string(120, 'r');
+  record.result.parameters.push_back(
+      free_parameter(std::string(90, 'p'), Dimension::Stress, 123.456e6, 0.5e6, 1e8, 1e-3, 1e12));
+  std::istringstream in(fit_report(record));
+  for (std::string line; std::getline(in, line);) {
+    EXPECT_LE(report::width_of(line), 100U) << line;
+  }
+}
+
+TEST(FitReport, HasColoursOnlyWhenAskedAndPassesNoneOn) {
+  const FitRecord record = fitted_record("bar\x1b[31m");
+  EXPECT_FALSE(contains(fit_report(record), "\x1b"));
+  const std::string text = fit_report(record, {.color = true});
+  EXPECT_TRUE(contains(text, "\x1b[1mParameters\x1b[0m\n"));
+  EXPECT_FALSE(contains(text, "bar\x1b"));
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
