@@ -50,22 +50,23 @@ std::vector<std::string> advice_for(const FitRecord& record) {
   const FitResult& result = record.result;
   std::vector<std::string> advice;
   if (record.target.status == TargetStatus::TooCoarse) {
-    advice.push_back("Sample the test more often, or fit fewer parameters by fixing E.");
+    advice.emplace_back("Sample the test more often, or fit fewer parameters by fixing E.");
   }
   if (result.status != FitStatus::Fitted) return advice;
   for (const FittedParameter& parameter : result.parameters) advise_on(parameter, advice);
   if (!result.stages.empty() && result.stages.back().outcome.find("maxeval") != std::string::npos) {
-    advice.push_back("The optimizer stopped at its limit of evaluations: allow it more.");
+    advice.emplace_back("The optimizer stopped at its limit of evaluations: allow it more.");
   }
   if ((result.misfit_word == "poor" || result.misfit_word == "fair") && !warns_of_errors(result)) {
-    advice.push_back(
+    advice.emplace_back(
         "Standard errors hold only as far as the model does: they count the scatter about the "
         "fitted curve, not the shape that the model lacks.");
   }
   if (result.misfit_word == "poor") {
-    advice.push_back(moves_hardening(result)
-                         ? "Hardening is fitted already: look at the picture for what is missing."
-                         : "Let the material harden: add tangent_modulus to the parameters.");
+    advice.emplace_back(
+        moves_hardening(result)
+            ? "Hardening is fitted already: look at the picture for what is missing."
+            : "Let the material harden: add tangent_modulus to the parameters.");
   }
   return advice;
 }

@@ -74,7 +74,7 @@ PlotScript::PlotScript() {
 std::string PlotScript::next_name() { return fmt::format("$data{}", ++count_); }
 
 std::string PlotScript::add_points(const std::vector<std::vector<double>>& rows) {
-  const std::string name = next_name();
+  std::string name = next_name();
   blocks_ += name + " << END_OF_DATA\n";
   for (const std::vector<double>& row : rows) {
     for (const double value : row) {
@@ -89,7 +89,7 @@ std::string PlotScript::add_points(const std::vector<std::vector<double>>& rows)
 std::string PlotScript::add_curve(const Curve& curve) { return add_curves({&curve}); }
 
 std::string PlotScript::add_curves(const std::vector<const Curve*>& curves) {
-  const std::string name = next_name();
+  std::string name = next_name();
   blocks_ += name + " << END_OF_DATA\n";
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (i > 0) blocks_ += '\n';
@@ -124,11 +124,13 @@ void PlotScript::begin_panel(std::string_view title) {
   const double between = 62.0;
   const double above = 78.0 + below_;
   const auto columns = static_cast<double>(columns_);
-  const auto rows = static_cast<double>((count_of_panels_ + columns_ - 1) / columns_);
+  const std::size_t count_of_rows = (count_of_panels_ + columns_ - 1) / columns_;
+  const auto rows = static_cast<double>(count_of_rows);
+  const std::size_t row = panel_ / columns_;
   const double wide = (900.0 - 22.0 - left - between * (columns - 1.0)) / columns;
   const double high = (height - head_ - bottom - above * (rows - 1.0)) / rows;
   const double x = left + static_cast<double>(panel_ % columns_) * (wide + between);
-  const double y = height - head_ - static_cast<double>(panel_ / columns_) * (high + above);
+  const double y = height - head_ - static_cast<double>(row) * (high + above);
   command(
       fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
                   "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}",

@@ -147,7 +147,7 @@ std::string group_label(const Group& group) {
   std::string label;
   for (const auto& [key, value] : group) {
     if (!label.empty()) label += ", ";
-    label += key + " " + value;
+    label.append(key).append(" ").append(value);
   }
   return label;
 }
@@ -156,6 +156,7 @@ std::vector<std::vector<std::size_t>> group_indices(std::span<const FitRecord> r
   std::map<Group, std::vector<std::size_t>, GroupBefore> groups;
   for (std::size_t i = 0; i < records.size(); ++i) groups[records[i].target.group].push_back(i);
   std::vector<std::vector<std::size_t>> all;
+  all.reserve(groups.size());
   for (auto& [group, members] : groups) all.push_back(std::move(members));
   return all;
 }

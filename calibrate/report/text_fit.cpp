@@ -161,7 +161,7 @@ std::vector<std::string> notes_on(const FittedParameter& parameter, const FitRec
     notes.push_back(std::move(note));
   }
   if (parameter.role == ParameterRole::Free && !parameter.identified) {
-    notes.push_back("! not identified: the curve does not determine it");
+    notes.emplace_back("! not identified: the curve does not determine it");
   }
   const std::string_view bound = word_of_bound(parameter);
   if (!bound.empty()) notes.push_back(fmt::format("! at its {} bound", bound));

@@ -77,7 +77,7 @@ class MemoryFile {
 std::string first_message(const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string line = text.substr(at, end - at);
+    std::string line = text.substr(at, end - at);
     if (line.find_first_not_of(" ^\t\r") != std::string::npos) return line;
     at = end + 1;
   }
