@@ -68,13 +68,16 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
       p.identified = false;
     } else if (r.role == ParameterRole::Free) {
       const std::size_t k = next++;
+      const double bottom = set.coordinate(k, r.lower);
       const double top = set.coordinate(k, r.upper);
-      const double span = top - set.lower(k);
+      const double span = top - bottom;
       const double at = set.coordinate(k, p.value);
-      p.at_lower = at - set.lower(k) < 1e-9 * span;
+      p.at_lower = at - bottom < 1e-9 * span;
       p.at_upper = top - at < 1e-9 * span;
       p.identified = u.identified[k];
-      if (p.identified) {
+      // A break limit brought back to a bound has no scatter about it.
+      const bool held = r.is_break && (p.at_lower || p.at_upper);
+      if (p.identified && !held) {
         p.standard_error = u.standard_error[k];
         p.interval_low = p.value - u.half_interval[k];
         p.interval_high = p.value + u.half_interval[k];
@@ -113,6 +116,21 @@ void add_warnings(const Target& target, FitResult& result) {
     if (p.at_lower) result.warnings.push_back(p.name + " is at its lower bound");
     if (p.at_upper) result.warnings.push_back(p.name + " is at its upper bound");
   }
+}
+
+/// Says so where a break limit that is fixed, tied or at a bound is not the specimen's.
+void warn_of_held_break(const Target& target, const ParameterSet& set, double factor,
+                        double permanent, FitResult& result) {
+  const auto& observed = target.characteristics.observed_break;
+  const auto& decides = set.break_parameter();
+  if (!observed || !decides) return;
+  const FittedParameter& p = result.parameters[decides->index];
+  if (p.role == ParameterRole::Free && !p.at_lower && !p.at_upper) return;
+  const double own = permanent / factor;
+  if (std::fabs(p.value - own) <= std::fabs(observed->half_interval()) / factor) return;
+  result.warnings.push_back(
+      fmt::format("{} is held at {:.4g} %, but the specimen broke at {:.4g} % permanent strain",
+                  p.name, 100.0 * p.value, 100.0 * own));
 }
 
 /// The fitted beam on the specimen's strain path, with its break; and the strain where it breaks.
@@ -220,8 +238,12 @@ FitResult fit_target(const Target& target, const FitOptions& options) {
     return result;
   }
   result.status = FitStatus::Fitted;
-  result.cost = solution.cost;
+  for (std::size_t i = 0; i < set.active().size(); ++i) {
+    const ResolvedParameter& p = set.all()[set.active()[i]];
+    solution.active[i] = std::clamp(solution.active[i], p.lower, p.upper);
+  }
   const Misfit::Details details = misfit.details(solution.active);
+  result.cost = details.stress_cost + details.break_cost;
   const Uncertainty u =
       uncertainty(details, solution.active, set, target, options, misfit.break_factor());
   describe_misfit(details, target, result);
@@ -229,6 +251,7 @@ FitResult fit_target(const Target& target, const FitOptions& options) {
   add_tied_errors(set, result);
   result.correlation = u.correlation;
   add_warnings(target, result);
+  warn_of_held_break(target, set, misfit.break_factor(), details.permanent, result);
   add_fitted_curve(target, options, result);
   return result;
 }
@@ -240,7 +263,13 @@ std::vector<FitResult> fit_batch(std::span<const Target> targets, const FitOptio
   for (FitResult& result : results) result.reason = "not run";
   std::mutex mutex;
   parallel_for(targets.size(), {batch.threads, batch.stop}, [&](std::size_t i, int) {
-    results[i] = fit_target(targets[i], options);
+    try {
+      results[i] = fit_target(targets[i], options);
+    } catch (const InputError& error) {
+      // The options were checked above: this one target does not go with them.
+      results[i].status = FitStatus::Failed;
+      results[i].reason = error.what();
+    }
     if (!batch.finished) return;
     const std::lock_guard lock(mutex);
     batch.finished(i, results[i]);

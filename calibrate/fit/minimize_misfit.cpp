@@ -92,7 +92,8 @@ class Search {
       set_values(best_, false);
       const std::optional<double> permanent = misfit_.permanent_strain(values_);
       if (!permanent) return;
-      const double value = std::clamp(*permanent / misfit_.break_factor(), p.lower, p.upper);
+      const double value =
+          std::clamp(*permanent / misfit_.break_factor(), p.search_lower, p.search_upper);
       best_[i] = parameters_.coordinate(i, value);
     }
   }

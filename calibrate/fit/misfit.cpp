@@ -62,13 +62,15 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
   }
   const auto& observed = target.characteristics.observed_break;
   const auto& decides = parameters.break_parameter();
-  if (decides && observed && options.break_weight > 0.0) {
+  const bool free = decides && parameters.all()[decides->index].is_break &&
+                    parameters.all()[decides->index].role == ParameterRole::Free;
+  if (free && observed && options.break_weight > 0.0) {
     const double permanent = target.characteristics.break_strain_plastic.value_or(0.0);
     const double scale = permanent > 0.0 ? permanent : std::fabs(observed->strain());
     break_scale_ = options.break_weight * cost_unit_ / (scale * scale);
     break_index_ = decides->index;
-    break_factor_ = decides->factor;
   }
+  if (decides) break_factor_ = decides->factor;
 
   model_ = prepare(unbroken_scene(target, options), options.setup.solver, paths);
   workspace_ = make_workspace(model_);
@@ -124,7 +126,8 @@ double Misfit::cost(std::span<const double> active, std::span<double> gradient) 
       const double r = model_stress[s] - measured[s];
       sum += weight_[s] * r * r;
     }
-    return sum + break_cost({});
+    sum += break_cost({});
+    return std::isfinite(sum) ? sum : infinite;
   }
   std::fill(by_all_.begin(), by_all_.end(), 0.0);
   const std::size_t width = model_index_.size();
@@ -137,7 +140,7 @@ double Misfit::cost(std::span<const double> active, std::span<double> gradient) 
   }
   sum += break_cost(by_all_);
   parameters_.contract(by_all_, gradient);
-  return sum;
+  return std::isfinite(sum) ? sum : infinite;
 }
 
 std::optional<double> Misfit::permanent_strain(std::span<const double> active) {

@@ -27,7 +27,8 @@ namespace plastica::calibrate {
 /// The stress misfit compares the unbroken law over the specimen's whole life; samples after its
 /// break do not enter. So a model that would break earlier or later meets no jump: breaks of
 /// model and specimen are compared by f_break alone, which is smooth and can always be made zero
-/// by break_strain, so that a free break strain does not pull at the other parameters.
+/// by break_strain: while it is searched its bounds do not hold it, so that it never pulls at the
+/// other parameters. A break limit that is not free has no break term; a mismatch is a warning.
 class Misfit {
  public:
   /// @throws InputError if the scene or a parameter does not suit the test
