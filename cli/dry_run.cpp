@@ -53,8 +53,9 @@ void print_dry_run(std::span<const Target> targets, const FitOptions& options,
     return target.status == TargetStatus::Ready;
   });
   if (first != targets.end()) print_parameters(*first, options);
-  fmt::print("{} targets, {} to fit, algorithm {}, about {:.1f} MB\n", targets.size(), ready,
-             options.algorithm, static_cast<double>(bytes) / 1e6);
+  fmt::print("{} target{}, {} to fit, algorithm {}, about {:.1f} MB\n", targets.size(),
+             targets.size() == 1 ? "" : "s", ready, options.algorithm,
+             static_cast<double>(bytes) / 1e6);
   fmt::print("level coupon: a strain history drives all joints alike: one stands for all\n");
   fmt::print("nothing was run; the result would be {}\n", output);
 }

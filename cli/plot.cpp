@@ -36,7 +36,7 @@ int plot(const PlotArguments& arguments) {
 void add_plot(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("plot", "the picture of a result file");
   auto arguments = std::make_shared<PlotArguments>();
-  sub->add_option("file", arguments->file, "result of `plastica calibrate`")->required();
+  sub->add_option("file", arguments->file, "result of `plastica calibrate`");
   sub->add_option("-o,--output", arguments->request.output,
                   ".svg, .png, .pdf; .gp for script and data; - for the terminal")
       ->capture_default_str();
@@ -45,7 +45,10 @@ void add_plot(CLI::App& app, Action& action) {
   sub->add_flag("--list", arguments->list, "the pictures there are");
   arguments->request.output = "-";
   sub->footer("Example: plastica plot fit.h5 -o fit.svg");
-  sub->callback([&action, arguments] { action = [arguments] { return plot(*arguments); }; });
+  sub->callback([&action, arguments] {
+    if (arguments->file.empty() && !arguments->list) throw CLI::RequiredError("file");
+    action = [arguments] { return plot(*arguments); };
+  });
 }
 
 }  // namespace plastica::cli

@@ -17,8 +17,22 @@ std::string system_error(std::string_view action) {
   return std::string(action) + ": " + std::strerror(errno);
 }
 
-/// HDF5 prints its errors by itself unless told otherwise.
-void keep_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// HDF5 prints its errors by itself unless told otherwise. At the program's end it closes once more
+/// what is open, and crashes on a file that a full disk kept it from closing; ours are closed by
+/// then.
+void keep_quiet() {
+  H5dont_atexit();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+/// The system's words, where an error of HDF5 has them among addresses and times.
+std::string words_of_system(const std::string& message) {
+  constexpr std::string_view kBefore = "error message = '";
+  const std::size_t at = message.find(kBefore);
+  if (at == std::string::npos) return message;
+  const std::size_t begin = at + kBefore.size();
+  return message.substr(begin, message.find('\'', begin) - begin);
+}
 
 Hdf5Handle opened_root(const Hdf5Handle& file, const std::string& path) {
   Hdf5Handle root(H5Gopen2(file.get(), "/", H5P_DEFAULT));
@@ -132,7 +146,7 @@ std::string innermost_error() {
   };
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_first, &message);
   H5Eclear2(H5E_DEFAULT);
-  return message.empty() ? "HDF5 gives no reason" : message;
+  return message.empty() ? "HDF5 gives no reason" : words_of_system(message);
 }
 
 hid_t new_text_type() {
