@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
                           8),
               ":1: is not text (it has a zero byte)"),
         curve("HeaderOnly", "Strain (%),Stress (MPa)\n", ": holds no data row"),
-        curve("UnequalRows", changed("\n0.04,", "\n0.04,7,"),
+        curve("UnequalRows", changed("\n0.0400,", "\n0.0400,7,"),
               ":4: has 3 cells, the header on line 1 has 2"),
         curve("NoColumnOfStress", "Strain (%)\n1\n2\n",
               ": --stress: no column is known for the stress; it has Strain: give --stress"),

@@ -6,16 +6,16 @@
 
 namespace plastica::testing {
 
-std::string broken_curve(double yield, int number) {
+std::string broken_curve(double yield, int number, double step) {
   constexpr double kModulus = 2000.0;  // MPa per % of strain
   const double breaks_at = 2.0 + yield / kModulus;
   std::string text = "Strain (%),Stress (MPa)\n";
   for (int i = 0, broken = 0; broken < 3; ++i) {
-    const double strain = 0.02 * i;
+    const double strain = step * i;
     const bool whole = strain < breaks_at;
     const double roughness = 0.2 * ((i * 37 + number * 17) % 11 - 5);
     const double stress = whole ? std::min(kModulus * strain, yield) + roughness : 0.0;
-    text += fmt::format("{:.2f},{:.2f}\n", strain, stress);
+    text += fmt::format("{:.4f},{:.2f}\n", strain, stress);
     broken += whole ? 0 : 1;
   }
   return text;

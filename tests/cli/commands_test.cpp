@@ -1,0 +1,206 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "plastica/base/version.hpp"
+#include "plastica/model/field.hpp"
+#include "tests/cli/command.hpp"
+#include "tests/cli/curves.hpp"
+
+namespace plastica::testing {
+namespace {
+
+constexpr const char* kCommands[] = {"calibrate", "inspect", "init",   "simulate",
+                                     "show",      "plot",    "export", "fields"};
+
+/// Runs what must succeed without a word on stderr. @return what it wrote
+std::string output_of(const Workplace& place, const std::vector<std::string>& arguments) {
+  const CommandResult result = place.run(arguments);
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  return result.out;
+}
+
+/// Fits two specimens into fit.h5, with its summary in fit.json.
+void fit_two(const Workplace& place) {
+  place.write("a.csv", broken_curve(350.0, 1));
+  place.write("b.csv", broken_curve(360.0, 2));
+  const CommandResult result =
+      place.run({"calibrate", "a.csv", "b.csv", "--quiet", "-o", "fit.h5", "--json", "fit.json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.out + result.err, "");
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Command, TellsItsVersion) {
+  EXPECT_EQ(output_of(Workplace(), {"--version"}), std::string(version()) + "\n");
+}
+
+TEST(Command, HelpsWithAnExampleForEachCommand) {
+  const Workplace place;
+  const std::string all = output_of(place, {"--help"});
+  for (const std::string command : kCommands) {
+    EXPECT_TRUE(has(all, "\n  " + command + " ")) << all;
+    const std::string help = output_of(place, {command, "--help"});
+    const std::size_t example = help.find("Example");
+    ASSERT_NE(example, std::string::npos) << help;
+    EXPECT_TRUE(has(help.substr(example), "plastica " + command)) << help;
+  }
+}
+
+TEST(Command, ListsEveryFieldAtTheBeginningOfALine) {
+  const std::string list = "\n" + output_of(Workplace(), {"fields"});
+  EXPECT_EQ(lines_of(list), fields().size() + 2);  // a line of titles, and the one put before
+  for (const Field& field : fields()) {
+    EXPECT_TRUE(has(list, "\n" + std::string(field.path) + " ")) << field.path;
+  }
+}
+
+TEST(Command, InitsAFitThatRunsAsItIs) {
+  const Workplace place;
+  EXPECT_EQ(output_of(place, {"init", "fit"}),
+            "wrote ./fit.toml\nwrote ./example-curve.csv\nnext: plastica calibrate ./fit.toml\n");
+  const CommandResult fitted = place.run({"calibrate", "fit.toml"});
+  EXPECT_EQ(fitted.code, 0) << fitted.err;
+  EXPECT_TRUE(fitted.out.ends_with("\nfitted 1, rejected 0, failed 0\n")) << fitted.out;
+  EXPECT_EQ(fitted.err, "wrote fit.h5\n");
+}
+
+TEST(Command, InitsASceneThatRunsAsItIs) {
+  const Workplace place;
+  output_of(place, {"init", "scene"});
+  const CommandResult result = place.run({"simulate", "scene.toml"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(result.out.starts_with(
+      "sample,drive [1],strain [1],stress [Pa],plastic_strain [1]\n0,0,0,0,0\n"))
+      << result.out;
+  EXPECT_TRUE(std::regex_match(
+      result.err, std::regex("broke at sample \\d+, strain [0-9.]+, permanent strain [0-9.]+\n")))
+      << result.err;
+  EXPECT_EQ(place.run({"simulate", "scene.toml", "-o", "out.csv"}).code, 0);
+  EXPECT_EQ(place.read("out.csv"), result.out);
+}
+
+TEST(Command, InspectsACurveAndProposesATargetThatRuns) {
+  const Workplace place;
+  place.write("a.csv", broken_curve());
+  const std::string text = output_of(place, {"inspect", "a.csv"});
+  EXPECT_TRUE(has(text, "rows, 2 columns, separated by comma, decimal point")) << text;
+  EXPECT_TRUE(has(text, "correction  trim-at-break")) << text;
+  const std::size_t block = text.find("[[target]]");
+  ASSERT_NE(block, std::string::npos) << text;
+  place.write("fit.toml", text.substr(block));
+  const CommandResult fitted = place.run({"calibrate", "fit.toml"});
+  EXPECT_EQ(fitted.code, 0) << fitted.err;
+}
+
+TEST(Command, DryRunsWithoutWritingAnything) {
+  const Workplace place;
+  place.write("a.csv", broken_curve());
+  place.write("b.csv", "");
+  place.write("fit.toml", fit_file("'*.csv'"));
+  output_of(place, {"init", "scene"});
+  const auto before = place.contents();
+  const std::string text = output_of(place, {"calibrate", "fit.toml", "--dry-run"});
+  EXPECT_TRUE(has(text, "samples  ready\n")) << text;
+  EXPECT_TRUE(has(text, "b.csv: is empty\n")) << text;
+  EXPECT_TRUE(has(text, "2 targets, 1 to fit, algorithm auto")) << text;
+  EXPECT_TRUE(has(text, "nothing was run; the result would be fit.h5\n")) << text;
+  EXPECT_TRUE(has(output_of(place, {"simulate", "scene.toml", "--dry-run", "-o", "out.csv"}),
+                  "3 probes, level coupon"));
+  EXPECT_EQ(place.contents(), before);
+}
+
+TEST(Command, NamesTheOutputAfterTheInput) {
+  const Workplace place;
+  place.write("a.csv", broken_curve());
+  place.write("b.csv", broken_curve());
+  EXPECT_EQ(place.run({"calibrate", "a.csv"}).err, "wrote a.h5\n");
+  EXPECT_EQ(place.run({"calibrate", "a.csv", "b.csv"}).err, "wrote fit.h5\n");
+}
+
+TEST(Command, HoldsAFixedParameter) {
+  const Workplace place;
+  place.write("a.csv", broken_curve());
+  ASSERT_EQ(
+      place.run({"calibrate", "a.csv", "--fix", "youngs_modulus=190 GPa", "--json", "a.json"}).code,
+      0);
+  const auto fit = nlohmann::json::parse(place.read("a.json")).at("fits").at(0);
+  EXPECT_EQ(fit.at("parameters").at("youngs_modulus").at("value"), 190e9);
+  EXPECT_EQ(fit.at("parameters").at("youngs_modulus").at("role"), "fixed");
+}
+
+TEST(Command, ShowsAllSpecimensOrOne) {
+  const Workplace place;
+  fit_two(place);
+  const std::string all = output_of(place, {"show", "fit.h5"});
+  EXPECT_TRUE(has(all, "\n  a ") && has(all, "\n  b ")) << all;
+  EXPECT_FALSE(has(all, "\nParameters\n")) << all;
+  EXPECT_TRUE(all.ends_with("\nfitted 2, rejected 0, failed 0\n")) << all;
+  const std::string one = output_of(place, {"show", "fit.h5", "--case", "b"});
+  EXPECT_TRUE(one.starts_with("b: fitted\n")) << one;
+  EXPECT_TRUE(has(one, "\nParameters\n") && has(one, "  yield_stress ")) << one;
+  const std::string whole = output_of(place, {"show", "fit.h5", "--all"});
+  EXPECT_TRUE(has(whole, "a: fitted\n") && has(whole, one)) << whole;
+}
+
+TEST(Command, ShowsWhatCalibratePrinted) {
+  const Workplace place;
+  place.write("a.csv", broken_curve());
+  const CommandResult fitted = place.run({"calibrate", "a.csv"});
+  EXPECT_EQ(output_of(place, {"show", "a.h5"}), fitted.out);
+}
+
+TEST(Command, ExportsARowForEachSpecimenOrSample) {
+  const Workplace place;
+  fit_two(place);
+  const std::string table = output_of(place, {"export", "fit.h5", "--to", "csv"});
+  EXPECT_TRUE(table.starts_with("name,file,test,measure,loading,status,reason,youngs_modulus [Pa]"))
+      << table;
+  EXPECT_EQ(lines_of(table), 3U);
+  EXPECT_TRUE(has(table, "\na,a.csv,tension,") && has(table, "\nb,b.csv,tension,")) << table;
+  const std::string curves = output_of(place, {"export", "fit.h5", "--what", "curves"});
+  EXPECT_TRUE(curves.starts_with("specimen,strain [1],stress_measured [Pa],stress_fitted [Pa]\n"));
+  EXPECT_GT(lines_of(curves), 200U);
+  EXPECT_EQ(output_of(place, {"export", "fit.h5", "-o", "fit.csv"}), "");
+  EXPECT_EQ(place.read("fit.csv"), table);
+}
+
+TEST(Command, ExportsTheJsonThatCalibrateWrites) {
+  const Workplace place;
+  fit_two(place);
+  EXPECT_EQ(nlohmann::json::parse(output_of(place, {"export", "fit.h5", "--to", "json"})),
+            nlohmann::json::parse(place.read("fit.json")));
+}
+
+TEST(Command, WritesTheDocumentedKeysIntoTheSummary) {
+  const Workplace place;
+  fit_two(place);
+  const auto summary = nlohmann::json::parse(place.read("fit.json"));
+  ASSERT_EQ(summary.at("fits").size(), 2U);
+  for (const auto& fit : summary.at("fits")) {
+    for (const char* key :
+         {"name", "status", "characteristics", "parameters", "objective", "evaluations"}) {
+      EXPECT_TRUE(fit.contains(key)) << key;
+    }
+    const auto& found = fit.at("characteristics");
+    for (const char* key :
+         {"youngs_modulus", "rp02", "rm", "strain_at_rm", "break_strain", "break_strain_plastic"}) {
+      EXPECT_TRUE(found.at(key).is_number()) << key;
+    }
+    for (const char* key : {"reh", "rel"}) EXPECT_TRUE(found.at(key).is_null()) << key;
+    for (const char* name : {"youngs_modulus", "yield_stress", "break_strain"}) {
+      EXPECT_TRUE(fit.at("parameters").at(name).at("value").is_number()) << name;
+      EXPECT_TRUE(fit.at("parameters").at(name).at("stderr").is_number()) << name;
+    }
+    EXPECT_GT(fit.at("evaluations").get<int>(), 0);
+  }
+  EXPECT_NEAR(summary.at("fits").at(1).at("parameters").at("yield_stress").at("value"), 360e6, 1e6);
+}
+
+}  // namespace
+}  // namespace plastica::testing

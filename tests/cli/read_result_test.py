@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+"""Reads a result with h5py alone, as data/README.md documents it.
+
+read_result_test.py COMMAND README: runs the command on curves of its own, of which one is bad.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy
+
+COMMAND, README = sys.argv[1:3]
+
+COLUMNS = {
+    "fits": "name status reason file test measure loading target_status target_reason samples seed "
+            "cost misfit_rms misfit_share misfit_word break_strain_total moved_parameters",
+    "characteristics": "youngs_modulus youngs_modulus_standard_error modulus_window_low "
+                       "modulus_window_high modulus_method proof_offset rp02 reh rel rm "
+                       "strain_at_rm break_strain break_strain_plastic largest_strain broke "
+                       "last_whole_strain last_whole_stress first_broken_strain break_rule",
+    "parameters/yield_stress": "value standard_error interval_low interval_high start lower upper "
+                               "logarithmic at_lower at_upper identified",
+}
+LISTS = {
+    "stages": "algorithm outcome evaluations cost",
+    "corrections": "kind applied amount amount_units text",
+    "repairs": "kind count text",
+    "groups": "key value",
+    "properties": "key value",
+    "warnings/target": "text",
+    "warnings/fit": "text",
+}
+UNITS = {
+    "fits/cost": "Pa^2", "fits/misfit_rms": "Pa", "fits/misfit_share": "1",
+    "characteristics/youngs_modulus": "Pa", "characteristics/rm": "Pa",
+    "characteristics/break_strain": "1", "parameters/yield_stress/value": "Pa",
+    "parameters/break_strain/value": "1", "curves/raw/strain": "1", "curves/raw/stress": "Pa",
+    "curves/corrected/stress": "Pa", "curves/fitted/stress": "Pa", "evaluations/cost": "Pa^2",
+    "meta/seconds": "s",
+}
+FIT = """[[target]]
+files = "*-curve.csv"
+strain = "Strain"
+stress = "Stress"
+table = { file = "info.csv", key = "id" }
+group = ["lot"]
+"""
+TABLE = "id,lot\nexample-curve,A\nbad-curve,B\n"
+
+
+class ReadResult(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.place = tempfile.TemporaryDirectory()
+        folder = pathlib.Path(cls.place.name)
+        subprocess.run([COMMAND, "init", "fit"], cwd=folder, check=True, capture_output=True)
+        (folder / "bad-curve.csv").write_text("Strain (%),Stress (MPa)\n0,low\n1,high\n")
+        (folder / "info.csv").write_text(TABLE)
+        (folder / "own.toml").write_text(FIT)
+        ran = subprocess.run([COMMAND, "calibrate", "own.toml", "-o", "fit.h5"], cwd=folder,
+                             capture_output=True, text=True)
+        assert ran.returncode == 1, ran.stderr
+        cls.file = h5py.File(folder / "fit.h5")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.file.close()
+        cls.place.cleanup()
+
+    def text(self, path):
+        return list(self.file[path].asstr()[:])
+
+    def test_says_what_it_is(self):
+        self.assertEqual(self.file.attrs["schema"], "plastica/fits")
+        self.assertEqual(self.file.attrs["version"], 1)
+
+    def test_has_a_row_for_each_target_by_name(self):
+        self.assertEqual(self.text("fits/name"), ["bad-curve", "example-curve"])
+        self.assertEqual(self.text("fits/status"), ["rejected", "fitted"])
+        self.assertIn("low", self.text("fits/target_reason")[0])
+        for group, columns in COLUMNS.items():
+            for column in columns.split():
+                self.assertEqual(self.file[group][column].shape, (2,), f"{group}/{column}")
+
+    def test_has_the_lists_with_the_row_of_their_target(self):
+        for group, columns in LISTS.items():
+            size = self.file[group]["fit"].shape
+            for column in columns.split():
+                self.assertEqual(self.file[group][column].shape, size, f"{group}/{column}")
+        self.assertEqual(list(self.file["groups/fit"]), [0, 1])
+        self.assertEqual(self.text("groups/key"), ["lot", "lot"])
+        self.assertEqual(self.text("groups/value"), ["B", "A"])
+        self.assertIn(1, self.file["stages/fit"])
+
+    def test_names_the_units(self):
+        for path, units in UNITS.items():
+            self.assertEqual(self.file[path].attrs["units"], units, path)
+
+    def test_has_the_parameters_of_what_was_fitted(self):
+        self.assertEqual(list(self.file["parameters/present"]), [0, 1])
+        for name, truth in (("youngs_modulus", 200e9), ("yield_stress", 350e6), ("break_strain", 0.02)):
+            group = self.file["parameters"][name]
+            self.assertEqual(group.attrs["path"], "material." + name)
+            self.assertEqual(group.attrs["role"], "free")
+            self.assertTrue(numpy.isnan(group["value"][0]))
+            self.assertAlmostEqual(group["value"][1] / truth, 1.0, delta=0.01)
+            self.assertGreater(group["standard_error"][1], 0.0)
+
+    def test_has_the_curves_by_their_offsets(self):
+        for kind in ("raw", "corrected", "fitted"):
+            curve = self.file["curves"][kind]
+            offsets = list(curve["offsets"])
+            self.assertEqual(offsets[:2], [0, 0], kind)
+            self.assertEqual(curve["strain"].shape, (offsets[2],), kind)
+            self.assertEqual(curve["stress"].shape, (offsets[2],), kind)
+        self.assertGreater(self.file["curves/raw/offsets"][2], 100)
+        stress = self.file["curves/fitted/stress"][:]
+        self.assertAlmostEqual(numpy.max(stress) / 350e6, 1.0, delta=0.01)
+
+    def test_has_every_evaluation(self):
+        cost = self.file["evaluations/cost"][:]
+        values = self.file["evaluations/values"][:]
+        offsets = list(self.file["evaluations/offsets"])
+        self.assertEqual(offsets, [0, 0, len(cost)])
+        self.assertEqual(values.shape, (len(cost), 3))
+        self.assertEqual(cost.min(), self.file["fits/cost"][1])
+        best = values[cost.argmin()]
+        for column, name in enumerate(("youngs_modulus", "yield_stress", "break_strain")):
+            self.assertEqual(best[column], self.file["parameters"][name]["value"][1], name)
+        self.assertEqual(list(self.file["correlation/offsets"]), [0, 0, 9])
+
+    def test_keeps_the_input_texts_whole(self):
+        self.assertEqual(self.text("inputs/name"), ["own.toml", "info.csv"])
+        self.assertEqual(self.text("inputs/text"), [FIT, TABLE])
+
+    def test_says_what_the_fits_were_told(self):
+        options = self.file["options"]
+        for name in "noise break_weight algorithm seed confidence global_evaluations".split():
+            self.assertIn(name, options)
+        self.assertEqual(options["objective"].asstr()[()], "strain-path")
+        self.assertEqual(self.text("options/parameters/path")[1], "material.yield_stress")
+        self.assertEqual(options["setup/material/poisson_ratio"].attrs["units"], "1")
+
+    def test_keeps_under_meta_what_may_differ(self):
+        meta = self.file["meta"]
+        for name in "start_time seconds host threads instruction_set command_line resumptions".split():
+            self.assertIn(name, meta)
+        self.assertIn("plastica", meta["versions"])
+
+    def test_has_nothing_that_is_not_documented(self):
+        documented = set(re.findall(r"`([a-z0-9_]+)`", pathlib.Path(README).read_text()))
+        found = []
+
+        def visit(name, item):
+            by_its_own_name = name.startswith(("options/setup/", "meta/versions/"))
+            if isinstance(item, h5py.Dataset) and not by_its_own_name:
+                found.append(name)
+
+        self.file.visititems(visit)
+        self.assertGreater(len(found), 80)
+        self.assertEqual([name for name in found if name.split("/")[-1] not in documented], [])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
