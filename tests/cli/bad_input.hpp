@@ -21,7 +21,9 @@ struct BadInput {
   std::string line;
 };
 
-inline void PrintTo(const BadInput& input, std::ostream* out) { *out << input.name; }
+inline std::ostream& operator<<(std::ostream& out, const BadInput& input) {
+  return out << input.name;
+}
 
 /// The name of a case, for INSTANTIATE_TEST_SUITE_P.
 inline std::string name_of_case(const ::testing::TestParamInfo<BadInput>& info) {
