@@ -238,10 +238,6 @@ FitResult fit_target(const Target& target, const FitOptions& options) {
     return result;
   }
   result.status = FitStatus::Fitted;
-  for (std::size_t i = 0; i < set.active().size(); ++i) {
-    const ResolvedParameter& p = set.all()[set.active()[i]];
-    solution.active[i] = std::clamp(solution.active[i], p.lower, p.upper);
-  }
   const Misfit::Details details = misfit.details(solution.active);
   result.cost = details.stress_cost + details.break_cost;
   const Uncertainty u =

@@ -24,7 +24,7 @@ constexpr double kRestartRise = 0.1;
 /// With three or more parameters of the stress (a hardening law's) there are other minima far away
 /// too: how many starts look for them, as far around the start as the global stage, unless the
 /// misfit is below this share of the largest stress.
-constexpr std::ptrdiff_t kManyParameters = 3;
+constexpr std::size_t kManyParameters = 3;
 constexpr double kExactFit = 0.002;
 constexpr int kWideRestarts = 12;
 /// A decrease of the cost that is not worth a polish, as a share of the cost.
@@ -44,29 +44,42 @@ class Search {
         options_(options),
         seed_(seed),
         solution_(solution),
-        n_(parameters.active().size()),
-        scale_(n_, 1.0),
-        values_(n_) {
-    solution_.trace.parameters = n_;
-    for (std::size_t i = 0; i < n_; ++i) {
-      best_.push_back(parameters.coordinate(i, parameters.all()[parameters.active()[i]].start));
+        values_(parameters.active().size()) {
+    solution_.trace.parameters = values_.size();
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      const ResolvedParameter& p = parameters.all()[parameters.active()[k]];
+      if (p.is_break) {
+        break_ = k;
+      } else {
+        searched_.push_back(k);
+        best_.push_back(parameters.coordinate(k, p.start));
+      }
     }
+    n_ = searched_.size();
+    scale_.assign(n_, 1.0);
     start_ = best_;
+  }
+
+  std::size_t size() const { return n_; }
+
+  /// Takes the start as it is: nothing is left to search but the break limit that goes with it.
+  void evaluate_start() {
+    best_cost_ = cost_at_best();
+    found_ = std::isfinite(best_cost_);
+    solution_.usable = found_;
   }
 
   /// Begins with the yield stress at the largest measured stress if that costs less: right for a
   /// plateau without noise, however short it is beside the elastic part.
   void try_largest_yield() {
-    settle_break();
     const std::vector<double> kept = best_;
     const double kept_cost = cost_at_best();
     for (std::size_t i = 0; i < n_; ++i) {
-      const auto field = parameters_.all()[parameters_.active()[i]].field->material;
+      const auto field = parameters_.all()[parameters_.active()[searched_[i]]].field->material;
       const bool yield =
           field == MaterialField::YieldStress || field == MaterialField::ShearYieldStress;
-      if (yield) best_[i] = parameters_.upper(i);
+      if (yield) best_[i] = upper(i);
     }
-    settle_break();
     if (!(cost_at_best() < kept_cost)) best_ = kept;
     start_ = best_;
   }
@@ -75,26 +88,11 @@ class Search {
     set_values(best_, false);
     const std::vector<double> curvature = misfit_.curvature(values_);
     for (std::size_t i = 0; i < n_; ++i) {
-      const double slope = parameters_.slope(i, values_[i]);
-      const double c = curvature[i] * slope * slope / misfit_.cost_unit();
+      const std::size_t k = searched_[i];
+      const double slope = parameters_.slope(k, values_[k]);
+      const double c = curvature[k] * slope * slope / misfit_.cost_unit();
       // A parameter that does not matter here keeps its scale.
       if (std::isfinite(c) && c > kLeastCurvature) scale_[i] = std::sqrt(c);
-    }
-  }
-
-  /// Gives a free break strain the value that goes with the other parameters at the best point.
-  /// The break term can always be made zero so, and must not decide where the search begins: where
-  /// most of the strain is elastic it changes a hundred times faster than the stress.
-  void settle_break() {
-    for (std::size_t i = 0; i < n_; ++i) {
-      const ResolvedParameter& p = parameters_.all()[parameters_.active()[i]];
-      if (!p.is_break) continue;
-      set_values(best_, false);
-      const std::optional<double> permanent = misfit_.permanent_strain(values_);
-      if (!permanent) return;
-      const double value =
-          std::clamp(*permanent / misfit_.break_factor(), p.search_lower, p.search_upper);
-      best_[i] = parameters_.coordinate(i, value);
     }
   }
 
@@ -108,8 +106,8 @@ class Search {
     how.seed = seed_;
     Problem problem;
     for (std::size_t i = 0; i < n_; ++i) {
-      const double low = std::max(parameters_.lower(i), best_[i] - reach);
-      const double high = std::min(parameters_.upper(i), best_[i] + reach);
+      const double low = std::max(lower(i), best_[i] - reach);
+      const double high = std::min(upper(i), best_[i] + reach);
       problem.lower.push_back(low * scale_[i]);
       problem.upper.push_back(high * scale_[i]);
       problem.start.push_back(std::clamp(best_[i], low, high) * scale_[i]);
@@ -139,8 +137,7 @@ class Search {
     const double f = cost(z, gradient);
     double decrease = 0.0;
     for (std::size_t i = 0; i < n_; ++i) {
-      const bool blocked =
-          gradient[i] > 0.0 ? best_[i] <= parameters_.lower(i) : best_[i] >= parameters_.upper(i);
+      const bool blocked = gradient[i] > 0.0 ? best_[i] <= lower(i) : best_[i] >= upper(i);
       if (!blocked) decrease += 0.5 * gradient[i] * gradient[i];
     }
     return decrease > kWorthPolishing * f + kNoiseFloor;
@@ -169,20 +166,15 @@ class Search {
       const std::vector<double> kept = best_;
       for (std::size_t k = 0; k < n_; ++k) {
         const double x = start_[k] + kGlobalReach * uniform(random);
-        best_[k] = std::clamp(x, parameters_.lower(k), parameters_.upper(k));
+        best_[k] = std::clamp(x, lower(k), upper(k));
       }
-      settle_break();
       rescale();
       if (!stage("slsqp", evaluations, kEverywhere)) best_ = kept;
     }
     rescale();
   }
 
-  bool has_many_parameters() const {
-    const auto shapes_stress = [&](std::size_t i) { return !parameters_.all()[i].is_break; };
-    const auto active = parameters_.active();
-    return std::count_if(active.begin(), active.end(), shapes_stress) >= kManyParameters;
-  }
+  bool has_many_parameters() const { return n_ >= kManyParameters; }
 
   bool fits_closely() const { return best_cost_ < kCloseFit * kCloseFit; }
 
@@ -195,7 +187,7 @@ class Search {
     }
     if (!solution_.usable) solution_.reason = "optimizer: " + solution_.stages.back().outcome;
     solution_.cost = best_cost_ * misfit_.cost_unit();
-    set_values(best_, false);
+    cost_at_best();  // sets the break limit, too
     solution_.active = values_;
   }
 
@@ -216,17 +208,29 @@ class Search {
     return 0x1p-52 * static_cast<double>(random() >> 11U) - 1.0;
   }
 
+  double lower(std::size_t i) const { return parameters_.lower(searched_[i]); }
+  double upper(std::size_t i) const { return parameters_.upper(searched_[i]); }
+
   void set_values(std::span<const double> x, bool scaled) {
     for (std::size_t i = 0; i < n_; ++i) {
-      values_[i] = parameters_.value(i, scaled ? x[i] / scale_[i] : x[i]);
+      values_[searched_[i]] = parameters_.value(searched_[i], scaled ? x[i] / scale_[i] : x[i]);
     }
   }
 
+  /// A free break limit is not searched but follows the others; see misfit.hpp.
   double cost(std::span<const double> z, std::span<double> gradient) {
     set_values(z, true);
-    const double f = misfit_.cost(values_, gradient);
+    by_active_.resize(gradient.empty() ? 0 : values_.size());
+    const double f = misfit_.search_cost(values_, by_active_);
     for (std::size_t i = 0; i < gradient.size(); ++i) {
-      gradient[i] *= parameters_.slope(i, values_[i]) / (scale_[i] * misfit_.cost_unit());
+      const std::size_t k = searched_[i];
+      gradient[i] =
+          by_active_[k] * parameters_.slope(k, values_[k]) / (scale_[i] * misfit_.cost_unit());
+    }
+    if (break_ && std::isfinite(f)) {
+      const ResolvedParameter& p = parameters_.all()[parameters_.active()[*break_]];
+      values_[*break_] =
+          std::clamp(misfit_.permanent_strain() / misfit_.break_factor(), p.lower, p.upper);
     }
     Trace& trace = solution_.trace;
     trace.values.insert(trace.values.end(), values_.begin(), values_.end());
@@ -239,9 +243,12 @@ class Search {
   const FitOptions& options_;
   std::uint64_t seed_;
   Solution& solution_;
-  std::size_t n_;
+  std::size_t n_ = 0;                  ///< number of coordinates that are searched
+  std::vector<std::size_t> searched_;  ///< active index of each
+  std::optional<std::size_t> break_;   ///< active index of a free break limit
   std::vector<double> scale_;
-  std::vector<double> values_;
+  std::vector<double> values_;  ///< SI (n_active)
+  std::vector<double> by_active_;
   std::vector<double> start_;  ///< the set's coordinates
   std::vector<double> best_;   ///< the set's coordinates; the start until a stage has run
   double best_cost_ = 0.0;
@@ -255,7 +262,9 @@ Solution minimize_misfit(Misfit& misfit, const ParameterSet& parameters, const F
   Solution solution;
   Search search(misfit, parameters, options, seed, solution);
   const StoppingRules& stop = options.stopping;
-  if (options.algorithm != "auto") {
+  if (search.size() == 0) {
+    search.evaluate_start();
+  } else if (options.algorithm != "auto") {
     const bool global = is_global(options.algorithm);
     search.rescale();
     search.stage(options.algorithm, global ? stop.global_evaluations : stop.local_evaluations,

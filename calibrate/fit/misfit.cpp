@@ -8,6 +8,9 @@
 namespace plastica::calibrate {
 namespace {
 
+/// How far a break limit may be from the measured permanent strain at no cost, as a factor.
+constexpr double kLikelyReach = 30.0;
+
 std::vector<double> path_weights(const std::vector<double>& strain) {
   std::vector<double> weight(strain.size(), 0.0);
   for (std::size_t i = 1; i < strain.size(); ++i) {
@@ -68,6 +71,7 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
     const double permanent = target.characteristics.break_strain_plastic.value_or(0.0);
     const double scale = permanent > 0.0 ? permanent : std::fabs(observed->strain());
     break_scale_ = options.break_weight * cost_unit_ / (scale * scale);
+    break_size_ = scale;
     break_index_ = decides->index;
   }
   if (decides) break_factor_ = decides->factor;
@@ -95,20 +99,38 @@ bool Misfit::set_values(std::span<const double> active) {
   return model_.coupon.hardening != HardeningLaw::Linear || tangent < young;
 }
 
-double Misfit::break_cost(std::span<double> by_all) const {
+double Misfit::limit() const { return break_factor_ * all_values_[break_index_]; }
+
+double Misfit::likely_limit() const {
+  return std::clamp(response_.permanent_strain, break_size_ / kLikelyReach,
+                    break_size_ * kLikelyReach);
+}
+
+double Misfit::break_cost(double limit, std::span<double> by_all, bool limit_moves) const {
   if (break_scale_ == 0.0) return 0.0;
-  const double gap = response_.permanent_strain - break_factor_ * all_values_[break_index_];
+  const double gap = response_.permanent_strain - limit;
   if (!by_all.empty()) {
     const double slope = 2.0 * break_scale_ * gap;
     for (std::size_t i = 0; i < model_index_.size(); ++i) {
       by_all[model_index_[i]] += slope * sensitivity_.permanent_strain[i];
     }
-    by_all[break_index_] -= slope * break_factor_;
+    if (limit_moves) by_all[break_index_] -= slope * break_factor_;
   }
   return break_scale_ * gap * gap;
 }
 
 double Misfit::cost(std::span<const double> active, std::span<double> gradient) {
+  const double stress = evaluate(active, gradient, true);
+  return std::isfinite(stress) ? stress + break_cost(limit(), {}, true) : stress;
+}
+
+double Misfit::search_cost(std::span<const double> active, std::span<double> gradient) {
+  const double stress = evaluate(active, gradient, false);
+  return std::isfinite(stress) ? stress + break_cost(likely_limit(), {}, false) : stress;
+}
+
+double Misfit::evaluate(std::span<const double> active, std::span<double> gradient,
+                        bool with_break) {
   const double infinite = std::numeric_limits<double>::infinity();
   if (!set_values(active)) return infinite;
   if (gradient.empty()) {
@@ -126,7 +148,6 @@ double Misfit::cost(std::span<const double> active, std::span<double> gradient) 
       const double r = model_stress[s] - measured[s];
       sum += weight_[s] * r * r;
     }
-    sum += break_cost({});
     return std::isfinite(sum) ? sum : infinite;
   }
   std::fill(by_all_.begin(), by_all_.end(), 0.0);
@@ -138,16 +159,9 @@ double Misfit::cost(std::span<const double> active, std::span<double> gradient) 
     sum += wr * r;
     for (std::size_t i = 0; i < width; ++i) by_all_[model_index_[i]] += 2.0 * wr * row[i];
   }
-  sum += break_cost(by_all_);
+  break_cost(with_break ? limit() : likely_limit(), by_all_, with_break);
   parameters_.contract(by_all_, gradient);
   return std::isfinite(sum) ? sum : infinite;
-}
-
-std::optional<double> Misfit::permanent_strain(std::span<const double> active) {
-  if (!set_values(active)) return std::nullopt;
-  run(model_, model_values_, workspace_, response_);
-  if (!usable(response_.status)) return std::nullopt;
-  return response_.permanent_strain;
 }
 
 std::vector<double> Misfit::curvature(std::span<const double> active) {
@@ -180,7 +194,7 @@ Misfit::Details Misfit::details(std::span<const double> active) {
   Details d;
   std::vector<double> gradient(active.size());
   const double total = cost(active, gradient);
-  d.break_cost = break_cost({});
+  d.break_cost = break_cost(limit(), {}, true);
   d.stress_cost = total - d.break_cost;
   d.residual.resize(samples_);
   d.weight = raw_weight_;

@@ -26,9 +26,11 @@ namespace plastica::calibrate {
 ///
 /// The stress misfit compares the unbroken law over the specimen's whole life; samples after its
 /// break do not enter. So a model that would break earlier or later meets no jump: breaks of
-/// model and specimen are compared by f_break alone, which is smooth and can always be made zero
-/// by break_strain: while it is searched its bounds do not hold it, so that it never pulls at the
-/// other parameters. A break limit that is not free has no break term; a mismatch is a warning.
+/// model and specimen are compared by f_break alone. Whatever the other parameters are, it is zero
+/// at break_strain = p/k. So a free one is not searched but set to that, within its bounds, at each
+/// evaluation; the others are searched with the limit that is likely, p clamped to P/30 … 30 P, in
+/// place of k break_strain: a break limit that is at a bound, fixed or tied does not pull at them,
+/// but a model that does not yield at all, when the specimen broke with a permanent strain, costs.
 class Misfit {
  public:
   /// @throws InputError if the scene or a parameter does not suit the test
@@ -39,6 +41,13 @@ class Misfit {
   /// Cost at values of the active parameters [SI] (n_active); with their derivatives in
   /// `gradient` (n_active) if it is not empty. Infinite where the model cannot be run.
   double cost(std::span<const double> active, std::span<double> gradient);
+
+  /// The cost with the likely limit in place of the break parameter's, whose value does not count;
+  /// else as `cost`.
+  double search_cost(std::span<const double> active, std::span<double> gradient);
+
+  /// p above, of the last evaluation [1].
+  double permanent_strain() const { return response_.permanent_strain; }
 
   /// S^2: costs over it are shares of the largest stress [Pa^2].
   double cost_unit() const { return cost_unit_; }
@@ -59,15 +68,17 @@ class Misfit {
   };
   Details details(std::span<const double> active);
 
-  /// p above; empty where the model cannot be run.
-  std::optional<double> permanent_strain(std::span<const double> active);
-
   /// k above times a tie's factor: limit of the test over the value of the break parameter.
   double break_factor() const { return break_factor_; }
 
  private:
   bool set_values(std::span<const double> active);
-  double break_cost(std::span<double> by_all) const;
+  /// f_stress; the gradient is that of `cost` if `with_break`, else of `search_cost`.
+  double evaluate(std::span<const double> active, std::span<double> gradient, bool with_break);
+  double limit() const;
+  double likely_limit() const;
+  /// f_break for a limit, after an evaluation; adds its derivatives to `by_all` unless empty.
+  double break_cost(double limit, std::span<double> by_all, bool limit_moves) const;
 
   const Target& target_;
   const ParameterSet& parameters_;
@@ -76,6 +87,7 @@ class Misfit {
   std::vector<double> raw_weight_;
   double cost_unit_ = 1.0;
   double break_scale_ = 0.0;  ///< break_weight S^2 / P^2; 0 without a break term
+  double break_size_ = 1.0;   ///< P
   double break_factor_ = 1.0;
   std::size_t break_index_ = 0;           ///< of the break parameter in the set
   std::vector<std::size_t> model_index_;  ///< set index of each model parameter

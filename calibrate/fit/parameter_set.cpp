@@ -20,9 +20,6 @@ bool is_break(const Field& field) {
          field.material == MaterialField::BreakShearStrain;
 }
 
-/// How far beyond its start a break limit is searched, whatever its bounds.
-constexpr double kBreakReach = 30.0;
-
 /// A lower bound that leaves room below an upper one that is given alone.
 double room_below(double upper) { return upper > 0.0 ? upper / 30.0 : upper * 30.0; }
 
@@ -57,12 +54,7 @@ ResolvedParameter resolve(const Parameter& p, const Target& target, const FitOpt
   }
   r.start = std::clamp(p.value.value_or(found.start), r.lower, r.upper);
   const double useful = largest_useful_value(*p.field, target, options);
-  r.search_lower = r.lower;
   r.search_upper = useful > r.lower ? std::min(r.upper, useful) : r.upper;
-  if (r.is_break) {
-    r.search_lower = std::min(r.lower, found.start / kBreakReach);
-    r.search_upper = std::max(r.upper, found.start * kBreakReach);
-  }
   r.logarithmic =
       p.scale == ParameterScale::Logarithmic || (p.scale == ParameterScale::Auto && r.lower > 0.0);
   return r;
@@ -119,9 +111,7 @@ void ParameterSet::find_break_parameter(const Target& target, const FitOptions& 
   break_parameter_ = found;
 }
 
-double ParameterSet::lower(std::size_t i) const {
-  return coordinate(i, active_parameter(i).search_lower);
-}
+double ParameterSet::lower(std::size_t i) const { return coordinate(i, active_parameter(i).lower); }
 
 double ParameterSet::upper(std::size_t i) const {
   return coordinate(i, active_parameter(i).search_upper);
@@ -137,7 +127,7 @@ double ParameterSet::value(std::size_t i, double coordinate) const {
   const ResolvedParameter& p = active_parameter(i);
   using plastica::exp;
   const double value = p.logarithmic ? p.start * exp(coordinate) : p.start + size_[i] * coordinate;
-  return std::clamp(value, p.search_lower, p.search_upper);
+  return std::clamp(value, p.lower, p.upper);
 }
 
 double ParameterSet::slope(std::size_t i, double value) const {

@@ -17,11 +17,9 @@ struct ResolvedParameter {
   double start = 0.0;  ///< Free: start; Fixed: the value [SI]
   double lower = 0.0;
   double upper = 0.0;
-  /// The search stays between these two. A yield stress above the largest measured stress is never
-  /// better than that stress itself, and no sample can tell one from another there: a search that
-  /// gets into that range does not come back. A break limit is searched beyond its bounds and
-  /// brought back at the end: at a bound it would pull at the other parameters.
-  double search_lower = 0.0;
+  /// The search goes no further up than this. A yield stress above the largest measured stress is
+  /// never better than that stress itself, and no sample can tell one from another there: a search
+  /// that gets into that range does not come back.
   double search_upper = 0.0;
   bool logarithmic = false;
   /// Whether it is a break limit: it enters the break term at most and is left out of the model.

@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "calibrate/fit/fit.hpp"
+#include "calibrate/target/make.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+constexpr double kE = 70e9;
+constexpr double kYield = 250e6;
+
+/// Breaks at 10 % strain, 9.64 % of it permanent.
+Target broken_bar() {
+  Curve curve;
+  for (int i = 0; i <= 1000; ++i) {
+    const double strain = 1e-4 * i;
+    curve.strain.push_back(strain);
+    // A ripple stands in for noise: the fit must not be exact.
+    curve.stress.push_back(std::min(kE * strain, kYield) + (i % 2 == 0 ? 1e6 : -1e6));
+  }
+  curve.strain.push_back(0.1001);
+  curve.stress.push_back(0.0);
+  return make_target("bar", std::move(curve));
+}
+
+FitOptions options_with(const Parameter& break_strain) {
+  FitOptions options;
+  for (const char* name : {"youngs_modulus", "yield_stress"}) {
+    Parameter p;
+    p.field = &find_field(name);
+    options.parameters.push_back(p);
+  }
+  options.parameters.push_back(break_strain);
+  return options;
+}
+
+Parameter break_strain() {
+  Parameter p;
+  p.field = &find_field("break_strain");
+  return p;
+}
+
+void expect_stress_untouched(const FitResult& fit) {
+  ASSERT_EQ(fit.status, FitStatus::Fitted);
+  EXPECT_NEAR(fit.parameter("youngs_modulus").value, kE, 0.01 * kE);
+  EXPECT_NEAR(fit.parameter("yield_stress").value, kYield, 0.001 * kYield);
+  const bool warned = std::any_of(fit.warnings.begin(), fit.warnings.end(), [](const auto& text) {
+    return text.find("is held at 5 %") != std::string::npos;
+  });
+  EXPECT_TRUE(warned);
+}
+
+TEST(HeldBreak, FixedDoesNotPullAtTheOtherParameters) {
+  Parameter held = break_strain();
+  held.role = ParameterRole::Fixed;
+  held.value = 0.05;
+  expect_stress_untouched(fit_target(broken_bar(), options_with(held)));
+}
+
+TEST(HeldBreak, AtABoundDoesNotPullAtTheOtherParameters) {
+  Parameter bounded = break_strain();
+  bounded.lower = 0.001;
+  bounded.upper = 0.05;
+  const FitResult fit = fit_target(broken_bar(), options_with(bounded));
+  expect_stress_untouched(fit);
+  EXPECT_EQ(fit.parameter("break_strain").value, 0.05);
+  EXPECT_TRUE(fit.parameter("break_strain").at_upper);
+  EXPECT_FALSE(fit.parameter("break_strain").standard_error);
+}
+
+TEST(HeldBreak, FreeIsTheSpecimensOwnWhateverItsBounds) {
+  Parameter wide = break_strain();
+  wide.lower = 1e-6;
+  wide.upper = 10.0;
+  const FitResult fit = fit_target(broken_bar(), options_with(wide));
+  EXPECT_NEAR(fit.parameter("break_strain").value, 0.10005 - kYield / kE, 1e-4);
+}
+
+TEST(HeldBreak, AloneIsFoundWithoutASearch) {
+  FitOptions options;
+  options.parameters = {break_strain()};
+  options.setup.scene.material.youngs_modulus = kE;
+  options.setup.scene.material.yield_stress = kYield;
+  const FitResult fit = fit_target(broken_bar(), options);
+  ASSERT_EQ(fit.status, FitStatus::Fitted);
+  EXPECT_NEAR(fit.parameter("break_strain").value, 0.10005 - kYield / kE, 1e-12);
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
