@@ -26,7 +26,8 @@ constexpr const char* kFooter =
     "  plastica calibrate fit.toml -o fit.h5   fit every target\n"
     "  plastica show fit.h5                    the report\n"
     "  plastica plot fit.h5 -o fit.svg         the picture\n"
-    "Exit codes: 0 done, 1 a target has no usable fit, 2 bad input, 3 the machine failed.\n"
+    "Exit codes: 0 done, 1 a target has no usable fit, 2 bad input, 3 the machine failed,\n"
+    "130 interrupted by Ctrl-C (--resume goes on).\n"
     "`plastica COMMAND --help` says more.";
 
 void add_commands(CLI::App& app, const std::string& command_line, Action& action) {

@@ -16,6 +16,7 @@ struct PlotArguments {
   std::string file;
   calibrate::PlotRequest request;
   bool list = false;
+  bool force = false;
 };
 
 int plot(const PlotArguments& arguments) {
@@ -24,7 +25,7 @@ int plot(const PlotArguments& arguments) {
     return kDone;
   }
   const std::string& output = arguments.request.output;
-  if (output != "-") calibrate::check_output_path(output, true);
+  if (output != "-") calibrate::check_output_path(output, arguments.force);
   const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
   calibrate::draw_plot(contents.records, arguments.request, std::cout);
   if (output != "-") fmt::print("wrote {}\n", output);
@@ -43,6 +44,7 @@ void add_plot(CLI::App& app, Action& action) {
   sub->add_option("--what", arguments->request.what, "which picture, see --list");
   sub->add_option("--case", arguments->request.specimen, "specimen of a curve");
   sub->add_flag("--list", arguments->list, "the pictures there are");
+  sub->add_flag("--force", arguments->force, "overwrite a picture that is there");
   arguments->request.output = "-";
   sub->footer("Example: plastica plot fit.h5 -o fit.svg");
   sub->callback([&action, arguments] {

@@ -65,7 +65,7 @@ void check_outputs(const calibrate::FitFile& file, const std::string& output,
   if (fs::path(json).lexically_normal() == fs::path(output).lexically_normal()) {
     throw InputError({}, "--json", json, "is the result file, too");
   }
-  calibrate::check_output_path(json, true);
+  calibrate::check_output_path(json, force);
 }
 
 }  // namespace plastica::cli

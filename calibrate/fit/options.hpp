@@ -37,7 +37,7 @@ struct FitOptions {
   std::vector<Parameter> parameters;
   Objective objective = Objective::StrainPath;
   std::optional<double> noise;  ///< standard deviation of the stress [Pa], LeastSquares
-  /// Weight of the break term (see objective.hpp), >= 0; 0 leaves break_strain unidentified.
+  /// Weight of the break term (see misfit.hpp), >= 0; 0 leaves break_strain unidentified.
   double break_weight = 1.0;
   std::string algorithm = "auto";  ///< see `algorithm_names()`
   StoppingRules stopping;
