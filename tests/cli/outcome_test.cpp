@@ -145,8 +145,9 @@ TEST(Outcome, OfAJournalThatCannotGrowIsThree) {
 TEST(Outcome, OfAFullDeviceIsThree) {
   const Workplace place;
   write_good_curves(place);
-  expect_machine_failure(place.run({"calibrate", "fit.toml", "--quiet", "--json", "/dev/full"}),
-                         "/dev/full: ");
+  expect_machine_failure(
+      place.run({"calibrate", "fit.toml", "--quiet", "--force", "--json", "/dev/full"}),
+      "/dev/full: ");
   EXPECT_TRUE(place.has("fit.h5"));
   expect_machine_failure(place.run({"export", "fit.h5", "--force", "-o", "/dev/full"}),
                          "/dev/full: cannot be written");
