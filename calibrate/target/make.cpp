@@ -128,6 +128,7 @@ void process_target(Target& target, const TargetOptions& options) {
     if (!(*std::max_element(curve.stress.begin(), curve.stress.end()) > 0.0)) {
       return give_up(target, TargetStatus::Rejected, "the stress is nowhere positive");
     }
+    drop_outliers(target);
     drop_foot_reversals(target, options.reversal_tolerance);
   }
   const double noise = noise_of(curve.strain, curve.stress);
@@ -139,7 +140,12 @@ void process_target(Target& target, const TargetOptions& options) {
                    "modulus, or none that rise; the curve has " +
                        std::to_string(samples));
   }
-  trim_at_break(target, line->modulus, facts.extensometer_removed, options);
+  bool goes_on = facts.extensometer_removed;
+  if (monotonic) {
+    drop_unloading_loops(target, options);
+    goes_on = drop_unloading(target, line->modulus, options) || goes_on;
+  }
+  trim_at_break(target, line->modulus, goes_on, options);
   if (monotonic) drop_strain_reversals(target, options.reversal_tolerance);
   shift_strain(target, *line, options);
   if (!convert_to_true(target, options)) return;

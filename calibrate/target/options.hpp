@@ -21,9 +21,13 @@ enum class ModulusMethod { Regression, Chord };
 struct TargetOptions {
   Test test = Test::Tension;
   Measure measure = Measure::Engineering;  ///< what the samples are, as measured
-  /// Empty: found out. Cyclic if |stress| falls below half of its peak while the strain turns
-  /// back, and rises above that half again; the peak must reach half of the largest |stress|, as
-  /// many tension tests start with settling cycles far below the yield stress.
+  /// Empty: found out. An unloading is a |stress| that falls below half of its peak while the
+  /// strain turns back; the peak must reach half of the largest |stress|, as many tension tests
+  /// start with settling cycles far below the yield stress. Cyclic if an unloading goes on to the
+  /// other sign, beyond 0.1 of the largest |stress| in 2 samples, or if at least 3 are loaded again
+  /// and together run back further than the strain range of the curve (pulsating tests). A tension
+  /// test with a few loops to measure the modulus is monotonic, see `drop_unloading_loops`. Of the
+  /// stresses, medians of three neighbours count: a lone outlier turns nothing.
   std::optional<Loading> loading;
 
   // Repairs
@@ -50,8 +54,13 @@ struct TargetOptions {
   ///   the modulus: broken from the first sample below (1 - drop_share) of the run's start;
   /// - one step that falls by half of Rm or more;
   /// - a sample at or below `zero_share` of Rm;
-  /// - the data end at or below `end_share` of Rm (necked): broken within one more step.
-  /// Cyclic: only a last row of exactly zero after more than half of the largest |stress|.
+  /// - the data end at or below `end_share` of Rm (necked): broken within one more step. Rm is
+  ///   here the largest stress after an upper yield point, and the load must fall at the end: by a
+  ///   quarter of the fall from Rm within the second half of the strain from Rm on.
+  /// In the first three the load must stay down: no later sample is above (1 - drop_share) of the
+  /// load before the drop (or twice `zero_share` of Rm). Unloading is no break: see
+  /// `drop_unloading`.
+  /// Cyclic: only a last row within `zero_share` after more than half of the largest |stress|.
   CorrectionChoice trim;
   double drop_share = 0.2;
   double zero_share = 0.05;

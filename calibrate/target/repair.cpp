@@ -5,6 +5,9 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "calibrate/target/characteristics.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -29,6 +32,16 @@ std::size_t filter(Curve& curve, Keep keep) {
   curve.strain.resize(kept);
   curve.stress.resize(kept);
   return dropped;
+}
+
+/// Median of each value and its neighbours; the first and last value as they are.
+std::vector<double> medians_of_three(const std::vector<double>& values) {
+  std::vector<double> out = values;
+  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+    const auto [low, high] = std::minmax(values[i - 1], values[i]);
+    out[i] = std::clamp(values[i + 1], low, high);
+  }
+  return out;
 }
 
 }  // namespace
@@ -84,25 +97,60 @@ RawFacts drop_missing(Target& target) {
 }
 
 Loading find_loading(const Curve& curve) {
+  if (curve.size() == 0) return Loading::Monotonic;
+  const std::vector<double> stresses =
+      medians_of_three(curve.stress);  // lone outliers turn nothing
   double largest = 0.0;
-  for (const double stress : curve.stress) largest = std::max(largest, std::abs(stress));
+  for (const double stress : stresses) largest = std::max(largest, std::abs(stress));
+  const auto [low, high] = std::minmax_element(curve.strain.begin(), curve.strain.end());
   double peak = 0.0;  // of |stress| since the last turn
   std::size_t at = 0;
+  std::size_t least = 0;  // of the stress since the peak
   bool unloaded = false;
+  int reversed = 0;
+  int loops = 0;
+  double back = 0.0;
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    const double magnitude = std::abs(curve.stress[i]);
+    const double magnitude = std::abs(stresses[i]);
     if (magnitude >= peak && !unloaded) {
       peak = magnitude;
-      at = i;
+      at = least = i;
     }
     if (peak < 0.5 * largest) continue;  // settling cycles
-    const double sign = curve.stress[at] < 0.0 ? -1.0 : 1.0;
-    if (sign * curve.stress[i] < 0.5 * peak && sign * (curve.strain[i] - curve.strain[at]) < 0.0) {
-      unloaded = true;
+    const double sign = stresses[at] < 0.0 ? -1.0 : 1.0;
+    const double stress = sign * stresses[i];
+    if (stress < sign * stresses[least]) least = i;
+    if (stress < 0.5 * peak && sign * (curve.strain[i] - curve.strain[at]) < 0.0) unloaded = true;
+    if (!unloaded) continue;
+    if (stress < -0.1 * largest && ++reversed >= 2) return Loading::Cyclic;
+    if (stress > 0.5 * peak) {
+      ++loops;
+      back += std::abs(curve.strain[at] - curve.strain[least]);
+      unloaded = false;
+      peak = magnitude;
+      at = least = i;
     }
-    if (unloaded && magnitude > 0.5 * peak) return Loading::Cyclic;
   }
-  return Loading::Monotonic;
+  return loops >= 3 && back > *high - *low ? Loading::Cyclic : Loading::Monotonic;
+}
+
+void drop_outliers(Target& target) {
+  const Curve before = target.corrected;
+  const auto& stress = before.stress;
+  const std::size_t n = stress.size();
+  if (n < 3) return;
+  const std::vector<double> medians = medians_of_three(stress);
+  const double largest = *std::max_element(medians.begin() + 1, medians.end() - 1);
+  if (!(largest > 0.0)) return;
+  const double threshold = std::max(0.2 * largest, 8.0 * noise_of(before.strain, stress));
+  const std::size_t dropped = filter(target.corrected, [&](std::size_t i) {
+    if (i == 0 || i + 1 == n) return true;
+    const double a = stress[i] - stress[i - 1];
+    const double b = stress[i] - stress[i + 1];
+    const double least = std::min(std::abs(a), std::abs(b));
+    return a * b <= 0.0 || least <= threshold || std::abs(a - b) >= 0.25 * least;
+  });
+  report(target, "outliers", dropped, " lone samples far off both neighbours dropped");
 }
 
 void drop_foot_reversals(Target& target, double tolerance) {
@@ -123,6 +171,59 @@ void drop_foot_reversals(Target& target, double tolerance) {
   curve.stress.erase(curve.stress.begin(), curve.stress.begin() + cut);
   report(target, "foot-reversals", least,
          " samples at the foot dropped, where the strain ran backwards under a rising load");
+}
+
+void drop_unloading_loops(Target& target, const TargetOptions& options) {
+  const Curve before = target.corrected;
+  const auto& [strain, stress] = before;
+  const std::size_t n = before.size();
+  if (n == 0) return;
+  const double rm = *std::max_element(stress.begin(), stress.end());
+  std::vector<bool> keep(n, true);
+  std::size_t top = 0;  // of the strain
+  for (std::size_t i = 0; i < n; ++i) {
+    const double reached = strain[top] - options.reversal_tolerance;
+    if (strain[i] >= reached) {
+      if (strain[i] > strain[top]) top = i;
+      continue;
+    }
+    std::size_t end = i;
+    double least = stress[top];
+    for (; end < n && strain[end] < reached; ++end) least = std::min(least, stress[end]);
+    const bool loop = end < n && stress[top] >= 0.5 * rm && stress[top] - least >= 0.1 * rm &&
+                      stress[end] >= (1.0 - options.drop_share) * stress[top];
+    for (std::size_t k = i; loop && k < end; ++k) keep[k] = false;
+    i = end - 1;
+  }
+  const std::size_t dropped = filter(target.corrected, [&](std::size_t i) { return keep[i]; });
+  report(target, "unloading-loops", dropped, " samples of unloading and reloading dropped");
+}
+
+bool drop_unloading(Target& target, double modulus, const TargetOptions& options) {
+  Curve& curve = target.corrected;
+  const auto& [strain, stress] = curve;
+  const std::size_t n = curve.size();
+  const double rm = *std::max_element(stress.begin(), stress.end());
+  std::size_t top = 0;
+  for (std::size_t i = 1; i < n; ++i) top = strain[i] >= strain[top] ? i : top;
+  if (stress[top] < 0.5 * rm) return false;
+  std::size_t end = top;
+  for (std::size_t i = top + 1; i < n && stress[end] > options.zero_share * rm; ++i) {
+    if (stress[i] < stress[end]) end = i;
+  }
+  const double fall = stress[top] - stress[end];
+  const double back = strain[top] - strain[end];
+  if (end < top + 3 || fall < 0.1 * rm || !(back > options.reversal_tolerance)) return false;
+  const double slope = fall / back;
+  if (slope < 0.5 * modulus || slope > 1.5 * modulus) return false;
+  for (std::size_t i = top + 1; i <= end; ++i) {
+    const double off = stress[top] - stress[i] - slope * (strain[top] - strain[i]);
+    if (std::abs(off) > 0.15 * fall || stress[i - 1] - stress[i] > 0.5 * fall) return false;
+  }
+  curve.strain.resize(top + 1);
+  curve.stress.resize(top + 1);
+  report(target, "unloading", n - top - 1, " samples of elastic unloading at the end dropped");
+  return true;
 }
 
 void drop_strain_reversals(Target& target, double tolerance) {

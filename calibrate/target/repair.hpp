@@ -25,6 +25,25 @@ Loading find_loading(const Curve& curve);
 /// where the strain ran backwards by more than the tolerance: repair "foot-reversals".
 void drop_foot_reversals(Target& target, double tolerance);
 
+/// Drops lone outliers of a monotonic curve, repair "outliers": a sample that differs from both
+/// neighbours, to the same side, by more than 0.2 of the largest stress (the largest median of
+/// three neighbours) and 8 times the noise, while the neighbours differ by less than a quarter of
+/// that.
+void drop_outliers(Target& target);
+
+/// Drops unloading and reloading amid a monotonic curve, repair "unloading-loops": samples further
+/// than the tolerance below the strain reached, from half of Rm or more, in which the stress falls
+/// by a tenth of Rm or more, and comes back to (1 - drop_share) of where it was as the strain does.
+void drop_unloading_loops(Target& target, const TargetOptions& options);
+
+/// Drops the unloading at the end of a monotonic curve, repair "unloading": from the largest strain
+/// and half of Rm or more on, the stress falls by a tenth of Rm or more, over 3 samples or more and
+/// none by more than half of the fall, while the strain falls along a line of 0.5 to 1.5 of the
+/// modulus, with all samples within 0.15 of the fall from it. An extensometer that snaps back at a
+/// break jumps or leaves that line.
+/// @return whether there was such an end: the specimen did not break
+bool drop_unloading(Target& target, double modulus, const TargetOptions& options);
+
 /// Drops samples further than the tolerance below the strain reached: "strain-reversals".
 void drop_strain_reversals(Target& target, double tolerance);
 

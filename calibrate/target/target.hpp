@@ -28,7 +28,7 @@ struct Correction {
 
 /// When the specimen broke, between two samples.
 struct BreakObservation {
-  double last_whole_strain = 0.0;    ///< [1] last sample that still carries load
+  double last_whole_strain = 0.0;    ///< [1] largest that still carries load; cyclic: the last
   double last_whole_stress = 0.0;    ///< [Pa]
   double first_broken_strain = 0.0;  ///< [1] first sample after; never below last_whole_strain
   std::string rule;                  ///< "fall-to-zero", "load-drop", "end-of-data"

@@ -147,6 +147,58 @@ TEST(Correction, TakesTheEndOfTheDataForTheBreakOfANeckedSpecimen) {
   EXPECT_NEAR(seen.half_interval(), 0.0025, 1e-12);
 }
 
+TEST(Correction, DoesNotTakeTheEndOfAYieldPlateauForABreak) {
+  Curve curve;
+  for (int i = 0; i <= 200; ++i) {
+    const double strain = 1e-4 * i;
+    curve.strain.push_back(strain);
+    curve.stress.push_back(strain <= 0.002 ? 200e9 * strain : 340e6);
+  }
+  const Target plateau = make_target("plateau", curve);
+  EXPECT_FALSE(plateau.characteristics.observed_break.has_value());
+  EXPECT_EQ(plateau.corrected.size(), 201U);
+  // Hardened up to 380 MPa, below the upper yield point of 400 MPa, then necked.
+  for (int i = 1; i <= 100; ++i) {
+    curve.strain.push_back(0.02 + 1e-3 * i);
+    curve.stress.push_back(340e6 + 0.4e6 * i);
+  }
+  Curve necked = curve;
+  for (int i = 1; i <= 50; ++i) {
+    necked.strain.push_back(0.12 + 1e-3 * i);
+    necked.stress.push_back(380e6 - 0.5e6 * i);
+  }
+  EXPECT_FALSE(make_target("355 of 380", necked).characteristics.observed_break.has_value());
+  for (int i = 1; i <= 50; ++i) {
+    necked.strain.push_back(0.17 + 1e-3 * i);
+    necked.stress.push_back(355e6 - 0.5e6 * i);
+  }
+  const auto broken = make_target("330 of 380", necked).characteristics.observed_break;
+  ASSERT_TRUE(broken.has_value());
+  EXPECT_EQ(broken->rule, "end-of-data");
+}
+
+TEST(Correction, TakesADropForABreakOnlyIfTheLoadStaysDown) {
+  Curve curve = smooth_curve();
+  for (std::size_t i = 250; i < 253; ++i) curve.stress[i] = 0.0;
+  const Target dropped = make_target("dropped", curve);
+  EXPECT_FALSE(dropped.characteristics.observed_break.has_value());
+  EXPECT_EQ(dropped.corrected.size(), 500U);
+  for (std::size_t i = 253; i < 500; ++i) curve.stress[i] = 0.5 * curve.stress[249];
+  const Target broken = make_target("broken", curve);
+  ASSERT_TRUE(broken.characteristics.observed_break.has_value());
+  EXPECT_EQ(broken.corrected.size(), 250U);
+}
+
+TEST(Correction, TheBreakComesNoEarlierThanTheLargestWholeStrain) {
+  Curve curve = ending_with({0.0});
+  curve.strain[499] = curve.strain[498] - 8e-6;  // within the tolerance
+  curve.strain[500] = curve.strain[498] - 9e-6;
+  const Target target = make_target("back", curve);
+  ASSERT_TRUE(target.characteristics.observed_break.has_value());
+  EXPECT_EQ(target.characteristics.observed_break->first_broken_strain, curve.strain[498]);
+  EXPECT_GE(*target.characteristics.break_strain, target.characteristics.largest_strain);
+}
+
 TEST(Correction, DoesNotTakeTheEndOfTheStrainForABreakWhenTheLoadGoesOn) {
   Curve curve = ending_with({0.97, 0.92, 0.86, 0.5}, 0.005);
   curve.strain.back() = std::numeric_limits<double>::quiet_NaN();
@@ -167,10 +219,11 @@ TEST(Correction, TrimCanBeSwitchedOffOrSet) {
   EXPECT_EQ(set.characteristics.observed_break->rule, "set");
 }
 
-TEST(Correction, CutsACyclicCurveOnlyAtAFinalZero) {
+TEST(Correction, CutsACyclicCurveOnlyAtAFinalFallToZero) {
   TargetOptions options;
   options.loading = Loading::Cyclic;
   EXPECT_EQ(make_target("zero", ending_with({0.0}), options).corrected.size(), 500U);
+  EXPECT_EQ(make_target("near", ending_with({0.02}), options).corrected.size(), 500U);
   EXPECT_EQ(make_target("low", ending_with({0.1}), options).corrected.size(), 501U);
 }
 

@@ -118,12 +118,99 @@ TEST(Repair, TakesSettlingCyclesBelowHalfOfTheLargestStressForMonotonic) {
   EXPECT_GT(count_of(target, "strain-reversals"), 0U);
 }
 
-TEST(Repair, TakesUnloadingBeyondHalfOfTheLargestStressForCyclicAndKeepsIt) {
-  const Curve curve = settling_cycles(0.8);
+/// Tension to 5 % with elastic loops down to a share of the stress, spread over the test.
+Curve with_loops(int loops, double down_to, double end = 0.05) {
+  const Curve smooth = smooth_curve(500, end);
+  Curve curve;
+  const auto add = [&](double strain, double stress) {
+    curve.strain.push_back(strain);
+    curve.stress.push_back(stress);
+  };
+  for (std::size_t i = 0; i < smooth.size(); ++i) {
+    add(smooth.strain[i], smooth.stress[i]);
+    const auto gap = static_cast<std::size_t>(400 / loops);
+    if (i < 100 || (i - 100) % gap != 0) continue;
+    const double fall = (1.0 - down_to) * smooth.stress[i];
+    for (int k = 1; k < 40; ++k) {
+      const double part = 1.0 - std::abs(k - 20) / 20.0;
+      add(smooth.strain[i] - part * fall / 70e9, smooth.stress[i] - part * fall);
+    }
+  }
+  return curve;
+}
+
+TEST(Repair, TakesATensionTestWithALoopForMonotonicAndDropsTheLoop) {
+  for (const double down_to : {0.1, 0.0, 0.6}) {
+    const Target plain = make_target("plain", smooth_curve(500, 0.05));
+    const Target target = make_target("loop", with_loops(1, down_to));
+    EXPECT_EQ(target.loading, Loading::Monotonic);
+    EXPECT_EQ(target.status, TargetStatus::Ready) << target.reason;
+    EXPECT_EQ(count_of(target, "unloading-loops"), 39U);
+    EXPECT_EQ(target.corrected.strain, plain.corrected.strain);
+    EXPECT_EQ(target.characteristics.rp02, plain.characteristics.rp02);
+    EXPECT_FALSE(target.characteristics.observed_break.has_value());
+  }
+  EXPECT_EQ(find_loading(with_loops(4, 0.1)), Loading::Monotonic);
+}
+
+TEST(Repair, TakesManyLoopsInAShortStrainForCyclic) {
+  EXPECT_EQ(find_loading(with_loops(8, 0.1, 0.015)), Loading::Cyclic);
+}
+
+TEST(Repair, TakesAChangeOfSignForCyclicAndKeepsAllSamples) {
+  EXPECT_EQ(find_loading(with_loops(1, -0.05)), Loading::Monotonic);
+  const Curve curve = with_loops(1, -0.3);
   const Target target = make_target("cyclic", curve);
   EXPECT_EQ(target.loading, Loading::Cyclic);
-  EXPECT_EQ(count_of(target, "strain-reversals"), 0U);
-  EXPECT_EQ(find_loading(curve), Loading::Cyclic);
+  EXPECT_EQ(target.corrected.size(), curve.size());
+}
+
+/// Tension to 5 %, then unloading over some samples at a share of the modulus.
+Curve unloaded(int samples, double down_to, double slope = 1.0) {
+  Curve curve = smooth_curve(500, 0.05);
+  const double strain = curve.strain.back();
+  const double stress = curve.stress.back();
+  for (int k = 1; k <= samples; ++k) {
+    const double fall = (1.0 - down_to) * stress * k / samples;
+    curve.strain.push_back(strain - fall / (slope * 70e9));
+    curve.stress.push_back(stress - fall);
+  }
+  return curve;
+}
+
+TEST(Repair, DropsElasticUnloadingAtTheEndAndSeesNoBreak) {
+  for (const double down_to : {0.0, 0.5}) {
+    const Target target = make_target("unloaded", unloaded(50, down_to, 0.85));
+    EXPECT_EQ(target.loading, Loading::Monotonic);
+    EXPECT_EQ(count_of(target, "unloading"), 50U);
+    EXPECT_FALSE(target.characteristics.observed_break.has_value());
+    EXPECT_EQ(target.corrected.size(), 500U);
+  }
+}
+
+TEST(Repair, TakesASnapBackOfTheExtensometerForABreak) {
+  for (const Curve& curve : {unloaded(2, 0.0), unloaded(50, 0.0, 10.0), unloaded(50, 0.0, 0.2)}) {
+    const Target target = make_target("snap", curve);
+    EXPECT_EQ(count_of(target, "unloading"), 0U);
+    ASSERT_TRUE(target.characteristics.observed_break.has_value());
+    EXPECT_GE(target.characteristics.observed_break->first_broken_strain, 0.05);
+  }
+}
+
+TEST(Repair, DropsALoneOutlierAndKeepsTheRestOfTheCurve) {
+  for (const double wrong : {0.0, 900e6, -500e6}) {
+    Curve curve = smooth_curve();
+    curve.stress[250] = wrong;
+    const Target target = make_target("outlier", curve);
+    EXPECT_EQ(target.loading, Loading::Monotonic);
+    EXPECT_EQ(count_of(target, "outliers"), 1U);
+    EXPECT_EQ(target.corrected.size(), 499U);
+    EXPECT_FALSE(target.characteristics.observed_break.has_value());
+    EXPECT_NEAR(target.characteristics.rm.value(), curve.stress.back(), 1.0);
+  }
+  Curve curve = smooth_curve();
+  curve.stress[250] *= 0.85;
+  EXPECT_EQ(count_of(make_target("small", curve), "outliers"), 0U);
 }
 
 TEST(Repair, FollowsALoadingThatIsGiven) {
@@ -131,7 +218,7 @@ TEST(Repair, FollowsALoadingThatIsGiven) {
   options.loading = Loading::Monotonic;
   const Target target = make_target("given", settling_cycles(0.8), options);
   EXPECT_EQ(target.loading, Loading::Monotonic);
-  EXPECT_GT(count_of(target, "strain-reversals"), 0U);
+  EXPECT_GT(count_of(target, "unloading-loops"), 0U);
   options.loading = Loading::Cyclic;
   EXPECT_EQ(make_target("given", smooth_curve(), options).loading, Loading::Cyclic);
 }
