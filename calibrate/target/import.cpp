@@ -1,5 +1,6 @@
 #include "calibrate/target/import.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -169,6 +170,37 @@ std::vector<std::size_t> stress_columns(const CsvTable& table, const ColumnSourc
   return columns;
 }
 
+struct Columns {
+  std::size_t strain = 0;
+  std::vector<std::size_t> stress;
+};
+
+/// @throws InputError if the file lacks a column, or a unit of stress that the block does not give
+Columns columns_of(const Plan& plan, const CsvTable& table) {
+  Columns columns;
+  columns.strain = table.find(plan.strain->column, plan.strain->where, plan.strain_field);
+  columns.stress = stress_columns(table, *plan.stress, plan.stress_field);
+  for (const std::size_t column : columns.stress) {
+    if (plan.stress->unit || !table.units()[column].empty()) continue;
+    throw InputError(plan.stress->where, plan.stress_field, plan.stress->column,
+                     "needs a unit, as " + table.file() + " gives none");
+  }
+  return columns;
+}
+
+/// Strains that nobody gave a unit are taken as shares; in percent they reach beyond 1 at once.
+void warn_of_percent(const Plan& plan, const CsvTable& table, std::size_t column, Target& target) {
+  if (plan.gauge_length || plan.strain->unit || !table.units()[column].empty()) return;
+  if (target.test != Test::Tension) return;
+  double largest = 0.0;
+  for (const double strain : target.raw.strain) {
+    if (std::isfinite(strain)) largest = std::max(largest, std::abs(strain));
+  }
+  if (largest > 1.0) {
+    target.warnings.emplace_back("strains above 100 %: if they are in percent, write unit = \"%\"");
+  }
+}
+
 /// Raw curve of one specimen, in SI.
 void read_curve(const Plan& plan, const CsvTable& table, std::size_t strain_column,
                 std::size_t stress_column, const Specimens* specimens, const std::string& stem,
@@ -236,6 +268,8 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
   std::optional<Specimens> specimens;
   if (source.table) specimens.emplace(source);
   std::vector<Target> targets;
+  std::optional<InputError> lacking;  // the first file without the columns
+  bool any_has_columns = false;
   for (const std::string& file : source.files) {
     if (!std::filesystem::is_regular_file(file)) {
       throw InputError(source.where, "files", file, "is not a file that can be read");
@@ -263,30 +297,37 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
       targets.push_back(std::move(first));
       continue;
     }
-    const std::size_t strain =
-        table->find(plan.strain->column, plan.strain->where, plan.strain_field);
+    Columns columns;
+    try {
+      columns = columns_of(plan, *table);
+      any_has_columns = true;
+    } catch (const InputError& error) {
+      if (!lacking) lacking = error;
+      reject(first, error.what());
+      targets.push_back(std::move(first));
+      continue;
+    }
     const bool pattern = plan.stress->column.find('*') != std::string::npos;
-    for (const std::size_t column : stress_columns(*table, *plan.stress, plan.stress_field)) {
-      if (!plan.stress->unit && table->units()[column].empty()) {
-        throw InputError(plan.stress->where, plan.stress_field, plan.stress->column,
-                         "needs a unit, as " + file + " gives none");
-      }
+    for (const std::size_t column : columns.stress) {
       Target target = first;
       if (pattern) target.name += ":" + table->names()[column];
       if (table->torn_last_row()) {
         target.repairs.push_back({"torn-last-row", 1, "the last row was cut off and is dropped"});
       }
       try {
-        read_curve(plan, *table, strain, column, specimens ? &*specimens : nullptr, stem, target);
+        read_curve(plan, *table, columns.strain, column, specimens ? &*specimens : nullptr, stem,
+                   target);
       } catch (const InputError& error) {
         reject(target, error.what());
         targets.push_back(std::move(target));
         continue;
       }
+      warn_of_percent(plan, *table, columns.strain, target);
       process_target(target, used);
       targets.push_back(std::move(target));
     }
   }
+  if (lacking && !any_has_columns) throw *lacking;  // the block is wrong, not the files
   make_names_unique(targets);
   return targets;
 }

@@ -62,10 +62,13 @@ struct TargetSource {
 ///
 /// A name is the file's stem, with ":COLUMN" where a pattern chose the column and with the folder
 /// before it where stems are alike.
+/// A strain that neither the block nor the file gives a unit is taken as a share; in tension, above
+/// 1, the target gets a warning.
 /// @return a target per specimen in order of files and columns; one that cannot be read or
-///         repaired is Rejected with its reason
-/// @throws InputError for a block that contradicts itself, a file that is missing, a column that a
-///         file or table has not, a unit in the block that does not fit
+///         repaired, or lacks a column or the unit of its stress, is Rejected with its reason
+/// @throws InputError for a block that contradicts itself, a file that is missing, a column that
+///         the table or every readable file lacks (so too a unit of stress that the block does not
+///         give), a unit in the block that does not fit
 std::vector<Target> import_targets(const TargetSource& source, const TargetOptions& options = {});
 
 /// Proposes columns and units of a bare file of curves from their names and its unit row: strain

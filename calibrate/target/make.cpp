@@ -33,6 +33,27 @@ void give_up(Target& target, TargetStatus status, std::string reason) {
   target.reason = std::move(reason);
 }
 
+/// Why a monotonic curve that starts at no elastic line is none to fit; empty if it is too coarse.
+std::string no_rising_part(const Curve& curve) {
+  const auto peak = std::max_element(curve.stress.begin(), curve.stress.end());
+  const auto at = static_cast<std::size_t>(peak - curve.stress.begin());
+  if (curve.size() < 3) return {};
+  if (at == 0) return "no rising part: the first sample has the largest stress";
+  if (curve.strain[at] > curve.strain[0]) return {};
+  return "no rising part: the strain at the largest stress is not above the first one";
+}
+
+/// Why a monotonic curve is not in tension; empty if it is.
+std::string not_in_tension(const Curve& curve) {
+  const auto [low, high] = std::minmax_element(curve.stress.begin(), curve.stress.end());
+  const double strain = curve.strain[static_cast<std::size_t>(low - curve.stress.begin())];
+  if (-*low > std::max(0.0, *high) && strain < 0.0) {
+    return "compression: the largest stress and its strain are negative; change the signs of both "
+           "columns to fit it as tension";
+  }
+  return *high > 0.0 ? "" : "the stress is nowhere positive";
+}
+
 /// Whether the curve ends on its elastic line, within its noise.
 bool elastic_to_the_end(const Curve& curve, double modulus, double noise, double yield) {
   const std::size_t count = std::min<std::size_t>(5, curve.size());
@@ -125,15 +146,16 @@ void process_target(Target& target, const TargetOptions& options) {
   target.loading = options.loading ? *options.loading : find_loading(curve);
   const bool monotonic = target.loading == Loading::Monotonic;
   if (monotonic) {
-    if (!(*std::max_element(curve.stress.begin(), curve.stress.end()) > 0.0)) {
-      return give_up(target, TargetStatus::Rejected, "the stress is nowhere positive");
-    }
     drop_outliers(target);
+    std::string reason = not_in_tension(curve);
+    if (!reason.empty()) return give_up(target, TargetStatus::Rejected, std::move(reason));
     drop_foot_reversals(target, options.reversal_tolerance);
   }
   const double noise = noise_of(curve.strain, curve.stress);
   const auto line = find_elastic_line(curve, target.loading, noise, options);
   if (!line) {
+    std::string reason = monotonic ? no_rising_part(curve) : std::string();
+    if (!reason.empty()) return give_up(target, TargetStatus::Rejected, std::move(reason));
     const std::size_t samples = curve.size();
     return give_up(target, TargetStatus::TooCoarse,
                    "too coarse: the elastic part has fewer than 3 samples in the window of the "

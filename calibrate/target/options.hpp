@@ -17,7 +17,8 @@ struct CorrectionChoice {
 
 enum class ModulusMethod { Regression, Chord };
 
-/// How a measured curve becomes a target: repairs, corrections, characteristics.
+/// How a measured curve becomes a target: repairs, corrections, characteristics. A monotonic curve
+/// in compression (largest |stress| and its strain negative) or without a rising part is rejected.
 struct TargetOptions {
   Test test = Test::Tension;
   Measure measure = Measure::Engineering;  ///< what the samples are, as measured

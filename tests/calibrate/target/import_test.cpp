@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "plastica/base/check.hpp"
 #include "tests/calibrate/target/curve_files.hpp"
 
 namespace plastica::calibrate {
@@ -115,6 +116,41 @@ TEST(ImportTargets, RejectsABadSpecimenAlone) {
   EXPECT_EQ(targets[3].status, TargetStatus::Rejected);
   EXPECT_NE(targets[3].reason.find("has no row in the table"), std::string::npos)
       << targets[3].reason;
+}
+
+TEST(ImportTargets, RejectsAFileWithoutTheColumnOrUnitAlone) {
+  const CurveFiles files("lacking");
+  TargetSource source = CurveFiles::source({files.write_curve("other.csv", 1.0, 1e-6, "x,b [MPa]"),
+                                            files.write_curve("no_unit.csv", 1.0, 1e-6),
+                                            files.write_curve("no_b.csv", 1.0, 1e-6, "a,y [MPa]"),
+                                            files.write_curve("good.csv", 1.0, 1e-6, "a,b [MPa]")});
+  source.stress->unit.reset();
+  const auto targets = import_targets(source);
+  ASSERT_EQ(targets.size(), 4U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(targets[i].status, TargetStatus::Rejected) << targets[i].name;
+    EXPECT_FALSE(targets[i].reason.empty());
+  }
+  EXPECT_NE(targets[1].reason.find("needs a unit"), std::string::npos) << targets[1].reason;
+  expect_ideal(targets[3]);
+  source.files.pop_back();
+  EXPECT_THROW(import_targets(source), InputError);
+}
+
+TEST(ImportTargets, WarnsOfStrainsAbove100PercentWithoutAUnit) {
+  const CurveFiles files("percent");
+  TargetSource source = CurveFiles::source({files.write_curve("one.csv", 100.0, 1e-6)});
+  const auto warned = [&] {
+    const auto warnings = import_targets(source).at(0).warnings;
+    return std::count(warnings.begin(), warnings.end(),
+                      "strains above 100 %: if they are in percent, write unit = \"%\"");
+  };
+  EXPECT_EQ(warned(), 1);
+  source.strain->unit = "1";
+  EXPECT_EQ(warned(), 0);
+  source.strain->unit.reset();
+  source.files = {files.write_curve("small.csv", 1.0, 1e-6)};
+  EXPECT_EQ(warned(), 0);
 }
 
 TEST(ImportTargets, ReportsATornLastRow) {

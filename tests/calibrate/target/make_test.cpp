@@ -25,6 +25,32 @@ TEST(MakeTarget, RejectsACurveWithoutTension) {
   EXPECT_EQ(target.reason, "the stress is nowhere positive");
 }
 
+TEST(MakeTarget, RejectsCompressionByItsName) {
+  Curve curve = plastica::testing::smooth_curve();
+  for (double& strain : curve.strain) strain = -strain;
+  for (double& stress : curve.stress) stress = -stress;
+  curve.stress[0] = 1e6;  // noise about zero
+  const Target target = make_target("compression", curve);
+  EXPECT_EQ(target.status, TargetStatus::Rejected);
+  EXPECT_TRUE(target.reason.starts_with("compression: ")) << target.reason;
+}
+
+TEST(MakeTarget, DoesNotCallACurveWithoutARisingPartTooCoarse) {
+  Curve falling;
+  Curve backwards;
+  for (int i = 0; i < 50; ++i) {
+    falling.strain.push_back(1e-3 * i);
+    falling.stress.push_back(300e6 - 2e6 * i);
+    backwards.strain.push_back(-1e-4 * i);
+    backwards.stress.push_back(5e6 * i);
+  }
+  for (const Curve& curve : {falling, backwards}) {
+    const Target target = make_target("falls", curve);
+    EXPECT_EQ(target.status, TargetStatus::Rejected);
+    EXPECT_TRUE(target.reason.starts_with("no rising part: ")) << target.reason;
+  }
+}
+
 TEST(MakeTarget, CallsAHandfulOfSamplesTooCoarse) {
   const Target target = make_target("two", {{0.0, 0.1}, {0.0, 1e6}});
   EXPECT_EQ(target.status, TargetStatus::TooCoarse);
