@@ -11,6 +11,9 @@ namespace plastica::calibrate {
 namespace {
 
 using io::TomlTable;
+using io::TomlValue;
+
+constexpr std::string_view kLeastSquaresAlone = "goes with objective = \"least-squares\" alone";
 
 void read_stopping(const TomlTable& fit, StoppingRules& stopping) {
   constexpr std::int64_t kMost = 1'000'000'000;
@@ -30,6 +33,28 @@ void read_stopping(const TomlTable& fit, StoppingRules& stopping) {
   }
 }
 
+/// [{ from = "1 %", weight = 0.2 }, ...], of an objective that is known already.
+std::vector<WeightStep> read_weights(const TomlValue& value, const FitOptions& options) {
+  const std::vector<TomlValue> items = value.array();
+  if (items.empty()) throw value.error("must have at least one { from = ..., weight = ... }");
+  if (options.objective != Objective::LeastSquares) throw value.error(kLeastSquaresAlone);
+  std::vector<WeightStep> steps;
+  for (const TomlValue& item : items) {
+    const TomlTable table = item.table();
+    const TomlValue from = table.at("from");
+    const TomlValue weight = table.at("weight");
+    WeightStep step;
+    step.from = from.quantity(Dimension::Strain);
+    if (step.from < 0.0) throw from.error("must be at least 0: it is the size of the strain");
+    if (!steps.empty() && step.from <= steps.back().from) {
+      throw from.error("must be above that of the step before");
+    }
+    step.weight = weight.number_within(0.0, std::numeric_limits<double>::infinity(), true);
+    steps.push_back(step);
+  }
+  return steps;
+}
+
 void read_objective(const TomlTable& fit, FitOptions& options) {
   static constexpr std::array<std::string_view, 2> kObjectives{"strain-path", "least-squares"};
   if (const auto value = fit.find("objective")) {
@@ -39,9 +64,10 @@ void read_objective(const TomlTable& fit, FitOptions& options) {
     options.noise = value->quantity(Dimension::Stress);
     if (*options.noise <= 0.0) throw value->error("must be above 0 Pa");
     if (options.objective != Objective::LeastSquares) {
-      throw value->error("goes with objective = \"least-squares\" alone");
+      throw value->error(kLeastSquaresAlone);
     }
   }
+  if (const auto value = fit.find("weights")) options.weights = read_weights(*value, options);
   if (const auto value = fit.find("break_weight")) {
     options.break_weight = value->number_within(0.0, std::numeric_limits<double>::infinity(), true);
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "calibrate/fit/given_weights.hpp"
 #include "calibrate/fit/minimize_misfit.hpp"
 #include "calibrate/fit/misfit.hpp"
 #include "calibrate/fit/optimizer.hpp"
@@ -208,6 +209,7 @@ void check_options(const FitOptions& options) {
     require(*options.noise > 0.0 && std::isfinite(*options.noise), "fit.noise", *options.noise,
             "must be above 0 Pa");
   }
+  check_weights(options);
 }
 
 }  // namespace
@@ -221,6 +223,9 @@ FitResult fit_target(const Target& target, const FitOptions& options) {
   }
   check_options(options);
   result.reason = defect_of(target.corrected);
+  if (result.reason.empty() && !any_weight(options.weights, target.corrected)) {
+    result.reason = "the given weight is 0 at every sample";
+  }
   if (!result.reason.empty()) return result;
   const ParameterSet set(target, options);
   Misfit misfit(target, options, set);

@@ -45,9 +45,10 @@ class Search {
         seed_(seed),
         solution_(solution),
         values_(parameters.active().size()) {
-    solution_.trace.parameters = values_.size();
     for (std::size_t k = 0; k < values_.size(); ++k) {
-      const ResolvedParameter& p = parameters.all()[parameters.active()[k]];
+      const std::size_t index = parameters.active()[k];
+      const ResolvedParameter& p = parameters.all()[index];
+      solution_.trace.active.push_back(static_cast<std::uint32_t>(index));
       if (p.is_break) {
         break_ = k;
       } else {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "calibrate/fit/given_weights.hpp"
+
 namespace plastica::calibrate {
 namespace {
 
@@ -18,6 +20,15 @@ std::vector<double> path_weights(const std::vector<double>& strain) {
     weight[i - 1] += half;
     weight[i] += half;
   }
+  return weight;
+}
+
+std::vector<double> sample_weights(const std::vector<double>& strain, const FitOptions& options) {
+  if (options.objective == Objective::StrainPath) return path_weights(strain);
+  const double unit = options.noise ? 1.0 / (*options.noise * *options.noise) : 1.0;
+  std::vector<double> weight;
+  weight.reserve(strain.size());
+  for (const double e : strain) weight.push_back(unit * given_weight(options.weights, e));
   return weight;
 }
 
@@ -44,10 +55,7 @@ Scene unbroken_scene(const Target& target, const FitOptions& options) {
 
 Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterSet& parameters)
     : target_(target), parameters_(parameters), samples_(target.corrected.size()) {
-  raw_weight_ = options.objective == Objective::StrainPath
-                    ? path_weights(target.corrected.strain)
-                    : std::vector<double>(
-                          samples_, options.noise ? 1.0 / (*options.noise * *options.noise) : 1.0);
+  raw_weight_ = sample_weights(target.corrected.strain, options);
   const double sum = std::accumulate(raw_weight_.begin(), raw_weight_.end(), 0.0);
   weight_ = raw_weight_;
   for (double& w : weight_) w /= sum;
@@ -83,6 +91,11 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
   all_values_.resize(parameters.size());
   by_all_.resize(parameters.size());
   model_values_.resize(paths.size());
+}
+
+std::size_t Misfit::samples() const {
+  const auto counts = [](double weight) { return weight > 0.0; };
+  return static_cast<std::size_t>(std::count_if(weight_.begin(), weight_.end(), counts));
 }
 
 bool Misfit::set_values(std::span<const double> active) {

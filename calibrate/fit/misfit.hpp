@@ -18,7 +18,9 @@ namespace plastica::calibrate {
 /// stress - measured stress and
 ///   strain path:    w_i = (|de_i| + |de_{i+1}|)/2 at sample i, so that f_stress is the integral
 ///                   of the trapezia sum |de_i| (r_i^2 + r_{i-1}^2)/2 / sum |de_i|;
-///   least squares:  w_i = 1, or 1/noise^2 (which cancels in f and counts in the uncertainty).
+///   least squares:  w_i = weight_i/noise^2, weight_i the given weight at sample i (a step function
+///                   of |strain|) and noise the given one, each 1 if not given; the noise cancels
+///                   in f and counts in the uncertainty.
 /// f_break = break_weight S^2 ((p - k break_strain)/P)^2, with p the permanent strain (in the
 /// scene's break measure) that the model has when the specimen breaks, at the middle of the
 /// break's sampling interval; S the largest measured |stress|, P the measured permanent strain at
@@ -36,7 +38,8 @@ class Misfit {
   /// @throws InputError if the scene or a parameter does not suit the test
   Misfit(const Target& target, const FitOptions& options, const ParameterSet& parameters);
 
-  std::size_t samples() const { return samples_; }
+  /// How many samples enter the cost: those of weight above 0.
+  std::size_t samples() const;
 
   /// Cost at values of the active parameters [SI] (n_active); with their derivatives in
   /// `gradient` (n_active) if it is not empty. Infinite where the model cannot be run.

@@ -15,7 +15,9 @@ enum class Objective {
   /// f = sum |de_i| (r_i^2 + r_{i-1}^2)/2 / sum |de_i| over the measured strain path: does not
   /// depend on how densely the curve is sampled.
   StrainPath,
-  /// f = sum w_i r_i^2 / sum w_i over the samples; w_i = 1, or 1/noise_i^2 with a given noise.
+  /// f = sum w_i r_i^2 / sum w_i over the samples; w_i = weight_i/noise^2, where a weight or a
+  /// noise
+  /// that is not given is 1.
   LeastSquares,
 };
 
@@ -31,12 +33,25 @@ struct StoppingRules {
   double cost_tolerance = 1e-14;
 };
 
+/// A step of the given weights: samples have this weight from a strain on, up to the next step.
+///
+/// It is the size of the corrected strain that counts, |strain|: compression, and both directions
+/// of a cyclic curve, are weighted as tension is. Samples before the first step have weight 1.
+struct WeightStep {
+  double from = 0.0;    ///< |strain| of the first samples that it holds for [1], >= 0
+  double weight = 1.0;  ///< >= 0; samples of weight 0 do not enter the fit
+};
+
 /// Everything that a fit is told besides the target.
 struct FitOptions {
   Setup setup;  ///< material, section and rules of the beam; the target sets drive and probes
   std::vector<Parameter> parameters;
   Objective objective = Objective::StrainPath;
   std::optional<double> noise;  ///< standard deviation of the stress [Pa], LeastSquares
+  /// Given weights by |strain|, LeastSquares; `from` rises strictly from step to step. They say how
+  /// much a part of the curve matters, not how noisy it is: see uncertainty.hpp. A target whose
+  /// samples all have weight 0 is rejected.
+  std::vector<WeightStep> weights;
   /// Weight of the break term (see misfit.hpp), >= 0; 0 leaves break_strain unidentified.
   double break_weight = 1.0;
   std::string algorithm = "auto";  ///< see `algorithm_names()`

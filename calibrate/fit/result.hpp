@@ -52,7 +52,9 @@ struct OptimizerStage {
 
 /// Every cost evaluation in order, for the file.
 struct Trace {
-  std::size_t parameters = 0;  ///< number of free parameters, n
+  /// The parameters that the fit moved, as indices into those of the fit: the free ones that
+  /// the target can say something of, in rising order (n).
+  std::vector<std::uint32_t> active;
   std::vector<double> values;  ///< (n_evaluations x n), SI, row by row
   std::vector<double> costs;   ///< (n_evaluations) [Pa^2]
 };
@@ -62,12 +64,13 @@ struct FitResult {
   FitStatus status = FitStatus::Rejected;
   std::string reason;  ///< one sentence for all but Fitted
   std::vector<FittedParameter> parameters;
-  std::vector<double> correlation;  ///< of the free parameters (n x n); NaN where unidentified
-  double cost = 0.0;                ///< f at the solution, break term included [Pa^2]
-  double misfit_rms = 0.0;          ///< sqrt of f without the break term [Pa]
-  double misfit_share = 0.0;        ///< misfit_rms / largest measured stress [1]
-  std::string misfit_word;          ///< "close", "fair", "poor": how well the model can follow
-  std::size_t samples = 0;          ///< that entered the fit
+  /// Of the parameters in `trace.active` (n x n), row by row; NaN where unidentified.
+  std::vector<double> correlation;
+  double cost = 0.0;          ///< f at the solution, break term included [Pa^2]
+  double misfit_rms = 0.0;    ///< sqrt of f without the break term [Pa]
+  double misfit_share = 0.0;  ///< misfit_rms / largest measured stress [1]
+  std::string misfit_word;    ///< "close", "fair", "poor": how well the model can follow
+  std::size_t samples = 0;    ///< that entered the fit
   std::optional<double> break_strain_total;  ///< total strain at which the fitted model breaks [1]
   std::uint64_t seed = 0;
   std::vector<OptimizerStage> stages;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "calibrate/fit/given_weights.hpp"
 #include "plastica/coupon/shape.hpp"
 
 namespace plastica::calibrate {
@@ -102,7 +103,12 @@ StartValue start_value(const Field& field, const Target& target, const FitOption
 }
 
 double largest_useful_value(const Field& field, const Target& target, const FitOptions& options) {
-  const double stress = largest(target.corrected.stress);
+  double stress = 0.0;
+  for (std::size_t i = 0; i < target.corrected.size(); ++i) {
+    if (given_weight(options.weights, target.corrected.strain[i]) > 0.0) {
+      stress = std::max(stress, std::fabs(target.corrected.stress[i]));
+    }
+  }
   const bool torsion = target.test == Test::Torsion;
   const bool shear = field.material == MaterialField::ShearYieldStress;
   if ((field.material != MaterialField::YieldStress && !shear) || (shear && !torsion)) {

@@ -22,8 +22,9 @@ struct StartValue {
 /// Bounds hold the start with at least a factor of ten, and lie within the field's range.
 StartValue start_value(const Field& field, const Target& target, const FitOptions& options);
 
-/// The value of a yield stress at which the model's would be the largest measured stress, beyond
-/// which it has no effect on a better fit; infinite for all other fields.
+/// The value of a yield stress at which the model's would be the largest measured stress (of the
+/// samples with a given weight above 0), beyond which it has no effect on a better fit; infinite
+/// for all other fields.
 double largest_useful_value(const Field& field, const Target& target, const FitOptions& options);
 
 }  // namespace plastica::calibrate

@@ -97,20 +97,23 @@ StressPart stress_part(const Misfit::Details& d, std::span<const double> active,
 
   const auto m = static_cast<Eigen::Index>(part.columns.size());
   part.covariance = MatrixXd::Zero(m, m);
-  const double freedom = static_cast<double>(d.residual.size()) - static_cast<double>(m);
-  part.degrees_of_freedom = std::max(1.0, freedom);
+  double squares = 0.0;
+  double counted = 0.0;
+  for (std::size_t s = 0; s < d.residual.size(); ++s) {
+    if (d.weight[s] <= 0.0) continue;
+    squares += d.residual[s] * d.residual[s];
+    counted += 1.0;
+  }
+  part.degrees_of_freedom = std::max(1.0, counted - static_cast<double>(m));
   if (m == 0) return part;
   const Normal normal = normal_matrices(d, part.columns, size, n);
   const MatrixXd inverse = normal.a.ldlt().solve(MatrixXd::Identity(m, m));
-  MatrixXd c;
+  double variance = squares / part.degrees_of_freedom;
   if (options.objective == Objective::LeastSquares && options.noise) {
-    c = inverse;
+    variance = *options.noise * *options.noise;
     part.degrees_of_freedom = std::numeric_limits<double>::infinity();
-  } else {
-    double squares = 0.0;
-    for (const double r : d.residual) squares += r * r;
-    c = squares / part.degrees_of_freedom * inverse * normal.b * inverse;
   }
+  const MatrixXd c = variance * inverse * normal.b * inverse;
   for (Eigen::Index i = 0; i < m; ++i) {
     for (Eigen::Index j = 0; j < m; ++j) {
       part.covariance(i, j) = c(i, j) * size[part.columns[static_cast<std::size_t>(i)]] *

@@ -13,11 +13,15 @@ namespace plastica::calibrate {
 /// How well a curve determines the active parameters (n of them).
 ///
 /// With the residuals' Jacobian J (n_samples x n), weights W = diag(w_i), A = J^T W J:
-///   least squares with a given noise: C = A^-1;
-///   otherwise: C = s^2 A^-1 (J^T W^2 J) A^-1, s^2 = sum r_i^2/(n_samples - n), the covariance of
-///   a weighted fit of samples with independent errors of equal size (for equal weights it is
-///   s^2 A^-1). Where the model cannot follow the curve the residuals are not independent and the
-///   errors are too small: the report says so beside them.
+///   C = s^2 A^-1 (J^T W^2 J) A^-1,
+/// the covariance of a weighted fit of samples with independent errors of equal size s (the
+/// "sandwich"; for equal weights it is s^2 (J^T J)^-1, and with them and a given noise A^-1).
+///   least squares with a given noise: s = noise, whatever the given weights;
+///   otherwise: s^2 = sum r_i^2/(n_samples - n) over the samples whose weight is above 0.
+/// So given weights are no inverse variances: they say which part of the curve the parameters have
+/// to follow, and a fit that leans on fewer samples gets larger errors.
+/// Where the model cannot follow the curve the residuals are not independent and the errors are too
+/// small: the report says so beside them.
 /// A break strain adds its sampling interval: its variance is that of the model's permanent strain
 /// at the break (through C) plus h^2/3 of a break that lies anywhere within +-h; its confidence
 /// interval is the one of the model widened by h on both sides.

@@ -34,6 +34,8 @@ std::uint64_t digest_of(const FitOptions& options) {
   writer.put(std::uint64_t{options.parameters.size()});
   for (const Parameter& parameter : options.parameters) put_parameter(writer, parameter);
   writer.put(options.objective).put(options.noise).put(options.break_weight);
+  writer.put(std::uint64_t{options.weights.size()});
+  for (const WeightStep& step : options.weights) writer.put(step.from).put(step.weight);
   writer.put(options.algorithm);
   writer.put(options.stopping.global_evaluations).put(options.stopping.local_evaluations);
   writer.put(options.stopping.parameter_tolerance).put(options.stopping.cost_tolerance);

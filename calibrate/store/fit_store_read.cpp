@@ -76,6 +76,19 @@ class StoreReader {
     }
   }
 
+  void moved() {
+    const auto rows = root_.read_ragged<std::uint64_t>("moved");
+    check_offsets("moved", rows.offsets, rows.values.size());
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      for (const std::uint64_t index : rows.row(i)) {
+        if (index >= options_.parameters.size()) {
+          refuse("moved", "names a parameter that is not in the file");
+        }
+        records_[i].result.trace.active.push_back(static_cast<std::uint32_t>(index));
+      }
+    }
+  }
+
   void correlation() {
     const auto rows = root_.read_ragged<double>("correlation");
     check_offsets("correlation", rows.offsets, rows.values.size());
@@ -96,14 +109,15 @@ class StoreReader {
     }
     for (std::size_t i = 0; i < records_.size(); ++i) {
       Trace& trace = records_[i].result.trace;
-      if (trace.parameters > shape[1]) {
+      const std::size_t width = trace.active.size();
+      if (width > shape[1]) {
         refuse("evaluations/values", "has fewer columns than a fit moves parameters");
       }
       trace.costs = cut(costs, offsets[i], offsets[i + 1]);
-      trace.values.reserve(trace.costs.size() * trace.parameters);
+      trace.values.reserve(trace.costs.size() * width);
       for (std::size_t k = offsets[i]; k < offsets[i + 1]; ++k) {
         const auto row = values.begin() + static_cast<std::ptrdiff_t>(k * shape[1]);
-        const auto end = row + static_cast<std::ptrdiff_t>(trace.parameters);
+        const auto end = row + static_cast<std::ptrdiff_t>(width);
         trace.values.insert(trace.values.end(), row, end);
       }
     }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -95,6 +96,24 @@ class StoreWriter {
     }
   }
 
+  void moved() {
+    io::Ragged<std::uint64_t> rows;
+    std::vector<std::uint64_t> counts;
+    for (const FitRecord* record : records_) {
+      const auto& active = record->result.trace.active;
+      const std::vector<std::uint64_t> row(active.begin(), active.end());
+      const bool rising =
+          std::adjacent_find(row.begin(), row.end(), std::greater_equal<>()) == row.end();
+      if (!rising || (!row.empty() && row.back() >= options_.parameters.size())) {
+        refuse(record->target.name, "has moved other parameters than the options have");
+      }
+      rows.push_back(row);
+      counts.push_back(row.size());
+    }
+    root_.write_ragged("moved", rows, {{}, store::kDeflate});
+    root_.write("fits/moved_parameters", counts, {"1", store::kDeflate});  // for other readers
+  }
+
   void correlation() {
     io::Ragged<double> rows;
     for (const FitRecord* record : records_) rows.push_back(record->result.correlation);
@@ -107,10 +126,10 @@ class StoreWriter {
     std::vector<std::uint64_t> offsets{0};
     for (const FitRecord* record : records_) {
       const Trace& trace = record->result.trace;
-      if (trace.values.size() != trace.costs.size() * trace.parameters) {
+      if (trace.values.size() != trace.costs.size() * trace.active.size()) {
         refuse(record->target.name, "has a trace whose values do not fit its costs");
       }
-      width = std::max(width, trace.parameters);
+      width = std::max(width, trace.active.size());
       costs.insert(costs.end(), trace.costs.begin(), trace.costs.end());
       offsets.push_back(costs.size());
     }
@@ -119,7 +138,7 @@ class StoreWriter {
     for (std::size_t i = 0; i < records_.size(); ++i) {
       const Trace& trace = records_[i]->result.trace;
       for (std::size_t k = 0; k < trace.costs.size(); ++k) {
-        std::copy_n(&trace.values[k * trace.parameters], trace.parameters,
+        std::copy_n(&trace.values[k * trace.active.size()], trace.active.size(),
                     &values[(offsets[i] + k) * width]);
       }
     }

@@ -53,7 +53,6 @@ constexpr auto kFitColumns = [](auto& columns) {
     only("misfit_word", "", PLASTICA_MEMBER(result.misfit_word));
   });
   columns("break_strain_total", "1", PLASTICA_MEMBER(result.break_strain_total));
-  columns("moved_parameters", "1", PLASTICA_MEMBER(result.trace.parameters));
 };
 
 /// Of one parameter, a row a fit; `units` are the parameter's own.
@@ -81,6 +80,7 @@ void walk_records(Store& store) {
       "fits", kFitColumns, [](auto& record) -> auto& { return record; });
   store.table("characteristics", kCharacteristicsColumns, PLASTICA_MEMBER(target.characteristics));
   store.parameters();
+  store.moved();
   store.correlation();
 
   store.curve("curves/raw", PLASTICA_MEMBER(target.raw));

@@ -111,7 +111,7 @@ void code(auto& coder, A<FitResult> auto& r) {
   coder.each(r.stages, [](auto& to, auto& stage) {
     to(stage.algorithm, stage.outcome, stage.evaluations, stage.cost);
   });
-  coder(r.trace.parameters, r.trace.values, r.trace.costs);
+  coder(r.trace.active, r.trace.values, r.trace.costs);
   code(coder, r.fitted);
   coder(r.warnings);
 }

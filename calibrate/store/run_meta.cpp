@@ -6,6 +6,7 @@
 #include "calibrate/store/fit_store.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/base/version.hpp"
+#include "plastica/io/hdf5.hpp"
 
 namespace plastica::calibrate {
 
@@ -23,7 +24,7 @@ RunMeta begin_meta(std::string command_line, int threads) {
   meta.threads = resolved_threads(threads);
   meta.instruction_set = instruction_set();
   meta.command_line = std::move(command_line);
-  meta.versions = {{"plastica", std::string(version())}};
+  meta.versions = {{"plastica", std::string(version())}, {"hdf5", io::hdf5_version()}};
   return meta;
 }
 

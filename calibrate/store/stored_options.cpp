@@ -116,6 +116,31 @@ std::vector<Parameter> read_parameters(const io::Hdf5Group& group) {
   return parameters;
 }
 
+constexpr auto kWeightColumns = [](auto& columns) {
+  columns(
+      "from", "1", [](auto& row) -> auto& { return row.from; });
+  columns(
+      "weight", "1", [](auto& row) -> auto& { return row.weight; });
+};
+
+void write_weights(io::Hdf5Group group, const std::vector<WeightStep>& weights) {
+  std::vector<const WeightStep*> rows;
+  rows.reserve(weights.size());
+  for (const WeightStep& step : weights) rows.push_back(&step);
+  ColumnWriter<WeightStep> columns(group, std::move(rows));
+  kWeightColumns(columns);
+}
+
+std::vector<WeightStep> read_weights(const io::Hdf5Group& group) {
+  std::vector<WeightStep> weights(group.read<double>("from").size());
+  std::vector<WeightStep*> rows;
+  rows.reserve(weights.size());
+  for (WeightStep& step : weights) rows.push_back(&step);
+  ColumnReader<WeightStep> columns(group, std::move(rows));
+  kWeightColumns(columns);
+  return weights;
+}
+
 constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -123,6 +148,7 @@ constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
 void write_options(io::Hdf5Group& group, const FitOptions& options) {
   group.write_text("objective", word_of(options.objective));
   group.write("noise", options.noise.value_or(kUnset), {"Pa"});
+  write_weights(group.group("weights"), options.weights);
   group.write("break_weight", options.break_weight, {"1"});
   group.write_text("algorithm", options.algorithm);
   const StoppingRules& stopping = options.stopping;
@@ -142,6 +168,7 @@ FitOptions read_options(const io::Hdf5Group& group) {
   options.objective = enumerator_of<Objective>(group, "objective", group.read_text("objective"));
   const auto noise = group.read_scalar<double>("noise");
   if (!std::isnan(noise)) options.noise = noise;
+  options.weights = read_weights(group.open_group("weights"));
   options.break_weight = group.read_scalar<double>("break_weight");
   options.algorithm = group.read_text("algorithm");
   StoppingRules& stopping = options.stopping;

@@ -20,6 +20,10 @@ concept Hdf5Number = std::same_as<T, double> || std::same_as<T, float> ||
     std::same_as<T, std::int32_t> || std::same_as<T, std::int64_t> ||
     std::same_as<T, std::uint64_t> || std::same_as<T, std::uint8_t>;
 
+/// Version of the HDF5 library that runs, which need not be the one that was compiled with:
+/// "1.10.8". @throws StorageError
+std::string hdf5_version();
+
 /// What stands at a path of a file.
 enum class Hdf5Kind {
   None,     ///< nothing

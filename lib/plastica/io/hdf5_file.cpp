@@ -42,6 +42,17 @@ Hdf5Handle opened_root(const Hdf5Handle& file, const std::string& path) {
 
 }  // namespace
 
+std::string hdf5_version() {
+  keep_quiet();  // also this call would start HDF5, as it is by default
+  unsigned major = 0;
+  unsigned minor = 0;
+  unsigned release = 0;
+  if (H5get_libversion(&major, &minor, &release) < 0) {
+    throw StorageError("HDF5", "does not say its version: " + h5::innermost_error());
+  }
+  return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(release);
+}
+
 Hdf5Handle::~Hdf5Handle() {
   if (id_ >= 0) H5Idec_ref(id_);
 }

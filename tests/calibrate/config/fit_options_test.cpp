@@ -30,6 +30,7 @@ TEST(FitOptionsFile, HasTheLibrarysDefaultsIfItIsEmpty) {
   const FitOptions defaults;
   EXPECT_EQ(options.objective, defaults.objective);
   EXPECT_EQ(options.noise, defaults.noise);
+  EXPECT_TRUE(options.weights.empty());
   EXPECT_EQ(options.break_weight, defaults.break_weight);
   EXPECT_EQ(options.algorithm, defaults.algorithm);
   EXPECT_EQ(options.stopping.local_evaluations, defaults.stopping.local_evaluations);
@@ -58,6 +59,7 @@ material = "6061-T6"
 [fit]
 objective = "least-squares"
 noise = "2 MPa"
+weights = [{ from = "0 %", weight = 1 }, { from = "1 %", weight = 0.2 }]
 break_weight = 0.5
 algorithm = "bobyqa"
 seed = 7
@@ -72,6 +74,11 @@ break_measure = "accumulated"
 )");
   EXPECT_EQ(options.objective, Objective::LeastSquares);
   EXPECT_EQ(options.noise, 2e6);
+  ASSERT_EQ(options.weights.size(), 2U);
+  EXPECT_EQ(options.weights[0].from, 0.0);
+  EXPECT_EQ(options.weights[0].weight, 1.0);
+  EXPECT_DOUBLE_EQ(options.weights[1].from, 0.01);
+  EXPECT_EQ(options.weights[1].weight, 0.2);
   EXPECT_EQ(options.break_weight, 0.5);
   EXPECT_EQ(options.algorithm, "bobyqa");
   EXPECT_EQ(options.seed, 7U);
@@ -161,6 +168,45 @@ TEST(FitOptionsErrors, AnUnknownKeyIsRefused) {
   EXPECT_EQ(parameter_error("yield_stress = { bound = [1, 2] }"),
             "f.toml:2: fit.parameters.yield_stress.bound = [1, 2]: is not a key of "
             "fit.parameters.yield_stress; did you mean bounds?");
+}
+
+TEST(FitOptionsFile, TakesWeightsAsTablesOfTheirOwn) {
+  const auto weights =
+      read("[fit]\nobjective = 'least-squares'\n[[fit.weights]]\nfrom = 0.02\nweight = 0\n")
+          .weights;
+  ASSERT_EQ(weights.size(), 1U);
+  EXPECT_EQ(weights[0].from, 0.02);
+  EXPECT_EQ(weights[0].weight, 0.0);
+}
+
+TEST(FitOptionsErrors, WeightsAreStepsOfRisingStrainAndOfLeastSquares) {
+  const auto error = [](const std::string& weights) {
+    return error_of("[fit]\nobjective = 'least-squares'\nweights = " + weights + "\n");
+  };
+  EXPECT_EQ(error_of("[fit]\nweights = [{ from = 0, weight = 1 }]\n"),
+            "f.toml:2: fit.weights = [{ from = 0, weight = 1 }]: goes with objective = "
+            "\"least-squares\" alone");
+  EXPECT_EQ(error("[]"),
+            "f.toml:3: fit.weights = []: must have at least one { from = ..., weight = ... }");
+  EXPECT_EQ(error("2"), "f.toml:3: fit.weights = 2: must be a list in brackets");
+  EXPECT_EQ(error("[2]"), "f.toml:3: fit.weights[1] = 2: must be a table, { key = value, ... }");
+  EXPECT_EQ(error("[{ from = 0 }]"), "f.toml:3: fit.weights[1].weight: is missing");
+  EXPECT_EQ(error("[{ weight = 1 }]"), "f.toml:3: fit.weights[1].from: is missing");
+  EXPECT_EQ(error("[{ from = '1 MPa', weight = 1 }]").substr(0, 38),
+            "f.toml:3: fit.weights[1].from = 1 MPa:");
+  EXPECT_EQ(error("[{ from = '-1 %', weight = 1 }]"),
+            "f.toml:3: fit.weights[1].from = -1 %: must be at least 0: it is the size of the "
+            "strain");
+  EXPECT_EQ(error("[{ from = 0, weight = -1 }]"),
+            "f.toml:3: fit.weights[1].weight = -1: must be at least 0");
+  EXPECT_EQ(error("[{ from = 0, weight = inf }]").substr(0, 36),
+            "f.toml:3: fit.weights[1].weight = in");
+  EXPECT_EQ(error("[{ from = '1 %', weight = 1 }, { from = '1 %', weight = 2 }]"),
+            "f.toml:3: fit.weights[2].from = 1 %: must be above that of the step before");
+  EXPECT_EQ(
+      error("[{ from = 0, weight = 1, until = 2 }]"),
+      "f.toml:3: fit.weights[1].until = 2: is not a key of fit.weights[1]; its keys are from, "
+      "weight");
 }
 
 TEST(FitOptionsErrors, AnUnknownParameterIsRefusedWithTheNearestName) {

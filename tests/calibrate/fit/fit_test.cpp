@@ -386,6 +386,7 @@ TEST(Fit, KeepsToTheEvaluationsOfItsStages) {
   EXPECT_EQ(brief.stages[1].outcome, "maxeval-reached");
   EXPECT_LE(brief.stages[1].evaluations, 3);
   EXPECT_EQ(brief.trace.values.size(), 2 * brief.trace.costs.size());
+  EXPECT_EQ(brief.trace.active, (std::vector<std::uint32_t>{0, 1}));
   // The result is the best point of the trace.
   EXPECT_EQ(brief.cost, *std::min_element(brief.trace.costs.begin(), brief.trace.costs.end()));
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "calibrate/fit/fit.hpp"
 #include "tests/calibrate/fit/targets.hpp"
 #include "tests/support/message.hpp"
 
@@ -199,6 +200,19 @@ TEST(ParameterSet, ATiedBreakLimitStandsForWhatItFollows) {
   EXPECT_EQ(torsion.active().size(), 2U);
   EXPECT_EQ(torsion.break_parameter()->index, 1U);
   EXPECT_EQ(torsion.break_parameter()->factor, 2.0);
+}
+
+TEST(ParameterSet, AFitNamesTheParametersThatItMoved) {
+  // Fixed, tied and idle ones stay: this specimen did not break.
+  const std::vector<double> strain = ramp(41, 0.02);
+  const FitResult result =
+      fit_target(target_of(strain, ideal_curve(strain, 200e9, 300e6)),
+                 fit_of({free_parameter("break_strain"), fixed_parameter("youngs_modulus", 200e9),
+                         free_parameter("yield_stress"),
+                         tied_parameter("shear_yield_stress", "yield_stress", 0.6)}));
+  EXPECT_EQ(result.trace.active, std::vector<std::uint32_t>{2});
+  EXPECT_EQ(result.correlation.size(), 1U);
+  EXPECT_EQ(result.trace.values.size(), result.trace.costs.size());
 }
 
 }  // namespace

@@ -129,6 +129,56 @@ TEST(Uncertainty, MatchesTheSpreadOfFitsWithAKnownNoise) {
   EXPECT_NEAR(spread.yield, 1.0, tolerance(kChance));
 }
 
+TEST(Uncertainty, MatchesTheSpreadOfFitsWithGivenWeights) {
+  // The plateau counts less from 0.5 % on, and its end not at all.
+  FitOptions options = fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress")});
+  options.objective = Objective::LeastSquares;
+  options.weights = {{0.001, 0.5}, {0.005, 0.2}, {0.011, 0.0}};
+  const Spread free = spread_of(options);
+  EXPECT_NEAR(free.young, 1.0, tolerance(kChance));
+  EXPECT_NEAR(free.yield, 1.0, tolerance(kChance));
+  options.noise = 3e6;
+  const Spread known = spread_of(options);
+  EXPECT_NEAR(known.young, 1.0, tolerance(kChance));
+  EXPECT_NEAR(known.yield, 1.0, tolerance(kChance));
+}
+
+TEST(Uncertainty, IsThatOfAWeightedRegressionWhereTheModelIsALine) {
+  const Target target = elastic_line(2e6);
+  FitOptions options =
+      fit_of({free_parameter("youngs_modulus"), fixed_parameter("yield_stress", 1e12)});
+  options.objective = Objective::LeastSquares;
+  options.weights = {{0.0003, 4.0}, {0.0008, 0.0}};
+  double a = 0.0;        // sum w e^2
+  double b = 0.0;        // sum w^2 e^2
+  double product = 0.0;  // sum w e s
+  double count = 0.0;
+  const Curve& curve = target.corrected;
+  const auto weight = [](double e) { return e < 0.0003 ? 1.0 : e < 0.0008 ? 4.0 : 0.0; };
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double w = weight(curve.strain[i]);
+    a += w * curve.strain[i] * curve.strain[i];
+    b += w * w * curve.strain[i] * curve.strain[i];
+    product += w * curve.strain[i] * curve.stress[i];
+    count += w > 0.0;
+  }
+  const double slope = product / a;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (weight(curve.strain[i]) == 0.0) continue;
+    squares += std::pow(curve.stress[i] - slope * curve.strain[i], 2);
+  }
+  const FitResult found = fit_target(target, options);
+  EXPECT_NEAR(found.parameter("youngs_modulus").value, slope, tolerance(1e-9 * slope));
+  const double error = std::sqrt(squares / (count - 1.0) * b) / a;
+  EXPECT_NEAR(*found.parameter("youngs_modulus").standard_error, error, tolerance(1e-7 * error));
+
+  options.noise = 2e6;  // independent errors of that size, whatever the weights
+  const double known = 2e6 * std::sqrt(b) / a;
+  EXPECT_NEAR(*fit_target(target, options).parameter("youngs_modulus").standard_error, known,
+              tolerance(1e-9 * known));
+}
+
 TEST(Uncertainty, MatchesTheSpreadOfFitsAlongTheStrainPath) {
   const Spread spread =
       spread_of(fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress")}));

@@ -85,7 +85,7 @@ inline FitRecord fitted_record(std::string name = "bar-01", double yield = 280e6
   result.seed = 12345;
   result.stages = {{"GN_CRS2_LM", "maxeval-reached", 60, 4e12},
                    {"LN_BOBYQA", "xtol-reached", 82, 1.2e12}};
-  result.trace.parameters = 3;
+  result.trace.active = {0, 1, 2};
   result.trace.costs.assign(142, 1.2e12);
   result.trace.values.assign(std::size_t{3} * 142, 1.0);
   return record;

@@ -68,6 +68,18 @@ TEST(OptionsDigest, ChangesWithEveryOption) {
       [](FitOptions& o) { o.parameters[0].factor = 2.0; },
       [](FitOptions& o) { o.objective = Objective::LeastSquares; },
       [](FitOptions& o) { o.noise = 1e6; },
+      [](FitOptions& o) {
+        o.weights = {{0.0, 1.0}};
+      },
+      [](FitOptions& o) {
+        o.weights = {{0.1, 1.0}};
+      },
+      [](FitOptions& o) {
+        o.weights = {{0.1, 0.5}};
+      },
+      [](FitOptions& o) {
+        o.weights = {{0.1, 0.5}, {0.2, 0.5}};
+      },
       [](FitOptions& o) { o.break_weight = 0.5; },
       [](FitOptions& o) { o.algorithm = "slsqp"; },
       [](FitOptions& o) { o.stopping.global_evaluations = 7; },

@@ -50,6 +50,13 @@ TEST_F(FitStoreErrors, ATraceWithoutAPointToEachCostIsRefused) {
   expect_refused(contents_);
 }
 
+TEST_F(FitStoreErrors, AMovedParameterThatTheOptionsDoNotHaveIsRefused) {
+  contents_.records[0].result.trace.active = {0, 3};
+  expect_refused(contents_);
+  contents_.records[0].result.trace.active = {2, 0};
+  expect_refused(contents_);
+}
+
 TEST_F(FitStoreErrors, ACostOfAFitThatGaveNoneIsRefused) {
   contents_.records[0].result.status = FitStatus::Failed;
   expect_refused(contents_);

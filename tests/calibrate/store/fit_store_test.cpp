@@ -36,7 +36,7 @@ std::vector<FitRecord> mixed_records() {
   FitRecord failed = rejected_record("c");
   failed.target = ideal_target("c", 3e8);
   failed.result.status = FitStatus::Failed;
-  failed.result.trace = {1, {2.0}, {INFINITY}};
+  failed.result.trace = {{1}, {2.0}, {INFINITY}};
   return {filled_record("a"), rejected_record("b"), failed, filled_record("Ω")};
 }
 
@@ -115,6 +115,7 @@ TEST(FitStore, GivesBackTheOptions) {
   o.setup.scene.beam.segments = 17;
   o.objective = Objective::LeastSquares;
   o.noise = 1e6;
+  o.weights = {{0.0, 2.0}, {0.01, 0.125}, {0.5, 0.0}};
   o.break_weight = 0.125;
   o.algorithm = "slsqp";
   o.stopping = {1, 2, 3e-9, 4e-9};
@@ -135,6 +136,11 @@ TEST(FitStore, GivesBackTheOptions) {
   }
   EXPECT_EQ(read.objective, o.objective);
   EXPECT_EQ(read.noise, o.noise);
+  ASSERT_EQ(read.weights.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(read.weights[i].from, o.weights[i].from);
+    EXPECT_EQ(read.weights[i].weight, o.weights[i].weight);
+  }
   EXPECT_EQ(read.break_weight, o.break_weight);
   EXPECT_EQ(read.algorithm, o.algorithm);
   EXPECT_EQ(read.stopping.global_evaluations, 1);
@@ -257,6 +263,25 @@ TEST(FitStore, LeavesTheUnusedColumnsOfEvaluationsEmpty) {
   const auto values = file.root().read<double>("evaluations/values");
   EXPECT_EQ(values[6], 2.0);  // the failed fit, which moves one parameter
   EXPECT_TRUE(std::isnan(values[7]));
+}
+
+TEST(FitStore, SaysWhichParametersTheColumnsOfEvaluationsAre) {
+  const io::ScratchFolder folder;
+  write_fit_store(folder.file("a.h5"), contents_of(mixed_records()));
+  const io::Hdf5File file = io::Hdf5File::open(folder.file("a.h5"));
+  EXPECT_EQ(file.root().read<std::uint64_t>("moved/values"),
+            (std::vector<std::uint64_t>{0, 2, 1, 0, 2}));
+  EXPECT_EQ(file.root().read<std::uint64_t>("moved/offsets"),
+            (std::vector<std::uint64_t>{0, 2, 2, 3, 5}));
+  EXPECT_EQ(file.root().read<std::uint64_t>("fits/moved_parameters"),
+            (std::vector<std::uint64_t>{2, 0, 1, 2}));
+}
+
+TEST(FitStore, NamesTheHdf5ThatWritesIt) {
+  const auto versions = begin_meta("", 1).versions;
+  EXPECT_NE(std::find(versions.begin(), versions.end(),
+                      std::pair<std::string, std::string>{"hdf5", io::hdf5_version()}),
+            versions.end());
 }
 
 }  // namespace

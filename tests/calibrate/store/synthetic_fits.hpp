@@ -114,7 +114,7 @@ inline FitRecord filled_record(const std::string& name) {
   r.break_strain_total = 0.0201;
   r.seed = 0xfedcba9876543210U;
   r.stages = {{"GN_CRS2_LM", "maxeval-reached", 60, 2e10}, {"LD_SLSQP", "xtol-reached", 9, 1e10}};
-  r.trace = {2, {1.0, 2.0, 3.0, 4.0, kNan, -0.0}, {5.0, INFINITY, 7.0}};
+  r.trace = {{0, 2}, {1.0, 2.0, 3.0, 4.0, kNan, -0.0}, {5.0, INFINITY, 7.0}};
   r.fitted = t.corrected;
   r.warnings = {"yield_stress is at its upper bound"};
   return record;

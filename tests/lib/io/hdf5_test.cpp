@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -30,6 +31,12 @@ void fill(Hdf5File& file) {
     group.write_text("status", "converged");
     group.set_attribute(".", "axes", Texts{"x", "y"});
   }
+}
+
+TEST(Hdf5, SaysWhichVersionRuns) {
+  const std::string version = hdf5_version();
+  EXPECT_TRUE(version.starts_with("1.") || version.starts_with("2.")) << version;
+  EXPECT_EQ(std::count(version.begin(), version.end(), '.'), 2) << version;
 }
 
 TEST(Hdf5, GivesBackNumbersOfEveryType) {
