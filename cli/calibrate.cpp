@@ -78,10 +78,11 @@ void write_json(const std::string& path, std::span<const calibrate::FitRecord> r
   if (!out) throw io::StorageError(path, "cannot be written");
 }
 
-void print_report(std::span<const calibrate::FitRecord> records, double confidence) {
+void print_report(std::span<const calibrate::FitRecord> records, const calibrate::FitOptions& fit) {
   calibrate::ReportOptions options;
   options.color = isatty(STDOUT_FILENO) != 0;
-  options.confidence = confidence;
+  options.confidence = fit.confidence;
+  options.law = fit.setup.scene.material.hardening.law;
   if (records.size() == 1) fmt::print("{}\n", calibrate::fit_report(records.front(), options));
   fmt::print("{}", calibrate::batch_report(records, options));
 }
@@ -146,7 +147,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   batch.finish();
   if (!arguments.json.empty()) write_json(arguments.json, contents.records);
   if (!arguments.quiet) {
-    print_report(contents.records, file.options.confidence);
+    print_report(contents.records, file.options);
     fmt::print(stderr, "wrote {}\n", output);
   }
   const bool all = std::all_of(contents.records.begin(), contents.records.end(), [](const auto& r) {

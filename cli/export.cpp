@@ -12,7 +12,7 @@
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/run_files.hpp"
-#include "plastica/base/machine_error.hpp"
+#include "plastica/io/storage_error.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -49,7 +49,7 @@ int run_export(const ExportArguments& arguments) {
   std::ofstream out(arguments.output, std::ios::binary);
   write(arguments, contents, out);
   out.close();
-  if (!out) throw MachineError(arguments.output + ": cannot be written");
+  if (!out) throw io::StorageError(arguments.output, "cannot be written");
   return kDone;
 }
 

@@ -26,6 +26,7 @@ int show(const ShowArguments& arguments) {
   calibrate::ReportOptions options;
   options.color = isatty(STDOUT_FILENO) != 0;
   options.confidence = contents.options.confidence;
+  options.law = contents.options.setup.scene.material.hardening.law;
   if (!arguments.specimen.empty()) {
     const auto& record = find_record(contents.records, arguments.specimen, arguments.file);
     fmt::print("{}", calibrate::fit_report(record, options));

@@ -8,15 +8,6 @@
 namespace plastica::calibrate::report {
 namespace {
 
-bool moves_hardening(const FitResult& result) {
-  return std::any_of(
-      result.parameters.begin(), result.parameters.end(), [](const FittedParameter& parameter) {
-        const std::string_view name = parameter.name;
-        return name.find("tangent_modulus") != name.npos || name.find("saturation") != name.npos ||
-               name.find("backstress") != name.npos;
-      });
-}
-
 /// Whether a warning already says how much the standard errors are worth.
 bool warns_of_errors(const FitResult& result) {
   return std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& text) {
@@ -39,14 +30,24 @@ void advise_on(const FittedParameter& parameter, std::vector<std::string>& advic
 
 }  // namespace
 
-std::string misfit_meaning(const FitResult& result) {
-  if (result.misfit_word == "close") return "the model follows the curve";
-  if (result.misfit_word == "fair") return "the model follows the curve roughly";
-  if (result.misfit_word == "poor") return "the model cannot follow this curve";
+std::string_view name_of_law(HardeningLaw law) {
+  switch (law) {
+    case HardeningLaw::Ideal: return "ideal plasticity";
+    case HardeningLaw::Linear: return "linear hardening";
+    case HardeningLaw::VoceChaboche: return "Voce-Chaboche hardening";
+  }
+  return "the model";
+}
+
+std::string misfit_meaning(const FitResult& result, HardeningLaw law) {
+  const std::string name(name_of_law(law));
+  if (result.misfit_word == "close") return name + " follows this curve";
+  if (result.misfit_word == "fair") return name + " follows this curve roughly";
+  if (result.misfit_word == "poor") return name + " cannot follow this curve";
   return {};
 }
 
-std::vector<std::string> advice_for(const FitRecord& record) {
+std::vector<std::string> advice_for(const FitRecord& record, HardeningLaw law) {
   const FitResult& result = record.result;
   std::vector<std::string> advice;
   if (record.target.status == TargetStatus::TooCoarse) {
@@ -64,9 +65,11 @@ std::vector<std::string> advice_for(const FitRecord& record) {
   }
   if (result.misfit_word == "poor") {
     advice.emplace_back(
-        moves_hardening(result)
-            ? "Hardening is fitted already: look at the picture for what is missing."
-            : "Let the material harden: add tangent_modulus to the parameters.");
+        law == HardeningLaw::Ideal
+            ? "Let the material harden: hardening.law = \"linear\" and a parameter "
+              "tangent_modulus; or fit up to the largest stress, if it is the fall after it that "
+              "is missed."
+            : "The material hardens already: look at the picture for what is missing.");
   }
   return advice;
 }

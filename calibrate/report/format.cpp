@@ -155,6 +155,11 @@ std::string counted(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+std::string sentence_of(const Repair& repair) {
+  const std::string count = std::to_string(repair.count) + ' ';
+  return repair.text.starts_with(count) ? repair.text.substr(count.size()) : repair.text;
+}
+
 std::string printable(std::string_view text) {
   std::string line;
   for (std::size_t at = 0; at < text.size();) {

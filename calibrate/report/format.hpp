@@ -49,6 +49,9 @@ std::string quantity(std::string_view number, std::string_view unit);
 /// "1 sample", "3 samples".
 std::string counted(std::size_t count, std::string_view noun);
 
+/// What a repair did without how often, which stands before it: "rows without strain dropped".
+std::string sentence_of(const Repair& repair);
+
 /// Text of a user as one printable line: control characters become blanks, bytes that are not
 /// UTF-8 become question marks.
 std::string printable(std::string_view text);

@@ -13,8 +13,9 @@
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/plot_kinds.hpp"
 #include "plastica/base/check.hpp"
-#include "plastica/base/machine_error.hpp"
+#include "plastica/io/durable_file.hpp"
 #include "plastica/io/gnuplot.hpp"
+#include "plastica/io/storage_error.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -44,22 +45,31 @@ PlotScript make(std::span<const FitRecord> records, const PlotRequest& request) 
   if (records.empty()) throw InputError({}, "plot", request.what, "there is no specimen to draw");
   std::string what = request.what;
   if (what.empty()) what = records.size() == 1 || !request.specimen.empty() ? "curve" : "overview";
-  if (what == "curve") return report::curve_plot(find_specimen(records, request.specimen));
+  const bool terminal = request.output == "-";
+  if (what == "curve") {
+    const FitRecord& record = find_specimen(records, request.specimen);
+    return terminal ? report::curve_terminal(record) : report::curve_plot(record);
+  }
   if (what != "overview" && what != "parameters") {
     throw InputError({}, "--what", what, "must be curve, overview or parameters");
   }
   if (!request.specimen.empty()) {
     throw InputError({}, "--case", request.specimen, "goes with the picture 'curve' only");
   }
-  return what == "overview" ? report::overview_plot(records) : report::parameters_plot(records);
+  if (what == "overview") {
+    return terminal ? report::overview_terminal(records) : report::overview_plot(records);
+  }
+  return terminal ? report::parameters_terminal(records) : report::parameters_plot(records);
 }
 
 /// `set terminal` for an output; empty for a script.
-std::string terminal_of(const std::string& output, double relative_height) {
+std::string terminal_of(const std::string& output, const PlotScript& script) {
   const auto height = [&](double usual) {
-    return static_cast<int>(std::lround(usual * relative_height));
+    return static_cast<int>(std::lround(usual * script.relative_height()));
   };
-  if (output == "-") return fmt::format("set terminal dumb noenhanced size 98,{}\n", height(32));
+  if (output == "-") {
+    return fmt::format("set terminal dumb noenhanced mono size 79,{}\n", script.terminal_rows);
+  }
   const std::string ending = std::filesystem::path(output).extension().string();
   if (ending == ".gp") return {};
   if (ending == ".svg") {
@@ -81,23 +91,32 @@ std::string terminal_of(const std::string& output, double relative_height) {
   throw InputError({}, "--output", output, "must end in .svg, .png, .pdf or .gp, or be -");
 }
 
+/// A picture of characters without the blanks at the ends of its lines and its empty lines at
+/// the top.
+std::string without_blank_ends(std::string_view picture) {
+  std::string text;
+  while (!picture.empty()) {
+    const std::size_t end = std::min(picture.find('\n'), picture.size());
+    std::string_view line = picture.substr(0, end);
+    picture.remove_prefix(std::min(end + 1, picture.size()));
+    line = line.substr(0, line.find_last_not_of(" \f\r") + 1);
+    if (!text.empty() || !line.empty()) text.append(line).append("\n");
+  }
+  return text;
+}
+
 /// Writes beside the file and moves it into place, so that no half picture is left behind.
 void write_file(const std::string& path, std::string_view content) {
   const std::string beside = path + ".part";
-  {
-    std::ofstream out(beside, std::ios::binary | std::ios::trunc);
-    out.write(content.data(), static_cast<std::streamsize>(content.size()));
-    out.close();
-    if (!out) {
-      std::remove(beside.c_str());
-      throw MachineError("cannot write " + path);
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(beside, path, error);
-  if (error) {
+  std::ofstream out(beside, std::ios::binary | std::ios::trunc);
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.close();
+  try {
+    if (!out) throw io::StorageError(path, "cannot be written");
+    io::move_into_place(beside, path);
+  } catch (const io::StorageError&) {
     std::remove(beside.c_str());
-    throw MachineError("cannot write " + path + ": " + error.message());
+    throw;
   }
 }
 
@@ -111,9 +130,9 @@ std::string plot_script(std::span<const FitRecord> records, const PlotRequest& r
 
 void draw_plot(std::span<const FitRecord> records, const PlotRequest& request,
                std::ostream& standard_output) {
-  terminal_of(request.output, 1.0);  // an output of no kind is an error before any work is done
+  terminal_of(request.output, {});  // an output of no kind is an error before any work is done
   const PlotScript script = make(records, request);
-  const std::string terminal = terminal_of(request.output, script.relative_height());
+  const std::string terminal = terminal_of(request.output, script);
   if (terminal.empty()) {
     write_file(
         request.output,
@@ -121,16 +140,10 @@ void draw_plot(std::span<const FitRecord> records, const PlotRequest& request,
             script.text());
     return;
   }
-  std::string text = script.text();
+  const std::string picture = io::run_gnuplot(terminal + script.text());
   if (request.output == "-") {
-    // Of characters, a grid would be as heavy as the curves.
-    const std::string_view grid = "set grid ytics";
-    text.replace(text.find(grid), grid.size(), "unset grid #");
-  }
-  const std::string picture = io::run_gnuplot(terminal + text);
-  if (request.output == "-") {
-    standard_output << picture;
-    if (!standard_output.flush()) throw MachineError("cannot write to standard output");
+    standard_output << without_blank_ends(picture);
+    if (!standard_output.flush()) throw io::StorageError("standard output", "cannot be written");
   } else {
     write_file(request.output, picture);
   }

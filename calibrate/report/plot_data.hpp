@@ -49,6 +49,9 @@ class PlotScript {
   bool at_left() const { return panel_ % columns_ == 0; }
   bool at_bottom() const { return panel_ + columns_ >= count_of_panels_; }
 
+  /// Lines of a picture of characters.
+  int terminal_rows = 23;
+
   /// The picture's height relative to the usual 900 x 560.
   double relative_height() const { return relative_height_; }
   std::string text() const { return blocks_ + commands_; }

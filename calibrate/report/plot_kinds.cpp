@@ -10,122 +10,18 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/format.hpp"
+#include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/summary.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::calibrate::report {
 namespace {
 
-constexpr std::size_t kMostPanels = 12;
 constexpr std::size_t kMostCurves = 60;  // of a panel; more are a blot
 constexpr std::size_t kMostFalls = 3;    // of a panel's fits
 
-const FittedParameter* find_parameter(const FitResult& result, std::string_view name) {
-  for (const FittedParameter& parameter : result.parameters) {
-    if (parameter.name == name) return &parameter;
-  }
-  return nullptr;
-}
-
-bool is_fitted(const FitRecord& record) { return record.result.status == FitStatus::Fitted; }
-
-const Curve& measured_of(const FitRecord& record) {
-  return record.target.corrected.size() > 0 ? record.target.corrected : record.target.raw;
-}
-
-std::string measured_parameter(const FitResult& result, std::string_view name,
-                               std::string_view symbol, std::string_view remark) {
-  const FittedParameter* parameter = find_parameter(result, name);
-  if (parameter == nullptr || !parameter->identified) return {};
-  const DisplayUnit unit = display_unit(*parameter);
-  const double value = parameter->value / unit.scale;
-  const std::string number = parameter->standard_error
-                                 ? with_error(value, *parameter->standard_error / unit.scale)
-                                 : significant(value, 4);
-  return fmt::format("{} {} {}{}", symbol, number, unit.name, remark);
-}
-
-std::string subtitle_of(const FitRecord& record) {
-  if (!is_fitted(record)) {
-    return cut(fmt::format("{}: {}", word_of(record.result.status), reason_of(record)), 100);
-  }
-  const FitResult& result = record.result;
-  std::string line;
-  for (const std::string& part :
-       {measured_parameter(result, "youngs_modulus", "E", ""),
-        measured_parameter(result, "yield_stress", "σ_y", ""),
-        measured_parameter(result, "shear_yield_stress", "τ_y", ""),
-        measured_parameter(result, "break_strain", "ε_break", " permanent"),
-        measured_parameter(result, "break_shear_strain", "γ_break", " permanent"),
-        fmt::format("misfit {} %", significant(100.0 * result.misfit_share, 2))}) {
-    if (!part.empty()) line += (line.empty() ? "" : "    ") + part;
-  }
-  return line;
-}
-
-std::string strain_label(const Target& target) {
-  return fmt::format("{}{} strain [%]", word_of(target.measure),
-                     target.test == Test::Torsion ? " shear" : "");
-}
-
-std::string stress_label(const Target& target) {
-  return fmt::format("{}{} stress [MPa]", word_of(target.measure),
-                     target.test == Test::Torsion ? " shear" : "");
-}
-
-/// Where the fitted curve leaves the elastic line: first point at the fitted yield stress.
-std::optional<std::vector<double>> yield_point(const FitResult& result) {
-  const FittedParameter* yield = find_parameter(result, "yield_stress");
-  if (yield == nullptr) yield = find_parameter(result, "shear_yield_stress");
-  const FittedParameter* modulus = find_parameter(result, "youngs_modulus");
-  if (yield == nullptr || !yield->identified) return std::nullopt;
-  if (modulus != nullptr && yield->name == "yield_stress" && modulus->value > 0.0) {
-    return std::vector<double>{100.0 * yield->value / modulus->value, 1e-6 * yield->value};
-  }
-  for (std::size_t i = 0; i < result.fitted.size(); ++i) {
-    if (result.fitted.stress[i] >= yield->value * (1.0 - 1e-9)) {
-      return std::vector<double>{100.0 * result.fitted.strain[i], 1e-6 * yield->value};
-    }
-  }
-  return std::nullopt;
-}
-
-/// The fitted curve up to its break, and the fall to zero there.
-Curve fitted_with_break(const FitResult& result) {
-  Curve curve = result.fitted;
-  if (!result.break_strain_total || curve.size() == 0) return curve;
-  const double strain = *result.break_strain_total;
-  const bool falls = std::any_of(curve.stress.begin() + 1, curve.stress.end(),
-                                 [](double stress) { return stress == 0.0; });
-  if (falls) return curve;
-  const double stress = curve.stress.back();
-  if (strain > curve.strain.back()) {
-    curve.strain.push_back(strain);
-    curve.stress.push_back(stress);
-  }
-  curve.strain.push_back(curve.strain.back());
-  curve.stress.push_back(0.0);
-  return curve;
-}
-
-/// The fitted curve without its fall.
-Curve fitted_while_whole(const FitResult& result) {
-  Curve curve = result.fitted;
-  while (curve.size() > 1 && curve.stress.back() == 0.0) {
-    curve.strain.pop_back();
-    curve.stress.pop_back();
-  }
-  return curve;
-}
-
 std::string with_color(std::string_view style, std::string_view color) {
   return fmt::format("{} linecolor rgb '{}'", style, color);
-}
-
-/// Every specimen's break as (strain in %, stress in MPa).
-void add_break(const FitRecord& record, std::vector<std::vector<double>>& rows) {
-  const std::optional<BreakObservation>& seen = record.target.characteristics.observed_break;
-  if (seen) rows.push_back({100.0 * seen->strain(), 1e-6 * seen->last_whole_stress});
 }
 
 /// What a panel of the overview shows.
@@ -138,14 +34,7 @@ struct Panel {
 
 Panel panel_of(std::span<const FitRecord> records, const std::vector<std::size_t>& members) {
   Panel panel;
-  std::vector<const FitRecord*> usable;
-  std::vector<const Curve*> curves;
-  for (const std::size_t i : members) {
-    const FitRecord& record = records[i];
-    if (record.target.status == TargetStatus::Rejected || measured_of(record).size() < 2) continue;
-    usable.push_back(&record);
-    curves.push_back(&measured_of(record));
-  }
+  const auto [usable, curves] = curves_of(records, members);
   panel.mean = mean_curve(curves);
   const std::size_t step = (usable.size() + kMostCurves - 1) / kMostCurves;
   for (std::size_t k = 0; k < usable.size(); k += step) {
@@ -155,7 +44,7 @@ Panel panel_of(std::span<const FitRecord> records, const std::vector<std::size_t
     if (!is_fitted(record) || record.result.fitted.size() == 0) continue;
     // The falls of many fits would be a fence in front of the curves.
     panel.fits.push_back(usable.size() <= kMostFalls ? fitted_with_break(record.result)
-                                                     : fitted_while_whole(record.result));
+                                                     : fitted_until_break(record.result));
   }
   return panel;
 }
@@ -178,17 +67,8 @@ std::string panel_title(std::span<const FitRecord> records, const std::vector<st
 
 /// One scale for all panels, so that groups can be compared.
 void set_common_range(PlotScript& script, std::span<const FitRecord> records) {
-  double most_strain = 0.0;
-  double most_stress = 0.0;
-  for (const FitRecord& record : records) {
-    if (record.target.loading == Loading::Cyclic) return;
-    for (const Curve* curve : {&measured_of(record), &record.result.fitted}) {
-      for (std::size_t i = 0; i < curve->size(); ++i) {
-        if (std::isfinite(curve->strain[i])) most_strain = std::max(most_strain, curve->strain[i]);
-        if (std::isfinite(curve->stress[i])) most_stress = std::max(most_stress, curve->stress[i]);
-      }
-    }
-  }
+  if (any_cyclic(records)) return;
+  const auto [most_strain, most_stress] = largest_of(records);
   if (!(most_strain > 0.0 && most_stress > 0.0)) return;
   script.command(fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]", 104.0 * most_strain,
                              1.08e-6 * most_stress));
@@ -213,7 +93,9 @@ PlotScript curve_plot(const FitRecord& record) {
     script.command("set xrange [0:*]\nset yrange [0:*]");
     script.command("set offsets graph 0, graph 0.03, graph 0.08, graph 0");
   }
-  script.begin_panel(quoted(target.name) + ".\"\\n\"." + quoted(subtitle_of(record)));
+  std::string facts;
+  for (const std::string& fact : facts_of(record)) facts += (facts.empty() ? "" : "    ") + fact;
+  script.begin_panel(quoted(target.name) + ".\"\\n\"." + quoted(cut(facts, 100)));
   const bool few = measured.size() < 80 && !cyclic;
   script.add_series(script.add_curve(measured),
                     few ? "using 1:2 with points pointtype 6 pointsize 0.6 linewidth 1.2 linecolor "
@@ -242,7 +124,7 @@ PlotScript curve_plot(const FitRecord& record) {
 }
 
 PlotScript overview_plot(std::span<const FitRecord> records) {
-  std::vector<std::vector<std::size_t>> groups = group_indices(records);
+  std::vector<std::vector<std::size_t>> groups = drawable_groups(records);
   PlotScript script;
   const std::size_t all = groups.size();
   groups.resize(std::min(all, kMostPanels));
@@ -250,7 +132,7 @@ PlotScript overview_plot(std::span<const FitRecord> records) {
                                                                        groups.size(), all)
                                                          : std::string());
   set_common_range(script, records);
-  const Target& first = records.front().target;
+  const Target& first = records[groups.front().front()].target;
   for (const std::vector<std::size_t>& members : groups) {
     const Panel panel = panel_of(records, members);
     script.command("set xlabel " + quoted(script.at_bottom() ? strain_label(first) : ""));

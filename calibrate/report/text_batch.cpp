@@ -135,7 +135,7 @@ std::string proof_label(std::span<const FitRecord> records) {
 
 /// What the reader has to know of the parameters' columns: measure and kind of strain.
 std::string meaning_of_columns(std::span<const FitRecord> records,
-                               const std::vector<ShownParameter>& parameters) {
+                               const std::vector<ShownParameter>& parameters, bool total) {
   bool engineering = false;
   bool true_measure = false;
   for (const FitRecord& record : records) {
@@ -154,6 +154,7 @@ std::string meaning_of_columns(std::span<const FitRecord> records,
     text += (text.empty() ? "" : "; ") + symbol + ": " +
             std::string(strain ? "permanent strain at break" : measure);
   }
+  if (total) text += (text.empty() ? "" : "; ") + std::string("total: strain at the fitted break");
   return text;
 }
 
@@ -178,6 +179,10 @@ std::string specimens_text(std::span<const FitRecord> records, const ReportOptio
     columns.push_back({symbol_of(parameter.name) + " ± error", Align::PlusMinus,
                        std::string(parameter.unit.name)});
   }
+  const bool total = std::any_of(records.begin(), records.end(), [](const FitRecord& record) {
+    return record.result.status == FitStatus::Fitted && record.result.break_strain_total;
+  });
+  if (total) columns.push_back({"total", Align::Right, "%"});
   columns.push_back({"misfit", Align::Right, "% of Rm"});
   columns.push_back({"flags", Align::Left, ""});
   Table table(std::move(columns));
@@ -205,6 +210,11 @@ std::string specimens_text(std::span<const FitRecord> records, const ReportOptio
       const FittedParameter* found = fitted ? find_parameter(result, parameter.name) : nullptr;
       cells.push_back(parameter_cell(found, parameter.unit));
     }
+    if (total) {
+      cells.push_back(fitted && result.break_strain_total
+                          ? significant(100.0 * *result.break_strain_total, 4)
+                          : "-");
+    }
     cells.push_back(fitted ? significant(100.0 * result.misfit_share, 2) : "-");
     const std::string flags = flags_of(record);
     seen += flags;
@@ -212,7 +222,7 @@ std::string specimens_text(std::span<const FitRecord> records, const ReportOptio
     table.add(std::move(cells));
   }
   std::string text = ink.heading("Specimens\n") + table.text(2, kWidth);
-  const std::string meanings = meaning_of_columns(records, parameters);
+  const std::string meanings = meaning_of_columns(records, parameters, total);
   if (!meanings.empty()) text += wrapped("  ", meanings, kWidth);
   std::string legend;
   for (const Flag& flag : kFlags) {
@@ -301,16 +311,46 @@ std::string names_text(std::span<const FitRecord> records, const Ink& ink) {
     const std::string_view heading = status == FitStatus::Rejected ? "Rejected\n" : "Failed\n";
     if (!list.empty()) text += '\n' + ink.bad(heading) + list;
   }
-  std::string list;
+  return text;
+}
+
+/// Specimens whose curves were mended in the same way.
+struct EqualRepairs {
+  std::string kind;
+  std::string sentence;
+  std::vector<std::pair<std::size_t, std::string_view>> specimens;  ///< samples, name
+};
+
+/// Repairs by kind and sentence, each sentence once, with the specimens that it holds for.
+std::string repairs_text(std::span<const FitRecord> records, const ReportOptions& options,
+                         const Ink& ink) {
+  std::vector<EqualRepairs> all;
   for (const FitRecord& record : records) {
-    std::string all;
     for (const Repair& repair : record.target.repairs) {
-      all += (all.empty() ? "" : "; ") +
-             fmt::format("{} ({}): {}", repair.kind, counted(repair.count, "sample"), repair.text);
+      const std::string sentence = sentence_of(repair);
+      auto equal = std::find_if(all.begin(), all.end(), [&](const EqualRepairs& other) {
+        return other.kind == repair.kind && other.sentence == sentence;
+      });
+      if (equal == all.end()) equal = all.insert(all.end(), {repair.kind, sentence, {}});
+      equal->specimens.emplace_back(repair.count, record.target.name);
     }
-    if (!all.empty()) list += wrapped(first(record), printable(all), kWidth);
   }
-  if (!list.empty()) text += '\n' + ink.heading("Repaired\n") + list;
+  if (all.empty()) return {};
+  std::string text = '\n' + ink.heading("Repaired\n");
+  for (const EqualRepairs& equal : all) {
+    text += wrapped("  " + equal.kind + ": ", printable(equal.sentence), kWidth);
+    const std::size_t count = equal.specimens.size();
+    const std::size_t shown =
+        options.specimens_shown == 0 ? count : std::min(count, options.specimens_shown);
+    std::string list;
+    for (std::size_t i = 0; i < shown; ++i) {
+      const auto& [samples, name] = equal.specimens[i];
+      list += (i == 0 ? counted(samples, "sample") : ", " + std::to_string(samples)) + " in " +
+              printable(name);
+    }
+    if (shown < count) list += fmt::format(", and {} more", counted(count - shown, "specimen"));
+    text += wrapped("    ", list, kWidth);
+  }
   return text;
 }
 
@@ -321,7 +361,8 @@ std::string batch_report(std::span<const FitRecord> records, const ReportOptions
   const Counts counts = count_statuses(records);
   std::string text;
   if (!records.empty()) text += specimens_text(records, options, ink);
-  text += groups_text(records, options, ink) + names_text(records, ink);
+  text += groups_text(records, options, ink) + names_text(records, ink) +
+          repairs_text(records, options, ink);
   if (!text.empty()) text += '\n';
   const std::string last = fmt::format("fitted {}, rejected {}, failed {}\n", counts.fitted,
                                        counts.rejected, counts.failed);

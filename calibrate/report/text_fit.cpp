@@ -65,7 +65,7 @@ std::string mending(const Target& target, const Ink& ink) {
     for (const Repair& repair : target.repairs) {
       const std::string first =
           fmt::format("  {:<18}{:<14}", repair.kind, counted(repair.count, "sample"));
-      text += wrapped(first, printable(repair.text), kWidth);
+      text += wrapped(first, printable(sentence_of(repair)), kWidth);
     }
   }
   if (!target.corrections.empty()) {
@@ -133,7 +133,9 @@ std::string characteristics_text(const Target& target, const Ink& ink) {
     table.add({"break strain", break_text(*all.break_strain, seen), "%", note});
   }
   if (all.break_strain_plastic) {
-    table.add({"", break_text(*all.break_strain_plastic, seen), "%", "permanent"});
+    const bool below = all.break_strain.has_value();
+    table.add({below ? "" : "break strain", break_text(*all.break_strain_plastic, seen), "%",
+               "permanent"});
   }
   if (table.rows() == 0) return {};
   return '\n' + ink.heading("Characteristics\n") + table.text(2, kWidth);
@@ -200,6 +202,23 @@ std::vector<std::string> row_of(const FittedParameter& parameter) {
   return cells;
 }
 
+/// How far the model goes for this curve: stands beside the intervals, which say nothing of it.
+std::string misfit_text(const FitRecord& record, HardeningLaw law, const Ink& ink) {
+  const FitResult& result = record.result;
+  if (result.status != FitStatus::Fitted) return {};
+  const DisplayUnit unit = display_unit(Dimension::Stress, result.misfit_rms);
+  const bool tension = record.target.characteristics.rm.has_value();
+  std::string line =
+      fmt::format("{} % of {} (rms {} {})", significant(100.0 * result.misfit_share, 2),
+                  tension ? "Rm" : "the largest stress",
+                  significant(result.misfit_rms / unit.scale, 3), unit.name);
+  if (!result.misfit_word.empty()) line += ": " + result.misfit_word;
+  const std::string meaning = misfit_meaning(result, law);
+  if (!meaning.empty()) line += ", " + meaning;
+  const std::string text = entry("misfit", line);
+  return result.misfit_word == "poor" ? ink.bad(text) : text;
+}
+
 std::string parameters_text(const FitRecord& record, const ReportOptions& options, const Ink& ink) {
   if (record.result.parameters.empty()) return {};
   using Align = Table::Align;
@@ -215,7 +234,8 @@ std::string parameters_text(const FitRecord& record, const ReportOptions& option
     table.add(row_of(parameter));
     for (std::string& note : notes_on(parameter, record)) table.add_note(std::move(note));
   }
-  return '\n' + ink.heading("Parameters\n") + table.text(2, kWidth);
+  return '\n' + ink.heading("Parameters\n") + table.text(2, kWidth) +
+         misfit_text(record, options.law, ink);
 }
 
 std::string correlations_text(const FitResult& result, const ReportOptions& options,
@@ -251,15 +271,6 @@ std::string fit_text(const FitRecord& record, const Ink& ink) {
   if (result.evaluations() == 0 && result.stages.empty()) return {};
   std::string text = '\n' + ink.heading("Fit\n");
   if (result.status == FitStatus::Fitted) {
-    const DisplayUnit unit = display_unit(Dimension::Stress, result.misfit_rms);
-    const bool tension = record.target.characteristics.rm.has_value();
-    std::string misfit = fmt::format(
-        "rms {} {}, {} % of {}", significant(result.misfit_rms / unit.scale, 3), unit.name,
-        significant(100.0 * result.misfit_share, 2), tension ? "Rm" : "the largest stress");
-    if (!result.misfit_word.empty()) misfit += ": " + result.misfit_word;
-    const std::string meaning = misfit_meaning(result);
-    if (!meaning.empty()) misfit += ", " + meaning;
-    text += entry("misfit", misfit);
     text += entry("objective", "f = " + cost_text(result.cost));
   }
   text += entry("evaluations", fmt::format("{}, seed {}", result.evaluations(), result.seed));
@@ -298,7 +309,7 @@ std::string fit_report(const FitRecord& record, const ReportOptions& options) {
     for (const std::string& warning : *list) remarks += wrapped("  ! ", printable(warning), kWidth);
   }
   if (!remarks.empty()) text += '\n' + ink.bad("Warnings\n") + remarks;
-  const std::vector<std::string> advice = advice_for(record);
+  const std::vector<std::string> advice = advice_for(record, options.law);
   if (!advice.empty()) text += '\n' + ink.heading("Advice\n");
   for (const std::string& line : advice) text += wrapped("  - ", printable(line), kWidth);
   return text;

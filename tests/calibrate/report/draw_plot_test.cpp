@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "calibrate/report/format.hpp"
 #include "calibrate/report/plot.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/base/machine_error.hpp"
@@ -84,8 +85,41 @@ TEST_F(DrawPlot, DrawsWithCharactersOnStandardOutput) {
   std::ostringstream out;
   draw_plot(records(), {.what = "curve", .specimen = "b", .output = "-"}, out);
   EXPECT_NE(out.str().find("σ_y 290.00"), std::string::npos) << out.str();
-  EXPECT_NE(out.str().find("####"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("...."), std::string::npos) << out.str();
+  EXPECT_GE(count(out.str(), "#"), 5U) << out.str();
   EXPECT_EQ(out.str().find('\x1b'), std::string::npos);
+}
+
+TEST_F(DrawPlot, FitsATerminalOf80ColumnsAnd24Lines) {
+  for (const char* kind : {"curve", "overview"}) {
+    std::ostringstream out;
+    draw_plot(records(), {.what = kind, .output = "-"}, out);
+    std::istringstream in(out.str());
+    std::size_t lines = 0;
+    for (std::string line; std::getline(in, line); ++lines) {
+      EXPECT_LE(report::width_of(line), 80U) << line;
+      EXPECT_FALSE(line.ends_with(' ')) << line;
+    }
+    EXPECT_LE(lines, 24U) << out.str();
+    EXPECT_GE(lines, 18U) << out.str();
+    EXPECT_NE(out.str().find("engineering strain [%]"), std::string::npos) << out.str();
+  }
+}
+
+TEST_F(DrawPlot, GivesEachGroupALetterInATerminal) {
+  std::ostringstream out;
+  draw_plot(std::vector{fitted_record("a", 280e6, "20"), fitted_record("b", 200e6, "150")},
+            {.what = "overview", .output = "-"}, out);
+  EXPECT_NE(out.str().find("AAAA"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("BBBB"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("temperature 150, measured"), std::string::npos) << out.str();
+}
+
+TEST_F(DrawPlot, ShowsParametersInATerminalBelowEachOther) {
+  std::ostringstream out;
+  draw_plot(records(), {.what = "parameters", .output = "-"}, out);
+  EXPECT_LT(out.str().find("yield_stress [MPa]"), out.str().find("break_strain [%]"));
+  EXPECT_NE(out.str().find("break_strain [%]"), std::string::npos) << out.str();
 }
 
 TEST_F(DrawPlot, LeavesTheOldFileWhereItCannotDraw) {

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <sstream>
 
 #include "calibrate/report/plot.hpp"
 #include "calibrate/report/plot_data.hpp"
@@ -86,6 +88,34 @@ TEST(PlotScript, OfARejectedSpecimenShowsItsSamplesAndTheReason) {
   const std::string script = plot_script(std::vector{record}, {});
   EXPECT_TRUE(contains(script, "rejected: turns back"));
   EXPECT_FALSE(contains(script, "title 'fitted'"));
+}
+
+TEST(PlotScript, OfRejectedSpecimensAloneSaysThatThereIsNothingToDraw) {
+  const std::vector<FitRecord> rejected = {rejected_record("a", "has no stress"),
+                                           rejected_record("b", "is empty")};
+  for (const char* output : {"a.svg", "-"}) {
+    EXPECT_EQ(message_of(rejected, {.output = output}),
+              "--what = overview: no specimen has a curve to draw; a: has no stress");
+    EXPECT_EQ(message_of(rejected, {.what = "parameters", .output = output}),
+              "--what = parameters: there is no fitted specimen");
+    EXPECT_EQ(message_of(rejected, {.what = "curve", .specimen = "b", .output = output}),
+              "--case = b: has no curve to draw: is empty");
+  }
+}
+
+TEST(PlotScript, ForATerminalLetsNoTextOfAUserLeaveItsQuotes) {
+  const std::string hostile = "it's\nsystem('id')\n!id `id` END_OF_DATA";
+  std::vector<FitRecord> records = {fitted_record(hostile), fitted_record("b")};
+  records[0].target.group = {{hostile, hostile}};
+  parameter_of(records[0], "yield_stress").name = hostile;
+  for (const char* kind : {"overview", "parameters", "curve"}) {
+    std::istringstream script(plot_script(records, {.what = kind, .output = "-"}));
+    for (std::string line; std::getline(script, line);) {
+      EXPECT_FALSE(line.starts_with("system") || line.starts_with("!")) << line;
+      // No string is left open or ended early.
+      EXPECT_EQ(std::count(line.begin(), line.end(), '\'') % 2, 0) << line;
+    }
+  }
 }
 
 TEST(PlotScript, SaysWhatThereIsToDraw) {

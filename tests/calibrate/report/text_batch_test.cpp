@@ -42,15 +42,19 @@ std::vector<FitRecord> some_records() {
 TEST(BatchReport, HasARowPerSpecimen) {
   const std::string text = batch_report(some_records());
   EXPECT_TRUE(has_line(text,
-                       "  specimen      E  Rp0.2     Rm    σ_y ± error  ε_break ± error   "
+                       "  specimen      E  Rp0.2     Rm    σ_y ± error  ε_break ± error  total   "
                        "misfit  flags"));
   EXPECT_TRUE(has_line(text,
-                       "  bar-01    70.00  280.0  281.4  280.00 ± 0.41   10.025 ± 0.025     "
+                       "  bar-01    70.00  280.0  281.4  280.00 ± 0.41   10.025 ± 0.025  10.42     "
                        "0.39  r"));
-  EXPECT_TRUE(has_line(text,
-                       "  bar-03        -      -      -       -               -                -"
-                       "  rejected"));
-  EXPECT_TRUE(has_line(text, "  σ_y: engineering stress; ε_break: permanent strain at break"));
+  EXPECT_TRUE(
+      has_line(text,
+               "  bar-03        -      -      -       -               -              -        -"
+               "  rejected"));
+  EXPECT_TRUE(
+      has_line(text,
+               "  σ_y: engineering stress; ε_break: permanent strain at break; total: strain "
+               "at the fitted break"));
   EXPECT_TRUE(has_line(text, "  r curve repaired"));
 }
 
@@ -100,8 +104,34 @@ TEST(BatchReport, NamesEveryRejectedFailedAndRepairedSpecimenWithTheReason) {
   EXPECT_TRUE(contains(text, "\nFailed\n  bar-04  no number\n"));
   EXPECT_TRUE(contains(text,
                        "\nRepaired\n"
-                       "  bar-01  nan-rows (3 samples): rows without a number were left out\n"
-                       "  bar-02  nan-rows (3 samples): rows without a number were left out\n"));
+                       "  nan-rows: rows without a number were left out\n"
+                       "    3 samples in bar-01, 3 in bar-02\n"));
+}
+
+TEST(BatchReport, NamesEachKindOfRepairOnceWithItsCountTakenOffTheSentence) {
+  std::vector<FitRecord> records = some_records();
+  records[0].target.repairs = {{"foot-reversals", 1, "1 samples at the foot dropped"}};
+  records[1].target.repairs = {{"foot-reversals", 2, "2 samples at the foot dropped"},
+                               {"nan-rows", 2, "rows dropped"}};
+  EXPECT_TRUE(contains(batch_report(records),
+                       "\nRepaired\n"
+                       "  foot-reversals: samples at the foot dropped\n"
+                       "    1 sample in bar-01, 2 in bar-02\n"
+                       "  nan-rows: rows dropped\n"
+                       "    2 samples in bar-02\n"));
+}
+
+TEST(BatchReport, CountsTheRepairedSpecimensThatItDoesNotName) {
+  const std::vector<FitRecord> records(12, fitted_record());
+  EXPECT_TRUE(contains(batch_report(records, {.specimens_shown = 10}), "and 2 specimens more"));
+  EXPECT_FALSE(contains(batch_report(records, {.specimens_shown = 0}), " more"));
+}
+
+TEST(BatchReport, HasNoColumnForABreakThatNoSpecimenHas) {
+  std::vector<FitRecord> records = some_records();
+  for (FitRecord& record : records) record.result.break_strain_total.reset();
+  EXPECT_FALSE(contains(batch_report(records), "error  total"));
+  EXPECT_FALSE(contains(batch_report(records), "strain at the fitted break"));
 }
 
 TEST(BatchReport, EndsWithTheCounts) {

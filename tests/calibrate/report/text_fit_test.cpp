@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/text.hpp"
@@ -9,6 +11,7 @@
 namespace plastica::calibrate {
 namespace {
 
+using testing::failed_record;
 using testing::fitted_record;
 using testing::free_parameter;
 using testing::parameter_of;
@@ -139,15 +142,47 @@ TEST(FitReport, ListsStrongCorrelationsOnly) {
 TEST(FitReport, SaysHowWellTheModelFollowsInAPlainWord) {
   FitRecord record = fitted_record();
   EXPECT_TRUE(has_line(fit_report(record),
-                       "  misfit        rms 1.10 MPa, 0.39 % of Rm: close, the model follows the "
-                       "curve"));
+                       "  misfit        0.39 % of Rm (rms 1.10 MPa): close, ideal plasticity "
+                       "follows this curve"));
+  const std::optional<double> rm = std::exchange(record.target.characteristics.rm, std::nullopt);
+  record.result.misfit_word = "fair";
+  EXPECT_TRUE(contains(fit_report(record),
+                       "0.39 % of the largest stress (rms 1.10 MPa): fair, ideal plasticity"));
+  record.target.characteristics.rm = rm;
   record.result.misfit_word = "poor";
   const std::string text = fit_report(record);
-  EXPECT_TRUE(contains(text, "poor, the model cannot follow this curve"));
-  EXPECT_TRUE(contains(text, "add tangent_modulus to the parameters"));
-  record.result.parameters.push_back(
-      free_parameter("tangent_modulus", Dimension::Stress, 1e9, 1e7, 1e9, 0.0, 1e11));
-  EXPECT_FALSE(contains(fit_report(record), "add tangent_modulus"));
+  EXPECT_TRUE(contains(text, "poor, ideal plasticity cannot follow this curve"));
+  EXPECT_TRUE(contains(text, "  - Let the material harden: hardening.law = \"linear\""));
+  const std::string linear = fit_report(record, {.law = HardeningLaw::Linear});
+  EXPECT_TRUE(contains(linear, "poor, linear hardening cannot follow this curve"));
+  EXPECT_TRUE(contains(linear, "  - The material hardens already"));
+  EXPECT_FALSE(contains(linear, "Let the material harden"));
+}
+
+TEST(FitReport, SaysHowFarTheModelGoesRightBelowTheIntervals) {
+  const std::string text = fit_report(fitted_record());
+  const std::size_t misfit = text.find("\n  misfit ");
+  ASSERT_NE(misfit, std::string::npos);
+  EXPECT_GT(misfit, text.find("95 % interval"));
+  EXPECT_LT(misfit, text.find("Correlations"));
+  EXPECT_FALSE(contains(fit_report(failed_record("a", "why")), "misfit"));
+}
+
+TEST(FitReport, LeavesOutTheCharacteristicsThatACurveDoesNotHave) {
+  FitRecord record = fitted_record();
+  record.target.characteristics = {};
+  const std::string text = fit_report(record);
+  for (const char* absent : {"Characteristics", "ReH", "proof stress", "largest stress\n"}) {
+    EXPECT_FALSE(contains(text, absent)) << absent;
+  }
+  EXPECT_TRUE(contains(text, "Parameters"));
+}
+
+TEST(FitReport, CountsTheSamplesOfARepairOnce) {
+  FitRecord record = fitted_record();
+  record.target.repairs = {{"strain-reversals", 1, "1 samples dropped where it ran back"}};
+  EXPECT_TRUE(has_line(fit_report(record),
+                       "  strain-reversals  1 sample      samples dropped where it ran back"));
 }
 
 TEST(FitReport, CountsTheEvaluationsOfEachStage) {

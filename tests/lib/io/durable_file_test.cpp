@@ -34,5 +34,17 @@ TEST(DurableFile, KnowsTheFolderOfABareName) {
   EXPECT_EQ(folder_of("/a.h5"), "/");
 }
 
+TEST(StorageError, IsAFailureOfTheMachineThatKnowsItsPath) {
+  try {
+    sync_to_disk("/nowhere/x");
+    FAIL() << "no error";
+  } catch (const MachineError& error) {
+    const auto* storage = dynamic_cast<const StorageError*>(&error);
+    ASSERT_NE(storage, nullptr);
+    EXPECT_EQ(storage->path(), "/nowhere/x");
+    EXPECT_EQ(std::string(error.what()), storage->path() + ": " + storage->reason());
+  }
+}
+
 }  // namespace
 }  // namespace plastica::io
