@@ -179,6 +179,7 @@ PlotScript overview_terminal(std::span<const FitRecord> records) {
     }
     if (groups.size() == 1) {
       std::vector<const Curve*> pointers;
+      pointers.reserve(fits.size());
       for (const Curve& fit : fits) pointers.push_back(&fit);
       const Curve fitted = fits.size() == 1 ? fits.front() : mean_curve(pointers);
       if (fitted.size() > 0) {
