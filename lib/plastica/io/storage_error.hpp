@@ -13,9 +13,7 @@ class StorageError : public MachineError {
   /// @param path    file that was written or read
   /// @param reason  what failed and why, in the words of the system or of HDF5
   StorageError(std::string path, std::string reason)
-      : MachineError(path + ": " + reason),
-        path_(std::move(path)),
-        reason_(std::move(reason)) {}
+      : MachineError(path + ": " + reason), path_(std::move(path)), reason_(std::move(reason)) {}
 
   const std::string& path() const { return path_; }
   const std::string& reason() const { return reason_; }
