@@ -20,10 +20,11 @@ struct Solution {
   Trace trace;
 };
 
-/// Minimizes a target's misfit with the algorithm that the options name.
+/// Minimizes a target's misfit with the algorithm that the options name. A free break limit is not
+/// searched but follows the other parameters, see misfit.hpp.
 ///
 /// `auto`:
-/// 0. a free break strain begins at the permanent strain that the other starts give the model;
+/// 0. the yield stress begins at the largest measured stress if that costs less than its start;
 /// 1. a seeded global stage: controlled random search within the bounds and a factor of five
 ///    around the start;
 /// 2. from its best point, or the start if that is better, SLSQP with exact derivatives;
