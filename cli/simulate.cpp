@@ -32,6 +32,7 @@ std::string_view unit_of(ProbeQuantity quantity, Deformation deformation) {
     case ProbeQuantity::Stress: return "Pa";
     case ProbeQuantity::Load: return deformation == Deformation::Tension ? "N" : "N m";
     case ProbeQuantity::Dissipation: return "J/m^3";
+    default: break;  // probes of a chain
   }
   return "";
 }

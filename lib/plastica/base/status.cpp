@@ -10,6 +10,9 @@ std::string_view name_of(Status status) {
     case Status::Rejected: return "rejected";
     case Status::InvalidParameter: return "invalid-parameter";
     case Status::NonFinite: return "non-finite";
+    case Status::LimitLoad: return "limit-load";
+    case Status::Mechanism: return "mechanism";
+    case Status::NotConverged: return "not-converged";
   }
   return "unknown";
 }
@@ -20,8 +23,11 @@ std::string_view advice(Status status) {
     case Status::Rejected: return "mend the input that the reason names";
     case Status::InvalidParameter: return "keep every parameter inside of its field's range";
     case Status::NonFinite: return "look at the largest strain and stiffness of the scene";
+    case Status::Mechanism: return "hold the beam against the motion that the reason names";
+    case Status::NotConverged: return "take more steps, or control = arc_length";
     case Status::Completed:
-    case Status::Broken: return "";
+    case Status::Broken:
+    case Status::LimitLoad: return "";
   }
   return "";
 }

@@ -7,12 +7,15 @@ namespace plastica {
 /// How a simulation ended. A numerical outcome is a status in the response, never an exception.
 enum class Status {
   NotRun,            ///< `run` has not been called on this response
-  Completed,         ///< went to the end of the drive; the response is whole
-  Broken,            ///< went to the end, and the beam broke on the way (see the break event)
+  Completed,         ///< went to the end of the drive or path; the response is whole
+  Broken,            ///< the beam broke on the way (see the break event); a coupon went to the end
   Rejected,          ///< the scene is bad input; nothing was computed, the reason is in the row
   InvalidParameter,  ///< a parameter is outside of its field's range, or two contradict each other
                      ///< (tangent modulus not below E, Q not above -yield); nothing was computed
   NonFinite,         ///< a number overflowed or became NaN; the response ends before that sample
+  LimitLoad,         ///< there is no equilibrium beyond (see `Response::limit`); valid up to there
+  Mechanism,         ///< the supports leave the beam free to move; nothing was computed
+  NotConverged,      ///< no equilibrium was found, nor shown to be none; valid up to there
 };
 
 /// One word for tables and files: "completed", "broken", …
@@ -20,7 +23,7 @@ std::string_view name_of(Status status);
 
 /// Whether the response may be used.
 constexpr bool usable(Status status) {
-  return status == Status::Completed || status == Status::Broken;
+  return status == Status::Completed || status == Status::Broken || status == Status::LimitLoad;
 }
 
 /// What to change when a run ended this way; empty where nothing needs to change.

@@ -44,7 +44,8 @@ std::span<const std::string_view> words<BreakPolicy>() {
 }
 template <>
 std::span<const std::string_view> words<Level>() {
-  static constexpr std::array<std::string_view, 2> kWords{"auto", "coupon"};
+  static constexpr std::array<std::string_view, 5> kWords{"auto", "coupon", "twist", "planar",
+                                                          "spatial"};
   return kWords;
 }
 

@@ -3,22 +3,41 @@
 #include <string>
 
 #include "plastica/base/quantity.hpp"
+#include "plastica/model/place.hpp"
 
 namespace plastica {
 
-/// What a probe records at each sample of the drive.
+/// What a probe records at each sample of the drive, or at each step of a path.
 enum class ProbeQuantity {
-  Strain,             ///< as driven [1]
+  Strain,             ///< of the extreme fibre [1]; of a coupon, as driven
   Stress,             ///< of the extreme fibre [Pa]
   PlasticStrain,      ///< permanent strain, with sign [1]
   AccumulatedStrain,  ///< sum of |d plastic strain| [1]
-  Load,               ///< force [N], bending moment or torque [N m]
-  Dissipation,        ///< plastic work per volume at the extreme fibre [J/m^3 = Pa]
+  Load,               ///< force [N], bending moment or torque [N m]; coupon only
+  Dissipation,        ///< plastic work per volume at the extreme fibre [J/m^3 = Pa]; coupon only
+  Displacement,       ///< of a point, in world axes [m]
+  Rotation,           ///< of a point's segment, as a rotation vector in world axes [rad]
+  Reaction,           ///< force of the support at a place on the beam [N]
+  ReactionMoment,     ///< moment of the support at a place on the beam [N m]
+  Moment,             ///< of a joint, in the joint's axes: bending, z: torque [N m]
+  Angle,              ///< of a joint, from its undeformed state [rad]
+  PlasticAngle,       ///< permanent part of a joint's angle [rad]
+  Force,              ///< section force at a joint, in its axes: shear, z: axial [N]
+  LoadFactor,         ///< the factor of the first load's history, or of the first motion's [1]
+  Energy,             ///< of the whole beam, see `EnergyKind` [J]
 };
+
+/// Which part of a vector a probe records. Joint quantities: bending about x, about y, torsion.
+enum class Component { X, Y, Z, Size };
+
+enum class EnergyKind { Elastic, Plastic, External, Residual };
 
 struct Probe {
   std::string name;  ///< unique within a scene
   ProbeQuantity quantity = ProbeQuantity::Stress;
+  Place at{1.0, {}};  ///< joint quantities: the nearest joint
+  Component component = Component::Y;
+  EnergyKind energy = EnergyKind::Elastic;
 };
 
 }  // namespace plastica

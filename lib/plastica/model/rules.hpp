@@ -5,9 +5,28 @@ namespace plastica {
 /// Which formulas set up a joint: the report's to the letter, or the right ones (design 2.4).
 enum class Formulas { Mechanics, Report };
 
+/// How the stresses of a joint yield together (design 2.2).
+enum class YieldModel {
+  Elastic,       ///< never yields
+  PerAxis,       ///< each component clipped on its own (the report)
+  Interaction,   ///< one yield surface over bending, torsion and axial force
+  Conservative,  ///< the simple surface (|m_x| + |m_y|)^2 + t^2 = 1: never unsafe, first yield only
+  Fibre,         ///< the section cut into fibres, each with the uniaxial law
+};
+
 /// The largest moment of an ideal joint: at first yield of the extreme fibre (the report), or with
 /// the whole section yielding.
 enum class YieldCap { FirstYield, FullyPlastic };
+
+/// How the ends of a beam that are held against rotation, and its end segments, are joined
+/// (design 2.1).
+enum class EndRule {
+  Auto,         ///< HalfJoint; with the report's formulas, Equal
+  HalfJoint,    ///< a joint to the ground with the tributary length of half a segment
+  Equal,        ///< the end segment is welded; all joints have l = (L_a + L_b)/2
+  Half,         ///< welded; end segments are half as long and belong whole to their only joint
+  ThreeHalves,  ///< welded; equal segments, the end ones belong whole to their only joint
+};
 
 /// What of the permanent strain is held against the break limit: its present size (the report),
 /// or the sum of all of it, so that bending to and fro wears out.
@@ -17,7 +36,27 @@ enum class BreakMeasure { Net, Accumulated };
 /// the permanent strain that it broke with), or the break is only recorded.
 enum class BreakPolicy { CutAll, RecordOnly };
 
-/// How much of the beam is modelled. Coupon: a uniform state, one joint stands for all.
-enum class Level { Auto, Coupon };
+/// How much of the beam is modelled.
+enum class Level {
+  Auto,     ///< the least that holds the scene
+  Coupon,   ///< a uniform state, one joint stands for all
+  Twist,    ///< rotations about the beam's axis
+  Planar,   ///< bending in one plane
+  Spatial,  ///< bending about both axes and torsion
+};
+
+/// What the joints let the segments do besides rotating.
+enum class JointTranslation {
+  Rigid,    ///< nothing (lock joints, the report)
+  Elastic,  ///< stretch, which may yield, and shear, which does not
+};
+
+/// How an equilibrium path is followed.
+enum class PathControl {
+  Auto,          ///< Load, and ArcLength where that finds no equilibrium
+  Load,          ///< time is given, and so are all loads and motions
+  Displacement,  ///< the control point's displacement is given, the time follows
+  ArcLength,     ///< a combination of both is given: passes limit points and snaps
+};
 
 }  // namespace plastica

@@ -42,6 +42,9 @@ void check_scene(const Scene& scene, const SolverOptions& /*options*/) {
     if (!names.insert(probe.name).second) {
       throw InputError({}, "probe.name", probe.name, "is used by another probe of the scene");
     }
+    if (scene.is_coupon() && probe.quantity > ProbeQuantity::Dissipation) {
+      throw InputError({}, "probe", probe.name, "records what a coupon does not have");
+    }
   }
 }
 

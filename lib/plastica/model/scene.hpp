@@ -1,39 +1,72 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "plastica/model/beam.hpp"
 #include "plastica/model/drive.hpp"
+#include "plastica/model/load.hpp"
 #include "plastica/model/material.hpp"
 #include "plastica/model/probe.hpp"
 #include "plastica/model/rules.hpp"
 #include "plastica/model/section.hpp"
+#include "plastica/model/support.hpp"
 
 namespace plastica {
 
-/// The beam's axis and how it is divided.
-struct Beam {
-  double length = 1.0;  ///< [m], > 0
-  int segments = 10;    ///< number of rigid segments, >= 1; l = length/segments at inner joints
-};
-
 /// All that a simulation needs to know about the beam and what is done to it; a plain value.
+///
+/// A scene has either a `drive` (a coupon: uniform strain) or supports and loads.
 struct Scene {
   std::string name;
   Material material;
   Section section;
   Beam beam;
+  std::vector<Region> regions{};
   Drive drive;
+  std::vector<Support> supports{};
+  std::vector<Load> loads{};
+  std::array<double, 3> gravity{};  ///< acceleration in world axes [m/s^2]
+  History gravity_history{};
   std::vector<Probe> probes{{"stress", ProbeQuantity::Stress}};
   Formulas formulas = Formulas::Mechanics;
+  YieldModel yield_model = YieldModel::Interaction;  ///< of a chain; a coupon has one component
   YieldCap yield_cap = YieldCap::FirstYield;
+  EndRule end_rule = EndRule::Auto;
   BreakMeasure break_measure = BreakMeasure::Net;
   BreakPolicy on_break = BreakPolicy::CutAll;
+  /// Limits of the permanent strain of bending about x, about y and of torsion [1], > 0; empty:
+  /// those of the material.
+  std::optional<double> break_limit_x{};
+  std::optional<double> break_limit_y{};
+  std::optional<double> break_limit_z{};
+  /// L_p [m], >= 0; empty: the depth h; 0: the strain of a joint is that over its own length (the
+  /// report).
+  std::optional<double> hinge_length{};
+
+  bool is_coupon() const { return !drive.strain.empty(); }
 };
 
 /// How a scene is solved.
 struct SolverOptions {
   Level level = Level::Auto;
+  JointTranslation translation = JointTranslation::Rigid;
+  int fibres = 40;        ///< of a fibre section, along its depth, >= 2
+  double duration = 0.0;  ///< end of the path [s], >= 0; 0: where the last history ends
+  int steps = 20;         ///< recorded steps of the path, evenly spaced in time, >= 1
+  PathControl control = PathControl::Auto;
+  /// Displacement and arc-length control: the point that is watched. Empty: that of the first load.
+  std::optional<Place> control_at{};
+  int most_iterations = 25;  ///< Newton iterations of a step before it is cut back, >= 1
+  /// A step has converged when no joint is out of balance by more than this times the largest
+  /// moment of the step, and no support is off by more than this times the length [1], > 0.
+  double tolerance = 1e-10;
+  /// A step may turn no joint by more than this [rad], > 0; else it is cut back.
+  double largest_turn = 0.2;
+  /// Steps are cut back to no less than this part of a recorded step [1], > 0.
+  double smallest_step = 1e-6;
 };
 
 /// @throws InputError naming the first field that is out of range or does not fit the others

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "plastica/base/status.hpp"
@@ -17,6 +19,71 @@ struct BreakEvent {
   double dissipation = 0.0;       ///< plastic work per volume up to there [J/m^3]
 };
 
+/// Why a joint of a chain broke: the strain that went over its limit.
+enum class BreakCause { BendingX, BendingY, Biaxial, Torsion, Stretch };
+
+/// One joint over its limit.
+struct BrokenJoint {
+  int joint = 0;  ///< 0 … n_joints - 1
+  BreakCause cause = BreakCause::BendingX;
+  double strain = 0.0;             ///< the permanent strain [1]
+  double limit = 0.0;              ///< that it exceeded [1]
+  std::array<double, 3> moment{};  ///< about x, y, z of the joint [N m]
+  std::array<double, 3> angle{};   ///< permanent [rad]
+  double dissipation = 0.0;        ///< plastic work of the joint so far [J]
+};
+
+/// The end of a path in statics: all joints that are over their limit at one time.
+struct ChainBreak {
+  double time = 0.0;    ///< [s]
+  double factor = 0.0;  ///< of the first load's history there [1]
+  std::vector<BrokenJoint> joints{};
+};
+
+/// How far the energies of a path balance [J]; see chain/README.md.
+struct Energies {
+  double elastic = 0.0;   ///< stored in the joints
+  double plastic = 0.0;   ///< plastic work done so far
+  double external = 0.0;  ///< work of loads and moving supports so far
+  double residual = 0.0;  ///< external - elastic - plastic: what the steps have lost
+};
+
+/// What a chain records at each sample. Joint 0 is at the start, joint N at the end: a joint of a
+/// beam of N segments lies at each segment end; one that does not exist (a free end) has zeros.
+struct ChainHistory {
+  std::size_t joints = 0;        ///< N + 1
+  std::vector<double> time;      ///< [s] (n_samples)
+  std::vector<double> factor;    ///< of the first load, or of the first motion [1] (n_samples)
+  std::vector<Energies> energy;  ///< (n_samples)
+  std::vector<int> iterations;   ///< Newton iterations of all steps up to here (n_samples)
+  /// By sample, joint and axis (n_samples x n_joints x 3):
+  std::vector<double> position;       ///< of the joint in world axes [m]
+  std::vector<double> moment;         ///< about x, y, z of the joint [N m]
+  std::vector<double> force;          ///< shear along x, y, axial along z [N]
+  std::vector<double> angle;          ///< from the undeformed state [rad]
+  std::vector<double> plastic_angle;  ///< [rad]
+  /// By sample and joint (n_samples x n_joints):
+  std::vector<double> plastic_strain;  ///< the break measure: the largest of the joint's axes [1]
+  std::vector<double> stress;  ///< of the extreme fibre, M_x/W_x + M_y/W_y as signs add [Pa]
+  /// By sample and support (n_samples x n_supports x 6): force [N] and moment [N m] on the beam.
+  std::vector<double> reaction;
+  std::size_t supports = 0;
+  std::optional<ChainBreak> event{};
+};
+
+/// How a path was walked.
+struct PathCounters {
+  int steps = 0;       ///< converged, recorded or not
+  int iterations = 0;  ///< Newton iterations, those of failed steps included
+  int cutbacks = 0;    ///< steps that were tried again shorter
+};
+
+/// The load factor between whose ends the last equilibrium lies [1]; set with Status::LimitLoad.
+struct LimitLoad {
+  double below = 0.0;  ///< equilibrium was found here
+  double above = 0.0;  ///< and none here
+};
+
 /// What a run gives; sized by `make_response`, so that `run` does not allocate.
 struct Response {
   Status status = Status::NotRun;
@@ -26,6 +93,10 @@ struct Response {
   /// Break measure at the last sample, or at the break of a beam that was cut there [1].
   double permanent_strain = 0.0;
   std::optional<BreakEvent> event;
+  ChainHistory chain;  ///< of a chain; empty for a coupon
+  PathCounters counters;
+  std::optional<LimitLoad> limit;
+  double seconds = 0.0;  ///< wall time of the run [s]
 };
 
 /// Derivatives of a response by the model's parameters; sized by `make_sensitivity`.

@@ -102,6 +102,7 @@ class Recorder {
         case ProbeQuantity::AccumulatedStrain: out = state_.accumulated; break;
         case ProbeQuantity::Load: out = stress_ * model_.coupon.load_per_stress; break;
         case ProbeQuantity::Dissipation: out = dissipation_; break;
+        default: assert(false && "check_scene refuses the probes of a chain"); break;
       }
     }
   }

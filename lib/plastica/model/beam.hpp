@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "plastica/model/material.hpp"
+#include "plastica/model/place.hpp"
+#include "plastica/model/section.hpp"
+
+namespace plastica {
+
+/// Shape of the undeformed axis. It starts at the origin along z.
+enum class BeamShape {
+  Straight,
+  Arc,       ///< a circle through `arc_angle`, towards `arc_towards`
+  Polyline,  ///< over `points`
+};
+
+/// The beam's axis and how it is divided.
+struct Beam {
+  double length = 1.0;  ///< along the axis [m], > 0; of a polyline, the sum over its points
+  int segments = 10;    ///< number of rigid segments, >= 1; l = length/segments at inner joints
+  /// Length of each segment as a share of the beam's [1], > 0, sum 1 (segments); empty: equal.
+  std::vector<double> segment_shares{};
+  /// Tributary length of each inner joint [m], > 0 (segments - 1); empty: (L_a + L_b)/2.
+  std::vector<double> joint_lengths{};
+  BeamShape shape = BeamShape::Straight;
+  double arc_angle = 0.0;                            ///< Arc: [rad], > 0
+  std::array<double, 3> arc_towards{0.0, 1.0, 0.0};  ///< Arc: unit vector across z
+  std::vector<std::array<double, 3>> points{};       ///< Polyline: [m], the first is the start
+};
+
+/// A part of the beam that has another section or material. Later ones win.
+struct Region {
+  Place from{};
+  Place to{1.0, {}};
+  Section section{};
+  Material material{};
+};
+
+}  // namespace plastica

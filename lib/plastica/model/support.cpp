@@ -1,0 +1,26 @@
+#include "plastica/model/support.hpp"
+
+#include <algorithm>
+
+namespace plastica {
+
+HeldFreedoms Support::held() const {
+  if (hold) return *hold;
+  switch (kind) {
+    case SupportKind::Clamp: return {true, true, true, true, true, true};
+    case SupportKind::Pin: return {true, true, true, false, false, true};
+    case SupportKind::Roller: return {true, true, false, false, false, false};
+    case SupportKind::Guide: return {false, false, false, true, true, true};
+    case SupportKind::Elastic:
+    case SupportKind::Pillar: return {};
+  }
+  return {};
+}
+
+bool Support::moves() const {
+  const auto is_set = [](double component) { return component != 0.0; };
+  return std::any_of(translation.begin(), translation.end(), is_set) ||
+         std::any_of(rotation.begin(), rotation.end(), is_set);
+}
+
+}  // namespace plastica
