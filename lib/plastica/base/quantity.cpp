@@ -17,6 +17,11 @@ std::string_view name_of(Dimension dimension) {
     case Dimension::Temperature: return "temperature";
     case Dimension::Time: return "time";
     case Dimension::StrainRate: return "strain rate";
+    case Dimension::Acceleration: return "acceleration";
+    case Dimension::Stiffness: return "stiffness";
+    case Dimension::RotationalStiffness: return "rotational stiffness";
+    case Dimension::ForcePerLength: return "force per length";
+    case Dimension::MomentPerLength: return "moment per length";
   }
   return "unknown";
 }
@@ -36,6 +41,11 @@ std::string_view si_unit(Dimension dimension) {
     case Dimension::Temperature: return "K";
     case Dimension::Time: return "s";
     case Dimension::StrainRate: return "1/s";
+    case Dimension::Acceleration: return "m/s^2";
+    case Dimension::Stiffness: return "N/m";
+    case Dimension::RotationalStiffness: return "N m/rad";
+    case Dimension::ForcePerLength: return "N/m";
+    case Dimension::MomentPerLength: return "N m/m";
   }
   return "1";
 }

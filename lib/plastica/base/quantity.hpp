@@ -6,19 +6,24 @@ namespace plastica {
 
 /// What a number measures. Every field and column has one; it decides which units are allowed.
 enum class Dimension {
-  None,         ///< a pure number or a count
-  Strain,       ///< %, 1, mm/mm, in/in
-  Angle,        ///< rad, deg
-  Stress,       ///< Pa; never a bare number
-  Length,       ///< m
-  Area,         ///< m^2
-  Force,        ///< N
-  Moment,       ///< N m
-  Curvature,    ///< rad/m (bending), twist per length (torsion)
-  Density,      ///< kg/m^3
-  Temperature,  ///< K
-  Time,         ///< s
-  StrainRate,   ///< 1/s
+  None,                 ///< a pure number or a count
+  Strain,               ///< %, 1, mm/mm, in/in
+  Angle,                ///< rad, deg
+  Stress,               ///< Pa; never a bare number
+  Length,               ///< m
+  Area,                 ///< m^2
+  Force,                ///< N
+  Moment,               ///< N m
+  Curvature,            ///< rad/m (bending), twist per length (torsion)
+  Density,              ///< kg/m^3
+  Temperature,          ///< K
+  Time,                 ///< s
+  StrainRate,           ///< 1/s
+  Acceleration,         ///< m/s^2
+  Stiffness,            ///< N/m
+  RotationalStiffness,  ///< N m/rad
+  ForcePerLength,       ///< N/m
+  MomentPerLength,      ///< N m/m
 };
 
 /// Name of a dimension as messages use it: "stress", "a pure number".

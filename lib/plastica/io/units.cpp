@@ -2,6 +2,7 @@
 
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -48,22 +49,43 @@ std::string_view examples(Dimension dimension) {
     case Dimension::Temperature: return "K, degC";
     case Dimension::Time: return "s, min, h";
     case Dimension::StrainRate: return "1/s, %/min";
+    case Dimension::Acceleration: return "m/s^2, gravity";
+    case Dimension::Stiffness: return "N/m, kN/mm, lbf/in";
+    case Dimension::RotationalStiffness: return "N m/rad, kN m/deg";
+    case Dimension::ForcePerLength: return "N/m, kN/m, lbf/in";
+    case Dimension::MomentPerLength: return "N m/m, kN m/m";
   }
   return "";
 }
 
-/// Spellings that udunits2 does not know, and what they mean to it.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kSpellings{{
-    {"Nm", "N m"},
-    {"kNm", "kN m"},
-    {"MNm", "MN m"},
-    {"Nmm", "N mm"},
-    {"kNmm", "kN mm"},
+/// Words that udunits2 does not know, and what they mean to it.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kSpellings{{
+    {"Nm", "(N m)"},
+    {"kNm", "(kN m)"},
+    {"MNm", "(MN m)"},
+    {"Nmm", "(N mm)"},
+    {"kNmm", "(kN mm)"},
     {"deg", "arc_degree"},
-    {"deg/m", "arc_degree/m"},
-    {"deg/mm", "arc_degree/mm"},
     {"secs", "s"},
 }};
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+/// A unit in the spelling of udunits2.
+std::string respelled(std::string_view unit) {
+  std::string text;
+  while (!unit.empty()) {
+    std::size_t length = 0;
+    while (length < unit.size() && is_letter(unit[length])) ++length;
+    std::string_view word = unit.substr(0, std::max<std::size_t>(length, 1));
+    unit.remove_prefix(word.size());
+    for (const auto& [ours, theirs] : kSpellings) {
+      if (word == ours) word = theirs;
+    }
+    text += word;
+  }
+  return text;
+}
 
 /// Pure numbers are a closed list: to udunits2 an angle, a ratio and a count are the same.
 std::optional<double> strain_scale(std::string_view unit) {
@@ -136,11 +158,7 @@ class UnitTable {
     const bool starts_with_number =
         !unit.empty() && (is_digit(unit[0]) || unit[0] == '.' || unit[0] == '+' || unit[0] == '-');
     if (unit.empty() || (starts_with_number && unit.substr(0, 2) != "1/")) return nullptr;
-    std::string text(unit);
-    for (const auto& [ours, theirs] : kSpellings) {
-      if (unit == ours) text = theirs;
-    }
-    return Unit(ut_parse(system(), text.c_str(), UT_UTF8));
+    return Unit(ut_parse(system(), respelled(unit).c_str(), UT_UTF8));
   }
 
   Lookup look_up(std::string_view unit, Dimension dimension) {

@@ -48,6 +48,34 @@ std::span<const std::string_view> words<Level>() {
                                                           "spatial"};
   return kWords;
 }
+template <>
+std::span<const std::string_view> words<BeamShape>() {
+  static constexpr std::array<std::string_view, 3> kWords{"straight", "arc", "polyline"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<YieldModel>() {
+  static constexpr std::array<std::string_view, 5> kWords{"elastic", "per_axis", "interaction",
+                                                          "conservative", "fibre"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<EndRule>() {
+  static constexpr std::array<std::string_view, 5> kWords{"auto", "half_joint", "equal", "half",
+                                                          "three_halves"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<JointTranslation>() {
+  static constexpr std::array<std::string_view, 2> kWords{"rigid", "elastic"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<PathControl>() {
+  static constexpr std::array<std::string_view, 4> kWords{"auto", "load", "displacement",
+                                                          "arc_length"};
+  return kWords;
+}
 
 namespace {
 
@@ -136,17 +164,61 @@ std::vector<Field> make_table() {
                                                 "length of the beam"),
       integer<PLASTICA_REACH(scene.beam.segments)>("beam.segments", Range{1.0, 1e7},
                                                    "number of rigid segments"),
+      choice<PLASTICA_REACH(scene.beam.shape)>("beam.shape", "of the undeformed axis"),
+      number<PLASTICA_REACH(scene.beam.arc_angle)>("beam.arc_angle", Angle, kNotNegative,
+                                                   "arc: the angle from start to end"),
       choice<PLASTICA_REACH(scene.drive.deformation)>("drive.deformation",
                                                       "what the strain history does"),
       choice<PLASTICA_REACH(scene.formulas)>("rules.formulas",
                                              "mechanics, or the report's formulas to the letter"),
+      choice<PLASTICA_REACH(scene.yield_model)>(
+          "rules.yield_model", "how the stresses of a chain's joint yield together"),
       choice<PLASTICA_REACH(scene.yield_cap)>("rules.yield_cap",
                                               "largest moment of an ideal joint"),
+      choice<PLASTICA_REACH(scene.end_rule)>(
+          "rules.end_rule", "how held ends and end segments are joined; auto: half_joint"),
       choice<PLASTICA_REACH(scene.break_measure)>(
           "rules.break_measure", "which permanent strain is held against the limit"),
       choice<PLASTICA_REACH(scene.on_break)>("rules.on_break",
                                              "what happens to a joint over its limit"),
+      number<PLASTICA_REACH(scene.break_limit_x)>(
+          "rules.break_limit_x", Strain, kPositive,
+          "permanent strain at break, bending about x; unset: the material's"),
+      number<PLASTICA_REACH(scene.break_limit_y)>(
+          "rules.break_limit_y", Strain, kPositive,
+          "permanent strain at break, bending about y; unset: the material's"),
+      number<PLASTICA_REACH(scene.break_limit_z)>(
+          "rules.break_limit_z", Strain, kPositive,
+          "permanent shear strain at break, torsion; unset: the material's"),
+      number<PLASTICA_REACH(scene.hinge_length)>(
+          "rules.hinge_length", Length, kNotNegative,
+          "length over which a hinge's rotation is strain; unset: the depth; 0: the joint's own"),
+      number<PLASTICA_REACH(scene.gravity[0])>("gravity.x", Acceleration, kAny,
+                                               "acceleration of gravity along x"),
+      number<PLASTICA_REACH(scene.gravity[1])>("gravity.y", Acceleration, kAny,
+                                               "acceleration of gravity along y"),
+      number<PLASTICA_REACH(scene.gravity[2])>("gravity.z", Acceleration, kAny,
+                                               "acceleration of gravity along z"),
       choice<PLASTICA_REACH(solver.level)>("solver.level", "how much of the beam is modelled"),
+      choice<PLASTICA_REACH(solver.translation)>("solver.translation",
+                                                 "stretch and shear of the joints"),
+      integer<PLASTICA_REACH(solver.fibres)>("solver.fibres", Range{2.0, 1e4},
+                                             "fibres of a fibre section, along its depth"),
+      number<PLASTICA_REACH(solver.duration)>("solver.duration", Time, kNotNegative,
+                                              "end of the path; 0: where the last history ends"),
+      integer<PLASTICA_REACH(solver.steps)>("solver.steps", Range{1.0, 1e7},
+                                            "recorded steps, evenly spaced in time"),
+      choice<PLASTICA_REACH(solver.control)>("solver.control", "how the path is followed"),
+      integer<PLASTICA_REACH(solver.most_iterations)>(
+          "solver.most_iterations", Range{1.0, 1e4}, "Newton iterations before a step is cut back"),
+      number<PLASTICA_REACH(solver.tolerance)>("solver.tolerance", None,
+                                               Range{0.0, 1.0, true, true},
+                                               "largest imbalance of a converged step, relative"),
+      number<PLASTICA_REACH(solver.largest_turn)>("solver.largest_turn", Angle, kPositive,
+                                                  "largest turn of a joint in one step"),
+      number<PLASTICA_REACH(solver.smallest_step)>("solver.smallest_step", None,
+                                                   Range{0.0, 1.0, true, false},
+                                                   "shortest part of a recorded step"),
   };
 }
 

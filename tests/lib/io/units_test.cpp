@@ -51,6 +51,24 @@ TEST(Units, ConvertMomentsHoweverTheyAreWritten) {
   EXPECT_EQ(scale("Nmm", Dimension::Moment), 1e-3);
 }
 
+TEST(Units, ConvertWhatSupportsAndLoadsAreGivenIn) {
+  EXPECT_EQ(scale("m/s^2", Dimension::Acceleration), 1.0);
+  EXPECT_EQ(scale("gravity", Dimension::Acceleration), 9.80665);
+  EXPECT_EQ(scale("kN/mm", Dimension::Stiffness), 1e6);
+  EXPECT_EQ(scale("kN/m", Dimension::ForcePerLength), 1e3);
+  EXPECT_EQ(scale("N m/m", Dimension::MomentPerLength), 1.0);
+  EXPECT_EQ(scale("kNm/m", Dimension::MomentPerLength), 1e3);
+  for (const char* unit : {"N m/rad", "Nm/rad", "N m"}) {
+    EXPECT_EQ(scale(unit, Dimension::RotationalStiffness), 1.0) << unit;
+  }
+  for (const char* unit : {"kN m/deg", "kNm/deg", "MN mm/deg"}) {
+    EXPECT_DOUBLE_EQ(scale(unit, Dimension::RotationalStiffness), 1e3 * 180.0 / std::numbers::pi)
+        << unit;
+  }
+  EXPECT_EQ(message_of<InputError>([] { parse_quantity("5 kg", Dimension::Acceleration); }),
+            "5 kg: \"kg\" is not a unit of acceleration (examples: m/s^2, gravity)");
+}
+
 TEST(Units, ConvertTemperaturesWithTheirOffset) {
   EXPECT_EQ(scale("K", Dimension::Temperature), 1.0);
   for (const char* unit : {"degC", "°C"}) {
