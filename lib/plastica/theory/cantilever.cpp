@@ -34,6 +34,8 @@ double tip_deflection_ratio(double p) {
 
 double plastic_zone_ratio(double p) { return std::max(0.0, 1.0 - 1.0 / std::max(p, 1.0)); }
 
+double residual_tip_ratio(double p) { return tip_deflection_ratio(p) - p; }
+
 double frequency_root(BeamEnds ends, int mode) {
   assert(mode >= 1);
   switch (ends) {

@@ -14,6 +14,12 @@ double tip_deflection_ratio(double load_ratio);
 /// Length of the plastic zone from the clamp over L: 1 - 1/p for p > 1, else 0.
 double plastic_zone_ratio(double load_ratio);
 
+/// Tip deflection that stays when the load is taken off, over delta_y: tip_deflection_ratio(p) - p.
+/// Unloading is elastic everywhere, since no moment passes 1.5 M_y, less than the 2 M_y that yields
+/// backwards.
+/// @param load_ratio  p [1], 0 <= p <= 1.5
+double residual_tip_ratio(double load_ratio);
+
 /// How the two ends of a beam are held.
 enum class BeamEnds {
   ClampedFree,

@@ -42,6 +42,14 @@ TEST(ElastoplasticCantilever, IsTheMomentCurvatureLawIntegratedAlongTheBeam) {
   EXPECT_NEAR(tip_deflection_ratio(p), 3.0 * sum, 1e-7);
 }
 
+TEST(ElastoplasticCantilever, KeepsHalfAMillimetreAfterTwelveTenthsOfFirstYield) {
+  // 1 m of 20 x 20 mm steel, E = 200 GPa, sigma_y = 250 MPa: P_y = 333.3 N, loaded to 400 N.
+  const double I = std::pow(0.02, 4) / 12.0, P_y = 250e6 * I / 0.01;
+  const double delta_y = P_y / (3.0 * 200e9 * I);
+  EXPECT_NEAR(residual_tip_ratio(400.0 / P_y) * delta_y, 5.409e-4, 5e-8);
+  EXPECT_EQ(residual_tip_ratio(0.9), 0.0);
+}
+
 TEST(BeamFrequencies, RootsMatchTheReferenceTable) {
   const testing::ReferenceTable table("cantilever-frequencies/beta_L.csv");
   for (std::size_t i = 0; i < table.rows(); ++i) {
