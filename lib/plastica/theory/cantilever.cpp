@@ -42,6 +42,7 @@ double frequency_root(BeamEnds ends, int mode) {
     case BeamEnds::ClampedFree:
       // The first root, 1.875, is far from its asymptote pi/2.
       return cosine_root(mode == 1 ? 1.875 : (mode - 0.5) * pi, 1.0);
+    case BeamEnds::ClampedClamped:
     case BeamEnds::FreeFree: return cosine_root((mode + 0.5) * pi, -1.0);
     case BeamEnds::ClampedPinned:
       return refined((mode + 0.25) * pi,

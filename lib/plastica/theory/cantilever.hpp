@@ -1,5 +1,7 @@
 #pragma once
 
+#include "plastica/theory/beam_ends.hpp"
+
 namespace plastica::theory {
 
 // Cantilever of rectangular section under a tip load, elastic-perfectly-plastic, small
@@ -20,17 +22,10 @@ double plastic_zone_ratio(double load_ratio);
 /// @param load_ratio  p [1], 0 <= p <= 1.5
 double residual_tip_ratio(double load_ratio);
 
-/// How the two ends of a beam are held.
-enum class BeamEnds {
-  ClampedFree,
-  FreeFree,  ///< without the rigid-body modes; the same roots as clamped-clamped
-  ClampedPinned,
-  PinnedPinned,
-};
-
 /// beta L of a mode of an Euler-Bernoulli beam; omega = (beta L)^2 sqrt(E I/(rho A L^4)).
 ///
-/// Roots of cos x cosh x = -1 (clamped-free), = +1 (free-free), tan x = tanh x (clamped-pinned),
+/// Roots of cos x cosh x = -1 (clamped-free), = +1 (clamped-clamped, and free-free without its
+/// rigid-body modes), tan x = tanh x (clamped-pinned),
 /// n pi (pinned-pinned). Source: Timoshenko, Vibration Problems in Engineering, lateral vibration
 /// of bars with various end conditions.
 /// @param mode  1, 2, …
