@@ -2,45 +2,25 @@
 
 #include <algorithm>
 
+#include "plastica/law/section_form.hpp"
+
 namespace plastica::coupon {
 namespace {
 
-bool is_round(SectionShape shape) {
-  return shape == SectionShape::Circle || shape == SectionShape::RoundTube;
+/// Takes one component of the section's form.
+void take(const law::SectionForm& form, law::Axis axis, CouponShape& shape) {
+  shape.load_per_stress = form.modulus[axis];
+  shape.lever = form.lever[axis];
+  shape.stiffness_factor = form.axis[axis].stiffness_factor;
+  shape.cap_factor = form.axis[axis].cap_factor;
 }
 
-void set_bending(const Scene& scene, const SectionProperties& p, CouponShape& shape) {
-  const bool round = is_round(scene.section.shape);
-  shape.load_per_stress = p.section_modulus_x;
-  shape.lever = p.second_moment_x / p.section_modulus_x;
-  if (shape.formulas == Formulas::Report) {
-    shape.stiffness_factor = 0.5;
-    shape.report_lever = 2.0 * shape.lever;
-    // sigma I_x / b against sigma I_x / (h/2).
-    if (!round) shape.cap_factor = shape.lever / scene.section.width;
-  } else if (scene.yield_cap == YieldCap::FullyPlastic) {
-    shape.cap_factor = p.plastic_section_modulus_x / p.section_modulus_x;
-  }
-}
-
-void set_torsion(const Scene& scene, const SectionProperties& p, CouponShape& shape) {
-  const bool round = is_round(scene.section.shape);
-  shape.load_per_stress = p.torsion_modulus;
-  shape.lever = p.torsion_constant / p.torsion_modulus;
-  if (shape.formulas == Formulas::Report) {
-    const double b = scene.section.width;
-    const double h = scene.section.height;
-    const double longer = std::max(b, h);
-    const double shorter = std::min(b, h);
-    shape.stiffness_factor =
-        0.5 * std::max(p.second_moment_x, p.second_moment_y) / p.torsion_constant;
-    shape.report_lever = round ? shape.lever : 0.5 * longer;
-    if (!round) {
-      shape.cap_factor = b * b * h * h / (3.0 * longer + 1.8 * shorter) / p.torsion_modulus;
-    }
-  } else if (scene.yield_cap == YieldCap::FullyPlastic) {
-    shape.cap_factor = p.plastic_torsion_modulus / p.torsion_modulus;
-  }
+/// The lever of the report's break strain: h in its (24), c/2 in its (8).
+double report_lever(const Section& section, Deformation deformation, double lever) {
+  if (deformation == Deformation::Bending) return 2.0 * lever;
+  const bool round =
+      section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
+  return round ? lever : 0.5 * std::max(section.width, section.height);
 }
 
 }  // namespace
@@ -59,10 +39,15 @@ CouponShape coupon_shape(const Scene& scene) {
   shape.break_shear_given = material.break_shear_strain.has_value();
 
   const SectionProperties p = section_properties(scene.section, material.poisson_ratio);
+  const law::SectionForm form =
+      law::section_form(scene.section, p, material, scene.yield_cap, scene.formulas);
   switch (shape.deformation) {
-    case Deformation::Tension: shape.load_per_stress = p.area; break;
-    case Deformation::Bending: set_bending(scene, p, shape); break;
-    case Deformation::Torsion: set_torsion(scene, p, shape); break;
+    case Deformation::Tension: take(form, law::kAxial, shape); break;
+    case Deformation::Bending: take(form, law::kBendingX, shape); break;
+    case Deformation::Torsion: take(form, law::kTorsion, shape); break;
+  }
+  if (shape.formulas == Formulas::Report && shape.deformation != Deformation::Tension) {
+    shape.report_lever = report_lever(scene.section, shape.deformation, shape.lever);
   }
   return shape;
 }

@@ -10,11 +10,7 @@ namespace plastica::coupon {
 /// stress of the extreme fibre (see `Deformation`), with
 ///   stiffness  K = stiffness_factor * (E, or G in torsion),
 ///   yield      Y = cap_factor * (yield stress, or shear yield stress in torsion).
-/// Both factors are 1 for a cap at first yield. Fully plastic caps raise the second to the shape
-/// factor of the section. The report's formulas, for segments of l = length/segments:
-///   bending: k = E I/(2 l) by its (1), half of E I/l; cap sigma I_x/b by its (4), so h/(2 b);
-///   torsion: k = G I_A/(2 l) by its (2), I_A = max(I_x, I_y), so I_A/(2 J);
-///            cap by its (6) over tau W_t. Circles: caps by its (22), (23), which are right.
+/// Both factors are those of the section's component: see `law::section_form`.
 struct CouponShape {
   Deformation deformation = Deformation::Tension;
   HardeningLaw hardening = HardeningLaw::Ideal;

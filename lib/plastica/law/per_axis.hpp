@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "plastica/law/plastic_work.hpp"
+#include "plastica/law/section_form.hpp"
+#include "plastica/law/section_response.hpp"
+
+namespace plastica::law {
+
+/// A section that never yields: its components do not know of each other.
+template <class S>
+struct ElasticSection {
+  SectionForce<S> stiffness;  ///< E I_x, E I_y, G J [N m^2], E A [N]
+
+  struct State {};
+};
+
+template <class S>
+inline SectionResponse<S> respond(const ElasticSection<S>& law,
+                                  const typename ElasticSection<S>::State& /*before*/,
+                                  typename ElasticSection<S>::State& /*after*/,
+                                  const SectionStrain<S>& strain) {
+  SectionResponse<S> now;
+  for (std::size_t i = 0; i < kSectionAxes; ++i) {
+    now.force[i] = law.stiffness[i] * strain[i];
+    now.tangent(i, i) = law.stiffness[i];
+  }
+  now.elastic_energy = constant<S>(0.5) * dot(now.force, strain);
+  now.plastic_work = constant<S>(0);
+  return now;
+}
+
+/// The report's section: each component is a uniaxial law between the strain and the stress of its
+/// extreme fibre, on its own (see `SectionForm`).
+///
+/// Work per length is force d(section strain) = (modulus/lever) stress d(strain of the fibre), so
+/// energies of the uniaxial law count with modulus/lever [m^2].
+/// @tparam Uniaxial  IdealPlastic<S>, LinearHardening<S> or VoceChaboche<S>
+template <class S, class Uniaxial>
+struct PerAxisSection {
+  std::array<Uniaxial, kSectionAxes> axis;
+  std::array<S, kSectionAxes> lever;
+  std::array<S, kSectionAxes> modulus;
+
+  struct State {
+    std::array<typename Uniaxial::State, kSectionAxes> axis{};
+  };
+};
+
+template <class S, class Uniaxial>
+inline SectionResponse<S> respond(const PerAxisSection<S, Uniaxial>& law,
+                                  const typename PerAxisSection<S, Uniaxial>::State& before,
+                                  typename PerAxisSection<S, Uniaxial>::State& after,
+                                  const SectionStrain<S>& strain) {
+  SectionResponse<S> now;
+  now.elastic_energy = constant<S>(0);
+  now.plastic_work = constant<S>(0);
+  for (std::size_t i = 0; i < kSectionAxes; ++i) {
+    const auto fibre = respond(law.axis[i], before.axis[i], S(law.lever[i] * strain[i]));
+    const S area = law.modulus[i] / law.lever[i];
+    now.force[i] = law.modulus[i] * fibre.stress;
+    now.tangent(i, i) = law.modulus[i] * law.lever[i] * fibre.tangent;
+    now.elastic_energy +=
+        constant<S>(0.5) * area * fibre.stress * fibre.stress / law.axis[i].stiffness;
+    now.plastic_work += area * plastic_work(law.axis[i], before.axis[i], fibre);
+    after.axis[i] = fibre.state;
+  }
+  return now;
+}
+
+/// @param material  numbers of `material_values`, of which some may carry derivatives
+template <class S>
+inline ElasticSection<S> elastic_section(const SectionForm& form,
+                                         const MaterialValues<S>& material) {
+  ElasticSection<S> law;
+  for (std::size_t i = 0; i < kSectionAxes; ++i) {
+    law.stiffness[i] = uniaxial_material(form.axis[i], material).stiffness *
+                       constant<S>(form.lever[i] * form.modulus[i]);
+  }
+  return law;
+}
+
+/// @tparam Uniaxial  see PerAxisSection
+template <class Uniaxial, class S>
+inline PerAxisSection<S, Uniaxial> per_axis_section(const SectionForm& form,
+                                                    const MaterialValues<S>& material) {
+  PerAxisSection<S, Uniaxial> law;
+  for (std::size_t i = 0; i < kSectionAxes; ++i) {
+    law.axis[i] = uniaxial_law<Uniaxial>(uniaxial_material(form.axis[i], material));
+    law.lever[i] = constant<S>(form.lever[i]);
+    law.modulus[i] = constant<S>(form.modulus[i]);
+  }
+  return law;
+}
+
+}  // namespace plastica::law
