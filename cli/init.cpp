@@ -53,7 +53,7 @@ void add_init(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<InitArguments>();
   std::vector<std::string> kinds;
   for (const auto& kind : calibrate::template_kinds()) kinds.emplace_back(kind);
-  sub->add_option("kind", arguments->kind, "what to begin: fit or scene")
+  sub->add_option("kind", arguments->kind, "what to begin: fit, scene or coupon")
       ->required()
       ->check(CLI::IsMember(kinds));
   sub->add_option("-d,--directory", arguments->folder, "where to write")->capture_default_str();

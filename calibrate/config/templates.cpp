@@ -54,10 +54,10 @@ stress = { column = "Stress", unit = "MPa" }
 # group        = ["temperature"]                          # columns whose values form groups
 )";
 
-constexpr std::string_view kScene =
-    R"(# A scene: a beam, what it is made of, and how it is deformed.
+constexpr std::string_view kCoupon =
+    R"(# A coupon: a beam in a uniform state, what it is made of, and how it is deformed.
 #
-#   plastica simulate scene.toml -o scene.csv
+#   plastica simulate coupon.toml -o coupon.csv
 #
 # Runs as it is. `plastica fields` lists every key with unit, range and default.
 # `#` begins a comment. Quantities stand in quotes with their unit: "355 MPa", "0.2 %".
@@ -92,13 +92,81 @@ strain = { turning_points = ["1 %", "-1 %", "4 %"], points_between = 100 }
 # strain = { table = "measured.csv", column = "Strain" }  # a column of a file beside this one
 
 [[probe]]
-quantity = "strain"
+kind = "strain"
 
 [[probe]]
-quantity = "stress"
+kind = "stress"
 
 [[probe]]
-quantity = "plastic_strain"
+kind = "plastic_strain"
+)";
+
+constexpr std::string_view kScene =
+    R"(# A scene: a beam of rigid segments and joints, how it is held, and what acts on it.
+#
+#   plastica simulate scene.toml -o scene.h5
+#
+# Runs as it is. `plastica fields` lists the keys with unit, range and default.
+# `#` begins a comment. Quantities stand in quotes with their unit: "355 MPa", "0.2 %".
+# z runs along the beam, the width along x, the height along y; vectors are [x, y, z].
+# A place on the beam is "start", "end", the number of a segment (its outer end; 0 is the start),
+# or a fraction of the length: 0.25, "25 %".
+
+name = "a cantilever, bent beyond first yield and released"
+
+[beam]
+length   = "4 m"
+segments = 32                     # or segment_lengths = ["1 m", "0.5 m", ...]
+section  = { shape = "rectangle", width = "20 mm", height = "20 mm" }
+material = "S355"                 # or { name = "S355", yield_stress = "370 MPa" }
+# shape = "arc"                   # arc_angle = "45 deg", arc_towards = "y"
+# shape = "polyline"              # points = [["0 m", "0 m", "0 m"], ["0 m", "1 m", "3 m"]]
+
+[rules]
+yield_model = "fibre"             # "interaction", "per_axis", "elastic": one moment for a joint
+# yield_cap    = "fully_plastic"  # the largest moment of those that are not fibres
+# break_limit_x = "3 %"           # permanent strain at which a joint breaks in bending about x
+
+# [solver]
+# level = "planar"                # "auto" takes the least level that holds the scene
+# steps = 20                      # recorded steps of the path
+
+# gravity = ["0 m/s^2", "-9.81 m/s^2", "0 m/s^2"]
+# gravity = { y = "-9.81 m/s^2", history = "constant" }
+
+[[support]]
+at   = "start"
+kind = "clamp"                    # "pin", "roller", "guide", "elastic", "pillar"
+# hold = ["x", "y", "z", "rx", "ry", "rz"]                 # if not what the kind holds
+# translation = ["0 mm", "5 mm", "0 mm"]                   # moves, times its history
+
+[[load]]
+at      = "end"                   # with to = "start" and force in N/m: spread between both
+force   = ["0 N", "-140 N", "0 N"]
+# moment  = ["10 N m", "0 N m", "0 N m"]
+# follows = true                  # turns with the beam
+history = { turning_points = [1, 0] }
+# history = "ramp"                # 0 at time 0, 1 at time 1, and on
+# history = "constant"            # 1 from the first
+# history = { cycles = 3 }        # three times over 1 and -1, then 0
+# history = { time = ["0 s", "2 s"], factor = [0, 1] }
+
+[[probe]]
+name = "tip"
+kind = "displacement"
+at   = "end"
+component = "y"                   # "x", "z", "size"
+
+[[probe]]
+name = "clamp"
+kind = "moment"
+at   = "start"
+component = "x"
+
+[[probe]]
+name = "plastic work"
+kind = "energy"
+energy = "plastic"                # "elastic", "external", "residual"
 )";
 
 /// Close to normal, with mean 0 and standard deviation 1: the sum of twelve uniform numbers. Whole
@@ -131,7 +199,7 @@ std::string example_curve() {
 }
 
 std::span<const std::string_view> template_kinds() {
-  static constexpr std::array<std::string_view, 2> kKinds{"fit", "scene"};
+  static constexpr std::array<std::string_view, 3> kKinds{"fit", "scene", "coupon"};
   return kKinds;
 }
 
@@ -140,7 +208,8 @@ std::vector<TemplateFile> template_files(std::string_view kind) {
     return {{"fit.toml", std::string(kFit)}, {"example-curve.csv", example_curve()}};
   }
   if (kind == "scene") return {{"scene.toml", std::string(kScene)}};
-  throw InputError({}, "init", kind, "must be one of fit, scene");
+  if (kind == "coupon") return {{"coupon.toml", std::string(kCoupon)}};
+  throw InputError({}, "init", kind, "must be one of fit, scene, coupon");
 }
 
 }  // namespace plastica::calibrate

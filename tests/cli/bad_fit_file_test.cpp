@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
         target_key("UnknownKeyOfTarget", "grupo = 'x'",
                    "8: target[1].grupo = 'x': is not a key of target[1]; did you mean group?"),
         change("UnknownTable", "[[target]]", "[extra]\nx = 1\n[[target]]",
-               "7: extra: is not a key; its keys are material, section, beam, rules, solver, fit, "
+               "7: extra: is not a key; its keys are material, beam, section, rules, solver, fit, "
                "target_defaults, target"),
         change("WrongType", "'strain-path'", "3",
                "2: fit.objective = 3: must be one of \"strain-path\", \"least-squares\""),

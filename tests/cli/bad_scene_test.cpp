@@ -19,9 +19,9 @@ constexpr const char* kScene =
     "deformation = 'tension'\n"                        // 11
     "strain = { turning_points = ['1 %', '-1 %'] }\n"  // 12
     "[[probe]]\n"                                      // 13
-    "quantity = 'strain'\n"                            // 14
+    "kind = 'strain'\n"                                // 14
     "[[probe]]\n"                                      // 15
-    "quantity = 'stress'\n";                           // 16
+    "kind = 'stress'\n";                               // 16
 
 BadInput change(std::string name, const std::string& from, const std::string& to,
                 std::string line) {
@@ -78,9 +78,22 @@ INSTANTIATE_TEST_SUITE_P(
                "table = 'm.csv', column = 'Strain'",
                "12: drive.strain.table = m.csv: is not a file in the folder of scene.toml"),
         change("UnknownProbe", "'stress'", "'stres'",
-               "16: probe[2].quantity = 'stres': must be one of \"strain\", \"stress\", …"),
+               "16: probe[2].kind = 'stres': must be one of \"strain\", \"stress\", …"),
+        change("ProbeByItsOldKey", "kind = 'stress'", "quantity = 'stress'",
+               "16: probe[2].quantity = stress: is called kind"),
+        change("ProbeOfAChain", "'stress'", "'moment'",
+               "16: probe[2].kind = moment: is recorded of a chain alone"),
+        change("ProbeAtAPlace", "'stress'", "'stress'\nat = 'end'",
+               "17: probe[2].at = end: is of no use: a coupon is the same everywhere"),
+        change("LevelOfAChain", "segments = 10", "segments = 10\n[solver]\nlevel = 'planar'",
+               "11: solver.level: must be auto or coupon in a scene with a drive"),
+        change("GravityOnACoupon", "[material]", "[gravity]\ny = '-9.81 m/s^2'\n[material]",
+               "1: gravity: does not go with [drive]: a scene is a chain with supports and loads, "
+               "or a coupon with a drive"),
+        change("CurvedCoupon", "segments = 10", "shape = 'arc'\narc_angle = '90 deg'",
+               "9: beam.shape: must be straight in a scene with a drive"),
         change("ProbeTwice", "'stress'", "'strain'",
-               "16: probe[2].quantity = strain: is the name of another probe, too")),
+               "16: probe[2].kind = strain: is the name of another probe, too")),
     name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -93,11 +106,12 @@ INSTANTIATE_TEST_SUITE_P(
                              "--output = scene.toml: is a file that this run reads")),
     name_of_case);
 
-TEST(BadScenes, NeedADrive) {
+TEST(BadScenes, NeedADriveOrSupports) {
   expect_refusal({"",
                   {{"scene.toml", "[material]\nname = 'S355'\n"}},
                   {"simulate", "scene.toml"},
-                  "scene.toml: drive: is missing: a scene needs [drive]"});
+                  "scene.toml: support: is missing: a scene needs [[support]] and loads, or a "
+                  "[drive]"});
 }
 
 }  // namespace

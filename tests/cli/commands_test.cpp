@@ -70,10 +70,10 @@ TEST(Command, InitsAFitThatRunsAsItIs) {
   EXPECT_EQ(fitted.err, "wrote fit.h5\n");
 }
 
-TEST(Command, InitsASceneThatRunsAsItIs) {
+TEST(Command, InitsACouponThatRunsAsItIs) {
   const Workplace place;
-  output_of(place, {"init", "scene"});
-  const CommandResult result = place.run({"simulate", "scene.toml"});
+  output_of(place, {"init", "coupon"});
+  const CommandResult result = place.run({"simulate", "coupon.toml"});
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_TRUE(result.out.starts_with(
       "sample,drive [1],strain [1],stress [Pa],plastic_strain [1]\n0,0,0,0,0\n"))
@@ -81,7 +81,7 @@ TEST(Command, InitsASceneThatRunsAsItIs) {
   EXPECT_TRUE(std::regex_match(
       result.err, std::regex("broke at sample \\d+, strain [0-9.]+, permanent strain [0-9.]+\n")))
       << result.err;
-  EXPECT_EQ(place.run({"simulate", "scene.toml", "-o", "out.csv"}).code, 0);
+  EXPECT_EQ(place.run({"simulate", "coupon.toml", "-o", "out.csv"}).code, 0);
   EXPECT_EQ(place.read("out.csv"), result.out);
 }
 
@@ -103,14 +103,14 @@ TEST(Command, DryRunsWithoutWritingAnything) {
   place.write("a.csv", broken_curve());
   place.write("b.csv", "");
   place.write("fit.toml", fit_file("'*.csv'"));
-  output_of(place, {"init", "scene"});
+  output_of(place, {"init", "coupon"});
   const auto before = place.contents();
   const std::string text = output_of(place, {"calibrate", "fit.toml", "--dry-run"});
   EXPECT_TRUE(has(text, "samples  ready\n")) << text;
   EXPECT_TRUE(has(text, "b.csv: is empty\n")) << text;
   EXPECT_TRUE(has(text, "2 targets, 1 to fit, algorithm auto")) << text;
   EXPECT_TRUE(has(text, "nothing was run; the result would be fit.h5\n")) << text;
-  EXPECT_TRUE(has(output_of(place, {"simulate", "scene.toml", "--dry-run", "-o", "out.csv"}),
+  EXPECT_TRUE(has(output_of(place, {"simulate", "coupon.toml", "--dry-run", "-o", "out.csv"}),
                   "3 probes, level coupon"));
   EXPECT_EQ(place.contents(), before);
 }

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <span>
 #include <string>
-#include <string_view>
 
 #include "plastica/io/toml.hpp"
 #include "plastica/model/field.hpp"
@@ -16,17 +14,42 @@ struct SceneFile {
   Setup setup;
 };
 
-/// Reads a scene file: the tables [material], [section], [beam], [rules], [solver], [drive] with
-/// the fields of the field table, and
+/// Reads a scene file: the tables [material], [section], [beam], [rules] and [solver] with the
+/// fields of the field table, and
 /// - `name`, the scene's name, by default the file's stem;
 /// - `material = "S355"`, or `name = "S355"` in [material]: a named material, the base that the
-///   other keys of [material] change;
-/// - `drive.strain`, one of
+///   other keys of [material] change; `material` and `section` may be keys of [beam] instead.
+///
+/// With [drive] the scene is a coupon:
+/// - `deformation`, and `strain`, one of
 ///     [0, "1 %", "2 %"]                                          the samples,
 ///     { table = "path.csv", column = "Strain", unit = "%" }      a column, relative to the file,
 ///     { turning_points = ["2 %", "-1 %"], points_between = 50 }  straight ways from 0 over these
 ///   (50 samples between two turning points by default);
-/// - [[probe]] with `name` and `quantity` (see `probe_quantities`); the stress by default.
+/// - [[probe]] with `kind` (see `ProbeQuantity`) and `name`, the kind by default; the stress if
+/// there
+///   is none.
+///
+/// With [[support]] it is a chain. Vectors are lists of x, y and z in world axes; directions are
+/// "x", "-y" or such a list. Places are "start", "end", a whole number (the outer end of that
+/// segment; 0 is the start) or a fraction of the length (0.25, "25 %").
+/// - [beam]: `segment_lengths`, lengths or shares of the length; `joint_lengths`; with `shape =
+///   "arc"` `arc_angle` and `arc_towards`, with `shape = "polyline"` `points`. `length` may be left
+///   out where points or segment lengths say it, `segments` where segment lengths do.
+/// - [[region]]: `from`, `to`, and keys of `section` and `material` that differ there.
+/// - [[support]]: `at`, `kind` (see `SupportKind`), `hold` (of "x", "y", "z", "rx", "ry", "rz"),
+///   `stiffness` and `rotational_stiffness` (elastic), `normal` and `gap` (pillar), `translation`
+///   and `rotation` with their `history`.
+/// - [[load]]: `at`, `force`, `moment`, `follows`, `history`; with `to` it is spread from `at` to
+///   there, and force and moment are per length.
+/// - `gravity`, a vector or a table with `acceleration`, or `x`, `y` and `z`, and `history`.
+/// - Histories are "ramp" (the default), "constant", { cycles = 3 } (from 0 three times over 1 and
+///   -1, then to 0), { turning_points = [1, -1, 0.5] } (from 0, one each second), or { time =
+///   ["0 s", "2 s"], factor = [0, 1] }.
+/// - [[probe]]: `name`, `kind`, `at` ("end" by default), `component` ("x", "y", "z", "size"; by
+///   default y of displacements and forces, x of all that is about an axis), `energy` of kind
+///   "energy".
+/// - `solver.control_at`: the point that displacement and arc-length control watch.
 /// @throws InputError for the first thing that is wrong, keys that nobody knows included
 SceneFile read_scene_file(const std::string& path);
 /// @param name  stands for the file in errors; its folder is where relative paths begin
@@ -36,8 +59,5 @@ SceneFile parse_scene_file(std::string text, std::string name);
 /// what the file does not say stays as it is. A new field needs no change here.
 /// @throws InputError as above, but leaves unknown keys to `TomlTable::check_unused`
 void read_setup(const TomlTable& root, Setup& setup);
-
-/// The words for what a probe records, in the order of ProbeQuantity.
-std::span<const std::string_view> probe_quantities();
 
 }  // namespace plastica::io

@@ -232,6 +232,7 @@ bool TomlValue::is_string() const { return node_->kind == Kind::String; }
 bool TomlValue::is_number() const {
   return node_->kind == Kind::Integer || node_->kind == Kind::Float;
 }
+bool TomlValue::is_whole() const { return node_->kind == Kind::Integer; }
 bool TomlValue::is_boolean() const { return node_->kind == Kind::Boolean; }
 bool TomlValue::is_array() const { return node_->kind == Kind::Array; }
 bool TomlValue::is_table() const { return node_->kind == Kind::Table; }

@@ -31,6 +31,7 @@ class TomlValue {
 
   bool is_string() const;
   bool is_number() const;  ///< whole or not
+  bool is_whole() const;   ///< a number without point and exponent
   bool is_boolean() const;
   bool is_array() const;
   bool is_table() const;

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 
-#include "plastica/base/quantity.hpp"
 #include "plastica/model/place.hpp"
 
 namespace plastica {
@@ -26,6 +27,9 @@ enum class ProbeQuantity {
   LoadFactor,         ///< the factor of the first load's history, or of the first motion's [1]
   Energy,             ///< of the whole beam, see `EnergyKind` [J]
 };
+
+/// The words of files for what a probe records, in the order of ProbeQuantity.
+std::span<const std::string_view> probe_kinds();
 
 /// Which part of a vector a probe records. Joint quantities: bending about x, about y, torsion.
 enum class Component { X, Y, Z, Size };

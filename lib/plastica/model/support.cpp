@@ -4,6 +4,17 @@
 
 namespace plastica {
 
+std::span<const std::string_view> support_kinds() {
+  static constexpr std::array<std::string_view, 6> kWords{"clamp", "pin",     "roller",
+                                                          "guide", "elastic", "pillar"};
+  return kWords;
+}
+
+std::span<const std::string_view> freedom_names() {
+  static constexpr std::array<std::string_view, 6> kWords{"x", "y", "z", "rx", "ry", "rz"};
+  return kWords;
+}
+
 HeldFreedoms Support::held() const {
   if (hold) return *hold;
   switch (kind) {

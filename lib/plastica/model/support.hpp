@@ -2,6 +2,8 @@
 
 #include <array>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "plastica/model/history.hpp"
 #include "plastica/model/place.hpp"
@@ -19,8 +21,14 @@ enum class SupportKind {
   Pillar,   ///< one-sided: pushes along `normal`, never pulls; frictionless
 };
 
+/// The words of files for the kinds of support, in the order of SupportKind.
+std::span<const std::string_view> support_kinds();
+
 /// What a freedom of the support does: x, y, z, then the rotations about x, y, z.
 using HeldFreedoms = std::array<bool, 6>;
+
+/// The words of files for the freedoms: x, y, z, rx, ry, rz.
+std::span<const std::string_view> freedom_names();
 
 /// A support at a point of the beam. A rotation that is held at a segment's end is held by a half
 /// joint (Scene::end_rule); it turns with `rotation`.

@@ -208,7 +208,7 @@ TEST_F(FitFileErrors, AKeyThatNobodyKnowsIsRefused) {
             "f.toml:5: target[1].guage_length = '50 mm': is not a key of target[1]; did you mean "
             "gauge_length?");
   EXPECT_EQ(error("[drive]\nstrain = [0]\n[[target]]\nfiles = 'a.csv'\nstrain = 1\nstress = 2\n"),
-            "f.toml:1: drive: is not a key; its keys are material, section, beam, rules, solver, "
+            "f.toml:1: drive: is not a key; its keys are material, beam, section, rules, solver, "
             "fit, target_defaults, target");
   EXPECT_EQ(error("[target_defaults]\ntests = 'x'\n[[target]]\nfiles = 'a.csv'\nstrain = 1\n"
                   "stress = 2\n"),

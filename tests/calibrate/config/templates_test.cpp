@@ -7,6 +7,7 @@
 
 #include "plastica/io/csv.hpp"
 #include "plastica/io/scene_file.hpp"
+#include "plastica/model/choose_level.hpp"
 #include "plastica/run/simulate.hpp"
 #include "tests/support/message.hpp"
 
@@ -14,7 +15,7 @@ namespace plastica::calibrate {
 namespace {
 
 TEST(Templates, RunAsTheyAre) {
-  const auto scene = template_files("scene");
+  const auto scene = template_files("coupon");
   ASSERT_EQ(scene.size(), 1U);
   const auto file = io::parse_scene_file(scene[0].text, scene[0].name);
   EXPECT_EQ(file.setup.scene.drive.strain.size(), 304U);
@@ -24,10 +25,25 @@ TEST(Templates, RunAsTheyAre) {
   EXPECT_GT(response.event->strain, 0.03);
 }
 
+TEST(Templates, BeginAChainWithACantilever) {
+  const auto scene = template_files("scene");
+  ASSERT_EQ(scene.size(), 1U);
+  const auto setup = io::parse_scene_file(scene[0].text, scene[0].name).setup;
+  EXPECT_FALSE(setup.scene.is_coupon());
+  EXPECT_EQ(setup.scene.beam.segments, 32);
+  ASSERT_EQ(setup.scene.supports.size(), 1U);
+  EXPECT_EQ(setup.scene.supports[0].kind, SupportKind::Clamp);
+  ASSERT_EQ(setup.scene.loads.size(), 1U);
+  EXPECT_EQ(setup.scene.loads[0].force[1], -140.0);
+  EXPECT_EQ(setup.scene.probes.size(), 3U);
+  EXPECT_EQ(choose_level(setup.scene, setup.solver).reason,
+            "planar: every load, support and joint axis lies in the y-z plane");
+}
+
 TEST(Templates, AreListedByKind) {
   for (const auto kind : template_kinds()) EXPECT_FALSE(template_files(kind).empty());
   EXPECT_EQ(testing::message_of([] { template_files("fits"); }),
-            "init = fits: must be one of fit, scene");
+            "init = fits: must be one of fit, scene, coupon");
 }
 
 TEST(ExampleCurve, HasTheFormOfATensionTestWithABreak) {

@@ -191,7 +191,7 @@ TEST(Misfit, NamesAParameterThatNoScenePermits) {
   FitOptions options = fit_of({free_parameter("yield_stress")});
   options.setup.scene.beam.segments = 0;
   EXPECT_EQ(message_of([&] { Case(four_samples(), options).cost({300e6}); }),
-            "beam.segments = 0: must be at least 1");
+            "beam.segments = 0: must be from 1 to 1e+07");
 }
 
 /// A law, a test and a break measure: gradients must be right in all of them.

@@ -1,0 +1,128 @@
+#include "plastica/io/read_chain.hpp"
+#include "plastica/io/read_fields.hpp"
+#include "plastica/io/read_place.hpp"
+
+namespace plastica::io {
+namespace {
+
+HeldFreedoms read_hold(const TomlValue& list) {
+  HeldFreedoms held{};
+  for (const TomlValue& item : list.array()) {
+    bool& freedom = held[item.word(freedom_names())];
+    if (freedom) throw item.error("is in the list twice");
+    freedom = true;
+  }
+  return held;
+}
+
+Support read_support(const TomlTable& table) {
+  Support support;
+  support.at = read_place(table.at("at"));
+  support.kind = static_cast<SupportKind>(table.at("kind").word(support_kinds()));
+  const auto only_of = [&](std::string_view name, SupportKind kind) {
+    const auto value = table.find(name);
+    if (value && support.kind != kind) {
+      const auto word = support_kinds()[static_cast<std::size_t>(kind)];
+      throw value->error("belongs to kind = \"" + std::string(word) + "\"");
+    }
+    return value;
+  };
+  if (const auto hold = table.find("hold")) support.hold = read_hold(*hold);
+  if (const auto value = only_of("stiffness", SupportKind::Elastic)) {
+    support.stiffness = read_vector(*value, Dimension::Stiffness);
+  }
+  if (const auto value = only_of("rotational_stiffness", SupportKind::Elastic)) {
+    support.rotational_stiffness = read_vector(*value, Dimension::RotationalStiffness);
+  }
+  if (const auto value = only_of("normal", SupportKind::Pillar)) {
+    support.normal = read_direction(*value);
+  }
+  if (const auto value = only_of("gap", SupportKind::Pillar)) {
+    support.gap = value->quantity(Dimension::Length);
+  }
+  const auto translation = table.find("translation");
+  const auto rotation = table.find("rotation");
+  const auto history = table.find("history");
+  if (translation) support.translation = read_vector(*translation, Dimension::Length);
+  if (rotation) support.rotation = read_vector(*rotation, Dimension::Angle);
+  if (history) {
+    if (!translation && !rotation) throw history->error("has no translation or rotation to move");
+    support.history = read_history(*history);
+  }
+  return support;
+}
+
+Load read_load(const TomlTable& table) {
+  Load load;
+  load.at = read_place(table.at("at"));
+  const auto to = table.find("to");
+  if (to) load.to = read_place(*to);
+  const auto force = table.find("force");
+  const auto moment = table.find("moment");
+  if (!force && !moment) throw InputError(table.where(), table.key(), "", "needs force or moment");
+  if (force) {
+    load.force = read_vector(*force, to ? Dimension::ForcePerLength : Dimension::Force);
+  }
+  if (moment) {
+    load.moment = read_vector(*moment, to ? Dimension::MomentPerLength : Dimension::Moment);
+  }
+  if (const auto follows = table.find("follows")) load.follows = follows->boolean();
+  if (const auto history = table.find("history")) load.history = read_history(*history);
+  return load;
+}
+
+void read_gravity(const TomlTable& root, Setup& setup) {
+  const auto gravity = root.find("gravity");
+  if (!gravity) return;
+  if (gravity->is_array()) {
+    setup.scene.gravity = read_vector(*gravity, Dimension::Acceleration);
+    return;
+  }
+  if (!gravity->is_table()) {
+    throw gravity->error(
+        "must be a list of x, y and z, or a table of acceleration, or x, y and z, and history");
+  }
+  const TomlTable table = gravity->table();
+  read_part(table, "gravity.", setup);
+  if (const auto all = table.find("acceleration")) {
+    setup.scene.gravity = read_vector(*all, Dimension::Acceleration);
+  }
+  if (const auto history = table.find("history")) {
+    setup.scene.gravity_history = read_history(*history);
+  }
+}
+
+}  // namespace
+
+void read_regions(const TomlTable& root, Setup& setup) {
+  for (const TomlTable& table : root.find_tables("region")) {
+    const auto section = table.find("section");
+    const auto material = table.find("material");
+    if (!section && !material) {
+      throw InputError(table.where(), table.key(), "", "needs a section or a material");
+    }
+    Setup part;
+    part.scene.section = setup.scene.section;
+    part.scene.material = setup.scene.material;
+    if (section) read_part(section->table(), "section.", part);
+    if (material) read_material(*material, part);
+    setup.scene.regions.push_back({read_place(table.at("from")), read_place(table.at("to")),
+                                   part.scene.section, part.scene.material});
+  }
+}
+
+void read_actions(const TomlTable& root, Setup& setup) {
+  for (const TomlTable& table : root.find_tables("support")) {
+    setup.scene.supports.push_back(read_support(table));
+  }
+  for (const TomlTable& table : root.find_tables("load")) {
+    setup.scene.loads.push_back(read_load(table));
+  }
+  read_gravity(root, setup);
+  const auto solver = root.find_table("solver");
+  if (const auto at = solver ? solver->find("control_at") : std::nullopt) {
+    setup.solver.control_at = read_place(*at);
+  }
+}
+
+}  // namespace plastica::io

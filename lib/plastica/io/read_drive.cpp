@@ -1,0 +1,82 @@
+#include "plastica/io/read_drive.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include "plastica/io/csv.hpp"
+#include "plastica/io/units.hpp"
+
+namespace plastica::io {
+namespace {
+
+std::vector<double> listed_strain(const TomlValue& list) {
+  std::vector<double> strain;
+  for (const TomlValue& item : list.array()) strain.push_back(item.quantity(Dimension::Strain));
+  if (strain.empty()) throw list.error("must have at least one sample");
+  return strain;
+}
+
+std::vector<double> tabled_strain(const TomlTable& table, const std::string& file) {
+  const TomlValue name = table.at("table");
+  const TomlValue column = table.at("column");
+  const auto unit = table.find("unit");
+  const auto path = std::filesystem::path(file).parent_path() / name.string();
+  if (!std::filesystem::is_regular_file(path)) {
+    throw name.error("is not a file in the folder of " + file);
+  }
+  const CsvTable csv = CsvTable::read(path.string());
+  const std::string header =
+      column.is_string() ? column.string() : std::to_string(column.integer(1, 1'000'000));
+  const std::size_t index = csv.find(header, column.where(), column.key());
+  const UnitConversion to_si =
+      unit ? unit_conversion(unit->string(), Dimension::Strain, unit->where(), unit->key())
+           : unit_conversion(csv.units()[index], Dimension::Strain, {csv.file(), 0},
+                             "unit of " + header);
+  std::vector<double> strain = csv.numbers(index);
+  for (std::size_t row = 0; row < strain.size(); ++row) {
+    if (!std::isfinite(strain[row])) {
+      throw InputError({csv.file(), csv.line_of_row(row)}, header,
+                       std::string(csv.cell(row, index)), "must be a number in a drive");
+    }
+    strain[row] = to_si(strain[row]);
+  }
+  return strain;
+}
+
+std::vector<double> programmed_strain(const TomlTable& table) {
+  const std::vector<double> turns = listed_strain(table.at("turning_points"));
+  const auto given = table.find("points_between");
+  const auto between = given ? given->integer(0, 1'000'000) : 50;
+  const auto steps = static_cast<double>(between + 1);
+  std::vector<double> strain{0.0};
+  for (const double turn : turns) {
+    const double from = strain.back();
+    if (turn == from) continue;
+    for (std::int64_t i = 1; i <= between; ++i) {
+      strain.push_back(from + (turn - from) * (static_cast<double>(i) / steps));
+    }
+    strain.push_back(turn);
+  }
+  return strain;
+}
+
+}  // namespace
+
+std::vector<double> read_strain(const TomlTable& drive, const std::string& file) {
+  const TomlValue strain = drive.at("strain");
+  if (strain.is_array()) return listed_strain(strain);
+  if (!strain.is_table()) {
+    throw strain.error("must be a list of strains, { table, column } or { turning_points }");
+  }
+  const TomlTable how = strain.table();
+  const bool by_table = how.find("table").has_value();
+  const bool by_turns = how.find("turning_points").has_value();
+  if (by_table == by_turns) {
+    how.check_unused();
+    throw strain.error("must have either table and column, or turning_points");
+  }
+  if (by_turns) return programmed_strain(how);
+  return tabled_strain(how, file);
+}
+
+}  // namespace plastica::io

@@ -1,0 +1,66 @@
+#include "plastica/io/read_chain.hpp"
+#include "plastica/io/read_place.hpp"
+
+namespace plastica::io {
+namespace {
+
+/// What a scene asks for of a vector if it does not say: bending about x is the first that a
+/// joint can do, y the direction in which that moves it.
+Component default_component(ProbeQuantity kind) {
+  switch (kind) {
+    case ProbeQuantity::Displacement:
+    case ProbeQuantity::Reaction:
+    case ProbeQuantity::Force: return Component::Y;
+    default: return Component::X;
+  }
+}
+
+Probe read_probe(const TomlTable& table, bool coupon) {
+  constexpr std::array<std::string_view, 4> kComponents{"x", "y", "z", "size"};
+  constexpr std::array<std::string_view, 4> kEnergies{"elastic", "plastic", "external", "residual"};
+  if (const auto old = table.find("quantity")) throw old->error("is called kind");
+  const TomlValue kind = table.at("kind");
+  Probe probe;
+  probe.quantity = static_cast<ProbeQuantity>(kind.word(probe_kinds()));
+  const auto name = table.find("name");
+  probe.name = name ? name->string() : kind.string();
+  const auto at = table.find("at");
+  const auto component = table.find("component");
+  const auto energy = table.find("energy");
+  if (coupon && (at || component)) {
+    throw(at ? at : component)->error("is of no use: a coupon is the same everywhere");
+  }
+  const bool whole_beam =
+      probe.quantity == ProbeQuantity::Energy || probe.quantity == ProbeQuantity::LoadFactor;
+  if (whole_beam && (at || component)) {
+    throw(at ? at : component)->error("is of no use: " + kind.string() + " is the whole beam's");
+  }
+  if (energy && probe.quantity != ProbeQuantity::Energy) {
+    throw energy->error("belongs to kind = \"energy\"");
+  }
+  if (at) probe.at = read_place(*at);
+  probe.component = component ? static_cast<Component>(component->word(kComponents))
+                              : default_component(probe.quantity);
+  if (probe.quantity == ProbeQuantity::Energy) {
+    probe.energy = static_cast<EnergyKind>(table.at("energy").word(kEnergies));
+  }
+  return probe;
+}
+
+}  // namespace
+
+std::vector<Probe> read_probes(const TomlTable& root, bool coupon) {
+  std::vector<Probe> probes;
+  for (const TomlTable& table : root.find_tables("probe")) {
+    const Probe probe = read_probe(table, coupon);
+    for (const Probe& other : probes) {
+      if (other.name != probe.name) continue;
+      const auto name = table.find("name");
+      throw name.value_or(table.at("kind")).error("is the name of another probe, too");
+    }
+    probes.push_back(probe);
+  }
+  return probes;
+}
+
+}  // namespace plastica::io

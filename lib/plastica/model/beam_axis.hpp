@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "plastica/model/scene.hpp"
+
+namespace plastica {
+
+/// Where the segments of a scene's beam end, as shares of its length: 0 first, 1 last
+/// (segments + 1). With EndRule::Half the two end segments are half as long as the others.
+std::vector<double> segment_ends(const Scene& scene);
+
+/// A place as a share of the length [1], 0 (start) … 1 (end).
+/// @param ends  of `segment_ends`; `place.segment` is within it
+double share_of(const Place& place, std::span<const double> ends);
+
+/// The number of the segment end at a place, 0 … segments; empty if the place is inside of a
+/// segment (by more than 1e-9 of the beam's length).
+std::optional<int> segment_end_at(const Place& place, std::span<const double> ends);
+
+/// A point of the undeformed axis in world axes [m].
+/// @param share  distance from the start along the axis over the length [1], 0 … 1
+std::array<double, 3> axis_point(const Beam& beam, double share);
+
+/// The sum over the legs of a polyline [m].
+double polyline_length(std::span<const std::array<double, 3>> points);
+
+}  // namespace plastica

@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "plastica/base/check.hpp"
+#include "plastica/model/beam_axis.hpp"
+#include "plastica/model/check_parts.hpp"
+#include "plastica/model/check_value.hpp"
+
+namespace plastica::model_detail {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+bool is_zero(const Vector& vector) { return vector == Vector{}; }
+
+void check_history(const History& history, const std::string& field) {
+  if (history.time.empty() || history.time.size() != history.factor.size()) {
+    throw InputError({}, field,
+                     std::to_string(history.time.size()) + " times, " +
+                         std::to_string(history.factor.size()) + " factors",
+                     "must be as many of one as of the other, and at least one");
+  }
+  check_finite(history.time, field + ".time");
+  check_finite(history.factor, field + ".factor");
+  require(history.time.front() >= 0.0, {}, field + ".time", history.time.front(),
+          "must not begin before 0");
+  for (std::size_t i = 1; i < history.time.size(); ++i) {
+    require(history.time[i] > history.time[i - 1], {}, field + ".time", history.time[i],
+            "must rise from one to the next");
+  }
+}
+
+/// "the twist rz" of the first held rotation, "ry".
+std::string_view held_rotation(const HeldFreedoms& held) {
+  for (std::size_t i = 3; i < 6; ++i) {
+    if (held[i]) return freedom_names()[i];
+  }
+  return {};
+}
+
+/// A rotation can be held where a joint is: at a segment's end.
+void check_rotation_place(const Support& support, std::span<const double> ends,
+                          const std::string& field) {
+  const std::string_view rotation = held_rotation(support.held());
+  if (rotation.empty() || segment_end_at(support.at, ends)) return;
+  const double share = share_of(support.at, ends);
+  const auto after = std::upper_bound(ends.begin(), ends.end(), share);
+  const auto kind = support_kinds()[static_cast<std::size_t>(support.kind)];
+  throw InputError({}, field, place_text(support.at),
+                   "a " + std::string(kind) + " that holds rotation (" + std::string(rotation) +
+                       ") must be at a segment's end; the nearest are " +
+                       number_text(*(after - 1)) + " and " + number_text(*after));
+}
+
+void check_springs(const Support& support, const std::string& name) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    require_not_negative(support.stiffness[i], {}, name + ".stiffness");
+    require_not_negative(support.rotational_stiffness[i], {}, name + ".rotational_stiffness");
+  }
+  const bool springs = !is_zero(support.stiffness) || !is_zero(support.rotational_stiffness);
+  if (springs && support.kind != SupportKind::Elastic) {
+    throw InputError({}, name + ".stiffness", "", "belongs to an elastic support");
+  }
+  const HeldFreedoms held = support.held();
+  const bool holds = std::find(held.begin(), held.end(), true) != held.end();
+  if (support.kind == SupportKind::Elastic && !springs && !holds) {
+    throw InputError({}, name, "", "an elastic support needs stiffness or rotational_stiffness");
+  }
+  if (support.kind != SupportKind::Elastic && support.kind != SupportKind::Pillar && !holds) {
+    throw InputError({}, name + ".hold", "[]", "must hold something");
+  }
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double stiffness = i < 3 ? support.stiffness[i] : support.rotational_stiffness[i - 3];
+    if (held[i] && stiffness > 0.0) {
+      throw InputError({}, name + ".hold", freedom_names()[i], "has a spring, too");
+    }
+  }
+}
+
+void check_pillar(const Support& support, const std::string& name) {
+  require_not_negative(support.gap, {}, name + ".gap");
+  if (support.kind != SupportKind::Pillar) {
+    require(support.gap == 0.0, {}, name + ".gap", support.gap, "belongs to a pillar");
+    return;
+  }
+  if (support.hold) {
+    throw InputError({}, name + ".hold", "", "a pillar only pushes; what holds is another support");
+  }
+  check_finite(support.normal, name + ".normal");
+  const double size = std::hypot(support.normal[0], support.normal[1], support.normal[2]);
+  require(std::abs(size - 1.0) <= 1e-9, {}, name + ".normal", size,
+          "is the vector's size and must be 1");
+}
+
+void check_motion(const Support& support, const std::string& name) {
+  check_finite(support.translation, name + ".translation");
+  check_finite(support.rotation, name + ".rotation");
+  const HeldFreedoms held = support.held();
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double motion = i < 3 ? support.translation[i] : support.rotation[i - 3];
+    if (motion == 0.0 || held[i]) continue;
+    throw InputError(
+        {}, name + (i < 3 ? ".translation" : ".rotation"), number_text(motion),
+        "moves " + std::string(freedom_names()[i]) + ", which the support does not hold");
+  }
+  if (support.moves()) check_history(support.history, name + ".history");
+}
+
+/// What a support does to each freedom: hold or spring. Pillars are compared by their normals.
+HeldFreedoms taken_freedoms(const Support& support) {
+  HeldFreedoms taken = support.held();
+  for (std::size_t i = 0; i < 3; ++i) {
+    taken[i] = taken[i] || support.stiffness[i] > 0.0 ||
+               (support.kind == SupportKind::Pillar && support.normal[i] != 0.0);
+    taken[i + 3] = taken[i + 3] || support.rotational_stiffness[i] > 0.0;
+  }
+  return taken;
+}
+
+/// Supports at one place share it as long as each takes freedoms of its own, or pillars push in
+/// different directions.
+void check_neighbours(const Scene& scene, std::size_t index, std::span<const double> ends) {
+  const Support& support = scene.supports[index];
+  const HeldFreedoms taken = taken_freedoms(support);
+  for (std::size_t other = 0; other < index; ++other) {
+    const Support& before = scene.supports[other];
+    if (std::abs(share_of(before.at, ends) - share_of(support.at, ends)) > 1e-9) continue;
+    const bool pillars = support.kind == SupportKind::Pillar && before.kind == SupportKind::Pillar;
+    if (pillars && support.normal != before.normal) continue;
+    const HeldFreedoms taken_before = taken_freedoms(before);
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      if (!taken[i] || !taken_before[i]) continue;
+      throw InputError({}, item_name("support", index, ".at"), place_text(support.at),
+                       item_name("support", other) + " holds " + std::string(freedom_names()[i]) +
+                           " at the same place");
+    }
+  }
+}
+
+}  // namespace
+
+void check_supports(const Scene& scene) {
+  const std::vector<double> ends = segment_ends(scene);
+  for (std::size_t i = 0; i < scene.supports.size(); ++i) {
+    const Support& support = scene.supports[i];
+    const std::string name = item_name("support", i);
+    check_place(support.at, scene.beam.segments, name + ".at");
+    check_rotation_place(support, ends, name + ".at");
+    check_pillar(support, name);
+    check_springs(support, name);
+    check_motion(support, name);
+    check_neighbours(scene, i, ends);
+  }
+}
+
+void check_actions(const Scene& scene) {
+  const std::vector<double> ends = segment_ends(scene);
+  for (std::size_t i = 0; i < scene.loads.size(); ++i) {
+    const Load& load = scene.loads[i];
+    check_place(load.at, scene.beam.segments, item_name("load", i, ".at"));
+    if (load.to) check_place(*load.to, scene.beam.segments, item_name("load", i, ".to"));
+    if (load.to && share_of(load.at, ends) >= share_of(*load.to, ends)) {
+      throw InputError({}, item_name("load", i, ".to"), place_text(*load.to),
+                       "must lie beyond at = " + place_text(load.at));
+    }
+    check_finite(load.force, item_name("load", i, ".force"));
+    check_finite(load.moment, item_name("load", i, ".moment"));
+    check_history(load.history, item_name("load", i, ".history"));
+  }
+  check_history(scene.gravity_history, "gravity.history");
+  const bool moved = std::any_of(scene.supports.begin(), scene.supports.end(),
+                                 [](const Support& support) { return support.moves(); });
+  if (scene.loads.empty() && !moved && is_zero(scene.gravity)) {
+    throw InputError(
+        {}, "load", "",
+        "is missing: give a [[load]], gravity, or a support's translation or rotation");
+  }
+}
+
+}  // namespace plastica::model_detail

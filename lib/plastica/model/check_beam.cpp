@@ -1,0 +1,146 @@
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include "plastica/base/check.hpp"
+#include "plastica/model/beam_axis.hpp"
+#include "plastica/model/check_parts.hpp"
+#include "plastica/model/check_value.hpp"
+
+namespace plastica::model_detail {
+namespace {
+
+/// Of sums and of unit vectors; half a unit in the last of ten places.
+constexpr double kTolerance = 5e-10;
+
+void check_count(std::string_view field, std::size_t count, int wanted) {
+  if (count == static_cast<std::size_t>(wanted)) return;
+  throw InputError({}, field, std::to_string(count) + " values",
+                   "must be " + std::to_string(wanted) + " for the beam's segments");
+}
+
+void check_lengths(const Beam& beam) {
+  if (!beam.segment_shares.empty()) {
+    check_count("beam.segment_lengths", beam.segment_shares.size(), beam.segments);
+    for (std::size_t i = 0; i < beam.segment_shares.size(); ++i) {
+      require_positive(beam.segment_shares[i], {}, item_name("beam.segment_lengths", i));
+    }
+    const double sum = std::accumulate(beam.segment_shares.begin(), beam.segment_shares.end(), 0.0);
+    require(std::abs(sum - 1.0) <= kTolerance, {}, "beam.segment_lengths", sum,
+            "is the sum of the shares and must be 1");
+  }
+  if (!beam.joint_lengths.empty()) {
+    check_count("beam.joint_lengths", beam.joint_lengths.size(), beam.segments - 1);
+    for (std::size_t i = 0; i < beam.joint_lengths.size(); ++i) {
+      require_positive(beam.joint_lengths[i], {}, item_name("beam.joint_lengths", i));
+    }
+  }
+}
+
+void check_arc(const Beam& beam) {
+  constexpr double kFullTurn = 6.283185307179586;
+  require(beam.arc_angle > 0.0 && beam.arc_angle <= kFullTurn * (1.0 + kTolerance), {},
+          "beam.arc_angle", beam.arc_angle, "must be above 0 and at most a full turn, 2 pi rad");
+  const auto& towards = beam.arc_towards;
+  check_finite(towards, "beam.arc_towards");
+  require(std::abs(std::hypot(towards[0], towards[1], towards[2]) - 1.0) <= kTolerance, {},
+          "beam.arc_towards", std::hypot(towards[0], towards[1], towards[2]),
+          "is the vector's size and must be 1");
+  require(std::abs(towards[2]) <= kTolerance, {}, "beam.arc_towards", towards[2],
+          "is its z component and must be 0: the beam starts along z");
+}
+
+void check_polyline(const Beam& beam) {
+  if (beam.points.size() < 2) {
+    throw InputError({}, "beam.points", std::to_string(beam.points.size()) + " points",
+                     "must be at least 2");
+  }
+  for (std::size_t i = 0; i < beam.points.size(); ++i) {
+    check_finite(beam.points[i], item_name("beam.points", i));
+  }
+  if (beam.points[0] != std::array<double, 3>{}) {
+    throw InputError({}, "beam.points[1]", "", "must be the origin, where a beam starts");
+  }
+  std::array<double, 3> before{};
+  for (std::size_t i = 1; i < beam.points.size(); ++i) {
+    const auto& a = beam.points[i - 1];
+    const auto& b = beam.points[i];
+    const double leg = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+    if (leg == 0.0) {
+      throw InputError({}, item_name("beam.points", i), "", "is the same as the one before");
+    }
+    const std::array<double, 3> along{(b[0] - a[0]) / leg, (b[1] - a[1]) / leg,
+                                      (b[2] - a[2]) / leg};
+    const double cosine = before[0] * along[0] + before[1] * along[1] + before[2] * along[2];
+    if (cosine < -1.0 + kTolerance) {
+      throw InputError({}, item_name("beam.points", i), "",
+                       "turns straight back at the point before");
+    }
+    before = along;
+  }
+  const double length = polyline_length(beam.points);
+  require(std::abs(length - beam.length) <= kTolerance * length, {}, "beam.length", beam.length,
+          "must be the sum over beam.points, " + number_text(length) + " m");
+}
+
+/// The error of a region's part, under the region's name: "region[1].section.width".
+template <typename Check>
+void check_part(std::size_t region, const Check& check) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    throw InputError({}, item_name("region", region, "." + error.field()), error.value(),
+                     error.rule());
+  }
+}
+
+void check_regions(const Scene& scene) {
+  const std::vector<double> ends = segment_ends(scene);
+  for (std::size_t i = 0; i < scene.regions.size(); ++i) {
+    const Region& region = scene.regions[i];
+    check_place(region.from, scene.beam.segments, item_name("region", i, ".from"));
+    check_place(region.to, scene.beam.segments, item_name("region", i, ".to"));
+    if (share_of(region.from, ends) >= share_of(region.to, ends)) {
+      throw InputError({}, item_name("region", i, ".to"), place_text(region.to),
+                       "must lie beyond from = " + place_text(region.from));
+    }
+    check_part(i, [&] { check_section(region.section); });
+    check_part(i, [&] { check_material(region.material); });
+  }
+}
+
+}  // namespace
+
+std::string item_name(std::string_view list, std::size_t index, std::string_view key) {
+  return std::string(list) + "[" + std::to_string(index + 1) + "]" + std::string(key);
+}
+
+std::string place_text(const Place& place) {
+  if (place.segment) return std::to_string(*place.segment);
+  if (place.fraction == 0.0) return "start";
+  return place.fraction == 1.0 ? "end" : number_text(place.fraction);
+}
+
+void check_place(const Place& place, int segments, std::string_view field) {
+  if (place.segment && (*place.segment < 0 || *place.segment > segments)) {
+    throw InputError({}, field, std::to_string(*place.segment),
+                     "must be the number of a segment, 0 (the start) to " +
+                         std::to_string(segments) + "; a fraction of the length has a point");
+  }
+  require(place.segment || (place.fraction >= 0.0 && place.fraction <= 1.0), {}, field,
+          place.fraction, "must be a fraction of the length, 0 to 1");
+}
+
+void check_finite(std::span<const double> values, std::string_view field) {
+  for (const double value : values)
+    require(std::isfinite(value), {}, field, value, "must be finite");
+}
+
+void check_beam(const Scene& scene) {
+  check_lengths(scene.beam);
+  if (scene.beam.shape == BeamShape::Arc) check_arc(scene.beam);
+  if (scene.beam.shape == BeamShape::Polyline) check_polyline(scene.beam);
+  check_regions(scene);
+}
+
+}  // namespace plastica::model_detail

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "plastica/model/scene.hpp"
+
+/// The parts of `check_scene`; not installed. All throw InputError naming the first field that is
+/// wrong, as files name it: the second [[support]] is "support[2]".
+namespace plastica::model_detail {
+
+/// "support[2].at" of ("support", 1, ".at").
+std::string item_name(std::string_view list, std::size_t index, std::string_view key = {});
+
+/// A place as messages show it: "start", "end", 12 (a segment), 0.25.
+std::string place_text(const Place& place);
+
+/// A place on a beam of so many segments.
+void check_place(const Place& place, int segments, std::string_view field);
+
+/// Throws unless all components are finite.
+void check_finite(std::span<const double> values, std::string_view field);
+
+/// Lengths and shape of a chain's beam, and its regions.
+void check_beam(const Scene& scene);
+
+void check_supports(const Scene& scene);
+
+/// Loads and gravity, and that something acts on the beam at all.
+void check_actions(const Scene& scene);
+
+/// Rules of a chain that contradict each other.
+void check_rules(const Scene& scene);
+
+/// How a chain is solved.
+void check_solver(const Scene& scene, const SolverOptions& options);
+
+/// Probes of a coupon or a chain.
+void check_probes(const Scene& scene);
+
+}  // namespace plastica::model_detail

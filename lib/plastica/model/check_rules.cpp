@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <set>
+
+#include "plastica/base/check.hpp"
+#include "plastica/model/beam_axis.hpp"
+#include "plastica/model/check_parts.hpp"
+#include "plastica/model/check_value.hpp"
+
+namespace plastica::model_detail {
+namespace {
+
+InputError refusal(std::string_view field, std::string_view value, std::string_view rule) {
+  return {{}, field, value, rule};
+}
+
+/// What a chain by the report's formulas cannot have.
+void check_report_rules(const Scene& scene) {
+  if (scene.yield_model != YieldModel::PerAxis && scene.yield_model != YieldModel::Elastic) {
+    throw refusal(
+        "rules.yield_model", "",
+        "must be per_axis (or elastic) with the report's formulas, which clip each moment "
+        "on its own");
+  }
+  bool ideal = scene.material.hardening.law == HardeningLaw::Ideal;
+  for (const Region& region : scene.regions) {
+    ideal = ideal && region.material.hardening.law == HardeningLaw::Ideal;
+  }
+  if (!ideal) {
+    throw refusal("material.hardening.law", "",
+                  "must be ideal with the report's formulas, which have no hardening");
+  }
+  if (scene.end_rule == EndRule::HalfJoint) {
+    throw refusal("rules.end_rule", "half_joint",
+                  "the report welds its ends: equal, half or three_halves");
+  }
+  if (scene.hinge_length.value_or(0.0) != 0.0) {
+    throw refusal("rules.hinge_length", number_text(*scene.hinge_length),
+                  "must be 0 or unset with the report's formulas, whose strain is over a joint's "
+                  "own length");
+  }
+}
+
+void check_yield(const Scene& scene) {
+  const bool fully_plastic = scene.yield_cap == YieldCap::FullyPlastic;
+  if (fully_plastic && scene.yield_model == YieldModel::Conservative) {
+    throw refusal("rules.yield_cap", "fully_plastic",
+                  "the conservative surface is one of first yield");
+  }
+  if (fully_plastic && scene.yield_model == YieldModel::Fibre) {
+    throw refusal("rules.yield_cap", "fully_plastic",
+                  "a fibre section yields fibre by fibre and has no cap");
+  }
+  const bool limited = scene.break_limit_x || scene.break_limit_y || scene.break_limit_z;
+  if (limited && scene.yield_model == YieldModel::Elastic) {
+    throw refusal("rules.yield_model", "elastic",
+                  "leaves no permanent strain that a break limit could be held against");
+  }
+}
+
+void check_end_rule(const Scene& scene) {
+  const bool sets_lengths =
+      scene.end_rule == EndRule::Half || scene.end_rule == EndRule::ThreeHalves;
+  const std::string_view word = scene.end_rule == EndRule::Half ? "half" : "three_halves";
+  if (sets_lengths && !scene.beam.segment_shares.empty()) {
+    throw refusal("rules.end_rule", word, "sets the segment lengths itself");
+  }
+  if (sets_lengths && !scene.beam.joint_lengths.empty()) {
+    throw refusal("rules.end_rule", word, "sets the joint lengths itself");
+  }
+  const bool half_joint = scene.end_rule == EndRule::HalfJoint ||
+                          (scene.end_rule == EndRule::Auto && scene.formulas != Formulas::Report);
+  if (!half_joint && scene.beam.segments < 2) {
+    throw refusal("beam.segments", std::to_string(scene.beam.segments),
+                  "must be at least 2 where ends are welded: there is no joint");
+  }
+}
+
+/// The end of the last history that anything follows [s].
+double last_time(const Scene& scene) {
+  double last = 0.0;
+  for (const Load& load : scene.loads) last = std::max(last, load.history.end());
+  for (const Support& support : scene.supports) {
+    if (support.moves()) last = std::max(last, support.history.end());
+  }
+  const bool heavy = scene.gravity != std::array<double, 3>{};
+  return heavy ? std::max(last, scene.gravity_history.end()) : last;
+}
+
+void check_chain_probe(const Scene& scene, const Probe& probe, const std::string& name,
+                       std::span<const double> ends) {
+  using enum ProbeQuantity;
+  const std::string_view kind = probe_kinds()[static_cast<std::size_t>(probe.quantity)];
+  if (probe.quantity == Load || probe.quantity == Dissipation) {
+    throw refusal(name + ".kind", kind, "is recorded of a coupon alone");
+  }
+  check_place(probe.at, scene.beam.segments, name + ".at");
+  if (probe.quantity == Reaction || probe.quantity == ReactionMoment) {
+    const double share = share_of(probe.at, ends);
+    const bool supported =
+        std::any_of(scene.supports.begin(), scene.supports.end(), [&](const Support& support) {
+          return std::abs(share_of(support.at, ends) - share) <= 1e-9;
+        });
+    if (!supported) throw refusal(name + ".at", place_text(probe.at), "has no support");
+  }
+}
+
+}  // namespace
+
+void check_rules(const Scene& scene) {
+  if (scene.formulas == Formulas::Report) check_report_rules(scene);
+  check_yield(scene);
+  check_end_rule(scene);
+}
+
+void check_solver(const Scene& scene, const SolverOptions& options) {
+  if (options.control_at) {
+    check_place(*options.control_at, scene.beam.segments, "solver.control_at");
+  }
+  if (options.control == PathControl::Displacement && !options.control_at && scene.loads.empty()) {
+    throw refusal("solver.control_at", "",
+                  "is missing: no load says which point displacement control should watch");
+  }
+  if (options.control == PathControl::Load && options.control_at) {
+    throw refusal("solver.control_at", place_text(*options.control_at),
+                  "is of no use with load control");
+  }
+  if (options.duration == 0.0 && last_time(scene) == 0.0) {
+    throw refusal("solver.duration", "0", "must be above 0 where every history is constant");
+  }
+}
+
+void check_probes(const Scene& scene) {
+  const std::vector<double> ends = scene.is_coupon() ? std::vector<double>{} : segment_ends(scene);
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    const Probe& probe = scene.probes[i];
+    const std::string name = item_name("probe", i);
+    if (probe.name.empty()) throw refusal(name + ".name", "", "must not be empty");
+    if (!names.insert(probe.name).second) {
+      throw refusal(name + ".name", probe.name, "is used by another probe of the scene");
+    }
+    if (!scene.is_coupon()) {
+      check_chain_probe(scene, probe, name, ends);
+    } else if (probe.quantity > ProbeQuantity::Dissipation) {
+      throw refusal(name + ".kind", probe_kinds()[static_cast<std::size_t>(probe.quantity)],
+                    "is recorded of a chain alone");
+    }
+  }
+}
+
+}  // namespace plastica::model_detail

@@ -1,0 +1,92 @@
+#include <cmath>
+
+#include "plastica/base/check.hpp"
+#include "plastica/model/check_parts.hpp"
+#include "plastica/model/check_value.hpp"
+#include "plastica/model/choose_level.hpp"
+#include "plastica/model/field.hpp"
+#include "plastica/model/free_motion.hpp"
+
+namespace plastica {
+namespace {
+
+/// The ranges of the field table. Materials and sections have checks of their own, which know what
+/// a law or a shape leaves out.
+void check_ranges(const Scene& scene, const SolverOptions& options) {
+  const Setup setup{scene, options};
+  for (const Field& field : fields()) {
+    if (field.path.starts_with("material.") || field.path.starts_with("section.")) continue;
+    const FieldValue value = field.get(setup);
+    if (const double* number = std::get_if<double>(&value)) check_field(field, *number);
+  }
+}
+
+bool is_tube(const Section& section) {
+  return section.shape == SectionShape::RoundTube || section.shape == SectionShape::RectangularTube;
+}
+
+/// What the report has formulas for, in coupons and chains.
+void check_report(const Scene& scene) {
+  if (scene.formulas != Formulas::Report) return;
+  bool tube = is_tube(scene.section);
+  for (const Region& region : scene.regions) tube = tube || is_tube(region.section);
+  if (tube)
+    throw InputError({}, "rules.formulas", "report", "the report has no formulas for tubes");
+  if (scene.yield_cap == YieldCap::FullyPlastic) {
+    throw InputError({}, "rules.yield_cap", "fully_plastic",
+                     "the report's caps are at first yield");
+  }
+}
+
+void check_coupon(const Scene& scene) {
+  if (scene.beam.shape != BeamShape::Straight) {
+    throw InputError({}, "beam.shape", "", "must be straight in a scene with a drive");
+  }
+  for (const double strain : scene.drive.strain) {
+    if (!std::isfinite(strain)) {
+      throw InputError({}, "drive.strain", std::to_string(strain), "must be finite");
+    }
+  }
+  if (!scene.supports.empty() || !scene.loads.empty() || !scene.regions.empty() ||
+      scene.gravity != std::array<double, 3>{}) {
+    throw InputError({}, "drive.strain", "",
+                     "does not go with supports, loads, regions or gravity: a scene is a coupon or "
+                     "a chain");
+  }
+}
+
+void check_chain(const Scene& scene, const SolverOptions& options) {
+  if (scene.supports.empty()) {
+    throw InputError({}, "support", "", "is missing: a scene has supports, or a drive");
+  }
+  model_detail::check_beam(scene);
+  model_detail::check_rules(scene);
+  model_detail::check_supports(scene);
+  model_detail::check_actions(scene);
+  model_detail::check_solver(scene, options);
+}
+
+}  // namespace
+
+void check_scene(const Scene& scene, const SolverOptions& options) {
+  check_material(scene.material);
+  check_section(scene.section);
+  check_ranges(scene, options);
+  check_report(scene);
+  if (scene.is_coupon()) {
+    check_coupon(scene);
+  } else {
+    check_chain(scene, options);
+  }
+  model_detail::check_probes(scene);
+  const LevelChoice level = choose_level(scene, options);
+  if (scene.is_coupon()) return;
+  if (const auto free = model_detail::free_motion(scene, level)) {
+    const std::string name = level.reason.substr(0, level.reason.find(':'));
+    throw InputError(
+        {}, "support", "",
+        "the supports together leave the beam free to " + *free + " (level " + name + ")");
+  }
+}
+
+}  // namespace plastica
