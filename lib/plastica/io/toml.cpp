@@ -377,9 +377,11 @@ void TomlTable::check_unused() const { check_known(*node_); }
 
 TomlDocument TomlDocument::read(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  const int code = std::filesystem::is_directory(path) ? EISDIR : errno;
-  if (!file.is_open() || code == EISDIR) {
-    throw InputError({path, 0}, "", "", std::string("cannot be read: ") + std::strerror(code));
+  const int code = errno;
+  const bool folder = std::filesystem::is_directory(path);
+  if (!file.is_open() || folder) {
+    throw InputError({path, 0}, "", "",
+                     std::string("cannot be read: ") + std::strerror(folder ? EISDIR : code));
   }
   return parse(std::string(std::istreambuf_iterator<char>(file), {}), path);
 }

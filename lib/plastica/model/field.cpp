@@ -77,9 +77,8 @@ void check_field(const Field& field, double value, const SourceLocation& where,
   const std::string text = shown.empty() ? number_text(value) : std::string(shown);
   if (!field.range.contains(value)) {
     std::string rule = field.range.rule();
-    if (field.dimension != Dimension::None && rule != "must be finite") {
-      rule += " " + std::string(si_unit(field.dimension));
-    }
+    const std::string_view unit = si_unit(field.dimension);
+    if (unit != "1" && rule != "must be finite") rule += " " + std::string(unit);
     throw InputError(where, field.path, text, rule);
   }
   if (field.kind == FieldKind::Integer && value != std::floor(value)) {

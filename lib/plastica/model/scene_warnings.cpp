@@ -1,0 +1,290 @@
+#include "plastica/model/scene_warnings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <limits>
+#include <optional>
+
+#include "plastica/model/beam_axis.hpp"
+#include "plastica/model/choose_level.hpp"
+
+namespace plastica {
+namespace {
+
+std::string figure(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+/// What the warnings need to know of a scene.
+struct Facts {
+  const Scene& scene;
+  const SolverOptions& options;
+  LevelChoice level;
+  std::vector<double> ends;
+  double longest_segment = 0.0;  // [m]
+};
+
+bool bends_about_x(const LevelChoice& level) {
+  return level.level == Level::Spatial ||
+         (level.level == Level::Planar && level.bending == BendingAxis::X);
+}
+bool bends_about_y(const LevelChoice& level) {
+  return level.level == Level::Spatial ||
+         (level.level == Level::Planar && level.bending == BendingAxis::Y);
+}
+
+/// The two outer dimensions: along x and along y [m].
+std::array<double, 2> sides(const Section& section) {
+  const bool round =
+      section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
+  return round ? std::array<double, 2>{2.0 * section.radius, 2.0 * section.radius}
+               : std::array<double, 2>{section.width, section.height};
+}
+
+bool half_joints(const Scene& scene) {
+  return scene.end_rule == EndRule::HalfJoint ||
+         (scene.end_rule == EndRule::Auto && scene.formulas != Formulas::Report);
+}
+
+/// The tributary lengths of the inner joints over the beam's length (segments - 1).
+std::vector<double> inner_joint_shares(const Facts& facts) {
+  const Beam& beam = facts.scene.beam;
+  std::vector<double> shares;
+  for (std::size_t i = 1; i + 1 < facts.ends.size(); ++i) {
+    shares.push_back(beam.joint_lengths.empty() ? (facts.ends[i + 1] - facts.ends[i - 1]) / 2.0
+                                                : beam.joint_lengths[i - 1] / beam.length);
+  }
+  const EndRule rule = facts.scene.end_rule;
+  if ((rule == EndRule::Half || rule == EndRule::ThreeHalves) && !shares.empty()) {
+    // An end segment belongs whole to its only joint.
+    shares.front() += facts.ends[1] / 2.0;
+    shares.back() += (1.0 - facts.ends[facts.ends.size() - 2]) / 2.0;
+  }
+  return shares;
+}
+
+/// The tip deflection of a cantilever under a tip force that is divided as the beam, over the
+/// exact one, P L^3/(3 E I): a joint at s turns by P (L - s) l/(E I) and moves the tip by that
+/// times L - s, so the ratio is 3 sum l (1 - s)^2 with lengths over L. Equal segments and a half
+/// joint at the clamp give 1 + 1/(2 N^2); a welded first segment, 1 - 3/(2 N) + 1/(2 N^2).
+double cantilever_ratio(const Facts& facts) {
+  double sum = half_joints(facts.scene) ? facts.ends[1] / 2.0 : 0.0;
+  const std::vector<double> shares = inner_joint_shares(facts);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const double arm = 1.0 - facts.ends[i + 1];
+    sum += shares[i] * arm * arm;
+  }
+  return 3.0 * sum;
+}
+
+/// Shear's share of the tip deflection of a cantilever under a tip force: with
+/// phi = 3 E I/(kappa G A L^2), phi/(1 + phi). Source: Timoshenko's beam.
+double shear_share(const Scene& scene, bool about_x) {
+  const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
+  const double second_moment = about_x ? section.second_moment_x : section.second_moment_y;
+  const double kappa = about_x ? section.shear_coefficient_y : section.shear_coefficient_x;
+  const double phi = 3.0 * scene.material.youngs_modulus * second_moment /
+                     (kappa * resolved_shear_modulus(scene.material) * section.area *
+                      scene.beam.length * scene.beam.length);
+  return phi / (1.0 + phi);
+}
+
+std::optional<std::string> short_beam(const Facts& facts) {
+  const auto [width, height] = sides(facts.scene.section);
+  const bool about_x =
+      bends_about_x(facts.level) && (height >= width || !bends_about_y(facts.level));
+  if (!about_x && !bends_about_y(facts.level)) return std::nullopt;
+  const double slenderness = facts.scene.beam.length / (about_x ? height : width);
+  if (slenderness >= 10.0 || facts.options.translation == JointTranslation::Elastic) {
+    return std::nullopt;
+  }
+  return "the beam is " + figure(slenderness) +
+         " times as long as deep (below 10): shear, which rigid joints leave out, is " +
+         figure(100.0 * shear_share(facts.scene, about_x)) +
+         " % of a cantilever's tip deflection (Timoshenko); solver.translation = \"elastic\" has "
+         "it";
+}
+
+std::optional<std::string> long_segments(const Facts& facts) {
+  if (facts.level.level == Level::Twist) return std::nullopt;
+  const auto [width, height] = sides(facts.scene.section);
+  double smallest = std::min(width, height);
+  for (const Region& region : facts.scene.regions) {
+    const auto [region_width, region_height] = sides(region.section);
+    smallest = std::min({smallest, region_width, region_height});
+  }
+  if (facts.longest_segment <= smallest) return std::nullopt;
+  const EndRule rule = facts.scene.end_rule;
+  const bool welded_equal =
+      rule == EndRule::Equal || (rule == EndRule::Auto && !half_joints(facts.scene));
+  return "segments of " + figure(facts.longest_segment) + " m are longer than the section's " +
+         figure(smallest) + " m (the report's rule of thumb); a cantilever so divided is " +
+         figure(100.0 * (cantilever_ratio(facts) - 1.0)) + " % off at its tip under a tip force" +
+         (welded_equal ? ", which falls as 1/N" : ", which falls as 1/N^2");
+}
+
+bool can_break(const Scene& scene) {
+  if (scene.yield_model == YieldModel::Elastic) return false;
+  const auto limited = [](const Material& material) {
+    return material.break_strain || material.break_shear_strain;
+  };
+  return scene.break_limit_x || scene.break_limit_y || scene.break_limit_z ||
+         limited(scene.material) ||
+         std::any_of(scene.regions.begin(), scene.regions.end(),
+                     [&](const Region& region) { return limited(region.material); });
+}
+
+/// Whether yielding gathers in one joint: no hardening, and not a section of fibres.
+bool is_ideal(const Scene& scene) {
+  return scene.yield_model != YieldModel::Fibre &&
+         scene.material.hardening.law == HardeningLaw::Ideal;
+}
+
+std::optional<std::string> hinge(const Facts& facts) {
+  const Scene& scene = facts.scene;
+  if (!can_break(scene) || facts.level.level == Level::Twist) return std::nullopt;
+  const auto [width, height] = sides(scene.section);
+  const double depth = bends_about_x(facts.level) ? height : width;
+  const double reports = scene.formulas == Formulas::Report ? 0.0 : depth;
+  const double hinge_length = scene.hinge_length.value_or(reports);
+  if (hinge_length == 0.0) {
+    if (!is_ideal(scene)) return std::nullopt;
+    return "without a hinge length a break depends on the segments: an ideal joint takes all of "
+           "the rotation, which at break falls as 1/N";
+  }
+  double longest = half_joints(scene) ? facts.ends[1] / 2.0 : 0.0;
+  for (const double share : inner_joint_shares(facts)) longest = std::max(longest, share);
+  longest *= scene.beam.length;
+  if (longest <= hinge_length * (1.0 + 1e-9)) return std::nullopt;
+  const double over = longest / hinge_length;
+  const auto wanted = std::ceil(scene.beam.length / hinge_length * (1.0 - 1e-9));
+  const std::string cost =
+      is_ideal(scene) ? "under an even moment their strain is " + figure(over) + " times too large"
+                      : "where less than such a length yields, its strain is up to " +
+                            figure(over) + " times too small";
+  return "joints that can break stand for " + figure(longest) +
+         " m, more than the hinge length of " + figure(hinge_length) + " m: " + cost + "; " +
+         figure(wanted) + " equal segments would do";
+}
+
+/// Whether a history lets go of what it had reached.
+bool lets_go(const History& history) {
+  for (std::size_t i = 1; i < history.factor.size(); ++i) {
+    const double before = history.factor[i - 1];
+    if (before * history.factor[i] < before * before) return true;
+  }
+  return false;
+}
+
+bool scene_lets_go(const Scene& scene) {
+  return std::any_of(scene.loads.begin(), scene.loads.end(),
+                     [](const Load& load) { return lets_go(load.history); }) ||
+         std::any_of(
+             scene.supports.begin(), scene.supports.end(),
+             [](const Support& support) { return support.moves() && lets_go(support.history); }) ||
+         (scene.gravity != std::array<double, 3>{} && lets_go(scene.gravity_history));
+}
+
+std::optional<std::string> cap(const Facts& facts) {
+  const Scene& scene = facts.scene;
+  if (scene.yield_model == YieldModel::Elastic || !is_ideal(scene) || !scene_lets_go(scene)) {
+    return std::nullopt;
+  }
+  const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
+  double factor = section.plastic_torsion_modulus / section.torsion_modulus;
+  if (bends_about_x(facts.level)) {
+    factor = section.plastic_section_modulus_x / section.section_modulus_x;
+  } else if (bends_about_y(facts.level)) {
+    factor = section.plastic_section_modulus_y / section.section_modulus_y;
+  }
+  const std::string fibres = facts.level.level == Level::Twist
+                                 ? std::string()
+                                 : "; rules.yield_model = \"fibre\" follows the section";
+  if (scene.yield_cap == YieldCap::FullyPlastic) {
+    return "the beam is loaded and let go: an ideal joint with the fully plastic cap is elastic up "
+           "to " +
+           figure(factor) + " times first yield, and below that keeps nothing" + fibres;
+  }
+  return "the beam is loaded and let go: an ideal joint with the cap at first yield turns freely "
+         "from there on, where the section carries up to " +
+         figure(factor) + " times as much" + fibres;
+}
+
+/// Whether anything bends the beam about x, and about y.
+std::array<bool, 2> bent_axes(const Scene& scene) {
+  std::array<bool, 2> bent{};
+  const auto add = [&](const std::array<double, 3>& push, const std::array<double, 3>& turn) {
+    bent[0] = bent[0] || push[1] != 0.0 || turn[0] != 0.0;
+    bent[1] = bent[1] || push[0] != 0.0 || turn[1] != 0.0;
+  };
+  for (const Load& load : scene.loads) add(load.force, load.moment);
+  for (const Support& support : scene.supports) {
+    add(support.translation, support.rotation);
+    if (support.kind == SupportKind::Pillar) add(support.normal, {});
+  }
+  add(scene.gravity, {});
+  return bent;
+}
+
+std::optional<std::string> per_axis(const Facts& facts) {
+  const auto bent = bent_axes(facts.scene);
+  if (facts.scene.yield_model != YieldModel::PerAxis || !bent[0] || !bent[1]) return std::nullopt;
+  const SectionShape shape = facts.scene.section.shape;
+  const bool plastic = facts.scene.yield_cap == YieldCap::FullyPlastic;
+  // The corner (1, 1) of the square of per-axis caps against the true surface along the diagonal:
+  // a circle, |m_x| + |m_y| = 1, and for the whole rectangle yielding m_hi + 3/4 m_lo^2 = 1.
+  std::string beyond = "41 %";
+  if (shape == SectionShape::Rectangle) beyond = plastic ? "50 %" : "100 %";
+  if (shape == SectionShape::RectangularTube) beyond = plastic ? "50 to 100 %" : "100 %";
+  return "rules.yield_model = \"per_axis\" with bending about both axes: the joint carries up to " +
+         beyond + " more than the section, with torsion still more; \"interaction\" does not";
+}
+
+std::optional<std::string> cut_corners(const Facts& facts) {
+  const Beam& beam = facts.scene.beam;
+  if (beam.shape != BeamShape::Polyline) return std::nullopt;
+  double deepest = 0.0;
+  for (std::size_t i = 2; i < beam.points.size(); ++i) {
+    const double along = polyline_length(std::span(beam.points).first(i)) / beam.length;
+    if (segment_end_at({along, {}}, facts.ends)) continue;
+    const auto after = std::upper_bound(facts.ends.begin(), facts.ends.end(), along);
+    const auto from = axis_point(beam, *(after - 1));
+    const auto to = axis_point(beam, *after);
+    const auto corner = beam.points[i - 1];
+    // Distance of the corner from the straight segment that spans it.
+    const double chord = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+    const double share =
+        ((corner[0] - from[0]) * (to[0] - from[0]) + (corner[1] - from[1]) * (to[1] - from[1]) +
+         (corner[2] - from[2]) * (to[2] - from[2])) /
+        (chord * chord);
+    deepest = std::max(deepest, std::hypot(corner[0] - from[0] - share * (to[0] - from[0]),
+                                           corner[1] - from[1] - share * (to[1] - from[1]),
+                                           corner[2] - from[2] - share * (to[2] - from[2])));
+  }
+  if (deepest == 0.0) return std::nullopt;
+  return "a corner of beam.points lies inside of a segment, which is straight and misses it by " +
+         figure(deepest) + " m; segment_lengths can end segments at the corners";
+}
+
+}  // namespace
+
+std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions& options) {
+  if (scene.is_coupon()) return {};
+  Facts facts{scene, options, choose_level(scene, options), segment_ends(scene)};
+  for (std::size_t i = 1; i < facts.ends.size(); ++i) {
+    facts.longest_segment =
+        std::max(facts.longest_segment, (facts.ends[i] - facts.ends[i - 1]) * scene.beam.length);
+  }
+  std::vector<std::string> warnings;
+  for (const auto find : {short_beam, long_segments, hinge, cap, per_axis, cut_corners}) {
+    if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
+  }
+  return warnings;
+}
+
+}  // namespace plastica

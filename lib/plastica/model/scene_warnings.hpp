@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plastica/model/scene.hpp"
+
+namespace plastica {
+
+/// What a scene asks for that its model does badly, a line each with the figure that it costs;
+/// empty for a coupon.
+/// - A beam shorter than ten times its depth: the share of shear in a cantilever's deflection
+///   (Timoshenko), unless joints shear.
+/// - Segments longer than the section is deep or wide: what a cantilever so divided is off by.
+/// - A break limit with joints longer than the hinge length, or without a hinge length.
+/// - An ideal joint that is bent and released: what its cap leaves out.
+/// - Components clipped one by one where the beam bends about both axes.
+/// - A polyline with corners inside of segments.
+/// @param scene, options  that check_scene accepts
+std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions& options);
+
+}  // namespace plastica

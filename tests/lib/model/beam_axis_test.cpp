@@ -1,0 +1,81 @@
+#include "plastica/model/beam_axis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace plastica {
+namespace {
+
+constexpr double kRounding = 1e-15;  // of a metre, a few units in the last place
+
+Scene scene_of(int segments, EndRule rule = EndRule::Auto) {
+  Scene scene;
+  scene.beam.segments = segments;
+  scene.end_rule = rule;
+  return scene;
+}
+
+TEST(SegmentEnds, DivideABeamEvenly) {
+  EXPECT_EQ(segment_ends(scene_of(4)), (std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0}));
+  EXPECT_EQ(segment_ends(scene_of(1)), (std::vector<double>{0.0, 1.0}));
+}
+
+TEST(SegmentEnds, FollowTheSharesOfTheSegments) {
+  Scene scene = scene_of(3);
+  scene.beam.segment_shares = {0.5, 0.25, 0.25};
+  EXPECT_EQ(segment_ends(scene), (std::vector<double>{0.0, 0.5, 0.75, 1.0}));
+}
+
+TEST(SegmentEnds, HalveTheEndSegmentsByTheRuleHalf) {
+  EXPECT_EQ(segment_ends(scene_of(5, EndRule::Half)),
+            (std::vector<double>{0.0, 0.125, 0.375, 0.625, 0.875, 1.0}));
+  EXPECT_EQ(segment_ends(scene_of(2, EndRule::Half)), (std::vector<double>{0.0, 0.5, 1.0}));
+}
+
+TEST(Places, AreFoundByNumberAndByFraction) {
+  const std::vector<double> ends = segment_ends(scene_of(10));
+  EXPECT_EQ(share_of({0.0, 3}, ends), ends[3]);
+  EXPECT_EQ(share_of({0.3, {}}, ends), 0.3);
+  EXPECT_EQ(segment_end_at({0.1 + 0.2, {}}, ends), 3);
+  EXPECT_EQ(segment_end_at({1.0, {}}, ends), 10);
+  EXPECT_EQ(segment_end_at({0.0, {}}, ends), 0);
+  EXPECT_EQ(segment_end_at({0.35, {}}, ends), std::nullopt);
+  EXPECT_EQ(segment_end_at({0.3001, {}}, ends), std::nullopt);
+}
+
+TEST(AxisPoint, RunsAlongZWhereTheBeamIsStraight) {
+  Beam beam;
+  beam.length = 3.0;
+  EXPECT_EQ(axis_point(beam, 0.5), (std::array<double, 3>{0.0, 0.0, 1.5}));
+}
+
+TEST(AxisPoint, TurnsTowardsTheSideOfAnArc) {
+  Beam beam;
+  beam.shape = BeamShape::Arc;
+  beam.arc_angle = std::numbers::pi / 2.0;
+  beam.length = 100.0 * beam.arc_angle;
+  beam.arc_towards = {0.6, 0.8, 0.0};
+  const auto end = axis_point(beam, 1.0);
+  EXPECT_NEAR(end[0], 60.0, 100.0 * kRounding);
+  EXPECT_NEAR(end[1], 80.0, 100.0 * kRounding);
+  EXPECT_NEAR(end[2], 100.0, 100.0 * kRounding);
+  const auto middle = axis_point(beam, 0.5);
+  EXPECT_NEAR(middle[2], 100.0 * std::sqrt(0.5), 100.0 * kRounding);
+  EXPECT_NEAR(middle[1], 80.0 * (1.0 - std::sqrt(0.5)), 100.0 * kRounding);
+}
+
+TEST(AxisPoint, FollowsAPolyline) {
+  Beam beam;
+  beam.shape = BeamShape::Polyline;
+  beam.points = {{0.0, 0.0, 0.0}, {0.0, 3.0, 4.0}, {0.0, 3.0, 9.0}};
+  beam.length = polyline_length(beam.points);
+  EXPECT_EQ(beam.length, 10.0);
+  EXPECT_EQ(axis_point(beam, 0.25), (std::array<double, 3>{0.0, 1.5, 2.0}));
+  EXPECT_EQ(axis_point(beam, 0.5), (std::array<double, 3>{0.0, 3.0, 4.0}));
+  EXPECT_EQ(axis_point(beam, 1.0), (std::array<double, 3>{0.0, 3.0, 9.0}));
+}
+
+}  // namespace
+}  // namespace plastica

@@ -1,0 +1,207 @@
+#include "plastica/model/scene_warnings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <functional>
+
+#include "plastica/theory/lumped_chain.hpp"
+#include "tests/lib/model/chain_scenes.hpp"
+
+namespace plastica {
+namespace {
+
+using testing::cantilever;
+
+std::vector<std::string> warnings_of(const std::function<void(Scene&)>& change) {
+  Scene scene = cantilever();
+  change(scene);
+  check_scene(scene, {});
+  return scene_warnings(scene, {});
+}
+
+std::string figure(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+bool has(const std::vector<std::string>& warnings, const std::string& text) {
+  for (const std::string& warning : warnings) {
+    if (warning.find(text) != std::string::npos) return true;
+  }
+  return false;
+}
+
+TEST(SceneWarnings, AreNoneForASlenderBeamOfShortSegments) {
+  EXPECT_EQ(warnings_of([](Scene&) {}), std::vector<std::string>{});
+}
+
+TEST(SceneWarnings, AreNoneForACoupon) {
+  Scene scene;
+  scene.drive.strain = {0.0, 0.01};
+  EXPECT_EQ(scene_warnings(scene, {}), std::vector<std::string>{});
+}
+
+TEST(SceneWarnings, SayWhatShearAShortBeamLeavesOut) {
+  Scene scene = cantilever();
+  scene.section.height = 0.2;
+  // phi = 3 (E/G) (h^2/12)/(kappa L^2) = 3 2.6 0.04/12/0.85 = 0.0306, with nu = 0.3 and Cowper's
+  // kappa = 13/15.3.
+  const auto warnings = scene_warnings(scene, {});
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0],
+            "the beam is 5 times as long as deep (below 10): shear, which rigid joints leave out, "
+            "is 2.97 % of a cantilever's tip deflection (Timoshenko); solver.translation = "
+            "\"elastic\" has it");
+  SolverOptions sheared;
+  sheared.translation = JointTranslation::Elastic;
+  EXPECT_EQ(scene_warnings(scene, sheared), std::vector<std::string>{});
+}
+
+TEST(SceneWarnings, TakeTheDepthInThePlaneOfBending) {
+  EXPECT_FALSE(has(warnings_of([](Scene& s) { s.section.width = 0.2; }), "as long as deep"));
+  EXPECT_TRUE(has(warnings_of([](Scene& s) {
+                    s.section.width = 0.2;
+                    s.loads[0].force = {1.0, 0.0, 0.0};
+                  }),
+                  "5 times as long as deep"));
+}
+
+TEST(SceneWarnings, SayWhatLongSegmentsCost) {
+  using theory::ChainConvention;
+  struct Convention {
+    EndRule rule;
+    ChainConvention theory;
+    int segments;  // of a chain that the theory counts as 8
+    std::string order;
+  };
+  for (const auto& [rule, convention, segments, order] :
+       {Convention{EndRule::Auto, ChainConvention::HalfJoint, 8, "1/N^2"},
+        Convention{EndRule::Equal, ChainConvention::Weld, 8, "1/N"},
+        Convention{EndRule::Half, ChainConvention::HalfEnds, 9, "1/N^2"},
+        Convention{EndRule::ThreeHalves, ChainConvention::ThreeHalvesEnds, 8, "1/N^2"}}) {
+    const auto warnings = warnings_of([&](Scene& s) {
+      s.beam.segments = segments;
+      s.end_rule = rule;
+    });
+    ASSERT_EQ(warnings.size(), 1U);
+    const double error = 100.0 * (theory::tip_force_ratio(convention, 8) - 1.0);
+    EXPECT_EQ(warnings[0],
+              "segments of 0.125 m are longer than the section's 0.02 m (the report's "
+              "rule of thumb); a cantilever so divided is " +
+                  figure(error) + " % off at its tip under a tip force, which falls as " + order);
+  }
+}
+
+TEST(SceneWarnings, CompareSegmentsWithTheSmallestSide) {
+  EXPECT_TRUE(has(warnings_of([](Scene& s) { s.section.width = 0.01; }), "section's 0.01 m"));
+  EXPECT_TRUE(has(warnings_of([](Scene& s) {
+                    s.regions.push_back({{0.5, {}}, Place::end(), s.section, s.material});
+                    s.regions[0].section.height = 0.005;
+                  }),
+                  "section's 0.005 m"));
+}
+
+TEST(SceneWarnings, SayWhatJointsLongerThanTheHingeDoToABreak) {
+  const auto breaking = [](YieldModel model) {
+    return [model](Scene& s) {
+      s.beam.segments = 10;
+      s.break_limit_x = 0.1;
+      s.yield_model = model;
+    };
+  };
+  EXPECT_TRUE(has(warnings_of(breaking(YieldModel::Interaction)),
+                  "joints that can break stand for 0.1 m, more than the hinge length of 0.02 m: "
+                  "under an even moment their strain is 5 times too large; 50 equal segments would "
+                  "do"));
+  EXPECT_TRUE(has(warnings_of(breaking(YieldModel::Fibre)),
+                  "where less than such a length yields, its strain is up to 5 times too small"));
+  EXPECT_FALSE(has(warnings_of([](Scene& s) {
+                     s.beam.segments = 50;
+                     s.material.break_strain = 0.1;
+                   }),
+                   "hinge"));
+  EXPECT_FALSE(has(warnings_of([](Scene& s) { s.beam.segments = 10; }), "hinge"));
+}
+
+TEST(SceneWarnings, SayThatABreakWithoutHingeLengthDependsOnTheSegments) {
+  const std::string text = "without a hinge length a break depends on the segments";
+  EXPECT_TRUE(has(warnings_of([](Scene& s) {
+                    s.material.break_strain = 0.1;
+                    s.hinge_length = 0.0;
+                  }),
+                  text));
+  EXPECT_TRUE(has(warnings_of([](Scene& s) {
+                    s.material.break_strain = 0.1;
+                    s.formulas = Formulas::Report;
+                    s.yield_model = YieldModel::PerAxis;
+                  }),
+                  text));
+}
+
+TEST(SceneWarnings, SayWhatACapDoesToABeamThatIsLetGo) {
+  const auto let_go = [](YieldCap cap, SectionShape shape) {
+    return [=](Scene& s) {
+      s.loads[0].history = History::turning_points({1.0, 0.0});
+      s.yield_cap = cap;
+      s.section.shape = shape;
+    };
+  };
+  EXPECT_TRUE(has(warnings_of(let_go(YieldCap::FirstYield, SectionShape::Rectangle)),
+                  "turns freely from there on, where the section carries up to 1.5 times as much"));
+  EXPECT_TRUE(has(warnings_of(let_go(YieldCap::FullyPlastic, SectionShape::Rectangle)),
+                  "is elastic up to 1.5 times first yield, and below that keeps nothing"));
+  // 16/(3 pi) of a circle.
+  EXPECT_TRUE(has(warnings_of(let_go(YieldCap::FullyPlastic, SectionShape::Circle)), "1.7 times"));
+  for (const YieldModel model : {YieldModel::Fibre, YieldModel::Elastic}) {
+    EXPECT_FALSE(has(warnings_of([&](Scene& s) {
+                       s.loads[0].history = History::turning_points({1.0, 0.0});
+                       s.yield_model = model;
+                     }),
+                     "let go"));
+  }
+}
+
+TEST(SceneWarnings, TakeALoadBackThatGrowsForOneThatDoesNotLetGo) {
+  const auto with = [](const History& history) {
+    return has(warnings_of([&](Scene& s) { s.loads[0].history = history; }), "let go");
+  };
+  EXPECT_FALSE(with(History::ramp()));
+  EXPECT_FALSE(with({{0.0, 1.0}, {1.0, 1.0}}));
+  EXPECT_FALSE(with(History::turning_points({-1.0, -2.0})));
+  EXPECT_TRUE(with(History::turning_points({-1.0, -0.5})));
+  EXPECT_TRUE(with(History::turning_points({1.0, -2.0})));
+}
+
+TEST(SceneWarnings, SayHowFarPerAxisCapsExceedTheSection) {
+  const auto skew = [](SectionShape shape, YieldCap cap) {
+    return [=](Scene& s) {
+      s.loads[0].force = {1.0, 1.0, 0.0};
+      s.yield_model = YieldModel::PerAxis;
+      s.section.shape = shape;
+      s.yield_cap = cap;
+    };
+  };
+  EXPECT_TRUE(has(warnings_of(skew(SectionShape::Rectangle, YieldCap::FirstYield)), "100 % more"));
+  EXPECT_TRUE(has(warnings_of(skew(SectionShape::Rectangle, YieldCap::FullyPlastic)), "50 % more"));
+  EXPECT_TRUE(has(warnings_of(skew(SectionShape::Circle, YieldCap::FirstYield)), "41 % more"));
+  EXPECT_FALSE(
+      has(warnings_of([](Scene& s) { s.yield_model = YieldModel::PerAxis; }), "both axes"));
+}
+
+TEST(SceneWarnings, SayWhenAPolylineHasACornerInsideOfASegment) {
+  const auto bent = [](double first) {
+    return [first](Scene& s) {
+      s.beam.shape = BeamShape::Polyline;
+      s.beam.points = {{0.0, 0.0, 0.0}, {0.0, 0.0, first}, {0.0, 1.0 - first, first}};
+      s.beam.segments = 50;
+    };
+  };
+  EXPECT_FALSE(has(warnings_of(bent(0.5)), "corner"));
+  // A right angle in the middle of a 20 mm segment is 10/sqrt(2) mm off its chord.
+  EXPECT_TRUE(has(warnings_of(bent(0.51)), "misses it by 0.00707 m"));
+}
+
+}  // namespace
+}  // namespace plastica
