@@ -56,6 +56,7 @@ void read_points(const TomlTable& beam, const TomlValue& list, Beam& result) {
   for (const TomlValue& item : list.array()) {
     result.points.push_back(read_vector(item, Dimension::Length));
   }
+  if (result.points.size() < 2) throw list.error("must be at least two points");
   set_length(beam.contains("length"), list, polyline_length(result.points), result);
 }
 
