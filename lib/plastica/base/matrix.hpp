@@ -35,6 +35,7 @@ struct Vec {
 
 template <class S, std::size_t N>
 constexpr S dot(const Vec<S, N>& a, const Vec<S, N>& b) {
+  if constexpr (N == 0) return constant<S>(0);
   S sum = a[0] * b[0];
   for (std::size_t i = 1; i < N; ++i) sum = sum + a[i] * b[i];
   return sum;

@@ -12,6 +12,7 @@ std::string_view name_of(Status status) {
     case Status::NonFinite: return "non-finite";
     case Status::LimitLoad: return "limit-load";
     case Status::Mechanism: return "mechanism";
+    case Status::HeldTwice: return "held-twice";
     case Status::NotConverged: return "not-converged";
   }
   return "unknown";
@@ -23,7 +24,9 @@ std::string_view advice(Status status) {
     case Status::Rejected: return "mend the input that the reason names";
     case Status::InvalidParameter: return "keep every parameter inside of its field's range";
     case Status::NonFinite: return "look at the largest strain and stiffness of the scene";
-    case Status::Mechanism: return "hold the beam against the motion that the reason names";
+    case Status::Mechanism: return "the supports leave the beam free to move: hold more of it";
+    case Status::HeldTwice:
+      return "let one of the supports slide along the beam, or set solver.translation = elastic";
     case Status::NotConverged: return "take more steps, or control = arc_length";
     case Status::Completed:
     case Status::Broken:

@@ -15,6 +15,7 @@ enum class Status {
   NonFinite,         ///< a number overflowed or became NaN; the response ends before that sample
   LimitLoad,         ///< there is no equilibrium beyond (see `Response::limit`); valid up to there
   Mechanism,         ///< the supports leave the beam free to move; nothing was computed
+  HeldTwice,         ///< a support holds a motion that is held already; nothing was computed
   NotConverged,      ///< no equilibrium was found, nor shown to be none; valid up to there
 };
 

@@ -59,6 +59,9 @@ struct SolverOptions {
   PathControl control = PathControl::Auto;
   /// Displacement and arc-length control: the point that is watched. Empty: that of the first load.
   std::optional<Place> control_at{};
+  /// Displacement control: where the control point is taken, in `steps` even parts [m]; of a
+  /// twisted beam, z is its angle [rad].
+  std::array<double, 3> control_motion{};
   int most_iterations = 25;  ///< Newton iterations of a step before it is cut back, >= 1
   /// A step has converged when no joint is out of balance by more than this times the largest
   /// moment of the step, and no support is off by more than this times the length [1], > 0.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,24 +12,29 @@
 
 namespace plastica {
 
+struct ChainModel;
+class ChainProgram;
+
 /// A checked scene, laid out for `run`. Made by `prepare`; never changes, so that threads share it.
 struct Model {
   Level level = Level::Coupon;
   std::string level_reason;  ///< why this level was chosen, for the report
   coupon::CouponShape coupon;
-  MaterialValues<double> material{};     ///< numbers that are not parameters stay at these
-  std::vector<const Field*> parameters;  ///< fields that `run` is given, in order
-  std::vector<double> drive;             ///< strain at each sample [1] (n_samples)
-  std::vector<ProbeQuantity> probes;     ///< what to record (n_probes)
+  HardeningLaw hardening = HardeningLaw::Ideal;  ///< of the scene's own material
+  std::shared_ptr<const ChainModel> chain;       ///< of a beam with supports; else empty
+  MaterialValues<double> material{};             ///< numbers that are not parameters stay at these
+  std::vector<const Field*> parameters;          ///< fields that `run` is given, in order
+  std::vector<double> drive;                     ///< strain at each sample [1] (n_samples)
+  std::vector<ProbeQuantity> probes;             ///< what to record (n_probes)
   BreakPolicy on_break = BreakPolicy::CutAll;
 };
 
 /// Values of a model's parameters in SI, in the order of `Model::parameters` (n_parameters).
 using ParameterValues = std::span<const double>;
 
-/// Memory that `run` works in; one a thread. A coupon needs none beyond this.
+/// Memory that `run` works in; one a thread. A coupon needs none.
 struct Workspace {
-  std::vector<double> state;
+  std::shared_ptr<ChainProgram> chain;
 };
 
 }  // namespace plastica

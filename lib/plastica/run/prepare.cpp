@@ -1,20 +1,103 @@
 #include <algorithm>
+#include <utility>
 
+#include "plastica/model/choose_level.hpp"
+#include "plastica/run/chain_run.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica {
+namespace {
+
+/// The times at which steps of a path must end: the samples, evenly spaced, and the corners of
+/// histories.
+void set_stops(ChainModel& chain) {
+  const Scene& scene = chain.scene;
+  std::vector<double> corners;
+  const auto add = [&](const History& history) {
+    corners.insert(corners.end(), history.time.begin(), history.time.end());
+  };
+  for (const Load& load : scene.loads) add(load.history);
+  for (const Support& support : scene.supports) {
+    if (support.moves()) add(support.history);
+  }
+  if (scene.gravity != std::array<double, 3>{}) add(scene.gravity_history);
+  double duration = chain.options.duration;
+  if (duration == 0.0) {
+    duration = corners.empty() ? 0.0 : *std::max_element(corners.begin(), corners.end());
+  }
+  if (duration == 0.0) duration = 1.0;  // loads that are there from the beginning
+
+  const int steps = chain.options.steps;
+  std::vector<std::pair<double, bool>> stops;
+  for (int k = 1; k <= steps; ++k) {
+    stops.emplace_back(k == steps ? duration : duration * k / steps, true);
+  }
+  for (const double corner : corners) {
+    const bool near = std::any_of(stops.begin(), stops.end(), [&](const auto& stop) {
+      return std::abs(stop.first - corner) < 1e-9 * duration;
+    });
+    if (corner > 0.0 && corner < duration && !near) stops.emplace_back(corner, false);
+  }
+  std::sort(stops.begin(), stops.end());
+  for (const auto& [time, recorded] : stops) {
+    chain.stops.push_back(time);
+    chain.recorded.push_back(recorded);
+  }
+  chain.samples = static_cast<std::size_t>(steps) + 1;
+}
+
+std::shared_ptr<const ChainModel> prepare_chain(const Scene& scene, const SolverOptions& options,
+                                                const LevelChoice& choice) {
+  auto chain = std::make_shared<ChainModel>();
+  chain->scene = scene;
+  chain->options = options;
+  chain->level = choice.level;
+  chain->across = choice.bending == BendingAxis::X ? 1 : 0;
+  chain->layout = chain::make_layout(scene);
+  for (std::size_t i = 0; i < chain->layout.size(); ++i) {
+    const double middle = 0.5 * (chain->layout.ends[i] + chain->layout.ends[i + 1]);
+    chain->part_of_segment.push_back(chain::part_at(scene, middle, chain->layout.ends).number);
+  }
+  set_stops(*chain);
+  return chain;
+}
+
+void size_chain(const ChainModel& chain, Response& response) {
+  ChainHistory& history = response.chain;
+  const std::size_t samples = chain.samples;
+  history.joints = chain.layout.size() + 1;
+  history.supports = chain.scene.supports.size();
+  history.time.assign(samples, 0.0);
+  history.factor.assign(samples, 0.0);
+  history.energy.assign(samples, {});
+  history.iterations.assign(samples, 0);
+  const std::size_t joints = samples * history.joints;
+  for (std::vector<double>* values : {&history.position, &history.moment, &history.force,
+                                      &history.angle, &history.plastic_angle}) {
+    values->assign(3 * joints, 0.0);
+  }
+  history.plastic_strain.assign(joints, 0.0);
+  history.stress.assign(joints, 0.0);
+  history.reaction.assign(6 * samples * history.supports, 0.0);
+}
+
+}  // namespace
 
 Model prepare(const Scene& scene, const SolverOptions& options,
               std::span<const std::string> parameters) {
   check_scene(scene, options);
 
   Model model;
-  model.level = Level::Coupon;
-  model.level_reason = options.level == Level::Auto
-                           ? "a strain history drives all joints alike: one stands for all"
-                           : "as the scene asks";
-  model.coupon = coupon::coupon_shape(scene);
+  const LevelChoice choice = choose_level(scene, options);
+  model.level = choice.level;
+  model.level_reason = choice.reason;
+  if (model.level == Level::Coupon) {
+    model.coupon = coupon::coupon_shape(scene);
+  } else {
+    model.chain = prepare_chain(scene, options, choice);
+  }
   model.material = material_values(scene.material);
+  model.hardening = scene.material.hardening.law;
   model.drive = scene.drive.strain;
   model.on_break = scene.on_break;
   for (const Probe& probe : scene.probes) model.probes.push_back(probe.quantity);
@@ -43,7 +126,9 @@ Model prepare(const Scene& scene, const SolverOptions& options,
 
 Response make_response(const Model& model) {
   Response response;
-  response.probes.assign(model.probes.size(), std::vector<double>(model.drive.size()));
+  const std::size_t samples = model.chain ? model.chain->samples : model.drive.size();
+  response.probes.assign(model.probes.size(), std::vector<double>(samples));
+  if (model.chain) size_chain(*model.chain, response);
   return response;
 }
 
@@ -54,7 +139,10 @@ Sensitivity make_sensitivity(const Model& model) {
   return sensitivity;
 }
 
-Workspace make_workspace(const Model& /*model*/) { return {}; }
+Workspace make_workspace(const Model& model) {
+  if (!model.chain) return {};
+  return {make_chain_program(*model.chain)};
+}
 
 Response simulate(const Scene& scene, const SolverOptions& options) {
   const Model model = prepare(scene, options);

@@ -6,6 +6,7 @@
 #include "plastica/base/dual.hpp"
 #include "plastica/coupon/material.hpp"
 #include "plastica/law/plastic_work.hpp"
+#include "plastica/run/chain_run.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica {
@@ -24,7 +25,7 @@ bool valid(const Model& model, ParameterValues values, const MaterialValues<doub
     if (!model.parameters[i]->range.contains(values[i])) return false;
   }
   const auto value = [&](MaterialField field) { return material[static_cast<std::size_t>(field)]; };
-  switch (model.coupon.hardening) {
+  switch (model.hardening) {
     case HardeningLaw::Ideal: return true;
     case HardeningLaw::Linear:
       return value(MaterialField::TangentModulus) < value(MaterialField::YoungsModulus);
@@ -232,6 +233,18 @@ void sensitivity_chunk(const Model& model, ParameterValues values, std::size_t f
   });
 }
 
+void run_chain(const Model& model, ParameterValues values, Workspace& workspace,
+               Response& response) {
+  response.samples = 0;
+  MaterialValues<double> material = model.material;
+  set_parameters(model, values, material);
+  if (!valid(model, values, material)) {
+    response.status = Status::InvalidParameter;
+    return;
+  }
+  workspace.chain->run(material, response);
+}
+
 bool stress_only(const Model& model) {
   return model.probes.size() == 1 && model.probes[0] == ProbeQuantity::Stress &&
          !model.coupon.breaks();
@@ -239,8 +252,12 @@ bool stress_only(const Model& model) {
 
 }  // namespace
 
-void run(const Model& model, ParameterValues values, Workspace& /*workspace*/, Response& response) {
+void run(const Model& model, ParameterValues values, Workspace& workspace, Response& response) {
   assert(values.size() == model.parameters.size());
+  if (model.chain) {
+    run_chain(model, values, workspace, response);
+    return;
+  }
   coupon::CouponMaterial<double> m;
   if (!begin(model, values, m, response)) return;
   coupon::with_law(model.coupon.hardening, m, [&](const auto& law) {

@@ -1,0 +1,305 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "plastica/chain/layout.hpp"
+#include "plastica/chain/placement.hpp"
+#include "plastica/chain/view.hpp"
+#include "plastica/model/beam_axis.hpp"
+
+namespace plastica::chain {
+
+/// What a joint stands for; its law and numbers follow from the parts of the beam beside it.
+struct JointPlan {
+  double length = 1.0;             ///< tributary [m]
+  std::array<bool, 3> acting{};    ///< rotations of the level that the section resists
+  std::array<double, 3> spring{};  ///< beside it, of a rotational spring [N m/rad]
+  std::size_t segment_a = 0;       ///< the segments whose sections it joins
+  std::size_t segment_b = 0;
+};
+
+/// A chain and what its joints are.
+template <class L>
+struct Build {
+  Chain<L> chain;
+  std::vector<JointPlan> joints;  ///< (joints)
+};
+
+/// Turns a laid-out scene into the chain of a level.
+template <class L>
+class Builder {
+ public:
+  using S = typename L::Scalar;
+  static constexpr std::size_t kT = L::kTranslations;
+  static constexpr std::size_t kR = L::kRotations;
+
+  Builder(const Scene& scene, const Layout& layout, const View<L>& view)
+      : scene_(scene), layout_(layout), view_(view) {}
+
+  Build<L> build() {
+    Chain<L>& chain = build_.chain;
+    chain.length = constant<S>(scene_.beam.length);
+    chain.histories.push_back({{0.0}, {0.0}});  // of what does not move
+    add_segments();
+    chain.root.position = view_.point(layout_.node[0]);
+    chain.root.ground = view_.frame(layout_.joint_frame[0]);
+    place_undeformed();
+    for (std::size_t s = 0; s < scene_.supports.size(); ++s) add_support(s);
+    for (const Load& load : scene_.loads) add_load(load);
+    add_gravity();
+    std::stable_sort(chain.loads.begin(), chain.loads.end(),
+                     [](const auto& a, const auto& b) { return a.segment < b.segment; });
+    return std::move(build_);
+  }
+
+ private:
+  std::size_t add_history(const History& history) {
+    build_.chain.histories.push_back(history);
+    return build_.chain.histories.size() - 1;
+  }
+
+  void add_segments() {
+    const std::size_t n = layout_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto& frame = layout_.segment_frame[i];
+      const auto back = transpose(frame);
+      Segment<L> segment;
+      segment.arm = view_.point(back * (layout_.node[i + 1] - layout_.node[i]));
+      segment.inner = view_.frame(back * layout_.joint_frame[i]);
+      segment.outer = view_.frame(back * layout_.joint_frame[i + 1]);
+      build_.chain.segments.push_back(segment);
+      JointPlan joint;
+      joint.length = layout_.joint_length[i];
+      joint.segment_a = i == 0 ? 0 : i - 1;
+      joint.segment_b = i;
+      joint.acting.fill(i > 0);
+      build_.joints.push_back(joint);
+    }
+  }
+
+  void place_undeformed() {
+    const std::size_t n = layout_.size();
+    Coordinates<L> q;
+    q.angle.resize(n);
+    undeformed_.resize(n);
+    place<false>(build_.chain, q, 0.0, undeformed_);
+  }
+
+  void add_support(std::size_t index) {
+    const Support& support = scene_.supports[index];
+    const std::size_t history = support.moves() ? add_history(support.history) : 0;
+    const double share = share_of(support.at, layout_.ends);
+    if (share == 0.0) {
+      add_root(support, index, history);
+    } else {
+      add_held_point(support, index, history, segment_point(layout_, share));
+    }
+    if (support.kind == SupportKind::Pillar) add_pillar(support, index, share);
+    if (support.kind == SupportKind::Elastic) add_springs(support, index, history, share);
+  }
+
+  void add_root(const Support& support, std::size_t index, std::size_t history) {
+    Root<L>& root = build_.chain.root;
+    root.support = index;
+    root.history = history;
+    root.motion = view_.point(vector(support.translation));
+    root.turn = view_.spin(vector(support.rotation));
+    root.held = view_.translations(support.held());
+    const auto held = view_.rotations(support.held());
+    if (resolved_end_rule(scene_) == EndRule::HalfJoint) {
+      build_.joints[0].acting = held;
+    } else {
+      root.welded = held;
+    }
+  }
+
+  void add_held_point(const Support& support, std::size_t index, std::size_t history,
+                      const SegmentPoint& point) {
+    const auto translation = view_.point(vector(support.translation));
+    const auto held = view_.translations(support.held());
+    for (std::size_t k = 0; k < kT; ++k) {
+      if (!held[k]) continue;
+      Closure<L> closure = closure_at(index, point);
+      closure.history = history;
+      closure.direction = unit_vector<typename L::Point>(k);
+      closure.target = undeformed_point(point)[k];
+      closure.motion = translation[k];
+      build_.chain.closures.push_back(closure);
+    }
+    hold_rotation(support, index, history, point);
+  }
+
+  /// A rotation that is held at a segment's end: half joints to the ground on both sides, where
+  /// there is a segment, in place of the joint between; welds hold the segments rigidly.
+  void hold_rotation(const Support& support, std::size_t index, std::size_t history,
+                     const SegmentPoint& point) {
+    const auto held = view_.rotations(support.held());
+    if (std::none_of(held.begin(), held.begin() + kR, [](bool h) { return h; })) return;
+    const bool half = resolved_end_rule(scene_) == EndRule::HalfJoint;
+    const std::size_t beyond = point.segment + 1;
+    const auto rotation = view_.spin(vector(support.rotation));
+    const auto add = [&](std::size_t segment, bool outer) {
+      if (half) {
+        add_ground_joint(index, history, segment, outer, held, rotation);
+      } else {
+        weld_segment(index, history, segment, held, rotation);
+      }
+    };
+    add(point.segment, true);
+    if (beyond >= layout_.size()) return;
+    add(beyond, false);
+    for (std::size_t k = 0; k < kR; ++k) {
+      if (held[k]) build_.joints[beyond].acting[k] = false;
+    }
+  }
+
+  void add_ground_joint(std::size_t support, std::size_t history, std::size_t segment, bool outer,
+                        const std::array<bool, 3>& held, const typename L::Spin& rotation) {
+    const Segment<L>& shape = build_.chain.segments[segment];
+    GroundJoint<L> joint;
+    joint.support = support;
+    joint.segment = segment;
+    joint.history = history;
+    joint.joint = build_.joints.size();
+    joint.local = outer ? shape.outer : shape.inner;
+    joint.ground = L::then(undeformed_.frame[segment], joint.local);
+    joint.motion = rotation;
+    build_.chain.ground_joints.push_back(joint);
+    JointPlan plan;
+    plan.length = 0.5 * layout_.segment_length[segment];
+    plan.acting = held;
+    plan.segment_a = plan.segment_b = segment;
+    build_.joints.push_back(plan);
+  }
+
+  void weld_segment(std::size_t support, std::size_t history, std::size_t segment,
+                    const std::array<bool, 3>& held, const typename L::Spin& rotation) {
+    for (std::size_t k = 0; k < kR; ++k) {
+      if (!held[k]) continue;
+      Closure<L> closure;
+      closure.support = support;
+      closure.segment = segment;
+      closure.history = history;
+      closure.turning = true;
+      closure.axis = unit_vector<typename L::Spin>(k);
+      closure.frame = undeformed_.frame[segment];
+      closure.motion = rotation[k];
+      build_.chain.closures.push_back(closure);
+    }
+  }
+
+  void add_pillar(const Support& support, std::size_t index, double share) {
+    const SegmentPoint point = segment_point(layout_, share);
+    Closure<L> closure = closure_at(index, point);
+    closure.one_sided = true;
+    closure.direction = view_.point(vector(support.normal));
+    closure.history = support.moves() ? add_history(support.history) : 0;
+    closure.motion = dot(closure.direction, view_.point(vector(support.translation)));
+    closure.target = dot(closure.direction, undeformed_point(point)) - constant<S>(support.gap);
+    build_.chain.closures.push_back(closure);
+  }
+
+  void add_springs(const Support& support, std::size_t index, std::size_t history, double share) {
+    const SegmentPoint point = segment_point(layout_, share);
+    Spring<L> spring;
+    spring.support = index;
+    spring.segment = point.segment;
+    spring.history = history;
+    spring.arm = view_.point(point.arm);
+    const auto stiffness = view_.translations(six(support.stiffness, {}));
+    for (std::size_t k = 0; k < kT; ++k) spring.stiffness[k] = constant<S>(stiffness[k]);
+    spring.rest = undeformed_point(point);
+    spring.motion = view_.point(vector(support.translation));
+    build_.chain.springs.push_back(spring);
+    const auto turning = view_.rotations(six({}, support.rotational_stiffness));
+    if (std::none_of(turning.begin(), turning.begin() + kR, [](double k) { return k > 0.0; })) {
+      return;
+    }
+    if (share == 0.0) {
+      build_.joints[0].spring = turning;
+      return;
+    }
+    add_ground_joint(index, history, point.segment, true, {}, view_.spin(vector(support.rotation)));
+    build_.joints.back().spring = turning;
+  }
+
+  void add_load(const Load& load) {
+    const std::size_t history = add_history(load.history);
+    const double from = share_of(load.at, layout_.ends);
+    if (!load.to) {
+      add_point_load(load, history, segment_point(layout_, from), 1.0);
+      return;
+    }
+    const double to = share_of(*load.to, layout_.ends);
+    for (std::size_t i = 0; i < layout_.size(); ++i) {
+      const double begin = std::max(from, layout_.ends[i]);
+      const double end = std::min(to, layout_.ends[i + 1]);
+      if (end <= begin) continue;
+      add_point_load(load, history, segment_point(layout_, 0.5 * (begin + end)),
+                     (end - begin) * scene_.beam.length);
+    }
+  }
+
+  void add_point_load(const Load& load, std::size_t history, const SegmentPoint& point,
+                      double size) {
+    SegmentLoad<L> part;
+    part.segment = point.segment;
+    part.history = history;
+    part.arm = view_.point(point.arm);
+    part.follows = load.follows;
+    // A follower's axes are the world's as the segment was laid out.
+    const auto& frame = layout_.segment_frame[point.segment];
+    const auto turn = load.follows ? transpose(frame) : identity<double, 3>();
+    part.force = view_.point(turn * (size * vector(load.force)));
+    part.moment = view_.spin(turn * (size * vector(load.moment)));
+    build_.chain.loads.push_back(part);
+  }
+
+  void add_gravity() {
+    const Vec<double, 3> g = vector(scene_.gravity);
+    if (dot(g, g) == 0.0) return;
+    std::vector<double> line_mass;  // of the scene's own section, then of the regions [kg/m]
+    const auto add_mass = [&](const Section& section, const Material& material) {
+      line_mass.push_back(material.density *
+                          section_properties(section, material.poisson_ratio).area);
+    };
+    add_mass(scene_.section, scene_.material);
+    for (const Region& region : scene_.regions) add_mass(region.section, region.material);
+    Load weight;
+    const std::size_t history = add_history(scene_.gravity_history);
+    for (std::size_t i = 0; i < layout_.size(); ++i) {
+      const double middle = 0.5 * (layout_.ends[i] + layout_.ends[i + 1]);
+      const Vec<double, 3> force = line_mass[part_at(scene_, middle, layout_.ends).number] * g;
+      weight.force = force.at;
+      add_point_load(weight, history, segment_point(layout_, middle), layout_.segment_length[i]);
+    }
+  }
+
+  Closure<L> closure_at(std::size_t support, const SegmentPoint& point) const {
+    Closure<L> closure;
+    closure.support = support;
+    closure.segment = point.segment;
+    closure.arm = view_.point(point.arm);
+    return closure;
+  }
+
+  typename L::Point undeformed_point(const SegmentPoint& point) const {
+    return undeformed_.point(point.segment, view_.point(point.arm));
+  }
+
+  static Vec<double, 3> vector(const std::array<double, 3>& v) { return {{v[0], v[1], v[2]}}; }
+  static std::array<double, 6> six(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+    return {a[0], a[1], a[2], b[0], b[1], b[2]};
+  }
+
+  const Scene& scene_;
+  const Layout& layout_;
+  View<L> view_;
+  Placement<L> undeformed_;
+  Build<L> build_;
+};
+
+}  // namespace plastica::chain

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "plastica/chain/level.hpp"
+#include "plastica/model/history.hpp"
+
+/// A chain as the kernels see it: rigid segments 0 … N-1, joint i at the inner end of segment i;
+/// joint 0 joins the chain to the ground. Numbers are scalars S, so that lanes may differ in all of
+/// them; the shape (how many of what, and where) is one for all lanes.
+namespace plastica::chain {
+
+/// A rigid segment, in its own axes.
+template <class L>
+struct Segment {
+  typename L::Point arm;    ///< from its inner to its outer joint [m]
+  typename L::Frame inner;  ///< of its inner joint's axes, as seen from the segment
+  typename L::Frame outer;  ///< of its outer joint's axes
+};
+
+/// A load at a point of a segment, times a history. What acts on a whole segment (gravity, spread
+/// loads) acts at its resultant's point.
+template <class L>
+struct SegmentLoad {
+  std::size_t segment = 0;
+  std::size_t history = 0;
+  typename L::Point arm;    ///< from the inner joint, in the segment's axes [m]
+  typename L::Point force;  ///< [N], world axes; a follower's: the segment's
+  typename L::Spin moment;  ///< [N m], likewise
+  bool follows = false;
+};
+
+/// A rigid constraint of one freedom of a point: direction . x = target, kept by a multiplier,
+/// which is the force along the direction. Turning closures hold the spin about an axis, for welds.
+template <class L>
+struct Closure {
+  std::size_t support = 0;  ///< of the scene
+  std::size_t segment = 0;
+  std::size_t history = 0;
+  typename L::Point arm;
+  typename L::Point direction;  ///< unit vector; zero for a turning closure
+  typename L::Spin axis;        ///< unit vector of a turning closure, else zero
+  typename L::Frame frame;      ///< turning: the segment's frame where it is held
+  typename L::Scalar target;    ///< direction . x of the undeformed beam (less a pillar's gap) [m]
+  typename L::Scalar motion;    ///< how far it moves, times the history [m] (turning: [rad])
+  bool turning = false;
+  bool one_sided = false;  ///< the multiplier is not negative: a pillar
+};
+
+/// Springs between a point and the ground along the world axes.
+template <class L>
+struct Spring {
+  std::size_t support = 0;
+  std::size_t segment = 0;
+  std::size_t history = 0;
+  typename L::Point arm;
+  typename L::Point stiffness;  ///< [N/m]
+  typename L::Point rest;       ///< where it carries nothing [m]
+  typename L::Point motion;     ///< of the ground, times the history [m]
+};
+
+/// A joint between a segment and the ground that acts on rotation alone: the half joint of a clamp
+/// off the root, or a rotational spring.
+template <class L>
+struct GroundJoint {
+  std::size_t support = 0;
+  std::size_t segment = 0;
+  std::size_t history = 0;
+  std::size_t joint = 0;     ///< number of its law: N, N + 1, …
+  typename L::Frame local;   ///< of its axes, as seen from the segment
+  typename L::Frame ground;  ///< of its axes, undeformed
+  typename L::Spin motion;   ///< turn of the ground, times the history [rad]
+};
+
+/// How the chain is joined to the ground at its start.
+template <class L>
+struct Root {
+  typename L::Point position;  ///< of joint 0 [m]
+  typename L::Frame ground;    ///< of its axes
+  typename L::Point motion;    ///< prescribed, times the history [m]
+  typename L::Spin turn;       ///< prescribed, times the history [rad]
+  std::size_t history = 0;
+  std::array<bool, 3> held{};    ///< translations that the ground holds (kTranslations used)
+  std::array<bool, 3> welded{};  ///< rotations that joint 0 does not let go (kRotations used)
+  std::optional<std::size_t> support{};  ///< of the scene, if one is at the start
+};
+
+template <class L>
+struct Chain {
+  using Level = L;
+  using S = typename L::Scalar;
+
+  std::vector<Segment<L>> segments;   ///< (N)
+  std::vector<SegmentLoad<L>> loads;  ///< by rising segment
+  std::vector<Closure<L>> closures;
+  std::vector<Spring<L>> springs;
+  std::vector<GroundJoint<L>> ground_joints;
+  Root<L> root;
+  std::vector<History> histories;  ///< that the others name
+  S length = constant<S>(1);       ///< of the beam [m]: the scale of gaps
+  /// What stiffens the point of a closure in the factorization without changing the solution
+  /// (README.md), along directions [N/m] and about axes [N m/rad].
+  S closure_stiffness = constant<S>(1);
+  S closure_turning_stiffness = constant<S>(1);
+
+  std::size_t size() const { return segments.size(); }
+  /// Joints with a law: those of the segments, then those to the ground.
+  std::size_t joints() const { return segments.size() + ground_joints.size(); }
+};
+
+}  // namespace plastica::chain

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "plastica/chain/state.hpp"
+
+namespace plastica::chain {
+
+/// The laws of all joints of a chain, one virtual call for all: the solver does not know which.
+///
+/// A trial is a set of joint angles reached from the last committed state in one increment; trials
+/// leave the committed state alone.
+template <class L, bool kElastic>
+class JointLaws {
+ public:
+  using S = typename L::Scalar;
+  static constexpr std::size_t kJ = kFreedoms<L, kElastic>;
+
+  virtual ~JointLaws() = default;
+
+  /// Forces and tangents of a trial, as they work on spins and shifts.
+  /// @param angles  of all joints with a law (joints)
+  /// @param shifts  of the joints of segments; empty for rigid joints (N)
+  virtual void evaluate(std::span<const typename L::Spin> angles,
+                        std::span<const typename L::Point> shifts,
+                        JointForces<L, kElastic>& forces) = 0;
+
+  /// Makes the state of the last trial the committed one.
+  virtual void commit() = 0;
+};
+
+}  // namespace plastica::chain

@@ -1,0 +1,117 @@
+#include "plastica/chain/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plastica/chain/rotation.hpp"
+#include "plastica/model/beam_axis.hpp"
+
+namespace plastica::chain {
+namespace {
+
+using Point = Vec<double, 3>;
+using Frame = Mat<double, 3, 3>;
+
+Point unit(const Point& v) { return 1.0 / std::sqrt(dot(v, v)) * v; }
+
+/// The frame turned least so that its z axis points along `direction`.
+Frame turned_along(const Frame& frame, const Point& direction) {
+  const Point z{{frame(0, 2), frame(1, 2), frame(2, 2)}};
+  const Point axis = cross(z, direction);
+  const double sine = std::sqrt(dot(axis, axis));
+  if (sine < 1e-15) return frame;
+  const double angle = std::atan2(sine, dot(z, direction));
+  return rotation_matrix(angle / sine * axis) * frame;
+}
+
+/// Half way from one frame to another.
+Frame between(const Frame& a, const Frame& b) {
+  return a * rotation_matrix(0.5 * rotation_vector(transpose(a) * b));
+}
+
+/// The frame at a share of an arc, whose z axis is its tangent.
+Frame arc_frame(const Beam& beam, double share) {
+  const Point along{{0.0, 0.0, 1.0}};
+  const Point towards{{beam.arc_towards[0], beam.arc_towards[1], beam.arc_towards[2]}};
+  return rotation_matrix(share * beam.arc_angle * cross(along, towards));
+}
+
+void place_frames(const Beam& beam, Layout& layout) {
+  const std::size_t n = layout.size();
+  Frame frame = identity<double, 3>();
+  for (std::size_t i = 0; i < n; ++i) {
+    frame = turned_along(frame, unit(layout.node[i + 1] - layout.node[i]));
+    layout.segment_frame.push_back(frame);
+  }
+  layout.joint_frame.push_back(layout.segment_frame.front());
+  for (std::size_t i = 1; i < n; ++i) {
+    layout.joint_frame.push_back(between(layout.segment_frame[i - 1], layout.segment_frame[i]));
+  }
+  layout.joint_frame.push_back(layout.segment_frame.back());
+  if (beam.shape == BeamShape::Arc) {
+    layout.joint_frame.front() = arc_frame(beam, 0.0);
+    layout.joint_frame.back() = arc_frame(beam, 1.0);
+  }
+}
+
+void set_joint_lengths(const Scene& scene, Layout& layout) {
+  const std::size_t n = layout.size();
+  const auto& length = layout.segment_length;
+  auto& joint = layout.joint_length;
+  joint.assign(n + 1, 0.0);
+  joint.front() = 0.5 * length.front();
+  joint.back() = 0.5 * length.back();
+  for (std::size_t i = 1; i < n; ++i) joint[i] = 0.5 * (length[i - 1] + length[i]);
+  const EndRule rule = resolved_end_rule(scene);
+  if (n > 1 && (rule == EndRule::Half || rule == EndRule::ThreeHalves)) {
+    joint[1] += 0.5 * length.front();
+    joint[n - 1] += 0.5 * length.back();
+  }
+  if (!scene.beam.joint_lengths.empty()) {
+    std::copy(scene.beam.joint_lengths.begin(), scene.beam.joint_lengths.end(), joint.begin() + 1);
+  }
+}
+
+}  // namespace
+
+EndRule resolved_end_rule(const Scene& scene) {
+  if (scene.end_rule != EndRule::Auto) return scene.end_rule;
+  return scene.formulas == Formulas::Report ? EndRule::Equal : EndRule::HalfJoint;
+}
+
+Layout make_layout(const Scene& scene) {
+  Layout layout;
+  layout.ends = segment_ends(scene);
+  for (const double share : layout.ends) {
+    const auto at = axis_point(scene.beam, share);
+    layout.node.push_back({{at[0], at[1], at[2]}});
+  }
+  for (std::size_t i = 0; i + 1 < layout.ends.size(); ++i) {
+    layout.segment_length.push_back((layout.ends[i + 1] - layout.ends[i]) * scene.beam.length);
+  }
+  place_frames(scene.beam, layout);
+  set_joint_lengths(scene, layout);
+  return layout;
+}
+
+Part part_at(const Scene& scene, double share, const std::vector<double>& ends) {
+  Part part{0, &scene.section, &scene.material};
+  for (std::size_t i = 0; i < scene.regions.size(); ++i) {
+    const Region& region = scene.regions[i];
+    if (share < share_of(region.from, ends) || share > share_of(region.to, ends)) continue;
+    part = {i + 1, &region.section, &region.material};
+  }
+  return part;
+}
+
+SegmentPoint segment_point(const Layout& layout, double share) {
+  const auto after =
+      std::lower_bound(layout.ends.begin() + 1, layout.ends.end() - 1, share - 1e-12);
+  const auto segment = static_cast<std::size_t>(after - layout.ends.begin()) - 1;
+  const double within =
+      (share - layout.ends[segment]) / (layout.ends[segment + 1] - layout.ends[segment]);
+  const Point chord = layout.node[segment + 1] - layout.node[segment];
+  return {segment, within * transposed_times(layout.segment_frame[segment], chord)};
+}
+
+}  // namespace plastica::chain

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "plastica/base/matrix.hpp"
+#include "plastica/model/scene.hpp"
+
+namespace plastica::chain {
+
+/// Where the segments and joints of a scene's undeformed beam are, in space whatever the level.
+///
+/// Nodes are the segment ends; a node inside of the beam is a joint. The chord between two nodes of
+/// an arc or over a corner is a segment's arm; its length along the axis is what joints and loads
+/// go by.
+struct Layout {
+  std::vector<double> ends;                      ///< of segments, as shares of the length (N + 1)
+  std::vector<Vec<double, 3>> node;              ///< [m] (N + 1)
+  std::vector<Mat<double, 3, 3>> segment_frame;  ///< columns x, y, z; z along the chord (N)
+  /// Half way between the frames of its segments; at the ends of an arc, of its tangent (N + 1).
+  std::vector<Mat<double, 3, 3>> joint_frame;
+  std::vector<double> segment_length;  ///< along the axis [m] (N)
+  std::vector<double> joint_length;    ///< tributary lengths l [m] (N + 1)
+
+  std::size_t size() const { return segment_length.size(); }
+};
+
+/// A point of the beam on its segment.
+struct SegmentPoint {
+  std::size_t segment = 0;
+  Vec<double, 3> arm{};  ///< from the inner joint, in the segment's frame [m]
+};
+
+/// Lays out a scene that has passed `check_scene`. Tributary lengths are (L_a + L_b)/2 or as the
+/// scene gives them; half the end segment at the ends, where a half joint may be; with
+/// EndRule::Half and ThreeHalves the end segments belong whole to their only joint.
+Layout make_layout(const Scene& scene);
+
+/// The rule that EndRule::Auto stands for.
+EndRule resolved_end_rule(const Scene& scene);
+
+/// Section and material of a point of the beam: those of the last region that holds it, or the
+/// scene's own.
+struct Part {
+  std::size_t number = 0;  ///< 0: the scene's own, else the region's number from 1
+  const Section* section = nullptr;
+  const Material* material = nullptr;
+};
+Part part_at(const Scene& scene, double share, const std::vector<double>& ends);
+
+/// The point at a share of the beam's length; a node belongs to the segment before it.
+SegmentPoint segment_point(const Layout& layout, double share);
+
+}  // namespace plastica::chain

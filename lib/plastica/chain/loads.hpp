@@ -1,0 +1,177 @@
+#pragma once
+
+#include <vector>
+
+#include "plastica/chain/placement.hpp"
+
+/// What acts on each segment from outside, and how it changes as the segment moves.
+namespace plastica::chain {
+
+/// Wrenches on the segments and their impedances, about the inner joints.
+template <class L>
+struct OuterForces {
+  std::vector<Wrench<L>> wrench;        ///< (N)
+  std::vector<Impedance<L>> impedance;  ///< (N)
+
+  void reset(std::size_t n) {
+    wrench.assign(n, {});
+    impedance.assign(n, {});
+  }
+};
+
+/// Force and moment of a load at a unit factor, in world axes, with the arm that it has now.
+template <class L>
+inline Wrench<L> unit_wrench(const SegmentLoad<L>& load, const Placement<L>& placement) {
+  const typename L::Frame& frame = placement.frame[load.segment];
+  const typename L::Point arm = L::turn(frame, load.arm);
+  if (!load.follows) return {load.force, L::moment(arm, load.force) + load.moment};
+  const typename L::Point force = L::turn(frame, load.force);
+  return {force, L::moment(arm, force) + L::axes(frame) * load.moment};
+}
+
+/// The wrench of a closure at a unit multiplier: also its motion's derivative by that of its
+/// segment.
+template <class L>
+inline Wrench<L> unit_wrench(const Closure<L>& closure, const Placement<L>& placement) {
+  const typename L::Point arm = L::turn(placement.frame[closure.segment], closure.arm);
+  return {closure.direction, L::moment(arm, closure.direction) + closure.axis};
+}
+
+/// How far a closure's point is beyond its target, along its direction.
+template <class L>
+inline typename L::Scalar closure_gap(const Chain<L>& chain, const Closure<L>& closure,
+                                      const Placement<L>& placement, double time) {
+  using S = typename L::Scalar;
+  const S factor = constant<S>(chain.histories[closure.history].at(time));
+  if (closure.turning) {
+    const typename L::Spin turned =
+        L::axes(closure.frame) * L::angle_from(closure.frame, placement.frame[closure.segment]);
+    return dot(closure.axis, turned) - factor * closure.motion;
+  }
+  const typename L::Point at = placement.point(closure.segment, closure.arm);
+  return dot(closure.direction, at) - closure.target - factor * closure.motion;
+}
+
+namespace detail {
+
+/// Stiffness K along world axes at the end of an arm: P^T K P with P = [1, spun_by(arm)].
+template <class L>
+inline void add_point_stiffness(
+    const Mat<typename L::Scalar, L::kTranslations, L::kTranslations>& k,
+    const typename L::Point& arm, Impedance<L>& impedance) {
+  const auto by = L::spun_by(arm);
+  const auto k_by = k * by;
+  impedance.tt += k;
+  impedance.tr += k_by;
+  impedance.rt += transpose(by) * k;
+  impedance.rr += transpose(by) * k_by;
+}
+
+template <class L>
+void add_loads(const Chain<L>& chain, const Placement<L>& placement, double time,
+               OuterForces<L>& outer_forces) {
+  using S = typename L::Scalar;
+  for (const SegmentLoad<L>& load : chain.loads) {
+    const S factor = constant<S>(chain.histories[load.history].at(time));
+    const Wrench<L> unit = unit_wrench(load, placement);
+    Wrench<L>& wrench = outer_forces.wrench[load.segment];
+    Impedance<L>& impedance = outer_forces.impedance[load.segment];
+    wrench.force += factor * unit.force;
+    wrench.moment += factor * unit.moment;
+    if (load.follows) {
+      impedance.tr -= factor * L::spun_by(unit.force);
+      impedance.rr -= factor * L::turned_by(unit.moment);
+    } else {
+      const typename L::Point arm = L::turn(placement.frame[load.segment], load.arm);
+      impedance.rr -= factor * L::moment_by(arm, load.force);
+    }
+  }
+}
+
+template <class L>
+void add_springs(const Chain<L>& chain, const Placement<L>& placement, double time,
+                 OuterForces<L>& outer_forces) {
+  using S = typename L::Scalar;
+  for (const Spring<L>& spring : chain.springs) {
+    const S factor = constant<S>(chain.histories[spring.history].at(time));
+    const typename L::Point arm = L::turn(placement.frame[spring.segment], spring.arm);
+    const typename L::Point off =
+        placement.position[spring.segment] + arm - spring.rest - factor * spring.motion;
+    Mat<S, L::kTranslations, L::kTranslations> k;
+    typename L::Point force;
+    for (std::size_t i = 0; i < L::kTranslations; ++i) {
+      k(i, i) = spring.stiffness[i];
+      force[i] = -(spring.stiffness[i] * off[i]);
+    }
+    Impedance<L>& impedance = outer_forces.impedance[spring.segment];
+    add_point_stiffness(k, arm, impedance);
+    impedance.rr -= L::moment_by(arm, force);
+    outer_forces.wrench[spring.segment].force += force;
+    outer_forces.wrench[spring.segment].moment += L::moment(arm, force);
+  }
+}
+
+template <bool kElastic, class L>
+void add_ground_joints(const Chain<L>& chain, const Placement<L>& placement,
+                       const JointForces<L, kElastic>& joints, OuterForces<L>& outer_forces) {
+  using S = typename L::Scalar;
+  for (const GroundJoint<L>& joint : chain.ground_joints) {
+    const auto axes = L::axes(ground_joint_axes(joint, placement));
+    typename L::Spin force;
+    Mat<S, L::kRotations, L::kRotations> tangent;
+    for (std::size_t i = 0; i < L::kRotations; ++i) {
+      force[i] = joints.force[joint.joint][i];
+      for (std::size_t j = 0; j < L::kRotations; ++j) {
+        tangent(i, j) = joints.tangent[joint.joint](i, j);
+      }
+    }
+    const typename L::Spin moment = axes * force;
+    outer_forces.wrench[joint.segment].moment += moment;
+    outer_forces.impedance[joint.segment].rr +=
+        axes * tangent * transpose(axes) - L::turned_by(moment);
+  }
+}
+
+}  // namespace detail
+
+/// The force of each closure now, and the stiffness that the factorization gives its point: both
+/// zero where a one-sided closure is open.
+template <class L>
+void add_closures(const Chain<L>& chain, const Placement<L>& placement, const Coordinates<L>& q,
+                  const std::vector<mask_t<typename L::Scalar>>& closed,
+                  OuterForces<L>& outer_forces) {
+  using S = typename L::Scalar;
+  const S zero = constant<S>(0);
+  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+    const Closure<L>& closure = chain.closures[k];
+    const S force = select(closed[k], q.multiplier[k], zero);
+    const Wrench<L> unit = unit_wrench(closure, placement);
+    Wrench<L>& wrench = outer_forces.wrench[closure.segment];
+    Impedance<L>& impedance = outer_forces.impedance[closure.segment];
+    wrench.force += force * unit.force;
+    wrench.moment += force * unit.moment;
+    if (closure.turning) {
+      const S stiffness = select(closed[k], chain.closure_turning_stiffness, zero);
+      impedance.rr += outer(stiffness * closure.axis, closure.axis);
+    } else {
+      const typename L::Point arm = L::turn(placement.frame[closure.segment], closure.arm);
+      const S stiffness = select(closed[k], chain.closure_stiffness, zero);
+      impedance.rr -= force * L::moment_by(arm, closure.direction);
+      detail::add_point_stiffness(outer(stiffness * closure.direction, closure.direction), arm,
+                                  impedance);
+    }
+  }
+}
+
+/// All that acts on the segments but closures.
+template <bool kElastic, class L>
+void gather_forces(const Chain<L>& chain, const Placement<L>& placement,
+                   const JointForces<L, kElastic>& joints, double time,
+                   OuterForces<L>& outer_forces) {
+  outer_forces.reset(chain.size());
+  detail::add_loads(chain, placement, time, outer_forces);
+  detail::add_springs(chain, placement, time, outer_forces);
+  detail::add_ground_joints(chain, placement, joints, outer_forces);
+}
+
+}  // namespace plastica::chain

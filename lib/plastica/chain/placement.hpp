@@ -1,0 +1,51 @@
+#pragma once
+
+#include "plastica/chain/state.hpp"
+
+namespace plastica::chain {
+
+/// The ground's frame at joint 0 at a time, with its prescribed turn.
+template <class L>
+inline typename L::Frame root_frame(const Chain<L>& chain, double time) {
+  const auto factor = constant<typename L::Scalar>(chain.histories[chain.root.history].at(time));
+  return L::then(L::rotation(factor * chain.root.turn), chain.root.ground);
+}
+
+/// Places the segments from the root outwards; so a joint's gap is nothing but its own shift.
+template <bool kElastic, class L>
+void place(const Chain<L>& chain, const Coordinates<L>& q, double time, Placement<L>& placement) {
+  using S = typename L::Scalar;
+  const S factor = constant<S>(chain.histories[chain.root.history].at(time));
+  typename L::Frame near = root_frame(chain, time);
+  typename L::Point at = chain.root.position + factor * chain.root.motion + q.root;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Segment<L>& segment = chain.segments[i];
+    const typename L::Frame far = L::then(near, L::rotation(q.angle[i]));
+    if constexpr (kElastic) {
+      at += constant<S>(0.5) * (L::turn(near, q.shift[i]) + L::turn(far, q.shift[i]));
+    }
+    placement.near[i] = near;
+    placement.far[i] = far;
+    placement.frame[i] = L::then_back(far, segment.inner);
+    placement.position[i] = at;
+    at += L::turn(placement.frame[i], segment.arm);
+    near = L::then(placement.frame[i], segment.outer);
+  }
+}
+
+/// The rotation vector of a joint to the ground, from the segment's side, and its axes there.
+template <class L>
+inline typename L::Frame ground_joint_axes(const GroundJoint<L>& joint,
+                                           const Placement<L>& placement) {
+  return L::then(placement.frame[joint.segment], joint.local);
+}
+
+template <class L>
+inline typename L::Spin ground_joint_angle(const Chain<L>& chain, const GroundJoint<L>& joint,
+                                           const Placement<L>& placement, double time) {
+  const auto factor = constant<typename L::Scalar>(chain.histories[joint.history].at(time));
+  const typename L::Frame ground = L::then(L::rotation(factor * joint.motion), joint.ground);
+  return L::angle_from(ground_joint_axes(joint, placement), ground);
+}
+
+}  // namespace plastica::chain

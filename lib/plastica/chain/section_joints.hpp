@@ -1,0 +1,213 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "plastica/chain/joint_laws.hpp"
+#include "plastica/law/section_response.hpp"
+
+namespace plastica::chain {
+
+/// Where the freedoms of a level's joints stand among the strains of a section law (curvature
+/// about x, about y, twist, axial). A planar chain bends about one axis only.
+template <class L>
+struct SectionAxes;
+
+template <class S>
+struct SectionAxes<Twist<S>> {
+  static constexpr std::size_t kTwist = 2;
+  std::size_t rotation(std::size_t /*k*/) const { return kTwist; }
+};
+
+template <class S>
+struct SectionAxes<Planar<S>> {
+  std::size_t bending = 0;  ///< 0: about x, 1: about y
+  std::size_t rotation(std::size_t /*k*/) const { return bending; }
+  static constexpr std::size_t kAxialShift = 0;  ///< the shift along the beam
+};
+
+template <class S>
+struct SectionAxes<Spatial<S>> {
+  std::size_t rotation(std::size_t k) const { return k; }
+  static constexpr std::size_t kAxialShift = 2;
+};
+
+/// What a joint is made of besides its law.
+template <class L>
+struct SectionJoint {
+  using S = typename L::Scalar;
+  std::size_t law = 0;  ///< which of the laws
+  /// Tributary length l as each component of the section's strain sees it [m]: one length, but
+  /// where two sections meet.
+  law::SectionStrain<S> length;
+  typename L::Spin acting;            ///< 1 where the law acts, 0 where the joint is free
+  typename L::Spin spring;            ///< stiffness beside the law [N m/rad]
+  typename L::Point shear_stiffness;  ///< kappa G A of each shift across the beam [N]
+  law::SectionForce<S> stiffness;     ///< EI_x, EI_y [N m^2], GJ [N m^2], EA [N]
+};
+
+/// What the solver's observers read of a chain's joints, whatever their law.
+template <class L, bool kElastic>
+class SectionJointsBase : public JointLaws<L, kElastic> {
+ public:
+  using S = typename L::Scalar;
+
+  explicit SectionJointsBase(std::vector<SectionJoint<L>> joints)
+      : joints_(std::move(joints)),
+        force_(joints_.size()),
+        elastic_(joints_.size()),
+        work_(joints_.size()),
+        plastic_(joints_.size()) {}
+
+  const std::vector<SectionJoint<L>>& joints() const { return joints_; }
+  /// Section forces of the last trial (M_x, M_y, T, N) of each joint (joints).
+  const std::vector<law::SectionForce<S>>& section_forces() const { return force_; }
+  /// Elastic energy of each joint in the last trial [J] (joints).
+  const std::vector<S>& elastic_energy() const { return elastic_; }
+  /// Plastic work of each joint up to the last commit [J] (joints).
+  const std::vector<S>& plastic_work() const { return plastic_; }
+
+  /// Plastic work of each joint in the last trial alone [J] (joints).
+  const std::vector<S>& work_increment() const { return work_; }
+
+  /// Back to the virgin state.
+  virtual void reset() = 0;
+
+ protected:
+  std::vector<SectionJoint<L>> joints_;
+  std::vector<law::SectionForce<S>> force_;
+  std::vector<S> elastic_, work_, plastic_;
+};
+
+/// The joints of a chain whose sections follow a law per length (law/section_response.hpp).
+///
+/// @tparam Law  has State (a value) and respond(law, before, after, strain)
+template <class L, bool kElastic, class Law>
+class SectionJoints final : public SectionJointsBase<L, kElastic> {
+ public:
+  using S = typename L::Scalar;
+  static constexpr std::size_t kR = L::kRotations;
+  static constexpr std::size_t kT = L::kTranslations;
+  static constexpr std::size_t kJ = kFreedoms<L, kElastic>;
+  static constexpr std::size_t kAxial = 3;
+
+  SectionJoints(SectionAxes<L> axes, std::vector<Law> laws, std::vector<SectionJoint<L>> joints)
+      : SectionJointsBase<L, kElastic>(std::move(joints)),
+        axes_(axes),
+        laws_(std::move(laws)),
+        before_(joints_.size()),
+        after_(joints_.size()) {}
+
+  void evaluate(std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts,
+                JointForces<L, kElastic>& forces) override {
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const typename L::Point shift =
+          kElastic && j < shifts.size() ? shifts[j] : typename L::Point{};
+      evaluate_joint(j, angles[j], shift, forces);
+    }
+  }
+
+  void commit() override {
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      before_[j] = after_[j];
+      plastic_[j] = plastic_[j] + work_[j];
+    }
+  }
+
+  void reset() override {
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      before_[j] = {};
+      plastic_[j] = constant<S>(0);
+    }
+  }
+
+ private:
+  using SectionJointsBase<L, kElastic>::joints_;
+  using SectionJointsBase<L, kElastic>::force_;
+  using SectionJointsBase<L, kElastic>::elastic_;
+  using SectionJointsBase<L, kElastic>::work_;
+  using SectionJointsBase<L, kElastic>::plastic_;
+
+  void evaluate_joint(std::size_t j, const typename L::Spin& angle, const typename L::Point& shift,
+                      JointForces<L, kElastic>& forces) {
+    const SectionJoint<L>& joint = joints_[j];
+    law::SectionStrain<S> strain;
+    for (std::size_t k = 0; k < kR; ++k) {
+      const std::size_t axis = axes_.rotation(k);
+      strain[axis] = joint.acting[k] * angle[k] / joint.length[axis];
+    }
+    if constexpr (kElastic) {
+      strain[kAxial] = shift[SectionAxes<L>::kAxialShift] / joint.length[kAxial];
+    }
+    const law::SectionResponse<S> now = respond(laws_[joint.law], before_[j], after_[j], strain);
+    force_[j] = now.force;
+    const S energy_length = joint.length[axes_.rotation(0)];
+    elastic_[j] = energy_length * now.elastic_energy;
+    work_[j] = energy_length * now.plastic_work;
+
+    typename L::Spin moment;
+    Mat<S, kR, kR> slope;
+    for (std::size_t k = 0; k < kR; ++k) {
+      moment[k] = joint.acting[k] * now.force[axes_.rotation(k)] + joint.spring[k] * angle[k];
+      elastic_[j] = elastic_[j] + constant<S>(0.5) * joint.spring[k] * angle[k] * angle[k];
+      for (std::size_t m = 0; m < kR; ++m) {
+        const std::size_t axis = axes_.rotation(m);
+        slope(k, m) = joint.acting[k] * joint.acting[m] * now.tangent(axes_.rotation(k), axis) /
+                      joint.length[axis];
+      }
+      slope(k, k) = slope(k, k) + joint.spring[k];
+    }
+    // The map from d angle to the spins that the chain works with; see rotation.hpp.
+    Mat<S, kR, kR> to_angle = identity<S, kR>();
+    if constexpr (kR == 3) {
+      const RotationCoefficients<S> k(dot(angle, angle));
+      to_angle = inverse_tangent_map(angle, k);
+      slope = (transpose(to_angle) * slope + moment_slope(angle, moment, k)) * to_angle;
+      moment = transposed_times(to_angle, moment);
+    }
+    Vec<S, kJ>& force = forces.force[j];
+    Mat<S, kJ, kJ>& tangent = forces.tangent[j];
+    for (std::size_t k = 0; k < kR; ++k) {
+      force[k] = moment[k];
+      for (std::size_t m = 0; m < kR; ++m) tangent(k, m) = slope(k, m);
+    }
+    if constexpr (kElastic) {
+      add_shifts(joint, shift, now, to_angle, j, force, tangent);
+    }
+  }
+
+  void add_shifts(const SectionJoint<L>& joint, const typename L::Point& shift,
+                  const law::SectionResponse<S>& now, const Mat<S, kR, kR>& to_angle, std::size_t j,
+                  Vec<S, kJ>& force, Mat<S, kJ, kJ>& tangent) {
+    constexpr std::size_t kAlong = SectionAxes<L>::kAxialShift;
+    for (std::size_t k = 0; k < kT; ++k) {
+      const S shear = joint.shear_stiffness[k] / joint.length[kAxial];
+      const bool along = k == kAlong;
+      force[kR + k] = along ? now.force[kAxial] : shear * shift[k];
+      tangent(kR + k, kR + k) = along ? now.tangent(kAxial, kAxial) / joint.length[kAxial] : shear;
+      if (!along) {
+        elastic_[j] = elastic_[j] + constant<S>(0.5) * shear * shift[k] * shift[k];
+      }
+    }
+    // Axial force and bending yield together.
+    for (std::size_t k = 0; k < kR; ++k) {
+      S down = constant<S>(0);
+      S right = constant<S>(0);
+      for (std::size_t m = 0; m < kR; ++m) {
+        const std::size_t axis = axes_.rotation(m);
+        const S scale = joint.acting[m] * to_angle(m, k);
+        down = down + scale * now.tangent(axis, kAxial) / joint.length[kAxial];
+        right = right + scale * now.tangent(kAxial, axis) / joint.length[axis];
+      }
+      tangent(k, kR + kAlong) = down;
+      tangent(kR + kAlong, k) = right;
+    }
+  }
+
+  SectionAxes<L> axes_;
+  std::vector<Law> laws_;
+  std::vector<typename Law::State> before_, after_;
+};
+
+}  // namespace plastica::chain

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "plastica/chain/layout.hpp"
+#include "plastica/model/scene.hpp"
+
+namespace plastica {
+
+/// A checked scene of a chain, laid out once; shared by all threads that run it.
+struct ChainModel {
+  Scene scene;
+  SolverOptions options;
+  Level level = Level::Planar;
+  std::size_t across = 1;  ///< Planar: 1 in the y-z plane, 0 in the x-z plane
+  chain::Layout layout;
+  std::vector<std::size_t> part_of_segment;  ///< 0: the scene's own, else the region's number (N)
+  std::vector<double> stops;                 ///< times at which a step must end
+  std::vector<bool> recorded;                ///< which of them are samples
+  std::size_t samples = 0;                   ///< the first one, at time 0, included
+};
+
+}  // namespace plastica

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "plastica/run/chain_record.hpp"
+
+/// What the probes of a chain record.
+namespace plastica {
+
+namespace detail {
+
+/// The component of a vector that a probe asks for.
+inline double component_of(const Vec<double, 3>& v, Component component) {
+  switch (component) {
+    case Component::X: return v[0];
+    case Component::Y: return v[1];
+    case Component::Z: return v[2];
+    case Component::Size: return std::sqrt(dot(v, v));
+  }
+  return 0.0;
+}
+
+inline bool is_round(const Section& section) {
+  return section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
+}
+
+/// The largest over the section of a strain or stress with these parts of bending about x and y.
+inline double bending_together(const Section& section, double by_x, double by_y) {
+  return is_round(section) ? std::hypot(by_x, by_y) : std::fabs(by_x) + std::fabs(by_y);
+}
+
+}  // namespace detail
+
+template <class L, bool kElastic>
+double ChainRecord<L, kElastic>::largest_stress(std::size_t joint, const Space& moment) const {
+  const chain::PartForm& part = part_of(joint);
+  return detail::bending_together(*part.section, moment[0] / part.properties.section_modulus_x,
+                                  moment[1] / part.properties.section_modulus_y);
+}
+
+template <class L, bool kElastic>
+double ChainRecord<L, kElastic>::joint_value(const Probe& probe, const NodeStrains& strains,
+                                             const Response& response, std::size_t sample) const {
+  const ChainHistory& history = response.chain;
+  const std::size_t node = node_at(probe.at);
+  const std::size_t at = (sample * history.joints + node) * 3;
+  const auto vector = [&](const std::vector<double>& values) {
+    return Space{{values[at], values[at + 1], values[at + 2]}};
+  };
+  const std::size_t joint = joint_of_node_[node];
+  const chain::PartForm& part = part_of(joint);
+  const SectionProperties& p = part.properties;
+  const double length = build_->joints[joint].length;
+  // Strain of the extreme fibre per angle of the joint.
+  const Space lever{{p.second_moment_x / p.section_modulus_x / length,
+                     p.second_moment_y / p.section_modulus_y / length,
+                     p.torsion_constant / p.torsion_modulus / length}};
+  const auto strain = [&](const Space& angle) {
+    const Space of_axis{{lever[0] * angle[0], lever[1] * angle[1], lever[2] * angle[2]}};
+    if (probe.component != Component::Size) return detail::component_of(of_axis, probe.component);
+    return detail::bending_together(*part.section, of_axis[0], of_axis[1]);
+  };
+  switch (probe.quantity) {
+    case ProbeQuantity::Moment:
+      return detail::component_of(vector(history.moment), probe.component);
+    case ProbeQuantity::Angle: return detail::component_of(vector(history.angle), probe.component);
+    case ProbeQuantity::PlasticAngle:
+      return detail::component_of(vector(history.plastic_angle), probe.component);
+    case ProbeQuantity::Force: return detail::component_of(vector(history.force), probe.component);
+    case ProbeQuantity::Strain: return strain(vector(history.angle));
+    case ProbeQuantity::PlasticStrain: return strain(vector(history.plastic_angle));
+    case ProbeQuantity::AccumulatedStrain: {
+      const JointAngles& sum = strains.accumulated[node];
+      return strain({{sum[0], sum[1], sum[2]}});
+    }
+    default: break;
+  }
+  // Stress.
+  const Space moment = vector(history.moment);
+  if (probe.component == Component::Size) return largest_stress(joint, moment);
+  return detail::component_of({{moment[0] / p.section_modulus_x, moment[1] / p.section_modulus_y,
+                                moment[2] / p.torsion_modulus}},
+                              probe.component);
+}
+
+/// Displacement or rotation of a point.
+template <class L, bool kElastic>
+typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::point_value(
+    const Probe& probe, const Work& w) const {
+  const chain::SegmentPoint point =
+      chain::segment_point(model_->layout, share_of(probe.at, model_->layout.ends));
+  if (probe.quantity == ProbeQuantity::Rotation) {
+    const auto undeformed = view_.frame(model_->layout.segment_frame[point.segment]);
+    const auto& frame = w.placement.frame[point.segment];
+    return joint_spin(L::axes(undeformed) * L::angle_from(undeformed, frame));
+  }
+  const auto undeformed =
+      model_->layout.segment_frame[point.segment] * point.arm + model_->layout.node[point.segment];
+  return view_.point_in_space(w.placement.point(point.segment, view_.point(point.arm)) -
+                              view_.point(undeformed));
+}
+
+template <class L, bool kElastic>
+double ChainRecord<L, kElastic>::probe_value(const Probe& probe, const Work& w,
+                                             const NodeStrains& strains, const Response& response,
+                                             std::size_t sample) const {
+  switch (probe.quantity) {
+    case ProbeQuantity::Displacement:
+    case ProbeQuantity::Rotation:
+      return detail::component_of(point_value(probe, w), probe.component);
+    case ProbeQuantity::Reaction:
+    case ProbeQuantity::ReactionMoment: {
+      const std::size_t first = probe.quantity == ProbeQuantity::Reaction ? 0 : 3;
+      const double share = share_of(probe.at, model_->layout.ends);
+      Space sum{};
+      for (std::size_t s = 0; s < model_->scene.supports.size(); ++s) {
+        const double at = share_of(model_->scene.supports[s].at, model_->layout.ends);
+        if (std::fabs(at - share) > 1e-9) continue;
+        const auto force = reaction(w, s);
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += force[first + k];
+      }
+      return detail::component_of(sum, probe.component);
+    }
+    case ProbeQuantity::LoadFactor: return response.chain.factor[sample];
+    case ProbeQuantity::Energy: {
+      const Energies& energy = response.chain.energy[sample];
+      switch (probe.energy) {
+        case EnergyKind::Elastic: return energy.elastic;
+        case EnergyKind::Plastic: return energy.plastic;
+        case EnergyKind::External: return energy.external;
+        case EnergyKind::Residual: return energy.residual;
+      }
+      return 0.0;
+    }
+    default: return joint_value(probe, strains, response, sample);
+  }
+}
+
+}  // namespace plastica

@@ -1,0 +1,355 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "plastica/chain/build.hpp"
+#include "plastica/run/break_watch.hpp"
+#include "plastica/run/chain_model.hpp"
+#include "plastica/run/response.hpp"
+#include "plastica/solve/newton.hpp"
+
+namespace plastica {
+
+/// Permanent deformation of the joint at each node (N + 1).
+struct NodeStrains {
+  std::vector<JointAngles> permanent;    ///< now
+  std::vector<JointAngles> accumulated;  ///< sums of |d permanent|
+  std::vector<double> strain;            ///< in the break measure [1]
+
+  void reset(std::size_t nodes) {
+    permanent.assign(nodes, {});
+    accumulated.assign(nodes, {});
+    strain.assign(nodes, 0.0);
+  }
+};
+
+/// What a chain's unknowns mean in space, and what the loads have done: fills the response.
+template <class L, bool kElastic>
+class ChainRecord {
+ public:
+  using Work = solve::NewtonWork<L, kElastic>;
+  using Joints = chain::SectionJointsBase<L, kElastic>;
+  using Space = Vec<double, 3>;
+
+  void prepare(const ChainModel& model, const chain::View<L>& view, const chain::Build<L>& build,
+               const std::vector<chain::PartForm>& parts);
+
+  /// Forgets the path so far.
+  void reset();
+
+  /// The joint of the law at a node: that of the chain, or to the ground at the end; or none.
+  std::size_t joint_of_node(std::size_t node) const { return joint_of_node_[node]; }
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  /// Permanent angle of a joint: what is left of its angle without its moment, about x, y, z.
+  std::array<double, 3> permanent_angle(const Joints& joints, const Work& w,
+                                        std::size_t joint) const;
+
+  /// Adds the work of loads and moving supports since the last call.
+  void add_work(const Work& w);
+  Energies energies(const Work& w, const Joints& joints) const;
+
+  /// Writes one sample.
+  void write(const Work& w, const Joints& joints, const NodeStrains& strains, std::size_t sample,
+             Response& response) const;
+
+  /// Moment of a node's joint about its x, y, z [N m]: of its section and of a spring beside it.
+  Space moment(const Joints& joints, const Work& w, std::size_t node) const;
+  /// The factor that responses show: of the first load, or motion, or of gravity.
+  double factor_at(double time) const;
+
+  /// Force and moment of a support on the beam.
+  std::array<double, 6> reaction(const Work& w, std::size_t support) const;
+
+ private:
+  Space joint_spin(const typename L::Spin& w) const { return view_.spin_in_space(w); }
+  double load_work(const chain::SegmentLoad<L>& load, const Work& w) const;
+  double spring_energy(const Work& w) const;
+  std::array<double, 6> world_axes(const Space& force, const Space& moment) const {
+    return {force[0], force[1], force[2], moment[0], moment[1], moment[2]};
+  }
+  double probe_value(const Probe& probe, const Work& w, const NodeStrains& strains,
+                     const Response& response, std::size_t sample) const;
+  double joint_value(const Probe& probe, const NodeStrains& strains, const Response& response,
+                     std::size_t sample) const;
+  Space point_value(const Probe& probe, const Work& w) const;
+  std::size_t node_at(const Place& place) const;
+  /// Whether the level moves points along a world axis.
+  bool moves_along(std::size_t axis) const {
+    typename L::Point one;
+    for (std::size_t k = 0; k < L::kTranslations; ++k) one[k] = 1.0;
+    return view_.point_in_space(one)[axis] != 0.0;
+  }
+  /// A welded start has no law: its joint's moment is what it transmits.
+  void weld_moment(const Work& w, typename L::Spin& moment) const {
+    const auto in_joint =
+        transposed_times(L::axes(w.placement.near[0]), w.transmitted.outer[0].moment);
+    for (std::size_t k = 0; k < L::kRotations; ++k) {
+      if (build_->chain.root.welded[k]) moment[k] = in_joint[k];
+    }
+  }
+  const chain::PartForm& part_of(std::size_t joint) const {
+    return (*parts_)[model_->part_of_segment[build_->joints[joint].segment_b]];
+  }
+  double largest_stress(std::size_t joint, const Space& moment) const;
+
+  const ChainModel* model_ = nullptr;
+  chain::View<L> view_{};
+  const chain::Build<L>* build_ = nullptr;
+  const std::vector<chain::PartForm>* parts_ = nullptr;
+  std::vector<std::size_t> joint_of_node_;
+  // Where the work was last summed:
+  chain::Placement<L> placement_;
+  std::vector<std::array<double, 6>> support_force_;
+  bool begun_ = false;
+  double time_ = 0.0;
+  double external_ = 0.0;
+};
+
+template <class L, bool kElastic>
+void ChainRecord<L, kElastic>::prepare(const ChainModel& model, const chain::View<L>& view,
+                                       const chain::Build<L>& build,
+                                       const std::vector<chain::PartForm>& parts) {
+  model_ = &model;
+  view_ = view;
+  build_ = &build;
+  parts_ = &parts;
+  const std::size_t n = build.chain.size();
+  joint_of_node_.assign(n + 1, kNone);
+  for (std::size_t i = 0; i < n; ++i) joint_of_node_[i] = i;
+  for (const auto& joint : build.chain.ground_joints) {
+    if (joint.segment + 1 == n) joint_of_node_[n] = joint.joint;
+  }
+  placement_.resize(n);
+  support_force_.resize(model.scene.supports.size());
+}
+
+template <class L, bool kElastic>
+void ChainRecord<L, kElastic>::reset() {
+  begun_ = false;
+  external_ = 0.0;
+}
+
+template <class L, bool kElastic>
+std::array<double, 3> ChainRecord<L, kElastic>::permanent_angle(const Joints& joints, const Work& w,
+                                                                std::size_t joint) const {
+  const chain::SectionJoint<L>& numbers = joints.joints()[joint];
+  const auto axes = view_.section_axes();
+  typename L::Spin left;
+  for (std::size_t k = 0; k < L::kRotations; ++k) {
+    const std::size_t axis = axes.rotation(k);
+    const double elastic =
+        joints.section_forces()[joint][axis] * numbers.length[axis] / numbers.stiffness[axis];
+    left[k] = numbers.acting[k] * (w.angles[joint][k] - elastic);
+  }
+  return joint_spin(left).at;
+}
+
+template <class L, bool kElastic>
+double ChainRecord<L, kElastic>::load_work(const chain::SegmentLoad<L>& load, const Work& w) const {
+  const History& history = build_->chain.histories[load.history];
+  const double now = 0.5 * history.at(w.time);
+  const double then = 0.5 * history.at(time_);
+  const auto& frame = w.placement.frame[load.segment];
+  const auto& old_frame = placement_.frame[load.segment];
+  const typename L::Point way =
+      w.placement.point(load.segment, load.arm) - placement_.point(load.segment, load.arm);
+  const typename L::Spin turn = L::axes(old_frame) * L::angle_from(old_frame, frame);
+  if (!load.follows) {
+    return (now + then) * (dot(load.force, way) + dot(load.moment, turn));
+  }
+  const typename L::Point force =
+      now * L::turn(frame, load.force) + then * L::turn(old_frame, load.force);
+  const typename L::Spin moment =
+      now * (L::axes(frame) * load.moment) + then * (L::axes(old_frame) * load.moment);
+  return dot(force, way) + dot(moment, turn);
+}
+
+template <class L, bool kElastic>
+void ChainRecord<L, kElastic>::add_work(const Work& w) {
+  const auto& supports = model_->scene.supports;
+  for (std::size_t s = 0; s < supports.size(); ++s) {
+    const std::array<double, 6> force = reaction(w, s);
+    if (begun_ && supports[s].moves()) {
+      const double moved = supports[s].history.at(w.time) - supports[s].history.at(time_);
+      for (std::size_t k = 0; k < 3; ++k) {
+        external_ += 0.5 * (force[k] + support_force_[s][k]) * supports[s].translation[k] * moved;
+        external_ +=
+            0.5 * (force[3 + k] + support_force_[s][3 + k]) * supports[s].rotation[k] * moved;
+      }
+    }
+    support_force_[s] = force;
+  }
+  if (begun_) {
+    for (const auto& load : build_->chain.loads) external_ += load_work(load, w);
+  }
+  placement_ = w.placement;
+  time_ = w.time;
+  begun_ = true;
+}
+
+template <class L, bool kElastic>
+double ChainRecord<L, kElastic>::spring_energy(const Work& w) const {
+  double energy = 0.0;
+  for (const auto& spring : build_->chain.springs) {
+    const double factor = build_->chain.histories[spring.history].at(w.time);
+    const typename L::Point off =
+        w.placement.point(spring.segment, spring.arm) - spring.rest - factor * spring.motion;
+    for (std::size_t k = 0; k < L::kTranslations; ++k) {
+      energy += 0.5 * spring.stiffness[k] * off[k] * off[k];
+    }
+  }
+  return energy;
+}
+
+template <class L, bool kElastic>
+Energies ChainRecord<L, kElastic>::energies(const Work& w, const Joints& joints) const {
+  Energies sum;
+  sum.external = external_;
+  sum.elastic = spring_energy(w);
+  for (const double energy : joints.elastic_energy()) sum.elastic += energy;
+  for (const double work : joints.plastic_work()) sum.plastic += work;
+  sum.residual = sum.external - sum.elastic - sum.plastic;
+  return sum;
+}
+
+template <class L, bool kElastic>
+std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::size_t support) const {
+  const auto& chain = build_->chain;
+  Space force{};
+  Space moment{};
+  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+    const auto& closure = chain.closures[k];
+    if (closure.support != support) continue;
+    force += view_.point_in_space(w.q.multiplier[k] * closure.direction);
+    moment += joint_spin(w.q.multiplier[k] * closure.axis);
+  }
+  for (const auto& spring : chain.springs) {
+    if (spring.support != support) continue;
+    const double factor = chain.histories[spring.history].at(w.time);
+    const typename L::Point off =
+        w.placement.point(spring.segment, spring.arm) - spring.rest - factor * spring.motion;
+    typename L::Point push;
+    for (std::size_t k = 0; k < L::kTranslations; ++k) push[k] = -(spring.stiffness[k] * off[k]);
+    force += view_.point_in_space(push);
+  }
+  const auto spin_force = [&](std::size_t joint) {
+    typename L::Spin m;
+    for (std::size_t k = 0; k < L::kRotations; ++k) m[k] = w.joints.force[joint][k];
+    return m;
+  };
+  for (const auto& joint : chain.ground_joints) {
+    if (joint.support != support) continue;
+    const auto axes = L::axes(chain::ground_joint_axes(joint, w.placement));
+    moment += joint_spin(axes * spin_force(joint.joint));
+  }
+  if (chain.root.support == support) {
+    typename L::Point held;
+    for (std::size_t k = 0; k < L::kTranslations; ++k) {
+      held[k] = chain.root.held[k] ? -w.transmitted.outer[0].force[k] : 0.0;
+    }
+    force += view_.point_in_space(held);
+    typename L::Spin turned = -spin_force(0);
+    const auto near = L::axes(w.placement.near[0]);
+    typename L::Spin in_joint = transposed_times(near, w.transmitted.outer[0].moment);
+    for (std::size_t k = 0; k < L::kRotations; ++k) {
+      if (chain.root.welded[k]) turned[k] = -in_joint[k];
+    }
+    moment += joint_spin(near * turned);
+  }
+  return world_axes(force, moment);
+}
+
+template <class L, bool kElastic>
+double ChainRecord<L, kElastic>::factor_at(double time) const {
+  const Scene& scene = model_->scene;
+  if (!scene.loads.empty()) return scene.loads.front().history.at(time);
+  for (const Support& support : scene.supports) {
+    if (support.moves()) return support.history.at(time);
+  }
+  return scene.gravity_history.at(time);
+}
+
+template <class L, bool kElastic>
+std::size_t ChainRecord<L, kElastic>::node_at(const Place& place) const {
+  const auto& ends = model_->layout.ends;
+  const double share = share_of(place, ends);
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (std::fabs(ends[i] - share) < std::fabs(ends[nearest] - share)) nearest = i;
+  }
+  // A free end has no joint; the last one is before it.
+  return joint_of_node_[nearest] == kNone && nearest > 0 ? nearest - 1 : nearest;
+}
+
+template <class L, bool kElastic>
+typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::moment(const Joints& joints,
+                                                                          const Work& w,
+                                                                          std::size_t node) const {
+  const std::size_t joint = joint_of_node_[node];
+  const chain::SectionJoint<L>& numbers = joints.joints()[joint];
+  const auto axes = view_.section_axes();
+  typename L::Spin m;
+  for (std::size_t k = 0; k < L::kRotations; ++k) {
+    m[k] = numbers.acting[k] * joints.section_forces()[joint][axes.rotation(k)] +
+           numbers.spring[k] * w.angles[joint][k];
+  }
+  if (node == 0) weld_moment(w, m);
+  return joint_spin(m);
+}
+
+template <class L, bool kElastic>
+void ChainRecord<L, kElastic>::write(const Work& w, const Joints& joints,
+                                     const NodeStrains& strains, std::size_t sample,
+                                     Response& response) const {
+  ChainHistory& out = response.chain;
+  const std::size_t n = build_->chain.size();
+  const auto at = [&](std::size_t node) { return (sample * out.joints + node) * 3; };
+  const auto put = [](std::vector<double>& to, std::size_t index, const Space& v) {
+    for (std::size_t k = 0; k < 3; ++k) to[index + k] = v[k];
+  };
+  out.time[sample] = w.time;
+  out.factor[sample] = factor_at(w.time);
+  out.energy[sample] = energies(w, joints);
+  for (std::size_t i = 0; i <= n; ++i) {
+    const typename L::Point point =
+        i < n ? w.placement.position[i]
+              : w.placement.point(n - 1, build_->chain.segments[n - 1].arm);
+    Space where = view_.point_in_space(point);
+    if constexpr (L::kTranslations < 3) {
+      // What a level does not move stays where it was.
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!moves_along(k)) where[k] = model_->layout.node[i][k];
+      }
+    }
+    put(out.position, at(i), where);
+    const std::size_t joint = joint_of_node_[i];
+    if (joint == kNone) continue;
+    put(out.moment, at(i), moment(joints, w, i));
+    put(out.angle, at(i), joint_spin(w.angles[joint]));
+    for (std::size_t k = 0; k < 3; ++k) out.plastic_angle[at(i) + k] = strains.permanent[i][k];
+    if (i < n) {
+      const typename L::Point force =
+          L::turn_back(w.placement.near[i], w.transmitted.outer[i].force);
+      put(out.force, at(i), view_.point_in_space(force));
+    }
+    out.plastic_strain[sample * out.joints + i] = strains.strain[i];
+    out.stress[sample * out.joints + i] =
+        largest_stress(joint, Space{{out.moment[at(i)], out.moment[at(i) + 1], 0.0}});
+  }
+  for (std::size_t s = 0; s < out.supports; ++s) {
+    const auto force = reaction(w, s);
+    std::copy(force.begin(), force.end(),
+              out.reaction.begin() + static_cast<std::ptrdiff_t>((sample * out.supports + s) * 6));
+  }
+  const auto& probes = model_->scene.probes;
+  for (std::size_t p = 0; p < probes.size(); ++p) {
+    response.probes[p][sample] = probe_value(probes[p], w, strains, response, sample);
+  }
+}
+
+}  // namespace plastica
+
+#include "plastica/run/chain_probe.hpp"

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "plastica/solve/newton.hpp"
+
+namespace plastica::solve {
+
+/// The point whose motion path control watches: its position, or the angle of a twisted chain.
+template <class L>
+struct ControlPoint {
+  static constexpr bool kTurns = L::kTranslations == 0;
+  static constexpr std::size_t kSize = kTurns ? L::kRotations : L::kTranslations;
+  using Value = Vec<double, kSize>;
+
+  std::size_t segment = 0;
+  typename L::Point arm{};
+
+  Value value(const chain::Placement<L>& placement) const {
+    Value v;
+    if constexpr (kTurns) {
+      v[0] = placement.frame[segment].angle;
+    } else {
+      v = placement.point(segment, arm);
+    }
+    return v;
+  }
+
+  /// The covector of direction . value.
+  chain::Wrench<L> covector(const Value& direction, const chain::Placement<L>& placement) const {
+    if constexpr (kTurns) {
+      return {{}, direction};
+    } else {
+      return {direction, L::moment(L::turn(placement.frame[segment], arm), direction)};
+    }
+  }
+
+  Value rate(const chain::Motion<L>& motion, const chain::Placement<L>& placement) const {
+    if constexpr (kTurns) {
+      return motion.spin;
+    } else {
+      return motion.shift + L::spun(motion.spin, L::turn(placement.frame[segment], arm));
+    }
+  }
+};
+
+template <std::size_t N>
+double size_of(const Vec<double, N>& v) {
+  return std::sqrt(dot(v, v));
+}
+
+}  // namespace plastica::solve
