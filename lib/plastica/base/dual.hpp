@@ -98,6 +98,9 @@ struct ScalarTraits<Dual<T, N>> {
 };
 
 template <class T, std::size_t N>
+inline constexpr bool kCarriesDerivatives<Dual<T, N>> = true;
+
+template <class T, std::size_t N>
 [[gnu::always_inline]] inline Dual<T, N> select(const mask_t<T>& mask, const Dual<T, N>& a,
                                                 const Dual<T, N>& b) {
   Dual<T, N> c(select(mask, a.value, b.value));

@@ -70,6 +70,7 @@ struct Mat {
 template <class S, std::size_t R, std::size_t K, std::size_t C>
 constexpr Mat<S, R, C> operator*(const Mat<S, R, K>& a, const Mat<S, K, C>& b) {
   Mat<S, R, C> product;
+  if constexpr (K == 0) return product;
   for (std::size_t i = 0; i < R; ++i) {
     for (std::size_t j = 0; j < C; ++j) {
       S sum = a(i, 0) * b(0, j);
@@ -83,6 +84,7 @@ constexpr Mat<S, R, C> operator*(const Mat<S, R, K>& a, const Mat<S, K, C>& b) {
 template <class S, std::size_t R, std::size_t C>
 constexpr Vec<S, R> operator*(const Mat<S, R, C>& a, const Vec<S, C>& x) {
   Vec<S, R> product;
+  if constexpr (C == 0) return product;
   for (std::size_t i = 0; i < R; ++i) {
     S sum = a(i, 0) * x[0];
     for (std::size_t k = 1; k < C; ++k) sum = sum + a(i, k) * x[k];
@@ -104,6 +106,7 @@ constexpr Mat<S, C, R> transpose(const Mat<S, R, C>& a) {
 template <class S, std::size_t R, std::size_t C>
 constexpr Vec<S, C> transposed_times(const Mat<S, R, C>& a, const Vec<S, R>& x) {
   Vec<S, C> product;
+  if constexpr (R == 0) return product;
   for (std::size_t j = 0; j < C; ++j) {
     S sum = a(0, j) * x[0];
     for (std::size_t k = 1; k < R; ++k) sum = sum + a(k, j) * x[k];

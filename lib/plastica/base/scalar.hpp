@@ -36,6 +36,11 @@ using real_t = typename ScalarTraits<S>::Real;
 template <class S>
 using mask_t = typename ScalarTraits<S>::Mask;
 
+/// Whether a scalar carries derivatives: a root that its value has reached has them one Newton step
+/// later.
+template <class S>
+inline constexpr bool kCarriesDerivatives = false;
+
 /// A constant as a scalar; the only way in which kernels write literals.
 template <class S>
 constexpr S constant(double value) {

@@ -245,6 +245,10 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
     Mat<S, kJ, kJ> d = laws.tangent[i] + transpose(joint.axes_spin) * joint.u_spin;
     if constexpr (kElastic) d += transpose(joint.axes_shift) * joint.u_shift;
     add_turning(placement.near[i], placement.far[i], shift, w, joint, d);
+    if constexpr (kElastic) {
+      // The force acts on segment i - 1 where the shift has taken it.
+      joint.u_spin += transpose(L::spun_by(w.force)) * joint.axes_shift;
+    }
     if (i == 0) weld(chain.root.welded, d);
     joint.inverse = inverse(d);
     note_pivot(joint.inverse, chain.closure_turning_stiffness);

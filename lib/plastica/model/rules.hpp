@@ -53,7 +53,7 @@ enum class JointTranslation {
 
 /// How an equilibrium path is followed.
 enum class PathControl {
-  Auto,          ///< Load, and ArcLength where that finds no equilibrium
+  Auto,          ///< Load; where it finds nothing, arcs tell a turn from a limit load
   Load,          ///< time is given, and so are all loads and motions
   Displacement,  ///< the control point's displacement is given, the time follows
   ArcLength,     ///< a combination of both is given: passes limit points and snaps

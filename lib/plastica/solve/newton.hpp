@@ -363,6 +363,7 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
   constexpr bool kDouble = sizeof(real_t<S>) == 8;
   const S enough = constant<S>(kDouble ? options.tolerance : std::max(options.tolerance, 2e-5));
   const S huge = constant<S>(kDouble ? 1e100 : 1e30);
+  bool polished = false;
   for (int iteration = 0;; ++iteration) {
     detail::assemble(chain, laws, w);
     const PathCondition<L> condition = condition_at(w);
@@ -373,14 +374,18 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     outcome.imbalance[static_cast<std::size_t>(iteration)] = imbalance;
     outcome.iterations = iteration;
     outcome.converged = imbalance <= enough;
-    const auto going = !outcome.converged & (imbalance < huge);
-    if (!any(going) || iteration == options.most_iterations) break;
+    const auto going = (imbalance > enough) & (imbalance < huge);
+    // A value that is there gets its derivatives from one more step.
+    const bool polishes = kCarriesDerivatives<S> && !any(going) && !polished;
+    if ((!any(going) && !polishes) || iteration == options.most_iterations) break;
+    polished = polishes;
     detail::solve_imbalance(chain, condition, w);
     for (std::size_t k = 0; k < chain.closures.size(); ++k) detail::solve_closure(chain, k, w);
     if (condition.active) detail::solve_time(chain, condition, w);
     detail::join_columns(chain, condition, w);
     detail::combine_columns(chain, condition, w);
-    detail::take_step(chain, condition, outcome.converged, w);
+    const mask_t<S> stays = outcome.converged & going;  // none of them
+    detail::take_step(chain, condition, polishes ? stays : outcome.converged, w);
   }
   return outcome;
 }

@@ -107,6 +107,8 @@ class PathWalker {
   /// Share of the way that a closure's own stiffness would leave, below which it holds nothing.
   static constexpr double kHeldTwice = 1e-8;
   static constexpr int kMostArcs = 400;
+  /// How much longer than the first an arc may become: a way that bends sharply is long.
+  static constexpr double kArcGrowth = 8.0;
 
   static bool finite(const NewtonOutcome<double>& outcome) {
     return std::isfinite(outcome.imbalance[static_cast<std::size_t>(outcome.iterations)]);
@@ -354,9 +356,9 @@ class PathWalker {
     w_.time += part * (time_ - previous_time_);
   }
 
-  void set_arc_length(double length) {
+  void set_arc_length(double length, double growth) {
     arc_length_ = length;
-    largest_arc_ = length;
+    largest_arc_ = growth * length;
     smallest_arc_ = options_.smallest_step * length;
     has_secant_ = false;
   }
@@ -364,7 +366,7 @@ class PathWalker {
   Status walk_arc() {
     if (!begin_arcs()) return Status::NotConverged;
     const double end = options_.stops.back();
-    set_arc_length(std::sqrt(2.0) / options_.steps);
+    set_arc_length(std::sqrt(2.0) / options_.steps, kArcGrowth);
     for (int k = 0; k < kMostArcs; ++k) {
       const Trial trial = advance_arc();
       if (trial == Trial::Ended) return Status::Broken;
@@ -385,7 +387,7 @@ class PathWalker {
   Trial cross_by_arc(double stop) {
     if (!watches_slope_) return Trial::Failed;
     watches_slope_ = false;
-    set_arc_length(1e-2);
+    set_arc_length(1e-2, 1.0);
     double highest = time_;
     const double first_slope = span_ / way_;
     for (int k = 0; k < kMostArcs; ++k) {

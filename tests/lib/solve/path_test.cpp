@@ -1,0 +1,142 @@
+#include "plastica/solve/path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plastica/run/simulate.hpp"
+#include "tests/support/chain.hpp"
+
+namespace plastica {
+namespace {
+
+using testing::cantilever;
+
+/// Fully plastic moment of the test's section, 20 mm x 20 mm, 250 MPa [N m].
+constexpr double kPlasticMoment = 250e6 * 0.02 * 0.02 * 0.02 / 4.0;
+
+/// Stiff, so that a hinge forms before the beam has moved; each joint yields at M_p at once.
+Scene hinge_scene(double factor) {
+  Scene scene = cantilever(20, {0.0, -factor * kPlasticMoment, 0.0});
+  scene.material.youngs_modulus = 200e12;
+  scene.yield_model = YieldModel::PerAxis;
+  scene.yield_cap = YieldCap::FullyPlastic;
+  scene.probes = {{"tip", ProbeQuantity::Displacement},
+                  {"factor", ProbeQuantity::LoadFactor},
+                  {"residual", ProbeQuantity::Energy, {}, Component::X, EnergyKind::Residual},
+                  {"external", ProbeQuantity::Energy, {}, Component::X, EnergyKind::External}};
+  return scene;
+}
+
+double last(const Response& response, std::size_t probe) {
+  return response.probes[probe][response.samples - 1];
+}
+
+TEST(Path, FindsALimitLoadFromBothSides) {
+  const Response response = simulate(hinge_scene(2.0));
+  EXPECT_EQ(response.status, Status::LimitLoad);
+  ASSERT_TRUE(response.limit);
+  EXPECT_LE(response.limit->below, response.limit->above);
+  EXPECT_NEAR(response.limit->below, 0.5, 1e-4 * 0.5);
+  EXPECT_NEAR(response.limit->above, 0.5, 3e-4 * 0.5);
+}
+
+TEST(Path, FollowsTheHingeByDisplacement) {
+  SolverOptions options;
+  options.control = PathControl::Displacement;
+  options.control_motion = {0.0, -0.2, 0.0};
+  const Response response = simulate(hinge_scene(2.0), options);
+  EXPECT_EQ(response.status, Status::Completed);
+  EXPECT_NEAR(last(response, 0), -0.2, SolverOptions{}.tolerance);
+  // The hinge at the clamp turns by asin 0.2 and carries M_p on a shorter lever.
+  EXPECT_NEAR(last(response, 1), 0.5 / std::sqrt(1.0 - 0.04), 1e-5);
+}
+
+TEST(Path, ComesBackOnTheElasticLineAfterUnloading) {
+  Scene scene = cantilever(20, {0.0, -1.2 * kPlasticMoment / 1.5, 0.0});
+  scene.yield_model = YieldModel::PerAxis;
+  scene.material.hardening.law = HardeningLaw::Linear;
+  scene.material.hardening.tangent_modulus = 40e9;
+  scene.loads[0].history = History::turning_points({1.0, 0.0, 1.0});
+  SolverOptions options;
+  options.steps = 30;
+  const Response response = simulate(scene, options);
+  ASSERT_EQ(response.status, Status::Completed);
+  const auto& tip = response.probes[0];
+  EXPECT_LT(tip[20], -1e-3);            // bent for good
+  EXPECT_NEAR(tip[30], tip[10], 1e-9);  // reloaded to where it was
+  EXPECT_NEAR(tip[15], tip[25], 1e-9);  // on one line, down and up
+}
+
+/// A shallow arch, pinned at both ends, pushed at the crown: the load rises, falls and rises again.
+TEST(Path, PassesTheLimitPointsOfASnappingArch) {
+  Scene scene = cantilever(24, {});
+  scene.yield_model = YieldModel::Elastic;
+  scene.beam.shape = BeamShape::Arc;
+  scene.beam.arc_angle = 0.6;
+  Support pin;
+  pin.kind = SupportKind::Pin;
+  scene.supports = {pin, pin};
+  scene.supports[1].at = Place::end();
+  scene.loads[0].at = {0.5, {}};
+  // At the crown the arch's normal lies across the chord, 0.3 rad from y.
+  scene.loads[0].force = {0.0, 40e3 * std::cos(0.3), -40e3 * std::sin(0.3)};
+  scene.probes.push_back({"factor", ProbeQuantity::LoadFactor});
+  scene.probes[0].at = {0.5, {}};
+  SolverOptions options;
+  options.translation = JointTranslation::Elastic;
+  options.control = PathControl::ArcLength;
+  options.steps = 60;
+  const Response response = simulate(scene, options);
+  EXPECT_TRUE(usable(response.status)) << name_of(response.status);
+  const auto& factor = response.probes[1];
+  const auto end = factor.begin() + static_cast<std::ptrdiff_t>(response.samples);
+  // Up to the top, down by a third at least, and up again beyond the first top.
+  const auto top =
+      std::find_if(factor.begin(), end - 1, [](const double& f) { return *(&f + 1) < f; });
+  const auto valley = std::min_element(top, end);
+  EXPECT_NEAR(*top, 0.998, 0.01);  // displacement control sees 0.998 there
+  EXPECT_LT(*valley, 0.67 * *top);
+  EXPECT_GT(*(end - 1), *top);
+}
+
+TEST(Path, StopsAtOnceWhereTheBeamIsFreeToMove) {
+  Scene scene = cantilever(8, {0.0, -1.0, 0.0});
+  scene.supports[0].kind = SupportKind::Pin;
+  scene.supports.push_back({{1e-7, {}}, SupportKind::Roller});
+  const Response response = simulate(scene);
+  EXPECT_EQ(response.status, Status::Mechanism);
+  EXPECT_EQ(response.samples, 0U);
+}
+
+TEST(Path, RefusesToHoldTheRigidAxisAtBothEnds) {
+  Scene scene = cantilever(8, {0.0, -1.0, 0.0});
+  scene.supports.push_back({});
+  scene.supports[1].at = Place::end();
+  EXPECT_EQ(simulate(scene).status, Status::HeldTwice);
+  SolverOptions options;
+  options.translation = JointTranslation::Elastic;
+  EXPECT_EQ(simulate(scene, options).status, Status::Completed);
+}
+
+TEST(Path, BalancesTheEnergiesOfALoadingToTheSquareOfItsSteps) {
+  const auto residual_share = [](int steps) {
+    Scene scene = hinge_scene(0.9);
+    scene.material.youngs_modulus = 200e9;
+    scene.material.hardening.law = HardeningLaw::Linear;
+    scene.material.hardening.tangent_modulus = 20e9;
+    SolverOptions options;
+    options.steps = steps;
+    const Response response = simulate(scene, options);
+    EXPECT_EQ(response.status, Status::Completed);
+    return std::fabs(last(response, 2) / last(response, 3));
+  };
+  const double coarse = residual_share(20);
+  const double fine = residual_share(80);
+  EXPECT_LT(coarse, 1e-3);
+  EXPECT_LT(fine, coarse / 8.0);
+}
+
+}  // namespace
+}  // namespace plastica
