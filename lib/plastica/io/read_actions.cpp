@@ -20,7 +20,7 @@ Support read_support(const TomlTable& table) {
   support.at = read_place(table.at("at"));
   support.kind = static_cast<SupportKind>(table.at("kind").word(support_kinds()));
   const auto only_of = [&](std::string_view name, SupportKind kind) {
-    const auto value = table.find(name);
+    auto value = table.find(name);
     if (value && support.kind != kind) {
       const auto word = support_kinds()[static_cast<std::size_t>(kind)];
       throw value->error("belongs to kind = \"" + std::string(word) + "\"");

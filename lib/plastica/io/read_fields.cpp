@@ -22,7 +22,7 @@ std::optional<TomlValue> value_at(TomlTable table, std::string_view path) {
 /// The entry of a path's first part, "support[2]", and of that the item.
 std::optional<TomlValue> entry(const TomlTable& table, std::string_view part) {
   const std::size_t bracket = part.find('[');
-  const auto value = table.find(part.substr(0, bracket));
+  auto value = table.find(part.substr(0, bracket));
   if (!value || bracket == std::string_view::npos || !value->is_array()) return value;
   std::size_t number = 0;
   std::from_chars(part.data() + bracket + 1, part.data() + part.size(), number);

@@ -150,7 +150,7 @@ LevelChoice coupon_level(const SolverOptions& options) {
 LevelChoice choose_level(const Scene& scene, const SolverOptions& options) {
   if (scene.is_coupon()) return coupon_level(options);
   const std::vector<Action> actions = actions_of(scene);
-  const LevelChoice least = least_level(scene, actions);
+  LevelChoice least = least_level(scene, actions);
   if (options.level == Level::Auto) return least;
   const auto asked = [&](Level level, std::string_view word) {
     const std::string smaller = least.reason.substr(0, least.reason.find(':'));

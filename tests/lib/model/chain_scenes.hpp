@@ -1,6 +1,13 @@
 #pragma once
 
+#include <array>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "plastica/model/scene.hpp"
+#include "tests/support/message.hpp"
 
 namespace plastica::testing {
 
@@ -16,6 +23,25 @@ inline Scene cantilever(std::array<double, 3> force = {0.0, -100.0, 0.0}) {
   scene.loads.push_back(load);
   scene.probes.clear();
   return scene;
+}
+
+/// The error of a cantilever of eight segments that `spoil` has changed.
+inline std::string error_of(const std::function<void(Scene&, SolverOptions&)>& spoil) {
+  Scene scene = cantilever();
+  scene.beam.segments = 8;
+  SolverOptions options;
+  spoil(scene, options);
+  return message_of([&] { check_scene(scene, options); });
+}
+
+inline std::string error_of(const std::function<void(Scene&)>& spoil) {
+  return error_of([&](Scene& scene, SolverOptions&) { spoil(scene); });
+}
+
+/// Makes a polyline of the beam; its length is left as it is.
+inline void curve(Scene& scene, std::vector<std::array<double, 3>> points) {
+  scene.beam.shape = BeamShape::Polyline;
+  scene.beam.points = std::move(points);
 }
 
 }  // namespace plastica::testing

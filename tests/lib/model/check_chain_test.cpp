@@ -1,37 +1,16 @@
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <limits>
 
 #include "tests/lib/model/chain_scenes.hpp"
-#include "tests/support/message.hpp"
 
 namespace plastica {
 namespace {
 
-using testing::cantilever;
+using testing::curve;
+using testing::error_of;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-/// The error of a cantilever that `spoil` has changed.
-std::string error_of(const std::function<void(Scene&, SolverOptions&)>& spoil) {
-  Scene scene = cantilever();
-  scene.beam.segments = 8;
-  SolverOptions options;
-  spoil(scene, options);
-  return testing::message_of([&] { check_scene(scene, options); });
-}
-
-std::string error_of(const std::function<void(Scene&)>& spoil) {
-  return error_of([&](Scene& scene, SolverOptions&) { spoil(scene); });
-}
-
-void add_support(Scene& scene, Place at, SupportKind kind) { scene.supports.push_back({at, kind}); }
-
-void curve(Scene& scene, std::vector<std::array<double, 3>> points) {
-  scene.beam.shape = BeamShape::Polyline;
-  scene.beam.points = std::move(points);
-}
 
 TEST(CheckChain, PassesACantilever) {
   EXPECT_EQ(error_of([](Scene&) {}), "no error");
@@ -122,120 +101,6 @@ TEST(CheckChain, RefusesARegionThatIsEmptyOrUnsound) {
             "of the length has a point");
   EXPECT_EQ(region(Place::start(), Place::end(), 0.0),
             "region[1].section.width = 0: must be positive and finite");
-}
-
-TEST(CheckSupports, RefusePlacesOffTheBeam) {
-  EXPECT_EQ(error_of([](Scene& s) {
-              add_support(s, {1.2, {}}, SupportKind::Roller);
-            }),
-            "support[2].at = 1.2: must be a fraction of the length, 0 to 1");
-  EXPECT_EQ(error_of([](Scene& s) {
-              add_support(s, {0.0, -1}, SupportKind::Roller);
-            }),
-            "support[2].at = -1: must be the number of a segment, 0 (the start) to 8; a fraction "
-            "of the length has a point");
-}
-
-TEST(CheckSupports, HoldRotationsAtSegmentEndsAlone) {
-  EXPECT_EQ(error_of([](Scene& s) {
-              add_support(s, {0.3, {}}, SupportKind::Clamp);
-            }),
-            "support[2].at = 0.3: a clamp that holds rotation (rx) must be at a segment's end; the "
-            "nearest are 0.25 and 0.375");
-  EXPECT_EQ(error_of([](Scene& s) {
-              add_support(s, {0.3, {}}, SupportKind::Pin);
-            }),
-            "support[2].at = 0.3: a pin that holds rotation (rz) must be at a segment's end; the "
-            "nearest are 0.25 and 0.375");
-  EXPECT_EQ(error_of([](Scene& s) { add_support(s, {0.3, {}}, SupportKind::Roller); }), "no error");
-  EXPECT_EQ(error_of([](Scene& s) {
-              add_support(s, {0.375, {}}, SupportKind::Clamp);
-            }),
-            "no error");
-}
-
-TEST(CheckSupports, HoldOrSpringOrPushButOneOfThese) {
-  const auto elastic = [](std::array<double, 3> stiffness, std::optional<HeldFreedoms> hold = {}) {
-    return error_of([&](Scene& s) {
-      add_support(s, Place::end(), SupportKind::Elastic);
-      s.supports[1].stiffness = stiffness;
-      s.supports[1].hold = hold;
-    });
-  };
-  EXPECT_EQ(elastic({0.0, 1e3, 0.0}), "no error");
-  EXPECT_EQ(elastic({0.0, -1e3, 0.0}),
-            "support[2].stiffness = -1000: must be finite and not negative");
-  EXPECT_EQ(elastic({}), "support[2]: an elastic support needs stiffness or rotational_stiffness");
-  EXPECT_EQ(elastic({0.0, 1e3, 0.0}, HeldFreedoms{false, true}),
-            "support[2].hold = y: has a spring, too");
-  EXPECT_EQ(error_of([](Scene& s) { s.supports[0].rotational_stiffness[0] = 1.0; }),
-            "support[1].stiffness: belongs to an elastic support");
-  EXPECT_EQ(error_of([](Scene& s) { s.supports[0].hold = HeldFreedoms{}; }),
-            "support[1].hold = []: must hold something");
-  EXPECT_EQ(error_of([](Scene& s) { s.supports[0].gap = 0.1; }),
-            "support[1].gap = 0.1: belongs to a pillar");
-}
-
-TEST(CheckSupports, ArePillarsOnlyIfTheyPush) {
-  const auto pillar = [](const std::function<void(Support&)>& spoil) {
-    return error_of([&](Scene& s) {
-      add_support(s, Place::end(), SupportKind::Pillar);
-      spoil(s.supports[1]);
-    });
-  };
-  EXPECT_EQ(pillar([](Support&) {}), "no error");
-  EXPECT_EQ(pillar([](Support& p) { p.gap = -0.1; }),
-            "support[2].gap = -0.1: must be finite and not negative");
-  EXPECT_EQ(pillar([](Support& p) {
-              p.normal = {0.0, 2.0, 0.0};
-            }),
-            "support[2].normal = 2: is the vector's size and must be 1");
-  EXPECT_EQ(pillar([](Support& p) { p.hold = HeldFreedoms{true}; }),
-            "support[2].hold: a pillar only pushes; what holds is another support");
-  EXPECT_EQ(pillar([](Support& p) { p.translation[1] = 0.1; }),
-            "support[2].translation = 0.1: moves y, which the support does not hold");
-}
-
-TEST(CheckSupports, MoveWhatTheyHold) {
-  EXPECT_EQ(error_of([](Scene& s) {
-              add_support(s, Place::end(), SupportKind::Roller);
-              s.supports[1].rotation[0] = 0.2;
-            }),
-            "support[2].rotation = 0.2: moves rx, which the support does not hold");
-  EXPECT_EQ(error_of([](Scene& s) { s.supports[0].translation[0] = kNan; }),
-            "support[1].translation = nan: must be finite");
-  EXPECT_EQ(error_of([](Scene& s) {
-              s.supports[0].translation[1] = 0.1;
-              s.supports[0].history = {{0.0, 2.0, 2.0}, {0.0, 1.0, 0.0}};
-            }),
-            "support[1].history.time = 2: must rise from one to the next");
-}
-
-TEST(CheckSupports, ShareAPlaceIfEachTakesFreedomsOfItsOwn) {
-  EXPECT_EQ(error_of([](Scene& s) {
-              add_support(s, {0.0, 0}, SupportKind::Roller);
-            }),
-            "support[2].at = 0: support[1] holds x at the same place");
-  const auto at_the_end = [](HeldFreedoms first, HeldFreedoms second) {
-    return error_of([&](Scene& s) {
-      add_support(s, Place::end(), SupportKind::Roller);
-      add_support(s, {0.0, 8}, SupportKind::Roller);
-      s.supports[1].hold = first;
-      s.supports[2].hold = second;
-    });
-  };
-  EXPECT_EQ(at_the_end({false, true}, {true}), "no error");
-  EXPECT_EQ(at_the_end({false, true}, {true, true}),
-            "support[3].at = 8: support[2] holds y at the same place");
-  const auto pillars = [](double second) {
-    return error_of([&](Scene& s) {
-      add_support(s, Place::end(), SupportKind::Pillar);
-      add_support(s, Place::end(), SupportKind::Pillar);
-      s.supports[2].normal[1] = second;
-    });
-  };
-  EXPECT_EQ(pillars(-1.0), "no error");
-  EXPECT_EQ(pillars(1.0), "support[3].at = end: support[2] holds y at the same place");
 }
 
 TEST(CheckActions, RefuseLoadsThatAreNone) {
@@ -394,71 +259,6 @@ TEST(CheckProbes, RefuseWhatTheChainDoesNotHave) {
   EXPECT_EQ(probe(ProbeQuantity::Reaction, Place::start()), "no error");
   EXPECT_EQ(probe(ProbeQuantity::Reaction, Place::end()), "probe[1].at = end: has no support");
   EXPECT_EQ(probe(ProbeQuantity::ReactionMoment, {0.0, 3}), "probe[1].at = 3: has no support");
-}
-
-/// Supports that leave the beam a freedom.
-std::string free_by(std::vector<Support> supports, std::array<double, 3> force) {
-  return error_of([&](Scene& s) {
-    s.supports = std::move(supports);
-    s.loads[0].force = force;
-  });
-}
-
-std::string free_to(const std::string& motion, const std::string& level) {
-  return "support: the supports together leave the beam free to " + motion + " (level " + level +
-         ")";
-}
-
-TEST(FreeMotion, IsNamedInThePlane) {
-  const std::array<double, 3> down{0.0, -1.0, 0.0};
-  const Support pin{Place::start(), SupportKind::Pin};
-  const Support roller{Place::end(), SupportKind::Roller};
-  EXPECT_EQ(free_by({pin, roller}, down), "no error");
-  EXPECT_EQ(free_by({pin}, down), free_to("rotate about x", "planar"));
-  EXPECT_EQ(free_by({roller}, down), free_to("move along z", "planar"));
-  EXPECT_EQ(free_by({{Place::start(), SupportKind::Roller}, roller}, down),
-            free_to("move along z", "planar"));
-  EXPECT_EQ(
-      free_by({{Place::start(), SupportKind::Pillar}, {Place::end(), SupportKind::Pillar}}, down),
-      free_to("move along z", "planar"));
-  EXPECT_EQ(free_by({{Place::start(), SupportKind::Guide}}, down),
-            free_to("move along y", "planar"));
-  EXPECT_EQ(free_by({pin}, {1.0, 0.0, 0.0}), free_to("rotate about y", "planar"));
-}
-
-TEST(FreeMotion, IsNamedInSpaceAndInTwist) {
-  const Support pin{Place::start(), SupportKind::Pin};
-  const Support roller{Place::end(), SupportKind::Roller};
-  const std::array<double, 3> skew{1.0, 1.0, 0.0};
-  EXPECT_EQ(free_by({pin, roller}, skew), "no error");
-  Support no_fork = pin;
-  no_fork.hold = HeldFreedoms{true, true, true};
-  EXPECT_EQ(free_by({no_fork, roller}, skew), free_to("rotate about z", "spatial"));
-  Support one_way = roller;
-  one_way.hold = HeldFreedoms{false, true};
-  EXPECT_EQ(free_by({pin, one_way}, skew), free_to("rotate about y", "spatial"));
-  EXPECT_EQ(error_of([&](Scene& s) {
-              s.supports = {no_fork};
-              s.loads[0].force = {};
-              s.loads[0].moment = {0.0, 0.0, 1.0};
-            }),
-            free_to("rotate about z", "twist"));
-}
-
-TEST(FreeMotion, KnowsSpringsAndTheShapeOfTheBeam) {
-  const std::array<double, 3> down{0.0, -1.0, 0.0};
-  Support spring{Place::end(), SupportKind::Elastic};
-  spring.stiffness = {0.0, 1.0, 0.0};
-  const Support pin{Place::start(), SupportKind::Pin};
-  EXPECT_EQ(free_by({pin, spring}, down), "no error");
-  spring.stiffness = {0.0, 0.0, 1.0};
-  EXPECT_EQ(free_by({pin, spring}, down), free_to("rotate about x", "planar"));
-  // The same spring along z holds a beam that rises to its side.
-  EXPECT_EQ(error_of([&](Scene& s) {
-              s.supports = {pin, spring};
-              curve(s, {{0.0, 0.0, 0.0}, {0.0, 0.6, 0.8}});
-            }),
-            "no error");
 }
 
 }  // namespace

@@ -76,21 +76,21 @@ TEST(SceneWarnings, SayWhatLongSegmentsCost) {
     int segments;  // of a chain that the theory counts as 8
     std::string order;
   };
-  for (const auto& [rule, convention, segments, order] :
+  for (const Convention& c :
        {Convention{EndRule::Auto, ChainConvention::HalfJoint, 8, "1/N^2"},
         Convention{EndRule::Equal, ChainConvention::Weld, 8, "1/N"},
         Convention{EndRule::Half, ChainConvention::HalfEnds, 9, "1/N^2"},
         Convention{EndRule::ThreeHalves, ChainConvention::ThreeHalvesEnds, 8, "1/N^2"}}) {
     const auto warnings = warnings_of([&](Scene& s) {
-      s.beam.segments = segments;
-      s.end_rule = rule;
+      s.beam.segments = c.segments;
+      s.end_rule = c.rule;
     });
     ASSERT_EQ(warnings.size(), 1U);
-    const double error = 100.0 * (theory::tip_force_ratio(convention, 8) - 1.0);
+    const double error = 100.0 * (theory::tip_force_ratio(c.theory, 8) - 1.0);
     EXPECT_EQ(warnings[0],
               "segments of 0.125 m are longer than the section's 0.02 m (the report's "
               "rule of thumb); a cantilever so divided is " +
-                  figure(error) + " % off at its tip under a tip force, which falls as " + order);
+                  figure(error) + " % off at its tip under a tip force, which falls as " + c.order);
   }
 }
 
