@@ -51,6 +51,26 @@ double saint_venant_eta(double ratio) {
   return 8.0 / (pi * pi) * (kCatalan - rest) / long_side_stress(ratio);
 }
 
+double saint_venant_perimeter_stress(double ratio, bool long_side, double position) {
+  if (position >= 1.0) return 0.0;
+  // Slowest next to a corner, where the terms only fall like 1/n^2.
+  constexpr int kLastNearCorner = 2001;
+  double sum = 0.0;
+  for (int n = kLastNearCorner; n >= 1; n -= 2) {
+    const double end = n * pi * ratio / 2.0;
+    if (long_side) {
+      // cosh(end position)/cosh(end)
+      sum += std::exp(end * (position - 1.0)) * (1.0 + std::exp(-2.0 * end * position)) /
+             (1.0 + std::exp(-2.0 * end)) / n / n;
+    } else {
+      const double sign = (n / 2) % 2 == 0 ? 1.0 : -1.0;
+      sum += sign * (1.0 - one_minus_tanh(end)) * std::cos(n * pi * position / 2.0) / n / n;
+    }
+  }
+  const double stress = 8.0 / (pi * pi) * sum;
+  return (long_side ? 1.0 - stress : stress) / long_side_stress(ratio);
+}
+
 double sand_heap_modulus_rectangle(double width, double height) {
   const double c = std::max(width, height);
   const double s = std::min(width, height);

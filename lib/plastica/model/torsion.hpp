@@ -19,6 +19,14 @@ double saint_venant_alpha(double ratio);
 /// @param ratio  c/s [1], >= 1
 double saint_venant_eta(double ratio);
 
+/// Shear stress at a point of a rectangle's perimeter over the largest, that at the middle of the
+/// long sides; 0 at the corners. Within 1e-4 next to a corner, 1e-6 elsewhere.
+/// Source: as saint_venant_beta.
+/// @param ratio      c/s [1], >= 1
+/// @param long_side  whether the point is on a long side or on a short one
+/// @param position   distance from the middle of the side over half its length [1], 0..1
+double saint_venant_perimeter_stress(double ratio, bool long_side, double position);
+
 /// T_p/tau_y [m^3] of a rectangle: twice the volume of Nadai's sand heap, s^2 (3c - s)/6.
 /// @param width, height  sides in either order [m]
 double sand_heap_modulus_rectangle(double width, double height);

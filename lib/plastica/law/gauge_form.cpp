@@ -1,0 +1,177 @@
+#include "plastica/law/gauge_form.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "plastica/model/torsion.hpp"
+
+namespace plastica::law {
+namespace {
+
+using std::numbers::pi;
+
+/// A point of half a side: distance from its middle over half its length, and shear stress over
+/// the section's largest.
+struct SidePoint {
+  double position;
+  double shear;
+};
+
+constexpr std::size_t kCandidates = 100;
+
+/// How much less the points `from` and `to` alone find than all between them would, at worst.
+///
+/// On a side whose bending has its full lever a >= y, the gauge is the largest over angles and
+/// points of a cos + y cos position + t sin shear, linear in a point. A point between misses most
+/// where the two ends weigh alike, with the line through them as normal, and where a = y.
+double gap(const std::vector<SidePoint>& side, std::size_t from, std::size_t to) {
+  const double along = side[from].shear - side[to].shear;
+  const double across = side[to].position - side[from].position;
+  const auto weight = [&](const SidePoint& p) {
+    return along * (1.0 + p.position) + across * p.shear;
+  };
+  double worst = 0.0;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    worst = std::max(worst, weight(side[i]) / weight(side[from]) - 1.0);
+  }
+  return worst;
+}
+
+/// Points from the middle to the corner of which no two neighbours miss more than `tolerance`.
+std::vector<std::size_t> march(const std::vector<SidePoint>& side, double tolerance) {
+  std::vector<std::size_t> chosen{0};
+  const std::size_t corner = side.size() - 1;
+  while (chosen.back() < corner) {
+    std::size_t next = chosen.back() + 1;
+    while (next < corner && gap(side, chosen.back(), next + 1) <= tolerance) ++next;
+    chosen.push_back(next);
+  }
+  return chosen;
+}
+
+/// The `kPointsOfSide` best points of a side, without the corner, moved out by half of what they
+/// miss.
+std::array<SidePoint, kPointsOfSide> side_points(double ratio, bool long_side) {
+  std::vector<SidePoint> side;
+  for (std::size_t i = 0; i <= kCandidates; ++i) {
+    const double position = static_cast<double>(i) / kCandidates;
+    side.push_back({position, saint_venant_perimeter_stress(ratio, long_side, position)});
+  }
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (march(side, middle).size() <= kPointsOfSide + 1 ? high : low) = middle;
+  }
+  const std::vector<std::size_t> chosen = march(side, high);
+  std::array<SidePoint, kPointsOfSide> points;
+  points.fill(side.front());
+  for (std::size_t k = 1; k + 1 < chosen.size(); ++k) {
+    const SidePoint& p = side[chosen[k]];
+    const double out = 1.0 + 0.5 * high;
+    points[k] = {std::min(out * p.position, 1.0), std::min(out * p.shear, side.front().shear)};
+  }
+  return points;
+}
+
+void set_rectangle(const Section& section, GaugeForm& form) {
+  const double ratio =
+      std::max(section.width, section.height) / std::min(section.width, section.height);
+  // Bending about x has its full lever on the sides along x, of length `width`.
+  const bool x_has_long_sides = section.width >= section.height;
+  const auto of_x = side_points(ratio, x_has_long_sides);
+  const auto of_y = side_points(ratio, !x_has_long_sides);
+  for (std::size_t k = 0; k < kPointsOfSide; ++k) {
+    form.xi[k] = 1.0;
+    form.eta[k] = of_x[k].position;
+    form.tau_squared[k] = of_x[k].shear * of_x[k].shear;
+    const std::size_t j = kPointsOfSide + k;
+    form.xi[j] = of_y[k].position;
+    form.eta[j] = 1.0;
+    form.tau_squared[j] = of_y[k].shear * of_y[k].shear;
+  }
+  form.xi.back() = form.eta.back() = 1.0;
+  form.tau_squared.back() = 0.0;
+}
+
+/// Largest e for which (1 - n)(1 + e n) is nowhere above the curve m(n) of `points`.
+double largest_axial(const std::vector<std::array<double, 2>>& points) {
+  double e = 1.0;
+  for (const auto& [n, m] : points) {
+    if (n > 1e-3 && n < 1.0 - 1e-3) e = std::min(e, (m / (1.0 - n) - 1.0) / n);
+  }
+  return e;
+}
+
+/// Neutral axis at R sin(a): m = (R^3 cos^3 a - c(r))/(R^3 - r^3), with the chord of the hole cut
+/// out; n from the area between the neutral axis and its mirror image.
+std::vector<std::array<double, 2>> round_curve(double R, double r) {
+  std::vector<std::array<double, 2>> points;
+  const auto half_area = [](double radius, double y) {  // between the centre and y
+    const double s = std::min(y / radius, 1.0);
+    return radius * radius * (std::asin(s) + s * std::sqrt(1.0 - s * s));
+  };
+  const auto chord_cubed = [](double radius, double y) {
+    return std::pow(std::max(radius * radius - y * y, 0.0), 1.5);
+  };
+  for (int i = 1; i < 400; ++i) {
+    const double y = R * i / 400.0;
+    const double area = pi * (R * R - r * r);
+    const double inner = r > 0.0 ? 2.0 * half_area(r, y) : 0.0;
+    points.push_back({(2.0 * half_area(R, y) - inner) / area,
+                      (chord_cubed(R, y) - chord_cubed(r, y)) / (R * R * R - r * r * r)});
+  }
+  return points;
+}
+
+/// The same of a box that bends about x: its two webs and, beyond the hole, its whole width.
+std::vector<std::array<double, 2>> box_curve(double b, double h, double bi, double hi) {
+  std::vector<std::array<double, 2>> points;
+  const double area = b * h - bi * hi;
+  const double plastic = (b * h * h - bi * hi * hi) / 4.0;
+  for (int i = 1; i < 400; ++i) {
+    const double y = 0.5 * h * i / 400.0;
+    const double in_hole = std::min(y, 0.5 * hi);
+    points.push_back({2.0 * (b * y - bi * in_hole) / area,
+                      1.0 - (b * y * y - bi * in_hole * in_hole) / plastic});
+  }
+  return points;
+}
+
+/// e of the section's fully plastic surface.
+double plastic_axial(const Section& s) {
+  switch (s.shape) {
+    case SectionShape::Rectangle: return 1.0;
+    case SectionShape::Circle: return largest_axial(round_curve(s.radius, 0.0));
+    case SectionShape::RoundTube: return largest_axial(round_curve(s.radius, s.inner_radius));
+    case SectionShape::RectangularTube:
+      return std::min(largest_axial(box_curve(s.width, s.height, s.inner_width, s.inner_height)),
+                      largest_axial(box_curve(s.height, s.width, s.inner_height, s.inner_width)));
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+GaugeForm gauge_form(const Section& section, YieldModel model, YieldCap cap, Formulas formulas) {
+  const bool round =
+      section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
+  GaugeForm form;
+  if (model == YieldModel::Conservative) {
+    form.kind = GaugeKind::Corner;
+  } else if (cap == YieldCap::FullyPlastic && formulas == Formulas::Mechanics) {
+    form.kind = round ? GaugeKind::PlasticRound : GaugeKind::PlasticBlock;
+    form.axial = plastic_axial(section);
+  } else if (round) {
+    form.kind = GaugeKind::Round;
+  } else if (section.shape == SectionShape::RectangularTube) {
+    form.kind = GaugeKind::Corner;
+  } else {
+    set_rectangle(section, form);
+  }
+  return form;
+}
+
+}  // namespace plastica::law
