@@ -108,7 +108,7 @@ class PathWalker {
   static constexpr double kHeldTwice = 1e-8;
   static constexpr int kMostArcs = 400;
   /// How much longer than the first an arc may become: a way that bends sharply is long.
-  static constexpr double kArcGrowth = 8.0;
+  static constexpr double kArcGrowth = 32.0;
 
   static bool finite(const NewtonOutcome<double>& outcome) {
     return std::isfinite(outcome.imbalance[static_cast<std::size_t>(outcome.iterations)]);

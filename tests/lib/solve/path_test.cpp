@@ -87,7 +87,7 @@ TEST(Path, PassesTheLimitPointsOfASnappingArch) {
   SolverOptions options;
   options.translation = JointTranslation::Elastic;
   options.control = PathControl::ArcLength;
-  options.steps = 140;
+  options.steps = 60;
   const Response response = simulate(scene, options);
   EXPECT_TRUE(usable(response.status)) << name_of(response.status);
   const auto& factor = response.probes[1];
