@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "plastica/model/choose_level.hpp"
+#include "plastica/run/chain_laws.hpp"
 #include "plastica/run/chain_run.hpp"
 #include "plastica/run/simulate.hpp"
 
@@ -48,6 +49,7 @@ void set_stops(ChainModel& chain) {
 
 std::shared_ptr<const ChainModel> prepare_chain(const Scene& scene, const SolverOptions& options,
                                                 const LevelChoice& choice) {
+  check_regions(scene);
   auto chain = std::make_shared<ChainModel>();
   chain->scene = scene;
   chain->options = options;

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cassert>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "plastica/law/interaction.hpp"
+#include "plastica/law/per_axis.hpp"
+#include "plastica/run/chain_laws.hpp"
+
+/// Defines `make_joints`; for the files that instantiate it.
+namespace plastica {
+namespace detail {
+
+template <class L, bool kElastic>
+struct JointsMaker {
+  using S = typename L::Scalar;
+  using Made = std::unique_ptr<chain::SectionJointsBase<L, kElastic>>;
+  /// A level with one force per section has no interaction: there the closest point of any yield
+  /// surface is the clipped force.
+  static constexpr bool kOneForce = L::kRotations == 1 && !kElastic;
+
+  const Scene& scene;
+  const std::vector<chain::PartForm>& parts;
+  const std::vector<MaterialValues<S>>& materials;
+  std::vector<chain::SectionJoint<L>> joints;
+  const chain::View<L>& view;
+
+  template <class Law>
+  Made make(std::vector<Law> laws) {
+    return std::make_unique<chain::SectionJoints<L, kElastic, Law>>(
+        view.section_axes(), std::move(laws), std::move(joints));
+  }
+
+  Made elastic() {
+    std::vector<law::ElasticSection<S>> laws;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      laws.push_back(law::elastic_section(parts[p].form, materials[p]));
+    }
+    return make(std::move(laws));
+  }
+
+  template <class Uniaxial>
+  Made per_axis() {
+    std::vector<law::PerAxisSection<S, Uniaxial>> laws;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      laws.push_back(law::per_axis_section<Uniaxial>(parts[p].form, materials[p]));
+    }
+    return make(std::move(laws));
+  }
+
+  law::GaugeForm gauge_of(std::size_t part) const {
+    return law::gauge_form(*parts[part].section, scene.yield_model, scene.yield_cap,
+                           scene.formulas);
+  }
+
+  template <class Uniaxial>
+  Made interaction() {
+    Made made;
+    law::with_gauge<S>(gauge_of(0), [&](const auto& first) {
+      using Gauge = std::remove_cvref_t<decltype(first)>;
+      std::vector<law::InteractionSection<S, Gauge, Uniaxial>> laws;
+      for (std::size_t p = 0; p < parts.size(); ++p) {
+        law::with_gauge<S>(gauge_of(p), [&](const auto& gauge) {
+          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(gauge)>, Gauge>) {
+            laws.push_back(law::interaction_section<Uniaxial>(parts[p].form, gauge, materials[p]));
+          } else {
+            assert(false && "check_regions refuses it");
+          }
+        });
+      }
+      made = make(std::move(laws));
+    });
+    return made;
+  }
+
+  Made make() {
+    if (scene.yield_model == YieldModel::Elastic) return elastic();
+    Made made;
+    law::with_law_type<S>(scene.material.hardening.law, [&](auto tag) {
+      using Uniaxial = typename decltype(tag)::type;
+      if constexpr (!kOneForce) {
+        if (scene.yield_model != YieldModel::PerAxis) {
+          made = interaction<Uniaxial>();
+          return;
+        }
+      }
+      made = per_axis<Uniaxial>();
+    });
+    return made;
+  }
+};
+
+}  // namespace detail
+
+template <class L, bool kElastic>
+std::unique_ptr<chain::SectionJointsBase<L, kElastic>> make_joints(
+    const Scene& scene, const std::vector<chain::PartForm>& parts,
+    const std::vector<MaterialValues<typename L::Scalar>>& materials,
+    std::vector<chain::SectionJoint<L>> joints, const chain::View<L>& view) {
+  return detail::JointsMaker<L, kElastic>{scene, parts, materials, std::move(joints), view}.make();
+}
+
+}  // namespace plastica
