@@ -1,0 +1,201 @@
+#include "plastica/law/fibre_layout.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace plastica::law {
+namespace {
+
+/// Integrals of width x position^k over an interval, k = 0 … 3.
+using Moments = std::array<double, 4>;
+
+struct Point {
+  double position;
+  double weight;
+};
+
+Moments operator-(const Moments& a, const Moments& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
+}
+
+/// The two Gauss points of an interval with these moments: with the central moments m2, m3 per
+/// area the positions about the centroid solve t^2 - (m3/m2) t - m2 = 0.
+std::array<Point, 2> gauss_points(const Moments& m) {
+  const double centre = m[1] / m[0];
+  const double m2 = m[2] / m[0] - centre * centre;
+  const double m3 = m[3] / m[0] - 3.0 * centre * m[2] / m[0] + 2.0 * centre * centre * centre;
+  const double skew = 0.5 * m3 / m2;
+  const double root = std::sqrt(skew * skew + m2);
+  const double low = skew - root;
+  const double high = skew + root;
+  return {Point{centre + low, m[0] * high / (high - low)},
+          Point{centre + high, -m[0] * low / (high - low)}};
+}
+
+/// A constant width.
+Moments strip(double width, double from, double to) {
+  Moments m{};
+  for (int k = 0; k < 4; ++k) {
+    m[static_cast<std::size_t>(k)] =
+        width * (std::pow(to, k + 1) - std::pow(from, k + 1)) / (k + 1);
+  }
+  return m;
+}
+
+/// The width of a disc, 2 sqrt(R^2 - y^2), up to y; its integrals in closed form.
+Moments disc_up_to(double radius, double y) {
+  const double sine = std::clamp(y / radius, -1.0, 1.0);
+  const double angle = std::asin(sine);
+  const double half = radius * std::sqrt(1.0 - sine * sine);
+  const double r2 = radius * radius;
+  const double h3 = half * half * half;
+  return {r2 * (angle + sine * half / radius), -2.0 / 3.0 * h3,
+          0.25 * r2 * r2 * (angle - 0.25 * std::sin(4.0 * angle)),
+          -2.0 * (r2 * h3 / 3.0 - h3 * half * half / 5.0)};
+}
+
+/// Boundaries of intervals over a depth, symmetric, with one at 0 and at the edges of a hole.
+std::vector<double> boundaries(double depth, double hole, int intervals) {
+  const double half = 0.5 * depth;
+  std::vector<double> right{0.0};
+  const int each = std::max(intervals / 2, 1);
+  if (hole > 0.0) {
+    const int inside =
+        std::clamp(static_cast<int>(std::lround(each * hole / depth)), 1, std::max(each - 1, 1));
+    const int wall = std::max(each - inside, 1);
+    for (int i = 1; i <= inside; ++i) right.push_back(0.5 * hole * i / inside);
+    for (int i = 1; i <= wall; ++i) right.push_back(0.5 * (hole + (depth - hole) * i / wall));
+  } else {
+    for (int i = 1; i <= each; ++i) right.push_back(half * i / each);
+  }
+  std::vector<double> all(right.rbegin(), right.rend() - 1);
+  for (double& x : all) x = -x;
+  all.insert(all.end(), right.begin(), right.end());
+  return all;
+}
+
+/// The sides of a section by what it bends about: depth, breadth, and those of the hole.
+struct Sides {
+  double depth, breadth, inner_depth, inner_breadth;
+};
+
+bool is_round(const Section& s) {
+  return s.shape == SectionShape::Circle || s.shape == SectionShape::RoundTube;
+}
+
+Sides sides_of(const Section& s, bool about_x) {
+  const bool hollow = s.shape == SectionShape::RectangularTube;
+  const Sides sides{s.height, s.width, hollow ? s.inner_height : 0.0, hollow ? s.inner_width : 0.0};
+  if (about_x) return sides;
+  return {sides.breadth, sides.depth, sides.inner_breadth, sides.inner_depth};
+}
+
+double hole_radius(const Section& s) {
+  return s.shape == SectionShape::RoundTube ? s.inner_radius : 0.0;
+}
+
+/// Layers over the depth.
+void add_layers(const Section& s, bool about_x, int intervals, FibreLayout& layout) {
+  const Sides sides = sides_of(s, about_x);
+  const double hole = hole_radius(s);
+  const std::vector<double> edge = is_round(s)
+                                       ? boundaries(2.0 * s.radius, 2.0 * hole, intervals)
+                                       : boundaries(sides.depth, sides.inner_depth, intervals);
+  for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
+    Moments m;
+    if (is_round(s)) {
+      m = disc_up_to(s.radius, edge[i + 1]) - disc_up_to(s.radius, edge[i]);
+      if (hole > 0.0) m = m - (disc_up_to(hole, edge[i + 1]) - disc_up_to(hole, edge[i]));
+    } else {
+      const bool in_hole = std::fabs(edge[i] + edge[i + 1]) < sides.inner_depth;
+      m = strip(sides.breadth - (in_hole ? sides.inner_breadth : 0.0), edge[i], edge[i + 1]);
+    }
+    for (const Point& p : gauss_points(m)) {
+      layout.depth.push_back(p.position);
+      layout.area.push_back(p.weight);
+    }
+  }
+}
+
+/// Gauss points of a rectangle's cells, without those in the hole.
+void add_grid(const Section& s, int intervals, FibreLayout& layout) {
+  const Sides sides = sides_of(s, true);
+  const std::vector<double> y = boundaries(sides.depth, sides.inner_depth, intervals);
+  const std::vector<double> x = boundaries(sides.breadth, sides.inner_breadth, intervals);
+  for (std::size_t i = 0; i + 1 < y.size(); ++i) {
+    for (std::size_t j = 0; j + 1 < x.size(); ++j) {
+      if (std::fabs(y[i] + y[i + 1]) < sides.inner_depth &&
+          std::fabs(x[j] + x[j + 1]) < sides.inner_breadth) {
+        continue;
+      }
+      for (const Point& up : gauss_points(strip(1.0, y[i], y[i + 1]))) {
+        for (const Point& side : gauss_points(strip(1.0, x[j], x[j + 1]))) {
+          layout.depth.push_back(up.position);
+          layout.across.push_back(side.position);
+          layout.area.push_back(up.weight * side.weight);
+        }
+      }
+    }
+  }
+}
+
+/// Gauss points over the radius with the circumference as width.
+std::vector<Point> rings_of(const Section& s, int intervals) {
+  const double inner = hole_radius(s);
+  std::vector<Point> rings;
+  for (int i = 0; i < intervals; ++i) {
+    const double from = inner + (s.radius - inner) * i / intervals;
+    const double to = inner + (s.radius - inner) * (i + 1) / intervals;
+    Moments m{};
+    for (int k = 0; k < 4; ++k) {
+      m[static_cast<std::size_t>(k)] =
+          2.0 * std::numbers::pi * (std::pow(to, k + 2) - std::pow(from, k + 2)) / (k + 2);
+    }
+    for (const Point& p : gauss_points(m)) rings.push_back(p);
+  }
+  return rings;
+}
+
+/// A polar grid: the sums of cos^2 and sin^2 over evenly spaced angles are exact.
+void add_polar(const Section& s, int intervals, FibreLayout& layout) {
+  const int sectors = 4 * intervals;
+  for (const Point& ring : rings_of(s, std::max(intervals / 2, 1))) {
+    for (int i = 0; i < sectors; ++i) {
+      const double angle = 2.0 * std::numbers::pi * (i + 0.5) / sectors;
+      layout.depth.push_back(ring.position * std::sin(angle));
+      layout.across.push_back(ring.position * std::cos(angle));
+      layout.area.push_back(ring.weight / sectors);
+    }
+  }
+}
+
+}  // namespace
+
+FibreLayout fibre_layout(const Section& section, const SectionForm& form, FibrePlane plane,
+                         int fibres) {
+  const int intervals = 2 * std::max((fibres + 3) / 4, 1);
+  FibreLayout layout;
+  layout.plane = plane;
+  if (plane != FibrePlane::Both) {
+    add_layers(section, plane == FibrePlane::AboutX, intervals, layout);
+  } else if (is_round(section)) {
+    add_polar(section, intervals, layout);
+  } else {
+    add_grid(section, intervals, layout);
+  }
+  if (is_round(section)) {
+    for (const Point& ring : rings_of(section, intervals)) {
+      layout.ring_radius.push_back(ring.position);
+      layout.ring_area.push_back(ring.weight);
+    }
+  } else {
+    layout.ring_radius = {form.lever[kTorsion]};
+    layout.ring_area = {form.modulus[kTorsion] / form.lever[kTorsion]};
+  }
+  return layout;
+}
+
+}  // namespace plastica::law
