@@ -92,8 +92,12 @@ class Builder {
     const Support& support = scene_.supports[index];
     const std::size_t history = support.moves() ? add_history(support.history) : 0;
     const double share = share_of(support.at, layout_.ends);
+    const HeldFreedoms held = support.held();
+    const bool holds = std::find(held.begin(), held.end(), true) != held.end();
     if (share == 0.0) {
-      add_root(support, index, history);
+      // Of the supports at the start the one that holds is the root's, wherever it is listed.
+      if (holds || !root_is_held_) add_root(support, index, history);
+      root_is_held_ = root_is_held_ || holds;
     } else {
       add_held_point(support, index, history, segment_point(layout_, share));
     }
@@ -300,6 +304,7 @@ class Builder {
   View<L> view_;
   Placement<L> undeformed_;
   Build<L> build_;
+  bool root_is_held_ = false;
 };
 
 }  // namespace plastica::chain

@@ -51,15 +51,17 @@ std::vector<double> segment_ends(const Scene& scene) {
 }
 
 double share_of(const Place& place, std::span<const double> ends) {
-  return place.segment ? ends[static_cast<std::size_t>(*place.segment)] : place.fraction;
+  if (place.segment) return ends[static_cast<std::size_t>(*place.segment)];
+  constexpr double kSame = 1e-9;
+  const auto after = std::lower_bound(ends.begin(), ends.end(), place.fraction - kSame);
+  return after != ends.end() && *after <= place.fraction + kSame ? *after : place.fraction;
 }
 
 std::optional<int> segment_end_at(const Place& place, std::span<const double> ends) {
-  constexpr double kSame = 1e-9;
   const double share = share_of(place, ends);
-  const auto after = std::lower_bound(ends.begin(), ends.end(), share - kSame);
-  if (after == ends.end() || *after > share + kSame) return std::nullopt;
-  return static_cast<int>(after - ends.begin());
+  const auto at = std::lower_bound(ends.begin(), ends.end(), share);
+  if (at == ends.end() || *at != share) return std::nullopt;
+  return static_cast<int>(at - ends.begin());
 }
 
 std::array<double, 3> axis_point(const Beam& beam, double share) {

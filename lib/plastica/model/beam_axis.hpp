@@ -13,12 +13,13 @@ namespace plastica {
 /// (segments + 1). With EndRule::Half the two end segments are half as long as the others.
 std::vector<double> segment_ends(const Scene& scene);
 
-/// A place as a share of the length [1], 0 (start) … 1 (end).
+/// A place as a share of the length [1], 0 (start) … 1 (end). A fraction within 1e-9 of a segment's
+/// end is that end, exactly: nobody writes 0.6666666667 to the last bit.
 /// @param ends  of `segment_ends`; `place.segment` is within it
 double share_of(const Place& place, std::span<const double> ends);
 
 /// The number of the segment end at a place, 0 … segments; empty if the place is inside of a
-/// segment (by more than 1e-9 of the beam's length).
+/// segment.
 std::optional<int> segment_end_at(const Place& place, std::span<const double> ends);
 
 /// A point of the undeformed axis in world axes [m].

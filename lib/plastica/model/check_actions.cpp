@@ -53,6 +53,11 @@ void check_rotation_place(const Support& support, std::span<const double> ends,
                        number_text(*(after - 1)) + " and " + number_text(*after));
 }
 
+bool holds(const Support& support) {
+  const HeldFreedoms held = support.held();
+  return std::find(held.begin(), held.end(), true) != held.end();
+}
+
 void check_springs(const Support& support, const std::string& name) {
   for (std::size_t i = 0; i < 3; ++i) {
     require_not_negative(support.stiffness[i], {}, name + ".stiffness");
@@ -63,11 +68,11 @@ void check_springs(const Support& support, const std::string& name) {
     throw InputError({}, name + ".stiffness", "", "belongs to an elastic support");
   }
   const HeldFreedoms held = support.held();
-  const bool holds = std::find(held.begin(), held.end(), true) != held.end();
-  if (support.kind == SupportKind::Elastic && !springs && !holds) {
+  if (support.kind == SupportKind::Elastic && !springs && !holds(support)) {
     throw InputError({}, name, "", "an elastic support needs stiffness or rotational_stiffness");
   }
-  if (support.kind != SupportKind::Elastic && support.kind != SupportKind::Pillar && !holds) {
+  if (support.kind != SupportKind::Elastic && support.kind != SupportKind::Pillar &&
+      !holds(support)) {
     throw InputError({}, name + ".hold", "[]", "must hold something");
   }
   for (std::size_t i = 0; i < 6; ++i) {
@@ -93,20 +98,6 @@ void check_pillar(const Support& support, const std::string& name) {
           "is the vector's size and must be 1");
 }
 
-void check_motion(const Support& support, const std::string& name) {
-  check_finite(support.translation, name + ".translation");
-  check_finite(support.rotation, name + ".rotation");
-  const HeldFreedoms held = support.held();
-  for (std::size_t i = 0; i < 6; ++i) {
-    const double motion = i < 3 ? support.translation[i] : support.rotation[i - 3];
-    if (motion == 0.0 || held[i]) continue;
-    throw InputError(
-        {}, name + (i < 3 ? ".translation" : ".rotation"), number_text(motion),
-        "moves " + std::string(freedom_names()[i]) + ", which the support does not hold");
-  }
-  if (support.moves()) check_history(support.history, name + ".history");
-}
-
 /// What a support does to each freedom: hold or spring. Pillars are compared by their normals.
 HeldFreedoms taken_freedoms(const Support& support) {
   HeldFreedoms taken = support.held();
@@ -118,20 +109,40 @@ HeldFreedoms taken_freedoms(const Support& support) {
   return taken;
 }
 
+void check_motion(const Support& support, const std::string& name) {
+  check_finite(support.translation, name + ".translation");
+  check_finite(support.rotation, name + ".rotation");
+  const HeldFreedoms taken = taken_freedoms(support);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double motion = i < 3 ? support.translation[i] : support.rotation[i - 3];
+    if (motion == 0.0 || taken[i]) continue;
+    throw InputError(
+        {}, name + (i < 3 ? ".translation" : ".rotation"), number_text(motion),
+        "moves " + std::string(freedom_names()[i]) + ", which the support does not hold");
+  }
+  if (support.moves()) check_history(support.history, name + ".history");
+}
+
 /// Supports at one place share it as long as each takes freedoms of its own, or pillars push in
-/// different directions.
+/// different directions. The chain begins at the start, where one support alone may hold.
 void check_neighbours(const Scene& scene, std::size_t index, std::span<const double> ends) {
   const Support& support = scene.supports[index];
   const HeldFreedoms taken = taken_freedoms(support);
+  const std::string field = item_name("support", index, ".at");
   for (std::size_t other = 0; other < index; ++other) {
     const Support& before = scene.supports[other];
-    if (std::abs(share_of(before.at, ends) - share_of(support.at, ends)) > 1e-9) continue;
+    if (share_of(before.at, ends) != share_of(support.at, ends)) continue;
+    if (share_of(support.at, ends) == 0.0 && holds(support) && holds(before)) {
+      throw InputError({}, field, place_text(support.at),
+                       item_name("support", other) +
+                           " holds the start, too: one support takes all that is held there");
+    }
     const bool pillars = support.kind == SupportKind::Pillar && before.kind == SupportKind::Pillar;
     if (pillars && support.normal != before.normal) continue;
     const HeldFreedoms taken_before = taken_freedoms(before);
     for (std::size_t i = 0; i < taken.size(); ++i) {
       if (!taken[i] || !taken_before[i]) continue;
-      throw InputError({}, item_name("support", index, ".at"), place_text(support.at),
+      throw InputError({}, field, place_text(support.at),
                        item_name("support", other) + " holds " + std::string(freedom_names()[i]) +
                            " at the same place");
     }

@@ -61,7 +61,7 @@ void check_polyline(const Beam& beam) {
   if (beam.points[0] != std::array<double, 3>{}) {
     throw InputError({}, "beam.points[1]", "", "must be the origin, where a beam starts");
   }
-  std::array<double, 3> before{};
+  std::array<double, 3> before{0.0, 0.0, 1.0};
   for (std::size_t i = 1; i < beam.points.size(); ++i) {
     const auto& a = beam.points[i - 1];
     const auto& b = beam.points[i];
@@ -74,7 +74,8 @@ void check_polyline(const Beam& beam) {
     const double cosine = before[0] * along[0] + before[1] * along[1] + before[2] * along[2];
     if (cosine < -1.0 + kTolerance) {
       throw InputError({}, item_name("beam.points", i), "",
-                       "turns straight back at the point before");
+                       i == 1 ? "runs straight against z, along which the beam starts"
+                              : "turns straight back at the point before");
     }
     before = along;
   }

@@ -97,9 +97,8 @@ void check_chain_probe(const Scene& scene, const Probe& probe, const std::string
   if (probe.quantity == Reaction || probe.quantity == ReactionMoment) {
     const double share = share_of(probe.at, ends);
     const bool supported =
-        std::any_of(scene.supports.begin(), scene.supports.end(), [&](const Support& support) {
-          return std::abs(share_of(support.at, ends) - share) <= 1e-9;
-        });
+        std::any_of(scene.supports.begin(), scene.supports.end(),
+                    [&](const Support& support) { return share_of(support.at, ends) == share; });
     if (!supported) throw refusal(name + ".at", place_text(probe.at), "has no support");
   }
 }

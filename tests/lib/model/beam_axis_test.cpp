@@ -37,12 +37,14 @@ TEST(SegmentEnds, HalveTheEndSegmentsByTheRuleHalf) {
 TEST(Places, AreFoundByNumberAndByFraction) {
   const std::vector<double> ends = segment_ends(scene_of(10));
   EXPECT_EQ(share_of({0.0, 3}, ends), ends[3]);
-  EXPECT_EQ(share_of({0.3, {}}, ends), 0.3);
+  EXPECT_EQ(share_of({0.31, {}}, ends), 0.31);
+  EXPECT_EQ(share_of({0.3000000001, {}}, ends), ends[3]);
+  EXPECT_EQ(share_of({1e-10, {}}, ends), 0.0);
   EXPECT_EQ(segment_end_at({0.1 + 0.2, {}}, ends), 3);
   EXPECT_EQ(segment_end_at({1.0, {}}, ends), 10);
   EXPECT_EQ(segment_end_at({0.0, {}}, ends), 0);
   EXPECT_EQ(segment_end_at({0.35, {}}, ends), std::nullopt);
-  EXPECT_EQ(segment_end_at({0.3001, {}}, ends), std::nullopt);
+  EXPECT_EQ(segment_end_at({0.300001, {}}, ends), std::nullopt);
 }
 
 TEST(AxisPoint, RunsAlongZWhereTheBeamIsStraight) {

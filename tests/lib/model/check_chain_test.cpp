@@ -82,6 +82,10 @@ TEST(CheckChain, RefusesAPolylineThatIsNone) {
             }),
             "beam.points[3]: turns straight back at the point before");
   EXPECT_EQ(error_of([](Scene& s) {
+              curve(s, {{0.0, 0.0, 0.0}, {0.0, 0.0, -1.0}});
+            }),
+            "beam.points[2]: runs straight against z, along which the beam starts");
+  EXPECT_EQ(error_of([](Scene& s) {
               curve(s, {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.5}});
             }),
             "beam.length = 1: must be the sum over beam.points, 0.5 m");

@@ -83,8 +83,9 @@ TEST(CheckSupports, ArePillarsOnlyIfTheyPush) {
             "support[2].normal = 2: is the vector's size and must be 1");
   EXPECT_EQ(pillar([](Support& p) { p.hold = HeldFreedoms{true}; }),
             "support[2].hold: a pillar only pushes; what holds is another support");
-  EXPECT_EQ(pillar([](Support& p) { p.translation[1] = 0.1; }),
-            "support[2].translation = 0.1: moves y, which the support does not hold");
+  EXPECT_EQ(pillar([](Support& p) { p.translation[1] = 0.1; }), "no error");
+  EXPECT_EQ(pillar([](Support& p) { p.translation[0] = 0.1; }),
+            "support[2].translation = 0.1: moves x, which the support does not hold");
 }
 
 TEST(CheckSupports, MoveWhatTheyHold) {
@@ -93,6 +94,12 @@ TEST(CheckSupports, MoveWhatTheyHold) {
               s.supports[1].rotation[0] = 0.2;
             }),
             "support[2].rotation = 0.2: moves rx, which the support does not hold");
+  EXPECT_EQ(error_of([](Scene& s) {
+              add_support(s, Place::end(), SupportKind::Elastic);
+              s.supports[1].stiffness[1] = 1e3;
+              s.supports[1].translation[1] = 0.1;
+            }),
+            "no error");
   EXPECT_EQ(error_of([](Scene& s) { s.supports[0].translation[0] = kNan; }),
             "support[1].translation = nan: must be finite");
   EXPECT_EQ(error_of([](Scene& s) {
@@ -103,10 +110,17 @@ TEST(CheckSupports, MoveWhatTheyHold) {
 }
 
 TEST(CheckSupports, ShareAPlaceIfEachTakesFreedomsOfItsOwn) {
+  EXPECT_EQ(
+      error_of([](Scene& s) {
+        add_support(s, {0.0, 0}, SupportKind::Roller);
+      }),
+      "support[2].at = 0: support[1] holds the start, too: one support takes all that is held "
+      "there");
   EXPECT_EQ(error_of([](Scene& s) {
-              add_support(s, {0.0, 0}, SupportKind::Roller);
+              s.supports[0].hold = HeldFreedoms{false, false, true, true, true, true};
+              add_support(s, Place::start(), SupportKind::Pillar);
             }),
-            "support[2].at = 0: support[1] holds x at the same place");
+            "no error");
   const auto at_the_end = [](HeldFreedoms first, HeldFreedoms second) {
     return error_of([&](Scene& s) {
       add_support(s, Place::end(), SupportKind::Roller);
