@@ -19,9 +19,28 @@ double use_of(double strain, double limit) { return std::isinf(limit) ? 0.0 : st
 
 }  // namespace
 
-BreakWatch::BreakWatch(const Scene& scene, std::vector<WatchedJoint> joints, bool gathers)
+Spreading spreading_of(const Scene& scene) {
+  const Hardening& hardening = scene.material.hardening;
+  switch (hardening.law) {
+    case HardeningLaw::Ideal: break;
+    case HardeningLaw::Linear:
+      if (hardening.tangent_modulus > 0.0) return Spreading::Hardens;
+      break;
+    case HardeningLaw::VoceChaboche:
+      // A back stress without recovery grows for ever.
+      for (std::size_t k = 0; k < hardening.backstress_modulus.size(); ++k) {
+        if (hardening.backstress_modulus[k] > 0.0 && hardening.backstress_rate[k] == 0.0) {
+          return Spreading::Hardens;
+        }
+      }
+      return Spreading::Saturates;
+  }
+  return scene.yield_model == YieldModel::Fibre ? Spreading::Saturates : Spreading::Gathers;
+}
+
+BreakWatch::BreakWatch(const Scene& scene, std::vector<WatchedJoint> joints)
     : joints_(std::move(joints)),
-      gathers_(gathers),
+      spreading_(spreading_of(scene)),
       report_(scene.formulas == Formulas::Report),
       accumulated_(scene.break_measure == BreakMeasure::Accumulated) {
   const bool round =
@@ -33,17 +52,23 @@ BreakWatch::BreakWatch(const Scene& scene, std::vector<WatchedJoint> joints, boo
   }
 }
 
+JointAngles BreakWatch::hinge_angles(const std::vector<JointAngles>& angles,
+                                     std::size_t joint) const {
+  const double length = joints_[joint].length;
+  if (hinge_length_ == 0.0) return angles[joint];
+  if (spreading_ != Spreading::Hardens && length < hinge_length_) return windowed(angles, joint);
+  if (spreading_ == Spreading::Gathers) return gathered(angles, joint);
+  JointAngles spread = angles[joint];
+  for (double& angle : spread) angle *= hinge_length_ / length;
+  return spread;
+}
+
 JointAngles BreakWatch::windowed(const std::vector<JointAngles>& angles, std::size_t joint) const {
-  const WatchedJoint& at = joints_[joint];
-  if (hinge_length_ == 0.0 || (at.length >= hinge_length_ && gathers_)) return angles[joint];
+  const double beam = joints_.back().end;
+  const double middle = 0.5 * (joints_[joint].begin + joints_[joint].end);
+  const double low = std::max(0.0, std::min(middle - 0.5 * hinge_length_, beam - hinge_length_));
+  const double high = low + hinge_length_;
   JointAngles sum{};
-  if (at.length >= hinge_length_) {
-    for (std::size_t k = 0; k < 3; ++k) sum[k] = angles[joint][k] * hinge_length_ / at.length;
-    return sum;
-  }
-  const double middle = 0.5 * (at.begin + at.end);
-  const double low = middle - 0.5 * hinge_length_;
-  const double high = middle + 0.5 * hinge_length_;
   const auto add = [&](std::size_t j) {
     const WatchedJoint& other = joints_[j];
     const double covered = std::min(high, other.end) - std::max(low, other.begin);
@@ -60,10 +85,28 @@ JointAngles BreakWatch::windowed(const std::vector<JointAngles>& angles, std::si
   return sum;
 }
 
+JointAngles BreakWatch::gathered(const std::vector<JointAngles>& angles, std::size_t joint) const {
+  const double length = joints_[joint].length;
+  JointAngles theta{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double own = angles[joint][k];
+    double shared = 0.0;
+    const auto look_at = [&](std::size_t neighbour) {
+      const double turned = angles[neighbour][k] * length / joints_[neighbour].length;
+      if (turned * own > 0.0) shared = std::max(shared, std::fabs(turned));
+    };
+    if (joint > 0) look_at(joint - 1);
+    if (joint + 1 < joints_.size()) look_at(joint + 1);
+    shared = std::copysign(std::min(shared, std::fabs(own)), own);
+    theta[k] = shared * hinge_length_ / length + (own - shared);
+  }
+  return theta;
+}
+
 std::array<double, 4> BreakWatch::strains(const std::vector<JointAngles>& angles,
                                           std::size_t joint) const {
   const WatchedJoint& at = joints_[joint];
-  const JointAngles theta = windowed(angles, joint);
+  const JointAngles theta = hinge_angles(angles, joint);
   const double length = hinge_length_ == 0.0 ? at.length : hinge_length_;
   std::array<double, 4> strain{};
   if (report_) {

@@ -27,18 +27,35 @@ struct WatchedJoint {
   std::array<double, 4> limit{};
 };
 
+/// How a joint's law distributes permanent rotation along a beam whose moment varies.
+enum class Spreading {
+  Gathers,    ///< into the joint of largest moment: ideal plasticity of the whole section
+  Saturates,  ///< over a zone, which shrinks at large strains: fibres, Voce
+  Hardens,    ///< over a zone that the moments set, however large the strains
+};
+
+/// How the scene's laws spread.
+Spreading spreading_of(const Scene& scene);
+
 /// Permanent strains of a chain's joints, and which of them are over their limit (design 2.3).
 ///
-/// A joint's strain is (h/2) Theta/L_p with the hinge length L_p. Where l >= L_p: Theta = theta_p
-/// if yielding gathers in one joint, theta_p L_p/l if the law spreads it. Where l < L_p: Theta is
-/// the sum of theta_p over the window of length L_p around the joint, cut off at the beam's ends,
-/// a joint counting with the share of its length that the window covers. L_p = 0: theta_p over the
-/// joint's own length, as in the report.
+/// The strain of a joint is (h/2) Theta/L_p, with the hinge length L_p and the rotation Theta that
+/// a length L_p of the beam takes there:
+/// - Hardens: Theta = theta_p L_p/l. The curvature theta_p/l converges with the segments by itself,
+///   at the clamp of a cantilever too; a mean over L_p would make fine chains stronger than coarse.
+/// - else, l < L_p: the sum over a window of length L_p around the joint, moved into the beam at
+/// its
+///   ends, a joint counting with the share of its length that the window covers.
+/// - else, Saturates: Theta = theta_p L_p/l.
+/// - else, Gathers: what the neighbours turn as well is spread, what the joint turns beyond them
+///   gathers in the hinge: Theta = theta_n L_p/l + (theta_p - theta_n), theta_n the larger of the
+///   neighbours' curvatures times l, at most theta_p. So uniform moment (theta_n = theta_p) and a
+///   lone hinge (theta_n = 0) both come out as in a fine chain.
+/// L_p = 0: theta_p over the joint's own length, as in the report.
 class BreakWatch {
  public:
   BreakWatch() = default;
-  /// @param gathers  whether the law lets yielding gather in one joint (perfect plasticity)
-  BreakWatch(const Scene& scene, std::vector<WatchedJoint> joints, bool gathers);
+  BreakWatch(const Scene& scene, std::vector<WatchedJoint> joints);
 
   bool active() const { return active_; }
   double hinge_length() const { return hinge_length_; }
@@ -57,11 +74,14 @@ class BreakWatch {
  private:
   /// Strains of bending about x, about y, torsion and of bending about both.
   std::array<double, 4> strains(const std::vector<JointAngles>& angles, std::size_t joint) const;
+  /// Theta of a joint.
+  JointAngles hinge_angles(const std::vector<JointAngles>& angles, std::size_t joint) const;
   JointAngles windowed(const std::vector<JointAngles>& angles, std::size_t joint) const;
+  JointAngles gathered(const std::vector<JointAngles>& angles, std::size_t joint) const;
 
   std::vector<WatchedJoint> joints_;
   double hinge_length_ = 0.0;
-  bool gathers_ = true;
+  Spreading spreading_ = Spreading::Gathers;
   bool report_ = false;
   bool accumulated_ = false;
   bool active_ = false;

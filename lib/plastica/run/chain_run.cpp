@@ -57,10 +57,7 @@ ChainRunner<L, kElastic>::ChainRunner(const ChainModel& model, const chain::View
     watched.push_back(
         watched_joint(model.scene, model.layout, parts_[model.part_of_segment[segment]], i));
   }
-  const Scene& scene = model.scene;
-  const bool gathers =
-      scene.material.hardening.law == HardeningLaw::Ideal && scene.yield_model != YieldModel::Fibre;
-  watch_ = BreakWatch(scene, std::move(watched), gathers);
+  watch_ = BreakWatch(model.scene, std::move(watched));
   strains_.reset(nodes);
   trial_.reset(nodes);
 }
