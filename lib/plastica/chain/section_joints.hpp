@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -82,7 +84,8 @@ class SectionJointsBase : public JointLaws<L, kElastic> {
 
 /// The joints of a chain whose sections follow a law per length (law/section_response.hpp).
 ///
-/// @tparam Law  has State (a value) and respond(law, before, after, strain)
+/// @tparam Law  respond(law, before, after, strain) with Law::State by reference; or, of a section
+///              that has many states (law.layout->states()), by the address of the first
 template <class L, bool kElastic, class Law>
 class SectionJoints final : public SectionJointsBase<L, kElastic> {
  public:
@@ -92,12 +95,21 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   static constexpr std::size_t kJ = kFreedoms<L, kElastic>;
   static constexpr std::size_t kAxial = 3;
 
-  SectionJoints(SectionAxes<L> axes, std::vector<Law> laws, std::vector<SectionJoint<L>> joints)
+  /// @param kept  what the laws point to
+  SectionJoints(SectionAxes<L> axes, std::vector<Law> laws, std::vector<SectionJoint<L>> joints,
+                std::shared_ptr<const void> kept = nullptr)
       : SectionJointsBase<L, kElastic>(std::move(joints)),
         axes_(axes),
         laws_(std::move(laws)),
-        before_(joints_.size()),
-        after_(joints_.size()) {}
+        kept_(std::move(kept)) {
+    std::size_t states = 0;
+    for (const SectionJoint<L>& joint : joints_) {
+      first_state_.push_back(states);
+      states += states_of(laws_[joint.law]);
+    }
+    before_.resize(states);
+    after_.resize(states);
+  }
 
   void evaluate(std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts,
                 JointForces<L, kElastic>& forces) override {
@@ -109,17 +121,13 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   }
 
   void commit() override {
-    for (std::size_t j = 0; j < joints_.size(); ++j) {
-      before_[j] = after_[j];
-      plastic_[j] = plastic_[j] + work_[j];
-    }
+    before_ = after_;
+    for (std::size_t j = 0; j < joints_.size(); ++j) plastic_[j] = plastic_[j] + work_[j];
   }
 
   void reset() override {
-    for (std::size_t j = 0; j < joints_.size(); ++j) {
-      before_[j] = {};
-      plastic_[j] = constant<S>(0);
-    }
+    std::fill(before_.begin(), before_.end(), typename Law::State{});
+    std::fill(plastic_.begin(), plastic_.end(), constant<S>(0));
   }
 
  private:
@@ -128,6 +136,27 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   using SectionJointsBase<L, kElastic>::elastic_;
   using SectionJointsBase<L, kElastic>::work_;
   using SectionJointsBase<L, kElastic>::plastic_;
+
+  static constexpr bool kManyStates = requires(const Law& law) { law.layout->states(); };
+
+  static std::size_t states_of(const Law& law) {
+    if constexpr (kManyStates) {
+      return law.layout->states();
+    } else {
+      return 1;
+    }
+  }
+
+  law::SectionResponse<S> respond_to(std::size_t j, const law::SectionStrain<S>& strain) {
+    const Law& law = laws_[joints_[j].law];
+    const auto* before = &before_[first_state_[j]];
+    auto* after = &after_[first_state_[j]];
+    if constexpr (kManyStates) {
+      return respond(law, before, after, strain);
+    } else {
+      return respond(law, *before, *after, strain);
+    }
+  }
 
   void evaluate_joint(std::size_t j, const typename L::Spin& angle, const typename L::Point& shift,
                       JointForces<L, kElastic>& forces) {
@@ -140,7 +169,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     if constexpr (kElastic) {
       strain[kAxial] = shift[SectionAxes<L>::kAxialShift] / joint.length[kAxial];
     }
-    const law::SectionResponse<S> now = respond(laws_[joint.law], before_[j], after_[j], strain);
+    const law::SectionResponse<S> now = respond_to(j, strain);
     force_[j] = now.force;
     const S energy_length = joint.length[axes_.rotation(0)];
     elastic_[j] = energy_length * now.elastic_energy;
@@ -207,7 +236,9 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
 
   SectionAxes<L> axes_;
   std::vector<Law> laws_;
-  std::vector<typename Law::State> before_, after_;
+  std::shared_ptr<const void> kept_;
+  std::vector<std::size_t> first_state_;             ///< of each joint (joints)
+  std::vector<typename Law::State> before_, after_;  ///< (states of all joints)
 };
 
 }  // namespace plastica::chain

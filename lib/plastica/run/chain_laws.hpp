@@ -13,11 +13,12 @@ namespace plastica {
 /// Instantiated for the levels with double (chain_laws_*.cpp): each combination of level, yield
 /// model, yield surface and hardening law is compiled by itself.
 /// @param materials  numbers of each part (parts)
+/// @param fibres     of a fibre section, along its depth
 template <class L, bool kElastic>
 std::unique_ptr<chain::SectionJointsBase<L, kElastic>> make_joints(
     const Scene& scene, const std::vector<chain::PartForm>& parts,
     const std::vector<MaterialValues<typename L::Scalar>>& materials,
-    std::vector<chain::SectionJoint<L>> joints, const chain::View<L>& view);
+    std::vector<chain::SectionJoint<L>> joints, const chain::View<L>& view, int fibres);
 
 /// @throws InputError if a region cannot follow the law of the rest of the beam
 void check_regions(const Scene& scene);

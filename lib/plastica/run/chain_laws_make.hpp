@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "plastica/law/fibre.hpp"
 #include "plastica/law/interaction.hpp"
 #include "plastica/law/per_axis.hpp"
 #include "plastica/run/chain_laws.hpp"
@@ -26,11 +27,12 @@ struct JointsMaker {
   const std::vector<MaterialValues<S>>& materials;
   std::vector<chain::SectionJoint<L>> joints;
   const chain::View<L>& view;
+  int fibres;
 
   template <class Law>
-  Made make(std::vector<Law> laws) {
+  Made make(std::vector<Law> laws, std::shared_ptr<const void> kept = nullptr) {
     return std::make_unique<chain::SectionJoints<L, kElastic, Law>>(
-        view.section_axes(), std::move(laws), std::move(joints));
+        view.section_axes(), std::move(laws), std::move(joints), std::move(kept));
   }
 
   Made elastic() {
@@ -75,11 +77,38 @@ struct JointsMaker {
     return made;
   }
 
+  /// What a fibre section of the level bends about; a twisted one does not bend.
+  law::FibrePlane fibre_plane() const {
+    if constexpr (L::kRotations == 3) {
+      return law::FibrePlane::Both;
+    } else {
+      const bool about_y = view.section_axes().rotation(0) == law::kBendingY;
+      return about_y ? law::FibrePlane::AboutY : law::FibrePlane::AboutX;
+    }
+  }
+
+  template <class Uniaxial>
+  Made fibre() {
+    auto layouts = std::make_shared<std::vector<law::FibreLayout>>();
+    for (const chain::PartForm& part : parts) {
+      layouts->push_back(law::fibre_layout(*part.section, part.form, fibre_plane(), fibres));
+    }
+    std::vector<law::FibreSection<S, Uniaxial>> laws;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      laws.push_back(law::fibre_section<Uniaxial>((*layouts)[p], parts[p].form, materials[p]));
+    }
+    return make(std::move(laws), layouts);
+  }
+
   Made make() {
     if (scene.yield_model == YieldModel::Elastic) return elastic();
     Made made;
     law::with_law_type<S>(scene.material.hardening.law, [&](auto tag) {
       using Uniaxial = typename decltype(tag)::type;
+      if (scene.yield_model == YieldModel::Fibre) {
+        made = fibre<Uniaxial>();
+        return;
+      }
       if constexpr (!kOneForce) {
         if (scene.yield_model != YieldModel::PerAxis) {
           made = interaction<Uniaxial>();
@@ -98,8 +127,9 @@ template <class L, bool kElastic>
 std::unique_ptr<chain::SectionJointsBase<L, kElastic>> make_joints(
     const Scene& scene, const std::vector<chain::PartForm>& parts,
     const std::vector<MaterialValues<typename L::Scalar>>& materials,
-    std::vector<chain::SectionJoint<L>> joints, const chain::View<L>& view) {
-  return detail::JointsMaker<L, kElastic>{scene, parts, materials, std::move(joints), view}.make();
+    std::vector<chain::SectionJoint<L>> joints, const chain::View<L>& view, int fibres) {
+  return detail::JointsMaker<L, kElastic>{scene, parts, materials, std::move(joints), view, fibres}
+      .make();
 }
 
 }  // namespace plastica

@@ -7,6 +7,6 @@ template std::unique_ptr<chain::SectionJointsBase<ChainLevel, false>>
 make_joints<ChainLevel, false>(const Scene&, const std::vector<chain::PartForm>&,
                                const std::vector<MaterialValues<double>>&,
                                std::vector<chain::SectionJoint<ChainLevel>>,
-                               const chain::View<ChainLevel>&);
+                               const chain::View<ChainLevel>&, int);
 
 }  // namespace plastica

@@ -113,7 +113,7 @@ void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material, Respo
   joints_ = make_joints<L, kElastic>(model_.scene, parts_, materials,
                                      chain::joint_numbers(model_.layout, model_.part_of_segment,
                                                           build_.joints, parts_, materials, view_),
-                                     view_);
+                                     view_, model_.options.fibres);
   set_closure_stiffness();
   work_.resize(build_.chain);
   committed_ = work_.q;
