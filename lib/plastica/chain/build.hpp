@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -35,6 +37,7 @@ class Builder {
   using S = typename L::Scalar;
   static constexpr std::size_t kT = L::kTranslations;
   static constexpr std::size_t kR = L::kRotations;
+  static constexpr double kSamePlace = 1e-9;  ///< of the length
 
   Builder(const Scene& scene, const Layout& layout, const View<L>& view)
       : scene_(scene), layout_(layout), view_(view) {}
@@ -234,7 +237,7 @@ class Builder {
     const std::size_t history = add_history(load.history);
     const double from = share_of(load.at, layout_.ends);
     if (!load.to) {
-      add_point_load(load, history, segment_point(layout_, from), 1.0);
+      add_single_load(load, history, from);
       return;
     }
     const double to = share_of(*load.to, layout_.ends);
@@ -245,6 +248,25 @@ class Builder {
       add_point_load(load, history, segment_point(layout_, 0.5 * (begin + end)),
                      (end - begin) * scene_.beam.length);
     }
+  }
+
+  /// A moment at a joint acts on both segments, half on each: the joint between then turns as the
+  /// beam does on both sides, and the chain keeps its order 2.
+  void add_single_load(const Load& load, std::size_t history, double share) {
+    const SegmentPoint point = segment_point(layout_, share);
+    const std::size_t beyond = point.segment + 1;
+    const bool at_joint =
+        beyond < layout_.size() && std::abs(share - layout_.ends[beyond]) < kSamePlace;
+    const bool turns = load.moment != std::array<double, 3>{};
+    if (!at_joint || !turns) {
+      add_point_load(load, history, point, 1.0);
+      return;
+    }
+    Load half = load;
+    for (double& component : half.moment) component *= 0.5;
+    add_point_load(half, history, point, 1.0);
+    half.force = {};
+    add_point_load(half, history, {beyond, {}}, 1.0);
   }
 
   void add_point_load(const Load& load, std::size_t history, const SegmentPoint& point,

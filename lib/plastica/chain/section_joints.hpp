@@ -158,6 +158,14 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     }
   }
 
+  /// Slope that a joint of an elastic stiffness per length keeps for Newton's method when its law
+  /// has none: where all joints of a bar yield at once without hardening, their shares of a
+  /// prescribed turn would be undetermined. What has converged does not know of it, and a step is
+  /// off by this share.
+  static S rest_of(const S& stiffness, const S& length) {
+    return constant<S>(1e-9) * stiffness / length;
+  }
+
   void evaluate_joint(std::size_t j, const typename L::Spin& angle, const typename L::Point& shift,
                       JointForces<L, kElastic>& forces) {
     const SectionJoint<L>& joint = joints_[j];
@@ -185,7 +193,9 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
         slope(k, m) = joint.acting[k] * joint.acting[m] * now.tangent(axes_.rotation(k), axis) /
                       joint.length[axis];
       }
-      slope(k, k) = slope(k, k) + joint.spring[k];
+      slope(k, k) = slope(k, k) + joint.spring[k] +
+                    rest_of(joint.acting[k] * joint.stiffness[axes_.rotation(k)],
+                            joint.length[axes_.rotation(k)]);
     }
     // The map from d angle to the spins that the chain works with; see rotation.hpp.
     Mat<S, kR, kR> to_angle = identity<S, kR>();
@@ -214,7 +224,9 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
       const S shear = joint.shear_stiffness[k] / joint.length[kAxial];
       const bool along = k == kAlong;
       force[kR + k] = along ? now.force[kAxial] : shear * shift[k];
-      tangent(kR + k, kR + k) = along ? now.tangent(kAxial, kAxial) / joint.length[kAxial] : shear;
+      const S stretch = now.tangent(kAxial, kAxial) / joint.length[kAxial] +
+                        rest_of(joint.stiffness[kAxial], joint.length[kAxial]);
+      tangent(kR + k, kR + k) = along ? stretch : shear;
       if (!along) {
         elastic_[j] = elastic_[j] + constant<S>(0.5) * shear * shift[k] * shift[k];
       }

@@ -57,7 +57,8 @@ struct SolverOptions {
   double duration = 0.0;  ///< end of the path [s], >= 0; 0: where the last history ends
   int steps = 20;         ///< recorded steps of the path, evenly spaced in time, >= 1
   PathControl control = PathControl::Auto;
-  /// Displacement and arc-length control: the point that is watched. Empty: that of the first load.
+  /// Displacement and arc-length control: the point that is watched. Empty: that of the first load;
+  /// where it hardly moves, and the path is not controlled by it, the segment end that moves most.
   std::optional<Place> control_at{};
   /// Displacement control: where the control point is taken, in `steps` even parts [m]; of a
   /// twisted beam, z is its angle [rad].

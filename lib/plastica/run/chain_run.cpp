@@ -70,6 +70,7 @@ void ChainRunner<L, kElastic>::set_path_options() {
   options_.stops = model_.stops;
   options_.recorded = model_.recorded;
   options_.control = solver.control;
+  options_.finds_control = !solver.control_at && solver.control != PathControl::Displacement;
   options_.steps = solver.steps;
   options_.largest_turn = solver.largest_turn;
   options_.smallest_step = solver.smallest_step;

@@ -97,8 +97,15 @@ struct NewtonOutcome {
 
 namespace detail {
 
+/// The larger of a size so far and |x|; what is not a number stays.
 template <class S>
 inline S larger_size(const S& so_far, const S& x) {
+  return so_far + max(abs(x) - so_far, constant<S>(0));
+}
+
+/// The same for a scale, from which what is not a number is dropped: it outlives a failed step.
+template <class S>
+inline S larger_scale(const S& so_far, const S& x) {
   return max(so_far, abs(x));
 }
 
@@ -136,14 +143,14 @@ typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L
     const auto& balance = w.recursion.balance()[i];
     for (std::size_t k = 0; k < L::kRotations; ++k) {
       moment = larger_size(moment, balance[k]);
-      w.moment_scale = larger_size(w.moment_scale, w.transmitted.outer[i].moment[k]);
-      w.moment_scale = larger_size(w.moment_scale, w.joints.force[i][k]);
+      w.moment_scale = larger_scale(w.moment_scale, w.transmitted.outer[i].moment[k]);
+      w.moment_scale = larger_scale(w.moment_scale, w.joints.force[i][k]);
     }
     for (std::size_t k = L::kRotations; k < balance.at.size(); ++k) {
       force = larger_size(force, balance[k]);
     }
     for (std::size_t k = 0; k < L::kTranslations; ++k) {
-      w.force_scale = larger_size(w.force_scale, w.transmitted.outer[i].force[k]);
+      w.force_scale = larger_scale(w.force_scale, w.transmitted.outer[i].force[k]);
     }
   }
   for (std::size_t k = 0; k < L::kTranslations; ++k) {
@@ -159,8 +166,8 @@ typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L
   const S tiny = constant<S>(std::numeric_limits<real_t<S>>::min());
   const S moment_scale = max(w.moment_scale, lever * w.force_scale);
   const S force_scale = max(w.force_scale, w.moment_scale / chain.length);
-  return max(max(moment / max(moment_scale, tiny), force / max(force_scale, tiny)),
-             gap / chain.length);
+  const S worst = larger_size(moment / max(moment_scale, tiny), force / max(force_scale, tiny));
+  return larger_size(worst, gap / chain.length);
 }
 
 /// Adds the stiffness of the path condition along its covector; like that of a closure it does

@@ -23,6 +23,8 @@ struct PathOptions {
   int steps = 20;               ///< recorded steps of displacement and arc-length control
   double largest_turn = 0.2;    ///< of a joint in a step [rad]
   double smallest_step = 1e-6;  ///< of the first step [1]
+  /// Whether the control point is a guess that may give way to one that moves.
+  bool finds_control = false;
   /// Displacement control: where the control point is taken, from where it starts.
   std::array<double, 3> control_motion{};
 };
@@ -181,9 +183,35 @@ class PathWalker {
 
   Trial attempt_time(double time, bool shortest) {
     restore();
-    if (goes_on_) extrapolate((time - time_) / (time_ - previous_time_));
+    if (goes_on_) {
+      extrapolate((time - time_) / (time_ - previous_time_));
+    } else {
+      predict(time);
+    }
     w_.time = time;
     return attempt([](const Work&) { return PathCondition<L>{}; }, shortest);
+  }
+
+  /// One step of Newton's method that takes the time along: loads and prescribed motions meet the
+  /// whole beam at once. A motion that the nearest joint had to take alone might make it yield.
+  void predict(double time) {
+    PathCondition<L> at_time;
+    at_time.active = true;
+    at_time.time_slope = 1.0;
+    at_time.value = w_.time - time;
+    solve_rates(at_time);
+    detail::combine_columns(chain_, at_time, w_);
+    detail::take_step(chain_, at_time, false, w_);
+  }
+
+  /// All columns at the current unknowns, and how much of each meets a condition on the time.
+  void solve_rates(const PathCondition<L>& at_time) {
+    detail::assemble(chain_, laws_, w_);
+    w_.recursion.factor(chain_, w_.q, w_.placement, w_.joints, w_.outer_forces, w_.transmitted);
+    detail::solve_imbalance(chain_, at_time, w_);
+    for (std::size_t k = 0; k < chain_.closures.size(); ++k) detail::solve_closure(chain_, k, w_);
+    detail::solve_time(chain_, at_time, w_);
+    detail::join_columns(chain_, at_time, w_);
   }
 
   /// Whether the step carries (nearly) no more load, though the control point moves on.
@@ -259,25 +287,40 @@ class PathWalker {
   /// How u and t go on elastically from the committed state: sets the scales of an arc.
   bool begin_arcs() {
     restore();
-    detail::assemble(chain_, laws_, w_);
-    PathCondition<L> none;
-    none.active = true;
-    w_.recursion.factor(chain_, w_.q, w_.placement, w_.joints, w_.outer_forces, w_.transmitted);
-    detail::solve_imbalance(chain_, PathCondition<L>{}, w_);
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) detail::solve_closure(chain_, k, w_);
-    detail::solve_time(chain_, none, w_);
-    // The motion that a unit of time gives, with the closures kept: the condition t = 1.
-    none.time_slope = 1.0;
-    none.value = -1.0;
-    detail::join_columns(chain_, none, w_);
-    const auto segment = control_.segment;
+    PathCondition<L> unit_time;
+    unit_time.active = true;
+    unit_time.time_slope = 1.0;
+    unit_time.value = -1.0;
+    solve_rates(unit_time);
+    if (options_.finds_control) find_control();
+    at_ = control_.value(w_.placement);
+    return set_scales(control_.rate(rate_of(control_.segment), w_.placement));
+  }
+
+  /// Motion of a segment in a unit of time, with the closures kept; after `solve_rates`.
+  chain::Motion<L> rate_of(std::size_t segment) const {
     chain::Motion<L> rate = w_.columns.back().motion[segment];
     for (std::size_t j = 0; j < chain_.closures.size(); ++j) {
       const double weight = w_.closed[j] ? w_.small.b(j) : 0.0;
       rate.shift += weight * w_.columns[1 + j].motion[segment].shift;
       rate.spin += weight * w_.columns[1 + j].motion[segment].spin;
     }
-    return set_scales(control_.rate(rate, w_.placement));
+    return rate;
+  }
+
+  /// Takes the segment end that moves most, since one that is held tells nothing of the path.
+  void find_control() {
+    double most = size_of(control_.rate(rate_of(control_.segment), w_.placement));
+    ControlPoint<L> candidate;
+    for (std::size_t i = 0; i < chain_.size(); ++i) {
+      candidate.segment = i;
+      candidate.arm = chain_.segments[i].arm;
+      const double moves = size_of(candidate.rate(rate_of(i), w_.placement));
+      // What the first load pushes is kept unless another moves far more.
+      if (moves <= 10.0 * most) continue;
+      most = moves;
+      control_ = candidate;
+    }
   }
 
   bool set_scales(const Value& rate) {
@@ -482,7 +525,7 @@ class PathWalker {
   const chain::Chain<L>& chain_;
   Laws& laws_;
   const PathOptions& options_;
-  const ControlPoint<L>& control_;
+  ControlPoint<L> control_;
   Work& w_;
   chain::Coordinates<L>& committed_;
   chain::Coordinates<L>& previous_;
