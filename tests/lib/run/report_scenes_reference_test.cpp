@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,17 @@ std::vector<double> probe_of(const Setup& setup, const Response& response,
   }
   ADD_FAILURE() << "no probe " << name;
   return {0.0};
+}
+
+/// Permanent angles of all joints about an axis at the last sample [rad].
+std::vector<double> last_plastic_angles(const Response& response, std::size_t axis) {
+  const ChainHistory& chain = response.chain;
+  std::vector<double> angles;
+  for (std::size_t joint = 0; joint < chain.joints; ++joint) {
+    const std::size_t at = ((response.samples - 1) * chain.joints + joint) * 3 + axis;
+    angles.push_back(chain.plastic_angle.at(at));
+  }
+  return angles;
 }
 
 TEST(ReportScenes, EachFileOfTheFolderIsAScene) {
@@ -73,23 +85,22 @@ TEST(ReportScenes, Figure6KeepsTheAngleOfBendingInOneJoint) {
   const double kept = std::abs(probe_of(setup, response, "kept_angle").back());
   EXPECT_NEAR(kept, 0.3 - 2.0 * 355e6 / (3.0 * 210e9 * 0.02), tolerance(0.01));
   // All the others are free of plastic angle.
-  const ChainHistory& chain = response.chain;
-  double sum = 0.0;
-  for (std::size_t joint = 0; joint < chain.joints; ++joint) {
-    sum += std::abs(chain.plastic_angle.at(((response.samples - 1) * chain.joints + joint) * 3));
-  }
-  EXPECT_NEAR(sum, kept, tolerance(1e-9));
+  const auto angles = last_plastic_angles(response, 0);
+  EXPECT_NEAR(std::accumulate(angles.begin(), angles.end(), 0.0), kept, tolerance(1e-9));
 }
 
-TEST(ReportScenes, Figure6KeepsTheAngleOfTwistingInOneJoint) {
+TEST(ReportScenes, Figure6KeepsTheAngleOfTwistingInTheThinPart) {
   const auto setup = scene_file("report_fig06_twisted");
   const Response response = testing::completed(setup.scene, setup.solver);
   const auto torque = probe_of(setup, response, "torque");
-  const auto largest = std::max_element(
-      torque.begin(), torque.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-  EXPECT_NEAR(std::abs(*largest), 248.8, tolerance(0.1));
-  EXPECT_NEAR(std::abs(probe_of(setup, response, "kept_angle").back()), 0.661, tolerance(0.001));
-  EXPECT_NEAR(torque.back(), 0.0, tolerance(2.0));
+  const double largest = *std::max_element(torque.begin(), torque.end());
+  EXPECT_NEAR(largest, 248.825, tolerance(0.01));
+  EXPECT_NEAR(torque.back(), 0.0, tolerance(0.1));
+  const auto kept = last_plastic_angles(response, 2);
+  EXPECT_NEAR(std::accumulate(kept.begin(), kept.end(), 0.0), 0.6582, tolerance(1e-4));
+  for (std::size_t joint = 0; joint < kept.size(); ++joint) {
+    EXPECT_EQ(kept[joint] > 1e-12, joint >= 14 && joint <= 16) << joint;
+  }
 }
 
 TEST(ReportScenes, Figure8PutsTheMomentsOfAllSegmentCountsOnOneCurve) {
@@ -121,7 +132,8 @@ TEST(ReportScenes, Figure8PutsTheMomentsOfAllSegmentCountsOnOneCurve) {
 TEST(ReportScenes, Figure9ShowsOneShapeInTwoResolutions) {
   const double coarse = testing::last_of(run_file("report_fig09_coarse"), 0);
   const double fine = testing::last_of(run_file("report_fig09_fine"), 0);
-  EXPECT_NEAR(coarse / fine, 1.0, tolerance(0.02));
+  // Small rotations would make it 1/N^2 = 4 %.
+  EXPECT_NEAR(coarse / fine, 1.0, tolerance(0.04));
   EXPECT_LT(fine, -1.0);
 }
 
