@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "plastica/base/matrix.hpp"
+#include "plastica/law/linear_piece.hpp"
 #include "plastica/law/section_form.hpp"
 #include "plastica/law/section_response.hpp"
 
@@ -60,6 +61,29 @@ struct FirstYieldGauge {
                   zero, zero, tau_squared[k], zero,               //
                   xi[k], eta[k], zero, one}};
     return f;
+  }
+
+  /// The piece that a target is furthest beyond; others may be in the way.
+  LinearPiece<S> linear_piece(const SectionForce<S>& u) const {
+    LinearPiece<S> found;
+    found.direction = {{xi[0], eta[0], constant<S>(0), constant<S>(1)}};
+    found.tau_squared = tau_squared[0];
+    S largest = piece(0, u).value;
+    for (std::size_t k = 1; k < K; ++k) {
+      const S value = piece(k, u).value;
+      const auto further = value > largest;
+      largest = select(further, value, largest);
+      found.direction[kBendingX] = select(further, xi[k], found.direction[kBendingX]);
+      found.direction[kBendingY] = select(further, eta[k], found.direction[kBendingY]);
+      found.tau_squared = select(further, tau_squared[k], found.tau_squared);
+    }
+    found.applies = largest > constant<S>(0);
+    for (std::size_t i = 0; i < kSectionAxes; ++i) {
+      found.beside[i] =
+          select(found.direction[i] > constant<S>(0), constant<S>(kKink), constant<S>(0));
+    }
+    found.beside[kTorsion] = found.tau_squared;
+    return found;
   }
 
   /// See `kKink`.
@@ -139,6 +163,17 @@ struct PlasticGauge {
     return f;
   }
 
+  /// One moment and torsion, without axial force, are a circle.
+  LinearPiece<S> linear_piece(const SectionForce<S>& u) const {
+    const S zero = constant<S>(0);
+    const S one = constant<S>(1);
+    const auto planar = static_cast<mask_t<S>>((u[kAxial] <= zero) &
+                                               ((u[kBendingX] <= zero) | (u[kBendingY] <= zero)));
+    const SectionTangent<S> curvature = axis_curvature();
+    const S other = constant<S>(1.5);
+    return {{{one, one, zero, zero}}, one, planar, {{other, other, one, curvature(0, kAxial)}}};
+  }
+
   /// See `kKink`.
   SectionTangent<S> axis_curvature() const {
     const S zero = constant<S>(0);
@@ -206,7 +241,7 @@ inline typename Gauge::Scalar gauge_value(const Gauge& gauge,
   return orthant_gauge(gauge, orthant_of<Gauge>(z));
 }
 
-/// d phi/d z; at a kink, of one of the pieces that meet there.
+/// d phi/d z; at a kink, of one of the pieces that meet there, and 0 by a component that is absent.
 template <class Gauge>
 inline SectionForce<typename Gauge::Scalar> gauge_gradient(
     const Gauge& gauge, const SectionForce<typename Gauge::Scalar>& z) {
@@ -220,6 +255,9 @@ inline SectionForce<typename Gauge::Scalar> gauge_gradient(
     for (std::size_t i = 0; i < kSectionAxes; ++i) {
       largest.gradient[i] = select(larger, f.gradient[i], largest.gradient[i]);
     }
+  }
+  for (std::size_t i = 0; i < kSectionAxes; ++i) {
+    largest.gradient[i] = select(u[i] > constant<S>(0), largest.gradient[i], constant<S>(0));
   }
   const S phi = sqrt(constant<S>(2) * largest.value);
   return (constant<S>(1) / phi) * (axes_of<Gauge>(z, u) * largest.gradient);
