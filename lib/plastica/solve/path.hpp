@@ -55,6 +55,9 @@ class PathObserver {
 /// carries no more load.
 inline constexpr double kLimitSlope = 1e-3;
 
+/// A path whose slope falls to less than this part of the step before bends.
+inline constexpr double kBend = 0.1;
+
 /// A limit load is bracketed within this share of it.
 inline constexpr double kLimitWidth = 1e-4;
 
@@ -108,6 +111,7 @@ class PathWalker {
   static constexpr double kMechanism = 1e-11;
   /// Share of the way that a closure's own stiffness would leave, below which it holds nothing.
   static constexpr double kHeldTwice = 1e-8;
+  static constexpr double kTiny = std::numeric_limits<double>::min();
   static constexpr int kMostArcs = 400;
   /// How much longer than the first an arc may become: a way that bends sharply is long.
   static constexpr double kArcGrowth = 32.0;
@@ -170,14 +174,19 @@ class PathWalker {
     iterations_ = outcome.iterations;
     if (!outcome.converged) return Trial::Failed;
     if (largest_turn() > options_.largest_turn) return Trial::Failed;
-    flat_ = watches_slope_ && is_flat();
-    if (flat_ && !shortest && w_.time - time_ > kLimitWidth * w_.time) return Trial::Failed;
+    const double slope = watches_slope_ && observer_.yields() ? relative_slope() : 1.0;
+    flat_ = slope < kLimitSlope;
+    // A bend of the path is looked at closely: from far off a limit that the beam escapes by
+    // swinging out of the way of its load is a slope like any other.
+    const bool bends = flat_ || slope < kBend * slope_;
+    if (bends && !shortest && w_.time - time_ > kLimitWidth * w_.time) return Trial::Failed;
     switch (observer_.judge(w_, shortest)) {
       case Verdict::TooFar: return Trial::Failed;
       case Verdict::End: end_broken(); return Trial::Ended;
       case Verdict::Accept: break;
     }
     accept();
+    slope_ = slope;
     return Trial::Accepted;
   }
 
@@ -214,11 +223,10 @@ class PathWalker {
     detail::join_columns(chain_, at_time, w_);
   }
 
-  /// Whether the step carries (nearly) no more load, though the control point moves on.
-  bool is_flat() {
-    if (!observer_.yields()) return false;
+  /// Load over the control point's way in this step, relative to the first slope.
+  double relative_slope() const {
     const Value moved = control_.value(w_.placement) - at_;
-    return w_.time - time_ < kLimitSlope * (span_ / way_) * size_of(moved);
+    return (w_.time - time_) / std::max(span_ / way_ * size_of(moved), kTiny);
   }
 
   double smallest() const { return options_.smallest_step * options_.stops.front(); }
@@ -547,8 +555,9 @@ class PathWalker {
   double secant_time_ = 0.0, secant_length_ = 1.0;
   bool has_secant_ = false;
   Value at_{};                  ///< the control point at the last step
-  bool watches_slope_ = false;  ///< load control: see `is_flat`
+  bool watches_slope_ = false;  ///< load control: see `attempt`
   bool flat_ = false;
+  double slope_ = 1.0;    ///< of the last step, see `relative_slope`
   bool goes_on_ = false;  ///< whether the last step may be continued
 };
 
