@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plastica/base/status.hpp"
+#include "plastica/solve/path_result.hpp"
 
 namespace plastica {
 
@@ -69,19 +70,6 @@ struct ChainHistory {
   std::vector<double> reaction;
   std::size_t supports = 0;
   std::optional<ChainBreak> event{};
-};
-
-/// How a path was walked.
-struct PathCounters {
-  int steps = 0;       ///< converged, recorded or not
-  int iterations = 0;  ///< Newton iterations, those of failed steps included
-  int cutbacks = 0;    ///< steps that were tried again shorter
-};
-
-/// The load factor between whose ends the last equilibrium lies [1]; set with Status::LimitLoad.
-struct LimitLoad {
-  double below = 0.0;  ///< equilibrium was found here
-  double above = 0.0;  ///< and none here
 };
 
 /// What a run gives; sized by `make_response`, so that `run` does not allocate.

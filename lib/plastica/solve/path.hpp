@@ -8,48 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "plastica/model/scene.hpp"
-#include "plastica/run/response.hpp"
+#include "plastica/base/status.hpp"
 #include "plastica/solve/control_point.hpp"
+#include "plastica/solve/newton.hpp"
+#include "plastica/solve/path_options.hpp"
 
 namespace plastica::solve {
-
-/// How a path is to be followed.
-struct PathOptions {
-  NewtonOptions newton{};
-  std::vector<double> stops{};   ///< times at which a step must end, rising; the last is the end
-  std::vector<bool> recorded{};  ///< which of them are recorded
-  PathControl control = PathControl::Auto;
-  int steps = 20;               ///< recorded steps of displacement and arc-length control
-  double largest_turn = 0.2;    ///< of a joint in a step [rad]
-  double smallest_step = 1e-6;  ///< of the first step [1]
-  /// Whether the control point is a guess that may give way to one that moves.
-  bool finds_control = false;
-  /// Displacement control: where the control point is taken, from where it starts.
-  std::array<double, 3> control_motion{};
-};
-
-/// What an observer says of a converged step.
-enum class Verdict {
-  Accept,
-  TooFar,  ///< try it again shorter, if that can be done
-  End,     ///< the path ends here (a break)
-};
-
-/// Looks at the steps of a path.
-template <class L, bool kElastic>
-class PathObserver {
- public:
-  virtual ~PathObserver() = default;
-  /// Whether the last converged step does plastic work.
-  virtual bool yields() const = 0;
-  /// @param shortest  whether the step cannot be cut back any more
-  virtual Verdict judge(const NewtonWork<L, kElastic>& w, bool shortest) = 0;
-  /// After a step was accepted and its state committed.
-  virtual void accept(const NewtonWork<L, kElastic>& w) = 0;
-  /// @return whether there is room for more
-  virtual bool record(const NewtonWork<L, kElastic>& w) = 0;
-};
 
 /// Below this share of the first slope of time over the control point's way, and downwards, a path
 /// carries no more load.
@@ -280,8 +244,6 @@ class PathWalker {
     return false;
   }
 
-  // --- arc length ---------------------------------------------------------------------------
-
   /// The plane n . (u - u0) + weight (t - t0) = length in which the next equilibrium is sought;
   /// (n, weight) is a unit vector in (u/way, t/span), times `way`.
   struct Arc {
@@ -293,242 +255,27 @@ class PathWalker {
   };
 
   /// How u and t go on elastically from the committed state: sets the scales of an arc.
-  bool begin_arcs() {
-    restore();
-    PathCondition<L> unit_time;
-    unit_time.active = true;
-    unit_time.time_slope = 1.0;
-    unit_time.value = -1.0;
-    solve_rates(unit_time);
-    if (options_.finds_control) find_control();
-    at_ = control_.value(w_.placement);
-    return set_scales(control_.rate(rate_of(control_.segment), w_.placement));
-  }
-
+  bool begin_arcs();
   /// Motion of a segment in a unit of time, with the closures kept; after `solve_rates`.
-  chain::Motion<L> rate_of(std::size_t segment) const {
-    chain::Motion<L> rate = w_.columns.back().motion[segment];
-    for (std::size_t j = 0; j < chain_.closures.size(); ++j) {
-      const double weight = w_.closed[j] ? w_.small.b(j) : 0.0;
-      rate.shift += weight * w_.columns[1 + j].motion[segment].shift;
-      rate.spin += weight * w_.columns[1 + j].motion[segment].spin;
-    }
-    return rate;
-  }
-
+  chain::Motion<L> rate_of(std::size_t segment) const;
   /// Takes the segment end that moves most, since one that is held tells nothing of the path.
-  void find_control() {
-    double most = size_of(control_.rate(rate_of(control_.segment), w_.placement));
-    ControlPoint<L> candidate;
-    for (std::size_t i = 0; i < chain_.size(); ++i) {
-      candidate.segment = i;
-      candidate.arm = chain_.segments[i].arm;
-      const double moves = size_of(candidate.rate(rate_of(i), w_.placement));
-      // What the first load pushes is kept unless another moves far more.
-      if (moves <= 10.0 * most) continue;
-      most = moves;
-      control_ = candidate;
-    }
-  }
-
-  bool set_scales(const Value& rate) {
-    span_ = options_.stops.back();
-    way_ = size_of(rate) * span_;
-    if (!(way_ > 0.0) || !std::isfinite(way_)) return false;
-    rate_ = rate;
-    return true;
-  }
-
-  Arc next_arc(double length) const {
-    Arc arc;
-    arc.from = control_.value(w_.placement);
-    arc.from_time = time_;
-    arc.length = length * way_;
-    Value du = (span_ / way_) * rate_;
-    double dt = 1.0;
-    if (has_secant_) {
-      du = (1.0 / way_) * secant_;
-      dt = secant_time_ / span_;
-    }
-    const double norm = std::sqrt(dot(du, du) + dt * dt);
-    arc.direction = (1.0 / norm) * du;
-    arc.time_weight = dt / norm * way_ / span_;
-    return arc;
-  }
-
-  PathCondition<L> condition_of(const Arc& arc, const Work& w) const {
-    PathCondition<L> condition;
-    condition.active = true;
-    condition.segment = control_.segment;
-    condition.covector = control_.covector(arc.direction, w.placement);
-    condition.time_slope = arc.time_weight;
-    condition.value = dot(arc.direction, control_.value(w.placement) - arc.from) +
-                      arc.time_weight * (w.time - arc.from_time) - arc.length;
-    return condition;
-  }
-
+  void find_control();
+  bool set_scales(const Value& rate);
+  Arc next_arc(double length) const;
+  PathCondition<L> condition_of(const Arc& arc, const Work& w) const;
   /// One arc, shorter if need be; `arc_length_` follows the convergence.
-  Trial advance_arc() {
-    for (;;) {
-      restore();
-      chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
-      const Arc arc = next_arc(arc_length_);
-      const Value from = arc.from;
-      const double from_time = time_;
-      if (has_secant_) extrapolate(arc_length_ / secant_length_);
-      const bool shortest = arc_length_ <= smallest_arc_;
-      const Trial trial = attempt([&](const Work& w) { return condition_of(arc, w); }, shortest);
-      if (trial != Trial::Failed) {
-        secant_ = control_.value(w_.placement) - from;
-        secant_time_ = time_ - from_time;
-        secant_length_ = arc_length_;
-        has_secant_ = true;
-        if (iterations_ <= 6) arc_length_ = std::min(2.0 * arc_length_, largest_arc_);
-        return trial;
-      }
-      ++counters_.cutbacks;
-      if (shortest) return Trial::Failed;
-      arc_length_ *= 0.5;
-    }
-  }
-
+  Trial advance_arc();
   /// Starts where the last step points to, `part` of it further.
-  void extrapolate(double part) {
-    for (std::size_t i = 0; i < chain_.size(); ++i) {
-      w_.q.angle[i] += part * (committed_.angle[i] - previous_.angle[i]);
-      if constexpr (kElastic) {
-        w_.q.shift[i] += part * (committed_.shift[i] - previous_.shift[i]);
-      }
-    }
-    w_.q.root += part * (committed_.root - previous_.root);
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-      w_.q.multiplier[k] += part * (committed_.multiplier[k] - previous_.multiplier[k]);
-    }
-    w_.time += part * (time_ - previous_time_);
-  }
-
-  void set_arc_length(double length, double growth) {
-    arc_length_ = length;
-    largest_arc_ = growth * length;
-    smallest_arc_ = options_.smallest_step * length;
-    has_secant_ = false;
-  }
-
-  Status walk_arc() {
-    if (!begin_arcs()) return Status::NotConverged;
-    const double end = options_.stops.back();
-    set_arc_length(std::sqrt(2.0) / options_.steps, kArcGrowth);
-    for (int k = 0; k < kMostArcs; ++k) {
-      const Trial trial = advance_arc();
-      if (trial == Trial::Ended) return Status::Broken;
-      if (trial == Trial::Failed) return Status::NotConverged;
-      if (time_ >= end) {
-        // The end itself, from the last point before it.
-        if (attempt_time(end, true) != Trial::Accepted) return Status::NotConverged;
-        observer_.record(w_);
-        return Status::Completed;
-      }
-      if (!observer_.record(w_)) return Status::Completed;
-    }
-    return Status::Completed;
-  }
-
+  void extrapolate(double part);
+  void set_arc_length(double length, double growth);
+  Status walk_arc();
   /// Load control has found nothing before `stop`: follows the path by arcs, until it gets there
   /// (then it went around a turn), or carries no more (a limit load), or is lost.
-  Trial cross_by_arc(double stop) {
-    if (!watches_slope_) return Trial::Failed;
-    watches_slope_ = false;
-    set_arc_length(1e-2, 1.0);
-    double highest = time_;
-    const double first_slope = span_ / way_;
-    for (int k = 0; k < kMostArcs; ++k) {
-      const Trial trial = advance_arc();
-      if (trial == Trial::Ended) return trial;
-      if (trial == Trial::Failed) return Trial::Failed;
-      if (time_ >= stop) {
-        if (options_.control == PathControl::Load) return Trial::Failed;
-        step_ = smallest();
-        watches_slope_ = true;
-        return attempt_time(stop, true) == Trial::Accepted ? Trial::Accepted : Trial::Failed;
-      }
-      highest = std::max(highest, time_);
-      const double least = observer_.yields() ? kLimitSlope * first_slope : 0.0;
-      if (secant_time_ <= least * size_of(secant_)) {
-        bracket_limit(highest);
-        return Trial::Failed;
-      }
-    }
-    return Trial::Failed;
-  }
-
+  Trial cross_by_arc(double stop);
   /// The limit from above: the least time at which load control finds nothing, starting from the
   /// last equilibrium.
-  void bracket_limit(double highest) {
-    LimitLoad limit;
-    limit.below = highest;
-    limit.above = std::max(above_, highest);
-    for (double part = 1e-4; part < 1.0; part *= 4.0) {
-      const double time = highest + part * highest;
-      restore();
-      w_.time = time;
-      const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
-      counters_.iterations += outcome.iterations;
-      if (outcome.converged && largest_turn() <= options_.largest_turn) continue;
-      limit.above = time;
-      break;
-    }
-    restore();
-    detail::assemble(chain_, laws_, w_);
-    limit_ = limit;
-  }
-
-  // --- displacement -------------------------------------------------------------------------
-
-  Status walk_displacement() {
-    chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
-    const Value start = control_.value(w_.placement);
-    Value way;
-    for (std::size_t k = 0; k < way.at.size(); ++k) way[k] = options_.control_motion[k];
-    const double length = size_of(way);
-    if (!(length > 0.0)) return Status::NotConverged;
-    const Value direction = (1.0 / length) * way;
-    const double even = length / options_.steps;
-    double reached = 0.0;
-    double step = even;
-    double last = even;
-    for (int k = 1; k <= options_.steps; ++k) {
-      const double target = k == options_.steps ? length : even * k;
-      while (reached < target) {
-        const double next = std::min(target, reached + step);
-        const bool shortest = next - reached <= options_.smallest_step * even;
-        restore();
-        if (goes_on_) extrapolate((next - reached) / last);
-        const Trial trial = attempt(
-            [&](const Work& w) {
-              PathCondition<L> condition;
-              condition.active = true;
-              condition.segment = control_.segment;
-              condition.covector = control_.covector(direction, w.placement);
-              condition.value = dot(direction, control_.value(w.placement) - start) - next;
-              return condition;
-            },
-            shortest);
-        if (trial == Trial::Ended) return Status::Broken;
-        if (trial == Trial::Accepted) {
-          goes_on_ = true;
-          last = next - reached;
-          reached = next;
-          if (iterations_ <= 6) step = std::min(even, 2.0 * step);
-          continue;
-        }
-        ++counters_.cutbacks;
-        if (shortest) return Status::NotConverged;
-        step = 0.5 * (next - reached);
-      }
-      if (!observer_.record(w_)) break;
-    }
-    return Status::Completed;
-  }
+  void bracket_limit(double highest);
+  Status walk_displacement();
 
   const chain::Chain<L>& chain_;
   Laws& laws_;
@@ -562,3 +309,5 @@ class PathWalker {
 };
 
 }  // namespace plastica::solve
+
+#include "plastica/solve/path_arc.hpp"

@@ -1,0 +1,272 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+#include "plastica/solve/newton_work.hpp"
+
+/// The parts of one iteration of `equilibrate`.
+namespace plastica::solve {
+
+namespace detail {
+
+/// The larger of a size so far and |x|; what is not a number stays.
+template <class S>
+inline S larger_size(const S& so_far, const S& x) {
+  return so_far + max(abs(x) - so_far, constant<S>(0));
+}
+
+/// The same for a scale, from which what is not a number is dropped: it outlives a failed step.
+template <class S>
+inline S larger_scale(const S& so_far, const S& x) {
+  return max(so_far, abs(x));
+}
+
+/// Places the chain, asks its laws and sums its forces at the current unknowns.
+template <class L, bool kElastic>
+void assemble(const chain::Chain<L>& chain, chain::JointLaws<L, kElastic>& laws,
+              NewtonWork<L, kElastic>& w) {
+  using S = typename L::Scalar;
+  chain::place<kElastic>(chain, w.q, w.time, w.placement);
+  for (std::size_t i = 0; i < chain.size(); ++i) w.angles[i] = w.q.angle[i];
+  for (const auto& joint : chain.ground_joints) {
+    w.angles[joint.joint] = chain::ground_joint_angle(chain, joint, w.placement, w.time);
+  }
+  laws.evaluate(w.angles, w.q.shift, w.joints);
+  chain::gather_forces(chain, w.placement, w.joints, w.time, w.outer_forces);
+  const S zero = constant<S>(0);
+  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+    w.gap[k] = chain::closure_gap(chain, chain.closures[k], w.placement, w.time);
+    if (!chain.closures[k].one_sided) continue;
+    // A pillar pushes or is left: whichever the multiplier, less the gap's stiffness, says.
+    w.closed[k] = w.q.multiplier[k] - chain.closure_stiffness * w.gap[k] >= zero;
+    w.q.multiplier[k] = select(w.closed[k], w.q.multiplier[k], zero);
+    w.gap[k] = select(w.closed[k], w.gap[k], zero);
+  }
+  chain::add_closures(chain, w.placement, w.q, w.closed, w.outer_forces);
+}
+
+/// The largest imbalance of a joint and the largest gap, relative to their scales.
+template <class L, bool kElastic>
+typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
+  using S = typename L::Scalar;
+  S moment = constant<S>(0);
+  S force = constant<S>(0);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const auto& balance = w.recursion.balance()[i];
+    for (std::size_t k = 0; k < L::kRotations; ++k) {
+      moment = larger_size(moment, balance[k]);
+      w.moment_scale = larger_scale(w.moment_scale, w.transmitted.outer[i].moment[k]);
+      w.moment_scale = larger_scale(w.moment_scale, w.joints.force[i][k]);
+    }
+    for (std::size_t k = L::kRotations; k < balance.at.size(); ++k) {
+      force = larger_size(force, balance[k]);
+    }
+    for (std::size_t k = 0; k < L::kTranslations; ++k) {
+      w.force_scale = larger_scale(w.force_scale, w.transmitted.outer[i].force[k]);
+    }
+  }
+  for (std::size_t k = 0; k < L::kTranslations; ++k) {
+    force = larger_size(force, w.recursion.root_balance()[k]);
+  }
+  S gap = constant<S>(0);
+  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+    const S size = chain.closures[k].turning ? chain.length : constant<S>(1);
+    gap = larger_size(gap, size * w.gap[k]);
+  }
+  // Moments are forces on levers: a bar under axial force alone is no beam out of balance.
+  const S lever = constant<S>(1e-2) * chain.length;
+  const S tiny = constant<S>(std::numeric_limits<real_t<S>>::min());
+  const S moment_scale = max(w.moment_scale, lever * w.force_scale);
+  const S force_scale = max(w.force_scale, w.moment_scale / chain.length);
+  const S worst = larger_size(moment / max(moment_scale, tiny), force / max(force_scale, tiny));
+  return larger_size(worst, gap / chain.length);
+}
+
+/// Adds the stiffness of the path condition along its covector; like that of a closure it does
+/// not change the solution.
+template <class L, bool kElastic>
+void stiffen_condition(const chain::Chain<L>& chain, const PathCondition<L>& condition,
+                       NewtonWork<L, kElastic>& w) {
+  const auto& c = condition.covector;
+  const auto s = chain.closure_stiffness;
+  auto& impedance = w.outer_forces.impedance[condition.segment];
+  impedance.tt += outer(s * c.force, c.force);
+  impedance.tr += outer(s * c.force, c.moment);
+  impedance.rt += outer(s * c.moment, c.force);
+  impedance.rr += outer(s * c.moment, c.moment);
+}
+
+template <class L>
+void add_scaled(const typename L::Scalar& s, const chain::Wrench<L>& wrench,
+                chain::Wrench<L>& sum) {
+  sum.force += s * wrench.force;
+  sum.moment += s * wrench.moment;
+}
+
+template <class L>
+typename L::Scalar power(const chain::Wrench<L>& wrench, const chain::Motion<L>& motion) {
+  return dot(wrench.force, motion.shift) + dot(wrench.moment, motion.spin);
+}
+
+template <class S, class L>
+S stiffness_of(const chain::Chain<L>& chain, const chain::Closure<L>& closure) {
+  return closure.turning ? chain.closure_turning_stiffness : chain.closure_stiffness;
+}
+
+/// Column 0: the imbalance; and the closures' gaps through their stiffness.
+template <class L, bool kElastic>
+void solve_imbalance(const chain::Chain<L>& chain, const PathCondition<L>& condition,
+                     NewtonWork<L, kElastic>& w) {
+  using S = typename L::Scalar;
+  w.right.reset(chain.size());
+  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+    const auto& closure = chain.closures[k];
+    const S pull =
+        select(w.closed[k], -(stiffness_of<S>(chain, closure) * w.gap[k]), constant<S>(0));
+    add_scaled(pull, chain::unit_wrench(closure, w.placement), w.right.wrench[closure.segment]);
+  }
+  if (condition.active) {
+    add_scaled(-(chain.closure_stiffness * condition.value), condition.covector,
+               w.right.wrench[condition.segment]);
+  }
+  w.recursion.solve(w.right, true, w.columns[0]);
+}
+
+/// The column of a closure: what a unit force along it moves.
+template <class L, bool kElastic>
+void solve_closure(const chain::Chain<L>& chain, std::size_t k, NewtonWork<L, kElastic>& w) {
+  const auto& closure = chain.closures[k];
+  w.right.reset(chain.size());
+  w.right.wrench[closure.segment] = chain::unit_wrench(closure, w.placement);
+  w.recursion.solve(w.right, false, w.columns[1 + k]);
+}
+
+/// The last column: what a unit of time moves, through loads, springs, the ground and closures.
+template <class L, bool kElastic>
+void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
+                NewtonWork<L, kElastic>& w) {
+  using S = typename L::Scalar;
+  const auto slope = [&](std::size_t history) {
+    return constant<S>(chain.histories[history].slope_at(w.time));
+  };
+  w.right.reset(chain.size());
+  for (const auto& load : chain.loads) {
+    add_scaled(slope(load.history), chain::unit_wrench(load, w.placement),
+               w.right.wrench[load.segment]);
+  }
+  for (const auto& spring : chain.springs) {
+    chain::Wrench<L> wrench{};
+    for (std::size_t i = 0; i < L::kTranslations; ++i) {
+      wrench.force[i] = slope(spring.history) * spring.stiffness[i] * spring.motion[i];
+    }
+    wrench.moment = L::moment(L::turn(w.placement.frame[spring.segment], spring.arm), wrench.force);
+    add_scaled(constant<S>(1), wrench, w.right.wrench[spring.segment]);
+  }
+  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+    const auto& closure = chain.closures[k];
+    const S pull = stiffness_of<S>(chain, closure) * slope(closure.history) * closure.motion;
+    add_scaled(select(w.closed[k], pull, constant<S>(0)), chain::unit_wrench(closure, w.placement),
+               w.right.wrench[closure.segment]);
+  }
+  add_scaled(-(chain.closure_stiffness * condition.time_slope), condition.covector,
+             w.right.wrench[condition.segment]);
+  w.right.ground = {slope(chain.root.history) * chain.root.motion,
+                    slope(chain.root.history) * chain.root.turn};
+  w.recursion.solve(w.right, false, w.columns.back());
+}
+
+/// Solves for multipliers and time: the motion must close every gap and meet the condition.
+template <class L, bool kElastic>
+void join_columns(const chain::Chain<L>& chain, const PathCondition<L>& condition,
+                  NewtonWork<L, kElastic>& w) {
+  using S = typename L::Scalar;
+  const std::size_t closures = chain.closures.size();
+  const S zero = constant<S>(0);
+  const S one = constant<S>(1);
+  auto& small = w.small;
+  for (std::size_t k = 0; k < closures; ++k) {
+    const auto& closure = chain.closures[k];
+    const auto wrench = chain::unit_wrench(closure, w.placement);
+    for (std::size_t j = 0; j < closures; ++j) {
+      const S moved = power(wrench, w.columns[1 + j].motion[closure.segment]);
+      const S open = k == j ? one : zero;
+      small.a(k, j) = select(w.closed[k], select(w.closed[j], moved, zero), open);
+    }
+    const S slope = constant<S>(chain.histories[closure.history].slope_at(w.time));
+    const S by_time = condition.active ? power(wrench, w.columns.back().motion[closure.segment]) -
+                                             slope * closure.motion
+                                       : zero;
+    small.a(k, closures) = select(w.closed[k], by_time, zero);
+    const S moved = power(wrench, w.columns[0].motion[closure.segment]);
+    small.b(k) = select(w.closed[k], -w.gap[k] - moved, zero);
+  }
+  for (std::size_t j = 0; j <= closures; ++j) small.a(closures, j) = zero;
+  if (condition.active) {
+    const auto& c = condition.covector;
+    for (std::size_t j = 0; j < closures; ++j) {
+      const S moved = power(c, w.columns[1 + j].motion[condition.segment]);
+      small.a(closures, j) = select(w.closed[j], moved, zero);
+    }
+    small.a(closures, closures) =
+        power(c, w.columns.back().motion[condition.segment]) + condition.time_slope;
+    small.b(closures) = -condition.value - power(c, w.columns[0].motion[condition.segment]);
+  } else {
+    small.a(closures, closures) = one;
+    small.b(closures) = zero;
+  }
+  small.solve();
+}
+
+/// Adds the columns to the first one by their weights.
+template <class L, bool kElastic>
+void combine_columns(const chain::Chain<L>& chain, const PathCondition<L>& condition,
+                     NewtonWork<L, kElastic>& w) {
+  using S = typename L::Scalar;
+  auto& sum = w.columns[0];
+  for (std::size_t j = 0; j <= chain.closures.size(); ++j) {
+    const bool time = j == chain.closures.size();
+    if (time && !condition.active) break;
+    const S weight = time ? w.small.b(j) : select(w.closed[j], w.small.b(j), constant<S>(0));
+    const auto& column = w.columns[1 + j];
+    sum.root += weight * column.root;
+    for (std::size_t i = 0; i < chain.size(); ++i) sum.joint[i] += weight * column.joint[i];
+  }
+}
+
+/// Moves the unknowns, by no more than one radian a joint; lanes that are done stay.
+template <class L, bool kElastic>
+void take_step(const chain::Chain<L>& chain, const PathCondition<L>& condition,
+               const mask_t<typename L::Scalar>& done, NewtonWork<L, kElastic>& w) {
+  using S = typename L::Scalar;
+  const auto& step = w.columns[0];
+  S largest = constant<S>(1);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    for (std::size_t k = 0; k < L::kRotations; ++k)
+      largest = larger_size(largest, step.joint[i][k]);
+  }
+  const S part = select(done, constant<S>(0), constant<S>(1) / largest);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    typename L::Spin spin;
+    for (std::size_t k = 0; k < L::kRotations; ++k) spin[k] = part * step.joint[i][k];
+    w.q.angle[i] = L::turn_by(spin, w.q.angle[i]);
+    if constexpr (kElastic) {
+      for (std::size_t k = 0; k < L::kTranslations; ++k) {
+        w.q.shift[i][k] += part * step.joint[i][L::kRotations + k];
+      }
+    }
+  }
+  w.q.root += part * step.root;
+  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+    w.q.multiplier[k] += part * w.small.b(k);
+  }
+  if constexpr (std::is_same_v<S, double>) {
+    if (condition.active) w.time += part * w.small.b(chain.closures.size());
+  }
+}
+
+}  // namespace detail
+
+}  // namespace plastica::solve

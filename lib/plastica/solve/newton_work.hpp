@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "plastica/chain/joint_laws.hpp"
+#include "plastica/chain/recursion.hpp"
+#include "plastica/solve/small_system.hpp"
+
+namespace plastica::solve {
+
+/// A condition that makes the time an unknown: value(state, time) = 0, where
+/// d value = covector . d(motion of `segment`) + time_slope d time.
+template <class L>
+struct PathCondition {
+  bool active = false;
+  std::size_t segment = 0;
+  chain::Wrench<L> covector{};
+  typename L::Scalar time_slope{};
+  typename L::Scalar value{};
+};
+
+/// Everything that an equilibrium is sought in; sized once, so that iterations do not allocate.
+template <class L, bool kElastic>
+struct NewtonWork {
+  using S = typename L::Scalar;
+  chain::Coordinates<L> q;
+  double time = 0.0;
+
+  chain::Placement<L> placement;
+  chain::JointForces<L, kElastic> joints;
+  chain::OuterForces<L> outer_forces;
+  chain::Transmitted<L> transmitted;
+  chain::Recursion<L, kElastic> recursion;
+  std::vector<typename L::Spin> angles;  ///< of all joints with a law, ground joints included
+  std::vector<mask_t<S>> closed;         ///< whether a closure acts
+  std::vector<S> gap;                    ///< of each closure
+  chain::RightSide<L, kElastic> right;
+  /// Of the imbalance, of each closure, and of the time (1 + closures + 1).
+  std::vector<chain::Solution<L, kElastic>> columns;
+  SmallSystem<S> small;
+  /// The largest moment and force so far: what an imbalance is small against.
+  S moment_scale{};
+  S force_scale{};
+
+  void resize(const chain::Chain<L>& chain) {
+    const std::size_t n = chain.size();
+    const std::size_t closures = chain.closures.size();
+    q.angle.assign(n, {});
+    q.shift.assign(kElastic ? n : 0, {});
+    q.root = {};
+    q.multiplier.assign(closures, {});
+    time = 0.0;
+    placement.resize(n);
+    joints.force.assign(chain.joints(), {});
+    joints.tangent.assign(chain.joints(), {});
+    outer_forces.reset(n);
+    transmitted.outer.assign(n, {});
+    recursion.resize(n);
+    angles.assign(chain.joints(), {});
+    closed.assign(closures, mask_t<S>{constant<S>(0) < constant<S>(1)});
+    gap.assign(closures, {});
+    right.reset(n);
+    columns.resize(closures + 2);
+    for (auto& column : columns) column.resize(n);
+    small.resize(0);
+    small.resize(closures + 1);
+    moment_scale = constant<S>(0);
+    force_scale = constant<S>(0);
+  }
+};
+
+inline constexpr int kMostIterations = 64;
+
+struct NewtonOptions {
+  int most_iterations = 25;  ///< <= kMostIterations
+  double tolerance = 1e-10;  ///< see SolverOptions::tolerance
+};
+
+/// How an equilibrium was sought. @tparam S a lane has its own answer
+template <class S>
+struct NewtonOutcome {
+  mask_t<S> converged{};
+  int iterations = 0;  ///< factorizations
+  /// Relative imbalance at the beginning of each iteration, and at the end (iterations + 1).
+  std::array<S, kMostIterations + 1> imbalance{};
+};
+
+}  // namespace plastica::solve

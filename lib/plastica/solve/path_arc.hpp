@@ -1,0 +1,248 @@
+#pragma once
+
+#include "plastica/solve/path.hpp"
+
+/// The paths on which the time is an unknown: arcs and displacement control.
+namespace plastica::solve {
+
+template <class L, bool kElastic>
+bool PathWalker<L, kElastic>::begin_arcs() {
+  restore();
+  PathCondition<L> unit_time;
+  unit_time.active = true;
+  unit_time.time_slope = 1.0;
+  unit_time.value = -1.0;
+  solve_rates(unit_time);
+  if (options_.finds_control) find_control();
+  at_ = control_.value(w_.placement);
+  return set_scales(control_.rate(rate_of(control_.segment), w_.placement));
+}
+
+template <class L, bool kElastic>
+chain::Motion<L> PathWalker<L, kElastic>::rate_of(std::size_t segment) const {
+  chain::Motion<L> rate = w_.columns.back().motion[segment];
+  for (std::size_t j = 0; j < chain_.closures.size(); ++j) {
+    const double weight = w_.closed[j] ? w_.small.b(j) : 0.0;
+    rate.shift += weight * w_.columns[1 + j].motion[segment].shift;
+    rate.spin += weight * w_.columns[1 + j].motion[segment].spin;
+  }
+  return rate;
+}
+
+template <class L, bool kElastic>
+void PathWalker<L, kElastic>::find_control() {
+  double most = size_of(control_.rate(rate_of(control_.segment), w_.placement));
+  ControlPoint<L> candidate;
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    candidate.segment = i;
+    candidate.arm = chain_.segments[i].arm;
+    const double moves = size_of(candidate.rate(rate_of(i), w_.placement));
+    // What the first load pushes is kept unless another moves far more.
+    if (moves <= 10.0 * most) continue;
+    most = moves;
+    control_ = candidate;
+  }
+}
+
+template <class L, bool kElastic>
+bool PathWalker<L, kElastic>::set_scales(const Value& rate) {
+  span_ = options_.stops.back();
+  way_ = size_of(rate) * span_;
+  if (!(way_ > 0.0) || !std::isfinite(way_)) return false;
+  rate_ = rate;
+  return true;
+}
+
+template <class L, bool kElastic>
+typename PathWalker<L, kElastic>::Arc PathWalker<L, kElastic>::next_arc(double length) const {
+  Arc arc;
+  arc.from = control_.value(w_.placement);
+  arc.from_time = time_;
+  arc.length = length * way_;
+  Value du = (span_ / way_) * rate_;
+  double dt = 1.0;
+  if (has_secant_) {
+    du = (1.0 / way_) * secant_;
+    dt = secant_time_ / span_;
+  }
+  const double norm = std::sqrt(dot(du, du) + dt * dt);
+  arc.direction = (1.0 / norm) * du;
+  arc.time_weight = dt / norm * way_ / span_;
+  return arc;
+}
+
+template <class L, bool kElastic>
+PathCondition<L> PathWalker<L, kElastic>::condition_of(const Arc& arc, const Work& w) const {
+  PathCondition<L> condition;
+  condition.active = true;
+  condition.segment = control_.segment;
+  condition.covector = control_.covector(arc.direction, w.placement);
+  condition.time_slope = arc.time_weight;
+  condition.value = dot(arc.direction, control_.value(w.placement) - arc.from) +
+                    arc.time_weight * (w.time - arc.from_time) - arc.length;
+  return condition;
+}
+
+template <class L, bool kElastic>
+typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::advance_arc() {
+  for (;;) {
+    restore();
+    chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
+    const Arc arc = next_arc(arc_length_);
+    const Value from = arc.from;
+    const double from_time = time_;
+    if (has_secant_) extrapolate(arc_length_ / secant_length_);
+    const bool shortest = arc_length_ <= smallest_arc_;
+    const Trial trial = attempt([&](const Work& w) { return condition_of(arc, w); }, shortest);
+    if (trial != Trial::Failed) {
+      secant_ = control_.value(w_.placement) - from;
+      secant_time_ = time_ - from_time;
+      secant_length_ = arc_length_;
+      has_secant_ = true;
+      if (iterations_ <= 6) arc_length_ = std::min(2.0 * arc_length_, largest_arc_);
+      return trial;
+    }
+    ++counters_.cutbacks;
+    if (shortest) return Trial::Failed;
+    arc_length_ *= 0.5;
+  }
+}
+
+template <class L, bool kElastic>
+void PathWalker<L, kElastic>::extrapolate(double part) {
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    w_.q.angle[i] += part * (committed_.angle[i] - previous_.angle[i]);
+    if constexpr (kElastic) {
+      w_.q.shift[i] += part * (committed_.shift[i] - previous_.shift[i]);
+    }
+  }
+  w_.q.root += part * (committed_.root - previous_.root);
+  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+    w_.q.multiplier[k] += part * (committed_.multiplier[k] - previous_.multiplier[k]);
+  }
+  w_.time += part * (time_ - previous_time_);
+}
+
+template <class L, bool kElastic>
+void PathWalker<L, kElastic>::set_arc_length(double length, double growth) {
+  arc_length_ = length;
+  largest_arc_ = growth * length;
+  smallest_arc_ = options_.smallest_step * length;
+  has_secant_ = false;
+}
+
+template <class L, bool kElastic>
+Status PathWalker<L, kElastic>::walk_arc() {
+  if (!begin_arcs()) return Status::NotConverged;
+  const double end = options_.stops.back();
+  set_arc_length(std::sqrt(2.0) / options_.steps, kArcGrowth);
+  for (int k = 0; k < kMostArcs; ++k) {
+    const Trial trial = advance_arc();
+    if (trial == Trial::Ended) return Status::Broken;
+    if (trial == Trial::Failed) return Status::NotConverged;
+    if (time_ >= end) {
+      // The end itself, from the last point before it.
+      if (attempt_time(end, true) != Trial::Accepted) return Status::NotConverged;
+      observer_.record(w_);
+      return Status::Completed;
+    }
+    if (!observer_.record(w_)) return Status::Completed;
+  }
+  return Status::Completed;
+}
+
+template <class L, bool kElastic>
+typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::cross_by_arc(double stop) {
+  if (!watches_slope_) return Trial::Failed;
+  watches_slope_ = false;
+  set_arc_length(1e-2, 1.0);
+  double highest = time_;
+  const double first_slope = span_ / way_;
+  for (int k = 0; k < kMostArcs; ++k) {
+    const Trial trial = advance_arc();
+    if (trial == Trial::Ended) return trial;
+    if (trial == Trial::Failed) return Trial::Failed;
+    if (time_ >= stop) {
+      if (options_.control == PathControl::Load) return Trial::Failed;
+      step_ = smallest();
+      watches_slope_ = true;
+      return attempt_time(stop, true) == Trial::Accepted ? Trial::Accepted : Trial::Failed;
+    }
+    highest = std::max(highest, time_);
+    const double least = observer_.yields() ? kLimitSlope * first_slope : 0.0;
+    if (secant_time_ <= least * size_of(secant_)) {
+      bracket_limit(highest);
+      return Trial::Failed;
+    }
+  }
+  return Trial::Failed;
+}
+
+template <class L, bool kElastic>
+void PathWalker<L, kElastic>::bracket_limit(double highest) {
+  LimitLoad limit;
+  limit.below = highest;
+  limit.above = std::max(above_, highest);
+  for (double part = 1e-4; part < 1.0; part *= 4.0) {
+    const double time = highest + part * highest;
+    restore();
+    w_.time = time;
+    const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
+    counters_.iterations += outcome.iterations;
+    if (outcome.converged && largest_turn() <= options_.largest_turn) continue;
+    limit.above = time;
+    break;
+  }
+  restore();
+  detail::assemble(chain_, laws_, w_);
+  limit_ = limit;
+}
+
+template <class L, bool kElastic>
+Status PathWalker<L, kElastic>::walk_displacement() {
+  chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
+  const Value start = control_.value(w_.placement);
+  Value way;
+  for (std::size_t k = 0; k < way.at.size(); ++k) way[k] = options_.control_motion[k];
+  const double length = size_of(way);
+  if (!(length > 0.0)) return Status::NotConverged;
+  const Value direction = (1.0 / length) * way;
+  const double even = length / options_.steps;
+  double reached = 0.0;
+  double step = even;
+  double last = even;
+  for (int k = 1; k <= options_.steps; ++k) {
+    const double target = k == options_.steps ? length : even * k;
+    while (reached < target) {
+      const double next = std::min(target, reached + step);
+      const bool shortest = next - reached <= options_.smallest_step * even;
+      restore();
+      if (goes_on_) extrapolate((next - reached) / last);
+      const Trial trial = attempt(
+          [&](const Work& w) {
+            PathCondition<L> condition;
+            condition.active = true;
+            condition.segment = control_.segment;
+            condition.covector = control_.covector(direction, w.placement);
+            condition.value = dot(direction, control_.value(w.placement) - start) - next;
+            return condition;
+          },
+          shortest);
+      if (trial == Trial::Ended) return Status::Broken;
+      if (trial == Trial::Accepted) {
+        goes_on_ = true;
+        last = next - reached;
+        reached = next;
+        if (iterations_ <= 6) step = std::min(even, 2.0 * step);
+        continue;
+      }
+      ++counters_.cutbacks;
+      if (shortest) return Status::NotConverged;
+      step = 0.5 * (next - reached);
+    }
+    if (!observer_.record(w_)) break;
+  }
+  return Status::Completed;
+}
+
+}  // namespace plastica::solve
