@@ -30,7 +30,10 @@ History History::turning_points(const std::vector<double>& factors) {
 }
 
 bool History::is_ramp() const {
-  return time == std::vector{0.0, 1.0} && factor == std::vector{0.0, 1.0};
+  const auto from_0_to_1 = [](const std::vector<double>& v) {
+    return v.size() == 2 && v[0] == 0.0 && v[1] == 1.0;
+  };
+  return from_0_to_1(time) && from_0_to_1(factor);
 }
 
 double History::at(double when) const {

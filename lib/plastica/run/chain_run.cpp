@@ -105,9 +105,13 @@ void ChainRunner<L, kElastic>::set_closure_stiffness() {
   build_.chain.closure_turning_stiffness = 100.0 * bending / length;
 }
 
+/// Lays out the joints' laws; the same numbers as in the run before only need the virgin state.
 template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material, Response& response) {
-  const auto began = std::chrono::steady_clock::now();
+void ChainRunner<L, kElastic>::set_material(const MaterialValues<double>& material) {
+  if (joints_ && material == material_) {
+    joints_->reset();
+    return;
+  }
   std::vector<MaterialValues<double>> materials;
   for (const auto& part : parts_) materials.push_back(material_values(*part.material));
   materials.front() = material;
@@ -115,7 +119,14 @@ void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material, Respo
                                      chain::joint_numbers(model_.layout, model_.part_of_segment,
                                                           build_.joints, parts_, materials, view_),
                                      view_, model_.options.fibres);
+  material_ = material;
   set_closure_stiffness();
+}
+
+template <class L, bool kElastic>
+void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material, Response& response) {
+  const auto began = std::chrono::steady_clock::now();
+  set_material(material);
   work_.resize(build_.chain);
   committed_ = work_.q;
   previous_ = work_.q;

@@ -30,6 +30,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   bool record(const Work& w) override;
 
   void set_path_options();
+  void set_material(const MaterialValues<double>& material);
   void set_closure_stiffness();
   void set_trial_strains(const Work& w);
   const std::vector<JointAngles>& measured(const NodeStrains& strains) const;
@@ -40,6 +41,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   std::vector<chain::PartForm> parts_;
   chain::Build<L> build_;
   std::unique_ptr<Joints> joints_;
+  MaterialValues<double> material_{};  ///< that the joints have
   solve::PathOptions options_;
   solve::ControlPoint<L> control_;
   Work work_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/chain.hpp"
 #include "tests/support/scene.hpp"
 
 /// A program of its own: it counts what the global operator new hands out.
@@ -99,6 +100,25 @@ TEST(Heap, IsNotUsedByRunSensitivity) {
       EXPECT_EQ(allocations, before);
       EXPECT_EQ(response.status, Status::Completed);
     }
+  }
+}
+
+/// A path with yielding joints, a pillar and unloading: no step, iteration or sample allocates.
+TEST(Heap, IsNotUsedAlongAPath) {
+  for (const Level level : {Level::Planar, Level::Spatial}) {
+    Scene scene = testing::cantilever(12, {0.0, -450.0, 0.0});
+    scene.loads[0].history = History::turning_points({1.0, 0.0});
+    scene.supports.push_back({{0.75, {}}, SupportKind::Pillar});
+    SolverOptions options;
+    options.level = level;
+    const Model model = prepare(scene, options);
+    Workspace workspace = make_workspace(model);
+    Response response = make_response(model);
+    run(model, {}, workspace, response);
+    ASSERT_EQ(response.status, Status::Completed);
+    const std::size_t before = allocations;
+    run(model, {}, workspace, response);
+    EXPECT_EQ(allocations, before);
   }
 }
 
