@@ -155,6 +155,7 @@ double BreakWatch::strain(const std::vector<JointAngles>& angles, std::size_t jo
 
 std::vector<BrokenJoint> BreakWatch::broken(const std::vector<JointAngles>& angles) const {
   std::vector<BrokenJoint> joints;
+  if (excess(angles) <= 0.0) return joints;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const auto strain = strains(angles, j);
     const auto& limit = joints_[j].limit;
@@ -162,7 +163,7 @@ std::vector<BrokenJoint> BreakWatch::broken(const std::vector<JointAngles>& angl
     for (std::size_t k = 1; k < 4; ++k) {
       if (use_of(strain[k], limit[k]) > use_of(strain[worst], limit[worst])) worst = k;
     }
-    if (use_of(strain[worst], limit[worst]) <= 1.0) continue;
+    if (use_of(strain[worst], limit[worst]) <= 1.0 - kBreakTolerance) continue;
     BrokenJoint broken;
     broken.joint = static_cast<int>(j);
     broken.cause = kCauses[worst];

@@ -13,6 +13,11 @@ namespace plastica {
 /// Permanent angles of a joint in its axes: bending about x, about y, torsion [rad].
 using JointAngles = std::array<double, 3>;
 
+/// The permanent strain at break is met within this share of the limit, if steps can be cut back;
+/// joints nearer to their limits than this break together. (On the plateau of ideal plasticity even
+/// bending is shared evenly to 1e-7 only, since any share is in equilibrium.)
+inline constexpr double kBreakTolerance = 1e-4;
+
 /// What the break criterion needs to know of a joint.
 struct WatchedJoint {
   double share = 0.0;  ///< where it is, of the beam's length [1]
@@ -68,7 +73,8 @@ class BreakWatch {
   /// The strain of a joint that is nearest to its limit; the largest of all where there is none.
   double strain(const std::vector<JointAngles>& angles, std::size_t joint) const;
 
-  /// All joints over their limit, with cause, strain and limit.
+  /// All joints over their limit, with cause, strain and limit; where one is, also those that are
+  /// below it by less than `kBreakTolerance`.
   std::vector<BrokenJoint> broken(const std::vector<JointAngles>& angles) const;
 
  private:

@@ -13,9 +13,6 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-/// The permanent strain at break is met within this share of the limit, if steps can be cut back.
-constexpr double kBreakTolerance = 1e-4;
-
 WatchedJoint watched_joint(const Scene& scene, const chain::Layout& layout,
                            const chain::PartForm& part, std::size_t node) {
   const std::size_t n = layout.size();

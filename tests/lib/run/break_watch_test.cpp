@@ -1,0 +1,301 @@
+#include "plastica/run/break_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace plastica {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+constexpr double kHeight = 0.2;  ///< h [m], the hinge length too
+constexpr double kWidth = 0.1;   ///< b [m]
+
+/// A scene whose law gathers rotation in one joint: ideal plasticity of the whole section.
+Scene ideal_scene() {
+  Scene scene;
+  scene.section.width = kWidth;
+  scene.section.height = kHeight;
+  scene.yield_model = YieldModel::PerAxis;
+  return scene;
+}
+
+Scene hardening_scene() {
+  Scene scene = ideal_scene();
+  scene.material.hardening.law = HardeningLaw::Linear;
+  scene.material.hardening.tangent_modulus = 2e9;
+  return scene;
+}
+
+/// The joints of a beam of 1 m, half joints at its ends, all with the same limits.
+std::vector<WatchedJoint> joints_of(int segments, const std::array<double, 4>& limit) {
+  std::vector<WatchedJoint> joints;
+  const double l = 1.0 / segments;
+  for (int i = 0; i <= segments; ++i) {
+    WatchedJoint joint;
+    joint.share = i * l;
+    joint.begin = i == 0 ? 0.0 : (i - 0.5) * l;
+    joint.end = i == segments ? 1.0 : (i + 0.5) * l;
+    joint.length = joint.end - joint.begin;
+    joint.width = kWidth;
+    joint.height = kHeight;
+    joint.shear_lever = 0.08;
+    joint.limit = limit;
+    joints.push_back(joint);
+  }
+  return joints;
+}
+
+BreakWatch watch_of(const Scene& scene, int segments,
+                    const std::array<double, 4>& limit = {0.1, kNone, kNone, kNone}) {
+  return {scene, joints_of(segments, limit)};
+}
+
+/// Uniform curvature about x: every joint turns by its tributary length times it.
+std::vector<JointAngles> uniform(int segments, double curvature) {
+  std::vector<JointAngles> angles;
+  for (const WatchedJoint& joint : joints_of(segments, {})) {
+    angles.push_back({curvature * joint.length, 0.0, 0.0});
+  }
+  return angles;
+}
+
+/// One joint alone turns.
+std::vector<JointAngles> lone(int segments, std::size_t joint, const JointAngles& angle) {
+  std::vector<JointAngles> angles(static_cast<std::size_t>(segments) + 1);
+  angles[joint] = angle;
+  return angles;
+}
+
+TEST(BreakWatch, SeesAUniformCurvatureWhateverTheSegments) {
+  // l from 1/4 of the hinge length to 2.5 of it; joint 0 is at the beam's end, its window inside.
+  for (const int segments : {2, 4, 5, 8, 20, 33}) {
+    const BreakWatch watch = watch_of(ideal_scene(), segments);
+    const auto angles = uniform(segments, 0.3);
+    for (std::size_t i = 0; i < watch.size(); ++i) {
+      EXPECT_NEAR(watch.strain(angles, i), 0.3 * kHeight / 2.0, 1e-15) << segments << ' ' << i;
+    }
+  }
+}
+
+TEST(BreakWatch, SpreadsALoneHingeOverTheHingeLengthWhateverTheSegments) {
+  for (const int segments : {2, 4, 5, 8, 20, 33}) {
+    const BreakWatch watch = watch_of(ideal_scene(), segments);
+    const auto middle = static_cast<std::size_t>(segments / 2);
+    for (const std::size_t joint : {std::size_t{0}, middle, static_cast<std::size_t>(segments)}) {
+      const auto angles = lone(segments, joint, {-0.05, 0.0, 0.0});
+      EXPECT_NEAR(watch.strain(angles, joint), kHeight / 2.0 * 0.05 / kHeight, 1e-15)
+          << segments << ' ' << joint;
+    }
+  }
+}
+
+TEST(BreakWatch, CountsANeighbourWithTheShareThatItsWindowCovers) {
+  // l = L_p/4: a window reaches two joints to each side and covers half of the outer ones.
+  const BreakWatch watch = watch_of(ideal_scene(), 20);
+  const auto angles = lone(20, 10, {0.04, 0.0, 0.0});
+  const double whole = kHeight / 2.0 * 0.04 / kHeight;
+  EXPECT_NEAR(watch.strain(angles, 9), whole, 1e-15);
+  EXPECT_NEAR(watch.strain(angles, 12), whole / 2.0, 1e-15);
+  EXPECT_NEAR(watch.strain(angles, 13), 0.0, 1e-15);
+}
+
+TEST(BreakWatch, MovesTheWindowOfTheEndIntoTheBeam) {
+  // At joint 0 it covers 0 … L_p: joint 3 whole, joint 4 half, joint 5 not.
+  const BreakWatch watch = watch_of(ideal_scene(), 20);
+  const double whole = kHeight / 2.0 * 0.04 / kHeight;
+  const JointAngles turned{0.04, 0.0, 0.0};
+  EXPECT_NEAR(watch.strain(lone(20, 3, turned), 0), whole, 1e-15);
+  EXPECT_NEAR(watch.strain(lone(20, 4, turned), 0), whole / 2.0, 1e-15);
+  EXPECT_NEAR(watch.strain(lone(20, 5, turned), 0), 0.0, 1e-15);
+  EXPECT_NEAR(watch.strain(lone(20, 16, turned), 20), whole / 2.0, 1e-15);
+}
+
+TEST(BreakWatch, AddsTurnsOfOppositeSignsInAWindow) {
+  const BreakWatch watch = watch_of(ideal_scene(), 20);
+  auto angles = lone(20, 10, {0.04, 0.0, 0.0});
+  angles[11] = {-0.04, 0.0, 0.0};
+  EXPECT_NEAR(watch.strain(angles, 10), 0.0, 1e-15);
+}
+
+TEST(BreakWatch, SplitsTheTurnOfALongJointIntoSpreadAndGathered) {
+  // l = 1.25 L_p; the neighbours turn by 0.01, the hinge by 0.03.
+  const BreakWatch watch = watch_of(ideal_scene(), 4);
+  auto angles = lone(4, 2, {0.03, 0.0, 0.0});
+  angles[1] = {0.01, 0.0, 0.0};
+  angles[3] = {0.004, 0.0, 0.0};
+  EXPECT_NEAR(watch.strain(angles, 2), kHeight / 2.0 * (0.01 / 0.25 + 0.02 / kHeight), 1e-15);
+  angles[1] = {-0.01, 0.0, 0.0};  // one that turns the other way shares nothing
+  EXPECT_NEAR(watch.strain(angles, 2), kHeight / 2.0 * (0.004 / 0.25 + 0.026 / kHeight), 1e-15);
+}
+
+TEST(BreakWatch, TakesTheCurvatureOfTheJointWhereTheLawHardens) {
+  for (const int segments : {4, 20}) {
+    const BreakWatch watch = watch_of(hardening_scene(), segments);
+    const auto angles = lone(segments, 2, {0.03, 0.0, 0.0});
+    EXPECT_NEAR(watch.strain(angles, 2), kHeight / 2.0 * 0.03 * segments, 1e-15) << segments;
+  }
+}
+
+TEST(BreakWatch, TakesTheCurvatureOfALongJointAndTheWindowOfShortOnesWhereTheLawSaturates) {
+  Scene scene = ideal_scene();
+  scene.yield_model = YieldModel::Fibre;
+  EXPECT_NEAR(watch_of(scene, 4).strain(lone(4, 2, {0.03, 0.0, 0.0}), 2),
+              kHeight / 2.0 * 0.03 / 0.25, 1e-15);
+  EXPECT_NEAR(watch_of(scene, 20).strain(lone(20, 2, {0.03, 0.0, 0.0}), 2),
+              kHeight / 2.0 * 0.03 / kHeight, 1e-15);
+}
+
+TEST(BreakWatch, KnowsHowTheLawsSpread) {
+  Scene scene = ideal_scene();
+  EXPECT_EQ(spreading_of(scene), Spreading::Gathers);
+  scene.yield_model = YieldModel::Fibre;
+  EXPECT_EQ(spreading_of(scene), Spreading::Saturates);
+  EXPECT_EQ(spreading_of(hardening_scene()), Spreading::Hardens);
+  scene = hardening_scene();
+  scene.material.hardening.tangent_modulus = 0.0;
+  EXPECT_EQ(spreading_of(scene), Spreading::Gathers);
+  scene.material.hardening.law = HardeningLaw::VoceChaboche;
+  scene.material.hardening.backstress_modulus = {20e9, 0.0, 0.0};
+  scene.material.hardening.backstress_rate = {300.0, 0.0, 0.0};
+  EXPECT_EQ(spreading_of(scene), Spreading::Saturates);
+  scene.material.hardening.backstress_modulus[1] = 1e9;
+  EXPECT_EQ(spreading_of(scene), Spreading::Hardens);
+}
+
+TEST(BreakWatch, WithoutAHingeLengthTakesTheJointsOwn) {
+  Scene scene = ideal_scene();
+  scene.hinge_length = 0.0;
+  const BreakWatch watch = watch_of(scene, 20);
+  EXPECT_NEAR(watch.strain(lone(20, 10, {0.04, 0.0, 0.0}), 10), kHeight / 2.0 * 0.04 / 0.05, 1e-15);
+  EXPECT_NEAR(watch.strain(lone(20, 0, {0.04, 0.0, 0.0}), 0), kHeight / 2.0 * 0.04 / 0.025, 1e-15);
+}
+
+TEST(BreakWatch, TakesTheDepthForTheHingeLengthAndNoneWithTheReportsFormulas) {
+  Scene scene = ideal_scene();
+  EXPECT_EQ(watch_of(scene, 20).hinge_length(), kHeight);
+  scene.hinge_length = 0.3;
+  EXPECT_EQ(watch_of(scene, 20).hinge_length(), 0.3);
+  scene.hinge_length.reset();
+  scene.formulas = Formulas::Report;
+  EXPECT_EQ(watch_of(scene, 20).hinge_length(), 0.0);
+  scene.formulas = Formulas::Mechanics;
+  scene.section.shape = SectionShape::Circle;
+  scene.section.radius = 0.03;
+  EXPECT_EQ(watch_of(scene, 20).hinge_length(), 0.06);
+}
+
+TEST(BreakWatch, ChecksEachAxisAgainstItsOwnLimit) {
+  const BreakWatch watch = watch_of(ideal_scene(), 20, {0.1, 0.01, 0.05, kNone});
+  // Strains (h/2, b/2, J/W_t) angle/h.
+  EXPECT_NEAR(watch.excess(lone(20, 10, {0.19, 0.0, 0.0})), -0.05, 1e-12);
+  EXPECT_TRUE(watch.broken(lone(20, 10, {0.19, 0.0, 0.0})).empty());
+  const auto expect = [&](const JointAngles& angle, BreakCause cause, double strain, double limit) {
+    const auto broken = watch.broken(lone(20, 10, angle));
+    ASSERT_FALSE(broken.empty());
+    const BrokenJoint* at = nullptr;
+    for (const BrokenJoint& joint : broken) {
+      if (joint.joint == 10) at = &joint;
+    }
+    ASSERT_NE(at, nullptr);
+    EXPECT_EQ(at->cause, cause);
+    EXPECT_NEAR(at->strain, strain, 1e-15);
+    EXPECT_EQ(at->limit, limit);
+    EXPECT_EQ(at->angle, angle);
+  };
+  expect({0.21, 0.0, 0.0}, BreakCause::BendingX, 0.105, 0.1);
+  expect({0.21, 0.05, 0.0}, BreakCause::BendingY, 0.0125, 0.01);  // further over its limit
+  expect({0.0, 0.0, -0.13}, BreakCause::Torsion, 0.052, 0.05);
+}
+
+TEST(BreakWatch, TakesTheCornerOfARectangleAndTheResultantOfACircle) {
+  const std::array<double, 4> limit{0.1, 0.1, kNone, 0.1};
+  const auto angles = lone(20, 10, {0.12, -0.16, 0.0});
+  const BreakWatch rectangle = watch_of(ideal_scene(), 20, limit);
+  EXPECT_NEAR(rectangle.strain(angles, 10), (kHeight * 0.12 + kWidth * 0.16) / 2.0 / kHeight,
+              1e-15);
+  auto joints = joints_of(20, limit);
+  for (WatchedJoint& joint : joints) {
+    joint.round = true;
+    joint.width = joint.height = kHeight;
+  }
+  const BreakWatch circle(ideal_scene(), joints);
+  EXPECT_NEAR(circle.strain(angles, 10), kHeight / 2.0 * 0.2 / kHeight, 1e-15);
+  // Neither axis is over its limit.
+  EXPECT_NEAR(circle.excess(lone(20, 10, {0.15, 0.15, 0.0})), 0.15 * std::sqrt(2.0) / 0.2 - 1.0,
+              1e-12);
+  EXPECT_EQ(circle.broken(lone(20, 10, {0.15, 0.15, 0.0})).front().cause, BreakCause::Biaxial);
+}
+
+TEST(BreakWatch, ListsEveryJointOverItsLimit) {
+  Scene scene = ideal_scene();
+  scene.hinge_length = 0.0;
+  const BreakWatch watch = watch_of(scene, 20);
+  auto angles = lone(20, 3, {0.06, 0.0, 0.0});
+  angles[8] = {0.04, 0.0, 0.0};
+  angles[17] = {-0.07, 0.0, 0.0};
+  const auto broken = watch.broken(angles);
+  ASSERT_EQ(broken.size(), 2U);
+  EXPECT_EQ(broken[0].joint, 3);
+  EXPECT_EQ(broken[1].joint, 17);
+  EXPECT_NEAR(watch.excess(angles), 0.4, 1e-12);
+}
+
+TEST(BreakWatch, ListsJointsThatReachTheLimitTogetherWithinItsTolerance) {
+  Scene scene = ideal_scene();
+  scene.hinge_length = 0.0;
+  const BreakWatch watch = watch_of(scene, 20);
+  const double limit_angle = 0.1 * 0.05 / (kHeight / 2.0);
+  auto angles = lone(20, 3, {limit_angle * (1.0 + 1e-6), 0.0, 0.0});
+  angles[8] = {limit_angle * (1.0 - 1e-6), 0.0, 0.0};
+  angles[9] = {limit_angle * (1.0 - 1e-3), 0.0, 0.0};
+  EXPECT_EQ(watch.broken(angles).size(), 2U);
+  angles[3] = angles[8];
+  EXPECT_TRUE(watch.broken(angles).empty());  // none is over it
+}
+
+TEST(BreakWatch, BreaksNothingWithoutALimit) {
+  const BreakWatch watch = watch_of(ideal_scene(), 20, {kNone, kNone, kNone, kNone});
+  const auto angles = lone(20, 3, {100.0, 100.0, 100.0});
+  EXPECT_FALSE(watch.active());
+  EXPECT_EQ(watch.excess(angles), -1.0);
+  EXPECT_TRUE(watch.broken(angles).empty());
+  EXPECT_TRUE(watch_of(ideal_scene(), 20, {kNone, kNone, 0.1, kNone}).active());
+}
+
+TEST(BreakWatch, HoldsTheReportsSineBeyondHalfATurn) {
+  Scene scene = ideal_scene();
+  scene.formulas = Formulas::Report;
+  const BreakWatch watch = watch_of(scene, 20);
+  const double pi = std::numbers::pi;
+  const auto strain = [&](double angle) {
+    return watch.strain(lone(20, 10, {angle, 0.0, 0.0}), 10);
+  };
+  EXPECT_NEAR(strain(1.0), kHeight / 0.05 * std::sin(0.5), 1e-14);
+  EXPECT_NEAR(strain(pi), kHeight / 0.05, 1e-14);
+  EXPECT_NEAR(strain(1.5 * pi), kHeight / 0.05, 1e-14);
+  EXPECT_NEAR(strain(-2.0 * pi), kHeight / 0.05, 1e-14);
+}
+
+TEST(BreakWatch, PutsNoAccumulatedAngleIntoTheReportsSine) {
+  Scene scene = ideal_scene();
+  scene.formulas = Formulas::Report;
+  scene.break_measure = BreakMeasure::Accumulated;
+  const BreakWatch watch = watch_of(scene, 20);
+  EXPECT_NEAR(watch.strain(lone(20, 10, {9.0, 0.0, 0.0}), 10), kHeight / 2.0 * 9.0 / 0.05, 1e-13);
+}
+
+TEST(BreakWatch, OfTheReportLooksAtEachAxisAloneAndAtTheLongerSideInTorsion) {
+  Scene scene = ideal_scene();
+  scene.formulas = Formulas::Report;
+  const BreakWatch watch = watch_of(scene, 20, {kNone, kNone, kNone, kNone});
+  const double x = kHeight / 0.05 * std::sin(0.15);
+  EXPECT_NEAR(watch.strain(lone(20, 10, {0.3, 0.3, 0.0}), 10), x, 1e-15);
+  EXPECT_NEAR(watch.strain(lone(20, 10, {0.0, 0.0, 0.3}), 10), kHeight / 2.0 * 0.3 / 0.05, 1e-15);
+}
+
+}  // namespace
+}  // namespace plastica
