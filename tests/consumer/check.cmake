@@ -21,9 +21,14 @@ if(commands MATCHES " (-ffp-contract|-W|-O|-fopenmp)")
   message(FATAL_ERROR "the package changes its user's flags:\n${commands}")
 endif()
 
-step(${scratch}/build/consumer)
-set(expected
+# prints(PROGRAM TEXT): the program prints exactly this.
+function(prints program expected)
+  step(${scratch}/build/${program})
+  if(NOT text STREQUAL expected)
+    message(FATAL_ERROR "${program} prints\n${text}\ninstead of\n${expected}")
+  endif()
+endfunction()
+
+prints(consumer
   "210.0 MPa\n355.0 MPa\n145.0 MPa\n355.0 MPa\n0.0 MPa\nbroke at 2.17 % strain\n")
-if(NOT text STREQUAL expected)
-  message(FATAL_ERROR "the consumer prints\n${text}\ninstead of\n${expected}")
-endif()
+prints(beam "pushed 68.04 mm, stays bent 0.71 mm\n")

@@ -41,6 +41,7 @@ def main():
         expected = {
             "demo-report": fenced("text", report),
             "library-example": fenced("cpp", (ROOT / "tests/consumer/main.cpp").read_text()),
+            "beam-example": fenced("cpp", (ROOT / "tests/consumer/beam.cpp").read_text()),
         }
         example = marked("fit-example").search(text).group(2)
         toml = re.search(r"```toml\n(.*?)```", example, re.DOTALL).group(1)
