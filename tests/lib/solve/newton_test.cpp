@@ -111,5 +111,13 @@ TEST(Newton, SaysSoWhereThereIsNoEquilibrium) {
   EXPECT_FALSE(outcome.converged);
 }
 
+TEST(Newton, TakesNoImbalanceThatIsNoNumberForASmallOne) {
+  const double nan = std::nan("");
+  EXPECT_TRUE(std::isnan(detail::larger_size(1.0, nan)));
+  EXPECT_TRUE(std::isnan(detail::larger_size(nan, 1.0)));
+  EXPECT_EQ(detail::larger_size(1.0, -3.0), 3.0);
+  EXPECT_EQ(detail::larger_size(1.0, 0.5), 1.0);
+}
+
 }  // namespace
 }  // namespace plastica::solve
