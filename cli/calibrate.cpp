@@ -114,7 +114,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
 
   calibrate::FitStoreContents contents;
   contents.inputs = input_texts(file);
-  contents.meta = calibrate::begin_meta(arguments.command_line, arguments.threads);
+  contents.meta = io::begin_meta(arguments.command_line, arguments.threads);
   contents.meta.versions.emplace_back("nlopt", calibrate::nlopt_version());
   const InterruptGuard interrupt;
   calibrate::JournaledOptions how;

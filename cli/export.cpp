@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <ostream>
+#include <sstream>
 #include <string>
 
 #include "calibrate/report/csv_export.hpp"
@@ -12,7 +14,10 @@
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/run_files.hpp"
+#include "plastica/io/scene_store.hpp"
 #include "plastica/io/storage_error.hpp"
+#include "plastica/report/scene_csv.hpp"
+#include "plastica/report/scene_json.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -20,34 +25,60 @@ namespace {
 struct ExportArguments {
   std::string file;
   std::string to = "csv";
-  std::string what = "specimens";
+  std::string what;  ///< empty: the first of the file's kind
   std::string output = "-";
   bool force = false;
 };
 
-void write(const ExportArguments& arguments, const calibrate::FitStoreContents& contents,
-           std::ostream& out) {
-  if (arguments.to == "json") {
-    out << calibrate::json_summary(contents.records) << '\n';
-  } else if (arguments.what == "curves") {
+/// What of a file's kind that was asked for, or its first.
+std::string what_of(const ExportArguments& arguments, const std::array<std::string, 2>& kinds) {
+  if (arguments.what.empty()) return kinds[0];
+  if (std::find(kinds.begin(), kinds.end(), arguments.what) == kinds.end()) {
+    throw InputError({}, "--what", arguments.what,
+                     "must be " + kinds[0] + " or " + kinds[1] + " of this file");
+  }
+  return arguments.what;
+}
+
+std::string text_of_scene(const ExportArguments& arguments) {
+  const std::string what = what_of(arguments, {"probes", "joints"});
+  const io::SceneRecord record = io::read_scene_store(arguments.file);
+  if (arguments.to == "json") return report::scene_json(record);
+  std::ostringstream out;
+  if (what == "joints") {
+    report::write_joints_csv(out, record);
+  } else {
+    report::write_probes_csv(out, record);
+  }
+  return out.str();
+}
+
+std::string text_of_fits(const ExportArguments& arguments) {
+  const std::string what = what_of(arguments, {"specimens", "curves"});
+  const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
+  if (arguments.to == "json") return calibrate::json_summary(contents.records) + '\n';
+  std::ostringstream out;
+  if (what == "curves") {
     calibrate::write_curves_csv(out, contents.records);
   } else {
     calibrate::write_specimens_csv(out, contents.records);
   }
+  return out.str();
 }
 
 int run_export(const ExportArguments& arguments) {
   if (arguments.output != "-") {
     refuse_input("--output", arguments.output, arguments.file);
-    calibrate::check_output_path(arguments.output, arguments.force);
+    io::check_output_path(arguments.output, arguments.force);
   }
-  const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
+  const std::string text =
+      holds_scene(arguments.file) ? text_of_scene(arguments) : text_of_fits(arguments);
   if (arguments.output == "-") {
-    write(arguments, contents, std::cout);
+    std::cout << text;
     return kDone;
   }
   std::ofstream out(arguments.output, std::ios::binary);
-  write(arguments, contents, out);
+  out << text;
   out.close();
   if (!out) throw io::StorageError(arguments.output, "cannot be written");
   return kDone;
@@ -58,13 +89,16 @@ int run_export(const ExportArguments& arguments) {
 void add_export(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("export", "the numbers of a result file");
   auto arguments = std::make_shared<ExportArguments>();
-  sub->add_option("file", arguments->file, "result of `plastica calibrate`")->required();
+  sub->add_option("file", arguments->file, "result of `plastica calibrate` or `simulate`")
+      ->required();
   sub->add_option("--to", arguments->to, "csv or json")
       ->check(CLI::IsMember({"csv", "json"}))
       ->capture_default_str();
-  sub->add_option("--what", arguments->what, "csv: a row per specimen, or per sample of the curves")
-      ->check(CLI::IsMember({"specimens", "curves"}))
-      ->capture_default_str();
+  sub->add_option(
+         "--what", arguments->what,
+         "csv of fits: specimens, or curves, a row per sample; of a scene: probes, a row per "
+         "sample, or joints, a row per joint at the last sample")
+      ->check(CLI::IsMember({"specimens", "curves", "probes", "joints"}));
   sub->add_option("-o,--output", arguments->output, "file, or - for the terminal")
       ->capture_default_str();
   sub->add_flag("--force", arguments->force, "overwrite the output");

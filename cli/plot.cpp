@@ -25,7 +25,7 @@ int plot(const PlotArguments& arguments) {
     return kDone;
   }
   const std::string& output = arguments.request.output;
-  if (output != "-") calibrate::check_output_path(output, arguments.force);
+  if (output != "-") io::check_output_path(output, arguments.force);
   const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
   calibrate::draw_plot(contents.records, arguments.request, std::cout);
   if (output != "-") fmt::print("wrote {}\n", output);

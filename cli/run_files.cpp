@@ -1,5 +1,7 @@
 #include "cli/run_files.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -7,6 +9,7 @@
 #include <string_view>
 
 #include "plastica/base/check.hpp"
+#include "plastica/io/scene_store.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -34,10 +37,10 @@ std::vector<std::string> files_read(const calibrate::FitFile& file) {
 
 }  // namespace
 
-std::vector<calibrate::InputText> input_texts(const calibrate::FitFile& file) {
+std::vector<io::InputText> input_texts(const calibrate::FitFile& file) {
   const std::string name =
       file.path.empty() ? "command-line.toml" : fs::path(file.path).filename().string();
-  std::vector<calibrate::InputText> texts{{name, file.text}};
+  std::vector<io::InputText> texts{{name, file.text}};
   for (const std::string& table : tables_of(file)) {
     std::ifstream in(table, std::ios::binary);
     if (!in) throw InputError({table, 0}, "", "", "cannot be read");
@@ -53,19 +56,31 @@ void refuse_input(std::string_view option, const std::string& output, const std:
   throw InputError({}, option, output, "is a file that this run reads");
 }
 
+bool holds_scene(const std::string& path) {
+  const std::string schema = io::schema_of(path);
+  if (schema == io::kSceneSchema) return true;
+  if (schema == calibrate::kFitStoreSchema) return false;
+  throw InputError({path, 0}, "schema", schema,
+                   fmt::format("must be {} or {}", calibrate::kFitStoreSchema, io::kSceneSchema));
+}
+
+void refuse_option(bool given, std::string_view option, std::string_view rule) {
+  if (given) throw InputError({}, option, "", rule);
+}
+
 void check_outputs(const calibrate::FitFile& file, const std::string& output,
                    const std::string& json, bool force) {
   const auto check = [&](std::string_view option, const std::string& path) {
     for (const std::string& input : files_read(file)) refuse_input(option, path, input);
   };
   check("--output", output);
-  calibrate::check_output_path(output, force);
+  io::check_output_path(output, force);
   if (json.empty()) return;
   check("--json", json);
   if (fs::path(json).lexically_normal() == fs::path(output).lexically_normal()) {
     throw InputError({}, "--json", json, "is the result file, too");
   }
-  calibrate::check_output_path(json, force);
+  io::check_output_path(json, force);
 }
 
 }  // namespace plastica::cli

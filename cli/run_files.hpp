@@ -11,10 +11,18 @@ namespace plastica::cli {
 
 /// The texts that a result depends on, for the file: the fit file, then the tables, each once.
 /// @throws InputError if a table cannot be read
-std::vector<calibrate::InputText> input_texts(const calibrate::FitFile& file);
+std::vector<io::InputText> input_texts(const calibrate::FitFile& file);
 
 /// Refuses to write over a file that is read, whatever is forced. @throws InputError
 void refuse_input(std::string_view option, const std::string& output, const std::string& input);
+
+/// Whether a result file holds a simulated scene, and not fits.
+/// @throws InputError if it holds neither
+bool holds_scene(const std::string& path);
+
+/// Refuses an option that does not go with what a file holds. @throws InputError
+/// @param given  whether the command line has the option
+void refuse_option(bool given, std::string_view option, std::string_view rule);
 
 /// Checks where the result and the summary are to go, before anything is computed. Not even
 /// `force` lets a run write over what it reads.

@@ -11,6 +11,9 @@
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/find_record.hpp"
+#include "cli/run_files.hpp"
+#include "plastica/io/scene_store.hpp"
+#include "plastica/report/scene_text.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -21,7 +24,17 @@ struct ShowArguments {
   bool all = false;
 };
 
+int show_scene(const ShowArguments& arguments) {
+  constexpr std::string_view kRule = "is for results of fits; this is a simulated scene";
+  refuse_option(!arguments.specimen.empty(), "--case", kRule);
+  refuse_option(arguments.all, "--all", kRule);
+  const io::SceneRecord record = io::read_scene_store(arguments.file);
+  fmt::print("{}", report::scene_report(record, isatty(STDOUT_FILENO) != 0));
+  return kDone;
+}
+
 int show(const ShowArguments& arguments) {
+  if (holds_scene(arguments.file)) return show_scene(arguments);
   const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
   calibrate::ReportOptions options;
   options.color = isatty(STDOUT_FILENO) != 0;
@@ -50,7 +63,8 @@ int show(const ShowArguments& arguments) {
 void add_show(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("show", "the report of a result file");
   auto arguments = std::make_shared<ShowArguments>();
-  sub->add_option("file", arguments->file, "result of `plastica calibrate`")->required();
+  sub->add_option("file", arguments->file, "result of `plastica calibrate` or `simulate`")
+      ->required();
   sub->add_option("--case", arguments->specimen, "the whole report of one specimen");
   sub->add_flag("--all", arguments->all, "the whole report of every specimen");
   sub->footer("Example: plastica show fit.h5 --case CA-RD-01");

@@ -1,17 +1,23 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
-#include <vector>
 
-#include "calibrate/store/fit_store.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/run_files.hpp"
-#include "plastica/io/scene_file.hpp"
+#include "plastica/io/scene_store.hpp"
 #include "plastica/io/storage_error.hpp"
+#include "plastica/model/scene_warnings.hpp"
+#include "plastica/report/scene_csv.hpp"
+#include "plastica/report/scene_json.hpp"
+#include "plastica/report/scene_text.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica::cli {
@@ -20,80 +26,134 @@ namespace {
 struct SimulateArguments {
   std::string file;
   std::string output = "-";
+  std::string json;
   bool dry_run = false;
   bool force = false;
+  bool quiet = false;
+  std::string command_line;
 };
 
-std::string_view unit_of(ProbeQuantity quantity, Deformation deformation) {
-  switch (quantity) {
-    case ProbeQuantity::Strain:
-    case ProbeQuantity::PlasticStrain:
-    case ProbeQuantity::AccumulatedStrain: return "1";
-    case ProbeQuantity::Stress: return "Pa";
-    case ProbeQuantity::Load: return deformation == Deformation::Tension ? "N" : "N m";
-    case ProbeQuantity::Dissipation: return "J/m^3";
-    default: break;  // probes of a chain
-  }
-  return "";
+std::string ending_of(const std::string& path) {
+  return std::filesystem::path(path).extension().string();
 }
 
-/// A column of the driven strain, then one a probe.
-void write_table(std::ostream& out, const Scene& scene, const Response& response) {
-  out << "sample,drive [1]";
-  for (const Probe& probe : scene.probes) {
-    out << ',' << probe.name << " [" << unit_of(probe.quantity, scene.drive.deformation) << ']';
+void check_outputs(const SimulateArguments& arguments) {
+  const auto check = [&](std::string_view option, const std::string& path) {
+    refuse_input(option, path, arguments.file);
+    io::check_output_path(path, arguments.force);
+  };
+  if (arguments.output != "-") {
+    const std::string ending = ending_of(arguments.output);
+    if (ending != ".h5" && ending != ".csv") {
+      throw InputError({}, "--output", arguments.output, "must end in .h5 or .csv, or be -");
+    }
+    check("--output", arguments.output);
   }
-  out << '\n';
-  for (std::size_t i = 0; i < response.samples; ++i) {
-    out << fmt::format("{},{}", i, scene.drive.strain[i]);
-    for (const auto& values : response.probes) out << fmt::format(",{}", values[i]);
-    out << '\n';
+  if (arguments.json.empty()) return;
+  check("--json", arguments.json);
+  namespace fs = std::filesystem;
+  if (fs::path(arguments.json).lexically_normal() ==
+      fs::path(arguments.output).lexically_normal()) {
+    throw InputError({}, "--json", arguments.json, "is the result file, too");
+  }
+}
+
+/// Bytes that a response holds.
+std::size_t memory_of(const Response& response) {
+  const ChainHistory& chain = response.chain;
+  std::size_t values = 0;
+  for (const auto& probe : response.probes) values += probe.size();
+  for (const auto* list : {&chain.time, &chain.factor, &chain.position, &chain.moment, &chain.force,
+                           &chain.angle, &chain.plastic_angle, &chain.rotation,
+                           &chain.plastic_strain, &chain.stress, &chain.reaction}) {
+    values += list->size();
+  }
+  return sizeof(double) * values + sizeof(Energies) * chain.energy.size();
+}
+
+int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const Model& model) {
+  const Response response = make_response(model);
+  const std::size_t samples = model.chain ? response.chain.time.size() : model.drive.size();
+  // The reason begins with the level's name.
+  fmt::print("{}: level {}\n", arguments.file, model.level_reason);
+  if (model.chain) {
+    fmt::print("{} segments, {} supports, {} loads, ", response.chain.joints - 1,
+               setup.scene.supports.size(), setup.scene.loads.size());
+  }
+  fmt::print("{} samples, {} probes, about {:.1f} MB\n", samples, model.probes.size(),
+             static_cast<double>(memory_of(response)) / 1e6);
+  for (const std::string& warning : scene_warnings(setup.scene, setup.solver)) {
+    fmt::print("warning: {}\n", warning);
+  }
+  fmt::print("nothing was run; the result would be {}\n",
+             arguments.output == "-" ? "a table on the terminal" : arguments.output);
+  return kDone;
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw io::StorageError(path, "cannot be written");
+}
+
+void write_result(const std::string& output, const io::SceneRecord& record) {
+  if (output == "-") {
+    report::write_probes_csv(std::cout, record);
+    std::cout.flush();
+  } else if (ending_of(output) == ".h5") {
+    io::write_scene_store(output, record);
+  } else {
+    std::ostringstream table;
+    report::write_probes_csv(table, record);
+    write_file(output, table.str());
   }
 }
 
 int simulate_file(const SimulateArguments& arguments) {
-  const Setup setup = io::read_scene_file(arguments.file).setup;
-  const Model model = prepare(setup.scene, setup.solver);
-  if (arguments.dry_run) {
-    fmt::print("{}: {} samples, {} probes, level coupon: {}\n", arguments.file, model.drive.size(),
-               model.probes.size(), model.level_reason);
-    return kDone;
+  const auto begin = std::chrono::steady_clock::now();
+  const io::SceneFile file = io::read_scene_file(arguments.file);
+  const Model model = prepare(file.setup.scene, file.setup.solver);
+  if (arguments.dry_run) return print_dry_run(arguments, file.setup, model);
+  check_outputs(arguments);
+  io::RunMeta meta = io::begin_meta(arguments.command_line, 1);
+  Response response = make_response(model);
+  Workspace workspace = make_workspace(model);
+  run(model, {}, workspace, response);
+  io::SceneRecord record = io::make_scene_record(file, model, std::move(response));
+  meta.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  record.meta = std::move(meta);
+
+  write_result(arguments.output, record);
+  if (!arguments.json.empty()) write_file(arguments.json, report::scene_json(record));
+  if (!arguments.quiet) {
+    // A table on the standard output is left alone: it goes on to another program.
+    const bool table = arguments.output == "-";
+    const bool color = isatty(table ? STDERR_FILENO : STDOUT_FILENO) != 0;
+    fmt::print(table ? stderr : stdout, "{}", report::scene_report(record, color));
+    if (!table) fmt::print(stderr, "wrote {}\n", arguments.output);
   }
-  if (arguments.output != "-") {
-    refuse_input("--output", arguments.output, arguments.file);
-    calibrate::check_output_path(arguments.output, arguments.force);
-  }
-  const Response response = simulate(setup.scene, setup.solver);
-  if (arguments.output == "-") {
-    write_table(std::cout, setup.scene, response);
-  } else {
-    std::ofstream out(arguments.output, std::ios::binary);
-    write_table(out, setup.scene, response);
-    out.close();
-    if (!out) throw io::StorageError(arguments.output, "cannot be written");
-  }
-  if (response.event) {
-    fmt::print(stderr, "broke at sample {}, strain {:.6g}, permanent strain {:.6g}\n",
-               response.event->sample, response.event->strain, response.event->permanent_strain);
-  }
-  if (!usable(response.status)) {
-    fmt::print(stderr, "plastica: {}: {}\n", name_of(response.status), advice(response.status));
-    return kNotAcceptable;
-  }
-  return kDone;
+  const Status status = record.response.status;
+  if (usable(status)) return kDone;
+  fmt::print(stderr, "plastica: {}: {}\n", name_of(status), advice(status));
+  return kNotAcceptable;
 }
 
 }  // namespace
 
-void add_simulate(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("simulate", "one scene, its probes as a table");
+void add_simulate(CLI::App& app, const std::string& command_line, Action& action) {
+  CLI::App* sub = app.add_subcommand("simulate", "one scene: what the beam does");
   auto arguments = std::make_shared<SimulateArguments>();
   sub->add_option("file", arguments->file, "scene file")->required();
-  sub->add_option("-o,--output", arguments->output, "CSV file, or - for the terminal")
+  sub->add_option("-o,--output", arguments->output,
+                  ".h5: the result file; .csv: the probes; - for the probes on the terminal")
       ->capture_default_str();
+  sub->add_option("--json", arguments->json, "also write the summary for scripts");
   sub->add_flag("--dry-run", arguments->dry_run, "only say what would run");
   sub->add_flag("--force", arguments->force, "overwrite the output");
-  sub->footer("Example: plastica init scene && plastica simulate scene.toml");
+  sub->add_flag("--quiet", arguments->quiet, "no summary");
+  sub->footer("Example: plastica init scene && plastica simulate scene.toml -o scene.h5");
+  arguments->command_line = command_line;
   sub->callback(
       [&action, arguments] { action = [arguments] { return simulate_file(*arguments); }; });
 }

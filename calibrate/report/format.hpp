@@ -1,14 +1,27 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 
 #include "calibrate/fit/result.hpp"
 #include "calibrate/target/target.hpp"
+#include "plastica/report/format.hpp"
 
-/// How numbers, units and fixed words look in everything that people read.
+/// How the fixed words of fits look in everything that people read.
 namespace plastica::calibrate::report {
+
+using plastica::report::brief;
+using plastica::report::counted;
+using plastica::report::cut;
+using plastica::report::decimals_for;
+using plastica::report::display_unit;
+using plastica::report::DisplayUnit;
+using plastica::report::printable;
+using plastica::report::quantity;
+using plastica::report::significant;
+using plastica::report::width_of;
+using plastica::report::with_error;
+using plastica::report::wrapped;
 
 std::string_view word_of(FitStatus status);     ///< "fitted", "failed", "rejected"
 std::string_view word_of(TargetStatus status);  ///< "ready", "too-coarse", "rejected"
@@ -21,46 +34,10 @@ std::string_view word_of_bound(const FittedParameter& parameter);  ///< "lower",
 /// Why there is no fit: the result's reason, else the target's; empty for a fitted one.
 std::string reason_of(const FitRecord& record);
 
-/// The unit in which a number is shown: shown = SI value / scale.
-struct DisplayUnit {
-  std::string_view name;  ///< "MPa"; empty for pure numbers
-  double scale = 1.0;
-};
-
-/// The engineering unit of a dimension: % for strains; GPa, MPa, kPa or Pa for stresses, by
-/// magnitude; SI for all else.
-/// @param magnitude  the largest number to be shown, in SI
-/// @param modulus    whether the stress is a modulus, which is in GPa from 1 GPa on; a stress is
-///                   in MPa up to 10 GPa
-DisplayUnit display_unit(Dimension dimension, double magnitude, bool modulus = false);
 /// The same for a parameter at its value.
 DisplayUnit display_unit(const FittedParameter& parameter);
 
-/// A number with a count of significant digits, without an exponent where that is readable.
-std::string significant(double value, int digits = 5);
-/// The shortest text of at most 5 digits: "10", "0.1", "2000".
-std::string brief(double value);
-/// "281.23 ± 0.41": the error has two digits, and the value as many decimals as the error.
-std::string with_error(double value, double error);
-/// Decimals with which an error shows `digits` digits, and its value at most seven.
-int decimals_for(double value, double error, int digits = 2);
-/// A number and its unit: "281.23 MPa", "0.2 %".
-std::string quantity(std::string_view number, std::string_view unit);
-/// "1 sample", "3 samples".
-std::string counted(std::size_t count, std::string_view noun);
-
 /// What a repair did without how often, which stands before it: "rows without strain dropped".
 std::string sentence_of(const Repair& repair);
-
-/// Text of a user as one printable line: control characters become blanks, bytes that are not
-/// UTF-8 become question marks.
-std::string printable(std::string_view text);
-/// Columns that a UTF-8 text takes: its code points.
-std::size_t width_of(std::string_view text);
-/// The text in lines of at most `width` columns: the first begins with `first`, all others with
-/// blanks of the same width. Ends with a line end. Words longer than a line are broken.
-std::string wrapped(std::string_view first, std::string_view text, std::size_t width);
-/// At most `width` columns, the end replaced by an ellipsis where it is cut.
-std::string cut(std::string_view text, std::size_t width);
 
 }  // namespace plastica::calibrate::report

@@ -97,13 +97,13 @@ PlotScript curve_plot(const FitRecord& record) {
   for (const std::string& fact : facts_of(record)) facts += (facts.empty() ? "" : "    ") + fact;
   script.begin_panel(quoted(target.name) + ".\"\\n\"." + quoted(cut(facts, 100)));
   const bool few = measured.size() < 80 && !cyclic;
-  script.add_series(script.add_curve(measured),
+  script.add_series(add_curve(script, measured),
                     few ? "using 1:2 with points pointtype 6 pointsize 0.6 linewidth 1.2 linecolor "
                           "rgb '#333333'"
                         : "using 1:2 with lines linewidth 1.6 linecolor rgb '#333333'",
                     "measured");
   if (is_fitted(record) && record.result.fitted.size() > 0) {
-    script.add_series(script.add_curve(fitted_with_break(record.result)),
+    script.add_series(add_curve(script, fitted_with_break(record.result)),
                       with_color("using 1:2 with lines linewidth 2", kVermillion), "fitted");
     if (const auto yield = yield_point(record.result); yield && !cyclic) {
       script.add_series(script.add_points({*yield}),
@@ -141,7 +141,7 @@ PlotScript overview_plot(std::span<const FitRecord> records) {
         quoted(panel_title(records, members, panel.measured.size(), groups.size() == 1 ? 70 : 34)));
     const bool few = panel.measured.size() <= kMostFalls;
     if (!panel.measured.empty()) {
-      script.add_series(script.add_curves(panel.measured),
+      script.add_series(add_curves(script, panel.measured),
                         few ? with_color("using 1:2 with lines linewidth 1.6", kDark)
                             : with_color("using 1:2 with lines linewidth 1", kGrey),
                         "measured");
@@ -149,14 +149,14 @@ PlotScript overview_plot(std::span<const FitRecord> records) {
     if (!panel.fits.empty()) {
       std::vector<const Curve*> fits;
       for (const Curve& fit : panel.fits) fits.push_back(&fit);
-      script.add_series(script.add_curves(fits),
+      script.add_series(add_curves(script, fits),
                         with_color(few ? "using 1:2 with lines linewidth 1.6"
                                        : "using 1:2 with lines linewidth 0.8",
                                    kVermillion),
                         "fitted");
     }
     if (panel.mean.size() > 0) {
-      script.add_series(script.add_curve(panel.mean),
+      script.add_series(add_curve(script, panel.mean),
                         with_color("using 1:2 with lines linewidth 2.2", kBlue),
                         "mean to first break");
     }

@@ -75,7 +75,7 @@ std::string add_dense(PlotScript& script, const Curve& curve, double strain, dou
       dense.stress.push_back(curve.stress[i] - back * dy);
     }
   }
-  return script.add_curve(dense);
+  return add_curve(script, dense);
 }
 
 /// The axis over groups: the keys as its title, the values as labels; or no title and both in the

@@ -7,15 +7,18 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/format.hpp"
-#include "calibrate/report/ink.hpp"
 #include "calibrate/report/summary.hpp"
-#include "calibrate/report/table.hpp"
 #include "calibrate/report/text.hpp"
+#include "plastica/report/ink.hpp"
+#include "plastica/report/table.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 using namespace report;
+using plastica::report::Ink;
+using plastica::report::Table;
+using plastica::report::kWidth;
 
 /// The letters of the table's last column, in their order.
 struct Flag {

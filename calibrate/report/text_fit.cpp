@@ -6,15 +6,18 @@
 
 #include "calibrate/report/advice.hpp"
 #include "calibrate/report/format.hpp"
-#include "calibrate/report/ink.hpp"
 #include "calibrate/report/summary.hpp"
-#include "calibrate/report/table.hpp"
 #include "calibrate/report/text.hpp"
+#include "plastica/report/ink.hpp"
+#include "plastica/report/table.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 using namespace report;
+using plastica::report::Ink;
+using plastica::report::Table;
+using plastica::report::kWidth;
 
 std::string entry(std::string_view label, std::string_view text) {
   return wrapped(fmt::format("  {:<14}", label), text, kWidth);

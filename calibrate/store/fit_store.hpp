@@ -2,11 +2,11 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "calibrate/fit/options.hpp"
 #include "calibrate/fit/result.hpp"
+#include "plastica/io/result_file.hpp"
 
 namespace plastica::calibrate {
 
@@ -14,43 +14,14 @@ namespace plastica::calibrate {
 inline constexpr std::string_view kFitStoreSchema = "plastica/fits";
 inline constexpr int kFitStoreVersion = 1;
 
-/// A file that the run was told by, whole.
-struct InputText {
-  std::string name;  ///< without its folder: "al6061.toml"
-  std::string text;
-};
-
-/// All that may differ between two runs of the same fits; stored under /meta alone.
-struct RunMeta {
-  std::string start_time;  ///< UTC, "2024-05-31T12:00:00Z"
-  double seconds = 0.0;    ///< [s], of the whole run
-  std::string host;
-  int threads = 0;
-  std::string instruction_set;
-  std::string command_line;
-  int resumptions = 0;  ///< how often the run was interrupted and resumed
-  /// Names and versions: {"plastica", "0.1.0"}, {"hdf5", …}, {"nlopt", …}.
-  std::vector<std::pair<std::string, std::string>> versions;
-};
-
-/// The meta of a run that begins now on this machine: time, host, instruction set and the version
-/// of Plastica are filled in.
-/// @param threads  0: as many as the machine has
-RunMeta begin_meta(std::string command_line, int threads);
-
 /// What a result file holds. Summaries of groups are derived from it and are not stored.
 struct FitStoreContents {
   std::vector<FitRecord> records;
-  std::vector<InputText> inputs;  ///< the fit file, tables
+  std::vector<io::InputText> inputs;  ///< the fit file, tables
   /// What the fits were told. Where in a file a parameter stood (`Parameter::where`) is not stored.
   FitOptions options;
-  RunMeta meta;
+  io::RunMeta meta;
 };
-
-/// Checks where a result is to be written, before anything is computed.
-/// @param force  whether a file that is there may be overwritten
-/// @throws InputError if it exists already, or its folder is missing or cannot be written to
-void check_output_path(const std::string& path, bool force);
 
 /// Writes a result file (HDF5; layout: data/README.md). The records are stored in the order of
 /// their targets' names, so that the same contents give the same bytes outside /meta whatever the

@@ -153,68 +153,19 @@ class StoreReader {
   const FitOptions& options_;
 };
 
-std::vector<InputText> read_inputs(const io::Hdf5Group& root) {
-  std::vector<std::string> names = root.read_texts("inputs/name");
-  std::vector<std::string> texts = root.read_texts("inputs/text");
-  if (names.size() != texts.size()) {
-    throw InputError({root.file(), 0}, "/inputs", "", "must have as many names as texts");
-  }
-  std::vector<InputText> inputs;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    inputs.push_back({std::move(names[i]), std::move(texts[i])});
-  }
-  return inputs;
-}
-
-RunMeta read_meta(const io::Hdf5Group& root) {
-  const io::Hdf5Group group = root.open_group("meta");
-  RunMeta meta;
-  meta.start_time = group.read_text("start_time");
-  meta.seconds = group.read_scalar<double>("seconds");
-  meta.host = group.read_text("host");
-  meta.threads = static_cast<int>(group.read_scalar<std::int64_t>("threads"));
-  meta.instruction_set = group.read_text("instruction_set");
-  meta.command_line = group.read_text("command_line");
-  meta.resumptions = static_cast<int>(group.read_scalar<std::int64_t>("resumptions"));
-  const io::Hdf5Group versions = group.open_group("versions");
-  for (const std::string& name : versions.children()) {
-    meta.versions.emplace_back(name, versions.read_text(name));
-  }
-  return meta;
-}
-
-void check_schema(const io::Hdf5Group& root) {
-  const auto refuse = [&](const std::string& name, const std::string& value,
-                          const std::string& rule) {
-    throw InputError({root.file(), 0}, name, value, rule);
-  };
-  if (!root.has_attribute(".", "schema")) {
-    refuse("", "", "is not a result file of Plastica: it has no attribute schema");
-  }
-  const std::string schema = root.text_attribute(".", "schema");
-  if (schema != kFitStoreSchema) {
-    refuse("schema", schema, "must be " + std::string(kFitStoreSchema));
-  }
-  const std::int64_t version = root.integer_attribute(".", "version");
-  if (version != kFitStoreVersion) {
-    refuse("version", std::to_string(version),
-           "must be " + std::to_string(kFitStoreVersion) + ", which this Plastica reads");
-  }
-}
-
 }  // namespace
 
 FitStoreContents read_fit_store(const std::string& path) {
   const io::Hdf5File file = io::Hdf5File::open(path);
   const io::Hdf5Group& root = file.root();
-  check_schema(root);
+  io::check_schema(root, kFitStoreSchema, kFitStoreVersion);
   FitStoreContents contents;
   contents.options = store::read_options(root.open_group("options"));
   contents.records.resize(root.read_texts("fits/name").size());
   StoreReader reader(root, contents.records, contents.options);
   store::walk_records(reader);
-  contents.inputs = read_inputs(root);
-  contents.meta = read_meta(root);
+  contents.inputs = io::read_inputs(root);
+  contents.meta = io::read_meta(root);
   return contents;
 }
 

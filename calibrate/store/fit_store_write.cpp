@@ -185,44 +185,19 @@ std::vector<const FitRecord*> by_name(const std::vector<FitRecord>& records) {
   return sorted;
 }
 
-void write_inputs(io::Hdf5Group& root, const std::vector<InputText>& inputs) {
-  std::vector<std::string> names;
-  std::vector<std::string> texts;
-  for (const InputText& input : inputs) {
-    names.push_back(input.name);
-    texts.push_back(input.text);
-  }
-  root.write_texts("inputs/name", names);
-  root.write_texts("inputs/text", texts);
-}
-
-void write_meta(io::Hdf5Group& root, const RunMeta& meta) {
-  io::Hdf5Group group = root.group("meta");
-  group.write_text("start_time", meta.start_time);
-  group.write("seconds", meta.seconds, {"s"});
-  group.write_text("host", meta.host);
-  group.write("threads", std::int64_t{meta.threads});
-  group.write_text("instruction_set", meta.instruction_set);
-  group.write_text("command_line", meta.command_line);
-  group.write("resumptions", std::int64_t{meta.resumptions});
-  io::Hdf5Group versions = group.group("versions");
-  for (const auto& [name, version] : meta.versions) versions.write_text(name, version);
-}
-
 }  // namespace
 
 void write_fit_store(const std::string& path, const FitStoreContents& contents) {
   std::vector<const FitRecord*> records = by_name(contents.records);
   io::Hdf5File file = io::Hdf5File::create(path);
   io::Hdf5Group& root = file.root();
-  root.set_attribute(".", "schema", kFitStoreSchema);
-  root.set_attribute(".", "version", kFitStoreVersion);
+  io::write_schema(root, kFitStoreSchema, kFitStoreVersion);
   StoreWriter writer(root, std::move(records), contents.options);
   store::walk_records(writer);
   io::Hdf5Group options = root.group("options");
   store::write_options(options, contents.options);
-  write_inputs(root, contents.inputs);
-  write_meta(root, contents.meta);  // last: what differs in it moves nothing else
+  io::write_inputs(root, contents.inputs);
+  io::write_meta(root, contents.meta);
   file.commit();
 }
 

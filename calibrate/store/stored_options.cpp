@@ -1,48 +1,13 @@
 #include "calibrate/store/stored_options.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "calibrate/store/columns.hpp"
+#include "plastica/io/result_file.hpp"
 
 namespace plastica::calibrate::store {
 namespace {
-
-/// "setup/material/yield_stress" of "material.yield_stress".
-std::string setup_path(const Field& field) {
-  std::string path = "setup/" + std::string(field.path);
-  std::replace(path.begin(), path.end(), '.', '/');
-  return path;
-}
-
-void write_setup(io::Hdf5Group& group, const Setup& setup) {
-  for (const Field& field : fields()) {
-    const std::string path = setup_path(field);
-    const FieldValue value = field.get(setup);
-    if (const auto* word = std::get_if<std::string>(&value)) {
-      group.write_text(path, *word);
-    } else {
-      const auto* number = std::get_if<double>(&value);
-      group.write(path, number != nullptr ? *number : std::numeric_limits<double>::quiet_NaN(),
-                  {si_unit(field.dimension)});
-    }
-  }
-}
-
-void read_setup(const io::Hdf5Group& group, Setup& setup) {
-  const SourceLocation where{group.file(), 0};
-  for (const Field& field : fields()) {
-    const std::string path = setup_path(field);
-    FieldValue value;
-    if (group.kind(path) == io::Hdf5Kind::Text) {
-      value = group.read_text(path);
-    } else if (const auto number = group.read_scalar<double>(path); !std::isnan(number)) {
-      value = number;
-    }
-    set_field(setup, field, value, where);
-  }
-}
 
 /// A parameter as a row of a table.
 struct ParameterRow {
@@ -160,7 +125,7 @@ void write_options(io::Hdf5Group& group, const FitOptions& options) {
   group.write("confidence", options.confidence, {"1"});
   io::Hdf5Group parameters = group.group("parameters");
   write_parameters(parameters, options.parameters);
-  write_setup(group, options.setup);
+  io::write_setup(group, options.setup);
 }
 
 FitOptions read_options(const io::Hdf5Group& group) {
@@ -181,7 +146,7 @@ FitOptions read_options(const io::Hdf5Group& group) {
   options.seed = group.read_scalar<std::uint64_t>("seed");
   options.confidence = group.read_scalar<double>("confidence");
   options.parameters = read_parameters(group.open_group("parameters"));
-  read_setup(group, options.setup);
+  io::read_setup(group, options.setup);
   return options;
 }
 

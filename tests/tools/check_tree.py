@@ -14,7 +14,8 @@ LONGEST_FILE = 400
 # Includes only go upward in this list.
 LAYERS = [
     "plastica/base", "plastica/model", "plastica/law", "plastica/coupon", "plastica/chain",
-    "plastica/solve", "plastica/run", "plastica/theory", "plastica/io", "calibrate", "sweeps", "cli",
+    "plastica/solve", "plastica/run", "plastica/theory", "plastica/io", "plastica/report",
+    "calibrate", "sweeps", "cli",
 ]
 
 # What belongs in one place: name, pattern, and whether the place is a file or a folder.

@@ -114,6 +114,10 @@ class Hdf5Group {
   template <Hdf5Number T>
   void write_table(std::string_view path, std::span<const T> values, std::size_t columns,
                    const DatasetOptions& options = {});
+  /// An array of any shape, the last index running fastest.
+  template <Hdf5Number T>
+  void write_array(std::string_view path, std::span<const T> values,
+                   std::span<const std::size_t> shape, const DatasetOptions& options = {});
   /// A group with the datasets `values` and `offsets`.
   template <Hdf5Number T>
   void write_ragged(std::string_view path, const Ragged<T>& rows,

@@ -118,6 +118,17 @@ void Hdf5Group::write_table(std::string_view path, std::span<const T> values, st
 }
 
 template <Hdf5Number T>
+void Hdf5Group::write_array(std::string_view path, std::span<const T> values,
+                            std::span<const std::size_t> shape, const DatasetOptions& options) {
+  std::size_t count = 1;
+  for (const std::size_t extent : shape) count *= extent;
+  if (count != values.size()) {
+    throw std::logic_error("Hdf5Group::write_array: the values do not fill their shape");
+  }
+  write_raw(path, h5::memory_type<T>(), values.data(), shape, options);
+}
+
+template <Hdf5Number T>
 void Hdf5Group::write_ragged(std::string_view path, const Ragged<T>& rows,
                              const DatasetOptions& options) {
   Hdf5Group into = group(path);
@@ -184,6 +195,8 @@ void Hdf5Group::set_attribute(std::string_view path, const std::string& name,
   template void Hdf5Group::write<T>(std::string_view, std::span<const T>, const DatasetOptions&); \
   template void Hdf5Group::write_table<T>(std::string_view, std::span<const T>, std::size_t,      \
                                           const DatasetOptions&);                                 \
+  template void Hdf5Group::write_array<T>(std::string_view, std::span<const T>,                   \
+                                          std::span<const std::size_t>, const DatasetOptions&);   \
   template void Hdf5Group::write_ragged<T>(std::string_view, const Ragged<T>&,                    \
                                            const DatasetOptions&)
 PLASTICA_INSTANTIATE(double);

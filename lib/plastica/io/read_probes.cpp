@@ -16,8 +16,6 @@ Component default_component(ProbeQuantity kind) {
 }
 
 Probe read_probe(const TomlTable& table, bool coupon) {
-  constexpr std::array<std::string_view, 4> kComponents{"x", "y", "z", "size"};
-  constexpr std::array<std::string_view, 4> kEnergies{"elastic", "plastic", "external", "residual"};
   if (const auto old = table.find("quantity")) throw old->error("is called kind");
   const TomlValue kind = table.at("kind");
   Probe probe;
@@ -42,7 +40,7 @@ Probe read_probe(const TomlTable& table, bool coupon) {
   probe.component = component ? static_cast<Component>(component->word(kComponents))
                               : default_component(probe.quantity);
   if (probe.quantity == ProbeQuantity::Energy) {
-    probe.energy = static_cast<EnergyKind>(table.at("energy").word(kEnergies));
+    probe.energy = static_cast<EnergyKind>(table.at("energy").word(kEnergyKinds));
   }
   return probe;
 }

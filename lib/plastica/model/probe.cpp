@@ -13,4 +13,33 @@ std::span<const std::string_view> probe_kinds() {
   return kWords;
 }
 
+Dimension dimension_of(ProbeQuantity quantity, Deformation deformation) {
+  switch (quantity) {
+    case ProbeQuantity::Strain:
+    case ProbeQuantity::PlasticStrain:
+    case ProbeQuantity::AccumulatedStrain: return Dimension::Strain;
+    case ProbeQuantity::Stress: return Dimension::Stress;
+    case ProbeQuantity::Load:
+      return deformation == Deformation::Tension ? Dimension::Force : Dimension::Moment;
+    case ProbeQuantity::Displacement: return Dimension::Length;
+    case ProbeQuantity::Rotation:
+    case ProbeQuantity::Angle:
+    case ProbeQuantity::PlasticAngle: return Dimension::Angle;
+    case ProbeQuantity::Reaction:
+    case ProbeQuantity::Force: return Dimension::Force;
+    case ProbeQuantity::ReactionMoment:
+    case ProbeQuantity::Moment: return Dimension::Moment;
+    case ProbeQuantity::Dissipation:
+    case ProbeQuantity::LoadFactor:
+    case ProbeQuantity::Energy: return Dimension::None;
+  }
+  return Dimension::None;
+}
+
+std::string_view unit_of(ProbeQuantity quantity, Deformation deformation) {
+  if (quantity == ProbeQuantity::Energy) return "J";
+  if (quantity == ProbeQuantity::Dissipation) return "J/m^3";
+  return si_unit(dimension_of(quantity, deformation));
+}
+
 }  // namespace plastica

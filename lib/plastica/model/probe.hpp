@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "plastica/base/quantity.hpp"
+#include "plastica/model/drive.hpp"
 #include "plastica/model/place.hpp"
 
 namespace plastica {
@@ -34,7 +37,14 @@ std::span<const std::string_view> probe_kinds();
 /// Which part of a vector a probe records. Joint quantities: bending about x, about y, torsion.
 enum class Component { X, Y, Z, Size };
 
+/// The words of files for the components, in their order.
+inline constexpr std::array<std::string_view, 4> kComponents{"x", "y", "z", "size"};
+
 enum class EnergyKind { Elastic, Plastic, External, Residual };
+
+/// The words of files for the energies, in their order.
+inline constexpr std::array<std::string_view, 4> kEnergyKinds{"elastic", "plastic", "external",
+                                                              "residual"};
 
 struct Probe {
   std::string name;  ///< unique within a scene
@@ -43,5 +53,11 @@ struct Probe {
   Component component = Component::Y;
   EnergyKind energy = EnergyKind::Elastic;
 };
+
+/// What a quantity measures.
+/// @param deformation  of a coupon: decides what its load is
+Dimension dimension_of(ProbeQuantity quantity, Deformation deformation);
+/// The SI unit of a probe's values: "m", "J", "1".
+std::string_view unit_of(ProbeQuantity quantity, Deformation deformation);
 
 }  // namespace plastica

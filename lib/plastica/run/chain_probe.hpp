@@ -91,11 +91,7 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::point_value(
     const Probe& probe, const Work& w) const {
   const chain::SegmentPoint point =
       chain::segment_point(model_->layout, share_of(probe.at, model_->layout.ends));
-  if (probe.quantity == ProbeQuantity::Rotation) {
-    const auto undeformed = view_.frame(model_->layout.segment_frame[point.segment]);
-    const auto& frame = w.placement.frame[point.segment];
-    return joint_spin(L::axes(undeformed) * L::angle_from(undeformed, frame));
-  }
+  if (probe.quantity == ProbeQuantity::Rotation) return rotation(w, point.segment);
   const auto undeformed =
       model_->layout.segment_frame[point.segment] * point.arm + model_->layout.node[point.segment];
   return view_.point_in_space(w.placement.point(point.segment, view_.point(point.arm)) -

@@ -75,6 +75,11 @@ class ChainRecord {
   double joint_value(const Probe& probe, const NodeStrains& strains, const Response& response,
                      std::size_t sample) const;
   Space point_value(const Probe& probe, const Work& w) const;
+  /// Of a segment from the undeformed beam, as a rotation vector in world axes.
+  Space rotation(const Work& w, std::size_t segment) const {
+    const auto undeformed = view_.frame(model_->layout.segment_frame[segment]);
+    return joint_spin(L::axes(undeformed) * L::angle_from(undeformed, w.placement.frame[segment]));
+  }
   std::size_t node_at(const Place& place) const;
   /// Whether the level moves points along a world axis.
   bool moves_along(std::size_t axis) const {
@@ -338,6 +343,9 @@ void ChainRecord<L, kElastic>::write(const Work& w, const Joints& joints,
     out.plastic_strain[sample * out.joints + i] = strains.strain[i];
     out.stress[sample * out.joints + i] =
         largest_stress(joint, Space{{out.moment[at(i)], out.moment[at(i) + 1], 0.0}});
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    put(out.rotation, (sample * n + i) * 3, rotation(w, i));
   }
   for (std::size_t s = 0; s < out.supports; ++s) {
     const auto force = reaction(w, s);

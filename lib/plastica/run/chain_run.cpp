@@ -135,6 +135,7 @@ void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material, Respo
 
   solve::PathWalker<L, kElastic> walker(build_.chain, *joints_, options_, control_, work_,
                                         committed_, previous_, *this);
+  walker_ = &walker;
   response.status = walker.walk();
   response.counters = walker.counters();
   response.limit = walker.limit();
@@ -214,6 +215,7 @@ template <class L, bool kElastic>
 bool ChainRunner<L, kElastic>::record(const Work& w) {
   if (response_->samples == model_.samples) return false;
   record_.write(w, *joints_, strains_, response_->samples, *response_);
+  response_->chain.iterations[response_->samples] = walker_->counters().iterations;
   ++response_->samples;
   return response_->samples < model_.samples;
 }

@@ -51,6 +51,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   NodeStrains strains_;  ///< at the last accepted step
   NodeStrains trial_;    ///< of a step that is being judged
   Response* response_ = nullptr;
+  const solve::PathWalker<L, kElastic>* walker_ = nullptr;  ///< while a path is walked
 };
 
 }  // namespace plastica

@@ -78,6 +78,7 @@ void size_chain(const ChainModel& chain, Response& response) {
                                       &history.angle, &history.plastic_angle}) {
     values->assign(3 * joints, 0.0);
   }
+  history.rotation.assign(3 * samples * chain.layout.size(), 0.0);
   history.plastic_strain.assign(joints, 0.0);
   history.stress.assign(joints, 0.0);
   history.reaction.assign(6 * samples * history.supports, 0.0);

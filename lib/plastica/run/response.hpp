@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plastica/base/status.hpp"
@@ -22,6 +23,10 @@ struct BreakEvent {
 
 /// Why a joint of a chain broke: the strain that went over its limit.
 enum class BreakCause { BendingX, BendingY, Biaxial, Torsion, Stretch };
+
+/// The words of files for the causes, in their order.
+inline constexpr std::array<std::string_view, 5> kBreakCauses{"bending_x", "bending_y", "biaxial",
+                                                              "torsion", "stretch"};
 
 /// One joint over its limit.
 struct BrokenJoint {
@@ -63,6 +68,9 @@ struct ChainHistory {
   std::vector<double> force;          ///< shear along x, y, axial along z [N]
   std::vector<double> angle;          ///< from the undeformed state [rad]
   std::vector<double> plastic_angle;  ///< [rad]
+  /// By sample and segment (n_samples x N x 3): its rotation from the undeformed beam, as a
+  /// rotation vector in world axes [rad].
+  std::vector<double> rotation;
   /// By sample and joint (n_samples x n_joints):
   std::vector<double> plastic_strain;  ///< the break measure: the largest of the joint's axes [1]
   std::vector<double> stress;  ///< of the extreme fibre, M_x/W_x + M_y/W_y as signs add [Pa]

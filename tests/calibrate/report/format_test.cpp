@@ -4,10 +4,12 @@
 
 #include <limits>
 
-#include "calibrate/report/table.hpp"
+#include "plastica/report/table.hpp"
 
 namespace plastica::calibrate::report {
 namespace {
+
+using plastica::report::Table;
 
 TEST(Numbers, HaveAsManyDecimalsAsTheirErrorHasTwoDigits) {
   EXPECT_EQ(with_error(281.2345, 0.41234), "281.23 ± 0.41");

@@ -96,42 +96,5 @@ TEST_F(FitStoreErrors, AnotherSchemaAndAnotherVersionAreNamed) {
   EXPECT_NE(reading(path_).find("/options"), std::string::npos);
 }
 
-TEST_F(FitStoreErrors, AnOutputThatExistsIsRefusedUnlessForced) {
-  folder_.write("out.h5", "");
-  EXPECT_EQ(message_of([&] { check_output_path(path_, false); }),
-            path_ + ": exists already: use --force to overwrite it");
-  EXPECT_NO_THROW(check_output_path(path_, true));
-}
-
-TEST_F(FitStoreErrors, AnOutputWithoutAFolderIsRefused) {
-  const std::string path = folder_.file("none/out.h5");
-  EXPECT_EQ(message_of([&] { check_output_path(path, true); }),
-            path + ": cannot be written: there is no folder " + folder_.file("none"));
-  folder_.write("file", "");
-  EXPECT_EQ(message_of([&] { check_output_path(folder_.file("file/out.h5"), false); }),
-            folder_.file("file/out.h5") + ": cannot be written: " + folder_.file("file") +
-                " is no folder");
-}
-
-TEST_F(FitStoreErrors, AnOutputThatIsAFolderIsRefused) {
-  std::filesystem::create_directory(path_);
-  EXPECT_EQ(message_of([&] { check_output_path(path_, true); }),
-            path_ + ": cannot be written: it is a folder");
-}
-
-TEST_F(FitStoreErrors, AnOutputWithoutANameIsRefused) {
-  EXPECT_EQ(message_of([&] { check_output_path("", false); }), "output: must name a file");
-}
-
-TEST_F(FitStoreErrors, AnOutputInAFolderClosedToWritingIsRefused) {
-  // Also the system's administrator cannot write here.
-  if (!std::filesystem::is_directory("/proc/self")) GTEST_SKIP() << "no /proc/self";
-  EXPECT_THROW(check_output_path("/proc/self/out.h5", false), InputError);
-}
-
-TEST_F(FitStoreErrors, AnOutputInTheWorkingFolderIsFine) {
-  EXPECT_NO_THROW(check_output_path("surely-not-there.h5", false));
-}
-
 }  // namespace
 }  // namespace plastica::calibrate

@@ -194,7 +194,7 @@ TEST(FitStore, DiffersBetweenTwoRunsInMetaAlone) {
   const io::ScratchFolder folder;
   auto contents = contents_of(mixed_records());
   write_fit_store(folder.file("a.h5"), contents);
-  contents.meta = begin_meta("another command line", 8);
+  contents.meta = io::begin_meta("another command line", 8);
   contents.meta.resumptions = 3;
   write_fit_store(folder.file("b.h5"), contents);
   EXPECT_EQ(objects_of(folder.file("a.h5")), objects_of(folder.file("b.h5")));
@@ -278,7 +278,7 @@ TEST(FitStore, SaysWhichParametersTheColumnsOfEvaluationsAre) {
 }
 
 TEST(FitStore, NamesTheHdf5ThatWritesIt) {
-  const auto versions = begin_meta("", 1).versions;
+  const auto versions = io::begin_meta("", 1).versions;
   EXPECT_NE(std::find(versions.begin(), versions.end(),
                       std::pair<std::string, std::string>{"hdf5", io::hdf5_version()}),
             versions.end());

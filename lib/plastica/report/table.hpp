@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace plastica::calibrate::report {
+namespace plastica::report {
 
 /// A table of text with aligned columns.
 class Table {
@@ -46,4 +46,4 @@ class Table {
   std::vector<Row> rows_;
 };
 
-}  // namespace plastica::calibrate::report
+}  // namespace plastica::report

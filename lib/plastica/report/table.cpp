@@ -1,12 +1,12 @@
-#include "calibrate/report/table.hpp"
+#include "plastica/report/table.hpp"
 
 #include <algorithm>
 #include <string_view>
 #include <utility>
 
-#include "calibrate/report/format.hpp"
+#include "plastica/report/format.hpp"
 
-namespace plastica::calibrate::report {
+namespace plastica::report {
 namespace {
 
 constexpr std::string_view kGap = "  ";
@@ -126,4 +126,4 @@ std::string Table::text(std::size_t indent, std::size_t width) const {
   return all;
 }
 
-}  // namespace plastica::calibrate::report
+}  // namespace plastica::report

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace plastica::calibrate::report {
+namespace plastica::report {
 
 /// Widest line of a report.
 inline constexpr std::size_t kWidth = 100;
@@ -27,4 +27,4 @@ class Ink {
   bool color_;
 };
 
-}  // namespace plastica::calibrate::report
+}  // namespace plastica::report

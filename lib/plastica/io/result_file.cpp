@@ -1,0 +1,174 @@
+#include "plastica/io/result_file.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <limits>
+
+#include "plastica/base/parallel_for.hpp"
+#include "plastica/base/version.hpp"
+#include "plastica/io/durable_file.hpp"
+
+namespace plastica::io {
+namespace {
+
+/// "setup/material/yield_stress" of "material.yield_stress".
+std::string setup_path(const Field& field) {
+  std::string path = "setup/" + std::string(field.path);
+  std::replace(path.begin(), path.end(), '.', '/');
+  return path;
+}
+
+}  // namespace
+
+RunMeta begin_meta(std::string command_line, int threads) {
+  RunMeta meta;
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  std::array<char, 32> time{};
+  if (gmtime_r(&now, &utc) != nullptr) {
+    std::strftime(time.data(), time.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  }
+  meta.start_time = time.data();
+  std::array<char, 256> host{};
+  if (gethostname(host.data(), host.size() - 1) == 0) meta.host = host.data();
+  meta.threads = resolved_threads(threads);
+  meta.instruction_set = instruction_set();
+  meta.command_line = std::move(command_line);
+  meta.versions = {{"plastica", std::string(version())}, {"hdf5", hdf5_version()}};
+  return meta;
+}
+
+void check_output_path(const std::string& path, bool force) {
+  namespace fs = std::filesystem;
+  const auto refuse = [&](const std::string& rule) { throw InputError({path, 0}, "", "", rule); };
+  if (path.empty()) throw InputError({}, "output", "", "must name a file");
+  std::error_code ignored;
+  const std::string folder = folder_of(path);
+  if (!fs::exists(folder, ignored)) refuse("cannot be written: there is no folder " + folder);
+  if (!fs::is_directory(folder, ignored)) refuse("cannot be written: " + folder + " is no folder");
+  if (fs::is_directory(path, ignored)) refuse("cannot be written: it is a folder");
+  if (fs::exists(path, ignored) && !force) refuse("exists already: use --force to overwrite it");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    refuse("cannot be written: the folder " + folder + " is closed to writing");
+  }
+}
+
+std::string schema_of(const std::string& path) {
+  const Hdf5File file = Hdf5File::open(path);
+  if (!file.root().has_attribute(".", "schema")) {
+    throw InputError({path, 0}, "", "",
+                     "is not a result file of Plastica: it has no attribute schema");
+  }
+  return file.root().text_attribute(".", "schema");
+}
+
+void write_schema(Hdf5Group& root, std::string_view schema, int version) {
+  root.set_attribute(".", "schema", schema);
+  root.set_attribute(".", "version", version);
+}
+
+void check_schema(const Hdf5Group& root, std::string_view schema, int version) {
+  const auto refuse = [&](const std::string& name, const std::string& value,
+                          const std::string& rule) {
+    throw InputError({root.file(), 0}, name, value, rule);
+  };
+  if (!root.has_attribute(".", "schema")) {
+    refuse("", "", "is not a result file of Plastica: it has no attribute schema");
+  }
+  const std::string found = root.text_attribute(".", "schema");
+  if (found != schema) refuse("schema", found, "must be " + std::string(schema));
+  const std::int64_t number = root.integer_attribute(".", "version");
+  if (number != version) {
+    refuse("version", std::to_string(number),
+           "must be " + std::to_string(version) + ", which this Plastica reads");
+  }
+}
+
+void write_inputs(Hdf5Group& root, const std::vector<InputText>& inputs) {
+  std::vector<std::string> names;
+  std::vector<std::string> texts;
+  for (const InputText& input : inputs) {
+    names.push_back(input.name);
+    texts.push_back(input.text);
+  }
+  root.write_texts("inputs/name", names);
+  root.write_texts("inputs/text", texts);
+}
+
+void write_meta(Hdf5Group& root, const RunMeta& meta) {
+  Hdf5Group group = root.group("meta");
+  group.write_text("start_time", meta.start_time);
+  group.write("seconds", meta.seconds, {"s"});
+  group.write_text("host", meta.host);
+  group.write("threads", std::int64_t{meta.threads});
+  group.write_text("instruction_set", meta.instruction_set);
+  group.write_text("command_line", meta.command_line);
+  group.write("resumptions", std::int64_t{meta.resumptions});
+  Hdf5Group versions = group.group("versions");
+  for (const auto& [name, version] : meta.versions) versions.write_text(name, version);
+}
+
+std::vector<InputText> read_inputs(const Hdf5Group& root) {
+  std::vector<std::string> names = root.read_texts("inputs/name");
+  std::vector<std::string> texts = root.read_texts("inputs/text");
+  if (names.size() != texts.size()) {
+    throw InputError({root.file(), 0}, "/inputs", "", "must have as many names as texts");
+  }
+  std::vector<InputText> inputs;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    inputs.push_back({std::move(names[i]), std::move(texts[i])});
+  }
+  return inputs;
+}
+
+RunMeta read_meta(const Hdf5Group& root) {
+  const Hdf5Group group = root.open_group("meta");
+  RunMeta meta;
+  meta.start_time = group.read_text("start_time");
+  meta.seconds = group.read_scalar<double>("seconds");
+  meta.host = group.read_text("host");
+  meta.threads = static_cast<int>(group.read_scalar<std::int64_t>("threads"));
+  meta.instruction_set = group.read_text("instruction_set");
+  meta.command_line = group.read_text("command_line");
+  meta.resumptions = static_cast<int>(group.read_scalar<std::int64_t>("resumptions"));
+  const Hdf5Group versions = group.open_group("versions");
+  for (const std::string& name : versions.children()) {
+    meta.versions.emplace_back(name, versions.read_text(name));
+  }
+  return meta;
+}
+
+void write_setup(Hdf5Group& group, const Setup& setup) {
+  for (const Field& field : fields()) {
+    const std::string path = setup_path(field);
+    const FieldValue value = field.get(setup);
+    if (const auto* word = std::get_if<std::string>(&value)) {
+      group.write_text(path, *word);
+    } else {
+      const auto* number = std::get_if<double>(&value);
+      group.write(path, number != nullptr ? *number : std::numeric_limits<double>::quiet_NaN(),
+                  {si_unit(field.dimension)});
+    }
+  }
+}
+
+void read_setup(const Hdf5Group& group, Setup& setup) {
+  const SourceLocation where{group.file(), 0};
+  for (const Field& field : fields()) {
+    const std::string path = setup_path(field);
+    FieldValue value;
+    if (group.kind(path) == Hdf5Kind::Text) {
+      value = group.read_text(path);
+    } else if (const auto number = group.read_scalar<double>(path); !std::isnan(number)) {
+      value = number;
+    }
+    set_field(setup, field, value, where);
+  }
+}
+
+}  // namespace plastica::io

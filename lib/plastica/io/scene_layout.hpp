@@ -1,0 +1,147 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "plastica/io/scene_store.hpp"
+
+/// What of a simulated scene stands where in its file; not installed. Documented in data/README.md.
+namespace plastica::io::scene_layout {
+
+/// The words of files for how a run ended, in the order of Status.
+std::span<const std::string_view> statuses();
+/// The words of a field that is a choice, in the order of its enumerators.
+std::span<const std::string_view> choices_of(std::string_view field);
+
+#define PLASTICA_MEMBER(member) \
+  [](auto& row) -> auto& { return row.member; }
+
+template <class Store, class Scene>
+void walk_actions(Store& store, Scene& scene) {
+  auto& supports = scene.supports;
+  store.words("supports/kind", supports, PLASTICA_MEMBER(kind), support_kinds());
+  store.column("supports/at", supports, PLASTICA_MEMBER(at.fraction), "1");
+  store.held("supports/held", supports);
+  store.vectors("supports/normal", supports, PLASTICA_MEMBER(normal), "1");
+  store.column("supports/gap", supports, PLASTICA_MEMBER(gap), "m");
+  store.vectors("supports/stiffness", supports, PLASTICA_MEMBER(stiffness), "N/m");
+  store.vectors("supports/rotational_stiffness", supports, PLASTICA_MEMBER(rotational_stiffness),
+                "N m/rad");
+  store.vectors("supports/translation", supports, PLASTICA_MEMBER(translation), "m");
+  store.vectors("supports/rotation", supports, PLASTICA_MEMBER(rotation), "rad");
+  store.histories("supports/history", supports);
+
+  auto& loads = scene.loads;
+  store.column("loads/at", loads, PLASTICA_MEMBER(at.fraction), "1");
+  store.optional_places("loads/to", loads);
+  store.vectors("loads/force", loads, PLASTICA_MEMBER(force), "");
+  store.vectors("loads/moment", loads, PLASTICA_MEMBER(moment), "");
+  store.column("loads/follows", loads, PLASTICA_MEMBER(follows), "");
+  store.histories("loads/history", loads);
+
+  store.numbers("gravity/acceleration", scene.gravity, "m/s^2");
+  store.array("gravity/history_time", scene.gravity_history.time, {}, "s");
+  store.array("gravity/history_factor", scene.gravity_history.factor, {}, "1");
+}
+
+template <class Store, class Outline>
+void walk_outline(Store& store, Outline& outline) {
+  store.array("beam/ends", outline.ends, {}, "1");
+  const std::size_t joints = outline.ends.size();
+  const std::size_t segments = joints == 0 ? 0 : joints - 1;
+  store.array("beam/node", outline.node, {joints, 3}, "m");
+  store.array("beam/axes", outline.axes, {segments, 3, 3}, "1");
+  store.array("beam/joint_length", outline.joint_length, {joints}, "m");
+  store.array("beam/width", outline.width, {segments}, "m");
+  store.array("beam/height", outline.height, {segments}, "m");
+  store.array("beam/round", outline.round, {segments}, "");
+  store.array("beam/modulus", outline.modulus, {joints, 3}, "m^3");
+  store.array("beam/strain_per_angle", outline.strain_per_angle, {joints, 3}, "1/rad");
+}
+
+template <class Store, class Chain>
+void walk_chain(Store& store, Chain& chain, std::size_t joints, std::size_t supports) {
+  const std::size_t segments = joints == 0 ? 0 : joints - 1;
+  store.array("path/time", chain.time, {}, "s");
+  const std::size_t samples = chain.time.size();
+  store.array("path/factor", chain.factor, {samples}, "1");
+  store.array("path/iterations", chain.iterations, {samples}, "1");
+  store.column("energy/elastic", chain.energy, PLASTICA_MEMBER(elastic), "J");
+  store.column("energy/plastic", chain.energy, PLASTICA_MEMBER(plastic), "J");
+  store.column("energy/external", chain.energy, PLASTICA_MEMBER(external), "J");
+  store.column("energy/residual", chain.energy, PLASTICA_MEMBER(residual), "J");
+  store.array("joints/position", chain.position, {samples, joints, 3}, "m");
+  store.array("joints/moment", chain.moment, {samples, joints, 3}, "N m");
+  store.array("joints/force", chain.force, {samples, joints, 3}, "N");
+  store.array("joints/angle", chain.angle, {samples, joints, 3}, "rad");
+  store.array("joints/plastic_angle", chain.plastic_angle, {samples, joints, 3}, "rad");
+  store.array("joints/plastic_strain", chain.plastic_strain, {samples, joints}, "1");
+  store.array("joints/stress", chain.stress, {samples, joints}, "Pa");
+  store.array("segments/rotation", chain.rotation, {samples, segments, 3}, "rad");
+  store.array("reactions/wrench", chain.reaction, {samples, supports, 6}, "");
+}
+
+template <class Store, class Response>
+void walk_outcome(Store& store, Response& response) {
+  store.word("outcome/status", response.status, statuses());
+  store.number("outcome/samples", response.samples, "1");
+  store.number("outcome/permanent_strain", response.permanent_strain, "1");
+  store.number("outcome/steps", response.counters.steps, "1");
+  store.number("outcome/iterations", response.counters.iterations, "1");
+  store.number("outcome/cutbacks", response.counters.cutbacks, "1");
+  store.part("limit_load", response.limit, [&](auto& limit) {
+    store.number("limit_load/below", limit.below, "1");
+    store.number("limit_load/above", limit.above, "1");
+  });
+  store.part("coupon_break", response.event, [&](auto& event) {
+    store.number("coupon_break/sample", event.sample, "1");
+    store.number("coupon_break/strain", event.strain, "1");
+    store.number("coupon_break/stress", event.stress, "Pa");
+    store.number("coupon_break/permanent_strain", event.permanent_strain, "1");
+    store.number("coupon_break/dissipation", event.dissipation, "J/m^3");
+  });
+  store.part("break", response.chain.event, [&](auto& event) {
+    store.number("break/time", event.time, "s");
+    store.number("break/factor", event.factor, "1");
+    auto& joints = event.joints;
+    store.column("break/joint", joints, PLASTICA_MEMBER(joint), "");
+    store.words("break/cause", joints, PLASTICA_MEMBER(cause), kBreakCauses);
+    store.column("break/strain", joints, PLASTICA_MEMBER(strain), "1");
+    store.column("break/limit", joints, PLASTICA_MEMBER(limit), "1");
+    store.vectors("break/moment", joints, PLASTICA_MEMBER(moment), "N m");
+    store.vectors("break/plastic_angle", joints, PLASTICA_MEMBER(angle), "rad");
+    store.column("break/dissipation", joints, PLASTICA_MEMBER(dissipation), "J");
+  });
+}
+
+/// Walks through all that a file holds but /options, /inputs and /meta.
+/// @tparam Store  writes or reads
+template <class Store, class Record>
+void walk(Store& store, Record& record) {
+  auto& scene = record.setup.scene;
+  store.text("scene/name", scene.name);
+  store.word("scene/level", record.level, choices_of("solver.level"));
+  store.text("scene/level_reason", record.level_reason);
+  store.texts("scene/warnings", record.warnings);
+  store.array("drive/strain", scene.drive.strain, {}, "1");
+  walk_actions(store, scene);
+  walk_outline(store, record.outline);
+
+  auto& probes = scene.probes;
+  store.names("probes/name", probes);
+  store.words("probes/kind", probes, PLASTICA_MEMBER(quantity), probe_kinds());
+  store.column("probes/at", probes, PLASTICA_MEMBER(at.fraction), "1");
+  store.words("probes/component", probes, PLASTICA_MEMBER(component), kComponents);
+  store.words("probes/energy", probes, PLASTICA_MEMBER(energy), kEnergyKinds);
+  store.probe_values(record);
+
+  walk_outcome(store, record.response);
+  walk_chain(store, record.response.chain, record.outline.ends.size(), scene.supports.size());
+}
+
+#undef PLASTICA_MEMBER
+
+}  // namespace plastica::io::scene_layout

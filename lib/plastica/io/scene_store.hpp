@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plastica/io/result_file.hpp"
+#include "plastica/io/scene_file.hpp"
+#include "plastica/model/field.hpp"
+#include "plastica/run/beam_outline.hpp"
+#include "plastica/run/response.hpp"
+
+namespace plastica::io {
+
+/// The attributes `schema` and `version` of the root of a simulated scene's file.
+inline constexpr std::string_view kSceneSchema = "plastica/scene";
+inline constexpr int kSceneVersion = 1;
+
+/// A scene that was simulated, and what came out.
+struct SceneRecord {
+  /// Read back from a file: every field of the table, name, drive, supports, loads, gravity and
+  /// probes. Regions, polylines and segment lengths are in `outline` and in the scene's text.
+  Setup setup;
+  Level level = Level::Coupon;
+  std::string level_reason;
+  std::vector<std::string> warnings;
+  BeamOutline outline;  ///< empty for a coupon
+  /// With the samples that are valid and no others.
+  Response response;
+  std::vector<InputText> inputs;  ///< the scene file
+  RunMeta meta;
+};
+
+/// Puts together what is known of a scene and its run; without meta. Places become fractions of
+/// the length, and the response ends behind its last valid sample.
+/// @param model  of the scene
+SceneRecord make_scene_record(const SceneFile& file, const Model& model, Response response);
+
+/// Writes the result file of a scene (HDF5; layout: data/README.md). The same record gives the
+/// same bytes outside /meta. The file appears under its name when it is whole; what is there
+/// already is replaced.
+/// @param record  from `make_scene_record`
+/// @throws StorageError if it cannot be written
+void write_scene_store(const std::string& path, const SceneRecord& record);
+
+/// Reads such a file, every number bit by bit.
+/// @throws InputError if it is no such file, of another version, or not whole
+SceneRecord read_scene_store(const std::string& path);
+
+}  // namespace plastica::io

@@ -1,0 +1,100 @@
+#include "plastica/report/picture.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+
+#include <fmt/format.h>
+
+#include "plastica/base/check.hpp"
+#include "plastica/io/durable_file.hpp"
+#include "plastica/io/gnuplot.hpp"
+#include "plastica/io/storage_error.hpp"
+
+namespace plastica::report {
+namespace {
+
+/// `set terminal` for an output; empty for a script.
+std::string terminal_of(const std::string& output, const PlotScript& script) {
+  const auto height = [&](double usual) {
+    return static_cast<int>(std::lround(usual * script.relative_height()));
+  };
+  if (output == "-") {
+    return fmt::format("set terminal dumb noenhanced mono size 79,{}\n", script.terminal_rows);
+  }
+  const std::string ending = std::filesystem::path(output).extension().string();
+  if (ending == ".gp") return {};
+  if (ending == ".svg") {
+    return fmt::format(
+        "set terminal svg noenhanced size 900,{} font 'Helvetica,Arial,sans-serif,14' "
+        "background rgb 'white'\n",
+        height(560));
+  }
+  if (ending == ".png") {
+    return fmt::format(
+        "set terminal pngcairo noenhanced size 1350,{} font 'sans,15' "
+        "linewidth 1.5\n",
+        height(840));
+  }
+  if (ending == ".pdf") {
+    return fmt::format("set terminal pdfcairo noenhanced size 18cm,{}cm font 'sans,11'\n",
+                       0.01 * height(1120));
+  }
+  throw InputError({}, "--output", output, "must end in .svg, .png, .pdf or .gp, or be -");
+}
+
+/// A picture of characters without the blanks at the ends of its lines and its empty lines at
+/// the top.
+std::string without_blank_ends(std::string_view picture) {
+  std::string text;
+  while (!picture.empty()) {
+    const std::size_t end = std::min(picture.find('\n'), picture.size());
+    std::string_view line = picture.substr(0, end);
+    picture.remove_prefix(std::min(end + 1, picture.size()));
+    line = line.substr(0, line.find_last_not_of(" \f\r") + 1);
+    if (!text.empty() || !line.empty()) text.append(line).append("\n");
+  }
+  return text;
+}
+
+/// Writes beside the file and moves it into place, so that no half picture is left behind.
+void write_file(const std::string& path, std::string_view content) {
+  const std::string beside = path + ".part";
+  std::ofstream out(beside, std::ios::binary | std::ios::trunc);
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.close();
+  try {
+    if (!out) throw io::StorageError(path, "cannot be written");
+    io::move_into_place(beside, path);
+  } catch (const io::StorageError&) {
+    std::remove(beside.c_str());
+    throw;
+  }
+}
+
+}  // namespace
+
+void check_picture_output(const std::string& output) { terminal_of(output, {}); }
+
+void draw_picture(const PlotScript& script, const std::string& output,
+                  std::ostream& standard_output) {
+  const std::string terminal = terminal_of(output, script);
+  if (terminal.empty()) {
+    write_file(
+        output,
+        "# Draw it with: gnuplot -p FILE, or: gnuplot -e \"set term svg\" FILE > FILE.svg\n" +
+            script.text());
+    return;
+  }
+  const std::string picture = io::run_gnuplot(terminal + script.text());
+  if (output == "-") {
+    standard_output << without_blank_ends(picture);
+    if (!standard_output.flush()) throw io::StorageError("standard output", "cannot be written");
+  } else {
+    write_file(output, picture);
+  }
+}
+
+}  // namespace plastica::report

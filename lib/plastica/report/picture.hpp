@@ -1,0 +1,22 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "plastica/report/plot_script.hpp"
+
+namespace plastica::report {
+
+/// Refuses an output of no kind before any work is done. @throws InputError
+void check_picture_output(const std::string& output);
+
+/// Draws and writes a picture; a file is replaced as a whole or left alone.
+/// @param output  a path that ends in .svg, .png, .pdf, or .gp for the script with its data; "-"
+///                for a picture of characters
+/// @param standard_output  where a picture of characters goes
+/// @throws InputError for an output of another kind; MachineError if gnuplot is missing or fails,
+///         or the file cannot be written
+void draw_picture(const PlotScript& script, const std::string& output,
+                  std::ostream& standard_output);
+
+}  // namespace plastica::report

@@ -1,0 +1,152 @@
+#include "plastica/report/scene_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <nlohmann/json.hpp>
+
+#include "plastica/report/scene_facts.hpp"
+
+namespace plastica::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json numbers(std::span<const double> values) {
+  Json all = Json::array();
+  for (const double value : values) all.push_back(number(value));
+  return all;
+}
+
+Json level_word(Level level) {
+  return find_field_or_null("solver.level")->choices[static_cast<std::size_t>(level)];
+}
+
+Json limit_of(const Response& response) {
+  if (!response.limit) return nullptr;
+  return {{"below", number(response.limit->below)}, {"above", number(response.limit->above)}};
+}
+
+Json break_of(const io::SceneRecord& record) {
+  const Response& response = record.response;
+  if (response.event) {
+    const BreakEvent& event = *response.event;
+    return {{"sample", event.sample},
+            {"strain", number(event.strain)},
+            {"stress", number(event.stress)},
+            {"permanent_strain", number(event.permanent_strain)},
+            {"dissipation", number(event.dissipation)}};
+  }
+  if (!response.chain.event) return nullptr;
+  Json joints = Json::array();
+  for (const BrokenJoint& joint : response.chain.event->joints) {
+    joints.push_back({{"joint", joint.joint},
+                      {"at", record.outline.ends[static_cast<std::size_t>(joint.joint)]},
+                      {"cause", kBreakCauses[static_cast<std::size_t>(joint.cause)]},
+                      {"strain", number(joint.strain)},
+                      {"limit", number(joint.limit)},
+                      {"moment", numbers(joint.moment)},
+                      {"plastic_angle", numbers(joint.angle)},
+                      {"dissipation", number(joint.dissipation)}});
+  }
+  return {{"time", number(response.chain.event->time)},
+          {"factor", number(response.chain.event->factor)},
+          {"joints", std::move(joints)}};
+}
+
+Json probes_of(const io::SceneRecord& record) {
+  Json all = Json::object();
+  const Scene& scene = record.setup.scene;
+  for (std::size_t p = 0; p < scene.probes.size(); ++p) {
+    const Probe& probe = scene.probes[p];
+    const auto& values = record.response.probes[p];
+    Json entry = {{"kind", probe_kinds()[static_cast<std::size_t>(probe.quantity)]},
+                  {"unit", unit_of(probe.quantity, scene.drive.deformation)},
+                  {"last", nullptr},
+                  {"least", nullptr},
+                  {"most", nullptr}};
+    if (!values.empty()) {
+      entry["last"] = number(values.back());
+      entry["least"] = number(*std::min_element(values.begin(), values.end()));
+      entry["most"] = number(*std::max_element(values.begin(), values.end()));
+    }
+    all[probe.name] = std::move(entry);
+  }
+  return all;
+}
+
+Json peak_of(const io::SceneRecord& record, const std::optional<Peak>& peak) {
+  if (!peak) return nullptr;
+  return {{"value", number(peak->value)},
+          {"joint", peak->joint},
+          {"at", record.outline.ends[peak->joint]},
+          {"sample", peak->sample}};
+}
+
+Json peaks_json(const io::SceneRecord& record) {
+  const ScenePeaks peaks = peaks_of(record);
+  Json moment = peak_of(record, peaks.moment);
+  if (peaks.moment) moment["axis"] = axis_name(peaks.moment->axis);
+  return {{"moment", std::move(moment)},
+          {"bending_stress", peak_of(record, peaks.stress)},
+          {"shear_stress", peak_of(record, peaks.shear_stress)},
+          {"plastic_strain", peak_of(record, peaks.plastic_strain)}};
+}
+
+Json reactions_of(const io::SceneRecord& record) {
+  const ChainHistory& chain = record.response.chain;
+  Json all = Json::array();
+  if (chain.time.empty()) return all;
+  const std::span<const double> reactions(chain.reaction);
+  for (std::size_t s = 0; s < chain.supports; ++s) {
+    const Support& support = record.setup.scene.supports[s];
+    const std::size_t at = ((chain.time.size() - 1) * chain.supports + s) * 6;
+    all.push_back({{"kind", support_kinds()[static_cast<std::size_t>(support.kind)]},
+                   {"at", support.at.fraction},
+                   {"force", numbers(reactions.subspan(at, 3))},
+                   {"moment", numbers(reactions.subspan(at + 3, 3))}});
+  }
+  return all;
+}
+
+Json energies_of(const io::SceneRecord& record) {
+  const auto& energy = record.response.chain.energy;
+  if (energy.empty()) return nullptr;
+  const auto share = residual_share(record);
+  return {{"elastic", number(energy.back().elastic)},
+          {"plastic", number(energy.back().plastic)},
+          {"external", number(energy.back().external)},
+          {"residual", number(energy.back().residual)},
+          {"residual_share", share ? number(*share) : Json(nullptr)}};
+}
+
+}  // namespace
+
+std::string scene_json(const io::SceneRecord& record) {
+  const Response& response = record.response;
+  const PathCounters& counters = response.counters;
+  const Json all = {{"name", record.setup.scene.name},
+                    {"status", name_of(response.status)},
+                    {"level", level_word(record.level)},
+                    {"level_reason", record.level_reason},
+                    {"samples", response.samples},
+                    {"permanent_strain", number(response.permanent_strain)},
+                    {"limit_load", limit_of(response)},
+                    {"break", break_of(record)},
+                    {"probes", probes_of(record)},
+                    {"peaks", peaks_json(record)},
+                    {"reactions", reactions_of(record)},
+                    {"energies", energies_of(record)},
+                    {"counters",
+                     {{"steps", counters.steps},
+                      {"iterations", counters.iterations},
+                      {"cutbacks", counters.cutbacks}}},
+                    {"seconds", number(response.seconds)},
+                    {"warnings", record.warnings}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace plastica::report

@@ -1,0 +1,247 @@
+#include "plastica/report/scene_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "plastica/report/format.hpp"
+#include "plastica/report/ink.hpp"
+#include "plastica/report/scene_facts.hpp"
+#include "plastica/report/table.hpp"
+
+namespace plastica::report {
+namespace {
+
+using Align = Table::Align;
+
+std::string entry(std::string_view label, std::string_view text) {
+  return wrapped(fmt::format("  {:<16}", label), text, kWidth);
+}
+
+double largest_of(std::span<const double> values) {
+  double largest = 0.0;
+  for (const double value : values) {
+    if (std::isfinite(value)) largest = std::max(largest, std::fabs(value));
+  }
+  return largest;
+}
+
+/// The unit in which numbers of a dimension are read best.
+DisplayUnit shown_unit(Dimension dimension, double magnitude) {
+  if (dimension == Dimension::Length && magnitude < 1.0) return {"mm", 1e-3};
+  if (dimension == Dimension::Force && magnitude >= 1e4) return {"kN", 1e3};
+  if (dimension == Dimension::Moment && magnitude >= 1e4) return {"kN m", 1e3};
+  return display_unit(dimension, magnitude);
+}
+
+std::string shown(double value, Dimension dimension, int digits = 5) {
+  const DisplayUnit unit = shown_unit(dimension, value);
+  return quantity(significant(value / unit.scale, digits), unit.name);
+}
+
+/// A number among others of the size `largest`: what is round-off beside them is zero.
+std::string beside(double value, double largest) {
+  return std::fabs(value) < 1e-9 * largest ? "0" : significant(value);
+}
+
+std::string size_label(const BeamOutline& outline, std::size_t segment) {
+  const double width = outline.width[segment];
+  if (outline.round[segment] != 0) return fmt::format("diameter {:.4g} mm", 1e3 * width);
+  return fmt::format("{:.4g} x {:.4g} mm", 1e3 * width, 1e3 * outline.height[segment]);
+}
+
+std::string beam_label(const io::SceneRecord& record) {
+  const Beam& beam = record.setup.scene.beam;
+  const BeamOutline& outline = record.outline;
+  bool same = true;
+  for (std::size_t i = 1; i < outline.segments(); ++i) {
+    same = same && outline.width[i] == outline.width[0] && outline.height[i] == outline.height[0];
+  }
+  return fmt::format("{} in {}, {}{}", shown(beam.length, Dimension::Length),
+                     counted(outline.segments(), "segment"), size_label(outline, 0),
+                     same ? "" : " at the start");
+}
+
+std::string head(const io::SceneRecord& record, const Ink& ink) {
+  const Response& response = record.response;
+  const std::string line =
+      wrapped("", printable(record.setup.scene.name) + ": " + outcome_line(record), kWidth);
+  std::string text = usable(response.status) ? ink.heading(line) : ink.bad(line);
+  if (!advice(response.status).empty()) text += entry("advice", advice(response.status));
+  // The reason begins with the level's name.
+  text += entry("level", record.level_reason);
+  if (record.level != Level::Coupon) text += entry("beam", beam_label(record));
+  text += entry("samples", std::to_string(response.samples));
+  return text;
+}
+
+std::string break_text(const io::SceneRecord& record, const Ink& ink) {
+  const auto& event = record.response.chain.event;
+  if (!event) return {};
+  constexpr std::size_t kMostJoints = 20;
+  Table table({{"joint"},
+               {"at", Align::Right, "of length"},
+               {"cause", Align::Left},
+               {"strain", Align::Right, "%"},
+               {"limit", Align::Right, "%"},
+               {"M_x", Align::Right, "N m"},
+               {"M_y", Align::Right, "N m"},
+               {"T", Align::Right, "N m"},
+               {"dissipated", Align::Right, "J"}});
+  double moment = 0.0;
+  for (const BrokenJoint& joint : event->joints) {
+    moment = std::max(moment, largest_of(joint.moment));
+  }
+  for (std::size_t i = 0; i < std::min(event->joints.size(), kMostJoints); ++i) {
+    const BrokenJoint& joint = event->joints[i];
+    const auto index = static_cast<std::size_t>(joint.joint);
+    table.add({std::to_string(joint.joint), place_label(record.outline.ends[index]),
+               std::string(cause_name(joint.cause)), significant(100.0 * joint.strain),
+               significant(100.0 * joint.limit, 4), beside(joint.moment[0], moment),
+               beside(joint.moment[1], moment), beside(joint.moment[2], moment),
+               significant(joint.dissipation)});
+  }
+  std::string text = '\n' + ink.heading("Break\n") + table.text(2, kWidth);
+  if (event->joints.size() > kMostJoints) {
+    text += fmt::format("  … {} joints in all\n", event->joints.size());
+  }
+  return text;
+}
+
+std::string probe_text(const io::SceneRecord& record, const Ink& ink) {
+  const auto& probes = record.setup.scene.probes;
+  if (probes.empty() || record.response.samples == 0) return {};
+  Table table({{"probe", Align::Left},
+               {"last"},
+               {"least"},
+               {"most"},
+               {"", Align::Left},
+               {"records", Align::Left}});
+  for (std::size_t p = 0; p < probes.size(); ++p) {
+    const std::vector<double>& values = record.response.probes[p];
+    const double largest = largest_of(values);
+    const Deformation deformation = record.setup.scene.drive.deformation;
+    DisplayUnit unit = shown_unit(dimension_of(probes[p].quantity, deformation), largest);
+    const std::string_view si = unit_of(probes[p].quantity, deformation);
+    if (unit.scale == 1.0 && si != "1") unit.name = si;
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const double scale = unit.scale;
+    table.add({printable(probes[p].name), beside(values.back() / scale, largest / scale),
+               beside(*least / scale, largest / scale), beside(*most / scale, largest / scale),
+               std::string(unit.name), probe_label(record, probes[p])});
+  }
+  return '\n' + ink.heading("Probes\n") + table.text(2, kWidth);
+}
+
+std::string peak_text(const io::SceneRecord& record, const Ink& ink) {
+  const ScenePeaks peaks = peaks_of(record);
+  if (!peaks.moment) return {};
+  Table table({{"largest", Align::Left},
+               {""},
+               {"joint"},
+               {"at", Align::Right, "of length"},
+               {"sample"},
+               {"", Align::Left}});
+  const auto add = [&](std::string what, const std::optional<Peak>& peak, Dimension dimension,
+                       std::string_view note) {
+    if (!peak) return;
+    table.add({std::move(what), shown(peak->value, dimension), std::to_string(peak->joint),
+               place_label(record.outline.ends[peak->joint]), std::to_string(peak->sample),
+               std::string(note)});
+  };
+  const double moment = std::fabs(peaks.moment->value);
+  add("moment", peaks.moment, Dimension::Moment, axis_name(peaks.moment->axis));
+  // What only rounding makes is no stress.
+  const auto matters = [&](const std::optional<Peak>& peak) {
+    if (!peak) return false;
+    const double modulus = record.outline.modulus[3 * peak->joint + peak->axis];
+    return std::fabs(peak->value) * modulus > 1e-9 * moment;
+  };
+  if (matters(peaks.stress)) add("bending stress", peaks.stress, Dimension::Stress, "");
+  if (matters(peaks.shear_stress)) add("shear stress", peaks.shear_stress, Dimension::Stress, "");
+  if (peaks.plastic_strain && peaks.plastic_strain->value > 1e-12) {
+    add("plastic strain", peaks.plastic_strain, Dimension::Strain, "in the break measure");
+  }
+  return '\n' + ink.heading("Joints\n") + table.text(2, kWidth);
+}
+
+std::string reaction_text(const io::SceneRecord& record, const Ink& ink) {
+  const ChainHistory& chain = record.response.chain;
+  if (chain.supports == 0 || chain.time.empty()) return {};
+  const std::size_t last = (chain.time.size() - 1) * chain.supports * 6;
+  const std::span<const double> all = std::span<const double>(chain.reaction).subspan(last);
+  Table table({{"reaction of", Align::Left},
+               {"at", Align::Right, "of length"},
+               {"F_x", Align::Right, "N"},
+               {"F_y", Align::Right, "N"},
+               {"F_z", Align::Right, "N"},
+               {"M_x", Align::Right, "N m"},
+               {"M_y", Align::Right, "N m"},
+               {"M_z", Align::Right, "N m"}});
+  double force = 0.0;
+  double moment = 0.0;
+  for (std::size_t s = 0; s < chain.supports; ++s) {
+    force = std::max(force, largest_of(all.subspan(6 * s, 3)));
+    moment = std::max(moment, largest_of(all.subspan(6 * s + 3, 3)));
+  }
+  const double length = record.setup.scene.beam.length;
+  for (std::size_t s = 0; s < chain.supports; ++s) {
+    const Support& support = record.setup.scene.supports[s];
+    std::vector<std::string> row = {
+        std::string(support_kinds()[static_cast<std::size_t>(support.kind)]),
+        place_label(support.at.fraction)};
+    for (std::size_t k = 0; k < 6; ++k) {
+      const double size =
+          k < 3 ? std::max(force, moment / length) : std::max(moment, force * length);
+      row.push_back(beside(all[6 * s + k], size));
+    }
+    table.add(std::move(row));
+  }
+  return '\n' + ink.heading("Reactions at the last sample\n") + table.text(2, kWidth);
+}
+
+std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
+  const auto share = residual_share(record);
+  if (!share) return {};
+  const Energies& last = record.response.chain.energy.back();
+  std::string text = '\n' + ink.heading("Energies at the last sample\n");
+  text += entry("elastic", significant(last.elastic) + " J");
+  text += entry("plastic", significant(last.plastic) + " J");
+  text += entry("external", significant(last.external) + " J");
+  text += entry("residual", fmt::format("{} J; on the path at most {:.2g} % of the energy",
+                                        significant(last.residual, 3), 100.0 * *share));
+  return text;
+}
+
+std::string effort_text(const io::SceneRecord& record, const Ink& ink) {
+  const Response& response = record.response;
+  if (record.level == Level::Coupon) return {};
+  const PathCounters& counters = response.counters;
+  return '\n' + ink.heading("Effort\n") +
+         fmt::format("  {}, {}, {}, {:.3g} ms\n",
+                     counted(static_cast<std::size_t>(counters.steps), "step"),
+                     counted(static_cast<std::size_t>(counters.iterations), "iteration"),
+                     counted(static_cast<std::size_t>(counters.cutbacks), "cut-back"),
+                     1e3 * response.seconds);
+}
+
+std::string warning_text(const io::SceneRecord& record, const Ink& ink) {
+  if (record.warnings.empty()) return {};
+  std::string text = '\n' + ink.bad("Warnings\n");
+  for (const std::string& warning : record.warnings) text += wrapped("  - ", warning, kWidth);
+  return text;
+}
+
+}  // namespace
+
+std::string scene_report(const io::SceneRecord& record, bool color) {
+  const Ink ink(color);
+  return head(record, ink) + break_text(record, ink) + probe_text(record, ink) +
+         peak_text(record, ink) + reaction_text(record, ink) + energy_text(record, ink) +
+         effort_text(record, ink) + warning_text(record, ink);
+}
+
+}  // namespace plastica::report
