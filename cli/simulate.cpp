@@ -43,6 +43,7 @@ void check_outputs(const SimulateArguments& arguments) {
     io::check_output_path(path, arguments.force);
   };
   if (arguments.output != "-") {
+    refuse_input("--output", arguments.output, arguments.file);
     const std::string ending = ending_of(arguments.output);
     if (ending != ".h5" && ending != ".csv") {
       throw InputError({}, "--output", arguments.output, "must end in .h5 or .csv, or be -");

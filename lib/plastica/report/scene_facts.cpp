@@ -11,6 +11,9 @@
 namespace plastica::report {
 namespace {
 
+/// A plastic strain below this is what rounding leaves of an elastic one.
+constexpr double kNoStrain = 1e-12;
+
 void raise(std::optional<Peak>& peak, const Peak& candidate) {
   const double size = std::fabs(candidate.value);
   if (size > (peak ? std::fabs(peak->value) : 0.0)) peak = candidate;
@@ -30,7 +33,9 @@ ScenePeaks peaks_of(const io::SceneRecord& record) {
       raise(peaks.stress, {chain.stress[at], joint, sample, 0});
       raise(peaks.shear_stress,
             {chain.moment[3 * at + 2] / record.outline.modulus[3 * joint + 2], joint, sample, 2});
-      raise(peaks.plastic_strain, {chain.plastic_strain[at], joint, sample, 0});
+      if (chain.plastic_strain[at] > kNoStrain) {
+        raise(peaks.plastic_strain, {chain.plastic_strain[at], joint, sample, 0});
+      }
     }
   }
   return peaks;

@@ -44,7 +44,7 @@ std::string shown(double value, Dimension dimension, int digits = 5) {
 
 /// A number among others of the size `largest`: what is round-off beside them is zero.
 std::string beside(double value, double largest) {
-  return std::fabs(value) < 1e-9 * largest ? "0" : significant(value);
+  return std::fabs(value) <= 1e-9 * largest ? "0" : significant(value);
 }
 
 std::string size_label(const BeamOutline& outline, std::size_t segment) {
@@ -60,9 +60,8 @@ std::string beam_label(const io::SceneRecord& record) {
   for (std::size_t i = 1; i < outline.segments(); ++i) {
     same = same && outline.width[i] == outline.width[0] && outline.height[i] == outline.height[0];
   }
-  return fmt::format("{} in {}, {}{}", shown(beam.length, Dimension::Length),
-                     counted(outline.segments(), "segment"), size_label(outline, 0),
-                     same ? "" : " at the start");
+  return fmt::format("{} m in {}, {}{}", brief(beam.length), counted(outline.segments(), "segment"),
+                     size_label(outline, 0), same ? "" : " at the start");
 }
 
 std::string head(const io::SceneRecord& record, const Ink& ink) {
@@ -162,9 +161,7 @@ std::string peak_text(const io::SceneRecord& record, const Ink& ink) {
   };
   if (matters(peaks.stress)) add("bending stress", peaks.stress, Dimension::Stress, "");
   if (matters(peaks.shear_stress)) add("shear stress", peaks.shear_stress, Dimension::Stress, "");
-  if (peaks.plastic_strain && peaks.plastic_strain->value > 1e-12) {
-    add("plastic strain", peaks.plastic_strain, Dimension::Strain, "in the break measure");
-  }
+  add("plastic strain", peaks.plastic_strain, Dimension::Strain, "in the break measure");
   return '\n' + ink.heading("Joints\n") + table.text(2, kWidth);
 }
 

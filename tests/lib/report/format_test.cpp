@@ -1,4 +1,4 @@
-#include "calibrate/report/format.hpp"
+#include "plastica/report/format.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,8 @@
 
 #include "plastica/report/table.hpp"
 
-namespace plastica::calibrate::report {
+namespace plastica::report {
 namespace {
-
-using plastica::report::Table;
 
 TEST(Numbers, HaveAsManyDecimalsAsTheirErrorHasTwoDigits) {
   EXPECT_EQ(with_error(281.2345, 0.41234), "281.23 ± 0.41");
@@ -92,4 +90,4 @@ TEST(Tables, CutTheFirstColumnWhereTheyAreTooWide) {
 }
 
 }  // namespace
-}  // namespace plastica::calibrate::report
+}  // namespace plastica::report

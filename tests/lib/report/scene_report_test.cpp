@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "plastica/report/format.hpp"
+#include "plastica/report/scene_csv.hpp"
+#include "plastica/report/scene_facts.hpp"
+#include "plastica/report/scene_json.hpp"
+#include "plastica/report/scene_text.hpp"
+#include "tests/support/scene_record.hpp"
+
+namespace plastica::report {
+namespace {
+
+using plastica::testing::cantilever_text;
+using plastica::testing::coupon_text;
+using plastica::testing::record_of;
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// A record whose path ended in a limit load.
+io::SceneRecord limited() {
+  io::SceneRecord record = record_of(cantilever_text());
+  record.response.status = Status::LimitLoad;
+  record.response.limit = LimitLoad{1.49979, 1.50031};
+  return record;
+}
+
+io::SceneRecord broken() {
+  io::SceneRecord record = record_of(cantilever_text());
+  record.response.status = Status::Broken;
+  record.response.chain.event = ChainBreak{2.0, 0.75, {}};
+  record.response.chain.event->joints = {
+      {0, BreakCause::BendingX, 0.1001, 0.1, {473.33, 0.0, 1e-14}, {0.2, 0.0, 0.0}, 12.5}};
+  return record;
+}
+
+TEST(SceneReport, BeginsWithHowItEndedAndTheLevelWithItsReason) {
+  const std::string text = scene_report(record_of(cantilever_text()));
+  EXPECT_TRUE(text.starts_with("beam: completed\n  level           planar: ")) << text;
+  EXPECT_TRUE(has(text, "  beam            1 m in 4 segments, 20 x 20 mm\n")) << text;
+}
+
+TEST(SceneReport, NamesALimitLoadByItsBracket) {
+  EXPECT_EQ(outcome_line(limited()),
+            "limit load: no equilibrium beyond factor 1.4998 (none found at 1.5003)");
+}
+
+TEST(SceneReport, NamesEachBrokenJointWithCauseStrainAndLimit) {
+  const io::SceneRecord record = broken();
+  EXPECT_EQ(outcome_line(record), "broken: 1 joint over its limit at factor 0.75, time 2 s");
+  const std::string text = scene_report(record);
+  EXPECT_TRUE(has(text, "      0      start  bending about x  10.010  10.00  473.33    0    0"))
+      << text;
+  EXPECT_TRUE(has(text, "  12.500\n")) << text;
+}
+
+TEST(SceneReport, SaysWhatToChangeWhereTheRunIsNotUsable) {
+  io::SceneRecord record = record_of(cantilever_text());
+  record.response.status = Status::NotConverged;
+  const std::string text = scene_report(record);
+  EXPECT_TRUE(text.starts_with("beam: not-converged\n  advice          take more steps")) << text;
+}
+
+TEST(SceneReport, OfNoValidSampleIsStillAReport) {
+  const io::SceneFile file = io::parse_scene_file(cantilever_text(), "beam.toml");
+  const Model model = prepare(file.setup.scene, file.setup.solver);
+  Response response = make_response(model);
+  response.status = Status::Mechanism;
+  const io::SceneRecord record = io::make_scene_record(file, model, response);
+  EXPECT_TRUE(scene_report(record).starts_with("beam: mechanism\n"));
+  EXPECT_TRUE(nlohmann::json::parse(scene_json(record)).at("energies").is_null());
+  std::ostringstream joints;
+  write_joints_csv(joints, record);
+  EXPECT_TRUE(joints.str().ends_with("bending stress [Pa]\n"));
+}
+
+TEST(SceneReport, ShowsProbesReactionsPeaksAndEnergiesThatBalance) {
+  const io::SceneRecord record = record_of(cantilever_text());
+  const std::string text = scene_report(record);
+  EXPECT_TRUE(has(text, "displacement y at end\n")) << text;
+  EXPECT_TRUE(has(text, "moment x at start\n")) << text;
+  EXPECT_TRUE(has(text, "  clamp            start    0  100.00    0  ")) << text;
+  const ScenePeaks peaks = peaks_of(record);
+  ASSERT_TRUE(peaks.moment && peaks.stress);
+  EXPECT_EQ(peaks.moment->joint, 0U);
+  EXPECT_EQ(peaks.moment->axis, 0U);
+  // 100 N on a metre, shortened a little as the tip comes down by 12 mm.
+  EXPECT_NEAR(std::fabs(peaks.moment->value), 100.0, 0.02);
+  EXPECT_NEAR(std::fabs(peaks.stress->value), 100.0 * 6.0 / 8e-6, 0.02 * 6.0 / 8e-6);
+  EXPECT_FALSE(peaks.plastic_strain);
+  EXPECT_LT(residual_share(record).value(), 1e-3);
+}
+
+TEST(SceneReport, OfACouponHasNoBeamAndTellsTheBreak) {
+  const std::string text = scene_report(record_of(coupon_text()));
+  EXPECT_TRUE(
+      text.starts_with("beam: broken at sample 3, strain 0.0216905, permanent strain 0.02\n"
+                       "  level           coupon: "))
+      << text;
+  for (const char* part : {"\nReactions", "\nJoints", "  beam  ", "\nEffort"}) {
+    EXPECT_FALSE(has(text, part)) << text;
+  }
+}
+
+TEST(SceneReport, IsNowhereWiderThanAHundredColumns) {
+  for (const io::SceneRecord& record : {broken(), limited(), record_of(coupon_text())}) {
+    std::istringstream lines(scene_report(record));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(width_of(line), 100U) << line;
+  }
+}
+
+TEST(SceneJson, GivesWhatTheReportSaysInSi) {
+  const auto json = nlohmann::json::parse(scene_json(broken()));
+  EXPECT_EQ(json.at("status"), "broken");
+  EXPECT_EQ(json.at("level"), "planar");
+  EXPECT_TRUE(json.at("limit_load").is_null());
+  EXPECT_EQ(json.at("break").at("joints").at(0).at("cause"), "bending_x");
+  EXPECT_EQ(json.at("probes").at("tip").at("unit"), "m");
+  EXPECT_LT(json.at("probes").at("tip").at("last"), -0.011);
+  EXPECT_NEAR(json.at("reactions").at(0).at("force").at(1), 100.0, 1e-6);
+  const auto limit = nlohmann::json::parse(scene_json(limited())).at("limit_load");
+  EXPECT_EQ(limit.at("below"), 1.49979);
+  EXPECT_EQ(limit.at("above"), 1.50031);
+}
+
+TEST(ProbeTable, HasARowPerSampleAndUnitsInTheHeader) {
+  const io::SceneRecord record = record_of(cantilever_text());
+  std::ostringstream out;
+  write_probes_csv(out, record);
+  const std::string text = out.str();
+  EXPECT_TRUE(text.starts_with("sample,time [s],factor [1],tip [m],root [N m]\n0,0,0,")) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 7);
+}
+
+TEST(JointTable, HasARowPerJointOfTheLastSample) {
+  const io::SceneRecord record = record_of(cantilever_text());
+  std::ostringstream out;
+  write_joints_csv(out, record);
+  const std::string text = out.str();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 6);
+  EXPECT_TRUE(has(text, "\n4,1,")) << text;
+  std::ostringstream none;
+  EXPECT_THROW(write_joints_csv(none, record_of(coupon_text())), InputError);
+}
+
+}  // namespace
+}  // namespace plastica::report
