@@ -1,0 +1,172 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "plastica/theory/lumped_chain.hpp"
+#include "tests/support/chain_scene.hpp"
+#include "tests/support/tolerance.hpp"
+
+// Beams that are not even: regions, segments of different lengths, corners.
+
+namespace plastica {
+namespace {
+
+using testing::add_probe;
+using testing::bending_stiffness_of;
+using testing::cantilever_scene;
+using testing::completed;
+using testing::last_of;
+using testing::tolerance;
+
+constexpr double kForce = 1e-2;  ///< [N]; finite rotations cost 1e-11 of the deflection
+
+/// Tip deflection along an axis under a force there, over the closed form, minus 1.
+double error_of(Scene scene, Component along, double exact) {
+  Load load{.force = {}};
+  load.force[static_cast<std::size_t>(along)] = kForce;
+  scene.loads.push_back(load);
+  add_probe(scene, ProbeQuantity::Displacement, Place::end(), along);
+  return last_of(completed(scene, {.steps = 1}), 0) / exact - 1.0;
+}
+
+/// Errors fall with the square of the segments, and are small.
+void expect_order_two(const std::function<double(int)>& error, double largest) {
+  const double coarse = error(16);
+  const double fine = error(32);
+  const double finest = error(64);
+  EXPECT_NEAR(coarse, 0.0, tolerance(largest));
+  EXPECT_NEAR(std::log2(coarse / fine), 2.0, tolerance(0.05));
+  EXPECT_NEAR(std::log2(fine / finest), 2.0, tolerance(0.05));
+}
+
+/// int M^2/(EI) of a tip force on a cantilever whose outer half has another stiffness.
+double stepped_tip(double inner, double outer) {
+  return kForce / 3.0 * ((1.0 - 0.125) / inner + 0.125 / outer);
+}
+
+TEST(ChainBeams, BendInPartsOfDifferentSections) {
+  expect_order_two(
+      [](int segments) {
+        Scene scene = cantilever_scene(segments);
+        const double ei = bending_stiffness_of(scene);
+        Section thin = scene.section;
+        thin.height = 0.5 * scene.section.height;
+        scene.regions.push_back({{0.5, {}}, Place::end(), thin, scene.material});
+        return error_of(scene, Component::Y, stepped_tip(ei, ei / 8.0));
+      },
+      0.01);
+}
+
+TEST(ChainBeams, BendInPartsOfDifferentMaterials) {
+  expect_order_two(
+      [](int segments) {
+        Scene scene = cantilever_scene(segments);
+        const double ei = bending_stiffness_of(scene);
+        Material soft = scene.material;
+        soft.youngs_modulus *= 0.35;
+        scene.regions.push_back({{0.5, {}}, Place::end(), scene.section, soft});
+        return error_of(scene, Component::Y, stepped_tip(ei, 0.35 * ei));
+      },
+      0.01);
+}
+
+TEST(ChainBeams, YieldFirstWhereAPartIsWeak) {
+  // The outer half yields at a fifth of the stress: at its inner end M = P/2, before the clamp.
+  Scene scene = cantilever_scene(20);
+  scene.material.youngs_modulus *= 1e3;
+  scene.yield_model = YieldModel::PerAxis;
+  const double moment = testing::yield_moment_of(scene);
+  Material weak = scene.material;
+  weak.yield_stress *= 0.2;
+  scene.regions.push_back({{0.5, {}}, Place::end(), scene.section, weak});
+  scene.loads.push_back({.force = {0.0, -moment, 0.0}});
+  const Response response = simulate(scene);
+  ASSERT_EQ(response.status, Status::LimitLoad);
+  EXPECT_NEAR(response.limit->below, 0.4, tolerance(2e-4));
+}
+
+/// Segments whose lengths grow evenly to three times the first.
+std::vector<double> growing(int segments) {
+  std::vector<double> shares;
+  for (int i = 0; i < segments; ++i) shares.push_back(1.0 + 2.0 * i / (segments - 1));
+  double sum = 0.0;
+  for (const double share : shares) sum += share;
+  for (double& share : shares) share /= sum;
+  return shares;
+}
+
+TEST(ChainBeams, KeepTheOrderWithSegmentsOfDifferentLengths) {
+  expect_order_two(
+      [](int segments) {
+        Scene scene = cantilever_scene(segments);
+        scene.beam.segment_shares = growing(segments);
+        return error_of(scene, Component::Y, kForce / 3.0 / bending_stiffness_of(scene));
+      },
+      0.01);
+}
+
+TEST(ChainBeams, TakeTributaryLengthsThatAreGiven) {
+  // One joint in the middle of a welded beam: it turns by M l/EI.
+  Scene scene = cantilever_scene(2);
+  scene.end_rule = EndRule::Equal;
+  scene.loads.push_back({.moment = {1.0, 0.0, 0.0}});
+  add_probe(scene, ProbeQuantity::Rotation, Place::end(), Component::X);
+  const double ei = bending_stiffness_of(scene);
+  EXPECT_NEAR(last_of(completed(scene, {.steps = 1}), 0) * ei, 0.5, tolerance(1e-10));
+  scene.beam.joint_lengths = {0.3};
+  EXPECT_NEAR(last_of(completed(scene, {.steps = 1}), 0) * ei, 0.3, tolerance(1e-10));
+}
+
+TEST(ChainBeams, GiveTheEndRuleByTributaryLengths) {
+  constexpr int kSegments = 8;
+  Scene scene = cantilever_scene(kSegments);
+  const double exact = kForce / 3.0 / bending_stiffness_of(scene);
+  scene.end_rule = EndRule::ThreeHalves;
+  const double by_rule = error_of(scene, Component::Y, exact);
+  scene.end_rule = EndRule::Equal;
+  scene.beam.joint_lengths.assign(kSegments - 1, 1.0 / kSegments);
+  scene.beam.joint_lengths.front() = scene.beam.joint_lengths.back() = 1.5 / kSegments;
+  EXPECT_NEAR(error_of(scene, Component::Y, exact), by_rule, tolerance(1e-12));
+  EXPECT_NEAR(by_rule + 1.0,
+              theory::tip_force_ratio(theory::ChainConvention::ThreeHalvesEnds, kSegments),
+              tolerance(1e-8));
+}
+
+/// Two legs at a right angle: `a` along z, then `b` along y.
+Scene elbow(int segments, double a) {
+  Scene scene = cantilever_scene(segments);
+  scene.section.width = 0.01;
+  const double b = 1.0 - a;
+  scene.beam.shape = BeamShape::Polyline;
+  scene.beam.points = {{0.0, 0.0, 0.0}, {0.0, 0.0, a}, {0.0, b, a}};
+  return scene;
+}
+
+TEST(ChainBeams, BendAroundACornerInTheirPlane) {
+  // Force along z at the tip: leg a bends under the moment P b alone, leg b under P s.
+  expect_order_two(
+      [](int segments) {
+        const Scene scene = elbow(segments, 0.5);
+        const double ei = bending_stiffness_of(scene);
+        return error_of(scene, Component::Z, kForce / ei * (0.125 / 3.0 + 0.25 * 0.5));
+      },
+      0.01);
+}
+
+TEST(ChainBeams, BendAndTwistAroundACorner) {
+  // Force along x: both legs bend about their other axis, leg a is twisted by P b as well.
+  expect_order_two(
+      [](int segments) {
+        const Scene scene = elbow(segments, 0.5);
+        const SectionProperties p = testing::properties_of(scene);
+        const double ei = scene.material.youngs_modulus * p.second_moment_y;
+        const double gj = resolved_shear_modulus(scene.material) * p.torsion_constant;
+        return error_of(scene, Component::X, kForce * (2.0 * 0.125 / 3.0 / ei + 0.25 * 0.5 / gj));
+      },
+      0.01);
+}
+
+}  // namespace
+}  // namespace plastica
