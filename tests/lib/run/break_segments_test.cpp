@@ -137,6 +137,14 @@ TEST(BreakOfAChain, ThatHardensConvergesUnderATipForce) {
   const double next = plastic_rotation(broken(10)) / rotation - 1.0;
   EXPECT_NEAR(coarse, 0.0, testing::tolerance(0.022));
   EXPECT_GT(std::log2(coarse / next), 1.95);
+
+  // The weld costs an order: it takes half a segment out of the plastic zone.
+  const auto welded = [&](int segments) {
+    Scene scene = hardening(breaking_cantilever(segments));
+    scene.end_rule = EndRule::Equal;
+    return plastic_rotation(break_by_tip_force(scene)) / rotation - 1.0;
+  };
+  EXPECT_NEAR(std::log2(welded(40) / welded(80)), 1.0, testing::tolerance(0.05));
 }
 
 }  // namespace
