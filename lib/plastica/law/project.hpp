@@ -21,6 +21,12 @@
 namespace plastica::law {
 namespace detail {
 
+/// Slope of a component that a kink keeps at zero. Exactly it is zero as well: while |m_x| + |m_y|
+/// = 1 flows along its axis x, a small m_y meets no resistance, and the tangent of a beam that
+/// bends in a plane would be singular across it. With this slope, rounding errors stay there what
+/// they are; the force is not changed.
+inline constexpr double kLeastSlope = 1e-5;
+
 /// Projects in the orthant where the mask holds.
 ///
 /// A target on an axis returns along it: the point is known, and so is the slope. It is the only
@@ -91,7 +97,12 @@ inline Projection<typename Gauge::Scalar> project(
     const mask_t<typename Gauge::Scalar>& mask) {
   using S = typename Gauge::Scalar;
   const SectionForce<S> u = orthant_of<Gauge>(target);
-  const Projection<S> inside = detail::project_orthant(gauge, compliance, u, overshoot, mask);
+  Projection<S> inside = detail::project_orthant(gauge, compliance, u, overshoot, mask);
+  for (std::size_t i = 0; i < kSectionAxes; ++i) {
+    const auto gone = inside.point[i] < constant<S>(sizeof(real_t<S>) == 8 ? 1e-9 : 1e-5);
+    const S slope = max(inside.slope(i, i), constant<S>(detail::kLeastSlope));
+    inside.slope(i, i) = select(gone, slope, inside.slope(i, i));
+  }
   const SectionTangent<S> axes = axes_of<Gauge>(target, u);
   // Column i of `axes` is the direction of u_i; the size of what is across a resultant shrinks with
   // the resultant.

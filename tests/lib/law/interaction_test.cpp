@@ -105,6 +105,20 @@ TEST(InteractionSection, ReturnsFromTrialForcesOfAnySize) {
   });
 }
 
+/// Exactly on an axis of a surface with a corner there, a small other component meets nothing.
+TEST(InteractionSection, IsNotSingularAcrossABendingThatFlows) {
+  for_each_section<double>([](const auto& law, const auto& yield, const auto& name, const auto&) {
+    typename std::remove_cvref_t<decltype(law)>::State state;
+    const auto now = respond(law, state, state, {{3.0 * yield[0], 0.0, 0.0, 0.0}});
+    for (std::size_t k = 1; k < 4; ++k) {
+      EXPECT_GE(now.tangent(k, k), 0.9e-5 * law.stiffness[k]) << name << k;
+      EXPECT_EQ(now.force[k], 0.0) << name << k;
+    }
+    const auto beside = respond(law, state, state, {{3.0 * yield[0], 1e-9 * yield[1], 0.0, 0.0}});
+    EXPECT_LE(std::fabs(beside.force[1]), 1e-9 * law.cap[1]) << name;
+  });
+}
+
 /// The closest point is the one from which no admissible force is further along the cut.
 TEST(InteractionSection, FlowsToTheClosestPointInElasticEnergy) {
   for_each_section<double>([](const auto& law, const auto& yield, const auto& name, const auto&) {
