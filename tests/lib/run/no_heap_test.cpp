@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "plastica/law/fibre.hpp"
+#include "plastica/law/interaction.hpp"
+#include "plastica/law/per_axis.hpp"
+#include "tests/lib/law/gauge_of.hpp"
 #include "tests/support/chain.hpp"
 #include "tests/support/scene.hpp"
 
@@ -119,6 +123,33 @@ TEST(Heap, IsNotUsedAlongAPath) {
     const std::size_t before = allocations;
     run(model, {}, workspace, response);
     EXPECT_EQ(allocations, before);
+  }
+}
+
+TEST(Heap, IsNotUsedBySectionLaws) {
+  const Material material = law::testing::steel(HardeningLaw::VoceChaboche);
+  const auto values = material_values(material);
+  using Law = law::VoceChaboche<double>;
+  for (const auto& surface : law::testing::surface_cases()) {
+    const auto form = law::testing::form_of(surface.section, material, surface.cap);
+    const auto yield = law::testing::yield_strain(form, material);
+    const law::SectionStrain<double> strain{
+        {2.0 * yield[0], -yield[1], 1.5 * yield[2], 0.3 * yield[3]}};
+    const auto layout = law::fibre_layout(surface.section, form, law::FibrePlane::Both, 8);
+    const auto fibres = law::fibre_section<Law>(layout, form, values);
+    std::vector<Law::State> states(layout.states());
+    const auto per_axis = law::per_axis_section<Law>(form, values);
+    law::PerAxisSection<double, Law>::State on_axis;
+    law::with_gauge<double>(law::testing::gauge_form_of(surface), [&](const auto& gauge) {
+      const auto interaction = law::interaction_section<Law>(form, gauge, values);
+      typename std::remove_cvref_t<decltype(interaction)>::State together;
+      const std::size_t before = allocations;
+      double work = respond(fibres, states.data(), states.data(), strain).plastic_work;
+      work += respond(per_axis, on_axis, on_axis, strain).plastic_work;
+      work += respond(interaction, together, together, strain).plastic_work;
+      EXPECT_EQ(allocations, before);
+      EXPECT_GT(work, 0.0);
+    });
   }
 }
 
