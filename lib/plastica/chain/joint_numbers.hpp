@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "plastica/chain/build.hpp"
+#include "plastica/law/gauge_form.hpp"
 #include "plastica/law/per_axis.hpp"
 #include "plastica/model/material_field.hpp"
 
@@ -15,13 +16,21 @@ struct PartForm {
   const Material* material = nullptr;
   SectionProperties properties{};
   law::SectionForm form{};
+  law::GaugeForm gauge{};  ///< of a yield model with one surface
 };
 
 /// The parts of a scene: its own, then its regions.
-inline std::vector<PartForm> part_forms(const Scene& scene) {
+/// @param with_gauge  whether the level yields on one surface, if the scene's yield model has one
+inline std::vector<PartForm> part_forms(const Scene& scene, bool with_gauge = false) {
   std::vector<PartForm> parts;
+  const bool one_surface =
+      scene.yield_model == YieldModel::Interaction || scene.yield_model == YieldModel::Conservative;
   const auto add = [&](const Section& section, const Material& material) {
-    PartForm part{&section, &material, section_properties(section, material.poisson_ratio), {}};
+    PartForm part{&section, &material, section_properties(section, material.poisson_ratio), {}, {}};
+    if (with_gauge && one_surface) {
+      // Of a rectangle it takes milliseconds, and does not depend on the material: once a chain.
+      part.gauge = law::gauge_form(section, scene.yield_model, scene.yield_cap, scene.formulas);
+    }
     part.form =
         law::section_form(section, part.properties, material, scene.yield_cap, scene.formulas);
     parts.push_back(part);

@@ -18,9 +18,6 @@ template <class L, bool kElastic>
 struct JointsMaker {
   using S = typename L::Scalar;
   using Made = std::unique_ptr<chain::SectionJointsBase<L, kElastic>>;
-  /// A level with one force per section has no interaction: there the closest point of any yield
-  /// surface is the clipped force.
-  static constexpr bool kOneForce = L::kRotations == 1 && !kElastic;
 
   const Scene& scene;
   const std::vector<chain::PartForm>& parts;
@@ -52,19 +49,14 @@ struct JointsMaker {
     return make(std::move(laws));
   }
 
-  law::GaugeForm gauge_of(std::size_t part) const {
-    return law::gauge_form(*parts[part].section, scene.yield_model, scene.yield_cap,
-                           scene.formulas);
-  }
-
   template <class Uniaxial>
   Made interaction() {
     Made made;
-    law::with_gauge<S>(gauge_of(0), [&](const auto& first) {
+    law::with_gauge<S>(parts[0].gauge, [&](const auto& first) {
       using Gauge = std::remove_cvref_t<decltype(first)>;
       std::vector<law::InteractionSection<S, Gauge, Uniaxial>> laws;
       for (std::size_t p = 0; p < parts.size(); ++p) {
-        law::with_gauge<S>(gauge_of(p), [&](const auto& gauge) {
+        law::with_gauge<S>(parts[p].gauge, [&](const auto& gauge) {
           if constexpr (std::is_same_v<std::remove_cvref_t<decltype(gauge)>, Gauge>) {
             laws.push_back(law::interaction_section<Uniaxial>(parts[p].form, gauge, materials[p]));
           } else {
@@ -109,7 +101,7 @@ struct JointsMaker {
         made = fibre<Uniaxial>();
         return;
       }
-      if constexpr (!kOneForce) {
+      if constexpr (!kOneForce<L, kElastic>) {
         if (scene.yield_model != YieldModel::PerAxis) {
           made = interaction<Uniaxial>();
           return;

@@ -40,7 +40,7 @@ WatchedJoint watched_joint(const Scene& scene, const chain::Layout& layout,
 
 template <class L, bool kElastic>
 ChainRunner<L, kElastic>::ChainRunner(const ChainModel& model, const chain::View<L>& view)
-    : model_(model), view_(view), parts_(chain::part_forms(model.scene)) {
+    : model_(model), view_(view), parts_(chain::part_forms(model.scene, !kOneForce<L, kElastic>)) {
   build_ = chain::Builder<L>(model.scene, model.layout, view).build();
   set_path_options();
   work_.resize(build_.chain);

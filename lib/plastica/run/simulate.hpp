@@ -21,9 +21,9 @@ Response make_response(const Model& model);
 Sensitivity make_sensitivity(const Model& model);
 Workspace make_workspace(const Model& model);
 
-/// Runs a model. Neither checks the scene again nor allocates (but for a chain's laws, once whenever
-/// its material differs from the run before, and a break event); any number of threads may run one
-/// model, each with its own workspace and response.
+/// Runs a model. Neither checks the scene again nor allocates (but for a chain's laws, once
+/// whenever its material differs from the run before, and a break event); any number of threads may
+/// run one model, each with its own workspace and response.
 /// @param values  SI, in the order of `model.parameters` (n_parameters)
 void run(const Model& model, ParameterValues values, Workspace& workspace, Response& response);
 
