@@ -38,7 +38,7 @@ class Factored {
     return b;
   }
 
- public:
+ private:
   Mat<S, N, N> l_;
   std::array<S, N> diagonal_{}, inverse_{};
 };
@@ -55,7 +55,6 @@ template <class Gauge>
 class InteriorPoint {
  public:
   using S = typename Gauge::Scalar;
-  static constexpr std::size_t kPieces = Gauge::kPieces;
 
   /// @param overshoot  phi(target) - 1, > 0 where the mask holds
   InteriorPoint(const Gauge& gauge, const SectionForce<S>& compliance,
@@ -69,22 +68,25 @@ class InteriorPoint {
     for (std::size_t i = 0; i < kSectionAxes; ++i) {
       weight_[i] = largest / (compliance[i] * overshoot);
       // Well inside: the gauge of the second part is below 0.2.
-      u_[i] = constant<S>(0.7) * target[i] * inverse_size + constant<S>(present(i) ? 0.05 : 0.0);
-      kappa_[i] = bounded(i) ? constant<S>(0.1) : constant<S>(0);
-      free_weight_[i] = weight_[i];
-      if (!bounded(i)) continue;
+      const bool present = !(Gauge::kRound && i == kBendingY);
+      u_[i] = constant<S>(0.7) * target[i] * inverse_size + constant<S>(present ? 0.05 : 0.0);
+    }
+    free_weight_ = weight_;
+    for (std::size_t b = 0; b < kBounds; ++b) {
+      const std::size_t i = kBoundAxis[b];
       // What the target lacks stays away. As an unknown its bound could only just hold, which the
       // method is slow with: it is held by a large weight instead, out of the way of the others.
-      const auto lacks = !(target[i] > constant<S>(0));
+      const auto lacks = !(target[i] > zero());
       const S tiny = constant<S>(1e-20);
       weight_[i] = select(lacks, constant<S>(1e30), weight_[i]);
       u_[i] = select(lacks, tiny, u_[i]);
-      kappa_[i] = select(lacks, tiny, kappa_[i]);
       target_[i] = select(lacks, tiny, target[i]);
+      slack_[kPieces + b] = u_[i];
+      multiplier_[kPieces + b] = select(lacks, tiny, constant<S>(0.1));
     }
     for (std::size_t k = 0; k < kPieces; ++k) {
       slack_[k] = constant<S>(0.5) - gauge_.piece(k, u_).value;
-      nu_[k] = constant<S>(1.0 / kPieces);
+      multiplier_[k] = constant<S>(1.0 / kPieces);
     }
     iterate(mask);
   }
@@ -96,7 +98,7 @@ class InteriorPoint {
     for (std::size_t i = 0; i < kSectionAxes; ++i) {
       // Where a bound only just holds, the rest of the barrier would show; the exact solution is
       // between 0 and the target.
-      now.point[i] = max(min(now.point[i], target_[i]), constant<S>(0));
+      now.point[i] = max(min(now.point[i], target_[i]), zero());
     }
     // On the surface to rounding: what is left of the slack goes along the radius.
     now.point = (constant<S>(1) / orthant_gauge(gauge_, now.point)) * now.point;
@@ -108,10 +110,9 @@ class InteriorPoint {
       column = matrix.solve(column);
       for (std::size_t i = 0; i < kSectionAxes; ++i) now.slope(i, j) = column[i];
     }
-    for (std::size_t i = 0; i < kSectionAxes; ++i) {
-      if (!bounded(i)) continue;
+    for (const std::size_t i : kBoundAxis) {
       S pull = zero();
-      for (std::size_t k = 0; k < kPieces; ++k) pull += nu_[k] * gradient_[k][i];
+      for (std::size_t k = 0; k < kPieces; ++k) pull += multiplier_[k] * gradient_[k][i];
       // A kink keeps it away, a smooth surface lets it come in.
       const S gives = free_weight_[i] / (free_weight_[i] + bent_[i]);
       const auto kink = pull > constant<S>(kDouble ? 1e-8 : 1e-4);
@@ -122,33 +123,56 @@ class InteriorPoint {
   }
 
  private:
+  static constexpr std::size_t kPieces = Gauge::kPieces;
   /// A round section has only the resultant moment.
-  static constexpr bool present(std::size_t i) { return !(Gauge::kRound && i == kBendingY); }
-  static constexpr bool bounded(std::size_t i) { return i != kTorsion && present(i); }
-  mask_t<S> absent(std::size_t i) const { return weight_[i] >= constant<S>(1e30); }
+  static constexpr std::size_t kBounds = Gauge::kRound ? 2 : 3;
+  static constexpr auto kBoundAxis = [] {
+    std::array<std::size_t, kBounds> axis{kBendingX, kAxial};
+    if constexpr (kBounds == 3) axis[2] = kBendingY;
+    return axis;
+  }();
+  static constexpr std::size_t kPairs = kPieces + kBounds;  ///< of slack and multiplier
   static constexpr bool kDouble = sizeof(real_t<S>) == 8;
   static constexpr int kMostIterations = 30;
 
-  /// The matrix w + kappa/u + sum nu_k (Hessian + gradient gradient^T/s_k) of the current point;
-  /// keeps values and gradients of the pieces.
+  struct Step {
+    SectionForce<S> u;
+    std::array<S, kPairs> slack{}, multiplier{};
+  };
+
+  static S zero() { return constant<S>(0); }
+  mask_t<S> absent(std::size_t i) const { return weight_[i] >= constant<S>(1e30); }
+
+  /// The matrix w + kappa/u + sum nu_k (Hessian + gradient gradient^T/s_k) of the current point,
+  /// its lower half; keeps what the steps from here need.
+  ///
+  /// Stiffer constraints than 1e9 would lose the weights beside them, so slacks are softened to at
+  /// least 1e-9 of their multiplier: steps become inexact, residuals stay true.
   /// @param decided  takes each constraint as holding or not, by which of s and nu is larger
   SectionTangent<S> assemble(bool decided) {
+    const S one = constant<S>(1);
+    const S hardest = one / soft_;
+    for (std::size_t k = 0; k < kPairs; ++k) {
+      inverse_slack_[k] = one / slack_[k];
+      inverse_multiplier_[k] = one / multiplier_[k];
+      softened_[k] = min(inverse_slack_[k], hardest * inverse_multiplier_[k]);
+      stiffness_[k] = multiplier_[k] * softened_[k];
+      if (decided) stiffness_[k] = select(multiplier_[k] > slack_[k], stiffness_[k], zero());
+    }
     SectionTangent<S> matrix;
     bent_ = {};
-    for (std::size_t i = 0; i < kSectionAxes; ++i) {
-      matrix(i, i) = weight_[i];
-      if (bounded(i)) matrix(i, i) += share(kappa_[i], u_[i], decided);
+    for (std::size_t i = 0; i < kSectionAxes; ++i) matrix(i, i) = weight_[i];
+    for (std::size_t b = 0; b < kBounds; ++b) {
+      matrix(kBoundAxis[b], kBoundAxis[b]) += stiffness_[kPieces + b];
     }
     for (std::size_t k = 0; k < kPieces; ++k) {
       const GaugePiece<S> f = gauge_.piece(k, u_);
-      const S stiff = share(nu_[k], slack_[k], decided);
       for (std::size_t i = 0; i < kSectionAxes; ++i) {
-        const S pull = stiff * f.gradient[i];
-        bent_[i] += nu_[k] * f.hessian(i, i);
-        // `Factored` reads the lower half.
+        const S pull = stiffness_[k] * f.gradient[i];
         for (std::size_t j = 0; j <= i; ++j) {
-          matrix(i, j) += nu_[k] * f.hessian(i, j) + pull * f.gradient[j];
+          matrix(i, j) += multiplier_[k] * f.hessian(i, j) + pull * f.gradient[j];
         }
+        bent_[i] += multiplier_[k] * f.hessian(i, i);
       }
       excess_[k] = f.value - constant<S>(0.5);
       gradient_[k] = f.gradient;
@@ -156,91 +180,59 @@ class InteriorPoint {
     return matrix;
   }
 
-  /// A slack for the matrix, which would lose the weights beside a stiffer constraint. It makes the
-  /// steps inexact, the residuals stay true.
-  S softened(const S& multiplier, const S& slack) const { return max(slack, soft_ * multiplier); }
-
-  S share(const S& multiplier, const S& slack, bool decided) const {
-    const S ratio = multiplier / softened(multiplier, slack);
-    return decided ? select(multiplier > slack, ratio, constant<S>(0)) : ratio;
-  }
-
-  struct Step {
-    SectionForce<S> u, kappa;
-    std::array<S, kPieces> slack, nu;
-  };
-
-  /// Newton step towards products `centre` of multipliers and slacks, less the part `correction` of
+  /// Newton step towards products `centre` of slacks and multipliers, less the part `correction` of
   /// those of the step `by`.
   ///
-  /// With ~ for softened slacks: Delta nu = (centre + nu (f + grad f Delta u))/s~,
-  /// Delta kappa = (centre - kappa (u + Delta u))/u~.
+  /// With ~ for softened slacks: Delta nu = (centre + nu (f - 1/2 + grad f Delta u))/s~, and for
+  /// bounds, f - 1/2 = -u.
   Step newton(const Factored<S, kSectionAxes>& matrix, const S& centre, const Step& by,
               const S& correction) const {
-    const auto wanted = [&](const S& a, const S& b) { return centre - correction * a * b; };
+    const auto rise = [&](std::size_t k, const S& excess) {
+      return (centre - correction * by.slack[k] * by.multiplier[k] + multiplier_[k] * excess) *
+             softened_[k];
+    };
     Step step;
     SectionForce<S> right;
-    for (std::size_t i = 0; i < kSectionAxes; ++i) {
-      right[i] = weight_[i] * (target_[i] - u_[i]);
-      if (!bounded(i)) continue;
-      const S change =
-          (wanted(by.kappa[i], by.u[i]) - kappa_[i] * u_[i]) / softened(kappa_[i], u_[i]);
-      step.kappa[i] = select(absent(i), zero(), change);
-      right[i] += kappa_[i] + step.kappa[i];
+    for (std::size_t i = 0; i < kSectionAxes; ++i) right[i] = weight_[i] * (target_[i] - u_[i]);
+    for (std::size_t b = 0; b < kBounds; ++b) {
+      const std::size_t k = kPieces + b;
+      const std::size_t i = kBoundAxis[b];
+      step.multiplier[k] = select(absent(i), zero(), rise(k, -u_[i]));
+      step.slack[k] = u_[i] - slack_[k];
+      right[i] += multiplier_[k] + step.multiplier[k];
     }
     for (std::size_t k = 0; k < kPieces; ++k) {
-      step.slack[k] = -(excess_[k] + slack_[k]);
-      step.nu[k] =
-          (wanted(by.nu[k], by.slack[k]) + nu_[k] * excess_[k]) / softened(nu_[k], slack_[k]);
-      right -= (nu_[k] + step.nu[k]) * gradient_[k];
+      step.multiplier[k] = rise(k, excess_[k]);
+      step.slack[k] = -excess_[k] - slack_[k];
+      right -= (multiplier_[k] + step.multiplier[k]) * gradient_[k];
     }
     step.u = matrix.solve(right);
-    for (std::size_t i = 0; i < kSectionAxes; ++i) {
-      if (bounded(i)) step.kappa[i] -= share(kappa_[i], u_[i], false) * step.u[i];
-    }
-    for (std::size_t k = 0; k < kPieces; ++k) {
-      const S along = dot(gradient_[k], step.u);
+    const auto move = [&](std::size_t k, const S& along) {
       step.slack[k] -= along;
-      step.nu[k] += share(nu_[k], slack_[k], false) * along;
-    }
+      step.multiplier[k] += stiffness_[k] * along;
+    };
+    for (std::size_t b = 0; b < kBounds; ++b) move(kPieces + b, -step.u[kBoundAxis[b]]);
+    for (std::size_t k = 0; k < kPieces; ++k) move(k, dot(gradient_[k], step.u));
     return step;
   }
 
-  static S zero() { return constant<S>(0); }
-
   /// The longest part of a step that keeps slacks and multipliers positive, at most 1.
   S longest(const Step& step) const {
-    S length = constant<S>(1);
-    const auto keep = [&](const S& x, const S& dx) {
-      const auto falls = dx < zero();
-      length = min(length, select(falls, x / select(falls, -dx, constant<S>(1)), length));
-    };
-    for (std::size_t i = 0; i < kSectionAxes; ++i) {
-      if (!bounded(i)) continue;
-      keep(u_[i], step.u[i]);
-      keep(kappa_[i], step.kappa[i]);
+    S shrinks = constant<S>(1);
+    for (std::size_t k = 0; k < kPairs; ++k) {
+      shrinks = max(shrinks, max(-step.slack[k] * inverse_slack_[k],
+                                 -step.multiplier[k] * inverse_multiplier_[k]));
     }
-    for (std::size_t k = 0; k < kPieces; ++k) {
-      keep(slack_[k], step.slack[k]);
-      keep(nu_[k], step.nu[k]);
-    }
-    return length;
+    return constant<S>(1) / shrinks;
   }
 
-  /// Mean product of multipliers and slacks after a part of a step.
+  /// Mean product of slacks and multipliers after a part of a step.
   S gap(const Step& step, const S& length) const {
     S sum = zero();
-    const auto add = [&](const S& x, const S& y, const S& dx, const S& dy) {
-      sum += (x + length * dx) * (y + length * dy);
-    };
-    for (std::size_t i = 0; i < kSectionAxes; ++i) {
-      if (bounded(i)) add(u_[i], kappa_[i], step.u[i], step.kappa[i]);
+    for (std::size_t k = 0; k < kPairs; ++k) {
+      sum += (slack_[k] + length * step.slack[k]) * (multiplier_[k] + length * step.multiplier[k]);
     }
-    for (std::size_t k = 0; k < kPieces; ++k) {
-      add(slack_[k], nu_[k], step.slack[k], step.nu[k]);
-    }
-    constexpr int kBounds = Gauge::kRound ? 2 : 3;
-    return sum * constant<S>(1.0 / (kPieces + kBounds));
+    return sum * constant<S>(1.0 / kPairs);
   }
 
   void iterate(mask_t<S> active) {
@@ -249,9 +241,9 @@ class InteriorPoint {
     const S stalled = constant<S>(kDouble ? 1e-11 : 1e-5);
     const S settled =
         max(constant<S>(kDouble ? 1e3 : 1e2) * soft_, constant<S>(kDouble ? 1e-15 : 1e-6));
+    S now = gap({}, zero());
     for (int iteration = 0; iteration < kMostIterations && any(active); ++iteration) {
       const Factored<S, kSectionAxes> matrix(assemble(false));
-      const S now = gap({}, zero());
       const Step affine = newton(matrix, zero(), {}, zero());
       const S reach = longest(affine);
       const S left = gap(affine, reach) / now;
@@ -262,16 +254,17 @@ class InteriorPoint {
       for (std::size_t i = 0; i < kSectionAxes; ++i) {
         moved = max(moved, abs(length * step.u[i]));
         u_[i] = select(active, u_[i] + length * step.u[i], u_[i]);
-        kappa_[i] = select(active, kappa_[i] + length * step.kappa[i], kappa_[i]);
       }
-      for (std::size_t k = 0; k < kPieces; ++k) {
+      for (std::size_t k = 0; k < kPairs; ++k) {
         slack_[k] = select(active, slack_[k] + length * step.slack[k], slack_[k]);
-        nu_[k] = select(active, nu_[k] + length * step.nu[k], nu_[k]);
+        multiplier_[k] =
+            select(active, multiplier_[k] + length * step.multiplier[k], multiplier_[k]);
       }
       const S after = gap({}, zero());
       // At a corner where many constraints meet their multipliers may wander when all is done.
       const auto stalls = (after < stalled) & (after > constant<S>(0.3) * now);
       active = active & ((after > enough) | (moved > settled)) & !stalls;
+      now = after;
     }
   }
 
@@ -282,13 +275,15 @@ class InteriorPoint {
   }
 
   const Gauge& gauge_;
-  SectionForce<S> target_, weight_, u_, kappa_;
-  SectionForce<S> free_weight_;  ///< without what holds absent components
-  SectionForce<S> bent_;         ///< sum of nu_k times the second derivatives
+  SectionForce<S> target_, weight_, u_;
+  SectionForce<S> free_weight_;               ///< without what holds absent components
+  std::array<S, kPairs> slack_, multiplier_;  ///< of the pieces, then of the bounds
   S soft_;
-  std::array<S, kPieces> slack_, nu_;
+  // Of the current point, by `assemble`:
+  std::array<S, kPairs> inverse_slack_, inverse_multiplier_, softened_, stiffness_;
   std::array<S, kPieces> excess_;  ///< f - 1/2
   std::array<SectionForce<S>, kPieces> gradient_;
+  SectionForce<S> bent_;  ///< sum of nu_k times the second derivatives
 };
 
 }  // namespace detail

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -17,7 +16,6 @@ namespace plastica::law {
 namespace {
 
 using plastica::testing::ReferenceTable;
-using std::numbers::pi;
 using testing::form_of;
 using testing::Shaker;
 using testing::steel;
