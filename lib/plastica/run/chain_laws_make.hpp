@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "plastica/law/fibre.hpp"
-#include "plastica/law/interaction.hpp"
 #include "plastica/law/per_axis.hpp"
 #include "plastica/run/chain_laws.hpp"
+#include "plastica/run/surface_law.hpp"
 
 /// Defines `make_joints`; for the files that instantiate it.
 namespace plastica {
@@ -54,11 +54,12 @@ struct JointsMaker {
     Made made;
     law::with_gauge<S>(parts[0].gauge, [&](const auto& first) {
       using Gauge = std::remove_cvref_t<decltype(first)>;
-      std::vector<law::InteractionSection<S, Gauge, Uniaxial>> laws;
+      std::vector<SurfaceLaw<law::InteractionSection<S, Gauge, Uniaxial>>> laws;
       for (std::size_t p = 0; p < parts.size(); ++p) {
         law::with_gauge<S>(parts[p].gauge, [&](const auto& gauge) {
           if constexpr (std::is_same_v<std::remove_cvref_t<decltype(gauge)>, Gauge>) {
-            laws.push_back(law::interaction_section<Uniaxial>(parts[p].form, gauge, materials[p]));
+            laws.push_back(
+                {law::interaction_section<Uniaxial>(parts[p].form, gauge, materials[p])});
           } else {
             assert(false && "check_regions refuses it");
           }

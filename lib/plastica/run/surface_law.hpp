@@ -1,0 +1,24 @@
+#pragma once
+
+#include "plastica/law/interaction.hpp"
+
+/// The laws with one yield surface, compiled once for all levels: their return is long, and each of
+/// the five surfaces has it with each of three hardening laws.
+namespace plastica {
+
+/// A section law whose `respond` is a call into surface_law_*.cpp.
+/// @tparam Section  law::InteractionSection<double, …>
+template <class Section>
+struct SurfaceLaw {
+  using State = typename Section::State;
+  Section section;
+};
+
+/// See law::respond.
+template <class Section>
+law::SectionResponse<double> respond(const SurfaceLaw<Section>& law,
+                                     const typename Section::State& before,
+                                     typename Section::State& after,
+                                     const law::SectionStrain<double>& strain);
+
+}  // namespace plastica
