@@ -26,8 +26,9 @@ constexpr const char* kFooter =
     "  plastica calibrate fit.toml -o fit.h5   fit every target\n"
     "  plastica show fit.h5                    the report\n"
     "  plastica plot fit.h5 -o fit.svg         the picture\n"
-    "Exit codes: 0 done, 1 a target has no usable fit, 2 bad input, 3 the machine failed,\n"
-    "130 interrupted by Ctrl-C (--resume goes on).\n"
+    "  plastica simulate scene.toml -o s.h5    what a beam does under its loads\n"
+    "Exit codes: 0 done, 1 a target has no usable fit or a scene no equilibrium, 2 bad input,\n"
+    "3 the machine failed, 130 interrupted by Ctrl-C (--resume goes on).\n"
     "`plastica COMMAND --help` says more.";
 
 void add_commands(CLI::App& app, const std::string& command_line, Action& action) {
@@ -77,8 +78,9 @@ int finish_output(int code) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Plastica: fits yield stress and break strain of lumped beams to measured curves",
-               "plastica"};
+  CLI::App app{
+      "Plastica: lumped beams of rigid segments: fits them to measured curves, and simulates them",
+      "plastica"};
   app.set_version_flag("--version", std::string(plastica::version()));
   app.require_subcommand(1);
   app.footer(kFooter);

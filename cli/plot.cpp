@@ -2,32 +2,83 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "calibrate/report/plot.hpp"
 #include "calibrate/store/fit_store.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/run_files.hpp"
+#include "plastica/io/scene_store.hpp"
+#include "plastica/report/scene_plot.hpp"
 
 namespace plastica::cli {
 namespace {
 
 struct PlotArguments {
-  std::string file;
+  std::vector<std::string> files;
   calibrate::PlotRequest request;
+  std::optional<int> joint;
+  std::string probe;
   bool list = false;
   bool force = false;
 };
 
+void list(const PlotArguments& arguments) {
+  const auto print = [](const auto& kinds) {
+    for (const auto& kind : kinds) fmt::print("{:<12} {}\n", kind.name, kind.doc);
+  };
+  if (arguments.files.empty()) {
+    fmt::print("of fits:\n");
+    print(calibrate::plot_kinds());
+    fmt::print("of a simulated scene:\n");
+    print(report::scene_plot_kinds());
+  } else if (holds_scene(arguments.files.front())) {
+    print(report::scene_plot_kinds_of(io::read_scene_store(arguments.files.front())));
+  } else {
+    print(calibrate::plot_kinds());
+  }
+}
+
+void draw_scenes(const PlotArguments& arguments) {
+  refuse_option(!arguments.request.specimen.empty(), "--case",
+                "is for results of fits; this is a simulated scene");
+  std::vector<io::SceneRecord> records;
+  for (const std::string& file : arguments.files) records.push_back(io::read_scene_store(file));
+  const report::ScenePlotRequest request{arguments.request.what, arguments.joint, arguments.probe,
+                                         arguments.request.output};
+  report::draw_scene_plot(records, request, std::cout);
+}
+
+void draw_fits(const PlotArguments& arguments) {
+  constexpr std::string_view kRule = "is for simulated scenes; this is a result of fits";
+  refuse_option(arguments.joint.has_value(), "--joint", kRule);
+  refuse_option(!arguments.probe.empty(), "--probe", kRule);
+  if (arguments.files.size() > 1) {
+    throw InputError({}, "plot", arguments.files[1],
+                     "must not be there: fits are drawn of one file");
+  }
+  const auto contents = calibrate::read_fit_store(arguments.files.front());
+  calibrate::draw_plot(contents.records, arguments.request, std::cout);
+}
+
 int plot(const PlotArguments& arguments) {
   if (arguments.list) {
-    for (const auto& kind : calibrate::plot_kinds()) fmt::print("{:<12} {}\n", kind.name, kind.doc);
+    list(arguments);
     return kDone;
   }
   const std::string& output = arguments.request.output;
-  if (output != "-") io::check_output_path(output, arguments.force);
-  const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
-  calibrate::draw_plot(contents.records, arguments.request, std::cout);
+  if (output != "-") {
+    for (const std::string& file : arguments.files) refuse_input("--output", output, file);
+    io::check_output_path(output, arguments.force);
+  }
+  if (holds_scene(arguments.files.front())) {
+    draw_scenes(arguments);
+  } else {
+    draw_fits(arguments);
+  }
   if (output != "-") fmt::print("wrote {}\n", output);
   return kDone;
 }
@@ -37,18 +88,22 @@ int plot(const PlotArguments& arguments) {
 void add_plot(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("plot", "the picture of a result file");
   auto arguments = std::make_shared<PlotArguments>();
-  sub->add_option("file", arguments->file, "result of `plastica calibrate`");
+  sub->add_option(
+      "files", arguments->files,
+      "result of `plastica calibrate`, or of `simulate`; several scenes over each other");
   sub->add_option("-o,--output", arguments->request.output,
                   ".svg, .png, .pdf; .gp for script and data; - for the terminal")
       ->capture_default_str();
   sub->add_option("--what", arguments->request.what, "which picture, see --list");
   sub->add_option("--case", arguments->request.specimen, "specimen of a curve");
+  sub->add_option("--joint", arguments->joint, "of the picture \"joint\" of a scene");
+  sub->add_option("--probe", arguments->probe, "of the picture \"load\" of a scene");
   sub->add_flag("--list", arguments->list, "the pictures there are");
   sub->add_flag("--force", arguments->force, "overwrite a picture that is there");
   arguments->request.output = "-";
   sub->footer("Example: plastica plot fit.h5 -o fit.svg");
   sub->callback([&action, arguments] {
-    if (arguments->file.empty() && !arguments->list) throw CLI::RequiredError("file");
+    if (arguments->files.empty() && !arguments->list) throw CLI::RequiredError("files");
     action = [arguments] { return plot(*arguments); };
   });
 }

@@ -55,6 +55,15 @@ TEST(BadResult, ThatIsTruncatedIsRefused) {
   expect_no_result(whole.substr(0, whole.size() - 1), "x.h5: is damaged: …");
 }
 
+TEST(BadResult, OfAnotherSchemaIsRefused) {
+  const Workplace place;
+  io::Hdf5File file = io::Hdf5File::create(place.path("x.h5"));
+  file.root().set_attribute(".", "schema", "plastica/sweep");
+  file.commit();
+  expect_no_result(place.read("x.h5"),
+                   "x.h5: schema = plastica/sweep: must be plastica/fits or plastica/scene");
+}
+
 TEST(BadRequest, OfAResultIsRefusedInOneLine) {
   const std::map<std::string, std::string> files{{"x.h5", result()}, {"mine.csv", "my own"}};
   const std::vector<std::pair<std::vector<std::string>, std::string>> requests = {
@@ -67,6 +76,9 @@ TEST(BadRequest, OfAResultIsRefusedInOneLine) {
        "--output = x.gif: must end in .svg, .png, .pdf or .gp, or be -"},
       {{"plot", "x.h5", "-o", "none/x.svg"},
        "none/x.svg: cannot be written: there is no folder none"},
+      {{"plot", "x.h5", "x.h5"}, "plot = x.h5: must not be there: fits are drawn of one file"},
+      {{"plot", "x.h5", "--joint", "1"},
+       "--joint: is for simulated scenes; this is a result of fits"},
       {{"export", "x.h5", "--to", "xls"},
        "--to: xls not in {csv,json} (see plastica export --help)"},
       {{"export", "x.h5", "--what", "all"},

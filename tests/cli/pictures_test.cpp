@@ -68,7 +68,7 @@ TEST(Pictures, AreListedWithoutAFile) {
   }
   const CommandResult none = place.run({"plot"});
   EXPECT_EQ(none.code, 2);
-  EXPECT_EQ(none.err, "plastica: file is required (see plastica plot --help)\n");
+  EXPECT_EQ(none.err, "plastica: files is required (see plastica plot --help)\n");
 }
 
 }  // namespace

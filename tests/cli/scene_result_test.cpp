@@ -74,7 +74,7 @@ TEST(SceneResult, HasASummaryForScripts) {
 TEST(SceneResult, IsWrittenEvenWhereNoEquilibriumIsFound) {
   const Workplace place;
   std::string text = cantilever_text("-400 N");
-  text.replace(text.find("steps = 5"), 9, "most_iterations = 1\nsmallest_step = 0.9");
+  text.replace(text.find("steps = 5"), 9, "steps = 1\nmost_iterations = 1\nsmallest_step = 0.9");
   place.write("beam.toml", text);
   const CommandResult result = place.run({"simulate", "beam.toml", "-o", "beam.h5"});
   EXPECT_EQ(result.code, 1);
@@ -98,6 +98,24 @@ TEST(SceneResult, IsForetoldWithoutARun) {
   EXPECT_EQ(place.contents(), before);
 }
 
+TEST(SceneResult, IsDrawnAsEachPictureThatItHas) {
+  const Workplace place;
+  simulate_beam(place);
+  const CommandResult listed = place.run({"plot", "beam.h5", "--list"});
+  EXPECT_EQ(listed.code, 0) << listed.err;
+  for (const std::string what : {"shape", "moment", "joint", "load", "energy"}) {
+    EXPECT_TRUE(has("\n" + listed.out, "\n" + what + " ")) << listed.out;
+    const CommandResult drawn = place.run({"plot", "beam.h5", "--what", what, "-o", what + ".svg"});
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_EQ(drawn.out, "wrote " + what + ".svg\n");
+    EXPECT_TRUE(has(place.read(what + ".svg"), "</svg>")) << what;
+    EXPECT_GT(lines_of(place.run({"plot", "beam.h5", "--what", what}).out), 15U) << what;
+  }
+  EXPECT_EQ(place.run({"plot", "beam.h5", "-o", "again.svg"}).code, 0);
+  EXPECT_EQ(place.read("again.svg"), place.read("shape.svg"));
+  EXPECT_EQ(place.run({"plot", "beam.h5", "beam.h5", "--what", "moment"}).code, 0);
+}
+
 TEST(BadSceneRequest, IsRefusedInOneLine) {
   Workplace place;
   simulate_beam(place);
@@ -109,6 +127,12 @@ TEST(BadSceneRequest, IsRefusedInOneLine) {
       {{"show", "x.h5", "--all"}, "--all: is for results of fits; this is a simulated scene"},
       {{"export", "x.h5", "--what", "curves"},
        "--what = curves: must be probes or joints of this file"},
+      {{"plot", "x.h5", "--what", "curve"},
+       "--what = curve: must be one of shape, moment, joint, load, energy for this file"},
+      {{"plot", "x.h5", "--case", "a"},
+       "--case: is for results of fits; this is a simulated scene"},
+      {{"plot", "x.h5", "--what", "joint", "--joint", "7"}, "--joint = 7: must be from 0 to 4"},
+      {{"plot", "x.h5", "-o", "x.h5", "--force"}, "--output = x.h5: is a file that this run reads"},
       {{"simulate", "beam.toml", "-o", "x.h5"},
        "x.h5: exists already: use --force to overwrite it"},
       {{"simulate", "beam.toml", "-o", "beam.toml", "--force"},

@@ -38,7 +38,10 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         shutil.copytree(ROOT / "data", pathlib.Path(folder) / "data")
         report = run(command, "calibrate", "data/fits/demo.toml", "-o", "demo.h5", folder=folder)
+        scene = run(command, "simulate", "data/scenes/report_fig06_bent.toml", "-o", "bent.h5",
+                    folder=folder)
         expected = {
+            "scene-report": fenced("text", scene),
             "demo-report": fenced("text", report),
             "library-example": fenced("cpp", (ROOT / "tests/consumer/main.cpp").read_text()),
             "beam-example": fenced("cpp", (ROOT / "tests/consumer/beam.cpp").read_text()),

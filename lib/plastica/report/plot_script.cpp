@@ -11,6 +11,11 @@
 namespace plastica::report {
 namespace {
 
+/// In pixels of a picture 900 wide.
+constexpr double kHeight = 560.0;
+/// Below the panels: labels and the legend.
+constexpr double kBottom = 92.0;
+
 void put_rows(std::string& block, const std::vector<std::vector<double>>& rows) {
   for (const std::vector<double>& row : rows) {
     for (const double value : row) fmt::format_to(std::back_inserter(block), "{:.7g} ", value);
@@ -64,11 +69,15 @@ void PlotScript::begin_panels(std::size_t count, std::string_view title, int hea
   }
 }
 
+void PlotScript::set_plot_height(double pixels) {
+  relative_height_ = (pixels + head_ + kBottom + below_) / kHeight;
+}
+
 void PlotScript::begin_panel(std::string_view title) {
   // In pixels of a picture 900 wide: room for labels, titles and the legend.
-  const double height = 560.0 * relative_height_;
+  const double height = kHeight * relative_height_;
   const double left = 78.0;
-  const double bottom = 92.0 + below_;
+  const double bottom = kBottom + below_;
   const double between = 62.0;
   const double above = 78.0 + below_;
   const auto columns = static_cast<double>(columns_);
@@ -96,10 +105,16 @@ void PlotScript::add_series(std::string_view block, std::string_view style, std:
   styled.insert(kind, fmt::format(" linetype {}", known - names_.begin() + 1));
   const std::string_view separator = plot_.empty() ? "plot " : ", \\\n     ";
   plot_ += fmt::format("{}{} {} notitle", separator, block, styled);
-  if (!fresh) return;
+  if (fresh) add_entry(styled.substr(styled.find("with ")), name);
+}
+
+void PlotScript::add_entry(std::string_view style, std::string_view name) {
   names_.emplace_back(name);
-  legend_ += fmt::format(", \\\n     keyentry {} title {}", styled.substr(styled.find("with ")),
-                         quoted(name));
+  legend_ += fmt::format(", \\\n     keyentry {} title {}", style, quoted(name));
+}
+
+void PlotScript::add_unnamed(std::string_view block, std::string_view style) {
+  plot_ += fmt::format("{}{} {} notitle", plot_.empty() ? "plot " : ", \\\n     ", block, style);
 }
 
 void PlotScript::end_panel() {
@@ -112,7 +127,8 @@ void PlotScript::end_panel() {
   if (panel_ < count_of_panels_ || count_of_panels_ == 1) return;
   // A legend is as wide as its plot: that of all panels belongs to an empty plot of full width.
   command(
-      "set lmargin at screen 0.02\nset rmargin at screen 0.98\nunset border\nunset tics\n"
+      "set lmargin at screen 0.02\nset rmargin at screen 0.98\nunset border\nunset tics\nunset "
+      "xzeroaxis\n"
       "unset grid\nunset title\nunset xlabel\nunset ylabel\nset xrange [0:1]\nset yrange [0:1]\n"
       "set offsets 0, 0, 0, 0");
   command("plot NaN notitle" + legend_ + "\nunset multiplot");

@@ -32,6 +32,8 @@ class PlotScript {
   /// @param below  room for labels below a panel beyond the usual [pixels of 900 in a row]
   void begin_panels(std::size_t count, std::string_view title = {}, int head = 1,
                     double below = 0.0);
+  /// Makes the one panel of a picture so high; before `begin_panel`. [pixels of 900 in a row]
+  void set_plot_height(double pixels);
   /// What the next panel shows.
   /// @param title  of the panel, as a gnuplot string expression
   void begin_panel(std::string_view title);
@@ -40,6 +42,10 @@ class PlotScript {
   /// @param style  "using 1:2 with lines …"
   /// @param name   in the legend; each name is there once
   void add_series(std::string_view block, std::string_view style, std::string_view name);
+  /// Adds a series that is not in the legend.
+  void add_unnamed(std::string_view block, std::string_view style);
+  /// Adds a line to the legend. @param style  "with lines …"
+  void add_entry(std::string_view style, std::string_view name);
   /// Draws the panel.
   void end_panel();
 

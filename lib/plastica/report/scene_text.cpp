@@ -214,15 +214,12 @@ std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
 }
 
 std::string effort_text(const io::SceneRecord& record, const Ink& ink) {
-  const Response& response = record.response;
   if (record.level == Level::Coupon) return {};
-  const PathCounters& counters = response.counters;
+  const PathCounters& counters = record.response.counters;
   return '\n' + ink.heading("Effort\n") +
-         fmt::format("  {}, {}, {}, {:.3g} ms\n",
-                     counted(static_cast<std::size_t>(counters.steps), "step"),
+         fmt::format("  {}, {}, {}\n", counted(static_cast<std::size_t>(counters.steps), "step"),
                      counted(static_cast<std::size_t>(counters.iterations), "iteration"),
-                     counted(static_cast<std::size_t>(counters.cutbacks), "cut-back"),
-                     1e3 * response.seconds);
+                     counted(static_cast<std::size_t>(counters.cutbacks), "cut-back"));
 }
 
 std::string warning_text(const io::SceneRecord& record, const Ink& ink) {

@@ -1,0 +1,249 @@
+#include "plastica/report/scene_curves.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "plastica/base/check.hpp"
+#include "plastica/report/format.hpp"
+#include "plastica/report/scene_facts.hpp"
+
+namespace plastica::report {
+namespace {
+
+/// What tells records in one picture apart: their names, or their segments.
+std::vector<std::string> labels_of(std::span<const io::SceneRecord> records) {
+  std::vector<std::string> labels;
+  const auto same_name = [&](const io::SceneRecord& record) {
+    return std::count_if(records.begin(), records.end(), [&](const io::SceneRecord& other) {
+      return other.setup.scene.name == record.setup.scene.name;
+    });
+  };
+  for (const io::SceneRecord& record : records) {
+    const std::string segments = counted(record.outline.segments(), "segment");
+    const std::string name = printable(record.setup.scene.name);
+    const auto count = static_cast<std::size_t>(same_name(record));
+    if (count == records.size()) {
+      labels.push_back(segments);
+    } else {
+      labels.push_back(count == 1 ? name : name + ", " + segments);
+    }
+  }
+  return labels;
+}
+
+std::string title_of(std::span<const io::SceneRecord> records) {
+  std::string title;
+  for (const io::SceneRecord& record : records) {
+    const std::string name = printable(record.setup.scene.name);
+    if (title.find(name) == title.npos) title += (title.empty() ? "" : ", ") + name;
+  }
+  return cut(title, 90);
+}
+
+double largest(const std::vector<double>& values, std::size_t first, std::size_t stride) {
+  double most = 0.0;
+  for (std::size_t i = first; i < values.size(); i += stride) {
+    if (std::isfinite(values[i])) most = std::max(most, std::fabs(values[i]));
+  }
+  return most;
+}
+
+/// Strain and stress of a joint over the path, about the axis of its largest strain.
+struct JointPath {
+  std::size_t joint = 0;
+  std::size_t axis = 0;
+  std::vector<std::vector<double>> points;  ///< (strain in %, stress in MPa)
+};
+
+double strain_at(const io::SceneRecord& record, std::size_t sample, std::size_t joint,
+                 std::size_t axis) {
+  const ChainHistory& chain = record.response.chain;
+  return chain.angle[(sample * chain.joints + joint) * 3 + axis] *
+         record.outline.strain_per_angle[3 * joint + axis];
+}
+
+JointPath joint_path(const io::SceneRecord& record, std::optional<int> wanted) {
+  const ChainHistory& chain = record.response.chain;
+  JointPath path;
+  double most = -1.0;
+  for (std::size_t joint = 0; joint < chain.joints; ++joint) {
+    if (wanted && joint != static_cast<std::size_t>(*wanted)) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t sample = 0; sample < chain.time.size(); ++sample) {
+        const double size = std::fabs(strain_at(record, sample, joint, axis));
+        if (!(size > most)) continue;
+        most = size;
+        path.joint = joint;
+        path.axis = axis;
+      }
+    }
+  }
+  for (std::size_t sample = 0; sample < chain.time.size(); ++sample) {
+    const std::size_t at = (sample * chain.joints + path.joint) * 3 + path.axis;
+    const double modulus = record.outline.modulus[3 * path.joint + path.axis];
+    path.points.push_back({100.0 * strain_at(record, sample, path.joint, path.axis),
+                           1e-6 * chain.moment[at] / modulus});
+  }
+  return path;
+}
+
+void check_joint(const io::SceneRecord& record, int joint) {
+  const std::size_t joints = record.response.chain.joints;
+  if (joint >= 0 && static_cast<std::size_t>(joint) < joints) return;
+  throw InputError({}, "--joint", std::to_string(joint),
+                   joints == 0 ? std::string("is not of a coupon, which has none")
+                               : fmt::format("must be from 0 to {}", joints - 1));
+}
+
+std::size_t probe_index(const io::SceneRecord& record, const std::string& name) {
+  const auto& probes = record.setup.scene.probes;
+  std::string names;
+  for (std::size_t p = 0; p < probes.size(); ++p) {
+    if (probes[p].name == name) return p;
+    names += (names.empty() ? "" : ", ") + probes[p].name;
+  }
+  if (!name.empty()) throw InputError({}, "--probe", name, "must be a probe of the file: " + names);
+  for (const ProbeQuantity wanted : {ProbeQuantity::Displacement, ProbeQuantity::Rotation}) {
+    for (std::size_t p = 0; p < probes.size(); ++p) {
+      if (probes[p].quantity == wanted) return p;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+const std::vector<double>* coupon_stress(const io::SceneRecord& record) {
+  const auto& probes = record.setup.scene.probes;
+  for (std::size_t p = 0; p < probes.size(); ++p) {
+    if (probes[p].quantity == ProbeQuantity::Stress) return &record.response.probes[p];
+  }
+  return nullptr;
+}
+
+Figure moment_figure(std::span<const io::SceneRecord> records) {
+  constexpr std::array<std::string_view, 3> kNames{"bending about x", "bending about y", "torque"};
+  constexpr std::array<std::string_view, 3> kLabels{"M_x", "M_y", "T"};
+  const std::vector<std::string> labels = labels_of(records);
+  std::array<double, 3> most{};
+  for (const io::SceneRecord& record : records) {
+    const ChainHistory& chain = record.response.chain;
+    const std::vector<double> last(chain.moment.end() - static_cast<long>(3 * chain.joints),
+                                   chain.moment.end());
+    for (std::size_t k = 0; k < 3; ++k) most[k] = std::max(most[k], largest(last, k, 3));
+  }
+  const double all = *std::max_element(most.begin(), most.end());
+  Figure figure;
+  figure.title = title_of(records);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!(most[axis] > 1e-6 * all) && !(axis == 0 && all == 0.0)) continue;
+    const bool kilo = most[axis] >= 1e4;
+    FigurePanel panel{std::string(kNames[axis]),
+                      "along the beam [m]",
+                      fmt::format("{} [{}]", kLabels[axis], kilo ? "kN m" : "N m"),
+                      {}};
+    for (std::size_t r = 0; r < records.size(); ++r) {
+      const ChainHistory& chain = records[r].response.chain;
+      const std::size_t first = (chain.time.size() - 1) * chain.joints;
+      FigureCurve curve = curve_of_record(r, records.size(), labels[r]);
+      for (std::size_t i = 0; i < chain.joints; ++i) {
+        curve.points.push_back({records[r].outline.ends[i] * records[r].setup.scene.beam.length,
+                                chain.moment[3 * (first + i) + axis] / (kilo ? 1e3 : 1.0)});
+      }
+      panel.curves.push_back(std::move(curve));
+    }
+    figure.panels.push_back(std::move(panel));
+  }
+  return figure;
+}
+
+Figure joint_figure(std::span<const io::SceneRecord> records, std::optional<int> joint) {
+  const std::vector<std::string> labels = labels_of(records);
+  Figure figure;
+  figure.title = title_of(records);
+  FigurePanel panel{"", "strain [%]", "stress [MPa]", {}};
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const io::SceneRecord& record = records[r];
+    if (joint) check_joint(record, *joint);
+    FigureCurve curve = curve_of_record(r, records.size(), labels[r]);
+    if (record.level == Level::Coupon) {
+      const std::vector<double>& stress = *coupon_stress(record);
+      for (std::size_t i = 0; i < stress.size(); ++i) {
+        curve.points.push_back({100.0 * record.setup.scene.drive.strain[i], 1e-6 * stress[i]});
+      }
+      curve.name = records.size() == 1 ? "coupon" : printable(record.setup.scene.name);
+      curve.stroke = Stroke::Line;
+      panel.title = "coupon";
+    } else {
+      JointPath path = joint_path(record, joint);
+      curve.points = std::move(path.points);
+      const bool shear = path.axis == 2;
+      panel.title =
+          fmt::format("joint {} at {} of the length: {}", path.joint,
+                      place_label(record.outline.ends[path.joint]),
+                      shear ? std::string("torsion")
+                            : fmt::format("bending {}, extreme fibre", axis_name(path.axis)));
+      if (shear) {
+        panel.x_label = "shear strain [%]";
+        panel.y_label = "shear stress [MPa]";
+      }
+      if (records.size() == 1) curve.name = fmt::format("joint {}", path.joint);
+    }
+    panel.curves.push_back(std::move(curve));
+  }
+  figure.panels.push_back(std::move(panel));
+  return figure;
+}
+
+Figure load_figure(std::span<const io::SceneRecord> records, const std::string& probe) {
+  const std::vector<std::string> labels = labels_of(records);
+  Figure figure;
+  figure.title = title_of(records);
+  FigurePanel panel{"", "", "load factor [1]", {}};
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const io::SceneRecord& record = records[r];
+    const std::size_t index = probe_index(record, probe);
+    const Probe& shown = record.setup.scene.probes[index];
+    FigureCurve curve = curve_of_record(r, records.size(), labels[r]);
+    // Lengths are mostly small.
+    const bool length = dimension_of(shown.quantity, {}) == Dimension::Length;
+    for (std::size_t i = 0; i < record.response.samples; ++i) {
+      curve.points.push_back({(length ? 1e3 : 1.0) * record.response.probes[index][i],
+                              record.response.chain.factor[i]});
+    }
+    if (records.size() == 1) curve.name = printable(shown.name);
+    panel.x_label = fmt::format("{}: {} [{}]", printable(shown.name), probe_label(record, shown),
+                                length ? "mm" : unit_of(shown.quantity, {}));
+    panel.title = outcome_line(record);
+    panel.curves.push_back(std::move(curve));
+  }
+  if (records.size() > 1) panel.title.clear();
+  figure.panels.push_back(std::move(panel));
+  return figure;
+}
+
+Figure energy_figure(const io::SceneRecord& record) {
+  const ChainHistory& chain = record.response.chain;
+  Figure figure;
+  figure.title = printable(record.setup.scene.name);
+  FigurePanel panel{outcome_line(record), "time [s]", "energy [J]", {}};
+  const std::array<double Energies::*, 4> members{&Energies::external, &Energies::elastic,
+                                                  &Energies::plastic, &Energies::residual};
+  constexpr std::array<std::string_view, 4> kNames{"external work", "elastic", "plastic",
+                                                   "residual"};
+  constexpr std::array<std::string_view, 4> kColors{kDark, kBlue, kVermillion, kGrey};
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    FigureCurve curve{{}, std::string(kNames[k]), kColors[k], Stroke::Line};
+    for (std::size_t i = 0; i < chain.time.size(); ++i) {
+      curve.points.push_back({chain.time[i], chain.energy[i].*members[k]});
+    }
+    panel.curves.push_back(std::move(curve));
+  }
+  figure.panels.push_back(std::move(panel));
+  return figure;
+}
+
+}  // namespace plastica::report

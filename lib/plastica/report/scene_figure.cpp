@@ -1,0 +1,155 @@
+#include "plastica/report/scene_figure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "plastica/report/format.hpp"
+
+namespace plastica::report {
+namespace {
+
+constexpr std::size_t kTitleWidth = 76;
+constexpr std::string_view kLetters = "#ox+*%@&";
+
+/// Lines that a legend of these names takes below a picture 900 wide.
+std::size_t legend_lines(const Figure& figure) {
+  std::vector<std::string_view> names;
+  std::size_t longest = 0;
+  for (const FigurePanel& panel : figure.panels) {
+    for (const FigureCurve& curve : panel.curves) {
+      if (std::find(names.begin(), names.end(), curve.name) == names.end()) {
+        names.emplace_back(curve.name);
+      }
+      longest = std::max(longest, width_of(curve.name));
+    }
+  }
+  const std::size_t each = std::max<std::size_t>(1, 900 / (60 + 9 * longest));
+  return (names.size() + each - 1) / each;
+}
+
+std::string style_of(const FigureCurve& curve) {
+  switch (curve.stroke) {
+    case Stroke::Line: return "with lines linewidth 2";
+    case Stroke::Dots: return "with linespoints linewidth 1.6 pointtype 7 pointsize 0.4";
+    case Stroke::Symbols:
+      return fmt::format("with linespoints linewidth 0.9 pointtype {} pointsize 0.9", curve.symbol);
+  }
+  return "";
+}
+
+/// Room above and below the curves, but none on a side of zero where there is nothing.
+std::string offsets_of(const FigurePanel& panel) {
+  double low = 0.0;
+  double high = 0.0;
+  for (const FigureCurve& curve : panel.curves) {
+    for (const auto& point : curve.points) {
+      low = std::min(low, point[1]);
+      high = std::max(high, point[1]);
+    }
+  }
+  return fmt::format("set offsets graph 0, graph 0.02, graph {}, graph {}", high > 0.0 ? 0.06 : 0.0,
+                     low < 0.0 ? 0.06 : 0.0);
+}
+
+}  // namespace
+
+FigureCurve curve_of_record(std::size_t number, std::size_t count, const std::string& name) {
+  constexpr std::array<std::string_view, 7> kColors{kBlue,     kVermillion, "#009E73", "#CC79A7",
+                                                    "#E69F00", "#56B4E9",   kDark};
+  // Open circles, squares and triangles, then crosses: they can be seen through each other.
+  constexpr std::array<int, 7> kSymbols{6, 4, 8, 2, 12, 10, 1};
+  return {{},
+          name,
+          kColors[number % kColors.size()],
+          count == 1 ? Stroke::Dots : Stroke::Symbols,
+          kSymbols[number % kSymbols.size()]};
+}
+
+PlotScript figure_page(const Figure& figure) {
+  PlotScript script;
+  const bool single = figure.panels.size() == 1;
+  const auto lines = static_cast<double>(legend_lines(figure));
+  script.begin_panels(figure.panels.size(), single ? std::string() : figure.title, single ? 2 : 1,
+                      20.0 * std::max(0.0, lines - 1.0));
+  script.command("set xzeroaxis linecolor rgb '#B8B8B8' linetype 1 linewidth 0.8");
+  for (const FigurePanel& panel : figure.panels) {
+    script.command("set xlabel " + quoted(panel.x_label));
+    script.command("set ylabel " + quoted(panel.y_label));
+    script.command("set autoscale xfix\n" + offsets_of(panel));
+    script.begin_panel(single ? quoted(figure.title) + ".\"\\n\"." + quoted(panel.title)
+                              : quoted(panel.title));
+    for (const FigureCurve& curve : panel.curves) {
+      script.add_series(
+          script.add_points(curve.points),
+          fmt::format("using 1:2 {} linecolor rgb '{}'", style_of(curve), curve.color), curve.name);
+    }
+    script.end_panel();
+  }
+  return script;
+}
+
+void begin_terminal(PlotScript& script) {
+  script.command(
+      "unset grid\nunset border\nset border 3\nset tics scale 0.5\nset key outside bottom center "
+      "horizontal samplen 3");
+}
+
+std::vector<std::vector<double>> dense_points(const std::vector<std::vector<double>>& points,
+                                              double wide, double high) {
+  std::vector<std::vector<double>> dense;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double dx = i == 0 ? 0.0 : points[i][0] - points[i - 1][0];
+    const double dy = i == 0 ? 0.0 : points[i][1] - points[i - 1][1];
+    const double steps = 120.0 * std::max(wide > 0.0 ? std::fabs(dx) / wide : 0.0,
+                                          high > 0.0 ? std::fabs(dy) / high : 0.0);
+    const int count = std::isfinite(steps) ? std::clamp(static_cast<int>(steps), 0, 500) + 1 : 1;
+    for (int k = count - 1; k >= 0; --k) {
+      const double back = static_cast<double>(k) / count;
+      dense.push_back({points[i][0] - back * dx, points[i][1] - back * dy});
+    }
+  }
+  return dense;
+}
+
+PlotScript figure_terminal(const Figure& figure) {
+  PlotScript script;
+  begin_terminal(script);
+  const std::size_t panels = figure.panels.size();
+  if (panels > 1) {
+    script.terminal_rows = 18 * static_cast<int>(panels);
+    script.command(fmt::format("set multiplot layout {},1", panels));
+  }
+  for (const FigurePanel& panel : figure.panels) {
+    double x_low = 0.0;
+    double x_high = 0.0;
+    double y_low = 0.0;
+    double y_high = 0.0;
+    for (const FigureCurve& curve : panel.curves) {
+      for (const auto& point : curve.points) {
+        x_low = std::min(x_low, point[0]);
+        x_high = std::max(x_high, point[0]);
+        y_low = std::min(y_low, point[1]);
+        y_high = std::max(y_high, point[1]);
+      }
+    }
+    script.command("set title " + quoted(cut(figure.title, kTitleWidth)) + ".\"\\n\"." +
+                   quoted(cut(panel.title + ": " + panel.y_label, kTitleWidth)));
+    script.command("set xlabel " + quoted(panel.x_label));
+    std::string plot;
+    for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+      const std::string points =
+          script.add_points(dense_points(panel.curves[i].points, x_high - x_low, y_high - y_low));
+      plot += fmt::format("{}{} using 1:2 with points pointtype '{}' title {}",
+                          plot.empty() ? "plot " : ", \\\n     ", points,
+                          kLetters[i % kLetters.size()], quoted(cut(panel.curves[i].name, 30)));
+    }
+    script.command(plot);
+  }
+  if (panels > 1) script.command("unset multiplot");
+  return script;
+}
+
+}  // namespace plastica::report

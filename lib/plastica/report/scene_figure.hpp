@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plastica/report/plot_script.hpp"
+
+/// Pictures of curves, said once for a page and for a terminal; not installed.
+namespace plastica::report {
+
+/// How a curve is drawn: a line alone, with a dot at each point, or with symbols.
+enum class Stroke { Line, Dots, Symbols };
+
+/// One curve.
+struct FigureCurve {
+  std::vector<std::vector<double>> points;  ///< (x, y)
+  std::string name;                         ///< in the legend
+  std::string_view color = kBlue;
+  Stroke stroke = Stroke::Line;
+  int symbol = 7;  ///< gnuplot's number of the point type of Symbols
+};
+
+struct FigurePanel {
+  std::string title;
+  std::string x_label;
+  std::string y_label;
+  std::vector<FigureCurve> curves;
+};
+
+struct Figure {
+  std::string title;  ///< of all panels
+  std::vector<FigurePanel> panels;
+};
+
+/// A curve of a record among others: colours, and symbols where there are several, tell them apart;
+/// the eighth is as the first.
+FigureCurve curve_of_record(std::size_t number, std::size_t count, const std::string& name);
+
+PlotScript figure_page(const Figure& figure);
+/// The same as characters, a letter a curve, the panels one below the other.
+PlotScript figure_terminal(const Figure& figure);
+
+/// Switches off what a picture of characters has no room for.
+void begin_terminal(PlotScript& script);
+/// Points of a polyline so dense that their letters join.
+/// @param wide, high  extents of the whole picture
+std::vector<std::vector<double>> dense_points(const std::vector<std::vector<double>>& points,
+                                              double wide, double high);
+
+}  // namespace plastica::report
