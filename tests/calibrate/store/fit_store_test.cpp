@@ -227,7 +227,7 @@ TEST(FitStore, HasNoDatasetThatItsDocumentationDoesNotName) {
   const io::ScratchFolder folder;
   write_fit_store(folder.file("a.h5"), contents_of(mixed_records()));
   const std::string page = io::content_of(PLASTICA_SOURCE_DIR "/data/README.md");
-  ASSERT_NE(page.find("## The result file (HDF5)"), std::string::npos);
+  ASSERT_NE(page.find("## The result file of fits (HDF5)"), std::string::npos);
   const io::Hdf5File file = io::Hdf5File::open(folder.file("a.h5"));
   for (const auto& [path, text] : objects_of(folder.file("a.h5"))) {
     if (path.starts_with("/options/setup")) continue;  // the fields have a table of their own
