@@ -53,6 +53,29 @@ group = ["lot"]
 TABLE = "id,lot\nexample-curve,A\nbad-curve,B\n"
 
 
+class Undocumented:
+    """Datasets of a file whose names the README does not say."""
+
+    def __init__(self):
+        self.names = []
+        self.seen = 0
+        self.documented = set(re.findall(r"`([a-z0-9_/]+)`", pathlib.Path(README).read_text()))
+        self.documented |= {name.split("/")[-1] for name in self.documented}
+
+    def visit(self, name, item):
+        by_its_own_name = name.startswith(("options/setup/", "meta/versions/"))
+        if isinstance(item, h5py.Dataset) and not by_its_own_name:
+            self.seen += 1
+            if name.split("/")[-1] not in self.documented:
+                self.names.append(name)
+
+
+def undocumented(file):
+    found = Undocumented()
+    file.visititems(found.visit)
+    return found
+
+
 class ReadResult(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -153,17 +176,94 @@ class ReadResult(unittest.TestCase):
         self.assertIn("plastica", meta["versions"])
 
     def test_has_nothing_that_is_not_documented(self):
-        documented = set(re.findall(r"`([a-z0-9_]+)`", pathlib.Path(README).read_text()))
-        found = []
+        found = undocumented(self.file)
+        self.assertGreater(found.seen, 80)
+        self.assertEqual(found.names, [])
 
-        def visit(name, item):
-            by_its_own_name = name.startswith(("options/setup/", "meta/versions/"))
-            if isinstance(item, h5py.Dataset) and not by_its_own_name:
-                found.append(name)
 
-        self.file.visititems(visit)
-        self.assertGreater(len(found), 80)
-        self.assertEqual([name for name in found if name.split("/")[-1] not in documented], [])
+SCENE = """[beam]
+length = "1 m"
+segments = 4
+[rules]
+yield_model = "per_axis"
+[solver]
+steps = 5
+[[support]]
+at = "start"
+kind = "clamp"
+[[load]]
+at = "end"
+force = ["0 N", "-100 N", "0 N"]
+[[probe]]
+name = "tip"
+kind = "displacement"
+at = "end"
+"""
+SHAPES = {
+    "probes/values": (1, 6), "path/time": (6,), "energy/elastic": (6,), "joints/moment": (6, 5, 3),
+    "joints/position": (6, 5, 3), "joints/plastic_strain": (6, 5), "segments/rotation": (6, 4, 3),
+    "reactions/wrench": (6, 1, 6), "beam/ends": (5,), "beam/node": (5, 3), "beam/axes": (4, 3, 3),
+    "beam/width": (4,), "beam/modulus": (5, 3), "supports/held": (1, 6), "loads/force": (1, 3),
+    "drive/strain": (0,),
+}
+SCENE_UNITS = {
+    "joints/moment": "N m", "joints/stress": "Pa", "energy/residual": "J", "path/time": "s",
+    "beam/modulus": "m^3", "beam/strain_per_angle": "1/rad", "segments/rotation": "rad",
+}
+
+
+class ReadScene(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.place = tempfile.TemporaryDirectory()
+        folder = pathlib.Path(cls.place.name)
+        (folder / "beam.toml").write_text(SCENE)
+        subprocess.run([COMMAND, "simulate", "beam.toml", "-o", "beam.h5"], cwd=folder, check=True,
+                       capture_output=True)
+        cls.file = h5py.File(folder / "beam.h5")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.file.close()
+        cls.place.cleanup()
+
+    def test_says_what_it_is(self):
+        self.assertEqual(self.file.attrs["schema"], "plastica/scene")
+        self.assertEqual(self.file.attrs["version"], 1)
+        self.assertEqual(self.file["outcome/status"].asstr()[()], "completed")
+        self.assertEqual(self.file["scene/level"].asstr()[()], "planar")
+
+    def test_has_arrays_of_the_documented_shapes_and_units(self):
+        for path, shape in SHAPES.items():
+            self.assertEqual(self.file[path].shape, shape, path)
+        for path, units in SCENE_UNITS.items():
+            self.assertEqual(self.file[path].attrs["units"], units, path)
+        self.assertEqual(list(self.file["probes/value_units"].asstr()), ["m"])
+
+    def test_holds_what_a_cantilever_does(self):
+        file = self.file
+        tip = file["probes/values"][list(file["probes/name"].asstr()).index("tip")]
+        self.assertEqual(tip[-1], file["joints/position"][-1, -1, 1] - file["beam/node"][-1, 1])
+        moment = file["joints/moment"][-1, :, 0]
+        arm = file["joints/position"][-1, -1, 2] - file["joints/position"][-1, :, 2]
+        numpy.testing.assert_allclose(moment, 100.0 * arm, rtol=1e-8, atol=1e-8)
+        stress = numpy.abs(moment) / file["beam/modulus"][:, 0]
+        numpy.testing.assert_allclose(file["joints/stress"][-1], stress, rtol=1e-12)
+        # Elastic: strain times Young's modulus is the stress.
+        strain = file["joints/angle"][-1, :, 0] * file["beam/strain_per_angle"][:, 0]
+        modulus = file["options/setup/material/youngs_modulus"][()]
+        numpy.testing.assert_allclose(numpy.abs(strain) * modulus, stress, rtol=1e-8, atol=1e-3)
+        energy = {name: file["energy"][name][-1] for name in file["energy"]}
+        rest = energy["external"] - energy["elastic"] - energy["plastic"]
+        self.assertAlmostEqual(energy["residual"], rest, delta=1e-12 * energy["external"])
+
+    def test_keeps_the_scene_whole(self):
+        self.assertEqual(list(self.file["inputs/text"].asstr()), [SCENE])
+
+    def test_has_nothing_that_is_not_documented(self):
+        found = undocumented(self.file)
+        self.assertGreater(found.seen, 70)
+        self.assertEqual(found.names, [])
 
 
 if __name__ == "__main__":
