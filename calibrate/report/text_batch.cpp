@@ -17,8 +17,8 @@ namespace {
 
 using namespace report;
 using plastica::report::Ink;
-using plastica::report::Table;
 using plastica::report::kWidth;
+using plastica::report::Table;
 
 /// The letters of the table's last column, in their order.
 struct Flag {

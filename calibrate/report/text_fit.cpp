@@ -16,8 +16,8 @@ namespace {
 
 using namespace report;
 using plastica::report::Ink;
-using plastica::report::Table;
 using plastica::report::kWidth;
+using plastica::report::Table;
 
 std::string entry(std::string_view label, std::string_view text) {
   return wrapped(fmt::format("  {:<14}", label), text, kWidth);
