@@ -22,6 +22,8 @@ std::string_view name_of(Dimension dimension) {
     case Dimension::RotationalStiffness: return "rotational stiffness";
     case Dimension::ForcePerLength: return "force per length";
     case Dimension::MomentPerLength: return "moment per length";
+    case Dimension::Velocity: return "velocity";
+    case Dimension::AngularVelocity: return "angular velocity";
   }
   return "unknown";
 }
@@ -46,6 +48,8 @@ std::string_view si_unit(Dimension dimension) {
     case Dimension::RotationalStiffness: return "N m/rad";
     case Dimension::ForcePerLength: return "N/m";
     case Dimension::MomentPerLength: return "N m/m";
+    case Dimension::Velocity: return "m/s";
+    case Dimension::AngularVelocity: return "rad/s";
   }
   return "1";
 }

@@ -24,6 +24,8 @@ enum class Dimension {
   RotationalStiffness,  ///< N m/rad
   ForcePerLength,       ///< N/m
   MomentPerLength,      ///< N m/m
+  Velocity,             ///< m/s
+  AngularVelocity,      ///< rad/s
 };
 
 /// Name of a dimension as messages use it: "stress", "a pure number".

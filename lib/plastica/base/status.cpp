@@ -14,6 +14,7 @@ std::string_view name_of(Status status) {
     case Status::Mechanism: return "mechanism";
     case Status::HeldTwice: return "held-twice";
     case Status::NotConverged: return "not-converged";
+    case Status::Interrupted: return "interrupted";
   }
   return "unknown";
 }
@@ -28,6 +29,7 @@ std::string_view advice(Status status) {
     case Status::HeldTwice:
       return "let one of the supports slide along the beam, or set solver.translation = elastic";
     case Status::NotConverged: return "take more steps, or control = arc_length";
+    case Status::Interrupted: return "run it again";
     case Status::Completed:
     case Status::Broken:
     case Status::LimitLoad: return "";

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "plastica/chain/inertia.hpp"
 #include "plastica/chain/layout.hpp"
 #include "plastica/chain/placement.hpp"
 #include "plastica/chain/view.hpp"
@@ -39,14 +40,16 @@ class Builder {
   static constexpr std::size_t kR = L::kRotations;
   static constexpr double kSamePlace = 1e-9;  ///< of the length
 
-  Builder(const Scene& scene, const Layout& layout, const View<L>& view)
-      : scene_(scene), layout_(layout), view_(view) {}
+  Builder(const Scene& scene, const Layout& layout, const View<L>& view,
+          RotaryInertia rotary = RotaryInertia::On)
+      : scene_(scene), layout_(layout), view_(view), rotary_(rotary) {}
 
   Build<L> build() {
     Chain<L>& chain = build_.chain;
     chain.length = constant<S>(scene_.beam.length);
     chain.histories.push_back({{0.0}, {0.0}});  // of what does not move
     add_segments();
+    chain.inertias = segment_inertias(scene_, layout_, view_, rotary_);
     chain.root.position = view_.point(layout_.node[0]);
     chain.root.ground = view_.frame(layout_.joint_frame[0]);
     place_undeformed();
@@ -287,18 +290,12 @@ class Builder {
   void add_gravity() {
     const Vec<double, 3> g = vector(scene_.gravity);
     if (dot(g, g) == 0.0) return;
-    std::vector<double> line_mass;  // of the scene's own section, then of the regions [kg/m]
-    const auto add_mass = [&](const Section& section, const Material& material) {
-      line_mass.push_back(material.density *
-                          section_properties(section, material.poisson_ratio).area);
-    };
-    add_mass(scene_.section, scene_.material);
-    for (const Region& region : scene_.regions) add_mass(region.section, region.material);
+    const std::vector<double> line_mass = line_masses(scene_);
     Load weight;
     const std::size_t history = add_history(scene_.gravity_history);
     for (std::size_t i = 0; i < layout_.size(); ++i) {
       const double middle = 0.5 * (layout_.ends[i] + layout_.ends[i + 1]);
-      const Vec<double, 3> force = line_mass[part_at(scene_, middle, layout_.ends).number] * g;
+      const Vec<double, 3> force = line_mass[part_of_segment(scene_, layout_, i)] * g;
       weight.force = force.at;
       add_point_load(weight, history, segment_point(layout_, middle), layout_.segment_length[i]);
     }
@@ -324,6 +321,7 @@ class Builder {
   const Scene& scene_;
   const Layout& layout_;
   View<L> view_;
+  RotaryInertia rotary_;
   Placement<L> undeformed_;
   Build<L> build_;
   bool root_is_held_ = false;

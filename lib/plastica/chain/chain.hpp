@@ -21,6 +21,15 @@ struct Segment {
   typename L::Frame outer;  ///< of its outer joint's axes
 };
 
+/// How a segment resists acceleration, in its own axes.
+template <class L>
+struct Inertia {
+  using S = typename L::Scalar;
+  S mass{};                                      ///< [kg]
+  typename L::Point center;                      ///< of mass, from the inner joint [m]
+  Mat<S, L::kRotations, L::kRotations> turning;  ///< about the center of mass [kg m^2]
+};
+
 /// A load at a point of a segment, times a history. What acts on a whole segment (gravity, spread
 /// loads) acts at its resultant's point.
 template <class L>
@@ -94,6 +103,7 @@ struct Chain {
   using S = typename L::Scalar;
 
   std::vector<Segment<L>> segments;   ///< (N)
+  std::vector<Inertia<L>> inertias;   ///< (N)
   std::vector<SegmentLoad<L>> loads;  ///< by rising segment
   std::vector<Closure<L>> closures;
   std::vector<Spring<L>> springs;

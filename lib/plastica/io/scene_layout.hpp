@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "plastica/io/event_table.hpp"
 #include "plastica/io/scene_store.hpp"
 
 /// What of a simulated scene stands where in its file; not installed. Documented in data/README.md.
@@ -27,6 +29,7 @@ void walk_actions(Store& store, Scene& scene) {
   store.held("supports/held", supports);
   store.vectors("supports/normal", supports, PLASTICA_MEMBER(normal), "1");
   store.column("supports/gap", supports, PLASTICA_MEMBER(gap), "m");
+  store.column("supports/restitution", supports, PLASTICA_MEMBER(restitution), "1");
   store.vectors("supports/stiffness", supports, PLASTICA_MEMBER(stiffness), "N/m");
   store.vectors("supports/rotational_stiffness", supports, PLASTICA_MEMBER(rotational_stiffness),
                 "N m/rad");
@@ -67,21 +70,28 @@ void walk_chain(Store& store, Chain& chain, std::size_t joints, std::size_t supp
   const std::size_t segments = joints == 0 ? 0 : joints - 1;
   store.array("path/time", chain.time, {}, "s");
   const std::size_t samples = chain.time.size();
+  store.array("path/frame_sample", chain.frame_sample, {}, "");
+  const std::size_t frames = chain.frame_sample.size();
   store.array("path/factor", chain.factor, {samples}, "1");
   store.array("path/iterations", chain.iterations, {samples}, "1");
   store.column("energy/elastic", chain.energy, PLASTICA_MEMBER(elastic), "J");
   store.column("energy/plastic", chain.energy, PLASTICA_MEMBER(plastic), "J");
   store.column("energy/external", chain.energy, PLASTICA_MEMBER(external), "J");
+  store.column("energy/kinetic", chain.energy, PLASTICA_MEMBER(kinetic), "J");
+  store.column("energy/damping", chain.energy, PLASTICA_MEMBER(damping), "J");
+  store.column("energy/numerical", chain.energy, PLASTICA_MEMBER(numerical), "J");
+  store.column("energy/impact", chain.energy, PLASTICA_MEMBER(impact), "J");
+  store.column("energy/fracture", chain.energy, PLASTICA_MEMBER(fracture), "J");
   store.column("energy/residual", chain.energy, PLASTICA_MEMBER(residual), "J");
-  store.array("joints/position", chain.position, {samples, joints, 3}, "m");
-  store.array("joints/moment", chain.moment, {samples, joints, 3}, "N m");
-  store.array("joints/force", chain.force, {samples, joints, 3}, "N");
-  store.array("joints/angle", chain.angle, {samples, joints, 3}, "rad");
-  store.array("joints/plastic_angle", chain.plastic_angle, {samples, joints, 3}, "rad");
-  store.array("joints/plastic_strain", chain.plastic_strain, {samples, joints}, "1");
-  store.array("joints/stress", chain.stress, {samples, joints}, "Pa");
-  store.array("segments/rotation", chain.rotation, {samples, segments, 3}, "rad");
-  store.array("reactions/wrench", chain.reaction, {samples, supports, 6}, "");
+  store.array("joints/position", chain.position, {frames, joints, 3}, "m");
+  store.array("joints/moment", chain.moment, {frames, joints, 3}, "N m");
+  store.array("joints/force", chain.force, {frames, joints, 3}, "N");
+  store.array("joints/angle", chain.angle, {frames, joints, 3}, "rad");
+  store.array("joints/plastic_angle", chain.plastic_angle, {frames, joints, 3}, "rad");
+  store.array("joints/plastic_strain", chain.plastic_strain, {frames, joints}, "1");
+  store.array("joints/stress", chain.stress, {frames, joints}, "Pa");
+  store.array("segments/rotation", chain.rotation, {frames, segments, 3}, "rad");
+  store.array("reactions/wrench", chain.reaction, {frames, supports, 6}, "");
 }
 
 template <class Store, class Response>
@@ -89,6 +99,7 @@ void walk_outcome(Store& store, Response& response) {
   store.word("outcome/status", response.status, statuses());
   store.number("outcome/samples", response.samples, "1");
   store.number("outcome/permanent_strain", response.permanent_strain, "1");
+  store.number("outcome/ledger_error", response.ledger_error, "1");
   store.number("outcome/steps", response.counters.steps, "1");
   store.number("outcome/iterations", response.counters.iterations, "1");
   store.number("outcome/cutbacks", response.counters.cutbacks, "1");
@@ -103,18 +114,29 @@ void walk_outcome(Store& store, Response& response) {
     store.number("coupon_break/permanent_strain", event.permanent_strain, "1");
     store.number("coupon_break/dissipation", event.dissipation, "J/m^3");
   });
-  store.part("break", response.chain.event, [&](auto& event) {
-    store.number("break/time", event.time, "s");
-    store.number("break/factor", event.factor, "1");
-    auto& joints = event.joints;
-    store.column("break/joint", joints, PLASTICA_MEMBER(joint), "");
-    store.words("break/cause", joints, PLASTICA_MEMBER(cause), kBreakCauses);
-    store.column("break/strain", joints, PLASTICA_MEMBER(strain), "1");
-    store.column("break/limit", joints, PLASTICA_MEMBER(limit), "1");
-    store.vectors("break/moment", joints, PLASTICA_MEMBER(moment), "N m");
-    store.vectors("break/plastic_angle", joints, PLASTICA_MEMBER(angle), "rad");
-    store.column("break/dissipation", joints, PLASTICA_MEMBER(dissipation), "J");
-  });
+}
+
+/// What broke or was cut, and the pieces after that.
+template <class Store, class Chain>
+void walk_events(Store& store, Chain& chain) {
+  EventTable table = event_table(chain.events);
+  store.array("events/time", table.time, {}, "s");
+  store.array("events/factor", table.factor, {table.time.size()}, "1");
+  auto& joints = table.joints;
+  store.column("events/joints/event", joints, PLASTICA_MEMBER(event), "");
+  store.column("events/joints/joint", joints, PLASTICA_MEMBER(broken.joint), "");
+  store.words("events/joints/cause", joints, PLASTICA_MEMBER(broken.cause), kBreakCauses);
+  store.column("events/joints/cut", joints, PLASTICA_MEMBER(broken.cut), "");
+  store.column("events/joints/strain", joints, PLASTICA_MEMBER(broken.strain), "1");
+  store.column("events/joints/limit", joints, PLASTICA_MEMBER(broken.limit), "1");
+  store.vectors("events/joints/moment", joints, PLASTICA_MEMBER(broken.moment), "N m");
+  store.vectors("events/joints/plastic_angle", joints, PLASTICA_MEMBER(broken.angle), "rad");
+  store.column("events/joints/dissipation", joints, PLASTICA_MEMBER(broken.dissipation), "J");
+  auto& pieces = table.pieces;
+  store.column("events/pieces/event", pieces, PLASTICA_MEMBER(event), "");
+  store.column("events/pieces/first", pieces, PLASTICA_MEMBER(piece.first), "");
+  store.column("events/pieces/last", pieces, PLASTICA_MEMBER(piece.last), "");
+  if constexpr (!std::is_const_v<Chain>) chain.events = events_of(table);
 }
 
 /// Walks through all that a file holds but /options, /inputs and /meta.
@@ -139,6 +161,7 @@ void walk(Store& store, Record& record) {
   store.probe_values(record);
 
   walk_outcome(store, record.response);
+  walk_events(store, record.response.chain);
   walk_chain(store, record.response.chain, record.outline.ends.size(), scene.supports.size());
 }
 

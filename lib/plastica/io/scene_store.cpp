@@ -274,15 +274,18 @@ void keep_valid_samples(Response& response) {
   for (auto& values : response.probes) values.resize(samples);
   ChainHistory& chain = response.chain;
   if (chain.time.empty()) return;
-  const std::size_t all = chain.time.size();
   chain.time.resize(samples);
   chain.factor.resize(samples);
   chain.energy.resize(samples);
   chain.iterations.resize(samples);
+  const std::size_t all = chain.frame_sample.size();
+  const auto end = std::lower_bound(chain.frame_sample.begin(), chain.frame_sample.end(), samples);
+  const auto frames = static_cast<std::size_t>(end - chain.frame_sample.begin());
+  chain.frame_sample.resize(frames);
   for (auto* values :
        {&chain.position, &chain.moment, &chain.force, &chain.angle, &chain.plastic_angle,
         &chain.rotation, &chain.plastic_strain, &chain.stress, &chain.reaction}) {
-    values->resize(values->size() / all * samples);
+    values->resize(values->size() / all * frames);
   }
 }
 

@@ -14,7 +14,7 @@ namespace plastica::io {
 
 /// The attributes `schema` and `version` of the root of a simulated scene's file.
 inline constexpr std::string_view kSceneSchema = "plastica/scene";
-inline constexpr int kSceneVersion = 1;
+inline constexpr int kSceneVersion = 2;
 
 /// A scene that was simulated, and what came out.
 struct SceneRecord {

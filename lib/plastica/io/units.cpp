@@ -54,6 +54,8 @@ std::string_view examples(Dimension dimension) {
     case Dimension::RotationalStiffness: return "N m/rad, kN m/deg";
     case Dimension::ForcePerLength: return "N/m, kN/m, lbf/in";
     case Dimension::MomentPerLength: return "N m/m, kN m/m";
+    case Dimension::Velocity: return "m/s, km/h";
+    case Dimension::AngularVelocity: return "rad/s, deg/s";
   }
   return "";
 }

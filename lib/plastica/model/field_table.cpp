@@ -39,7 +39,7 @@ std::span<const std::string_view> words<BreakMeasure>() {
 }
 template <>
 std::span<const std::string_view> words<BreakPolicy>() {
-  static constexpr std::array<std::string_view, 2> kWords{"cut_all", "record_only"};
+  static constexpr std::array<std::string_view, 3> kWords{"cut_all", "cut_worst", "record_only"};
   return kWords;
 }
 template <>

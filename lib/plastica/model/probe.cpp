@@ -5,11 +5,16 @@
 namespace plastica {
 
 std::span<const std::string_view> probe_kinds() {
-  static constexpr std::array<std::string_view, 16> kWords{
-      "strain",        "stress",          "plastic_strain", "accumulated_strain",
-      "load",          "dissipation",     "displacement",   "rotation",
-      "reaction",      "reaction_moment", "moment",         "angle",
-      "plastic_angle", "force",           "load_factor",    "energy"};
+  static constexpr std::array<std::string_view, 20> kWords{"strain",         "stress",
+                                                           "plastic_strain", "accumulated_strain",
+                                                           "load",           "dissipation",
+                                                           "displacement",   "rotation",
+                                                           "reaction",       "reaction_moment",
+                                                           "moment",         "angle",
+                                                           "plastic_angle",  "force",
+                                                           "load_factor",    "energy",
+                                                           "velocity",       "spin",
+                                                           "momentum",       "angular_momentum"};
   return kWords;
 }
 
@@ -31,7 +36,11 @@ Dimension dimension_of(ProbeQuantity quantity, Deformation deformation) {
     case ProbeQuantity::Moment: return Dimension::Moment;
     case ProbeQuantity::Dissipation:
     case ProbeQuantity::LoadFactor:
-    case ProbeQuantity::Energy: return Dimension::None;
+    case ProbeQuantity::Energy:
+    case ProbeQuantity::Momentum:
+    case ProbeQuantity::AngularMomentum: return Dimension::None;
+    case ProbeQuantity::Velocity: return Dimension::Velocity;
+    case ProbeQuantity::Spin: return Dimension::AngularVelocity;
   }
   return Dimension::None;
 }
@@ -39,6 +48,8 @@ Dimension dimension_of(ProbeQuantity quantity, Deformation deformation) {
 std::string_view unit_of(ProbeQuantity quantity, Deformation deformation) {
   if (quantity == ProbeQuantity::Energy) return "J";
   if (quantity == ProbeQuantity::Dissipation) return "J/m^3";
+  if (quantity == ProbeQuantity::Momentum) return "N s";
+  if (quantity == ProbeQuantity::AngularMomentum) return "N m s";
   return si_unit(dimension_of(quantity, deformation));
 }
 

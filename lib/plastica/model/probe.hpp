@@ -29,6 +29,10 @@ enum class ProbeQuantity {
   Force,              ///< section force at a joint, in its axes: shear, z: axial [N]
   LoadFactor,         ///< the factor of the first load's history, or of the first motion's [1]
   Energy,             ///< of the whole beam, see `EnergyKind` [J]
+  Velocity,           ///< of a point, in world axes; dynamics only [m/s]
+  Spin,               ///< of a point's segment, about world axes; dynamics only [rad/s]
+  Momentum,           ///< of the whole beam, in world axes; dynamics only [N s]
+  AngularMomentum,    ///< of the whole beam about the world's origin; dynamics only [N m s]
 };
 
 /// The words of files for what a probe records, in the order of ProbeQuantity.
@@ -40,11 +44,23 @@ enum class Component { X, Y, Z, Size };
 /// The words of files for the components, in their order.
 inline constexpr std::array<std::string_view, 4> kComponents{"x", "y", "z", "size"};
 
-enum class EnergyKind { Elastic, Plastic, External, Residual };
+/// Entries of the energy ledger, see `Energies`.
+enum class EnergyKind {
+  Elastic,
+  Plastic,
+  External,
+  Residual,
+  Kinetic,
+  Damping,
+  Numerical,
+  Impact,
+  Fracture,
+};
 
 /// The words of files for the energies, in their order.
-inline constexpr std::array<std::string_view, 4> kEnergyKinds{"elastic", "plastic", "external",
-                                                              "residual"};
+inline constexpr std::array<std::string_view, 9> kEnergyKinds{"elastic",   "plastic", "external",
+                                                              "residual",  "kinetic", "damping",
+                                                              "numerical", "impact",  "fracture"};
 
 struct Probe {
   std::string name;  ///< unique within a scene

@@ -32,9 +32,11 @@ enum class EndRule {
 /// or the sum of all of it, so that bending to and fro wears out.
 enum class BreakMeasure { Net, Accumulated };
 
-/// What happens to a joint over its limit: it is cut (from then on it carries nothing and keeps
-/// the permanent strain that it broke with), or the break is only recorded.
-enum class BreakPolicy { CutAll, RecordOnly };
+/// What happens to joints over their limit: all are cut, or the worst of them (the first of the
+/// worst, in a tie), or the break is only recorded. What is cut carries nothing from then on and
+/// keeps the permanent strain that it broke with. Statics end there, dynamics go on in pieces. A
+/// `BreakListener` decides in the policy's place.
+enum class BreakPolicy { CutAll, CutWorst, RecordOnly };
 
 /// How much of the beam is modelled.
 enum class Level {

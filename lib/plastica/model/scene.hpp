@@ -9,6 +9,7 @@
 #include "plastica/model/drive.hpp"
 #include "plastica/model/load.hpp"
 #include "plastica/model/material.hpp"
+#include "plastica/model/motion.hpp"
 #include "plastica/model/probe.hpp"
 #include "plastica/model/rules.hpp"
 #include "plastica/model/section.hpp"
@@ -30,6 +31,8 @@ struct Scene {
   std::vector<Load> loads{};
   std::array<double, 3> gravity{};  ///< acceleration in world axes [m/s^2]
   History gravity_history{};
+  std::vector<InitialMotion> initial_motions{};  ///< dynamics
+  std::vector<Cut> cuts{};                       ///< dynamics
   std::vector<Probe> probes{{"stress", ProbeQuantity::Stress}};
   Formulas formulas = Formulas::Mechanics;
   YieldModel yield_model = YieldModel::Interaction;  ///< of a chain; a coupon has one component
@@ -52,10 +55,23 @@ struct Scene {
 /// How a scene is solved.
 struct SolverOptions {
   Level level = Level::Auto;
+  Analysis analysis = Analysis::Statics;
   JointTranslation translation = JointTranslation::Rigid;
   int fibres = 40;        ///< of a fibre section, along its depth, >= 2
-  double duration = 0.0;  ///< end of the path [s], >= 0; 0: where the last history ends
-  int steps = 20;         ///< recorded steps of the path, evenly spaced in time, >= 1
+  double duration = 0.0;  ///< end of the path or motion [s], >= 0; 0: where the last history ends
+  int steps = 20;         ///< recorded samples, evenly spaced in time, >= 1
+  /// Samples of which the whole shape is kept, evenly spaced, the last one among them; 0: all.
+  int frames = 0;
+  Scheme scheme = Scheme::GeneralizedAlpha;  ///< dynamics, like all below up to `control`
+  double time_step = 1e-3;                   ///< [s], > 0; adaptive: the largest one
+  /// Adaptive steps: largest error of a segment's end in one step, over the beam's length [1],
+  /// >= 0; 0: fixed steps.
+  double step_error = 0.0;
+  /// Generalized-alpha: how much of the highest frequencies is left after a step [1], 0 … 1.
+  double rho_infinity = 0.8;
+  RotaryInertia rotary_inertia = RotaryInertia::On;
+  Damping damping = Damping::None;
+  double damping_time = 0.0;  ///< [s], >= 0
   PathControl control = PathControl::Auto;
   /// Displacement and arc-length control: the point that is watched. Empty: that of the first load;
   /// where it hardly moves, and the path is not controlled by it, the segment end that moves most.
@@ -69,7 +85,8 @@ struct SolverOptions {
   double tolerance = 1e-10;
   /// A step may turn no joint by more than this [rad], > 0; else it is cut back.
   double largest_turn = 0.2;
-  /// Steps are cut back to no less than this part of a recorded step [1], > 0.
+  /// Steps are cut back to no less than this part of a recorded step, in dynamics of `time_step`
+  /// [1], > 0.
   double smallest_step = 1e-6;
 };
 

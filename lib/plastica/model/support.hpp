@@ -40,6 +40,8 @@ struct Support {
   std::array<double, 3> rotational_stiffness{};  ///< Elastic: about x, y, z [N m/rad], >= 0
   std::array<double, 3> normal{0.0, 1.0, 0.0};   ///< Pillar: unit vector of its push
   double gap = 0.0;  ///< Pillar: distance to the undeformed beam [m], >= 0
+  /// Pillar, dynamics: speed after an impact over that before [1], 0 … 1.
+  double restitution = 0.0;
   /// Prescribed motion, times `history`: of what holds, springs or pushes, in translation [m] and
   /// in rotation [rad], as a rotation vector.
   std::array<double, 3> translation{};

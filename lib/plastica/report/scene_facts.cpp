@@ -52,8 +52,8 @@ std::string outcome_line(const io::SceneRecord& record) {
                        response.event->sample, response.event->strain,
                        response.event->permanent_strain);
   }
-  if (response.chain.event) {
-    const ChainBreak& event = *response.chain.event;
+  if (!response.chain.events.empty()) {
+    const ChainBreak& event = response.chain.events.front();
     const bool recorded_only = response.status != Status::Broken;
     return fmt::format("{}: {} over {} limit at factor {:.5g}, time {:.5g} s",
                        recorded_only ? std::string(name_of(response.status)) + ", a break recorded"
@@ -87,6 +87,7 @@ std::string_view cause_name(BreakCause cause) {
     case BreakCause::Biaxial: return "bending about both";
     case BreakCause::Torsion: return "torsion";
     case BreakCause::Stretch: return "stretch";
+    case BreakCause::Cut: return "cut by the scene";
   }
   return "";
 }

@@ -40,9 +40,9 @@ Json break_of(const io::SceneRecord& record) {
             {"permanent_strain", number(event.permanent_strain)},
             {"dissipation", number(event.dissipation)}};
   }
-  if (!response.chain.event) return nullptr;
+  if (response.chain.events.empty()) return nullptr;
   Json joints = Json::array();
-  for (const BrokenJoint& joint : response.chain.event->joints) {
+  for (const BrokenJoint& joint : response.chain.events.front().joints) {
     joints.push_back({{"joint", joint.joint},
                       {"at", record.outline.ends[static_cast<std::size_t>(joint.joint)]},
                       {"cause", kBreakCauses[static_cast<std::size_t>(joint.cause)]},
@@ -52,8 +52,8 @@ Json break_of(const io::SceneRecord& record) {
                       {"plastic_angle", numbers(joint.angle)},
                       {"dissipation", number(joint.dissipation)}});
   }
-  return {{"time", number(response.chain.event->time)},
-          {"factor", number(response.chain.event->factor)},
+  return {{"time", number(response.chain.events.front().time)},
+          {"factor", number(response.chain.events.front().factor)},
           {"joints", std::move(joints)}};
 }
 

@@ -78,8 +78,8 @@ std::string head(const io::SceneRecord& record, const Ink& ink) {
 }
 
 std::string break_text(const io::SceneRecord& record, const Ink& ink) {
-  const auto& event = record.response.chain.event;
-  if (!event) return {};
+  if (record.response.chain.events.empty()) return {};
+  const ChainBreak* event = &record.response.chain.events.front();
   constexpr std::size_t kMostJoints = 20;
   Table table({{"joint"},
                {"at", Align::Right, "of length"},

@@ -20,6 +20,7 @@ struct ChainModel {
   std::vector<double> stops;                 ///< times at which a step must end
   std::vector<bool> recorded;                ///< which of them are samples
   std::size_t samples = 0;                   ///< the first one, at time 0, included
+  std::vector<std::size_t> frame_sample;     ///< samples whose shape is kept, rising (n_frames)
 };
 
 }  // namespace plastica

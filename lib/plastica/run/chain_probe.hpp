@@ -41,11 +41,10 @@ double ChainRecord<L, kElastic>::largest_stress(std::size_t joint, const Space& 
 }
 
 template <class L, bool kElastic>
-double ChainRecord<L, kElastic>::joint_value(const Probe& probe, const NodeStrains& strains,
-                                             const Response& response, std::size_t sample) const {
-  const ChainHistory& history = response.chain;
+double ChainRecord<L, kElastic>::joint_value(const Probe& probe, const NodeStrains& strains) const {
+  const ChainHistory& history = shape_;
   const std::size_t node = node_at(probe.at);
-  const std::size_t at = (sample * history.joints + node) * 3;
+  const std::size_t at = 3 * node;
   const auto vector = [&](const std::vector<double>& values) {
     return Space{{values[at], values[at + 1], values[at + 2]}};
   };
@@ -127,10 +126,15 @@ double ChainRecord<L, kElastic>::probe_value(const Probe& probe, const Work& w,
         case EnergyKind::Plastic: return energy.plastic;
         case EnergyKind::External: return energy.external;
         case EnergyKind::Residual: return energy.residual;
+        case EnergyKind::Kinetic: return energy.kinetic;
+        case EnergyKind::Damping: return energy.damping;
+        case EnergyKind::Numerical: return energy.numerical;
+        case EnergyKind::Impact: return energy.impact;
+        case EnergyKind::Fracture: return energy.fracture;
       }
       return 0.0;
     }
-    default: return joint_value(probe, strains, response, sample);
+    default: return joint_value(probe, strains);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "plastica/chain/build.hpp"
 #include "plastica/run/break_watch.hpp"
 #include "plastica/run/chain_model.hpp"
+#include "plastica/run/chain_shape.hpp"
 #include "plastica/run/response.hpp"
 #include "plastica/solve/newton.hpp"
 
@@ -51,9 +52,9 @@ class ChainRecord {
   void add_work(const Work& w);
   Energies energies(const Work& w, const Joints& joints) const;
 
-  /// Writes one sample.
+  /// Writes one sample, and its shape if it is to be kept.
   void write(const Work& w, const Joints& joints, const NodeStrains& strains, std::size_t sample,
-             Response& response) const;
+             Response& response);
 
   /// Moment of a node's joint about its x, y, z [N m]: of its section and of a spring beside it.
   Space moment(const Joints& joints, const Work& w, std::size_t node) const;
@@ -72,8 +73,9 @@ class ChainRecord {
   }
   double probe_value(const Probe& probe, const Work& w, const NodeStrains& strains,
                      const Response& response, std::size_t sample) const;
-  double joint_value(const Probe& probe, const NodeStrains& strains, const Response& response,
-                     std::size_t sample) const;
+  double joint_value(const Probe& probe, const NodeStrains& strains) const;
+  void set_shape(const Work& w, const Joints& joints, const NodeStrains& strains);
+  void keep_shape(std::size_t frame, ChainHistory& history) const;
   Space point_value(const Probe& probe, const Work& w) const;
   /// Of a segment from the undeformed beam, as a rotation vector in world axes.
   Space rotation(const Work& w, std::size_t segment) const {
@@ -108,6 +110,7 @@ class ChainRecord {
   // Where the work was last summed:
   chain::Placement<L> placement_;
   std::vector<std::array<double, 6>> support_force_;
+  ChainHistory shape_;  ///< of the sample that is being written, as one frame
   bool begun_ = false;
   double time_ = 0.0;
   double external_ = 0.0;
@@ -129,6 +132,7 @@ void ChainRecord<L, kElastic>::prepare(const ChainModel& model, const chain::Vie
   }
   placement_.resize(n);
   support_force_.resize(model.scene.supports.size());
+  size_shape(model, 1, shape_);
 }
 
 template <class L, bool kElastic>
@@ -306,18 +310,12 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::moment(const 
 }
 
 template <class L, bool kElastic>
-void ChainRecord<L, kElastic>::write(const Work& w, const Joints& joints,
-                                     const NodeStrains& strains, std::size_t sample,
-                                     Response& response) const {
-  ChainHistory& out = response.chain;
+void ChainRecord<L, kElastic>::set_shape(const Work& w, const Joints& joints,
+                                         const NodeStrains& strains) {
   const std::size_t n = build_->chain.size();
-  const auto at = [&](std::size_t node) { return (sample * out.joints + node) * 3; };
   const auto put = [](std::vector<double>& to, std::size_t index, const Space& v) {
     for (std::size_t k = 0; k < 3; ++k) to[index + k] = v[k];
   };
-  out.time[sample] = w.time;
-  out.factor[sample] = factor_at(w.time);
-  out.energy[sample] = energies(w, joints);
   for (std::size_t i = 0; i <= n; ++i) {
     const typename L::Point point =
         i < n ? w.placement.position[i]
@@ -329,28 +327,51 @@ void ChainRecord<L, kElastic>::write(const Work& w, const Joints& joints,
         if (!moves_along(k)) where[k] = model_->layout.node[i][k];
       }
     }
-    put(out.position, at(i), where);
+    put(shape_.position, 3 * i, where);
     const std::size_t joint = joint_of_node_[i];
     if (joint == kNone) continue;
-    put(out.moment, at(i), moment(joints, w, i));
-    put(out.angle, at(i), joint_spin(w.angles[joint]));
-    for (std::size_t k = 0; k < 3; ++k) out.plastic_angle[at(i) + k] = strains.permanent[i][k];
+    put(shape_.moment, 3 * i, moment(joints, w, i));
+    put(shape_.angle, 3 * i, joint_spin(w.angles[joint]));
+    for (std::size_t k = 0; k < 3; ++k) shape_.plastic_angle[3 * i + k] = strains.permanent[i][k];
     if (i < n) {
       const typename L::Point force =
           L::turn_back(w.placement.near[i], w.transmitted.outer[i].force);
-      put(out.force, at(i), view_.point_in_space(force));
+      put(shape_.force, 3 * i, view_.point_in_space(force));
     }
-    out.plastic_strain[sample * out.joints + i] = strains.strain[i];
-    out.stress[sample * out.joints + i] =
-        largest_stress(joint, Space{{out.moment[at(i)], out.moment[at(i) + 1], 0.0}});
+    shape_.plastic_strain[i] = strains.strain[i];
+    shape_.stress[i] =
+        largest_stress(joint, Space{{shape_.moment[3 * i], shape_.moment[3 * i + 1], 0.0}});
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    put(out.rotation, (sample * n + i) * 3, rotation(w, i));
-  }
-  for (std::size_t s = 0; s < out.supports; ++s) {
+  for (std::size_t i = 0; i < n; ++i) put(shape_.rotation, 3 * i, rotation(w, i));
+  for (std::size_t s = 0; s < shape_.supports; ++s) {
     const auto force = reaction(w, s);
     std::copy(force.begin(), force.end(),
-              out.reaction.begin() + static_cast<std::ptrdiff_t>((sample * out.supports + s) * 6));
+              shape_.reaction.begin() + static_cast<std::ptrdiff_t>(6 * s));
+  }
+}
+
+template <class L, bool kElastic>
+void ChainRecord<L, kElastic>::keep_shape(std::size_t frame, ChainHistory& history) const {
+  for (const auto values : kShapeValues) {
+    const std::vector<double>& from = shape_.*values;
+    std::copy(from.begin(), from.end(),
+              (history.*values).begin() + static_cast<std::ptrdiff_t>(frame * from.size()));
+  }
+}
+
+template <class L, bool kElastic>
+void ChainRecord<L, kElastic>::write(const Work& w, const Joints& joints,
+                                     const NodeStrains& strains, std::size_t sample,
+                                     Response& response) {
+  ChainHistory& out = response.chain;
+  out.time[sample] = w.time;
+  out.factor[sample] = factor_at(w.time);
+  out.energy[sample] = energies(w, joints);
+  set_shape(w, joints, strains);
+  const auto& frames = out.frame_sample;
+  const auto frame = std::lower_bound(frames.begin(), frames.end(), sample);
+  if (frame != frames.end() && *frame == sample) {
+    keep_shape(static_cast<std::size_t>(frame - frames.begin()), out);
   }
   const auto& probes = model_->scene.probes;
   for (std::size_t p = 0; p < probes.size(); ++p) {

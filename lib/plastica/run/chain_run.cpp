@@ -131,7 +131,7 @@ void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material, Respo
   strains_.reset(strains_.strain.size());
   response_ = &response;
   response.samples = 0;
-  response.chain.event.reset();
+  response.chain.events.clear();
 
   solve::PathWalker<L, kElastic> walker(build_.chain, *joints_, options_, control_, work_,
                                         committed_, previous_, *this);
@@ -191,7 +191,8 @@ void ChainRunner<L, kElastic>::accept(const Work& w) {
     strains_.strain[i] = watch_.strain(measured(strains_), i);
   }
   record_.add_work(w);
-  if (!response_->chain.event && watch_.active() && watch_.excess(measured(strains_)) > 0.0) {
+  if (response_->chain.events.empty() && watch_.active() &&
+      watch_.excess(measured(strains_)) > 0.0) {
     note_break(w);
   }
 }
@@ -208,7 +209,7 @@ void ChainRunner<L, kElastic>::note_break(const Work& w) {
     broken.angle = strains_.permanent[static_cast<std::size_t>(broken.joint)];
     broken.dissipation = joints_->plastic_work()[joint];
   }
-  response_->chain.event = std::move(event);
+  response_->chain.events.push_back(std::move(event));
 }
 
 template <class L, bool kElastic>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 #include "plastica/coupon/shape.hpp"
 #include "plastica/model/field.hpp"
 #include "plastica/model/material_field.hpp"
+#include "plastica/run/response.hpp"
 
 namespace plastica {
 
@@ -35,6 +37,10 @@ using ParameterValues = std::span<const double>;
 /// Memory that `run` works in; one a thread. A coupon needs none.
 struct Workspace {
   std::shared_ptr<ChainProgram> chain;
+  BreakListener on_break;  ///< of a motion; may be empty
+  /// Of a motion: told the time after each step [s], may be empty. Returning false ends the run
+  /// with Status::Interrupted.
+  std::function<bool(double time)> on_progress;
 };
 
 }  // namespace plastica

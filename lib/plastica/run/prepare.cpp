@@ -4,6 +4,7 @@
 #include "plastica/model/choose_level.hpp"
 #include "plastica/run/chain_laws.hpp"
 #include "plastica/run/chain_run.hpp"
+#include "plastica/run/chain_shape.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica {
@@ -47,6 +48,15 @@ void set_stops(ChainModel& chain) {
   chain.samples = static_cast<std::size_t>(steps) + 1;
 }
 
+/// The samples whose shape is kept: all, or so many evenly spaced ones and the first.
+void set_frames(ChainModel& chain) {
+  const auto steps = static_cast<std::size_t>(chain.options.steps);
+  const std::size_t frames = chain.options.frames == 0
+                                 ? steps
+                                 : std::min(steps, static_cast<std::size_t>(chain.options.frames));
+  for (std::size_t k = 0; k <= frames; ++k) chain.frame_sample.push_back(k * steps / frames);
+}
+
 std::shared_ptr<const ChainModel> prepare_chain(const Scene& scene, const SolverOptions& options,
                                                 const LevelChoice& choice) {
   check_regions(scene);
@@ -61,27 +71,18 @@ std::shared_ptr<const ChainModel> prepare_chain(const Scene& scene, const Solver
     chain->part_of_segment.push_back(chain::part_at(scene, middle, chain->layout.ends).number);
   }
   set_stops(*chain);
+  set_frames(*chain);
   return chain;
 }
 
 void size_chain(const ChainModel& chain, Response& response) {
   ChainHistory& history = response.chain;
-  const std::size_t samples = chain.samples;
-  history.joints = chain.layout.size() + 1;
-  history.supports = chain.scene.supports.size();
-  history.time.assign(samples, 0.0);
-  history.factor.assign(samples, 0.0);
-  history.energy.assign(samples, {});
-  history.iterations.assign(samples, 0);
-  const std::size_t joints = samples * history.joints;
-  for (std::vector<double>* values : {&history.position, &history.moment, &history.force,
-                                      &history.angle, &history.plastic_angle}) {
-    values->assign(3 * joints, 0.0);
-  }
-  history.rotation.assign(3 * samples * chain.layout.size(), 0.0);
-  history.plastic_strain.assign(joints, 0.0);
-  history.stress.assign(joints, 0.0);
-  history.reaction.assign(6 * samples * history.supports, 0.0);
+  history.time.assign(chain.samples, 0.0);
+  history.factor.assign(chain.samples, 0.0);
+  history.energy.assign(chain.samples, {});
+  history.iterations.assign(chain.samples, 0);
+  history.frame_sample = chain.frame_sample;
+  size_shape(chain, chain.frame_sample.size(), history);
 }
 
 }  // namespace
@@ -144,13 +145,14 @@ Sensitivity make_sensitivity(const Model& model) {
 
 Workspace make_workspace(const Model& model) {
   if (!model.chain) return {};
-  return {make_chain_program(*model.chain)};
+  return {make_chain_program(*model.chain), {}, {}};
 }
 
-Response simulate(const Scene& scene, const SolverOptions& options) {
+Response simulate(const Scene& scene, const SolverOptions& options, const BreakListener& on_break) {
   const Model model = prepare(scene, options);
   Response response = make_response(model);
   Workspace workspace = make_workspace(model);
+  workspace.on_break = on_break;
   run(model, {}, workspace, response);
   return response;
 }

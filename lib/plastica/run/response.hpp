@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,16 +23,18 @@ struct BreakEvent {
 };
 
 /// Why a joint of a chain broke: the strain that went over its limit.
-enum class BreakCause { BendingX, BendingY, Biaxial, Torsion, Stretch };
+/// `Cut`: the scene cut it.
+enum class BreakCause { BendingX, BendingY, Biaxial, Torsion, Stretch, Cut };
 
 /// The words of files for the causes, in their order.
-inline constexpr std::array<std::string_view, 5> kBreakCauses{"bending_x", "bending_y", "biaxial",
-                                                              "torsion", "stretch"};
+inline constexpr std::array<std::string_view, 6> kBreakCauses{"bending_x", "bending_y", "biaxial",
+                                                              "torsion",   "stretch",   "cut"};
 
-/// One joint over its limit.
+/// One joint over its limit, or one that was cut.
 struct BrokenJoint {
   int joint = 0;  ///< 0 … n_joints - 1
   BreakCause cause = BreakCause::BendingX;
+  bool cut = false;                ///< whether it was cut then
   double strain = 0.0;             ///< the permanent strain [1]
   double limit = 0.0;              ///< that it exceeded [1]
   std::array<double, 3> moment{};  ///< about x, y, z of the joint [N m]
@@ -39,45 +42,69 @@ struct BrokenJoint {
   double dissipation = 0.0;        ///< plastic work of the joint so far [J]
 };
 
-/// The end of a path in statics: all joints that are over their limit at one time.
+/// A piece of a beam: a range of its segments. Segments and joints keep their numbers for life.
+struct Piece {
+  int first = 0;  ///< segment
+  int last = 0;   ///< segment, the last one included
+
+  friend bool operator==(const Piece&, const Piece&) = default;
+};
+
+/// All joints that broke, or were cut, at one time; statics end there.
 struct ChainBreak {
   double time = 0.0;    ///< [s]
   double factor = 0.0;  ///< of the first load's history there [1]
   std::vector<BrokenJoint> joints{};
+  std::vector<Piece> pieces{};  ///< of the beam after it, by rising segment
 };
 
-/// How far the energies of a path balance [J]; see chain/README.md.
+/// Decides at each break which of its joints are cut: it sets `BrokenJoint::cut`, which the scene's
+/// policy has set before. Called in the thread that runs.
+using BreakListener = std::function<void(ChainBreak&)>;
+
+/// How far the energies of a path or motion balance [J]; see chain/README.md. All but the residual
+/// are computed each on its own.
 struct Energies {
-  double elastic = 0.0;   ///< stored in the joints
-  double plastic = 0.0;   ///< plastic work done so far
-  double external = 0.0;  ///< work of loads and moving supports so far
-  double residual = 0.0;  ///< external - elastic - plastic: what the steps have lost
+  double elastic = 0.0;  ///< stored in the joints and in springs
+  double kinetic = 0.0;
+  double plastic = 0.0;    ///< plastic work done so far
+  double damping = 0.0;    ///< dissipated by the joints' damping so far
+  double numerical = 0.0;  ///< dissipated by the scheme so far; negative: made by it
+  double impact = 0.0;     ///< lost in impacts so far
+  double fracture = 0.0;   ///< elastic energy of joints that were cut, so far
+  double external = 0.0;   ///< work of loads and moving supports so far, and the energy at time 0
+  double residual = 0.0;   ///< external less all others: what the ledger cannot explain
 };
+
+/// A ledger whose residual is above this share of its largest entry does not close.
+inline constexpr double kLedgerTolerance = 0.01;
 
 /// What a chain records at each sample. Joint 0 is at the start, joint N at the end: a joint of a
 /// beam of N segments lies at each segment end; one that does not exist (a free end) has zeros.
 struct ChainHistory {
-  std::size_t joints = 0;        ///< N + 1
+  std::size_t joints = 0;  ///< N + 1
+  std::size_t supports = 0;
   std::vector<double> time;      ///< [s] (n_samples)
   std::vector<double> factor;    ///< of the first load, or of the first motion [1] (n_samples)
   std::vector<Energies> energy;  ///< (n_samples)
   std::vector<int> iterations;   ///< Newton iterations of all steps up to here (n_samples)
-  /// By sample, joint and axis (n_samples x n_joints x 3):
+  /// Samples of which the shape is kept: frames, the first and the last among them (n_frames).
+  std::vector<std::size_t> frame_sample;
+  /// By frame, joint and axis (n_frames x n_joints x 3):
   std::vector<double> position;       ///< of the joint in world axes [m]
   std::vector<double> moment;         ///< about x, y, z of the joint [N m]
   std::vector<double> force;          ///< shear along x, y, axial along z [N]
   std::vector<double> angle;          ///< from the undeformed state [rad]
   std::vector<double> plastic_angle;  ///< [rad]
-  /// By sample and segment (n_samples x N x 3): its rotation from the undeformed beam, as a
+  /// By frame and segment (n_frames x N x 3): its rotation from the undeformed beam, as a
   /// rotation vector in world axes [rad].
   std::vector<double> rotation;
-  /// By sample and joint (n_samples x n_joints):
+  /// By frame and joint (n_frames x n_joints):
   std::vector<double> plastic_strain;  ///< the break measure: the largest of the joint's axes [1]
   std::vector<double> stress;  ///< of the extreme fibre, M_x/W_x + M_y/W_y as signs add [Pa]
   /// By sample and support (n_samples x n_supports x 6): force [N] and moment [N m] on the beam.
   std::vector<double> reaction;
-  std::size_t supports = 0;
-  std::optional<ChainBreak> event{};
+  std::vector<ChainBreak> events{};  ///< in the order of time
 };
 
 /// What a run gives; sized by `make_response`, so that `run` does not allocate.
@@ -92,6 +119,9 @@ struct Response {
   ChainHistory chain;  ///< of a chain; empty for a coupon
   PathCounters counters;
   std::optional<LimitLoad> limit;
+  /// Largest |residual| of the energy ledger over the largest of its entries so far, of all samples
+  /// [1]; above `kLedgerTolerance` the motion is not to be trusted.
+  double ledger_error = 0.0;
   double seconds = 0.0;  ///< wall time of the run [s]
 };
 

@@ -34,7 +34,9 @@ void run_sensitivity(const Model& model, ParameterValues values, Workspace& work
                      Response& response, Sensitivity& sensitivity);
 
 /// `prepare` and `run` in a row, for a scene that is run once.
+/// @param on_break  decides at each break of a motion what is cut; may be empty
 /// @throws InputError as `prepare`
-Response simulate(const Scene& scene, const SolverOptions& options = {});
+Response simulate(const Scene& scene, const SolverOptions& options = {},
+                  const BreakListener& on_break = {});
 
 }  // namespace plastica

@@ -68,7 +68,7 @@ TEST_F(SceneStore, ReadsAChainBackBitByBit) {
   EXPECT_EQ(read.response.permanent_strain, record.response.permanent_strain);
   EXPECT_EQ(read.response.counters.iterations, record.response.counters.iterations);
   EXPECT_EQ(read.response.seconds, 0.25);
-  EXPECT_FALSE(read.response.limit || read.response.event || read.response.chain.event);
+  EXPECT_FALSE(read.response.limit || read.response.event || !read.response.chain.events.empty());
   expect_same_chain(read.response.chain, record.response.chain);
 }
 
@@ -135,14 +135,18 @@ TEST_F(SceneStore, KeepsOfAnUnfinishedPathWhatIsValid) {
 
 TEST_F(SceneStore, KeepsEveryJointOfABreak) {
   SceneRecord record = record_of(cantilever_text());
-  ChainBreak event{2.5, 0.75, {}};
+  ChainBreak event{2.5, 0.75, {}, {{0, 2}, {3, 9}}};
   event.joints.push_back(
-      {3, BreakCause::Torsion, 0.11, 0.1, {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, 7.0});
-  event.joints.push_back({4, BreakCause::Biaxial, 0.2, 0.1, {}, {}, 8.0});
+      {3, BreakCause::Torsion, true, 0.11, 0.1, {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, 7.0});
+  event.joints.push_back({4, BreakCause::Biaxial, false, 0.2, 0.1, {}, {}, 8.0});
   record.response.status = Status::Broken;
-  record.response.chain.event = event;
-  const auto read = stored(record).response.chain.event;
-  ASSERT_TRUE(read);
+  record.response.chain.events = {event};
+  const auto events = stored(record).response.chain.events;
+  ASSERT_EQ(events.size(), 1U);
+  const ChainBreak* read = &events.front();
+  EXPECT_EQ(read->pieces, event.pieces);
+  EXPECT_TRUE(read->joints[0].cut);
+  EXPECT_FALSE(read->joints[1].cut);
   EXPECT_EQ(read->time, 2.5);
   EXPECT_EQ(read->factor, 0.75);
   ASSERT_EQ(read->joints.size(), 2U);

@@ -64,7 +64,7 @@ inline double plastic_rotation(const Response& response) {
 /// Largest permanent angle about x of the joints that broke [rad].
 inline double broken_angle(const Response& response) {
   double largest = 0.0;
-  for (const BrokenJoint& joint : response.chain.event->joints) {
+  for (const BrokenJoint& joint : response.chain.events.front().joints) {
     largest = std::max(largest, std::fabs(joint.angle[0]));
   }
   return largest;

@@ -100,11 +100,11 @@ TEST(BreakOfAChain, WithAHingeLengthIsTheSameForAllSegmentsUnderUniformMoment) {
     EXPECT_NEAR(plastic_work(ideal) / (kBreakingPlasticMoment * rotation), 1.0,
                 testing::tolerance(kMet))
         << segments;
-    EXPECT_EQ(ideal.chain.event->joints.size(), joints);
+    EXPECT_EQ(ideal.chain.events.front().joints.size(), joints);
     const Response hard = break_by_uniform_moment(hardening(breaking_cantilever(segments)));
     ASSERT_EQ(hard.status, Status::Broken) << segments;
     EXPECT_NEAR(plastic_rotation(hard) / rotation, 1.0, testing::tolerance(kMet)) << segments;
-    EXPECT_EQ(hard.chain.event->joints.size(), joints);
+    EXPECT_EQ(hard.chain.events.front().joints.size(), joints);
   }
 }
 

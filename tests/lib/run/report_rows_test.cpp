@@ -182,7 +182,7 @@ TEST(ReportRows, ShearBreaksAtTheBreakStrainItselfInTheReport) {
     scene.material.break_strain = 0.1;
     const Response response = simulate(scene, {.steps = 200});
     EXPECT_EQ(response.status, Status::Broken);
-    return response.chain.event->joints.front().strain;
+    return response.chain.events.front().joints.front().strain;
   };
   const Row row{limit(Formulas::Report), limit(Formulas::Mechanics)};
   show("gamma_break not given, eps_break = 10 %: shear strain at break [1]", row);

@@ -195,10 +195,10 @@ TEST(ReportScenes, Proposal6WearsOutToAndFro) {
   auto setup = scene_file("report_proposal6_wear");
   const Response response = simulate(setup.scene, setup.solver);
   ASSERT_EQ(response.status, Status::Broken) << name_of(response.status);
-  ASSERT_TRUE(response.chain.event.has_value());
-  EXPECT_EQ(response.chain.event->joints.front().joint, 0);
-  EXPECT_GT(response.chain.event->time, 6.0);
-  EXPECT_LT(response.chain.event->time, 7.0);
+  ASSERT_FALSE(response.chain.events.empty());
+  EXPECT_EQ(response.chain.events.front().joints.front().joint, 0);
+  EXPECT_GT(response.chain.events.front().time, 6.0);
+  EXPECT_LT(response.chain.events.front().time, 7.0);
   setup.scene.break_measure = BreakMeasure::Net;
   EXPECT_EQ(simulate(setup.scene, setup.solver).status, Status::Completed);
 }

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "plastica/chain/layout.hpp"
+#include "plastica/chain/view.hpp"
+#include "plastica/model/motion.hpp"
+
+namespace plastica::chain {
+
+/// Mass per length of each part of a beam: the scene's own, then its regions [kg/m].
+inline std::vector<double> line_masses(const Scene& scene) {
+  std::vector<double> masses;
+  const auto add = [&](const Section& section, const Material& material) {
+    masses.push_back(material.density * section_properties(section, material.poisson_ratio).area);
+  };
+  add(scene.section, scene.material);
+  for (const Region& region : scene.regions) add(region.section, region.material);
+  return masses;
+}
+
+/// The part that the middle of a segment belongs to: 0 is the scene's own.
+inline std::size_t part_of_segment(const Scene& scene, const Layout& layout, std::size_t segment) {
+  const double middle = 0.5 * (layout.ends[segment] + layout.ends[segment + 1]);
+  return part_at(scene, middle, layout.ends).number;
+}
+
+/// Masses and inertias of a chain's segments.
+///
+/// A segment is a rod of even mass along its chord c, with m c^2/12 across it; its section adds
+/// rho (I_x + I_y) per length about the beam's axis and, with rotary inertia, rho I_x and rho I_y
+/// about x and y (Rayleigh's beam).
+template <class L>
+std::vector<Inertia<L>> segment_inertias(const Scene& scene, const Layout& layout,
+                                         const View<L>& view, RotaryInertia rotary) {
+  using S = typename L::Scalar;
+  const std::vector<double> line_mass = line_masses(scene);
+  std::vector<SectionProperties> properties{
+      section_properties(scene.section, scene.material.poisson_ratio)};
+  std::vector<double> density{scene.material.density};
+  for (const Region& region : scene.regions) {
+    properties.push_back(section_properties(region.section, region.material.poisson_ratio));
+    density.push_back(region.material.density);
+  }
+  std::vector<Inertia<L>> inertias;
+  inertias.reserve(layout.size());
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    const std::size_t part = part_of_segment(scene, layout, i);
+    const Vec<double, 3> chord = layout.node[i + 1] - layout.node[i];
+    const double length = layout.segment_length[i];
+    const double mass = line_mass[part] * length;
+    const double rod = mass * dot(chord, chord) / 12.0;
+    const double line = density[part] * length;
+    const double section = rotary == RotaryInertia::On ? line : 0.0;
+    const SectionProperties& p = properties[part];
+    const std::array<double, 6> about{0.0,
+                                      0.0,
+                                      0.0,
+                                      rod + section * p.second_moment_x,
+                                      rod + section * p.second_moment_y,
+                                      line * (p.second_moment_x + p.second_moment_y)};
+    Inertia<L> inertia;
+    inertia.mass = constant<S>(mass);
+    inertia.center = view.point(0.5 * (transpose(layout.segment_frame[i]) * chord));
+    const auto turning = view.rotations(about);
+    for (std::size_t k = 0; k < L::kRotations; ++k) inertia.turning(k, k) = constant<S>(turning[k]);
+    inertias.push_back(inertia);
+  }
+  return inertias;
+}
+
+}  // namespace plastica::chain
