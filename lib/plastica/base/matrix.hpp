@@ -115,6 +115,20 @@ constexpr Vec<S, C> transposed_times(const Mat<S, R, C>& a, const Vec<S, R>& x) 
   return product;
 }
 
+/// `a` where the mask holds, `b` elsewhere.
+template <class Mask, class S, std::size_t N>
+constexpr Vec<S, N> select(const Mask& mask, const Vec<S, N>& a, const Vec<S, N>& b) {
+  Vec<S, N> chosen;
+  for (std::size_t i = 0; i < N; ++i) chosen[i] = select(mask, a[i], b[i]);
+  return chosen;
+}
+template <class Mask, class S, std::size_t R, std::size_t C>
+constexpr Mat<S, R, C> select(const Mask& mask, const Mat<S, R, C>& a, const Mat<S, R, C>& b) {
+  Mat<S, R, C> chosen;
+  for (std::size_t i = 0; i < R * C; ++i) chosen.at[i] = select(mask, a.at[i], b.at[i]);
+  return chosen;
+}
+
 /// a b^T.
 template <class S, std::size_t R, std::size_t C>
 constexpr Mat<S, R, C> outer(const Vec<S, R>& a, const Vec<S, C>& b) {

@@ -90,6 +90,7 @@ class Builder {
     const std::size_t n = layout_.size();
     Coordinates<L> q;
     q.angle.resize(n);
+    q.open.resize(n);
     undeformed_.resize(n);
     place<false>(build_.chain, q, 0.0, undeformed_);
   }

@@ -24,7 +24,16 @@
 ///   spun_by(arm)          d(arm) / d(spin), the arm being fixed to a segment;
 ///   moment_by(arm, force) d(arm x force) / d(spin) at constant force;
 ///   turned_by(moment)     d(moment) / d(spin), the moment being fixed to the segment;
-///   turn_by(spin, theta)  the rotation vector after a small spin.
+///   turn_by(spin, theta)  the rotation vector after a small spin;
+///   step_spin(f, g)       the finite spin s of a step from frame f to g by Cayley's map:
+///                         g - f = s x (f + g)/2 for every axis of the frames;
+///   step_spin_slope(s)    d s / d (spin of g), both in the axes of g (or f: s is the same);
+///   select(mask, f, g)    f where the mask holds, g elsewhere;
+///   mean(f, g)            of the axes of two frames; not a rotation;
+///   work_to_joint(a, b), work_from_joint(a, b)   a moment in world axes to what works on the step
+///                         spin of the outer side as seen from the inner one, in the inner side's
+///                         axes at the step's begin less their turn to the world, and back; a, b
+///                         are the step spins of the inner and the outer side.
 namespace plastica::chain {
 
 /// Rotation about the beam's axis alone: no translation, one angle.
@@ -54,6 +63,20 @@ struct Twist {
   static Mat<S, 1, 1> moment_by(const Point& /*arm*/, const Point& /*force*/) { return {}; }
   static Mat<S, 1, 1> turned_by(const Spin& /*moment*/) { return {}; }
   static Spin turn_by(const Spin& spin, const Spin& theta) { return theta + spin; }
+  static Spin step_spin(const Frame& f, const Frame& g) { return angle_from(f, g); }
+  static Mat<S, 1, 1> step_spin_slope(const Spin& /*s*/) { return identity<S, 1>(); }
+  static Frame select(const mask_t<S>& mask, const Frame& f, const Frame& g) {
+    return {plastica::select(mask, f.angle, g.angle)};
+  }
+  static Frame mean(const Frame& f, const Frame& g) {
+    return {constant<S>(0.5) * (f.angle + g.angle)};
+  }
+  static Mat<S, 1, 1> work_to_joint(const Spin& /*a*/, const Spin& /*b*/) {
+    return identity<S, 1>();
+  }
+  static Mat<S, 1, 1> work_from_joint(const Spin& /*a*/, const Spin& /*b*/) {
+    return identity<S, 1>();
+  }
 };
 
 /// Motion in a plane with the axes (along the undeformed beam, across); angles from the first to
@@ -102,6 +125,29 @@ struct Planar {
   }
   static Mat<S, 1, 1> turned_by(const Spin& /*moment*/) { return {}; }
   static Spin turn_by(const Spin& spin, const Spin& theta) { return theta + spin; }
+  static Spin step_spin(const Frame& f, const Frame& g) {
+    const S cosine = f.cosine * g.cosine + f.sine * g.sine;
+    const S sine = f.cosine * g.sine - f.sine * g.cosine;
+    return {{constant<S>(2) * sine / (constant<S>(1) + cosine)}};
+  }
+  static Mat<S, 1, 1> step_spin_slope(const Spin& s) {
+    return {{constant<S>(1) + constant<S>(0.25) * s[0] * s[0]}};
+  }
+  static Frame select(const mask_t<S>& mask, const Frame& f, const Frame& g) {
+    return {plastica::select(mask, f.angle, g.angle), plastica::select(mask, f.cosine, g.cosine),
+            plastica::select(mask, f.sine, g.sine)};
+  }
+  static Frame mean(const Frame& f, const Frame& g) {
+    const S half = constant<S>(0.5);
+    return {half * (f.angle + g.angle), half * (f.cosine + g.cosine), half * (f.sine + g.sine)};
+  }
+  /// tan(b - a) = (tan b - tan a)/(1 + tan a tan b), of half the angles.
+  static Mat<S, 1, 1> work_to_joint(const Spin& a, const Spin& b) {
+    return {{constant<S>(1) + constant<S>(0.25) * a[0] * b[0]}};
+  }
+  static Mat<S, 1, 1> work_from_joint(const Spin& a, const Spin& b) {
+    return {{constant<S>(1) / work_to_joint(a, b)(0, 0)}};
+  }
 };
 
 /// Motion in space.
@@ -135,6 +181,37 @@ struct Spatial {
   static Mat<S, 3, 3> turned_by(const Spin& moment) { return skew(-moment); }
   static Spin turn_by(const Spin& spin, const Spin& theta) {
     return theta + inverse_tangent_map(theta, RotationCoefficients<S>(dot(theta, theta))) * spin;
+  }
+  /// Cayley: g f^T = 1 + (skew(s) + skew(s)^2/2)/(1 + s^2/4), so its axial part over 1 + trace is
+  /// s/4.
+  static Spin step_spin(const Frame& f, const Frame& g) {
+    const Mat<S, 3, 3> m = g.axes * transpose(f.axes);
+    const S scale = constant<S>(2) / (constant<S>(1) + m(0, 0) + m(1, 1) + m(2, 2));
+    return {
+        {scale * (m(2, 1) - m(1, 2)), scale * (m(0, 2) - m(2, 0)), scale * (m(1, 0) - m(0, 1))}};
+  }
+  static Mat<S, 3, 3> step_spin_slope(const Spin& s) {
+    return identity<S, 3>() + skew(constant<S>(0.5) * s) + outer(constant<S>(0.25) * s, s);
+  }
+  static Frame select(const mask_t<S>& mask, const Frame& f, const Frame& g) {
+    return {plastica::select(mask, f.axes, g.axes)};
+  }
+  static Frame mean(const Frame& f, const Frame& g) {
+    return {constant<S>(0.5) * (f.axes + g.axes)};
+  }
+  /// Rodrigues' composition: with half spins a and b the relative one is
+  /// (b - a - a x b)/(1 + a.b) = (1 - skew(a)) (b - a)/(1 + a.b), so moments go back by
+  /// (1 + skew(a))/(1 + a.b).
+  static Mat<S, 3, 3> work_to_joint(const Spin& a, const Spin& b) {
+    const S half = constant<S>(0.5);
+    const Spin x = half * a;
+    const S one = constant<S>(1);
+    const S scale = (one + half * dot(x, b)) / (one + dot(x, x));
+    return scale * (identity<S, 3>() - skew(x) + outer(x, x));
+  }
+  static Mat<S, 3, 3> work_from_joint(const Spin& a, const Spin& b) {
+    const S scale = constant<S>(1) / (constant<S>(1) + constant<S>(0.25) * dot(a, b));
+    return scale * (identity<S, 3>() + skew(constant<S>(0.5) * a));
   }
 };
 

@@ -67,33 +67,34 @@ inline void add_point_stiffness(
   impedance.rr += transpose(by) * k_by;
 }
 
-template <class L>
-void add_loads(const Chain<L>& chain, const Placement<L>& placement, double time,
-               OuterForces<L>& outer_forces) {
+template <class L, class FactorAt>
+void add_loads(const Chain<L>& chain, const Placement<L>& placement, const FactorAt& factor_at,
+               const typename L::Scalar& share, OuterForces<L>& outer_forces) {
   using S = typename L::Scalar;
   for (const SegmentLoad<L>& load : chain.loads) {
-    const S factor = constant<S>(chain.histories[load.history].at(time));
+    const S factor = constant<S>(factor_at(load.history));
+    const S slope = share * factor;
     const Wrench<L> unit = unit_wrench(load, placement);
     Wrench<L>& wrench = outer_forces.wrench[load.segment];
     Impedance<L>& impedance = outer_forces.impedance[load.segment];
     wrench.force += factor * unit.force;
     wrench.moment += factor * unit.moment;
     if (load.follows) {
-      impedance.tr -= factor * L::spun_by(unit.force);
-      impedance.rr -= factor * L::turned_by(unit.moment);
+      impedance.tr -= slope * L::spun_by(unit.force);
+      impedance.rr -= slope * L::turned_by(unit.moment);
     } else {
       const typename L::Point arm = L::turn(placement.frame[load.segment], load.arm);
-      impedance.rr -= factor * L::moment_by(arm, load.force);
+      impedance.rr -= slope * L::moment_by(arm, load.force);
     }
   }
 }
 
-template <class L>
-void add_springs(const Chain<L>& chain, const Placement<L>& placement, double time,
-                 OuterForces<L>& outer_forces) {
+template <class L, class FactorAt>
+void add_springs(const Chain<L>& chain, const Placement<L>& placement, const FactorAt& factor_at,
+                 const typename L::Scalar& share, OuterForces<L>& outer_forces) {
   using S = typename L::Scalar;
   for (const Spring<L>& spring : chain.springs) {
-    const S factor = constant<S>(chain.histories[spring.history].at(time));
+    const S factor = constant<S>(factor_at(spring.history));
     const typename L::Point arm = L::turn(placement.frame[spring.segment], spring.arm);
     const typename L::Point off =
         placement.position[spring.segment] + arm - spring.rest - factor * spring.motion;
@@ -104,19 +105,23 @@ void add_springs(const Chain<L>& chain, const Placement<L>& placement, double ti
       force[i] = -(spring.stiffness[i] * off[i]);
     }
     Impedance<L>& impedance = outer_forces.impedance[spring.segment];
-    add_point_stiffness(k, arm, impedance);
-    impedance.rr -= L::moment_by(arm, force);
+    add_point_stiffness(share * k, arm, impedance);
+    impedance.rr -= share * L::moment_by(arm, force);
     outer_forces.wrench[spring.segment].force += force;
     outer_forces.wrench[spring.segment].moment += L::moment(arm, force);
   }
 }
 
 template <bool kElastic, class L>
-void add_ground_joints(const Chain<L>& chain, const Placement<L>& placement,
-                       const JointForces<L, kElastic>& joints, OuterForces<L>& outer_forces) {
+void add_ground_joints(const Chain<L>& chain, const Coordinates<L>& q, const Stage<L>& stage,
+                       const Placement<L>& placement, const JointForces<L, kElastic>& joints,
+                       OuterForces<L>& outer_forces) {
   using S = typename L::Scalar;
-  for (const GroundJoint<L>& joint : chain.ground_joints) {
-    const auto axes = L::axes(ground_joint_axes(joint, placement));
+  for (std::size_t g = 0; g < chain.ground_joints.size(); ++g) {
+    const GroundJoint<L>& joint = chain.ground_joints[g];
+    const auto whole =
+        stage.half_way ? stage.ground_axes[g] : L::axes(ground_joint_axes(joint, placement));
+    const auto axes = select(q.released_ground_joint[g], {}, whole);
     typename L::Spin force;
     Mat<S, L::kRotations, L::kRotations> tangent;
     for (std::size_t i = 0; i < L::kRotations; ++i) {
@@ -128,7 +133,7 @@ void add_ground_joints(const Chain<L>& chain, const Placement<L>& placement,
     const typename L::Spin moment = axes * force;
     outer_forces.wrench[joint.segment].moment += moment;
     outer_forces.impedance[joint.segment].rr +=
-        axes * tangent * transpose(axes) - L::turned_by(moment);
+        axes * tangent * transpose(axes) - stage.share() * L::turned_by(moment);
   }
 }
 
@@ -136,42 +141,44 @@ void add_ground_joints(const Chain<L>& chain, const Placement<L>& placement,
 
 /// The force of each closure now, and the stiffness that the factorization gives its point: both
 /// zero where a one-sided closure is open.
+/// @param placement  where the segments are, and move from
 template <class L>
-void add_closures(const Chain<L>& chain, const Placement<L>& placement, const Coordinates<L>& q,
-                  const std::vector<mask_t<typename L::Scalar>>& closed,
+void add_closures(const Chain<L>& chain, const Placement<L>& placement, const Stage<L>& stage,
+                  const Coordinates<L>& q, const std::vector<mask_t<typename L::Scalar>>& closed,
                   OuterForces<L>& outer_forces) {
   using S = typename L::Scalar;
   const S zero = constant<S>(0);
   for (std::size_t k = 0; k < chain.closures.size(); ++k) {
     const Closure<L>& closure = chain.closures[k];
     const S force = select(closed[k], q.multiplier[k], zero);
-    const Wrench<L> unit = unit_wrench(closure, placement);
+    const Wrench<L> unit = unit_wrench(closure, stage.of(placement));
+    const Wrench<L> way = unit_wrench(closure, placement);
     Wrench<L>& wrench = outer_forces.wrench[closure.segment];
     Impedance<L>& impedance = outer_forces.impedance[closure.segment];
     wrench.force += force * unit.force;
     wrench.moment += force * unit.moment;
-    if (closure.turning) {
-      const S stiffness = select(closed[k], chain.closure_turning_stiffness, zero);
-      impedance.rr += outer(stiffness * closure.axis, closure.axis);
-    } else {
-      const typename L::Point arm = L::turn(placement.frame[closure.segment], closure.arm);
-      const S stiffness = select(closed[k], chain.closure_stiffness, zero);
-      impedance.rr -= force * L::moment_by(arm, closure.direction);
-      detail::add_point_stiffness(outer(stiffness * closure.direction, closure.direction), arm,
-                                  impedance);
-    }
+    const S whole = closure.turning ? chain.closure_turning_stiffness : chain.closure_stiffness;
+    const S stiffness = select(closed[k], whole, zero);
+    impedance.tt += outer(stiffness * unit.force, way.force);
+    impedance.tr += outer(stiffness * unit.force, way.moment);
+    impedance.rt += outer(stiffness * unit.moment, way.force);
+    impedance.rr += outer(stiffness * unit.moment, way.moment);
+    if (closure.turning) continue;
+    const typename L::Point arm = L::turn(placement.frame[closure.segment], closure.arm);
+    impedance.rr -= (stage.share() * force) * L::moment_by(arm, closure.direction);
   }
 }
 
 /// All that acts on the segments but closures.
-template <bool kElastic, class L>
-void gather_forces(const Chain<L>& chain, const Placement<L>& placement,
-                   const JointForces<L, kElastic>& joints, double time,
-                   OuterForces<L>& outer_forces) {
+/// @param factor_at  the factor of a history, by its number
+template <bool kElastic, class L, class FactorAt>
+void gather_forces(const Chain<L>& chain, const Coordinates<L>& q, const Placement<L>& placement,
+                   const Stage<L>& stage, const JointForces<L, kElastic>& joints,
+                   const FactorAt& factor_at, OuterForces<L>& outer_forces) {
   outer_forces.reset(chain.size());
-  detail::add_loads(chain, placement, time, outer_forces);
-  detail::add_springs(chain, placement, time, outer_forces);
-  detail::add_ground_joints(chain, placement, joints, outer_forces);
+  detail::add_loads(chain, stage.of(placement), factor_at, stage.share(), outer_forces);
+  detail::add_springs(chain, stage.of(placement), factor_at, stage.share(), outer_forces);
+  detail::add_ground_joints(chain, q, stage, placement, joints, outer_forces);
 }
 
 }  // namespace plastica::chain

@@ -59,13 +59,16 @@ class Recursion {
   void resize(std::size_t n) {
     joints_.resize(n);
     balance_.resize(n);
+    starts_.clear();
   }
 
   /// Goes from the tip to the root: sums what each joint transmits, how far each is out of
   /// balance, and eliminates joint after joint.
+  /// @param placement     where the segments are, and move from
+  /// @param stage         where the forces act
   void factor(const Chain<L>& chain, const Coordinates<L>& q, const Placement<L>& placement,
-              const JointForces<L, kElastic>& laws, const OuterForces<L>& outer_forces,
-              Transmitted<L>& transmitted);
+              const Stage<L>& stage, const JointForces<L, kElastic>& laws,
+              const OuterForces<L>& outer_forces, Transmitted<L>& transmitted);
 
   /// Law minus transmitted moment (and force) of each joint: what Newton makes zero (N).
   const std::vector<JointVector>& balance() const { return balance_; }
@@ -74,27 +77,45 @@ class Recursion {
   const S& least_pivot() const { return least_pivot_; }
   /// The force that the free translations of the root lack.
   const typename L::Point& root_balance() const { return root_balance_; }
+  /// What the pieces lack: force and moment at the start of each.
+  template <class Visit>
+  void for_each_piece(const Visit& visit) const {
+    for (const PieceStart& start : starts_) visit(start.joint, start.balance);
+  }
 
   /// @param with_balance  whether the right-hand side is minus the imbalance, plus `right`
   void solve(const RightSide<L, kElastic>& right, bool with_balance,
-             Solution<L, kElastic>& solution) const;
+             Solution<L, kElastic>& solution);
 
  private:
   /// One eliminated joint. `impedance` there is that of all that is outside of it.
   struct Joint {
     Mat<S, kT, kJ> u_shift;  ///< A S, rows of the force
     Mat<S, kR, kJ> u_spin;   ///< A S, rows of the moment
-    Mat<S, kJ, kT> v_shift;  ///< S^T A and the turning of the joint's axes
+    Mat<S, kJ, kT> v_shift;  ///< P A and the turning of the joint's axes
     Mat<S, kJ, kR> v_spin;
     Mat<S, kJ, kJ> inverse;     ///< of D
     Mat<S, kT, kJ> axes_shift;  ///< S: freedoms to motion of the outer segment
     Mat<S, kR, kJ> axes_spin;
-    Mat<S, kT, kR> by;  ///< spun_by of the arm from the inner neighbour's joint
+    Mat<S, kJ, kT> work_shift;  ///< P: force and moment to those of the freedoms; S^T, but half way
+    Mat<S, kJ, kR> work_spin;
+    Mat<S, kT, kR> by;       ///< spun_by of the arm from the inner neighbour's joint, for motion
+    Mat<S, kT, kR> work_by;  ///< the same for forces
+  };
+  static constexpr std::size_t kFree = kR + kT;
+  /// The start of a piece: its spin and shift are solved there, and nothing goes further in.
+  struct PieceStart {
+    std::size_t joint = 0;
+    mask_t<S> open{};
+    Mat<S, kFree, kFree> inverse;  ///< of the piece's impedance, spins first
+    Wrench<L> balance;             ///< what acts on the piece
+    Motion<L> motion;              ///< of its first segment, in the solution that is sought
   };
 
   void set_axes(const typename L::Frame& near, const typename L::Frame& far,
                 const typename L::Point& shift, Joint& joint) const;
-  void add_turning(const typename L::Frame& near, const typename L::Frame& far,
+  void set_work(const Stage<L>& stage, std::size_t i, Joint& joint) const;
+  void add_turning(const S& share, const typename L::Frame& near, const typename L::Frame& far,
                    const typename L::Point& shift, const Wrench<L>& w, Joint& joint,
                    Mat<S, kJ, kJ>& d) const;
   void weld(const std::array<bool, 3>& welded, Mat<S, kJ, kJ>& d) const;
@@ -108,9 +129,14 @@ class Recursion {
       }
     }
   }
-  void factor_root(const Chain<L>& chain, const Impedance<L>& outside);
+  void factor_root(const Chain<L>& chain, const mask_t<S>& open, const Impedance<L>& outside);
+
+  static void solve_piece(PieceStart& start, bool with_balance, Wrench<L>& b);
+  void factor_piece(std::size_t i, const mask_t<S>& open, const Impedance<L>& a, Wrench<L>& w,
+                    Impedance<L>& given, Joint& joint);
 
   std::vector<Joint> joints_;
+  std::vector<PieceStart> starts_;  ///< from the tip to the root
   std::vector<JointVector> balance_;
   typename L::Point root_balance_{};
   Impedance<L> root_impedance_{};  ///< of the whole chain, about the start
@@ -136,25 +162,52 @@ void Recursion<L, kElastic>::set_axes(const typename L::Frame& near, const typen
   }
 }
 
+/// The projection P of forces. Where forces act at the end it is S^T.
+template <class L, bool kElastic>
+void Recursion<L, kElastic>::set_work(const Stage<L>& stage, std::size_t i, Joint& joint) const {
+  if (!stage.half_way) {
+    joint.work_spin = transpose(joint.axes_spin);
+    if constexpr (kElastic) joint.work_shift = transpose(joint.axes_shift);
+    return;
+  }
+  const Mat<S, kR, kR>& to_joint = stage.to_joint[i];
+  for (std::size_t k = 0; k < kR; ++k) {
+    for (std::size_t j = 0; j < kR; ++j) joint.work_spin(k, j) = to_joint(k, j);
+  }
+  if constexpr (kElastic) {
+    const S half = constant<S>(0.5);
+    const typename L::Frame& near = stage.placement.near[i];
+    const typename L::Frame& far = stage.placement.far[i];
+    const Mat<S, kT, kT> along = half * (L::turn_matrix(near) + L::turn_matrix(far));
+    const Mat<S, kR, kT> carried =
+        to_joint * transpose(L::spun_by(half * L::turn(far, stage.shift[i])));
+    for (std::size_t j = 0; j < kT; ++j) {
+      for (std::size_t k = 0; k < kR; ++k) joint.work_shift(k, j) = carried(k, j);
+      for (std::size_t k = 0; k < kT; ++k) joint.work_shift(kR + k, j) = along(j, k);
+    }
+  }
+}
+
 /// The part of the slope of S^T w that comes from S turning, at constant w. With p = far shift,
 /// G = moment + p/2 x force: rows of spins are near^T G, rows of shifts (near + far)^T force/2.
+/// @param share  of the step's motion that the axes follow
 template <class L, bool kElastic>
-void Recursion<L, kElastic>::add_turning(const typename L::Frame& near,
+void Recursion<L, kElastic>::add_turning(const S& share, const typename L::Frame& near,
                                          const typename L::Frame& far,
                                          const typename L::Point& shift, const Wrench<L>& w,
                                          Joint& joint, Mat<S, kJ, kJ>& d) const {
   const Mat<S, kR, kR> near_axes = L::axes(near);
   if constexpr (!kElastic) {
-    joint.v_spin += transpose(near_axes) * L::turned_by(w.moment);
+    joint.v_spin += share * (transpose(near_axes) * L::turned_by(w.moment));
   } else {
     const S half = constant<S>(0.5);
     const typename L::Point p = L::turn(far, shift);
-    const Mat<S, kR, kR> back = transpose(near_axes);
+    const Mat<S, kR, kR> back = share * transpose(near_axes);
     const typename L::Spin g = w.moment + L::moment(half * p, w.force);
     const Mat<S, kR, kR> by_p = half * L::moment_by(p, w.force);
     const Mat<S, kT, kR> by_force = L::spun_by(w.force);
-    const Mat<S, kT, kT> near_back = transpose(L::turn_matrix(near));
-    const Mat<S, kT, kT> far_back = transpose(L::turn_matrix(far));
+    const Mat<S, kT, kT> near_back = share * transpose(L::turn_matrix(near));
+    const Mat<S, kT, kT> far_back = share * transpose(L::turn_matrix(far));
     const Mat<S, kR, kR> v_rr = back * (L::turned_by(g) - by_p);
     const Mat<S, kT, kR> v_tr = half * ((near_back + far_back) * by_force);
     const Mat<S, kR, kR> d_rr = back * by_p * near_axes;
@@ -190,33 +243,17 @@ void Recursion<L, kElastic>::weld(const std::array<bool, 3>& welded, Mat<S, kJ, 
 }
 
 template <class L, bool kElastic>
-void Recursion<L, kElastic>::factor_root(const Chain<L>& chain, const Impedance<L>& outside) {
-  root_impedance_ = outside;
-  Mat<S, kT, kT> a = outside.tt;
-  for (std::size_t k = 0; k < kT; ++k) {
-    if (!chain.root.held[k]) continue;
-    for (std::size_t i = 0; i < kT; ++i) {
-      a(k, i) = constant<S>(0);
-      a(i, k) = constant<S>(0);
-    }
-    a(k, k) = constant<S>(1);
-  }
-  root_inverse_ = inverse(a);
-  note_pivot(root_inverse_, chain.closure_stiffness);
-  for (std::size_t k = 0; k < kT; ++k) {
-    if (chain.root.held[k]) root_inverse_(k, k) = constant<S>(0);
-  }
-}
-
-template <class L, bool kElastic>
 void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>& q,
-                                    const Placement<L>& placement,
+                                    const Placement<L>& placement, const Stage<L>& stage,
                                     const JointForces<L, kElastic>& laws,
                                     const OuterForces<L>& outer_forces,
                                     Transmitted<L>& transmitted) {
   Impedance<L> a{};
   Wrench<L> w{};
   least_pivot_ = constant<S>(1);
+  starts_.clear();
+  const Placement<L>& at = stage.of(placement);
+  const S share = stage.share();
   for (std::size_t i = chain.size(); i-- > 0;) {
     // What is outside of joint i: segment i and all beyond.
     a.tt += outer_forces.impedance[i].tt;
@@ -225,29 +262,33 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
     a.rr += outer_forces.impedance[i].rr;
     w = w + outer_forces.wrench[i];
     transmitted.outer[i] = w;
+    if (any(q.open[i])) {
+      transmitted.outer[i] = {select(q.open[i], {}, w.force), select(q.open[i], {}, w.moment)};
+    }
 
     Joint& joint = joints_[i];
     const typename L::Point shift = kElastic ? q.shift[i] : typename L::Point{};
     set_axes(placement.near[i], placement.far[i], shift, joint);
+    set_work(stage, i, joint);
     joint.u_spin = a.rr * joint.axes_spin;
     joint.u_shift = a.tr * joint.axes_spin;
-    joint.v_spin = transpose(joint.axes_spin) * a.rr;
-    joint.v_shift = transpose(joint.axes_spin) * a.rt;
-    Vec<S, kJ> carried = transposed_times(joint.axes_spin, w.moment);
+    joint.v_spin = joint.work_spin * a.rr;
+    joint.v_shift = joint.work_spin * a.rt;
+    Vec<S, kJ> carried = joint.work_spin * w.moment;
     if constexpr (kElastic) {
       joint.u_spin += a.rt * joint.axes_shift;
       joint.u_shift += a.tt * joint.axes_shift;
-      joint.v_spin += transpose(joint.axes_shift) * a.tr;
-      joint.v_shift += transpose(joint.axes_shift) * a.tt;
-      carried += transposed_times(joint.axes_shift, w.force);
+      joint.v_spin += joint.work_shift * a.tr;
+      joint.v_shift += joint.work_shift * a.tt;
+      carried += joint.work_shift * w.force;
     }
     balance_[i] = laws.force[i] - carried;
-    Mat<S, kJ, kJ> d = laws.tangent[i] + transpose(joint.axes_spin) * joint.u_spin;
-    if constexpr (kElastic) d += transpose(joint.axes_shift) * joint.u_shift;
-    add_turning(placement.near[i], placement.far[i], shift, w, joint, d);
+    Mat<S, kJ, kJ> d = laws.tangent[i] + joint.work_spin * joint.u_spin;
+    if constexpr (kElastic) d += joint.work_shift * joint.u_shift;
+    add_turning(share, at.near[i], at.far[i], shift, w, joint, d);
     if constexpr (kElastic) {
       // The force acts on segment i - 1 where the shift has taken it.
-      joint.u_spin += transpose(L::spun_by(w.force)) * joint.axes_shift;
+      joint.u_spin += share * (transpose(L::spun_by(w.force)) * joint.axes_shift);
     }
     if (i == 0) weld(chain.root.welded, d);
     joint.inverse = inverse(d);
@@ -261,64 +302,33 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
     }
 
     // What is outside of segment i - 1, about joint i: joint i gives way.
+    const Impedance<L> impedance = a;
     const Mat<S, kJ, kR> give_spin = joint.inverse * joint.v_spin;
     const Mat<S, kJ, kT> give_shift = joint.inverse * joint.v_shift;
     a.tt -= joint.u_shift * give_shift;
     a.tr -= joint.u_shift * give_spin;
     a.rt -= joint.u_spin * give_shift;
     a.rr -= joint.u_spin * give_spin;
+    if (any(q.open[i])) factor_piece(i, q.open[i], impedance, w, a, joint);
     if (i == 0) break;
 
     // The same about joint i - 1.
     const typename L::Point arm = placement.position[i] - placement.position[i - 1];
+    const typename L::Point work_arm = at.position[i] - at.position[i - 1];
     joint.by = L::spun_by(arm);
+    joint.work_by = L::spun_by(work_arm);
     const Mat<S, kT, kR> tr = a.tt * joint.by + a.tr;
-    a.rr += a.rt * joint.by + transpose(joint.by) * tr - L::moment_by(arm, w.force);
-    a.rt += transpose(joint.by) * a.tt;
+    a.rr += a.rt * joint.by + transpose(joint.work_by) * tr - share * L::moment_by(arm, w.force);
+    a.rt += transpose(joint.work_by) * a.tt;
     a.tr = tr;
-    w.moment += L::moment(arm, w.force);
+    w.moment += L::moment(work_arm, w.force);
   }
-  factor_root(chain, a);
+  factor_root(chain, q.open[0], a);
   for (std::size_t k = 0; k < kT; ++k) {
     root_balance_[k] = chain.root.held[k] ? constant<S>(0) : w.force[k];
   }
 }
 
-template <class L, bool kElastic>
-void Recursion<L, kElastic>::solve(const RightSide<L, kElastic>& right, bool with_balance,
-                                   Solution<L, kElastic>& solution) const {
-  const std::size_t n = joints_.size();
-  Wrench<L> b{};
-  for (std::size_t i = n; i-- > 0;) {
-    const Joint& joint = joints_[i];
-    b = b + right.wrench[i];
-    Vec<S, kJ> rest = right.joint[i] + transposed_times(joint.axes_spin, b.moment);
-    if constexpr (kElastic) rest += transposed_times(joint.axes_shift, b.force);
-    if (with_balance) rest -= balance_[i];
-    // Between the two sweeps the solution holds D^-1 (S^T b - balance).
-    const JointVector gives = joint.inverse * rest;
-    solution.joint[i] = gives;
-    b.force -= joint.u_shift * gives;
-    b.moment -= joint.u_spin * gives;
-    if (i > 0) b.moment += transposed_times(joint.by, b.force);
-  }
-  // The root's translations; the ground's own motion is given.
-  typename L::Point lack =
-      b.force - root_impedance_.tt * right.ground.shift - root_impedance_.tr * right.ground.spin;
-  if (with_balance) lack += root_balance_;
-  Motion<L> motion = right.ground;
-  solution.root = root_inverse_ * lack;
-  motion.shift += solution.root;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Joint& joint = joints_[i];
-    if (i > 0) motion.shift += joint.by * motion.spin;
-    const JointVector moved = solution.joint[i] - joint.inverse * (joint.v_spin * motion.spin +
-                                                                   joint.v_shift * motion.shift);
-    solution.joint[i] = moved;
-    motion.spin += joint.axes_spin * moved;
-    if constexpr (kElastic) motion.shift += joint.axes_shift * moved;
-    solution.motion[i] = motion;
-  }
-}
-
 }  // namespace plastica::chain
+
+#include "plastica/chain/recursion_ends.hpp"

@@ -41,13 +41,28 @@ struct Impedance {
 template <class L, bool kElastic>
 inline constexpr std::size_t kFreedoms = L::kRotations + (kElastic ? L::kTranslations : 0);
 
+/// Where a segment's inner joint is, and the segment's frame.
+template <class L>
+struct Pose {
+  typename L::Point position;
+  typename L::Frame frame;
+};
+
 /// What the unknowns of a chain are.
+///
+/// An open joint lets go of its segment, with which a piece begins: its pose takes the place of the
+/// joint's angle, which keeps the value that it had.
 template <class L>
 struct Coordinates {
+  using Mask = mask_t<typename L::Scalar>;
   std::vector<typename L::Spin> angle;   ///< of each joint (N)
   std::vector<typename L::Point> shift;  ///< of each joint, in its axes; rigid joints: empty (N)
   typename L::Point root;                ///< free translation of the start
   std::vector<typename L::Scalar> multiplier;  ///< of each closure
+  std::vector<Mask> open;                      ///< whether a joint lets go (N)
+  std::vector<Pose<L>> pose;                   ///< of the segments outside of open joints (N)
+  std::vector<Mask> released_closure;          ///< whether it was cut, like the next (closures)
+  std::vector<Mask> released_ground_joint;     ///< (ground joints)
 };
 
 /// Where the segments are; follows from the coordinates.
@@ -67,6 +82,24 @@ struct Placement {
   typename L::Point point(std::size_t segment, const typename L::Point& arm) const {
     return position[segment] + L::turn(frame[segment], arm);
   }
+};
+
+/// Where the forces of a step act, if not where it ends: half way, by the means of the placements
+/// at its begin and end. With them the step keeps momentum and angular momentum, and what closures
+/// and joints transmit does no work of its own (README.md).
+template <class L>
+struct Stage {
+  static constexpr std::size_t kR = L::kRotations;
+  using S = typename L::Scalar;
+  bool half_way = false;                    ///< else forces act where the step ends
+  Placement<L> placement;                   ///< means; frames are no rotations (N)
+  std::vector<typename L::Point> shift;     ///< means, of elastic joints (N)
+  std::vector<Mat<S, kR, kR>> to_joint;     ///< moments to the axes of each joint's step spin (N)
+  std::vector<Mat<S, kR, kR>> ground_axes;  ///< and of ground joints back to the world
+
+  /// d(mean)/d(end).
+  S share() const { return constant<S>(half_way ? 0.5 : 1.0); }
+  const Placement<L>& of(const Placement<L>& end) const { return half_way ? placement : end; }
 };
 
 /// What the laws say of each joint: its moments as they work on spins and shifts, and their slope.

@@ -34,7 +34,7 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     detail::assemble(chain, laws, w);
     const PathCondition<L> condition = condition_at(w);
     if (condition.active) detail::stiffen_condition(chain, condition, w);
-    w.recursion.factor(chain, w.q, w.placement, w.joints, w.outer_forces, w.transmitted);
+    w.recursion.factor(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);
     S imbalance = detail::relative_imbalance(chain, w);
     if (condition.active) imbalance = max(imbalance, abs(condition.value));
     outcome.imbalance[static_cast<std::size_t>(iteration)] = imbalance;

@@ -24,30 +24,43 @@ inline S larger_scale(const S& so_far, const S& x) {
   return max(so_far, abs(x));
 }
 
+/// Decides which closures act, and adds what they do.
+template <class L, bool kElastic>
+void set_closures(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
+  using S = typename L::Scalar;
+  const S zero = constant<S>(0);
+  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+    w.gap[k] = chain::closure_gap(chain, chain.closures[k], w.placement, w.time);
+    if (any(w.q.released_closure[k])) {
+      w.closed[k] = w.closed[k] & !w.q.released_closure[k];
+      w.q.multiplier[k] = select(w.closed[k], w.q.multiplier[k], zero);
+      w.gap[k] = select(w.closed[k], w.gap[k], zero);
+    }
+    if (!chain.closures[k].one_sided) continue;
+    // A pillar pushes or is left: whichever the multiplier, less the gap's stiffness, says.
+    w.closed[k] =
+        (w.q.multiplier[k] - chain.closure_stiffness * w.gap[k] >= zero) & !w.q.released_closure[k];
+    w.q.multiplier[k] = select(w.closed[k], w.q.multiplier[k], zero);
+    w.gap[k] = select(w.closed[k], w.gap[k], zero);
+  }
+  chain::add_closures(chain, w.placement, w.stage, w.q, w.closed, w.outer_forces);
+}
+
 /// Places the chain, asks its laws and sums its forces at the current unknowns.
 template <class L, bool kElastic>
 void assemble(const chain::Chain<L>& chain, chain::JointLaws<L, kElastic>& laws,
               NewtonWork<L, kElastic>& w) {
-  using S = typename L::Scalar;
   chain::place<kElastic>(chain, w.q, w.time, w.placement);
   for (std::size_t i = 0; i < chain.size(); ++i) w.angles[i] = w.q.angle[i];
   for (const auto& joint : chain.ground_joints) {
     w.angles[joint.joint] = chain::ground_joint_angle(chain, joint, w.placement, w.time);
   }
   laws.evaluate(w.angles, w.q.shift, w.joints);
-  chain::gather_forces(chain, w.placement, w.joints, w.time, w.outer_forces);
-  const S zero = constant<S>(0);
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    w.gap[k] = chain::closure_gap(chain, chain.closures[k], w.placement, w.time);
-    if (!chain.closures[k].one_sided) continue;
-    // A pillar pushes or is left: whichever the multiplier, less the gap's stiffness, says.
-    w.closed[k] = w.q.multiplier[k] - chain.closure_stiffness * w.gap[k] >= zero;
-    w.q.multiplier[k] = select(w.closed[k], w.q.multiplier[k], zero);
-    w.gap[k] = select(w.closed[k], w.gap[k], zero);
-  }
-  chain::add_closures(chain, w.placement, w.q, w.closed, w.outer_forces);
+  chain::gather_forces(
+      chain, w.q, w.placement, w.stage, w.joints,
+      [&](std::size_t history) { return chain.histories[history].at(w.time); }, w.outer_forces);
+  set_closures(chain, w);
 }
-
 /// The largest imbalance of a joint and the largest gap, relative to their scales.
 template <class L, bool kElastic>
 typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
@@ -71,6 +84,10 @@ typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L
   for (std::size_t k = 0; k < L::kTranslations; ++k) {
     force = larger_size(force, w.recursion.root_balance()[k]);
   }
+  w.recursion.for_each_piece([&](std::size_t /*joint*/, const chain::Wrench<L>& balance) {
+    for (std::size_t k = 0; k < L::kTranslations; ++k) force = larger_size(force, balance.force[k]);
+    for (std::size_t k = 0; k < L::kRotations; ++k) moment = larger_size(moment, balance.moment[k]);
+  });
   S gap = constant<S>(0);
   for (std::size_t k = 0; k < chain.closures.size(); ++k) {
     const S size = chain.closures[k].turning ? chain.length : constant<S>(1);
@@ -79,8 +96,9 @@ typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L
   // Moments are forces on levers: a bar under axial force alone is no beam out of balance.
   const S lever = constant<S>(1e-2) * chain.length;
   const S tiny = constant<S>(std::numeric_limits<real_t<S>>::min());
-  const S moment_scale = max(w.moment_scale, lever * w.force_scale);
-  const S force_scale = max(w.force_scale, w.moment_scale / chain.length);
+  const S floor_moment = w.force_floor * chain.length;
+  const S moment_scale = max(max(w.moment_scale, lever * w.force_scale), floor_moment);
+  const S force_scale = max(max(w.force_scale, w.moment_scale / chain.length), w.force_floor);
   const S worst = larger_size(moment / max(moment_scale, tiny), force / max(force_scale, tiny));
   return larger_size(worst, gap / chain.length);
 }
@@ -116,6 +134,12 @@ S stiffness_of(const chain::Chain<L>& chain, const chain::Closure<L>& closure) {
   return closure.turning ? chain.closure_turning_stiffness : chain.closure_stiffness;
 }
 
+/// A closure's wrench at a unit multiplier, where the forces act.
+template <class L, bool kElastic>
+chain::Wrench<L> acting_wrench(const chain::Closure<L>& closure, const NewtonWork<L, kElastic>& w) {
+  return chain::unit_wrench(closure, w.stage.of(w.placement));
+}
+
 /// Column 0: the imbalance; and the closures' gaps through their stiffness.
 template <class L, bool kElastic>
 void solve_imbalance(const chain::Chain<L>& chain, const PathCondition<L>& condition,
@@ -126,7 +150,7 @@ void solve_imbalance(const chain::Chain<L>& chain, const PathCondition<L>& condi
     const auto& closure = chain.closures[k];
     const S pull =
         select(w.closed[k], -(stiffness_of<S>(chain, closure) * w.gap[k]), constant<S>(0));
-    add_scaled(pull, chain::unit_wrench(closure, w.placement), w.right.wrench[closure.segment]);
+    add_scaled(pull, acting_wrench(closure, w), w.right.wrench[closure.segment]);
   }
   if (condition.active) {
     add_scaled(-(chain.closure_stiffness * condition.value), condition.covector,
@@ -140,7 +164,7 @@ template <class L, bool kElastic>
 void solve_closure(const chain::Chain<L>& chain, std::size_t k, NewtonWork<L, kElastic>& w) {
   const auto& closure = chain.closures[k];
   w.right.reset(chain.size());
-  w.right.wrench[closure.segment] = chain::unit_wrench(closure, w.placement);
+  w.right.wrench[closure.segment] = acting_wrench(closure, w);
   w.recursion.solve(w.right, false, w.columns[1 + k]);
 }
 
@@ -232,7 +256,12 @@ void combine_columns(const chain::Chain<L>& chain, const PathCondition<L>& condi
     const S weight = time ? w.small.b(j) : select(w.closed[j], w.small.b(j), constant<S>(0));
     const auto& column = w.columns[1 + j];
     sum.root += weight * column.root;
-    for (std::size_t i = 0; i < chain.size(); ++i) sum.joint[i] += weight * column.joint[i];
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      sum.joint[i] += weight * column.joint[i];
+      if (!any(w.q.open[i])) continue;
+      sum.motion[i].shift += weight * column.motion[i].shift;
+      sum.motion[i].spin += weight * column.motion[i].spin;
+    }
   }
 }
 
@@ -244,14 +273,21 @@ void take_step(const chain::Chain<L>& chain, const PathCondition<L>& condition,
   const auto& step = w.columns[0];
   S largest = constant<S>(1);
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    for (std::size_t k = 0; k < L::kRotations; ++k)
+    for (std::size_t k = 0; k < L::kRotations; ++k) {
       largest = larger_size(largest, step.joint[i][k]);
+      if (any(w.q.open[i])) largest = larger_size(largest, step.motion[i].spin[k]);
+    }
   }
   const S part = select(done, constant<S>(0), constant<S>(1) / largest);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     typename L::Spin spin;
     for (std::size_t k = 0; k < L::kRotations; ++k) spin[k] = part * step.joint[i][k];
     w.q.angle[i] = L::turn_by(spin, w.q.angle[i]);
+    if (any(w.q.open[i])) {
+      chain::Pose<L>& pose = w.q.pose[i];
+      pose.position += part * step.motion[i].shift;
+      pose.frame = L::then(L::rotation(part * step.motion[i].spin), pose.frame);
+    }
     if constexpr (kElastic) {
       for (std::size_t k = 0; k < L::kTranslations; ++k) {
         w.q.shift[i][k] += part * step.joint[i][L::kRotations + k];

@@ -29,6 +29,7 @@ struct NewtonWork {
   double time = 0.0;
 
   chain::Placement<L> placement;
+  chain::Stage<L> stage;  ///< where forces act; statics leave it as it is
   chain::JointForces<L, kElastic> joints;
   chain::OuterForces<L> outer_forces;
   chain::Transmitted<L> transmitted;
@@ -43,6 +44,8 @@ struct NewtonWork {
   /// The largest moment and force so far: what an imbalance is small against.
   S moment_scale{};
   S force_scale{};
+  /// Below this a force is nothing, whatever the others are [N]; see solve/motion_step.hpp.
+  S force_floor{};
 
   void resize(const chain::Chain<L>& chain) {
     const std::size_t n = chain.size();
@@ -51,6 +54,11 @@ struct NewtonWork {
     q.shift.assign(kElastic ? n : 0, {});
     q.root = {};
     q.multiplier.assign(closures, {});
+    const mask_t<S> never{constant<S>(1) < constant<S>(0)};
+    q.open.assign(n, never);
+    q.pose.assign(n, {});
+    q.released_closure.assign(closures, never);
+    q.released_ground_joint.assign(chain.ground_joints.size(), never);
     time = 0.0;
     placement.resize(n);
     joints.force.assign(chain.joints(), {});
@@ -68,6 +76,7 @@ struct NewtonWork {
     small.resize(closures + 1);
     moment_scale = constant<S>(0);
     force_scale = constant<S>(0);
+    force_floor = constant<S>(0);
   }
 };
 

@@ -180,7 +180,8 @@ class PathWalker {
   /// All columns at the current unknowns, and how much of each meets a condition on the time.
   void solve_rates(const PathCondition<L>& at_time) {
     detail::assemble(chain_, laws_, w_);
-    w_.recursion.factor(chain_, w_.q, w_.placement, w_.joints, w_.outer_forces, w_.transmitted);
+    w_.recursion.factor(chain_, w_.q, w_.placement, w_.stage, w_.joints, w_.outer_forces,
+                        w_.transmitted);
     detail::solve_imbalance(chain_, at_time, w_);
     for (std::size_t k = 0; k < chain_.closures.size(); ++k) detail::solve_closure(chain_, k, w_);
     detail::solve_time(chain_, at_time, w_);

@@ -1,0 +1,149 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "plastica/chain/loads.hpp"
+#include "plastica/solve/scheme.hpp"
+
+/// How segments move, and what resists that.
+namespace plastica::solve {
+
+/// Velocities of a segment's center of mass in world axes, of its turning in its own.
+template <class L>
+struct SegmentMotion {
+  typename L::Point velocity{};  ///< [m/s]
+  typename L::Spin spin{};       ///< [rad/s]
+  // What only generalized-alpha uses:
+  typename L::Point acceleration{}, resisting{};       ///< [m/s^2]
+  typename L::Spin spin_rate{}, resisting_spin_rate{};  ///< [rad/s^2]
+};
+
+/// A force at a segment's center of mass, and a moment about it, in world axes.
+template <class L>
+struct CenterForce {
+  typename L::Point force{};
+  typename L::Spin moment{};
+};
+
+/// The way of a segment in a step: of its center of mass, and Cayley's spin in world axes.
+template <class L>
+struct SegmentStep {
+  typename L::Point way{};
+  typename L::Spin spin{};
+};
+
+template <class L>
+inline SegmentStep<L> segment_step(const chain::Inertia<L>& inertia, std::size_t i,
+                                   const chain::Placement<L>& begin,
+                                   const chain::Placement<L>& end) {
+  return {end.point(i, inertia.center) - begin.point(i, inertia.center),
+          L::step_spin(begin.frame[i], end.frame[i])};
+}
+
+/// How a segment moves at the end of a step, by a scheme's rule.
+/// @param spin  of the step, in the segment's axes
+template <class L>
+SegmentMotion<L> motion_after(const StepRule& rule, double h, const SegmentMotion<L>& before,
+                              const typename L::Point& way, const typename L::Spin& spin) {
+  using S = typename L::Scalar;
+  const auto c = [](double x) { return constant<S>(x); };
+  const auto follow = [&](const auto& moved, const auto& v0, const auto& a0, const auto& r0, auto& v,
+                          auto& a, auto& r) {
+    v = c(rule.velocity / h) * moved + c(rule.velocity_v) * v0 + c(rule.velocity_a * h) * a0;
+    a = c(rule.acceleration / (h * h)) * moved + c(rule.acceleration_v / h) * v0 +
+        c(rule.acceleration_a) * a0;
+    r = c(rule.scale) * (a + c(rule.weight_a) * a0 - c(rule.weight_r) * r0);
+  };
+  SegmentMotion<L> now;
+  follow(way, before.velocity, before.acceleration, before.resisting, now.velocity,
+         now.acceleration, now.resisting);
+  follow(spin, before.spin, before.spin_rate, before.resisting_spin_rate, now.spin, now.spin_rate,
+         now.resisting_spin_rate);
+  return now;
+}
+
+/// Angular momentum about the center of mass, in world axes.
+template <class L>
+inline typename L::Spin turning_momentum(const chain::Inertia<L>& inertia,
+                                         const typename L::Frame& frame,
+                                         const typename L::Spin& spin) {
+  return L::axes(frame) * (inertia.turning * spin);
+}
+
+template <class L>
+inline typename L::Scalar kinetic_energy(const chain::Inertia<L>& inertia,
+                                         const SegmentMotion<L>& motion) {
+  using S = typename L::Scalar;
+  return constant<S>(0.5) * (inertia.mass * dot(motion.velocity, motion.velocity) +
+                             dot(motion.spin, inertia.turning * motion.spin));
+}
+
+/// With what a segment resists a step: -m r and, in conservation form, minus the change of its
+/// angular momentum over the step; generalized-alpha: -R (J r + w x J w).
+template <class L>
+CenterForce<L> inertia_force(const StepRule& rule, double h, const chain::Inertia<L>& inertia,
+                             const typename L::Frame& begin, const typename L::Frame& end,
+                             const SegmentMotion<L>& before, const SegmentMotion<L>& now) {
+  using S = typename L::Scalar;
+  CenterForce<L> resists;
+  resists.force = -(inertia.mass * now.resisting);
+  if (rule.conserves) {
+    resists.moment = constant<S>(1.0 / h) * (turning_momentum(inertia, begin, before.spin) -
+                                             turning_momentum(inertia, end, now.spin));
+  } else {
+    const typename L::Spin momentum = inertia.turning * now.spin;
+    resists.moment = -(L::axes(end) * (inertia.turning * now.resisting_spin_rate +
+                                       L::turned_by(momentum) * now.spin));
+  }
+  return resists;
+}
+
+/// Minus the slope of the moment of `inertia_force` by the segment's spin at the end.
+/// @param spin  of the step, in the segment's axes
+template <class L>
+Mat<typename L::Scalar, L::kRotations, L::kRotations> turning_impedance(
+    const StepRule& rule, double h, const chain::Inertia<L>& inertia, const typename L::Frame& end,
+    const SegmentMotion<L>& now, const typename L::Spin& spin, const typename L::Spin& moment) {
+  using S = typename L::Scalar;
+  const auto axes = L::axes(end);
+  const auto slope = L::step_spin_slope(spin);
+  const S velocity = constant<S>(rule.velocity / h);
+  const typename L::Spin momentum = inertia.turning * now.spin;
+  if (rule.conserves) {
+    return constant<S>(1.0 / h) *
+           (L::turned_by(axes * momentum) +
+            axes * ((velocity * inertia.turning) * slope) * transpose(axes));
+  }
+  const S stiff = constant<S>(rule.scale * rule.acceleration / (h * h));
+  const auto by_spin =
+      velocity * (L::turned_by(momentum) - L::turned_by(now.spin) * inertia.turning);
+  return axes * ((stiff * inertia.turning + by_spin) * slope) * transpose(axes) -
+         L::turned_by(moment);
+}
+
+/// Adds what a segment resists, and how that changes.
+template <class L>
+void add_inertia(const StepRule& rule, double h, const chain::Inertia<L>& inertia, std::size_t i,
+                 const chain::Placement<L>& end, const chain::Placement<L>& acting,
+                 const CenterForce<L>& resists,
+                 const Mat<typename L::Scalar, L::kRotations, L::kRotations>& turning,
+                 chain::OuterForces<L>& outer_forces) {
+  using S = typename L::Scalar;
+  const typename L::Point arm = L::turn(end.frame[i], inertia.center);
+  const typename L::Point work_arm = L::turn(acting.frame[i], inertia.center);
+  chain::Wrench<L>& wrench = outer_forces.wrench[i];
+  wrench.force += resists.force;
+  wrench.moment += resists.moment + L::moment(work_arm, resists.force);
+  const S mass = constant<S>(rule.scale * rule.acceleration / (h * h)) * inertia.mass;
+  const auto by = L::spun_by(arm);
+  const auto work_by = L::spun_by(work_arm);
+  chain::Impedance<L>& a = outer_forces.impedance[i];
+  for (std::size_t k = 0; k < L::kTranslations; ++k) a.tt(k, k) = a.tt(k, k) + mass;
+  a.tr += mass * by;
+  a.rt += mass * transpose(work_by);
+  a.rr += turning + mass * (transpose(work_by) * by) -
+          constant<S>(rule.half_way ? 0.5 : 1.0) * L::moment_by(arm, resists.force);
+}
+
+}  // namespace plastica::solve
