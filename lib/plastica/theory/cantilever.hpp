@@ -1,7 +1,5 @@
 #pragma once
 
-#include "plastica/theory/beam_ends.hpp"
-
 namespace plastica::theory {
 
 // Cantilever of rectangular section under a tip load, elastic-perfectly-plastic, small
@@ -21,21 +19,5 @@ double plastic_zone_ratio(double load_ratio);
 /// backwards.
 /// @param load_ratio  p [1], 0 <= p <= 1.5
 double residual_tip_ratio(double load_ratio);
-
-/// beta L of a mode of an Euler-Bernoulli beam; omega = (beta L)^2 sqrt(E I/(rho A L^4)).
-///
-/// Roots of cos x cosh x = -1 (clamped-free), = +1 (clamped-clamped, and free-free without its
-/// rigid-body modes), tan x = tanh x (clamped-pinned),
-/// n pi (pinned-pinned). Source: Timoshenko, Vibration Problems in Engineering, lateral vibration
-/// of bars with various end conditions.
-/// @param mode  1, 2, …
-double frequency_root(BeamEnds ends, int mode);
-
-/// Circular frequency of a bending mode [rad/s].
-/// @param bending_stiffness  E I [N m^2]
-/// @param mass_per_length    rho A [kg/m]
-/// @param length             L [m]
-double circular_frequency(BeamEnds ends, int mode, double bending_stiffness, double mass_per_length,
-                          double length);
 
 }  // namespace plastica::theory

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "plastica/theory/bending.hpp"
 #include "tests/reference/reference_table.hpp"
@@ -48,33 +47,6 @@ TEST(ElastoplasticCantilever, KeepsHalfAMillimetreAfterTwelveTenthsOfFirstYield)
   const double delta_y = P_y / (3.0 * 200e9 * I);
   EXPECT_NEAR(residual_tip_ratio(400.0 / P_y) * delta_y, 5.409e-4, 5e-8);
   EXPECT_EQ(residual_tip_ratio(0.9), 0.0);
-}
-
-TEST(BeamFrequencies, RootsMatchTheReferenceTable) {
-  const testing::ReferenceTable table("cantilever-frequencies/beta_L.csv");
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    const int mode = static_cast<int>(table.at("mode", i));
-    SCOPED_TRACE(mode);
-    EXPECT_NEAR(frequency_root(BeamEnds::ClampedFree, mode), table.at("clamped_free", i), 1e-13);
-    EXPECT_NEAR(frequency_root(BeamEnds::FreeFree, mode),
-                table.at("free_free_and_clamped_clamped", i), 1e-13);
-    EXPECT_NEAR(frequency_root(BeamEnds::ClampedPinned, mode), table.at("clamped_pinned", i),
-                1e-13);
-    EXPECT_NEAR(frequency_root(BeamEnds::PinnedPinned, mode), table.at("pinned_pinned", i), 1e-13);
-  }
-}
-
-TEST(BeamFrequencies, HighModesTendToTheirAsymptoteWithoutOverflow) {
-  EXPECT_NEAR(frequency_root(BeamEnds::ClampedFree, 1000), 999.5 * std::numbers::pi, 1e-9);
-  EXPECT_NEAR(frequency_root(BeamEnds::ClampedPinned, 1000), 1000.25 * std::numbers::pi, 1e-9);
-}
-
-TEST(BeamFrequencies, FirstOfASteelRulerIsAboutFortyHertz) {
-  // b x h = 30 x 1 mm, L = 145 mm: (1.8751^2/2 pi) sqrt(E/(12 rho)) h/L^2.
-  const double EI = 210e9 * 0.03 * 1e-9 / 12.0, rho_A = 7850.0 * 0.03 * 1e-3;
-  const double hertz =
-      circular_frequency(BeamEnds::ClampedFree, 1, EI, rho_A, 0.145) / (2.0 * std::numbers::pi);
-  EXPECT_NEAR(hertz, 0.55959 * std::sqrt(210e9 / (12.0 * 7850.0)) * 1e-3 / (0.145 * 0.145), 1e-3);
 }
 
 }  // namespace
