@@ -71,6 +71,28 @@ std::span<const std::string_view> words<JointTranslation>() {
   return kWords;
 }
 template <>
+std::span<const std::string_view> words<Analysis>() {
+  static constexpr std::array<std::string_view, 2> kWords{"statics", "dynamics"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<Scheme>() {
+  static constexpr std::array<std::string_view, 4> kWords{"linearly_implicit_euler",
+                                                          "linearly_implicit_midpoint",
+                                                          "generalized_alpha", "energy_momentum"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<Damping>() {
+  static constexpr std::array<std::string_view, 3> kWords{"none", "stiffness", "relaxation"};
+  return kWords;
+}
+template <>
+std::span<const std::string_view> words<RotaryInertia>() {
+  static constexpr std::array<std::string_view, 2> kWords{"off", "on"};
+  return kWords;
+}
+template <>
 std::span<const std::string_view> words<PathControl>() {
   static constexpr std::array<std::string_view, 4> kWords{"auto", "load", "displacement",
                                                           "arc_length"};
@@ -200,14 +222,36 @@ std::vector<Field> make_table() {
       number<PLASTICA_REACH(scene.gravity[2])>("gravity.z", Acceleration, kAny,
                                                "acceleration of gravity along z"),
       choice<PLASTICA_REACH(solver.level)>("solver.level", "how much of the beam is modelled"),
+      choice<PLASTICA_REACH(solver.analysis)>("solver.analysis",
+                                              "a path of equilibria, or a motion in time"),
       choice<PLASTICA_REACH(solver.translation)>("solver.translation",
                                                  "stretch and shear of the joints"),
       integer<PLASTICA_REACH(solver.fibres)>("solver.fibres", Range{2.0, 1e4},
                                              "fibres of a fibre section, along its depth"),
-      number<PLASTICA_REACH(solver.duration)>("solver.duration", Time, kNotNegative,
-                                              "end of the path; 0: where the last history ends"),
+      number<PLASTICA_REACH(solver.duration)>(
+          "solver.duration", Time, kNotNegative,
+          "end of path or motion; 0: where the last history ends"),
       integer<PLASTICA_REACH(solver.steps)>("solver.steps", Range{1.0, 1e7},
-                                            "recorded steps, evenly spaced in time"),
+                                            "recorded samples, evenly spaced in time"),
+      integer<PLASTICA_REACH(solver.frames)>(
+          "solver.frames", Range{0.0, 1e7},
+          "samples of which the shape is kept, evenly spaced; 0: all"),
+      choice<PLASTICA_REACH(solver.scheme)>("solver.scheme", "dynamics: how time is stepped"),
+      number<PLASTICA_REACH(solver.time_step)>("solver.time_step", Time, kPositive,
+                                               "dynamics: the step; adaptive: the largest one"),
+      number<PLASTICA_REACH(solver.step_error)>(
+          "solver.step_error", None, kNotNegative,
+          "dynamics: largest error of a segment's end in a step, over the length; 0: fixed steps"),
+      number<PLASTICA_REACH(solver.rho_infinity)>(
+          "solver.rho_infinity", None, Range{0.0, 1.0},
+          "generalized_alpha: what a step leaves of the highest frequencies"),
+      choice<PLASTICA_REACH(solver.rotary_inertia)>(
+          "solver.rotary_inertia",
+          "dynamics: whether sections resist bending rotation by their own inertia"),
+      choice<PLASTICA_REACH(solver.damping)>("solver.damping",
+                                             "dynamics: what damps the joints besides yielding"),
+      number<PLASTICA_REACH(solver.damping_time)>("solver.damping_time", Time, kNotNegative,
+                                                  "damped moment: this times the rate"),
       choice<PLASTICA_REACH(solver.control)>("solver.control", "how the path is followed"),
       integer<PLASTICA_REACH(solver.most_iterations)>(
           "solver.most_iterations", Range{1.0, 1e4}, "Newton iterations before a step is cut back"),
@@ -216,9 +260,9 @@ std::vector<Field> make_table() {
                                                "largest imbalance of a converged step, relative"),
       number<PLASTICA_REACH(solver.largest_turn)>("solver.largest_turn", Angle, kPositive,
                                                   "largest turn of a joint in one step"),
-      number<PLASTICA_REACH(solver.smallest_step)>("solver.smallest_step", None,
-                                                   Range{0.0, 1.0, true, false},
-                                                   "shortest part of a recorded step"),
+      number<PLASTICA_REACH(solver.smallest_step)>(
+          "solver.smallest_step", None, Range{0.0, 1.0, true, false},
+          "shortest part of a recorded step, or of time_step"),
   };
 }
 

@@ -117,6 +117,26 @@ TEST(FieldTable, NamesTheMaterialFieldThatItsMemberBecomes) {
   }
 }
 
+TEST(FieldTable, GivesTheWordsOfAMotionTheirMeaning) {
+  plastica::Setup setup;
+  const auto set = [&](std::string_view path, const std::string& word) {
+    set_field(setup, find_field(path), word);
+    return setup.solver;
+  };
+  EXPECT_EQ(set("solver.analysis", "dynamics").analysis, Analysis::Dynamics);
+  EXPECT_EQ(set("solver.analysis", "statics").analysis, Analysis::Statics);
+  EXPECT_EQ(set("solver.scheme", "linearly_implicit_euler").scheme, Scheme::LinearlyImplicitEuler);
+  EXPECT_EQ(set("solver.scheme", "linearly_implicit_midpoint").scheme,
+            Scheme::LinearlyImplicitMidpoint);
+  EXPECT_EQ(set("solver.scheme", "generalized_alpha").scheme, Scheme::GeneralizedAlpha);
+  EXPECT_EQ(set("solver.scheme", "energy_momentum").scheme, Scheme::EnergyMomentum);
+  EXPECT_EQ(set("solver.damping", "stiffness").damping, Damping::Stiffness);
+  EXPECT_EQ(set("solver.damping", "relaxation").damping, Damping::Relaxation);
+  EXPECT_EQ(set("solver.damping", "none").damping, Damping::None);
+  EXPECT_EQ(set("solver.rotary_inertia", "off").rotary_inertia, RotaryInertia::Off);
+  EXPECT_EQ(set("solver.rotary_inertia", "on").rotary_inertia, RotaryInertia::On);
+}
+
 TEST(FieldTable, LetsOptionalFieldsBeUnsetAgain) {
   plastica::Setup setup;
   const Field& field = find_field("material.break_strain");
@@ -183,6 +203,12 @@ TEST(SetField, NamesFileLineFieldValueAndRule) {
             "beam.toml:7: material.poisson_ratio = 0.7: must be above -1 and at most 0.5");
   EXPECT_EQ(error_of_setting("saturation_stress", kInfinite),
             "beam.toml:7: material.hardening.saturation_stress = inf: must be finite");
+  EXPECT_EQ(error_of_setting("time_step", 0.0),
+            "beam.toml:7: solver.time_step = 0: must be above 0 s");
+  EXPECT_EQ(error_of_setting("rho_infinity", 1.1),
+            "beam.toml:7: solver.rho_infinity = 1.1: must be from 0 to 1");
+  EXPECT_EQ(error_of_setting("frames", -1.0),
+            "beam.toml:7: solver.frames = -1: must be from 0 to 1e+07");
 }
 
 TEST(SetField, TakesWholeNumbersAloneForAnInteger) {
