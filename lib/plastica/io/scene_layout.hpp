@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -12,6 +13,15 @@
 
 /// What of a simulated scene stands where in its file; not installed. Documented in data/README.md.
 namespace plastica::io::scene_layout {
+
+using Shape = std::vector<std::size_t>;
+
+/// The element type of a number in the file.
+template <class T>
+using Stored = std::conditional_t<
+    std::is_floating_point_v<T>, double,
+    std::conditional_t<sizeof(T) == 1, std::uint8_t,
+                       std::conditional_t<std::is_signed_v<T>, std::int64_t, std::uint64_t>>>;
 
 /// The words of files for how a run ended, in the order of Status.
 std::span<const std::string_view> statuses();
@@ -48,6 +58,27 @@ void walk_actions(Store& store, Scene& scene) {
   store.numbers("gravity/acceleration", scene.gravity, "m/s^2");
   store.array("gravity/history_time", scene.gravity_history.time, {}, "s");
   store.array("gravity/history_factor", scene.gravity_history.factor, {}, "1");
+
+  auto& motions = scene.initial_motions;
+  store.column("initial_motions/from", motions, PLASTICA_MEMBER(from.fraction), "1");
+  store.column("initial_motions/to", motions, PLASTICA_MEMBER(to.fraction), "1");
+  store.vectors("initial_motions/velocity", motions, PLASTICA_MEMBER(velocity), "m/s");
+  store.vectors("initial_motions/spin", motions, PLASTICA_MEMBER(spin), "rad/s");
+  store.column("initial_motions/about", motions, PLASTICA_MEMBER(about.fraction), "1");
+  store.column("cuts/at", scene.cuts, PLASTICA_MEMBER(at.fraction), "1");
+  store.column("cuts/time", scene.cuts, PLASTICA_MEMBER(time), "s");
+}
+
+/// What the table of fields does not have of the axis and of the path's control.
+template <class Store, class Setup>
+void walk_rest_of_setup(Store& store, Setup& setup) {
+  auto& beam = setup.scene.beam;
+  store.array("options/beam/segment_shares", beam.segment_shares, {}, "1");
+  store.array("options/beam/joint_lengths", beam.joint_lengths, {}, "m");
+  store.numbers("options/beam/arc_towards", beam.arc_towards, "1");
+  store.points("options/beam/points", beam.points, "m");
+  store.optional_place("options/control/at", setup.solver.control_at);
+  store.numbers("options/control/motion", setup.solver.control_motion, "m");
 }
 
 template <class Store, class Outline>
@@ -139,17 +170,19 @@ void walk_events(Store& store, Chain& chain) {
   if constexpr (!std::is_const_v<Chain>) chain.events = events_of(table);
 }
 
-/// Walks through all that a file holds but /options, /inputs and /meta.
+/// Walks through all that a file holds but /options/setup, /regions, /inputs and /meta.
 /// @tparam Store  writes or reads
 template <class Store, class Record>
 void walk(Store& store, Record& record) {
   auto& scene = record.setup.scene;
   store.text("scene/name", scene.name);
+  store.text("scene/material", scene.material.name);
   store.word("scene/level", record.level, choices_of("solver.level"));
   store.text("scene/level_reason", record.level_reason);
   store.texts("scene/warnings", record.warnings);
   store.array("drive/strain", scene.drive.strain, {}, "1");
   walk_actions(store, scene);
+  walk_rest_of_setup(store, record.setup);
   walk_outline(store, record.outline);
 
   auto& probes = scene.probes;

@@ -18,9 +18,7 @@ inline constexpr int kSceneVersion = 2;
 
 /// A scene that was simulated, and what came out.
 struct SceneRecord {
-  /// Read back from a file: every field of the table, name, drive, supports, loads, gravity and
-  /// probes. Regions, polylines and segment lengths are in `outline` and in the scene's text.
-  Setup setup;
+  Setup setup;  ///< with places that are fractions of the length; read back whole
   Level level = Level::Coupon;
   std::string level_reason;
   std::vector<std::string> warnings;

@@ -4,6 +4,7 @@
 
 #include "tests/lib/io/scratch_folder.hpp"
 #include "tests/support/message.hpp"
+#include "tests/support/motion_record.hpp"
 #include "tests/support/scene_record.hpp"
 
 namespace plastica::io {
@@ -12,6 +13,7 @@ namespace {
 using plastica::testing::cantilever_text;
 using plastica::testing::coupon_text;
 using plastica::testing::message_of;
+using plastica::testing::motion_record;
 using plastica::testing::record_of;
 
 class SceneStore : public ::testing::Test {
@@ -30,6 +32,7 @@ void expect_same_chain(const ChainHistory& a, const ChainHistory& b) {
   EXPECT_EQ(a.supports, b.supports);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.factor, b.factor);
+  EXPECT_EQ(a.frame_sample, b.frame_sample);
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_EQ(a.position, b.position);
   EXPECT_EQ(a.moment, b.moment);
@@ -42,10 +45,35 @@ void expect_same_chain(const ChainHistory& a, const ChainHistory& b) {
   EXPECT_EQ(a.reaction, b.reaction);
   ASSERT_EQ(a.energy.size(), b.energy.size());
   for (std::size_t i = 0; i < a.energy.size(); ++i) {
-    EXPECT_EQ(a.energy[i].elastic, b.energy[i].elastic);
-    EXPECT_EQ(a.energy[i].plastic, b.energy[i].plastic);
-    EXPECT_EQ(a.energy[i].external, b.energy[i].external);
-    EXPECT_EQ(a.energy[i].residual, b.energy[i].residual);
+    for (const auto entry : {&Energies::elastic, &Energies::kinetic, &Energies::plastic,
+                             &Energies::damping, &Energies::numerical, &Energies::impact,
+                             &Energies::fracture, &Energies::external, &Energies::residual}) {
+      EXPECT_EQ(a.energy[i].*entry, b.energy[i].*entry) << i;
+    }
+  }
+}
+
+void expect_same_joint(const BrokenJoint& a, const BrokenJoint& b) {
+  EXPECT_EQ(a.joint, b.joint);
+  EXPECT_EQ(a.cause, b.cause);
+  EXPECT_EQ(a.cut, b.cut);
+  EXPECT_EQ(a.strain, b.strain);
+  EXPECT_EQ(a.limit, b.limit);
+  EXPECT_EQ(a.moment, b.moment);
+  EXPECT_EQ(a.angle, b.angle);
+  EXPECT_EQ(a.dissipation, b.dissipation);
+}
+
+void expect_same_events(const std::vector<ChainBreak>& a, const std::vector<ChainBreak>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t e = 0; e < a.size(); ++e) {
+    EXPECT_EQ(a[e].time, b[e].time);
+    EXPECT_EQ(a[e].factor, b[e].factor);
+    EXPECT_EQ(a[e].pieces, b[e].pieces);
+    ASSERT_EQ(a[e].joints.size(), b[e].joints.size());
+    for (std::size_t j = 0; j < a[e].joints.size(); ++j) {
+      expect_same_joint(a[e].joints[j], b[e].joints[j]);
+    }
   }
 }
 
@@ -133,29 +161,107 @@ TEST_F(SceneStore, KeepsOfAnUnfinishedPathWhatIsValid) {
   EXPECT_EQ(read.response.chain.moment[15], whole.chain.moment[15]);
 }
 
-TEST_F(SceneStore, KeepsEveryJointOfABreak) {
+TEST_F(SceneStore, KeepsTheFramesOfAMotionApartFromItsSamples) {
+  const SceneRecord record = motion_record({.segments = 6, .samples = 41, .frames = 5});
+  const SceneRecord read = stored(record);
+  EXPECT_EQ(read.response.chain.frame_sample, (std::vector<std::size_t>{0, 10, 20, 30, 40}));
+  EXPECT_EQ(read.response.chain.position.size(), 5U * 7U * 3U);
+  EXPECT_EQ(read.response.chain.reaction.size(), 5U * 2U * 6U);
+  EXPECT_EQ(read.response.probes.at(0).size(), 41U);
+  EXPECT_EQ(read.response.probes, record.response.probes);
+  EXPECT_EQ(read.response.ledger_error, 3e-4);
+  expect_same_chain(read.response.chain, record.response.chain);
+}
+
+TEST_F(SceneStore, KeepsEveryEventWithItsJointsAndPieces) {
+  SceneRecord record = motion_record({.segments = 8, .samples = 11, .frames = 3});
+  record.response.chain.events.push_back({0.2, 0.5, {}, {}});  // nobody was cut
+  record.response.chain.events[0].joints[0].cause = BreakCause::Torsion;
+  const SceneRecord read = stored(record);
+  EXPECT_EQ(read.response.status, Status::Broken);
+  expect_same_events(read.response.chain.events, record.response.chain.events);
+  EXPECT_EQ(read.response.chain.events[1].pieces, (std::vector<Piece>{{0, 3}, {4, 5}, {6, 7}}));
+}
+
+TEST_F(SceneStore, KeepsOfAnInterruptedMotionTheFramesUpToThere) {
+  const io::SceneFile file = io::parse_scene_file(cantilever_text(), "beam.toml");
+  const Model model = prepare(file.setup.scene, file.setup.solver);
+  Response response = motion_record({.segments = 4, .samples = 41, .frames = 5}).response;
+  response.probes.resize(2);
+  response.chain.reaction.resize(5U * 6U);  // of one support
+  response.status = Status::Interrupted;
+  response.samples = 25;
+  const SceneRecord read = stored(io::make_scene_record(file, model, response));
+  EXPECT_EQ(read.response.status, Status::Interrupted);
+  EXPECT_EQ(read.response.chain.time.size(), 25U);
+  EXPECT_EQ(read.response.chain.energy.size(), 25U);
+  EXPECT_EQ(read.response.chain.frame_sample, (std::vector<std::size_t>{0, 10, 20}));
+  EXPECT_EQ(read.response.chain.stress.size(), 3U * 5U);
+  EXPECT_EQ(read.response.chain.stress[10], response.chain.stress[10]);
+}
+
+TEST_F(SceneStore, ReadsTheSetupBackWhole) {
   SceneRecord record = record_of(cantilever_text());
-  ChainBreak event{2.5, 0.75, {}, {{0, 2}, {3, 9}}};
-  event.joints.push_back(
-      {3, BreakCause::Torsion, true, 0.11, 0.1, {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, 7.0});
-  event.joints.push_back({4, BreakCause::Biaxial, false, 0.2, 0.1, {}, {}, 8.0});
-  record.response.status = Status::Broken;
-  record.response.chain.events = {event};
-  const auto events = stored(record).response.chain.events;
-  ASSERT_EQ(events.size(), 1U);
-  const ChainBreak* read = &events.front();
-  EXPECT_EQ(read->pieces, event.pieces);
-  EXPECT_TRUE(read->joints[0].cut);
-  EXPECT_FALSE(read->joints[1].cut);
-  EXPECT_EQ(read->time, 2.5);
-  EXPECT_EQ(read->factor, 0.75);
-  ASSERT_EQ(read->joints.size(), 2U);
-  EXPECT_EQ(read->joints[0].joint, 3);
-  EXPECT_EQ(read->joints[0].cause, BreakCause::Torsion);
-  EXPECT_EQ(read->joints[0].moment, event.joints[0].moment);
-  EXPECT_EQ(read->joints[0].angle, event.joints[0].angle);
-  EXPECT_EQ(read->joints[1].cause, BreakCause::Biaxial);
-  EXPECT_EQ(read->joints[1].dissipation, 8.0);
+  Scene& scene = record.setup.scene;
+  scene.initial_motions = {{{0.25, {}}, {0.75, {}}, {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, {0.5, {}}},
+                           {{0.0, {}}, {1.0, {}}, {}, {0.0, 0.0, 1.0}, {0.0, {}}}};
+  scene.cuts = {{{0.5, {}}, 0.01}, {{0.25, {}}, 0.02}};
+  scene.supports[0].restitution = 0.5;
+  scene.material.name = "tin";
+  Region region{{0.25, {}}, {0.5, {}}, scene.section, scene.material};
+  region.section.shape = SectionShape::RoundTube;
+  region.section.shear_coefficient = 0.8;
+  region.material.name = "lead";
+  region.material.yield_stress = 12e6;
+  scene.regions = {region, region};
+  scene.regions[1].section.shear_coefficient.reset();
+  scene.beam.segment_shares = {0.1, 0.2, 0.3, 0.4};
+  scene.beam.joint_lengths = {0.2, 0.3, 0.4};
+  scene.beam.arc_towards = {1.0, 0.0, 0.0};
+  scene.beam.points = {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
+  record.setup.solver.control_at = Place{0.75, {}};
+  record.setup.solver.control_motion = {0.0, -0.1, 0.0};
+
+  const auto read = stored(record).setup;
+  ASSERT_EQ(read.scene.initial_motions.size(), 2U);
+  const InitialMotion& motion = read.scene.initial_motions[0];
+  EXPECT_EQ(motion.from.fraction, 0.25);
+  EXPECT_EQ(motion.to.fraction, 0.75);
+  EXPECT_EQ(motion.about.fraction, 0.5);
+  EXPECT_EQ(motion.velocity, (std::array<double, 3>{1.0, 2.0, 3.0}));
+  EXPECT_EQ(motion.spin, (std::array<double, 3>{4.0, 5.0, 6.0}));
+  EXPECT_EQ(read.scene.initial_motions[1].spin[2], 1.0);
+  ASSERT_EQ(read.scene.cuts.size(), 2U);
+  EXPECT_EQ(read.scene.cuts[1].at.fraction, 0.25);
+  EXPECT_EQ(read.scene.cuts[1].time, 0.02);
+  EXPECT_EQ(read.scene.supports[0].restitution, 0.5);
+  EXPECT_EQ(read.scene.material.name, "tin");
+  ASSERT_EQ(read.scene.regions.size(), 2U);
+  EXPECT_EQ(read.scene.regions[0].from.fraction, 0.25);
+  EXPECT_EQ(read.scene.regions[0].section.shape, SectionShape::RoundTube);
+  EXPECT_EQ(read.scene.regions[0].section.shear_coefficient, 0.8);
+  EXPECT_FALSE(read.scene.regions[1].section.shear_coefficient);
+  EXPECT_EQ(read.scene.regions[1].material.name, "lead");
+  EXPECT_EQ(read.scene.regions[1].material.yield_stress, 12e6);
+  EXPECT_EQ(read.scene.beam.segment_shares, scene.beam.segment_shares);
+  EXPECT_EQ(read.scene.beam.joint_lengths, scene.beam.joint_lengths);
+  EXPECT_EQ(read.scene.beam.arc_towards, scene.beam.arc_towards);
+  EXPECT_EQ(read.scene.beam.points, scene.beam.points);
+  ASSERT_TRUE(read.solver.control_at);
+  EXPECT_EQ(read.solver.control_at->fraction, 0.75);
+  EXPECT_EQ(read.solver.control_motion, record.setup.solver.control_motion);
+}
+
+TEST_F(SceneStore, HasPlacesAsSharesOfTheLength) {
+  io::SceneFile file = io::parse_scene_file(cantilever_text(), "beam.toml");
+  file.setup.scene.initial_motions = {{{0.0, 1}, {0.0, 3}, {}, {}, {0.0, 2}}};
+  file.setup.scene.cuts = {{{0.0, 3}, 0.1}};
+  const Model model = prepare(file.setup.scene, file.setup.solver);
+  const SceneRecord read = stored(io::make_scene_record(file, model, make_response(model)));
+  EXPECT_EQ(read.setup.scene.initial_motions.at(0).from.fraction, 0.25);
+  EXPECT_EQ(read.setup.scene.initial_motions.at(0).to.fraction, 0.75);
+  EXPECT_EQ(read.setup.scene.initial_motions.at(0).about.fraction, 0.5);
+  EXPECT_EQ(read.setup.scene.cuts.at(0).at.fraction, 0.75);
 }
 
 TEST_F(SceneStore, ReadsACouponBackWithItsBreak) {
@@ -182,7 +288,7 @@ TEST_F(SceneStore, OfAnotherSchemaOrVersionIsRefused) {
   write("plastica/fits", 1);
   EXPECT_EQ(reading(), path_ + ": schema = plastica/fits: must be plastica/scene");
   write(kSceneSchema, kSceneVersion + 1);
-  EXPECT_EQ(reading(), path_ + ": version = 2: must be 1, which this Plastica reads");
+  EXPECT_EQ(reading(), path_ + ": version = 3: must be 2, which this Plastica reads");
   write(kSceneSchema, kSceneVersion);
   EXPECT_EQ(reading(), path_ + ": /options: is not a group of this file");
 }
@@ -195,6 +301,24 @@ TEST_F(SceneStore, WhoseArraysDoNotFitEachOtherIsRefused) {
   record.outline.width.pop_back();
   record.response.samples = 5;  // of 6: the probes have too many values
   EXPECT_THROW(write_scene_store(path_, record), std::logic_error);
+}
+
+TEST_F(SceneStore, WhoseFramesOrEventsAreNotOfTheBeamIsRefused) {
+  const SceneRecord whole = motion_record({.segments = 4, .samples = 11, .frames = 3});
+  const auto refusal = [&](const auto& spoil) {
+    SceneRecord record = whole;
+    spoil(record.response.chain);
+    write_scene_store(path_, record);
+    return message_of([&] { read_scene_store(path_); });
+  };
+  EXPECT_EQ(refusal([](ChainHistory& chain) { chain.frame_sample[2] = 11; }),
+            path_ + ": /path/frame_sample: must rise and be samples of the file");
+  EXPECT_EQ(refusal([](ChainHistory& chain) { chain.frame_sample[1] = 0; }),
+            path_ + ": /path/frame_sample: must rise and be samples of the file");
+  EXPECT_EQ(refusal([](ChainHistory& chain) { chain.events[1].joints[0].joint = 5; }),
+            path_ + ": /events/joints/joint: must be a joint of the beam");
+  EXPECT_EQ(refusal([](ChainHistory& chain) { chain.events[0].pieces[1].last = 4; }),
+            path_ + ": /events/pieces: must be ranges of the beam's segments");
 }
 
 }  // namespace

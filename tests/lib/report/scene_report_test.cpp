@@ -34,7 +34,7 @@ io::SceneRecord broken() {
   record.response.status = Status::Broken;
   record.response.chain.events = {ChainBreak{2.0, 0.75, {}, {}}};
   record.response.chain.events.front().joints = {
-      {0, BreakCause::BendingX, 0.1001, 0.1, {473.33, 0.0, 1e-14}, {0.2, 0.0, 0.0}, 12.5}};
+      {0, BreakCause::BendingX, false, 0.1001, 0.1, {473.33, 0.0, 1e-14}, {0.2, 0.0, 0.0}, 12.5}};
   return record;
 }
 

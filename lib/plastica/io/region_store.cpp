@@ -1,0 +1,103 @@
+#include "plastica/io/region_store.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "plastica/model/field.hpp"
+
+namespace plastica::io {
+namespace {
+
+bool is_of_region(const Field& field) {
+  return field.path.starts_with("material.") || field.path.starts_with("section.");
+}
+
+std::string column_of(const Field& field) {
+  std::string path(field.path);
+  std::replace(path.begin(), path.end(), '.', '/');
+  return path;
+}
+
+Setup setup_of(const Region& region) {
+  Setup setup;
+  setup.scene.section = region.section;
+  setup.scene.material = region.material;
+  return setup;
+}
+
+template <class T>
+std::vector<T> checked(const Hdf5Group& group, const std::string& path, std::vector<T> values,
+                       std::size_t rows) {
+  if (values.size() == rows) return values;
+  throw InputError({group.file(), 0}, group.path() + "/" + path, "",
+                   "has other rows than the rest of its table");
+}
+
+}  // namespace
+
+void write_regions(Hdf5Group& group, const std::vector<Region>& regions) {
+  std::vector<double> from;
+  std::vector<double> to;
+  std::vector<std::string> names;
+  for (const Region& region : regions) {
+    from.push_back(region.from.fraction);
+    to.push_back(region.to.fraction);
+    names.push_back(region.material.name);
+  }
+  group.write("from", from, {"1"});
+  group.write("to", to, {"1"});
+  group.write_texts("material/name", names);
+  for (const Field& field : fields()) {
+    if (!is_of_region(field)) continue;
+    std::vector<std::string> words;
+    std::vector<double> numbers;
+    for (const Region& region : regions) {
+      const FieldValue value = field.get(setup_of(region));
+      if (const auto* word = std::get_if<std::string>(&value)) {
+        words.push_back(*word);
+      } else {
+        const auto* number = std::get_if<double>(&value);
+        numbers.push_back(number != nullptr ? *number : std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+    if (field.kind == FieldKind::Choice) {
+      group.write_texts(column_of(field), words);
+    } else {
+      group.write(column_of(field), numbers, {si_unit(field.dimension)});
+    }
+  }
+}
+
+std::vector<Region> read_regions(const Hdf5Group& group) {
+  const auto from = group.read<double>("from");
+  const auto to = checked(group, "to", group.read<double>("to"), from.size());
+  const auto names =
+      checked(group, "material/name", group.read_texts("material/name"), from.size());
+  std::vector<Setup> setups(from.size());
+  const SourceLocation where{group.file(), 0};
+  for (const Field& field : fields()) {
+    if (!is_of_region(field)) continue;
+    const std::string path = column_of(field);
+    if (field.kind == FieldKind::Choice) {
+      const auto words = checked(group, path, group.read_texts(path), from.size());
+      for (std::size_t i = 0; i < words.size(); ++i) set_field(setups[i], field, words[i], where);
+    } else {
+      const auto numbers = checked(group, path, group.read<double>(path), from.size());
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const bool set = !std::isnan(numbers[i]);
+        set_field(setups[i], field, set ? FieldValue(numbers[i]) : FieldValue(), where);
+      }
+    }
+  }
+  std::vector<Region> regions;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    setups[i].scene.material.name = names[i];
+    regions.push_back(
+        {{from[i], {}}, {to[i], {}}, setups[i].scene.section, setups[i].scene.material});
+  }
+  return regions;
+}
+
+}  // namespace plastica::io
