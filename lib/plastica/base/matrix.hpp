@@ -41,6 +41,11 @@ constexpr S dot(const Vec<S, N>& a, const Vec<S, N>& b) {
   return sum;
 }
 
+template <class S, std::size_t N>
+inline S size_of(const Vec<S, N>& v) {
+  return sqrt(dot(v, v));
+}
+
 /// R x C numbers, row by row; starts at zero.
 template <class S, std::size_t R, std::size_t C>
 struct Mat {

@@ -97,6 +97,37 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::point_value(
                               view_.point(undeformed));
 }
 
+/// Velocity or spin of a point, or the momentum of all.
+template <class L, bool kElastic>
+typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::motion_value(
+    const Probe& probe, const Work& w) const {
+  if (motion_ == nullptr) return {};
+  const auto& chain = build_->chain;
+  const auto spin_of = [&](std::size_t i) {
+    return L::axes(w.placement.frame[i]) * (*motion_)[i].spin;
+  };
+  if (probe.quantity == ProbeQuantity::Velocity || probe.quantity == ProbeQuantity::Spin) {
+    const chain::SegmentPoint point =
+        chain::segment_point(model_->layout, share_of(probe.at, model_->layout.ends));
+    const std::size_t i = point.segment;
+    if (probe.quantity == ProbeQuantity::Spin) return joint_spin(spin_of(i));
+    const auto arm =
+        L::turn(w.placement.frame[i], view_.point(point.arm) - chain.inertias[i].center);
+    return view_.point_in_space((*motion_)[i].velocity + L::spun(spin_of(i), arm));
+  }
+  typename L::Point momentum{};
+  typename L::Spin turning{};
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const auto& inertia = chain.inertias[i];
+    const typename L::Point own = inertia.mass * (*motion_)[i].velocity;
+    momentum += own;
+    turning += L::moment(w.placement.point(i, inertia.center), own) +
+               L::axes(w.placement.frame[i]) * (inertia.turning * (*motion_)[i].spin);
+  }
+  return probe.quantity == ProbeQuantity::Momentum ? view_.point_in_space(momentum)
+                                                   : joint_spin(turning);
+}
+
 template <class L, bool kElastic>
 double ChainRecord<L, kElastic>::probe_value(const Probe& probe, const Work& w,
                                              const NodeStrains& strains, const Response& response,
@@ -105,6 +136,11 @@ double ChainRecord<L, kElastic>::probe_value(const Probe& probe, const Work& w,
     case ProbeQuantity::Displacement:
     case ProbeQuantity::Rotation:
       return detail::component_of(point_value(probe, w), probe.component);
+    case ProbeQuantity::Velocity:
+    case ProbeQuantity::Spin:
+    case ProbeQuantity::Momentum:
+    case ProbeQuantity::AngularMomentum:
+      return detail::component_of(motion_value(probe, w), probe.component);
     case ProbeQuantity::Reaction:
     case ProbeQuantity::ReactionMoment: {
       const std::size_t first = probe.quantity == ProbeQuantity::Reaction ? 0 : 3;

@@ -9,7 +9,9 @@
 #include "plastica/run/chain_model.hpp"
 #include "plastica/run/chain_shape.hpp"
 #include "plastica/run/response.hpp"
+#include "plastica/solve/motion_options.hpp"
 #include "plastica/solve/newton.hpp"
+#include "plastica/solve/segment_motion.hpp"
 
 namespace plastica {
 
@@ -48,8 +50,15 @@ class ChainRecord {
   std::array<double, 3> permanent_angle(const Joints& joints, const Work& w,
                                         std::size_t joint) const;
 
-  /// Adds the work of loads and moving supports since the last call.
+  /// Statics: adds the work of loads and moving supports since the last call.
   void add_work(const Work& w);
+
+  // Dynamics: what moves, and what has flowed, at the samples that are written from now on.
+  void begin_motion(const Work& w, const Joints& joints,
+                    const std::vector<solve::SegmentMotion<L>>& motion, double kinetic);
+  void set_motion(const std::vector<solve::SegmentMotion<L>>& motion, double kinetic,
+                  const solve::EnergyFlows& flows);
+  void end_motion() { motion_ = nullptr; }
   Energies energies(const Work& w, const Joints& joints) const;
 
   /// Writes one sample, and its shape if it is to be kept.
@@ -77,12 +86,23 @@ class ChainRecord {
   void set_shape(const Work& w, const Joints& joints, const NodeStrains& strains);
   void keep_shape(std::size_t frame, ChainHistory& history) const;
   Space point_value(const Probe& probe, const Work& w) const;
+  Space motion_value(const Probe& probe, const Work& w) const;
+  double stored_energy(const Work& w, const Joints& joints) const;
   /// Of a segment from the undeformed beam, as a rotation vector in world axes.
   Space rotation(const Work& w, std::size_t segment) const {
     const auto undeformed = view_.frame(model_->layout.segment_frame[segment]);
     return joint_spin(L::axes(undeformed) * L::angle_from(undeformed, w.placement.frame[segment]));
   }
   std::size_t node_at(const Place& place) const;
+  bool is_cut(const Work& w, std::size_t node) const {
+    if (node < build_->chain.size()) return w.q.open[node];
+    for (std::size_t g = 0; g < build_->chain.ground_joints.size(); ++g) {
+      if (build_->chain.ground_joints[g].joint == joint_of_node_[node]) {
+        return w.q.released_ground_joint[g];
+      }
+    }
+    return false;
+  }
   /// Whether the level moves points along a world axis.
   bool moves_along(std::size_t axis) const {
     typename L::Point one;
@@ -114,6 +134,10 @@ class ChainRecord {
   bool begun_ = false;
   double time_ = 0.0;
   double external_ = 0.0;
+  const std::vector<solve::SegmentMotion<L>>* motion_ = nullptr;  ///< in dynamics
+  double kinetic_ = 0.0;
+  double energy_at_start_ = 0.0;
+  solve::EnergyFlows flows_{};
 };
 
 template <class L, bool kElastic>
@@ -213,15 +237,53 @@ double ChainRecord<L, kElastic>::spring_energy(const Work& w) const {
   return energy;
 }
 
+/// What springs and the joints that still join have stored.
+template <class L, bool kElastic>
+double ChainRecord<L, kElastic>::stored_energy(const Work& w, const Joints& joints) const {
+  double sum = spring_energy(w);
+  const std::size_t n = build_->chain.size();
+  for (std::size_t i = 0; i < n; ++i) sum += w.q.open[i] ? 0.0 : joints.elastic_energy()[i];
+  for (std::size_t g = 0; g < build_->chain.ground_joints.size(); ++g) {
+    const std::size_t joint = build_->chain.ground_joints[g].joint;
+    sum += w.q.released_ground_joint[g] ? 0.0 : joints.elastic_energy()[joint];
+  }
+  return sum;
+}
+
 template <class L, bool kElastic>
 Energies ChainRecord<L, kElastic>::energies(const Work& w, const Joints& joints) const {
   Energies sum;
-  sum.external = external_;
-  sum.elastic = spring_energy(w);
-  for (const double energy : joints.elastic_energy()) sum.elastic += energy;
+  sum.elastic = stored_energy(w, joints);
   for (const double work : joints.plastic_work()) sum.plastic += work;
-  sum.residual = sum.external - sum.elastic - sum.plastic;
+  if (motion_ == nullptr) {
+    sum.external = external_;
+  } else {
+    sum.kinetic = kinetic_;
+    sum.external = energy_at_start_ + flows_.external;
+    sum.damping = flows_.damping;
+    sum.numerical = flows_.numerical;
+    sum.impact = flows_.impact;
+    sum.fracture = flows_.fracture;
+  }
+  sum.residual = sum.external - sum.elastic - sum.plastic - sum.kinetic - sum.damping -
+                 sum.numerical - sum.impact - sum.fracture;
   return sum;
+}
+
+template <class L, bool kElastic>
+void ChainRecord<L, kElastic>::begin_motion(const Work& w, const Joints& joints,
+                                            const std::vector<solve::SegmentMotion<L>>& motion,
+                                            double kinetic) {
+  set_motion(motion, kinetic, {});
+  energy_at_start_ = kinetic + stored_energy(w, joints);
+}
+
+template <class L, bool kElastic>
+void ChainRecord<L, kElastic>::set_motion(const std::vector<solve::SegmentMotion<L>>& motion,
+                                          double kinetic, const solve::EnergyFlows& flows) {
+  motion_ = &motion;
+  kinetic_ = kinetic;
+  flows_ = flows;
 }
 
 template <class L, bool kElastic>
@@ -231,7 +293,7 @@ std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::siz
   Space moment{};
   for (std::size_t k = 0; k < chain.closures.size(); ++k) {
     const auto& closure = chain.closures[k];
-    if (closure.support != support) continue;
+    if (closure.support != support || !w.closed[k]) continue;
     force += view_.point_in_space(w.q.multiplier[k] * closure.direction);
     moment += joint_spin(w.q.multiplier[k] * closure.axis);
   }
@@ -250,7 +312,8 @@ std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::siz
     return m;
   };
   for (const auto& joint : chain.ground_joints) {
-    if (joint.support != support) continue;
+    const auto g = static_cast<std::size_t>(&joint - chain.ground_joints.data());
+    if (joint.support != support || w.q.released_ground_joint[g]) continue;
     const auto axes = L::axes(chain::ground_joint_axes(joint, w.placement));
     moment += joint_spin(axes * spin_force(joint.joint));
   }
@@ -260,7 +323,7 @@ std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::siz
       held[k] = chain.root.held[k] ? -w.transmitted.outer[0].force[k] : 0.0;
     }
     force += view_.point_in_space(held);
-    typename L::Spin turned = -spin_force(0);
+    typename L::Spin turned = w.q.open[0] ? typename L::Spin{} : -spin_force(0);
     const auto near = L::axes(w.placement.near[0]);
     typename L::Spin in_joint = transposed_times(near, w.transmitted.outer[0].moment);
     for (std::size_t k = 0; k < L::kRotations; ++k) {
@@ -298,6 +361,7 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::moment(const 
                                                                           const Work& w,
                                                                           std::size_t node) const {
   const std::size_t joint = joint_of_node_[node];
+  if (is_cut(w, node)) return {};
   const chain::SectionJoint<L>& numbers = joints.joints()[joint];
   const auto axes = view_.section_axes();
   typename L::Spin m;

@@ -4,6 +4,7 @@
 
 #include "plastica/model/material_field.hpp"
 #include "plastica/run/chain_model.hpp"
+#include "plastica/run/model.hpp"
 #include "plastica/run/response.hpp"
 
 namespace plastica {
@@ -13,7 +14,9 @@ class ChainProgram {
  public:
   virtual ~ChainProgram() = default;
   /// @param material  of the scene's own material; regions keep theirs
-  virtual void run(const MaterialValues<double>& material, Response& response) = 0;
+  /// @param hooks     what a motion tells and asks
+  virtual void run(const MaterialValues<double>& material, const Workspace& hooks,
+                   Response& response) = 0;
 };
 
 /// @param model  outlives the program

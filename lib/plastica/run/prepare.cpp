@@ -10,6 +10,22 @@
 namespace plastica {
 namespace {
 
+/// The joints that the scene cuts: each that nearest to its place.
+void set_cuts(ChainModel& chain) {
+  const auto& ends = chain.layout.ends;
+  for (const Cut& cut : chain.scene.cuts) {
+    const double share = share_of(cut.at, ends);
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      if (std::abs(ends[i] - share) < std::abs(ends[nearest] - share)) nearest = i;
+    }
+    chain.cuts.push_back({cut.time, nearest});
+  }
+  std::sort(chain.cuts.begin(), chain.cuts.end(), [](const JointCut& a, const JointCut& b) {
+    return a.time != b.time ? a.time < b.time : a.node < b.node;
+  });
+}
+
 /// The times at which steps of a path must end: the samples, evenly spaced, and the corners of
 /// histories.
 void set_stops(ChainModel& chain) {
@@ -28,6 +44,7 @@ void set_stops(ChainModel& chain) {
     duration = corners.empty() ? 0.0 : *std::max_element(corners.begin(), corners.end());
   }
   if (duration == 0.0) duration = 1.0;  // loads that are there from the beginning
+  for (const JointCut& cut : chain.cuts) corners.push_back(cut.time);
 
   const int steps = chain.options.steps;
   std::vector<std::pair<double, bool>> stops;
@@ -70,6 +87,7 @@ std::shared_ptr<const ChainModel> prepare_chain(const Scene& scene, const Solver
     const double middle = 0.5 * (chain->layout.ends[i] + chain->layout.ends[i + 1]);
     chain->part_of_segment.push_back(chain::part_at(scene, middle, chain->layout.ends).number);
   }
+  set_cuts(*chain);
   set_stops(*chain);
   set_frames(*chain);
   return chain;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,6 +77,9 @@ struct Energies {
   double residual = 0.0;   ///< external less all others: what the ledger cannot explain
 };
 
+/// Largest |residual| of a ledger over the largest of its other entries, of all samples [1].
+double ledger_error(std::span<const Energies> samples);
+
 /// A ledger whose residual is above this share of its largest entry does not close.
 inline constexpr double kLedgerTolerance = 0.01;
 
@@ -119,8 +123,8 @@ struct Response {
   ChainHistory chain;  ///< of a chain; empty for a coupon
   PathCounters counters;
   std::optional<LimitLoad> limit;
-  /// Largest |residual| of the energy ledger over the largest of its entries so far, of all samples
-  /// [1]; above `kLedgerTolerance` the motion is not to be trusted.
+  /// `plastica::ledger_error` of a motion [1]; above `kLedgerTolerance` the motion is not to be
+  /// trusted.
   double ledger_error = 0.0;
   double seconds = 0.0;  ///< wall time of the run [s]
 };

@@ -242,7 +242,7 @@ void run_chain(const Model& model, ParameterValues values, Workspace& workspace,
     response.status = Status::InvalidParameter;
     return;
   }
-  workspace.chain->run(material, response);
+  workspace.chain->run(material, workspace, response);
 }
 
 bool stress_only(const Model& model) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 
 #include "plastica/solve/newton.hpp"
@@ -44,10 +43,5 @@ struct ControlPoint {
     }
   }
 };
-
-template <std::size_t N>
-double size_of(const Vec<double, N>& v) {
-  return std::sqrt(dot(v, v));
-}
 
 }  // namespace plastica::solve

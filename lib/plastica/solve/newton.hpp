@@ -15,12 +15,13 @@ namespace plastica::solve {
 
 /// Seeks the equilibrium at `w.time`, or on a path condition, from the current unknowns.
 ///
+/// @param assemble  places the chain and gathers all that acts on it
 /// @param condition  asked for at each iteration with the placed chain; its default makes time
 /// fixed
 /// @return not converged after `most_iterations`, or as soon as a number is not finite
-template <class L, bool kElastic, class Condition>
+template <class L, bool kElastic, class Assemble, class Condition>
 NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
-                                              chain::JointLaws<L, kElastic>& laws,
+                                              const Assemble& assemble,
                                               const NewtonOptions& options,
                                               NewtonWork<L, kElastic>& w,
                                               const Condition& condition_at) {
@@ -31,7 +32,12 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
   const S huge = constant<S>(kDouble ? 1e100 : 1e30);
   bool polished = false;
   for (int iteration = 0;; ++iteration) {
-    detail::assemble(chain, laws, w);
+    assemble(w);
+    if (options.one_solve && iteration > 0 && detail::closures_meet(chain, w)) {
+      outcome.iterations = iteration;
+      outcome.converged = constant<S>(0) < constant<S>(1);
+      break;
+    }
     const PathCondition<L> condition = condition_at(w);
     if (condition.active) detail::stiffen_condition(chain, condition, w);
     w.recursion.factor(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);
@@ -54,6 +60,18 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     detail::take_step(chain, condition, polishes ? stays : outcome.converged, w);
   }
   return outcome;
+}
+
+/// The same in statics.
+template <class L, bool kElastic, class Condition>
+NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
+                                              chain::JointLaws<L, kElastic>& laws,
+                                              const NewtonOptions& options,
+                                              NewtonWork<L, kElastic>& w,
+                                              const Condition& condition_at) {
+  return equilibrate(
+      chain, [&](NewtonWork<L, kElastic>& work) { detail::assemble(chain, laws, work); }, options,
+      w, condition_at);
 }
 
 /// The same at a given time.

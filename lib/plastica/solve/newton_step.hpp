@@ -46,6 +46,17 @@ void set_closures(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
   chain::add_closures(chain, w.placement, w.stage, w.q, w.closed, w.outer_forces);
 }
 
+/// Whether every closure that acts is closed, and none pulls that may not.
+template <class L, bool kElastic>
+bool closures_meet(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& w) {
+  using S = typename L::Scalar;
+  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+    const S size = chain.closures[k].turning ? constant<S>(1) : chain.length;
+    if (any(abs(w.gap[k]) > constant<S>(kClosureTolerance) * size)) return false;
+  }
+  return true;
+}
+
 /// Places the chain, asks its laws and sums its forces at the current unknowns.
 template <class L, bool kElastic>
 void assemble(const chain::Chain<L>& chain, chain::JointLaws<L, kElastic>& laws,

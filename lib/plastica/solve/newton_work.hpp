@@ -33,6 +33,7 @@ struct NewtonWork {
   chain::JointForces<L, kElastic> joints;
   chain::OuterForces<L> outer_forces;
   chain::Transmitted<L> transmitted;
+  chain::Transmitted<L> impulses;  ///< of `solve/rates.hpp`, likewise
   chain::Recursion<L, kElastic> recursion;
   std::vector<typename L::Spin> angles;  ///< of all joints with a law, ground joints included
   std::vector<mask_t<S>> closed;         ///< whether a closure acts
@@ -61,10 +62,15 @@ struct NewtonWork {
     q.released_ground_joint.assign(chain.ground_joints.size(), never);
     time = 0.0;
     placement.resize(n);
+    stage.placement.resize(n);
+    stage.shift.assign(kElastic ? n : 0, {});
+    stage.to_joint.assign(n, {});
+    stage.ground_axes.assign(chain.ground_joints.size(), {});
     joints.force.assign(chain.joints(), {});
     joints.tangent.assign(chain.joints(), {});
     outer_forces.reset(n);
     transmitted.outer.assign(n, {});
+    impulses.outer.assign(n, {});
     recursion.resize(n);
     angles.assign(chain.joints(), {});
     closed.assign(closures, mask_t<S>{constant<S>(0) < constant<S>(1)});
@@ -82,9 +88,15 @@ struct NewtonWork {
 
 inline constexpr int kMostIterations = 64;
 
+/// How far a closure may be off after a step of one solve, over the beam's length [1].
+inline constexpr double kClosureTolerance = 1e-7;
+
 struct NewtonOptions {
   int most_iterations = 25;  ///< <= kMostIterations
   double tolerance = 1e-10;  ///< see SolverOptions::tolerance
+  /// One linear solve is enough; more are made only while a closure is off by more than
+  /// `kClosureTolerance` of the length.
+  bool one_solve = false;
 };
 
 /// How an equilibrium was sought. @tparam S a lane has its own answer

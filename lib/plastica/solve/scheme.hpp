@@ -22,7 +22,8 @@ struct SchemeClaims {
 
 /// - Linearly implicit Euler: the implicit Euler step (Hairer & Wanner, Solving Ordinary
 ///   Differential Equations II), one Newton iteration from where the velocities point to.
-/// - Linearly implicit midpoint: the energy-momentum step below, one such iteration. Its error is of
+/// - Linearly implicit midpoint: the energy-momentum step below, one such iteration. Its error is
+/// of
 ///   third order in the step, so that second order is kept.
 /// - Generalized-alpha (Chung & Hulbert, J. Appl. Mech. 60, 1993, 371) on the rotation group
 ///   (Bruls & Cardona, J. Comput. Nonlinear Dyn. 5, 2010, 031002), with Cayley's map; Newton's
@@ -33,10 +34,8 @@ struct SchemeClaims {
 /// @param rho_infinity  of generalized-alpha [1]
 constexpr SchemeClaims claims_of(Scheme scheme, double rho_infinity) {
   switch (scheme) {
-    case Scheme::LinearlyImplicitEuler:
-      return {1, EnergyBehaviour::Loses, false, false, true};
-    case Scheme::LinearlyImplicitMidpoint:
-      return {2, EnergyBehaviour::Wanders, false, false, true};
+    case Scheme::LinearlyImplicitEuler: return {1, EnergyBehaviour::Loses, false, false, true};
+    case Scheme::LinearlyImplicitMidpoint: return {2, EnergyBehaviour::Wanders, false, false, true};
     case Scheme::GeneralizedAlpha:
       return {2, rho_infinity < 1.0 ? EnergyBehaviour::Loses : EnergyBehaviour::Wanders, false,
               false, false};
@@ -45,15 +44,16 @@ constexpr SchemeClaims claims_of(Scheme scheme, double rho_infinity) {
   return {};
 }
 
-/// How a scheme ties the motion x of a segment (or the angle of a joint) in a step h to its velocity
-/// v and acceleration a, all at the step's end:
+/// How a scheme ties the motion x of a segment (or the angle of a joint) in a step h to its
+/// velocity v and acceleration a, all at the step's end:
 ///   v = velocity dx/h + velocity_v v0 + velocity_a h a0,
 ///   a = acceleration dx/h^2 + acceleration_v v0/h + acceleration_a a0;
 /// and to the acceleration with which the segment resists,
 ///   resisting = (a + weight_a a0 - weight_r r0) scale, r0 the one before.
 struct StepRule {
   bool half_way = false;  ///< forces act half way, and a is the mean over the step
-  bool conserves = true;  ///< moments change the angular momentum; else Euler's equations at the end
+  bool conserves =
+      true;  ///< moments change the angular momentum; else Euler's equations at the end
   double velocity = 1.0, velocity_v = 0.0, velocity_a = 0.0;
   double acceleration = 1.0, acceleration_v = -1.0, acceleration_a = 0.0;
   double scale = 1.0, weight_a = 0.0, weight_r = 0.0;

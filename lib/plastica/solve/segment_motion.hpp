@@ -15,7 +15,7 @@ struct SegmentMotion {
   typename L::Point velocity{};  ///< [m/s]
   typename L::Spin spin{};       ///< [rad/s]
   // What only generalized-alpha uses:
-  typename L::Point acceleration{}, resisting{};       ///< [m/s^2]
+  typename L::Point acceleration{}, resisting{};        ///< [m/s^2]
   typename L::Spin spin_rate{}, resisting_spin_rate{};  ///< [rad/s^2]
 };
 
@@ -48,8 +48,8 @@ SegmentMotion<L> motion_after(const StepRule& rule, double h, const SegmentMotio
                               const typename L::Point& way, const typename L::Spin& spin) {
   using S = typename L::Scalar;
   const auto c = [](double x) { return constant<S>(x); };
-  const auto follow = [&](const auto& moved, const auto& v0, const auto& a0, const auto& r0, auto& v,
-                          auto& a, auto& r) {
+  const auto follow = [&](const auto& moved, const auto& v0, const auto& a0, const auto& r0,
+                          auto& v, auto& a, auto& r) {
     v = c(rule.velocity / h) * moved + c(rule.velocity_v) * v0 + c(rule.velocity_a * h) * a0;
     a = c(rule.acceleration / (h * h)) * moved + c(rule.acceleration_v / h) * v0 +
         c(rule.acceleration_a) * a0;
@@ -111,9 +111,8 @@ Mat<typename L::Scalar, L::kRotations, L::kRotations> turning_impedance(
   const S velocity = constant<S>(rule.velocity / h);
   const typename L::Spin momentum = inertia.turning * now.spin;
   if (rule.conserves) {
-    return constant<S>(1.0 / h) *
-           (L::turned_by(axes * momentum) +
-            axes * ((velocity * inertia.turning) * slope) * transpose(axes));
+    return constant<S>(1.0 / h) * (L::turned_by(axes * momentum) +
+                                   axes * ((velocity * inertia.turning) * slope) * transpose(axes));
   }
   const S stiff = constant<S>(rule.scale * rule.acceleration / (h * h));
   const auto by_spin =

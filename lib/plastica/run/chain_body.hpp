@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "plastica/chain/joint_numbers.hpp"
+#include "plastica/run/break_watch.hpp"
+#include "plastica/run/chain_model.hpp"
+#include "plastica/run/chain_record.hpp"
+#include "plastica/run/chain_run.hpp"
+#include "plastica/solve/newton.hpp"
+
+namespace plastica {
+
+/// What a path and a motion of one beam have in common: the chain, its joints with their material,
+/// what breaks them, and the record.
+template <class L, bool kElastic>
+class ChainBody {
+ public:
+  using Work = solve::NewtonWork<L, kElastic>;
+  using Joints = chain::SectionJointsBase<L, kElastic>;
+
+  ChainBody(const ChainModel& model, const chain::View<L>& view);
+
+  /// Back to the virgin beam, with a material of the scene's own part.
+  void reset(const MaterialValues<double>& material);
+
+  /// Permanent strains of the step that `work` holds, before it is accepted.
+  void set_trial_strains();
+  /// Takes them.
+  void accept_strains();
+  /// Permanent angles as the break measure takes them (joints).
+  const std::vector<JointAngles>& measured(const NodeStrains& strains) const;
+  /// All joints over their limit now, with moment, angle and dissipation.
+  std::vector<BrokenJoint> broken() const;
+  /// What is known of a joint that broke or is cut.
+  void describe(BrokenJoint& broken) const;
+
+  const ChainModel& model;
+  chain::View<L> view;
+  std::vector<chain::PartForm> parts;
+  chain::Build<L> build;
+  std::unique_ptr<Joints> joints;
+  Work work;
+  BreakWatch watch;
+  ChainRecord<L, kElastic> record;
+  NodeStrains strains;  ///< at the last accepted step
+  NodeStrains trial;    ///< of a step that is being judged
+
+ private:
+  void set_material(const MaterialValues<double>& material);
+  void set_closure_stiffness();
+
+  MaterialValues<double> material_{};  ///< that the joints have
+};
+
+}  // namespace plastica
+
+#include "plastica/run/chain_body_make.hpp"

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "plastica/run/chain_body.hpp"
+#include "plastica/run/chain_laws.hpp"
+
+/// Defines `ChainBody`.
+namespace plastica {
+namespace detail {
+
+inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+inline WatchedJoint watched_joint(const Scene& scene, const chain::Layout& layout,
+                                  const chain::PartForm& part, std::size_t node) {
+  const std::size_t n = layout.size();
+  WatchedJoint joint;
+  joint.share = layout.ends[node];
+  const double at = layout.ends[node] * scene.beam.length;
+  joint.begin = node == 0 ? at : at - 0.5 * layout.segment_length[node - 1];
+  joint.end = node == n ? at : at + 0.5 * layout.segment_length[node];
+  joint.length = layout.joint_length[node];
+  joint.round = is_round(*part.section);
+  joint.width = 2.0 * part.properties.outer_distance_y;
+  joint.height = 2.0 * part.properties.outer_distance_x;
+  joint.shear_lever = part.properties.torsion_constant / part.properties.torsion_modulus;
+  const double bending = part.material->break_strain.value_or(kNoLimit);
+  const bool report = scene.formulas == Formulas::Report;
+  const double shear = report ? part.material->break_shear_strain.value_or(bending)
+                              : resolved_break_shear_strain(*part.material).value_or(kNoLimit);
+  joint.limit = {scene.break_limit_x.value_or(bending), scene.break_limit_y.value_or(bending),
+                 scene.break_limit_z.value_or(shear), kNoLimit};
+  if (!report && !scene.break_limit_x && !scene.break_limit_y) joint.limit[3] = bending;
+  return joint;
+}
+
+}  // namespace detail
+
+template <class L, bool kElastic>
+ChainBody<L, kElastic>::ChainBody(const ChainModel& of, const chain::View<L>& seen)
+    : model(of), view(seen), parts(chain::part_forms(of.scene, !kOneForce<L, kElastic>)) {
+  build = chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia).build();
+  work.resize(build.chain);
+  record.prepare(model, view, build, parts);
+  const std::size_t nodes = model.layout.size() + 1;
+  std::vector<WatchedJoint> watched;
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const std::size_t segment = std::min(i, nodes - 2);
+    watched.push_back(
+        detail::watched_joint(model.scene, model.layout, parts[model.part_of_segment[segment]], i));
+  }
+  watch = BreakWatch(model.scene, std::move(watched));
+  strains.reset(nodes);
+  trial.reset(nodes);
+}
+
+template <class L, bool kElastic>
+void ChainBody<L, kElastic>::reset(const MaterialValues<double>& material) {
+  set_material(material);
+  work.resize(build.chain);
+  record.reset();
+  strains.reset(strains.strain.size());
+}
+
+/// A hundred times the stiffness of the beam's tip, of its largest section.
+template <class L, bool kElastic>
+void ChainBody<L, kElastic>::set_closure_stiffness() {
+  double bending = 0.0;
+  for (const auto& joint : joints->joints()) {
+    for (std::size_t k = 0; k < 3; ++k) bending = std::max(bending, joint.stiffness[k]);
+  }
+  const double length = model.scene.beam.length;
+  build.chain.closure_stiffness = 100.0 * bending / (length * length * length);
+  build.chain.closure_turning_stiffness = 100.0 * bending / length;
+}
+
+/// Lays out the joints' laws; the same numbers as in the run before only need the virgin state.
+template <class L, bool kElastic>
+void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material) {
+  if (joints && material == material_) {
+    joints->reset();
+    return;
+  }
+  std::vector<MaterialValues<double>> materials;
+  for (const auto& part : parts) materials.push_back(material_values(*part.material));
+  materials.front() = material;
+  joints = make_joints<L, kElastic>(model.scene, parts, materials,
+                                    chain::joint_numbers(model.layout, model.part_of_segment,
+                                                         build.joints, parts, materials, view),
+                                    view, model.options.fibres);
+  material_ = material;
+  set_closure_stiffness();
+}
+
+template <class L, bool kElastic>
+void ChainBody<L, kElastic>::set_trial_strains() {
+  for (std::size_t i = 0; i < trial.strain.size(); ++i) {
+    const std::size_t joint = record.joint_of_node(i);
+    if (joint == ChainRecord<L, kElastic>::kNone) continue;
+    trial.permanent[i] = record.permanent_angle(*joints, work, joint);
+    for (std::size_t k = 0; k < 3; ++k) {
+      trial.accumulated[i][k] =
+          strains.accumulated[i][k] + std::fabs(trial.permanent[i][k] - strains.permanent[i][k]);
+    }
+  }
+}
+
+template <class L, bool kElastic>
+const std::vector<JointAngles>& ChainBody<L, kElastic>::measured(const NodeStrains& s) const {
+  return model.scene.break_measure == BreakMeasure::Net ? s.permanent : s.accumulated;
+}
+
+template <class L, bool kElastic>
+void ChainBody<L, kElastic>::accept_strains() {
+  std::swap(strains.permanent, trial.permanent);
+  std::swap(strains.accumulated, trial.accumulated);
+  for (std::size_t i = 0; i < strains.strain.size(); ++i) {
+    strains.strain[i] = watch.strain(measured(strains), i);
+  }
+}
+
+template <class L, bool kElastic>
+void ChainBody<L, kElastic>::describe(BrokenJoint& broken) const {
+  const auto node = static_cast<std::size_t>(broken.joint);
+  const std::size_t joint = record.joint_of_node(node);
+  broken.moment = record.moment(*joints, work, node).at;
+  broken.angle = strains.permanent[node];
+  broken.dissipation = joints->plastic_work()[joint];
+}
+
+template <class L, bool kElastic>
+std::vector<BrokenJoint> ChainBody<L, kElastic>::broken() const {
+  std::vector<BrokenJoint> all = watch.broken(measured(strains));
+  for (BrokenJoint& joint : all) describe(joint);
+  return all;
+}
+
+}  // namespace plastica

@@ -1,0 +1,279 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "plastica/run/break_policy.hpp"
+#include "plastica/run/chain_body.hpp"
+#include "plastica/run/chain_motion.hpp"
+#include "plastica/run/step_size.hpp"
+#include "plastica/solve/motion_step.hpp"
+
+namespace plastica {
+
+/// The program of one level in dynamics.
+template <class L, bool kElastic>
+class ChainMotionRunner final : public ChainProgram {
+ public:
+  using Work = solve::NewtonWork<L, kElastic>;
+  using Step = solve::MotionStep<L, kElastic>;
+
+  ChainMotionRunner(const ChainModel& model, const chain::View<L>& view) : body_(model, view) {
+    set_options();
+  }
+
+  void run(const MaterialValues<double>& material, const Workspace& hooks,
+           Response& response) override;
+
+ private:
+  void set_options();
+  bool starts_free() const;
+  std::vector<solve::SegmentMotion<L>> initial_motion() const;
+  Status walk(Step& step, const Workspace& hooks, Response& response);
+  /// Takes steps up to a time. @return Completed if it got there
+  Status go_to(double stop, Step& step, const Workspace& hooks, Response& response);
+  void break_joints(Step& step, const BreakListener& listener, Response& response);
+  void cut_joints(double time, Step& step, Response& response);
+  void let_go(ChainBreak event, Step& step, Response& response);
+  std::vector<Piece> pieces() const;
+  void record(const Step& step, Response& response);
+
+  ChainBody<L, kElastic> body_;
+  solve::MotionOptions options_;
+  std::vector<bool> gone_;            ///< joints that are cut (nodes)
+  std::vector<bool> told_;            ///< joints whose break was told (nodes)
+  std::vector<JointAngles> watched_;  ///< angles of the joints that are left (nodes)
+  std::size_t next_cut_ = 0;
+};
+
+template <class L, bool kElastic>
+void ChainMotionRunner<L, kElastic>::set_options() {
+  const SolverOptions& solver = body_.model.options;
+  options_.newton.most_iterations = std::min(solver.most_iterations, solve::kMostIterations);
+  options_.newton.tolerance = solver.tolerance;
+  options_.scheme = solver.scheme;
+  options_.rho_infinity = solver.rho_infinity;
+  options_.damping = solver.damping;
+  options_.damping_time = solver.damping_time;
+  options_.time_step = solver.time_step;
+  options_.step_error = solver.step_error;
+  options_.smallest_step = solver.smallest_step;
+  options_.largest_turn = solver.largest_turn;
+  options_.stops = body_.model.stops;
+  options_.recorded = body_.model.recorded;
+  for (const auto& closure : body_.build.chain.closures) {
+    options_.restitution.push_back(body_.model.scene.supports[closure.support].restitution);
+  }
+}
+
+/// Whether nothing holds the start.
+template <class L, bool kElastic>
+bool ChainMotionRunner<L, kElastic>::starts_free() const {
+  const auto& root = body_.build.chain.root;
+  const chain::JointPlan& joint = body_.build.joints[0];
+  for (std::size_t k = 0; k < L::kTranslations; ++k) {
+    if (root.held[k]) return false;
+  }
+  for (std::size_t k = 0; k < L::kRotations; ++k) {
+    if (root.welded[k] || joint.acting[k] || joint.spring[k] != 0.0) return false;
+  }
+  return true;
+}
+
+template <class L, bool kElastic>
+std::vector<solve::SegmentMotion<L>> ChainMotionRunner<L, kElastic>::initial_motion() const {
+  const chain::Layout& layout = body_.model.layout;
+  const auto& chain = body_.build.chain;
+  const auto& placement = body_.work.placement;
+  const auto vector = [](const std::array<double, 3>& v) { return Vec<double, 3>{v}; };
+  std::vector<solve::SegmentMotion<L>> motion(chain.size());
+  for (const InitialMotion& part : body_.model.scene.initial_motions) {
+    const double from = share_of(part.from, layout.ends);
+    const double to = share_of(part.to, layout.ends);
+    const chain::SegmentPoint about =
+        chain::segment_point(layout, share_of(part.about, layout.ends));
+    const auto center = placement.point(about.segment, body_.view.point(about.arm));
+    const auto velocity = body_.view.point(vector(part.velocity));
+    const auto spin = body_.view.spin(vector(part.spin));
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const double middle = 0.5 * (layout.ends[i] + layout.ends[i + 1]);
+      if (middle < from || middle > to) continue;
+      const auto arm = placement.point(i, chain.inertias[i].center) - center;
+      motion[i].velocity += velocity + L::spun(spin, arm);
+      motion[i].spin += transposed_times(L::axes(placement.frame[i]), spin);
+    }
+  }
+  return motion;
+}
+
+template <class L, bool kElastic>
+void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
+                                         const Workspace& hooks, Response& response) {
+  const auto began = std::chrono::steady_clock::now();
+  body_.reset(material);
+  const std::size_t nodes = body_.model.layout.size() + 1;
+  gone_.assign(nodes, false);
+  told_.assign(nodes, false);
+  watched_.assign(nodes, {});
+  next_cut_ = 0;
+  response.samples = 0;
+  response.ledger_error = 0.0;
+  response.counters = {};
+  response.limit.reset();
+  response.chain.events.clear();
+
+  Work& work = body_.work;
+  chain::place<kElastic>(body_.build.chain, work.q, 0.0, work.placement);
+  if (starts_free()) {
+    work.q.open[0] = true;
+    work.q.pose[0] = {work.placement.position[0], work.placement.frame[0]};
+  }
+  Step step(body_.build.chain, *body_.joints, body_.view.section_axes(), options_, work);
+  response.status = step.start(initial_motion()) ? walk(step, hooks, response) : Status::HeldTwice;
+  body_.record.end_motion();
+  response.ledger_error = ledger_error(std::span(response.chain.energy).first(response.samples));
+  const auto& strain = body_.strains.strain;
+  response.permanent_strain = *std::max_element(strain.begin(), strain.end());
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  response.seconds = took.count();
+}
+
+template <class L, bool kElastic>
+Status ChainMotionRunner<L, kElastic>::walk(Step& step, const Workspace& hooks,
+                                            Response& response) {
+  body_.record.begin_motion(body_.work, *body_.joints, step.motions(), step.kinetic());
+  record(step, response);
+  for (std::size_t k = 0; k < options_.stops.size(); ++k) {
+    cut_joints(step.time(), step, response);
+    const Status status = go_to(options_.stops[k], step, hooks, response);
+    if (status != Status::Completed) return status;
+    if (options_.recorded[k]) record(step, response);
+  }
+  return response.chain.events.empty() ? Status::Completed : Status::Broken;
+}
+
+template <class L, bool kElastic>
+Status ChainMotionRunner<L, kElastic>::go_to(double stop, Step& step, const Workspace& hooks,
+                                             Response& response) {
+  StepSize size(options_, step.time(), stop);
+  while (!size.done(step.time())) {
+    const double h = size.next(step.time());
+    bool taken = step.attempt(h);
+    response.counters.iterations += step.iterations();
+    if (taken && options_.step_error > 0.0) {
+      taken = size.judge(step.error() / body_.model.scene.beam.length);
+    }
+    if (!taken) {
+      ++response.counters.cutbacks;
+      if (size.cut()) continue;
+      step.restore();
+      return Status::NotConverged;
+    }
+    body_.set_trial_strains();
+    step.accept();
+    size.accepted();
+    ++response.counters.steps;
+    body_.accept_strains();
+    break_joints(step, hooks.on_break, response);
+    if (hooks.on_progress && !hooks.on_progress(step.time())) return Status::Interrupted;
+  }
+  return Status::Completed;
+}
+
+template <class L, bool kElastic>
+void ChainMotionRunner<L, kElastic>::break_joints(Step& step, const BreakListener& listener,
+                                                  Response& response) {
+  if (!body_.watch.active()) return;
+  const auto& angles = body_.measured(body_.strains);
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    watched_[i] = gone_[i] ? JointAngles{} : angles[i];
+  if (body_.watch.excess(watched_) <= 0.0) return;
+  ChainBreak event;
+  for (const BrokenJoint& joint : body_.watch.broken(watched_)) {
+    const auto node = static_cast<std::size_t>(joint.joint);
+    if (told_[node] || gone_[node]) continue;
+    event.joints.push_back(joint);
+    body_.describe(event.joints.back());
+  }
+  if (event.joints.empty()) return;
+  event.time = step.time();
+  mark_cuts(body_.model.scene.on_break, event);
+  if (listener) {
+    event.factor = body_.record.factor_at(event.time);
+    event.pieces = pieces();
+    listener(event);
+  }
+  // A joint that is spared for another is asked about again, one that the scene only records is
+  // not.
+  const bool once = listener || body_.model.scene.on_break == BreakPolicy::RecordOnly;
+  for (const BrokenJoint& joint : event.joints) {
+    if (once) told_[static_cast<std::size_t>(joint.joint)] = true;
+  }
+  let_go(std::move(event), step, response);
+}
+
+template <class L, bool kElastic>
+void ChainMotionRunner<L, kElastic>::cut_joints(double time, Step& step, Response& response) {
+  const auto& cuts = body_.model.cuts;
+  ChainBreak event;
+  event.time = time;
+  for (; next_cut_ < cuts.size() && cuts[next_cut_].time <= time; ++next_cut_) {
+    const std::size_t node = cuts[next_cut_].node;
+    if (gone_[node]) continue;
+    BrokenJoint joint;
+    joint.joint = static_cast<int>(node);
+    joint.cause = BreakCause::Cut;
+    joint.cut = true;
+    joint.strain = body_.strains.strain[node];
+    body_.describe(joint);
+    event.joints.push_back(joint);
+  }
+  if (!event.joints.empty()) let_go(std::move(event), step, response);
+}
+
+template <class L, bool kElastic>
+void ChainMotionRunner<L, kElastic>::let_go(ChainBreak event, Step& step, Response& response) {
+  event.factor = body_.record.factor_at(event.time);
+  bool any_cut = false;
+  for (const BrokenJoint& joint : event.joints) {
+    if (!joint.cut) continue;
+    any_cut = true;
+    gone_[static_cast<std::size_t>(joint.joint)] = true;
+    step.open(static_cast<std::size_t>(joint.joint));
+  }
+  if (any_cut) step.opened();
+  event.pieces = pieces();
+  response.chain.events.push_back(std::move(event));
+}
+
+template <class L, bool kElastic>
+std::vector<Piece> ChainMotionRunner<L, kElastic>::pieces() const {
+  std::vector<Piece> pieces{{0, 0}};
+  const int n = static_cast<int>(body_.build.chain.size());
+  for (int i = 1; i < n; ++i) {
+    if (!body_.work.q.open[static_cast<std::size_t>(i)]) continue;
+    pieces.back().last = i - 1;
+    pieces.push_back({i, i});
+  }
+  pieces.back().last = n - 1;
+  return pieces;
+}
+
+template <class L, bool kElastic>
+void ChainMotionRunner<L, kElastic>::record(const Step& step, Response& response) {
+  body_.record.set_motion(step.motions(), step.kinetic(), step.flows());
+  body_.record.write(body_.work, *body_.joints, body_.strains, response.samples, response);
+  response.chain.iterations[response.samples] = response.counters.iterations;
+  ++response.samples;
+}
+
+template <class L, bool kElastic>
+std::unique_ptr<ChainProgram> make_motion_runner(const ChainModel& model,
+                                                 const chain::View<L>& view) {
+  return std::make_unique<ChainMotionRunner<L, kElastic>>(model, view);
+}
+
+}  // namespace plastica

@@ -1,0 +1,260 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "plastica/solve/mean_moments.hpp"
+#include "plastica/solve/motion_options.hpp"
+#include "plastica/solve/scheme.hpp"
+
+/// The joints of a chain in a step: their laws, as the scheme takes them, and their damping.
+namespace plastica::solve {
+
+/// Rate and acceleration of a joint's coordinates and of their stresses, where damping asks.
+template <class L, bool kElastic>
+struct JointRates {
+  using Vector = Vec<typename L::Scalar, chain::kFreedoms<L, kElastic>>;
+  Vector rate{}, acceleration{};
+  Vector stress_rate{}, stress_acceleration{};
+};
+
+template <class L, bool kElastic>
+class JointMotion {
+ public:
+  using S = typename L::Scalar;
+  static constexpr std::size_t kR = L::kRotations;
+  static constexpr std::size_t kT = L::kTranslations;
+  static constexpr std::size_t kJ = chain::kFreedoms<L, kElastic>;
+  using Joints = chain::SectionJointsBase<L, kElastic>;
+  using Forces = chain::JointForces<L, kElastic>;
+  using Vector = Vec<S, kJ>;
+  using Matrix = Mat<S, kJ, kJ>;
+
+  /// @param axes  of the sections, as the laws number them
+  JointMotion(const Joints& joints, chain::SectionAxes<L> axes) : joints_(&joints), axes_(axes) {
+    for (const auto& joint : joints.joints()) stiffness_.push_back(stiffness_of(joint));
+    const std::size_t n = stiffness_.size();
+    angle_.resize(n);
+    shift_.resize(n);
+    stress_.resize(n);
+    stored_.resize(n);
+    step_.resize(n);
+    law_.resize(n);
+    law_before_.resize(n);
+    damped_.resize(n);
+    damped_before_.resize(n);
+    rates_.resize(n);
+    rates_now_.resize(n);
+  }
+
+  /// Takes what the laws have just said as the state before a step.
+  void begin(std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts,
+             const Forces& forces) {
+    for (std::size_t j = 0; j < stiffness_.size(); ++j) {
+      angle_[j] = angles[j];
+      shift_[j] = shift_of(shifts, j);
+      stress_[j] = stress(j, angles[j], shift_[j]);
+      stored_[j] = joints_->elastic_energy()[j];
+      law_before_[j] = forces.force[j];
+      damped_before_[j] = {};
+    }
+  }
+
+  /// Turns what the laws say of the end of a step into what the scheme takes of it, and adds
+  /// damping.
+  /// @param forces  of the laws at the end; replaced
+  void take(const MotionOptions& options, const StepRule& rule, double h,
+            std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts,
+            Forces& forces) {
+    for (std::size_t j = 0; j < stiffness_.size(); ++j) {
+      const typename L::Point shift = shift_of(shifts, j);
+      const JointStep<L, kElastic> step = step_of(j, angles[j], shift);
+      step_[j] = step.step;
+      const Matrix slope = forces.tangent[j];
+      if (rule.half_way) {
+        const auto mean = mean_moment<L, kElastic>(step, forces.force[j], slope);
+        forces.force[j] = mean.force;
+        forces.tangent[j] = mean.tangent;
+      }
+      law_[j] = forces.force[j];
+      if (options.damping != Damping::None) {
+        damp(options, rule, h, j, step, shift, slope, forces);
+      }
+    }
+  }
+
+  /// Damping of the joints in the step that was taken, and what the scheme's moments did in it
+  /// beyond what was stored and dissipated.
+  /// @param moves  whether a joint still joins (joints)
+  template <class Moves>
+  void add_flows(const StepRule& rule, const Moves& moves, EnergyFlows& flows) const {
+    for (std::size_t j = 0; j < stiffness_.size(); ++j) {
+      if (!moves(j)) continue;
+      const S now = constant<S>(rule.end_work);
+      const S then = constant<S>(1.0 - rule.end_work);
+      flows.damping += dot(now * damped_[j] + then * damped_before_[j], step_[j]);
+      flows.numerical += dot(now * law_[j] + then * law_before_[j], step_[j]) - energy(j);
+    }
+  }
+
+  /// The step is over: its end is the next one's begin.
+  void commit(std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts) {
+    for (std::size_t j = 0; j < stiffness_.size(); ++j) {
+      angle_[j] = angles[j];
+      shift_[j] = shift_of(shifts, j);
+      stress_[j] = stress(j, angle_[j], shift_[j]);
+      stored_[j] = joints_->elastic_energy()[j];
+    }
+    law_before_ = law_;
+    damped_before_ = damped_;
+    rates_ = rates_now_;
+  }
+
+  const typename L::Spin& angle_before(std::size_t j) const { return angle_[j]; }
+
+ private:
+  static typename L::Point shift_of(std::span<const typename L::Point> shifts, std::size_t j) {
+    return kElastic && j < shifts.size() ? shifts[j] : typename L::Point{};
+  }
+
+  Vector stiffness_of(const chain::SectionJoint<L>& joint) const {
+    Vector k;
+    for (std::size_t m = 0; m < kR; ++m) {
+      const std::size_t axis = axes_.rotation(m);
+      k[m] = joint.acting[m] * joint.stiffness[axis] / joint.length[axis] + joint.spring[m];
+    }
+    if constexpr (kElastic) {
+      constexpr std::size_t kAxial = 3;
+      for (std::size_t m = 0; m < kT; ++m) {
+        const bool along = m == chain::SectionAxes<L>::kAxialShift;
+        k[kR + m] =
+            (along ? joint.stiffness[kAxial] : joint.shear_stiffness[m]) / joint.length[kAxial];
+      }
+    }
+    return k;
+  }
+
+  /// Conjugate to angles and shifts.
+  Vector stress(std::size_t j, const typename L::Spin& angle,
+                const typename L::Point& shift) const {
+    const chain::SectionJoint<L>& joint = joints_->joints()[j];
+    const auto& force = joints_->section_forces()[j];
+    Vector s;
+    for (std::size_t m = 0; m < kR; ++m) {
+      s[m] = joint.acting[m] * force[axes_.rotation(m)] + joint.spring[m] * angle[m];
+    }
+    if constexpr (kElastic) {
+      constexpr std::size_t kAxial = 3;
+      for (std::size_t m = 0; m < kT; ++m) {
+        const bool along = m == chain::SectionAxes<L>::kAxialShift;
+        s[kR + m] = along ? force[kAxial] : stiffness_[j][kR + m] * shift[m];
+      }
+    }
+    return s;
+  }
+
+  S energy(std::size_t j) const {
+    return joints_->elastic_energy()[j] - stored_[j] + joints_->work_increment()[j];
+  }
+
+  JointStep<L, kElastic> step_of(std::size_t j, const typename L::Spin& angle,
+                                 const typename L::Point& shift) const {
+    JointStep<L, kElastic> step;
+    step.angle_before = angle_[j];
+    step.angle_now = angle;
+    step.stress_before = stress_[j];
+    step.stress_now = stress(j, angle, shift);
+    const typename L::Spin spin = L::step_spin(L::rotation(angle_[j]), L::rotation(angle));
+    for (std::size_t m = 0; m < kR; ++m) step.step[m] = spin[m];
+    if constexpr (kElastic) {
+      for (std::size_t m = 0; m < kT; ++m) step.step[kR + m] = shift[m] - shift_[j][m];
+    }
+    step.stiffness = stiffness_[j];
+    step.energy = energy(j);
+    return step;
+  }
+
+  /// The rate of a coordinate: half way the mean one, else by the scheme's rule.
+  static void follow(const StepRule& rule, double h, const Vector& moved, const Vector& rate_before,
+                     const Vector& acceleration_before, Vector& rate, Vector& acceleration) {
+    const auto c = [](double x) { return constant<S>(x); };
+    if (rule.conserves) {
+      rate = c(1.0 / h) * moved;
+      return;
+    }
+    rate = c(rule.velocity / h) * moved + c(rule.velocity_v) * rate_before +
+           c(rule.velocity_a * h) * acceleration_before;
+    acceleration = c(rule.acceleration / (h * h)) * moved +
+                   c(rule.acceleration_v / h) * rate_before +
+                   c(rule.acceleration_a) * acceleration_before;
+  }
+
+  void damp(const MotionOptions& options, const StepRule& rule, double h, std::size_t j,
+            const JointStep<L, kElastic>& step, const typename L::Point& shift, const Matrix& slope,
+            Forces& forces) {
+    const S time = constant<S>(options.damping_time);
+    const S by_rate = time * constant<S>((rule.conserves ? 1.0 : rule.velocity) / h);
+    JointRates<L, kElastic>& now = rates_now_[j];
+    const JointRates<L, kElastic>& before = rates_[j];
+    Vector stress;
+    Matrix tangent;
+    if (options.damping == Damping::Stiffness) {
+      Vector moved;
+      for (std::size_t m = 0; m < kR; ++m) moved[m] = step.angle_now[m] - step.angle_before[m];
+      if constexpr (kElastic) {
+        for (std::size_t m = 0; m < kT; ++m) moved[kR + m] = shift[m] - shift_[j][m];
+      }
+      follow(rule, h, moved, before.rate, before.acceleration, now.rate, now.acceleration);
+      for (std::size_t m = 0; m < kJ; ++m) {
+        stress[m] = time * stiffness_[j][m] * now.rate[m];
+        tangent(m, m) = by_rate * stiffness_[j][m];
+      }
+    } else {
+      follow(rule, h, step.stress_now - step.stress_before, before.stress_rate,
+             before.stress_acceleration, now.stress_rate, now.stress_acceleration);
+      stress = time * now.stress_rate;
+      tangent = by_rate * slope;
+    }
+    if constexpr (kR == 3)
+      to_spins(rule, step, options.damping == Damping::Stiffness, stress, tangent);
+    damped_[j] = stress;
+    forces.force[j] += stress;
+    forces.tangent[j] += tangent;
+  }
+
+  /// Stresses of angles as they work on spins; where the tangent is of angles, it, too.
+  static void to_spins(const StepRule& rule, const JointStep<L, kElastic>& step, bool of_angles,
+                       Vector& stress, Matrix& tangent) {
+    const S share = constant<S>(rule.half_way ? 0.5 : 1.0);
+    const Vec<S, 3> angle = share * step.angle_now + (constant<S>(1) - share) * step.angle_before;
+    const auto to_angle =
+        chain::inverse_tangent_map(angle, chain::RotationCoefficients<S>(dot(angle, angle)));
+    const Vec<S, 3> moment =
+        transposed_times(to_angle, Vec<S, 3>{{stress[0], stress[1], stress[2]}});
+    Mat<S, 3, 3> turning;
+    for (std::size_t k = 0; k < 3; ++k) {
+      stress[k] = moment[k];
+      for (std::size_t m = 0; m < 3; ++m) turning(k, m) = tangent(k, m);
+    }
+    if (!of_angles) return;
+    turning = transpose(to_angle) * turning * to_angle;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t m = 0; m < 3; ++m) tangent(k, m) = turning(k, m);
+    }
+  }
+
+  const Joints* joints_;
+  chain::SectionAxes<L> axes_;
+  std::vector<Vector> stiffness_;        ///< elastic (joints)
+  std::vector<typename L::Spin> angle_;  ///< before the step, like the next three (joints)
+  std::vector<typename L::Point> shift_;
+  std::vector<Vector> stress_;
+  std::vector<S> stored_;                       ///< elastic energy
+  std::vector<Vector> step_;                    ///< of the joint in the step (joints)
+  std::vector<Vector> law_, law_before_;        ///< what laws do, as it works on spins
+  std::vector<Vector> damped_, damped_before_;  ///< what damping does
+  std::vector<JointRates<L, kElastic>> rates_, rates_now_;
+};
+
+}  // namespace plastica::solve

@@ -1,0 +1,118 @@
+#pragma once
+
+#include "plastica/solve/motion_step.hpp"
+
+/// The energy ledger of a step. Work is that of the forces as the scheme takes them (half way, at
+/// the end, or the mean of both ends) over the step's motion.
+namespace plastica::solve {
+
+template <class L, bool kElastic>
+double MotionStep<L, kElastic>::load_work() const {
+  const double end = rule_.end_work;
+  double work = 0.0;
+  for (const auto& load : chain_.loads) {
+    const std::size_t i = load.segment;
+    const auto over = [&](const Placement& placement, double factor) {
+      const auto unit = chain::unit_wrench(load, placement);
+      const auto arm = L::turn(placement.frame[i], chain_.inertias[i].center);
+      // Moved to the center of mass, whose way the step knows.
+      const typename L::Spin moment = unit.moment - L::moment(arm, unit.force);
+      return factor * (dot(unit.force, step_[i].way) + dot(moment, step_[i].spin));
+    };
+    const History& history = chain_.histories[load.history];
+    if (rule_.half_way) {
+      work += over(w_.stage.placement, factor_at(load.history));
+    } else {
+      work += end * over(w_.placement, history.at(w_.time));
+      if (end < 1.0) work += (1.0 - end) * over(begin_, history.at(time_));
+    }
+  }
+  return work;
+}
+
+/// Work of what moves: the ground at the root, supports that hold, springs' feet; of contacts that
+/// close, what they take from the beam (as impact).
+template <class L, bool kElastic>
+double MotionStep<L, kElastic>::ground_work() {
+  const double end = rule_.end_work;
+  double work = 0.0;
+  const auto moved = [&](std::size_t history) {
+    return chain_.histories[history].at(w_.time) - chain_.histories[history].at(time_);
+  };
+  const double root = moved(chain_.root.history);
+  const chain::Wrench<L> passed = w_.transmitted.outer[0];
+  if (root != 0.0) {
+    chain::Wrench<L> mean = passed;
+    if (end < 1.0 && !ground_wrench_.empty()) {
+      mean.force = end * passed.force + (1.0 - end) * ground_wrench_[0].force;
+      mean.moment = end * passed.moment + (1.0 - end) * ground_wrench_[0].moment;
+    }
+    const typename L::Spin turn = L::step_spin(begin_.near[0], w_.placement.near[0]);
+    work -= dot(mean.force, root * chain_.root.motion) + dot(mean.moment, turn);
+  }
+  ground_wrench_.assign(1, passed);
+
+  multiplier_.resize(chain_.closures.size());
+  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+    const auto& closure = chain_.closures[k];
+    const double now = w_.closed[k] ? w_.q.multiplier[k] : 0.0;
+    const double mean = end * now + (1.0 - end) * multiplier_[k];
+    work += mean * moved(closure.history) * closure.motion;
+    if (closure.one_sided && !w_.q.released_closure[k]) {
+      const double closed = chain::closure_gap(chain_, closure, w_.placement, w_.time) -
+                            chain::closure_gap(chain_, closure, begin_, time_);
+      flows_.impact -= mean * closed;
+    }
+    multiplier_[k] = now;
+  }
+  for (const auto& spring : chain_.springs) {
+    const double foot = moved(spring.history);
+    if (foot == 0.0) continue;
+    for (std::size_t k = 0; k < L::kTranslations; ++k) {
+      const auto pull = [&](const Placement& placement, double time) {
+        const double at = chain_.histories[spring.history].at(time) * spring.motion[k];
+        return -spring.stiffness[k] *
+               (placement.point(spring.segment, spring.arm)[k] - spring.rest[k] - at);
+      };
+      work += 0.5 * (pull(begin_, time_) + pull(w_.placement, w_.time)) * foot * spring.motion[k];
+    }
+  }
+  for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
+    const auto& joint = chain_.ground_joints[g];
+    if (w_.q.released_ground_joint[g] || moved(joint.history) == 0.0) continue;
+    typename L::Spin force;
+    for (std::size_t k = 0; k < L::kRotations; ++k) force[k] = w_.joints.force[joint.joint][k];
+    const auto axes = rule_.half_way ? w_.stage.ground_axes[g]
+                                     : L::axes(chain::ground_joint_axes(joint, w_.placement));
+    work += dot(axes * force, moved(joint.history) * joint.motion);
+  }
+  return work;
+}
+
+/// What the step's inertia forces took up.
+template <class L, bool kElastic>
+double MotionStep<L, kElastic>::inertia_work() const {
+  const double end = rule_.end_work;
+  double work = 0.0;
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    const typename L::Point force = end * inertia_now_[i].force + (1.0 - end) * inertia_[i].force;
+    const typename L::Spin moment = end * inertia_now_[i].moment + (1.0 - end) * inertia_[i].moment;
+    work -= dot(force, step_[i].way) + dot(moment, step_[i].spin);
+  }
+  return work;
+}
+
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::add_flows() {
+  flows_.external += load_work() + ground_work();
+  double gained = 0.0;
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    gained += kinetic_energy(chain_.inertias[i], motion_now_[i]) -
+              kinetic_energy(chain_.inertias[i], motion_[i]);
+  }
+  flows_.numerical += inertia_work() - gained;
+  joint_motion_.add_flows(
+      rule_, [this](std::size_t joint) { return joins(joint); }, flows_);
+}
+
+}  // namespace plastica::solve

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "plastica/solve/motion_step.hpp"
+
+/// All that acts in a step, for Newton's method.
+namespace plastica::solve {
+
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::evaluate_laws() {
+  for (std::size_t i = 0; i < chain_.size(); ++i) w_.angles[i] = w_.q.angle[i];
+  for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
+    const auto& joint = chain_.ground_joints[g];
+    // A joint that was cut keeps its angle.
+    if (w_.q.released_ground_joint[g]) continue;
+    w_.angles[joint.joint] = chain::ground_joint_angle(chain_, joint, w_.placement, w_.time);
+  }
+  joints_.evaluate(w_.angles, w_.q.shift, w_.joints);
+}
+
+/// The factor of a history where the forces act: half way, the mean of both ends.
+template <class L, bool kElastic>
+double MotionStep<L, kElastic>::factor_at(std::size_t history) const {
+  const History& factor = chain_.histories[history];
+  return rule_.half_way ? 0.5 * (factor.at(time_) + factor.at(w_.time)) : factor.at(w_.time);
+}
+
+/// Means of the step's begin and end, and how moments go between them and the joints.
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::set_stage() {
+  chain::Stage<L>& stage = w_.stage;
+  const std::size_t n = chain_.size();
+  Placement& mean = stage.placement;
+  const Placement& end = w_.placement;
+  typename L::Spin inner = L::step_spin(begin_.near[0], end.near[0]);
+  for (std::size_t i = 0; i < n; ++i) {
+    mean.frame[i] = L::mean(begin_.frame[i], end.frame[i]);
+    mean.near[i] = L::mean(begin_.near[i], end.near[i]);
+    mean.far[i] = L::mean(begin_.far[i], end.far[i]);
+    mean.position[i] = 0.5 * (begin_.position[i] + end.position[i]);
+    if constexpr (kElastic) stage.shift[i] = 0.5 * (q_begin_.shift[i] + w_.q.shift[i]);
+    stage.to_joint[i] = transpose(L::axes(begin_.near[i])) * L::work_to_joint(inner, step_[i].spin);
+    inner = step_[i].spin;
+  }
+  for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
+    const auto& joint = chain_.ground_joints[g];
+    const auto turn = [&](double time) {
+      return L::rotation(chain_.histories[joint.history].at(time) * joint.motion);
+    };
+    stage.ground_axes[g] =
+        L::work_from_joint(step_[joint.segment].spin, L::step_spin(turn(time_), turn(w_.time))) *
+        L::axes(chain::ground_joint_axes(joint, begin_));
+  }
+}
+
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::assemble() {
+  chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    step_[i] = segment_step<L>(chain_.inertias[i], i, begin_, w_.placement);
+  }
+  if (rule_.half_way) set_stage();
+  evaluate_laws();
+  joint_motion_.take(options_, rule_, h_, w_.angles, w_.q.shift, w_.joints);
+  chain::gather_forces(
+      chain_, w_.q, w_.placement, w_.stage, w_.joints,
+      [this](std::size_t history) { return factor_at(history); }, w_.outer_forces);
+  const Placement& acting = w_.stage.of(w_.placement);
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    const chain::Inertia<L>& inertia = chain_.inertias[i];
+    const auto& end = w_.placement.frame[i];
+    const typename L::Spin spin = transposed_times(L::axes(end), step_[i].spin);
+    motion_now_[i] = motion_after(rule_, h_, motion_[i], step_[i].way, spin);
+    inertia_now_[i] =
+        inertia_force(rule_, h_, inertia, begin_.frame[i], end, motion_[i], motion_now_[i]);
+    const auto turning =
+        turning_impedance<L>(rule_, h_, inertia, end, motion_now_[i], spin, inertia_now_[i].moment);
+    add_inertia(rule_, h_, inertia, i, w_.placement, acting, inertia_now_[i], turning,
+                w_.outer_forces);
+  }
+  detail::set_closures(chain_, w_);
+}
+
+template <class L, bool kElastic>
+bool MotionStep<L, kElastic>::turns_little() const {
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    if (!(size_of(step_[i].spin) <= kLargestStepSpin)) return false;
+    if (w_.q.open[i]) continue;
+    const typename L::Spin turn = w_.q.angle[i] - q_begin_.angle[i];
+    for (std::size_t k = 0; k < L::kRotations; ++k) {
+      if (!(std::fabs(turn[k]) <= options_.largest_turn)) return false;
+    }
+  }
+  return true;
+}
+
+template <class L, bool kElastic>
+bool MotionStep<L, kElastic>::is_finite() const {
+  double sum = 0.0;
+  for (const SegmentMotion<L>& motion : motion_now_) {
+    sum += dot(motion.velocity, motion.velocity) + dot(motion.spin, motion.spin);
+  }
+  return std::isfinite(sum);
+}
+
+}  // namespace plastica::solve

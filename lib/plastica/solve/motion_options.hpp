@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "plastica/model/motion.hpp"
+#include "plastica/solve/newton_work.hpp"
+
+namespace plastica::solve {
+
+/// How a motion is to be stepped; see SolverOptions.
+struct MotionOptions {
+  NewtonOptions newton{};
+  Scheme scheme = Scheme::GeneralizedAlpha;
+  double rho_infinity = 0.8;
+  Damping damping = Damping::None;
+  double damping_time = 0.0;     ///< [s]
+  double time_step = 1e-3;       ///< [s]; the largest one if steps are adaptive
+  double step_error = 0.0;       ///< of a step, over the beam's length [1]; 0: fixed steps
+  double smallest_step = 1e-6;   ///< of `time_step` [1]
+  double largest_turn = 0.2;     ///< of a joint in a step [rad]
+  std::vector<double> stops{};   ///< times at which a step must end, rising; the last is the end
+  std::vector<bool> recorded{};  ///< which of them are samples
+  std::vector<double> restitution{};  ///< of each closure that is one-sided [1] (closures)
+};
+
+/// A segment may turn by no more than this in a step [rad]: Cayley's map ends at pi.
+inline constexpr double kLargestStepSpin = 1.5;
+
+/// An approach that is slower than this, times what the step's forces give a free body of the
+/// beam's mass, is rest and does not bounce [1].
+inline constexpr double kRestingSpeed = 1e-3;
+
+/// What has flowed into and out of a beam in motion [J]; each from its own formula.
+struct EnergyFlows {
+  double external = 0.0;
+  double damping = 0.0;
+  double numerical = 0.0;
+  double impact = 0.0;
+  double fracture = 0.0;
+};
+
+}  // namespace plastica::solve

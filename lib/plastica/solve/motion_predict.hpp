@@ -1,0 +1,104 @@
+#pragma once
+
+#include "plastica/solve/motion_step.hpp"
+
+/// Where the velocities point to: the first guess of a step, right to second order.
+namespace plastica::solve {
+
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::predict(double h) {
+  typename L::Spin inner_spin = slope_of(chain_.root.history) * chain_.root.turn;
+  typename L::Point inner_velocity{};
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    const auto& frame = begin_.frame[i];
+    const typename L::Spin spin = L::axes(frame) * motion_[i].spin;
+    const typename L::Point arm = L::turn(frame, chain_.inertias[i].center);
+    const typename L::Point velocity = motion_[i].velocity - L::spun(spin, arm);
+    if (w_.q.open[i]) {
+      const typename L::Spin turn =
+          std::min(1.0, 0.5 * kLargestStepSpin / std::max(h * size_of(spin), 1e-30)) * (h * spin);
+      w_.q.pose[i].position += h * velocity;
+      w_.q.pose[i].frame = L::then(L::rotation(turn), w_.q.pose[i].frame);
+    } else {
+      if (i == 0) {
+        const typename L::Point ground = slope_of(chain_.root.history) * chain_.root.motion;
+        for (std::size_t k = 0; k < L::kTranslations; ++k) {
+          if (!chain_.root.held[k]) w_.q.root[k] += h * (velocity[k] - ground[k]);
+        }
+        inner_velocity = velocity;
+      }
+      predict_joint(i, h, inner_spin, velocity - inner_velocity);
+    }
+    inner_spin = spin;
+    inner_velocity = velocity + L::spun(spin, L::turn(frame, chain_.segments[i].arm));
+  }
+}
+
+/// @param gap_rate  velocity of the segment's joint less that of its inner neighbour
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::predict_joint(std::size_t i, double h,
+                                            const typename L::Spin& inner_spin,
+                                            const typename L::Point& gap_rate) {
+  const typename L::Spin spin = L::axes(begin_.frame[i]) * motion_[i].spin;
+  typename L::Spin turn = h * transposed_times(L::axes(begin_.near[i]), spin - inner_spin);
+  const double most = options_.largest_turn;
+  const double size = size_of(turn);
+  if (size > most) turn = (most / size) * turn;
+  w_.q.angle[i] = L::turn_by(turn, w_.q.angle[i]);
+  for (std::size_t k = 0; k < L::kRotations; ++k) {
+    if (i == 0 && chain_.root.welded[k]) w_.q.angle[i][k] = q_begin_.angle[i][k];
+  }
+  if constexpr (kElastic) {
+    // The gap (near + far) u/2 grows with the shift and turns with both sides.
+    const auto near = L::turn_matrix(begin_.near[i]);
+    const auto far = L::turn_matrix(begin_.far[i]);
+    const typename L::Point& shift = q_begin_.shift[i];
+    const typename L::Point turned =
+        L::spun(inner_spin, 0.5 * (near * shift)) + L::spun(spin, 0.5 * (far * shift));
+    if (i > 0) {
+      w_.q.shift[i] += h * (chain::inverse(0.5 * (near + far)) * (gap_rate - turned));
+    }
+  }
+}
+
+/// The way of a segment less what its velocity and acceleration before the step foretell.
+///
+/// With a jerk j, a step h after one of h0 differs by j h^3 (1/6 + h0/(4 h)), of which a second
+/// order midpoint scheme makes j h^3/12 of error; an Euler step of acceleration a differs from its
+/// velocity before by a h^2 and makes a h^2/2. After a jump the acceleration is not known and
+/// counts whole.
+template <class L, bool kElastic>
+double MotionStep<L, kElastic>::error() const {
+  const bool first_order = claims_of(options_.scheme, options_.rho_infinity).order == 1;
+  const bool known = !first_order && h_before_ > 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    typename L::Point off = step_[i].way - h_ * motion_[i].velocity;
+    if (known) off -= (0.5 * h_ * h_) * pull_[i];
+    largest = std::max(largest, size_of(off));
+    if constexpr (L::kTranslations == 0) {
+      largest = std::max(largest, chain_.length * size_of(step_[i].spin - h_ * motion_[i].spin));
+    }
+  }
+  return largest * (known ? 1.0 / (2.0 + 3.0 * h_before_ / h_) : 0.5);
+}
+
+/// Newton's method can tell no force from nothing that is below the rounding of positions, times
+/// the mass over the square of the step.
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::set_force_floor() {
+  constexpr double kShare = 1e-4;
+  double far = chain_.length;
+  if constexpr (L::kTranslations > 0) {
+    for (const std::size_t i : {std::size_t{0}, chain_.size() - 1}) {
+      far = std::max(far, size_of(begin_.position[i]));
+    }
+    w_.force_floor = kShare * mass_ * far / (h_ * h_);
+  } else {
+    double turning = 0.0;
+    for (const auto& inertia : chain_.inertias) turning += inertia.turning(0, 0);
+    w_.force_floor = kShare * turning / (h_ * h_ * far);
+  }
+}
+
+}  // namespace plastica::solve

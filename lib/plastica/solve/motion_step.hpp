@@ -1,0 +1,233 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "plastica/solve/joint_motion.hpp"
+#include "plastica/solve/newton.hpp"
+#include "plastica/solve/rates.hpp"
+
+namespace plastica::solve {
+
+/// One beam in motion, a step at a time: README.md, "Motion".
+///
+/// A step is tried (`attempt`) and then taken (`accept`) or left; what a joint was, where segments
+/// were and how fast, stays as it was until then.
+template <class L, bool kElastic>
+class MotionStep {
+ public:
+  using Work = NewtonWork<L, kElastic>;
+  using Joints = chain::SectionJointsBase<L, kElastic>;
+  using Motions = std::vector<SegmentMotion<L>>;
+  using Placement = chain::Placement<L>;
+
+  MotionStep(const chain::Chain<L>& chain, Joints& joints, chain::SectionAxes<L> axes,
+             const MotionOptions& options, Work& work)
+      : chain_(chain),
+        joints_(joints),
+        options_(options),
+        rule_(step_rule(options.scheme, options.rho_infinity)),
+        newton_(options.newton),
+        w_(work),
+        joint_motion_(joints, axes) {
+    newton_.one_solve = claims_of(options.scheme, options.rho_infinity).one_solve;
+    const std::size_t n = chain.size();
+    motion_.resize(n);
+    motion_now_.resize(n);
+    inertia_.resize(n);
+    inertia_now_.resize(n);
+    step_.resize(n);
+    pull_.resize(n);
+    was_closed_.assign(chain.closures.size(), false);
+    no_laws_.force.assign(chain.joints(), {});
+    no_laws_.tangent.assign(chain.joints(), {});
+    for (const auto& inertia : chain.inertias) mass_ += inertia.mass;
+    w_.stage.half_way = false;
+  }
+
+  /// Begins at time 0 with velocities that joints and supports need not allow yet.
+  /// @return false if a support holds what others hold already
+  bool start(const Motions& motion) {
+    motion_ = motion;
+    w_.time = 0.0;
+    chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
+    evaluate_laws();
+    joint_motion_.begin(w_.angles, w_.q.shift, w_.joints);
+    begin_ = w_.placement;
+    q_begin_ = w_.q;
+    detail::assemble(chain_, joints_, w_);  // for the closures that act
+    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+      was_closed_[k] = chain_.closures[k].one_sided && touches(k);
+    }
+    const bool holds = fit_velocities(motion_, nullptr);
+    restart();
+    return holds;
+  }
+
+  /// Tries a step.
+  /// @return whether it has a solution that turns no joint too far
+  bool attempt(double h) {
+    h_ = h;
+    w_.q = q_begin_;
+    w_.time = time_ + h;
+    predict(h);
+    set_force_floor();
+    w_.stage.half_way = rule_.half_way;
+    const auto outcome = equilibrate(
+        chain_, [this](Work& /*w*/) { assemble(); }, newton_, w_,
+        [](const Work&) { return PathCondition<L>{}; });
+    w_.stage.half_way = false;
+    iterations_ = outcome.iterations;
+    return outcome.converged && turns_little() && is_finite();
+  }
+
+  /// Takes the step that was tried.
+  void accept() {
+    joints_.commit();
+    add_flows();
+    joint_motion_.commit(w_.angles, w_.q.shift);
+    inertia_ = inertia_now_;
+    time_ = w_.time;
+    for (std::size_t i = 0; i < chain_.size(); ++i) {
+      pull_[i] = (1.0 / h_) * (motion_now_[i].velocity - motion_[i].velocity);
+    }
+    h_before_ = h_;
+    std::swap(motion_, motion_now_);
+    const bool struck = settle(motion_now_);
+    begin_ = w_.placement;
+    q_begin_ = w_.q;
+    if (!struck) return;
+    h_before_ = 0.0;
+    restart();
+  }
+
+  /// Lets a joint go: that of a segment, or, of number N, what holds the end.
+  /// Call `opened` after the last one.
+  void open(std::size_t joint) {
+    const std::size_t n = chain_.size();
+    if (joint < n) {
+      if (w_.q.open[joint]) return;
+      w_.q.open[joint] = true;
+      w_.q.pose[joint] = {w_.placement.position[joint], w_.placement.frame[joint]};
+      flows_.fracture += joints_.elastic_energy()[joint];
+      return;
+    }
+    for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
+      const auto& ground = chain_.ground_joints[g];
+      if (ground.segment + 1 != n || w_.q.released_ground_joint[g]) continue;
+      w_.q.released_ground_joint[g] = true;
+      flows_.fracture += joints_.elastic_energy()[ground.joint];
+    }
+    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+      const auto& closure = chain_.closures[k];
+      const bool at_end = closure.segment + 1 == n && !closure.one_sided;
+      if (at_end) w_.q.released_closure[k] = true;
+    }
+  }
+
+  /// Goes on with what `open` has changed.
+  void opened() {
+    chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
+    begin_ = w_.placement;
+    q_begin_ = w_.q;
+    h_before_ = 0.0;
+    restart();
+  }
+
+  /// Back to the last step that was taken, in `work`, too.
+  void restore() {
+    w_.q = q_begin_;
+    w_.time = time_;
+    chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
+    evaluate_laws();
+  }
+
+  double time() const { return time_; }
+  /// How far the scheme is off in the step that was tried, at most [m]: see motion_predict.hpp.
+  double error() const;
+  int iterations() const { return iterations_; }  ///< of the last attempt
+  const EnergyFlows& flows() const { return flows_; }
+  const Motions& motions() const { return motion_; }
+  /// Where the segments were before the last attempt.
+  const Placement& begin() const { return begin_; }
+  double kinetic() const {
+    double energy = 0.0;
+    for (std::size_t i = 0; i < chain_.size(); ++i) {
+      energy += kinetic_energy(chain_.inertias[i], motion_[i]);
+    }
+    return energy;
+  }
+  /// Whether a joint still joins: of a segment, or to the ground.
+  bool joins(std::size_t joint) const {
+    if (joint < chain_.size()) return !w_.q.open[joint];
+    for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
+      if (chain_.ground_joints[g].joint == joint) return !w_.q.released_ground_joint[g];
+    }
+    return true;
+  }
+
+ private:
+  // motion_predict.hpp
+  void predict(double h);
+  void predict_joint(std::size_t i, double h, const typename L::Spin& inner_spin,
+                     const typename L::Point& inner_velocity);
+  void set_force_floor();
+  // motion_forces.hpp
+  void evaluate_laws();
+  void assemble();
+  void set_stage();
+  double factor_at(std::size_t history) const;
+  bool turns_little() const;
+  bool is_finite() const;
+  // motion_flows.hpp
+  void add_flows();
+  double load_work() const;
+  double ground_work();
+  double inertia_work() const;
+  // motion_impact.hpp
+  bool touches(std::size_t closure) const;
+  double slope_of(std::size_t history) const { return chain_.histories[history].slope_at(w_.time); }
+  double approach_of(std::size_t closure, const Motions& motion, const Placement& placement) const;
+  bool fit_velocities(Motions& motion, const std::vector<double>* bounce);
+  bool settle(const Motions& begin);
+  bool turns_a_corner() const;
+  void restart();
+
+  const chain::Chain<L>& chain_;
+  Joints& joints_;
+  const MotionOptions& options_;
+  StepRule rule_;
+  NewtonOptions newton_;
+  Work& w_;
+  JointMotion<L, kElastic> joint_motion_;
+  chain::JointForces<L, kElastic> no_laws_;  ///< zeros: what impulses see of the joints
+  double mass_ = 0.0;
+  double h_ = 0.0;
+  double time_ = 0.0;
+  int iterations_ = 0;
+  // At the begin of the step:
+  Placement begin_;
+  chain::Coordinates<L> q_begin_;
+  Motions motion_;
+  std::vector<typename L::Point> pull_;  ///< accelerations over the step before
+  double h_before_ = 0.0;                ///< its length; 0: none, or a jump since
+  std::vector<CenterForce<L>> inertia_;
+  std::vector<bool> was_closed_;
+  std::vector<chain::Wrench<L>> ground_wrench_;  ///< see ground_work
+  std::vector<double> multiplier_;
+  // At its end:
+  Motions motion_now_;
+  std::vector<CenterForce<L>> inertia_now_;
+  std::vector<SegmentStep<L>> step_;
+  EnergyFlows flows_;
+};
+
+}  // namespace plastica::solve
+
+#include "plastica/solve/motion_flows.hpp"
+#include "plastica/solve/motion_forces.hpp"
+#include "plastica/solve/motion_impact.hpp"
+#include "plastica/solve/motion_predict.hpp"
