@@ -1,0 +1,162 @@
+#pragma once
+
+#include "plastica/run/chain_record.hpp"
+
+/// What supports do to a chain, and the energies of its path or motion.
+namespace plastica {
+
+template <class L, bool kElastic>
+double ChainRecord<L, kElastic>::load_work(const chain::SegmentLoad<L>& load, const Work& w) const {
+  const History& history = build_->chain.histories[load.history];
+  const double now = 0.5 * history.at(w.time);
+  const double then = 0.5 * history.at(time_);
+  const auto& frame = w.placement.frame[load.segment];
+  const auto& old_frame = placement_.frame[load.segment];
+  const typename L::Point way =
+      w.placement.point(load.segment, load.arm) - placement_.point(load.segment, load.arm);
+  const typename L::Spin turn = L::axes(old_frame) * L::angle_from(old_frame, frame);
+  if (!load.follows) {
+    return (now + then) * (dot(load.force, way) + dot(load.moment, turn));
+  }
+  const typename L::Point force =
+      now * L::turn(frame, load.force) + then * L::turn(old_frame, load.force);
+  const typename L::Spin moment =
+      now * (L::axes(frame) * load.moment) + then * (L::axes(old_frame) * load.moment);
+  return dot(force, way) + dot(moment, turn);
+}
+
+template <class L, bool kElastic>
+void ChainRecord<L, kElastic>::add_work(const Work& w) {
+  const auto& supports = model_->scene.supports;
+  for (std::size_t s = 0; s < supports.size(); ++s) {
+    const std::array<double, 6> force = reaction(w, s);
+    if (begun_ && supports[s].moves()) {
+      const double moved = supports[s].history.at(w.time) - supports[s].history.at(time_);
+      for (std::size_t k = 0; k < 3; ++k) {
+        external_ += 0.5 * (force[k] + support_force_[s][k]) * supports[s].translation[k] * moved;
+        external_ +=
+            0.5 * (force[3 + k] + support_force_[s][3 + k]) * supports[s].rotation[k] * moved;
+      }
+    }
+    support_force_[s] = force;
+  }
+  if (begun_) {
+    for (const auto& load : build_->chain.loads) external_ += load_work(load, w);
+  }
+  placement_ = w.placement;
+  time_ = w.time;
+  begun_ = true;
+}
+
+template <class L, bool kElastic>
+double ChainRecord<L, kElastic>::spring_energy(const Work& w) const {
+  double energy = 0.0;
+  for (const auto& spring : build_->chain.springs) {
+    const double factor = build_->chain.histories[spring.history].at(w.time);
+    const typename L::Point off =
+        w.placement.point(spring.segment, spring.arm) - spring.rest - factor * spring.motion;
+    for (std::size_t k = 0; k < L::kTranslations; ++k) {
+      energy += 0.5 * spring.stiffness[k] * off[k] * off[k];
+    }
+  }
+  return energy;
+}
+
+/// What springs and the joints that still join have stored.
+template <class L, bool kElastic>
+double ChainRecord<L, kElastic>::stored_energy(const Work& w, const Joints& joints) const {
+  double sum = spring_energy(w);
+  const std::size_t n = build_->chain.size();
+  for (std::size_t i = 0; i < n; ++i) sum += w.q.open[i] ? 0.0 : joints.elastic_energy()[i];
+  for (std::size_t g = 0; g < build_->chain.ground_joints.size(); ++g) {
+    const std::size_t joint = build_->chain.ground_joints[g].joint;
+    sum += w.q.released_ground_joint[g] ? 0.0 : joints.elastic_energy()[joint];
+  }
+  return sum;
+}
+
+template <class L, bool kElastic>
+Energies ChainRecord<L, kElastic>::energies(const Work& w, const Joints& joints) const {
+  Energies sum;
+  sum.elastic = stored_energy(w, joints);
+  for (const double work : joints.plastic_work()) sum.plastic += work;
+  if (motion_ == nullptr) {
+    sum.external = external_;
+  } else {
+    sum.kinetic = kinetic_;
+    sum.external = energy_at_start_ + flows_.external;
+    sum.damping = flows_.damping;
+    sum.numerical = flows_.numerical;
+    sum.impact = flows_.impact;
+    sum.fracture = flows_.fracture;
+  }
+  sum.residual = sum.external - sum.elastic - sum.plastic - sum.kinetic - sum.damping -
+                 sum.numerical - sum.impact - sum.fracture;
+  return sum;
+}
+
+template <class L, bool kElastic>
+void ChainRecord<L, kElastic>::begin_motion(const Work& w, const Joints& joints,
+                                            const std::vector<solve::SegmentMotion<L>>& motion,
+                                            double kinetic) {
+  set_motion(motion, kinetic, {});
+  energy_at_start_ = kinetic + stored_energy(w, joints);
+}
+
+template <class L, bool kElastic>
+void ChainRecord<L, kElastic>::set_motion(const std::vector<solve::SegmentMotion<L>>& motion,
+                                          double kinetic, const solve::EnergyFlows& flows) {
+  motion_ = &motion;
+  kinetic_ = kinetic;
+  flows_ = flows;
+}
+
+template <class L, bool kElastic>
+std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::size_t support) const {
+  const auto& chain = build_->chain;
+  Space force{};
+  Space moment{};
+  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+    const auto& closure = chain.closures[k];
+    if (closure.support != support || !w.closed[k]) continue;
+    force += view_.point_in_space(w.q.multiplier[k] * closure.direction);
+    moment += joint_spin(w.q.multiplier[k] * closure.axis);
+  }
+  for (const auto& spring : chain.springs) {
+    if (spring.support != support) continue;
+    const double factor = chain.histories[spring.history].at(w.time);
+    const typename L::Point off =
+        w.placement.point(spring.segment, spring.arm) - spring.rest - factor * spring.motion;
+    typename L::Point push;
+    for (std::size_t k = 0; k < L::kTranslations; ++k) push[k] = -(spring.stiffness[k] * off[k]);
+    force += view_.point_in_space(push);
+  }
+  const auto spin_force = [&](std::size_t joint) {
+    typename L::Spin m;
+    for (std::size_t k = 0; k < L::kRotations; ++k) m[k] = w.joints.force[joint][k];
+    return m;
+  };
+  for (const auto& joint : chain.ground_joints) {
+    const auto g = static_cast<std::size_t>(&joint - chain.ground_joints.data());
+    if (joint.support != support || w.q.released_ground_joint[g]) continue;
+    const auto axes = L::axes(chain::ground_joint_axes(joint, w.placement));
+    moment += joint_spin(axes * spin_force(joint.joint));
+  }
+  if (chain.root.support == support) {
+    typename L::Point held;
+    for (std::size_t k = 0; k < L::kTranslations; ++k) {
+      held[k] = chain.root.held[k] ? -w.transmitted.outer[0].force[k] : 0.0;
+    }
+    force += view_.point_in_space(held);
+    typename L::Spin turned = w.q.open[0] ? typename L::Spin{} : -spin_force(0);
+    const auto near = L::axes(w.placement.near[0]);
+    typename L::Spin in_joint = transposed_times(near, w.transmitted.outer[0].moment);
+    for (std::size_t k = 0; k < L::kRotations; ++k) {
+      if (chain.root.welded[k]) turned[k] = -in_joint[k];
+    }
+    moment += joint_spin(near * turned);
+  }
+  return world_axes(force, moment);
+}
+
+}  // namespace plastica
