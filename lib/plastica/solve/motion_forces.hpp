@@ -80,6 +80,21 @@ void MotionStep<L, kElastic>::assemble() {
   detail::set_closures(chain_, w_);
 }
 
+/// @param predicted  whether to start where the velocities point to, or from where the step begins
+template <class L, bool kElastic>
+bool MotionStep<L, kElastic>::solve_from(bool predicted) {
+  w_.q = q_begin_;
+  w_.time = time_ + h_;
+  if (predicted) predict(h_);
+  w_.stage.half_way = rule_.half_way;
+  const auto outcome = equilibrate(
+      chain_, [this](Work& /*w*/) { assemble(); }, newton_, w_,
+      [](const Work&) { return PathCondition<L>{}; });
+  w_.stage.half_way = false;
+  iterations_ += outcome.iterations;
+  return outcome.converged && turns_little() && is_finite();
+}
+
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::turns_little() const {
   for (std::size_t i = 0; i < chain_.size(); ++i) {

@@ -33,6 +33,7 @@ class MotionStep {
         newton_(options.newton),
         w_(work),
         joint_motion_(joints, axes) {
+    newton_.patience = 5;
     newton_.one_solve = claims_of(options.scheme, options.rho_infinity).one_solve;
     const std::size_t n = chain.size();
     motion_.resize(n);
@@ -46,6 +47,7 @@ class MotionStep {
     no_laws_.tangent.assign(chain.joints(), {});
     for (const auto& inertia : chain.inertias) mass_ += inertia.mass;
     w_.stage.half_way = false;
+    w_.forgets = true;
   }
 
   /// Begins at time 0 with velocities that joints and supports need not allow yet.
@@ -71,22 +73,22 @@ class MotionStep {
   /// @return whether it has a solution that turns no joint too far
   bool attempt(double h) {
     h_ = h;
-    w_.q = q_begin_;
-    w_.time = time_ + h;
-    predict(h);
+    iterations_ = 0;
     set_force_floor();
-    w_.stage.half_way = rule_.half_way;
-    const auto outcome = equilibrate(
-        chain_, [this](Work& /*w*/) { assemble(); }, newton_, w_,
-        [](const Work&) { return PathCondition<L>{}; });
-    w_.stage.half_way = false;
-    iterations_ = outcome.iterations;
-    return outcome.converged && turns_little() && is_finite();
+    // Velocities foretell a smooth motion; joints that ring faster than the step are better sought
+    // from where they are.
+    const bool at_rest = rests_ > 0;
+    rests_ = std::max(rests_ - 1, 0);
+    if (solve_from(!at_rest)) return true;
+    if (!solve_from(at_rest)) return false;
+    if (!at_rest) rests_ = kRests;
+    return true;
   }
 
   /// Takes the step that was tried.
   void accept() {
     joints_.commit();
+    w_.settle_scales();
     add_flows();
     joint_motion_.commit(w_.angles, w_.q.shift);
     inertia_ = inertia_now_;
@@ -170,12 +172,16 @@ class MotionStep {
   }
 
  private:
+  /// Steps for which a start from rest is tried first, once it has found what the other did not.
+  static constexpr int kRests = 10;
+
   // motion_predict.hpp
   void predict(double h);
   void predict_joint(std::size_t i, double h, const typename L::Spin& inner_spin,
                      const typename L::Point& inner_velocity);
   void set_force_floor();
   // motion_forces.hpp
+  bool solve_from(bool predicted);
   void evaluate_laws();
   void assemble();
   void set_stage();
@@ -208,6 +214,7 @@ class MotionStep {
   double h_ = 0.0;
   double time_ = 0.0;
   int iterations_ = 0;
+  int rests_ = 0;
   // At the begin of the step:
   Placement begin_;
   chain::Coordinates<L> q_begin_;

@@ -33,7 +33,8 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
   bool polished = false;
   for (int iteration = 0;; ++iteration) {
     assemble(w);
-    if (options.one_solve && iteration > 0 && detail::closures_meet(chain, w)) {
+    if (options.one_solve && iteration > 0 && detail::closures_meet(chain, w) &&
+        detail::laws_meet(w)) {
       outcome.iterations = iteration;
       outcome.converged = constant<S>(0) < constant<S>(1);
       break;
@@ -46,7 +47,11 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     outcome.imbalance[static_cast<std::size_t>(iteration)] = imbalance;
     outcome.iterations = iteration;
     outcome.converged = imbalance <= enough;
-    const auto going = (imbalance > enough) & (imbalance < huge);
+    auto going = (imbalance > enough) & (imbalance < huge);
+    if (options.patience > 0 && iteration >= options.patience) {
+      const S& before = outcome.imbalance[static_cast<std::size_t>(iteration - options.patience)];
+      going = going & (imbalance <= constant<S>(0.1) * before);
+    }
     // A value that is there gets its derivatives from one more step.
     const bool polishes = kCarriesDerivatives<S> && !any(going) && !polished;
     if ((!any(going) && !polishes) || iteration == options.most_iterations) break;
@@ -56,6 +61,7 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     if (condition.active) detail::solve_time(chain, condition, w);
     detail::join_columns(chain, condition, w);
     detail::combine_columns(chain, condition, w);
+    if (options.one_solve) detail::note_linear_forces(w);
     const mask_t<S> stays = outcome.converged & going;  // none of them
     detail::take_step(chain, condition, polishes ? stays : outcome.converged, w);
   }

@@ -31,6 +31,10 @@ struct NewtonWork {
   chain::Placement<L> placement;
   chain::Stage<L> stage;  ///< where forces act; statics leave it as it is
   chain::JointForces<L, kElastic> joints;
+  S largest_correction{};  ///< turn of a joint by the last solve [rad]
+  /// What the last solve took the laws to say, of the joints of segments (N); see
+  /// NewtonOptions::one_solve.
+  std::vector<Vec<S, chain::kFreedoms<L, kElastic>>> linear_force;
   chain::OuterForces<L> outer_forces;
   chain::Transmitted<L> transmitted;
   chain::Transmitted<L> impulses;  ///< of `solve/rates.hpp`, likewise
@@ -45,8 +49,19 @@ struct NewtonWork {
   /// The largest moment and force so far: what an imbalance is small against.
   S moment_scale{};
   S force_scale{};
+  /// In dynamics, of the steps taken, fading: what a failed iteration has met is forgotten.
+  S settled_moment{};
+  S settled_force{};
+  bool forgets = false;
   /// Below this a force is nothing, whatever the others are [N]; see solve/motion_step.hpp.
   S force_floor{};
+
+  /// A step was taken: its scales stay, those of steps before fade.
+  void settle_scales() {
+    const S half = constant<S>(0.5);
+    settled_moment = max(half * settled_moment, half * moment_scale);
+    settled_force = max(half * settled_force, half * force_scale);
+  }
 
   void resize(const chain::Chain<L>& chain) {
     const std::size_t n = chain.size();
@@ -68,6 +83,7 @@ struct NewtonWork {
     stage.ground_axes.assign(chain.ground_joints.size(), {});
     joints.force.assign(chain.joints(), {});
     joints.tangent.assign(chain.joints(), {});
+    linear_force.assign(n, {});
     outer_forces.reset(n);
     transmitted.outer.assign(n, {});
     impulses.outer.assign(n, {});
@@ -83,10 +99,16 @@ struct NewtonWork {
     moment_scale = constant<S>(0);
     force_scale = constant<S>(0);
     force_floor = constant<S>(0);
+    settled_moment = constant<S>(0);
+    settled_force = constant<S>(0);
+    forgets = false;
   }
 };
 
 inline constexpr int kMostIterations = 64;
+
+inline constexpr double kLawTolerance = 1e-4;
+inline constexpr double kSmallTurn = 0.01;  ///< [rad]
 
 /// How far a closure may be off after a step of one solve, over the beam's length [1].
 inline constexpr double kClosureTolerance = 1e-7;
@@ -95,8 +117,12 @@ struct NewtonOptions {
   int most_iterations = 25;  ///< <= kMostIterations
   double tolerance = 1e-10;  ///< see SolverOptions::tolerance
   /// One linear solve is enough; more are made only while a closure is off by more than
-  /// `kClosureTolerance` of the length.
+  /// `kClosureTolerance` of the length, or a joint's moment is off by more than `kLawTolerance` of
+  /// the largest from what the solve took for it (it has begun or ceased to yield), or the solve
+  /// has turned a joint by more than `kSmallTurn`.
   bool one_solve = false;
+  /// Gives up when the imbalance has not fallen to a tenth in so many iterations; 0: never.
+  int patience = 0;
 };
 
 /// How an equilibrium was sought. @tparam S a lane has its own answer
