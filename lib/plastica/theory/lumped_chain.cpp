@@ -1,6 +1,8 @@
 #include "plastica/theory/lumped_chain.hpp"
 
 #include <cassert>
+#include <cmath>
+#include <numbers>
 
 #include "plastica/theory/bending.hpp"
 
@@ -61,6 +63,13 @@ double tip_moment_ratio(ChainConvention convention, int count) {
     case ChainConvention::ThreeHalvesEnds: break;
   }
   return 1.0;
+}
+
+double pinned_chain_frequency_ratio(int count, int mode) {
+  assert(mode >= 1 && mode < count);
+  const double x = std::numbers::pi * mode / count;
+  const double s = std::sin(0.5 * x);
+  return 4.0 * s * s / (x * x) / std::sqrt(1.0 - 2.0 / 3.0 * s * s);
 }
 
 double elastoplastic_tip_ratio(ChainConvention convention, int count, double load_ratio) {

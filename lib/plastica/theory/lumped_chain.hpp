@@ -50,6 +50,17 @@ double self_weight_ratio(ChainConvention convention, int count);
 /// @param count  N >= 2
 double tip_moment_ratio(ChainConvention convention, int count);
 
+/// Frequency of a bending mode of a chain with pinned ends, over that of the continuous beam [1].
+///
+/// N segments of length h with the mass of a thin rod, m = rho A h, joints of length h between
+/// them. The node displacements w_j = sin(j x), x = pi mode/N, make the joints turn by
+/// -(2 sin(x/2))^2 w_j/h, and a rod whose ends move by a and b has the kinetic energy of
+/// m (a^2 + a b + b^2)/3. With s = sin(x/2) then
+/// omega^2 = E I/(rho A h^4) 16 s^4/(1 - 2 s^2/3), x^4 (1 + O(x^4)) of it: order four.
+/// @param count  N >= 2
+/// @param mode   1 … N - 1
+double pinned_chain_frequency_ratio(int count, int mode);
+
 /// Tip deflection of a chain whose joints follow the elastic-perfectly-plastic moment-curvature
 /// law of the rectangle, over that at first yield of the continuous beam, delta_y = P_y L^3/(3EI).
 ///

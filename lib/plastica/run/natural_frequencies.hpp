@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "plastica/run/model.hpp"
+
+namespace plastica {
+
+/// The lowest natural frequencies of a beam: small undamped vibrations about its undeformed shape,
+/// rising [Hz] (count).
+///
+/// The chain is that of the scene's level, with the tangent of its joints' laws at rest, springs,
+/// half joints and welds, and the inertia that `solver.rotary_inertia` asks for. Supports hold
+/// their directions still, whatever motion they prescribe; pillars, which push on one side alone,
+/// are left out, and so is all that loads and gravity do to the stiffness. Ways to move that
+/// nothing resists (rigid-body motions of a free beam, hinges) have the frequency 0: that is said
+/// of every frequency below 1e-5 of what the softest joint or support and the mass that it moves
+/// make. It takes dense matrices of all freedoms: their number squared in memory and cubed in time.
+/// @param model  of a chain
+/// @param count  1 … `chain_freedoms`
+/// @throws InputError if the model is a coupon, or count is out of range
+std::vector<double> natural_frequencies(const Model& model, int count);
+
+/// The same of a scene, whether it is one of statics or of dynamics.
+/// @param options  level, translation, fibres and rotary_inertia are read
+/// @throws InputError as `prepare` of the scene in motion, and as above
+std::vector<double> natural_frequencies(const Scene& scene, const SolverOptions& options,
+                                        int count);
+
+/// In how many independent ways a chain can move a little: its number of natural frequencies.
+/// @throws InputError if the model is a coupon
+int chain_freedoms(const Model& model);
+
+}  // namespace plastica
