@@ -185,7 +185,6 @@ void MotionStep<L, kElastic>::forget_accelerations() {
     motion.acceleration = motion.resisting = {};
     motion.spin_rate = motion.resisting_spin_rate = {};
   }
-  if (!rule_.conserves) std::fill(inertia_.begin(), inertia_.end(), CenterForce<L>{});
 }
 
 /// After a jump: generalized-alpha begins anew from the accelerations that the forces give now.
