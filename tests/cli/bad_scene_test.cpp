@@ -111,7 +111,7 @@ TEST(BadScenes, NeedADriveOrSupports) {
                   {{"scene.toml", "[material]\nname = 'S355'\n"}},
                   {"simulate", "scene.toml"},
                   "scene.toml: support: is missing: a scene needs [[support]] and loads, or a "
-                  "[drive]"});
+                  "[drive]; a beam in free flight needs solver.analysis = \"dynamics\""});
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ material = "S355"
 segments = )" + std::to_string(made.segments) +
                      R"(
 [solver]
+analysis = "dynamics"
+duration = "1 ms"
 steps = 1
 [[support]]
 at = "start"
@@ -56,7 +58,6 @@ energy = "kinetic"
 )";
   io::SceneRecord record = record_of(text);
   record.setup.scene.probes[1].quantity = ProbeQuantity::Velocity;
-  record.setup.solver.analysis = Analysis::Dynamics;
   record.setup.solver.duration = made.duration;
   record.setup.solver.steps = static_cast<int>(made.samples) - 1;
   record.setup.solver.frames = static_cast<int>(made.frames) - 1;

@@ -40,6 +40,9 @@ Support read_support(const TomlTable& table) {
   if (const auto value = only_of("gap", SupportKind::Pillar)) {
     support.gap = value->quantity(Dimension::Length);
   }
+  if (const auto value = only_of("restitution", SupportKind::Pillar)) {
+    support.restitution = value->quantity(Dimension::None);
+  }
   const auto translation = table.find("translation");
   const auto rotation = table.find("rotation");
   const auto history = table.find("history");
@@ -69,6 +72,23 @@ Load read_load(const TomlTable& table) {
   if (const auto follows = table.find("follows")) load.follows = follows->boolean();
   if (const auto history = table.find("history")) load.history = read_history(*history);
   return load;
+}
+
+InitialMotion read_initial_motion(const TomlTable& table) {
+  InitialMotion motion;
+  if (const auto from = table.find("from")) motion.from = read_place(*from);
+  if (const auto to = table.find("to")) motion.to = read_place(*to);
+  const auto velocity = table.find("velocity");
+  const auto spin = table.find("spin");
+  const auto about = table.find("about");
+  if (!velocity && !spin) {
+    throw InputError(table.where(), table.key(), "", "needs velocity or spin");
+  }
+  if (about && !spin) throw about->error("has no spin to go through it");
+  if (velocity) motion.velocity = read_vector(*velocity, Dimension::Velocity);
+  if (spin) motion.spin = read_vector(*spin, Dimension::AngularVelocity);
+  if (about) motion.about = read_place(*about);
+  return motion;
 }
 
 void read_gravity(const TomlTable& root, Setup& setup) {
@@ -119,6 +139,13 @@ void read_actions(const TomlTable& root, Setup& setup) {
     setup.scene.loads.push_back(read_load(table));
   }
   read_gravity(root, setup);
+  for (const TomlTable& table : root.find_tables("initial_motion")) {
+    setup.scene.initial_motions.push_back(read_initial_motion(table));
+  }
+  for (const TomlTable& table : root.find_tables("cut")) {
+    setup.scene.cuts.push_back(
+        {read_place(table.at("at")), table.at("time").quantity(Dimension::Time)});
+  }
   const auto solver = root.find_table("solver");
   if (const auto at = solver ? solver->find("control_at") : std::nullopt) {
     setup.solver.control_at = read_place(*at);

@@ -9,10 +9,21 @@ namespace {
 Component default_component(ProbeQuantity kind) {
   switch (kind) {
     case ProbeQuantity::Displacement:
+    case ProbeQuantity::Velocity:
+    case ProbeQuantity::Momentum:
     case ProbeQuantity::Reaction:
     case ProbeQuantity::Force: return Component::Y;
     default: return Component::X;
   }
+}
+
+/// Whether a quantity has no place, and whether it has no direction either.
+bool is_of_whole_beam(ProbeQuantity kind) {
+  return kind == ProbeQuantity::Energy || kind == ProbeQuantity::LoadFactor ||
+         kind == ProbeQuantity::Momentum || kind == ProbeQuantity::AngularMomentum;
+}
+bool is_number(ProbeQuantity kind) {
+  return kind == ProbeQuantity::Energy || kind == ProbeQuantity::LoadFactor;
 }
 
 Probe read_probe(const TomlTable& table, bool coupon) {
@@ -28,10 +39,11 @@ Probe read_probe(const TomlTable& table, bool coupon) {
   if (coupon && (at || component)) {
     throw(at ? at : component)->error("is of no use: a coupon is the same everywhere");
   }
-  const bool whole_beam =
-      probe.quantity == ProbeQuantity::Energy || probe.quantity == ProbeQuantity::LoadFactor;
-  if (whole_beam && (at || component)) {
-    throw(at ? at : component)->error("is of no use: " + kind.string() + " is the whole beam's");
+  if (at && is_of_whole_beam(probe.quantity)) {
+    throw at->error("is of no use: " + kind.string() + " is the whole beam's");
+  }
+  if (component && is_number(probe.quantity)) {
+    throw component->error("is of no use: " + kind.string() + " is the whole beam's");
   }
   if (energy && probe.quantity != ProbeQuantity::Energy) {
     throw energy->error("belongs to kind = \"energy\"");

@@ -14,13 +14,15 @@ namespace plastica::io {
 namespace {
 
 /// Whether a scene is a coupon; refuses what is neither that nor a chain, and keys of the other.
-bool is_coupon(const TomlTable& root) {
+bool is_coupon(const TomlTable& root, const SolverOptions& solver) {
   const bool coupon = root.contains("drive");
-  if (!coupon && !root.contains("support")) {
+  if (!coupon && !root.contains("support") && solver.analysis == Analysis::Statics) {
     throw InputError({root.where().file, 0}, "support", "",
-                     "is missing: a scene needs [[support]] and loads, or a [drive]");
+                     "is missing: a scene needs [[support]] and loads, or a [drive]; a beam in "
+                     "free flight needs solver.analysis = \"dynamics\"");
   }
-  for (const std::string_view key : {"support", "load", "region", "gravity"}) {
+  for (const std::string_view key :
+       {"support", "load", "region", "gravity", "initial_motion", "cut"}) {
     if (!coupon || !root.contains(key)) continue;
     throw InputError(locate(root, key), key, "",
                      "does not go with [drive]: a scene is a chain with supports and loads, or a "
@@ -72,7 +74,7 @@ SceneFile parse_scene_file(std::string text, std::string name) {
   scene.name = title ? title->string() : std::filesystem::path(file.path).stem().string();
   read_setup(root, file.setup);
   read_beam(root, file.setup);
-  if (is_coupon(root)) {
+  if (is_coupon(root, file.setup.solver)) {
     read_coupon(root, file.path, file.setup);
   } else {
     read_chain(root, file.setup);

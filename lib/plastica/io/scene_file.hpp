@@ -30,25 +30,29 @@ struct SceneFile {
 /// there
 ///   is none.
 ///
-/// With [[support]] it is a chain. Vectors are lists of x, y and z in world axes; directions are
-/// "x", "-y" or such a list. Places are "start", "end", a whole number (the outer end of that
-/// segment; 0 is the start) or a fraction of the length (0.25, "25 %").
+/// Without, it is a chain, with [[support]] unless `solver.analysis` is "dynamics". Vectors are
+/// lists of x, y and z in world axes; directions are "x", "-y" or such a list. Places are "start",
+/// "end", a whole number (the outer end of that segment; 0 is the start) or a fraction of the
+/// length (0.25, "25 %").
 /// - [beam]: `segment_lengths`, lengths or shares of the length; `joint_lengths`; with `shape =
 ///   "arc"` `arc_angle` and `arc_towards`, with `shape = "polyline"` `points`. `length` may be left
 ///   out where points or segment lengths say it, `segments` where segment lengths do.
 /// - [[region]]: `from`, `to`, and keys of `section` and `material` that differ there.
 /// - [[support]]: `at`, `kind` (see `SupportKind`), `hold` (of "x", "y", "z", "rx", "ry", "rz"),
-///   `stiffness` and `rotational_stiffness` (elastic), `normal` and `gap` (pillar), `translation`
-///   and `rotation` with their `history`.
+///   `stiffness` and `rotational_stiffness` (elastic), `normal`, `gap` and `restitution` (pillar),
+///   `translation` and `rotation` with their `history`.
 /// - [[load]]: `at`, `force`, `moment`, `follows`, `history`; with `to` it is spread from `at` to
 ///   there, and force and moment are per length.
 /// - `gravity`, a vector or a table with `acceleration`, or `x`, `y` and `z`, and `history`.
+/// - [[initial_motion]], dynamics: `velocity`, and `spin` through `about` (0.5 by default), of the
+///   segments between `from` and `to`, the whole beam by default.
+/// - [[cut]], dynamics: `at`, `time`.
 /// - Histories are "ramp" (the default), "constant", { cycles = 3 } (from 0 three times over 1 and
 ///   -1, then to 0), { turning_points = [1, -1, 0.5] } (from 0, one each second), or { time =
 ///   ["0 s", "2 s"], factor = [0, 1] }.
 /// - [[probe]]: `name`, `kind`, `at` ("end" by default), `component` ("x", "y", "z", "size"; by
-///   default y of displacements and forces, x of all that is about an axis), `energy` of kind
-///   "energy".
+///   default y of displacements, velocities, momenta and forces, x of all that is about an axis),
+///   `energy` of kind "energy".
 /// - `solver.control_at`: the point that displacement and arc-length control watch.
 /// @throws InputError for the first thing that is wrong, keys that nobody knows included
 SceneFile read_scene_file(const std::string& path);

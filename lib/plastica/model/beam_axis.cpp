@@ -64,6 +64,15 @@ std::optional<int> segment_end_at(const Place& place, std::span<const double> en
   return static_cast<int>(at - ends.begin());
 }
 
+int nearest_segment_end(const Place& place, std::span<const double> ends) {
+  const double share = share_of(place, ends);
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (std::abs(ends[i] - share) < std::abs(ends[nearest] - share)) nearest = i;
+  }
+  return static_cast<int>(nearest);
+}
+
 std::array<double, 3> axis_point(const Beam& beam, double share) {
   switch (beam.shape) {
     case BeamShape::Straight: break;

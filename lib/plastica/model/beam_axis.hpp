@@ -22,6 +22,9 @@ double share_of(const Place& place, std::span<const double> ends);
 /// segment.
 std::optional<int> segment_end_at(const Place& place, std::span<const double> ends);
 
+/// The number of the segment end that is nearest to a place, 0 … segments; the lower one of two.
+int nearest_segment_end(const Place& place, std::span<const double> ends);
+
 /// A point of the undeformed axis in world axes [m].
 /// @param share  distance from the start along the axis over the length [1], 0 … 1
 std::array<double, 3> axis_point(const Beam& beam, double share);

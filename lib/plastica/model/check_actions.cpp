@@ -85,8 +85,12 @@ void check_springs(const Support& support, const std::string& name) {
 
 void check_pillar(const Support& support, const std::string& name) {
   require_not_negative(support.gap, {}, name + ".gap");
+  require(support.restitution >= 0.0 && support.restitution <= 1.0, {}, name + ".restitution",
+          support.restitution, "must be from 0 to 1");
   if (support.kind != SupportKind::Pillar) {
     require(support.gap == 0.0, {}, name + ".gap", support.gap, "belongs to a pillar");
+    require(support.restitution == 0.0, {}, name + ".restitution", support.restitution,
+            "belongs to a pillar");
     return;
   }
   if (support.hold) {
@@ -165,7 +169,7 @@ void check_supports(const Scene& scene) {
   }
 }
 
-void check_actions(const Scene& scene) {
+void check_actions(const Scene& scene, Analysis analysis) {
   const std::vector<double> ends = segment_ends(scene);
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
     const Load& load = scene.loads[i];
@@ -182,10 +186,16 @@ void check_actions(const Scene& scene) {
   check_history(scene.gravity_history, "gravity.history");
   const bool moved = std::any_of(scene.supports.begin(), scene.supports.end(),
                                  [](const Support& support) { return support.moves(); });
-  if (scene.loads.empty() && !moved && is_zero(scene.gravity)) {
+  if (!scene.loads.empty() || moved || !is_zero(scene.gravity)) return;
+  if (analysis == Analysis::Statics) {
     throw InputError(
         {}, "load", "",
         "is missing: give a [[load]], gravity, or a support's translation or rotation");
+  }
+  if (scene.initial_motions.empty() && scene.cuts.empty()) {
+    throw InputError({}, "load", "",
+                     "is missing, and nothing else moves the beam: give a [[load]], an "
+                     "[[initial_motion]], gravity, or a support's translation or rotation");
   }
 }
 

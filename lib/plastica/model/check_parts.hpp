@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "plastica/model/choose_level.hpp"
 #include "plastica/model/scene.hpp"
 
 /// The parts of `check_scene`; not installed. All throw InputError naming the first field that is
@@ -28,15 +29,30 @@ void check_beam(const Scene& scene);
 void check_supports(const Scene& scene);
 
 /// Loads and gravity, and that something acts on the beam at all.
-void check_actions(const Scene& scene);
+void check_actions(const Scene& scene, Analysis analysis);
+
+/// What a path of equilibria does not have: initial motions, cuts, impacts, damping.
+void check_statics(const Scene& scene, const SolverOptions& options);
+
+/// What a motion begins with and how it is solved; cuts apart.
+void check_dynamics(const Scene& scene, const SolverOptions& options);
+
+/// Cuts, on a level that holds the scene.
+void check_cuts(const Scene& scene, const LevelChoice& level);
 
 /// Rules of a chain that contradict each other.
 void check_rules(const Scene& scene);
+
+/// Whether ends that are held against rotation are held by half joints, not by welds.
+bool has_half_joints(const Scene& scene);
+
+/// The end of the last history that anything follows [s].
+double last_time(const Scene& scene);
 
 /// How a chain is solved.
 void check_solver(const Scene& scene, const SolverOptions& options);
 
 /// Probes of a coupon or a chain.
-void check_probes(const Scene& scene);
+void check_probes(const Scene& scene, Analysis analysis);
 
 }  // namespace plastica::model_detail

@@ -67,23 +67,26 @@ void check_end_rule(const Scene& scene) {
   if (sets_lengths && !scene.beam.joint_lengths.empty()) {
     throw refusal("rules.end_rule", word, "sets the joint lengths itself");
   }
-  const bool half_joint = scene.end_rule == EndRule::HalfJoint ||
-                          (scene.end_rule == EndRule::Auto && scene.formulas != Formulas::Report);
-  if (!half_joint && scene.beam.segments < 2) {
+  if (!has_half_joints(scene) && scene.beam.segments < 2) {
     throw refusal("beam.segments", std::to_string(scene.beam.segments),
                   "must be at least 2 where ends are welded: there is no joint");
   }
 }
 
-/// The end of the last history that anything follows [s].
-double last_time(const Scene& scene) {
-  double last = 0.0;
-  for (const Load& load : scene.loads) last = std::max(last, load.history.end());
-  for (const Support& support : scene.supports) {
-    if (support.moves()) last = std::max(last, support.history.end());
+/// Refuses what only a motion has.
+void check_quantity_of_statics(const Probe& probe, const std::string& name) {
+  using enum ProbeQuantity;
+  const std::string_view rule = "needs solver.analysis = \"dynamics\"";
+  switch (probe.quantity) {
+    case Velocity:
+    case Spin:
+    case Momentum:
+    case AngularMomentum:
+      throw refusal(name + ".kind", probe_kinds()[static_cast<std::size_t>(probe.quantity)], rule);
+    default: break;
   }
-  const bool heavy = scene.gravity != std::array<double, 3>{};
-  return heavy ? std::max(last, scene.gravity_history.end()) : last;
+  if (probe.quantity != Energy || probe.energy < EnergyKind::Kinetic) return;
+  throw refusal(name + ".energy", kEnergyKinds[static_cast<std::size_t>(probe.energy)], rule);
 }
 
 void check_chain_probe(const Scene& scene, const Probe& probe, const std::string& name,
@@ -105,6 +108,21 @@ void check_chain_probe(const Scene& scene, const Probe& probe, const std::string
 
 }  // namespace
 
+bool has_half_joints(const Scene& scene) {
+  return scene.end_rule == EndRule::HalfJoint ||
+         (scene.end_rule == EndRule::Auto && scene.formulas != Formulas::Report);
+}
+
+double last_time(const Scene& scene) {
+  double last = 0.0;
+  for (const Load& load : scene.loads) last = std::max(last, load.history.end());
+  for (const Support& support : scene.supports) {
+    if (support.moves()) last = std::max(last, support.history.end());
+  }
+  const bool heavy = scene.gravity != std::array<double, 3>{};
+  return heavy ? std::max(last, scene.gravity_history.end()) : last;
+}
+
 void check_rules(const Scene& scene) {
   if (scene.formulas == Formulas::Report) check_report_rules(scene);
   check_yield(scene);
@@ -124,11 +142,14 @@ void check_solver(const Scene& scene, const SolverOptions& options) {
                   "is of no use with load control");
   }
   if (options.duration == 0.0 && last_time(scene) == 0.0) {
-    throw refusal("solver.duration", "0", "must be above 0 where every history is constant");
+    throw refusal("solver.duration", "0",
+                  options.analysis == Analysis::Statics
+                      ? "must be above 0 where every history is constant"
+                      : "must be above 0 where no history says when the motion ends");
   }
 }
 
-void check_probes(const Scene& scene) {
+void check_probes(const Scene& scene, Analysis analysis) {
   const std::vector<double> ends = scene.is_coupon() ? std::vector<double>{} : segment_ends(scene);
   std::set<std::string> names;
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
@@ -139,6 +160,7 @@ void check_probes(const Scene& scene) {
       throw refusal(name + ".name", probe.name, "is used by another probe of the scene");
     }
     if (!scene.is_coupon()) {
+      if (analysis == Analysis::Statics) check_quantity_of_statics(probe, name);
       check_chain_probe(scene, probe, name, ends);
     } else if (probe.quantity > ProbeQuantity::Dissipation) {
       throw refusal(name + ".kind", probe_kinds()[static_cast<std::size_t>(probe.quantity)],

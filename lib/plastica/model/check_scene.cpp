@@ -38,7 +38,7 @@ void check_report(const Scene& scene) {
   }
 }
 
-void check_coupon(const Scene& scene) {
+void check_coupon(const Scene& scene, const SolverOptions& options) {
   if (scene.beam.shape != BeamShape::Straight) {
     throw InputError({}, "beam.shape", "", "must be straight in a scene with a drive");
   }
@@ -48,21 +48,35 @@ void check_coupon(const Scene& scene) {
     }
   }
   if (!scene.supports.empty() || !scene.loads.empty() || !scene.regions.empty() ||
-      scene.gravity != std::array<double, 3>{}) {
+      scene.gravity != std::array<double, 3>{} || !scene.initial_motions.empty() ||
+      !scene.cuts.empty()) {
     throw InputError({}, "drive.strain", "",
-                     "does not go with supports, loads, regions or gravity: a scene is a coupon or "
-                     "a chain");
+                     "does not go with supports, loads, regions, gravity, initial motions or cuts: "
+                     "a scene is a coupon or a chain");
   }
+  if (options.analysis == Analysis::Dynamics) {
+    throw InputError({}, "solver.analysis", "dynamics",
+                     "must be statics in a scene with a drive, which is at rest at each strain");
+  }
+  model_detail::check_statics(scene, options);
 }
 
 void check_chain(const Scene& scene, const SolverOptions& options) {
-  if (scene.supports.empty()) {
-    throw InputError({}, "support", "", "is missing: a scene has supports, or a drive");
+  const bool statics = options.analysis == Analysis::Statics;
+  if (scene.supports.empty() && statics) {
+    throw InputError({}, "support", "",
+                     "is missing: a scene at rest has supports, or a drive; free flight needs "
+                     "solver.analysis = \"dynamics\"");
   }
   model_detail::check_beam(scene);
   model_detail::check_rules(scene);
   model_detail::check_supports(scene);
-  model_detail::check_actions(scene);
+  if (statics) {
+    model_detail::check_statics(scene, options);
+  } else {
+    model_detail::check_dynamics(scene, options);
+  }
+  model_detail::check_actions(scene, options.analysis);
   model_detail::check_solver(scene, options);
 }
 
@@ -74,13 +88,15 @@ void check_scene(const Scene& scene, const SolverOptions& options) {
   check_ranges(scene, options);
   check_report(scene);
   if (scene.is_coupon()) {
-    check_coupon(scene);
+    check_coupon(scene, options);
   } else {
     check_chain(scene, options);
   }
-  model_detail::check_probes(scene);
+  model_detail::check_probes(scene, options.analysis);
   const LevelChoice level = choose_level(scene, options);
   if (scene.is_coupon()) return;
+  model_detail::check_cuts(scene, level);
+  if (options.analysis == Analysis::Dynamics) return;
   if (const auto free = model_detail::free_motion(scene, level)) {
     const std::string name = level.reason.substr(0, level.reason.find(':'));
     throw InputError(

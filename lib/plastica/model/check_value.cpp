@@ -5,12 +5,19 @@
 #include <cstdio>
 
 namespace plastica::model_detail {
+namespace {
 
-std::string number_text(double value) {
+std::string rounded(double value, int digits) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g", value);
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
   return text.data();
 }
+
+}  // namespace
+
+std::string number_text(double value) { return rounded(value, 6); }
+
+std::string figure(double value) { return rounded(value, 3); }
 
 void require(bool holds, const SourceLocation& where, std::string_view field, double value,
              std::string_view rule) {

@@ -10,6 +10,9 @@ namespace plastica::model_detail {
 /// A number as messages show it: six significant digits.
 std::string number_text(double value);
 
+/// A figure as warnings show it: three significant digits.
+std::string figure(double value);
+
 /// Throws InputError(where, field, value, rule) unless `holds`.
 void require(bool holds, const SourceLocation& where, std::string_view field, double value,
              std::string_view rule);

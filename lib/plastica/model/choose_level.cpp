@@ -49,6 +49,11 @@ std::vector<Action> actions_of(const Scene& scene) {
     actions.push_back({item("load", i, ".moment"), Turn, scene.loads[i].moment});
   }
   actions.push_back({"gravity", Push, scene.gravity});
+  for (std::size_t i = 0; i < scene.initial_motions.size(); ++i) {
+    const InitialMotion& motion = scene.initial_motions[i];
+    actions.push_back({item("initial_motion", i, ".velocity"), Push, motion.velocity});
+    actions.push_back({item("initial_motion", i, ".spin"), Turn, motion.spin});
+  }
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     const Support& support = scene.supports[i];
     actions.push_back({item("support", i, ".translation"), Push, support.translation});
@@ -161,7 +166,9 @@ LevelChoice choose_level(const Scene& scene, const SolverOptions& options) {
   switch (options.level) {
     case Level::Auto:
     case Level::Spatial: break;
-    case Level::Coupon: throw too_small("coupon", "a scene with supports is no coupon");
+    case Level::Coupon:
+      throw too_small("coupon", scene.supports.empty() ? "a scene without a drive is no coupon"
+                                                       : "a scene with supports is no coupon");
     case Level::Twist:
       if (const auto misfit = misfit_of(actions, kTwist)) throw too_small("twist", misfit->reason);
       return asked(Level::Twist, "twist");

@@ -21,17 +21,6 @@ double dot(const Motion& a, const Motion& b) {
   return sum;
 }
 
-std::array<bool, 6> freedoms_of(const LevelChoice& level) {
-  switch (level.level) {
-    case Level::Twist: return {false, false, false, false, false, true};
-    case Level::Planar:
-      return level.bending == BendingAxis::X
-                 ? std::array<bool, 6>{false, true, true, true, false, false}
-                 : std::array<bool, 6>{true, false, true, false, true, false};
-    default: return {true, true, true, true, true, true};
-  }
-}
-
 /// What a resistance along `direction` at `point` (over the length) resists: the velocity there of
 /// a motion (v, w) is v + w x point, so along the direction it is v.d + w.(point x d).
 Motion along(const std::array<double, 3>& direction, const std::array<double, 3>& point) {
@@ -76,6 +65,17 @@ void subtract(std::span<const Motion> basis, Motion& motion) {
 }
 
 }  // namespace
+
+std::array<bool, 6> freedoms_of(const LevelChoice& level) {
+  switch (level.level) {
+    case Level::Twist: return {false, false, false, false, false, true};
+    case Level::Planar:
+      return level.bending == BendingAxis::X
+                 ? std::array<bool, 6>{false, true, true, true, false, false}
+                 : std::array<bool, 6>{true, false, true, false, true, false};
+    default: return {true, true, true, true, true, true};
+  }
+}
 
 std::optional<std::string> free_motion(const Scene& scene, const LevelChoice& level) {
   constexpr double kNothing = 1e-9;  // well above the rounding of unit vectors

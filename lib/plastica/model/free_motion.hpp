@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -7,6 +8,9 @@
 #include "plastica/model/scene.hpp"
 
 namespace plastica::model_detail {
+
+/// Which small motions a level has: along x, y, z, and about x, y, z.
+std::array<bool, 6> freedoms_of(const LevelChoice& level);
 
 /// A motion of the whole undeformed beam that no support resists at a level: "move along z",
 /// "rotate about x". Springs and pillars count as holding; empty if nothing is free.

@@ -31,7 +31,11 @@ std::string scene_around(std::string_view path) {
     return kChain + "beam.points = [['0 m', '0 m', '0 m'], ['0 m', '0 m', '1 m']]\n";
   }
   if (path == "beam.arc_angle") return kChain + "beam.shape = 'arc'\n";
-  const bool of_chain = path.starts_with("gravity.") || path == "solver.level";
+  const std::string motion = "solver.analysis = 'dynamics'\n" + kChain;
+  if (path == "solver.damping") return motion + "solver.damping_time = '1 s'\n";
+  if (path == "solver.damping_time") return motion + "solver.damping = 'stiffness'\n";
+  const bool of_chain =
+      path.starts_with("gravity.") || path == "solver.level" || path == "solver.analysis";
   return of_chain ? kChain : "drive.strain = [0]\n";
 }
 
@@ -194,8 +198,10 @@ TEST(SceneFileErrors, AnUnknownKeyIsRefusedWithTheNearestField) {
 }
 
 TEST(SceneFileErrors, ASceneWithoutADriveIsRefused) {
-  EXPECT_EQ(error_of("name = 'x'\n"),
-            "s.toml: support: is missing: a scene needs [[support]] and loads, or a [drive]");
+  EXPECT_EQ(
+      error_of("name = 'x'\n"),
+      "s.toml: support: is missing: a scene needs [[support]] and loads, or a [drive]; a beam "
+      "in free flight needs solver.analysis = \"dynamics\"");
   EXPECT_EQ(error_of("[drive]\n"), "s.toml:1: drive.strain: is missing");
   EXPECT_EQ(error_of("[drive]\nstrain = []\n"),
             "s.toml:2: drive.strain = []: must have at least one sample");

@@ -256,6 +256,7 @@ TEST_F(SceneStore, HasPlacesAsSharesOfTheLength) {
   io::SceneFile file = io::parse_scene_file(cantilever_text(), "beam.toml");
   file.setup.scene.initial_motions = {{{0.0, 1}, {0.0, 3}, {}, {}, {0.0, 2}}};
   file.setup.scene.cuts = {{{0.0, 3}, 0.1}};
+  file.setup.solver.analysis = Analysis::Dynamics;
   const Model model = prepare(file.setup.scene, file.setup.solver);
   const SceneRecord read = stored(io::make_scene_record(file, model, make_response(model)));
   EXPECT_EQ(read.setup.scene.initial_motions.at(0).from.fraction, 0.25);

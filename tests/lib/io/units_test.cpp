@@ -69,6 +69,18 @@ TEST(Units, ConvertWhatSupportsAndLoadsAreGivenIn) {
             "5 kg: \"kg\" is not a unit of acceleration (examples: m/s^2, gravity)");
 }
 
+TEST(Units, ConvertWhatMotionsAreGivenIn) {
+  EXPECT_EQ(scale("m/s", Dimension::Velocity), 1.0);
+  EXPECT_EQ(scale("mm/s", Dimension::Velocity), 1e-3);
+  EXPECT_DOUBLE_EQ(scale("km/h", Dimension::Velocity), 1.0 / 3.6);
+  EXPECT_EQ(scale("rad/s", Dimension::AngularVelocity), 1.0);
+  EXPECT_DOUBLE_EQ(scale("deg/s", Dimension::AngularVelocity), std::numbers::pi / 180.0);
+  EXPECT_EQ(message_of<InputError>([] { parse_quantity("5 m", Dimension::Velocity); }),
+            "5 m: \"m\" is not a unit of velocity (examples: m/s, km/h)");
+  EXPECT_EQ(message_of<InputError>([] { parse_quantity("5", Dimension::AngularVelocity); }),
+            "5: an angular velocity needs a unit (examples: rad/s, deg/s)");
+}
+
 TEST(Units, ConvertTemperaturesWithTheirOffset) {
   EXPECT_EQ(scale("K", Dimension::Temperature), 1.0);
   for (const char* unit : {"degC", "°C"}) {

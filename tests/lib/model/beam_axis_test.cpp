@@ -47,6 +47,15 @@ TEST(Places, AreFoundByNumberAndByFraction) {
   EXPECT_EQ(segment_end_at({0.300001, {}}, ends), std::nullopt);
 }
 
+TEST(Places, HaveANearestSegmentEnd) {
+  const std::vector<double> ends = segment_ends(scene_of(4));
+  EXPECT_EQ(nearest_segment_end({0.0, 3}, ends), 3);
+  EXPECT_EQ(nearest_segment_end({0.38, {}}, ends), 2);
+  EXPECT_EQ(nearest_segment_end({0.375, {}}, ends), 1);
+  EXPECT_EQ(nearest_segment_end({1.0, {}}, ends), 4);
+  EXPECT_EQ(nearest_segment_end({0.0, {}}, ends), 0);
+}
+
 TEST(AxisPoint, RunsAlongZWhereTheBeamIsStraight) {
   Beam beam;
   beam.length = 3.0;

@@ -38,6 +38,24 @@ inline std::string error_of(const std::function<void(Scene&)>& spoil) {
   return error_of([&](Scene& scene, SolverOptions&) { spoil(scene); });
 }
 
+/// The error of the same cantilever in motion; its load is a ramp of a second.
+inline std::string error_of_motion(const std::function<void(Scene&, SolverOptions&)>& spoil) {
+  return error_of([&](Scene& scene, SolverOptions& options) {
+    options.analysis = Analysis::Dynamics;
+    spoil(scene, options);
+  });
+}
+
+/// The same without supports and loads: a beam in free flight, for a second.
+inline std::string error_of_flight(const std::function<void(Scene&, SolverOptions&)>& spoil) {
+  return error_of_motion([&](Scene& scene, SolverOptions& options) {
+    scene.supports.clear();
+    scene.loads.clear();
+    options.duration = 1.0;
+    spoil(scene, options);
+  });
+}
+
 /// Makes a polyline of the beam; its length is left as it is.
 inline void curve(Scene& scene, std::vector<std::array<double, 3>> points) {
   scene.beam.shape = BeamShape::Polyline;

@@ -118,6 +118,22 @@ INSTANTIATE_TEST_SUITE_P(
         PlaneCase{"Rotation", [](Scene& s) { s.supports[0].rotation[0] = 0.01; },
                   [](Scene& s) { s.supports[0].rotation[1] = 0.01; },
                   "support[1].rotation has a component about y, out of the y-z plane"},
+        PlaneCase{"InitialVelocity",
+                  [](Scene& s) {
+                    s.initial_motions.push_back({.velocity = {0.0, 1.0, 2.0}});
+                  },
+                  [](Scene& s) {
+                    s.initial_motions.push_back({.velocity = {1.0, 0.0, 0.0}});
+                  },
+                  "initial_motion[1].velocity has a component along x, out of the y-z plane"},
+        PlaneCase{"InitialSpin",
+                  [](Scene& s) {
+                    s.initial_motions.push_back({.spin = {1.0, 0.0, 0.0}});
+                  },
+                  [](Scene& s) {
+                    s.initial_motions.push_back({.spin = {1.0, 0.0, 2.0}});
+                  },
+                  "initial_motion[1].spin has a component about z, which twists the beam"},
         PlaneCase{"Pillar",
                   [](Scene& s) {
                     s.supports.push_back({{0.5, {}}, SupportKind::Pillar});
@@ -156,6 +172,22 @@ TEST(ChooseLevel, AsksNothingOfWhatOnlyHoldsStill) {
   scene.supports.push_back({Place::end(), SupportKind::Elastic});
   scene.supports[2].stiffness = {1e3, 1e3, 1e3};
   EXPECT_EQ(choice_of(scene).reason, kInYZ);
+}
+
+TEST(ChooseLevel, TakesAPlaneForABeamInFreeFlight) {
+  Scene scene = cantilever();
+  scene.supports.clear();
+  scene.loads.clear();
+  scene.initial_motions.push_back({.velocity = {0.0, 3.0, 0.0}, .spin = {2.0, 0.0, 0.0}});
+  EXPECT_EQ(choice_of(scene).reason, kInYZ);
+  scene.initial_motions.push_back({.velocity = {1.0, 0.0, 0.0}});
+  EXPECT_EQ(choice_of(scene).level, Level::Spatial);
+  scene.initial_motions = {{.velocity = {1.0, 0.0, 0.0}, .spin = {0.0, 2.0, 0.0}}};
+  EXPECT_EQ(choice_of(scene).reason, kInXZ);
+  EXPECT_EQ(error_of(scene, Level::Coupon),
+            "solver.level = coupon: a scene without a drive is no coupon");
+  scene.initial_motions = {{.spin = {0.0, 0.0, 2.0}}};
+  EXPECT_EQ(choice_of(scene).level, Level::Twist);
 }
 
 TEST(ChooseLevel, TakesTheWeakerPlaneForLoadsAlongTheBeam) {

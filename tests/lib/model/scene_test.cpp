@@ -60,7 +60,8 @@ TEST(CheckScene, RefusesWhatTheReportHasNoFormulasFor) {
 
 TEST(CheckScene, RefusesADriveWithoutFiniteSamples) {
   EXPECT_EQ(error_of([](Scene& s) { s.drive.strain.clear(); }),
-            "support: is missing: a scene has supports, or a drive");
+            "support: is missing: a scene at rest has supports, or a drive; free flight needs "
+            "solver.analysis = \"dynamics\"");
   EXPECT_EQ(
       error_of([](Scene& s) { s.drive.strain[1] = std::numeric_limits<double>::quiet_NaN(); }),
       "drive.strain = nan: must be finite");
