@@ -4,21 +4,19 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 #include <optional>
 
 #include "plastica/model/beam_axis.hpp"
+#include "plastica/model/check_parts.hpp"
+#include "plastica/model/check_value.hpp"
 #include "plastica/model/choose_level.hpp"
+#include "plastica/model/motion_warnings.hpp"
 
 namespace plastica {
 namespace {
 
-std::string figure(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
+using model_detail::figure;
 
 /// What the warnings need to know of a scene.
 struct Facts {
@@ -46,11 +44,6 @@ std::array<double, 2> sides(const Section& section) {
                : std::array<double, 2>{section.width, section.height};
 }
 
-bool half_joints(const Scene& scene) {
-  return scene.end_rule == EndRule::HalfJoint ||
-         (scene.end_rule == EndRule::Auto && scene.formulas != Formulas::Report);
-}
-
 /// The tributary lengths of the inner joints over the beam's length (segments - 1).
 std::vector<double> inner_joint_shares(const Facts& facts) {
   const Beam& beam = facts.scene.beam;
@@ -73,7 +66,7 @@ std::vector<double> inner_joint_shares(const Facts& facts) {
 /// times L - s, so the ratio is 3 sum l (1 - s)^2 with lengths over L. Equal segments and a half
 /// joint at the clamp give 1 + 1/(2 N^2); a welded first segment, 1 - 3/(2 N) + 1/(2 N^2).
 double cantilever_ratio(const Facts& facts) {
-  double sum = half_joints(facts.scene) ? facts.ends[1] / 2.0 : 0.0;
+  double sum = model_detail::has_half_joints(facts.scene) ? facts.ends[1] / 2.0 : 0.0;
   const std::vector<double> shares = inner_joint_shares(facts);
   for (std::size_t i = 0; i < shares.size(); ++i) {
     const double arm = 1.0 - facts.ends[i + 1];
@@ -120,8 +113,8 @@ std::optional<std::string> long_segments(const Facts& facts) {
   }
   if (facts.longest_segment <= smallest) return std::nullopt;
   const EndRule rule = facts.scene.end_rule;
-  const bool welded_equal =
-      rule == EndRule::Equal || (rule == EndRule::Auto && !half_joints(facts.scene));
+  const bool welded_equal = rule == EndRule::Equal ||
+                            (rule == EndRule::Auto && !model_detail::has_half_joints(facts.scene));
   return "segments of " + figure(facts.longest_segment) + " m are longer than the section's " +
          figure(smallest) + " m (the report's rule of thumb); a cantilever so divided is " +
          figure(100.0 * (cantilever_ratio(facts) - 1.0)) + " % off at its tip under a tip force" +
@@ -157,7 +150,7 @@ std::optional<std::string> hinge(const Facts& facts) {
     return "without a hinge length a break depends on the segments: an ideal joint takes all of "
            "the rotation, which at break falls as 1/N";
   }
-  double longest = half_joints(scene) ? facts.ends[1] / 2.0 : 0.0;
+  double longest = model_detail::has_half_joints(scene) ? facts.ends[1] / 2.0 : 0.0;
   for (const double share : inner_joint_shares(facts)) longest = std::max(longest, share);
   longest *= scene.beam.length;
   if (longest <= hinge_length * (1.0 + 1e-9)) return std::nullopt;
@@ -228,6 +221,7 @@ std::array<bool, 2> bent_axes(const Scene& scene) {
     if (support.kind == SupportKind::Pillar) add(support.normal, {});
   }
   add(scene.gravity, {});
+  for (const InitialMotion& motion : scene.initial_motions) add(motion.velocity, motion.spin);
   return bent;
 }
 
@@ -283,6 +277,11 @@ std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions&
   std::vector<std::string> warnings;
   for (const auto find : {short_beam, long_segments, hinge, cap, per_axis, cut_corners}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
+  }
+  if (options.analysis == Analysis::Dynamics) {
+    for (std::string& warning : model_detail::motion_warnings(scene, options, facts.level)) {
+      warnings.push_back(std::move(warning));
+    }
   }
   return warnings;
 }

@@ -16,6 +16,12 @@ namespace plastica {
 /// - An ideal joint that is bent and released: what its cap leaves out.
 /// - Components clipped one by one where the beam bends about both axes.
 /// - A polyline with corners inside of segments.
+///
+/// In dynamics also:
+/// - Fixed steps that are fewer than 20 in a period of the beam's first frequency.
+/// - A first-order scheme: what it takes of that frequency's amplitude in a period.
+/// - A scheme that leaves an impact on a pillar ringing.
+/// - Gravity that grows without end, and cuts that never come.
 /// @param scene, options  that check_scene accepts
 std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions& options);
 

@@ -1,0 +1,217 @@
+#include "plastica/model/motion_warnings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numbers>
+
+#include "plastica/model/beam_axis.hpp"
+#include "plastica/model/check_parts.hpp"
+#include "plastica/model/check_value.hpp"
+
+namespace plastica::model_detail {
+namespace {
+
+using std::numbers::pi;
+
+/// Steps in a period that a vibration needs at least to be followed.
+constexpr double kEnoughSteps = 20.0;
+
+/// How a point of the beam is held in one plane, or against twist: `turn` alone.
+struct Hold {
+  bool across = false;
+  bool turn = false;
+
+  std::size_t row() const { return (across ? 1U : 0U) + (turn ? 2U : 0U); }
+};
+
+/// beta L of the first mode that bends, by the ends: free, pinned, guided, clamped.
+constexpr std::array<std::array<double, 4>, 4> kBetaL{{{4.7300, 3.9266, 2.3650, 1.8751},
+                                                       {3.9266, pi, pi / 2.0, 3.9266},
+                                                       {2.3650, pi / 2.0, pi, 2.3650},
+                                                       {1.8751, 3.9266, 2.3650, 4.7300}}};
+
+/// Holds by their share of the length, both ends included.
+/// @param across, turn  the freedoms of a support that count
+std::map<double, Hold> holds_of(const Scene& scene, std::size_t across, std::size_t turn) {
+  const std::vector<double> ends = segment_ends(scene);
+  std::map<double, Hold> holds{{0.0, {}}, {1.0, {}}};
+  for (const Support& support : scene.supports) {
+    const HeldFreedoms held = support.held();
+    if (!held[across] && !held[turn]) continue;
+    Hold& hold = holds[share_of(support.at, ends)];
+    hold.across = hold.across || held[across];
+    hold.turn = hold.turn || held[turn];
+  }
+  return holds;
+}
+
+/// The smallest (beta L)^2 over the square of its stretch's share of the length.
+double bending_number(const Scene& scene, BendingAxis axis) {
+  const bool about_x = axis == BendingAxis::X;
+  const auto holds = holds_of(scene, about_x ? 1 : 0, about_x ? 3 : 4);
+  double smallest = 0.0;
+  auto from = holds.begin();
+  for (auto to = std::next(from); to != holds.end(); ++to) {
+    const bool last = std::next(to) == holds.end();
+    if (!last && !to->second.across) continue;
+    Hold start = from->second;
+    Hold end = to->second;
+    if (from != holds.begin() && !end.across) start.turn = true;
+    if (!last && !start.across) end.turn = true;
+    const double stretch = to->first - from->first;
+    const double beta = kBetaL[start.row()][end.row()] / stretch;
+    if (smallest == 0.0 || beta * beta < smallest) smallest = beta * beta;
+    from = to;
+  }
+  return smallest;
+}
+
+/// omega L/c of the first twist, c the speed of torsional waves.
+double torsion_number(const Scene& scene) {
+  const auto holds = holds_of(scene, 5, 5);
+  double smallest = 0.0;
+  for (auto from = holds.begin(), to = std::next(from); to != holds.end(); ++from, ++to) {
+    const bool same = from->second.turn == to->second.turn;
+    const double number = (same ? pi : pi / 2.0) / (to->first - from->first);
+    if (smallest == 0.0 || number < smallest) smallest = number;
+  }
+  return smallest;
+}
+
+double omega_of(const FirstFrequency& first) { return 2.0 * pi * first.hertz; }
+
+/// What the warnings need to know of a motion.
+struct Facts {
+  const Scene& scene;
+  const SolverOptions& options;
+  const LevelChoice& level;
+  double duration = 0.0;                  // [s]
+  double step = 0.0;                      // of fixed steps [s]
+  std::optional<FirstFrequency> first{};  // only with fixed steps
+};
+
+std::string frequency_text(const FirstFrequency& first) {
+  return std::string("first frequency in ") + (first.torsion ? "torsion" : "bending") + ", about " +
+         figure(first.hertz) + " Hz";
+}
+
+std::optional<std::string> coarse_steps(const Facts& facts) {
+  if (!facts.first) return std::nullopt;
+  const double period = 1.0 / facts.first->hertz;
+  if (period >= kEnoughSteps * facts.step) return std::nullopt;
+  return "steps of " + figure(facts.step) + " s are " + figure(period / facts.step) +
+         " in a period of the beam's " + frequency_text(*facts.first) +
+         " (below 20); solver.time_step = \"" + figure(period / kEnoughSteps) + " s\" makes 20";
+}
+
+/// Implicit Euler takes a vibration to 1/sqrt(1 + a^2) of its amplitude in a step of the phase
+/// a = omega dt, so in a period of 2 pi/a steps to exp(-pi a) for a small a.
+std::optional<std::string> first_order(const Facts& facts) {
+  if (facts.options.scheme != Scheme::LinearlyImplicitEuler || !facts.first) return std::nullopt;
+  const double lost = 1.0 - std::exp(-pi * omega_of(*facts.first) * facts.step);
+  return "solver.scheme = \"linearly_implicit_euler\" is of first order: it takes about " +
+         figure(100.0 * lost) + " % of the amplitude in each period of the beam's " +
+         frequency_text(*facts.first) + "; \"linearly_implicit_midpoint\" costs the same";
+}
+
+/// The highest frequency of a long chain of rods [Hz]: neighbours swing against each other. With
+/// the nodes displaced by w (-1)^i, each of the rods of mass m = rho A l has the kinetic energy
+/// m w'^2/6 and, of its section, rho I l (2 w'/l)^2/2, and each joint the energy
+/// (E I/l)(4 w/l)^2/2; so omega^2 = 48 E I/(rho A l^4)/(1 + 12 I/(A l^2)).
+double highest_frequency(const Scene& scene, const SolverOptions& options,
+                         const LevelChoice& level) {
+  const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
+  const double area_moment = level.level == Level::Planar && level.bending == BendingAxis::Y
+                                 ? section.second_moment_y
+                                 : section.second_moment_x;
+  const double radius_squared = area_moment / section.area;
+  const double l = scene.beam.length / scene.beam.segments;
+  const double rotary =
+      options.rotary_inertia == RotaryInertia::On ? 12.0 * radius_squared / (l * l) : 0.0;
+  const double omega = std::sqrt(48.0 * scene.material.youngs_modulus * radius_squared /
+                                 (scene.material.density * (1.0 + rotary))) /
+                       (l * l);
+  return omega / (2.0 * pi);
+}
+
+std::optional<std::string> ringing(const Facts& facts) {
+  const Scheme scheme = facts.options.scheme;
+  const bool rings = scheme == Scheme::EnergyMomentum || scheme == Scheme::LinearlyImplicitMidpoint;
+  const auto& supports = facts.scene.supports;
+  const bool hits = std::any_of(supports.begin(), supports.end(), [](const Support& support) {
+    return support.kind == SupportKind::Pillar;
+  });
+  if (!rings || !hits || facts.options.damping != Damping::None ||
+      facts.level.level == Level::Twist) {
+    return std::nullopt;
+  }
+  const double highest = highest_frequency(facts.scene, facts.options, facts.level);
+  if (1.0 / highest >= kEnoughSteps * facts.step) return std::nullopt;
+  const std::string word =
+      scheme == Scheme::EnergyMomentum ? "energy_momentum" : "linearly_implicit_midpoint";
+  return "solver.scheme = \"" + word +
+         "\" damps nothing: after an impact on a pillar the chain rings on at up to about " +
+         figure(highest) + " Hz, which steps of " + figure(facts.step) +
+         " s do not follow; \"generalized_alpha\" or solver.damping takes that out";
+}
+
+std::optional<std::string> growing_gravity(const Facts& facts) {
+  const auto& g = facts.scene.gravity;
+  const double size = std::hypot(g[0], g[1], g[2]);
+  if (size == 0.0 || !facts.scene.gravity_history.is_ramp()) return std::nullopt;
+  return "gravity follows a ramp: it grows by " + figure(size) + " m/s^2 in each second, to " +
+         figure(size * facts.duration) +
+         " m/s^2 at the end; history = \"constant\" has it from the first";
+}
+
+std::optional<std::string> late_cut(const Facts& facts) {
+  for (std::size_t i = 0; i < facts.scene.cuts.size(); ++i) {
+    const double time = facts.scene.cuts[i].time;
+    if (time < facts.duration) continue;
+    return item_name("cut", i) + " at " + figure(time) + " s never comes: the motion ends at " +
+           figure(facts.duration) + " s";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelChoice& level) {
+  if (scene.beam.segments < 2) return std::nullopt;
+  const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
+  const Material& material = scene.material;
+  const double length = scene.beam.length;
+  if (level.level == Level::Twist) {
+    const double polar = section.second_moment_x + section.second_moment_y;
+    const double speed = std::sqrt(resolved_shear_modulus(material) * section.torsion_constant /
+                                   (material.density * polar));
+    return FirstFrequency{torsion_number(scene) * speed / length / (2.0 * pi), true};
+  }
+  const auto omega = [&](BendingAxis axis, double area_moment) {
+    return bending_number(scene, axis) / (length * length) *
+           std::sqrt(material.youngs_modulus * area_moment / (material.density * section.area));
+  };
+  const double about_x = omega(BendingAxis::X, section.second_moment_x);
+  const double about_y = omega(BendingAxis::Y, section.second_moment_y);
+  double first = std::min(about_x, about_y);
+  if (level.level == Level::Planar) first = level.bending == BendingAxis::X ? about_x : about_y;
+  return FirstFrequency{first / (2.0 * pi), false};
+}
+
+std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions& options,
+                                         const LevelChoice& level) {
+  Facts facts{scene, options, level};
+  facts.duration = options.duration > 0.0 ? options.duration : last_time(scene);
+  facts.step = std::min(options.time_step, facts.duration / options.steps);
+  if (options.step_error == 0.0) facts.first = first_frequency(scene, level);
+  std::vector<std::string> warnings;
+  for (const auto find : {coarse_steps, first_order, ringing, growing_gravity, late_cut}) {
+    if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
+  }
+  return warnings;
+}
+
+}  // namespace plastica::model_detail

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plastica/model/choose_level.hpp"
+#include "plastica/model/scene.hpp"
+
+namespace plastica::model_detail {
+
+/// An estimate of the lowest frequency at which a beam deforms.
+struct FirstFrequency {
+  double hertz = 0.0;
+  bool torsion = false;  ///< of a beam that only twists; else in bending
+};
+
+/// Of the scene's own section and material, straight, over the longest stretch between supports
+/// that hold it rigidly; a support inside of the beam counts as a pin, towards an overhang as a
+/// clamp. Springs and pillars count as nothing. Empty for a single segment.
+///
+/// Bending: omega = (beta L)^2 sqrt(E I/(rho A L^4)), in the weaker of the planes of the level.
+/// Torsion: omega = (pi/L, one end free of two: pi/2L) sqrt(G J/(rho (I_x + I_y))).
+/// Source: Blevins, Formulas for Natural Frequency and Mode Shape (1979), ch. 8.
+std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelChoice& level);
+
+/// The part of `scene_warnings` that only dynamics have.
+std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions& options,
+                                         const LevelChoice& level);
+
+}  // namespace plastica::model_detail

@@ -1,0 +1,255 @@
+#include "plastica/model/motion_warnings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "plastica/model/scene_warnings.hpp"
+#include "tests/lib/model/chain_scenes.hpp"
+
+namespace plastica {
+namespace {
+
+using model_detail::first_frequency;
+using std::numbers::pi;
+using testing::cantilever;
+
+using Change = std::function<void(Scene&, SolverOptions&)>;
+
+/// Warnings of the slender cantilever in motion for a second, well resolved.
+std::vector<std::string> warnings_of(const Change& change) {
+  Scene scene = cantilever();
+  SolverOptions options;
+  options.analysis = Analysis::Dynamics;
+  options.steps = 100;
+  change(scene, options);
+  check_scene(scene, options);
+  return scene_warnings(scene, options);
+}
+
+bool has(const std::vector<std::string>& warnings, const std::string& text) {
+  for (const std::string& warning : warnings) {
+    if (warning.find(text) != std::string::npos) return true;
+  }
+  return false;
+}
+
+/// beta L of the first bending frequency of a beam with these supports.
+double beta_l(const std::vector<Support>& supports) {
+  Scene scene = cantilever();
+  scene.supports = supports;
+  const auto first = first_frequency(scene, {Level::Planar, BendingAxis::X, ""});
+  const Material& m = scene.material;
+  const double radius = 0.02 / std::sqrt(12.0);
+  const double wave = radius * std::sqrt(m.youngs_modulus / m.density);  // sqrt(EI/(rho A))
+  EXPECT_TRUE(first && !first->torsion);
+  return std::sqrt(2.0 * pi * first->hertz / wave);
+}
+
+TEST(FirstFrequency, IsThatOfTheBeamsEnds) {
+  const auto at = [](Place place, SupportKind kind) { return Support{place, kind}; };
+  using enum SupportKind;
+  const Place start = Place::start();
+  const Place end = Place::end();
+  EXPECT_NEAR(beta_l({}), 4.7300, 1e-4);
+  EXPECT_NEAR(beta_l({at(start, Clamp)}), 1.8751, 1e-4);
+  EXPECT_NEAR(beta_l({at(end, Clamp)}), 1.8751, 1e-4);
+  EXPECT_NEAR(beta_l({at(start, Pin)}), 3.9266, 1e-4);
+  EXPECT_NEAR(beta_l({at(start, Pin), at(end, Roller)}), pi, 1e-12);
+  EXPECT_NEAR(beta_l({at(start, Clamp), at(end, Roller)}), 3.9266, 1e-4);
+  EXPECT_NEAR(beta_l({at(start, Clamp), at(end, Clamp)}), 4.7300, 1e-4);
+  EXPECT_NEAR(beta_l({at(start, Clamp), at(end, Guide)}), 2.3650, 1e-4);
+  EXPECT_NEAR(beta_l({at(start, Pin), at(end, Guide)}), pi / 2.0, 1e-12);
+}
+
+TEST(FirstFrequency, SolvesTheEquationsOfItsEnds) {
+  // Each as cos, cosh, sin and sinh of beta L; the numbers are given to four places.
+  const auto clamped_free = [](double b) { return std::cos(b) * std::cosh(b) + 1.0; };
+  const auto free_free = [](double b) { return std::cos(b) * std::cosh(b) - 1.0; };
+  const auto clamped_pinned = [](double b) { return std::tan(b) - std::tanh(b); };
+  const auto clamped_guided = [](double b) { return std::tan(b) + std::tanh(b); };
+  const auto changes_sign = [](const auto& f, double b) { return f(b - 1e-4) * f(b + 1e-4) < 0.0; };
+  EXPECT_TRUE(changes_sign(clamped_free, beta_l({{Place::start(), SupportKind::Clamp}})));
+  EXPECT_TRUE(changes_sign(free_free, beta_l({})));
+  EXPECT_TRUE(changes_sign(clamped_pinned, beta_l({{Place::start(), SupportKind::Pin}})));
+  EXPECT_TRUE(changes_sign(clamped_guided, beta_l({{Place::start(), SupportKind::Guide}})));
+}
+
+TEST(FirstFrequency, IsThatOfTheLongestStretchBetweenSupports) {
+  const Support pin{Place::start(), SupportKind::Pin};
+  const Support inner{{0.25, {}}, SupportKind::Roller};
+  const Support end{Place::end(), SupportKind::Roller};
+  EXPECT_NEAR(beta_l({pin, inner, end}), pi / 0.75, 1e-12);
+  // An overhang is held like a cantilever.
+  EXPECT_NEAR(beta_l({pin, inner}), 1.8751 / 0.75, 1e-4);
+  EXPECT_NEAR(beta_l({inner, end}), pi / 0.75, 1e-12);
+  // Pillars let go.
+  EXPECT_NEAR(beta_l({pin, {{0.25, {}}, SupportKind::Pillar}}), 3.9266, 1e-4);
+}
+
+TEST(FirstFrequency, IsThatOfTheLevelsPlane) {
+  Scene scene = cantilever();
+  scene.section.width = 0.01;
+  const auto about = [&](Level level, BendingAxis axis) {
+    return first_frequency(scene, {level, axis, ""})->hertz;
+  };
+  const double about_x = about(Level::Planar, BendingAxis::X);
+  EXPECT_NEAR(about(Level::Planar, BendingAxis::Y), about_x / 2.0, 1e-9);
+  EXPECT_NEAR(about(Level::Spatial, BendingAxis::X), about_x / 2.0, 1e-9);
+  scene.beam.segments = 1;
+  EXPECT_FALSE(first_frequency(scene, {Level::Planar, BendingAxis::X, ""}));
+}
+
+TEST(FirstFrequency, OfATwistIsThatOfTorsionalWaves) {
+  Scene scene = cantilever();
+  scene.section = {SectionShape::Circle};
+  // J is the polar moment of a circle: waves of speed sqrt(G/rho) run four lengths in a period.
+  const double speed = std::sqrt(resolved_shear_modulus(scene.material) / scene.material.density);
+  const auto hertz = [&] { return first_frequency(scene, {Level::Twist, {}, ""})->hertz; };
+  EXPECT_NEAR(hertz(), speed / 4.0, 1e-9 * speed);
+  EXPECT_TRUE(first_frequency(scene, {Level::Twist, {}, ""})->torsion);
+  scene.supports.push_back({Place::end(), SupportKind::Clamp});
+  EXPECT_NEAR(hertz(), speed / 2.0, 1e-9 * speed);
+  scene.supports.clear();
+  EXPECT_NEAR(hertz(), speed / 2.0, 1e-9 * speed);
+}
+
+TEST(MotionWarnings, AreNoneOfAMotionThatIsWellResolved) {
+  EXPECT_EQ(warnings_of([](Scene&, SolverOptions&) {}), std::vector<std::string>{});
+  // At rest, nobody asks for the step.
+  EXPECT_EQ(warnings_of([](Scene&, SolverOptions& o) {
+              o.analysis = Analysis::Statics;
+              o.time_step = 1.0;
+            }),
+            std::vector<std::string>{});
+}
+
+TEST(MotionWarnings, SayHowFewStepsAreInAPeriod) {
+  // 1.8751^2 0.02/sqrt(12) sqrt(210e9/7850)/(2 pi) = 16.7 Hz, 59.8 ms.
+  const auto warnings = warnings_of([](Scene&, SolverOptions& o) { o.time_step = 5e-3; });
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0],
+            "steps of 0.005 s are 12 in a period of the beam's first frequency in bending, about "
+            "16.7 Hz (below 20); solver.time_step = \"0.00299 s\" makes 20");
+  // Steps end at samples, and adaptive ones look after themselves.
+  EXPECT_EQ(warnings_of([](Scene&, SolverOptions& o) {
+              o.time_step = 5e-3;
+              o.steps = 1000;
+            }),
+            std::vector<std::string>{});
+  EXPECT_EQ(warnings_of([](Scene&, SolverOptions& o) {
+              o.time_step = 5e-3;
+              o.step_error = 1e-4;
+            }),
+            std::vector<std::string>{});
+}
+
+TEST(MotionWarnings, SayWhatAFirstOrderSchemeTakes) {
+  const auto warnings = warnings_of([](Scene&, SolverOptions& o) {
+    o.scheme = Scheme::LinearlyImplicitEuler;
+    o.time_step = 1e-4;
+  });
+  ASSERT_EQ(warnings.size(), 1U);
+  // 1 - exp(-pi omega dt) with pi omega dt = 3.142 105.0 1e-4 = 0.03299.
+  EXPECT_EQ(warnings[0],
+            "solver.scheme = \"linearly_implicit_euler\" is of first order: it takes about 3.24 % "
+            "of the amplitude in each period of the beam's first frequency in bending, about 16.7 "
+            "Hz; \"linearly_implicit_midpoint\" costs the same");
+}
+
+TEST(MotionWarnings, KnowWhatImplicitEulerDoesToAVibration) {
+  // The scheme itself on x'' = -omega^2 x, over a period of 600 steps.
+  const double omega = 2.0 * pi * first_frequency(cantilever(), {Level::Planar, {}, ""})->hertz;
+  const double step = 2.0 * pi / omega / 600.0;
+  double x = 1.0;
+  double v = 0.0;
+  for (int i = 0; i < 600; ++i) {
+    v = (v - step * omega * omega * x) / (1.0 + step * step * omega * omega);
+    x += step * v;
+  }
+  const double lost = 100.0 * (1.0 - std::hypot(x, v / omega));
+  char text[32];
+  std::snprintf(text, sizeof text, "about %.2f %%", lost);
+  EXPECT_TRUE(has(warnings_of([&](Scene&, SolverOptions& o) {
+                    o.scheme = Scheme::LinearlyImplicitEuler;
+                    o.time_step = step;
+                  }),
+                  text))
+      << text;
+}
+
+TEST(MotionWarnings, SayWhichSchemesRingAfterAnImpact) {
+  const auto impact = [](Scheme scheme, const Change& change) {
+    return warnings_of([&](Scene& s, SolverOptions& o) {
+      s.supports.push_back({Place::end(), SupportKind::Pillar});
+      o.scheme = scheme;
+      o.rotary_inertia = RotaryInertia::Off;
+      change(s, o);
+    });
+  };
+  const auto as_it_is = [](Scene&, SolverOptions&) {};
+  const auto warnings = impact(Scheme::EnergyMomentum, as_it_is);
+  ASSERT_EQ(warnings.size(), 1U);
+  // sqrt(48) 0.02/sqrt(12) sqrt(210e9/7850) 64^2/(2 pi) = 134.9 kHz.
+  EXPECT_EQ(warnings[0],
+            "solver.scheme = \"energy_momentum\" damps nothing: after an impact on a pillar the "
+            "chain rings on at up to about 1.35e+05 Hz, which steps of 0.001 s do not follow; "
+            "\"generalized_alpha\" or solver.damping takes that out");
+  EXPECT_TRUE(has(impact(Scheme::LinearlyImplicitMidpoint, as_it_is), "rings on"));
+  EXPECT_EQ(impact(Scheme::GeneralizedAlpha, as_it_is), std::vector<std::string>{});
+  EXPECT_EQ(impact(Scheme::EnergyMomentum,
+                   [](Scene&, SolverOptions& o) {
+                     o.damping = Damping::Stiffness;
+                     o.damping_time = 1e-4;
+                   }),
+            std::vector<std::string>{});
+  EXPECT_EQ(warnings_of([](Scene&, SolverOptions& o) { o.scheme = Scheme::EnergyMomentum; }),
+            std::vector<std::string>{});
+  // Sections as deep as segments are long halve 1 + 12 I/(A l^2) = 2 of the square.
+  EXPECT_TRUE(has(impact(Scheme::EnergyMomentum,
+                         [](Scene& s, SolverOptions& o) {
+                           s.beam.segments = 50;
+                           o.rotary_inertia = RotaryInertia::On;
+                         }),
+                  "up to about 5.82e+04 Hz"));
+}
+
+TEST(MotionWarnings, SayThatARampOfGravityGrows) {
+  const auto heavy = [](const History& history) {
+    return warnings_of([&](Scene& s, SolverOptions& o) {
+      s.gravity[1] = -9.81;
+      s.gravity_history = history;
+      o.duration = 3.0;
+      o.steps = 300;
+    });
+  };
+  const auto warnings = heavy(History::ramp());
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0],
+            "gravity follows a ramp: it grows by 9.81 m/s^2 in each second, to 29.4 m/s^2 at the "
+            "end; history = \"constant\" has it from the first");
+  EXPECT_EQ(heavy(History::constant()), std::vector<std::string>{});
+}
+
+TEST(MotionWarnings, SayWhichCutNeverComes) {
+  const auto cut = [](double time) {
+    return warnings_of([&](Scene& s, SolverOptions&) { s.cuts.push_back({{0.5, {}}, time}); });
+  };
+  EXPECT_EQ(cut(0.99), std::vector<std::string>{});
+  EXPECT_EQ(cut(1.0).size(), 1U);
+  ASSERT_EQ(cut(1.5).size(), 1U);
+  EXPECT_EQ(cut(1.5)[0], "cut[1] at 1.5 s never comes: the motion ends at 1 s");
+}
+
+TEST(MotionWarnings, CountAnInitialMotionAmongWhatBendsTheBeam) {
+  EXPECT_TRUE(has(warnings_of([](Scene& s, SolverOptions&) {
+                    s.yield_model = YieldModel::PerAxis;
+                    s.initial_motions.push_back({.spin = {0.0, 1.0, 0.0}});
+                  }),
+                  "bending about both axes"));
+}
+
+}  // namespace
+}  // namespace plastica
