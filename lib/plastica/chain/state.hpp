@@ -92,13 +92,15 @@ struct Stage {
   static constexpr std::size_t kR = L::kRotations;
   using S = typename L::Scalar;
   bool half_way = false;                    ///< else forces act where the step ends
+  /// How far their arms and axes follow a motion of the end: half of it half way; not at all where
+  /// velocities or accelerations are sought.
+  double follows = 1.0;
   Placement<L> placement;                   ///< means; frames are no rotations (N)
   std::vector<typename L::Point> shift;     ///< means, of elastic joints (N)
   std::vector<Mat<S, kR, kR>> to_joint;     ///< moments to the axes of each joint's step spin (N)
   std::vector<Mat<S, kR, kR>> ground_axes;  ///< and of ground joints back to the world
 
-  /// d(mean)/d(end).
-  S share() const { return constant<S>(half_way ? 0.5 : 1.0); }
+  S share() const { return constant<S>(follows); }
   const Placement<L>& of(const Placement<L>& end) const { return half_way ? placement : end; }
 };
 

@@ -30,8 +30,8 @@ double MotionStep<L, kElastic>::load_work() const {
   return work;
 }
 
-/// Work of what moves: the ground at the root, supports that hold, springs' feet; of contacts that
-/// close, what they take from the beam (as impact).
+/// Work of what moves: the ground at the root, supports that hold, springs' feet. Contacts do none;
+/// what they do in a scheme, as they close or open within a step, is the scheme's.
 template <class L, bool kElastic>
 double MotionStep<L, kElastic>::ground_work() {
   const double end = rule_.end_work;
@@ -61,7 +61,7 @@ double MotionStep<L, kElastic>::ground_work() {
     if (closure.one_sided && !w_.q.released_closure[k]) {
       const double closed = chain::closure_gap(chain_, closure, w_.placement, w_.time) -
                             chain::closure_gap(chain_, closure, begin_, time_);
-      flows_.impact -= mean * closed;
+      flows_.numerical -= mean * closed;
     }
     multiplier_[k] = now;
   }

@@ -80,6 +80,28 @@ void MotionStep<L, kElastic>::assemble() {
   detail::set_closures(chain_, w_);
 }
 
+/// Velocities foretell a smooth motion; joints that ring faster than the step are better sought
+/// from where they are. What worked is tried first.
+template <class L, bool kElastic>
+bool MotionStep<L, kElastic>::solve(double h) {
+  h_ = h;
+  set_force_floor();
+  w_.may_close = rests_on_;
+  const bool at_rest = rests_ > 0;
+  rests_ = std::max(rests_ - 1, 0);
+  if (solve_from(!at_rest)) return true;
+  if (!solve_from(at_rest)) return false;
+  if (!at_rest) rests_ = kRests;
+  return true;
+}
+
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::note_fastest() {
+  for (const SegmentMotion<L>& motion : motion_) {
+    fastest_ = std::max(fastest_, size_of(motion.velocity));
+  }
+}
+
 /// @param predicted  whether to start where the velocities point to, or from where the step begins
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::solve_from(bool predicted) {
@@ -87,10 +109,12 @@ bool MotionStep<L, kElastic>::solve_from(bool predicted) {
   w_.time = time_ + h_;
   if (predicted) predict(h_);
   w_.stage.half_way = rule_.half_way;
+  w_.stage.follows = rule_.half_way ? 0.5 : 1.0;
   const auto outcome = equilibrate(
       chain_, [this](Work& /*w*/) { assemble(); }, newton_, w_,
       [](const Work&) { return PathCondition<L>{}; });
   w_.stage.half_way = false;
+  w_.stage.follows = 1.0;
   iterations_ += outcome.iterations;
   return outcome.converged && turns_little() && is_finite();
 }

@@ -1,21 +1,60 @@
 #pragma once
 
+#include <limits>
+
 #include "plastica/solve/motion_step.hpp"
 
 /// Jumps of velocity: impacts on pillars, supports that start or stop, the beginning.
 namespace plastica::solve {
 
-/// Whether a one-sided closure touches.
+/// How far a pillar is from the beam; of one that was cut off, infinitely.
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::touches(std::size_t k) const {
-  const double gap = chain::closure_gap(chain_, chain_.closures[k], w_.placement, w_.time);
-  return !w_.q.released_closure[k] && gap <= 1e-9 * chain_.length;
+double MotionStep<L, kElastic>::gap_of(std::size_t k, const Placement& placement,
+                                       double time) const {
+  if (w_.q.released_closure[k]) return std::numeric_limits<double>::infinity();
+  return chain::closure_gap(chain_, chain_.closures[k], placement, time);
 }
 
-/// Speed with which a closure's point moves along its direction, beyond its support's own.
+/// The share of the step that was solved at whose end a contact has just closed; 1: none does.
 template <class L, bool kElastic>
-double MotionStep<L, kElastic>::approach_of(std::size_t k, const Motions& motion,
-                                            const Placement& placement) const {
+double MotionStep<L, kElastic>::free_share() const {
+  const double tolerance = kContactTolerance * chain_.length;
+  double share = 1.0;
+  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+    if (!chain_.closures[k].one_sided || rests_on_[k]) continue;
+    const double end = gap_of(k, w_.placement, w_.time);
+    if (end >= -tolerance) continue;
+    const double begin = gap_of(k, begin_, time_);
+    // The middle of what is tolerated, on the secant.
+    const double part = (begin + 0.5 * tolerance) / (begin - end);
+    share = std::min(share, begin > 0.0 ? part : 0.0);
+  }
+  return share;
+}
+
+/// Contacts that touch at the step's begin and would be crossed in it: they are met there.
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::meet_at_begin() {
+  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+    if (!chain_.closures[k].one_sided || rests_on_[k]) continue;
+    const bool crosses = gap_of(k, w_.placement, w_.time) < -kContactTolerance * chain_.length;
+    if (crosses && gap_of(k, begin_, time_) <= 0.0) rests_on_[k] = true;
+  }
+  w_.q = q_begin_;
+  w_.time = time_;
+  w_.placement = begin_;
+  const double before = kinetic();
+  fit_velocities(motion_, rests_on_, {});
+  flows_.impact += before - kinetic();
+  h_before_ = 0.0;
+  forget_accelerations();
+}
+
+/// Speed of a closure's point against its direction, beyond that of its support.
+template <class L, bool kElastic>
+double MotionStep<L, kElastic>::approach_of(std::size_t k) const {
+  const Motions& motion = motion_;
+  const Placement& placement = w_.placement;
   const auto& closure = chain_.closures[k];
   const std::size_t i = closure.segment;
   const typename L::Spin spin = L::axes(placement.frame[i]) * motion[i].spin;
@@ -27,29 +66,29 @@ double MotionStep<L, kElastic>::approach_of(std::size_t k, const Motions& motion
                                     chain_.histories[closure.history].at(w_.time - h_)) /
                                        h_
                                  : slope_of(closure.history);
-  return speed - secant * closure.motion;
+  return secant * closure.motion - speed;
 }
 
 /// Makes velocities fit joints, supports and contacts, with the impulses that this takes. A contact
 /// that would have to pull is left out.
-/// @param bounce  speed of each closure's point away from its support; none: all at rest
+/// @param acts    one-sided closures that act (closures)
+/// @param bounce  speed of each closure's point away from its support; empty: all at rest
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::fit_velocities(Motions& motion, const std::vector<double>* bounce) {
+bool MotionStep<L, kElastic>::fit_velocities(Motions& motion, const std::vector<bool>& acts,
+                                             const std::vector<double>& bounce) {
   ClosureRates<L> rates;
   for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
     const auto& closure = chain_.closures[k];
-    const bool acts = closure.one_sided ? static_cast<bool>(was_closed_[k]) : true;
-    rates.acts.push_back(acts && !w_.q.released_closure[k]);
+    rates.acts.push_back((!closure.one_sided || acts[k]) && !w_.q.released_closure[k]);
     rates.rate.push_back(slope_of(closure.history) * closure.motion +
-                         (bounce != nullptr ? (*bounce)[k] : 0.0));
+                         (bounce.empty() ? 0.0 : bounce[k]));
   }
   const double slope = slope_of(chain_.root.history);
   const chain::Motion<L> ground{slope * chain_.root.motion, slope * chain_.root.turn};
-  const chain::Stage<L> at_end;
   const Motions given = motion;
   for (;;) {
     motion = given;
-    const bool holds = make_velocities_fit(chain_, rates, ground, no_laws_, at_end, motion, w_);
+    const bool holds = make_velocities_fit(chain_, rates, ground, no_laws_, no_motion_, motion, w_);
     bool pulls = false;
     for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
       if (!chain_.closures[k].one_sided || !rates.acts[k] || w_.small.b(k) >= 0.0) continue;
@@ -77,38 +116,75 @@ bool MotionStep<L, kElastic>::turns_a_corner() const {
   });
 }
 
-/// Finds contacts that have closed and lets them bounce or rest; follows supports whose speed
-/// jumps.
-/// @param begin  velocities before the step
-/// @return whether velocities have jumped
+/// Lets contacts that have closed bounce, or rest where they are slow or come back again and again;
+/// follows supports whose speed jumps.
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::settle(const Motions& begin) {
-  bool struck = false;
-  std::vector<double> bounce(chain_.closures.size(), 0.0);
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+void MotionStep<L, kElastic>::settle() {
+  const std::size_t count = chain_.closures.size();
+  bool touches = false;
+  for (std::size_t k = 0; k < count; ++k) {
     if (!chain_.closures[k].one_sided) continue;
-    const bool closed = w_.closed[k];
-    if (closed && !was_closed_[k]) {
-      struck = true;
-      const double speed = -approach_of(k, begin, begin_);
-      const double push = w_.q.multiplier[k] / mass_ * h_;
-      if (speed > kRestingSpeed * push) bounce[k] = options_.restitution[k] * speed;
+    if (rests_on_[k]) {
+      rests_on_[k] = w_.closed[k];
+    } else if (gap_of(k, w_.placement, w_.time) <= 0.0) {
+      touches = touches || approach_of(k) > 0.0;
+    } else {
+      bounces_[k] = 0;
     }
-    was_closed_[k] = closed;
   }
   const bool corner = turns_a_corner();
-  if (!struck && !corner) return false;
-  const double before = kinetic();
-  fit_velocities(motion_, &bounce);
+  if (!touches && !corner) return;
+  // What a scheme's velocities lack to fit the joints is its own affair, not the impact's.
+  double before = kinetic();
+  if (touches) {
+    fit_velocities(motion_, rests_on_, {});
+    flows_.numerical += before - kinetic();
+    before = kinetic();
+  }
+  strike(corner);
   const double lost = before - kinetic();
   // The work of an impulse that makes a support start or stop comes from outside.
-  (struck ? flows_.impact : flows_.external) += struck ? lost : -lost;
-  for (std::size_t k = 0; k < bounce.size(); ++k) {
-    if (bounce[k] <= 0.0) continue;
-    w_.q.multiplier[k] = 0.0;
-    was_closed_[k] = false;
+  (touches ? flows_.impact : flows_.external) += touches ? lost : -lost;
+  jumped();
+  touches ? forget_accelerations() : restart();
+}
+
+/// Velocities have jumped: what is known of steps before is of no use any more.
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::jumped() {
+  h_before_ = 0.0;
+  begin_ = w_.placement;
+  q_begin_ = w_.q;
+}
+
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::strike(bool corner) {
+  const std::size_t count = chain_.closures.size();
+  std::vector<double> bounce(count, 0.0);
+  std::vector<bool> acts = rests_on_;
+  bool strikes = corner;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!chain_.closures[k].one_sided || rests_on_[k]) continue;
+    if (gap_of(k, w_.placement, w_.time) > 0.0) continue;
+    const double speed = approach_of(k);
+    if (speed <= 0.0) continue;
+    const bool bounces = speed > kRestingSpeed * fastest_ && ++bounces_[k] <= kMostBounces;
+    bounce[k] = bounces ? options_.restitution[k] * speed : 0.0;
+    rests_on_[k] = bounce[k] == 0.0;
+    acts[k] = true;
+    strikes = true;
   }
-  return true;
+  if (strikes) fit_velocities(motion_, acts, bounce);
+}
+
+/// After an impact the accelerations are those of joints that ring faster than any step; without
+/// them generalized-alpha does not overshoot.
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::forget_accelerations() {
+  for (SegmentMotion<L>& motion : motion_) {
+    motion.acceleration = motion.resisting = {};
+    motion.spin_rate = motion.resisting_spin_rate = {};
+  }
 }
 
 /// After a jump: generalized-alpha begins anew from the accelerations that the forces give now.
@@ -123,12 +199,16 @@ void MotionStep<L, kElastic>::restart() {
       w_.outer_forces);
   ClosureRates<L> rates;
   for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-    const bool acts = chain_.closures[k].one_sided ? static_cast<bool>(was_closed_[k]) : true;
+    const bool acts = !chain_.closures[k].one_sided || rests_on_[k];
     rates.acts.push_back(acts && !w_.q.released_closure[k]);
     rates.rate.push_back(0.0);
   }
-  const chain::Stage<L> at_end;
-  set_accelerations(chain_, rates, w_.joints, at_end, motion_, w_);
+  // The laws' forces as they are: nothing moves in no time.
+  chain::JointForces<L, kElastic> laws{w_.joints.force, no_laws_.tangent};
+  set_accelerations(chain_, rates, laws, no_motion_, motion_, w_);
+  for (std::size_t k = 0; k < multiplier_.size(); ++k) {
+    multiplier_[k] = rates.acts[k] ? w_.small.b(k) : 0.0;
+  }
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     inertia_[i] = inertia_force(rule_, 1.0, chain_.inertias[i], w_.placement.frame[i],
                                 w_.placement.frame[i], motion_[i], motion_[i]);

@@ -26,8 +26,11 @@ struct MotionOptions {
 /// A segment may turn by no more than this in a step [rad]: Cayley's map ends at pi.
 inline constexpr double kLargestStepSpin = 1.5;
 
-/// An approach that is slower than this, times what the step's forces give a free body of the
-/// beam's mass, is rest and does not bounce [1].
+/// How far a contact may be crossed when its impact is found, over the beam's length [1].
+inline constexpr double kContactTolerance = 1e-7;
+
+/// An approach that is slower than this, times the largest speed so far, is rest and does not
+/// bounce [1].
 inline constexpr double kRestingSpeed = 1e-3;
 
 /// What has flowed into and out of a beam in motion [J]; each from its own formula.

@@ -42,12 +42,15 @@ class MotionStep {
     inertia_now_.resize(n);
     step_.resize(n);
     pull_.resize(n);
-    was_closed_.assign(chain.closures.size(), false);
+    rests_on_.assign(chain.closures.size(), false);
+    bounces_.assign(chain.closures.size(), 0);
+    multiplier_.assign(chain.closures.size(), 0.0);
     no_laws_.force.assign(chain.joints(), {});
     no_laws_.tangent.assign(chain.joints(), {});
     for (const auto& inertia : chain.inertias) mass_ += inertia.mass;
     w_.stage.half_way = false;
     w_.forgets = true;
+    no_motion_.follows = 0.0;
   }
 
   /// Begins at time 0 with velocities that joints and supports need not allow yet.
@@ -60,29 +63,30 @@ class MotionStep {
     joint_motion_.begin(w_.angles, w_.q.shift, w_.joints);
     begin_ = w_.placement;
     q_begin_ = w_.q;
-    detail::assemble(chain_, joints_, w_);  // for the closures that act
     for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-      was_closed_[k] = chain_.closures[k].one_sided && touches(k);
+      rests_on_[k] = chain_.closures[k].one_sided && gap_of(k, begin_, 0.0) <= 0.0;
     }
-    const bool holds = fit_velocities(motion_, nullptr);
+    const bool holds = fit_velocities(motion_, rests_on_, {});
+    note_fastest();
     restart();
     return holds;
   }
 
-  /// Tries a step.
+  /// Tries a step; it ends sooner where a contact closes.
   /// @return whether it has a solution that turns no joint too far
   bool attempt(double h) {
-    h_ = h;
     iterations_ = 0;
-    set_force_floor();
-    // Velocities foretell a smooth motion; joints that ring faster than the step are better sought
-    // from where they are.
-    const bool at_rest = rests_ > 0;
-    rests_ = std::max(rests_ - 1, 0);
-    if (solve_from(!at_rest)) return true;
-    if (!solve_from(at_rest)) return false;
-    if (!at_rest) rests_ = kRests;
-    return true;
+    for (int tries = 0; tries < kMostContactTries; ++tries) {
+      if (!solve(h)) return false;
+      const double share = free_share();
+      if (share >= 1.0) return true;
+      if (share > 0.0) {
+        h *= share;
+      } else {
+        meet_at_begin();
+      }
+    }
+    return false;
   }
 
   /// Takes the step that was tried.
@@ -98,12 +102,10 @@ class MotionStep {
     }
     h_before_ = h_;
     std::swap(motion_, motion_now_);
-    const bool struck = settle(motion_now_);
+    note_fastest();
     begin_ = w_.placement;
     q_begin_ = w_.q;
-    if (!struck) return;
-    h_before_ = 0.0;
-    restart();
+    settle();
   }
 
   /// Lets a joint go: that of a segment, or, of number N, what holds the end.
@@ -133,9 +135,7 @@ class MotionStep {
   /// Goes on with what `open` has changed.
   void opened() {
     chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
-    begin_ = w_.placement;
-    q_begin_ = w_.q;
-    h_before_ = 0.0;
+    jumped();
     restart();
   }
 
@@ -174,6 +174,9 @@ class MotionStep {
  private:
   /// Steps for which a start from rest is tried first, once it has found what the other did not.
   static constexpr int kRests = 10;
+  static constexpr int kMostContactTries = 30;
+  /// A contact that strikes in as many steps in a row comes to rest.
+  static constexpr int kMostBounces = 5;
 
   // motion_predict.hpp
   void predict(double h);
@@ -181,7 +184,9 @@ class MotionStep {
                      const typename L::Point& inner_velocity);
   void set_force_floor();
   // motion_forces.hpp
+  bool solve(double h);
   bool solve_from(bool predicted);
+  void note_fastest();
   void evaluate_laws();
   void assemble();
   void set_stage();
@@ -194,11 +199,17 @@ class MotionStep {
   double ground_work();
   double inertia_work() const;
   // motion_impact.hpp
-  bool touches(std::size_t closure) const;
+  double gap_of(std::size_t closure, const Placement& placement, double time) const;
+  double free_share() const;
+  void meet_at_begin();
   double slope_of(std::size_t history) const { return chain_.histories[history].slope_at(w_.time); }
-  double approach_of(std::size_t closure, const Motions& motion, const Placement& placement) const;
-  bool fit_velocities(Motions& motion, const std::vector<double>* bounce);
-  bool settle(const Motions& begin);
+  double approach_of(std::size_t closure) const;
+  bool fit_velocities(Motions& motion, const std::vector<bool>& acts,
+                      const std::vector<double>& bounce);
+  void settle();
+  void jumped();
+  void forget_accelerations();
+  void strike(bool corner);
   bool turns_a_corner() const;
   void restart();
 
@@ -210,11 +221,13 @@ class MotionStep {
   Work& w_;
   JointMotion<L, kElastic> joint_motion_;
   chain::JointForces<L, kElastic> no_laws_;  ///< zeros: what impulses see of the joints
+  chain::Stage<L> no_motion_;                ///< forces act at the end, and follow nothing
   double mass_ = 0.0;
   double h_ = 0.0;
   double time_ = 0.0;
   int iterations_ = 0;
   int rests_ = 0;
+  double fastest_ = 0.0;  ///< speed of a segment so far [m/s]
   // At the begin of the step:
   Placement begin_;
   chain::Coordinates<L> q_begin_;
@@ -222,7 +235,8 @@ class MotionStep {
   std::vector<typename L::Point> pull_;  ///< accelerations over the step before
   double h_before_ = 0.0;                ///< its length; 0: none, or a jump since
   std::vector<CenterForce<L>> inertia_;
-  std::vector<bool> was_closed_;
+  std::vector<bool> rests_on_;                   ///< one-sided closures that are closed (closures)
+  std::vector<int> bounces_;                     ///< in a row (closures)
   std::vector<chain::Wrench<L>> ground_wrench_;  ///< see ground_work
   std::vector<double> multiplier_;
   // At its end:

@@ -28,6 +28,7 @@ inline S larger_scale(const S& so_far, const S& x) {
 template <class L, bool kElastic>
 void set_closures(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
+  w.closed_anew = false;
   const S zero = constant<S>(0);
   for (std::size_t k = 0; k < chain.closures.size(); ++k) {
     w.gap[k] = chain::closure_gap(chain, chain.closures[k], w.placement, w.time);
@@ -38,8 +39,11 @@ void set_closures(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
     }
     if (!chain.closures[k].one_sided) continue;
     // A pillar pushes or is left: whichever the multiplier, less the gap's stiffness, says.
-    w.closed[k] =
-        (w.q.multiplier[k] - chain.closure_stiffness * w.gap[k] >= zero) & !w.q.released_closure[k];
+    const mask_t<S> closes = (w.q.multiplier[k] - chain.closure_stiffness * w.gap[k] >= zero) &
+                             !w.q.released_closure[k] & w.may_close[k];
+    const mask_t<S> was = w.closed[k];
+    w.closed_anew = w.closed_anew || any((closes & (!was)) | (was & (!closes)));
+    w.closed[k] = closes;
     w.q.multiplier[k] = select(w.closed[k], w.q.multiplier[k], zero);
     w.gap[k] = select(w.closed[k], w.gap[k], zero);
   }
@@ -50,6 +54,7 @@ void set_closures(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
 template <class L, bool kElastic>
 bool closures_meet(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
+  if (w.closed_anew) return false;
   for (std::size_t k = 0; k < chain.closures.size(); ++k) {
     const S size = chain.closures[k].turning ? constant<S>(1) : chain.length;
     if (any(abs(w.gap[k]) > constant<S>(kClosureTolerance) * size)) return false;

@@ -41,6 +41,8 @@ struct NewtonWork {
   chain::Recursion<L, kElastic> recursion;
   std::vector<typename L::Spin> angles;  ///< of all joints with a law, ground joints included
   std::vector<mask_t<S>> closed;         ///< whether a closure acts
+  std::vector<mask_t<S>> may_close;      ///< whether a one-sided one may
+  bool closed_anew = false;              ///< whether one has just closed or opened
   std::vector<S> gap;                    ///< of each closure
   chain::RightSide<L, kElastic> right;
   /// Of the imbalance, of each closure, and of the time (1 + closures + 1).
@@ -90,6 +92,7 @@ struct NewtonWork {
     recursion.resize(n);
     angles.assign(chain.joints(), {});
     closed.assign(closures, mask_t<S>{constant<S>(0) < constant<S>(1)});
+    may_close.assign(closures, mask_t<S>{constant<S>(0) < constant<S>(1)});
     gap.assign(closures, {});
     right.reset(n);
     columns.resize(closures + 2);

@@ -107,10 +107,10 @@ template <class L, bool kElastic>
 bool make_velocities_fit(const chain::Chain<L>& chain, const ClosureRates<L>& closures,
                          const chain::Motion<L>& ground,
                          const chain::JointForces<L, kElastic>& no_laws,
-                         const chain::Stage<L>& at_end, std::vector<SegmentMotion<L>>& motion,
+                         const chain::Stage<L>& no_motion, std::vector<SegmentMotion<L>>& motion,
                          NewtonWork<L, kElastic>& w) {
   w.outer_forces.reset(chain.size());
-  detail::factor_inertia(chain, at_end, no_laws, w);
+  detail::factor_inertia(chain, no_motion, no_laws, w);
   w.right.reset(chain.size());
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const chain::Inertia<L>& inertia = chain.inertias[i];
@@ -135,9 +135,10 @@ bool make_velocities_fit(const chain::Chain<L>& chain, const ClosureRates<L>& cl
 /// beginning of a scheme that carries them. Shifts of elastic joints are taken as at rest.
 template <class L, bool kElastic>
 void set_accelerations(const chain::Chain<L>& chain, const ClosureRates<L>& closures,
-                       const chain::JointForces<L, kElastic>& laws, const chain::Stage<L>& at_end,
-                       std::vector<SegmentMotion<L>>& motion, NewtonWork<L, kElastic>& w) {
-  detail::factor_inertia(chain, at_end, laws, w);
+                       const chain::JointForces<L, kElastic>& laws,
+                       const chain::Stage<L>& no_motion, std::vector<SegmentMotion<L>>& motion,
+                       NewtonWork<L, kElastic>& w) {
+  detail::factor_inertia(chain, no_motion, laws, w);
   w.right.reset(chain.size());
   // What turning joints that do not accelerate would give: arms and joint axes are carried along.
   std::vector<typename L::Point> carried(chain.size());
