@@ -15,6 +15,7 @@
 #include "plastica/io/scene_store.hpp"
 #include "plastica/io/storage_error.hpp"
 #include "plastica/model/scene_warnings.hpp"
+#include "plastica/report/format.hpp"
 #include "plastica/report/scene_csv.hpp"
 #include "plastica/report/scene_json.hpp"
 #include "plastica/report/scene_text.hpp"
@@ -78,8 +79,9 @@ int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const 
   // The reason begins with the level's name.
   fmt::print("{}: level {}\n", arguments.file, model.level_reason);
   if (model.chain) {
-    fmt::print("{} segments, {} supports, {} loads, ", response.chain.joints - 1,
-               setup.scene.supports.size(), setup.scene.loads.size());
+    fmt::print("{}, {}, {}, ", report::counted(response.chain.joints - 1, "segment"),
+               report::counted(setup.scene.supports.size(), "support"),
+               report::counted(setup.scene.loads.size(), "load"));
   }
   fmt::print("{} samples, {} probes, about {:.1f} MB\n", samples, model.probes.size(),
              static_cast<double>(memory_of(response)) / 1e6);
