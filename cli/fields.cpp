@@ -22,10 +22,10 @@ std::string allowed(const Field& field) {
 }
 
 int list_fields() {
-  fmt::print("{:<44} {:<7} {:<12} {}\n", "field", "unit", "default", "allowed; meaning");
+  fmt::print("{:<44} {:<7} {:<17} {}\n", "field", "unit", "default", "allowed; meaning");
   for (const Field& field : fields()) {
     const bool word = field.kind == FieldKind::Choice;
-    fmt::print("{:<44} {:<7} {:<12} {}; {}{}\n", field.path, word ? "" : si_unit(field.dimension),
+    fmt::print("{:<44} {:<7} {:<17} {}; {}{}\n", field.path, word ? "" : si_unit(field.dimension),
                default_text(field), allowed(field), field.doc,
                field.material ? " [fit parameter]" : "");
   }
