@@ -126,10 +126,13 @@ material = "S355"                 # or { name = "S355", yield_stress = "370 MPa"
 yield_model = "fibre"             # "interaction", "per_axis", "elastic": one moment for a joint
 # yield_cap    = "fully_plastic"  # the largest moment of those that are not fibres
 # break_limit_x = "3 %"           # permanent strain at which a joint breaks in bending about x
+# on_break      = "cut_all"       # "cut_worst", "record_only"
 
 # [solver]
 # level = "planar"                # "auto" takes the least level that holds the scene
 # steps = 20                      # recorded steps of the path
+# analysis = "dynamics"           # a motion in time: it needs a duration, such as "2 s", and may
+#                                 # have scheme, time_step, damping, [[initial_motion]] and [[cut]]
 
 # gravity = ["0 m/s^2", "-9.81 m/s^2", "0 m/s^2"]
 # gravity = { y = "-9.81 m/s^2", history = "constant" }
@@ -166,7 +169,7 @@ component = "x"
 [[probe]]
 name = "plastic work"
 kind = "energy"
-energy = "plastic"                # "elastic", "external", "residual"
+energy = "plastic"                # "elastic", "external", "residual"; in time also "kinetic", ...
 )";
 
 /// Close to normal, with mean 0 and standard deviation 1: the sum of twelve uniform numbers. Whole
