@@ -81,7 +81,8 @@ struct SolverOptions {
   std::array<double, 3> control_motion{};
   int most_iterations = 25;  ///< Newton iterations of a step before it is cut back, >= 1
   /// A step has converged when no joint is out of balance by more than this times the largest
-  /// moment of the step, and no support is off by more than this times the length [1], > 0.
+  /// moment of the step, and no support is off by more than this times the length [1], > 0; in
+  /// dynamics at least 1e-11 is taken, since forces are differences of positions there.
   double tolerance = 1e-10;
   /// A step may turn no joint by more than this [rad], > 0; else it is cut back.
   double largest_turn = 0.2;

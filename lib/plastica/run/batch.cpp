@@ -30,7 +30,7 @@ std::vector<BatchRow> run_batch(std::span<const BatchCase> cases, const BatchOpt
   Progress progress(options);
   parallel_for(cases.size(), {options.threads, options.stop}, [&](std::size_t i, int) {
     try {
-      rows[i].response = simulate(cases[i].scene, cases[i].options);
+      rows[i].response = simulate(cases[i].scene, cases[i].options, cases[i].on_break);
     } catch (const InputError& error) {
       rows[i].response.status = Status::Rejected;
       rows[i].reason = error.what();

@@ -16,6 +16,7 @@ struct BatchCase {
   std::string id;  ///< unique in the batch
   Scene scene;
   SolverOptions options;
+  BreakListener on_break{};  ///< called in the thread that runs the case; may be empty
 };
 
 /// What became of a case. A case that cannot be run is a row too, and the others go on.

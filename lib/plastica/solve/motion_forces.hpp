@@ -108,6 +108,9 @@ bool MotionStep<L, kElastic>::solve_from(bool predicted) {
   w_.q = q_begin_;
   w_.time = time_ + h_;
   if (predicted) predict(h_);
+  // Nothing outside holds the momentum of a piece: it is kept to rounding.
+  newton_.polishes = claims_of(options_.scheme, options_.rho_infinity).momentum &&
+                     std::find(w_.q.open.begin(), w_.q.open.end(), true) != w_.q.open.end();
   w_.stage.half_way = rule_.half_way;
   w_.stage.follows = rule_.half_way ? 0.5 : 1.0;
   const auto outcome = equilibrate(

@@ -26,6 +26,10 @@ struct MotionOptions {
 /// A segment may turn by no more than this in a step [rad]: Cayley's map ends at pi.
 inline constexpr double kLargestStepSpin = 1.5;
 
+/// Newton's method goes no further than this: below is the rounding of positions (see
+/// MotionStep::set_force_floor).
+inline constexpr double kLeastTolerance = 1e-11;
+
 /// How far a contact may be crossed when its impact is found, over the beam's length [1].
 inline constexpr double kContactTolerance = 1e-7;
 

@@ -34,6 +34,7 @@ class MotionStep {
         w_(work),
         joint_motion_(joints, axes) {
     newton_.patience = 5;
+    newton_.tolerance = std::max(newton_.tolerance, kLeastTolerance);
     newton_.one_solve = claims_of(options.scheme, options.rho_infinity).one_solve;
     const std::size_t n = chain.size();
     motion_.resize(n);

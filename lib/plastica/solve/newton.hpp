@@ -53,7 +53,7 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
       going = going & (imbalance <= constant<S>(0.1) * before);
     }
     // A value that is there gets its derivatives from one more step.
-    const bool polishes = kCarriesDerivatives<S> && !any(going) && !polished;
+    const bool polishes = (kCarriesDerivatives<S> || options.polishes) && !any(going) && !polished;
     if ((!any(going) && !polishes) || iteration == options.most_iterations) break;
     polished = polishes;
     detail::solve_imbalance(chain, condition, w);

@@ -124,6 +124,8 @@ struct NewtonOptions {
   /// the largest from what the solve took for it (it has begun or ceased to yield), or the solve
   /// has turned a joint by more than `kSmallTurn`.
   bool one_solve = false;
+  /// Solves once more after convergence: what is left is rounding then, not the tolerance.
+  bool polishes = false;
   /// Gives up when the imbalance has not fallen to a tenth in so many iterations; 0: never.
   int patience = 0;
 };

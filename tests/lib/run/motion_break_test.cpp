@@ -1,0 +1,200 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "plastica/run/batch.hpp"
+#include "tests/support/motion_scene.hpp"
+
+namespace plastica {
+namespace {
+
+using testing::add_probe;
+using testing::drift_of;
+using testing::flying_scene;
+using testing::last_energy;
+using testing::motion_options;
+using testing::struck_scene;
+
+Scene breaking_scene(int segments, double speed = 30.0) {
+  Scene scene = struck_scene(segments, speed);
+  scene.material.break_strain = 0.05;
+  return scene;
+}
+
+TEST(MotionBreak, CutsTheRootOfAStruckCantileverWhichFliesOff) {
+  Scene scene = breaking_scene(16);
+  add_probe(scene, ProbeQuantity::ReactionMoment, Place::start(), Component::X);
+  const Response response = simulate(scene, motion_options(Scheme::EnergyMomentum, 1e-4, 400));
+  EXPECT_EQ(response.status, Status::Broken);
+  ASSERT_EQ(response.chain.events.size(), 1U);
+  const ChainBreak& event = response.chain.events.front();
+  ASSERT_EQ(event.joints.size(), 1U);
+  const BrokenJoint& joint = event.joints.front();
+  EXPECT_EQ(joint.joint, 0);
+  EXPECT_EQ(joint.cause, BreakCause::BendingX);
+  EXPECT_TRUE(joint.cut);
+  EXPECT_GE(joint.strain, 0.05);
+  EXPECT_GT(std::fabs(joint.moment[0]), 300.0);
+  EXPECT_GT(joint.dissipation, 10.0);
+  EXPECT_EQ(event.pieces, (std::vector<Piece>{{0, 15}}));
+  EXPECT_GT(last_energy(response).fracture, 0.0);
+  const auto& moment = response.probes[0];
+  const auto after = static_cast<std::size_t>(event.time / 1e-4) + 2;
+  EXPECT_NE(moment[after - 4], 0.0);
+  EXPECT_EQ(moment[after], 0.0);
+  // The joint keeps what it broke with.
+  EXPECT_NEAR(response.permanent_strain, joint.strain, 1e-12);
+}
+
+TEST(MotionBreak, LeavesAllWholeWithoutALimit) {
+  const Response response =
+      simulate(struck_scene(16, 30.0), motion_options(Scheme::EnergyMomentum, 1e-4, 200));
+  EXPECT_EQ(response.status, Status::Completed);
+  EXPECT_TRUE(response.chain.events.empty());
+}
+
+TEST(MotionBreak, RecordsEachJointOnceWhereNothingIsToBeCut) {
+  Scene scene = breaking_scene(16);
+  scene.on_break = BreakPolicy::RecordOnly;
+  const Response response = simulate(scene, motion_options(Scheme::EnergyMomentum, 1e-4, 300));
+  ASSERT_FALSE(response.chain.events.empty());
+  std::vector<int> told;
+  for (const ChainBreak& event : response.chain.events) {
+    EXPECT_EQ(event.pieces.size(), 1U);
+    for (const BrokenJoint& joint : event.joints) {
+      EXPECT_FALSE(joint.cut);
+      EXPECT_EQ(std::count(told.begin(), told.end(), joint.joint), 0);
+      told.push_back(joint.joint);
+    }
+  }
+  EXPECT_EQ(last_energy(response).fracture, 0.0);
+}
+
+/// Pure bending by a moment at the end, without mass to speak of at the joints: all break at once.
+Scene evenly_bent_scene(int segments) {
+  Scene scene = testing::cantilever_scene(segments);
+  scene.yield_model = YieldModel::Interaction;
+  scene.material.hardening.law = HardeningLaw::Linear;
+  scene.material.hardening.tangent_modulus = 2e9;
+  scene.material.break_strain = 1e-4;
+  scene.material.density = 1e-3;
+  Support end{.at = Place::end(), .kind = SupportKind::Guide};
+  end.hold = HeldFreedoms{false, false, false, true, false, false};
+  end.rotation = {-0.4, 0.0, 0.0};
+  end.history = {{0.0, 0.02}, {0.0, 1.0}};
+  scene.supports.push_back(end);
+  return scene;
+}
+
+TEST(MotionBreak, CutsAllJointsThatBreakInAStepOrTheWorstOfThem) {
+  Scene scene = evenly_bent_scene(6);
+  SolverOptions options = motion_options(Scheme::GeneralizedAlpha, 2e-2, 1);
+  options.damping = Damping::Stiffness;
+  options.damping_time = 1e-3;
+  const Response all = simulate(scene, options);
+  ASSERT_FALSE(all.chain.events.empty());
+  std::size_t cut = 0;
+  for (const ChainBreak& event : all.chain.events) cut += event.joints.size();
+  EXPECT_EQ(all.chain.events.back().pieces.size(), 6U);
+  EXPECT_EQ(cut, 7U) << "both half joints and those between";
+  for (const double position : all.chain.position) EXPECT_TRUE(std::isfinite(position));
+
+  scene.on_break = BreakPolicy::CutWorst;
+  const Response worst = simulate(scene, options);
+  for (const ChainBreak& event : worst.chain.events) {
+    EXPECT_EQ(std::count_if(event.joints.begin(), event.joints.end(),
+                            [](const BrokenJoint& joint) { return joint.cut; }),
+              1);
+  }
+}
+
+TEST(MotionBreak, AsksTheListenerWhatToCut) {
+  int asked = 0;
+  const Response response =
+      simulate(breaking_scene(16), motion_options(Scheme::EnergyMomentum, 1e-4, 200),
+               [&](ChainBreak& event) {
+                 ++asked;
+                 for (BrokenJoint& joint : event.joints) joint.cut = false;
+               });
+  EXPECT_GT(asked, 0);
+  EXPECT_EQ(static_cast<std::size_t>(asked), response.chain.events.size());
+  EXPECT_EQ(last_energy(response).fracture, 0.0);
+}
+
+TEST(MotionBreak, CutsWhereTheSceneSaysAndKeepsMomentum) {
+  for (const bool in_space : {false, true}) {
+    Scene scene = flying_scene(12, in_space);
+    scene.cuts = {{{0.5, {}}, 0.02}, {{0.25, {}}, 0.02}, {{0.75, {}}, 0.03}};
+    add_probe(scene, ProbeQuantity::Momentum, {}, Component::Y);
+    add_probe(scene, ProbeQuantity::AngularMomentum, {}, Component::X);
+    const SolverOptions options = motion_options(Scheme::EnergyMomentum, 1e-3, 100);
+    const Response response = simulate(scene, options);
+    ASSERT_EQ(response.chain.events.size(), 2U);
+    EXPECT_EQ(response.chain.events[0].time, 0.02);
+    ASSERT_EQ(response.chain.events[0].joints.size(), 2U);
+    EXPECT_EQ(response.chain.events[0].joints[0].joint, 3);
+    EXPECT_EQ(response.chain.events[0].joints[0].cause, BreakCause::Cut);
+    EXPECT_EQ(response.chain.events[0].joints[1].joint, 6);
+    EXPECT_EQ(response.chain.events[1].pieces,
+              (std::vector<Piece>{{0, 2}, {3, 5}, {6, 8}, {9, 11}}));
+    EXPECT_LT(drift_of(response, 0), 1e-10);
+    EXPECT_LT(drift_of(response, 1), 1e-10);
+    EXPECT_LT(response.ledger_error, 1e-8);
+  }
+}
+
+TEST(MotionBreak, BalancesItsEnergiesInElasticPlasticBreakingScenes) {
+  std::vector<Scene> scenes{breaking_scene(16), breaking_scene(24, 20.0), breaking_scene(8, 40.0)};
+  scenes.push_back(struck_scene(12, 20.0, YieldModel::Fibre));
+  scenes.back().material.break_strain = 0.05;
+  Scene sideways = breaking_scene(10);
+  sideways.initial_motions[0].velocity = {10.0, -25.0, 0.0};
+  scenes.push_back(sideways);
+  for (const Scene& scene : scenes) {
+    const Response exact = simulate(scene, motion_options(Scheme::EnergyMomentum, 5e-5, 400));
+    EXPECT_EQ(exact.status, Status::Broken);
+    EXPECT_LT(exact.ledger_error, 1e-8);
+    for (const Scheme scheme : {Scheme::LinearlyImplicitEuler, Scheme::GeneralizedAlpha}) {
+      const Response coarse = simulate(scene, motion_options(scheme, 1e-4, 60));
+      const Response fine = simulate(scene, motion_options(scheme, 1.25e-5, 480));
+      EXPECT_LT(fine.ledger_error, 0.5 * coarse.ledger_error);
+    }
+  }
+}
+
+TEST(MotionBreak, EndsRandomScenesWithoutASurprise) {
+  std::mt19937 random(20);
+  const auto between = [&](double a, double b) {
+    return a + (b - a) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+  };
+  std::vector<BatchCase> cases;
+  for (int k = 0; k < 100; ++k) {
+    Scene scene = struck_scene(static_cast<int>(between(3.0, 20.0)), between(2.0, 60.0));
+    if (k % 3 == 0) scene.initial_motions[0].velocity[0] = between(-20.0, 20.0);
+    if (k % 4 == 0) scene.supports.clear();
+    if (k % 5 == 0) scene.yield_model = YieldModel::Fibre;
+    scene.material.break_strain = between(0.005, 0.2);
+    scene.on_break = k % 2 == 0 ? BreakPolicy::CutAll : BreakPolicy::CutWorst;
+    if (k % 6 == 0) {
+      Support pillar{.at = Place::end(), .kind = SupportKind::Pillar};
+      pillar.gap = between(0.0, 0.1);
+      pillar.restitution = between(0.0, 1.0);
+      scene.supports.push_back(pillar);
+    }
+    auto options = motion_options(static_cast<Scheme>(k % 4), between(2e-5, 5e-4), 20);
+    options.fibres = 8;
+    cases.push_back({std::to_string(k), scene, options, {}});
+  }
+  for (const BatchRow& row : run_batch(cases)) {
+    EXPECT_TRUE(row.response.status == Status::Completed || row.response.status == Status::Broken)
+        << row.id << ": " << name_of(row.response.status) << ' ' << row.reason;
+    for (const Energies& energy : row.response.chain.energy) {
+      EXPECT_TRUE(std::isfinite(energy.kinetic + energy.elastic)) << row.id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace plastica
