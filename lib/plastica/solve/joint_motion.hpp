@@ -11,14 +11,6 @@
 /// The joints of a chain in a step: their laws, as the scheme takes them, and their damping.
 namespace plastica::solve {
 
-/// Rate and acceleration of a joint's coordinates and of their stresses, where damping asks.
-template <class L, bool kElastic>
-struct JointRates {
-  using Vector = Vec<typename L::Scalar, chain::kFreedoms<L, kElastic>>;
-  Vector rate{}, acceleration{};
-  Vector stress_rate{}, stress_acceleration{};
-};
-
 template <class L, bool kElastic>
 class JointMotion {
  public:
@@ -44,8 +36,6 @@ class JointMotion {
     law_before_.resize(n);
     damped_.resize(n);
     damped_before_.resize(n);
-    rates_.resize(n);
-    rates_now_.resize(n);
   }
 
   /// Takes what the laws have just said as the state before a step.
@@ -63,10 +53,11 @@ class JointMotion {
 
   /// Turns what the laws say of the end of a step into what the scheme takes of it, and adds
   /// damping.
+  /// @param spins   of the joints at the end [rad/s]; empty: see `damp` (joints)
   /// @param forces  of the laws at the end; replaced
   void take(const MotionOptions& options, const StepRule& rule, double h,
             std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts,
-            Forces& forces) {
+            std::span<const typename L::Spin> spins, Forces& forces) {
     for (std::size_t j = 0; j < stiffness_.size(); ++j) {
       const typename L::Point shift = shift_of(shifts, j);
       const JointStep<L, kElastic> step = step_of(j, angles[j], shift);
@@ -79,7 +70,7 @@ class JointMotion {
       }
       law_[j] = forces.force[j];
       if (options.damping != Damping::None) {
-        damp(options, rule, h, j, step, shift, slope, forces);
+        damp(options, rule, h, j, step, shift, slope, spins.empty() ? nullptr : &spins[j], forces);
       }
     }
   }
@@ -108,7 +99,6 @@ class JointMotion {
     }
     law_before_ = law_;
     damped_before_ = damped_;
-    rates_ = rates_now_;
   }
 
   const typename L::Spin& angle_before(std::size_t j) const { return angle_[j]; }
@@ -175,49 +165,38 @@ class JointMotion {
     return step;
   }
 
-  /// The rate of a coordinate: half way the mean one, else by the scheme's rule.
-  static void follow(const StepRule& rule, double h, const Vector& moved, const Vector& rate_before,
-                     const Vector& acceleration_before, Vector& rate, Vector& acceleration) {
-    const auto c = [](double x) { return constant<S>(x); };
-    if (rule.conserves) {
-      rate = c(1.0 / h) * moved;
-      return;
-    }
-    rate = c(rule.velocity / h) * moved + c(rule.velocity_v) * rate_before +
-           c(rule.velocity_a * h) * acceleration_before;
-    acceleration = c(rule.acceleration / (h * h)) * moved +
-                   c(rule.acceleration_v / h) * rate_before +
-                   c(rule.acceleration_a) * acceleration_before;
-  }
-
+  /// Damping takes the mean rate of the step, which is right half way and, at the end, of first
+  /// order in the damping; but generalized-alpha with stiffness damping knows the angles' rates at
+  /// the end.
+  /// @param spin  of the joint at the end [rad/s]; null: the mean rate counts
   void damp(const MotionOptions& options, const StepRule& rule, double h, std::size_t j,
             const JointStep<L, kElastic>& step, const typename L::Point& shift, const Matrix& slope,
-            Forces& forces) {
-    const S time = constant<S>(options.damping_time);
-    const S by_rate = time * constant<S>((rule.conserves ? 1.0 : rule.velocity) / h);
-    JointRates<L, kElastic>& now = rates_now_[j];
-    const JointRates<L, kElastic>& before = rates_[j];
+            const typename L::Spin* spin, Forces& forces) {
+    const S per_step = constant<S>(options.damping_time / h);
     Vector stress;
     Matrix tangent;
-    if (options.damping == Damping::Stiffness) {
+    const bool of_angles = options.damping == Damping::Stiffness;
+    if (of_angles) {
       Vector moved;
       for (std::size_t m = 0; m < kR; ++m) moved[m] = step.angle_now[m] - step.angle_before[m];
       if constexpr (kElastic) {
         for (std::size_t m = 0; m < kT; ++m) moved[kR + m] = shift[m] - shift_[j][m];
       }
-      follow(rule, h, moved, before.rate, before.acceleration, now.rate, now.acceleration);
+      S by_spin = constant<S>(1);
+      if (spin != nullptr) {
+        const typename L::Spin at_end = L::turn_by(constant<S>(h) * *spin, step.angle_now);
+        for (std::size_t m = 0; m < kR; ++m) moved[m] = at_end[m] - step.angle_now[m];
+        by_spin = constant<S>(rule.velocity);
+      }
       for (std::size_t m = 0; m < kJ; ++m) {
-        stress[m] = time * stiffness_[j][m] * now.rate[m];
-        tangent(m, m) = by_rate * stiffness_[j][m];
+        stress[m] = per_step * stiffness_[j][m] * moved[m];
+        tangent(m, m) = (m < kR ? by_spin : constant<S>(1)) * per_step * stiffness_[j][m];
       }
     } else {
-      follow(rule, h, step.stress_now - step.stress_before, before.stress_rate,
-             before.stress_acceleration, now.stress_rate, now.stress_acceleration);
-      stress = time * now.stress_rate;
-      tangent = by_rate * slope;
+      stress = per_step * (step.stress_now - step.stress_before);
+      tangent = per_step * slope;
     }
-    if constexpr (kR == 3)
-      to_spins(rule, step, options.damping == Damping::Stiffness, stress, tangent);
+    if constexpr (kR == 3) to_spins(rule, step, of_angles, stress, tangent);
     damped_[j] = stress;
     forces.force[j] += stress;
     forces.tangent[j] += tangent;
@@ -254,7 +233,6 @@ class JointMotion {
   std::vector<Vector> step_;                    ///< of the joint in the step (joints)
   std::vector<Vector> law_, law_before_;        ///< what laws do, as it works on spins
   std::vector<Vector> damped_, damped_before_;  ///< what damping does
-  std::vector<JointRates<L, kElastic>> rates_, rates_now_;
 };
 
 }  // namespace plastica::solve

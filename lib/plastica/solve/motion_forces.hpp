@@ -52,15 +52,39 @@ void MotionStep<L, kElastic>::set_stage() {
   }
 }
 
+/// How fast the joints turn at the step's end.
+template <class L, bool kElastic>
+void MotionStep<L, kElastic>::set_joint_spins() {
+  if (rule_.conserves || options_.damping != Damping::Stiffness) return;
+  spins_.resize(chain_.joints());
+  typename L::Spin inner = slope_of(chain_.root.history) * chain_.root.turn;
+  const auto spin_of = [&](std::size_t i) {
+    return L::axes(w_.placement.frame[i]) * motion_now_[i].spin;
+  };
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    const typename L::Spin spin = spin_of(i);
+    spins_[i] = transposed_times(L::axes(w_.placement.near[i]), spin - inner);
+    inner = spin;
+  }
+  for (const auto& joint : chain_.ground_joints) {
+    const typename L::Spin ground = slope_of(joint.history) * joint.motion;
+    spins_[joint.joint] = transposed_times(L::axes(chain::ground_joint_axes(joint, w_.placement)),
+                                           ground - spin_of(joint.segment));
+  }
+}
+
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::assemble() {
   chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     step_[i] = segment_step<L>(chain_.inertias[i], i, begin_, w_.placement);
+    const auto spin = transposed_times(L::axes(w_.placement.frame[i]), step_[i].spin);
+    motion_now_[i] = motion_after(rule_, h_, motion_[i], step_[i].way, spin);
   }
   if (rule_.half_way) set_stage();
   evaluate_laws();
-  joint_motion_.take(options_, rule_, h_, w_.angles, w_.q.shift, w_.joints);
+  set_joint_spins();
+  joint_motion_.take(options_, rule_, h_, w_.angles, w_.q.shift, spins_, w_.joints);
   chain::gather_forces(
       chain_, w_.q, w_.placement, w_.stage, w_.joints,
       [this](std::size_t history) { return factor_at(history); }, w_.outer_forces);
@@ -68,12 +92,11 @@ void MotionStep<L, kElastic>::assemble() {
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const chain::Inertia<L>& inertia = chain_.inertias[i];
     const auto& end = w_.placement.frame[i];
-    const typename L::Spin spin = transposed_times(L::axes(end), step_[i].spin);
-    motion_now_[i] = motion_after(rule_, h_, motion_[i], step_[i].way, spin);
     inertia_now_[i] =
         inertia_force(rule_, h_, inertia, begin_.frame[i], end, motion_[i], motion_now_[i]);
     const auto turning =
-        turning_impedance<L>(rule_, h_, inertia, end, motion_now_[i], spin, inertia_now_[i].moment);
+        turning_impedance<L>(rule_, h_, inertia, end, motion_now_[i],
+                             transposed_times(L::axes(end), step_[i].spin), inertia_now_[i].moment);
     add_inertia(rule_, h_, inertia, i, w_.placement, acting, inertia_now_[i], turning,
                 w_.outer_forces);
   }

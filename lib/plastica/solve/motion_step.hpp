@@ -191,6 +191,7 @@ class MotionStep {
   void evaluate_laws();
   void assemble();
   void set_stage();
+  void set_joint_spins();
   double factor_at(std::size_t history) const;
   bool turns_little() const;
   bool is_finite() const;
@@ -244,6 +245,7 @@ class MotionStep {
   Motions motion_now_;
   std::vector<CenterForce<L>> inertia_now_;
   std::vector<SegmentStep<L>> step_;
+  std::vector<typename L::Spin> spins_;  ///< of joints, where damping asks for them
   EnergyFlows flows_;
 };
 
