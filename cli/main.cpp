@@ -28,7 +28,7 @@ constexpr const char* kFooter =
     "  plastica plot fit.h5 -o fit.svg         the picture\n"
     "  plastica simulate scene.toml -o s.h5    what a beam does under its loads\n"
     "Exit codes: 0 done, 1 a target has no usable fit or a scene no equilibrium, 2 bad input,\n"
-    "3 the machine failed, 130 interrupted by Ctrl-C (--resume goes on).\n"
+    "3 the machine failed, 130 interrupted by Ctrl-C (what was finished is kept).\n"
     "`plastica COMMAND --help` says more.";
 
 void add_commands(CLI::App& app, const std::string& command_line, Action& action) {

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -11,6 +12,8 @@
 
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/motion_progress.hpp"
 #include "cli/run_files.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/io/storage_error.hpp"
@@ -19,6 +22,7 @@
 #include "plastica/report/scene_csv.hpp"
 #include "plastica/report/scene_json.hpp"
 #include "plastica/report/scene_text.hpp"
+#include "plastica/run/chain_model.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica::cli {
@@ -60,6 +64,17 @@ void check_outputs(const SimulateArguments& arguments) {
   }
 }
 
+/// The scheme and the step of a motion, and how many it will take at least.
+std::string motion_label(const Setup& setup, const ChainModel& chain) {
+  const SolverOptions& solver = setup.solver;
+  const bool adaptive = solver.step_error > 0.0;
+  return fmt::format("{}, {} s in {}{:.0f} steps of {}{} s\n",
+                     std::get<std::string>(find_field("solver.scheme").get(setup)),
+                     chain.stops.back(), adaptive ? "at least " : "",
+                     std::ceil(chain.stops.back() / solver.time_step * (1.0 - 1e-9)),
+                     adaptive ? "at most " : "", solver.time_step);
+}
+
 /// Bytes that a response holds.
 std::size_t memory_of(const Response& response) {
   const ChainHistory& chain = response.chain;
@@ -73,6 +88,10 @@ std::size_t memory_of(const Response& response) {
   return sizeof(double) * values + sizeof(Energies) * chain.energy.size();
 }
 
+bool is_motion(const Model& model) {
+  return model.chain && model.chain->options.analysis == Analysis::Dynamics;
+}
+
 int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const Model& model) {
   const Response response = make_response(model);
   const std::size_t samples = model.chain ? response.chain.time.size() : model.drive.size();
@@ -83,8 +102,13 @@ int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const 
                report::counted(setup.scene.supports.size(), "support"),
                report::counted(setup.scene.loads.size(), "load"));
   }
-  fmt::print("{} samples, {} probes, about {:.1f} MB\n", samples, model.probes.size(),
+  fmt::print("{} samples, ", samples);
+  if (model.chain && response.chain.frame_sample.size() < samples) {
+    fmt::print("{} frames, ", response.chain.frame_sample.size());
+  }
+  fmt::print("{} probes, about {:.1f} MB\n", model.probes.size(),
              static_cast<double>(memory_of(response)) / 1e6);
+  if (is_motion(model)) fmt::print("{}", motion_label(setup, *model.chain));
   for (const std::string& warning : scene_warnings(setup.scene, setup.solver)) {
     fmt::print("warning: {}\n", warning);
   }
@@ -113,6 +137,32 @@ void write_result(const std::string& output, const io::SceneRecord& record) {
   }
 }
 
+/// Runs a motion so that Ctrl-C ends it in order, and tells how far it is.
+void run_motion(const Model& model, bool quiet, Workspace& workspace, Response& response) {
+  const InterruptGuard interrupt;
+  MotionProgress progress(model.chain->stops.back(), quiet);
+  workspace.on_progress = [&](double time) {
+    progress.update(time);
+    return !interrupt.flag();
+  };
+  run(model, {}, workspace, response);
+  workspace.on_progress = {};
+}
+
+int exit_code_of(const Response& response, const std::string& output) {
+  const Status status = response.status;
+  if (usable(status)) return kDone;
+  if (status == Status::Interrupted) {
+    fmt::print(stderr,
+               "plastica: interrupted at {:.5g} s: {} holds what was computed up to there\n",
+               response.chain.time.empty() ? 0.0 : response.chain.time.back(),
+               output == "-" ? "the table" : output);
+    return kInterrupted;
+  }
+  fmt::print(stderr, "plastica: {}: {}\n", name_of(status), advice(status));
+  return kNotAcceptable;
+}
+
 int simulate_file(const SimulateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const io::SceneFile file = io::read_scene_file(arguments.file);
@@ -122,7 +172,11 @@ int simulate_file(const SimulateArguments& arguments) {
   io::RunMeta meta = io::begin_meta(arguments.command_line, 1);
   Response response = make_response(model);
   Workspace workspace = make_workspace(model);
-  run(model, {}, workspace, response);
+  if (is_motion(model)) {
+    run_motion(model, arguments.quiet, workspace, response);
+  } else {
+    run(model, {}, workspace, response);
+  }
   io::SceneRecord record = io::make_scene_record(file, model, std::move(response));
   meta.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   record.meta = std::move(meta);
@@ -136,10 +190,7 @@ int simulate_file(const SimulateArguments& arguments) {
     fmt::print(table ? stderr : stdout, "{}", report::scene_report(record, color));
     if (!table) fmt::print(stderr, "wrote {}\n", arguments.output);
   }
-  const Status status = record.response.status;
-  if (usable(status)) return kDone;
-  fmt::print(stderr, "plastica: {}: {}\n", name_of(status), advice(status));
-  return kNotAcceptable;
+  return exit_code_of(record.response, arguments.output);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/motion_progress.hpp"
+
 namespace plastica::cli {
 namespace {
 
@@ -24,6 +26,25 @@ TEST(ProgressBar, IsFullAtTheEnd) {
             "fitting [########################] 8/8, 8 failed, 4/s");
   EXPECT_EQ(ProgressBar::line("fitting", 0, 0, 0, 0.0),
             "fitting [########################] 0/0, 0 failed, 0/s");
+}
+
+TEST(MotionProgress, TellsPartRateAndRemainingTime) {
+  EXPECT_EQ(MotionProgress::line(0.125, 0.5, 10.0),
+            "simulating [######..................] 25.0 %, 0.125 of 0.5 s, 0.0125 s/s, "
+            "0:00:30 left");
+  EXPECT_EQ(MotionProgress::line(1e-3, 10.0, 1.5),
+            "simulating [........................] 0.0 %, 0.001 of 10 s, 0.000667 s/s, "
+            "4:09:59 left");
+}
+
+TEST(MotionProgress, TellsNoTimeBeforeThereIsARate) {
+  EXPECT_EQ(MotionProgress::line(0.0, 0.5, 2.0),
+            "simulating [........................] 0.0 %, 0 of 0.5 s");
+}
+
+TEST(MotionProgress, IsFullAtTheEnd) {
+  EXPECT_EQ(MotionProgress::line(0.5, 0.5, 2.0),
+            "simulating [########################] 100.0 %, 0.5 of 0.5 s, 0.25 s/s");
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+#include "cli/terminal_line.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace plastica::cli {
+
+using std::chrono::steady_clock;
+
+TerminalLine::TerminalLine(bool quiet)
+    : shown_(!quiet && isatty(STDERR_FILENO) != 0), start_(steady_clock::now()), last_(start_) {}
+
+TerminalLine::~TerminalLine() { clear(); }
+
+bool TerminalLine::is_due() const {
+  return shown_ && (!drawn_ || steady_clock::now() - last_ >= std::chrono::milliseconds(100));
+}
+
+void TerminalLine::draw(const std::string& text) {
+  if (!shown_) return;
+  last_ = steady_clock::now();
+  drawn_ = true;
+  fmt::print(stderr, "\r{}\033[K", text);
+  std::fflush(stderr);
+}
+
+void TerminalLine::clear() {
+  if (drawn_) std::fputs("\r\033[K", stderr);
+  drawn_ = false;
+}
+
+double TerminalLine::seconds() const {
+  return std::chrono::duration<double>(steady_clock::now() - start_).count();
+}
+
+std::string bar_text(double share) {
+  constexpr std::size_t kWidth = 24;
+  const auto filled = static_cast<std::size_t>(std::floor(kWidth * share));
+  return fmt::format("[{:#<{}}{:.<{}}]", "", filled, "", kWidth - filled);
+}
+
+std::string time_left(double seconds) {
+  const auto left = static_cast<long>(std::ceil(seconds));
+  return fmt::format("{}:{:02}:{:02}", left / 3600, left / 60 % 60, left % 60);
+}
+
+}  // namespace plastica::cli
