@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "calibrate/report/csv_export.hpp"
 #include "calibrate/report/json.hpp"
@@ -26,35 +27,42 @@ struct ExportArguments {
   std::string file;
   std::string to = "csv";
   std::string what;  ///< empty: the first of the file's kind
+  std::string time;
   std::string output = "-";
   bool force = false;
 };
 
 /// What of a file's kind that was asked for, or its first.
-std::string what_of(const ExportArguments& arguments, const std::array<std::string, 2>& kinds) {
-  if (arguments.what.empty()) return kinds[0];
+std::string what_of(const ExportArguments& arguments, const std::vector<std::string>& kinds) {
+  if (arguments.what.empty()) return kinds.front();
   if (std::find(kinds.begin(), kinds.end(), arguments.what) == kinds.end()) {
     throw InputError({}, "--what", arguments.what,
-                     "must be " + kinds[0] + " or " + kinds[1] + " of this file");
+                     fmt::format("must be {} of this file", fmt::join(kinds, " or ")));
   }
   return arguments.what;
 }
 
 std::string text_of_scene(const ExportArguments& arguments) {
-  const std::string what = what_of(arguments, {"probes", "joints"});
+  const std::string what =
+      what_of(arguments, {"probes", "joints", "energies", "events", "pieces", "spectrum"});
+  const std::optional<double> time = seconds_of("--time", arguments.time);
+  refuse_option(time && what != "joints", "--time", "goes with --what joints only");
   const io::SceneRecord record = io::read_scene_store(arguments.file);
   if (arguments.to == "json") return report::scene_json(record);
   std::ostringstream out;
-  if (what == "joints") {
-    report::write_joints_csv(out, record);
-  } else {
-    report::write_probes_csv(out, record);
-  }
+  if (what == "probes") report::write_probes_csv(out, record);
+  if (what == "joints") report::write_joints_csv(out, record, time);
+  if (what == "energies") report::write_energies_csv(out, record);
+  if (what == "events") report::write_events_csv(out, record);
+  if (what == "pieces") report::write_pieces_csv(out, record);
+  if (what == "spectrum") report::write_spectrum_csv(out, record);
   return out.str();
 }
 
 std::string text_of_fits(const ExportArguments& arguments) {
   const std::string what = what_of(arguments, {"specimens", "curves"});
+  refuse_option(!arguments.time.empty(), "--time",
+                "is for simulated scenes; this is a result of fits");
   const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
   if (arguments.to == "json") return calibrate::json_summary(contents.records) + '\n';
   std::ostringstream out;
@@ -96,9 +104,12 @@ void add_export(CLI::App& app, Action& action) {
       ->capture_default_str();
   sub->add_option(
          "--what", arguments->what,
-         "csv of fits: specimens, or curves, a row per sample; of a scene: probes, a row per "
-         "sample, or joints, a row per joint at the last sample")
-      ->check(CLI::IsMember({"specimens", "curves", "probes", "joints"}));
+         "csv of fits: specimens, or curves, a row per sample; of a scene: probes or energies, a "
+         "row per sample, joints, a row per joint at --time T, events, a row per joint that broke, "
+         "pieces, or spectrum, a row per frequency")
+      ->check(CLI::IsMember(
+          {"specimens", "curves", "probes", "joints", "energies", "events", "pieces", "spectrum"}));
+  sub->add_option("--time", arguments->time, "of joints: \"12 ms\"; else the last frame's");
   sub->add_option("-o,--output", arguments->output, "file, or - for the terminal")
       ->capture_default_str();
   sub->add_flag("--force", arguments->force, "overwrite the output");

@@ -22,6 +22,10 @@ struct PlotArguments {
   calibrate::PlotRequest request;
   std::optional<int> joint;
   std::string probe;
+  std::string time;
+  std::optional<int> film_frames;
+  std::string film_from;
+  std::string film_to;
   bool list = false;
   bool force = false;
 };
@@ -47,8 +51,12 @@ void draw_scenes(const PlotArguments& arguments) {
                 "is for results of fits; this is a simulated scene");
   std::vector<io::SceneRecord> records;
   for (const std::string& file : arguments.files) records.push_back(io::read_scene_store(file));
-  const report::ScenePlotRequest request{arguments.request.what, arguments.joint, arguments.probe,
-                                         arguments.request.output};
+  report::ScenePlotRequest request{arguments.request.what, arguments.joint, arguments.probe,
+                                   arguments.request.output};
+  request.time = seconds_of("--time", arguments.time);
+  request.film_frames = arguments.film_frames;
+  request.film_from = seconds_of("--from", arguments.film_from);
+  request.film_to = seconds_of("--to", arguments.film_to);
   report::draw_scene_plot(records, request, std::cout);
 }
 
@@ -56,6 +64,10 @@ void draw_fits(const PlotArguments& arguments) {
   constexpr std::string_view kRule = "is for simulated scenes; this is a result of fits";
   refuse_option(arguments.joint.has_value(), "--joint", kRule);
   refuse_option(!arguments.probe.empty(), "--probe", kRule);
+  refuse_option(!arguments.time.empty(), "--time", kRule);
+  refuse_option(arguments.film_frames.has_value(), "--frames", kRule);
+  refuse_option(!arguments.film_from.empty(), "--from", kRule);
+  refuse_option(!arguments.film_to.empty(), "--to", kRule);
   if (arguments.files.size() > 1) {
     throw InputError({}, "plot", arguments.files[1],
                      "must not be there: fits are drawn of one file");
@@ -97,7 +109,14 @@ void add_plot(CLI::App& app, Action& action) {
   sub->add_option("--what", arguments->request.what, "which picture, see --list");
   sub->add_option("--case", arguments->request.specimen, "specimen of a curve");
   sub->add_option("--joint", arguments->joint, "of the picture \"joint\" of a scene");
-  sub->add_option("--probe", arguments->probe, "of the picture \"load\" of a scene");
+  sub->add_option("--probe", arguments->probe,
+                  "of the pictures \"load\", \"history\" and \"spectrum\" of a scene");
+  sub->add_option("--time", arguments->time,
+                  "of the pictures \"shape\" and \"moment\" of a scene: \"12 ms\"");
+  sub->add_option("--frames", arguments->film_frames, "of the picture \"film\" of a scene")
+      ->check(CLI::Range(1, 100));
+  sub->add_option("--from", arguments->film_from, "of the picture \"film\": \"12 ms\"");
+  sub->add_option("--to", arguments->film_to, "of the picture \"film\": \"20 ms\"");
   sub->add_flag("--list", arguments->list, "the pictures there are");
   sub->add_flag("--force", arguments->force, "overwrite a picture that is there");
   arguments->request.output = "-";

@@ -10,6 +10,7 @@
 
 #include "plastica/base/check.hpp"
 #include "plastica/io/scene_store.hpp"
+#include "plastica/io/units.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -66,6 +67,11 @@ bool holds_scene(const std::string& path) {
 
 void refuse_option(bool given, std::string_view option, std::string_view rule) {
   if (given) throw InputError({}, option, "", rule);
+}
+
+std::optional<double> seconds_of(std::string_view option, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return io::parse_quantity(text, Dimension::Time, {}, option);
 }
 
 void check_outputs(const calibrate::FitFile& file, const std::string& output,

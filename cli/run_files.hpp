@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,10 @@ bool holds_scene(const std::string& path);
 /// Refuses an option that does not go with what a file holds. @throws InputError
 /// @param given  whether the command line has the option
 void refuse_option(bool given, std::string_view option, std::string_view rule);
+
+/// The seconds of an option that is a time, "12 ms"; empty where it is not given. @throws
+/// InputError
+std::optional<double> seconds_of(std::string_view option, const std::string& text);
 
 /// Checks where the result and the summary are to go, before anything is computed. Not even
 /// `force` lets a run write over what it reads.

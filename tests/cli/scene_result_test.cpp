@@ -103,7 +103,7 @@ TEST(SceneResult, IsDrawnAsEachPictureThatItHas) {
   simulate_beam(place);
   const CommandResult listed = place.run({"plot", "beam.h5", "--list"});
   EXPECT_EQ(listed.code, 0) << listed.err;
-  for (const std::string what : {"shape", "moment", "joint", "load", "energy"}) {
+  for (const std::string what : {"shape", "film", "moment", "joint", "load", "history", "energy"}) {
     EXPECT_TRUE(has("\n" + listed.out, "\n" + what + " ")) << listed.out;
     const CommandResult drawn = place.run({"plot", "beam.h5", "--what", what, "-o", what + ".svg"});
     EXPECT_EQ(drawn.code, 0) << drawn.err;
@@ -126,9 +126,19 @@ TEST(BadSceneRequest, IsRefusedInOneLine) {
        "--case: is for results of fits; this is a simulated scene"},
       {{"show", "x.h5", "--all"}, "--all: is for results of fits; this is a simulated scene"},
       {{"export", "x.h5", "--what", "curves"},
-       "--what = curves: must be probes or joints of this file"},
+       "--what = curves: must be probes or joints or energies or events or pieces or spectrum of "
+       "this "
+       "file"},
+      {{"export", "x.h5", "--time", "1 s"}, "--time: goes with --what joints only"},
+      {{"export", "x.h5", "--what", "spectrum"},
+       "--what = spectrum: needs a motion of at least 16 samples at even times"},
+      {{"plot", "x.h5", "--time", "1 m"},
+       "--time = 1 m: \"m\" is not a unit of time (examples: s, min, h)"},
+      {{"plot", "x.h5", "--what", "film", "--from", "0.8 s", "--to", "0.5 s"},
+       "--to = 0.5 s: must not be before --from 0.8 s"},
       {{"plot", "x.h5", "--what", "curve"},
-       "--what = curve: must be one of shape, moment, joint, load, energy for this file"},
+       "--what = curve: must be one of shape, film, moment, joint, load, history, energy for this "
+       "file"},
       {{"plot", "x.h5", "--case", "a"},
        "--case: is for results of fits; this is a simulated scene"},
       {{"plot", "x.h5", "--what", "joint", "--joint", "7"}, "--joint = 7: must be from 0 to 4"},

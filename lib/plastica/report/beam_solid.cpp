@@ -11,52 +11,18 @@ namespace {
 constexpr std::size_t kMostSegments = 150;
 constexpr std::size_t kSidesOfRound = 16;
 
-double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Point3 sum(const Point3& a, double factor, const Point3& b) {
-  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
-}
-
-/// A vector turned by a rotation vector (Rodrigues' formula).
-Point3 turned(const Point3& rotation, const Point3& v) {
-  const double angle = std::sqrt(dot(rotation, rotation));
-  if (angle == 0.0) return v;
-  const Point3 axis{rotation[0] / angle, rotation[1] / angle, rotation[2] / angle};
-  Point3 result{};
-  result = sum(result, std::cos(angle), v);
-  result = sum(result, std::sin(angle), cross(axis, v));
-  return sum(result, (1.0 - std::cos(angle)) * dot(axis, v), axis);
-}
-
-Point3 three(const std::vector<double>& values, std::size_t index) {
-  return {values[3 * index], values[3 * index + 1], values[3 * index + 2]};
-}
-
-/// Axis x or y of a segment's section in world axes.
-Point3 section_axis(const io::SceneRecord& record, std::size_t sample, std::size_t segment,
-                    std::size_t axis) {
-  const Point3 undeformed = three(record.outline.axes, 3 * segment + axis);
-  if (sample == kUndeformed) return undeformed;
-  const std::size_t segments = record.outline.segments();
-  return turned(three(record.response.chain.rotation, sample * segments + segment), undeformed);
-}
-
 /// Corners of a segment's section about its axis.
-std::vector<Point3> section_corners(const io::SceneRecord& record, std::size_t sample,
-                                    std::size_t segment, double thickness) {
-  const Point3 x = section_axis(record, sample, segment, 0);
-  const Point3 y = section_axis(record, sample, segment, 1);
-  const double half_width = 0.5 * thickness * record.outline.width[segment];
-  const double half_height = 0.5 * thickness * record.outline.height[segment];
+std::vector<Point3> section_corners(const BeamPose& pose, std::size_t segment, double thickness) {
+  const BeamOutline& outline = pose.record().outline;
+  const Point3 x = pose.section_axis(segment, 0);
+  const Point3 y = pose.section_axis(segment, 1);
+  const double half_width = 0.5 * thickness * outline.width[segment];
+  const double half_height = 0.5 * thickness * outline.height[segment];
   std::vector<Point3> corners;
   const auto add = [&](double along_x, double along_y) {
     corners.push_back(sum(sum({}, along_x * half_width, x), along_y * half_height, y));
   };
-  if (record.outline.round[segment] == 0) {
+  if (outline.round[segment] == 0) {
     for (const auto& [a, b] : {Point2{-1, -1}, Point2{1, -1}, Point2{1, 1}, Point2{-1, 1}}) {
       add(a, b);
     }
@@ -69,34 +35,39 @@ std::vector<Point3> section_corners(const io::SceneRecord& record, std::size_t s
   return corners;
 }
 
+/// What is at the outer side of half a segment: its other half, another segment, or nothing.
+enum class Beyond { Segment, End, Cut };
+
 class Drawing {
  public:
-  Drawing(const io::SceneRecord& record, const Eye& eye) : record_(record), eye_(eye) {}
+  explicit Drawing(const Eye& eye) : eye_(eye) {}
 
-  /// One half of a segment, from one point of the axis to another.
-  /// @param at_end  whether the beam ends here, so that its end face is drawn with its edges
-  void add_half(const std::vector<Point3>& corners, const Point3& from, const Point3& to,
-                std::size_t joint, bool outer, bool at_end) {
+  /// One half of a segment, from the middle to an end of it.
+  /// @param outer  whether it is the outer half
+  void add_half(const std::vector<Point3>& corners, const Point3& middle, const Point3& end,
+                std::size_t joint, bool outer, Beyond beyond) {
     const std::size_t sides = corners.size();
     const bool round = sides > 4;
+    const Point3& from = outer ? middle : end;
+    const Point3& to = outer ? end : middle;
+    Lines& rim = beyond == Beyond::Segment ? solid_.segments
+                                           : (beyond == Beyond::End ? solid_.edges : solid_.cuts);
     for (std::size_t k = 0; k < sides; ++k) {
       const Point3& a = corners[k];
       const Point3& b = corners[(k + 1) % sides];
       const std::vector<Point3> face{sum(from, 1.0, a), sum(from, 1.0, b), sum(to, 1.0, b),
                                      sum(to, 1.0, a)};
-      const Point3 outwards = sum(a, 1.0, b);
-      if (!add_face(face, outwards, joint)) continue;
+      if (!add_face(face, sum(a, 1.0, b), joint)) continue;
       // Four lines along a round section show its twist.
-      if (!round || k % 4 == 0) edge(face[0], face[3]);
-      if (!round) edge(face[1], face[2]);
-      edge(outer ? face[3] : face[0], outer ? face[2] : face[1]);
+      if (!round || k % 4 == 0) line(solid_.edges, face[0], face[3]);
+      if (!round) line(solid_.edges, face[1], face[2]);
+      line(rim, outer ? face[3] : face[0], outer ? face[2] : face[1]);
     }
-    std::vector<Point3> end;
-    const Point3& at = outer ? to : from;
-    for (const Point3& corner : corners) end.push_back(sum(at, 1.0, corner));
-    const bool seen = add_face(end, outer ? sum(to, -1.0, from) : sum(from, -1.0, to), joint);
-    if (seen && at_end) {
-      for (std::size_t k = 0; k < sides; ++k) edge(end[k], end[(k + 1) % sides]);
+    std::vector<Point3> cap;
+    for (const Point3& corner : corners) cap.push_back(sum(end, 1.0, corner));
+    const bool seen = add_face(cap, sum(end, -1.0, middle), joint);
+    if (seen && beyond != Beyond::Segment) {
+      for (std::size_t k = 0; k < sides; ++k) line(rim, cap[k], cap[(k + 1) % sides]);
     }
   }
 
@@ -126,45 +97,36 @@ class Drawing {
     return true;
   }
 
-  void edge(const Point3& a, const Point3& b) { solid_.edges.push_back({eye_.at(a), eye_.at(b)}); }
+  void line(Lines& lines, const Point3& a, const Point3& b) const {
+    lines.push_back({eye_.at(a), eye_.at(b)});
+  }
 
-  const io::SceneRecord& record_;
   const Eye& eye_;
   BeamSolid solid_;
 };
 
 }  // namespace
 
-Point2 Eye::at(const Point3& point) const { return {dot(right, point), dot(up, point)}; }
-double Eye::depth(const Point3& point) const { return dot(away, point); }
-
-Point3 node_at(const io::SceneRecord& record, std::size_t sample, std::size_t node) {
-  if (sample == kUndeformed) return three(record.outline.node, node);
-  return three(record.response.chain.position, sample * record.response.chain.joints + node);
-}
-
-std::vector<Point2> axis_of(const io::SceneRecord& record, std::size_t sample, const Eye& eye) {
-  std::vector<Point2> axis;
-  for (std::size_t i = 0; i <= record.outline.segments(); ++i) {
-    axis.push_back(eye.at(node_at(record, sample, i)));
-  }
-  return axis;
-}
-
-BeamSolid beam_solid(const io::SceneRecord& record, std::size_t sample, const Eye& eye,
-                     double thickness) {
-  const std::size_t segments = record.outline.segments();
+BeamSolid beam_solid(const BeamPose& pose, const Eye& eye, double thickness) {
+  const std::size_t segments = pose.segments();
   const std::size_t step = (segments + kMostSegments - 1) / kMostSegments;
-  Drawing drawing(record, eye);
-  for (std::size_t i = 0; i < segments; i += step) {
-    const std::size_t end = std::min(i + step, segments);
-    const Point3 from = node_at(record, sample, i);
-    const Point3 to = node_at(record, sample, end);
-    const Point3 middle = sum(sum({}, 0.5, from), 0.5, to);
-    const std::vector<Point3> corners =
-        section_corners(record, sample, (i + end - 1) / 2, thickness);
-    drawing.add_half(corners, from, middle, i, false, i == 0);
-    drawing.add_half(corners, middle, to, end, true, end == segments);
+  Drawing drawing(eye);
+  for (const Piece& piece : pose.pieces()) {
+    const auto first = static_cast<std::size_t>(piece.first);
+    const std::size_t behind = static_cast<std::size_t>(piece.last) + 1;
+    const auto beyond = [&](std::size_t joint) {
+      if (joint != first && joint != behind) return Beyond::Segment;
+      return joint == 0 || joint == segments ? Beyond::End : Beyond::Cut;
+    };
+    for (std::size_t i = first; i < behind; i += step) {
+      const std::size_t end = std::min(i + step, behind);
+      const Point3& from = pose.inner(i);
+      const Point3& to = pose.outer(end - 1);
+      const Point3 middle = sum(sum({}, 0.5, from), 0.5, to);
+      const std::vector<Point3> corners = section_corners(pose, (i + end - 1) / 2, thickness);
+      drawing.add_half(corners, middle, from, i, false, beyond(i));
+      drawing.add_half(corners, middle, to, end, true, beyond(end));
+    }
   }
   return drawing.finish();
 }

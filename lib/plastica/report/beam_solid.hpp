@@ -1,25 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
-#include "plastica/io/scene_store.hpp"
+#include "plastica/report/beam_pose.hpp"
 
 /// Beams as flat faces seen from a side; not installed.
 namespace plastica::report {
-
-using Point3 = std::array<double, 3>;
-using Point2 = std::array<double, 2>;
-
-/// A direction to look along: how points in world axes fall on the picture.
-struct Eye {
-  Point3 right{};  ///< unit vectors in world axes
-  Point3 up{};
-  Point3 away{};  ///< from the viewer
-  Point2 at(const Point3& point) const;
-  double depth(const Point3& point) const;
-};
 
 /// One visible face.
 struct Face {
@@ -29,21 +16,18 @@ struct Face {
   std::size_t joint = 0;
 };
 
-/// A drawn beam: faces from the farthest to the nearest, and the edges on top of them.
+using Lines = std::vector<std::vector<Point2>>;
+
+/// A drawn beam: faces from the farthest to the nearest, and the lines on top of them.
 struct BeamSolid {
   std::vector<Face> faces;
-  std::vector<std::vector<Point2>> edges;
+  Lines edges;     ///< along the beam, and around its free ends
+  Lines segments;  ///< between two segments
+  Lines cuts;      ///< around the ends that a cut has made
 };
-
-/// Position of a segment end of the sample; of the undeformed beam if `sample` is kUndeformed.
-inline constexpr std::size_t kUndeformed = static_cast<std::size_t>(-1);
-Point3 node_at(const io::SceneRecord& record, std::size_t sample, std::size_t node);
-/// The axis as points on the picture.
-std::vector<Point2> axis_of(const io::SceneRecord& record, std::size_t sample, const Eye& eye);
 
 /// Draws each segment as a box or prism; its two halves belong to the joints at their ends.
 /// @param thickness  how many times as thick as the section is
-BeamSolid beam_solid(const io::SceneRecord& record, std::size_t sample, const Eye& eye,
-                     double thickness);
+BeamSolid beam_solid(const BeamPose& pose, const Eye& eye, double thickness);
 
 }  // namespace plastica::report

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 
 #include "plastica/io/scene_store.hpp"
 
@@ -11,8 +12,26 @@ namespace plastica::report {
 /// digits.
 void write_probes_csv(std::ostream& out, const io::SceneRecord& record);
 
-/// The joints at the last sample: a row per joint with its place, position, moments, forces,
-/// angles, plastic angles, plastic strain and stress. @throws InputError for a coupon
-void write_joints_csv(std::ostream& out, const io::SceneRecord& record);
+/// The joints at a time: a row per joint with its place, position, moments, forces, angles, plastic
+/// angles, plastic strain and stress.
+/// @param time  the frame next to it is taken; empty: the last one
+/// @throws InputError for a coupon
+void write_joints_csv(std::ostream& out, const io::SceneRecord& record,
+                      std::optional<double> time = {});
+
+/// The energy ledger: a row per sample and a column per entry. @throws InputError for a coupon
+void write_energies_csv(std::ostream& out, const io::SceneRecord& record);
+
+/// A row per joint that broke or was cut, with the number and time of its event.
+/// @throws InputError for a coupon
+void write_events_csv(std::ostream& out, const io::SceneRecord& record);
+
+/// A row per piece after each event, with the number and time of it. @throws InputError for a
+/// coupon
+void write_pieces_csv(std::ostream& out, const io::SceneRecord& record);
+
+/// The spectra of all probes: a row per frequency, a column per probe.
+/// @throws InputError for what has none: paths, coupons, too few or uneven samples
+void write_spectrum_csv(std::ostream& out, const io::SceneRecord& record);
 
 }  // namespace plastica::report

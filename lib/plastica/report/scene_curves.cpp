@@ -9,11 +9,68 @@
 #include "plastica/base/check.hpp"
 #include "plastica/report/format.hpp"
 #include "plastica/report/scene_facts.hpp"
+#include "plastica/report/scene_frames.hpp"
 
 namespace plastica::report {
 namespace {
 
-/// What tells records in one picture apart: their names, or their segments.
+double largest(const std::vector<double>& values, std::size_t first, std::size_t stride) {
+  double most = 0.0;
+  for (std::size_t i = first; i < values.size(); i += stride) {
+    if (std::isfinite(values[i])) most = std::max(most, std::fabs(values[i]));
+  }
+  return most;
+}
+
+/// Strain and stress of a joint over the path, about the axis of its largest strain.
+struct JointPath {
+  std::size_t joint = 0;
+  std::size_t axis = 0;
+  std::vector<std::vector<double>> points;  ///< (strain in %, stress in MPa)
+};
+
+double strain_at(const io::SceneRecord& record, std::size_t frame, std::size_t joint,
+                 std::size_t axis) {
+  const ChainHistory& chain = record.response.chain;
+  return chain.angle[(frame * chain.joints + joint) * 3 + axis] *
+         record.outline.strain_per_angle[3 * joint + axis];
+}
+
+JointPath joint_path(const io::SceneRecord& record, std::optional<int> wanted) {
+  const ChainHistory& chain = record.response.chain;
+  JointPath path;
+  double most = -1.0;
+  for (std::size_t joint = 0; joint < chain.joints; ++joint) {
+    if (wanted && joint != static_cast<std::size_t>(*wanted)) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t frame = 0; frame < frames_of(record); ++frame) {
+        const double size = std::fabs(strain_at(record, frame, joint, axis));
+        if (!(size > most)) continue;
+        most = size;
+        path.joint = joint;
+        path.axis = axis;
+      }
+    }
+  }
+  for (std::size_t frame = 0; frame < frames_of(record); ++frame) {
+    const std::size_t at = (frame * chain.joints + path.joint) * 3 + path.axis;
+    const double modulus = record.outline.modulus[3 * path.joint + path.axis];
+    path.points.push_back({100.0 * strain_at(record, frame, path.joint, path.axis),
+                           1e-6 * chain.moment[at] / modulus});
+  }
+  return path;
+}
+
+void check_joint(const io::SceneRecord& record, int joint) {
+  const std::size_t joints = record.response.chain.joints;
+  if (joint >= 0 && static_cast<std::size_t>(joint) < joints) return;
+  throw InputError({}, "--joint", std::to_string(joint),
+                   joints == 0 ? std::string("is not of a coupon, which has none")
+                               : fmt::format("must be from 0 to {}", joints - 1));
+}
+
+}  // namespace
+
 std::vector<std::string> labels_of(std::span<const io::SceneRecord> records) {
   std::vector<std::string> labels;
   const auto same_name = [&](const io::SceneRecord& record) {
@@ -43,61 +100,6 @@ std::string title_of(std::span<const io::SceneRecord> records) {
   return cut(title, 90);
 }
 
-double largest(const std::vector<double>& values, std::size_t first, std::size_t stride) {
-  double most = 0.0;
-  for (std::size_t i = first; i < values.size(); i += stride) {
-    if (std::isfinite(values[i])) most = std::max(most, std::fabs(values[i]));
-  }
-  return most;
-}
-
-/// Strain and stress of a joint over the path, about the axis of its largest strain.
-struct JointPath {
-  std::size_t joint = 0;
-  std::size_t axis = 0;
-  std::vector<std::vector<double>> points;  ///< (strain in %, stress in MPa)
-};
-
-double strain_at(const io::SceneRecord& record, std::size_t sample, std::size_t joint,
-                 std::size_t axis) {
-  const ChainHistory& chain = record.response.chain;
-  return chain.angle[(sample * chain.joints + joint) * 3 + axis] *
-         record.outline.strain_per_angle[3 * joint + axis];
-}
-
-JointPath joint_path(const io::SceneRecord& record, std::optional<int> wanted) {
-  const ChainHistory& chain = record.response.chain;
-  JointPath path;
-  double most = -1.0;
-  for (std::size_t joint = 0; joint < chain.joints; ++joint) {
-    if (wanted && joint != static_cast<std::size_t>(*wanted)) continue;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::size_t sample = 0; sample < chain.time.size(); ++sample) {
-        const double size = std::fabs(strain_at(record, sample, joint, axis));
-        if (!(size > most)) continue;
-        most = size;
-        path.joint = joint;
-        path.axis = axis;
-      }
-    }
-  }
-  for (std::size_t sample = 0; sample < chain.time.size(); ++sample) {
-    const std::size_t at = (sample * chain.joints + path.joint) * 3 + path.axis;
-    const double modulus = record.outline.modulus[3 * path.joint + path.axis];
-    path.points.push_back({100.0 * strain_at(record, sample, path.joint, path.axis),
-                           1e-6 * chain.moment[at] / modulus});
-  }
-  return path;
-}
-
-void check_joint(const io::SceneRecord& record, int joint) {
-  const std::size_t joints = record.response.chain.joints;
-  if (joint >= 0 && static_cast<std::size_t>(joint) < joints) return;
-  throw InputError({}, "--joint", std::to_string(joint),
-                   joints == 0 ? std::string("is not of a coupon, which has none")
-                               : fmt::format("must be from 0 to {}", joints - 1));
-}
-
 std::size_t probe_index(const io::SceneRecord& record, const std::string& name) {
   const auto& probes = record.setup.scene.probes;
   std::string names;
@@ -114,8 +116,6 @@ std::size_t probe_index(const io::SceneRecord& record, const std::string& name) 
   return 0;
 }
 
-}  // namespace
-
 const std::vector<double>* coupon_stress(const io::SceneRecord& record) {
   const auto& probes = record.setup.scene.probes;
   for (std::size_t p = 0; p < probes.size(); ++p) {
@@ -124,30 +124,35 @@ const std::vector<double>* coupon_stress(const io::SceneRecord& record) {
   return nullptr;
 }
 
-Figure moment_figure(std::span<const io::SceneRecord> records) {
+Figure moment_figure(std::span<const io::SceneRecord> records, std::optional<double> time) {
   constexpr std::array<std::string_view, 3> kNames{"bending about x", "bending about y", "torque"};
   constexpr std::array<std::string_view, 3> kLabels{"M_x", "M_y", "T"};
   const std::vector<std::string> labels = labels_of(records);
   std::array<double, 3> most{};
   for (const io::SceneRecord& record : records) {
     const ChainHistory& chain = record.response.chain;
-    const std::vector<double> last(chain.moment.end() - static_cast<long>(3 * chain.joints),
-                                   chain.moment.end());
-    for (std::size_t k = 0; k < 3; ++k) most[k] = std::max(most[k], largest(last, k, 3));
+    const auto first =
+        chain.moment.begin() + static_cast<long>(3 * chain.joints * frame_at(record, time));
+    const std::vector<double> shown(first, first + static_cast<long>(3 * chain.joints));
+    for (std::size_t k = 0; k < 3; ++k) most[k] = std::max(most[k], largest(shown, k, 3));
   }
   const double all = *std::max_element(most.begin(), most.end());
+  const io::SceneRecord& front = records.front();
+  std::string when;
+  if (time || is_motion(front)) {
+    when = " at " +
+           time_text(time_of_frame(front, frame_at(front, time)), front.response.chain.time.back());
+  }
   Figure figure;
   figure.title = title_of(records);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!(most[axis] > 1e-6 * all) && !(axis == 0 && all == 0.0)) continue;
     const bool kilo = most[axis] >= 1e4;
-    FigurePanel panel{std::string(kNames[axis]),
-                      "along the beam [m]",
-                      fmt::format("{} [{}]", kLabels[axis], kilo ? "kN m" : "N m"),
-                      {}};
+    FigurePanel panel{std::string(kNames[axis]) + when, "along the beam [m]",
+                      fmt::format("{} [{}]", kLabels[axis], kilo ? "kN m" : "N m")};
     for (std::size_t r = 0; r < records.size(); ++r) {
       const ChainHistory& chain = records[r].response.chain;
-      const std::size_t first = (chain.time.size() - 1) * chain.joints;
+      const std::size_t first = frame_at(records[r], time) * chain.joints;
       FigureCurve curve = curve_of_record(r, records.size(), labels[r]);
       for (std::size_t i = 0; i < chain.joints; ++i) {
         curve.points.push_back({records[r].outline.ends[i] * records[r].setup.scene.beam.length,
@@ -164,7 +169,7 @@ Figure joint_figure(std::span<const io::SceneRecord> records, std::optional<int>
   const std::vector<std::string> labels = labels_of(records);
   Figure figure;
   figure.title = title_of(records);
-  FigurePanel panel{"", "strain [%]", "stress [MPa]", {}};
+  FigurePanel panel{"", "strain [%]", "stress [MPa]"};
   for (std::size_t r = 0; r < records.size(); ++r) {
     const io::SceneRecord& record = records[r];
     if (joint) check_joint(record, *joint);
@@ -202,7 +207,7 @@ Figure load_figure(std::span<const io::SceneRecord> records, const std::string& 
   const std::vector<std::string> labels = labels_of(records);
   Figure figure;
   figure.title = title_of(records);
-  FigurePanel panel{"", "", "load factor [1]", {}};
+  FigurePanel panel{"", "", "load factor [1]"};
   for (std::size_t r = 0; r < records.size(); ++r) {
     const io::SceneRecord& record = records[r];
     const std::size_t index = probe_index(record, probe);
@@ -221,27 +226,6 @@ Figure load_figure(std::span<const io::SceneRecord> records, const std::string& 
     panel.curves.push_back(std::move(curve));
   }
   if (records.size() > 1) panel.title.clear();
-  figure.panels.push_back(std::move(panel));
-  return figure;
-}
-
-Figure energy_figure(const io::SceneRecord& record) {
-  const ChainHistory& chain = record.response.chain;
-  Figure figure;
-  figure.title = printable(record.setup.scene.name);
-  FigurePanel panel{outcome_line(record), "time [s]", "energy [J]", {}};
-  const std::array<double Energies::*, 4> members{&Energies::external, &Energies::elastic,
-                                                  &Energies::plastic, &Energies::residual};
-  constexpr std::array<std::string_view, 4> kNames{"external work", "elastic", "plastic",
-                                                   "residual"};
-  constexpr std::array<std::string_view, 4> kColors{kDark, kBlue, kVermillion, kGrey};
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    FigureCurve curve{{}, std::string(kNames[k]), kColors[k], Stroke::Line};
-    for (std::size_t i = 0; i < chain.time.size(); ++i) {
-      curve.points.push_back({chain.time[i], chain.energy[i].*members[k]});
-    }
-    panel.curves.push_back(std::move(curve));
-  }
   figure.panels.push_back(std::move(panel));
   return figure;
 }

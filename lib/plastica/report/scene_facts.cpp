@@ -7,26 +7,88 @@
 #include <fmt/format.h>
 
 #include "plastica/report/format.hpp"
+#include "plastica/report/scene_frames.hpp"
 
 namespace plastica::report {
 namespace {
 
 /// A plastic strain below this is what rounding leaves of an elastic one.
 constexpr double kNoStrain = 1e-12;
+/// An energy below this share of the largest is round-off.
+constexpr double kNoEnergy = 1e-12;
 
 void raise(std::optional<Peak>& peak, const Peak& candidate) {
   const double size = std::fabs(candidate.value);
   if (size > (peak ? std::fabs(peak->value) : 0.0)) peak = candidate;
 }
 
+double largest_entry(const io::SceneRecord& record) {
+  double largest = 0.0;
+  for (const Energies& energy : record.response.chain.energy) {
+    for (const LedgerEntry& entry : ledger_entries()) {
+      largest = std::max(largest, std::fabs(energy.*entry.member));
+    }
+  }
+  return largest;
+}
+
+/// "3 joints over their limit in 2 events from 80 ms on, 1 joint cut by the scene; 3 pieces".
+std::string events_line(const io::SceneRecord& record) {
+  const ChainHistory& chain = record.response.chain;
+  std::size_t over = 0;
+  std::size_t by_scene = 0;
+  std::size_t breaks = 0;
+  std::optional<double> first;
+  for (const ChainBreak& event : chain.events) {
+    const std::size_t before = over;
+    for (const BrokenJoint& joint : event.joints)
+      ++(joint.cause == BreakCause::Cut ? by_scene : over);
+    if (over == before) continue;
+    ++breaks;
+    if (!first) first = event.time;
+  }
+  const double end = chain.time.empty() ? 0.0 : chain.time.back();
+  std::string line;
+  if (over > 0) {
+    line =
+        fmt::format("{} over {} limit {} {}", counted(over, "joint"), over == 1 ? "its" : "their",
+                    breaks == 1 ? std::string("at") : "in " + counted(breaks, "event") + " from",
+                    time_text(*first, end));
+    if (breaks > 1) line += " on";
+  }
+  if (by_scene > 0) {
+    line +=
+        fmt::format("{}{} cut by the scene", line.empty() ? "" : ", ", counted(by_scene, "joint"));
+  }
+  const std::size_t pieces = pieces_at(record, end).size();
+  if (pieces > 1) line += fmt::format("; {}", counted(pieces, "piece"));
+  return line;
+}
+
+std::string motion_line(const io::SceneRecord& record) {
+  const Response& response = record.response;
+  std::string line(name_of(response.status));
+  if (!usable(response.status) && response.samples > 0) {
+    const double end = response.chain.time.back();
+    line += " after " + time_text(end, end);
+  }
+  const std::string events = events_line(record);
+  return events.empty() ? line : line + ": " + events;
+}
+
 }  // namespace
+
+bool is_motion(const io::SceneRecord& record) {
+  return record.level != Level::Coupon && record.setup.solver.analysis == Analysis::Dynamics;
+}
 
 ScenePeaks peaks_of(const io::SceneRecord& record) {
   ScenePeaks peaks;
   const ChainHistory& chain = record.response.chain;
-  for (std::size_t sample = 0; sample < chain.time.size(); ++sample) {
+  for (std::size_t frame = 0; frame < frames_of(record); ++frame) {
+    const std::size_t sample = chain.frame_sample[frame];
     for (std::size_t joint = 0; joint < chain.joints; ++joint) {
-      const std::size_t at = sample * chain.joints + joint;
+      const std::size_t at = frame * chain.joints + joint;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         raise(peaks.moment, {chain.moment[3 * at + axis], joint, sample, axis});
       }
@@ -43,6 +105,7 @@ ScenePeaks peaks_of(const io::SceneRecord& record) {
 
 std::string outcome_line(const io::SceneRecord& record) {
   const Response& response = record.response;
+  if (is_motion(record)) return motion_line(record);
   if (response.status == Status::LimitLoad && response.limit) {
     return fmt::format("limit load: no equilibrium beyond factor {:.5g} (none found at {:.5g})",
                        response.limit->below, response.limit->above);
@@ -64,6 +127,28 @@ std::string outcome_line(const io::SceneRecord& record) {
   return std::string(name_of(response.status));
 }
 
+std::span<const LedgerEntry> ledger_entries() {
+  static constexpr std::array<LedgerEntry, 8> kEntries{{
+      {&Energies::external, "external", "work of loads and moving supports"},
+      {&Energies::kinetic, "kinetic", "of the motion"},
+      {&Energies::elastic, "elastic", "stored in joints and springs"},
+      {&Energies::plastic, "plastic", "work of yielding so far"},
+      {&Energies::damping, "damping", "taken by the joints' damping so far"},
+      {&Energies::numerical, "numerical", "taken by the scheme so far"},
+      {&Energies::impact, "impact", "lost in impacts so far"},
+      {&Energies::fracture, "fracture", "elastic energy of joints that were cut, so far"},
+  }};
+  return kEntries;
+}
+
+bool is_idle(const io::SceneRecord& record, const LedgerEntry& entry) {
+  const double least = kNoEnergy * largest_entry(record);
+  const auto& all = record.response.chain.energy;
+  return std::all_of(all.begin(), all.end(), [&](const Energies& energy) {
+    return std::fabs(energy.*entry.member) <= least;
+  });
+}
+
 std::optional<double> residual_share(const io::SceneRecord& record) {
   double largest = 0.0;
   double residual = 0.0;
@@ -71,8 +156,16 @@ std::optional<double> residual_share(const io::SceneRecord& record) {
     largest = std::max({largest, std::fabs(energy.external), energy.elastic + energy.plastic});
     residual = std::max(residual, std::fabs(energy.residual));
   }
+  if (is_motion(record)) {
+    if (!(largest_entry(record) > 0.0)) return std::nullopt;
+    return record.response.ledger_error;
+  }
   if (!(largest > 0.0)) return std::nullopt;
   return residual / largest;
+}
+
+std::string solver_word(const io::SceneRecord& record, std::string_view field) {
+  return std::get<std::string>(find_field(field).get(record.setup));
 }
 
 std::string_view axis_name(std::size_t axis) {
@@ -80,14 +173,14 @@ std::string_view axis_name(std::size_t axis) {
   return kNames[axis];
 }
 
-std::string_view cause_name(BreakCause cause) {
+std::string_view cause_name(BreakCause cause, bool brief) {
   switch (cause) {
-    case BreakCause::BendingX: return "bending about x";
-    case BreakCause::BendingY: return "bending about y";
-    case BreakCause::Biaxial: return "bending about both";
+    case BreakCause::BendingX: return brief ? "bending x" : "bending about x";
+    case BreakCause::BendingY: return brief ? "bending y" : "bending about y";
+    case BreakCause::Biaxial: return brief ? "bending x, y" : "bending about both";
     case BreakCause::Torsion: return "torsion";
     case BreakCause::Stretch: return "stretch";
-    case BreakCause::Cut: return "cut by the scene";
+    case BreakCause::Cut: return brief ? "the scene" : "cut by the scene";
   }
   return "";
 }
@@ -103,8 +196,12 @@ std::string probe_label(const io::SceneRecord& record, const Probe& probe) {
   if (probe.quantity == ProbeQuantity::Energy) {
     return label + ' ' + std::string(kEnergyKinds[static_cast<std::size_t>(probe.energy)]);
   }
-  return fmt::format("{} {} at {}", label, kComponents[static_cast<std::size_t>(probe.component)],
-                     place_label(probe.at.fraction));
+  const std::string_view component = kComponents[static_cast<std::size_t>(probe.component)];
+  if (probe.quantity == ProbeQuantity::Momentum ||
+      probe.quantity == ProbeQuantity::AngularMomentum) {
+    return fmt::format("{} {}", label, component);
+  }
+  return fmt::format("{} {} at {}", label, component, place_label(probe.at.fraction));
 }
 
 }  // namespace plastica::report

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +12,10 @@
 /// What reports, JSON and pictures say of a simulated scene.
 namespace plastica::report {
 
-/// The largest of something over all samples and joints.
+/// Whether a record is of a chain's motion, and not of a path of equilibria or a coupon.
+bool is_motion(const io::SceneRecord& record);
+
+/// The largest of something over all frames and joints.
 struct Peak {
   double value = 0.0;
   std::size_t joint = 0;
@@ -33,14 +37,30 @@ ScenePeaks peaks_of(const io::SceneRecord& record);
 /// 1.5003)".
 std::string outcome_line(const io::SceneRecord& record);
 
-/// A bound on how far the energies are off: |residual| over the largest of external work and
-/// stored plus plastic energy on the path [1]; empty where there is no energy.
+/// An entry of the energy ledger.
+struct LedgerEntry {
+  double Energies::*member = nullptr;
+  std::string_view name;  ///< as in files
+  std::string_view doc;
+};
+
+/// All entries but the residual: first what comes in, then where it is or has gone.
+std::span<const LedgerEntry> ledger_entries();
+/// Whether an entry is zero, or round-off, at all samples.
+bool is_idle(const io::SceneRecord& record, const LedgerEntry& entry);
+
+/// How far the energies are off: of a motion, what its response says; else the largest |residual|
+/// over the largest of external work and stored plus plastic energy on the path [1]. Empty where
+/// there is no energy.
 std::optional<double> residual_share(const io::SceneRecord& record);
+
+/// The word of a solver field that is a choice: "generalized_alpha" of "solver.scheme".
+std::string solver_word(const io::SceneRecord& record, std::string_view field);
 
 /// "about x", "about y", "torque".
 std::string_view axis_name(std::size_t axis);
-/// "bending about x", "bending about both", …
-std::string_view cause_name(BreakCause cause);
+/// "bending about x", "bending about both", …; short: "bending x", "bending x, y"
+std::string_view cause_name(BreakCause cause, bool brief = false);
 /// What a probe records and where: "displacement y at 1".
 std::string probe_label(const io::SceneRecord& record, const Probe& probe);
 /// A place as a share of the length: "start", "end", "0.25".

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,8 @@ namespace {
 
 constexpr std::size_t kTitleWidth = 76;
 constexpr std::string_view kLetters = "#ox+*%@&";
+constexpr std::string_view kMarkStyle =
+    "linewidth 1 dashtype 3 linecolor rgb '#333333'";  ///< of upright lines
 
 /// Lines that a legend of these names takes below a picture 900 wide.
 std::size_t legend_lines(const Figure& figure) {
@@ -31,11 +34,16 @@ std::size_t legend_lines(const Figure& figure) {
 }
 
 std::string style_of(const FigureCurve& curve) {
+  const std::string color = fmt::format("linecolor rgb '{}'", curve.color);
   switch (curve.stroke) {
-    case Stroke::Line: return "with lines linewidth 2";
-    case Stroke::Dots: return "with linespoints linewidth 1.6 pointtype 7 pointsize 0.4";
+    case Stroke::Line: return "using 1:2 with lines linewidth 2 " + color;
+    case Stroke::Dots:
+      return "using 1:2 with linespoints linewidth 1.6 pointtype 7 pointsize 0.4 " + color;
     case Stroke::Symbols:
-      return fmt::format("with linespoints linewidth 0.9 pointtype {} pointsize 0.9", curve.symbol);
+      return fmt::format("using 1:2 with linespoints linewidth 0.9 pointtype {} pointsize 0.9 {}",
+                         curve.symbol, color);
+    case Stroke::Area:
+      return fmt::format("using 1:2:3 with filledcurves {} fillstyle solid 0.85 noborder", color);
   }
   return "";
 }
@@ -47,11 +55,48 @@ std::string offsets_of(const FigurePanel& panel) {
   for (const FigureCurve& curve : panel.curves) {
     for (const auto& point : curve.points) {
       low = std::min(low, point[1]);
-      high = std::max(high, point[1]);
+      high = std::max(high, point.back());
     }
   }
   return fmt::format("set offsets graph 0, graph 0.02, graph {}, graph {}", high > 0.0 ? 0.06 : 0.0,
                      low < 0.0 ? 0.06 : 0.0);
+}
+
+/// A logarithmic scale with a label at each power of ten.
+std::string decades_of(const std::array<double, 2>& range) {
+  constexpr std::array<std::string_view, 10> kRaised{"⁰", "¹", "²", "³", "⁴",
+                                                     "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string tics;
+  const int last = static_cast<int>(std::floor(std::log10(range[1])));
+  for (int power = static_cast<int>(std::ceil(std::log10(range[0]))); power <= last; ++power) {
+    std::string raised = power < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(power))) {
+      raised += kRaised[static_cast<std::size_t>(digit - '0')];
+    }
+    tics += fmt::format("{}'10{}' 1e{}", tics.empty() ? "" : ", ", raised, power);
+  }
+  return "set logscale y\nset ytics (" + tics + ")\n";
+}
+
+/// Ranges, scale, upright lines and texts of a panel.
+std::string frame_of(const FigurePanel& panel) {
+  std::string text = "unset arrow\nunset label\nunset logscale\n";
+  if (panel.logarithmic) text += decades_of(panel.y_range);
+  const auto range = [&](char axis, const std::array<double, 2>& ends) {
+    if (ends[0] == ends[1]) return;
+    text += fmt::format("set {}range [{:.7g}:{:.7g}]\n", axis, ends[0], ends[1]);
+  };
+  range('x', panel.x_range);
+  range('y', panel.y_range);
+  for (const double x : panel.marks) {
+    text += fmt::format("set arrow from {0:.7g}, graph 0 to {0:.7g}, graph 1 nohead front {1}\n", x,
+                        kMarkStyle);
+  }
+  for (const FigureNote& note : panel.notes) {
+    text += fmt::format("set label {} at {:.7g}, {:.7g} offset 0,0.8 center textcolor rgb '{}'\n",
+                        quoted(note.text), note.x, note.y, kDark);
+  }
+  return text;
 }
 
 }  // namespace
@@ -68,6 +113,26 @@ FigureCurve curve_of_record(std::size_t number, std::size_t count, const std::st
           kSymbols[number % kSymbols.size()]};
 }
 
+std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>& points) {
+  constexpr std::size_t kStretches = 1500;
+  if (points.size() <= 4 * kStretches) return points;
+  std::vector<std::vector<double>> kept{points.front()};
+  for (std::size_t k = 0; k < kStretches; ++k) {
+    const std::size_t first = 1 + k * (points.size() - 2) / kStretches;
+    const std::size_t behind = 1 + (k + 1) * (points.size() - 2) / kStretches;
+    std::size_t low = first;
+    std::size_t high = first;
+    for (std::size_t i = first; i < behind; ++i) {
+      if (points[i].back() < points[low].back()) low = i;
+      if (points[i].back() > points[high].back()) high = i;
+    }
+    kept.push_back(points[std::min(low, high)]);
+    if (low != high) kept.push_back(points[std::max(low, high)]);
+  }
+  kept.push_back(points.back());
+  return kept;
+}
+
 PlotScript figure_page(const Figure& figure) {
   PlotScript script;
   const bool single = figure.panels.size() == 1;
@@ -79,12 +144,14 @@ PlotScript figure_page(const Figure& figure) {
     script.command("set xlabel " + quoted(panel.x_label));
     script.command("set ylabel " + quoted(panel.y_label));
     script.command("set autoscale xfix\n" + offsets_of(panel));
+    script.command(frame_of(panel));
     script.begin_panel(single ? quoted(figure.title) + ".\"\\n\"." + quoted(panel.title)
                               : quoted(panel.title));
     for (const FigureCurve& curve : panel.curves) {
-      script.add_series(
-          script.add_points(curve.points),
-          fmt::format("using 1:2 {} linecolor rgb '{}'", style_of(curve), curve.color), curve.name);
+      script.add_series(script.add_points(thinned(curve.points)), style_of(curve), curve.name);
+    }
+    if (!panel.marks.empty()) {
+      script.add_entry("with lines " + std::string(kMarkStyle), panel.mark_name);
     }
     script.end_panel();
   }
@@ -140,11 +207,19 @@ PlotScript figure_terminal(const Figure& figure) {
     script.command("set xlabel " + quoted(panel.x_label));
     std::string plot;
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {
-      const std::string points =
-          script.add_points(dense_points(panel.curves[i].points, x_high - x_low, y_high - y_low));
+      const std::string points = script.add_points(
+          dense_points(thinned(panel.curves[i].points), x_high - x_low, y_high - y_low));
       plot += fmt::format("{}{} using 1:2 with points pointtype '{}' title {}",
                           plot.empty() ? "plot " : ", \\\n     ", points,
                           kLetters[i % kLetters.size()], quoted(cut(panel.curves[i].name, 30)));
+    }
+    std::vector<std::vector<double>> marks;
+    for (const double x : panel.marks) {
+      for (int k = 0; k <= 40; ++k) marks.push_back({x, y_low + k / 40.0 * (y_high - y_low)});
+    }
+    if (!marks.empty()) {
+      plot += fmt::format(", \\\n     {} using 1:2 with points pointtype ':' title {}",
+                          script.add_points(marks), quoted(panel.mark_name));
     }
     script.command(plot);
   }

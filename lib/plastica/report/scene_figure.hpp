@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,23 +10,37 @@
 /// Pictures of curves, said once for a page and for a terminal; not installed.
 namespace plastica::report {
 
-/// How a curve is drawn: a line alone, with a dot at each point, or with symbols.
-enum class Stroke { Line, Dots, Symbols };
+/// How a curve is drawn: a line alone, with a dot at each point, with symbols, or as the area
+/// between two lines.
+enum class Stroke { Line, Dots, Symbols, Area };
 
 /// One curve.
 struct FigureCurve {
-  std::vector<std::vector<double>> points;  ///< (x, y)
+  std::vector<std::vector<double>> points;  ///< (x, y); an area: (x, low, high)
   std::string name;                         ///< in the legend
   std::string_view color = kBlue;
   Stroke stroke = Stroke::Line;
   int symbol = 7;  ///< gnuplot's number of the point type of Symbols
 };
 
+/// A text at a point of a panel.
+struct FigureNote {
+  double x = 0.0;
+  double y = 0.0;
+  std::string text;
+};
+
 struct FigurePanel {
   std::string title;
   std::string x_label;
   std::string y_label;
-  std::vector<FigureCurve> curves;
+  std::vector<FigureCurve> curves{};
+  std::vector<double> marks{};  ///< x of upright lines
+  std::string mark_name{};      ///< of all of them, in the legend
+  std::vector<FigureNote> notes{};
+  bool logarithmic = false;         ///< y, with a y_range above zero
+  std::array<double, 2> x_range{};  ///< both zero: as far as the curves go
+  std::array<double, 2> y_range{};
 };
 
 struct Figure {
@@ -36,6 +51,10 @@ struct Figure {
 /// A curve of a record among others: colours, and symbols where there are several, tell them apart;
 /// the eighth is as the first.
 FigureCurve curve_of_record(std::size_t number, std::size_t count, const std::string& name);
+
+/// A curve of so many points that a page cannot show them all, thinned: of each stretch that it
+/// shows as one, the lowest and the highest point.
+std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>& points);
 
 PlotScript figure_page(const Figure& figure);
 /// The same as characters, a letter a curve, the panels one below the other.

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "plastica/report/scene_facts.hpp"
+#include "plastica/report/scene_frames.hpp"
+#include "plastica/report/scene_spectrum.hpp"
 
 namespace plastica::report {
 namespace {
@@ -30,31 +32,83 @@ Json limit_of(const Response& response) {
   return {{"below", number(response.limit->below)}, {"above", number(response.limit->above)}};
 }
 
-Json break_of(const io::SceneRecord& record) {
-  const Response& response = record.response;
-  if (response.event) {
-    const BreakEvent& event = *response.event;
-    return {{"sample", event.sample},
-            {"strain", number(event.strain)},
-            {"stress", number(event.stress)},
-            {"permanent_strain", number(event.permanent_strain)},
-            {"dissipation", number(event.dissipation)}};
-  }
-  if (response.chain.events.empty()) return nullptr;
+Json coupon_break_of(const Response& response) {
+  if (!response.event) return nullptr;
+  const BreakEvent& event = *response.event;
+  return {{"sample", event.sample},
+          {"strain", number(event.strain)},
+          {"stress", number(event.stress)},
+          {"permanent_strain", number(event.permanent_strain)},
+          {"dissipation", number(event.dissipation)}};
+}
+
+Json joints_of(const io::SceneRecord& record, const ChainBreak& event) {
   Json joints = Json::array();
-  for (const BrokenJoint& joint : response.chain.events.front().joints) {
+  for (const BrokenJoint& joint : event.joints) {
     joints.push_back({{"joint", joint.joint},
                       {"at", record.outline.ends[static_cast<std::size_t>(joint.joint)]},
                       {"cause", kBreakCauses[static_cast<std::size_t>(joint.cause)]},
+                      {"cut", joint.cut},
                       {"strain", number(joint.strain)},
                       {"limit", number(joint.limit)},
                       {"moment", numbers(joint.moment)},
                       {"plastic_angle", numbers(joint.angle)},
                       {"dissipation", number(joint.dissipation)}});
   }
-  return {{"time", number(response.chain.events.front().time)},
-          {"factor", number(response.chain.events.front().factor)},
-          {"joints", std::move(joints)}};
+  return joints;
+}
+
+Json pieces_of(const io::SceneRecord& record, const ChainBreak& event) {
+  const std::vector<double>& ends = record.outline.ends;
+  const double length = record.setup.scene.beam.length;
+  Json pieces = Json::array();
+  for (const Piece& piece : event.pieces) {
+    const double from = ends[static_cast<std::size_t>(piece.first)];
+    const double to = ends[static_cast<std::size_t>(piece.last) + 1];
+    pieces.push_back({{"first", piece.first},
+                      {"last", piece.last},
+                      {"from", from},
+                      {"to", to},
+                      {"length", length * (to - from)}});
+  }
+  return pieces;
+}
+
+Json events_of(const io::SceneRecord& record) {
+  Json events = Json::array();
+  for (const ChainBreak& event : record.response.chain.events) {
+    events.push_back({{"time", number(event.time)},
+                      {"factor", number(event.factor)},
+                      {"joints", joints_of(record, event)},
+                      {"pieces", pieces_of(record, event)}});
+  }
+  return events;
+}
+
+/// How a motion is stepped; null for a path of equilibria and a coupon.
+Json motion_of(const io::SceneRecord& record) {
+  if (!is_motion(record)) return nullptr;
+  const SolverOptions& solver = record.setup.solver;
+  return {{"scheme", solver_word(record, "solver.scheme")},
+          {"time_step", number(solver.time_step)},
+          {"step_error", number(solver.step_error)},
+          {"rho_infinity", number(solver.rho_infinity)},
+          {"damping", solver_word(record, "solver.damping")},
+          {"damping_time", number(solver.damping_time)}};
+}
+
+/// The peaks of each displacement's and velocity's spectrum, the strongest first.
+Json frequencies_of(const io::SceneRecord& record) {
+  Json all = Json::object();
+  for (const std::size_t p : spectral_probes(record)) {
+    Json peaks = Json::array();
+    for (const theory::SpectralPeak& peak : theory::spectral_peaks(spectrum_of(record, p))) {
+      peaks.push_back(
+          {{"frequency", number(peak.frequency)}, {"amplitude", number(peak.amplitude)}});
+    }
+    all[record.setup.scene.probes[p].name] = std::move(peaks);
+  }
+  return all;
 }
 
 Json probes_of(const io::SceneRecord& record) {
@@ -99,11 +153,11 @@ Json peaks_json(const io::SceneRecord& record) {
 Json reactions_of(const io::SceneRecord& record) {
   const ChainHistory& chain = record.response.chain;
   Json all = Json::array();
-  if (chain.time.empty()) return all;
+  if (frames_of(record) == 0) return all;
   const std::span<const double> reactions(chain.reaction);
   for (std::size_t s = 0; s < chain.supports; ++s) {
     const Support& support = record.setup.scene.supports[s];
-    const std::size_t at = ((chain.time.size() - 1) * chain.supports + s) * 6;
+    const std::size_t at = (frame_at(record) * chain.supports + s) * 6;
     all.push_back({{"kind", support_kinds()[static_cast<std::size_t>(support.kind)]},
                    {"at", support.at.fraction},
                    {"force", numbers(reactions.subspan(at, 3))},
@@ -115,12 +169,15 @@ Json reactions_of(const io::SceneRecord& record) {
 Json energies_of(const io::SceneRecord& record) {
   const auto& energy = record.response.chain.energy;
   if (energy.empty()) return nullptr;
+  Json all = Json::object();
+  for (const LedgerEntry& entry : ledger_entries()) {
+    all[std::string(entry.name)] = number(energy.back().*entry.member);
+  }
+  all["residual"] = number(energy.back().residual);
   const auto share = residual_share(record);
-  return {{"elastic", number(energy.back().elastic)},
-          {"plastic", number(energy.back().plastic)},
-          {"external", number(energy.back().external)},
-          {"residual", number(energy.back().residual)},
-          {"residual_share", share ? number(*share) : Json(nullptr)}};
+  all["residual_share"] = share ? number(*share) : Json(nullptr);
+  all["closes"] = !(record.response.ledger_error > kLedgerTolerance);
+  return all;
 }
 
 }  // namespace
@@ -132,11 +189,15 @@ std::string scene_json(const io::SceneRecord& record) {
                     {"status", name_of(response.status)},
                     {"level", level_word(record.level)},
                     {"level_reason", record.level_reason},
+                    {"motion", motion_of(record)},
                     {"samples", response.samples},
+                    {"frames", frames_of(record)},
                     {"permanent_strain", number(response.permanent_strain)},
                     {"limit_load", limit_of(response)},
-                    {"break", break_of(record)},
+                    {"coupon_break", coupon_break_of(response)},
+                    {"events", events_of(record)},
                     {"probes", probes_of(record)},
+                    {"frequencies", frequencies_of(record)},
                     {"peaks", peaks_json(record)},
                     {"reactions", reactions_of(record)},
                     {"energies", energies_of(record)},

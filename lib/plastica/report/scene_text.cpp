@@ -10,42 +10,15 @@
 #include "plastica/report/format.hpp"
 #include "plastica/report/ink.hpp"
 #include "plastica/report/scene_facts.hpp"
+#include "plastica/report/scene_frames.hpp"
+#include "plastica/report/scene_motion_text.hpp"
+#include "plastica/report/scene_words.hpp"
 #include "plastica/report/table.hpp"
 
 namespace plastica::report {
 namespace {
 
 using Align = Table::Align;
-
-std::string entry(std::string_view label, std::string_view text) {
-  return wrapped(fmt::format("  {:<16}", label), text, kWidth);
-}
-
-double largest_of(std::span<const double> values) {
-  double largest = 0.0;
-  for (const double value : values) {
-    if (std::isfinite(value)) largest = std::max(largest, std::fabs(value));
-  }
-  return largest;
-}
-
-/// The unit in which numbers of a dimension are read best.
-DisplayUnit shown_unit(Dimension dimension, double magnitude) {
-  if (dimension == Dimension::Length && magnitude < 1.0) return {"mm", 1e-3};
-  if (dimension == Dimension::Force && magnitude >= 1e4) return {"kN", 1e3};
-  if (dimension == Dimension::Moment && magnitude >= 1e4) return {"kN m", 1e3};
-  return display_unit(dimension, magnitude);
-}
-
-std::string shown(double value, Dimension dimension, int digits = 5) {
-  const DisplayUnit unit = shown_unit(dimension, value);
-  return quantity(significant(value / unit.scale, digits), unit.name);
-}
-
-/// A number among others of the size `largest`: what is round-off beside them is zero.
-std::string beside(double value, double largest) {
-  return std::fabs(value) <= 1e-9 * largest ? "0" : significant(value);
-}
 
 std::string size_label(const BeamOutline& outline, std::size_t segment) {
   const double width = outline.width[segment];
@@ -73,40 +46,12 @@ std::string head(const io::SceneRecord& record, const Ink& ink) {
   // The reason begins with the level's name.
   text += entry("level", record.level_reason);
   if (record.level != Level::Coupon) text += entry("beam", beam_label(record));
-  text += entry("samples", std::to_string(response.samples));
-  return text;
-}
-
-std::string break_text(const io::SceneRecord& record, const Ink& ink) {
-  if (record.response.chain.events.empty()) return {};
-  const ChainBreak* event = &record.response.chain.events.front();
-  constexpr std::size_t kMostJoints = 20;
-  Table table({{"joint"},
-               {"at", Align::Right, "of length"},
-               {"cause", Align::Left},
-               {"strain", Align::Right, "%"},
-               {"limit", Align::Right, "%"},
-               {"M_x", Align::Right, "N m"},
-               {"M_y", Align::Right, "N m"},
-               {"T", Align::Right, "N m"},
-               {"dissipated", Align::Right, "J"}});
-  double moment = 0.0;
-  for (const BrokenJoint& joint : event->joints) {
-    moment = std::max(moment, largest_of(joint.moment));
+  text += scheme_text(record);
+  std::string samples = std::to_string(response.samples);
+  if (record.level != Level::Coupon && !keeps_all_frames(record)) {
+    samples += fmt::format(", with the shape of {}", counted(frames_of(record), "frame"));
   }
-  for (std::size_t i = 0; i < std::min(event->joints.size(), kMostJoints); ++i) {
-    const BrokenJoint& joint = event->joints[i];
-    const auto index = static_cast<std::size_t>(joint.joint);
-    table.add({std::to_string(joint.joint), place_label(record.outline.ends[index]),
-               std::string(cause_name(joint.cause)), significant(100.0 * joint.strain),
-               significant(100.0 * joint.limit, 4), beside(joint.moment[0], moment),
-               beside(joint.moment[1], moment), beside(joint.moment[2], moment),
-               significant(joint.dissipation)});
-  }
-  std::string text = '\n' + ink.heading("Break\n") + table.text(2, kWidth);
-  if (event->joints.size() > kMostJoints) {
-    text += fmt::format("  … {} joints in all\n", event->joints.size());
-  }
+  text += entry("samples", samples);
   return text;
 }
 
@@ -162,13 +107,16 @@ std::string peak_text(const io::SceneRecord& record, const Ink& ink) {
   if (matters(peaks.stress)) add("bending stress", peaks.stress, Dimension::Stress, "");
   if (matters(peaks.shear_stress)) add("shear stress", peaks.shear_stress, Dimension::Stress, "");
   add("plastic strain", peaks.plastic_strain, Dimension::Strain, "in the break measure");
-  return '\n' + ink.heading("Joints\n") + table.text(2, kWidth);
+  const std::string frames = " of " + counted(frames_of(record), "frame");
+  return '\n' + ink.heading("Joints" + (keeps_all_frames(record) ? std::string() : frames) + '\n') +
+         table.text(2, kWidth);
 }
 
 std::string reaction_text(const io::SceneRecord& record, const Ink& ink) {
   const ChainHistory& chain = record.response.chain;
-  if (chain.supports == 0 || chain.time.empty()) return {};
-  const std::size_t last = (chain.time.size() - 1) * chain.supports * 6;
+  if (chain.supports == 0 || frames_of(record) == 0) return {};
+  const std::size_t frame = frame_at(record);
+  const std::size_t last = frame * chain.supports * 6;
   const std::span<const double> all = std::span<const double>(chain.reaction).subspan(last);
   Table table({{"reaction of", Align::Left},
                {"at", Align::Right, "of length"},
@@ -197,20 +145,11 @@ std::string reaction_text(const io::SceneRecord& record, const Ink& ink) {
     }
     table.add(std::move(row));
   }
-  return '\n' + ink.heading("Reactions at the last sample\n") + table.text(2, kWidth);
-}
-
-std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
-  const auto share = residual_share(record);
-  if (!share) return {};
-  const Energies& last = record.response.chain.energy.back();
-  std::string text = '\n' + ink.heading("Energies at the last sample\n");
-  text += entry("elastic", significant(last.elastic) + " J");
-  text += entry("plastic", significant(last.plastic) + " J");
-  text += entry("external", significant(last.external) + " J");
-  text += entry("residual", fmt::format("{} J; on the path at most {:.2g} % of the energy",
-                                        significant(last.residual, 3), 100.0 * *share));
-  return text;
+  const bool whole = chain.frame_sample[frame] + 1 == chain.time.size();
+  const std::string when = whole
+                               ? std::string("at the last sample")
+                               : "at " + time_text(time_of_frame(record, frame), chain.time.back());
+  return '\n' + ink.heading("Reactions " + when + '\n') + table.text(2, kWidth);
 }
 
 std::string effort_text(const io::SceneRecord& record, const Ink& ink) {
@@ -233,9 +172,9 @@ std::string warning_text(const io::SceneRecord& record, const Ink& ink) {
 
 std::string scene_report(const io::SceneRecord& record, bool color) {
   const Ink ink(color);
-  return head(record, ink) + break_text(record, ink) + probe_text(record, ink) +
+  return head(record, ink) + events_text(record, ink) + probe_text(record, ink) +
          peak_text(record, ink) + reaction_text(record, ink) + energy_text(record, ink) +
-         effort_text(record, ink) + warning_text(record, ink);
+         frequency_text(record, ink) + effort_text(record, ink) + warning_text(record, ink);
 }
 
 }  // namespace plastica::report

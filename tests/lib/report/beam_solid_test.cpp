@@ -6,12 +6,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/scene_record.hpp"
+#include "tests/support/motion_record.hpp"
 
 namespace plastica::report {
 namespace {
 
 using plastica::testing::cantilever_text;
+using plastica::testing::motion_record;
 using plastica::testing::record_of;
 
 /// From the side: z to the right, y up, x away.
@@ -29,7 +30,7 @@ double area(const std::vector<Point2>& corners) {
 
 TEST(BeamSolid, OfAnUndeformedBeamIsItsSideView) {
   const io::SceneRecord record = record_of(cantilever_text());
-  const BeamSolid solid = beam_solid(record, kUndeformed, kSide, 1.0);
+  const BeamSolid solid = beam_solid(BeamPose(record, kUndeformed), kSide, 1.0);
   ASSERT_EQ(solid.faces.size(), 8U);  // two halves a segment, the ends are seen edge-on
   double sum = 0.0;
   for (const Face& face : solid.faces) sum += area(face.corners);
@@ -37,7 +38,8 @@ TEST(BeamSolid, OfAnUndeformedBeamIsItsSideView) {
 }
 
 TEST(BeamSolid, GivesEachHalfSegmentToTheJointAtItsEnd) {
-  const BeamSolid solid = beam_solid(record_of(cantilever_text()), kUndeformed, kSide, 1.0);
+  const io::SceneRecord record = record_of(cantilever_text());
+  const BeamSolid solid = beam_solid(BeamPose(record, kUndeformed), kSide, 1.0);
   std::vector<std::size_t> joints;
   for (const Face& face : solid.faces) joints.push_back(face.joint);
   std::sort(joints.begin(), joints.end());
@@ -47,7 +49,7 @@ TEST(BeamSolid, GivesEachHalfSegmentToTheJointAtItsEnd) {
 TEST(BeamSolid, IsDrawnThickerWhereAsked) {
   const io::SceneRecord record = record_of(cantilever_text());
   double sum = 0.0;
-  for (const Face& face : beam_solid(record, kUndeformed, kSide, 5.0).faces) {
+  for (const Face& face : beam_solid(BeamPose(record, kUndeformed), kSide, 5.0).faces) {
     sum += area(face.corners);
   }
   EXPECT_NEAR(sum, 5.0 * 0.02, 1e-12);
@@ -64,7 +66,7 @@ TEST(BeamSolid, TurnsASectionWithItsSegment) {
   }
   std::copy(record.outline.node.begin(), record.outline.node.end(),
             chain.position.begin() + static_cast<std::ptrdiff_t>(last * 5 * 3));
-  const BeamSolid solid = beam_solid(record, last, kSide, 1.0);
+  const BeamSolid solid = beam_solid(BeamPose(record, last), kSide, 1.0);
   EXPECT_EQ(solid.faces.size(), 16U);  // now two sides are seen
   double most = 0.0;
   for (const Face& face : solid.faces) {
@@ -76,7 +78,8 @@ TEST(BeamSolid, TurnsASectionWithItsSegment) {
 TEST(BeamSolid, DrawsTheNearestFacesLast) {
   const double c = std::sqrt(0.5);
   const Eye from_above{{0.0, 0.0, 1.0}, {c, c, 0.0}, {c, -c, 0.0}};
-  const BeamSolid solid = beam_solid(record_of(cantilever_text()), kUndeformed, from_above, 1.0);
+  const io::SceneRecord record = record_of(cantilever_text());
+  const BeamSolid solid = beam_solid(BeamPose(record, kUndeformed), from_above, 1.0);
   EXPECT_EQ(solid.faces.size(), 16U);
   EXPECT_TRUE(std::is_sorted(solid.faces.begin(), solid.faces.end(),
                              [](const Face& a, const Face& b) { return a.depth > b.depth; }));
@@ -86,11 +89,32 @@ TEST(BeamSolid, DrawsManySegmentsInGroups) {
   std::string text = cantilever_text();
   text.replace(text.find("segments = 4"), 12, "segments = 1000");
   text.replace(text.find("at = 4"), 6, "at = \"end\"");
-  const BeamSolid solid = beam_solid(record_of(text), kUndeformed, kSide, 1.0);
+  const io::SceneRecord record = record_of(text);
+  const BeamSolid solid = beam_solid(BeamPose(record, kUndeformed), kSide, 1.0);
   EXPECT_LE(solid.faces.size(), 300U);
   double sum = 0.0;
   for (const Face& face : solid.faces) sum += area(face.corners);
   EXPECT_NEAR(sum, 0.02, 1e-9);
+}
+
+TEST(BeamSolid, OfPiecesHasTheEndsThatCutsHaveMade) {
+  const io::SceneRecord record = motion_record({.segments = 8});
+  const BeamSolid whole = beam_solid(BeamPose(record, 0), kSide, 1.0);
+  EXPECT_TRUE(whole.cuts.empty());
+  EXPECT_EQ(whole.segments.size(), 2U * 7U);  // from both sides
+  const BeamSolid pieces = beam_solid(BeamPose(record, 20), kSide, 1.0);
+  EXPECT_EQ(pieces.cuts.size(), 4U);  // two cuts, two ends each, seen edge-on
+  EXPECT_EQ(pieces.segments.size(), 2U * 5U);
+  double sum = 0.0;
+  for (const Face& face : pieces.faces) sum += area(face.corners);
+  EXPECT_NEAR(sum, 0.02, 1e-9) << "no face spans a gap";
+}
+
+TEST(BeamSolid, GroupsNoSegmentsAcrossACut) {
+  const io::SceneRecord record = motion_record({.segments = 1000});
+  const BeamSolid pieces = beam_solid(BeamPose(record, 20), kSide, 1.0);
+  EXPECT_LE(pieces.faces.size(), 310U);
+  EXPECT_EQ(pieces.cuts.size(), 4U);
 }
 
 }  // namespace

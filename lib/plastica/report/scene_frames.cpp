@@ -1,0 +1,63 @@
+#include "plastica/report/scene_frames.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "plastica/report/format.hpp"
+
+namespace plastica::report {
+
+std::size_t frame_at(const io::SceneRecord& record, std::optional<double> time) {
+  const std::size_t frames = frames_of(record);
+  if (!time) return frames - 1;
+  std::size_t nearest = 0;
+  for (std::size_t f = 1; f < frames; ++f) {
+    const double way = std::fabs(time_of_frame(record, f) - *time);
+    if (way < std::fabs(time_of_frame(record, nearest) - *time)) nearest = f;
+  }
+  return nearest;
+}
+
+std::vector<std::size_t> even_frames(const io::SceneRecord& record, std::size_t count, double from,
+                                     double to) {
+  std::vector<std::size_t> frames;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double share = count == 1 ? 1.0 : static_cast<double>(k) / static_cast<double>(count - 1);
+    frames.push_back(frame_at(record, from + share * (to - from)));
+  }
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+  return frames;
+}
+
+std::vector<bool> cut_joints(const io::SceneRecord& record, double time) {
+  std::vector<bool> cut(record.outline.ends.size(), false);
+  for (const ChainBreak& event : record.response.chain.events) {
+    if (event.time > time) continue;
+    for (const BrokenJoint& joint : event.joints) {
+      if (joint.cut) cut[static_cast<std::size_t>(joint.joint)] = true;
+    }
+  }
+  return cut;
+}
+
+std::vector<Piece> pieces_at(const io::SceneRecord& record, double time) {
+  const std::vector<bool> cut = cut_joints(record, time);
+  const auto segments = static_cast<int>(record.outline.segments());
+  std::vector<Piece> pieces;
+  for (int i = 0; i < segments; ++i) {
+    if (i == 0 || cut[static_cast<std::size_t>(i)]) pieces.push_back({i, i});
+    pieces.back().last = i;
+  }
+  return pieces;
+}
+
+std::string time_text(double time, double largest) {
+  const double size = std::fabs(largest);
+  if (size >= 1.0 || size == 0.0) return fmt::format("{:.4g} s", time);
+  if (size >= 1e-3) return fmt::format("{:.4g} ms", 1e3 * time);
+  return fmt::format("{:.4g} µs", 1e6 * time);
+}
+
+}  // namespace plastica::report
