@@ -44,6 +44,7 @@ def main():
             "scene-report": fenced("text", scene),
             "demo-report": fenced("text", report),
             "library-example": fenced("cpp", (ROOT / "tests/consumer/main.cpp").read_text()),
+            "breaking-example": fenced("cpp", (ROOT / "tests/consumer/breaking.cpp").read_text()),
             "beam-example": fenced("cpp", (ROOT / "tests/consumer/beam.cpp").read_text()),
         }
         example = marked("fit-example").search(text).group(2)
