@@ -31,7 +31,7 @@ struct BatchOptions {
   /// Once true, no further case is begun. May be null.
   const std::atomic<bool>* stop = nullptr;
   /// Called after each case with the number finished, from any thread, one call at a time.
-  std::function<void(std::size_t finished)> progress;
+  std::function<void(std::size_t finished)> progress{};
 };
 
 /// Runs cases in parallel; row i is case i, with the same bits for every number of threads.
