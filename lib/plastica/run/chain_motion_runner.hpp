@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -31,7 +32,7 @@ class ChainMotionRunner final : public ChainProgram {
  private:
   void set_options();
   bool starts_free() const;
-  std::vector<solve::SegmentMotion<L>> initial_motion() const;
+  void set_initial_motion();
   Status walk(Step& step, const Workspace& hooks, Response& response);
   /// Takes steps up to a time. @return Completed if it got there
   Status go_to(double stop, Step& step, const Workspace& hooks, Response& response);
@@ -43,8 +44,11 @@ class ChainMotionRunner final : public ChainProgram {
 
   ChainBody<L, kElastic> body_;
   solve::MotionOptions options_;
-  std::vector<bool> gone_;            ///< joints that are cut (nodes)
-  std::vector<bool> told_;            ///< joints whose break was told (nodes)
+  std::unique_ptr<Step> step_;  ///< of the joints below, which a material change renews
+  const void* joints_of_step_ = nullptr;
+  std::vector<solve::SegmentMotion<L>> initial_motion_;  ///< (N)
+  std::vector<bool> gone_;                               ///< joints that are cut (nodes)
+  std::vector<bool> told_;                               ///< joints whose break was told (nodes)
   std::vector<JointAngles> watched_;  ///< angles of the joints that are left (nodes)
   std::size_t next_cut_ = 0;
 };
@@ -84,12 +88,13 @@ bool ChainMotionRunner<L, kElastic>::starts_free() const {
 }
 
 template <class L, bool kElastic>
-std::vector<solve::SegmentMotion<L>> ChainMotionRunner<L, kElastic>::initial_motion() const {
+void ChainMotionRunner<L, kElastic>::set_initial_motion() {
   const chain::Layout& layout = body_.model.layout;
   const auto& chain = body_.build.chain;
   const auto& placement = body_.work.placement;
   const auto vector = [](const std::array<double, 3>& v) { return Vec<double, 3>{v}; };
-  std::vector<solve::SegmentMotion<L>> motion(chain.size());
+  auto& motion = initial_motion_;
+  motion.assign(chain.size(), {});
   for (const InitialMotion& part : body_.model.scene.initial_motions) {
     const double from = share_of(part.from, layout.ends);
     const double to = share_of(part.to, layout.ends);
@@ -106,7 +111,6 @@ std::vector<solve::SegmentMotion<L>> ChainMotionRunner<L, kElastic>::initial_mot
       motion[i].spin += transposed_times(L::axes(placement.frame[i]), spin);
     }
   }
-  return motion;
 }
 
 template <class L, bool kElastic>
@@ -131,8 +135,14 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
     work.q.open[0] = true;
     work.q.pose[0] = {work.placement.position[0], work.placement.frame[0]};
   }
-  Step step(body_.build.chain, *body_.joints, body_.view.section_axes(), options_, work);
-  response.status = step.start(initial_motion()) ? walk(step, hooks, response) : Status::HeldTwice;
+  if (!step_ || joints_of_step_ != body_.joints.get()) {
+    step_ = std::make_unique<Step>(body_.build.chain, *body_.joints, body_.view.section_axes(),
+                                   options_, work);
+    joints_of_step_ = body_.joints.get();
+  }
+  set_initial_motion();
+  response.status =
+      step_->start(initial_motion_) ? walk(*step_, hooks, response) : Status::HeldTwice;
   body_.record.end_motion();
   response.ledger_error = ledger_error(std::span(response.chain.energy).first(response.samples));
   const auto& strain = body_.strains.strain;

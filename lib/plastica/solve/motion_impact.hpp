@@ -76,18 +76,17 @@ double MotionStep<L, kElastic>::approach_of(std::size_t k) const {
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::fit_velocities(Motions& motion, const std::vector<bool>& acts,
                                              const std::vector<double>& bounce) {
-  ClosureRates<L> rates;
+  ClosureRates<L>& rates = rates_;
   for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
     const auto& closure = chain_.closures[k];
-    rates.acts.push_back((!closure.one_sided || acts[k]) && !w_.q.released_closure[k]);
-    rates.rate.push_back(slope_of(closure.history) * closure.motion +
-                         (bounce.empty() ? 0.0 : bounce[k]));
+    rates.acts[k] = (!closure.one_sided || acts[k]) && !w_.q.released_closure[k];
+    rates.rate[k] = slope_of(closure.history) * closure.motion + (bounce.empty() ? 0.0 : bounce[k]);
   }
   const double slope = slope_of(chain_.root.history);
   const chain::Motion<L> ground{slope * chain_.root.motion, slope * chain_.root.turn};
-  const Motions given = motion;
+  given_ = motion;
   for (;;) {
-    motion = given;
+    motion = given_;
     const bool holds = make_velocities_fit(chain_, rates, ground, no_laws_, no_motion_, motion, w_);
     bool pulls = false;
     for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
@@ -160,8 +159,10 @@ void MotionStep<L, kElastic>::jumped() {
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::strike(bool corner) {
   const std::size_t count = chain_.closures.size();
-  std::vector<double> bounce(count, 0.0);
-  std::vector<bool> acts = rests_on_;
+  std::vector<double>& bounce = bounce_;
+  std::fill(bounce.begin(), bounce.end(), 0.0);
+  std::vector<bool>& acts = acts_;
+  acts = rests_on_;
   bool strikes = corner;
   for (std::size_t k = 0; k < count; ++k) {
     if (!chain_.closures[k].one_sided || rests_on_[k]) continue;
@@ -197,17 +198,15 @@ void MotionStep<L, kElastic>::restart() {
       chain_, w_.q, w_.placement, chain::Stage<L>{}, w_.joints,
       [this](std::size_t history) { return chain_.histories[history].at(w_.time); },
       w_.outer_forces);
-  ClosureRates<L> rates;
   for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
     const bool acts = !chain_.closures[k].one_sided || rests_on_[k];
-    rates.acts.push_back(acts && !w_.q.released_closure[k]);
-    rates.rate.push_back(0.0);
+    rates_.acts[k] = acts && !w_.q.released_closure[k];
   }
   // The laws' forces as they are: nothing moves in no time.
-  chain::JointForces<L, kElastic> laws{w_.joints.force, no_laws_.tangent};
-  set_accelerations(chain_, rates, laws, no_motion_, motion_, w_);
+  laws_alone_.force = w_.joints.force;
+  set_accelerations(chain_, laws_alone_, no_motion_, carried_, rates_, motion_, w_);
   for (std::size_t k = 0; k < multiplier_.size(); ++k) {
-    multiplier_[k] = rates.acts[k] ? w_.small.b(k) : 0.0;
+    multiplier_[k] = rates_.acts[k] ? w_.small.b(k) : 0.0;
   }
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     inertia_[i] = inertia_force(rule_, 1.0, chain_.inertias[i], w_.placement.frame[i],

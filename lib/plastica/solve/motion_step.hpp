@@ -43,14 +43,17 @@ class MotionStep {
     inertia_now_.resize(n);
     step_.resize(n);
     pull_.resize(n);
-    rests_on_.assign(chain.closures.size(), false);
-    bounces_.assign(chain.closures.size(), 0);
-    multiplier_.assign(chain.closures.size(), 0.0);
+    const std::size_t closures = chain.closures.size();
+    rates_.acts.resize(closures);
+    rates_.rate.resize(closures);
+    bounce_.resize(closures);
+    acts_.resize(closures);
+    carried_.shift.resize(n);
+    carried_.spin.resize(n);
     no_laws_.force.assign(chain.joints(), {});
     no_laws_.tangent.assign(chain.joints(), {});
     for (const auto& inertia : chain.inertias) mass_ += inertia.mass;
-    w_.stage.half_way = false;
-    w_.forgets = true;
+    laws_alone_ = no_laws_;
     no_motion_.follows = 0.0;
   }
 
@@ -58,6 +61,16 @@ class MotionStep {
   /// @return false if a support holds what others hold already
   bool start(const Motions& motion) {
     motion_ = motion;
+    const std::size_t closures = chain_.closures.size();
+    rests_on_.assign(closures, false);
+    bounces_.assign(closures, 0);
+    multiplier_.assign(closures, 0.0);
+    flows_ = {};
+    rests_ = 0;
+    fastest_ = 0.0;
+    h_ = h_before_ = time_ = 0.0;
+    w_.stage.half_way = false;
+    w_.forgets = true;
     w_.time = 0.0;
     chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
     evaluate_laws();
@@ -222,8 +235,14 @@ class MotionStep {
   NewtonOptions newton_;
   Work& w_;
   JointMotion<L, kElastic> joint_motion_;
-  chain::JointForces<L, kElastic> no_laws_;  ///< zeros: what impulses see of the joints
-  chain::Stage<L> no_motion_;                ///< forces act at the end, and follow nothing
+  chain::JointForces<L, kElastic> no_laws_;     ///< zeros: what impulses see of the joints
+  chain::JointForces<L, kElastic> laws_alone_;  ///< forces without slopes
+  ClosureRates<L> rates_;
+  CarriedMotion<L> carried_;
+  Motions given_;               ///< velocities that are to fit
+  std::vector<double> bounce_;  ///< (closures)
+  std::vector<bool> acts_;      ///< (closures)
+  chain::Stage<L> no_motion_;   ///< forces act at the end, and follow nothing
   double mass_ = 0.0;
   double h_ = 0.0;
   double time_ = 0.0;

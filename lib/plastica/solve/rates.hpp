@@ -17,6 +17,13 @@ struct ClosureRates {
   std::vector<typename L::Scalar> rate;          ///< along the closure's direction (closures)
 };
 
+/// What joints that do not accelerate would give each segment; memory of `set_accelerations`.
+template <class L>
+struct CarriedMotion {
+  std::vector<typename L::Point> shift;  ///< of its inner joint (N)
+  std::vector<typename L::Spin> spin;    ///< (N)
+};
+
 /// A closure moves nothing that is free if a unit impulse along it does less than this share of
 /// what it would do to the beam's mass, free.
 inline constexpr double kHoldsNothing = 1e-10;
@@ -133,16 +140,17 @@ bool make_velocities_fit(const chain::Chain<L>& chain, const ClosureRates<L>& cl
 
 /// The accelerations of a chain under the forces in `w` (assembled, without inertia), for the
 /// beginning of a scheme that carries them. Shifts of elastic joints are taken as at rest.
+/// @param rates  which closures act; their rates are set
 template <class L, bool kElastic>
-void set_accelerations(const chain::Chain<L>& chain, const ClosureRates<L>& closures,
-                       const chain::JointForces<L, kElastic>& laws,
-                       const chain::Stage<L>& no_motion, std::vector<SegmentMotion<L>>& motion,
+void set_accelerations(const chain::Chain<L>& chain, const chain::JointForces<L, kElastic>& laws,
+                       const chain::Stage<L>& no_motion, CarriedMotion<L>& carried_motion,
+                       ClosureRates<L>& rates, std::vector<SegmentMotion<L>>& motion,
                        NewtonWork<L, kElastic>& w) {
   detail::factor_inertia(chain, no_motion, laws, w);
   w.right.reset(chain.size());
-  // What turning joints that do not accelerate would give: arms and joint axes are carried along.
-  std::vector<typename L::Point> carried(chain.size());
-  std::vector<typename L::Spin> turned(chain.size());
+  // Arms and joint axes are carried along.
+  std::vector<typename L::Point>& carried = carried_motion.shift;
+  std::vector<typename L::Spin>& turned = carried_motion.spin;
   typename L::Point at{};
   typename L::Spin spin_rate{};
   typename L::Spin inner_spin{};
@@ -172,7 +180,6 @@ void set_accelerations(const chain::Chain<L>& chain, const ClosureRates<L>& clos
     at += centripetal(L::turn(frame, chain.segments[i].arm));
     inner_spin = spin;
   }
-  ClosureRates<L> rates = closures;
   for (std::size_t k = 0; k < chain.closures.size(); ++k) {
     const auto& closure = chain.closures[k];
     const std::size_t i = closure.segment;

@@ -131,6 +131,32 @@ TEST(Heap, IsNotUsedAlongAPath) {
   }
 }
 
+/// A struck beam that yields, falls on a pillar and bounces.
+TEST(Heap, IsNotUsedAlongAMotion) {
+  for (const Level level : {Level::Planar, Level::Spatial}) {
+    for (int scheme = 0; scheme < 4; ++scheme) {
+      Scene scene = testing::cantilever(8, {0.0, -450.0, 0.0});
+      Support pillar{.at = Place::end(), .kind = SupportKind::Pillar};
+      pillar.gap = 0.01;
+      pillar.restitution = 0.5;
+      scene.supports.push_back(pillar);
+      SolverOptions options;
+      options.level = level;
+      options.analysis = Analysis::Dynamics;
+      options.scheme = static_cast<Scheme>(scheme);
+      options.duration = 0.1;
+      const Model model = prepare(scene, options);
+      Workspace workspace = make_workspace(model);
+      Response response = make_response(model);
+      run(model, {}, workspace, response);
+      ASSERT_EQ(response.status, Status::Completed);
+      const std::size_t before = allocations;
+      run(model, {}, workspace, response);
+      EXPECT_EQ(allocations, before);
+    }
+  }
+}
+
 TEST(Heap, IsNotUsedBySectionLaws) {
   const Material material = law::testing::steel(HardeningLaw::VoceChaboche);
   const auto values = material_values(material);
