@@ -90,9 +90,8 @@ Scene evenly_bent_scene(int segments) {
 
 TEST(MotionBreak, CutsAllJointsThatBreakInAStepOrTheWorstOfThem) {
   Scene scene = evenly_bent_scene(6);
-  SolverOptions options = motion_options(Scheme::GeneralizedAlpha, 2e-2, 1);
-  options.damping = Damping::Stiffness;
-  options.damping_time = 1e-3;
+  // One long step of the scheme that damps most is nearly at rest.
+  const SolverOptions options = motion_options(Scheme::LinearlyImplicitEuler, 2e-2, 1);
   const Response all = simulate(scene, options);
   ASSERT_FALSE(all.chain.events.empty());
   std::size_t cut = 0;
