@@ -119,7 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
                  BeamEnds::PinnedPinned,
                  {{Place::start(), SupportKind::Pin}, {Place::end(), SupportKind::Pin}},
                  0,
-                 4}),
+                 4},
+        HeldBeam{"FreeFree", BeamEnds::FreeFree, {}, 3, 4}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(NaturalFrequencies, OfTwistAreThoseOfTheTorsionalWave) {
@@ -269,14 +270,46 @@ TEST(NaturalFrequencies, OfASegmentHingedByASpringAreThoseOfItsInertia) {
               tolerance(1e-9));
 }
 
+TEST(NaturalFrequencies, OfASoftSpringAreNotTakenForNone) {
+  // A beam on springs a million times softer than itself.
+  Scene scene = testing::chain_scene(20);
+  scene.supports.push_back(
+      {.at = Place::start(), .kind = SupportKind::Elastic, .stiffness = {0, 1e-2, 1e-2}});
+  const auto found = frequencies_of(scene, kPlanar, 4);
+  // Held at one end, its translation across and its pitch are one motion of the free body: about
+  // the point at 2/3 of the length, hardly any force is there. So one frequency is zero, along is
+  // sqrt(k/m), across sqrt(4k/m).
+  const double one = std::sqrt(1e-2 / mass_of(scene)) / (2.0 * pi);
+  EXPECT_EQ(found[0], 0.0);
+  EXPECT_NEAR(found[1] / one, 1.0, tolerance(1e-6));
+  EXPECT_NEAR(found[2] / one, 2.0, tolerance(1e-6));
+  const double bending = circular_frequency(BeamEnds::FreeFree, 1, beam_of(scene)) / (2.0 * pi);
+  EXPECT_NEAR(found[3] / bending, 1.0, tolerance(0.01));
+}
+
+TEST(NaturalFrequencies, AreZeroWhereNothingResists) {
+  const auto zeros = [](const Scene& scene, const SolverOptions& options) {
+    const auto found = frequencies_of(scene, options, 8);
+    return std::count(found.begin(), found.end(), 0.0);
+  };
+  Scene scene = testing::chain_scene(12);
+  EXPECT_EQ(zeros(scene, {.level = Level::Planar}), 3);
+  EXPECT_EQ(zeros(scene, {.level = Level::Spatial}), 6);
+  EXPECT_EQ(zeros(scene, {.level = Level::Spatial, .translation = JointTranslation::Elastic}), 6);
+  EXPECT_EQ(zeros(scene, {.level = Level::Twist}), 1);
+  scene.supports.push_back({.at = Place::start(), .kind = SupportKind::Pin});
+  EXPECT_EQ(zeros(scene, {.level = Level::Planar}), 1);
+  scene.supports.push_back({.at = {0.5, {}}, .kind = SupportKind::Roller});
+  EXPECT_EQ(zeros(scene, {.level = Level::Planar}), 0);
+}
+
 TEST(NaturalFrequencies, DoNotSeeLoadsGravityAndPrescribedMotion) {
   Scene scene =
       held_scene(10, {{Place::start(), SupportKind::Clamp}, {Place::end(), SupportKind::Roller}});
   const auto still = frequencies_of(scene, kPlanar, 3);
   scene.gravity = {0.0, -9.81, 0.0};
-  scene.loads.push_back({.force = {0.0, 1e4, -1e5}, .history = {{0.0, 1.0}, {1.0, 1.0}}});
+  scene.loads.push_back({.force = {0.0, 1e4, -1e5}, .history = History::constant()});
   scene.supports[1].translation = {0.0, 0.1, 0.0};
-  scene.supports[1].history = {{0.0, 1.0}, {1.0, 0.0}};
   EXPECT_EQ(frequencies_of(scene, kPlanar, 3), still);
 }
 
