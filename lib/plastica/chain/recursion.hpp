@@ -70,6 +70,11 @@ class Recursion {
               const Stage<L>& stage, const JointForces<L, kElastic>& laws,
               const OuterForces<L>& outer_forces, Transmitted<L>& transmitted);
 
+  /// Sums what each joint transmits and lacks, as `factor` does, and eliminates nothing.
+  void sum(const Chain<L>& chain, const Coordinates<L>& q, const Placement<L>& placement,
+           const Stage<L>& stage, const JointForces<L, kElastic>& laws,
+           const OuterForces<L>& outer_forces, Transmitted<L>& transmitted);
+
   /// Law minus transmitted moment (and force) of each joint: what Newton makes zero (N).
   const std::vector<JointVector>& balance() const { return balance_; }
   /// Of all eliminated freedoms, the least stiffness there was, relative to what stiffens closures;

@@ -27,6 +27,44 @@ void Recursion<L, kElastic>::factor_root(const Chain<L>& chain, const mask_t<S>&
   root_inverse_ = select(open, {}, root_inverse_);
 }
 
+template <class L, bool kElastic>
+void Recursion<L, kElastic>::sum(const Chain<L>& chain, const Coordinates<L>& q,
+                                 const Placement<L>& placement, const Stage<L>& stage,
+                                 const JointForces<L, kElastic>& laws,
+                                 const OuterForces<L>& outer_forces, Transmitted<L>& transmitted) {
+  const Placement<L>& at = stage.of(placement);
+  starts_.clear();
+  Wrench<L> w{};
+  for (std::size_t i = chain.size(); i-- > 0;) {
+    w = w + outer_forces.wrench[i];
+    transmitted.outer[i] = w;
+    Joint& joint = joints_[i];
+    const typename L::Point shift = kElastic ? q.shift[i] : typename L::Point{};
+    if (!stage.half_way) set_axes(placement.near[i], placement.far[i], shift, joint);
+    set_work(stage, i, joint);
+    Vec<S, kJ> carried = joint.work_spin * w.moment;
+    if constexpr (kElastic) carried += joint.work_shift * w.force;
+    balance_[i] = laws.force[i] - carried;
+    for (std::size_t k = 0; i == 0 && k < kR; ++k) {
+      if (chain.root.welded[k]) balance_[0][k] = constant<S>(0);
+    }
+    if (any(q.open[i])) {
+      PieceStart start;
+      start.joint = i;
+      start.open = q.open[i];
+      start.balance = {select(q.open[i], w.force, {}), select(q.open[i], w.moment, {})};
+      starts_.push_back(start);
+      w = {select(q.open[i], {}, w.force), select(q.open[i], {}, w.moment)};
+      transmitted.outer[i] = w;
+      balance_[i] = select(q.open[i], {}, balance_[i]);
+    }
+    if (i > 0) w.moment += L::moment(at.position[i] - at.position[i - 1], w.force);
+  }
+  for (std::size_t k = 0; k < kT; ++k) {
+    root_balance_[k] = chain.root.held[k] ? constant<S>(0) : w.force[k];
+  }
+}
+
 /// Solves a piece at its start, in the lanes where one begins, and leaves nothing for the joint.
 /// @param a  the piece's impedance
 /// @param w  what acts on it; nothing afterwards

@@ -91,7 +91,7 @@ template <class L>
 struct Stage {
   static constexpr std::size_t kR = L::kRotations;
   using S = typename L::Scalar;
-  bool half_way = false;                    ///< else forces act where the step ends
+  bool half_way = false;  ///< else forces act where the step ends
   /// How far their arms and axes follow a motion of the end: half of it half way; not at all where
   /// velocities or accelerations are sought.
   double follows = 1.0;

@@ -33,11 +33,13 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
   bool polished = false;
   for (int iteration = 0;; ++iteration) {
     assemble(w);
-    if (options.one_solve && iteration > 0 && detail::closures_meet(chain, w) &&
-        detail::laws_meet(w)) {
+    if (options.one_solve && iteration > 0 && detail::closures_meet(chain, w)) {
+      w.recursion.sum(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);
+      const S imbalance = detail::relative_imbalance(chain, w);
+      outcome.imbalance[static_cast<std::size_t>(iteration)] = imbalance;
       outcome.iterations = iteration;
-      outcome.converged = constant<S>(0) < constant<S>(1);
-      break;
+      outcome.converged = imbalance <= constant<S>(kOneSolveTolerance);
+      if (!any(!outcome.converged)) break;
     }
     const PathCondition<L> condition = condition_at(w);
     if (condition.active) detail::stiffen_condition(chain, condition, w);
@@ -61,7 +63,6 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     if (condition.active) detail::solve_time(chain, condition, w);
     detail::join_columns(chain, condition, w);
     detail::combine_columns(chain, condition, w);
-    if (options.one_solve) detail::note_linear_forces(w);
     const mask_t<S> stays = outcome.converged & going;  // none of them
     detail::take_step(chain, condition, polishes ? stays : outcome.converged, w);
   }

@@ -62,29 +62,6 @@ bool closures_meet(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& 
   return true;
 }
 
-/// Whether the last solve was small, and the joints' laws say what it took them to say.
-template <class L, bool kElastic>
-bool laws_meet(const NewtonWork<L, kElastic>& w) {
-  using S = typename L::Scalar;
-  if (any(w.largest_correction > constant<S>(kSmallTurn))) return false;
-  const S enough = constant<S>(kLawTolerance) * w.moment_scale;
-  for (std::size_t i = 0; i < w.linear_force.size(); ++i) {
-    for (std::size_t k = 0; k < L::kRotations; ++k) {
-      const S off = abs(w.joints.force[i][k] - w.linear_force[i][k]);
-      if (any((off > enough) & !w.q.open[i])) return false;
-    }
-  }
-  return true;
-}
-
-/// Keeps what a step takes the laws to say.
-template <class L, bool kElastic>
-void note_linear_forces(NewtonWork<L, kElastic>& w) {
-  for (std::size_t i = 0; i < w.linear_force.size(); ++i) {
-    w.linear_force[i] = w.joints.force[i] + w.joints.tangent[i] * w.columns[0].joint[i];
-  }
-}
-
 /// Places the chain, asks its laws and sums its forces at the current unknowns.
 template <class L, bool kElastic>
 void assemble(const chain::Chain<L>& chain, chain::JointLaws<L, kElastic>& laws,
@@ -321,7 +298,6 @@ void take_step(const chain::Chain<L>& chain, const PathCondition<L>& condition,
       if (any(w.q.open[i])) largest = larger_size(largest, step.motion[i].spin[k]);
     }
   }
-  w.largest_correction = largest;
   const S one = constant<S>(1);
   const S part = select(done, constant<S>(0), one / larger_size(one, largest));
   for (std::size_t i = 0; i < chain.size(); ++i) {

@@ -31,10 +31,6 @@ struct NewtonWork {
   chain::Placement<L> placement;
   chain::Stage<L> stage;  ///< where forces act; statics leave it as it is
   chain::JointForces<L, kElastic> joints;
-  S largest_correction{};  ///< turn of a joint by the last solve [rad]
-  /// What the last solve took the laws to say, of the joints of segments (N); see
-  /// NewtonOptions::one_solve.
-  std::vector<Vec<S, chain::kFreedoms<L, kElastic>>> linear_force;
   chain::OuterForces<L> outer_forces;
   chain::Transmitted<L> transmitted;
   chain::Transmitted<L> impulses;  ///< of `solve/rates.hpp`, likewise
@@ -85,7 +81,6 @@ struct NewtonWork {
     stage.ground_axes.assign(chain.ground_joints.size(), {});
     joints.force.assign(chain.joints(), {});
     joints.tangent.assign(chain.joints(), {});
-    linear_force.assign(n, {});
     outer_forces.reset(n);
     transmitted.outer.assign(n, {});
     impulses.outer.assign(n, {});
@@ -110,8 +105,7 @@ struct NewtonWork {
 
 inline constexpr int kMostIterations = 64;
 
-inline constexpr double kLawTolerance = 1e-4;
-inline constexpr double kSmallTurn = 0.01;  ///< [rad]
+inline constexpr double kOneSolveTolerance = 1e-4;
 
 /// How far a closure may be off after a step of one solve, over the beam's length [1].
 inline constexpr double kClosureTolerance = 1e-7;
@@ -120,9 +114,8 @@ struct NewtonOptions {
   int most_iterations = 25;  ///< <= kMostIterations
   double tolerance = 1e-10;  ///< see SolverOptions::tolerance
   /// One linear solve is enough; more are made only while a closure is off by more than
-  /// `kClosureTolerance` of the length, or a joint's moment is off by more than `kLawTolerance` of
-  /// the largest from what the solve took for it (it has begun or ceased to yield), or the solve
-  /// has turned a joint by more than `kSmallTurn`.
+  /// `kClosureTolerance` of the length, or a joint is out of balance by more than
+  /// `kOneSolveTolerance` of the largest moment: it has begun to yield, or turned far.
   bool one_solve = false;
   /// Solves once more after convergence: what is left is rounding then, not the tolerance.
   bool polishes = false;
