@@ -105,7 +105,7 @@ struct NewtonWork {
 
 inline constexpr int kMostIterations = 64;
 
-inline constexpr double kOneSolveTolerance = 1e-4;
+inline constexpr double kOneSolveTolerance = 1e-5;
 
 /// How far a closure may be off after a step of one solve, over the beam's length [1].
 inline constexpr double kClosureTolerance = 1e-7;
