@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/model/choose_level.hpp"
 #include "plastica/run/chain_laws.hpp"
 #include "plastica/run/chain_run.hpp"
@@ -14,12 +16,7 @@ namespace {
 void set_cuts(ChainModel& chain) {
   const auto& ends = chain.layout.ends;
   for (const Cut& cut : chain.scene.cuts) {
-    const double share = share_of(cut.at, ends);
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < ends.size(); ++i) {
-      if (std::abs(ends[i] - share) < std::abs(ends[nearest] - share)) nearest = i;
-    }
-    chain.cuts.push_back({cut.time, nearest});
+    chain.cuts.push_back({cut.time, static_cast<std::size_t>(nearest_segment_end(cut.at, ends))});
   }
   std::sort(chain.cuts.begin(), chain.cuts.end(), [](const JointCut& a, const JointCut& b) {
     return a.time != b.time ? a.time < b.time : a.node < b.node;
@@ -61,6 +58,12 @@ void set_stops(ChainModel& chain) {
   for (const auto& [time, recorded] : stops) {
     chain.stops.push_back(time);
     chain.recorded.push_back(recorded);
+  }
+  // A cut that rounding sets behind its stop would have to wait for the next one.
+  for (JointCut& cut : chain.cuts) {
+    for (const double stop : chain.stops) {
+      if (std::abs(stop - cut.time) < 1e-9 * duration) cut.time = stop;
+    }
   }
   chain.samples = static_cast<std::size_t>(steps) + 1;
 }
