@@ -102,11 +102,11 @@ int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const 
                report::counted(setup.scene.supports.size(), "support"),
                report::counted(setup.scene.loads.size(), "load"));
   }
-  fmt::print("{} samples, ", samples);
+  fmt::print("{}, ", report::counted(samples, "sample"));
   if (model.chain && response.chain.frame_sample.size() < samples) {
-    fmt::print("{} frames, ", response.chain.frame_sample.size());
+    fmt::print("{}, ", report::counted(response.chain.frame_sample.size(), "frame"));
   }
-  fmt::print("{} probes, about {:.1f} MB\n", model.probes.size(),
+  fmt::print("{}, about {:.1f} MB\n", report::counted(model.probes.size(), "probe"),
              static_cast<double>(memory_of(response)) / 1e6);
   if (is_motion(model)) fmt::print("{}", motion_label(setup, *model.chain));
   for (const std::string& warning : scene_warnings(setup.scene, setup.solver)) {

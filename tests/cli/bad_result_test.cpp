@@ -82,7 +82,8 @@ TEST(BadRequest, OfAResultIsRefusedInOneLine) {
       {{"export", "x.h5", "--to", "xls"},
        "--to: xls not in {csv,json} (see plastica export --help)"},
       {{"export", "x.h5", "--what", "all"},
-       "--what: all not in {specimens,curves,probes,joints} (see plastica export --help)"},
+       "--what: all not in {specimens,curves,probes,joints,energies,events,pieces,spectrum} (see "
+       "plastica export --help)"},
       {{"export", "x.h5", "-o", "mine.csv"},
        "mine.csv: exists already: use --force to overwrite it"},
       {{"export", "x.h5", "-o", "x.h5", "--force"},
