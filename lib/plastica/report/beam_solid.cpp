@@ -60,7 +60,7 @@ class Drawing {
       if (!add_face(face, sum(a, 1.0, b), joint)) continue;
       // Four lines along a round section show its twist.
       if (!round || k % 4 == 0) line(solid_.edges, face[0], face[3]);
-      if (!round) line(solid_.edges, face[1], face[2]);
+      if (!round || (k + 1) % 4 == 0) line(solid_.edges, face[1], face[2]);
       line(rim, outer ? face[3] : face[0], outer ? face[2] : face[1]);
     }
     std::vector<Point3> cap;

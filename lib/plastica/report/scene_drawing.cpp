@@ -14,6 +14,7 @@ namespace {
 
 constexpr auto kPillar = static_cast<std::size_t>(SupportKind::Pillar);
 constexpr std::string_view kPillarColor = "#9A9A9A";
+constexpr double kTouching = 0.002;  ///< gap that cannot be seen [share of the picture]
 
 Point3 scaled(double factor, const Point3& v) { return sum({}, factor, v); }
 
@@ -49,24 +50,27 @@ Point3 place_of(const BeamPose& pose, const BeamPose& undeformed, const Support&
   return place;
 }
 
-/// A triangle whose tip is where the drawn beam would touch the pillar.
-std::vector<Point2> pillar_triangle(const BeamPose& pose, const BeamPose& undeformed,
-                                    const Support& support, const Eye& eye, double thickness,
-                                    double size) {
+/// A triangle whose tip would touch the drawn beam where the pillar was told to stand; and, where
+/// the beam lies on it, the way along its surface, which has no end, to where the beam does.
+void add_pillar(const BeamPose& pose, const BeamPose& undeformed, const Support& support,
+                const Eye& eye, double thickness, double size, SupportMarks& marks) {
   const Point3& normal = support.normal;
   const Point3 beam = pose.point_at(support.at.fraction);
   const double factor = support.moves() ? support.history.at(pose.time()) : 0.0;
-  const double level = dot(normal, undeformed.point_at(support.at.fraction)) - support.gap +
-                       factor * dot(normal, support.translation);
+  const Point3 foot = sum(sum(undeformed.point_at(support.at.fraction), -support.gap, normal),
+                          factor, support.translation);
   const double half = reach(pose, pose.segment_at(support.at.fraction), normal, thickness);
-  const Point3 touch = sum(beam, level - dot(normal, beam) - half, normal);
-  const Point2 tip = eye.at(touch);
+  const Point2 tip = eye.at(sum(foot, -half, normal));
   const Point2 down = eye.at(scaled(-0.05 * size, normal));
   const Point2 across{-0.45 * down[1], 0.45 * down[0]};
-  return {tip,
-          {tip[0] + down[0] + across[0], tip[1] + down[1] + across[1]},
-          {tip[0] + down[0] - across[0], tip[1] + down[1] - across[1]},
-          tip};
+  marks.pillars.push_back({tip,
+                           {tip[0] + down[0] + across[0], tip[1] + down[1] + across[1]},
+                           {tip[0] + down[0] - across[0], tip[1] + down[1] - across[1]},
+                           tip});
+  const double gap = dot(normal, sum(beam, -1.0, foot));
+  if (gap < kTouching * size) {
+    marks.surfaces.push_back({tip, eye.at(sum(beam, -gap - half, normal))});
+  }
 }
 
 /// A load's force at the time of a pose, turned with its segment if it follows it.
@@ -164,7 +168,7 @@ SupportMarks support_marks(const BeamPose& pose, const Eye& eye, double thicknes
   for (const Support& support : pose.record().setup.scene.supports) {
     const auto kind = static_cast<std::size_t>(support.kind);
     if (kind == kPillar) {
-      marks.pillars.push_back(pillar_triangle(pose, undeformed, support, eye, thickness, size));
+      add_pillar(pose, undeformed, support, eye, thickness, size, marks);
     } else {
       marks.points[kind].push_back(eye.at(place_of(pose, undeformed, support)));
     }
@@ -219,6 +223,7 @@ void BeamPicture::add_frame(const BeamPose& pose, const Point2& shift, double ar
   append(cuts_, solid.cuts, shift);
   const SupportMarks marks = support_marks(pose, eye_, thickness_, size);
   append(pillars_, marks.pillars, shift);
+  append(surfaces_, marks.surfaces, shift);
   for (std::size_t kind = 0; kind < supports_.size(); ++kind) {
     for (auto& row : rows_of(marks.points[kind], shift)) supports_[kind].push_back(std::move(row));
   }

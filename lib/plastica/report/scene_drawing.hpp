@@ -51,6 +51,7 @@ double largest_strain(const io::SceneRecord& record, std::size_t frame);
 struct SupportMarks {
   std::array<std::vector<Point2>, 6> points;  ///< by kind, but pillars
   Lines pillars;                              ///< triangles whose tip is what the beam meets
+  Lines surfaces;                             ///< from their tips to where the beam is on them
 };
 
 /// @param thickness  as for `beam_solid`
@@ -85,6 +86,7 @@ class BeamPicture {
   std::vector<std::vector<std::vector<double>>> segments_;
   std::vector<std::vector<std::vector<double>>> cuts_;
   std::vector<std::vector<std::vector<double>>> pillars_;
+  std::vector<std::vector<std::vector<double>>> surfaces_;
   std::array<std::vector<std::vector<double>>, 6> supports_;
   std::vector<std::vector<double>> arrows_;
 };

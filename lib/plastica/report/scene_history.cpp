@@ -1,6 +1,7 @@
 #include "plastica/report/scene_history.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ namespace {
 constexpr double kHardlyNegative = 0.005;
 constexpr std::size_t kMostPeaks = 6;  ///< that a spectrum is lettered with
 constexpr double kLeastPeak = 1e-3;    ///< of the strongest one
+constexpr double kNoteWidth = 0.09;    ///< of the letters of a peak [share of the picture's width]
 
 std::string_view color_of(std::string_view entry) {
   if (entry == "external") return kDark;
@@ -96,6 +98,20 @@ FigureCurve energy_area(const io::SceneRecord& record, const LedgerEntry& entry,
   return curve;
 }
 
+/// From zero on, where nothing but round-off is below it; else as far as the curves go.
+std::array<double, 2> range_of(const std::vector<FigureCurve>& curves) {
+  double low = 0.0;
+  double high = 0.0;
+  for (const FigureCurve& curve : curves) {
+    for (const auto& point : curve.points) {
+      low = std::min(low, point[1]);
+      high = std::max(high, point.back());
+    }
+  }
+  if (low < -kHardlyNegative * high) return {};
+  return {0.0, 1.06 * high};
+}
+
 double largest_frequency(const theory::Spectrum& spectrum) {
   const auto peaks = theory::spectral_peaks(spectrum, kLeastPeak);
   double highest = 0.0;
@@ -168,6 +184,7 @@ Figure energy_figure(const io::SceneRecord& record, bool stacked) {
   }
   for (FigureCurve& line : lines) panel.curves.push_back(std::move(line));
   panel.curves.push_back(energy_line(record, &Energies::residual, "residual", kGrey));
+  panel.y_range = range_of(panel.curves);
   add_events(panel, record);
   figure.panels.push_back(std::move(panel));
   return figure;
@@ -212,10 +229,13 @@ Figure spectrum_figure(std::span<const io::SceneRecord> records, const std::stri
     panel.curves.push_back(std::move(curve));
   }
   if (records.size() == 1 && !letters) {
-    const auto peaks = theory::spectral_peaks(spectra.front(), kLeastPeak);
-    for (std::size_t k = 0; k < std::min(peaks.size(), kMostPeaks); ++k) {
-      panel.notes.push_back({peaks[k].frequency, height(peaks[k].amplitude),
-                             significant(peaks[k].frequency, 4) + " Hz"});
+    for (const theory::SpectralPeak& peak : theory::spectral_peaks(spectra.front(), kLeastPeak)) {
+      const bool covered = std::any_of(panel.notes.begin(), panel.notes.end(), [&](const auto& n) {
+        return std::fabs(n.x - peak.frequency) < kNoteWidth * highest;
+      });
+      if (covered || panel.notes.size() == kMostPeaks) continue;
+      panel.notes.push_back(
+          {peak.frequency, height(peak.amplitude), significant(peak.frequency, 4) + " Hz"});
     }
   }
   figure.panels.push_back(std::move(panel));

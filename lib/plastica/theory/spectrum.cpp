@@ -11,11 +11,13 @@
 namespace plastica::theory {
 namespace {
 
-constexpr double kQuartiles = 8.0;  ///< lower quartiles of all bins that a peak is above
-constexpr double kLeak = 2.0;       ///< envelopes of each larger sine that a peak is above
+constexpr double kQuartiles = 8.0;   ///< lower quartiles of all bins that a peak is above
+constexpr double kProminence = 2.0;  ///< of a peak over the dips beside it
+constexpr double kLeak = 2.0;        ///< envelopes of each larger sine that a peak is above
 /// The same of what is slower than 2/T: the mean that is taken off lowers its own peak. Measured
 /// up to 4.9 of ramps and parabolas, 9.9 of a parabola about the middle, 16.2 of a cubic about it.
 constexpr double kSlowLeak = 20.0;
+constexpr double kRoundOff = 1e-10;       ///< of the largest amplitude
 constexpr double kFirstSideLobe = 2.362;  ///< its distance [1/T] …
 constexpr double kSideLobe = 0.02671;     ///< … and height: the largest of all
 
@@ -37,6 +39,22 @@ double lower_quartile(std::vector<double> values) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
   std::nth_element(values.begin(), at, values.end());
   return *at;
+}
+
+/// Whether a bin falls to its part `kProminence` on both sides before there is a higher one. Both
+/// sides are searched together, so that a ripple of a long slope is found out by its near side.
+bool stands_out(const std::vector<double>& amplitude, std::size_t bin) {
+  const double low = amplitude[bin] / kProminence;
+  std::size_t left = bin;
+  std::size_t right = bin;
+  while (amplitude[left] > low || amplitude[right] > low) {
+    if (amplitude[left] > low && (left == 0 || amplitude[--left] > amplitude[bin])) return false;
+    if (amplitude[right] > low &&
+        (right + 1 == amplitude.size() || amplitude[++right] > amplitude[bin])) {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// The vertex of the parabola through the logarithms of three bins, the middle one the largest.
@@ -91,7 +109,8 @@ std::vector<SpectralPeak> spectral_peaks(const Spectrum& spectrum, double floor)
   std::vector<SpectralPeak> found;
   if (amplitude.size() < 3) return found;
   for (std::size_t k = 1; k + 1 < amplitude.size(); ++k) {
-    if (amplitude[k] > amplitude[k - 1] && amplitude[k] >= amplitude[k + 1]) {
+    if (amplitude[k] > amplitude[k - 1] && amplitude[k] >= amplitude[k + 1] &&
+        stands_out(amplitude, k)) {
       found.push_back(vertex(spectrum, k));
     }
   }
@@ -103,10 +122,13 @@ std::vector<SpectralPeak> spectral_peaks(const Spectrum& spectrum, double floor)
   };
   const auto largest = std::find_if_not(found.begin(), found.end(), slow);
   if (largest == found.end()) return {};
-  const double least = std::max(kQuartiles * lower_quartile(amplitude), floor * largest->amplitude);
+  const double least =
+      std::max({kQuartiles * lower_quartile(amplitude), floor * largest->amplitude,
+                kRoundOff * *std::max_element(amplitude.begin(), amplitude.end())});
   std::vector<SpectralPeak> sources;
   std::vector<SpectralPeak> peaks;
   for (const SpectralPeak& peak : found) {
+    if (peak.amplitude < least) break;
     double leaked = 0.0;
     for (const SpectralPeak& source : sources) {
       if (slow(source)) {
@@ -119,7 +141,7 @@ std::vector<SpectralPeak> spectral_peaks(const Spectrum& spectrum, double floor)
     }
     if (peak.amplitude <= leaked) continue;
     sources.push_back(peak);
-    if (!slow(peak) && peak.amplitude >= least) peaks.push_back(peak);
+    if (!slow(peak)) peaks.push_back(peak);
   }
   return peaks;
 }

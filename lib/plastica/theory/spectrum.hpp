@@ -8,9 +8,9 @@ namespace plastica::theory {
 
 /// Amplitudes of the sines that a sampled history consists of.
 ///
-/// Two sines are told apart from `kHannMainLobe`/T on, T the length of the history, and what is
-/// slower than that is not told from its mean. Faster than half the sampling rate nothing is seen:
-/// it appears folded back below it.
+/// T the length of the history, two sines are told apart from `kApart`/T on, and what is slower
+/// than `kHannMainLobe`/T is not told from its mean. Faster than half the sampling rate nothing is
+/// seen: it appears folded back below it.
 struct Spectrum {
   double duration = 0.0;          ///< T = n_samples x time step [s]
   std::vector<double> frequency;  ///< [Hz], evenly spaced from 0 to half the sampling rate (n_bins)
@@ -25,6 +25,9 @@ struct SpectralPeak {
 
 /// Half the width of the window's main lobe in units of 1/T: a sine reaches that far.
 inline constexpr double kHannMainLobe = 2.0;
+/// Distance in units of 1/T from which on the spectrum of two sines of one amplitude falls to half
+/// of them in between, whatever their phases: 2 W(d/2) < 1/2.
+inline constexpr double kApart = 3.0;
 /// Shorter histories have no spectrum.
 inline constexpr std::size_t kFewestSamples = 16;
 

@@ -135,7 +135,7 @@ TEST(MotionReport, ListsTheFrequenciesOfDisplacementsAndVelocities) {
   EXPECT_TRUE(has(part, "\n  speed     29.9")) << part;
   EXPECT_TRUE(has(part, "  m/s\n")) << part;
   EXPECT_FALSE(has(part, "kinetic")) << part;
-  EXPECT_TRUE(has(part, "told apart from 10 Hz on, seen up to 500 Hz")) << part;
+  EXPECT_TRUE(has(part, "seen from 10 to 500 Hz, told apart from a distance of 15 Hz on")) << part;
 }
 
 TEST(MotionReport, HasNoFrequenciesOfStaticsOrFewOrUnevenSamples) {
