@@ -276,5 +276,95 @@ class ReadScene(unittest.TestCase):
         self.assertEqual(found.names, [])
 
 
+MOTION = """[beam]
+length = "1 m"
+segments = 4
+[solver]
+analysis = "dynamics"
+time_step = "0.5 ms"
+duration = "0.1 s"
+steps = 40
+frames = 4
+[[support]]
+at = "start"
+kind = "clamp"
+[[load]]
+at = "end"
+force = ["0 N", "-100 N", "0 N"]
+history = "constant"
+[[initial_motion]]
+from = 0.5
+velocity = ["0 m/s", "1 m/s", "0 m/s"]
+[[cut]]
+at = 0.75
+time = "25 ms"
+[[cut]]
+at = 0.5
+time = "75 ms"
+[[probe]]
+name = "tip"
+kind = "displacement"
+at = "end"
+"""
+MOTION_SHAPES = {
+    "probes/values": (1, 41), "path/time": (41,), "path/frame_sample": (5,),
+    "energy/kinetic": (41,), "joints/position": (5, 5, 3), "joints/plastic_strain": (5, 5),
+    "segments/rotation": (5, 4, 3), "reactions/wrench": (5, 1, 6), "events/time": (2,),
+    "events/joints/joint": (2,), "events/joints/moment": (2, 3), "events/pieces/first": (5,),
+    "initial_motions/velocity": (1, 3), "cuts/time": (2,),
+}
+
+
+class ReadMotion(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.place = tempfile.TemporaryDirectory()
+        folder = pathlib.Path(cls.place.name)
+        (folder / "beam.toml").write_text(MOTION)
+        subprocess.run([COMMAND, "simulate", "beam.toml", "-o", "beam.h5"], cwd=folder, check=True,
+                       capture_output=True)
+        cls.file = h5py.File(folder / "beam.h5")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.file.close()
+        cls.place.cleanup()
+
+    def test_has_arrays_of_the_documented_shapes(self):
+        for path, shape in MOTION_SHAPES.items():
+            self.assertEqual(self.file[path].shape, shape, path)
+
+    def test_keeps_frames_apart_from_samples(self):
+        file = self.file
+        frames = file["path/frame_sample"][:]
+        self.assertEqual(list(frames), [0, 10, 20, 30, 40])
+        numpy.testing.assert_allclose(file["path/time"][:][frames], [0, 0.025, 0.05, 0.075, 0.1])
+        tip = file["probes/values"][0][frames]
+        # Position 4 is the outer end of the last segment.
+        moved = file["joints/position"][:, -1, 1] - file["beam/node"][-1, 1]
+        numpy.testing.assert_allclose(tip, moved, rtol=1e-12, atol=1e-15)
+
+    def test_tells_the_cuts_and_the_pieces_after_each(self):
+        file = self.file
+        numpy.testing.assert_allclose(file["events/time"][:], [0.025, 0.075])
+        self.assertEqual(list(file["events/joints/cause"].asstr()), ["cut", "cut"])
+        self.assertEqual(list(file["events/joints/joint"]), [3, 2])
+        self.assertEqual(list(file["events/joints/cut"]), [1, 1])
+        pieces = file["events/pieces"]
+        table = list(zip(pieces["event"], pieces["first"], pieces["last"]))
+        self.assertEqual(table, [(0, 0, 2), (0, 3, 3), (1, 0, 1), (1, 2, 2), (1, 3, 3)])
+
+    def test_has_a_ledger_that_closes(self):
+        energy = {name: values[:] for name, values in self.file["energy"].items()}
+        rest = energy["external"] - sum(values for name, values in energy.items()
+                                        if name not in ("external", "residual"))
+        largest = max(numpy.max(numpy.abs(values)) for values in energy.values())
+        numpy.testing.assert_allclose(energy["residual"], rest, atol=1e-12 * largest)
+        self.assertLess(self.file["outcome/ledger_error"][()], 0.01)
+
+    def test_has_nothing_that_is_not_documented(self):
+        self.assertEqual(undocumented(self.file).names, [])
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

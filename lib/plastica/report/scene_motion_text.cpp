@@ -110,6 +110,19 @@ std::string pieces_text(const io::SceneRecord& record, const Ink& ink) {
          more(pieces.size(), "piece");
 }
 
+std::string events_heading(const std::vector<ChainBreak>& events) {
+  bool broke = false;
+  bool cut = false;
+  for (const ChainBreak& event : events) {
+    for (const BrokenJoint& joint : event.joints) {
+      (joint.cause == BreakCause::Cut ? cut : broke) = true;
+    }
+  }
+  const char* several = events.size() == 1 ? "" : "s";
+  if (broke && cut) return fmt::format("Break{0} and cut{0}\n", several);
+  return fmt::format("{}{}\n", cut ? "Cut" : "Break", several);
+}
+
 }  // namespace
 
 std::string scheme_text(const io::SceneRecord& record) {
@@ -136,8 +149,8 @@ std::string events_text(const io::SceneRecord& record, const Ink& ink) {
   const std::vector<ChainBreak>& events = record.response.chain.events;
   if (events.empty()) return {};
   const std::vector<EventRow> rows = rows_of(events);
-  return '\n' + ink.heading(events.size() == 1 ? "Break\n" : "Breaks\n") +
-         joints_table(record, rows) + more(rows.size(), "joint") + pieces_text(record, ink);
+  return '\n' + ink.heading(events_heading(events)) + joints_table(record, rows) +
+         more(rows.size(), "joint") + pieces_text(record, ink);
 }
 
 std::string energy_text(const io::SceneRecord& record, const Ink& ink) {

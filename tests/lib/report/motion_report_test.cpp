@@ -69,7 +69,7 @@ TEST(MotionReport, TellsAdaptiveStepsAndDamping) {
 TEST(MotionReport, ListsTheJointsOfAllEventsAndThePiecesAfterTheLast) {
   const std::string text = scene_report(motion_record());
   EXPECT_TRUE(has(text, R"(
-Breaks
+Breaks and cuts
     time  joint      at  cause      strain  limit      M_x  M_y    T  dissipated  cut
       ms          share                  %      %      N m  N m  N m           J
   80.000      6     0.5  bending x   10.02  10.00  -709.50    0    0      7.2500  yes
@@ -83,6 +83,17 @@ Pieces after the last event
       2    6 … 8       3  0.2500    0.5   0.75
       3    9 … 11      3  0.2500   0.75    end
 )")) << text;
+}
+
+TEST(MotionReport, TellsBreaksFromCuts) {
+  io::SceneRecord record = motion_record();
+  auto& events = record.response.chain.events;
+  events.pop_back();
+  EXPECT_TRUE(has(scene_report(record), "\nBreak\n"));
+  for (BrokenJoint& joint : events[0].joints) joint.cause = BreakCause::Cut;
+  EXPECT_TRUE(has(scene_report(record), "\nCut\n"));
+  events.push_back(events[0]);
+  EXPECT_TRUE(has(scene_report(record), "\nCuts\n"));
 }
 
 TEST(MotionReport, ListsAtMostTwentyJoints) {
