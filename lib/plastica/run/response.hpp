@@ -106,7 +106,7 @@ struct ChainHistory {
   /// By frame and joint (n_frames x n_joints):
   std::vector<double> plastic_strain;  ///< the break measure: the largest of the joint's axes [1]
   std::vector<double> stress;  ///< of the extreme fibre, M_x/W_x + M_y/W_y as signs add [Pa]
-  /// By sample and support (n_samples x n_supports x 6): force [N] and moment [N m] on the beam.
+  /// By frame and support (n_frames x n_supports x 6): force [N] and moment [N m] on the beam.
   std::vector<double> reaction;
   std::vector<ChainBreak> events{};  ///< in the order of time
 };
