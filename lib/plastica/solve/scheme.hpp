@@ -36,9 +36,10 @@ constexpr SchemeClaims claims_of(Scheme scheme, double rho_infinity) {
   switch (scheme) {
     case Scheme::LinearlyImplicitEuler: return {1, EnergyBehaviour::Loses, false, false, true};
     case Scheme::LinearlyImplicitMidpoint: return {2, EnergyBehaviour::Wanders, false, false, true};
-    case Scheme::GeneralizedAlpha:
-      return {2, rho_infinity < 1.0 ? EnergyBehaviour::Loses : EnergyBehaviour::Wanders, false,
-              false, false};
+    case Scheme::GeneralizedAlpha: {
+      const bool damps = rho_infinity < 1.0;  // else it is the trapezoidal rule
+      return {2, damps ? EnergyBehaviour::Loses : EnergyBehaviour::Wanders, false, !damps, false};
+    }
     case Scheme::EnergyMomentum: return {2, EnergyBehaviour::Conserves, true, true, false};
   }
   return {};
