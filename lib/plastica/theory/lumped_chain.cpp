@@ -72,6 +72,12 @@ double pinned_chain_frequency_ratio(int count, int mode) {
   return 4.0 * s * s / (x * x) / std::sqrt(1.0 - 2.0 / 3.0 * s * s);
 }
 
+double buckling_load(int count, double bending_stiffness, double length) {
+  assert(count >= 1);
+  const double s = 2.0 * count * std::sin(0.25 * std::numbers::pi / count) / length;
+  return s * s * bending_stiffness;
+}
+
 double elastoplastic_tip_ratio(ChainConvention convention, int count, double load_ratio) {
   assert(load_ratio >= 0.0 && load_ratio < 1.5);
   double sum = 0.0;

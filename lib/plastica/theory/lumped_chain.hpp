@@ -61,6 +61,16 @@ double tip_moment_ratio(ChainConvention convention, int count);
 /// @param mode   1 … N - 1
 double pinned_chain_frequency_ratio(int count, int mode);
 
+/// Load along a cantilever of N segments, the joint at the clamp of length h/2, at which it buckles
+/// [N]: 4 N^2 sin^2(pi/(4 N)) E I/L^2, Euler's pi^2 E I/(4 L^2) as N grows.
+///
+/// Segments at the slopes phi_i under P are in balance if E I/h (2 phi_i - phi_{i-1} - phi_{i+1}) =
+/// P h phi_i, so phi_i = sin((i + 1/2) t) with 2 - 2 cos t = P h^2/(E I). The half joint is a whole
+/// one to the clamp's mirror image, phi_{-1} = -phi_0; the free end, phi_N = phi_{N-1}, takes
+/// N t = pi/2.
+/// @param count  N >= 1
+double buckling_load(int count, double bending_stiffness, double length);
+
 /// Tip deflection of a chain whose joints follow the elastic-perfectly-plastic moment-curvature
 /// law of the rectangle, over that at first yield of the continuous beam, delta_y = P_y L^3/(3EI).
 ///

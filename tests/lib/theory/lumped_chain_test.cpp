@@ -125,5 +125,14 @@ TEST(LumpedChain, OfPinnedEndsHasItsFrequencyToOrderFour) {
   EXPECT_NEAR(std::log2(coarse / fine), 4.0, 0.01);
 }
 
+TEST(LumpedChain, BucklesAtEulersLoadToOrderTwo) {
+  // One segment on a joint of 2 E I/L; its load moves by phi out of line.
+  EXPECT_NEAR(buckling_load(1, 3.0, 2.0), 2.0 * 3.0 / (2.0 * 2.0), 1e-14);
+  const double euler = 0.25 * std::numbers::pi * std::numbers::pi;
+  const double coarse = buckling_load(20, 1.0, 1.0) / euler - 1.0;
+  const double fine = buckling_load(40, 1.0, 1.0) / euler - 1.0;
+  EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.01);
+}
+
 }  // namespace
 }  // namespace plastica::theory
