@@ -1,10 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <string>
 
-#include "plastica/run/batch.hpp"
 #include "tests/support/motion_scene.hpp"
 
 namespace plastica {
@@ -141,57 +139,6 @@ TEST(MotionBreak, CutsWhereTheSceneSaysAndKeepsMomentum) {
     EXPECT_LT(drift_of(response, 0), 1e-10);
     EXPECT_LT(drift_of(response, 1), 1e-10);
     EXPECT_LT(response.ledger_error, 1e-8);
-  }
-}
-
-TEST(MotionBreak, BalancesItsEnergiesInElasticPlasticBreakingScenes) {
-  std::vector<Scene> scenes{breaking_scene(16), breaking_scene(24, 20.0), breaking_scene(8, 40.0)};
-  scenes.push_back(struck_scene(12, 20.0, YieldModel::Fibre));
-  scenes.back().material.break_strain = 0.05;
-  Scene sideways = breaking_scene(10);
-  sideways.initial_motions[0].velocity = {10.0, -25.0, 0.0};
-  scenes.push_back(sideways);
-  for (const Scene& scene : scenes) {
-    const Response exact = simulate(scene, motion_options(Scheme::EnergyMomentum, 5e-5, 400));
-    EXPECT_EQ(exact.status, Status::Broken);
-    EXPECT_LT(exact.ledger_error, 1e-8);
-    for (const Scheme scheme : {Scheme::LinearlyImplicitEuler, Scheme::GeneralizedAlpha}) {
-      const Response coarse = simulate(scene, motion_options(scheme, 1e-4, 60));
-      const Response fine = simulate(scene, motion_options(scheme, 1.25e-5, 480));
-      EXPECT_LT(fine.ledger_error, 0.5 * coarse.ledger_error);
-    }
-  }
-}
-
-TEST(MotionBreak, EndsRandomScenesWithoutASurprise) {
-  std::mt19937 random(20);
-  const auto between = [&](double a, double b) {
-    return a + (b - a) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
-  };
-  std::vector<BatchCase> cases;
-  for (int k = 0; k < 100; ++k) {
-    Scene scene = struck_scene(static_cast<int>(between(3.0, 20.0)), between(2.0, 60.0));
-    if (k % 3 == 0) scene.initial_motions[0].velocity[0] = between(-20.0, 20.0);
-    if (k % 4 == 0) scene.supports.clear();
-    if (k % 5 == 0) scene.yield_model = YieldModel::Fibre;
-    scene.material.break_strain = between(0.005, 0.2);
-    scene.on_break = k % 2 == 0 ? BreakPolicy::CutAll : BreakPolicy::CutWorst;
-    if (k % 6 == 0) {
-      Support pillar{.at = Place::end(), .kind = SupportKind::Pillar};
-      pillar.gap = between(0.0, 0.1);
-      pillar.restitution = between(0.0, 1.0);
-      scene.supports.push_back(pillar);
-    }
-    auto options = motion_options(static_cast<Scheme>(k % 4), between(2e-5, 5e-4), 20);
-    options.fibres = 8;
-    cases.push_back({std::to_string(k), scene, options, {}});
-  }
-  for (const BatchRow& row : run_batch(cases)) {
-    EXPECT_TRUE(row.response.status == Status::Completed || row.response.status == Status::Broken)
-        << row.id << ": " << name_of(row.response.status) << ' ' << row.reason;
-    for (const Energies& energy : row.response.chain.energy) {
-      EXPECT_TRUE(std::isfinite(energy.kinetic + energy.elastic)) << row.id;
-    }
   }
 }
 
