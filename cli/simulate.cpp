@@ -12,6 +12,7 @@
 
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/frequency_line.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/motion_progress.hpp"
 #include "cli/run_files.hpp"
@@ -108,7 +109,9 @@ int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const 
   }
   fmt::print("{}, about {:.1f} MB\n", report::counted(model.probes.size(), "probe"),
              static_cast<double>(memory_of(response)) / 1e6);
-  if (is_motion(model)) fmt::print("{}", motion_label(setup, *model.chain));
+  if (is_motion(model)) {
+    fmt::print("{}{}", motion_label(setup, *model.chain), frequency_line(model, setup));
+  }
   for (const std::string& warning : scene_warnings(setup.scene, setup.solver)) {
     fmt::print("warning: {}\n", warning);
   }

@@ -130,6 +130,30 @@ TEST_F(MotionResult, ForetellsItsStepsWithoutARun) {
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_TRUE(has(result.out, "251 samples, 11 frames, 2 probes, ")) << result.out;
   EXPECT_TRUE(has(result.out, "generalized_alpha, 0.5 s in 500 steps of 0.001 s\n")) << result.out;
+  // Steel of 210 GPa and 20 mm: 16.71 Hz, less 0.8 % for eight segments.
+  EXPECT_TRUE(has(result.out, "\nunloaded, it swings at 16.6, ")) << result.out;
+  EXPECT_TRUE(has(result.out, " Hz: 60.3, ")) << result.out;
+}
+
+TEST_F(MotionResult, ForetellsWaysToMoveThatNothingResists) {
+  std::string text = motion_text(kHalfASecond + "\nstep_error = 1e-6");
+  text.replace(text.find("\"clamp\""), 7, "\"pin\"");
+  place_.write("beam.toml", text);
+  const CommandResult result = place_.run({"simulate", "beam.toml", "--dry-run"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(has(result.out, " Hz: at least ")) << result.out;
+  EXPECT_TRUE(has(result.out, " steps a period; nothing resists 1 way to move\n")) << result.out;
+}
+
+TEST_F(MotionResult, DoesNotSeekTheFrequenciesOfLongChains) {
+  std::string text = motion_text(kHalfASecond);
+  text.replace(text.find("segments = 8"), 12, "segments = 2000");
+  place_.write("beam.toml", text);
+  const CommandResult result = place_.run({"simulate", "beam.toml", "--dry-run"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(
+      has(result.out, "natural frequencies are not sought of more than 600 ways to move: 2000\n"))
+      << result.out;
 }
 
 TEST_F(MotionResult, IsWrittenEvenWhereAStepCannotBeSolved) {
