@@ -92,8 +92,7 @@ TEST(SceneResult, IsForetoldWithoutARun) {
   const CommandResult result = place.run({"simulate", "beam.toml", "--dry-run", "-o", "beam.h5"});
   EXPECT_EQ(result.code, 0);
   EXPECT_TRUE(has(result.out, "beam.toml: level planar: ")) << result.out;
-  EXPECT_TRUE(has(result.out, "4 segments, 1 support, 1 load, 6 samples, 2 probes"))
-      << result.out;
+  EXPECT_TRUE(has(result.out, "4 segments, 1 support, 1 load, 6 samples, 2 probes")) << result.out;
   EXPECT_TRUE(has(result.out, "nothing was run; the result would be beam.h5\n")) << result.out;
   EXPECT_EQ(place.contents(), before);
 }
