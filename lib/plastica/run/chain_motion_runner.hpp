@@ -128,6 +128,7 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   response.counters = {};
   response.limit.reset();
   response.chain.events.clear();
+  body_.record.begin_frames(response);
 
   Work& work = body_.work;
   chain::place<kElastic>(body_.build.chain, work.q, 0.0, work.placement);
@@ -144,6 +145,7 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   response.status =
       step_->start(initial_motion_) ? walk(*step_, hooks, response) : Status::HeldTwice;
   body_.record.end_motion();
+  body_.record.end_frames(response);
   response.ledger_error = ledger_error(std::span(response.chain.energy).first(response.samples));
   const auto& strain = body_.strains.strain;
   response.permanent_strain = *std::max_element(strain.begin(), strain.end());

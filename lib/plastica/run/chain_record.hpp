@@ -65,6 +65,13 @@ class ChainRecord {
   void write(const Work& w, const Joints& joints, const NodeStrains& strains, std::size_t sample,
              Response& response);
 
+  /// Before the first sample: which samples keep their shape.
+  void begin_frames(Response& response) const {
+    response.chain.frame_sample = model_->frame_sample;
+  }
+  /// After the last one: keeps its shape, too, where the run has ended early.
+  void end_frames(Response& response) const;
+
   /// Moment of a node's joint about its x, y, z [N m]: of its section and of a spring beside it.
   Space moment(const Joints& joints, const Work& w, std::size_t node) const;
   /// The factor that responses show: of the first load, or motion, or of gravity.
@@ -267,6 +274,17 @@ void ChainRecord<L, kElastic>::keep_shape(std::size_t frame, ChainHistory& histo
     std::copy(from.begin(), from.end(),
               (history.*values).begin() + static_cast<std::ptrdiff_t>(frame * from.size()));
   }
+}
+
+template <class L, bool kElastic>
+void ChainRecord<L, kElastic>::end_frames(Response& response) const {
+  auto& frames = response.chain.frame_sample;
+  if (response.samples == 0) return;
+  const std::size_t last = response.samples - 1;
+  const auto next = std::lower_bound(frames.begin(), frames.end(), last);
+  if (next == frames.end() || *next == last) return;
+  *next = last;
+  keep_shape(static_cast<std::size_t>(next - frames.begin()), response.chain);
 }
 
 template <class L, bool kElastic>

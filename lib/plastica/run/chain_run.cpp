@@ -57,11 +57,13 @@ void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material,
   response.samples = 0;
   response.ledger_error = 0.0;
   response.chain.events.clear();
+  body_.record.begin_frames(response);
 
   solve::PathWalker<L, kElastic> walker(body_.build.chain, *body_.joints, options_, control_,
                                         body_.work, committed_, previous_, *this);
   walker_ = &walker;
   response.status = walker.walk();
+  body_.record.end_frames(response);
   response.counters = walker.counters();
   response.limit = walker.limit();
   if (response.limit) {

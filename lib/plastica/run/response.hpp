@@ -92,7 +92,8 @@ struct ChainHistory {
   std::vector<double> factor;    ///< of the first load, or of the first motion [1] (n_samples)
   std::vector<Energies> energy;  ///< (n_samples)
   std::vector<int> iterations;   ///< Newton iterations of all steps up to here (n_samples)
-  /// Samples of which the shape is kept: frames, the first and the last among them (n_frames).
+  /// Samples of which the shape is kept: frames, the first and the last among them; those beyond
+  /// the last sample of a run that has ended early are empty (n_frames).
   std::vector<std::size_t> frame_sample;
   /// By frame, joint and axis (n_frames x n_joints x 3):
   std::vector<double> position;       ///< of the joint in world axes [m]

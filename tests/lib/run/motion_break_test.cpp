@@ -107,6 +107,22 @@ TEST(MotionBreak, CutsAllJointsThatBreakInAStepOrTheWorstOfThem) {
   }
 }
 
+TEST(MotionBreak, KeepsTheLastShapeOfARunThatIsStopped) {
+  SolverOptions options = motion_options(Scheme::EnergyMomentum, 1e-4, 100);
+  options.frames = 4;
+  const Model model = prepare(breaking_scene(8), options);
+  Workspace workspace = make_workspace(model);
+  Response response = make_response(model);
+  workspace.on_progress = [](double time) { return time < 3.05e-3; };
+  run(model, {}, workspace, response);
+  EXPECT_EQ(response.status, Status::Interrupted);
+  EXPECT_EQ(response.samples, 31U);
+  EXPECT_EQ(response.chain.frame_sample, (std::vector<std::size_t>{0, 25, 30, 75, 100}));
+  workspace.on_progress = nullptr;
+  run(model, {}, workspace, response);
+  EXPECT_EQ(response.chain.frame_sample, (std::vector<std::size_t>{0, 25, 50, 75, 100}));
+}
+
 TEST(MotionBreak, AsksTheListenerWhatToCut) {
   int asked = 0;
   const Response response =
