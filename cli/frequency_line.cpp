@@ -50,6 +50,7 @@ std::string frequency_line(const Model& model, const Setup& setup) {
   if (frequencies.empty()) return unresisted + "\n";
   const SolverOptions& solver = setup.solver;
   std::vector<double> steps;
+  steps.reserve(frequencies.size());
   for (const double frequency : frequencies) steps.push_back(1.0 / (frequency * solver.time_step));
   return fmt::format("unloaded, it swings at {} Hz: {}{} steps a period{}{}\n", listed(frequencies),
                      solver.step_error > 0.0 ? "at least " : "", listed(steps),

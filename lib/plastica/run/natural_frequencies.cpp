@@ -118,6 +118,7 @@ class ChainMotions {
   void evaluate_joints(const ChainModel& model, const chain::View<L>& view) {
     const auto parts = chain::part_forms(model.scene, !kOneForce<L, kElastic>);
     std::vector<MaterialValues<double>> materials;
+    materials.reserve(parts.size());
     for (const auto& part : parts) materials.push_back(material_values(*part.material));
     const auto laws =
         make_joints<L, kElastic>(model.scene, parts, materials,
@@ -264,9 +265,9 @@ class ChainMotions {
       MatrixXd motion = MatrixXd::Zero(coordinates_, 1);
       work_of(closure.segment, wrench, motion);
       // A straight chain's end does not move along it: holding it there holds nothing.
-      if (motion.norm() > kNothing) held.push_back(motion);
+      if (motion.norm() > kNothing) held.emplace_back(motion);
     }
-    if (held.empty()) held.push_back(VectorXd::Zero(coordinates_));  // of rank 0
+    if (held.empty()) held.emplace_back(VectorXd::Zero(coordinates_));  // of rank 0
     MatrixXd columns(coordinates_, static_cast<Index>(held.size()));
     for (std::size_t k = 0; k < held.size(); ++k) columns.col(static_cast<Index>(k)) = held[k];
     Eigen::ColPivHouseholderQR<MatrixXd> orthonormal(columns);
