@@ -12,21 +12,12 @@
 
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/summary.hpp"
+#include "plastica/report/format.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 using namespace report;
-
-std::string quoted(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string cell = "\"";
-  for (const char c : text) {
-    if (c == '"') cell += '"';
-    cell += c;
-  }
-  return cell + '"';
-}
 
 std::string cell_of(std::optional<double> value) {
   return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string();
@@ -35,7 +26,7 @@ std::string cell_of(std::optional<double> value) {
 void put_row(std::ostream& out, const std::vector<std::string>& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (i > 0) out << ',';
-    out << quoted(cells[i]);
+    out << plastica::report::csv_cell(cells[i]);
   }
   out << '\n';
 }
@@ -144,7 +135,7 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
 void write_curves_csv(std::ostream& out, std::span<const FitRecord> records) {
   out << "specimen,strain [1],stress_measured [Pa],stress_fitted [Pa]\n";
   for (const FitRecord& record : records) {
-    const std::string name = quoted(record.target.name);
+    const std::string name = plastica::report::csv_cell(record.target.name);
     const Target& target = record.target;
     const Curve& measured = target.corrected.size() > 0 ? target.corrected : target.raw;
     const Curve& fitted = record.result.fitted;

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,25 @@ struct BadInput {
 
 inline std::ostream& operator<<(std::ostream& out, const BadInput& input) {
   return out << input.name;
+}
+
+/// A text with one piece changed, which must be in it.
+inline std::string changed(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error(from + " is not in the text");
+  return text.replace(at, from.size(), to);
+}
+
+/// What `simulate` answers to a scene file.
+/// @param files  beside it
+/// @param line   behind the file's name
+inline BadInput bad_scene(std::string name, std::string text, const std::string& line,
+                          std::map<std::string, std::string> files = {}) {
+  files["scene.toml"] = std::move(text);
+  return {std::move(name),
+          std::move(files),
+          {"simulate", "scene.toml", "-o", "out.csv"},
+          "scene.toml:" + line};
 }
 
 /// The name of a case, for INSTANTIATE_TEST_SUITE_P.

@@ -1,5 +1,3 @@
-#include <stdexcept>
-
 #include "tests/cli/bad_input.hpp"
 
 namespace plastica::testing {
@@ -24,15 +22,8 @@ constexpr const char* kScene =
     "kind = 'stress'\n";                               // 16
 
 BadInput change(std::string name, const std::string& from, const std::string& to,
-                std::string line) {
-  std::string text = kScene;
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::logic_error(from + " is not in the scene");
-  text.replace(at, from.size(), to);
-  return {std::move(name),
-          {{"scene.toml", text}, {"mine.csv", "my own"}},
-          {"simulate", "scene.toml", "-o", "out.csv"},
-          "scene.toml:" + std::move(line)};
+                const std::string& line) {
+  return bad_scene(std::move(name), changed(kScene, from, to), line, {{"mine.csv", "my own"}});
 }
 
 BadInput output(std::string name, std::vector<std::string> options, std::string line) {

@@ -59,6 +59,13 @@ inline Scene struck_scene(int segments, double speed, YieldModel model = YieldMo
   return scene;
 }
 
+/// One that breaks at a permanent strain of 5 %.
+inline Scene breaking_scene(int segments, double speed = 30.0) {
+  Scene scene = struck_scene(segments, speed);
+  scene.material.break_strain = 0.05;
+  return scene;
+}
+
 inline const Energies& last_energy(const Response& response) {
   return response.chain.energy.at(response.samples - 1);
 }

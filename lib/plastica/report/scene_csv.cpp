@@ -5,22 +5,13 @@
 #include <fmt/format.h>
 
 #include "plastica/base/check.hpp"
+#include "plastica/report/format.hpp"
 #include "plastica/report/scene_facts.hpp"
 #include "plastica/report/scene_frames.hpp"
 #include "plastica/report/scene_spectrum.hpp"
 
 namespace plastica::report {
 namespace {
-
-std::string quoted_cell(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string cell = "\"";
-  for (const char c : text) {
-    if (c == '"') cell += '"';
-    cell += c;
-  }
-  return cell + '"';
-}
 
 void refuse_coupon(const io::SceneRecord& record, std::string_view what) {
   if (record.level == Level::Coupon) {
@@ -33,8 +24,8 @@ std::string probe_headers(const io::SceneRecord& record) {
   const Scene& scene = record.setup.scene;
   std::string headers;
   for (const Probe& probe : scene.probes) {
-    headers += ',' + quoted_cell(fmt::format("{} [{}]", probe.name,
-                                             unit_of(probe.quantity, scene.drive.deformation)));
+    headers += ',' + csv_cell(fmt::format("{} [{}]", probe.name,
+                                          unit_of(probe.quantity, scene.drive.deformation)));
   }
   return headers;
 }

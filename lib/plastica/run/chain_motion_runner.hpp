@@ -35,7 +35,7 @@ class ChainMotionRunner final : public ChainProgram {
   void set_initial_motion();
   Status walk(Step& step, const Workspace& hooks, Response& response);
   /// Takes steps up to a time. @return Completed if it got there
-  Status go_to(double stop, Step& step, const Workspace& hooks, Response& response);
+  Status go_to(double stop, StepSize& size, Step& step, const Workspace& hooks, Response& response);
   void break_joints(Step& step, const BreakListener& listener, Response& response);
   void cut_joints(double time, Step& step, Response& response);
   void let_go(ChainBreak event, Step& step, Response& response);
@@ -158,9 +158,10 @@ Status ChainMotionRunner<L, kElastic>::walk(Step& step, const Workspace& hooks,
                                             Response& response) {
   body_.record.begin_motion(body_.work, *body_.joints, step.motions(), step.kinetic());
   record(step, response);
+  StepSize size(options_);
   for (std::size_t k = 0; k < options_.stops.size(); ++k) {
     cut_joints(step.time(), step, response);
-    const Status status = go_to(options_.stops[k], step, hooks, response);
+    const Status status = go_to(options_.stops[k], size, step, hooks, response);
     if (status != Status::Completed) return status;
     if (options_.recorded[k]) record(step, response);
   }
@@ -168,9 +169,9 @@ Status ChainMotionRunner<L, kElastic>::walk(Step& step, const Workspace& hooks,
 }
 
 template <class L, bool kElastic>
-Status ChainMotionRunner<L, kElastic>::go_to(double stop, Step& step, const Workspace& hooks,
-                                             Response& response) {
-  StepSize size(options_, step.time(), stop);
+Status ChainMotionRunner<L, kElastic>::go_to(double stop, StepSize& size, Step& step,
+                                             const Workspace& hooks, Response& response) {
+  size.begin(step.time(), stop);
   while (!size.done(step.time())) {
     const double h = size.next(step.time());
     bool taken = step.attempt(h);
@@ -200,8 +201,9 @@ void ChainMotionRunner<L, kElastic>::break_joints(Step& step, const BreakListene
                                                   Response& response) {
   if (!body_.watch.active()) return;
   const auto& angles = body_.measured(body_.strains);
-  for (std::size_t i = 0; i < angles.size(); ++i)
+  for (std::size_t i = 0; i < angles.size(); ++i) {
     watched_[i] = gone_[i] ? JointAngles{} : angles[i];
+  }
   if (body_.watch.excess(watched_) <= 0.0) return;
   ChainBreak event;
   for (const BrokenJoint& joint : body_.watch.broken(watched_)) {

@@ -16,11 +16,15 @@ namespace plastica {
 /// Equations I, II.4).
 class StepSize {
  public:
-  StepSize(const solve::MotionOptions& options, double from, double stop)
-      : options_(options), stop_(stop), even_(stop - from) {
-    const double parts = std::ceil((stop - from) / options.time_step - 1e-9);
+  explicit StepSize(const solve::MotionOptions& options)
+      : options_(options), adapted_(options.time_step) {}
+
+  /// Adaptive steps go on as long as they were before.
+  void begin(double from, double stop) {
+    const double parts = std::ceil((stop - from) / options_.time_step - 1e-9);
+    stop_ = stop;
     even_ = (stop - from) / std::max(parts, 1.0);
-    step_ = even_;
+    step_ = adapts() ? std::min(adapted_, even_) : even_;
   }
 
   bool done(double time) const { return time >= stop_; }
@@ -30,8 +34,11 @@ class StepSize {
     const double left = stop_ - time;
     now_ = std::min(step_, left);
     // No crumbs: what is left after the step is nothing or at least half of it.
-    if (left - now_ < 0.5 * now_ && left > now_)
-      now_ = left - now_ < 1e-9 * now_ ? left : 0.5 * left;
+    if (left - now_ < 1e-9 * now_) {
+      now_ = left;
+    } else if (left - now_ < 0.5 * now_) {
+      now_ = 0.5 * left;
+    }
     return now_;
   }
 
@@ -40,7 +47,7 @@ class StepSize {
     const int order = solve::claims_of(options_.scheme, options_.rho_infinity).order;
     const double ratio = options_.step_error / std::max(error, 1e-300);
     factor_ = std::clamp(0.9 * std::pow(ratio, 1.0 / (order + 1)), 0.2, 2.0);
-    return error <= options_.step_error || now_ <= smallest();
+    return error <= options_.step_error;
   }
 
   /// After a failure. @return whether there is a shorter step
@@ -52,19 +59,26 @@ class StepSize {
   }
 
   void accepted() {
-    const double grown = options_.step_error > 0.0 ? now_ * factor_ : 2.0 * now_;
-    step_ = std::min(even_, std::max(step_, grown));
-    if (options_.step_error > 0.0) step_ = std::min(even_, std::max(grown, smallest()));
+    if (adapts()) {
+      // A step that a stop has shortened says little of what the next may be.
+      adapted_ = now_ < step_ ? std::max(step_, now_ * factor_) : now_ * factor_;
+      adapted_ = std::clamp(adapted_, smallest(), options_.time_step);
+      step_ = std::min(adapted_, even_);
+    } else {
+      step_ = std::min(even_, std::max(step_, 2.0 * now_));
+    }
     factor_ = 1.0;
   }
 
  private:
+  bool adapts() const { return options_.step_error > 0.0; }
   double smallest() const { return options_.smallest_step * options_.time_step; }
 
   const solve::MotionOptions& options_;
-  double stop_;
-  double even_;  ///< the longest step here
-  double step_;
+  double stop_ = 0.0;
+  double even_ = 0.0;  ///< the longest step on this way
+  double step_ = 0.0;
+  double adapted_;  ///< of the last adaptive step that no stop has shortened
   double now_ = 0.0;
   double factor_ = 1.0;
 };

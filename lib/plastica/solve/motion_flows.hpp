@@ -30,6 +30,16 @@ double MotionStep<L, kElastic>::load_work() const {
   return work;
 }
 
+/// Moment of a joint to the ground on its segment, where forces act.
+template <class L, bool kElastic>
+typename L::Spin MotionStep<L, kElastic>::ground_moment(std::size_t g) const {
+  const auto& joint = chain_.ground_joints[g];
+  typename L::Spin force;
+  for (std::size_t k = 0; k < L::kRotations; ++k) force[k] = w_.joints.force[joint.joint][k];
+  if (rule_.half_way) return w_.stage.ground_axes[g] * force;
+  return L::axes(chain::ground_joint_axes(joint, w_.placement)) * force;
+}
+
 /// Work of what moves: the ground at the root, supports that hold, springs' feet. Contacts do none;
 /// what they do in a scheme, as they close or open within a step, is the scheme's.
 template <class L, bool kElastic>
@@ -42,17 +52,14 @@ double MotionStep<L, kElastic>::ground_work() {
   const double root = moved(chain_.root.history);
   const chain::Wrench<L> passed = w_.transmitted.outer[0];
   if (root != 0.0) {
-    chain::Wrench<L> mean = passed;
-    if (end < 1.0 && !ground_wrench_.empty()) {
-      mean.force = end * passed.force + (1.0 - end) * ground_wrench_[0].force;
-      mean.moment = end * passed.moment + (1.0 - end) * ground_wrench_[0].moment;
-    }
+    const chain::Wrench<L> before = root_wrench_.value_or(passed);
+    const chain::Wrench<L> mean{end * passed.force + (1.0 - end) * before.force,
+                                end * passed.moment + (1.0 - end) * before.moment};
     const typename L::Spin turn = L::step_spin(begin_.near[0], w_.placement.near[0]);
     work -= dot(mean.force, root * chain_.root.motion) + dot(mean.moment, turn);
   }
-  ground_wrench_.assign(1, passed);
+  root_wrench_ = passed;
 
-  multiplier_.resize(chain_.closures.size());
   for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
     const auto& closure = chain_.closures[k];
     const double now = w_.closed[k] ? w_.q.multiplier[k] : 0.0;
@@ -79,12 +86,11 @@ double MotionStep<L, kElastic>::ground_work() {
   }
   for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
     const auto& joint = chain_.ground_joints[g];
-    if (w_.q.released_ground_joint[g] || moved(joint.history) == 0.0) continue;
-    typename L::Spin force;
-    for (std::size_t k = 0; k < L::kRotations; ++k) force[k] = w_.joints.force[joint.joint][k];
-    const auto axes = rule_.half_way ? w_.stage.ground_axes[g]
-                                     : L::axes(chain::ground_joint_axes(joint, w_.placement));
-    work += dot(axes * force, moved(joint.history) * joint.motion);
+    const typename L::Spin now = ground_moment(g);
+    const typename L::Spin mean = end * now + (1.0 - end) * ground_moment_[g];
+    ground_moment_[g] = now;
+    if (w_.q.released_ground_joint[g]) continue;
+    work += dot(mean, moved(joint.history) * joint.motion);
   }
   return work;
 }

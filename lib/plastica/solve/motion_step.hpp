@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,7 @@ class MotionStep {
     acts_.resize(closures);
     carried_.shift.resize(n);
     carried_.spin.resize(n);
+    ground_moment_.resize(chain.ground_joints.size());
     no_laws_.force.assign(chain.joints(), {});
     no_laws_.tangent.assign(chain.joints(), {});
     for (const auto& inertia : chain.inertias) mass_ += inertia.mass;
@@ -65,6 +67,7 @@ class MotionStep {
     rests_on_.assign(closures, false);
     bounces_.assign(closures, 0);
     multiplier_.assign(closures, 0.0);
+    root_wrench_.reset();
     flows_ = {};
     rests_ = 0;
     fastest_ = 0.0;
@@ -75,6 +78,7 @@ class MotionStep {
     chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
     evaluate_laws();
     joint_motion_.begin(w_.angles, w_.q.shift, w_.joints);
+    for (std::size_t g = 0; g < ground_moment_.size(); ++g) ground_moment_[g] = ground_moment(g);
     begin_ = w_.placement;
     q_begin_ = w_.q;
     for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
@@ -211,6 +215,7 @@ class MotionStep {
   // motion_flows.hpp
   void add_flows();
   double load_work() const;
+  typename L::Spin ground_moment(std::size_t ground_joint) const;
   double ground_work();
   double inertia_work() const;
   // motion_impact.hpp
@@ -258,8 +263,9 @@ class MotionStep {
   std::vector<CenterForce<L>> inertia_;
   std::vector<bool> rests_on_;                   ///< one-sided closures that are closed (closures)
   std::vector<int> bounces_;                     ///< in a row (closures)
-  std::vector<chain::Wrench<L>> ground_wrench_;  ///< see ground_work
-  std::vector<double> multiplier_;
+  std::vector<double> multiplier_;               ///< (closures)
+  std::optional<chain::Wrench<L>> root_wrench_;  ///< what the root passed on; none: not known
+  std::vector<typename L::Spin> ground_moment_;  ///< of ground joints on their segments
   // At its end:
   Motions motion_now_;
   std::vector<CenterForce<L>> inertia_now_;

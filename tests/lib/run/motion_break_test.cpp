@@ -9,17 +9,12 @@ namespace plastica {
 namespace {
 
 using testing::add_probe;
+using testing::breaking_scene;
 using testing::drift_of;
 using testing::flying_scene;
 using testing::last_energy;
 using testing::motion_options;
 using testing::struck_scene;
-
-Scene breaking_scene(int segments, double speed = 30.0) {
-  Scene scene = struck_scene(segments, speed);
-  scene.material.break_strain = 0.05;
-  return scene;
-}
 
 TEST(MotionBreak, CutsTheRootOfAStruckCantileverWhichFliesOff) {
   Scene scene = breaking_scene(16);

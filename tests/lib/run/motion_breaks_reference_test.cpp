@@ -12,14 +12,9 @@
 namespace plastica {
 namespace {
 
+using testing::breaking_scene;
 using testing::motion_options;
 using testing::struck_scene;
-
-Scene breaking_scene(int segments, double speed = 30.0) {
-  Scene scene = struck_scene(segments, speed);
-  scene.material.break_strain = 0.05;
-  return scene;
-}
 
 TEST(MotionBreaks, BalancesItsEnergiesInElasticPlasticBreakingScenes) {
   std::vector<Scene> scenes{breaking_scene(16), breaking_scene(24, 20.0), breaking_scene(8, 40.0)};
@@ -35,7 +30,9 @@ TEST(MotionBreaks, BalancesItsEnergiesInElasticPlasticBreakingScenes) {
     for (const Scheme scheme : {Scheme::LinearlyImplicitEuler, Scheme::GeneralizedAlpha}) {
       const Response coarse = simulate(scene, motion_options(scheme, 1e-4, 60));
       const Response fine = simulate(scene, motion_options(scheme, 1.25e-5, 480));
-      EXPECT_LT(fine.ledger_error, 0.5 * coarse.ledger_error);
+      // An eighth of the step; when a joint breaks differs, too.
+      const double most = scheme == Scheme::GeneralizedAlpha ? 1.0 / 20.0 : 1.0 / 2.0;
+      EXPECT_LT(fine.ledger_error, most * coarse.ledger_error);
     }
   }
 }

@@ -8,6 +8,7 @@ namespace plastica {
 namespace {
 
 using testing::add_probe;
+using testing::last_energy;
 using testing::last_of;
 using testing::motion_options;
 
@@ -54,6 +55,23 @@ TEST_P(DampedRest, IsTheStaticEquilibriumOfAYieldedBeam) {
   options.damping = Damping::Stiffness;
   options.damping_time = 0.005;
   EXPECT_NEAR(last_of(testing::completed(scene, options), 0), still, 1e-3 * std::fabs(still));
+}
+
+TEST(Ledger, CountsTheWorkOfAnEndThatIsTurned) {
+  Scene scene = testing::cantilever_scene(6);
+  Support end{.at = Place::end(), .kind = SupportKind::Guide};
+  end.hold = HeldFreedoms{false, false, false, true, false, false};
+  end.rotation = {-0.3, 0.0, 0.0};
+  end.history = {{0.0, 0.1}, {0.0, 1.0}};
+  scene.supports.push_back(end);
+  SolverOptions options = motion_options(Scheme::GeneralizedAlpha, 1e-4, 10);
+  options.duration = 0.1;
+  options.damping = Damping::Stiffness;
+  options.damping_time = 5e-3;
+  const Response response = testing::completed(scene, options);
+  EXPECT_GT(last_energy(response).external, 1.0);
+  // The moment of the steps' ends alone would be off by a share of 1e-3, one over their number.
+  EXPECT_LT(response.ledger_error, 1e-7);
 }
 
 TEST(AdaptiveSteps, MeetTheErrorTheyAreGiven) {

@@ -108,6 +108,32 @@ TEST(MotionThreads, AsksEachRunsOwnListener) {
   EXPECT_GT(all, 0U);
 }
 
+TEST(MotionThreads, RemembersNothingOfTheRunBeforeInAWorkspace) {
+  Scene scene = testing::cantilever_scene(6);
+  scene.supports[0].translation = {0.0, 0.01, 0.0};
+  Support end{.at = Place::end(), .kind = SupportKind::Guide};
+  end.hold = HeldFreedoms{false, false, false, true, false, false};
+  end.rotation = {-0.1, 0.0, 0.0};
+  scene.supports.push_back(end);
+  Support pillar{.at = Place{0.5, {}}, .kind = SupportKind::Pillar};
+  pillar.gap = 0.001;
+  scene.supports.push_back(pillar);
+  scene.gravity = {0.0, -9.81, 0.0};
+  for (int scheme = 0; scheme < 4; ++scheme) {
+    SolverOptions options = motion_options(static_cast<Scheme>(scheme), 1e-3, 50);
+    options.damping = Damping::Stiffness;
+    options.damping_time = 1e-3;
+    const Model model = prepare(scene, options);
+    Workspace workspace = make_workspace(model);
+    Response first = make_response(model);
+    Response second = make_response(model);
+    run(model, {}, workspace, first);
+    run(model, {}, workspace, second);
+    ASSERT_EQ(first.status, Status::Completed);
+    expect_same_bits(first, second);
+  }
+}
+
 TEST(MotionThreads, SharesOneModelAmongWorkspaces) {
   const Model model =
       prepare(struck_scene(8, 20.0), motion_options(Scheme::EnergyMomentum, 1e-4, 50));

@@ -112,6 +112,18 @@ TEST(Heap, IsNotUsedByRunSensitivity) {
   }
 }
 
+/// Runs a chain twice in one workspace; the second time nothing is allocated.
+void expect_no_allocation_again(const Scene& scene, const SolverOptions& options) {
+  const Model model = prepare(scene, options);
+  Workspace workspace = make_workspace(model);
+  Response response = make_response(model);
+  run(model, {}, workspace, response);
+  ASSERT_EQ(response.status, Status::Completed);
+  const std::size_t before = allocations;
+  run(model, {}, workspace, response);
+  EXPECT_EQ(allocations, before);
+}
+
 /// A path with yielding joints, a pillar and unloading: no step, iteration or sample allocates.
 TEST(Heap, IsNotUsedAlongAPath) {
   for (const Level level : {Level::Planar, Level::Spatial}) {
@@ -120,14 +132,7 @@ TEST(Heap, IsNotUsedAlongAPath) {
     scene.supports.push_back({{0.75, {}}, SupportKind::Pillar});
     SolverOptions options;
     options.level = level;
-    const Model model = prepare(scene, options);
-    Workspace workspace = make_workspace(model);
-    Response response = make_response(model);
-    run(model, {}, workspace, response);
-    ASSERT_EQ(response.status, Status::Completed);
-    const std::size_t before = allocations;
-    run(model, {}, workspace, response);
-    EXPECT_EQ(allocations, before);
+    expect_no_allocation_again(scene, options);
   }
 }
 
@@ -145,14 +150,7 @@ TEST(Heap, IsNotUsedAlongAMotion) {
       options.analysis = Analysis::Dynamics;
       options.scheme = static_cast<Scheme>(scheme);
       options.duration = 0.1;
-      const Model model = prepare(scene, options);
-      Workspace workspace = make_workspace(model);
-      Response response = make_response(model);
-      run(model, {}, workspace, response);
-      ASSERT_EQ(response.status, Status::Completed);
-      const std::size_t before = allocations;
-      run(model, {}, workspace, response);
-      EXPECT_EQ(allocations, before);
+      expect_no_allocation_again(scene, options);
     }
   }
 }

@@ -26,6 +26,10 @@ class MotionStepOf : public ::testing::Test {
     work.q.pose[0] = {work.placement.position[0], work.placement.frame[0]};
     return solved;
   }
+  Step step_of(testing::SolvedChain<L, false, Law>& solved) const {
+    const chain::View<L> view{};
+    return Step(solved.build.chain, *solved.joints, view.section_axes(), options_, solved.work);
+  }
   /// Thrown and turning, all alike.
   static std::vector<solve::SegmentMotion<L>> throw_of(std::size_t segments, double length) {
     std::vector<solve::SegmentMotion<L>> motion(segments);
@@ -37,23 +41,17 @@ class MotionStepOf : public ::testing::Test {
     }
     return motion;
   }
+
+ private:
+  const solve::MotionOptions options_{.scheme = Scheme::EnergyMomentum};
 };
 
 using Levels = ::testing::Types<chain::Planar<double>, chain::Spatial<double>>;
 TYPED_TEST_SUITE(MotionStepOf, Levels);
 
-solve::MotionOptions exact_options() {
-  solve::MotionOptions options;
-  options.scheme = Scheme::EnergyMomentum;
-  return options;
-}
-
 TYPED_TEST(MotionStepOf, GoesBackTheWayItCame) {
   auto solved = this->flying_chain(4);
-  const auto options = exact_options();
-  const chain::View<TypeParam> view{};
-  typename TestFixture::Step step(solved.build.chain, *solved.joints, view.section_axes(), options,
-                                  solved.work);
+  typename TestFixture::Step step = this->step_of(solved);
   auto motion = this->throw_of(4, 1.0);
   motion[3].spin[0] += 2.0;  // it bends, too
   ASSERT_TRUE(step.start(motion));
@@ -78,10 +76,7 @@ TYPED_TEST(MotionStepOf, GoesBackTheWayItCame) {
 
 TYPED_TEST(MotionStepOf, ChangesNoMomentumAndNoPlaceByACut) {
   auto solved = this->flying_chain(6);
-  const auto options = exact_options();
-  const chain::View<TypeParam> view{};
-  typename TestFixture::Step step(solved.build.chain, *solved.joints, view.section_axes(), options,
-                                  solved.work);
+  typename TestFixture::Step step = this->step_of(solved);
   ASSERT_TRUE(step.start(this->throw_of(6, 1.0)));
   for (int k = 0; k < 10; ++k) {
     ASSERT_TRUE(step.attempt(1e-3));
@@ -127,10 +122,7 @@ TYPED_TEST(MotionStepOf, ChangesNoMomentumAndNoPlaceByACut) {
 
 TYPED_TEST(MotionStepOf, LetsAThrownBeamTurnAsARigidBody) {
   auto solved = this->flying_chain(5);
-  const auto options = exact_options();
-  const chain::View<TypeParam> view{};
-  typename TestFixture::Step step(solved.build.chain, *solved.joints, view.section_axes(), options,
-                                  solved.work);
+  typename TestFixture::Step step = this->step_of(solved);
   ASSERT_TRUE(step.start(this->throw_of(5, 1.0)));
   const double energy = step.kinetic();
   for (int k = 0; k < 100; ++k) {
