@@ -36,10 +36,9 @@ BadInput change(std::string name, const std::string& from, const std::string& to
 }
 
 /// The scene with more at its end, from line 25 on.
-BadInput add(std::string name, const std::string& text, std::string line) {
+BadInput add(std::string name, const std::string& text, const std::string& line) {
   const std::string last = "at = 'end'\n";
-  return change(std::move(name), "'displacement'\n" + last, "'displacement'\n" + last + text,
-                std::move(line));
+  return change(std::move(name), "'displacement'\n" + last, "'displacement'\n" + last + text, line);
 }
 
 class BadChainScene : public ::testing::TestWithParam<BadInput> {};
