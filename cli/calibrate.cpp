@@ -118,9 +118,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   contents.meta.versions.emplace_back("nlopt", calibrate::nlopt_version());
   const InterruptGuard interrupt;
   calibrate::JournaledOptions how;
-  how.journal = calibrate::journal_path(output);
-  how.resume = arguments.resume;
-  how.force = arguments.force;
+  how.journal = {io::journal_path(output), arguments.resume, arguments.force};
   how.threads = arguments.threads;
   how.stop = &interrupt.flag();
   ProgressBar bar("fitting", targets.size(), arguments.quiet);

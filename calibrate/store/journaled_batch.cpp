@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 #include <string_view>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -21,15 +20,6 @@ std::uint64_t journal_kind() {
   return io::Digest().text("plastica/fits").integer(kRecordVersion).value();
 }
 
-/// Id of the empty record that each resumption leaves in the journal; no fit's id is a lone word.
-constexpr std::string_view kResumption = "resumption";
-
-/// Takes the marks of resumptions out of a journal's records and counts them.
-int take_resumptions(std::vector<io::JournalRecord>& records) {
-  const auto is_mark = [](const io::JournalRecord& record) { return record.id == kResumption; };
-  return static_cast<int>(std::erase_if(records, is_mark));
-}
-
 /// Names are the identity of a target in journal and file.
 void check_names(std::span<const Target> targets) {
   std::unordered_set<std::string_view> names;
@@ -39,37 +29,15 @@ void check_names(std::span<const Target> targets) {
   }
 }
 
-/// Whether to go on from a journal that was found; else it is to be written afresh.
-/// @throws InputError if it may not be overwritten
-bool shall_go_on(const io::JournalContent& found, const JournaledOptions& how) {
-  const auto refuse = [&](std::string_view rule) {
-    throw InputError({how.journal, 0}, "", "", rule);
-  };
-  switch (found.state) {
-    case io::JournalState::Absent: return false;
-    case io::JournalState::NotAJournal:
-      refuse("is in the place of the journal but is none: move it, or name another output");
-      return false;
-    case io::JournalState::OtherRun:
-    case io::JournalState::OtherVersion:
-      if (!how.force) {
-        refuse(
-            "is the journal of an interrupted run of another version: use --force to start afresh");
-      }
-      return false;
-    case io::JournalState::Usable: break;
-  }
-  if (how.resume) return true;
-  if (!found.records.empty() && !how.force) {
-    refuse("is the journal of an interrupted run, with " + std::to_string(found.records.size()) +
-           " finished fits: use --resume to go on or --force to start afresh");
-  }
-  return false;
+/// The policy, once targets and options are known to be good: bad ones leave a journal as it is.
+io::JournalPolicy checked(const io::JournalPolicy& policy, std::span<const Target> targets,
+                          const FitOptions& options) {
+  check_parameters(options.parameters);
+  check_names(targets);
+  return policy;
 }
 
 }  // namespace
-
-std::string journal_path(const std::string& output) { return output + ".journal"; }
 
 JournaledBatch::JournaledBatch(std::span<const Target> targets, const FitOptions& options,
                                JournaledOptions how)
@@ -77,48 +45,22 @@ JournaledBatch::JournaledBatch(std::span<const Target> targets, const FitOptions
       options_(options),
       how_(std::move(how)),
       ids_(targets.size()),
-      results_(targets.size()) {
-  check_parameters(options.parameters);
-  check_names(targets);
+      results_(targets.size()),
+      journal_(checked(how_.journal, targets, options), journal_kind(), "fits") {
   const std::uint64_t options_digest = digest_of(options);
   parallel_for(targets.size(), {how_.threads, nullptr},
                [&](std::size_t i, int) { ids_[i] = case_id(targets[i], options_digest); });
-
-  io::JournalContent found = io::read_journal(how_.journal, journal_kind());
-  const int resumptions = take_resumptions(found.records);
-  if (shall_go_on(found, how_)) {
-    dropped_bytes_ = found.dropped_bytes;
-    kept_ = found.records.size();
-    journal_.emplace(io::Journal::resume(how_.journal, journal_kind(), found));
-    if (kept_ > 0) {
-      journal_->append(kResumption, {});
-      resumptions_ = resumptions + 1;
-    }
-    take_from(found.records);
-  } else {
-    journal_.emplace(io::Journal::create(how_.journal, journal_kind()));
-  }
+  take_from_journal();
 }
 
-JournaledBatch::~JournaledBatch() {
-  if (!journal_ || kept_ > 0) return;
-  try {
-    journal_->remove();
-  } catch (const io::StorageError&) {
-    // An empty journal that stays is harmless: the next run writes over it.
-  }
-}
-
-void JournaledBatch::take_from(const std::vector<io::JournalRecord>& records) {
-  std::unordered_map<std::string, const io::JournalRecord*> by_id;
-  for (const io::JournalRecord& record : records) by_id.emplace(record.id, &record);
+void JournaledBatch::take_from_journal() {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    const auto found = by_id.find(ids_[i]);
-    if (found == by_id.end()) continue;
-    results_[i] = result_from_bytes(found->second->payload);
+    const std::vector<std::byte>* bytes = journal_.find(ids_[i]);
+    if (bytes == nullptr) continue;
+    results_[i] = result_from_bytes(*bytes);
     ++taken_;
   }
-  outdated_ = by_id.size() - taken_;
+  outdated_ = journal_.found() - taken_;
 }
 
 void JournaledBatch::count(const FitResult& result, BatchProgress& progress) const {
@@ -128,8 +70,7 @@ void JournaledBatch::count(const FitResult& result, BatchProgress& progress) con
 }
 
 void JournaledBatch::keep(std::size_t target, const FitResult& result) {
-  journal_->append(ids_[target], bytes_of(result));
-  ++kept_;
+  journal_.keep(ids_[target], bytes_of(result));
 }
 
 std::vector<FitResult> JournaledBatch::run() {
@@ -162,7 +103,7 @@ std::vector<FitResult> JournaledBatch::run() {
   std::vector<FitResult> fitted = fit_batch(
       to_fit, options_, {.threads = how_.threads, .stop = how_.stop, .finished = finished});
   complete_ = progress.done == targets_.size();
-  if (!complete_) journal_->sync();
+  if (!complete_) journal_.sync();
 
   std::vector<FitResult> results(targets_.size());
   for (std::size_t k = 0; k < missing.size(); ++k) results[missing[k]] = std::move(fitted[k]);
@@ -173,11 +114,8 @@ std::vector<FitResult> JournaledBatch::run() {
 }
 
 void JournaledBatch::finish() {
-  if (!complete_ || !journal_) {
-    throw std::logic_error("JournaledBatch::finish: the batch is not complete");
-  }
-  journal_->remove();
-  journal_.reset();
+  if (!complete_) throw std::logic_error("JournaledBatch::finish: the batch is not complete");
+  journal_.finish();
 }
 
 }  // namespace plastica::calibrate

@@ -12,12 +12,9 @@
 #include "calibrate/fit/options.hpp"
 #include "calibrate/fit/result.hpp"
 #include "calibrate/target/target.hpp"
-#include "plastica/io/journal.hpp"
+#include "plastica/io/case_journal.hpp"
 
 namespace plastica::calibrate {
-
-/// Where the journal of an output stands: beside it, "OUT.h5.journal".
-std::string journal_path(const std::string& output);
 
 /// How far a batch has come.
 struct BatchProgress {
@@ -29,10 +26,8 @@ struct BatchProgress {
 };
 
 struct JournaledOptions {
-  std::string journal{};  ///< path; see `journal_path`
-  bool resume = false;    ///< go on from the journal; start afresh where there is none
-  bool force = false;     ///< start afresh, over the journal of an interrupted run
-  int threads = 0;        ///< 0: as many as the machine has
+  io::JournalPolicy journal{};
+  int threads = 0;  ///< 0: as many as the machine has
   /// Once true, no further fit is begun; those under way are finished. May be null.
   const std::atomic<bool>* stop = nullptr;
   /// Called once before the first fit and after each, one call at a time, from any thread.
@@ -43,13 +38,11 @@ struct JournaledOptions {
 /// run takes from it all those fits whose target, options, library version and instruction set are
 /// still the same. The results have the same bits as those of a run without interruption.
 ///
-///     JournaledBatch batch(targets, options, {.journal = journal_path(output), .resume = true});
-///     std::vector<FitResult> results = batch.run();
-///     if (!batch.complete()) return;  // stopped: the journal keeps what is done
-///     write_fit_store(output, …);
+///     JournaledBatch batch(targets, options, {.journal = {.path = io::journal_path(output),
+///     .resume = true}}); std::vector<FitResult> results = batch.run(); if (!batch.complete())
+///     return;  // stopped: the journal keeps what is done write_fit_store(output, …);
 ///     batch.finish();  // the journal has done its work
 ///
-/// A journal without any fit in it is never left behind.
 class JournaledBatch {
  public:
   /// Reads the journal, if one is there, and opens it for writing; computes nothing.
@@ -60,7 +53,6 @@ class JournaledBatch {
   ///         overwritten; if there is some other file in its place
   /// @throws io::StorageError if the journal cannot be read or written, or another run has it
   JournaledBatch(std::span<const Target> targets, const FitOptions& options, JournaledOptions how);
-  ~JournaledBatch();
   JournaledBatch(const JournaledBatch&) = delete;
   JournaledBatch& operator=(const JournaledBatch&) = delete;
 
@@ -69,10 +61,10 @@ class JournaledBatch {
   /// Number of fits in the journal that are of no use: target or options have changed.
   std::size_t outdated() const { return outdated_; }
   /// Bytes at the journal's end that were dropped: a record torn by a crash. 0: none.
-  std::uint64_t dropped_bytes() const { return dropped_bytes_; }
+  std::uint64_t dropped_bytes() const { return journal_.dropped_bytes(); }
 
   /// How often this batch was interrupted and resumed, this time included.
-  int resumptions() const { return resumptions_; }
+  int resumptions() const { return journal_.resumptions(); }
 
   /// Fits what is missing. Result i belongs to target i; a fit that was not begun, because of the
   /// stop flag, has the reason "not run". To be called once.
@@ -86,7 +78,7 @@ class JournaledBatch {
   void finish();
 
  private:
-  void take_from(const std::vector<io::JournalRecord>& records);
+  void take_from_journal();
   void count(const FitResult& result, BatchProgress& progress) const;
   void keep(std::size_t target, const FitResult& result);
 
@@ -95,12 +87,9 @@ class JournaledBatch {
   JournaledOptions how_;
   std::vector<std::string> ids_;                   ///< of the targets (n_targets)
   std::vector<std::optional<FitResult>> results_;  ///< those of the journal (n_targets)
-  std::optional<io::Journal> journal_;
+  io::CaseJournal journal_;
   std::size_t taken_ = 0;
   std::size_t outdated_ = 0;
-  std::uint64_t dropped_bytes_ = 0;
-  int resumptions_ = 0;
-  std::size_t kept_ = 0;  ///< number of fits in the journal
   bool has_run_ = false;
   bool complete_ = false;
 };

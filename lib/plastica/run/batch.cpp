@@ -1,6 +1,9 @@
 #include "plastica/run/batch.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <mutex>
+#include <utility>
 
 #include "plastica/base/parallel_for.hpp"
 
@@ -22,22 +25,67 @@ class Progress {
   std::size_t finished_ = 0;
 };
 
+double timed_run(const Model& model, Workspace& workspace, Response& response) {
+  const auto begin = std::chrono::steady_clock::now();
+  run(model, {}, workspace, response);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  return took.count();
+}
+
 }  // namespace
+
+BatchRow run_case(const BatchCase& one) {
+  BatchRow row;
+  row.id = one.id;
+  try {
+    const Model model = prepare(one.scene, one.options);
+    row.level = model.level;
+    row.response = make_response(model);
+    Workspace workspace = make_workspace(model);
+    workspace.on_break = one.on_break;
+    double seconds = timed_run(model, workspace, row.response);
+    for (int i = 0; i < one.timed_runs; ++i) {
+      const double again = timed_run(model, workspace, row.response);
+      seconds = i == 0 ? again : std::min(seconds, again);  // the first run warms up
+    }
+    row.response.seconds = seconds;
+  } catch (const InputError& error) {
+    row.response.status = Status::Rejected;
+    row.reason = error.what();
+  }
+  return row;
+}
 
 std::vector<BatchRow> run_batch(std::span<const BatchCase> cases, const BatchOptions& options) {
   std::vector<BatchRow> rows(cases.size());
   for (std::size_t i = 0; i < cases.size(); ++i) rows[i].id = cases[i].id;
   Progress progress(options);
   parallel_for(cases.size(), {options.threads, options.stop}, [&](std::size_t i, int) {
-    try {
-      rows[i].response = simulate(cases[i].scene, cases[i].options, cases[i].on_break);
-    } catch (const InputError& error) {
-      rows[i].response.status = Status::Rejected;
-      rows[i].reason = error.what();
-    }
+    rows[i] = run_case(cases[i]);
     progress.one_more();
   });
   return rows;
+}
+
+void run_batch(std::size_t cases, const std::function<BatchCase(std::size_t)>& make,
+               const std::function<void(std::size_t, BatchRow&&)>& take,
+               const BatchOptions& options) {
+  Progress progress(options);
+  std::mutex taking;
+  parallel_for(cases, {options.threads, options.stop}, [&](std::size_t i, int) {
+    BatchRow row;
+    try {
+      row = run_case(make(i));
+    } catch (const InputError& error) {
+      row.response.status = Status::Rejected;
+      row.reason = error.what();
+    }
+    {
+      const std::lock_guard lock(taking);
+      take(i, std::move(row));
+    }
+    progress.one_more();
+  });
 }
 
 std::vector<Response> run_batch(const Model& model, std::span<const double> values,

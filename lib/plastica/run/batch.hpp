@@ -17,6 +17,9 @@ struct BatchCase {
   Scene scene;
   SolverOptions options;
   BreakListener on_break{};  ///< called in the thread that runs the case; may be empty
+  /// How often the case is run again after the first time, >= 0; the least of these times is then
+  /// `Response::seconds`.
+  int timed_runs = 0;
 };
 
 /// What became of a case. A case that cannot be run is a row too, and the others go on.
@@ -24,6 +27,7 @@ struct BatchRow {
   std::string id;
   std::string reason;  ///< for a case whose input was rejected: the error line
   Response response;   ///< status Rejected for such a case, NotRun for one that was not begun
+  Level level = Level::Auto;  ///< that was chosen; Auto for a rejected case
 };
 
 struct BatchOptions {
@@ -34,8 +38,19 @@ struct BatchOptions {
   std::function<void(std::size_t finished)> progress{};
 };
 
+/// Runs one case as a batch does.
+BatchRow run_case(const BatchCase& one);
+
 /// Runs cases in parallel; row i is case i, with the same bits for every number of threads.
 std::vector<BatchRow> run_batch(std::span<const BatchCase> cases, const BatchOptions& options = {});
+
+/// Runs cases that are laid out when they are begun and handed over when they are finished, so that
+/// memory does not grow with their number.
+/// @param make  called in the thread that runs the case. @throws InputError for a rejected case
+/// @param take  called with each row, one call at a time, from any thread
+void run_batch(std::size_t cases, const std::function<BatchCase(std::size_t)>& make,
+               const std::function<void(std::size_t, BatchRow&&)>& take,
+               const BatchOptions& options = {});
 
 /// Runs one model with many sets of parameter values.
 /// @param values  (n_cases x n_parameters), row by row, SI

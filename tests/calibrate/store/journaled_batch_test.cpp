@@ -20,21 +20,22 @@ class JournaledBatchTest : public ::testing::Test {
  protected:
   /// Leaves a journal with all fits in it, as a run that was killed before it wrote its output.
   void leave_journal() {
-    JournaledBatch batch(targets_, options_, {.journal = journal_, .threads = 1});
+    JournaledBatch batch(targets_, options_, {.journal = {journal_}, .threads = 1});
     batch.run();
   }
   /// Leaves a journal of a run that was stopped after some fits.
   void stop_after(std::size_t fits) {
     std::atomic<bool> stop = false;
     const auto progress = [&](const BatchProgress& p) { stop = p.done >= fits; };
-    JournaledBatch batch(targets_, options_,
-                         {.journal = journal_, .threads = 1, .stop = &stop, .progress = progress});
+    JournaledBatch batch(
+        targets_, options_,
+        {.journal = {journal_}, .threads = 1, .stop = &stop, .progress = progress});
     batch.run();
     EXPECT_FALSE(batch.complete());
   }
 
   io::ScratchFolder folder_;
-  std::string journal_ = journal_path(folder_.file("out.h5"));
+  std::string journal_ = io::journal_path(folder_.file("out.h5"));
   std::vector<Target> targets_ = ideal_targets(9);
   FitOptions options_ = ideal_options();
   std::vector<FitResult> reference_ = fit_batch(targets_, options_);
@@ -42,7 +43,7 @@ class JournaledBatchTest : public ::testing::Test {
 
 TEST_F(JournaledBatchTest, GivesTheSameBitsAsAPlainBatchForEveryNumberOfThreads) {
   for (const int threads : {1, 2, 3, 8}) {
-    JournaledBatch batch(targets_, options_, {.journal = journal_, .threads = threads});
+    JournaledBatch batch(targets_, options_, {.journal = {journal_}, .threads = threads});
     EXPECT_TRUE(same_bits(batch.run(), reference_)) << threads;
     EXPECT_TRUE(batch.complete());
     batch.finish();
@@ -51,7 +52,7 @@ TEST_F(JournaledBatchTest, GivesTheSameBitsAsAPlainBatchForEveryNumberOfThreads)
 }
 
 TEST_F(JournaledBatchTest, StartsAfreshWhereThereIsNothingToResume) {
-  JournaledBatch batch(targets_, options_, {.journal = journal_, .resume = true});
+  JournaledBatch batch(targets_, options_, {.journal = {journal_, true}});
   EXPECT_EQ(batch.taken(), 0U);
   EXPECT_EQ(batch.resumptions(), 0);
   EXPECT_TRUE(same_bits(batch.run(), reference_));
@@ -65,8 +66,7 @@ TEST_F(JournaledBatchTest, ResumesWithTheSameBitsWhereverTheJournalWasCut) {
     const std::size_t size = whole.size() * cut / 20;
     folder_.write("out.h5.journal", whole.substr(0, size));
     const int threads = static_cast<int>(cut % 3) + 1;
-    JournaledBatch batch(targets_, options_,
-                         {.journal = journal_, .resume = true, .threads = threads});
+    JournaledBatch batch(targets_, options_, {.journal = {journal_, true}, .threads = threads});
     EXPECT_TRUE(same_bits(batch.run(), reference_)) << "cut at " << size;
     EXPECT_EQ(batch.outdated(), 0U);
     if (batch.dropped_bytes() > 0) ++torn;
@@ -81,7 +81,7 @@ TEST_F(JournaledBatchTest, ResumesWithTheSameBitsWhereverTheJournalWasCut) {
 
 TEST_F(JournaledBatchTest, ResumesAfterAStopWithTheSameBits) {
   stop_after(4);
-  JournaledBatch batch(targets_, options_, {.journal = journal_, .resume = true});
+  JournaledBatch batch(targets_, options_, {.journal = {journal_, true}});
   EXPECT_EQ(batch.taken(), 4U);
   EXPECT_EQ(batch.resumptions(), 1);
   EXPECT_TRUE(same_bits(batch.run(), reference_));
@@ -91,7 +91,7 @@ TEST_F(JournaledBatchTest, CountsEachResumption) {
   stop_after(2);
   std::atomic<bool> stop = true;
   for (int resumption = 1; resumption <= 3; ++resumption) {
-    JournaledBatch batch(targets_, options_, {.journal = journal_, .resume = true, .stop = &stop});
+    JournaledBatch batch(targets_, options_, {.journal = {journal_, true}, .stop = &stop});
     EXPECT_EQ(batch.resumptions(), resumption);
     EXPECT_EQ(batch.taken(), 2U);
     batch.run();
@@ -100,7 +100,7 @@ TEST_F(JournaledBatchTest, CountsEachResumption) {
 
 TEST_F(JournaledBatchTest, SaysOfFitsThatAStopPreventedThatTheyWereNotRun) {
   std::atomic<bool> stop = true;
-  JournaledBatch batch(targets_, options_, {.journal = journal_, .stop = &stop});
+  JournaledBatch batch(targets_, options_, {.journal = {journal_}, .stop = &stop});
   const auto results = batch.run();
   ASSERT_EQ(results.size(), targets_.size());
   for (const FitResult& result : results) EXPECT_EQ(result.reason, "not run");
@@ -111,7 +111,7 @@ TEST_F(JournaledBatchTest, TakesFromTheJournalInWhateverOrderTheTargetsCome) {
   stop_after(5);
   std::reverse(targets_.begin(), targets_.end());
   std::reverse(reference_.begin(), reference_.end());
-  JournaledBatch batch(targets_, options_, {.journal = journal_, .resume = true});
+  JournaledBatch batch(targets_, options_, {.journal = {journal_, true}});
   EXPECT_EQ(batch.taken(), 5U);
   EXPECT_TRUE(same_bits(batch.run(), reference_));
 }
@@ -120,7 +120,7 @@ TEST_F(JournaledBatchTest, FitsAgainWhatHasChanged) {
   leave_journal();
   targets_[4].corrected.stress[9] *= 1.001;
   const auto expected = fit_batch(targets_, options_);
-  JournaledBatch batch(targets_, options_, {.journal = journal_, .resume = true});
+  JournaledBatch batch(targets_, options_, {.journal = {journal_, true}});
   EXPECT_EQ(batch.taken(), targets_.size() - 1);
   EXPECT_EQ(batch.outdated(), 1U);
   EXPECT_TRUE(same_bits(batch.run(), expected));
@@ -130,7 +130,7 @@ TEST_F(JournaledBatchTest, FitsAgainWhatHasChanged) {
 TEST_F(JournaledBatchTest, FitsEverythingAgainWithOtherOptions) {
   leave_journal();
   options_.seed = 99;
-  JournaledBatch batch(targets_, options_, {.journal = journal_, .resume = true});
+  JournaledBatch batch(targets_, options_, {.journal = {journal_, true}});
   EXPECT_EQ(batch.taken(), 0U);
   EXPECT_EQ(batch.outdated(), targets_.size());
   EXPECT_TRUE(same_bits(batch.run(), fit_batch(targets_, options_)));
@@ -139,7 +139,7 @@ TEST_F(JournaledBatchTest, FitsEverythingAgainWithOtherOptions) {
 TEST_F(JournaledBatchTest, RefusesToWriteOverTheJournalOfAnInterruptedRun) {
   stop_after(4);
   const std::string before = io::content_of(journal_);
-  const auto begin = [&] { JournaledBatch(targets_, options_, {.journal = journal_}); };
+  const auto begin = [&] { JournaledBatch(targets_, options_, {.journal = {journal_}}); };
   EXPECT_EQ(plastica::testing::message_of(begin),
             journal_ +
                 ": is the journal of an interrupted run, with 4 finished fits: use --resume to go "
@@ -149,32 +149,29 @@ TEST_F(JournaledBatchTest, RefusesToWriteOverTheJournalOfAnInterruptedRun) {
 
 TEST_F(JournaledBatchTest, StartsAfreshOverAJournalIfForced) {
   stop_after(4);
-  JournaledBatch batch(targets_, options_, {.journal = journal_, .force = true});
+  JournaledBatch batch(targets_, options_, {.journal = {journal_, false, true}});
   EXPECT_EQ(batch.taken(), 0U);
   EXPECT_TRUE(same_bits(batch.run(), reference_));
 }
 
 TEST_F(JournaledBatchTest, ResumesEvenIfForcedToWriteOverTheOutput) {
   stop_after(4);
-  const JournaledBatch batch(targets_, options_,
-                             {.journal = journal_, .resume = true, .force = true});
+  const JournaledBatch batch(targets_, options_, {.journal = {journal_, true, true}});
   EXPECT_EQ(batch.taken(), 4U);
 }
 
 TEST_F(JournaledBatchTest, RefusesAJournalOfAnotherKindUnlessForced) {
   { const auto other = io::Journal::create(journal_, 12345); }
-  const auto resume = [&] {
-    JournaledBatch(targets_, options_, {.journal = journal_, .resume = true});
-  };
+  const auto resume = [&] { JournaledBatch(targets_, options_, {.journal = {journal_, true}}); };
   EXPECT_NE(plastica::testing::message_of(resume).find("of another version"), std::string::npos);
-  JournaledBatch batch(targets_, options_, {.journal = journal_, .resume = true, .force = true});
+  JournaledBatch batch(targets_, options_, {.journal = {journal_, true, true}});
   EXPECT_TRUE(same_bits(batch.run(), reference_));
 }
 
 TEST_F(JournaledBatchTest, NeverTouchesAFileThatIsNoJournal) {
   folder_.write("out.h5.journal", "my diary");
   const auto begin = [&] {
-    JournaledBatch(targets_, options_, {.journal = journal_, .resume = true, .force = true});
+    JournaledBatch(targets_, options_, {.journal = {journal_, true, true}});
   };
   EXPECT_NE(plastica::testing::message_of(begin).find("is in the place of the journal"),
             std::string::npos);
@@ -184,7 +181,7 @@ TEST_F(JournaledBatchTest, NeverTouchesAFileThatIsNoJournal) {
 TEST_F(JournaledBatchTest, LeavesNoJournalOfARunThatFinishedNoFit) {
   options_.confidence = 2.0;
   {
-    JournaledBatch batch(targets_, options_, {.journal = journal_, .threads = 1});
+    JournaledBatch batch(targets_, options_, {.journal = {journal_}, .threads = 1});
     EXPECT_THROW(batch.run(), InputError);
   }
   EXPECT_FALSE(fs::exists(journal_));
@@ -192,7 +189,7 @@ TEST_F(JournaledBatchTest, LeavesNoJournalOfARunThatFinishedNoFit) {
 
 TEST_F(JournaledBatchTest, RefusesTwoTargetsOfOneName) {
   targets_[1].name = targets_[0].name;
-  const auto begin = [&] { JournaledBatch(targets_, options_, {.journal = journal_}); };
+  const auto begin = [&] { JournaledBatch(targets_, options_, {.journal = {journal_}}); };
   EXPECT_EQ(plastica::testing::message_of(begin),
             "bar-1.csv: name = bar-0: two targets of a batch have it");
 }
@@ -205,8 +202,7 @@ TEST_F(JournaledBatchTest, ReportsItsProgressFitByFit) {
     done.push_back(p.done);
     last = p;
   };
-  JournaledBatch batch(targets_, options_,
-                       {.journal = journal_, .resume = true, .progress = progress});
+  JournaledBatch batch(targets_, options_, {.journal = {journal_, true}, .progress = progress});
   batch.run();
   EXPECT_EQ(done, (std::vector<std::size_t>{3, 4, 5, 6, 7, 8, 9}));
   EXPECT_EQ(last.taken, 3U);

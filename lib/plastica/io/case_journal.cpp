@@ -1,0 +1,97 @@
+#include "plastica/io/case_journal.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "plastica/base/check.hpp"
+
+namespace plastica::io {
+namespace {
+
+/// Id of the empty record that each resumption leaves in the journal; no case has it.
+constexpr std::string_view kResumption = "resumption";
+
+/// Takes the marks of resumptions out of a journal's records and counts them.
+int take_resumptions(std::vector<JournalRecord>& records) {
+  const auto is_mark = [](const JournalRecord& record) { return record.id == kResumption; };
+  return static_cast<int>(std::erase_if(records, is_mark));
+}
+
+/// Whether to go on from a journal that was found; else it is to be written afresh.
+/// @throws InputError if it may not be overwritten
+bool shall_go_on(const JournalContent& found, const JournalPolicy& policy, std::string_view noun) {
+  const auto refuse = [&](std::string_view rule) {
+    throw InputError({policy.path, 0}, "", "", rule);
+  };
+  switch (found.state) {
+    case JournalState::Absent: return false;
+    case JournalState::NotAJournal:
+      refuse("is in the place of the journal but is none: move it, or name another output");
+      return false;
+    case JournalState::OtherRun:
+    case JournalState::OtherVersion:
+      if (!policy.force) {
+        refuse(
+            "is the journal of an interrupted run of another version: use --force to start afresh");
+      }
+      return false;
+    case JournalState::Usable: break;
+  }
+  if (policy.resume) return true;
+  if (!found.records.empty() && !policy.force) {
+    refuse("is the journal of an interrupted run, with " + std::to_string(found.records.size()) +
+           " finished " + std::string(noun) + ": use --resume to go on or --force to start afresh");
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string journal_path(const std::string& output) { return output + ".journal"; }
+
+CaseJournal::CaseJournal(JournalPolicy policy, std::uint64_t kind, std::string_view noun) {
+  JournalContent content = read_journal(policy.path, kind);
+  const int resumptions = take_resumptions(content.records);
+  if (!shall_go_on(content, policy, noun)) {
+    journal_.emplace(Journal::create(policy.path, kind));
+    return;
+  }
+  dropped_bytes_ = content.dropped_bytes;
+  journal_.emplace(Journal::resume(policy.path, kind, content));
+  if (content.records.empty()) return;
+  empty_ = false;
+  journal_->append(kResumption, {});
+  resumptions_ = resumptions + 1;
+  // Of a case that stands there twice, the first: the others have the same bits.
+  for (JournalRecord& record : content.records) {
+    found_.emplace(std::move(record.id), std::move(record.payload));
+  }
+}
+
+CaseJournal::~CaseJournal() {
+  if (!journal_ || !empty_) return;
+  try {
+    journal_->remove();
+  } catch (const StorageError&) {
+    // An empty journal that stays is harmless: the next run writes over it.
+  }
+}
+
+const std::vector<std::byte>* CaseJournal::find(std::string_view id) const {
+  const auto record = found_.find(std::string(id));
+  return record == found_.end() ? nullptr : &record->second;
+}
+
+void CaseJournal::keep(std::string_view id, std::span<const std::byte> payload) {
+  journal_->append(id, payload);
+  empty_ = false;
+}
+
+void CaseJournal::sync() { journal_->sync(); }
+
+void CaseJournal::finish() {
+  journal_->remove();
+  journal_.reset();
+}
+
+}  // namespace plastica::io

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "plastica/io/journal.hpp"
+
+namespace plastica::io {
+
+/// Where the journal of an output stands: beside it, "OUT.h5.journal".
+std::string journal_path(const std::string& output);
+
+/// What to do about the journal of an interrupted run.
+struct JournalPolicy {
+  std::string path{};   ///< of the journal, see `journal_path`
+  bool resume = false;  ///< go on from it; start afresh where there is none
+  bool force = false;   ///< start afresh, over it
+};
+
+/// The finished cases of a batch that survives its interruption: those that an earlier run has left
+/// in the journal, and a place for the next ones. A journal without any case in it is never left
+/// behind.
+class CaseJournal {
+ public:
+  /// Reads the journal, if one is there, and opens it for writing.
+  /// @param kind  says what its records are: a digest of their name and version
+  /// @param noun  what a case is called in messages, in the plural: "fits"
+  /// @throws InputError if there is the journal of an interrupted run that is neither to be resumed
+  ///         nor overwritten, or of another version and not to be overwritten, or some other file
+  /// @throws StorageError if it cannot be read or written, or another run has it
+  CaseJournal(JournalPolicy policy, std::uint64_t kind, std::string_view noun);
+  ~CaseJournal();
+  CaseJournal(CaseJournal&&) noexcept = default;
+  CaseJournal& operator=(CaseJournal&&) = delete;
+
+  /// What an earlier run has stored of a case; null if nothing.
+  const std::vector<std::byte>* find(std::string_view id) const;
+  /// How many cases an earlier run has stored.
+  std::size_t found() const { return found_.size(); }
+  /// Bytes at the journal's end that were dropped: a record torn by a crash. 0: none.
+  std::uint64_t dropped_bytes() const { return dropped_bytes_; }
+  /// How often the batch was interrupted and resumed, this time included.
+  int resumptions() const { return resumptions_; }
+
+  /// Adds a finished case; may be called by several threads. @throws StorageError
+  void keep(std::string_view id, std::span<const std::byte> payload);
+  /// Forces all cases to the disk now. @throws StorageError
+  void sync();
+  /// Deletes the journal, once all cases are stored elsewhere. @throws StorageError
+  void finish();
+
+ private:
+  std::unordered_map<std::string, std::vector<std::byte>> found_;
+  std::optional<Journal> journal_;
+  std::uint64_t dropped_bytes_ = 0;
+  int resumptions_ = 0;
+  bool empty_ = true;
+};
+
+}  // namespace plastica::io
