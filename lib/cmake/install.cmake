@@ -1,13 +1,14 @@
-# Installs plastica::plastica and plastica::calibrate with their headers, and what
+# Installs plastica::plastica, plastica::calibrate and plastica::sweeps with their headers, and what
 # find_package(plastica) reads.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set_target_properties(plastica_calibrate PROPERTIES EXPORT_NAME calibrate)
+set_target_properties(plastica_sweeps PROPERTIES EXPORT_NAME sweeps)
 install(TARGETS plastica EXPORT plasticaTargets
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-# "calibrate" is too general a name to stand in the include directory of a machine.
-install(TARGETS plastica_calibrate EXPORT plasticaTargets
+# "calibrate" and "sweeps" are too general names to stand in the include directory of a machine.
+install(TARGETS plastica_calibrate plastica_sweeps EXPORT plasticaTargets
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plastica)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plastica)
