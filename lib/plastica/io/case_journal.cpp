@@ -62,9 +62,9 @@ CaseJournal::CaseJournal(JournalPolicy policy, std::uint64_t kind, std::string_v
   empty_ = false;
   journal_->append(kResumption, {});
   resumptions_ = resumptions + 1;
-  // Of a case that stands there twice, the first: the others have the same bits.
+  // A case that stands there twice was run again on purpose.
   for (JournalRecord& record : content.records) {
-    found_.emplace(std::move(record.id), std::move(record.payload));
+    found_.insert_or_assign(std::move(record.id), std::move(record.payload));
   }
 }
 

@@ -1,10 +1,8 @@
 #include "plastica/io/read_drive.hpp"
 
-#include <cmath>
 #include <filesystem>
 
-#include "plastica/io/csv.hpp"
-#include "plastica/io/units.hpp"
+#include "plastica/io/csv_column.hpp"
 
 namespace plastica::io {
 namespace {
@@ -25,22 +23,12 @@ std::vector<double> tabled_strain(const TomlTable& table, const std::string& fil
     throw name.error("is not a file in the folder of " + file);
   }
   const CsvTable csv = CsvTable::read(path.string());
-  const std::string header =
-      column.is_string() ? column.string() : std::to_string(column.integer(1, 1'000'000));
-  const std::size_t index = csv.find(header, column.where(), column.key());
-  const UnitConversion to_si =
-      unit ? unit_conversion(unit->string(), Dimension::Strain, unit->where(), unit->key())
-           : unit_conversion(csv.units()[index], Dimension::Strain, {csv.file(), 0},
-                             "unit of " + header);
-  std::vector<double> strain = csv.numbers(index);
-  for (std::size_t row = 0; row < strain.size(); ++row) {
-    if (!std::isfinite(strain[row])) {
-      throw InputError({csv.file(), csv.line_of_row(row)}, header,
-                       std::string(csv.cell(row, index)), "must be a number in a drive");
-    }
-    strain[row] = to_si(strain[row]);
-  }
-  return strain;
+  NamedColumn source;
+  source.name = column.is_string() ? column.string() : std::to_string(column.integer(1, 1'000'000));
+  source.where = unit ? unit->where() : column.where();
+  source.key = column.key();
+  if (unit) source.unit = unit->string();
+  return read_column(csv, source, Dimension::Strain);
 }
 
 std::vector<double> programmed_strain(const TomlTable& table) {

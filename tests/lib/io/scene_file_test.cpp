@@ -162,7 +162,7 @@ TEST_F(SceneFileWithTable, RefusesATableOrColumnThatIsNotThere) {
 TEST_F(SceneFileWithTable, RefusesAColumnWithGaps) {
   write("d.csv", "t,Strain\n0,0\n1,NaN\n2,1\n");
   EXPECT_EQ(error_here("{ table = 'd.csv', column = 'Strain' }"),
-            "d.csv:3: Strain = NaN: must be a number in a drive");
+            "d.csv:3: Strain = NaN: must be a number");
 }
 
 TEST(SceneFileErrors, AnUnknownMaterialIsRefusedWithTheListOfNames) {

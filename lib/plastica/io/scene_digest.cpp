@@ -1,0 +1,93 @@
+#include "plastica/io/scene_digest.hpp"
+
+#include <variant>
+
+#include "plastica/io/digest.hpp"
+#include "plastica/model/field.hpp"
+
+namespace plastica::io {
+namespace {
+
+class Feeder {
+ public:
+  std::uint64_t value() const { return digest_.value(); }
+
+  void put(double value) { digest_.real(value); }
+  void put(bool value) { digest_.integer(value ? 1 : 0); }
+  void put(int value) { digest_.integer(static_cast<std::uint64_t>(value)); }
+  void put(const std::string& text) { digest_.text(text); }
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void put(Enum value) { digest_.integer(static_cast<std::uint64_t>(value)); }
+  template <class T>
+  void put(const std::optional<T>& value) {
+    put(value.has_value());
+    if (value) put(*value);
+  }
+  template <class T, std::size_t n>
+  void put(const std::array<T, n>& values) {
+    for (const T& value : values) put(value);
+  }
+  template <class T>
+  void put(const std::vector<T>& values) {
+    digest_.integer(values.size());
+    for (const T& value : values) put(value);
+  }
+
+  void put(const Place& place) { all(place.fraction, place.segment); }
+  void put(const History& history) { all(history.time, history.factor); }
+  void put(const Hardening& h) {
+    all(h.law, h.tangent_modulus, h.kinematic_share, h.saturation_stress, h.saturation_rate,
+        h.backstress_modulus, h.backstress_rate);
+  }
+  void put(const Material& m) {
+    all(m.youngs_modulus, m.poisson_ratio, m.shear_modulus, m.density, m.yield_stress,
+        m.shear_yield_stress, m.break_strain, m.break_shear_strain, m.hardening);
+  }
+  void put(const Section& s) {
+    all(s.shape, s.width, s.height, s.radius, s.inner_radius, s.inner_width, s.inner_height,
+        s.shear_coefficient);
+  }
+  void put(const Region& region) { all(region.from, region.to, region.section, region.material); }
+  void put(const Support& s) {
+    all(s.at, s.kind, s.hold, s.stiffness, s.rotational_stiffness, s.normal, s.gap, s.restitution,
+        s.translation, s.rotation, s.history);
+  }
+  void put(const Load& load) {
+    all(load.at, load.to, load.force, load.moment, load.follows, load.history);
+  }
+  void put(const InitialMotion& m) { all(m.from, m.to, m.velocity, m.spin, m.about); }
+  void put(const Cut& cut) { all(cut.at, cut.time); }
+  void put(const Probe& p) { all(p.name, p.quantity, p.at, p.component, p.energy); }
+  void put(const Beam& beam) {
+    all(beam.segment_shares, beam.joint_lengths, beam.arc_towards, beam.points);
+  }
+  void put(const FieldValue& value) {
+    digest_.integer(value.index());
+    if (const auto* number = std::get_if<double>(&value)) put(*number);
+    if (const auto* word = std::get_if<std::string>(&value)) put(*word);
+  }
+
+  template <class... T>
+  void all(const T&... values) {
+    (put(values), ...);
+  }
+
+ private:
+  Digest digest_;
+};
+
+}  // namespace
+
+std::uint64_t scene_digest(const Setup& setup) {
+  Feeder feeder;
+  // Fields by their path, so that a field that joins the table later changes every digest.
+  for (const Field& field : fields()) feeder.all(std::string(field.path), field.get(setup));
+  const Scene& scene = setup.scene;
+  feeder.all(scene.beam, scene.regions, scene.drive.strain, scene.supports, scene.loads,
+             scene.gravity_history, scene.initial_motions, scene.cuts, scene.probes);
+  feeder.all(setup.solver.control_at, setup.solver.control_motion);
+  return feeder.value();
+}
+
+}  // namespace plastica::io

@@ -1,0 +1,154 @@
+#include "sweeps/plan/derived_fields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "plastica/model/field_table.hpp"
+#include "plastica/model/material_table.hpp"
+#include "plastica/model/section.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+constexpr Range kPositive{0.0, std::numeric_limits<double>::infinity(), true, false};
+
+double number_of(const FieldValue& value) { return std::get<double>(value); }
+
+/// The section's size in the plane of bending about x [m].
+double depth(const Setup& setup) {
+  return 2.0 * section_properties(setup.scene.section, setup.scene.material.poisson_ratio)
+                   .outer_distance_x;
+}
+
+void scale(std::array<double, 3>& vector, double factor) {
+  for (double& component : vector) component *= factor;
+}
+
+void scale_loads(Setup& setup, const FieldValue& value) {
+  for (Load& load : setup.scene.loads) {
+    scale(load.force, number_of(value));
+    scale(load.moment, number_of(value));
+  }
+}
+
+void scale_motions(Setup& setup, const FieldValue& value) {
+  for (Support& support : setup.scene.supports) {
+    scale(support.translation, number_of(value));
+    scale(support.rotation, number_of(value));
+  }
+  for (InitialMotion& motion : setup.scene.initial_motions) {
+    scale(motion.velocity, number_of(value));
+    scale(motion.spin, number_of(value));
+  }
+  for (double& strain : setup.scene.drive.strain) strain *= number_of(value);
+  scale(setup.solver.control_motion, number_of(value));
+}
+
+void scale_section(Section& section, double factor) {
+  for (double* side : {&section.width, &section.height, &section.radius, &section.inner_radius,
+                       &section.inner_width, &section.inner_height}) {
+    *side *= factor;
+  }
+}
+
+void scale_size(Setup& setup, const FieldValue& value) {
+  const double factor = number_of(value);
+  Scene& scene = setup.scene;
+  scene.beam.length *= factor;
+  for (double& length : scene.beam.joint_lengths) length *= factor;
+  for (auto& point : scene.beam.points) scale(point, factor);
+  scale_section(scene.section, factor);
+  for (Region& region : scene.regions) scale_section(region.section, factor);
+  for (Support& support : scene.supports) {
+    support.gap *= factor;
+    scale(support.translation, factor);
+  }
+  if (scene.hinge_length) *scene.hinge_length *= factor;
+  scale(setup.solver.control_motion, factor);
+}
+
+FieldValue one(const Setup& /*setup*/) { return 1.0; }
+
+FieldValue get_slenderness(const Setup& setup) { return setup.scene.beam.length / depth(setup); }
+void set_slenderness(Setup& setup, const FieldValue& value) {
+  setup.scene.beam.length = number_of(value) * depth(setup);
+}
+
+FieldValue get_segment_depth(const Setup& setup) {
+  return setup.scene.beam.length / setup.scene.beam.segments / depth(setup);
+}
+void set_segment_depth(Setup& setup, const FieldValue& value) {
+  const double segments = setup.scene.beam.length / (number_of(value) * depth(setup));
+  setup.scene.beam.segments = static_cast<int>(std::clamp(std::round(segments), 1.0, 1e7));
+}
+
+FieldValue get_material(const Setup& setup) { return setup.scene.material.name; }
+void set_material(Setup& setup, const FieldValue& value) {
+  setup.scene.material = named_material(std::get<std::string>(value)).material;
+}
+
+std::span<const std::string_view> material_names() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    for (const NamedMaterial& entry : material_table()) all.push_back(entry.material.name);
+    return all;
+  }();
+  return names;
+}
+
+Field derived(std::string_view path, Range range, std::string_view doc,
+              FieldValue (*get)(const Setup&), void (*set)(Setup&, const FieldValue&)) {
+  return {path, FieldKind::Number, Dimension::None, range, {}, doc, {}, get, set};
+}
+
+}  // namespace
+
+std::span<const Field> derived_fields() {
+  static const std::vector<Field> table{
+      derived("scale.loads", {}, "factor on the forces and moments of all loads", one, scale_loads),
+      derived("scale.motions", {},
+              "factor on prescribed motions, initial velocities and a coupon's strains", one,
+              scale_motions),
+      derived("scale.size", kPositive, "factor on every length of the scene, sections included",
+              one, scale_size),
+      derived("beam.slenderness", kPositive, "length over depth; moves the length", get_slenderness,
+              set_slenderness),
+      derived("beam.segment_depth", kPositive,
+              "segment length over depth; moves the number of segments, to the nearest whole one",
+              get_segment_depth, set_segment_depth),
+      {"material.name",
+       FieldKind::Choice,
+       Dimension::None,
+       {},
+       material_names(),
+       "a named material, all of its values",
+       {},
+       get_material,
+       set_material},
+  };
+  return table;
+}
+
+const Field& find_axis_field(std::string_view name, const SourceLocation& where) {
+  for (const Field& field : derived_fields()) {
+    if (field.path == name) return field;
+  }
+  return find_field(name, where);
+}
+
+Refinement refinement_of(const Field& field) {
+  constexpr std::array<std::string_view, 3> kCounts{"beam.segments", "solver.fibres",
+                                                    "solver.steps"};
+  constexpr std::array<std::string_view, 5> kSizes{"beam.segment_depth", "solver.time_step",
+                                                   "solver.step_error", "solver.tolerance",
+                                                   "solver.largest_turn"};
+  const auto among = [&](const auto& paths) {
+    return std::find(paths.begin(), paths.end(), field.path) != paths.end();
+  };
+  if (among(kCounts)) return Refinement::Count;
+  return among(kSizes) ? Refinement::Size : Refinement::None;
+}
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "plastica/model/field.hpp"
+
+namespace plastica::sweeps {
+
+/// What an axis may move besides the fields of scene and solver: what is made of several of them,
+/// or of loads and motions, which have no field. Each is set once, on the scene as its file has it.
+std::span<const Field> derived_fields();
+
+/// The field or derived field of a path, or of the last part of a path where that is unique.
+/// @throws InputError that says where all are listed
+const Field& find_axis_field(std::string_view name, const SourceLocation& where = {});
+
+/// What a finer discretization does to a field's value.
+enum class Refinement {
+  None,   ///< the field is no measure of fineness
+  Count,  ///< it grows: the size is 1/value
+  Size,   ///< it falls: the size is the value
+};
+
+Refinement refinement_of(const Field& field);
+
+}  // namespace plastica::sweeps

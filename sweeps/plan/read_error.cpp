@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "plastica/io/csv_column.hpp"
+#include "plastica/io/units.hpp"
+#include "sweeps/plan/derived_fields.hpp"
+#include "sweeps/plan/read_axes.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+using io::TomlTable;
+using io::TomlValue;
+
+std::size_t find_probe(const TomlValue& name, const Scene& scene) {
+  std::string all;
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    if (scene.probes[i].name == name.string()) return i;
+    all += (i == 0 ? "" : ", ") + scene.probes[i].name;
+  }
+  throw name.error("is not a probe of the scene; it has " + (all.empty() ? "none" : all));
+}
+
+void refuse(const std::optional<TomlValue>& value, std::string_view rule) {
+  if (value) throw value->error(rule);
+}
+
+Quantity read_probe(const TomlTable& table, const TomlValue& probe, const Scene& scene) {
+  Quantity quantity;
+  quantity.probe = find_probe(probe, scene);
+  const Probe& of = scene.probes[quantity.probe];
+  if (const auto take = table.find("take")) quantity.take = static_cast<Take>(take->word(kTakes));
+  quantity.name = of.name + ", " + std::string(kTakes[static_cast<std::size_t>(quantity.take)]);
+  quantity.dimension = dimension_of(of.quantity, scene.drive.deformation);
+  quantity.unit = unit_of(of.quantity, scene.drive.deformation);
+  if (quantity.take == Take::Frequency) {
+    quantity.dimension = Dimension::None;
+    quantity.unit = "Hz";
+  }
+  return quantity;
+}
+
+Quantity read_kind(const TomlTable& table, const TomlValue& word, const Scene& scene) {
+  Quantity quantity;
+  quantity.kind = static_cast<QuantityKind>(word.word(kQuantityKinds));
+  quantity.name = word.string();
+  switch (quantity.kind) {
+    case QuantityKind::Probe: throw word.error("is meant by probe = NAME");
+    case QuantityKind::NaturalFrequency:
+      if (const auto mode = table.find("mode")) {
+        quantity.mode = static_cast<int>(mode->integer(1, 1000));
+      }
+      quantity.name += " " + std::to_string(quantity.mode);
+      quantity.unit = "Hz";
+      break;
+    case QuantityKind::BreakLoad:
+      if (!scene.is_coupon()) break;
+      quantity.dimension = Dimension::Stress;
+      quantity.unit = "Pa";
+      break;
+    case QuantityKind::BreakTime:
+      quantity.dimension = Dimension::Time;
+      quantity.unit = "s";
+      break;
+    case QuantityKind::Fit: {
+      const TomlValue name = table.at("parameter");
+      const Field& field = find_field(name.string(), name.where());
+      quantity.parameter = field.path;
+      quantity.name = "fitted " + quantity.parameter;
+      quantity.dimension = field.dimension;
+      quantity.unit = si_unit(field.dimension);
+      break;
+    }
+    case QuantityKind::LimitLoad:
+    case QuantityKind::BreakStrain:
+    case QuantityKind::LedgerError: break;
+  }
+  return quantity;
+}
+
+Quantity read_quantity(const TomlTable& table, const Scene& scene) {
+  const auto probe = table.find("probe");
+  const auto word = table.find("quantity");
+  if (probe && word) throw word->error("does not go with probe");
+  if (!probe && !word) {
+    throw InputError(table.where(), table.key(), "", "needs a probe or a quantity");
+  }
+  const Quantity quantity =
+      probe ? read_probe(table, *probe, scene) : read_kind(table, *word, scene);
+  if (!probe) refuse(table.find("take"), "goes with a probe");
+  if (quantity.kind != QuantityKind::NaturalFrequency) {
+    refuse(table.find("mode"), "goes with quantity = \"natural_frequency\"");
+  }
+  if (quantity.kind != QuantityKind::Fit) {
+    refuse(table.find("parameter"), "goes with quantity = \"fit\"");
+  }
+  return quantity;
+}
+
+void read_curve(const TomlTable& table, const TomlValue& value, const std::string& file,
+                Sweep& sweep) {
+  if (sweep.quantity.kind != QuantityKind::Probe) {
+    throw value.error("is a curve over time: it goes with a probe");
+  }
+  const auto path = std::filesystem::path(sweep.path).parent_path() / file;
+  if (!std::filesystem::is_regular_file(path)) {
+    throw value.error("is not a file in the folder of " + sweep.path);
+  }
+  const io::CsvTable csv = io::CsvTable::read(path.string());
+  const TomlValue columns = table.at("columns");
+  const auto names = columns.array();
+  if (names.size() != 2) {
+    throw columns.error("must be two columns, [\"TIME:UNIT\", \"VALUE:UNIT\"]");
+  }
+  const auto read = [&](const TomlValue& name, Dimension dimension) {
+    return io::read_column(csv, io::named_column(name.string(), name.where(), name.key()),
+                           dimension);
+  };
+  const Probe& probe = sweep.setup.scene.probes[sweep.quantity.probe];
+  sweep.against.time = read(names[0], Dimension::Time);
+  sweep.against.curve =
+      read(names[1], dimension_of(probe.quantity, sweep.setup.scene.drive.deformation));
+  if (!std::is_sorted(sweep.against.time.begin(), sweep.against.time.end())) {
+    throw names[0].error("must rise from row to row");
+  }
+  sweep.against.name = file;
+}
+
+void read_against(const TomlTable& table, Sweep& sweep) {
+  const auto value = table.find("against");
+  if (!value) return;
+  const std::string& words = value->string();
+  const std::size_t colon = words.find(':');
+  const std::string kind = words.substr(0, colon);
+  const std::string rest = colon == std::string::npos ? "" : words.substr(colon + 1);
+  Against& against = sweep.against;
+  if (kind == "finest" && rest.empty()) {
+    against.kind = AgainstKind::Finest;
+  } else if (kind == "richardson" && rest.empty()) {
+    against.kind = AgainstKind::Richardson;
+    if (sweep.quantity.is_curve()) throw value->error("is for numbers, not for curves");
+  } else if (kind == "theory" && !rest.empty()) {
+    against.kind = AgainstKind::Theory;
+    against.name = rest;
+  } else if (kind == "value" && !rest.empty()) {
+    against.kind = AgainstKind::Value;
+    against.value =
+        io::parse_quantity(rest, sweep.quantity.dimension, value->where(), value->key());
+    if (sweep.quantity.is_curve()) throw value->error("is for numbers, not for curves");
+  } else if (kind == "reference" && !rest.empty()) {
+    against.kind = AgainstKind::File;
+    read_curve(table, *value, rest, sweep);
+  } else {
+    throw value->error("must be theory:NAME, reference:FILE, value:NUMBER, finest or richardson");
+  }
+  if (against.kind != AgainstKind::File) refuse(table.find("columns"), "goes with reference:FILE");
+}
+
+/// The axis that refines: as named, or the first that can.
+void read_refined(const TomlTable& table, Sweep& sweep) {
+  const auto named = table.find("along");
+  for (std::size_t a = 0; a < sweep.axes.size() && !sweep.refined; ++a) {
+    const Field& field = *sweep.axes[a].field;
+    if (named ? field.path == named->string() : refinement_of(field) != Refinement::None) {
+      sweep.refined = a;
+    }
+  }
+  if (named && !sweep.refined) throw named->error("is not the field of an axis");
+  if (named && refinement_of(*sweep.axes[*sweep.refined].field) == Refinement::None) {
+    throw named->error("is no measure of how fine a discretization is");
+  }
+  const AgainstKind kind = sweep.against.kind;
+  if ((kind == AgainstKind::Finest || kind == AgainstKind::Richardson) && !sweep.refined) {
+    throw table.at("against").error("needs an axis that refines, such as beam.segments");
+  }
+}
+
+}  // namespace
+
+void read_error(const TomlTable& root, Sweep& sweep) {
+  const auto table = root.find_table("error");
+  if (!table) {
+    throw InputError({root.where().file, 0}, "error", "",
+                     "is missing: it names the probe or quantity that is looked at");
+  }
+  sweep.quantity = read_quantity(*table, sweep.setup.scene);
+  read_against(*table, sweep);
+  read_refined(*table, sweep);
+  const auto scale = table->find("scale");
+  if (!scale) return;
+  sweep.error_scale = scale->is_string()
+                          ? io::parse_quantity(scale->string(), sweep.quantity.dimension,
+                                               scale->where(), scale->key())
+                          : scale->number();
+  if (!(*sweep.error_scale > 0.0)) throw scale->error("must be above 0");
+}
+
+}  // namespace plastica::sweeps

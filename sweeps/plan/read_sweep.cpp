@@ -1,0 +1,85 @@
+#include <filesystem>
+#include <utility>
+
+#include "plastica/io/toml.hpp"
+#include "sweeps/plan/derived_fields.hpp"
+#include "sweeps/plan/read_axes.hpp"
+#include "sweeps/plan/sweep.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+using io::TomlDocument;
+using io::TomlTable;
+using io::TomlValue;
+
+/// Values of fields by their paths, from a table and the tables in it.
+void gather_settings(const TomlTable& table, const std::string& prefix, const Setup& base,
+                     std::vector<const Field*>& fields, std::vector<FieldValue>& values) {
+  for (const std::string& key : table.keys()) {
+    const TomlValue value = table.at(key);
+    if (value.is_table()) {
+      gather_settings(value.table(), prefix + key + ".", base, fields, values);
+      continue;
+    }
+    try {
+      fields.push_back(&find_axis_field(prefix + key, value.where()));
+    } catch (const InputError& error) {
+      throw value.error(error.rule());
+    }
+    values.push_back(read_field_value(value, *fields.back(), base));
+  }
+}
+
+/// [set]: fields that all cases have otherwise than the scene's file.
+void read_set(const TomlTable& root, Sweep& sweep) {
+  const auto table = root.find_table("set");
+  if (!table) return;
+  std::vector<const Field*> fields;
+  std::vector<FieldValue> values;
+  gather_settings(*table, "", sweep.setup, fields, values);
+  apply(sweep.setup, fields, values);
+}
+
+io::SceneFile read_scene(const TomlTable& root, const std::string& sweep_path) {
+  const TomlValue name = root.at("scene");
+  const auto path = std::filesystem::path(sweep_path).parent_path() / name.string();
+  if (!std::filesystem::is_regular_file(path)) {
+    throw name.error("is not a file in the folder of " + sweep_path);
+  }
+  return io::read_scene_file(path.lexically_normal().string());
+}
+
+io::InputText input_of(const std::string& path, std::string text) {
+  return {std::filesystem::path(path).filename().string(), std::move(text)};
+}
+
+Sweep read_document(const TomlDocument& document) {
+  const TomlTable& root = document.root();
+  Sweep sweep;
+  sweep.path = document.name();
+  const auto title = root.find("name");
+  sweep.name = title ? title->string() : std::filesystem::path(sweep.path).stem().string();
+  sweep.scene = read_scene(root, sweep.path);
+  sweep.setup = sweep.scene.setup;
+  read_set(root, sweep);
+  sweep.axes = read_axes(root, sweep.setup);
+  read_error(root, sweep);
+  if (const auto cost = root.find_table("cost")) {
+    sweep.timed_runs = static_cast<int>(cost->at("timed_runs").integer(0, 1000));
+  }
+  root.check_unused();
+  sweep.inputs.push_back(input_of(sweep.path, document.text()));
+  sweep.inputs.push_back(input_of(sweep.scene.path, sweep.scene.text));
+  return sweep;
+}
+
+}  // namespace
+
+Sweep parse_sweep(std::string text, std::string name) {
+  return read_document(TomlDocument::parse(std::move(text), std::move(name)));
+}
+
+Sweep read_sweep_file(const std::string& path) { return read_document(TomlDocument::read(path)); }
+
+}  // namespace plastica::sweeps

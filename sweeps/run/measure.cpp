@@ -1,0 +1,41 @@
+#include "sweeps/run/measure.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "plastica/run/natural_frequencies.hpp"
+
+namespace plastica::sweeps {
+
+bool is_simulated(const Quantity& quantity) {
+  return quantity.kind != QuantityKind::NaturalFrequency && quantity.kind != QuantityKind::Fit;
+}
+
+CaseResult rejected(std::string reason) {
+  CaseResult result;
+  result.status = Status::Rejected;
+  result.reason = std::move(reason);
+  return result;
+}
+
+CaseResult result_of(const BatchRow& row, const Quantity& quantity) {
+  if (row.response.status == Status::Rejected) return rejected(row.reason);
+  return result_of(row.response, row.level, quantity);
+}
+
+CaseResult measure(const Sweep& sweep, const Setup& setup) {
+  const auto begin = std::chrono::steady_clock::now();
+  CaseResult result;
+  result.level = prepare(setup.scene, setup.solver).level;
+  const int mode = sweep.quantity.mode;
+  const auto all = natural_frequencies(setup.scene, setup.solver, mode);
+  result.value = all[static_cast<std::size_t>(mode - 1)];
+  result.status = Status::Completed;
+  result.segments = setup.scene.beam.segments;
+  result.iterations = 1;
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  result.seconds = took.count();
+  return result;
+}
+
+}  // namespace plastica::sweeps

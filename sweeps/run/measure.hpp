@@ -1,0 +1,21 @@
+#pragma once
+
+#include "plastica/run/batch.hpp"
+#include "sweeps/plan/sweep.hpp"
+#include "sweeps/run/case_result.hpp"
+
+namespace plastica::sweeps {
+
+/// Whether a quantity comes out of a run of the scene; else of an eigenvalue or a fit.
+bool is_simulated(const Quantity& quantity);
+
+/// What a batch gave for a case.
+CaseResult result_of(const BatchRow& row, const Quantity& quantity);
+
+/// The result of a case whose quantity is not simulated. @throws InputError for a rejected case
+CaseResult measure(const Sweep& sweep, const Setup& setup);
+
+/// The result of a case that was rejected.
+CaseResult rejected(std::string reason);
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,124 @@
+#include "sweeps/run/sweep_run.hpp"
+
+#include <mutex>
+#include <utility>
+
+#include "plastica/base/parallel_for.hpp"
+#include "plastica/io/digest.hpp"
+#include "plastica/run/batch.hpp"
+#include "sweeps/run/measure.hpp"
+#include "sweeps/run/result_bytes.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+std::uint64_t journal_kind() {
+  return io::Digest().text("plastica/sweep").integer(kResultVersion).value();
+}
+
+/// Timed cases run alone, so that they do not slow each other.
+int threads_of(const Sweep& sweep, int wanted) {
+  return sweep.timed_runs > 0 && wanted == 0 ? 1 : wanted;
+}
+
+}  // namespace
+
+SweepRun::SweepRun(const Sweep& sweep, SweepRunOptions options)
+    : sweep_(sweep),
+      options_(std::move(options)),
+      cases_(sweep),
+      ids_(cases_.size()),
+      owner_(cases_.size()),
+      shared_by_(cases_.size(), 0),
+      journal_(options_.journal, journal_kind(), "cases"),
+      results_(cases_.size()) {
+  parallel_for(cases_.size(), {options_.threads, nullptr},
+               [&](std::size_t i, int) { ids_[i] = cases_.id(i); });
+  std::unordered_map<std::string_view, std::size_t> first;
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    owner_[i] = first.emplace(ids_[i], i).first->second;
+    ++shared_by_[owner_[i]];
+  }
+  take_earlier();
+}
+
+void SweepRun::take_earlier() {
+  const auto wanted = [&](const CaseResult& result) {
+    return !options_.rerun_failed || usable(result.status);
+  };
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    if (owner_[i] != i) continue;
+    if (const auto* bytes = journal_.find(ids_[i])) {
+      CaseResult result = result_from_bytes(*bytes);
+      if (wanted(result)) results_[i] = std::move(result);
+    }
+    if (const auto earlier = options_.earlier.find(ids_[i]);
+        !results_[i] && earlier != options_.earlier.end() && wanted(earlier->second)) {
+      results_[i] = earlier->second;
+    }
+    if (results_[i]) taken_ += shared_by_[i];
+  }
+}
+
+void SweepRun::take(std::size_t index, CaseResult result) {
+  journal_.keep(ids_[index], bytes_of(result));
+  progress_.done += shared_by_[index];
+  if (!usable(result.status)) progress_.failed += shared_by_[index];
+  results_[index] = std::move(result);
+  if (options_.progress) options_.progress(progress_);
+}
+
+void SweepRun::run_missing(const std::vector<std::size_t>& missing) {
+  const int threads = threads_of(sweep_, options_.threads);
+  if (is_simulated(sweep_.quantity)) {
+    const auto make = [&](std::size_t k) {
+      Setup setup = cases_.setup(missing[k]);
+      return BatchCase{
+          ids_[missing[k]], std::move(setup.scene), setup.solver, {}, sweep_.timed_runs};
+    };
+    const auto finished = [&](std::size_t k, BatchRow&& row) {
+      take(missing[k], result_of(row, sweep_.quantity));
+    };
+    run_batch(missing.size(), make, finished, {threads, options_.stop});
+    return;
+  }
+  std::mutex taking;
+  parallel_for(missing.size(), {threads, options_.stop}, [&](std::size_t k, int) {
+    CaseResult result;
+    try {
+      result = measure(sweep_, cases_.setup(missing[k]));
+    } catch (const InputError& error) {
+      result = rejected(error.what());
+    }
+    const std::lock_guard lock(taking);
+    take(missing[k], std::move(result));
+  });
+}
+
+std::vector<CaseResult> SweepRun::run() {
+  progress_ = {.taken = taken_, .total = ids_.size()};
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    if (owner_[i] != i) continue;
+    if (!results_[i]) {
+      missing.push_back(i);
+      continue;
+    }
+    progress_.done += shared_by_[i];
+    if (!usable(results_[i]->status)) progress_.failed += shared_by_[i];
+  }
+  if (options_.progress) options_.progress(progress_);
+  run_missing(missing);
+  complete_ = progress_.done == ids_.size();
+  if (!complete_) journal_.sync();
+
+  std::vector<CaseResult> results(ids_.size());
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    if (results_[owner_[i]]) results[i] = *results_[owner_[i]];
+  }
+  return results;
+}
+
+void SweepRun::finish() { journal_.finish(); }
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "plastica/io/case_journal.hpp"
+#include "sweeps/plan/sweep.hpp"
+#include "sweeps/run/case_result.hpp"
+
+namespace plastica::sweeps {
+
+/// How far a sweep has come.
+struct SweepProgress {
+  std::size_t done = 0;    ///< those that were taken from earlier runs included
+  std::size_t failed = 0;  ///< of the done: without a usable status
+  std::size_t taken = 0;   ///< of the done: from earlier runs, so that they took no time
+  std::size_t total = 0;
+};
+
+/// Results of an earlier run by the ids of their cases.
+using EarlierResults = std::unordered_map<std::string, CaseResult>;
+
+struct SweepRunOptions {
+  io::JournalPolicy journal{};
+  EarlierResults earlier{};   ///< of the output that is to be replaced
+  bool rerun_failed = false;  ///< take no failed case from journal or earlier results
+  int threads = 0;            ///< 0: as many as the machine has; one if cases are timed
+  /// Once true, no further case is begun; those under way are finished. May be null.
+  const std::atomic<bool>* stop = nullptr;
+  /// Called once before the first case and after each, one call at a time, from any thread.
+  std::function<void(const SweepProgress&)> progress{};
+};
+
+/// Runs the cases of a sweep, each once, and survives interruption: every finished case goes to a
+/// journal. The results have the same bits as those of a run without interruption, but for times.
+class SweepRun {
+ public:
+  /// Reads the journal, if one is there, and opens it for writing; computes nothing.
+  /// @param sweep  must outlive this
+  /// @throws InputError, io::StorageError as `io::CaseJournal`
+  SweepRun(const Sweep& sweep, SweepRunOptions options);
+
+  const CaseTable& cases() const { return cases_; }
+  /// Ids of all cases, in their order.
+  const std::vector<std::string>& ids() const { return ids_; }
+  /// Number of cases taken from journal and earlier results.
+  std::size_t taken() const { return taken_; }
+  const io::CaseJournal& journal() const { return journal_; }
+
+  /// Runs what is missing. Result i is that of case i, NotRun for one that was not begun. To be
+  /// called once. @throws io::StorageError if the journal cannot be written
+  std::vector<CaseResult> run();
+  /// Whether `run` has results of all cases.
+  bool complete() const { return complete_; }
+  /// Deletes the journal, once the results are stored. @throws io::StorageError
+  void finish();
+
+ private:
+  void take(std::size_t index, CaseResult result);
+  void take_earlier();
+  void run_missing(const std::vector<std::size_t>& missing);
+
+  const Sweep& sweep_;
+  SweepRunOptions options_;
+  CaseTable cases_;
+  std::vector<std::string> ids_;
+  std::vector<std::size_t> owner_;      ///< first case of the same id (n_cases)
+  std::vector<std::size_t> shared_by_;  ///< how many cases have the id of an owner (n_cases)
+  io::CaseJournal journal_;
+  std::vector<std::optional<CaseResult>> results_;  ///< of owners (n_cases)
+  std::size_t taken_ = 0;
+  SweepProgress progress_;
+  bool complete_ = false;
+};
+
+}  // namespace plastica::sweeps
