@@ -65,7 +65,7 @@ void SweepRun::take(std::size_t index, CaseResult result) {
   progress_.done += shared_by_[index];
   if (!usable(result.status)) progress_.failed += shared_by_[index];
   results_[index] = std::move(result);
-  if (options_.progress) options_.progress(progress_);
+  if (told_) told_(progress_);
 }
 
 void SweepRun::run_missing(const std::vector<std::size_t>& missing) {
@@ -107,7 +107,7 @@ std::vector<CaseResult> SweepRun::run() {
     progress_.done += shared_by_[i];
     if (!usable(results_[i]->status)) progress_.failed += shared_by_[i];
   }
-  if (options_.progress) options_.progress(progress_);
+  if (told_) told_(progress_);
   run_missing(missing);
   complete_ = progress_.done == ids_.size();
   if (!complete_) journal_.sync();

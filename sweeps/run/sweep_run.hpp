@@ -33,8 +33,6 @@ struct SweepRunOptions {
   int threads = 0;            ///< 0: as many as the machine has; one if cases are timed
   /// Once true, no further case is begun; those under way are finished. May be null.
   const std::atomic<bool>* stop = nullptr;
-  /// Called once before the first case and after each, one call at a time, from any thread.
-  std::function<void(const SweepProgress&)> progress{};
 };
 
 /// Runs the cases of a sweep, each once, and survives interruption: every finished case goes to a
@@ -52,6 +50,10 @@ class SweepRun {
   /// Number of cases taken from journal and earlier results.
   std::size_t taken() const { return taken_; }
   const io::CaseJournal& journal() const { return journal_; }
+
+  /// Sets what is told how far the sweep is: once before the first case and after each, one call at
+  /// a time, from any thread.
+  void on_progress(std::function<void(const SweepProgress&)> told) { told_ = std::move(told); }
 
   /// Runs what is missing. Result i is that of case i, NotRun for one that was not begun. To be
   /// called once. @throws io::StorageError if the journal cannot be written
@@ -76,6 +78,7 @@ class SweepRun {
   std::vector<std::optional<CaseResult>> results_;  ///< of owners (n_cases)
   std::size_t taken_ = 0;
   SweepProgress progress_;
+  std::function<void(const SweepProgress&)> told_;
   bool complete_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "plastica/base/status.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/base/version.hpp"
 #include "plastica/io/durable_file.hpp"
@@ -65,6 +66,17 @@ std::string schema_of(const std::string& path) {
                      "is not a result file of Plastica: it has no attribute schema");
   }
   return file.root().text_attribute(".", "schema");
+}
+
+std::span<const std::string_view> status_words() {
+  static const std::vector<std::string_view> words = [] {
+    std::vector<std::string_view> all;
+    for (int i = 0; i <= static_cast<int>(Status::NotConverged); ++i) {
+      all.push_back(name_of(static_cast<Status>(i)));
+    }
+    return all;
+  }();
+  return words;
 }
 
 void write_schema(Hdf5Group& root, std::string_view schema, int version) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,6 +45,9 @@ void check_output_path(const std::string& path, bool force);
 /// The attribute `schema` of a result file: "plastica/fits".
 /// @throws InputError if it is no HDF5 file, or has none
 std::string schema_of(const std::string& path);
+
+/// The words of files for how a run ended, in the order of Status.
+std::span<const std::string_view> status_words();
 
 /// Marks a new file with its schema.
 void write_schema(Hdf5Group& root, std::string_view schema, int version);

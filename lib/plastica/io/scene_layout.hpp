@@ -23,8 +23,6 @@ using Stored = std::conditional_t<
     std::conditional_t<sizeof(T) == 1, std::uint8_t,
                        std::conditional_t<std::is_signed_v<T>, std::int64_t, std::uint64_t>>>;
 
-/// The words of files for how a run ended, in the order of Status.
-std::span<const std::string_view> statuses();
 /// The words of a field that is a choice, in the order of its enumerators.
 std::span<const std::string_view> choices_of(std::string_view field);
 
@@ -127,7 +125,7 @@ void walk_chain(Store& store, Chain& chain, std::size_t joints, std::size_t supp
 
 template <class Store, class Response>
 void walk_outcome(Store& store, Response& response) {
-  store.word("outcome/status", response.status, statuses());
+  store.word("outcome/status", response.status, status_words());
   store.number("outcome/samples", response.samples, "1");
   store.number("outcome/permanent_strain", response.permanent_strain, "1");
   store.number("outcome/ledger_error", response.ledger_error, "1");

@@ -36,17 +36,6 @@ void keep_valid_samples(Response& response) {
 
 }  // namespace
 
-std::span<const std::string_view> scene_layout::statuses() {
-  static const std::vector<std::string_view> words = [] {
-    std::vector<std::string_view> all;
-    for (int i = 0; i <= static_cast<int>(Status::NotConverged); ++i) {
-      all.push_back(name_of(static_cast<Status>(i)));
-    }
-    return all;
-  }();
-  return words;
-}
-
 std::span<const std::string_view> scene_layout::choices_of(std::string_view field) {
   return find_field_or_null(field)->choices;
 }

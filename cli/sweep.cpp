@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/run_files.hpp"
+#include "plastica/report/format.hpp"
+#include "plastica/run/simulate.hpp"
+#include "sweeps/report/text.hpp"
+#include "sweeps/store/sweep_store.hpp"
+
+namespace plastica::cli {
+namespace {
+
+struct SweepArguments {
+  std::string file;
+  std::string output;
+  std::string json;
+  int threads = 0;
+  bool dry_run = false;
+  bool resume = false;
+  bool rerun_failed = false;
+  bool force = false;
+  bool quiet = false;
+  std::string command_line;
+};
+
+std::string output_of(const SweepArguments& arguments) {
+  if (!arguments.output.empty()) return arguments.output;
+  return std::filesystem::path(arguments.file).stem().string() + ".h5";
+}
+
+/// An output that is there is gone on with, or replaced on purpose.
+void check_outputs(const SweepArguments& arguments, const std::string& output) {
+  const bool goes_on = arguments.resume || arguments.rerun_failed;
+  refuse_input("--output", output, arguments.file);
+  io::check_output_path(output, arguments.force || goes_on);
+  if (arguments.rerun_failed && !std::filesystem::exists(output) &&
+      !std::filesystem::exists(io::journal_path(output))) {
+    throw InputError({}, "--rerun-failed", output, "is not there: nothing has been run yet");
+  }
+}
+
+sweeps::EarlierResults results_before(const SweepArguments& arguments, const std::string& output) {
+  const bool goes_on = arguments.resume || arguments.rerun_failed;
+  if (!goes_on || !std::filesystem::exists(output)) return {};
+  return sweeps::earlier_results(output);
+}
+
+int print_dry_run(const sweeps::Sweep& sweep, const std::string& output) {
+  const sweeps::CaseTable cases(sweep);
+  fmt::print("{}: {} of {}\n", sweep.path, report::counted(cases.size(), "case"), sweep.scene.path);
+  for (const sweeps::Axis& axis : sweep.axes) {
+    fmt::print("  {}: {}, {} … {}\n", axis.field->path,
+               report::counted(axis.values.size(), "value"),
+               sweeps::value_text(*axis.field, axis.values.front()),
+               sweeps::value_text(*axis.field, axis.values.back()));
+  }
+  const Setup first = cases.setup(0);
+  const Model model = prepare(first.scene, first.solver);
+  fmt::print("  level of the first case {}\n", model.level_reason);
+  fmt::print("  compared: {}{}{}\n", sweep.quantity.name,
+             sweep.against.kind == sweeps::AgainstKind::Nothing ? "" : " against ",
+             sweeps::words_of(sweep.against));
+  fmt::print("nothing was run; the result would be {}\n", output);
+  return kDone;
+}
+
+void tell_of_journal(const sweeps::SweepRun& run, bool quiet) {
+  if (run.journal().dropped_bytes() > 0) {
+    fmt::print(stderr, "plastica: dropped {} bytes of an unfinished record from the journal\n",
+               run.journal().dropped_bytes());
+  }
+  if (!quiet && run.taken() > 0) {
+    fmt::print(stderr, "{} taken from an earlier run\n", report::counted(run.taken(), "case"));
+  }
+}
+
+int sweep_file(const SweepArguments& arguments) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::string output = output_of(arguments);
+  const sweeps::Sweep sweep = sweeps::read_sweep_file(arguments.file);
+  if (!arguments.dry_run) check_outputs(arguments, output);
+  sweeps::check_reference(sweep, sweeps::CaseTable(sweep));
+  if (arguments.dry_run) return print_dry_run(sweep, output);
+
+  io::RunMeta meta = io::begin_meta(arguments.command_line, arguments.threads);
+  const InterruptGuard interrupt;
+  sweeps::SweepRunOptions how;
+  how.journal = {io::journal_path(output), arguments.resume || arguments.rerun_failed,
+                 arguments.force};
+  how.earlier = results_before(arguments, output);
+  how.rerun_failed = arguments.rerun_failed;
+  how.threads = arguments.threads;
+  how.stop = &interrupt.flag();
+  sweeps::SweepRun run(sweep, std::move(how));
+  tell_of_journal(run, arguments.quiet);
+  ProgressBar bar("sweeping", run.cases().size(), arguments.quiet);
+  run.on_progress([&bar](const sweeps::SweepProgress& progress) {
+    bar.update(progress.done, progress.failed);
+  });
+  std::vector<sweeps::CaseResult> results = run.run();
+  bar.clear();
+  if (!run.complete()) {
+    fmt::print(stderr, "plastica: interrupted; what is finished is kept: --resume goes on\n");
+    return kInterrupted;
+  }
+
+  sweeps::SweepRecord record =
+      sweeps::make_record(sweep, run.cases(), run.ids(), std::move(results));
+  record.meta = std::move(meta);
+  record.meta.resumptions = run.journal().resumptions();
+  record.meta.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  sweeps::write_sweep_store(output, record);
+  run.finish();
+  if (!arguments.quiet) {
+    fmt::print("{}", sweeps::sweep_report(record));
+    fmt::print(stderr, "wrote {}\n", output);
+  }
+  const bool any = std::any_of(record.results.begin(), record.results.end(),
+                               [](const auto& result) { return usable(result.status); });
+  return any ? kDone : kNotAcceptable;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, const std::string& command_line, Action& action) {
+  CLI::App* sub = app.add_subcommand("sweep", "vary a scene over axes, compare and time its cases");
+  auto arguments = std::make_shared<SweepArguments>();
+  sub->add_option("file", arguments->file, "SWEEP.toml")->required();
+  sub->add_option("-o,--output", arguments->output,
+                  "result file (HDF5); default: the sweep's name with .h5, here");
+  sub->add_option("--threads", arguments->threads,
+                  "0: as many as the machine has, or one where cases are timed")
+      ->check(CLI::Range(0, 4096));
+  sub->add_flag("--dry-run", arguments->dry_run, "only say what would run");
+  sub->add_flag("--resume", arguments->resume,
+                "run only what is missing or changed in an interrupted run, or in the output");
+  sub->add_flag("--rerun-failed", arguments->rerun_failed,
+                "the same, and the failed cases once more");
+  sub->add_flag("--force", arguments->force, "overwrite the output, and an interrupted run");
+  sub->add_flag("--quiet", arguments->quiet, "no report, no progress");
+  sub->footer("Example: plastica sweep sweep.toml -o sweep.h5");
+  arguments->command_line = command_line;
+  sub->callback([&action, arguments] { action = [arguments] { return sweep_file(*arguments); }; });
+}
+
+}  // namespace plastica::cli

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sweeps/plan/sweep.hpp"
+#include "sweeps/run/case_result.hpp"
+
+namespace plastica::sweeps {
+
+/// Cases that differ by nothing but the refinement of their discretization.
+struct RefinementGroup {
+  std::string label;               ///< what else tells them apart: "rules.end_rule = equal"
+  std::vector<std::size_t> cases;  ///< from the coarsest to the finest (n)
+  std::vector<double> size;        ///< of each, falling (n)
+};
+
+/// The groups of a sweep; one without sizes a case where no axis refines. Of cases of one size (an
+/// axis of ratios may round to the same number of segments), the first alone is in a group.
+std::vector<RefinementGroup> refinement_groups(const Sweep& sweep, const CaseTable& cases);
+
+/// What cases are compared with, and how far they are off it.
+struct Comparison {
+  std::vector<std::optional<double>> reference;  ///< [SI]; none of a curve (n_cases)
+  /// (value - reference)/scale, of a curve the rms difference over the rms of the reference; none
+  /// for a case without value, and for the finest case against itself (n_cases).
+  std::vector<std::optional<double>> error;
+  std::vector<std::string> reason;  ///< why a case with a value has no error (n_cases)
+};
+
+/// Compares all cases. Never throws for what one case lacks.
+Comparison compare(const Sweep& sweep, const CaseTable& cases,
+                   const std::vector<RefinementGroup>& groups,
+                   const std::vector<CaseResult>& results);
+
+/// Refuses a sweep whose closed form does not exist or does not hold for its first case.
+/// @throws InputError
+void check_reference(const Sweep& sweep, const CaseTable& cases);
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,32 @@
+#include "sweeps/compare/convergence.hpp"
+
+namespace plastica::sweeps {
+
+GroupConvergence convergence_of(const RefinementGroup& group,
+                                const std::vector<CaseResult>& results,
+                                const Comparison& comparison) {
+  GroupConvergence out;
+  if (group.size.empty()) return out;
+  std::vector<double> sizes;
+  std::vector<double> errors;
+  std::vector<double> value_sizes;
+  std::vector<double> values;
+  for (std::size_t k = 0; k < group.cases.size(); ++k) {
+    const std::size_t i = group.cases[k];
+    if (comparison.error[i]) {
+      sizes.push_back(group.size[k]);
+      errors.push_back(*comparison.error[i]);
+      out.cases.push_back(i);
+    }
+    if (results[i].value) {
+      value_sizes.push_back(group.size[k]);
+      values.push_back(*results[i].value);
+    }
+  }
+  out.fit = theory::observed_order(sizes, errors);
+  out.pairwise = theory::pairwise_orders(sizes, errors);
+  if (values.size() >= 3) out.grid = theory::grid_convergence(value_sizes, values);
+  return out;
+}
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,75 @@
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "sweeps/compare/comparison.hpp"
+#include "sweeps/plan/derived_fields.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+/// Whether an axis moves with the refined one.
+bool moves_along(const Sweep& sweep, std::size_t axis) {
+  const std::string& group = sweep.axes[*sweep.refined].group;
+  return axis == *sweep.refined || (!group.empty() && sweep.axes[axis].group == group);
+}
+
+std::string label_of(const Sweep& sweep, const std::vector<std::size_t>& at) {
+  std::string label;
+  for (std::size_t a = 0; a < at.size(); ++a) {
+    if (sweep.refined && moves_along(sweep, a)) continue;
+    const Axis& axis = sweep.axes[a];
+    if (!label.empty()) label += ", ";
+    label += std::string(axis.field->path) + " = " + value_text(*axis.field, axis.values[at[a]]);
+  }
+  return label;
+}
+
+double size_of(const Sweep& sweep, const CaseTable& cases, std::size_t index) {
+  const Field& field = *sweep.axes[*sweep.refined].field;
+  // Asked of the setup: a ratio may have been rounded.
+  const double value = std::get<double>(field.get(cases.setup(index)));
+  return refinement_of(field) == Refinement::Count ? 1.0 / value : value;
+}
+
+void sort_by_size(RefinementGroup& group) {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t k = 0; k < group.cases.size(); ++k) {
+    order.emplace_back(-group.size[k], group.cases[k]);
+  }
+  std::sort(order.begin(), order.end());
+  group.cases.clear();
+  group.size.clear();
+  for (const auto& [minus_size, index] : order) {
+    if (!group.size.empty() && group.size.back() == -minus_size) continue;
+    group.cases.push_back(index);
+    group.size.push_back(-minus_size);
+  }
+}
+
+}  // namespace
+
+std::vector<RefinementGroup> refinement_groups(const Sweep& sweep, const CaseTable& cases) {
+  std::vector<RefinementGroup> groups;
+  std::map<std::vector<std::size_t>, std::size_t> group_at;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const std::vector<std::size_t> at = cases.position(i);
+    if (!sweep.refined) {
+      groups.push_back({label_of(sweep, at), {i}, {}});
+      continue;
+    }
+    std::vector<std::size_t> key = at;
+    for (std::size_t a = 0; a < key.size(); ++a) {
+      if (moves_along(sweep, a)) key[a] = 0;
+    }
+    const auto [place, is_new] = group_at.emplace(std::move(key), groups.size());
+    if (is_new) groups.push_back({label_of(sweep, at), {}, {}});
+    groups[place->second].cases.push_back(i);
+    groups[place->second].size.push_back(size_of(sweep, cases, i));
+  }
+  if (!sweep.refined) return groups;
+  for (RefinementGroup& group : groups) sort_by_size(group);
+  return groups;
+}
+
+}  // namespace plastica::sweeps

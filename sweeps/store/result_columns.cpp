@@ -1,0 +1,188 @@
+#include <limits>
+#include <optional>
+#include <span>
+#include <type_traits>
+
+#include "sweeps/store/sweep_layout.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+using io::Hdf5Group;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+std::span<const std::string_view> level_words() {
+  return find_field_or_null("solver.level")->choices;
+}
+
+template <class Enum>
+std::span<const std::string_view> words_of() {
+  if constexpr (std::is_same_v<Enum, Status>) {
+    return io::status_words();
+  } else {
+    static_assert(std::is_same_v<Enum, Level>);
+    return level_words();
+  }
+}
+
+/// A column of /cases that is written from, or read into, a member of the results.
+class Writer {
+ public:
+  Writer(Hdf5Group& group, const std::vector<CaseResult>& results)
+      : group_(group), results_(results) {}
+
+  template <class Member>
+  void operator()(const std::string& name, std::string_view units, Member member) {
+    using Value = std::remove_cvref_t<decltype(results_[0].*member)>;
+    if constexpr (std::is_same_v<Value, std::string> || std::is_enum_v<Value>) {
+      std::vector<std::string> texts;
+      for (const CaseResult& result : results_) texts.push_back(text(result.*member));
+      group_.write_texts(name, texts);
+    } else {
+      using Stored = std::conditional_t<std::is_integral_v<Value>, std::int64_t, double>;
+      std::vector<Stored> values;
+      for (const CaseResult& result : results_) values.push_back(number<Stored>(result.*member));
+      group_.write(name, values, {units, kDeflate});
+    }
+  }
+
+ private:
+  static std::string text(const std::string& value) { return value; }
+  template <class Enum>
+  static std::string text(Enum value) {
+    return std::string(words_of<Enum>()[static_cast<std::size_t>(value)]);
+  }
+  template <class Stored, class Value>
+  static Stored number(const Value& value) {
+    if constexpr (std::is_same_v<Value, std::optional<double>>) {
+      return value.value_or(kNone);
+    } else {
+      return static_cast<Stored>(value);
+    }
+  }
+
+  Hdf5Group& group_;
+  const std::vector<CaseResult>& results_;
+};
+
+class Reader {
+ public:
+  Reader(const Hdf5Group& group, std::vector<CaseResult>& results)
+      : group_(group), results_(results) {}
+
+  template <class Member>
+  void operator()(const std::string& name, std::string_view /*units*/, Member member) {
+    using Value = std::remove_cvref_t<decltype(results_[0].*member)>;
+    if constexpr (std::is_same_v<Value, std::string> || std::is_enum_v<Value>) {
+      const auto texts = checked(name, group_.read_texts(name));
+      for (std::size_t i = 0; i < texts.size(); ++i) set(results_[i].*member, name, texts[i]);
+    } else {
+      using Stored = std::conditional_t<std::is_integral_v<Value>, std::int64_t, double>;
+      const auto values = checked(name, group_.read<Stored>(name));
+      for (std::size_t i = 0; i < values.size(); ++i) set(results_[i].*member, values[i]);
+    }
+  }
+
+ private:
+  template <class Values>
+  Values checked(const std::string& name, Values values) const {
+    if (values.size() == results_.size()) return values;
+    throw InputError({group_.file(), 0}, "/cases/" + name, std::to_string(values.size()) + " rows",
+                     "must have " + std::to_string(results_.size()) + ", as there are ids");
+  }
+  static void set(std::string& value, const std::string&, const std::string& text) { value = text; }
+  template <class Enum>
+  void set(Enum& value, const std::string& name, const std::string& text) const {
+    const auto words = words_of<Enum>();
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (words[i] != text) continue;
+      value = static_cast<Enum>(i);
+      return;
+    }
+    throw InputError({group_.file(), 0}, "/cases/" + name, text, "is no word of this column");
+  }
+  static void set(std::optional<double>& value, double number) {
+    value.reset();
+    if (number == number) value = number;  // NaN: there is none
+  }
+  template <class Value, class Number>
+  static void set(Value& value, Number number) {
+    value = static_cast<Value>(number);
+  }
+
+  const Hdf5Group& group_;
+  std::vector<CaseResult>& results_;
+};
+
+/// Which columns there are, said once for both directions.
+template <class Columns>
+void walk(Columns& column, const std::string& unit) {
+  column("status", "", &CaseResult::status);
+  column("reason", "", &CaseResult::reason);
+  column("level", "", &CaseResult::level);
+  column("value", unit, &CaseResult::value);
+  column("standard_error", unit, &CaseResult::standard_error);
+  column("last_time", "s", &CaseResult::last_time);
+  column("last_value", unit, &CaseResult::last_value);
+  column("segments", "1", &CaseResult::segments);
+  column("iterations", "1", &CaseResult::iterations);
+  column("cutbacks", "1", &CaseResult::cutbacks);
+  column("ledger_error", "1", &CaseResult::ledger_error);
+}
+
+std::vector<double> row_of(const io::Ragged<double>& rows, std::size_t i) {
+  const auto row = rows.row(i);
+  return {row.begin(), row.end()};
+}
+
+}  // namespace
+
+void write_results(Hdf5Group& root, const SweepRecord& record) {
+  Hdf5Group cases = root.group("cases");
+  Writer writer(cases, record.results);
+  walk(writer, record.quantity.unit);
+  std::vector<std::int64_t> work;
+  for (const CaseResult& result : record.results) work.push_back(result.segment_iterations());
+  cases.write("segment_iterations", work, {"1", kDeflate});
+  if (!record.quantity.is_curve()) return;
+  io::Ragged<double> time;
+  io::Ragged<double> value;
+  for (const CaseResult& result : record.results) {
+    time.push_back(result.time);
+    value.push_back(result.curve);
+  }
+  root.write_ragged("curves/time", time, {"s", kDeflate});
+  root.write_ragged("curves/value", value, {record.quantity.unit, kDeflate});
+}
+
+void read_results(const Hdf5Group& root, SweepRecord& record) {
+  record.results.resize(record.cases());
+  const Hdf5Group cases = root.open_group("cases");
+  Reader reader(cases, record.results);
+  walk(reader, record.quantity.unit);
+  const auto seconds = root.read<double>("meta/case_seconds");
+  if (seconds.size() != record.cases()) {
+    throw InputError({root.file(), 0}, "/meta/case_seconds", std::to_string(seconds.size()),
+                     "must have as many rows as there are ids");
+  }
+  for (std::size_t i = 0; i < seconds.size(); ++i) record.results[i].seconds = seconds[i];
+  if (!record.quantity.is_curve()) return;
+  const auto time = root.read_ragged<double>("curves/time");
+  const auto value = root.read_ragged<double>("curves/value");
+  if (time.rows() != record.cases() || value.rows() != record.cases()) {
+    throw InputError({root.file(), 0}, "/curves", "", "must have as many rows as there are ids");
+  }
+  for (std::size_t i = 0; i < record.cases(); ++i) {
+    record.results[i].time = row_of(time, i);
+    record.results[i].curve = row_of(value, i);
+  }
+}
+
+void write_case_seconds(Hdf5Group& root, const SweepRecord& record) {
+  std::vector<double> seconds;
+  for (const CaseResult& result : record.results) seconds.push_back(result.seconds);
+  root.write("meta/case_seconds", seconds, {"s", kDeflate});
+}
+
+}  // namespace plastica::sweeps

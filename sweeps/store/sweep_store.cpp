@@ -1,0 +1,245 @@
+#include "sweeps/store/sweep_store.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "plastica/io/hdf5.hpp"
+#include "sweeps/plan/derived_fields.hpp"
+#include "sweeps/store/sweep_layout.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+using io::Hdf5Group;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<double> numbers_of(const std::vector<std::optional<double>>& values) {
+  std::vector<double> numbers;
+  for (const auto& value : values) numbers.push_back(value.value_or(kNone));
+  return numbers;
+}
+
+std::vector<std::optional<double>> optionals_of(const std::vector<double>& numbers) {
+  std::vector<std::optional<double>> values;
+  for (const double number : numbers) {
+    values.push_back(number == number ? std::optional(number) : std::nullopt);
+  }
+  return values;
+}
+
+/// Values of an axis: numbers, or words; NaN where an optional field is not set.
+void write_values(Hdf5Group& group, const std::string& path, const Field& field,
+                  const std::vector<FieldValue>& values) {
+  if (field.kind == FieldKind::Choice) {
+    std::vector<std::string> words;
+    for (const FieldValue& value : values) words.push_back(std::get<std::string>(value));
+    group.write_texts(path, words);
+    return;
+  }
+  std::vector<double> numbers;
+  for (const FieldValue& value : values) {
+    const auto* number = std::get_if<double>(&value);
+    numbers.push_back(number != nullptr ? *number : kNone);
+  }
+  group.write(path, numbers, {si_unit(field.dimension), kDeflate});
+}
+
+void write_axes(Hdf5Group& root, const SweepRecord& record) {
+  for (std::size_t a = 0; a < record.axes.size(); ++a) {
+    const Axis& axis = record.axes[a];
+    Hdf5Group group = root.group("axes/" + std::to_string(a));
+    group.set_attribute(".", "field", axis.field->path);
+    group.set_attribute(".", "moves_with", axis.group);
+    write_values(group, "values", *axis.field, axis.values);
+    std::vector<FieldValue> of_cases;
+    for (std::size_t i = 0; i < record.cases(); ++i) of_cases.push_back(record.at(i, a));
+    Hdf5Group cases = root.group("cases/axes");
+    write_values(cases, std::string(axis.field->path), *axis.field, of_cases);
+  }
+}
+
+std::vector<Axis> read_axes(const Hdf5Group& root) {
+  std::vector<Axis> axes;
+  if (!root.exists("axes")) return axes;
+  const Hdf5Group all = root.open_group("axes");
+  for (std::size_t a = 0; all.exists(std::to_string(a)); ++a) {
+    const Hdf5Group group = all.open_group(std::to_string(a));
+    Axis axis;
+    axis.field = &find_axis_field(group.text_attribute(".", "field"), {root.file(), 0});
+    axis.group = group.text_attribute(".", "moves_with");
+    if (axis.field->kind == FieldKind::Choice) {
+      for (std::string& word : group.read_texts("values")) axis.values.emplace_back(word);
+    } else {
+      for (const double number : group.read<double>("values")) {
+        axis.values.push_back(number == number ? FieldValue(number) : FieldValue());
+      }
+    }
+    axes.push_back(std::move(axis));
+  }
+  return axes;
+}
+
+void write_position(Hdf5Group& root, const SweepRecord& record) {
+  if (record.axes.empty()) return;
+  const std::vector<std::uint64_t> position(record.position.begin(), record.position.end());
+  root.write_table("cases/position", std::span<const std::uint64_t>(position), record.axes.size(),
+                   {{}, kDeflate});
+}
+
+void read_position(const Hdf5Group& root, SweepRecord& record) {
+  if (record.axes.empty()) return;
+  const auto position = root.read<std::uint64_t>("cases/position");
+  if (position.size() != record.cases() * record.axes.size()) {
+    throw InputError({root.file(), 0}, "/cases/position", std::to_string(position.size()),
+                     "must have a number for each case and axis");
+  }
+  for (std::size_t k = 0; k < position.size(); ++k) {
+    const std::size_t axis = k % record.axes.size();
+    if (position[k] >= record.axes[axis].values.size()) {
+      throw InputError({root.file(), 0}, "/cases/position", std::to_string(position[k]),
+                       "must be below the number of the axis's values");
+    }
+    record.position.push_back(position[k]);
+  }
+}
+
+void write_comparison(Hdf5Group& root, const SweepRecord& record) {
+  const Comparison& comparison = record.comparison;
+  root.write("cases/reference", numbers_of(comparison.reference), {record.quantity.unit, kDeflate});
+  root.write("cases/error", numbers_of(comparison.error), {"1", kDeflate});
+  root.write_texts("cases/error_reason", comparison.reason);
+  io::Ragged<std::uint64_t> cases;
+  io::Ragged<double> sizes;
+  std::vector<std::string> labels;
+  for (const RefinementGroup& group : record.groups) {
+    cases.push_back(std::vector<std::uint64_t>(group.cases.begin(), group.cases.end()));
+    sizes.push_back(group.size);
+    labels.push_back(group.label);
+  }
+  root.write_texts("groups/label", labels);
+  root.write_ragged("groups/cases", cases, {{}, kDeflate});
+  root.write_ragged("groups/size", sizes, {{}, kDeflate});
+}
+
+void read_comparison(const Hdf5Group& root, SweepRecord& record) {
+  Comparison& comparison = record.comparison;
+  comparison.reference = optionals_of(root.read<double>("cases/reference"));
+  comparison.error = optionals_of(root.read<double>("cases/error"));
+  comparison.reason = root.read_texts("cases/error_reason");
+  const auto cases = root.read_ragged<std::uint64_t>("groups/cases");
+  const auto sizes = root.read_ragged<double>("groups/size");
+  const auto labels = root.read_texts("groups/label");
+  const auto refuse = [&](const std::string& what) {
+    throw InputError({root.file(), 0}, what, "", "does not go with the number of cases");
+  };
+  if (comparison.reference.size() != record.cases() || comparison.error.size() != record.cases() ||
+      comparison.reason.size() != record.cases()) {
+    refuse("/cases/error");
+  }
+  if (sizes.rows() != cases.rows() || labels.size() != cases.rows()) refuse("/groups");
+  for (std::size_t g = 0; g < cases.rows(); ++g) {
+    RefinementGroup group{labels[g], {}, {}};
+    for (const std::uint64_t index : cases.row(g)) {
+      if (index >= record.cases()) refuse("/groups/cases");
+      group.cases.push_back(index);
+    }
+    group.size.assign(sizes.row(g).begin(), sizes.row(g).end());
+    record.groups.push_back(std::move(group));
+  }
+}
+
+void write_head(Hdf5Group& root, const SweepRecord& record) {
+  const Quantity& quantity = record.quantity;
+  Hdf5Group head = root.group("sweep");
+  head.set_attribute(".", "name", record.name);
+  head.set_attribute(".", "scene", record.scene_name);
+  head.set_attribute(".", "quantity_kind", word_at(kQuantityKinds, quantity.kind));
+  head.set_attribute(".", "probe", static_cast<std::int64_t>(quantity.probe));
+  head.set_attribute(".", "take", word_at(kTakes, quantity.take));
+  head.set_attribute(".", "mode", quantity.mode);
+  head.set_attribute(".", "parameter", quantity.parameter);
+  head.set_attribute(".", "quantity", quantity.name);
+  head.set_attribute(".", "unit", quantity.unit);
+  head.set_attribute(".", "dimension", static_cast<std::int64_t>(quantity.dimension));
+  head.set_attribute(".", "against", record.against);
+  head.set_attribute(".", "timed_runs", record.timed_runs);
+  if (record.error_scale) head.set_attribute(".", "error_scale", *record.error_scale);
+  if (record.refined) {
+    head.set_attribute(".", "refined_axis", static_cast<std::int64_t>(*record.refined));
+  }
+}
+
+void read_head(const Hdf5Group& root, SweepRecord& record) {
+  const Hdf5Group head = root.open_group("sweep");
+  Quantity& quantity = record.quantity;
+  record.name = head.text_attribute(".", "name");
+  record.scene_name = head.text_attribute(".", "scene");
+  const auto word = [&](const std::string& name) { return head.text_attribute(".", name); };
+  const auto number = [&](const std::string& name) { return head.integer_attribute(".", name); };
+  quantity.kind = enumerator_at<QuantityKind>(kQuantityKinds, word("quantity_kind"), root.file());
+  quantity.take = enumerator_at<Take>(kTakes, word("take"), root.file());
+  quantity.probe = static_cast<std::size_t>(number("probe"));
+  quantity.mode = static_cast<int>(number("mode"));
+  quantity.parameter = word("parameter");
+  quantity.name = word("quantity");
+  quantity.unit = word("unit");
+  quantity.dimension = static_cast<Dimension>(number("dimension"));
+  record.against = word("against");
+  record.timed_runs = static_cast<int>(number("timed_runs"));
+  if (head.has_attribute(".", "error_scale")) {
+    record.error_scale = head.real_attribute(".", "error_scale");
+  }
+  if (head.has_attribute(".", "refined_axis")) {
+    record.refined = static_cast<std::size_t>(number("refined_axis"));
+  }
+}
+
+}  // namespace
+
+void write_sweep_store(const std::string& path, const SweepRecord& record) {
+  io::Hdf5File file = io::Hdf5File::create(path);
+  Hdf5Group& root = file.root();
+  io::write_schema(root, kSweepSchema, kSweepVersion);
+  write_head(root, record);
+  root.write_texts("cases/id", record.ids);
+  write_axes(root, record);
+  write_position(root, record);
+  write_results(root, record);
+  write_comparison(root, record);
+  io::write_inputs(root, record.inputs);
+  io::write_meta(root, record.meta);
+  write_case_seconds(root, record);
+  file.commit();
+}
+
+SweepRecord read_sweep_store(const std::string& path) {
+  const io::Hdf5File file = io::Hdf5File::open(path);
+  const Hdf5Group& root = file.root();
+  io::check_schema(root, kSweepSchema, kSweepVersion);
+  SweepRecord record;
+  read_head(root, record);
+  record.ids = root.read_texts("cases/id");
+  record.axes = read_axes(root);
+  if (record.refined && *record.refined >= record.axes.size()) {
+    throw InputError({path, 0}, "/sweep/refined_axis", std::to_string(*record.refined),
+                     "must be the number of an axis");
+  }
+  read_position(root, record);
+  read_results(root, record);
+  read_comparison(root, record);
+  record.inputs = io::read_inputs(root);
+  record.meta = io::read_meta(root);
+  return record;
+}
+
+EarlierResults earlier_results(const std::string& path) {
+  SweepRecord record = read_sweep_store(path);
+  EarlierResults earlier;
+  for (std::size_t i = 0; i < record.cases(); ++i) {
+    earlier.insert_or_assign(std::move(record.ids[i]), std::move(record.results[i]));
+  }
+  return earlier;
+}
+
+}  // namespace plastica::sweeps

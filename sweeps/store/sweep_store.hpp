@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "sweeps/run/sweep_run.hpp"
+#include "sweeps/store/sweep_record.hpp"
+
+namespace plastica::sweeps {
+
+/// The attributes `schema` and `version` of the root of a sweep's file.
+inline constexpr std::string_view kSweepSchema = "plastica/sweep";
+inline constexpr int kSweepVersion = 1;
+
+/// Writes the result file of a sweep (HDF5; layout: data/README.md). The same record gives the
+/// same bytes outside /meta. The file appears under its name when it is whole; what is there
+/// already is replaced.
+/// @throws io::StorageError if it cannot be written
+void write_sweep_store(const std::string& path, const SweepRecord& record);
+
+/// Reads such a file, every number bit by bit.
+/// @throws InputError if it is no such file, of another version, or not whole
+SweepRecord read_sweep_store(const std::string& path);
+
+/// The results in such a file by the ids of their cases.
+/// @throws InputError as above
+EarlierResults earlier_results(const std::string& path);
+
+}  // namespace plastica::sweeps
