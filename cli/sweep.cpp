@@ -76,9 +76,9 @@ int print_dry_run(const sweeps::Sweep& sweep, const std::string& output) {
 }
 
 void tell_of_journal(const sweeps::SweepRun& run, bool quiet) {
-  if (run.journal().dropped_bytes() > 0) {
+  if (run.journal()->dropped_bytes() > 0) {
     fmt::print(stderr, "plastica: dropped {} bytes of an unfinished record from the journal\n",
-               run.journal().dropped_bytes());
+               run.journal()->dropped_bytes());
   }
   if (!quiet && run.taken() > 0) {
     fmt::print(stderr, "{} taken from an earlier run\n", report::counted(run.taken(), "case"));
@@ -118,7 +118,7 @@ int sweep_file(const SweepArguments& arguments) {
   sweeps::SweepRecord record =
       sweeps::make_record(sweep, run.cases(), run.ids(), std::move(results));
   record.meta = std::move(meta);
-  record.meta.resumptions = run.journal().resumptions();
+  record.meta.resumptions = run.journal()->resumptions();
   record.meta.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   sweeps::write_sweep_store(output, record);

@@ -30,8 +30,10 @@ SweepRun::SweepRun(const Sweep& sweep, SweepRunOptions options)
       ids_(cases_.size()),
       owner_(cases_.size()),
       shared_by_(cases_.size(), 0),
-      journal_(options_.journal, journal_kind(), "cases"),
       results_(cases_.size()) {
+  if (!options_.journal.path.empty()) {
+    journal_.emplace(options_.journal, journal_kind(), "cases");
+  }
   parallel_for(cases_.size(), {options_.threads, nullptr},
                [&](std::size_t i, int) { ids_[i] = cases_.id(i); });
   std::unordered_map<std::string_view, std::size_t> first;
@@ -48,7 +50,7 @@ void SweepRun::take_earlier() {
   };
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     if (owner_[i] != i) continue;
-    if (const auto* bytes = journal_.find(ids_[i])) {
+    if (const auto* bytes = journal_ ? journal_->find(ids_[i]) : nullptr) {
       CaseResult result = result_from_bytes(*bytes);
       if (wanted(result)) results_[i] = std::move(result);
     }
@@ -61,7 +63,7 @@ void SweepRun::take_earlier() {
 }
 
 void SweepRun::take(std::size_t index, CaseResult result) {
-  journal_.keep(ids_[index], bytes_of(result));
+  if (journal_) journal_->keep(ids_[index], bytes_of(result));
   progress_.done += shared_by_[index];
   if (!usable(result.status)) progress_.failed += shared_by_[index];
   results_[index] = std::move(result);
@@ -110,7 +112,7 @@ std::vector<CaseResult> SweepRun::run() {
   if (told_) told_(progress_);
   run_missing(missing);
   complete_ = progress_.done == ids_.size();
-  if (!complete_) journal_.sync();
+  if (!complete_ && journal_) journal_->sync();
 
   std::vector<CaseResult> results(ids_.size());
   for (std::size_t i = 0; i < ids_.size(); ++i) {
@@ -119,6 +121,8 @@ std::vector<CaseResult> SweepRun::run() {
   return results;
 }
 
-void SweepRun::finish() { journal_.finish(); }
+void SweepRun::finish() {
+  if (journal_) journal_->finish();
+}
 
 }  // namespace plastica::sweeps

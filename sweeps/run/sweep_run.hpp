@@ -27,10 +27,10 @@ struct SweepProgress {
 using EarlierResults = std::unordered_map<std::string, CaseResult>;
 
 struct SweepRunOptions {
-  io::JournalPolicy journal{};
-  EarlierResults earlier{};   ///< of the output that is to be replaced
-  bool rerun_failed = false;  ///< take no failed case from journal or earlier results
-  int threads = 0;            ///< 0: as many as the machine has; one if cases are timed
+  io::JournalPolicy journal{};  ///< without a path nothing is kept
+  EarlierResults earlier{};     ///< of the output that is to be replaced
+  bool rerun_failed = false;    ///< take no failed case from journal or earlier results
+  int threads = 0;              ///< 0: as many as the machine has; one if cases are timed
   /// Once true, no further case is begun; those under way are finished. May be null.
   const std::atomic<bool>* stop = nullptr;
 };
@@ -49,7 +49,8 @@ class SweepRun {
   const std::vector<std::string>& ids() const { return ids_; }
   /// Number of cases taken from journal and earlier results.
   std::size_t taken() const { return taken_; }
-  const io::CaseJournal& journal() const { return journal_; }
+  /// Null where no journal is kept.
+  const io::CaseJournal* journal() const { return journal_ ? &*journal_ : nullptr; }
 
   /// Sets what is told how far the sweep is: once before the first case and after each, one call at
   /// a time, from any thread.
@@ -74,7 +75,7 @@ class SweepRun {
   std::vector<std::string> ids_;
   std::vector<std::size_t> owner_;      ///< first case of the same id (n_cases)
   std::vector<std::size_t> shared_by_;  ///< how many cases have the id of an owner (n_cases)
-  io::CaseJournal journal_;
+  std::optional<io::CaseJournal> journal_;
   std::vector<std::optional<CaseResult>> results_;  ///< of owners (n_cases)
   std::size_t taken_ = 0;
   SweepProgress progress_;

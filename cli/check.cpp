@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/run_files.hpp"
+#include "plastica/io/result_file.hpp"
+#include "plastica/io/storage_error.hpp"
+#include "plastica/report/format.hpp"
+#include "sweeps/check/report.hpp"
+#include "sweeps/check/verdict.hpp"
+
+namespace plastica::cli {
+namespace {
+
+struct CheckArguments {
+  std::vector<std::string> files;
+  std::string junit;
+  int threads = 0;
+  bool dry_run = false;
+  bool force = false;
+  bool quiet = false;
+};
+
+int print_dry_run(const std::vector<sweeps::CheckFile>& files) {
+  for (const sweeps::CheckFile& file : files) {
+    fmt::print("{}: {} about {} with {}\n", file.path, report::counted(file.claims.size(), "claim"),
+               report::counted(file.sweeps.size(), "sweep"),
+               report::counted(sweeps::cases_of(file), "case"));
+  }
+  fmt::print("nothing was run\n");
+  return kDone;
+}
+
+void write_junit(const std::string& path, const std::vector<sweeps::CheckedFile>& checked) {
+  std::ofstream out(path, std::ios::binary);
+  out << sweeps::junit_xml(checked);
+  out.close();
+  if (!out) throw io::StorageError(path, "cannot be written");
+}
+
+/// Runs one file. @return whether it was run to its end
+bool run_file(sweeps::CheckFile file, const CheckArguments& arguments,
+              const std::atomic<bool>& stop, std::vector<sweeps::CheckedFile>& checked) {
+  const auto begin = std::chrono::steady_clock::now();
+  ProgressBar bar("checking", sweeps::cases_of(file), arguments.quiet);
+  sweeps::CheckOptions options;
+  options.threads = arguments.threads;
+  options.stop = &stop;
+  options.progress = [&bar](std::size_t done) { bar.update(done, 0); };
+  sweeps::CheckedFile result{std::move(file), {}, 0.0};
+  result.verdicts = sweeps::run_check(result.file, options);
+  bar.clear();
+  if (result.verdicts.empty()) return false;
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  result.seconds = took.count();
+  fmt::print("{}", sweeps::check_report(result));
+  std::fflush(stdout);
+  checked.push_back(std::move(result));
+  return true;
+}
+
+int check(const CheckArguments& arguments) {
+  // All files are read before the first is run: a bad one loses nothing.
+  std::vector<sweeps::CheckFile> files;
+  for (const std::string& path : arguments.files) files.push_back(sweeps::read_check_file(path));
+  if (arguments.dry_run) return print_dry_run(files);
+  if (!arguments.junit.empty()) {
+    for (const std::string& path : arguments.files) {
+      refuse_input("--junit", arguments.junit, path);
+    }
+    io::check_output_path(arguments.junit, arguments.force);
+  }
+  const InterruptGuard interrupt;
+  std::vector<sweeps::CheckedFile> checked;
+  bool complete = true;
+  for (sweeps::CheckFile& file : files) {
+    complete = complete && run_file(std::move(file), arguments, interrupt.flag(), checked);
+  }
+  if (!arguments.junit.empty()) write_junit(arguments.junit, checked);
+  if (!complete) {
+    fmt::print(stderr, "plastica: interrupted\n");
+    return kInterrupted;
+  }
+  fmt::print("{}", sweeps::check_summary(checked));
+  const bool all = std::all_of(checked.begin(), checked.end(), [](const auto& file) {
+    return std::all_of(file.verdicts.begin(), file.verdicts.end(),
+                       [](const auto& verdict) { return verdict.holds; });
+  });
+  return all ? kDone : kNotAcceptable;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Action& action) {
+  CLI::App* sub = app.add_subcommand("check", "hold a scene's convergence against named claims");
+  auto arguments = std::make_shared<CheckArguments>();
+  sub->add_option("files", arguments->files, "CHECK.toml, one or several")->required();
+  sub->add_option("--junit", arguments->junit, "also write the verdicts as JUnit's XML");
+  sub->add_option("--threads", arguments->threads, "0: as many as the machine has")
+      ->check(CLI::Range(0, 4096));
+  sub->add_flag("--dry-run", arguments->dry_run, "only say what would run");
+  sub->add_flag("--force", arguments->force, "overwrite the XML");
+  sub->add_flag("--quiet", arguments->quiet, "no progress");
+  sub->footer(
+      "Example: plastica check checks/*.toml --junit checks.xml\n"
+      "Exit code 0 if every claim holds, 1 if one does not, 2 for a bad file.");
+  sub->callback([&action, arguments] { action = [arguments] { return check(*arguments); }; });
+}
+
+}  // namespace plastica::cli

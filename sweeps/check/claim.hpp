@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "plastica/base/check.hpp"
+#include "sweeps/plan/sweep.hpp"
+
+namespace plastica::sweeps {
+
+/// What a claim is about; of several groups or cases the one that keeps the limit worst counts.
+enum class ClaimKind {
+  Order,              ///< observed order of the errors, by least squares [1]
+  Correlation,        ///< of that line [1]
+  Error,              ///< size of the error [1]
+  ExtrapolatedError,  ///< of the value extrapolated from the three finest [1]
+  Gci,                ///< grid convergence index of the finest [1]
+  Work,               ///< segment-iterations of a case [1]
+  Spread,             ///< largest less least value over the size of their mean [1]
+  Value,              ///< the quantity [SI]
+  Ledger,             ///< ledger error [1]
+  Failed,             ///< number of cases without a usable status [1]
+};
+
+inline constexpr std::array<std::string_view, 10> kClaimKinds{
+    "order", "correlation", "error", "extrapolated_error", "gci", "work", "spread",
+    "value", "ledger",      "failed"};
+
+/// One statement about a sweep that holds or does not.
+struct Claim {
+  std::string name;
+  SourceLocation where;
+  std::size_t sweep = 0;  ///< number in `CheckFile::sweeps`
+  ClaimKind kind = ClaimKind::Order;
+  std::optional<double> at_least{};  ///< [SI]
+  std::optional<double> at_most{};   ///< [SI]
+  /// Only cases that have these values on these axes.
+  std::vector<std::pair<std::size_t, FieldValue>> only{};
+};
+
+/// A file of claims, and the sweeps that they are about, each once.
+struct CheckFile {
+  std::string path;
+  std::vector<Sweep> sweeps;
+  std::vector<Claim> claims;
+};
+
+/// Reads a check file; see data/README.md for the keys.
+/// @throws InputError for the first thing that is wrong, in it or in a sweep that it names
+CheckFile read_check_file(const std::string& path);
+
+}  // namespace plastica::sweeps

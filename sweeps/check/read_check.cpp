@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "plastica/io/toml.hpp"
+#include "sweeps/check/claim.hpp"
+#include "sweeps/compare/comparison.hpp"
+#include "sweeps/plan/read_axes.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+using io::TomlTable;
+using io::TomlValue;
+
+std::string sweep_path(const TomlValue& name, const std::string& check_path) {
+  const auto path = std::filesystem::path(check_path).parent_path() / name.string();
+  if (!std::filesystem::is_regular_file(path)) {
+    throw name.error("is not a file in the folder of " + check_path);
+  }
+  return path.lexically_normal().string();
+}
+
+/// Shares are numbers or percents; a value has the quantity's unit.
+double read_limit(const TomlValue& value, const Claim& claim, const Sweep& sweep) {
+  if (claim.kind == ClaimKind::Value) return value.quantity(sweep.quantity.dimension);
+  return value.is_string() ? value.quantity(Dimension::Strain) : value.number();
+}
+
+void read_kind(const TomlTable& table, const Sweep& sweep, Claim& claim) {
+  std::optional<TomlValue> limits;
+  for (std::size_t k = 0; k < kClaimKinds.size(); ++k) {
+    const auto found = table.find(kClaimKinds[k]);
+    if (!found) continue;
+    if (limits) throw found->error("is a second claim: one table makes one");
+    limits = found;
+    claim.kind = static_cast<ClaimKind>(k);
+  }
+  if (!limits) {
+    std::string all;
+    for (const std::string_view word : kClaimKinds) {
+      all.append(all.empty() ? "" : ", ").append(word);
+    }
+    throw InputError(table.where(), table.key(), "", "claims nothing: it needs one of " + all);
+  }
+  const TomlTable range = limits->table();
+  if (const auto low = range.find("at_least")) claim.at_least = read_limit(*low, claim, sweep);
+  if (const auto high = range.find("at_most")) claim.at_most = read_limit(*high, claim, sweep);
+  if (!claim.at_least && !claim.at_most) throw limits->error("needs at_least or at_most");
+  if (claim.at_least && claim.at_most && *claim.at_least > *claim.at_most) {
+    throw limits->error("at_least must not be above at_most");
+  }
+  const bool of_errors = claim.kind == ClaimKind::Order || claim.kind == ClaimKind::Correlation ||
+                         claim.kind == ClaimKind::Error ||
+                         claim.kind == ClaimKind::ExtrapolatedError;
+  if (of_errors && sweep.against.kind == AgainstKind::Nothing) {
+    throw limits->error("needs error.against in the sweep");
+  }
+  const bool of_sizes = claim.kind == ClaimKind::Order || claim.kind == ClaimKind::Correlation ||
+                        claim.kind == ClaimKind::Gci || claim.kind == ClaimKind::ExtrapolatedError;
+  if (of_sizes && !sweep.refined) throw limits->error("needs an axis that refines in the sweep");
+}
+
+void read_only(const TomlTable& where, const std::string& prefix, const Sweep& sweep,
+               Claim& claim) {
+  for (const std::string& key : where.keys()) {
+    const TomlValue value = where.at(key);
+    if (value.is_table()) {
+      read_only(value.table(), prefix + key + ".", sweep, claim);
+      continue;
+    }
+    const auto axis = std::find_if(sweep.axes.begin(), sweep.axes.end(),
+                                   [&](const Axis& a) { return a.field->path == prefix + key; });
+    if (axis == sweep.axes.end()) throw value.error("is not the field of an axis of the sweep");
+    const FieldValue wanted = read_field_value(value, *axis->field, sweep.setup);
+    if (std::find(axis->values.begin(), axis->values.end(), wanted) == axis->values.end()) {
+      throw value.error("is not a value of the axis");
+    }
+    claim.only.emplace_back(static_cast<std::size_t>(axis - sweep.axes.begin()), wanted);
+  }
+}
+
+}  // namespace
+
+CheckFile read_check_file(const std::string& path) {
+  const io::TomlDocument document = io::TomlDocument::read(path);
+  CheckFile file;
+  file.path = path;
+  std::map<std::string, std::size_t> known;
+  for (const TomlTable& table : document.root().find_tables("claim")) {
+    Claim claim;
+    claim.where = table.where();
+    claim.name = table.at("name").string();
+    const std::string of = sweep_path(table.at("sweep"), path);
+    const auto [place, is_new] = known.emplace(of, file.sweeps.size());
+    if (is_new) {
+      file.sweeps.push_back(read_sweep_file(of));
+      check_reference(file.sweeps.back(), CaseTable(file.sweeps.back()));
+    }
+    claim.sweep = place->second;
+    read_kind(table, file.sweeps[claim.sweep], claim);
+    if (const auto where = table.find_table("where")) {
+      read_only(*where, "", file.sweeps[claim.sweep], claim);
+    }
+    file.claims.push_back(std::move(claim));
+  }
+  document.root().check_unused();
+  if (file.claims.empty()) throw InputError({path, 0}, "claim", "", "is missing: nothing to check");
+  return file;
+}
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,201 @@
+#include "sweeps/check/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "plastica/io/result_file.hpp"
+#include "sweeps/compare/convergence.hpp"
+#include "sweeps/run/sweep_run.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+bool is_chosen(const Claim& claim, const SweepRecord& record, std::size_t index) {
+  return std::all_of(claim.only.begin(), claim.only.end(), [&](const auto& wanted) {
+    return record.at(index, wanted.first) == wanted.second;
+  });
+}
+
+/// Refinement groups with the chosen cases alone.
+std::vector<RefinementGroup> chosen_groups(const Claim& claim, const SweepRecord& record) {
+  std::vector<RefinementGroup> groups;
+  for (const RefinementGroup& group : record.groups) {
+    RefinementGroup kept{group.label, {}, {}};
+    for (std::size_t k = 0; k < group.cases.size(); ++k) {
+      if (!is_chosen(claim, record, group.cases[k])) continue;
+      kept.cases.push_back(group.cases[k]);
+      if (!group.size.empty()) kept.size.push_back(group.size[k]);
+    }
+    if (kept.cases.empty()) continue;
+    if (record.refined || groups.empty()) {
+      groups.push_back(std::move(kept));
+    } else {
+      groups.front().cases.push_back(kept.cases.front());  // without refinement all are one group
+    }
+  }
+  return groups;
+}
+
+/// Gathers numbers and keeps the one that is worst against the limits.
+class Worst {
+ public:
+  explicit Worst(const Claim& claim) : claim_(claim) {}
+
+  void add(const std::optional<double>& number, const std::string& otherwise) {
+    if (!number || !std::isfinite(*number)) {
+      if (reason_.empty()) reason_ = otherwise;
+    } else if (!number_ || badness(*number) > badness(*number_)) {
+      number_ = number;
+    }
+  }
+
+  ClaimVerdict verdict() const {
+    if (!reason_.empty()) return {false, number_, reason_};
+    if (!number_) return {false, std::nullopt, "no case is chosen"};
+    return {badness(*number_) <= 0.0, number_, {}};
+  }
+
+ private:
+  /// How far a number is outside of the limits; inside of them at most 0.
+  double badness(double number) const {
+    double worst = -std::numeric_limits<double>::infinity();
+    if (claim_.at_least) worst = std::max(worst, *claim_.at_least - number);
+    if (claim_.at_most) worst = std::max(worst, number - *claim_.at_most);
+    return worst;
+  }
+
+  const Claim& claim_;
+  std::optional<double> number_;
+  std::string reason_;
+};
+
+/// Of one group: what claims of order and extrapolation ask for.
+void add_group(const Claim& claim, const SweepRecord& record, const RefinementGroup& group,
+               Worst& worst) {
+  const GroupConvergence found = convergence_of(group, record.results, record.comparison);
+  const std::string of = group.label.empty() ? "" : " of " + group.label;
+  if (claim.kind == ClaimKind::Order) {
+    worst.add(found.fit.order, "there is no order" + of);
+  } else if (claim.kind == ClaimKind::Correlation) {
+    worst.add(found.fit.correlation, "there is no order" + of);
+  } else if (claim.kind == ClaimKind::Gci) {
+    worst.add(found.grid ? found.grid->fine_index : std::nullopt, "there is no index" + of);
+  } else {
+    std::optional<double> error;
+    const auto& reference = record.comparison.reference[group.cases.back()];
+    if (found.grid && found.grid->extrapolated && reference) {
+      const double scale = record.error_scale.value_or(std::abs(*reference));
+      error = std::abs(*found.grid->extrapolated - *reference) / scale;
+    }
+    worst.add(error, "nothing can be extrapolated" + of);
+  }
+}
+
+/// What a case without a number says of itself.
+std::string why(const SweepRecord& record, std::size_t i) {
+  const CaseResult& result = record.results[i];
+  if (!usable(result.status)) return "a case ended as " + std::string(name_of(result.status));
+  if (!result.reason.empty()) return result.reason;
+  if (!record.comparison.reason[i].empty()) return record.comparison.reason[i];
+  return "a case has no value";
+}
+
+bool is_reference_itself(const SweepRecord& record, std::size_t i) {
+  return record.against == "finest" && usable(record.results[i].status) &&
+         !record.comparison.error[i];
+}
+
+void add_case(const Claim& claim, const SweepRecord& record, std::size_t i, Worst& worst) {
+  const CaseResult& result = record.results[i];
+  switch (claim.kind) {
+    case ClaimKind::Error: {
+      if (is_reference_itself(record, i)) return;
+      const auto& error = record.comparison.error[i];
+      worst.add(error ? std::optional(std::abs(*error)) : std::nullopt, why(record, i));
+      return;
+    }
+    case ClaimKind::Value: worst.add(result.value, why(record, i)); return;
+    case ClaimKind::Ledger:
+      worst.add(usable(result.status) ? std::optional(result.ledger_error) : std::nullopt,
+                why(record, i));
+      return;
+    default: worst.add(static_cast<double>(result.segment_iterations()), why(record, i)); return;
+  }
+}
+
+/// (largest - least)/|mean| of the values of a group.
+void add_spread(const SweepRecord& record, const RefinementGroup& group, Worst& worst) {
+  std::vector<double> values;
+  for (const std::size_t i : group.cases) {
+    if (!record.results[i].value) {
+      worst.add(std::nullopt, why(record, i));
+      return;
+    }
+    values.push_back(*record.results[i].value);
+  }
+  double mean = 0.0;
+  for (const double value : values) mean += value / static_cast<double>(values.size());
+  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+  worst.add(mean != 0.0 ? std::optional((*largest - *least) / std::abs(mean)) : std::nullopt,
+            "the values have the mean 0");
+}
+
+}  // namespace
+
+ClaimVerdict judge(const Claim& claim, const SweepRecord& record) {
+  Worst worst(claim);
+  double failed = 0.0;
+  for (const RefinementGroup& group : chosen_groups(claim, record)) {
+    switch (claim.kind) {
+      case ClaimKind::Order:
+      case ClaimKind::Correlation:
+      case ClaimKind::ExtrapolatedError:
+      case ClaimKind::Gci: add_group(claim, record, group, worst); break;
+      case ClaimKind::Spread: add_spread(record, group, worst); break;
+      case ClaimKind::Error:
+      case ClaimKind::Value:
+      case ClaimKind::Ledger:
+      case ClaimKind::Work:
+        for (const std::size_t i : group.cases) add_case(claim, record, i, worst);
+        break;
+      case ClaimKind::Failed:
+        for (const std::size_t i : group.cases) {
+          if (!usable(record.results[i].status)) failed += 1.0;
+        }
+        break;
+    }
+  }
+  if (claim.kind == ClaimKind::Failed) worst.add(failed, "");
+  return worst.verdict();
+}
+
+std::size_t cases_of(const CheckFile& file) {
+  std::size_t cases = 0;
+  for (const Sweep& sweep : file.sweeps) cases += CaseTable(sweep).size();
+  return cases;
+}
+
+std::vector<ClaimVerdict> run_check(const CheckFile& file, const CheckOptions& options) {
+  std::vector<SweepRecord> records;
+  std::size_t before = 0;
+  for (const Sweep& sweep : file.sweeps) {
+    SweepRunOptions how;
+    how.threads = options.threads;
+    how.stop = options.stop;
+    SweepRun run(sweep, std::move(how));
+    run.on_progress([&](const SweepProgress& progress) {
+      if (options.progress) options.progress(before + progress.done);
+    });
+    std::vector<CaseResult> results = run.run();
+    if (!run.complete()) return {};
+    before += results.size();
+    records.push_back(make_record(sweep, run.cases(), run.ids(), std::move(results)));
+  }
+  std::vector<ClaimVerdict> verdicts;
+  for (const Claim& claim : file.claims) verdicts.push_back(judge(claim, records[claim.sweep]));
+  return verdicts;
+}
+
+}  // namespace plastica::sweeps
