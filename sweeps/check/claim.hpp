@@ -38,8 +38,8 @@ struct Claim {
   ClaimKind kind = ClaimKind::Order;
   std::optional<double> at_least{};  ///< [SI]
   std::optional<double> at_most{};   ///< [SI]
-  /// Only cases that have these values on these axes.
-  std::vector<std::pair<std::size_t, FieldValue>> only{};
+  /// Only cases that have one of these values on this axis, for each entry.
+  std::vector<std::pair<std::size_t, std::vector<FieldValue>>> only{};
 };
 
 /// A file of claims, and the sweeps that they are about, each once.

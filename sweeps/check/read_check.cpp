@@ -72,11 +72,15 @@ void read_only(const TomlTable& where, const std::string& prefix, const Sweep& s
     const auto axis = std::find_if(sweep.axes.begin(), sweep.axes.end(),
                                    [&](const Axis& a) { return a.field->path == prefix + key; });
     if (axis == sweep.axes.end()) throw value.error("is not the field of an axis of the sweep");
-    const FieldValue wanted = read_field_value(value, *axis->field, sweep.setup);
-    if (std::find(axis->values.begin(), axis->values.end(), wanted) == axis->values.end()) {
-      throw value.error("is not a value of the axis");
+    std::vector<FieldValue> wanted;
+    for (const TomlValue& one : value.is_array() ? value.array() : std::vector{value}) {
+      wanted.push_back(read_field_value(one, *axis->field, sweep.setup));
+      if (std::find(axis->values.begin(), axis->values.end(), wanted.back()) ==
+          axis->values.end()) {
+        throw one.error("is not a value of the axis");
+      }
     }
-    claim.only.emplace_back(static_cast<std::size_t>(axis - sweep.axes.begin()), wanted);
+    claim.only.emplace_back(static_cast<std::size_t>(axis - sweep.axes.begin()), std::move(wanted));
   }
 }
 

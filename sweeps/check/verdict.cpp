@@ -14,7 +14,8 @@ namespace {
 
 bool is_chosen(const Claim& claim, const SweepRecord& record, std::size_t index) {
   return std::all_of(claim.only.begin(), claim.only.end(), [&](const auto& wanted) {
-    return record.at(index, wanted.first) == wanted.second;
+    const auto& [axis, values] = wanted;
+    return std::find(values.begin(), values.end(), record.at(index, axis)) != values.end();
   });
 }
 

@@ -120,6 +120,9 @@ void read_curve(const TomlTable& table, const TomlValue& value, const std::strin
   sweep.against.time = read(names[0], Dimension::Time);
   sweep.against.curve =
       read(names[1], dimension_of(probe.quantity, sweep.setup.scene.drive.deformation));
+  if (const auto factor = table.find("factor")) {
+    for (double& number : sweep.against.curve) number *= factor->number();
+  }
   if (!std::is_sorted(sweep.against.time.begin(), sweep.against.time.end())) {
     throw names[0].error("must rise from row to row");
   }
@@ -153,7 +156,9 @@ void read_against(const TomlTable& table, Sweep& sweep) {
   } else {
     throw value->error("must be theory:NAME, reference:FILE, value:NUMBER, finest or richardson");
   }
-  if (against.kind != AgainstKind::File) refuse(table.find("columns"), "goes with reference:FILE");
+  if (against.kind == AgainstKind::File) return;
+  refuse(table.find("columns"), "goes with reference:FILE");
+  refuse(table.find("factor"), "goes with reference:FILE");
 }
 
 /// The axis that refines: as named, or the first that can.
