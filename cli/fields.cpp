@@ -5,6 +5,8 @@
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "plastica/model/field.hpp"
+#include "sweeps/compare/closed_forms.hpp"
+#include "sweeps/plan/derived_fields.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -21,13 +23,21 @@ std::string allowed(const Field& field) {
   return rule.starts_with("must be ") ? rule.substr(8) : rule;
 }
 
+void print_field(const Field& field) {
+  const bool word = field.kind == FieldKind::Choice;
+  fmt::print("{:<44} {:<7} {:<17} {}; {}{}\n", field.path, word ? "" : si_unit(field.dimension),
+             default_text(field), allowed(field), field.doc,
+             field.material ? " [fit parameter]" : "");
+}
+
 int list_fields() {
   fmt::print("{:<44} {:<7} {:<17} {}\n", "field", "unit", "default", "allowed; meaning");
-  for (const Field& field : fields()) {
-    const bool word = field.kind == FieldKind::Choice;
-    fmt::print("{:<44} {:<7} {:<17} {}; {}{}\n", field.path, word ? "" : si_unit(field.dimension),
-               default_text(field), allowed(field), field.doc,
-               field.material ? " [fit parameter]" : "");
+  for (const Field& field : fields()) print_field(field);
+  fmt::print("\nAn axis of a sweep may also move what is derived of them:\n");
+  for (const Field& field : sweeps::derived_fields()) print_field(field);
+  fmt::print("\nClosed forms that a sweep may be compared with, against = \"theory:NAME\":\n");
+  for (const sweeps::ClosedForm& form : sweeps::closed_forms()) {
+    fmt::print("{:<44} {}\n", form.name, form.doc);
   }
   return kDone;
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "cli/exit_code.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/io/storage_error.hpp"
+#include "sweeps/plan/templates.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -20,9 +22,21 @@ struct InitArguments {
   bool force = false;
 };
 
+bool is_of_sweeps(const std::string& kind) {
+  const auto kinds = sweeps::template_kinds();
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+/// The command that runs what was begun.
+std::string_view command_of(const std::string& kind) {
+  if (is_of_sweeps(kind)) return kind;
+  return kind == "fit" ? "calibrate" : "simulate";
+}
+
 int init(const InitArguments& arguments) {
   const std::filesystem::path folder(arguments.folder);
-  const auto files = calibrate::template_files(arguments.kind);
+  const auto files = is_of_sweeps(arguments.kind) ? sweeps::template_files(arguments.kind)
+                                                  : calibrate::template_files(arguments.kind);
   if (!std::filesystem::is_directory(folder)) {
     throw InputError({}, "--directory", arguments.folder, "must be a folder that exists");
   }
@@ -41,8 +55,8 @@ int init(const InitArguments& arguments) {
     if (!out) throw io::StorageError(path.string(), "cannot be written");
     fmt::print("wrote {}\n", path.string());
   }
-  const std::string command = arguments.kind == "fit" ? "calibrate" : "simulate";
-  fmt::print("next: plastica {} {}\n", command, (folder / files.front().name).string());
+  fmt::print("next: plastica {} {}\n", command_of(arguments.kind),
+             (folder / files.front().name).string());
   return kDone;
 }
 
@@ -53,7 +67,8 @@ void add_init(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<InitArguments>();
   std::vector<std::string> kinds;
   for (const auto& kind : calibrate::template_kinds()) kinds.emplace_back(kind);
-  sub->add_option("kind", arguments->kind, "what to begin: fit, scene or coupon")
+  for (const auto& kind : sweeps::template_kinds()) kinds.emplace_back(kind);
+  sub->add_option("kind", arguments->kind, "what to begin: fit, scene, coupon, sweep or check")
       ->required()
       ->check(CLI::IsMember(kinds));
   sub->add_option("-d,--directory", arguments->folder, "where to write")->capture_default_str();
