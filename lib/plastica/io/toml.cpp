@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "plastica/io/nearest_word.hpp"
+#include "plastica/io/toml_lines.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::io {
@@ -39,43 +40,6 @@ struct TomlNode {
 namespace {
 
 using Kind = TomlNode::Kind;
-
-/// Cuts pieces out of the text by line and column, both from 1; columns count code points.
-class Lines {
- public:
-  explicit Lines(std::string_view text) : text_(text) {
-    starts_.push_back(0);
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      if (text[i] == '\n') starts_.push_back(i + 1);
-    }
-  }
-
-  std::string_view line(std::size_t number) const {
-    if (number < 1 || number > starts_.size()) return {};
-    const std::size_t start = starts_[number - 1];
-    return text_.substr(start, text_.find_first_of("\r\n", start) - start);
-  }
-
-  std::string_view piece(const toml::source_region& region) const {
-    const std::size_t begin = offset(region.begin);
-    const std::size_t end = offset(region.end);
-    return end > begin ? text_.substr(begin, end - begin) : std::string_view{};
-  }
-
- private:
-  std::size_t offset(const toml::source_position& position) const {
-    if (position.line < 1 || position.line > starts_.size()) return text_.size();
-    std::size_t at = starts_[position.line - 1];
-    for (auto column = position.column; column > 1 && at < text_.size(); --column) {
-      ++at;
-      while (at < text_.size() && (static_cast<unsigned char>(text_[at]) & 0xC0U) == 0x80U) ++at;
-    }
-    return at;
-  }
-
-  std::string_view text_;
-  std::vector<std::size_t> starts_;
-};
 
 std::string joined(const std::string& table, std::string_view name) {
   return table.empty() ? std::string(name) : table + "." + std::string(name);
@@ -150,7 +114,7 @@ class Builder {
     }
   }
 
-  Lines lines_;
+  TomlLines lines_;
   std::shared_ptr<const std::string> file_;
 };
 
@@ -169,7 +133,7 @@ InputError parse_failure(const toml::parse_error& error, std::string_view text,
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   }
   const auto position = error.source().begin;
-  std::string_view line = trimmed(Lines(text).line(position.line));
+  std::string_view line = trimmed(TomlLines(without_byte_order_mark(text)).line(position.line));
   // What is not UTF-8 is not shown: the message must be text.
   if (why.find("utf-8") != std::string::npos) line = {};
   std::string rule = "is not TOML (column " + std::to_string(position.column) + "): " + why;
@@ -388,8 +352,9 @@ TomlDocument TomlDocument::read(const std::string& path) {
 
 TomlDocument TomlDocument::parse(std::string text, std::string name) {
   try {
-    const toml::table table = toml::parse(std::string_view(text), std::string_view(name));
-    TomlTable root(Builder(text, name).build(table, "", 1));
+    const std::string_view body = without_byte_order_mark(text);
+    const toml::table table = toml::parse(body, std::string_view(name));
+    TomlTable root(Builder(body, name).build(table, "", 1));
     return {std::move(text), std::move(name), std::move(root)};
   } catch (const toml::parse_error& error) {
     throw parse_failure(error, text, name);

@@ -61,6 +61,14 @@ TEST(Toml, KnowsFullKeyLineAndWrittenTextOfAValue) {
   EXPECT_EQ(targets[1].at("many").array()[1].key(), "target[2].many[2]");
 }
 
+TEST(Toml, DoesNotCountAByteOrderMark) {
+  EXPECT_EQ(parsed("\xEF\xBB\xBF"
+                   "one = 12\n")
+                .at("one")
+                .written(),
+            "12");
+}
+
 TEST(Toml, ListsKeysInTheOrderOfTheFile) {
   EXPECT_EQ(parsed("z = 1\na = 2\nm = 3\n").keys(), (std::vector<std::string>{"z", "a", "m"}));
 }
