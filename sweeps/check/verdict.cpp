@@ -19,22 +19,24 @@ bool is_chosen(const Claim& claim, const SweepRecord& record, std::size_t index)
   });
 }
 
-/// Refinement groups with the chosen cases alone.
+/// The chosen cases: by groups of refinement, or all together where nothing refines.
 std::vector<RefinementGroup> chosen_groups(const Claim& claim, const SweepRecord& record) {
   std::vector<RefinementGroup> groups;
+  if (!record.refined) {
+    RefinementGroup all;
+    for (std::size_t i = 0; i < record.cases(); ++i) {
+      if (is_chosen(claim, record, i)) all.cases.push_back(i);
+    }
+    if (!all.cases.empty()) groups.push_back(std::move(all));
+  }
   for (const RefinementGroup& group : record.groups) {
     RefinementGroup kept{group.label, {}, {}};
     for (std::size_t k = 0; k < group.cases.size(); ++k) {
       if (!is_chosen(claim, record, group.cases[k])) continue;
       kept.cases.push_back(group.cases[k]);
-      if (!group.size.empty()) kept.size.push_back(group.size[k]);
+      kept.size.push_back(group.size[k]);
     }
-    if (kept.cases.empty()) continue;
-    if (record.refined || groups.empty()) {
-      groups.push_back(std::move(kept));
-    } else {
-      groups.front().cases.push_back(kept.cases.front());  // without refinement all are one group
-    }
+    if (!kept.cases.empty()) groups.push_back(std::move(kept));
   }
   return groups;
 }

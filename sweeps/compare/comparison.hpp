@@ -17,8 +17,8 @@ struct RefinementGroup {
   std::vector<double> size;        ///< of each, falling (n)
 };
 
-/// The groups of a sweep; one without sizes a case where no axis refines. Of cases of one size (an
-/// axis of ratios may round to the same number of segments), the first alone is in a group.
+/// The groups of a sweep; none where no axis refines. Of cases of one size (an axis of ratios may
+/// round to the same number of segments), the first alone is in a group.
 std::vector<RefinementGroup> refinement_groups(const Sweep& sweep, const CaseTable& cases);
 
 /// What cases are compared with, and how far they are off it.

@@ -17,7 +17,7 @@ bool moves_along(const Sweep& sweep, std::size_t axis) {
 std::string label_of(const Sweep& sweep, const std::vector<std::size_t>& at) {
   std::string label;
   for (std::size_t a = 0; a < at.size(); ++a) {
-    if (sweep.refined && moves_along(sweep, a)) continue;
+    if (moves_along(sweep, a)) continue;
     const Axis& axis = sweep.axes[a];
     if (!label.empty()) label += ", ";
     label += std::string(axis.field->path) + " = " + value_text(*axis.field, axis.values[at[a]]);
@@ -51,13 +51,10 @@ void sort_by_size(RefinementGroup& group) {
 
 std::vector<RefinementGroup> refinement_groups(const Sweep& sweep, const CaseTable& cases) {
   std::vector<RefinementGroup> groups;
+  if (!sweep.refined) return groups;
   std::map<std::vector<std::size_t>, std::size_t> group_at;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::vector<std::size_t> at = cases.position(i);
-    if (!sweep.refined) {
-      groups.push_back({label_of(sweep, at), {i}, {}});
-      continue;
-    }
     std::vector<std::size_t> key = at;
     for (std::size_t a = 0; a < key.size(); ++a) {
       if (moves_along(sweep, a)) key[a] = 0;
@@ -67,7 +64,6 @@ std::vector<RefinementGroup> refinement_groups(const Sweep& sweep, const CaseTab
     groups[place->second].cases.push_back(i);
     groups[place->second].size.push_back(size_of(sweep, cases, i));
   }
-  if (!sweep.refined) return groups;
   for (RefinementGroup& group : groups) sort_by_size(group);
   return groups;
 }
