@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "sweeps/check/report.hpp"
+#include "sweeps/check/verdict.hpp"
+#include "tests/lib/io/scratch_folder.hpp"
+#include "tests/support/message.hpp"
+#include "tests/sweeps/sweep_text.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+class CheckTest : public ::testing::Test {
+ protected:
+  CheckTest() {
+    const std::string scenes = std::string(PLASTICA_SOURCE_DIR) + "/data/scenes/";
+    write("sweep.toml",
+          "scene = '" + scenes + "cantilever.toml'\n" + segments_axis("[4, 8, 16]") +
+              "[[axis]]\nfield = 'rules.end_rule'\nvalues = ['half_joint', 'equal']\n" + kTipError);
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_.file(name)) << text;
+  }
+  CheckFile read(const std::string& claim) {
+    write("check.toml", "[[claim]]\nname = 'a'\nsweep = 'sweep.toml'\n" + claim);
+    return read_check_file(folder_.file("check.toml"));
+  }
+  ClaimVerdict verdict(const std::string& claim) { return run_check(read(claim), {}).front(); }
+  std::string message(const std::string& claim) {
+    const std::string line = plastica::testing::message_of([&] { read(claim); });
+    return line.substr(std::min(line.size(), folder_.file("check.toml").size()));
+  }
+
+  io::ScratchFolder folder_;
+};
+
+const std::string kHalf = "where = { rules.end_rule = 'half_joint' }\n";
+
+TEST_F(CheckTest, JudgesTheOrder) {
+  EXPECT_TRUE(verdict(kHalf + "order = { at_least = 1.98, at_most = 2.02 }\n").holds);
+  const ClaimVerdict of_both = verdict("order = { at_least = 1.98 }\n");
+  EXPECT_FALSE(of_both.holds);
+  EXPECT_NEAR(of_both.number.value_or(0.0), 0.95, 0.05);  // the worst: that of the weld
+}
+
+TEST_F(CheckTest, JudgesErrorsOfTheChosenCases) {
+  EXPECT_TRUE(verdict("where = { rules.end_rule = 'half_joint', beam.segments = [8, 16] }\n"
+                      "error = { at_most = '1 %' }\n")
+                  .holds);
+  EXPECT_FALSE(verdict(kHalf + "error = { at_most = '1 %' }\n").holds);
+}
+
+TEST_F(CheckTest, JudgesWhatElseASweepSays) {
+  EXPECT_TRUE(verdict(kHalf + "extrapolated_error = { at_most = 1e-5 }\n").holds);
+  EXPECT_FALSE(verdict("extrapolated_error = { at_most = 1e-5 }\n").holds);
+  EXPECT_TRUE(verdict(kHalf + "gci = { at_most = '1 %' }\n").holds);
+  EXPECT_FALSE(verdict("gci = { at_most = '1 %' }\n").holds);
+  EXPECT_TRUE(verdict("correlation = { at_least = 0.999 }\n").holds);
+  EXPECT_TRUE(verdict("work = { at_most = 1000 }\n").holds);
+  EXPECT_FALSE(verdict("work = { at_most = 100 }\n").holds);
+  EXPECT_TRUE(verdict("failed = { at_most = 0 }\n").holds);
+  EXPECT_TRUE(verdict(kHalf + "spread = { at_most = '3 %' }\n").holds);
+  EXPECT_FALSE(verdict("spread = { at_most = '3 %' }\n").holds);
+  EXPECT_TRUE(verdict(kHalf + "value = { at_least = '-800 mm', at_most = '-700 mm' }\n").holds);
+  EXPECT_FALSE(verdict("value = { at_most = '-700 mm' }\n").holds);
+}
+
+TEST_F(CheckTest, DoesNotHoldWhereThereIsNoNumber) {
+  const ClaimVerdict found = verdict(
+      "where = { rules.end_rule = 'equal', beam.segments = [4] }\norder = { at_most = 9 }\n");
+  EXPECT_FALSE(found.holds);
+  EXPECT_EQ(found.reason, "there is no order of rules.end_rule = equal");
+}
+
+TEST_F(CheckTest, SaysEachVerdictOnce) {
+  CheckedFile checked{read(kHalf + "order = { at_least = 3 }\n"), {}, 0.5};
+  checked.file.claims[0].name = "FAIL to PASS & <go>";
+  checked.verdicts = run_check(checked.file, {});
+  const std::string text = check_report(checked);
+  EXPECT_NE(text.find("  FAIL  fail to pass & <go>  order 1.999"), std::string::npos) << text;
+  EXPECT_EQ(text.find("PASS"), std::string::npos);
+  EXPECT_EQ(text.find("FAIL"), text.rfind("FAIL"));
+  EXPECT_EQ(check_summary(std::vector{checked}), "0 of 1 claim hold, 0.5 s\n");
+  const std::string xml = junit_xml(std::vector{checked});
+  EXPECT_NE(xml.find("tests=\"1\" failures=\"1\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("name=\"FAIL to PASS &amp; &lt;go&gt;\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("<failure message=\"order 1.999"), std::string::npos) << xml;
+}
+
+TEST_F(CheckTest, RefusesBadClaimsInOneLine) {
+  EXPECT_EQ(message(""),
+            ":1: claim[1]: claims nothing: it needs one of order, correlation, error, "
+            "extrapolated_error, gci, work, spread, value, ledger, failed");
+  EXPECT_EQ(message("order = {}\n"), ":4: claim[1].order = {}: needs at_least or at_most");
+  EXPECT_EQ(message("order = { at_least = 1 }\nerror = { at_most = 1 }\n"),
+            ":5: claim[1].error = { at_most = 1 }: is a second claim: one table makes one");
+  EXPECT_EQ(message("order = { at_least = 2, at_most = 1 }\n"),
+            ":4: claim[1].order = { at_least = 2, at_most = 1 }: at_least must not be above "
+            "at_most");
+  EXPECT_EQ(message("order = { at_least = 2 }\nwhere = { beam.length = '1 m' }\n"),
+            ":5: claim[1].where.beam.length = 1 m: is not the field of an axis of the sweep");
+  EXPECT_EQ(message("order = { at_least = 2 }\nwhere = { beam.segments = 5 }\n"),
+            ":5: claim[1].where.beam.segments = 5: is not a value of the axis");
+}
+
+}  // namespace
+}  // namespace plastica::sweeps

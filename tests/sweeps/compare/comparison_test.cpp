@@ -1,0 +1,150 @@
+#include "sweeps/compare/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "sweeps/compare/convergence.hpp"
+#include "tests/support/message.hpp"
+#include "tests/sweeps/sweep_text.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+/// A sweep with results that are made up.
+class Made {
+ public:
+  Made(const std::string& text, const std::vector<double>& values)
+      : sweep(cantilever_sweep(text)), cases(sweep), groups(refinement_groups(sweep, cases)) {
+    for (const double value : values) {
+      CaseResult result;
+      result.status = Status::Completed;
+      if (std::isfinite(value)) result.value = value;
+      results.push_back(std::move(result));
+    }
+  }
+  Comparison compared() const { return compare(sweep, cases, groups, results); }
+
+  Sweep sweep;
+  CaseTable cases;
+  std::vector<RefinementGroup> groups;
+  std::vector<CaseResult> results;
+};
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+std::string against(const std::string& what) {
+  return "[error]\nprobe = 'tip'\nagainst = '" + what + "'\n";
+}
+
+TEST(RefinementGroups, HoldCasesFromCoarseToFine) {
+  const Made made(segments_axis("[16, 4, 8]") +
+                      "[[axis]]\nfield = 'rules.end_rule'\nvalues = ['half_joint', 'equal']\n" +
+                      against("finest"),
+                  {1, 2, 3, 4, 5, 6});
+  ASSERT_EQ(made.groups.size(), 2U);
+  EXPECT_EQ(made.groups[0].label, "rules.end_rule = half_joint");
+  EXPECT_EQ(made.groups[0].cases, (std::vector<std::size_t>{2, 4, 0}));
+  EXPECT_EQ(made.groups[0].size, (std::vector<double>{1.0 / 4, 1.0 / 8, 1.0 / 16}));
+  EXPECT_EQ(made.groups[1].cases, (std::vector<std::size_t>{3, 5, 1}));
+}
+
+TEST(RefinementGroups, MoveZippedAxesWithTheRefinedOne) {
+  const Made made(
+      "[[axis]]\nfield = 'beam.segments'\nvalues = [4, 8]\nzip = 'a'\n"
+      "[[axis]]\nfield = 'solver.steps'\nvalues = [10, 20]\nzip = 'a'\n" +
+          against("finest"),
+      {1, 2});
+  ASSERT_EQ(made.groups.size(), 1U);
+  EXPECT_EQ(made.groups[0].label, "");
+}
+
+TEST(RefinementGroups, TakeOneCaseOfASize) {
+  const Made made(
+      "[[axis]]\nfield = 'beam.segment_depth'\nvalues = [50, 25.1, 25]\n" + against("finest"),
+      {1, 2, 3});
+  // 4 m of 20 mm: 4, 8 and 8 segments.
+  EXPECT_EQ(made.groups[0].cases, (std::vector<std::size_t>{0, 1}));
+  EXPECT_DOUBLE_EQ(made.groups[0].size[1], 25.0);
+}
+
+TEST(Compare, TakesTheFinestThatHasAValue) {
+  const Made made(segments_axis("[4, 8, 16]") + against("finest"), {2.2, 2.0, kNone});
+  const Comparison comparison = made.compared();
+  EXPECT_NEAR(comparison.error[0].value_or(0.0), 0.1, 1e-15);
+  EXPECT_FALSE(comparison.error[1].has_value());
+  EXPECT_EQ(comparison.reason[1], "is the finest, the reference of its group");
+  EXPECT_FALSE(comparison.error[2].has_value());
+}
+
+TEST(Compare, ExtrapolatesAfterRichardson) {
+  // 2 + 8 h^2 at h = 1/4, 1/8, 1/16.
+  const Made made(segments_axis("[4, 8, 16]") + against("richardson"), {2.5, 2.125, 2.03125});
+  const Comparison comparison = made.compared();
+  EXPECT_NEAR(comparison.reference[0].value_or(0.0), 2.0, 1e-12);
+  EXPECT_NEAR(comparison.error[0].value_or(0.0), 0.25, 1e-12);
+}
+
+TEST(Compare, SaysWhereNothingCanBeExtrapolated) {
+  const Made made(segments_axis("[4, 8, 16]") + against("richardson"), {1.0, 2.0, 4.0});
+  EXPECT_EQ(made.compared().reason[0],
+            "nothing can be extrapolated: it takes three values that converge");
+}
+
+TEST(Compare, TakesAValueAndAScale) {
+  const Made made(segments_axis("[4]") + against("value:2 m"), {1.5});
+  EXPECT_DOUBLE_EQ(made.compared().error[0].value_or(0.0), -0.25);
+  const Made scaled(segments_axis("[4]") + against("value:2 m") + "scale = '500 mm'\n", {1.5});
+  EXPECT_DOUBLE_EQ(scaled.compared().error[0].value_or(0.0), -1.0);
+  const Made zero(segments_axis("[4]") + against("value:0 m"), {1.5});
+  EXPECT_EQ(zero.compared().reason[0], "the reference is 0: give error.scale");
+}
+
+TEST(Compare, TakesTheRmsOfCurves) {
+  Made made(
+      segments_axis("[4, 8]") + "[error]\nprobe = 'tip'\ntake = 'curve'\nagainst = 'finest'\n",
+      {kNone, kNone});
+  made.results[1].time = {0.0, 1.0, 2.0};
+  made.results[1].curve = {3.0, 3.0, 3.0};
+  made.results[0].time = {0.0, 0.5, 2.0};
+  made.results[0].curve = {3.3, 3.3, 3.3};
+  EXPECT_NEAR(made.compared().error[0].value_or(0.0), 0.1, 1e-12);
+  made.results[0].time = {0.0, 1.0, 2.5};
+  EXPECT_EQ(made.compared().reason[0], "the reference does not reach over the case's times");
+}
+
+TEST(Compare, ComparesWithAClosedForm) {
+  const Made made(segments_axis("[4]") + kTipError, {-0.7353007});
+  EXPECT_LT(std::abs(made.compared().error[0].value_or(1.0)), 1e-6);
+}
+
+TEST(CheckReference, RefusesAFormThatDoesNotHold) {
+  const Made made("[set]\ngravity.y = '-9.81 m/s^2'\n" + segments_axis("[4]") + kTipError, {0.0});
+  const std::string message =
+      plastica::testing::message_of([&] { check_reference(made.sweep, made.cases); });
+  EXPECT_NE(message.find("error.against = theory:elastica: is for one load, at the beam's end"),
+            std::string::npos)
+      << message;
+}
+
+TEST(CheckReference, RefusesAFormThatIsNone) {
+  const Made made(segments_axis("[4]") + against("theory:elastico"), {0.0});
+  const std::string message =
+      plastica::testing::message_of([&] { check_reference(made.sweep, made.cases); });
+  EXPECT_NE(message.find("theory:elastico: is not a closed form; there are elastica"),
+            std::string::npos)
+      << message;
+}
+
+TEST(ConvergenceOf, SeesTheOrderOfErrorsAndOfValues) {
+  const Made made(segments_axis("[4, 8, 16]") + against("value:2 m"), {2.5, 2.125, 2.03125});
+  const GroupConvergence found = convergence_of(made.groups[0], made.results, made.compared());
+  EXPECT_NEAR(found.fit.order.value_or(0.0), 2.0, 1e-12);
+  EXPECT_NEAR(found.pairwise[1].value_or(0.0), 2.0, 1e-12);
+  ASSERT_TRUE(found.grid.has_value());
+  EXPECT_NEAR(found.grid->extrapolated.value_or(0.0), 2.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace plastica::sweeps

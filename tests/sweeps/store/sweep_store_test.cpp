@@ -1,0 +1,94 @@
+#include "sweeps/store/sweep_store.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sweeps/report/text.hpp"
+#include "sweeps/run/result_bytes.hpp"
+#include "sweeps/run/sweep_run.hpp"
+#include "tests/lib/io/scratch_folder.hpp"
+#include "tests/support/message.hpp"
+#include "tests/sweeps/sweep_text.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+SweepRecord record_of(const std::string& text) {
+  const Sweep sweep = cantilever_sweep(text);
+  SweepRun run(sweep, {});
+  auto results = run.run();
+  return make_record(sweep, run.cases(), run.ids(), std::move(results));
+}
+
+const std::string kAxes = segments_axis("[4, 8, 16]") +
+                          "[[axis]]\nfield = 'rules.end_rule'\nvalues = ['half_joint', 'equal']\n"
+                          "[[axis]]\nfield = 'rules.hinge_length'\nvalues = ['unset', '1 m']\n";
+
+class SweepStoreTest : public ::testing::Test {
+ protected:
+  SweepRecord read_back(const SweepRecord& record) {
+    write_sweep_store(path_, record);
+    return read_sweep_store(path_);
+  }
+  io::ScratchFolder folder_;
+  std::string path_ = folder_.file("out.h5");
+};
+
+TEST_F(SweepStoreTest, GivesBackWhatWasWritten) {
+  const SweepRecord record = record_of(kAxes + kTipError + "scale = '1 m'\n");
+  const SweepRecord read = read_back(record);
+  EXPECT_EQ(read.name, record.name);
+  EXPECT_EQ(read.scene_name, "cantilever");
+  EXPECT_EQ(read.against, "theory:elastica");
+  EXPECT_EQ(read.error_scale, 1.0);
+  EXPECT_EQ(read.refined, 0U);
+  EXPECT_EQ(read.quantity.unit, "m");
+  EXPECT_EQ(read.quantity.dimension, Dimension::Length);
+  EXPECT_EQ(read.ids, record.ids);
+  EXPECT_EQ(read.position, record.position);
+  ASSERT_EQ(read.axes.size(), 3U);
+  for (std::size_t a = 0; a < 3; ++a) {
+    EXPECT_EQ(read.axes[a].field, record.axes[a].field);
+    EXPECT_EQ(read.axes[a].values, record.axes[a].values);
+  }
+  ASSERT_EQ(read.results.size(), 12U);
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(bytes_of(read.results[i]), bytes_of(record.results[i]));
+  }
+  EXPECT_EQ(read.comparison.error, record.comparison.error);
+  EXPECT_EQ(read.comparison.reference, record.comparison.reference);
+  ASSERT_EQ(read.groups.size(), 4U);
+  EXPECT_EQ(read.groups[3].label, record.groups[3].label);
+  EXPECT_EQ(read.groups[3].cases, record.groups[3].cases);
+  EXPECT_EQ(read.groups[3].size, record.groups[3].size);
+  EXPECT_EQ(sweep_report(read), sweep_report(record));
+}
+
+TEST_F(SweepStoreTest, GivesBackCurvesAndFailedCases) {
+  const SweepRecord record = record_of(
+      "[set]\nsolver.steps = 2\nsolver.smallest_step = 1\n"
+      "[[axis]]\nfield = 'solver.most_iterations'\nvalues = [1, 25]\n"
+      "[error]\nprobe = 'tip'\ntake = 'curve'\n");
+  const SweepRecord read = read_back(record);
+  EXPECT_TRUE(read.results[0].curve.empty());
+  EXPECT_EQ(read.results[0].status, Status::NotConverged);
+  EXPECT_EQ(read.results[1].curve, record.results[1].curve);
+  EXPECT_EQ(read.results[1].time.size(), 3U);
+  EXPECT_TRUE(read.groups.empty());
+}
+
+TEST_F(SweepStoreTest, GivesEarlierResultsById) {
+  const SweepRecord record = record_of(segments_axis("[4, 8]") + kTipError);
+  write_sweep_store(path_, record);
+  const EarlierResults earlier = earlier_results(path_);
+  ASSERT_EQ(earlier.size(), 2U);
+  EXPECT_EQ(bytes_of(earlier.at(record.ids[1])), bytes_of(record.results[1]));
+}
+
+TEST_F(SweepStoreTest, RefusesAFileThatIsNone) {
+  { io::Hdf5File::create(path_).commit(); }
+  EXPECT_EQ(plastica::testing::message_of([&] { read_sweep_store(path_); }),
+            path_ + ": is not a result file of Plastica: it has no attribute schema");
+}
+
+}  // namespace
+}  // namespace plastica::sweeps
