@@ -17,8 +17,8 @@ bool moves_along(const Sweep& sweep, std::size_t axis) {
 std::string label_of(const Sweep& sweep, const std::vector<std::size_t>& at) {
   std::string label;
   for (std::size_t a = 0; a < at.size(); ++a) {
-    if (moves_along(sweep, a)) continue;
     const Axis& axis = sweep.axes[a];
+    if (moves_along(sweep, a) || axis.values.size() == 1) continue;
     if (!label.empty()) label += ", ";
     label += std::string(axis.field->path) + " = " + value_text(*axis.field, axis.values[at[a]]);
   }

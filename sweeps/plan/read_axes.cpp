@@ -148,26 +148,29 @@ void draw_samples(const TomlTable& root, const std::vector<SampledAxis>& sampled
   }
 }
 
-/// Axes that move together have the same number of values.
+/// Axes that move together have the same number of values, and no field has two axes.
+/// @param axes  those of [set], then one of each table
 void check_groups(const std::vector<TomlTable>& tables, const std::vector<Axis>& axes) {
   std::size_t cases = 1;
   std::set<std::string> seen;
-  for (std::size_t a = 0; a < axes.size(); ++a) {
+  const std::size_t settings = axes.size() - tables.size();
+  for (std::size_t a = settings; a < axes.size(); ++a) {
+    const TomlTable& table = tables[a - settings];
     for (std::size_t b = 0; b < a; ++b) {
       if (axes[a].field == axes[b].field) {
-        throw tables[a].at("field").error("has an axis already");
+        throw table.at("field").error(b < settings ? "is fixed by [set]" : "has an axis already");
       }
       if (axes[a].group.empty() || axes[a].group != axes[b].group) continue;
       if (axes[a].values.size() != axes[b].values.size()) {
-        throw tables[a].at("zip").error("moves axes together that have " +
-                                        std::to_string(axes[b].values.size()) + " and " +
-                                        std::to_string(axes[a].values.size()) + " values");
+        throw table.at("zip").error("moves axes together that have " +
+                                    std::to_string(axes[b].values.size()) + " and " +
+                                    std::to_string(axes[a].values.size()) + " values");
       }
     }
     const bool turns = axes[a].group.empty() || seen.insert(axes[a].group).second;
     if (turns) cases *= axes[a].values.size();
     if (cases > kMostCases) {
-      throw InputError(tables[a].where(), "axis", "",
+      throw InputError(table.where(), "axis", "",
                        "makes more than " + std::to_string(kMostCases) + " cases");
     }
   }
@@ -199,9 +202,9 @@ FieldValue read_field_value(const TomlValue& value, const Field& field, const Se
   return read;
 }
 
-std::vector<Axis> read_axes(const TomlTable& root, const Setup& base) {
+void read_axes(const TomlTable& root, Sweep& sweep) {
   const std::vector<TomlTable> tables = root.find_tables("axis");
-  std::vector<Axis> axes;
+  std::vector<Axis>& axes = sweep.axes;
   std::vector<SampledAxis> sampled;
   for (const TomlTable& table : tables) {
     const TomlValue name = table.at("field");
@@ -211,10 +214,10 @@ std::vector<Axis> read_axes(const TomlTable& root, const Setup& base) {
     } catch (const InputError& error) {
       throw name.error(error.rule());
     }
-    axis.values = read_values(table, *axis.field, base);
+    axis.values = read_values(table, *axis.field, sweep.setup);
     const auto zip = table.find("zip");
     if (zip) axis.group = zip->string();
-    if (auto drawn = read_sampled(table, *axis.field, base)) {
+    if (auto drawn = read_sampled(table, *axis.field, sweep.setup)) {
       if (zip) throw zip->error("does not go with sampled: all sampled axes move together");
       drawn->axis = axes.size();
       axis.group = kSampled;
@@ -224,7 +227,6 @@ std::vector<Axis> read_axes(const TomlTable& root, const Setup& base) {
   }
   draw_samples(root, sampled, axes);
   check_groups(tables, axes);
-  return axes;
 }
 
 void apply(Setup& setup, const std::vector<const Field*>& fields,

@@ -8,9 +8,8 @@
 /// Parts of the sweep file's reader; not installed.
 namespace plastica::sweeps {
 
-/// Reads [[axis]] and [sample].
-/// @param base  for checking values against the ranges of fields
-std::vector<Axis> read_axes(const io::TomlTable& root, const Setup& base);
+/// Reads [[axis]] and [sample] and adds them to the sweep's axes, which are those of [set] so far.
+void read_axes(const io::TomlTable& root, Sweep& sweep);
 
 /// A value of a field as a file has it: "32", "1 ms", "half_joint", "unset" for an optional field.
 /// @throws InputError if it is out of the field's range

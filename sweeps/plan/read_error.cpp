@@ -166,7 +166,9 @@ void read_refined(const TomlTable& table, Sweep& sweep) {
   const auto named = table.find("along");
   for (std::size_t a = 0; a < sweep.axes.size() && !sweep.refined; ++a) {
     const Field& field = *sweep.axes[a].field;
-    if (named ? field.path == named->string() : refinement_of(field) != Refinement::None) {
+    const bool varies = sweep.axes[a].values.size() > 1;
+    if (named ? field.path == named->string()
+              : varies && refinement_of(field) != Refinement::None) {
       sweep.refined = a;
     }
   }

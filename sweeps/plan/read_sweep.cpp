@@ -13,32 +13,23 @@ using io::TomlDocument;
 using io::TomlTable;
 using io::TomlValue;
 
-/// Values of fields by their paths, from a table and the tables in it.
-void gather_settings(const TomlTable& table, const std::string& prefix, const Setup& base,
-                     std::vector<const Field*>& fields, std::vector<FieldValue>& values) {
+/// Axes of one value, from a table of fields by their paths and the tables in it.
+void read_settings(const TomlTable& table, const std::string& prefix, Sweep& sweep) {
   for (const std::string& key : table.keys()) {
     const TomlValue value = table.at(key);
     if (value.is_table()) {
-      gather_settings(value.table(), prefix + key + ".", base, fields, values);
+      read_settings(value.table(), prefix + key + ".", sweep);
       continue;
     }
+    Axis axis;
     try {
-      fields.push_back(&find_axis_field(prefix + key, value.where()));
+      axis.field = &find_axis_field(prefix + key, value.where());
     } catch (const InputError& error) {
       throw value.error(error.rule());
     }
-    values.push_back(read_field_value(value, *fields.back(), base));
+    axis.values.push_back(read_field_value(value, *axis.field, sweep.setup));
+    sweep.axes.push_back(std::move(axis));
   }
-}
-
-/// [set]: fields that all cases have otherwise than the scene's file.
-void read_set(const TomlTable& root, Sweep& sweep) {
-  const auto table = root.find_table("set");
-  if (!table) return;
-  std::vector<const Field*> fields;
-  std::vector<FieldValue> values;
-  gather_settings(*table, "", sweep.setup, fields, values);
-  apply(sweep.setup, fields, values);
 }
 
 io::SceneFile read_scene(const TomlTable& root, const std::string& sweep_path) {
@@ -62,8 +53,8 @@ Sweep read_document(const TomlDocument& document) {
   sweep.name = title ? title->string() : std::filesystem::path(sweep.path).stem().string();
   sweep.scene = read_scene(root, sweep.path);
   sweep.setup = sweep.scene.setup;
-  read_set(root, sweep);
-  sweep.axes = read_axes(root, sweep.setup);
+  if (const auto set = root.find_table("set")) read_settings(*set, "", sweep);
+  read_axes(root, sweep);
   read_error(root, sweep);
   if (const auto cost = root.find_table("cost")) {
     sweep.timed_runs = static_cast<int>(cost->at("timed_runs").integer(0, 1000));

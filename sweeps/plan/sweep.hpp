@@ -41,9 +41,10 @@ struct Sweep {
   std::string name;
   std::string path;  ///< of its file, as the user gave it
   io::SceneFile scene;
-  /// The scene's setup with what [set] fixes for all cases.
-  Setup setup;
-  std::vector<Axis> axes;  ///< the first one is the slowest
+  Setup setup;  ///< of the scene, as its file has it
+  /// What [set] fixes for all cases, as axes of one value; then [[axis]], the first one the
+  /// slowest.
+  std::vector<Axis> axes;
   Quantity quantity;
   Against against;
   /// Errors are differences over this [SI of the quantity]; empty: over the reference.

@@ -142,7 +142,8 @@ std::vector<std::size_t> axes_of_groups(const SweepRecord& record) {
   for (std::size_t a = 0; a < record.axes.size(); ++a) {
     const bool same = record.refined && !record.axes[a].group.empty() &&
                       record.axes[a].group == record.axes[*record.refined].group;
-    if (!record.refined || a == *record.refined || same) axes.push_back(a);
+    const bool varies = record.axes[a].values.size() > 1;
+    if (record.refined ? a == *record.refined || same : varies) axes.push_back(a);
   }
   return axes;
 }

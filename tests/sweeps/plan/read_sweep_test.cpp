@@ -132,7 +132,7 @@ TEST(CaseTable, GivesIdsOfContent) {
 
 TEST(CaseTable, GivesOtherQuantitiesOtherIds) {
   const auto id = [](const std::string& error) {
-    return CaseTable(cantilever_sweep(segments_axis("[8]") + "[error]\n" + error)).id(0);
+    return CaseTable(cantilever_sweep(segments_axis("[8, 16]") + "[error]\n" + error)).id(0);
   };
   EXPECT_EQ(id("probe = 'tip'\n"), id("probe = 'tip'\nagainst = 'finest'\n"));
   EXPECT_NE(id("probe = 'tip'\n"), id("probe = 'tip'\ntake = 'largest'\n"));
