@@ -27,8 +27,11 @@ constexpr const char* kFooter =
     "  plastica show fit.h5                    the report\n"
     "  plastica plot fit.h5 -o fit.svg         the picture\n"
     "  plastica simulate scene.toml -o s.h5    what a beam does under its loads\n"
-    "Exit codes: 0 done, 1 a target has no usable fit or a scene no equilibrium, 2 bad input,\n"
-    "3 the machine failed, 130 interrupted by Ctrl-C (what was finished is kept).\n"
+    "  plastica sweep sweep.toml -o sweep.h5   vary a scene: what accuracy costs\n"
+    "  plastica recommend sweep.h5 --within \"1 %\"\n"
+    "  plastica check check.toml               hold convergence against claims, for CI\n"
+    "Exit codes: 0 done, 1 a target has no usable fit, a scene no equilibrium, or a claim does not\n"
+    "hold, 2 bad input, 3 the machine failed, 130 interrupted by Ctrl-C (what was finished is kept).\n"
     "`plastica COMMAND --help` says more.";
 
 void add_commands(CLI::App& app, const std::string& command_line, Action& action) {
@@ -38,6 +41,7 @@ void add_commands(CLI::App& app, const std::string& command_line, Action& action
   plastica::cli::add_simulate(app, command_line, action);
   plastica::cli::add_sweep(app, command_line, action);
   plastica::cli::add_check(app, action);
+  plastica::cli::add_recommend(app, action);
   plastica::cli::add_show(app, action);
   plastica::cli::add_plot(app, action);
   plastica::cli::add_export(app, action);

@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/run_files.hpp"
+#include "plastica/io/result_file.hpp"
+#include "plastica/io/storage_error.hpp"
+#include "plastica/io/units.hpp"
+#include "sweeps/store/sweep_store.hpp"
+#include "sweeps/trade/recommend_text.hpp"
+
+namespace plastica::cli {
+namespace {
+
+struct RecommendArguments {
+  std::string file;
+  std::string within;
+  std::string budget;
+  std::string by;
+  std::string output;
+  bool force = false;
+};
+
+double positive(std::string_view option, const std::string& text, Dimension dimension) {
+  const double value = io::parse_quantity(text, dimension, {}, option);
+  if (!(value > 0.0) || !std::isfinite(value)) {
+    throw InputError({}, option, text, "must be above 0");
+  }
+  return value;
+}
+
+bool is_plain_number(const std::string& text) {
+  return text.find_first_not_of("0123456789.eE+-") == std::string::npos;
+}
+
+/// A budget without a unit is one of segment-iterations.
+sweeps::CostKind cost_kind(const RecommendArguments& arguments, const sweeps::SweepRecord& record) {
+  const bool timed = record.timed_runs > 0;
+  const auto refuse_untimed = [&](std::string_view option, const std::string& value) {
+    if (!timed) {
+      throw InputError({}, option, value, "needs a sweep that timed its cases: [cost] timed_runs");
+    }
+  };
+  if (!arguments.budget.empty()) {
+    if (!arguments.by.empty()) {
+      throw InputError({}, "--by", arguments.by, "is said by the unit of --budget");
+    }
+    if (is_plain_number(arguments.budget)) return sweeps::CostKind::Work;
+    refuse_untimed("--budget", arguments.budget);
+    return sweeps::CostKind::Seconds;
+  }
+  if (arguments.by == "work") return sweeps::CostKind::Work;
+  if (arguments.by == "time") refuse_untimed("--by", arguments.by);
+  return timed ? sweeps::CostKind::Seconds : sweeps::CostKind::Work;
+}
+
+sweeps::Wish wish_of(const RecommendArguments& arguments, sweeps::CostKind cost) {
+  if (arguments.within.empty() == arguments.budget.empty()) {
+    throw InputError({}, "recommend", "", "needs one of --within and --budget");
+  }
+  sweeps::Wish wish;
+  if (!arguments.within.empty()) {
+    wish.within = positive("--within", arguments.within, Dimension::Strain);
+  } else {
+    wish.budget = positive("--budget", arguments.budget,
+                           cost == sweeps::CostKind::Seconds ? Dimension::Time : Dimension::None);
+  }
+  return wish;
+}
+
+void write_scene(const std::string& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw io::StorageError(path, "cannot be written");
+}
+
+int recommend(const RecommendArguments& arguments) {
+  const sweeps::SweepRecord record = sweeps::read_sweep_store(arguments.file);
+  const sweeps::CostKind cost = cost_kind(arguments, record);
+  const sweeps::Wish wish = wish_of(arguments, cost);
+  if (record.against.empty()) {
+    throw InputError({arguments.file, 0}, "", "", "has no errors: its sweep has no error.against");
+  }
+  if (!arguments.output.empty()) {
+    refuse_input("--output", arguments.output, arguments.file);
+    io::check_output_path(arguments.output, arguments.force);
+  }
+  const auto points = sweeps::trade_points(record, cost);
+  const sweeps::Recommendation choice = wish.within
+                                            ? sweeps::recommend_for_error(points, *wish.within)
+                                            : sweeps::recommend_for_budget(points, *wish.budget);
+  fmt::print("{}", sweeps::recommendation_text(record, cost, wish, choice));
+  if (!choice.chosen) return kNotAcceptable;
+  if (!arguments.output.empty()) {
+    write_scene(arguments.output, sweeps::scene_with_setting(record, *choice.chosen));
+    fmt::print(stderr, "wrote {}\n", arguments.output);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_recommend(CLI::App& app, Action& action) {
+  CLI::App* sub =
+      app.add_subcommand("recommend", "the cheapest setting of a sweep that meets an accuracy");
+  auto arguments = std::make_shared<RecommendArguments>();
+  sub->add_option("file", arguments->file, "result of `plastica sweep`, with errors")->required();
+  sub->add_option("--within", arguments->within, "the wanted error: \"1 %\"");
+  sub->add_option("--budget", arguments->budget,
+                  "the most it may cost: \"2 ms\", or a number of segment-iterations");
+  sub->add_option("--by", arguments->by,
+                  "what --within counts as cost; default: time where the sweep has it")
+      ->check(CLI::IsMember({"time", "work"}));
+  sub->add_option("-o,--output", arguments->output, "also write the scene with that setting");
+  sub->add_flag("--force", arguments->force, "overwrite a scene that is there");
+  sub->footer(
+      "Example: plastica recommend sweep.h5 --within \"1 %\" -o scene.toml\n"
+      "Exit code 1 if no case meets it.");
+  sub->callback([&action, arguments] { action = [arguments] { return recommend(*arguments); }; });
+}
+
+}  // namespace plastica::cli

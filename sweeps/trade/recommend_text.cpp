@@ -1,0 +1,70 @@
+#include "sweeps/trade/recommend_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace plastica::sweeps {
+namespace {
+
+std::string percent(double share) { return fmt::format("{:.3g} %", 100.0 * share); }
+
+std::string cost_text(const CaseResult& result, CostKind cost) {
+  std::string text = fmt::format("{} segment-iterations", result.segment_iterations());
+  if (cost == CostKind::Seconds) text += fmt::format(", {:.3g} ms", 1e3 * result.seconds);
+  return text;
+}
+
+std::string case_text(const SweepRecord& record, CostKind cost, std::size_t index) {
+  const auto& error = record.comparison.error[index];
+  return fmt::format("{}\n    error {}, {}\n", setting_text(record, index),
+                     error ? percent(std::abs(*error)) : "unknown",
+                     cost_text(record.results[index], cost));
+}
+
+std::string wish_text(CostKind cost, const Wish& wish) {
+  if (wish.within) return "within " + percent(*wish.within);
+  return cost == CostKind::Seconds ? fmt::format("for {:.3g} ms", 1e3 * *wish.budget)
+                                   : fmt::format("for {:.6g} segment-iterations", *wish.budget);
+}
+
+std::string none_text(const SweepRecord& record, CostKind cost, const Wish& wish,
+                      const Recommendation& choice) {
+  switch (choice.why_none) {
+    case NoChoice::NoPoints: return "the sweep has no case\n";
+    case NoChoice::AllFailed: return "no case has an error: all failed\n";
+    default: break;
+  }
+  return fmt::format("nothing {}; the nearest is\n  {}", wish_text(cost, wish),
+                     case_text(record, cost, *choice.nearest));
+}
+
+}  // namespace
+
+std::string recommendation_text(const SweepRecord& record, CostKind cost, const Wish& wish,
+                                const Recommendation& choice) {
+  if (!choice.chosen) return none_text(record, cost, wish, choice);
+  std::string text = fmt::format("{} {}: {}", wish.within ? "cheapest" : "most accurate",
+                                 wish_text(cost, wish), case_text(record, cost, *choice.chosen));
+  text += fmt::format("    margin {:.3g}: {}\n", choice.margin,
+                      wish.within ? "the wanted error over its own" : "the budget over its cost");
+  if (choice.lucky) {
+    text += fmt::format(
+        "    by luck: a finer case is off by {}; take a finer one, or look at the plot\n",
+        percent(choice.assured_error));
+  }
+  if (choice.next) {
+    text += fmt::format("{}: {}",
+                        wish.within ? "next cheaper, not within" : "next more accurate, too costly",
+                        case_text(record, cost, *choice.next));
+  } else {
+    text += wish.within ? "nothing is cheaper\n" : "nothing is more accurate\n";
+  }
+  if (choice.passed_over) {
+    text += "passed over, since a finer case misses what it meets by luck: " +
+            case_text(record, cost, *choice.passed_over);
+  }
+  return text;
+}
+
+}  // namespace plastica::sweeps

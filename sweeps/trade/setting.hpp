@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sweeps/store/sweep_record.hpp"
+#include "sweeps/trade/pareto.hpp"
+
+namespace plastica::sweeps {
+
+/// What a case costs.
+enum class CostKind {
+  Work,     ///< segment-iterations, which no machine changes
+  Seconds,  ///< least wall time of its runs, where the sweep timed them [s]
+};
+
+/// The cases of a sweep as points of a trade, in their order; a case without a usable status or
+/// without an error is one that failed.
+std::vector<TradePoint> trade_points(const SweepRecord& record, CostKind cost);
+
+/// What tells a case from the others: "beam.segments = 32, rules.end_rule = equal".
+std::string setting_text(const SweepRecord& record, std::size_t index);
+
+/// The scene's file with a case's values filled in and all else as it was written; what [set] fixes
+/// included.
+/// @throws InputError if a value cannot be written there, such as a factor on all loads
+std::string scene_with_setting(const SweepRecord& record, std::size_t index);
+
+}  // namespace plastica::sweeps
