@@ -52,11 +52,13 @@ Span read_span(const TomlValue& from, const TomlValue& to, bool logarithmic, con
   return span;
 }
 
-std::vector<FieldValue> read_list(const TomlValue& list, const Field& field, const Setup& base) {
+/// @param repeats  whether a value may be there more than once
+std::vector<FieldValue> read_list(const TomlValue& list, const Field& field, const Setup& base,
+                                  bool repeats) {
   std::vector<FieldValue> values;
   for (const TomlValue& item : list.array()) {
     const FieldValue value = read_field_value(item, field, base);
-    if (std::find(values.begin(), values.end(), value) != values.end()) {
+    if (!repeats && std::find(values.begin(), values.end(), value) != values.end()) {
       throw item.error("is there twice");
     }
     values.push_back(value);
@@ -110,7 +112,7 @@ std::vector<FieldValue> read_values(const TomlTable& table, const Field& field, 
     throw InputError(table.where(), table.key(), "",
                      "needs one of values, linear, logarithmic and sampled");
   }
-  if (list) return read_list(*list, field, base);
+  if (list) return read_list(*list, field, base, table.contains("zip"));
   if (linear) return read_range(*linear, false, field, base);
   if (logarithmic) return read_range(*logarithmic, true, field, base);
   return {};
@@ -233,9 +235,10 @@ void apply(Setup& setup, const std::vector<const Field*>& fields,
            const std::vector<FieldValue>& values) {
   const auto rank = [](const Field& field) {
     if (field.path == "material.name") return 0;
+    if (field.path == "beam.segment_depth") return 3;  // the length must stand
     return find_field_or_null(field.path) == nullptr ? 2 : 1;
   };
-  for (int turn = 0; turn < 3; ++turn) {
+  for (int turn = 0; turn < 4; ++turn) {
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (rank(*fields[i]) == turn) fields[i]->set(setup, values[i]);
     }

@@ -19,7 +19,7 @@ FieldValue read_field_value(const io::TomlValue& value, const Field& field, cons
 void read_error(const io::TomlTable& root, Sweep& sweep);
 
 /// Sets fields of a setup, whatever their order: first a named material, then fields, then what is
-/// derived of them.
+/// derived of them, the number of segments by their depth last.
 void apply(Setup& setup, const std::vector<const Field*>& fields,
            const std::vector<FieldValue>& values);
 

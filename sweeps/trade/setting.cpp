@@ -54,7 +54,9 @@ struct Target {
 std::optional<Target> target_of(const Axis& axis, const FieldValue& value, const Setup& setup) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kMoved{
       {{"beam.segment_depth", "beam.segments"}, {"beam.slenderness", "beam.length"}}};
-  if (find_field_or_null(axis.field->path) != nullptr) return Target{axis.field, value};
+  const bool in_files =
+      find_field_or_null(axis.field->path) != nullptr || axis.field->path == "material.name";
+  if (in_files) return Target{axis.field, value};
   for (const auto& [derived, moved] : kMoved) {
     if (axis.field->path != derived) continue;
     const Field* field = find_field_or_null(moved);

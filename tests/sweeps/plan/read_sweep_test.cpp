@@ -83,6 +83,24 @@ TEST(ReadSweep, MovesZippedAxesTogether) {
   }
 }
 
+TEST(ReadSweep, RepeatsValuesOfZippedAxes) {
+  const Sweep sweep = cantilever_sweep(
+      "[[axis]]\nfield = 'beam.segments'\nvalues = [4, 4]\nzip = 'a'\n"
+      "[[axis]]\nfield = 'solver.steps'\nvalues = [1, 2]\nzip = 'a'\n" +
+      kTipError);
+  EXPECT_EQ(CaseTable(sweep).size(), 2U);
+}
+
+TEST(ReadSweep, DividesABeamOfTheLengthThatAnotherAxisSets) {
+  const Sweep sweep = cantilever_sweep(
+      "[[axis]]\nfield = 'beam.segment_depth'\nvalues = [0.5]\n"
+      "[[axis]]\nfield = 'beam.slenderness'\nvalues = [8]\n" +
+      kTipError);
+  const plastica::Setup setup = CaseTable(sweep).setup(0);
+  EXPECT_DOUBLE_EQ(setup.scene.beam.length, 0.16);
+  EXPECT_EQ(setup.scene.beam.segments, 16);
+}
+
 TEST(ReadSweep, SamplesItsAxesTogetherAndTheSameForASeed) {
   const std::string axes =
       "[[axis]]\nfield = 'material.youngs_modulus'\nsampled = ['100 GPa', '200 GPa']\n"
