@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
@@ -25,6 +26,7 @@ struct RecommendArguments {
   std::string budget;
   std::string by;
   std::string output;
+  std::string next;  ///< where the scene of the next cheaper setting goes
   bool force = false;
 };
 
@@ -80,6 +82,7 @@ void write_scene(const std::string& path, const std::string& text) {
   out << text;
   out.close();
   if (!out) throw io::StorageError(path, "cannot be written");
+  fmt::print(stderr, "wrote {}\n", path);
 }
 
 int recommend(const RecommendArguments& arguments) {
@@ -89,9 +92,11 @@ int recommend(const RecommendArguments& arguments) {
   if (record.against.empty()) {
     throw InputError({arguments.file, 0}, "", "", "has no errors: its sweep has no error.against");
   }
-  if (!arguments.output.empty()) {
-    refuse_input("--output", arguments.output, arguments.file);
-    io::check_output_path(arguments.output, arguments.force);
+  for (const auto& [option, path] :
+       {std::pair("--output", arguments.output), std::pair("--next", arguments.next)}) {
+    if (path.empty()) continue;
+    refuse_input(option, path, arguments.file);
+    io::check_output_path(path, arguments.force);
   }
   const auto points = sweeps::trade_points(record, cost);
   const sweeps::Recommendation choice = wish.within
@@ -101,7 +106,9 @@ int recommend(const RecommendArguments& arguments) {
   if (!choice.chosen) return kNotAcceptable;
   if (!arguments.output.empty()) {
     write_scene(arguments.output, sweeps::scene_with_setting(record, *choice.chosen));
-    fmt::print(stderr, "wrote {}\n", arguments.output);
+  }
+  if (!arguments.next.empty() && choice.next) {
+    write_scene(arguments.next, sweeps::scene_with_setting(record, *choice.next));
   }
   return kDone;
 }
@@ -120,6 +127,8 @@ void add_recommend(CLI::App& app, Action& action) {
                   "what --within counts as cost; default: time where the sweep has it")
       ->check(CLI::IsMember({"time", "work"}));
   sub->add_option("-o,--output", arguments->output, "also write the scene with that setting");
+  sub->add_option("--next", arguments->next,
+                  "also write the scene of the setting that is named next, if there is one");
   sub->add_flag("--force", arguments->force, "overwrite a scene that is there");
   sub->footer(
       "Example: plastica recommend sweep.h5 --within \"1 %\" -o scene.toml\n"

@@ -1,0 +1,134 @@
+#include "tests/cli/bad_input.hpp"
+
+namespace plastica::testing {
+namespace {
+
+const std::string kScene =
+    "[beam]\nlength = '4 m'\nsegments = 8\n"
+    "section = { shape = 'rectangle', width = '20 mm', height = '20 mm' }\n"
+    "[[support]]\nat = 'start'\nkind = 'clamp'\n"
+    "[[load]]\nat = 'end'\nforce = ['0 N', '-100 N', '0 N']\nhistory = 'ramp'\n"
+    "[[probe]]\nname = 'tip'\nkind = 'displacement'\nat = 'end'\n";
+
+const std::string kSweep =
+    "scene = 'scene.toml'\n"         // 1
+    "[[axis]]\n"                     // 2
+    "field = 'beam.segments'\n"      // 3
+    "values = [4, 8, 16]\n"          // 4
+    "[error]\n"                      // 5
+    "probe = 'tip'\n"                // 6
+    "against = 'theory:elastica'\n"  // 7
+    ;
+
+const std::string kCheck =
+    "[[claim]]\n"                    // 1
+    "name = 'order'\n"               // 2
+    "sweep = 'sweep.toml'\n"         // 3
+    "order = { at_least = 1.9 }\n";  // 4
+
+/// What `sweep` answers to a file.
+BadInput sweep(std::string name, const std::string& from, const std::string& to, std::string line,
+               std::map<std::string, std::string> files = {}) {
+  files.emplace("scene.toml", kScene);
+  files.emplace("sweep.toml", changed(kSweep, from, to));
+  return {
+      std::move(name), std::move(files), {"sweep", "sweep.toml", "-o", "out.h5"}, std::move(line)};
+}
+
+BadInput check(std::string name, const std::string& from, const std::string& to, std::string line) {
+  return {
+      std::move(name),
+      {{"scene.toml", kScene}, {"sweep.toml", kSweep}, {"check.toml", changed(kCheck, from, to)}},
+      {"check", "check.toml"},
+      std::move(line)};
+}
+
+/// What the command answers to other arguments than file and output.
+BadInput called(std::string name, std::vector<std::string> arguments, std::string line) {
+  return {std::move(name),
+          {{"scene.toml", kScene}, {"sweep.toml", kSweep}, {"check.toml", kCheck}},
+          std::move(arguments),
+          std::move(line)};
+}
+
+class BadSweep : public ::testing::TestWithParam<BadInput> {};
+
+TEST_P(BadSweep, IsRefusedInOneLine) { expect_refusal(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(
+    Sweeps, BadSweep,
+    ::testing::Values(
+        sweep("NoScene", "scene.toml", "none.toml",
+              "sweep.toml:1: scene = none.toml: is not a file in the folder of sweep.toml"),
+        sweep("BadScene", "scene.toml", "bad.toml",
+              "bad.toml:3: beam.segments = 0: must be from 1 to 1e+07",
+              {{"bad.toml", changed(kScene, "segments = 8", "segments = 0")}}),
+        sweep("UnknownField", "beam.segments", "beam.segment",
+              "sweep.toml:3: axis[1].field = beam.segment: is not a field; `plastica fields` lists "
+              "them"),
+        sweep("OutOfRange", "[4, 8, 16]", "[4, -8, 16]",
+              "sweep.toml:4: axis[1].values[2] = -8: must be from 1 to 1e+07"),
+        sweep("NoUnit", "beam.segments'\nvalues = [4, 8, 16]", "beam.length'\nvalues = [4]",
+              "sweep.toml:4: axis[1].values[1] = 4: a length needs a unit (examples: m, mm, in)"),
+        sweep("WrongTheory", "theory:elastica", "theory:elastika",
+              "sweep.toml: error.against = theory:elastika: is not a closed form; there are …"),
+        sweep("TheoryThatDoesNotHold", "[error]", "[set]\nbeam.shape = 'arc'\n[error]",
+              "sweep.toml: error.against = theory:elastica: …"),
+        sweep("UnknownProbe", "'tip'", "'top'",
+              "sweep.toml:6: error.probe = top: is not a probe of the scene; it has tip"),
+        sweep("UnknownKey", "[error]", "[eror]", "sweep.toml: error: is missing: it names the …"),
+        check(
+            "NoSweep", "sweep.toml", "none.toml",
+            "check.toml:3: claim[1].sweep = none.toml: is not a file in the folder of check.toml"),
+        check("NoLimit", "{ at_least = 1.9 }", "1.9",
+              "check.toml:4: claim[1].order = 1.9: must be a table, { key = value, ... }"),
+        check("UnknownClaim", "order = {", "orders = {", "check.toml:1: claim[1]: claims nothing…"),
+        called("NoFile", {"sweep", "none.toml"}, "none.toml: …"),
+        called("OutputIsInput", {"sweep", "sweep.toml", "-o", "sweep.toml", "--force"},
+               "--output = sweep.toml: …"),
+        called("NothingToRunAgain", {"sweep", "sweep.toml", "--rerun-failed", "-o", "out.h5"},
+               "--rerun-failed = out.h5: is not there: nothing has been run yet"),
+        called("RecommendOfNoSweep", {"recommend", "scene.toml", "--within", "1 %"},
+               "scene.toml: …")),
+    [](const auto& input) { return input.param.name; });
+
+/// Options of `recommend` that do not fit.
+class BadWish : public ::testing::TestWithParam<BadInput> {};
+
+TEST_P(BadWish, IsRefusedInOneLine) {
+  const Workplace place;
+  place.write("scene.toml", kScene);
+  place.write("sweep.toml", kSweep);
+  ASSERT_EQ(place.run({"sweep", "sweep.toml", "--quiet", "-o", "sweep.h5"}).code, 0);
+  const CommandResult result = place.run(GetParam().arguments);
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.err, "plastica: " + GetParam().line + "\n");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Recommend, BadWish,
+    ::testing::Values(
+        BadInput{"Neither",
+                 {},
+                 {"recommend", "sweep.h5"},
+                 "recommend: needs one of --within and --budget"},
+        BadInput{"Both",
+                 {},
+                 {"recommend", "sweep.h5", "--within", "1 %", "--budget", "10"},
+                 "recommend: needs one of --within and --budget"},
+        BadInput{"Negative",
+                 {},
+                 {"recommend", "sweep.h5", "--within", "-1 %"},
+                 "--within = -1 %: must be above 0"},
+        BadInput{"NotTimed",
+                 {},
+                 {"recommend", "sweep.h5", "--budget", "2 ms"},
+                 "--budget = 2 ms: needs a sweep that timed its cases: [cost] timed_runs"},
+        BadInput{"ByTime",
+                 {},
+                 {"recommend", "sweep.h5", "--within", "1 %", "--by", "time"},
+                 "--by = time: needs a sweep that timed its cases: [cost] timed_runs"}),
+    [](const auto& input) { return input.param.name; });
+
+}  // namespace
+}  // namespace plastica::testing
