@@ -123,7 +123,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   how.stop = &interrupt.flag();
   ProgressBar bar("fitting", targets.size(), arguments.quiet);
   how.progress = [&bar](const calibrate::BatchProgress& progress) {
-    bar.update(progress.done, progress.failed + progress.rejected);
+    bar.update(progress.done, progress.failed + progress.rejected, progress.taken);
   };
   calibrate::JournaledBatch batch(targets, file.options, how);
   tell_of_journal(batch, arguments.quiet);

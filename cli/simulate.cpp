@@ -15,6 +15,7 @@
 #include "cli/frequency_line.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/motion_progress.hpp"
+#include "cli/response_bytes.hpp"
 #include "cli/run_files.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/io/storage_error.hpp"
@@ -76,19 +77,6 @@ std::string motion_label(const Setup& setup, const ChainModel& chain) {
                      adaptive ? "at most " : "", solver.time_step);
 }
 
-/// Bytes that a response holds.
-std::size_t memory_of(const Response& response) {
-  const ChainHistory& chain = response.chain;
-  std::size_t values = 0;
-  for (const auto& probe : response.probes) values += probe.size();
-  for (const auto* list : {&chain.time, &chain.factor, &chain.position, &chain.moment, &chain.force,
-                           &chain.angle, &chain.plastic_angle, &chain.rotation,
-                           &chain.plastic_strain, &chain.stress, &chain.reaction}) {
-    values += list->size();
-  }
-  return sizeof(double) * values + sizeof(Energies) * chain.energy.size();
-}
-
 bool is_motion(const Model& model) {
   return model.chain && model.chain->options.analysis == Analysis::Dynamics;
 }
@@ -108,7 +96,7 @@ int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const 
     fmt::print("{}, ", report::counted(response.chain.frame_sample.size(), "frame"));
   }
   fmt::print("{}, about {:.1f} MB\n", report::counted(model.probes.size(), "probe"),
-             static_cast<double>(memory_of(response)) / 1e6);
+             static_cast<double>(response_bytes(response)) / 1e6);
   if (is_motion(model)) {
     fmt::print("{}{}", motion_label(setup, *model.chain), frequency_line(model, setup));
   }

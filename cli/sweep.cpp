@@ -12,6 +12,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
+#include "cli/response_bytes.hpp"
 #include "cli/run_files.hpp"
 #include "plastica/report/format.hpp"
 #include "plastica/run/simulate.hpp"
@@ -65,9 +66,10 @@ int print_dry_run(const sweeps::Sweep& sweep, const std::string& output) {
                sweeps::value_text(*axis.field, axis.values.front()),
                sweeps::value_text(*axis.field, axis.values.back()));
   }
-  const Setup first = cases.setup(0);
-  const Model model = prepare(first.scene, first.solver);
-  fmt::print("  level of the first case {}\n", model.level_reason);
+  const Setup last = cases.setup(cases.size() - 1);
+  const Model model = prepare(last.scene, last.solver);
+  fmt::print("  last case: level {}; its run takes about {:.2f} MB\n", model.level_reason,
+             static_cast<double>(response_bytes(make_response(model))) / 1e6);
   fmt::print("  compared: {}{}{}\n", sweep.quantity.name,
              sweep.against.kind == sweeps::AgainstKind::Nothing ? "" : " against ",
              sweeps::words_of(sweep.against));
@@ -106,7 +108,7 @@ int sweep_file(const SweepArguments& arguments) {
   tell_of_journal(run, arguments.quiet);
   ProgressBar bar("sweeping", run.cases().size(), arguments.quiet);
   run.on_progress([&bar](const sweeps::SweepProgress& progress) {
-    bar.update(progress.done, progress.failed);
+    bar.update(progress.done, progress.failed, progress.taken);
   });
   std::vector<sweeps::CaseResult> results = run.run();
   bar.clear();

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "plastica/io/csv_column.hpp"
 #include "plastica/io/units.hpp"
@@ -97,6 +99,12 @@ Quantity read_quantity(const TomlTable& table, const Scene& scene) {
   return quantity;
 }
 
+std::string text_of(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
 void read_curve(const TomlTable& table, const TomlValue& value, const std::string& file,
                 Sweep& sweep) {
   if (sweep.quantity.kind != QuantityKind::Probe) {
@@ -127,6 +135,7 @@ void read_curve(const TomlTable& table, const TomlValue& value, const std::strin
     throw names[0].error("must rise from row to row");
   }
   sweep.against.name = file;
+  sweep.inputs.push_back({path.filename().string(), text_of(path)});
 }
 
 void read_against(const TomlTable& table, Sweep& sweep) {

@@ -53,6 +53,8 @@ Sweep read_document(const TomlDocument& document) {
   sweep.name = title ? title->string() : std::filesystem::path(sweep.path).stem().string();
   sweep.scene = read_scene(root, sweep.path);
   sweep.setup = sweep.scene.setup;
+  sweep.inputs.push_back(input_of(sweep.path, document.text()));
+  sweep.inputs.push_back(input_of(sweep.scene.path, sweep.scene.text));
   if (const auto set = root.find_table("set")) read_settings(*set, "", sweep);
   read_axes(root, sweep);
   read_error(root, sweep);
@@ -60,8 +62,6 @@ Sweep read_document(const TomlDocument& document) {
     sweep.timed_runs = static_cast<int>(cost->at("timed_runs").integer(0, 1000));
   }
   root.check_unused();
-  sweep.inputs.push_back(input_of(sweep.path, document.text()));
-  sweep.inputs.push_back(input_of(sweep.scene.path, sweep.scene.text));
   return sweep;
 }
 

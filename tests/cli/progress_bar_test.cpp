@@ -7,24 +7,29 @@
 namespace plastica::cli {
 namespace {
 
+TEST(ProgressBar, CountsNoTimeForWhatAnEarlierRunHasDone) {
+  EXPECT_EQ(ProgressBar::line("sweeping", 150, 0, 100, 200, 10.0),
+            "sweeping [##################......] 150/200, 0 failed, 5/s, 0:00:10 left");
+}
+
 TEST(ProgressBar, TellsDoneFailedRateAndRemainingTime) {
-  EXPECT_EQ(ProgressBar::line("fitting", 50, 2, 200, 10.0),
+  EXPECT_EQ(ProgressBar::line("fitting", 50, 2, 0, 200, 10.0),
             "fitting [######..................] 50/200, 2 failed, 5/s, 0:00:30 left");
-  EXPECT_EQ(ProgressBar::line("fitting", 1, 0, 10000, 1.5),
+  EXPECT_EQ(ProgressBar::line("fitting", 1, 0, 0, 10000, 1.5),
             "fitting [........................] 1/10000, 0 failed, 0.667/s, 4:09:59 left");
 }
 
 TEST(ProgressBar, TellsNoTimeBeforeThereIsARate) {
-  EXPECT_EQ(ProgressBar::line("fitting", 0, 0, 8, 0.0),
+  EXPECT_EQ(ProgressBar::line("fitting", 0, 0, 0, 8, 0.0),
             "fitting [........................] 0/8, 0 failed, 0/s");
-  EXPECT_EQ(ProgressBar::line("fitting", 0, 0, 8, 2.0),
+  EXPECT_EQ(ProgressBar::line("fitting", 0, 0, 0, 8, 2.0),
             "fitting [........................] 0/8, 0 failed, 0/s");
 }
 
 TEST(ProgressBar, IsFullAtTheEnd) {
-  EXPECT_EQ(ProgressBar::line("fitting", 8, 8, 8, 2.0),
+  EXPECT_EQ(ProgressBar::line("fitting", 8, 8, 0, 8, 2.0),
             "fitting [########################] 8/8, 8 failed, 4/s");
-  EXPECT_EQ(ProgressBar::line("fitting", 0, 0, 0, 0.0),
+  EXPECT_EQ(ProgressBar::line("fitting", 0, 0, 0, 0, 0.0),
             "fitting [########################] 0/0, 0 failed, 0/s");
 }
 
