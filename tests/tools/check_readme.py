@@ -30,6 +30,16 @@ def run(command, *arguments, folder):
     return done.stdout
 
 
+def first_group(report):
+    """A sweep's report up to the end of its first table."""
+    return "\n\n".join(report.split("\n\n")[:2])
+
+
+def without_time(report):
+    """A check's report without the seconds of its last line."""
+    return re.sub(r", [\d.e-]+ s$", "", report.rstrip())
+
+
 def main():
     command = str(pathlib.Path(sys.argv[1]).resolve())
     write = "--write" in sys.argv[2:]
@@ -40,7 +50,15 @@ def main():
         report = run(command, "calibrate", "data/fits/demo.toml", "-o", "demo.h5", folder=folder)
         scene = run(command, "simulate", "data/scenes/report_fig06_bent.toml", "-o", "bent.h5",
                     folder=folder)
+        shutil.copytree(ROOT / "tests/reference", pathlib.Path(folder) / "tests/reference")
+        sweep = run(command, "sweep", "data/sweeps/cantilever_deflection.toml", "-o", "sweep.h5",
+                    folder=folder)
+        chosen = run(command, "recommend", "sweep.h5", "--within", "0.1 %", folder=folder)
+        checked = run(command, "check", "data/checks/motion.toml", folder=folder)
         expected = {
+            "sweep-report": fenced("text", first_group(sweep)),
+            "recommend-report": fenced("text", chosen),
+            "check-report": fenced("text", without_time(checked)),
             "scene-report": fenced("text", scene),
             "demo-report": fenced("text", report),
             "library-example": fenced("cpp", (ROOT / "tests/consumer/main.cpp").read_text()),
