@@ -297,7 +297,6 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
     }
     if (i == 0) weld(chain.root.welded, d);
     joint.inverse = inverse(d);
-    note_pivot(joint.inverse, chain.closure_turning_stiffness);
     if (i == 0) {
       for (std::size_t k = 0; k < kR; ++k) {
         if (!chain.root.welded[k]) continue;
@@ -305,6 +304,7 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
         balance_[0][k] = constant<S>(0);
       }
     }
+    note_pivot(joint.inverse, chain.closure_turning_stiffness);
 
     // What is outside of segment i - 1, about joint i: joint i gives way.
     const Impedance<L> impedance = a;

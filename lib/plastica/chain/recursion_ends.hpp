@@ -20,11 +20,11 @@ void Recursion<L, kElastic>::factor_root(const Chain<L>& chain, const mask_t<S>&
     a(k, k) = constant<S>(1);
   }
   root_inverse_ = inverse(a);
-  note_pivot(root_inverse_, chain.closure_stiffness);
   for (std::size_t k = 0; k < kT; ++k) {
     if (chain.root.held[k]) root_inverse_(k, k) = constant<S>(0);
   }
   root_inverse_ = select(open, {}, root_inverse_);
+  note_pivot(root_inverse_, chain.closure_stiffness);
 }
 
 template <class L, bool kElastic>

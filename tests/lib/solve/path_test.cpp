@@ -110,6 +110,15 @@ TEST(Path, StopsAtOnceWhereTheBeamIsFreeToMove) {
   EXPECT_EQ(response.samples, 0U);
 }
 
+TEST(Path, TakesNoStiffBeamForOneThatIsFreeToMove) {
+  for (const EndRule rule : {EndRule::HalfJoint, EndRule::Equal}) {
+    Scene scene = cantilever(8, {0.0, -1e6, 0.0});
+    scene.section.width = scene.section.height = 5.0;  // EI/L^3 = 1e13 N/m
+    scene.end_rule = rule;
+    EXPECT_EQ(simulate(scene).status, Status::Completed);
+  }
+}
+
 TEST(Path, RefusesToHoldTheRigidAxisAtBothEnds) {
   Scene scene = cantilever(8, {0.0, -1.0, 0.0});
   scene.supports.push_back({});
