@@ -46,6 +46,14 @@ inline S size_of(const Vec<S, N>& v) {
   return sqrt(dot(v, v));
 }
 
+/// The same numbers in double, for what is recorded.
+template <class S, std::size_t N>
+constexpr Vec<double, N> in_double(const Vec<S, N>& v) {
+  Vec<double, N> wide;
+  for (std::size_t i = 0; i < N; ++i) wide[i] = v[i];
+  return wide;
+}
+
 /// R x C numbers, row by row; starts at zero.
 template <class S, std::size_t R, std::size_t C>
 struct Mat {

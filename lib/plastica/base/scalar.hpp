@@ -36,6 +36,10 @@ using real_t = typename ScalarTraits<S>::Real;
 template <class S>
 using mask_t = typename ScalarTraits<S>::Mask;
 
+/// Whether a scalar's numbers are double; tolerances depend on it.
+template <class S>
+inline constexpr bool kIsDouble = sizeof(real_t<S>) == 8;
+
 /// Whether a scalar carries derivatives: a root that its value has reached has them one Newton step
 /// later.
 template <class S>

@@ -160,10 +160,10 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
 
   /// Slope that a joint of an elastic stiffness per length keeps for Newton's method when its law
   /// has none: where all joints of a bar yield at once without hardening, their shares of a
-  /// prescribed turn would be undetermined. What has converged does not know of it, and a step is
-  /// off by this share.
+  /// prescribed turn would be undetermined (with float, nothing but rounding). What has converged
+  /// does not know of it, and a step is off by this share.
   static S rest_of(const S& stiffness, const S& length) {
-    return constant<S>(1e-9) * stiffness / length;
+    return constant<S>(kIsDouble<S> ? 1e-9 : 1e-4) * stiffness / length;
   }
 
   void evaluate_joint(std::size_t j, const typename L::Spin& angle, const typename L::Point& shift,

@@ -49,6 +49,9 @@ bool has_half_joints(const Scene& scene);
 /// The end of the last history that anything follows [s].
 double last_time(const Scene& scene);
 
+/// That there are kernels of the precision that is asked for.
+void check_precision(const Scene& scene, const SolverOptions& options);
+
 /// How a chain is solved.
 void check_solver(const Scene& scene, const SolverOptions& options);
 

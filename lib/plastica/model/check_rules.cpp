@@ -129,6 +129,20 @@ void check_rules(const Scene& scene) {
   check_end_rule(scene);
 }
 
+void check_precision(const Scene& scene, const SolverOptions& options) {
+  if (options.precision == Precision::Double) return;
+  if (scene.is_coupon()) {
+    throw refusal("solver.precision", "float", "is of chains: a coupon is computed in double");
+  }
+  if (options.translation == JointTranslation::Elastic) {
+    throw refusal("solver.precision", "float",
+                  "is of joints that are rigid in translation (solver.translation)");
+  }
+  if (scene.material.hardening.law != HardeningLaw::Ideal) {
+    throw refusal("solver.precision", "float", "is of ideal plasticity (material.hardening.law)");
+  }
+}
+
 void check_solver(const Scene& scene, const SolverOptions& options) {
   if (options.control_at) {
     check_place(*options.control_at, scene.beam.segments, "solver.control_at");

@@ -92,6 +92,7 @@ void check_scene(const Scene& scene, const SolverOptions& options) {
   } else {
     check_chain(scene, options);
   }
+  model_detail::check_precision(scene, options);
   model_detail::check_probes(scene, options.analysis);
   const LevelChoice level = choose_level(scene, options);
   if (scene.is_coupon()) return;

@@ -71,6 +71,11 @@ std::span<const std::string_view> words<JointTranslation>() {
   return kWords;
 }
 template <>
+std::span<const std::string_view> words<Precision>() {
+  static constexpr std::array<std::string_view, 2> kWords{"double", "float"};
+  return kWords;
+}
+template <>
 std::span<const std::string_view> words<Analysis>() {
   static constexpr std::array<std::string_view, 2> kWords{"statics", "dynamics"};
   return kWords;
@@ -226,6 +231,8 @@ std::vector<Field> make_table() {
                                               "a path of equilibria, or a motion in time"),
       choice<PLASTICA_REACH(solver.translation)>("solver.translation",
                                                  "stretch and shear of the joints"),
+      choice<PLASTICA_REACH(solver.precision)>("solver.precision",
+                                               "numbers that a chain is computed with"),
       integer<PLASTICA_REACH(solver.fibres)>("solver.fibres", Range{2.0, 1e4},
                                              "fibres of a fibre section, along its depth"),
       number<PLASTICA_REACH(solver.duration)>(

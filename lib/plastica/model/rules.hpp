@@ -53,6 +53,9 @@ enum class JointTranslation {
   Elastic,  ///< stretch, which may yield, and shear, which does not
 };
 
+/// The numbers that a chain is computed with. Files, checks and what is recorded have double ones.
+enum class Precision { Double, Float };
+
 /// How an equilibrium path is followed.
 enum class PathControl {
   Auto,          ///< Load; where it finds nothing, arcs tell a turn from a limit load

@@ -17,6 +17,7 @@ namespace plastica {
 template <class L, bool kElastic>
 class ChainBody {
  public:
+  using S = typename L::Scalar;
   using Work = solve::NewtonWork<L, kElastic>;
   using Joints = chain::SectionJointsBase<L, kElastic>;
 

@@ -69,11 +69,11 @@ template <class L, bool kElastic>
 void ChainBody<L, kElastic>::set_closure_stiffness() {
   double bending = 0.0;
   for (const auto& joint : joints->joints()) {
-    for (std::size_t k = 0; k < 3; ++k) bending = std::max(bending, joint.stiffness[k]);
+    for (std::size_t k = 0; k < 3; ++k) bending = std::max<double>(bending, joint.stiffness[k]);
   }
   const double length = model.scene.beam.length;
-  build.chain.closure_stiffness = 100.0 * bending / (length * length * length);
-  build.chain.closure_turning_stiffness = 100.0 * bending / length;
+  build.chain.closure_stiffness = constant<S>(100.0 * bending / (length * length * length));
+  build.chain.closure_turning_stiffness = constant<S>(100.0 * bending / length);
 }
 
 /// Lays out the joints' laws; the same numbers as in the run before only need the virgin state.
@@ -83,9 +83,11 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
     joints->reset();
     return;
   }
-  std::vector<MaterialValues<double>> materials;
-  for (const auto& part : parts) materials.push_back(material_values(*part.material));
-  materials.front() = material;
+  std::vector<MaterialValues<S>> materials(parts.size());
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const MaterialValues<double> values = p == 0 ? material : material_values(*parts[p].material);
+    for (std::size_t i = 0; i < kMaterialFields; ++i) materials[p][i] = constant<S>(values[i]);
+  }
   joints = make_joints<L, kElastic>(model.scene, parts, materials,
                                     chain::joint_numbers(model.layout, model.part_of_segment,
                                                          build.joints, parts, materials, view),

@@ -15,8 +15,8 @@ inline constexpr bool kOneForce = L::kRotations == 1 && !kElastic;
 /// The joints of a chain with the law that its scene names; regions follow the same law with their
 /// own numbers.
 ///
-/// Instantiated for the levels with double (chain_laws_*.cpp): each combination of level, yield
-/// model, yield surface and hardening law is compiled by itself.
+/// Instantiated for the levels with double (chain_laws_*.cpp) and float (chain_float*.cpp): each
+/// combination of level, yield model, yield surface and hardening law is compiled by itself.
 /// @param materials  numbers of each part (parts)
 /// @param fibres     of a fibre section, along its depth
 template <class L, bool kElastic>

@@ -93,10 +93,21 @@ struct JointsMaker {
     return make(std::move(laws), layouts);
   }
 
+  /// Float has ideal plasticity alone (`check_precision`): each other law would be compiled again
+  /// with each level and yield model.
+  template <class Use>
+  void with_law(Use&& use) {
+    if constexpr (std::is_same_v<S, float>) {
+      use(std::type_identity<law::IdealPlastic<S>>{});
+    } else {
+      law::with_law_type<S>(scene.material.hardening.law, use);
+    }
+  }
+
   Made make() {
     if (scene.yield_model == YieldModel::Elastic) return elastic();
     Made made;
-    law::with_law_type<S>(scene.material.hardening.law, [&](auto tag) {
+    with_law([&](auto tag) {
       using Uniaxial = typename decltype(tag)::type;
       if (scene.yield_model == YieldModel::Fibre) {
         made = fibre<Uniaxial>();

@@ -9,7 +9,7 @@
 namespace plastica {
 
 /// The program of one level in dynamics. Instantiated for the levels with double
-/// (chain_motion_*.cpp), each compiled by itself.
+/// (chain_motion_*.cpp), each compiled by itself, and with float (chain_float*.cpp).
 /// @param model  outlives the program
 template <class L, bool kElastic>
 std::unique_ptr<ChainProgram> make_motion_runner(const ChainModel& model,

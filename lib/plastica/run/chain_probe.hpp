@@ -93,8 +93,8 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::point_value(
   if (probe.quantity == ProbeQuantity::Rotation) return rotation(w, point.segment);
   const auto undeformed =
       model_->layout.segment_frame[point.segment] * point.arm + model_->layout.node[point.segment];
-  return view_.point_in_space(w.placement.point(point.segment, view_.point(point.arm)) -
-                              view_.point(undeformed));
+  return in_space(w.placement.point(point.segment, view_.point(point.arm)) -
+                  view_.point(undeformed));
 }
 
 /// Velocity or spin of a point, or the momentum of all.
@@ -113,7 +113,7 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::motion_value(
     if (probe.quantity == ProbeQuantity::Spin) return joint_spin(spin_of(i));
     const auto arm =
         L::turn(w.placement.frame[i], view_.point(point.arm) - chain.inertias[i].center);
-    return view_.point_in_space((*motion_)[i].velocity + L::spun(spin_of(i), arm));
+    return in_space((*motion_)[i].velocity + L::spun(spin_of(i), arm));
   }
   typename L::Point momentum{};
   typename L::Spin turning{};
@@ -124,8 +124,7 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::motion_value(
     turning += L::moment(w.placement.point(i, inertia.center), own) +
                L::axes(w.placement.frame[i]) * (inertia.turning * (*motion_)[i].spin);
   }
-  return probe.quantity == ProbeQuantity::Momentum ? view_.point_in_space(momentum)
-                                                   : joint_spin(turning);
+  return probe.quantity == ProbeQuantity::Momentum ? in_space(momentum) : joint_spin(turning);
 }
 
 template <class L, bool kElastic>

@@ -34,6 +34,7 @@ class ChainRecord {
  public:
   using Work = solve::NewtonWork<L, kElastic>;
   using Joints = chain::SectionJointsBase<L, kElastic>;
+  using S = typename L::Scalar;
   using Space = Vec<double, 3>;
 
   void prepare(const ChainModel& model, const chain::View<L>& view, const chain::Build<L>& build,
@@ -81,7 +82,8 @@ class ChainRecord {
   std::array<double, 6> reaction(const Work& w, std::size_t support) const;
 
  private:
-  Space joint_spin(const typename L::Spin& w) const { return view_.spin_in_space(w); }
+  Space joint_spin(const typename L::Spin& w) const { return in_double(view_.spin_in_space(w)); }
+  Space in_space(const typename L::Point& p) const { return in_double(view_.point_in_space(p)); }
   double load_work(const chain::SegmentLoad<L>& load, const Work& w) const;
   double spring_energy(const Work& w) const;
   std::array<double, 6> world_axes(const Space& force, const Space& moment) const {
@@ -113,8 +115,8 @@ class ChainRecord {
   /// Whether the level moves points along a world axis.
   bool moves_along(std::size_t axis) const {
     typename L::Point one;
-    for (std::size_t k = 0; k < L::kTranslations; ++k) one[k] = 1.0;
-    return view_.point_in_space(one)[axis] != 0.0;
+    for (std::size_t k = 0; k < L::kTranslations; ++k) one[k] = constant<S>(1);
+    return in_space(one)[axis] != 0.0;
   }
   /// A welded start has no law: its joint's moment is what it transmits.
   void weld_moment(const Work& w, typename L::Spin& moment) const {
@@ -180,7 +182,7 @@ std::array<double, 3> ChainRecord<L, kElastic>::permanent_angle(const Joints& jo
   typename L::Spin left;
   for (std::size_t k = 0; k < L::kRotations; ++k) {
     const std::size_t axis = axes.rotation(k);
-    const double elastic =
+    const S elastic =
         joints.section_forces()[joint][axis] * numbers.length[axis] / numbers.stiffness[axis];
     left[k] = numbers.acting[k] * (w.angles[joint][k] - elastic);
   }
@@ -237,7 +239,7 @@ void ChainRecord<L, kElastic>::set_shape(const Work& w, const Joints& joints,
     const typename L::Point point =
         i < n ? w.placement.position[i]
               : w.placement.point(n - 1, build_->chain.segments[n - 1].arm);
-    Space where = view_.point_in_space(point);
+    Space where = in_space(point);
     if constexpr (L::kTranslations < 3) {
       // What a level does not move stays where it was.
       for (std::size_t k = 0; k < 3; ++k) {
@@ -253,7 +255,7 @@ void ChainRecord<L, kElastic>::set_shape(const Work& w, const Joints& joints,
     if (i < n) {
       const typename L::Point force =
           L::turn_back(w.placement.near[i], w.transmitted.outer[i].force);
-      put(shape_.force, 3 * i, view_.point_in_space(force));
+      put(shape_.force, 3 * i, in_space(force));
     }
     shape_.plastic_strain[i] = strains.strain[i];
     shape_.stress[i] =

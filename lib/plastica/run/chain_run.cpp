@@ -1,143 +1,30 @@
 #include "plastica/run/chain_run.hpp"
 
-#include <algorithm>
-#include <chrono>
-
-#include "plastica/run/break_policy.hpp"
-#include "plastica/run/chain_motion.hpp"
-#include "plastica/run/chain_runner.hpp"
+#include "plastica/run/chain_float.hpp"
+#include "plastica/run/chain_runner_make.hpp"
 
 namespace plastica {
-
-template <class L, bool kElastic>
-ChainRunner<L, kElastic>::ChainRunner(const ChainModel& model, const chain::View<L>& view)
-    : body_(model, view) {
-  set_path_options();
-}
-
-template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::set_path_options() {
-  const SolverOptions& solver = body_.model.options;
-  options_.newton.most_iterations = std::min(solver.most_iterations, solve::kMostIterations);
-  options_.newton.tolerance = solver.tolerance;
-  options_.stops = body_.model.stops;
-  options_.recorded = body_.model.recorded;
-  options_.control = solver.control;
-  options_.finds_control = !solver.control_at && solver.control != PathControl::Displacement;
-  options_.steps = solver.steps;
-  options_.largest_turn = solver.largest_turn;
-  options_.smallest_step = solver.smallest_step;
-  options_.control_motion = solver.control_motion;
-  const Scene& scene = body_.model.scene;
-  Place at = Place::end();
-  if (!scene.loads.empty()) at = scene.loads.front().at;
-  if (solver.control_at) at = *solver.control_at;
-  const chain::SegmentPoint point =
-      chain::segment_point(body_.model.layout, share_of(at, body_.model.layout.ends));
-  control_.segment = point.segment;
-  control_.arm = body_.view.point(point.arm);
-  if constexpr (L::kTranslations > 0) {
-    // The level's own axes.
-    const auto motion = body_.view.point(
-        {{solver.control_motion[0], solver.control_motion[1], solver.control_motion[2]}});
-    for (std::size_t k = 0; k < L::kTranslations; ++k) options_.control_motion[k] = motion[k];
-  } else {
-    options_.control_motion[0] = solver.control_motion[2];
-  }
-}
-
-template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material,
-                                   const Workspace& /*hooks*/, Response& response) {
-  const auto began = std::chrono::steady_clock::now();
-  body_.reset(material);
-  committed_ = body_.work.q;
-  previous_ = body_.work.q;
-  response_ = &response;
-  response.samples = 0;
-  response.ledger_error = 0.0;
-  response.chain.events.clear();
-  body_.record.begin_frames(response);
-
-  solve::PathWalker<L, kElastic> walker(body_.build.chain, *body_.joints, options_, control_,
-                                        body_.work, committed_, previous_, *this);
-  walker_ = &walker;
-  response.status = walker.walk();
-  body_.record.end_frames(response);
-  response.counters = walker.counters();
-  response.limit = walker.limit();
-  if (response.limit) {
-    response.limit->below = body_.record.factor_at(response.limit->below);
-    response.limit->above = body_.record.factor_at(response.limit->above);
-  }
-  const auto& strain = body_.strains.strain;
-  response.permanent_strain = *std::max_element(strain.begin(), strain.end());
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  response.seconds = took.count();
-}
-
-template <class L, bool kElastic>
-bool ChainRunner<L, kElastic>::yields() const {
-  const auto& work = body_.joints->work_increment();
-  return std::any_of(work.begin(), work.end(), [](double w) { return w > 0.0; });
-}
-
-template <class L, bool kElastic>
-solve::Verdict ChainRunner<L, kElastic>::judge(const Work& /*w*/, bool shortest) {
-  body_.set_trial_strains();
-  if (!body_.watch.active()) return solve::Verdict::Accept;
-  const double excess = body_.watch.excess(body_.measured(body_.trial));
-  if (excess <= 0.0 || body_.model.scene.on_break == BreakPolicy::RecordOnly) {
-    return solve::Verdict::Accept;
-  }
-  return excess > kBreakTolerance && !shortest ? solve::Verdict::TooFar : solve::Verdict::End;
-}
-
-template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::accept(const Work& w) {
-  body_.accept_strains();
-  body_.record.add_work(w);
-  const bool first = response_->chain.events.empty() && body_.watch.active();
-  if (first && body_.watch.excess(body_.measured(body_.strains)) > 0.0) note_break(w);
-}
-
-template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::note_break(const Work& w) {
-  ChainBreak event;
-  event.time = w.time;
-  event.factor = body_.record.factor_at(w.time);
-  event.joints = body_.broken();
-  mark_cuts(body_.model.scene.on_break, event);
-  response_->chain.events.push_back(std::move(event));
-}
-
-template <class L, bool kElastic>
-bool ChainRunner<L, kElastic>::record(const Work& w) {
-  if (response_->samples == body_.model.samples) return false;
-  body_.record.write(w, *body_.joints, body_.strains, response_->samples, *response_);
-  response_->chain.iterations[response_->samples] = walker_->counters().iterations;
-  ++response_->samples;
-  return response_->samples < body_.model.samples;
-}
-
 namespace {
 
-template <class L, bool kElastic>
-std::unique_ptr<ChainProgram> make_program(const ChainModel& model, const chain::View<L>& view) {
-  if (model.options.analysis == Analysis::Dynamics) {
-    return make_motion_runner<L, kElastic>(model, view);
+using chain::Planar;
+using chain::Spatial;
+using chain::Twist;
+using chain::View;
+
+/// Joints that are rigid in translation; `check_solver` refuses others.
+std::unique_ptr<ChainProgram> make_float_program(const ChainModel& model) {
+  switch (model.level) {
+    case Level::Twist: return make_float_program(model, View<Twist<float>>{});
+    case Level::Planar: return make_float_program(model, View<Planar<float>>{model.across});
+    default: return make_float_program(model, View<Spatial<float>>{});
   }
-  return std::make_unique<ChainRunner<L, kElastic>>(model, view);
 }
 
 }  // namespace
 
 std::unique_ptr<ChainProgram> make_chain_program(const ChainModel& model) {
+  if (model.options.precision == Precision::Float) return make_float_program(model);
   const bool elastic = model.options.translation == JointTranslation::Elastic;
-  using chain::Planar;
-  using chain::Spatial;
-  using chain::Twist;
-  using chain::View;
   switch (model.level) {
     case Level::Twist: return make_program<Twist<double>, false>(model, View<Twist<double>>{});
     case Level::Planar: {

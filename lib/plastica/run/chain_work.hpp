@@ -8,8 +8,8 @@ namespace plastica {
 template <class L, bool kElastic>
 double ChainRecord<L, kElastic>::load_work(const chain::SegmentLoad<L>& load, const Work& w) const {
   const History& history = build_->chain.histories[load.history];
-  const double now = 0.5 * history.at(w.time);
-  const double then = 0.5 * history.at(time_);
+  const S now = constant<S>(0.5 * history.at(w.time));
+  const S then = constant<S>(0.5 * history.at(time_));
   const auto& frame = w.placement.frame[load.segment];
   const auto& old_frame = placement_.frame[load.segment];
   const typename L::Point way =
@@ -52,11 +52,11 @@ template <class L, bool kElastic>
 double ChainRecord<L, kElastic>::spring_energy(const Work& w) const {
   double energy = 0.0;
   for (const auto& spring : build_->chain.springs) {
-    const double factor = build_->chain.histories[spring.history].at(w.time);
+    const S factor = constant<S>(build_->chain.histories[spring.history].at(w.time));
     const typename L::Point off =
         w.placement.point(spring.segment, spring.arm) - spring.rest - factor * spring.motion;
     for (std::size_t k = 0; k < L::kTranslations; ++k) {
-      energy += 0.5 * spring.stiffness[k] * off[k] * off[k];
+      energy += constant<S>(0.5) * spring.stiffness[k] * off[k] * off[k];
     }
   }
   return energy;
@@ -67,10 +67,12 @@ template <class L, bool kElastic>
 double ChainRecord<L, kElastic>::stored_energy(const Work& w, const Joints& joints) const {
   double sum = spring_energy(w);
   const std::size_t n = build_->chain.size();
-  for (std::size_t i = 0; i < n; ++i) sum += w.q.open[i] ? 0.0 : joints.elastic_energy()[i];
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!w.q.open[i]) sum += joints.elastic_energy()[i];
+  }
   for (std::size_t g = 0; g < build_->chain.ground_joints.size(); ++g) {
     const std::size_t joint = build_->chain.ground_joints[g].joint;
-    sum += w.q.released_ground_joint[g] ? 0.0 : joints.elastic_energy()[joint];
+    if (!w.q.released_ground_joint[g]) sum += joints.elastic_energy()[joint];
   }
   return sum;
 }
@@ -79,7 +81,7 @@ template <class L, bool kElastic>
 Energies ChainRecord<L, kElastic>::energies(const Work& w, const Joints& joints) const {
   Energies sum;
   sum.elastic = stored_energy(w, joints);
-  for (const double work : joints.plastic_work()) sum.plastic += work;
+  for (const S& work : joints.plastic_work()) sum.plastic += work;
   if (motion_ == nullptr) {
     sum.external = external_;
   } else {
@@ -119,17 +121,17 @@ std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::siz
   for (std::size_t k = 0; k < chain.closures.size(); ++k) {
     const auto& closure = chain.closures[k];
     if (closure.support != support || !w.closed[k]) continue;
-    force += view_.point_in_space(w.q.multiplier[k] * closure.direction);
+    force += in_space(w.q.multiplier[k] * closure.direction);
     moment += joint_spin(w.q.multiplier[k] * closure.axis);
   }
   for (const auto& spring : chain.springs) {
     if (spring.support != support) continue;
-    const double factor = chain.histories[spring.history].at(w.time);
+    const S factor = constant<S>(chain.histories[spring.history].at(w.time));
     const typename L::Point off =
         w.placement.point(spring.segment, spring.arm) - spring.rest - factor * spring.motion;
     typename L::Point push;
     for (std::size_t k = 0; k < L::kTranslations; ++k) push[k] = -(spring.stiffness[k] * off[k]);
-    force += view_.point_in_space(push);
+    force += in_space(push);
   }
   const auto spin_force = [&](std::size_t joint) {
     typename L::Spin m;
@@ -145,9 +147,9 @@ std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::siz
   if (chain.root.support == support) {
     typename L::Point held;
     for (std::size_t k = 0; k < L::kTranslations; ++k) {
-      held[k] = chain.root.held[k] ? -w.transmitted.outer[0].force[k] : 0.0;
+      held[k] = chain.root.held[k] ? -w.transmitted.outer[0].force[k] : constant<S>(0);
     }
-    force += view_.point_in_space(held);
+    force += in_space(held);
     typename L::Spin turned = w.q.open[0] ? typename L::Spin{} : -spin_force(0);
     const auto near = L::axes(w.placement.near[0]);
     typename L::Spin in_joint = transposed_times(near, w.transmitted.outer[0].moment);

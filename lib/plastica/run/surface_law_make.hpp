@@ -6,10 +6,10 @@
 namespace plastica {
 
 template <class Section>
-law::SectionResponse<double> respond(const SurfaceLaw<Section>& law,
-                                     const typename Section::State& before,
-                                     typename Section::State& after,
-                                     const law::SectionStrain<double>& strain) {
+law::SectionResponse<typename SurfaceLaw<Section>::S> respond(
+    const SurfaceLaw<Section>& law, const typename Section::State& before,
+    typename Section::State& after,
+    const law::SectionStrain<typename SurfaceLaw<Section>::S>& strain) {
   return law::respond(law.section, before, after, strain);
 }
 

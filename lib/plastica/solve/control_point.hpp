@@ -11,7 +11,7 @@ template <class L>
 struct ControlPoint {
   static constexpr bool kTurns = L::kTranslations == 0;
   static constexpr std::size_t kSize = kTurns ? L::kRotations : L::kTranslations;
-  using Value = Vec<double, kSize>;
+  using Value = Vec<typename L::Scalar, kSize>;
 
   std::size_t segment = 0;
   typename L::Point arm{};

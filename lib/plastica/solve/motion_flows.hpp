@@ -44,17 +44,18 @@ typename L::Spin MotionStep<L, kElastic>::ground_moment(std::size_t g) const {
 /// what they do in a scheme, as they close or open within a step, is the scheme's.
 template <class L, bool kElastic>
 double MotionStep<L, kElastic>::ground_work() {
-  const double end = rule_.end_work;
+  const S end = constant<S>(rule_.end_work);
+  const S begin = constant<S>(1.0 - rule_.end_work);
   double work = 0.0;
   const auto moved = [&](std::size_t history) {
-    return chain_.histories[history].at(w_.time) - chain_.histories[history].at(time_);
+    return constant<S>(chain_.histories[history].at(w_.time) - chain_.histories[history].at(time_));
   };
-  const double root = moved(chain_.root.history);
+  const S root = moved(chain_.root.history);
   const chain::Wrench<L> passed = w_.transmitted.outer[0];
-  if (root != 0.0) {
+  if (root != constant<S>(0)) {
     const chain::Wrench<L> before = root_wrench_.value_or(passed);
-    const chain::Wrench<L> mean{end * passed.force + (1.0 - end) * before.force,
-                                end * passed.moment + (1.0 - end) * before.moment};
+    const chain::Wrench<L> mean{end * passed.force + begin * before.force,
+                                end * passed.moment + begin * before.moment};
     const typename L::Spin turn = L::step_spin(begin_.near[0], w_.placement.near[0]);
     work -= dot(mean.force, root * chain_.root.motion) + dot(mean.moment, turn);
   }
@@ -62,32 +63,33 @@ double MotionStep<L, kElastic>::ground_work() {
 
   for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
     const auto& closure = chain_.closures[k];
-    const double now = w_.closed[k] ? w_.q.multiplier[k] : 0.0;
-    const double mean = end * now + (1.0 - end) * multiplier_[k];
+    const S now = w_.closed[k] ? w_.q.multiplier[k] : constant<S>(0);
+    const S mean = end * now + begin * multiplier_[k];
     work += mean * moved(closure.history) * closure.motion;
     if (closure.one_sided && !w_.q.released_closure[k]) {
-      const double closed = chain::closure_gap(chain_, closure, w_.placement, w_.time) -
-                            chain::closure_gap(chain_, closure, begin_, time_);
+      const S closed = chain::closure_gap(chain_, closure, w_.placement, w_.time) -
+                       chain::closure_gap(chain_, closure, begin_, time_);
       flows_.numerical -= mean * closed;
     }
     multiplier_[k] = now;
   }
   for (const auto& spring : chain_.springs) {
-    const double foot = moved(spring.history);
-    if (foot == 0.0) continue;
+    const S foot = moved(spring.history);
+    if (foot == constant<S>(0)) continue;
     for (std::size_t k = 0; k < L::kTranslations; ++k) {
       const auto pull = [&](const Placement& placement, double time) {
-        const double at = chain_.histories[spring.history].at(time) * spring.motion[k];
+        const S at = constant<S>(chain_.histories[spring.history].at(time)) * spring.motion[k];
         return -spring.stiffness[k] *
                (placement.point(spring.segment, spring.arm)[k] - spring.rest[k] - at);
       };
-      work += 0.5 * (pull(begin_, time_) + pull(w_.placement, w_.time)) * foot * spring.motion[k];
+      work += constant<S>(0.5) * (pull(begin_, time_) + pull(w_.placement, w_.time)) * foot *
+              spring.motion[k];
     }
   }
   for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
     const auto& joint = chain_.ground_joints[g];
     const typename L::Spin now = ground_moment(g);
-    const typename L::Spin mean = end * now + (1.0 - end) * ground_moment_[g];
+    const typename L::Spin mean = end * now + begin * ground_moment_[g];
     ground_moment_[g] = now;
     if (w_.q.released_ground_joint[g]) continue;
     work += dot(mean, moved(joint.history) * joint.motion);
@@ -98,11 +100,12 @@ double MotionStep<L, kElastic>::ground_work() {
 /// What the step's inertia forces took up.
 template <class L, bool kElastic>
 double MotionStep<L, kElastic>::inertia_work() const {
-  const double end = rule_.end_work;
+  const S end = constant<S>(rule_.end_work);
+  const S begin = constant<S>(1.0 - rule_.end_work);
   double work = 0.0;
   for (std::size_t i = 0; i < chain_.size(); ++i) {
-    const typename L::Point force = end * inertia_now_[i].force + (1.0 - end) * inertia_[i].force;
-    const typename L::Spin moment = end * inertia_now_[i].moment + (1.0 - end) * inertia_[i].moment;
+    const typename L::Point force = end * inertia_now_[i].force + begin * inertia_[i].force;
+    const typename L::Spin moment = end * inertia_now_[i].moment + begin * inertia_[i].moment;
     work -= dot(force, step_[i].way) + dot(moment, step_[i].spin);
   }
   return work;

@@ -31,20 +31,21 @@ void MotionStep<L, kElastic>::set_stage() {
   const std::size_t n = chain_.size();
   Placement& mean = stage.placement;
   const Placement& end = w_.placement;
+  const S half = constant<S>(0.5);
   typename L::Spin inner = L::step_spin(begin_.near[0], end.near[0]);
   for (std::size_t i = 0; i < n; ++i) {
     mean.frame[i] = L::mean(begin_.frame[i], end.frame[i]);
     mean.near[i] = L::mean(begin_.near[i], end.near[i]);
     mean.far[i] = L::mean(begin_.far[i], end.far[i]);
-    mean.position[i] = 0.5 * (begin_.position[i] + end.position[i]);
-    if constexpr (kElastic) stage.shift[i] = 0.5 * (q_begin_.shift[i] + w_.q.shift[i]);
+    mean.position[i] = half * (begin_.position[i] + end.position[i]);
+    if constexpr (kElastic) stage.shift[i] = half * (q_begin_.shift[i] + w_.q.shift[i]);
     stage.to_joint[i] = transpose(L::axes(begin_.near[i])) * L::work_to_joint(inner, step_[i].spin);
     inner = step_[i].spin;
   }
   for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
     const auto& joint = chain_.ground_joints[g];
     const auto turn = [&](double time) {
-      return L::rotation(chain_.histories[joint.history].at(time) * joint.motion);
+      return L::rotation(constant<S>(chain_.histories[joint.history].at(time)) * joint.motion);
     };
     stage.ground_axes[g] =
         L::work_from_joint(step_[joint.segment].spin, L::step_spin(turn(time_), turn(w_.time))) *
@@ -121,7 +122,7 @@ bool MotionStep<L, kElastic>::solve(double h) {
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::note_fastest() {
   for (const SegmentMotion<L>& motion : motion_) {
-    fastest_ = std::max(fastest_, size_of(motion.velocity));
+    fastest_ = std::max<double>(fastest_, size_of(motion.velocity));
   }
 }
 
@@ -131,9 +132,11 @@ bool MotionStep<L, kElastic>::solve_from(bool predicted) {
   w_.q = q_begin_;
   w_.time = time_ + h_;
   if (predicted) predict(h_);
-  // Nothing outside holds the momentum of a piece: it is kept to rounding.
-  newton_.polishes = claims_of(options_.scheme, options_.rho_infinity).momentum &&
-                     std::find(w_.q.open.begin(), w_.q.open.end(), true) != w_.q.open.end();
+  // Nothing outside holds the momentum of a piece: it is kept to rounding. With float the rounding
+  // of positions is so coarse a floor that what the velocities foretell may be below it.
+  const bool in_pieces = std::find(w_.q.open.begin(), w_.q.open.end(), true) != w_.q.open.end();
+  newton_.polishes =
+      !kIsDouble<S> || (claims_of(options_.scheme, options_.rho_infinity).momentum && in_pieces);
   w_.stage.half_way = rule_.half_way;
   w_.stage.follows = rule_.half_way ? 0.5 : 1.0;
   const auto outcome = equilibrate(

@@ -18,7 +18,7 @@ double MotionStep<L, kElastic>::gap_of(std::size_t k, const Placement& placement
 /// The share of the step that was solved at whose end a contact has just closed; 1: none does.
 template <class L, bool kElastic>
 double MotionStep<L, kElastic>::free_share() const {
-  const double tolerance = kContactTolerance * chain_.length;
+  const double tolerance = kContactTolerance<S> * chain_.length;
   double share = 1.0;
   for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
     if (!chain_.closures[k].one_sided || rests_on_[k]) continue;
@@ -37,7 +37,7 @@ template <class L, bool kElastic>
 void MotionStep<L, kElastic>::meet_at_begin() {
   for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
     if (!chain_.closures[k].one_sided || rests_on_[k]) continue;
-    const bool crosses = gap_of(k, w_.placement, w_.time) < -kContactTolerance * chain_.length;
+    const bool crosses = gap_of(k, w_.placement, w_.time) < -kContactTolerance<S> * chain_.length;
     if (crosses && gap_of(k, begin_, time_) <= 0.0) rests_on_[k] = true;
   }
   w_.q = q_begin_;
@@ -62,10 +62,9 @@ double MotionStep<L, kElastic>::approach_of(std::size_t k) const {
       L::turn(placement.frame[i], closure.arm - chain_.inertias[i].center);
   const double speed =
       dot(closure.direction, motion[i].velocity + L::spun(spin, arm)) + dot(closure.axis, spin);
-  const double secant = h_ > 0.0 ? (chain_.histories[closure.history].at(w_.time) -
-                                    chain_.histories[closure.history].at(w_.time - h_)) /
-                                       h_
-                                 : slope_of(closure.history);
+  const History& history = chain_.histories[closure.history];
+  const double secant =
+      h_ > 0.0 ? (history.at(w_.time) - history.at(w_.time - h_)) / h_ : history.slope_at(w_.time);
   return secant * closure.motion - speed;
 }
 
@@ -80,9 +79,10 @@ bool MotionStep<L, kElastic>::fit_velocities(Motions& motion, const std::vector<
   for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
     const auto& closure = chain_.closures[k];
     rates.acts[k] = (!closure.one_sided || acts[k]) && !w_.q.released_closure[k];
-    rates.rate[k] = slope_of(closure.history) * closure.motion + (bounce.empty() ? 0.0 : bounce[k]);
+    const S away = constant<S>(bounce.empty() ? 0.0 : bounce[k]);
+    rates.rate[k] = slope_of(closure.history) * closure.motion + away;
   }
-  const double slope = slope_of(chain_.root.history);
+  const S slope = slope_of(chain_.root.history);
   const chain::Motion<L> ground{slope * chain_.root.motion, slope * chain_.root.turn};
   given_ = motion;
   for (;;) {
@@ -206,7 +206,7 @@ void MotionStep<L, kElastic>::restart() {
   laws_alone_.force = w_.joints.force;
   set_accelerations(chain_, laws_alone_, no_motion_, carried_, rates_, motion_, w_);
   for (std::size_t k = 0; k < multiplier_.size(); ++k) {
-    multiplier_[k] = rates_.acts[k] ? w_.small.b(k) : 0.0;
+    multiplier_[k] = rates_.acts[k] ? w_.small.b(k) : constant<S>(0);
   }
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     inertia_[i] = inertia_force(rule_, 1.0, chain_.inertias[i], w_.placement.frame[i],

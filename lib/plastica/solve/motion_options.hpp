@@ -31,7 +31,8 @@ inline constexpr double kLargestStepSpin = 1.5;
 inline constexpr double kLeastTolerance = 1e-11;
 
 /// How far a contact may be crossed when its impact is found, over the beam's length [1].
-inline constexpr double kContactTolerance = 1e-7;
+template <class S>
+inline constexpr double kContactTolerance = kIsDouble<S> ? 1e-7 : 1e-5;
 
 /// An approach that is slower than this, times the largest speed so far, is rest and does not
 /// bounce [1].

@@ -6,7 +6,8 @@
 namespace plastica::solve {
 
 template <class L, bool kElastic>
-void MotionStep<L, kElastic>::predict(double h) {
+void MotionStep<L, kElastic>::predict(double length) {
+  const S h = constant<S>(length);
   typename L::Spin inner_spin = slope_of(chain_.root.history) * chain_.root.turn;
   typename L::Point inner_velocity{};
   for (std::size_t i = 0; i < chain_.size(); ++i) {
@@ -15,8 +16,9 @@ void MotionStep<L, kElastic>::predict(double h) {
     const typename L::Point arm = L::turn(frame, chain_.inertias[i].center);
     const typename L::Point velocity = motion_[i].velocity - L::spun(spin, arm);
     if (w_.q.open[i]) {
-      const typename L::Spin turn =
-          std::min(1.0, 0.5 * kLargestStepSpin / std::max(h * size_of(spin), 1e-30)) * (h * spin);
+      const S size = max(h * size_of(spin), constant<S>(1e-30));
+      const S share = min(constant<S>(1), constant<S>(0.5 * kLargestStepSpin) / size);
+      const typename L::Spin turn = share * (h * spin);
       w_.q.pose[i].position += h * velocity;
       w_.q.pose[i].frame = L::then(L::rotation(turn), w_.q.pose[i].frame);
     } else {
@@ -36,13 +38,13 @@ void MotionStep<L, kElastic>::predict(double h) {
 
 /// @param gap_rate  velocity of the segment's joint less that of its inner neighbour
 template <class L, bool kElastic>
-void MotionStep<L, kElastic>::predict_joint(std::size_t i, double h,
+void MotionStep<L, kElastic>::predict_joint(std::size_t i, const S& h,
                                             const typename L::Spin& inner_spin,
                                             const typename L::Point& gap_rate) {
   const typename L::Spin spin = L::axes(begin_.frame[i]) * motion_[i].spin;
   typename L::Spin turn = h * transposed_times(L::axes(begin_.near[i]), spin - inner_spin);
-  const double most = options_.largest_turn;
-  const double size = size_of(turn);
+  const S most = constant<S>(options_.largest_turn);
+  const S size = size_of(turn);
   if (size > most) turn = (most / size) * turn;
   w_.q.angle[i] = L::turn_by(turn, w_.q.angle[i]);
   for (std::size_t k = 0; k < L::kRotations; ++k) {
@@ -53,10 +55,11 @@ void MotionStep<L, kElastic>::predict_joint(std::size_t i, double h,
     const auto near = L::turn_matrix(begin_.near[i]);
     const auto far = L::turn_matrix(begin_.far[i]);
     const typename L::Point& shift = q_begin_.shift[i];
+    const S half = constant<S>(0.5);
     const typename L::Point turned =
-        L::spun(inner_spin, 0.5 * (near * shift)) + L::spun(spin, 0.5 * (far * shift));
+        L::spun(inner_spin, half * (near * shift)) + L::spun(spin, half * (far * shift));
     if (i > 0) {
-      w_.q.shift[i] += h * (chain::inverse(0.5 * (near + far)) * (gap_rate - turned));
+      w_.q.shift[i] += h * (chain::inverse(half * (near + far)) * (gap_rate - turned));
     }
   }
 }
@@ -73,12 +76,14 @@ double MotionStep<L, kElastic>::error() const {
   const bool known = !first_order && h_before_ > 0.0;
   double largest = 0.0;
   for (std::size_t i = 0; i < chain_.size(); ++i) {
-    typename L::Point off = step_[i].way - h_ * motion_[i].velocity;
-    if (known) off -= (0.5 * h_ * h_) * pull_[i];
-    largest = std::max(largest, size_of(off));
+    const S h = constant<S>(h_);
+    typename L::Point off = step_[i].way - h * motion_[i].velocity;
+    if (known) off -= constant<S>(0.5 * h_ * h_) * pull_[i];
+    double size = size_of(off);
     if constexpr (L::kTranslations == 0) {
-      largest = std::max(largest, chain_.length * size_of(step_[i].spin - h_ * motion_[i].spin));
+      size = chain_.length * size_of(step_[i].spin - h * motion_[i].spin);
     }
+    largest = std::max(largest, size);
   }
   return largest * (known ? 1.0 / (2.0 + 3.0 * h_before_ / h_) : 0.5);
 }
@@ -87,17 +92,18 @@ double MotionStep<L, kElastic>::error() const {
 /// the mass over the square of the step.
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::set_force_floor() {
-  constexpr double kShare = 1e-4;
+  // Times the least tolerance, four times the rounding.
+  constexpr double kShare = kIsDouble<S> ? 1e-4 : 0.03;
   double far = chain_.length;
   if constexpr (L::kTranslations > 0) {
     for (const std::size_t i : {std::size_t{0}, chain_.size() - 1}) {
-      far = std::max(far, size_of(begin_.position[i]));
+      far = std::max<double>(far, size_of(begin_.position[i]));
     }
-    w_.force_floor = kShare * mass_ * far / (h_ * h_);
+    w_.force_floor = constant<S>(kShare * mass_ * far / (h_ * h_));
   } else {
     double turning = 0.0;
     for (const auto& inertia : chain_.inertias) turning += inertia.turning(0, 0);
-    w_.force_floor = kShare * turning / (h_ * h_ * far);
+    w_.force_floor = constant<S>(kShare * turning / (h_ * h_ * far));
   }
 }
 

@@ -20,6 +20,7 @@ namespace plastica::solve {
 template <class L, bool kElastic>
 class MotionStep {
  public:
+  using S = typename L::Scalar;
   using Work = NewtonWork<L, kElastic>;
   using Joints = chain::SectionJointsBase<L, kElastic>;
   using Motions = std::vector<SegmentMotion<L>>;
@@ -66,7 +67,7 @@ class MotionStep {
     const std::size_t closures = chain_.closures.size();
     rests_on_.assign(closures, false);
     bounces_.assign(closures, 0);
-    multiplier_.assign(closures, 0.0);
+    multiplier_.assign(closures, constant<S>(0));
     root_wrench_.reset();
     flows_ = {};
     rests_ = 0;
@@ -116,7 +117,7 @@ class MotionStep {
     inertia_ = inertia_now_;
     time_ = w_.time;
     for (std::size_t i = 0; i < chain_.size(); ++i) {
-      pull_[i] = (1.0 / h_) * (motion_now_[i].velocity - motion_[i].velocity);
+      pull_[i] = constant<S>(1.0 / h_) * (motion_now_[i].velocity - motion_[i].velocity);
     }
     h_before_ = h_;
     std::swap(motion_, motion_now_);
@@ -198,7 +199,7 @@ class MotionStep {
 
   // motion_predict.hpp
   void predict(double h);
-  void predict_joint(std::size_t i, double h, const typename L::Spin& inner_spin,
+  void predict_joint(std::size_t i, const S& h, const typename L::Spin& inner_spin,
                      const typename L::Point& inner_velocity);
   void set_force_floor();
   // motion_forces.hpp
@@ -222,7 +223,9 @@ class MotionStep {
   double gap_of(std::size_t closure, const Placement& placement, double time) const;
   double free_share() const;
   void meet_at_begin();
-  double slope_of(std::size_t history) const { return chain_.histories[history].slope_at(w_.time); }
+  S slope_of(std::size_t history) const {
+    return constant<S>(chain_.histories[history].slope_at(w_.time));
+  }
   double approach_of(std::size_t closure) const;
   bool fit_velocities(Motions& motion, const std::vector<bool>& acts,
                       const std::vector<double>& bounce);
@@ -263,7 +266,7 @@ class MotionStep {
   std::vector<CenterForce<L>> inertia_;
   std::vector<bool> rests_on_;                   ///< one-sided closures that are closed (closures)
   std::vector<int> bounces_;                     ///< in a row (closures)
-  std::vector<double> multiplier_;               ///< (closures)
+  std::vector<S> multiplier_;                    ///< (closures)
   std::optional<chain::Wrench<L>> root_wrench_;  ///< what the root passed on; none: not known
   std::vector<typename L::Spin> ground_moment_;  ///< of ground joints on their segments
   // At its end:

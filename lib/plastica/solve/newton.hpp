@@ -27,18 +27,17 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
                                               const Condition& condition_at) {
   using S = typename L::Scalar;
   NewtonOutcome<S> outcome;
-  constexpr bool kDouble = sizeof(real_t<S>) == 8;
-  const S enough = constant<S>(kDouble ? options.tolerance : std::max(options.tolerance, 2e-5));
-  const S huge = constant<S>(kDouble ? 1e100 : 1e30);
+  const S huge = constant<S>(kIsDouble<S> ? 1e100 : 1e30);
   bool polished = false;
   for (int iteration = 0;; ++iteration) {
+    const S enough = constant<S>(reachable<S>(options.tolerance, iteration));
     assemble(w);
     if (options.one_solve && iteration > 0 && detail::closures_meet(chain, w)) {
       w.recursion.sum(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);
       const S imbalance = detail::relative_imbalance(chain, w);
       outcome.imbalance[static_cast<std::size_t>(iteration)] = imbalance;
       outcome.iterations = iteration;
-      outcome.converged = imbalance <= constant<S>(kOneSolveTolerance);
+      outcome.converged = imbalance <= constant<S>(reachable<S>(kOneSolveTolerance, iteration));
       if (!any(!outcome.converged)) break;
     }
     const PathCondition<L> condition = condition_at(w);

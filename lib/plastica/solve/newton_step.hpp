@@ -57,7 +57,7 @@ bool closures_meet(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& 
   if (w.closed_anew) return false;
   for (std::size_t k = 0; k < chain.closures.size(); ++k) {
     const S size = chain.closures[k].turning ? constant<S>(1) : chain.length;
-    if (any(abs(w.gap[k]) > constant<S>(kClosureTolerance) * size)) return false;
+    if (any(abs(w.gap[k]) > constant<S>(kClosureTolerance<S>) * size)) return false;
   }
   return true;
 }
@@ -319,7 +319,7 @@ void take_step(const chain::Chain<L>& chain, const PathCondition<L>& condition,
   for (std::size_t k = 0; k < chain.closures.size(); ++k) {
     w.q.multiplier[k] += part * w.small.b(k);
   }
-  if constexpr (std::is_same_v<S, double>) {
+  if constexpr (std::is_floating_point_v<S>) {
     if (condition.active) w.time += part * w.small.b(chain.closures.size());
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -105,10 +106,20 @@ struct NewtonWork {
 
 inline constexpr int kMostIterations = 64;
 
+/// A tolerance that a scalar can meet: as asked for; with float no less than 170 units of its
+/// rounding, since what joints transmit are sums over the chain. If after six iterations that is
+/// not met, 4200 units: the moment of a joint to the ground is that of its angle, a small
+/// difference between the ground's angle and the sum of all the joints'.
+template <class S>
+constexpr double reachable(double tolerance, int iteration = 0) {
+  return kIsDouble<S> ? tolerance : std::max(tolerance, iteration < 6 ? 2e-5 : 5e-4);
+}
+
 inline constexpr double kOneSolveTolerance = 1e-5;
 
 /// How far a closure may be off after a step of one solve, over the beam's length [1].
-inline constexpr double kClosureTolerance = 1e-7;
+template <class S>
+inline constexpr double kClosureTolerance = kIsDouble<S> ? 1e-7 : 1e-5;
 
 struct NewtonOptions {
   int most_iterations = 25;  ///< <= kMostIterations

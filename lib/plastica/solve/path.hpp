@@ -32,6 +32,7 @@ class PathWalker {
   using Laws = chain::JointLaws<L, kElastic>;
   using Work = NewtonWork<L, kElastic>;
   using Observer = PathObserver<L, kElastic>;
+  using S = typename L::Scalar;
   using Value = typename ControlPoint<L>::Value;
 
   PathWalker(const chain::Chain<L>& chain, Laws& laws, const PathOptions& options,
@@ -72,15 +73,15 @@ class PathWalker {
   enum class Trial { Accepted, Failed, Ended };
 
   /// Relative stiffness below which the supports leave the beam free to move.
-  static constexpr double kMechanism = 1e-11;
+  static constexpr double kMechanism = kIsDouble<S> ? 1e-11 : 1e-6;
   /// Share of the way that a closure's own stiffness would leave, below which it holds nothing.
-  static constexpr double kHeldTwice = 1e-8;
+  static constexpr double kHeldTwice = kIsDouble<S> ? 1e-8 : 1e-6;
   static constexpr double kTiny = std::numeric_limits<double>::min();
   static constexpr int kMostArcs = 400;
   /// How much longer than the first an arc may become: a way that bends sharply is long.
   static constexpr double kArcGrowth = 32.0;
 
-  static bool finite(const NewtonOutcome<double>& outcome) {
+  static bool finite(const NewtonOutcome<S>& outcome) {
     return std::isfinite(outcome.imbalance[static_cast<std::size_t>(outcome.iterations)]);
   }
 
@@ -113,9 +114,9 @@ class PathWalker {
       if (!w_.closed[k]) continue;
       const auto& closure = chain_.closures[k];
       detail::solve_closure(chain_, k, w_);
-      const double way = detail::power(chain::unit_wrench(closure, w_.placement),
-                                       w_.columns[1 + k].motion[closure.segment]);
-      if (!(way * detail::stiffness_of<double>(chain_, closure) > kHeldTwice)) return true;
+      const S way = detail::power(chain::unit_wrench(closure, w_.placement),
+                                  w_.columns[1 + k].motion[closure.segment]);
+      if (!(way * detail::stiffness_of<S>(chain_, closure) > kHeldTwice)) return true;
     }
     return false;
   }
@@ -124,7 +125,8 @@ class PathWalker {
     double largest = 0.0;
     for (std::size_t i = 0; i < chain_.size(); ++i) {
       for (std::size_t k = 0; k < L::kRotations; ++k) {
-        largest = std::max(largest, std::fabs(w_.q.angle[i][k] - committed_.angle[i][k]));
+        const double turn = w_.q.angle[i][k] - committed_.angle[i][k];
+        largest = std::max(largest, std::fabs(turn));
       }
     }
     return largest;
@@ -170,8 +172,8 @@ class PathWalker {
   void predict(double time) {
     PathCondition<L> at_time;
     at_time.active = true;
-    at_time.time_slope = 1.0;
-    at_time.value = w_.time - time;
+    at_time.time_slope = constant<S>(1);
+    at_time.value = constant<S>(w_.time - time);
     solve_rates(at_time);
     detail::combine_columns(chain_, at_time, w_);
     detail::take_step(chain_, at_time, false, w_);

@@ -10,8 +10,8 @@ bool PathWalker<L, kElastic>::begin_arcs() {
   restore();
   PathCondition<L> unit_time;
   unit_time.active = true;
-  unit_time.time_slope = 1.0;
-  unit_time.value = -1.0;
+  unit_time.time_slope = constant<S>(1);
+  unit_time.value = constant<S>(-1);
   solve_rates(unit_time);
   if (options_.finds_control) find_control();
   at_ = control_.value(w_.placement);
@@ -22,7 +22,7 @@ template <class L, bool kElastic>
 chain::Motion<L> PathWalker<L, kElastic>::rate_of(std::size_t segment) const {
   chain::Motion<L> rate = w_.columns.back().motion[segment];
   for (std::size_t j = 0; j < chain_.closures.size(); ++j) {
-    const double weight = w_.closed[j] ? w_.small.b(j) : 0.0;
+    const S weight = w_.closed[j] ? w_.small.b(j) : constant<S>(0);
     rate.shift += weight * w_.columns[1 + j].motion[segment].shift;
     rate.spin += weight * w_.columns[1 + j].motion[segment].spin;
   }
@@ -59,14 +59,14 @@ typename PathWalker<L, kElastic>::Arc PathWalker<L, kElastic>::next_arc(double l
   arc.from = control_.value(w_.placement);
   arc.from_time = time_;
   arc.length = length * way_;
-  Value du = (span_ / way_) * rate_;
+  Value du = constant<S>(span_ / way_) * rate_;
   double dt = 1.0;
   if (has_secant_) {
-    du = (1.0 / way_) * secant_;
+    du = constant<S>(1.0 / way_) * secant_;
     dt = secant_time_ / span_;
   }
   const double norm = std::sqrt(dot(du, du) + dt * dt);
-  arc.direction = (1.0 / norm) * du;
+  arc.direction = constant<S>(1.0 / norm) * du;
   arc.time_weight = dt / norm * way_ / span_;
   return arc;
 }
@@ -77,9 +77,9 @@ PathCondition<L> PathWalker<L, kElastic>::condition_of(const Arc& arc, const Wor
   condition.active = true;
   condition.segment = control_.segment;
   condition.covector = control_.covector(arc.direction, w.placement);
-  condition.time_slope = arc.time_weight;
-  condition.value = dot(arc.direction, control_.value(w.placement) - arc.from) +
-                    arc.time_weight * (w.time - arc.from_time) - arc.length;
+  condition.time_slope = constant<S>(arc.time_weight);
+  const double along = dot(arc.direction, control_.value(w.placement) - arc.from);
+  condition.value = constant<S>(along + arc.time_weight * (w.time - arc.from_time) - arc.length);
   return condition;
 }
 
@@ -109,7 +109,8 @@ typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::advance_arc() {
 }
 
 template <class L, bool kElastic>
-void PathWalker<L, kElastic>::extrapolate(double part) {
+void PathWalker<L, kElastic>::extrapolate(double share) {
+  const S part = constant<S>(share);
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     w_.q.angle[i] += part * (committed_.angle[i] - previous_.angle[i]);
     if constexpr (kElastic) {
@@ -120,7 +121,7 @@ void PathWalker<L, kElastic>::extrapolate(double part) {
   for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
     w_.q.multiplier[k] += part * (committed_.multiplier[k] - previous_.multiplier[k]);
   }
-  w_.time += part * (time_ - previous_time_);
+  w_.time += share * (time_ - previous_time_);
 }
 
 template <class L, bool kElastic>
@@ -203,10 +204,10 @@ Status PathWalker<L, kElastic>::walk_displacement() {
   chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
   const Value start = control_.value(w_.placement);
   Value way;
-  for (std::size_t k = 0; k < way.at.size(); ++k) way[k] = options_.control_motion[k];
+  for (std::size_t k = 0; k < way.at.size(); ++k) way[k] = constant<S>(options_.control_motion[k]);
   const double length = size_of(way);
   if (!(length > 0.0)) return Status::NotConverged;
-  const Value direction = (1.0 / length) * way;
+  const Value direction = constant<S>(1.0 / length) * way;
   const double even = length / options_.steps;
   double reached = 0.0;
   double step = even;
@@ -224,7 +225,8 @@ Status PathWalker<L, kElastic>::walk_displacement() {
             condition.active = true;
             condition.segment = control_.segment;
             condition.covector = control_.covector(direction, w.placement);
-            condition.value = dot(direction, control_.value(w.placement) - start) - next;
+            const double along = dot(direction, control_.value(w.placement) - start);
+            condition.value = constant<S>(along - next);
             return condition;
           },
           shortest);

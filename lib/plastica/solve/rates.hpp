@@ -26,7 +26,8 @@ struct CarriedMotion {
 
 /// A closure moves nothing that is free if a unit impulse along it does less than this share of
 /// what it would do to the beam's mass, free.
-inline constexpr double kHoldsNothing = 1e-10;
+template <class S>
+inline constexpr double kHoldsNothing = kIsDouble<S> ? 1e-10 : 1e-6;
 
 namespace detail {
 
@@ -83,7 +84,7 @@ bool solve_rates(const chain::Chain<L>& chain, const ClosureRates<L>& closures, 
     }
     const S own = power(wrench, w.columns[1 + k].motion[closure.segment]);
     const S free = one / (closure.turning ? turning : mass);
-    if (any(closures.acts[k] & !(own > constant<S>(kHoldsNothing) * free))) all_hold = false;
+    if (any(closures.acts[k] & !(own > constant<S>(kHoldsNothing<S>) * free))) all_hold = false;
     w.small.a(k, count) = zero;
     w.small.a(count, k) = zero;
     const S lacks = closures.rate[k] - power(wrench, w.columns[0].motion[closure.segment]);

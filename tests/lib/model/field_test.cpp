@@ -135,6 +135,8 @@ TEST(FieldTable, GivesTheWordsOfAMotionTheirMeaning) {
   EXPECT_EQ(set("solver.damping", "none").damping, Damping::None);
   EXPECT_EQ(set("solver.rotary_inertia", "off").rotary_inertia, RotaryInertia::Off);
   EXPECT_EQ(set("solver.rotary_inertia", "on").rotary_inertia, RotaryInertia::On);
+  EXPECT_EQ(set("solver.precision", "float").precision, Precision::Float);
+  EXPECT_EQ(set("solver.precision", "double").precision, Precision::Double);
 }
 
 TEST(FieldTable, LetsOptionalFieldsBeUnsetAgain) {

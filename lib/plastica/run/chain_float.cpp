@@ -1,0 +1,19 @@
+#include "plastica/run/chain_float.hpp"
+
+#include "plastica/run/chain_laws_make.hpp"
+#include "plastica/run/chain_motion_runner.hpp"
+#include "plastica/run/chain_runner_make.hpp"
+
+namespace plastica {
+
+std::unique_ptr<ChainProgram> make_float_program(const ChainModel& model,
+                                                 const chain::View<chain::Twist<float>>& view) {
+  return make_program<chain::Twist<float>, false>(model, view);
+}
+
+std::unique_ptr<ChainProgram> make_float_program(const ChainModel& model,
+                                                 const chain::View<chain::Planar<float>>& view) {
+  return make_program<chain::Planar<float>, false>(model, view);
+}
+
+}  // namespace plastica

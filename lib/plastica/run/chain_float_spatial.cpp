@@ -1,0 +1,14 @@
+#include "plastica/run/chain_float.hpp"
+#include "plastica/run/chain_laws_make.hpp"
+#include "plastica/run/chain_motion_runner.hpp"
+#include "plastica/run/chain_runner_make.hpp"
+#include "plastica/run/surface_law_make.hpp"
+
+namespace plastica {
+
+std::unique_ptr<ChainProgram> make_float_program(const ChainModel& model,
+                                                 const chain::View<chain::Spatial<float>>& view) {
+  return make_program<chain::Spatial<float>, false>(model, view);
+}
+
+}  // namespace plastica
