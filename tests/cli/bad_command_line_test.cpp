@@ -26,8 +26,9 @@ INSTANTIATE_TEST_SUITE_P(
         line("UnknownCommand", {"calibrat", "fit.toml"},
              "calibrat: is not a command; did you mean calibrate?"),
         line("UnlikelyCommand", {"xyzzy"},
-             "xyzzy: is not a command; there are calibrate, inspect, init, simulate, show, plot, "
-             "export, fields"),
+             "xyzzy: is not a command; there are calibrate, inspect, init, simulate, sweep, "
+             "recommend, "
+             "check, show, plot, export, fields"),
         line("UnknownOption", {"calibrate", "fit.toml", "--thread", "1"},
              "The following argument was not expected: --thread (see plastica calibrate --help)"),
         line("NoInput", {"calibrate"}, "inputs is required (see plastica calibrate --help)"),
@@ -44,8 +45,8 @@ INSTANTIATE_TEST_SUITE_P(
         line("OptionOfBareCurvesWithFitFile",
              {"calibrate", "fit.toml", "--fix", "youngs_modulus=200 GPa"},
              "--fix: is for curves without a fit file; this is what fit.toml says"),
-        line("UnknownKindToInit", {"init", "sweep"},
-             "kind: sweep not in {fit,scene,coupon} (see plastica init --help)"),
+        line("UnknownKindToInit", {"init", "sweeps"},
+             "kind: sweeps not in {fit,scene,coupon,sweep,check} (see plastica init --help)"),
         line("InitOverAFitFile", {"init", "fit"},
              "init = ./fit.toml: exists already; --force overwrites it"),
         line("InitInMissingFolder", {"init", "scene", "-d", "none"},

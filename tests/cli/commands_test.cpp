@@ -5,6 +5,8 @@
 
 #include "plastica/base/version.hpp"
 #include "plastica/model/field.hpp"
+#include "sweeps/compare/closed_forms.hpp"
+#include "sweeps/plan/derived_fields.hpp"
 #include "tests/cli/command.hpp"
 #include "tests/cli/curves.hpp"
 
@@ -54,10 +56,16 @@ TEST(Command, HelpsWithAnExampleForEachCommand) {
 
 TEST(Command, ListsEveryFieldAtTheBeginningOfALine) {
   const std::string list = "\n" + output_of(Workplace(), {"fields"});
-  EXPECT_EQ(lines_of(list), fields().size() + 2);  // a line of titles, and the one put before
-  for (const Field& field : fields()) {
-    EXPECT_TRUE(has(list, "\n" + std::string(field.path) + " ")) << field.path;
-  }
+  const auto derived = sweeps::derived_fields();
+  const auto forms = sweeps::closed_forms();
+  // The line put before, and those of titles with blank ones before the second and third.
+  EXPECT_EQ(lines_of(list), 1 + fields().size() + derived.size() + forms.size() + 5);
+  const auto expect = [&](std::string_view name) {
+    EXPECT_TRUE(has(list, "\n" + std::string(name) + " ")) << name;
+  };
+  for (const Field& field : fields()) expect(field.path);
+  for (const Field& field : derived) expect(field.path);
+  for (const sweeps::ClosedForm& form : forms) expect(form.name);
 }
 
 TEST(Command, InitsAFitThatRunsAsItIs) {
