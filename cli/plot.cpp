@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "calibrate/store/fit_store.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/report/scene_plot.hpp"
@@ -39,16 +41,30 @@ void list(const PlotArguments& arguments) {
     print(calibrate::plot_kinds());
     fmt::print("of a simulated scene:\n");
     print(report::scene_plot_kinds());
-  } else if (holds_scene(arguments.files.front())) {
-    print(report::scene_plot_kinds_of(io::read_scene_store(arguments.files.front())));
-  } else {
-    print(calibrate::plot_kinds());
+    return;
+  }
+  switch (kind_of_result(arguments.files.front())) {
+    case ResultKind::Fits: print(calibrate::plot_kinds()); break;
+    case ResultKind::Scene:
+      print(report::scene_plot_kinds_of(io::read_scene_store(arguments.files.front())));
+      break;
+    case ResultKind::Sweep: break;
   }
 }
 
+void check_options(ResultKind kind, const PlotArguments& arguments) {
+  using enum ResultKind;
+  const std::array options{ResultOption{"--case", !arguments.request.specimen.empty(), {Fits}},
+                           ResultOption{"--joint", arguments.joint.has_value(), {Scene}},
+                           ResultOption{"--probe", !arguments.probe.empty(), {Scene}},
+                           ResultOption{"--time", !arguments.time.empty(), {Scene}},
+                           ResultOption{"--frames", arguments.film_frames.has_value(), {Scene}},
+                           ResultOption{"--from", !arguments.film_from.empty(), {Scene}},
+                           ResultOption{"--to", !arguments.film_to.empty(), {Scene}}};
+  refuse_options_of_others(kind, options);
+}
+
 void draw_scenes(const PlotArguments& arguments) {
-  refuse_option(!arguments.request.specimen.empty(), "--case",
-                "is for results of fits; this is a simulated scene");
   std::vector<io::SceneRecord> records;
   for (const std::string& file : arguments.files) records.push_back(io::read_scene_store(file));
   report::ScenePlotRequest request{arguments.request.what, arguments.joint, arguments.probe,
@@ -61,13 +77,6 @@ void draw_scenes(const PlotArguments& arguments) {
 }
 
 void draw_fits(const PlotArguments& arguments) {
-  constexpr std::string_view kRule = "is for simulated scenes; this is a result of fits";
-  refuse_option(arguments.joint.has_value(), "--joint", kRule);
-  refuse_option(!arguments.probe.empty(), "--probe", kRule);
-  refuse_option(!arguments.time.empty(), "--time", kRule);
-  refuse_option(arguments.film_frames.has_value(), "--frames", kRule);
-  refuse_option(!arguments.film_from.empty(), "--from", kRule);
-  refuse_option(!arguments.film_to.empty(), "--to", kRule);
   if (arguments.files.size() > 1) {
     throw InputError({}, "plot", arguments.files[1],
                      "must not be there: fits are drawn of one file");
@@ -86,10 +95,12 @@ int plot(const PlotArguments& arguments) {
     for (const std::string& file : arguments.files) refuse_input("--output", output, file);
     io::check_output_path(output, arguments.force);
   }
-  if (holds_scene(arguments.files.front())) {
-    draw_scenes(arguments);
-  } else {
-    draw_fits(arguments);
+  const ResultKind kind = kind_of_result(arguments.files.front());
+  check_options(kind, arguments);
+  switch (kind) {
+    case ResultKind::Fits: draw_fits(arguments); break;
+    case ResultKind::Scene: draw_scenes(arguments); break;
+    case ResultKind::Sweep: throw InputError({}, "plot", arguments.files.front(), "is a sweep");
   }
   if (output != "-") fmt::print("wrote {}\n", output);
   return kDone;

@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "plastica/base/check.hpp"
-#include "plastica/io/scene_store.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::cli {
@@ -55,14 +54,6 @@ void refuse_input(std::string_view option, const std::string& output, const std:
   std::error_code ignored;
   if (!fs::equivalent(output, input, ignored)) return;
   throw InputError({}, option, output, "is a file that this run reads");
-}
-
-bool holds_scene(const std::string& path) {
-  const std::string schema = io::schema_of(path);
-  if (schema == io::kSceneSchema) return true;
-  if (schema == calibrate::kFitStoreSchema) return false;
-  throw InputError({path, 0}, "schema", schema,
-                   fmt::format("must be {} or {}", calibrate::kFitStoreSchema, io::kSceneSchema));
 }
 
 void refuse_option(bool given, std::string_view option, std::string_view rule) {

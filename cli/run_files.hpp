@@ -17,11 +17,7 @@ std::vector<io::InputText> input_texts(const calibrate::FitFile& file);
 /// Refuses to write over a file that is read, whatever is forced. @throws InputError
 void refuse_input(std::string_view option, const std::string& output, const std::string& input);
 
-/// Whether a result file holds a simulated scene, and not fits.
-/// @throws InputError if it holds neither
-bool holds_scene(const std::string& path);
-
-/// Refuses an option that does not go with what a file holds. @throws InputError
+/// Refuses an option that does not go with the others. @throws InputError
 /// @param given  whether the command line has the option
 void refuse_option(bool given, std::string_view option, std::string_view rule);
 

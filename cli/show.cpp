@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -11,37 +11,51 @@
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/find_record.hpp"
-#include "cli/run_files.hpp"
+#include "cli/result_kind.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/report/scene_text.hpp"
+#include "sweeps/report/select.hpp"
+#include "sweeps/report/text.hpp"
+#include "sweeps/store/sweep_store.hpp"
 
 namespace plastica::cli {
 namespace {
 
 struct ShowArguments {
   std::string file;
-  std::string specimen;
+  std::string which;  ///< of the specimens or cases
   bool all = false;
 };
 
 int show_scene(const ShowArguments& arguments) {
-  constexpr std::string_view kRule = "is for results of fits; this is a simulated scene";
-  refuse_option(!arguments.specimen.empty(), "--case", kRule);
-  refuse_option(arguments.all, "--all", kRule);
   const io::SceneRecord record = io::read_scene_store(arguments.file);
   fmt::print("{}", report::scene_report(record, isatty(STDOUT_FILENO) != 0));
   return kDone;
 }
 
-int show(const ShowArguments& arguments) {
-  if (holds_scene(arguments.file)) return show_scene(arguments);
+int show_sweep(const ShowArguments& arguments) {
+  const sweeps::SweepRecord record = sweeps::read_sweep_store(arguments.file);
+  if (arguments.which.empty()) {
+    fmt::print("{}",
+               arguments.all ? sweeps::sweep_report(record, 0) : sweeps::sweep_report(record));
+    return kDone;
+  }
+  bool first = true;
+  for (const std::size_t i : sweeps::select_cases(record, arguments.which)) {
+    fmt::print("{}{}", first ? "" : "\n", sweeps::case_report(record, i));
+    first = false;
+  }
+  return kDone;
+}
+
+int show_fits(const ShowArguments& arguments) {
   const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
   calibrate::ReportOptions options;
   options.color = isatty(STDOUT_FILENO) != 0;
   options.confidence = contents.options.confidence;
   options.law = contents.options.setup.scene.material.hardening.law;
-  if (!arguments.specimen.empty()) {
-    const auto& record = find_record(contents.records, arguments.specimen, arguments.file);
+  if (!arguments.which.empty()) {
+    const auto& record = find_record(contents.records, arguments.which, arguments.file);
     fmt::print("{}", calibrate::fit_report(record, options));
     return kDone;
   }
@@ -58,16 +72,37 @@ int show(const ShowArguments& arguments) {
   return kDone;
 }
 
+int show(const ShowArguments& arguments) {
+  using enum ResultKind;
+  const ResultKind kind = kind_of_result(arguments.file);
+  const std::array options{ResultOption{"--case", !arguments.which.empty(), {Fits, Sweep}},
+                           ResultOption{"--all", arguments.all, {Fits, Sweep}}};
+  refuse_options_of_others(kind, options);
+  switch (kind) {
+    case Fits: return show_fits(arguments);
+    case Scene: return show_scene(arguments);
+    case Sweep: break;
+  }
+  return show_sweep(arguments);
+}
+
 }  // namespace
 
 void add_show(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("show", "the report of a result file");
   auto arguments = std::make_shared<ShowArguments>();
-  sub->add_option("file", arguments->file, "result of `plastica calibrate` or `simulate`")
+  sub->add_option("file", arguments->file, "result of `plastica calibrate`, `simulate` or `sweep`")
       ->required();
-  sub->add_option("--case", arguments->specimen, "the whole report of one specimen");
-  sub->add_flag("--all", arguments->all, "the whole report of every specimen");
-  sub->footer("Example: plastica show fit.h5 --case CA-RD-01");
+  sub->add_option(
+      "--case", arguments->which,
+      "the whole report of one specimen, or all of cases of a sweep: an id, or \"AXIS = "
+      "VALUE, AXIS = VALUE\"");
+  sub->add_flag("--all", arguments->all,
+                "the whole report of every specimen; every case of a sweep, however many");
+  sub->footer(
+      "Examples:\n"
+      "  plastica show fit.h5 --case CA-RD-01\n"
+      "  plastica show sweep.h5 --case \"beam.segments = 20\"");
   sub->callback([&action, arguments] { action = [arguments] { return show(*arguments); }; });
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,13 +16,17 @@
 #include "cli/progress_bar.hpp"
 #include "cli/response_bytes.hpp"
 #include "cli/run_files.hpp"
+#include "plastica/io/storage_error.hpp"
 #include "plastica/report/format.hpp"
 #include "plastica/run/simulate.hpp"
+#include "sweeps/report/json.hpp"
 #include "sweeps/report/text.hpp"
 #include "sweeps/store/sweep_store.hpp"
 
 namespace plastica::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct SweepArguments {
   std::string file;
@@ -37,23 +43,39 @@ struct SweepArguments {
 
 std::string output_of(const SweepArguments& arguments) {
   if (!arguments.output.empty()) return arguments.output;
-  return std::filesystem::path(arguments.file).stem().string() + ".h5";
+  return fs::path(arguments.file).stem().string() + ".h5";
+}
+
+/// Refuses to write over what the sweep reads, whatever is forced.
+void refuse_inputs(std::string_view option, const std::string& path, const sweeps::Sweep& sweep) {
+  refuse_input(option, path, sweep.path);
+  refuse_input(option, path, sweep.scene.path);
+  if (sweep.against.kind == sweeps::AgainstKind::File) {
+    refuse_input(option, path, sweep.against.name);
+  }
 }
 
 /// An output that is there is gone on with, or replaced on purpose.
-void check_outputs(const SweepArguments& arguments, const std::string& output) {
+void check_outputs(const SweepArguments& arguments, const std::string& output,
+                   const sweeps::Sweep& sweep) {
   const bool goes_on = arguments.resume || arguments.rerun_failed;
-  refuse_input("--output", output, arguments.file);
+  refuse_inputs("--output", output, sweep);
+  if (!arguments.json.empty()) {
+    refuse_inputs("--json", arguments.json, sweep);
+    if (fs::path(arguments.json).lexically_normal() == fs::path(output).lexically_normal()) {
+      throw InputError({}, "--json", arguments.json, "is the result file, too");
+    }
+    io::check_output_path(arguments.json, arguments.force || goes_on);
+  }
   io::check_output_path(output, arguments.force || goes_on);
-  if (arguments.rerun_failed && !std::filesystem::exists(output) &&
-      !std::filesystem::exists(io::journal_path(output))) {
+  if (arguments.rerun_failed && !fs::exists(output) && !fs::exists(io::journal_path(output))) {
     throw InputError({}, "--rerun-failed", output, "is not there: nothing has been run yet");
   }
 }
 
 sweeps::EarlierResults results_before(const SweepArguments& arguments, const std::string& output) {
   const bool goes_on = arguments.resume || arguments.rerun_failed;
-  if (!goes_on || !std::filesystem::exists(output)) return {};
+  if (!goes_on || !fs::exists(output)) return {};
   return sweeps::earlier_results(output);
 }
 
@@ -87,11 +109,18 @@ void tell_of_journal(const sweeps::SweepRun& run, bool quiet) {
   }
 }
 
+void write_json(const std::string& path, const sweeps::SweepRecord& record) {
+  std::ofstream out(path, std::ios::binary);
+  out << sweeps::sweep_json(record);
+  out.close();
+  if (!out) throw io::StorageError(path, "cannot be written");
+}
+
 int sweep_file(const SweepArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string output = output_of(arguments);
   const sweeps::Sweep sweep = sweeps::read_sweep_file(arguments.file);
-  if (!arguments.dry_run) check_outputs(arguments, output);
+  if (!arguments.dry_run) check_outputs(arguments, output, sweep);
   sweeps::check_reference(sweep, sweeps::CaseTable(sweep));
   if (arguments.dry_run) return print_dry_run(sweep, output);
 
@@ -125,6 +154,7 @@ int sweep_file(const SweepArguments& arguments) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   sweeps::write_sweep_store(output, record);
   run.finish();
+  if (!arguments.json.empty()) write_json(arguments.json, record);
   if (!arguments.quiet) {
     fmt::print("{}", sweeps::sweep_report(record));
     fmt::print(stderr, "wrote {}\n", output);
@@ -142,6 +172,7 @@ void add_sweep(CLI::App& app, const std::string& command_line, Action& action) {
   sub->add_option("file", arguments->file, "SWEEP.toml")->required();
   sub->add_option("-o,--output", arguments->output,
                   "result file (HDF5); default: the sweep's name with .h5, here");
+  sub->add_option("--json", arguments->json, "also write the summary for scripts");
   sub->add_option("--threads", arguments->threads,
                   "0: as many as the machine has, or one where cases are timed")
       ->check(CLI::Range(0, 4096));

@@ -161,13 +161,20 @@ void write_head(Hdf5Group& root, const SweepRecord& record) {
   head.set_attribute(".", "parameter", quantity.parameter);
   head.set_attribute(".", "quantity", quantity.name);
   head.set_attribute(".", "unit", quantity.unit);
-  head.set_attribute(".", "dimension", static_cast<std::int64_t>(quantity.dimension));
+  head.set_attribute(".", "dimension", name_of(quantity.dimension));
   head.set_attribute(".", "against", record.against);
   head.set_attribute(".", "timed_runs", record.timed_runs);
   if (record.error_scale) head.set_attribute(".", "error_scale", *record.error_scale);
   if (record.refined) {
     head.set_attribute(".", "refined_axis", static_cast<std::int64_t>(*record.refined));
   }
+}
+
+Dimension dimension_of(const std::string& name, const std::string& file) {
+  for (int k = 0; k <= static_cast<int>(Dimension::AngularVelocity); ++k) {
+    if (name_of(static_cast<Dimension>(k)) == name) return static_cast<Dimension>(k);
+  }
+  throw InputError({file, 0}, "/sweep/dimension", name, "is no word of this file");
 }
 
 void read_head(const Hdf5Group& root, SweepRecord& record) {
@@ -184,7 +191,7 @@ void read_head(const Hdf5Group& root, SweepRecord& record) {
   quantity.parameter = word("parameter");
   quantity.name = word("quantity");
   quantity.unit = word("unit");
-  quantity.dimension = static_cast<Dimension>(number("dimension"));
+  quantity.dimension = dimension_of(word("dimension"), root.file());
   record.against = word("against");
   record.timed_runs = static_cast<int>(number("timed_runs"));
   if (head.has_attribute(".", "error_scale")) {

@@ -58,10 +58,11 @@ TEST(BadResult, ThatIsTruncatedIsRefused) {
 TEST(BadResult, OfAnotherSchemaIsRefused) {
   const Workplace place;
   io::Hdf5File file = io::Hdf5File::create(place.path("x.h5"));
-  file.root().set_attribute(".", "schema", "plastica/sweep");
+  file.root().set_attribute(".", "schema", "plastica/other");
   file.commit();
   expect_no_result(place.read("x.h5"),
-                   "x.h5: schema = plastica/sweep: must be plastica/fits or plastica/scene");
+                   "x.h5: schema = plastica/other: must be plastica/fits, plastica/scene or "
+                   "plastica/sweep");
 }
 
 TEST(BadRequest, OfAResultIsRefusedInOneLine) {
@@ -80,10 +81,12 @@ TEST(BadRequest, OfAResultIsRefusedInOneLine) {
       {{"plot", "x.h5", "--joint", "1"},
        "--joint: is for simulated scenes; this is a result of fits"},
       {{"export", "x.h5", "--to", "xls"},
-       "--to: xls not in {csv,json} (see plastica export --help)"},
+       "--to: xls not in {csv,json,markdown,latex} (see plastica export --help)"},
       {{"export", "x.h5", "--what", "all"},
-       "--what: all not in {specimens,curves,probes,joints,energies,events,pieces,spectrum} (see "
+       "--what: all not in "
+       "{specimens,curves,probes,joints,energies,events,pieces,spectrum,cases} (see "
        "plastica export --help)"},
+      {{"export", "x.h5", "--to", "latex"}, "--to latex: is for sweeps; this is a result of fits"},
       {{"export", "x.h5", "-o", "mine.csv"},
        "mine.csv: exists already: use --force to overwrite it"},
       {{"export", "x.h5", "-o", "x.h5", "--force"},

@@ -122,8 +122,9 @@ TEST(BadSceneRequest, IsRefusedInOneLine) {
                                                  {"beam.toml", cantilever_text()}};
   const std::vector<std::pair<std::vector<std::string>, std::string>> requests = {
       {{"show", "x.h5", "--case", "a"},
-       "--case: is for results of fits; this is a simulated scene"},
-      {{"show", "x.h5", "--all"}, "--all: is for results of fits; this is a simulated scene"},
+       "--case: is for results of fits and sweeps; this is a simulated scene"},
+      {{"show", "x.h5", "--all"},
+       "--all: is for results of fits and sweeps; this is a simulated scene"},
       {{"export", "x.h5", "--what", "curves"},
        "--what = curves: must be probes or joints or energies or events or pieces or spectrum of "
        "this "

@@ -4,20 +4,12 @@
 
 #include "sweeps/report/text.hpp"
 #include "sweeps/run/result_bytes.hpp"
-#include "sweeps/run/sweep_run.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
 #include "tests/support/message.hpp"
-#include "tests/sweeps/sweep_text.hpp"
+#include "tests/sweeps/run_record.hpp"
 
 namespace plastica::sweeps {
 namespace {
-
-SweepRecord record_of(const std::string& text) {
-  const Sweep sweep = cantilever_sweep(text);
-  SweepRun run(sweep, {});
-  auto results = run.run();
-  return make_record(sweep, run.cases(), run.ids(), std::move(results));
-}
 
 const std::string kAxes = segments_axis("[4, 8, 16]") +
                           "[[axis]]\nfield = 'rules.end_rule'\nvalues = ['half_joint', 'equal']\n"

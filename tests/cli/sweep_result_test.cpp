@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/bad_input.hpp"
+#include "tests/cli/command.hpp"
+
+namespace plastica::testing {
+namespace {
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// The sweep that `plastica init sweep` writes, run.
+class SweepResult : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(place_.run({"init", "sweep"}).code, 0);
+    ran_ = place_.run({"sweep", "sweep.toml", "--json", "sweep.json"});
+    ASSERT_EQ(ran_.code, 0) << ran_.err;
+  }
+
+  std::string output_of(std::vector<std::string> arguments) const {
+    const CommandResult result = place_.run(std::move(arguments));
+    EXPECT_EQ(result.code, 0) << result.err;
+    return result.out;
+  }
+
+  Workplace place_;
+  CommandResult ran_;
+};
+
+TEST_F(SweepResult, IsShownAsItWasReported) {
+  EXPECT_EQ(output_of({"show", "sweep.h5"}), ran_.out);
+  EXPECT_EQ(output_of({"show", "sweep.h5", "--all"}), ran_.out);
+}
+
+TEST_F(SweepResult, ShowsOneCaseByItsIdOrItsValues) {
+  const auto rows = nlohmann::json::parse(place_.read("sweep.json"))["cases"];
+  const std::string id = rows[1]["id"];
+  const std::string shown = output_of({"show", "sweep.h5", "--case", id});
+  EXPECT_TRUE(shown.starts_with("case " + id + " of sweep\n")) << shown;
+  const std::string by_value = output_of({"show", "sweep.h5", "--case", "beam.segments = 10"});
+  EXPECT_TRUE(has(by_value, "segments            10\n")) << by_value;
+}
+
+TEST_F(SweepResult, ExportsItsCasesAsCsvAndItsTableForDocuments) {
+  const auto rows = nlohmann::json::parse(place_.read("sweep.json"))["cases"];
+  const std::string csv = output_of({"export", "sweep.h5"});
+  EXPECT_EQ(lines_of(csv), rows.size() + 1);
+  EXPECT_TRUE(csv.starts_with("case,beam.segments,")) << csv;
+  EXPECT_EQ(output_of({"export", "sweep.h5", "--what", "cases"}), csv);
+  EXPECT_TRUE(has(output_of({"export", "sweep.h5", "--to", "markdown"}), "| --: | --: |"));
+  EXPECT_TRUE(has(output_of({"export", "sweep.h5", "--to", "latex"}), "\\end{tabular}\n"));
+}
+
+TEST_F(SweepResult, ExportsTheJsonThatSweepWrites) {
+  EXPECT_EQ(output_of({"export", "sweep.h5", "--to", "json"}), place_.read("sweep.json"));
+}
+
+TEST_F(SweepResult, RefusesRequestsInOneLine) {
+  const std::map<std::string, std::string> files{
+      {"x.h5", place_.read("sweep.h5")},
+      {"sweep.toml", place_.read("sweep.toml")},
+      {"cantilever.toml", place_.read("cantilever.toml")}};
+  const std::vector<std::pair<std::vector<std::string>, std::string>> requests = {
+      {{"show", "x.h5", "--case", "xyz"},
+       "--case = xyz: must be the id of a case of this sweep, as export has it, or AXIS = …"},
+      {{"export", "x.h5", "--time", "1 s"}, "--time: is for simulated scenes; this is a sweep"},
+      {{"export", "x.h5", "--what", "joints"},
+       "--what = joints: must be cases or curves of this file"},
+      {{"export", "x.h5", "--what", "curves"},
+       "--what = curves: needs a sweep with error.take = \"curve\""},
+      {{"export", "x.h5", "--to", "json", "--what", "cases"}, "--what: goes with --to csv"},
+      {{"plot", "x.h5", "--joint", "1"}, "--joint: is for simulated scenes; this is a sweep"},
+      {{"sweep", "sweep.toml", "-o", "y.h5", "--json", "./y.h5"},
+       "--json = ./y.h5: is the result file, too"},
+      {{"sweep", "sweep.toml", "-o", "y.h5", "--json", "cantilever.toml", "--force"},
+       "--json = cantilever.toml: is a file that this run reads"},
+      {{"sweep", "sweep.toml", "-o", "cantilever.toml", "--force"},
+       "--output = cantilever.toml: is a file that this run reads"}};
+  for (const auto& [arguments, line] : requests) {
+    SCOPED_TRACE(line);
+    expect_refusal({"", files, arguments, line});
+  }
+}
+
+}  // namespace
+}  // namespace plastica::testing

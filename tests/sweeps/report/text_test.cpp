@@ -1,0 +1,80 @@
+#include "sweeps/report/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/sweeps/run_record.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::size_t lines_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST(SweepReport, HasATableWithItsOrderForEachGroup) {
+  const std::string text = sweep_report(two_groups());
+  EXPECT_TRUE(text.starts_with(
+      "test: 6 cases, 6 completed\n  scene     cantilever\n"
+      "  compared  tip, end against theory:elastica\n\nrules.end_rule = half_joint\n"))
+      << text;
+  EXPECT_TRUE(has(text, "\nrules.end_rule = equal\n"));
+  EXPECT_TRUE(has(text, "  order 0.9")) << text;
+  EXPECT_TRUE(has(text, "(safety factor 1.25)"));
+}
+
+TEST(SweepReport, SaysWhyACaseFailed) {
+  SweepRecord record = two_groups();
+  record.results[0] = CaseResult{};
+  record.results[0].status = Status::NotConverged;
+  record.results[0].last_time = 0.25;
+  record.results[0].reason = "try more steps";
+  record.comparison.error[0].reset();
+  const std::string text = sweep_report(record);
+  EXPECT_TRUE(has(text, "test: 6 cases, 5 completed, 1 not-converged")) << text;
+  EXPECT_TRUE(has(text, "not-converged at 0.25 s: try more steps"));
+}
+
+TEST(SweepReport, SaysWhereTheLedgerIsOpen) {
+  SweepRecord record = two_groups();
+  record.results[0].ledger_error = 0.02;
+  EXPECT_TRUE(has(sweep_report(record), "ledger open by 2 %"));
+}
+
+TEST(SweepReport, OfManyCasesThatNothingRefinesIsTheirSpread) {
+  std::string values;
+  for (int i = 0; i < 40; ++i) values += (i == 0 ? "'" : ", '") + std::to_string(200 + i) + " GPa'";
+  const SweepRecord record = record_of("[[axis]]\nfield = 'material.youngs_modulus'\nvalues = [" +
+                                       values + "]\n[error]\nprobe = 'tip'\n");
+  EXPECT_EQ(lines_of(sweep_report(record, 40)), 4U + 2U + 40U);
+  const std::string spread = sweep_report(record, 39);
+  EXPECT_LT(lines_of(spread), 12U) << spread;
+  EXPECT_TRUE(has(spread, "median")) << spread;
+  EXPECT_TRUE(has(spread, "1.000")) << "the stiffer, the higher lies the tip: " << spread;
+}
+
+TEST(SweepReport, OfManyGroupsEndsInTheSpreadOfTheRest) {
+  const std::string text = sweep_report(two_groups(), 4);
+  EXPECT_TRUE(has(text, "2 more cases; export has them all. Of all cases:")) << text;
+  EXPECT_TRUE(has(text, "order of a group")) << text;
+}
+
+TEST(CaseReport, SaysAllOfACase) {
+  SweepRecord record = two_groups();
+  record.results[1].reason = "made up";
+  const std::string text = case_report(record, 1);
+  for (const char* line : {"  beam.segments       4\n", "  rules.end_rule      equal\n",
+                           "  status              compl", "  reason              made up\n",
+                           "  level               planar\n", "  segments            4\n"}) {
+    EXPECT_TRUE(has(text, line)) << line << text;
+  }
+  EXPECT_TRUE(text.starts_with("case " + record.ids[1] + " of test\n")) << text;
+}
+
+}  // namespace
+}  // namespace plastica::sweeps
