@@ -19,7 +19,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
  private:
   bool yields() const override;
   solve::Verdict judge(const Work& w, bool shortest) override;
-  void accept(const Work& w) override;
+  bool accept(const Work& w) override;
   bool record(const Work& w) override;
 
   void set_path_options();
@@ -30,6 +30,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   solve::ControlPoint<L> control_;
   chain::Coordinates<L> committed_, previous_;
   Response* response_ = nullptr;
+  const Workspace* hooks_ = nullptr;                        ///< while a path is walked
   const solve::PathWalker<L, kElastic>* walker_ = nullptr;  ///< while a path is walked
 };
 

@@ -48,13 +48,14 @@ void ChainRunner<L, kElastic>::set_path_options() {
 }
 
 template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material,
-                                   const Workspace& /*hooks*/, Response& response) {
+void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material, const Workspace& hooks,
+                                   Response& response) {
   const auto began = std::chrono::steady_clock::now();
   body_.reset(material);
   committed_ = body_.work.q;
   previous_ = body_.work.q;
   response_ = &response;
+  hooks_ = &hooks;
   response.samples = 0;
   response.ledger_error = 0.0;
   response.chain.events.clear();
@@ -95,11 +96,12 @@ solve::Verdict ChainRunner<L, kElastic>::judge(const Work& /*w*/, bool shortest)
 }
 
 template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::accept(const Work& w) {
+bool ChainRunner<L, kElastic>::accept(const Work& w) {
   body_.accept_strains();
   body_.record.add_work(w);
   const bool first = response_->chain.events.empty() && body_.watch.active();
   if (first && body_.watch.excess(body_.measured(body_.strains)) > 0.0) note_break(w);
+  return !hooks_->on_progress || hooks_->on_progress(w.time);
 }
 
 template <class L, bool kElastic>

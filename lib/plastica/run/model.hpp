@@ -38,8 +38,8 @@ using ParameterValues = std::span<const double>;
 struct Workspace {
   std::shared_ptr<ChainProgram> chain;
   BreakListener on_break;  ///< of a motion; may be empty
-  /// Of a motion: told the time after each step [s], may be empty. Returning false ends the run
-  /// with Status::Interrupted.
+  /// Of a path or motion: told the time after each step [s], may be empty. Returning false ends
+  /// the run with Status::Interrupted.
   std::function<bool(double time)> on_progress;
 };
 

@@ -56,6 +56,7 @@ class PathWalker {
     if (observer_.judge(w_, true) == Verdict::End) return end_broken();
     accept();
     observer_.record(w_);
+    if (interrupted_) return Status::Interrupted;
     step_ = options_.stops.front();
     switch (options_.control) {
       case PathControl::Displacement: return walk_displacement();
@@ -70,7 +71,11 @@ class PathWalker {
   const std::optional<LimitLoad>& limit() const { return limit_; }
 
  private:
-  enum class Trial { Accepted, Failed, Ended };
+  enum class Trial {
+    Accepted,
+    Failed,
+    Ended,  ///< accepted, and the path ends there: see `ended`
+  };
 
   /// Relative stiffness below which the supports leave the beam free to move.
   static constexpr double kMechanism = kIsDouble<S> ? 1e-11 : 1e-6;
@@ -98,7 +103,7 @@ class PathWalker {
     time_ = w_.time;
     at_ = control_.value(w_.placement);
     ++counters_.steps;
-    observer_.accept(w_);
+    interrupted_ = !observer_.accept(w_);
   }
 
   Status end_broken() {
@@ -106,6 +111,9 @@ class PathWalker {
     observer_.record(w_);
     return Status::Broken;
   }
+
+  /// How a path ends whose last trial has ended it.
+  Status ended() const { return interrupted_ ? Status::Interrupted : Status::Broken; }
 
   /// Whether a closure holds what the rigid segments and the other supports hold already: a unit
   /// force along it moves nothing.
@@ -148,12 +156,15 @@ class PathWalker {
     if (bends && !shortest && w_.time - time_ > kLimitWidth * w_.time) return Trial::Failed;
     switch (observer_.judge(w_, shortest)) {
       case Verdict::TooFar: return Trial::Failed;
-      case Verdict::End: end_broken(); return Trial::Ended;
+      case Verdict::End:
+        end_broken();
+        interrupted_ = false;
+        return Trial::Ended;
       case Verdict::Accept: break;
     }
     accept();
     slope_ = slope;
-    return Trial::Accepted;
+    return interrupted_ ? Trial::Ended : Trial::Accepted;
   }
 
   Trial attempt_time(double time, bool shortest) {
@@ -228,7 +239,7 @@ class PathWalker {
     for (std::size_t k = 0; k < options_.stops.size(); ++k) {
       Trial trial = advance_to(options_.stops[k]);
       if (trial == Trial::Failed && !limit_) trial = cross_by_arc(options_.stops[k]);
-      if (trial == Trial::Ended) return Status::Broken;
+      if (trial == Trial::Ended) return ended();
       if (trial == Trial::Failed) return limit_ ? Status::LimitLoad : Status::NotConverged;
       if (options_.recorded[k]) observer_.record(w_);
       if (is_corner(options_.stops[k])) goes_on_ = false;
@@ -296,6 +307,7 @@ class PathWalker {
   double step_ = 0.0;
   double above_ = 0.0;  ///< the last time at which load control found nothing
   int iterations_ = 0;
+  bool interrupted_ = false;  ///< the observer does not want to go on
 
   double span_ = 1.0;  ///< scale of time
   double way_ = 1.0;   ///< of the control point, the way that it would go elastically in `span_`

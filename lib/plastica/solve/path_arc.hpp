@@ -139,11 +139,13 @@ Status PathWalker<L, kElastic>::walk_arc() {
   set_arc_length(std::sqrt(2.0) / options_.steps, kArcGrowth);
   for (int k = 0; k < kMostArcs; ++k) {
     const Trial trial = advance_arc();
-    if (trial == Trial::Ended) return Status::Broken;
+    if (trial == Trial::Ended) return ended();
     if (trial == Trial::Failed) return Status::NotConverged;
     if (time_ >= end) {
       // The end itself, from the last point before it.
-      if (attempt_time(end, true) != Trial::Accepted) return Status::NotConverged;
+      const Trial last = attempt_time(end, true);
+      if (last == Trial::Ended) return ended();
+      if (last == Trial::Failed) return Status::NotConverged;
       observer_.record(w_);
       return Status::Completed;
     }
@@ -167,7 +169,7 @@ typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::cross_by_arc(do
       if (options_.control == PathControl::Load) return Trial::Failed;
       step_ = smallest();
       watches_slope_ = true;
-      return attempt_time(stop, true) == Trial::Accepted ? Trial::Accepted : Trial::Failed;
+      return attempt_time(stop, true);
     }
     highest = std::max(highest, time_);
     const double least = observer_.yields() ? kLimitSlope * first_slope : 0.0;
@@ -230,7 +232,7 @@ Status PathWalker<L, kElastic>::walk_displacement() {
             return condition;
           },
           shortest);
-      if (trial == Trial::Ended) return Status::Broken;
+      if (trial == Trial::Ended) return ended();
       if (trial == Trial::Accepted) {
         goes_on_ = true;
         last = next - reached;

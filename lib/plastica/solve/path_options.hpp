@@ -41,7 +41,8 @@ class PathObserver {
   /// @param shortest  whether the step cannot be cut back any more
   virtual Verdict judge(const NewtonWork<L, kElastic>& w, bool shortest) = 0;
   /// After a step was accepted and its state committed.
-  virtual void accept(const NewtonWork<L, kElastic>& w) = 0;
+  /// @return whether to go on; if not, the path is interrupted
+  virtual bool accept(const NewtonWork<L, kElastic>& w) = 0;
   /// @return whether there is room for more
   virtual bool record(const NewtonWork<L, kElastic>& w) = 0;
 };

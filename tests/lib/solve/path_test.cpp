@@ -129,6 +129,24 @@ TEST(Path, RefusesToHoldTheRigidAxisAtBothEnds) {
   EXPECT_EQ(simulate(scene, options).status, Status::Completed);
 }
 
+TEST(Path, StopsWhereItIsToldTo) {
+  for (const PathControl control : {PathControl::Load, PathControl::ArcLength}) {
+    SolverOptions options;
+    options.control = control;
+    const Model model = prepare(cantilever(8, {0.0, -1.0, 0.0}), options);
+    Workspace workspace = make_workspace(model);
+    Response response = make_response(model);
+    workspace.on_progress = [](double time) { return time < 0.42; };
+    run(model, {}, workspace, response);
+    EXPECT_EQ(response.status, Status::Interrupted);
+    EXPECT_GT(response.samples, 1U);
+    EXPECT_LT(response.chain.time[response.samples - 1], 0.42);
+    workspace.on_progress = nullptr;
+    run(model, {}, workspace, response);
+    EXPECT_EQ(response.status, Status::Completed);
+  }
+}
+
 TEST(Path, BalancesTheEnergiesOfALoadingToTheSquareOfItsSteps) {
   const auto residual_share = [](int steps) {
     Scene scene = hinge_scene(0.9);
