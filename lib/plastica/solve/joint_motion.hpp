@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -101,6 +102,8 @@ class JointMotion {
     damped_before_ = damped_;
   }
 
+  /// The rates that damping came from have jumped: it begins anew.
+  void forget_damping() { std::fill(damped_before_.begin(), damped_before_.end(), Vector{}); }
   const typename L::Spin& angle_before(std::size_t j) const { return angle_[j]; }
 
  private:

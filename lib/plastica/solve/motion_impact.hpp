@@ -47,7 +47,29 @@ void MotionStep<L, kElastic>::meet_at_begin() {
   fit_velocities(motion_, rests_on_, {});
   flows_.impact += before - kinetic();
   h_before_ = 0.0;
-  forget_accelerations();
+  restart();
+}
+
+/// Contacts that open in the step that was tried, though they pushed at its begin:
+/// generalized-alpha would let that push act on in a step in which nothing is touched, and make
+/// energy. They are let go at the begin. @return whether there are any, and the step is to be tried
+/// again
+template <class L, bool kElastic>
+bool MotionStep<L, kElastic>::leaves_loaded() {
+  if (rule_.end_work == 1.0 || rule_.half_way) return false;
+  bool leaves = false;
+  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+    if (!chain_.closures[k].one_sided || !rests_on_[k] || w_.closed[k]) continue;
+    if (multiplier_[k] <= 0.0) continue;
+    rests_on_[k] = false;
+    leaves = true;
+  }
+  if (!leaves) return false;
+  w_.q = q_begin_;
+  w_.time = time_;
+  w_.placement = begin_;
+  restart();
+  return true;
 }
 
 /// Speed of a closure's point against its direction, beyond that of its support.
@@ -145,7 +167,7 @@ void MotionStep<L, kElastic>::settle() {
   // The work of an impulse that makes a support start or stop comes from outside.
   (touches ? flows_.impact : flows_.external) += touches ? lost : -lost;
   jumped();
-  touches ? forget_accelerations() : restart();
+  restart();
 }
 
 /// Velocities have jumped: what is known of steps before is of no use any more.
@@ -178,22 +200,13 @@ void MotionStep<L, kElastic>::strike(bool corner) {
   if (strikes) fit_velocities(motion_, acts, bounce);
 }
 
-/// After an impact the accelerations are those of joints that ring faster than any step; without
-/// them generalized-alpha does not overshoot.
-template <class L, bool kElastic>
-void MotionStep<L, kElastic>::forget_accelerations() {
-  for (SegmentMotion<L>& motion : motion_) {
-    motion.acceleration = motion.resisting = {};
-    motion.spin_rate = motion.resisting_spin_rate = {};
-  }
-}
-
 /// After a jump: generalized-alpha begins anew from the accelerations that the forces give now.
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::restart() {
   if (rule_.conserves) return;
   chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
   evaluate_laws();
+  joint_motion_.forget_damping();
   chain::gather_forces(
       chain_, w_.q, w_.placement, chain::Stage<L>{}, w_.joints,
       [this](std::size_t history) { return chain_.histories[history].at(w_.time); },

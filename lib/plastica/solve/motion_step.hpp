@@ -97,6 +97,7 @@ class MotionStep {
     iterations_ = 0;
     for (int tries = 0; tries < kMostContactTries; ++tries) {
       if (!solve(h)) return false;
+      if (leaves_loaded()) continue;
       const double share = free_share();
       if (share >= 1.0) return true;
       if (share > 0.0) {
@@ -223,6 +224,7 @@ class MotionStep {
   double gap_of(std::size_t closure, const Placement& placement, double time) const;
   double free_share() const;
   void meet_at_begin();
+  bool leaves_loaded();
   S slope_of(std::size_t history) const {
     return constant<S>(chain_.histories[history].slope_at(w_.time));
   }
@@ -231,7 +233,6 @@ class MotionStep {
                       const std::vector<double>& bounce);
   void settle();
   void jumped();
-  void forget_accelerations();
   void strike(bool corner);
   bool turns_a_corner() const;
   void restart();

@@ -74,6 +74,24 @@ TEST(MotionContact, ThrowsASegmentBackByItsRestitution) {
   EXPECT_NEAR(last_energy(response).impact, 0.5 * mass * (1.0 - 0.36), 1e-9);
 }
 
+TEST(MotionContact, MakesNoEnergyByRingingOnTwoPillars) {
+  // A free steel beam that falls on them flat; its ends ring, and touch and leave many times.
+  Scene scene = testing::chain_scene(16);
+  InitialMotion falls;
+  falls.velocity = {0.0, -0.315, 0.0};
+  scene.initial_motions = {falls};
+  for (const double at : {0.25, 1.0}) {
+    Support pillar{.at = {at, {}}, .kind = SupportKind::Pillar};
+    pillar.gap = 1e-3;
+    pillar.restitution = 0.5;
+    scene.supports.push_back(pillar);
+  }
+  const Response response = simulate(scene, motion_options(Scheme::GeneralizedAlpha, 1e-5, 2000));
+  ASSERT_EQ(response.status, Status::Completed);
+  EXPECT_GT(last_energy(response).impact, 0.05 * last_energy(response).external);
+  EXPECT_LT(response.ledger_error, kLedgerTolerance);
+}
+
 TEST(MotionContact, FollowsASupportThatStartsAtOnce) {
   Scene scene = testing::cantilever_scene(8);
   scene.supports[0].translation = {0.0, 0.01, 0.0};
