@@ -70,6 +70,18 @@ inline const Energies& last_energy(const Response& response) {
   return response.chain.energy.at(response.samples - 1);
 }
 
+/// Largest residual of the ledger over the largest energy.
+inline double largest_residual(const Response& response) {
+  double size = 0.0;
+  double residual = 0.0;
+  for (std::size_t i = 0; i < response.samples; ++i) {
+    const Energies& energy = response.chain.energy[i];
+    size = std::max({size, energy.kinetic, energy.elastic, std::fabs(energy.external)});
+    residual = std::max(residual, std::fabs(energy.residual));
+  }
+  return residual / size;
+}
+
 /// Largest change of a probe from its first value, over its largest size.
 inline double drift_of(const Response& response, std::size_t probe) {
   double change = 0.0;

@@ -156,10 +156,7 @@ std::optional<double> residual_share(const io::SceneRecord& record) {
     largest = std::max({largest, std::fabs(energy.external), energy.elastic + energy.plastic});
     residual = std::max(residual, std::fabs(energy.residual));
   }
-  if (is_motion(record)) {
-    if (!(largest_entry(record) > 0.0)) return std::nullopt;
-    return record.response.ledger_error;
-  }
+  if (is_motion(record)) largest = largest_entry(record);
   if (!(largest > 0.0)) return std::nullopt;
   return residual / largest;
 }

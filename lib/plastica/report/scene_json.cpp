@@ -176,6 +176,7 @@ Json energies_of(const io::SceneRecord& record) {
   all["residual"] = number(energy.back().residual);
   const auto share = residual_share(record);
   all["residual_share"] = share ? number(*share) : Json(nullptr);
+  all["ledger_error"] = number(record.response.ledger_error);
   all["closes"] = !(record.response.ledger_error > kLedgerTolerance);
   return all;
 }

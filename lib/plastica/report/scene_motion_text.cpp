@@ -171,9 +171,12 @@ std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
       fmt::format("not explained; at most {:.2g} % of the {}", 100.0 * *share,
                   is_motion(record) ? "largest" : "energy on the path"));
   std::string text = '\n' + ink.heading("Energies at the last sample\n") + table.text(2, kWidth);
-  if (record.response.ledger_error > kLedgerTolerance) {
-    text += ink.bad(fmt::format("  the energy ledger is off by {:.2g} %: take smaller steps\n",
-                                100.0 * record.response.ledger_error));
+  const double wrong = record.response.ledger_error;
+  if (wrong > kLedgerTolerance) {
+    const std::string percent = fmt::format("{:.2g} %", 100.0 * wrong);
+    text += ink.bad(
+        wrong > *share ? "  the scheme has made " + percent + " of the energy: take smaller steps\n"
+                       : "  the energy ledger is off by " + percent + ": take smaller steps\n");
   }
   return text;
 }

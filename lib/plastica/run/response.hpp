@@ -77,10 +77,11 @@ struct Energies {
   double residual = 0.0;   ///< external less all others: what the ledger cannot explain
 };
 
-/// Largest |residual| of a ledger over the largest of its other entries, of all samples [1].
+/// What is wrong with a ledger, over the largest of its entries but the residual [1]: the largest
+/// |residual|, or what the scheme has made if that is more (none should make any).
 double ledger_error(std::span<const Energies> samples);
 
-/// A ledger whose residual is above this share of its largest entry does not close.
+/// A ledger that is off by more than this share of its largest entry is not to be trusted.
 inline constexpr double kLedgerTolerance = 0.01;
 
 /// What a chain records at each sample. Joint 0 is at the start, joint N at the end: a joint of a
@@ -125,7 +126,7 @@ struct Response {
   PathCounters counters;
   std::optional<LimitLoad> limit;
   /// `plastica::ledger_error` of a motion [1]; above `kLedgerTolerance` the motion is not to be
-  /// trusted.
+  /// trusted, whatever its status.
   double ledger_error = 0.0;
   double seconds = 0.0;  ///< wall time of the run [s]
 };

@@ -129,11 +129,14 @@ TEST(MotionReport, WarnsOfALedgerThatDoesNotClose) {
   record.response.ledger_error = 0.0099;
   EXPECT_FALSE(has(scene_report(record), "take smaller steps"));
   record.response.ledger_error = 0.032;
+  EXPECT_TRUE(has(scene_report(record),
+                  "\n  the scheme has made 3.2 % of the energy: take smaller steps\n"));
+  for (Energies& energy : record.response.chain.energy) energy.residual = 0.64;
   EXPECT_TRUE(
       has(scene_report(record), "\n  the energy ledger is off by 3.2 %: take smaller steps\n"));
   const auto json = nlohmann::json::parse(scene_json(record));
   EXPECT_EQ(json.at("energies").at("closes"), false);
-  EXPECT_EQ(json.at("energies").at("residual_share"), 0.032);
+  EXPECT_EQ(json.at("energies").at("ledger_error"), 0.032);
 }
 
 TEST(MotionReport, ListsTheFrequenciesOfDisplacementsAndVelocities) {
@@ -219,7 +222,7 @@ TEST(MotionJson, GivesWhatTheReportSaysInSi) {
   EXPECT_EQ(json.at("events").at(1).at("joints").at(0).at("cause"), "cut");
   EXPECT_EQ(json.at("energies").at("fracture"), 1.0);
   EXPECT_EQ(json.at("energies").at("closes"), true);
-  EXPECT_EQ(json.at("energies").at("residual_share"), 3e-4);
+  EXPECT_NEAR(json.at("energies").at("residual_share").get<double>(), 3e-4, 1e-12);
   EXPECT_NEAR(json.at("frequencies").at("tip").at(1).at("frequency"), 150.0, 0.01);
   EXPECT_FALSE(json.at("frequencies").contains("kinetic"));
   EXPECT_EQ(json.at("reactions").at(0).at("force").at(0), 2000.0);
