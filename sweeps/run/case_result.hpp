@@ -29,7 +29,7 @@ struct CaseResult {
   std::optional<double> last_value{};  ///< of the probe there [SI]
   double ledger_error = 0.0;           ///< `Response::ledger_error` [1]
   std::optional<double> standard_error{};  ///< of a fitted value, from the noise of the data [SI]
-  double seconds = 0.0;                    ///< of the run [s]
+  double seconds = 0.0;                    ///< CPU time of the run, see BatchCase::timed_runs [s]
 
   /// The work of the case, in a measure that no machine changes: segments x iterations.
   std::int64_t segment_iterations() const { return segments * iterations; }

@@ -11,7 +11,7 @@ namespace plastica::sweeps {
 /// What a case costs.
 enum class CostKind {
   Work,     ///< segment-iterations, which no machine changes
-  Seconds,  ///< least wall time of its runs, where the sweep timed them [s]
+  Seconds,  ///< least CPU time of its runs, where the sweep timed them [s]
 };
 
 /// The cases of a sweep as points of a trade, in their order; a case without a usable status or

@@ -17,8 +17,8 @@ struct BatchCase {
   Scene scene;
   SolverOptions options;
   BreakListener on_break{};  ///< called in the thread that runs the case; may be empty
-  /// How often the case is run again after the first time, >= 0; the least of these times is then
-  /// `Response::seconds`.
+  /// How often the case is run again after the first time, >= 0. `Response::seconds` is the least
+  /// of these times, or that of the only run: CPU time of the thread, whatever else runs.
   int timed_runs = 0;
 };
 
