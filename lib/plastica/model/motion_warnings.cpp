@@ -117,6 +117,15 @@ std::optional<std::string> first_order(const Facts& facts) {
          frequency_text(*facts.first) + "; \"linearly_implicit_midpoint\" costs the same";
 }
 
+std::optional<std::string> undamped_alpha(const Facts& facts) {
+  if (facts.options.scheme != Scheme::GeneralizedAlpha || facts.options.rho_infinity < 1.0) {
+    return std::nullopt;
+  }
+  return "solver.rho_infinity = 1 damps nothing, and generalized_alpha gains energy where a beam "
+         "turns far in coarse steps; 0.8 damps what the steps cannot follow, \"energy_momentum\" "
+         "keeps energy";
+}
+
 /// The highest frequency of a long chain of rods [Hz]: neighbours swing against each other. With
 /// the nodes displaced by w (-1)^i, each of the rods of mass m = rho A l has the kinetic energy
 /// m w'^2/6 and, of its section, rho I l (2 w'/l)^2/2, and each joint the energy
@@ -208,7 +217,8 @@ std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions
   facts.step = std::min(options.time_step, facts.duration / options.steps);
   if (options.step_error == 0.0) facts.first = first_frequency(scene, level);
   std::vector<std::string> warnings;
-  for (const auto find : {coarse_steps, first_order, ringing, growing_gravity, late_cut}) {
+  for (const auto find :
+       {coarse_steps, first_order, undamped_alpha, ringing, growing_gravity, late_cut}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   return warnings;

@@ -20,6 +20,7 @@ namespace plastica {
 /// In dynamics also:
 /// - Fixed steps that are fewer than 20 in a period of the beam's first frequency.
 /// - A first-order scheme: what it takes of that frequency's amplitude in a period.
+/// - Generalized-alpha without any damping of its own.
 /// - A scheme that leaves an impact on a pillar ringing.
 /// - Gravity that grows without end, and cuts that never come.
 /// @param scene, options  that check_scene accepts

@@ -159,6 +159,18 @@ TEST(MotionWarnings, SayWhatAFirstOrderSchemeTakes) {
             "Hz; \"linearly_implicit_midpoint\" costs the same");
 }
 
+TEST(MotionWarnings, SayThatGeneralizedAlphaMayGainEnergyWithoutDamping) {
+  const auto warnings = [](double rho, Scheme scheme) {
+    return warnings_of([&](Scene&, SolverOptions& o) {
+      o.scheme = scheme;
+      o.rho_infinity = rho;
+    });
+  };
+  EXPECT_TRUE(has(warnings(1.0, Scheme::GeneralizedAlpha), "solver.rho_infinity = 1"));
+  EXPECT_FALSE(has(warnings(0.99, Scheme::GeneralizedAlpha), "solver.rho_infinity"));
+  EXPECT_FALSE(has(warnings(1.0, Scheme::EnergyMomentum), "solver.rho_infinity"));
+}
+
 TEST(MotionWarnings, KnowWhatImplicitEulerDoesToAVibration) {
   // The scheme itself on x'' = -omega^2 x, over a period of 600 steps.
   const double omega = 2.0 * pi * first_frequency(cantilever(), {Level::Planar, {}, ""})->hertz;
