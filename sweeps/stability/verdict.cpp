@@ -1,0 +1,154 @@
+#include "sweeps/stability/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "plastica/model/scene_warnings.hpp"
+#include "plastica/report/format.hpp"
+#include "sweeps/stability/audit.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+using enum Soundness;
+
+std::string percent(double share) { return report::significant(100.0 * share, 3) + " %"; }
+
+/// The warning of a scene that names its steps; empty if there is none.
+std::optional<std::string> step_warning(const Setup& setup) {
+  for (const std::string& warning : scene_warnings(setup.scene, setup.solver)) {
+    for (const std::string_view named : {"steps of ", "is of first order", "rho_infinity"}) {
+      if (warning.find(named) != std::string::npos) return warning;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The energies of a path or motion [J]: the largest entry, and what counts most against it.
+struct Ledger {
+  double size = 0.0;
+  double residual = 0.0;    ///< largest |residual|
+  double made = 0.0;        ///< by the scheme, at most
+  double dissipated = 0.0;  ///< by the scheme, at most
+};
+
+Ledger ledger_of(const Response& response) {
+  Ledger ledger;
+  for (const Energies& e : std::span(response.chain.energy).first(response.samples)) {
+    for (const double part : {e.elastic, e.kinetic, e.plastic, e.damping, e.impact, e.fracture,
+                              e.external, e.numerical}) {
+      ledger.size = std::max(ledger.size, std::fabs(part));
+    }
+    ledger.residual = std::max(ledger.residual, std::fabs(e.residual));
+    ledger.made = std::max(ledger.made, -e.numerical);
+    ledger.dissipated = std::max(ledger.dissipated, e.numerical);
+  }
+  return ledger;
+}
+
+/// A miss that nothing but a warning about the steps excuses.
+Verdict missed(const Setup& setup, std::string reason) {
+  if (setup.solver.analysis == Analysis::Dynamics) {
+    if (const auto warning = step_warning(setup))
+      return {Inaccurate, reason + "; warned: " + *warning};
+  }
+  return {Silent, std::move(reason)};
+}
+
+std::optional<Verdict> check_kept(const Setup& setup, const Response& response,
+                                  const Expectation& expected) {
+  for (const Kept& kept : expected.kept) {
+    const auto values = std::span(response.probes[kept.probe]).first(response.samples);
+    double change = 0.0;
+    for (const double value : values) change = std::max(change, std::fabs(value - values[0]));
+    if (change <= kept.tolerance * kept.size) continue;
+    return missed(setup, kept.what + " changes by " + percent(change / kept.size));
+  }
+  return std::nullopt;
+}
+
+std::optional<Verdict> check_references(const Setup& setup, const Response& response,
+                                        const Expectation& expected) {
+  std::optional<Verdict> coarse;
+  for (const Reference& reference : expected.references) {
+    const std::size_t sample =
+        reference.sample == Reference::kLast ? response.samples - 1 : reference.sample;
+    const double found = response.probes[reference.probe][sample];
+    const double size = reference.size > 0.0 ? reference.size : std::fabs(reference.value);
+    const double off = std::fabs(found - reference.value) / size;
+    if (!(off <= reference.tolerance)) {
+      return missed(setup, reference.what + " is off by " + percent(off) + ": " +
+                               report::significant(found, 6) + " for " +
+                               report::significant(reference.value, 6));
+    }
+    if (!reference.continuum || coarse) continue;
+    const double beam = std::fabs(found - *reference.continuum) / size;
+    if (beam > kAccurate) {
+      coarse = Verdict{Inaccurate, reference.what + " of the chain is " + percent(beam) +
+                                       " off the beam's: few segments"};
+    }
+  }
+  return coarse;
+}
+
+std::optional<Verdict> check_limit(const Setup& setup, const Response& response,
+                                   const Expectation& expected) {
+  if (response.status != Status::LimitLoad) {
+    if (!expected.limit) return std::nullopt;
+    return Verdict{
+        Silent, "went on beyond the limit load factor of " + report::significant(*expected.limit)};
+  }
+  if (setup.scene.yield_model == YieldModel::Elastic) {
+    return Verdict{Silent, "a limit load of an elastic beam"};
+  }
+  if (!expected.limit) return std::nullopt;
+  const double miss =
+      std::max(*expected.limit - response.limit->above, response.limit->below - *expected.limit);
+  if (miss <= kAccurate * *expected.limit) return std::nullopt;
+  return Verdict{Silent, "the limit load factor is " + report::significant(response.limit->below) +
+                             " for " + report::significant(*expected.limit)};
+}
+
+}  // namespace
+
+Verdict judge(const Setup& setup, const Response& response, const Expectation& expected) {
+  if (!usable(response.status)) return {Failed, std::string(name_of(response.status))};
+  if (response.samples == 0) return {Silent, "no sample"};
+  if (!is_finite(setup, response)) return {Silent, "a number is not finite"};
+
+  const bool moves = setup.solver.analysis == Analysis::Dynamics && !setup.scene.is_coupon();
+  const Ledger ledger = setup.scene.is_coupon() ? Ledger{} : ledger_of(response);
+  if (moves && response.ledger_error > kLedgerTolerance) {
+    if (ledger.made > kAccurate * ledger.size) {
+      return {Inaccurate, "the scheme makes " + percent(ledger.made / ledger.size) +
+                              " of the energy, as the ledger states"};
+    }
+    return {Inaccurate, "the ledger does not close by " + percent(response.ledger_error)};
+  }
+  if (const auto wrong = audit(setup, response)) return {Silent, *wrong};
+  if (expected.breaks && response.status != Status::Broken) return {Silent, "did not break"};
+  if (ledger.made > kAccurate * ledger.size) {
+    return missed(setup,
+                  "the scheme makes " + percent(ledger.made / ledger.size) + " of the energy");
+  }
+  const bool dissipates = ledger.dissipated > kAccurate * ledger.size;
+  const Verdict stated{Inaccurate, "the scheme dissipates " +
+                                       percent(ledger.dissipated / ledger.size) +
+                                       " of the energy, as the ledger states"};
+  if (auto found = check_kept(setup, response, expected)) return dissipates ? stated : *found;
+  if (auto found = check_limit(setup, response, expected)) return *found;
+  if (response.status == Status::Completed) {
+    if (auto found = check_references(setup, response, expected)) {
+      return found->soundness == Silent && dissipates ? stated : *found;
+    }
+  }
+  if (dissipates) return stated;
+  if (!moves && ledger.residual > kLedgerTolerance * ledger.size) {
+    return {Inaccurate, "the ledger does not close by " + percent(ledger.residual / ledger.size) +
+                            ", as its residual states"};
+  }
+  return {};
+}
+
+}  // namespace plastica::sweeps
