@@ -58,7 +58,7 @@ StabilityRow row_of(const StabilityPoint& point) {
   return row;
 }
 
-void run_point(const StabilityPoint& point, double most_seconds, StabilityRow& row) {
+void run_point(const StabilityPoint& point, const StabilityOptions& options, StabilityRow& row) {
   const auto began = Clock::now();
   row.begun = true;
   const StabilityCase made = point.scene->make(point.knobs);
@@ -66,11 +66,11 @@ void run_point(const StabilityPoint& point, double most_seconds, StabilityRow& r
     const Model model = prepare(made.setup.scene, made.setup.solver);
     Response response = make_response(model);
     Workspace workspace = make_workspace(model);
-    const double most = std::max(4.0 * point.segment_steps, kLeastSegmentSteps);
+    const double most = std::max(4.0 * point.segment_steps, options.least_segment_steps);
     double taken = 0.0;
     workspace.on_progress = [&](double /*time*/) {
       taken += point.knobs.segments;
-      return taken < most && seconds_since(began) < most_seconds;
+      return taken < most && seconds_since(began) < options.most_seconds;
     };
     run(model, {}, workspace, response);
     row.verdict = judge(made.setup, response, made.expected);
@@ -100,7 +100,7 @@ std::vector<StabilityRow> run_stability(const StabilityOptions& options) {
   std::size_t finished = 0;
   parallel_for(order.size(), {.threads = options.threads, .stop = options.stop},
                [&](std::size_t i, int /*worker*/) {
-                 run_point(points[order[i]], options.most_seconds, rows[order[i]]);
+                 run_point(points[order[i]], options, rows[order[i]]);
                  const std::lock_guard lock(mutex);
                  ++finished;
                  if (options.progress) options.progress(finished, points.size());

@@ -23,6 +23,9 @@ struct StabilityOptions {
   std::uint64_t seed = 1;  ///< of the sample
   /// Points beyond this estimate are left out, segments times steps [1].
   double most_segment_steps = 1e9;
+  /// A point is stopped, as failed, when it has taken four times its estimated segment-steps, but
+  /// not before so many [1].
+  double least_segment_steps = 1e6;
   /// A point that takes longer ends as failed, "interrupted" [s].
   double most_seconds = 60.0;
   int threads = 0;                          ///< 0: as many as the machine has
@@ -52,10 +55,6 @@ struct StabilityRow {
   double segment_steps = 0.0;  ///< segments times steps that were taken [1]
   double seconds = 0.0;        ///< with preparation [s]
 };
-
-/// A point is stopped when it has taken four times its estimated segment-steps, but not before so
-/// many [1].
-inline constexpr double kLeastSegmentSteps = 1e6;
 
 /// Walks scenes towards the edge and judges each point (`judge`): E from 1 kPa to 1 TPa, N from 2
 /// to 100 000, steps from 10 ns to 1 s, and so on (`axes`), one or two at a time from the normal

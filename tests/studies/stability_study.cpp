@@ -31,7 +31,8 @@ TEST(Stability, IsNowhereWrongWithoutSayingSo) {
   StabilityOptions options;
   if (!full) {
     options.sample = 100;
-    options.most_segment_steps = 1e5;
+    options.most_segment_steps = 2e4;
+    options.least_segment_steps = 5e4;
   }
   const std::vector<StabilityRow> rows = run_stability(options);
   EXPECT_EQ(rows.size() >= 2000, full);
