@@ -11,7 +11,7 @@
 #include "plastica/model/section.hpp"
 #include "plastica/report/format.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 namespace {
 
 using Space = std::array<double, 3>;
@@ -317,4 +317,4 @@ std::optional<std::string> audit(const Setup& setup, const Response& response) {
   return check_balance(setup, response, shape);
 }
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

@@ -6,7 +6,7 @@
 #include "plastica/model/field.hpp"
 #include "plastica/run/response.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 
 /// How far an audit lets rounding and Newton's tolerance go, over the largest moment, force or
 /// length [1].
@@ -29,4 +29,4 @@ bool is_finite(const Setup& setup, const Response& response);
 /// @return what is wrong; empty if nothing is
 std::optional<std::string> audit(const Setup& setup, const Response& response);
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

@@ -8,7 +8,7 @@
 #include "plastica/model/field.hpp"
 #include "sweeps/stability/verdict.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 
 /// What a walk turns, one or two at a time; the values here are a scene's normal ones, unless it
 /// has its own. A beam is a square of L/slenderness.
@@ -57,4 +57,4 @@ std::vector<BaseScene> planar_path_scenes();
 std::vector<BaseScene> planar_motion_scenes();
 std::vector<BaseScene> spatial_scenes();
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

@@ -6,7 +6,7 @@
 #include "sweeps/stability/base_scene.hpp"
 #include "sweeps/stability/scene_parts.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 namespace {
 
 /// A coupon that is strained to `load` times the nominal yield strain, back to as much below zero,
@@ -121,4 +121,4 @@ std::vector<BaseScene> coupon_scenes() {
           scene("coupon Voce and Chaboche", voce), scene("coupon break", breaks)};
 }
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

@@ -6,7 +6,7 @@
 
 #include "sweeps/stability/scene_parts.hpp"
 
-namespace plastica::sweeps::parts {
+namespace plastica::sweeps::stability::parts {
 
 double free_period(const Numbers& b) {
   constexpr double kRoot = 4.730040744862704;
@@ -90,4 +90,4 @@ StabilityCase struck_of(const Knobs& knobs, YieldModel model, Level level) {
   made.setup.scene.initial_motions.push_back(blow);
   return made;
 }
-}  // namespace plastica::sweeps::parts
+}  // namespace plastica::sweeps::stability::parts

@@ -5,7 +5,7 @@
 #include "sweeps/stability/scene_parts.hpp"
 
 /// Motions that scenes of the planar and of the spatial level share.
-namespace plastica::sweeps::parts {
+namespace plastica::sweeps::stability::parts {
 
 /// First period of a free beam that bends [s].
 double free_period(const Numbers& b);
@@ -23,4 +23,4 @@ void fly(StabilityCase& made, const Knobs& knobs, const std::array<double, 3>& s
 /// the nominal steel to yield; on the spatial level along x, too.
 StabilityCase struck_of(const Knobs& knobs, YieldModel model, Level level);
 
-}  // namespace plastica::sweeps::parts
+}  // namespace plastica::sweeps::stability::parts

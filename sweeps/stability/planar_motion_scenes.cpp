@@ -8,7 +8,7 @@
 #include "sweeps/stability/motion_parts.hpp"
 #include "sweeps/stability/scene_parts.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 namespace {
 
 using namespace parts;
@@ -294,4 +294,4 @@ std::vector<BaseScene> planar_motion_scenes() {
   };
 }
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

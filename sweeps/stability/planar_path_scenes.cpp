@@ -10,7 +10,7 @@
 #include "sweeps/stability/base_scene.hpp"
 #include "sweeps/stability/scene_parts.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 namespace {
 
 using namespace parts;
@@ -290,4 +290,4 @@ std::vector<BaseScene> planar_path_scenes() {
   };
 }
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

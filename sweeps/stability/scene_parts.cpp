@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace plastica::sweeps::parts {
+namespace plastica::sweeps::stability::parts {
 namespace {
 
 constexpr double kDensity = 7850.0;
@@ -114,4 +114,4 @@ double twisting_period(const Numbers& beam) {
   return 4.0 * beam.L * std::sqrt(2.0 * beam.rho_I / beam.GJ);
 }
 
-}  // namespace plastica::sweeps::parts
+}  // namespace plastica::sweeps::stability::parts

@@ -4,7 +4,7 @@
 #include "sweeps/stability/base_scene.hpp"
 
 /// What the makers of base scenes share.
-namespace plastica::sweeps::parts {
+namespace plastica::sweeps::stability::parts {
 
 /// The yield stress that sizes of loads refer to, whatever the beam's own is [Pa].
 inline constexpr double kNominalYield = 250e6;
@@ -48,4 +48,4 @@ double twisting_period(const Numbers& beam);
 /// 1, or how many of a chain's parts a number of segments makes: integers of knobs.
 int whole(double number);
 
-}  // namespace plastica::sweeps::parts
+}  // namespace plastica::sweeps::stability::parts

@@ -8,7 +8,7 @@
 #include "sweeps/stability/motion_parts.hpp"
 #include "sweeps/stability/scene_parts.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 
 namespace {
 
@@ -196,4 +196,4 @@ std::vector<BaseScene> spatial_scenes() {
   };
 }
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

@@ -11,7 +11,7 @@
 #include "plastica/run/simulate.hpp"
 #include "sweeps/stability/walk.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -108,4 +108,4 @@ std::vector<StabilityRow> run_stability(const StabilityOptions& options) {
   return rows;
 }
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

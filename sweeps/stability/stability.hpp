@@ -12,7 +12,7 @@
 #include "plastica/model/rules.hpp"
 #include "sweeps/stability/verdict.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 
 /// Which points of the stability study are run, and how.
 struct StabilityOptions {
@@ -62,4 +62,4 @@ struct StabilityRow {
 /// same for every number of threads but for times.
 std::vector<StabilityRow> run_stability(const StabilityOptions& options = {});
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

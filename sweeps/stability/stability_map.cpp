@@ -11,7 +11,7 @@
 #include "sweeps/stability/summary.hpp"
 #include "sweeps/stability/walk.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 namespace {
 
 constexpr std::array<std::string_view, 4> kColours{report::kBlue, "#E69F00", report::kGrey,
@@ -116,4 +116,4 @@ report::PlotScript stability_map(std::span<const StabilityRow> rows) {
   return script;
 }
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

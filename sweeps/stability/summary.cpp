@@ -9,7 +9,7 @@
 #include "plastica/report/format.hpp"
 #include "sweeps/stability/walk.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 namespace {
 
 const BaseScene& scene_of(const StabilityRow& row) {
@@ -213,4 +213,4 @@ std::string rows_csv(std::span<const StabilityRow> rows) {
   return text;
 }
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

@@ -8,7 +8,7 @@
 
 #include "sweeps/stability/stability.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 
 /// How many points of a level are in each class, in the order of Soundness.
 struct LevelCount {
@@ -46,4 +46,4 @@ std::string rows_csv(std::span<const StabilityRow> rows);
 /// Word of a level: "planar".
 std::string_view word_of(Level level);
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

@@ -6,7 +6,7 @@
 #include "sweeps/stability/base_scene.hpp"
 #include "sweeps/stability/scene_parts.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 namespace {
 
 using namespace parts;
@@ -202,4 +202,4 @@ std::vector<BaseScene> twist_scenes() {
   };
 }
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

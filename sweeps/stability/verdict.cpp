@@ -8,7 +8,7 @@
 #include "plastica/report/format.hpp"
 #include "sweeps/stability/audit.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 namespace {
 
 using enum Soundness;
@@ -151,4 +151,4 @@ Verdict judge(const Setup& setup, const Response& response, const Expectation& e
   return {};
 }
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

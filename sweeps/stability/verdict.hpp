@@ -10,7 +10,7 @@
 #include "plastica/model/field.hpp"
 #include "plastica/run/response.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 
 /// What a run's result is worth.
 enum class Soundness {
@@ -78,4 +78,4 @@ inline constexpr double kAccurate = 0.01;
 /// @param setup  what was run; its probes are those that the expectation numbers
 Verdict judge(const Setup& setup, const Response& response, const Expectation& expected);
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

@@ -9,7 +9,7 @@
 
 #include "plastica/report/format.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 namespace {
 
 constexpr double kMostSegmentSteps = 1e9;
@@ -131,4 +131,4 @@ std::vector<StabilityPoint> stability_points() {
   return points;
 }
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

@@ -7,7 +7,7 @@
 
 #include "sweeps/stability/base_scene.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 
 /// A way towards the edge: one number of a scene, and the values that it takes.
 struct Axis {
@@ -45,4 +45,4 @@ std::vector<StabilityPoint> stability_points();
 /// All base scenes.
 std::span<const BaseScene> base_scenes();
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

@@ -16,7 +16,7 @@
 #include "sweeps/stability/stability_map.hpp"
 #include "sweeps/stability/summary.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 namespace {
 
 void write_results(const std::vector<StabilityRow>& rows, const std::string& name) {
@@ -45,4 +45,4 @@ TEST(Stability, IsNowhereWrongWithoutSayingSo) {
 }
 
 }  // namespace
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

@@ -10,7 +10,7 @@
 #include "sweeps/stability/summary.hpp"
 #include "sweeps/stability/walk.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 namespace {
 
 TEST(StabilityPoints, AreMoreThanTwoThousandAndNoneTwice) {
@@ -98,4 +98,4 @@ TEST(StabilitySummary, FindsTheRangeAroundTheNormalValue) {
 }
 
 }  // namespace
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability

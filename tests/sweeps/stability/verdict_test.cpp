@@ -8,7 +8,7 @@
 #include "plastica/run/simulate.hpp"
 #include "tests/support/motion_scene.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::sweeps::stability {
 namespace {
 
 using enum Soundness;
@@ -124,4 +124,4 @@ TEST(Verdict, CallsAMotionInaccurateThatSaysSo) {
 }
 
 }  // namespace
-}  // namespace plastica::sweeps
+}  // namespace plastica::sweeps::stability
