@@ -1,0 +1,99 @@
+#include "calibrate/fit/least_squares.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace plastica::calibrate {
+namespace {
+
+/// Rosenbrock's valley as residuals: 10 (x1 - x0^2), 1 - x0.
+LeastSquaresProblem valley() {
+  LeastSquaresProblem problem;
+  problem.lower = {-5.0, -5.0};
+  problem.upper = {5.0, 5.0};
+  problem.start = {-1.2, 1.0};
+  problem.residuals = 2;
+  problem.residual = [](std::span<const double> x, std::span<double> r) {
+    r[0] = 10.0 * (x[1] - x[0] * x[0]);
+    r[1] = 1.0 - x[0];
+    return true;
+  };
+  return problem;
+}
+
+TEST(LeastSquares, GoesDownACurvedValley) {
+  const LeastSquares found = minimize_squares(valley(), {});
+  EXPECT_NEAR(found.x[0], 1.0, 1e-8);
+  EXPECT_NEAR(found.x[1], 1.0, 1e-8);
+  EXPECT_LT(found.cost, 1e-16);
+  EXPECT_LT(found.evaluations, 120);
+}
+
+TEST(LeastSquares, HoldsWhatABoundStops) {
+  LeastSquaresProblem problem = valley();
+  problem.upper = {0.5, 5.0};
+  problem.start = {-1.2, 1.0};
+  const LeastSquares found = minimize_squares(problem, {});
+  EXPECT_EQ(found.x[0], 0.5);
+  EXPECT_NEAR(found.x[1], 0.25, 1e-8);
+  EXPECT_NEAR(found.cost, 0.25, 1e-12);
+}
+
+TEST(LeastSquares, FindsTheLeastOfWhatCannotVanish) {
+  // A line through points that are on none: 2.2 + 0.8 t, by the normal equations.
+  LeastSquaresProblem problem;
+  problem.lower = {-100.0, -100.0};
+  problem.upper = {100.0, 100.0};
+  problem.start = {0.0, 0.0};
+  problem.residuals = 5;
+  problem.residual = [](std::span<const double> x, std::span<double> r) {
+    const double y[] = {2.0, 3.0, 4.5, 4.0, 5.5};
+    for (std::size_t i = 0; i < 5; ++i) r[i] = x[0] + x[1] * static_cast<double>(i) - y[i];
+    return true;
+  };
+  const LeastSquares found = minimize_squares(problem, {});
+  EXPECT_NEAR(found.x[0], 2.2, 1e-7);
+  EXPECT_NEAR(found.x[1], 0.8, 1e-7);
+  const auto slopes = residual_slopes(problem, found.x, found.residual, 1e-4);
+  EXPECT_NEAR(slopes[2 * 4 + 0], 1.0, 1e-9);
+  EXPECT_NEAR(slopes[2 * 4 + 1], 4.0, 1e-9);
+}
+
+TEST(LeastSquares, StepsBackFromWhereThereIsNothing) {
+  LeastSquaresProblem problem;
+  problem.lower = {1e-3};
+  problem.upper = {10.0};
+  problem.start = {0.1};
+  problem.residuals = 1;
+  int missing = 0;
+  problem.residual = [&](std::span<const double> x, std::span<double> r) {
+    if (x[0] > 4.0) ++missing;
+    r[0] = 1.0 / x[0] - 1.0 / 3.0;
+    return x[0] <= 4.0;
+  };
+  const LeastSquares found = minimize_squares(problem, {});
+  EXPECT_NEAR(found.x[0], 3.0, 1e-7);
+  problem.start = {3.9999999};  // ahead of it a difference finds nothing
+  EXPECT_NEAR(minimize_squares(problem, {}).x[0], 3.0, 1e-7);
+  EXPECT_GT(missing, 0);
+}
+
+TEST(LeastSquares, SaysHowItEnded) {
+  LeastSquaresProblem problem = valley();
+  const LeastSquares few = minimize_squares(problem, {.max_evaluations = 7});
+  EXPECT_EQ(few.outcome, LeastSquaresOutcome::EvaluationsReached);
+  EXPECT_LE(few.evaluations, 7);
+  EXPECT_EQ(name_of(few.outcome), "evaluations-reached");
+  problem.residual = [](std::span<const double>, std::span<double>) { return false; };
+  EXPECT_EQ(minimize_squares(problem, {}).outcome, LeastSquaresOutcome::NoStart);
+  EXPECT_TRUE(residual_slopes(problem, problem.start, {}, 1e-4).empty());
+  problem.residual = [](std::span<const double>, std::span<double>) -> bool {
+    throw std::runtime_error("out of paper");
+  };
+  EXPECT_THROW(minimize_squares(problem, {}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
