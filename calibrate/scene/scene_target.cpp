@@ -1,0 +1,77 @@
+#include "calibrate/scene/scene_target.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "calibrate/scene/scene_curve.hpp"
+#include "plastica/io/units.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+struct Column {
+  std::size_t index = 0;
+  io::UnitConversion convert;
+};
+
+Column find_column(const io::CsvTable& table, const ColumnSource& source, const Probe& probe,
+                   std::string_view field) {
+  Column column;
+  column.index = table.find(source.column, source.where, field);
+  const std::string unit = source.unit.value_or(table.units()[column.index]);
+  // The scene is a chain: its probes do not depend on a coupon's deformation.
+  const Dimension dimension = dimension_of(probe.quantity, Deformation::Tension);
+  const SourceLocation where = source.unit ? source.where : SourceLocation{table.file(), 0};
+  column.convert = io::unit_conversion(unit, dimension, where, source.column);
+  return column;
+}
+
+}  // namespace
+
+SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scene,
+                              SceneTarget probes) {
+  SceneTarget target = std::move(probes);
+  const io::CsvTable table = io::CsvTable::read(source.file, source.csv);
+  if (target.name.empty()) target.name = std::filesystem::path(source.file).stem().string();
+  const auto probe_of = [&](const std::string& name, std::string_view field) {
+    return scene.probes[probe_index(scene, name, field, source.where)];
+  };
+  const Column x = find_column(table, source.abscissa,
+                               probe_of(target.abscissa_probe, "abscissa_probe"), "abscissa");
+  const Column y = find_column(table, source.ordinate,
+                               probe_of(target.ordinate_probe, "ordinate_probe"), "ordinate");
+  target.abscissa.clear();
+  target.ordinate.clear();
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const SourceLocation where{table.file(), table.line_of_row(row)};
+    const auto number = [&](const Column& column) {
+      const double value = table.number(row, column.index);
+      if (!std::isfinite(value)) {
+        throw InputError(where, table.names()[column.index], table.cell(row, column.index),
+                         "must be a number in every row of a measured beam");
+      }
+      return column.convert(value);
+    };
+    const double at = number(x);
+    if (!target.abscissa.empty() && at < target.abscissa.back()) {
+      throw InputError(where, table.names()[x.index], table.cell(row, x.index),
+                       "goes back: a beam's curve is followed one way, cut it where it turns");
+    }
+    target.abscissa.push_back(at);
+    target.ordinate.push_back(number(y));
+  }
+  const std::size_t n = target.ordinate.size();
+  if (n > 2 && target.ordinate[n - 1] == 0.0 && target.ordinate[n - 2] != 0.0) {
+    const double half = 0.5 * (target.abscissa[n - 1] - target.abscissa[n - 2]);
+    target.broke = SceneBreak{target.abscissa[n - 2] + half, half};
+    target.abscissa.pop_back();
+    target.ordinate.pop_back();
+  }
+  return target;
+}
+
+}  // namespace plastica::calibrate
