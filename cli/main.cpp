@@ -44,6 +44,7 @@ void add_commands(CLI::App& app, const std::string& command_line, Action& action
   plastica::cli::add_sweep(app, command_line, action);
   plastica::cli::add_check(app, action);
   plastica::cli::add_recommend(app, action);
+  plastica::cli::add_stability(app, action);
   plastica::cli::add_show(app, action);
   plastica::cli::add_plot(app, action);
   plastica::cli::add_export(app, action);

@@ -9,6 +9,7 @@
 
 #include "plastica/base/check.hpp"
 #include "sweeps/plan/sweep.hpp"
+#include "sweeps/stability/stability.hpp"
 
 namespace plastica::sweeps {
 
@@ -24,17 +25,20 @@ enum class ClaimKind {
   Value,              ///< the quantity [SI]
   Ledger,             ///< ledger error [1]
   Failed,             ///< number of cases without a usable status [1]
+  Silent,             ///< of a walk: number of points that are wrong without saying so [1]
+  Unsound,            ///< of a walk: number of points that are not sound, whatever they say [1]
 };
 
 inline constexpr std::array<std::string_view, 10> kClaimKinds{
     "order", "correlation", "error", "extrapolated_error", "gci", "work", "spread",
     "value", "ledger",      "failed"};
 
-/// One statement about a sweep that holds or does not.
+/// One statement about a sweep, or about walks to the edge of stability, that holds or does not.
 struct Claim {
   std::string name;
   SourceLocation where;
-  std::size_t sweep = 0;  ///< number in `CheckFile::sweeps`
+  std::size_t sweep = 0;  ///< number in `CheckFile::sweeps`, unless it is about a walk:
+  std::optional<stability::StabilityOptions> walk{};
   ClaimKind kind = ClaimKind::Order;
   std::optional<double> at_least{};  ///< [SI]
   std::optional<double> at_most{};   ///< [SI]

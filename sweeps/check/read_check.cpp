@@ -22,12 +22,27 @@ std::string sweep_path(const TomlValue& name, const std::string& check_path) {
 }
 
 /// Shares are numbers or percents; a value has the quantity's unit.
-double read_limit(const TomlValue& value, const Claim& claim, const Sweep& sweep) {
-  if (claim.kind == ClaimKind::Value) return value.quantity(sweep.quantity.dimension);
+double read_limit(const TomlValue& value, const Claim& claim, const Sweep* sweep) {
+  if (claim.kind == ClaimKind::Value) return value.quantity(sweep->quantity.dimension);
   return value.is_string() ? value.quantity(Dimension::Strain) : value.number();
 }
 
-void read_kind(const TomlTable& table, const Sweep& sweep, Claim& claim) {
+void read_walk(const TomlTable& walk, Claim& claim) {
+  stability::StabilityOptions& options = claim.walk.emplace();
+  if (const auto only = walk.find("only")) options.only = only->strings();
+  if (const auto sample = walk.find("sample")) {
+    options.sample = static_cast<std::size_t>(sample->integer(0, 1'000'000));
+  }
+  if (const auto seed = walk.find("seed")) {
+    options.seed = static_cast<std::uint64_t>(seed->integer(0, 1'000'000'000));
+  }
+  if (const auto most = walk.find("most_work")) {
+    options.most_segment_steps = most->number_within(0.0, 1e9, true);
+  }
+}
+
+/// @param sweep  null for a claim about a walk
+void read_kind(const TomlTable& table, const Sweep* sweep, Claim& claim) {
   std::optional<TomlValue> limits;
   for (std::size_t k = 0; k < kClaimKinds.size(); ++k) {
     const auto found = table.find(kClaimKinds[k]);
@@ -43,6 +58,11 @@ void read_kind(const TomlTable& table, const Sweep& sweep, Claim& claim) {
     }
     throw InputError(table.where(), table.key(), "", "claims nothing: it needs one of " + all);
   }
+  const bool of_walk = claim.kind == ClaimKind::Silent || claim.kind == ClaimKind::Unsound;
+  if (of_walk != (sweep == nullptr)) {
+    throw limits->error(of_walk ? "is about stability = { … }, not about a sweep"
+                                : "is about a sweep, not about stability");
+  }
   const TomlTable range = limits->table();
   if (const auto low = range.find("at_least")) claim.at_least = read_limit(*low, claim, sweep);
   if (const auto high = range.find("at_most")) claim.at_most = read_limit(*high, claim, sweep);
@@ -50,15 +70,16 @@ void read_kind(const TomlTable& table, const Sweep& sweep, Claim& claim) {
   if (claim.at_least && claim.at_most && *claim.at_least > *claim.at_most) {
     throw limits->error("at_least must not be above at_most");
   }
+  if (of_walk) return;
   const bool of_errors = claim.kind == ClaimKind::Order || claim.kind == ClaimKind::Correlation ||
                          claim.kind == ClaimKind::Error ||
                          claim.kind == ClaimKind::ExtrapolatedError;
-  if (of_errors && sweep.against.kind == AgainstKind::Nothing) {
+  if (of_errors && sweep->against.kind == AgainstKind::Nothing) {
     throw limits->error("needs error.against in the sweep");
   }
   const bool of_sizes = claim.kind == ClaimKind::Order || claim.kind == ClaimKind::Correlation ||
                         claim.kind == ClaimKind::Gci || claim.kind == ClaimKind::ExtrapolatedError;
-  if (of_sizes && !sweep.refined) throw limits->error("needs an axis that refines in the sweep");
+  if (of_sizes && !sweep->refined) throw limits->error("needs an axis that refines in the sweep");
 }
 
 void read_only(const TomlTable& where, const std::string& prefix, const Sweep& sweep,
@@ -95,6 +116,12 @@ CheckFile read_check_file(const std::string& path) {
     Claim claim;
     claim.where = table.where();
     claim.name = table.at("name").string();
+    if (const auto walk = table.find_table("stability")) {
+      read_walk(*walk, claim);
+      read_kind(table, nullptr, claim);
+      file.claims.push_back(std::move(claim));
+      continue;
+    }
     const std::string of = sweep_path(table.at("sweep"), path);
     const auto [place, is_new] = known.emplace(of, file.sweeps.size());
     if (is_new) {
@@ -102,7 +129,7 @@ CheckFile read_check_file(const std::string& path) {
       check_reference(file.sweeps.back(), CaseTable(file.sweeps.back()));
     }
     claim.sweep = place->second;
-    read_kind(table, file.sweeps[claim.sweep], claim);
+    read_kind(table, &file.sweeps[claim.sweep], claim);
     if (const auto where = table.find_table("where")) {
       read_only(*where, "", file.sweeps[claim.sweep], claim);
     }

@@ -163,6 +163,8 @@ ClaimVerdict judge(const Claim& claim, const SweepRecord& record) {
       case ClaimKind::Work:
         for (const std::size_t i : group.cases) add_case(claim, record, i, worst);
         break;
+      case ClaimKind::Silent:
+      case ClaimKind::Unsound: break;  // of walks
       case ClaimKind::Failed:
         for (const std::size_t i : group.cases) {
           if (!usable(record.results[i].status)) failed += 1.0;
@@ -171,6 +173,18 @@ ClaimVerdict judge(const Claim& claim, const SweepRecord& record) {
     }
   }
   if (claim.kind == ClaimKind::Failed) worst.add(failed, "");
+  return worst.verdict();
+}
+
+ClaimVerdict judge(const Claim& claim, std::span<const stability::StabilityRow> rows) {
+  Worst worst(claim);
+  if (rows.empty()) return worst.verdict();
+  const auto count = std::count_if(rows.begin(), rows.end(), [&](const auto& row) {
+    const auto soundness = row.verdict.soundness;
+    return claim.kind == ClaimKind::Silent ? soundness == stability::Soundness::Silent
+                                           : soundness != stability::Soundness::Sound;
+  });
+  worst.add(static_cast<double>(count), "");
   return worst.verdict();
 }
 
@@ -199,7 +213,18 @@ std::vector<ClaimVerdict> run_check(const CheckFile& file, const CheckOptions& o
     records.push_back(make_record(sweep, run.cases(), run.ids(), std::move(results)));
   }
   std::vector<ClaimVerdict> verdicts;
-  for (const Claim& claim : file.claims) verdicts.push_back(judge(claim, records[claim.sweep]));
+  for (const Claim& claim : file.claims) {
+    if (!claim.walk) {
+      verdicts.push_back(judge(claim, records[claim.sweep]));
+      continue;
+    }
+    stability::StabilityOptions how = *claim.walk;
+    how.threads = options.threads;
+    how.stop = options.stop;
+    const auto rows = stability::run_stability(how);
+    if (options.stop != nullptr && *options.stop) return {};
+    verdicts.push_back(judge(claim, rows));
+  }
   return verdicts;
 }
 

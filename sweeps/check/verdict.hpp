@@ -3,6 +3,7 @@
 #include <atomic>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct ClaimVerdict {
   std::optional<double> number{};  ///< the worst that was found [SI]; none: see the reason
   std::string reason{};            ///< why there is no number
 };
+
+/// Judges a claim by the walks that were run.
+ClaimVerdict judge(const Claim& claim, std::span<const stability::StabilityRow> rows);
 
 /// Judges a claim by the sweep that was run.
 ClaimVerdict judge(const Claim& claim, const SweepRecord& record);

@@ -19,6 +19,7 @@ std::uint64_t quantity_digest(const Sweep& sweep) {
   digest.integer(static_cast<std::uint64_t>(q.kind)).integer(q.probe);
   digest.integer(static_cast<std::uint64_t>(q.take)).integer(static_cast<std::uint64_t>(q.mode));
   digest.text(q.parameter).integer(static_cast<std::uint64_t>(sweep.timed_runs));
+  if (sweep.fit) digest.integer(digest_of(*sweep.fit));
   return digest.value();
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -45,6 +46,28 @@ io::InputText input_of(const std::string& path, std::string text) {
   return {std::filesystem::path(path).filename().string(), std::move(text)};
 }
 
+/// [fit], where the quantity is a fitted parameter, which must be free there.
+void read_fit(const TomlTable& root, Sweep& sweep) {
+  const auto fit = root.find_table("fit");
+  const bool wanted = sweep.quantity.kind == QuantityKind::Fit;
+  if (wanted != fit.has_value()) {
+    throw InputError(fit ? fit->where() : SourceLocation{sweep.path, 0}, "fit", "",
+                     wanted ? "is missing: error.quantity is one of a fit"
+                            : "goes with error.quantity = \"fit\"");
+  }
+  if (!wanted) return;
+  sweep.fit = read_fit_plan(*fit, sweep.path, sweep.setup.scene);
+  const auto& parameters = sweep.fit->options.parameters;
+  const bool is_free = std::any_of(parameters.begin(), parameters.end(), [&](const auto& p) {
+    return p.field->path == sweep.quantity.parameter && p.role == calibrate::ParameterRole::Free;
+  });
+  if (!is_free) {
+    throw InputError(fit->where(), "error.parameter", sweep.quantity.parameter,
+                     "is not a free parameter of [fit]");
+  }
+  sweep.inputs.push_back(input_of(sweep.fit->file, sweep.fit->text));
+}
+
 Sweep read_document(const TomlDocument& document) {
   const TomlTable& root = document.root();
   Sweep sweep;
@@ -58,6 +81,7 @@ Sweep read_document(const TomlDocument& document) {
   if (const auto set = root.find_table("set")) read_settings(*set, "", sweep);
   read_axes(root, sweep);
   read_error(root, sweep);
+  read_fit(root, sweep);
   if (const auto cost = root.find_table("cost")) {
     sweep.timed_runs = static_cast<int>(cost->at("timed_runs").integer(0, 1000));
   }

@@ -11,6 +11,7 @@
 #include "plastica/io/result_file.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/model/field.hpp"
+#include "sweeps/plan/fit_plan.hpp"
 #include "sweeps/plan/quantity.hpp"
 
 namespace plastica::sweeps {
@@ -51,6 +52,7 @@ struct Sweep {
   std::optional<double> error_scale{};
   /// Number of the axis that refines the discretization; empty: none.
   std::optional<std::size_t> refined{};
+  std::optional<FitPlan> fit{};  ///< of each case, where the quantity is one of a fit
   int timed_runs = 0;  ///< of a case, after one to warm up; 0: it is run once and not timed
   std::vector<io::InputText> inputs;  ///< sweep file, scene, reference
 };

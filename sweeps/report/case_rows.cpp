@@ -116,6 +116,20 @@ std::string grid_note(const std::optional<theory::GridConvergence>& grid, const 
   return line;
 }
 
+/// Of a fitted value: what the noise of the data and what the segments leave open.
+std::string noise_note(const SweepRecord& record, const RefinementGroup& group,
+                       const std::optional<theory::GridConvergence>& grid) {
+  const CaseResult& finest = record.results[group.cases.back()];
+  if (!finest.standard_error || !finest.value) return "";
+  const std::string unit = record.quantity.unit == "1" ? "" : " " + record.quantity.unit;
+  std::string line = fmt::format("finest: {:.6g}{}, ± {:.2g} from noise (standard error)",
+                                 *finest.value, unit, *finest.standard_error);
+  if (grid && grid->uncertainty) {
+    line += fmt::format(", ± {:.2g} from the discretization (GCI)", *grid->uncertainty);
+  }
+  return line;
+}
+
 /// @param left  how many rows may be added; is counted down
 CaseBlock block_of(const SweepRecord& record, const RefinementGroup& group,
                    const std::vector<std::size_t>& axes, const Shown& shown, std::size_t& left) {
@@ -134,7 +148,8 @@ CaseBlock block_of(const SweepRecord& record, const RefinementGroup& group,
                  order == order_at.end() ? std::nullopt : std::optional(order->second)));
   }
   for (std::string note : {fit_note(convergence.fit, convergence.cases.size()),
-                           grid_note(convergence.grid, record.quantity.unit)}) {
+                           grid_note(convergence.grid, record.quantity.unit),
+                           noise_note(record, group, convergence.grid)}) {
     if (!note.empty()) block.notes.push_back(std::move(note));
   }
   return block;

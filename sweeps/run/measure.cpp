@@ -1,6 +1,7 @@
 #include "sweeps/run/measure.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "plastica/run/natural_frequencies.hpp"
@@ -23,8 +24,9 @@ CaseResult result_of(const BatchRow& row, const Quantity& quantity) {
   return result_of(row.response, row.level, quantity);
 }
 
-CaseResult measure(const Sweep& sweep, const Setup& setup) {
-  const auto begin = std::chrono::steady_clock::now();
+namespace {
+
+CaseResult frequency(const Sweep& sweep, const Setup& setup) {
   CaseResult result;
   result.level = prepare(setup.scene, setup.solver).level;
   const int mode = sweep.quantity.mode;
@@ -33,6 +35,34 @@ CaseResult measure(const Sweep& sweep, const Setup& setup) {
   result.status = Status::Completed;
   result.segments = setup.scene.beam.segments;
   result.iterations = 1;
+  return result;
+}
+
+CaseResult fit(const Sweep& sweep, const Setup& setup) {
+  CaseResult result;
+  result.level = prepare(setup.scene, setup.solver).level;
+  const auto fitted = calibrate::fit_scene(setup, sweep.fit->target, sweep.fit->options);
+  result.segments = setup.scene.beam.segments;
+  result.iterations = fitted.segment_iterations / result.segments;
+  if (fitted.status != calibrate::FitStatus::Fitted) {
+    result.status = Status::NotConverged;
+    result.reason = fitted.reason;
+    return result;
+  }
+  const calibrate::SceneParameter& parameter = fitted.parameter(sweep.quantity.parameter);
+  result.status = Status::Completed;
+  result.value = parameter.value;
+  if (std::isfinite(parameter.standard_error)) result.standard_error = parameter.standard_error;
+  if (parameter.at_bound) result.reason = "the parameter is at its bound";
+  return result;
+}
+
+}  // namespace
+
+CaseResult measure(const Sweep& sweep, const Setup& setup) {
+  const auto begin = std::chrono::steady_clock::now();
+  CaseResult result =
+      sweep.quantity.kind == QuantityKind::Fit ? fit(sweep, setup) : frequency(sweep, setup);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   result.seconds = took.count();
   return result;

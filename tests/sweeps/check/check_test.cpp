@@ -66,6 +66,18 @@ TEST_F(CheckTest, JudgesWhatElseASweepSays) {
   EXPECT_FALSE(verdict("value = { at_most = '-700 mm' }\n").holds);
 }
 
+TEST_F(CheckTest, JudgesWalksToTheEdge) {
+  write("check.toml",
+        "[[claim]]\nname = 'a'\nstability = { only = ['planar tip force/modulus='] }\n"
+        "silent = { at_most = 0 }\n"
+        "[[claim]]\nname = 'b'\nstability = { only = ['none of them'] }\n"
+        "unsound = { at_most = 0 }\n");
+  const auto verdicts = run_check(read_check_file(folder_.file("check.toml")), {});
+  EXPECT_TRUE(verdicts[0].holds);
+  EXPECT_FALSE(verdicts[1].holds);
+  EXPECT_EQ(verdicts[1].reason, "no case is chosen");
+}
+
 TEST_F(CheckTest, DoesNotHoldWhereThereIsNoNumber) {
   const ClaimVerdict found = verdict(
       "where = { rules.end_rule = 'equal', beam.segments = [4] }\norder = { at_most = 9 }\n");
@@ -91,7 +103,10 @@ TEST_F(CheckTest, SaysEachVerdictOnce) {
 TEST_F(CheckTest, RefusesBadClaimsInOneLine) {
   EXPECT_EQ(message(""),
             ":1: claim[1]: claims nothing: it needs one of order, correlation, error, "
-            "extrapolated_error, gci, work, spread, value, ledger, failed");
+            "extrapolated_error, gci, work, spread, value, ledger, failed, silent, "
+            "unsound");
+  EXPECT_EQ(message("silent = { at_most = 0 }\n"),
+            ":4: claim[1].silent = { at_most = 0 }: is about stability = { … }, not about a sweep");
   EXPECT_EQ(message("order = {}\n"), ":4: claim[1].order = {}: needs at_least or at_most");
   EXPECT_EQ(message("order = { at_least = 1 }\nerror = { at_most = 1 }\n"),
             ":5: claim[1].error = { at_most = 1 }: is a second claim: one table makes one");

@@ -1,0 +1,107 @@
+#include "sweeps/stability/stability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/progress_bar.hpp"
+#include "plastica/io/result_file.hpp"
+#include "plastica/io/storage_error.hpp"
+#include "plastica/report/picture.hpp"
+#include "sweeps/stability/stability_map.hpp"
+#include "sweeps/stability/summary.hpp"
+
+namespace plastica::cli {
+namespace {
+
+namespace stability = sweeps::stability;
+
+struct StabilityArguments {
+  stability::StabilityOptions options;
+  std::string output;
+  std::string map;
+  bool force = false;
+  bool quiet = false;
+};
+
+void write_file(const std::string& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw io::StorageError(path, "cannot be written");
+  fmt::print(stderr, "wrote {}\n", path);
+}
+
+int run_study(const StabilityArguments& arguments) {
+  for (const std::string& path : {arguments.output, arguments.map}) {
+    if (!path.empty()) io::check_output_path(path, arguments.force);
+  }
+  const InterruptGuard interrupt;
+  stability::StabilityOptions options = arguments.options;
+  options.stop = &interrupt.flag();
+  std::unique_ptr<ProgressBar> bar;
+  options.progress = [&](std::size_t finished, std::size_t all) {
+    if (!bar) bar = std::make_unique<ProgressBar>("walking", all, arguments.quiet);
+    bar->update(finished, 0);
+  };
+  std::vector<stability::StabilityRow> rows = stability::run_stability(options);
+  if (bar) bar->clear();
+  std::erase_if(rows, [](const auto& row) { return !row.begun; });
+  if (rows.empty() && !interrupt.flag()) {
+    throw InputError({}, "--only", fmt::format("{}", fmt::join(options.only, ", ")),
+                     "is in the name of no point");
+  }
+  // What was walked is kept, whether all was or not.
+  if (!arguments.output.empty()) write_file(arguments.output, stability::rows_csv(rows));
+  if (!arguments.map.empty()) {
+    report::draw_picture(stability::stability_map(rows), arguments.map, std::cout);
+    fmt::print(stderr, "wrote {}\n", arguments.map);
+  }
+  if (!arguments.quiet) fmt::print("{}", stability::summary_text(rows));
+  if (interrupt.flag()) {
+    fmt::print(stderr, "plastica: interrupted after {} points\n", rows.size());
+    return kInterrupted;
+  }
+  const bool any_silent = std::any_of(rows.begin(), rows.end(), [](const auto& row) {
+    return row.verdict.soundness == stability::Soundness::Silent;
+  });
+  return any_silent ? kNotAcceptable : kDone;
+}
+
+}  // namespace
+
+void add_stability(CLI::App& app, Action& action) {
+  CLI::App* sub =
+      app.add_subcommand("stability", "walk scenes to the edge of what the library can do");
+  auto arguments = std::make_shared<StabilityArguments>();
+  stability::StabilityOptions& options = arguments->options;
+  sub->add_option("--only", options.only,
+                  "points with this in their name: planar, \"time step\", \"twist spin/\"");
+  sub->add_option("--sample", options.sample, "so many of them, drawn at random; 0: all")
+      ->check(CLI::Range(0, 1'000'000));
+  sub->add_option("--seed", options.seed, "of the sample");
+  sub->add_option("--most-work", options.most_segment_steps,
+                  "leave out points of more segment-steps");
+  sub->add_option("-o,--output", arguments->output, "every point, as CSV");
+  sub->add_option("--map", arguments->map, "the picture: .svg, .png, .pdf, .gp");
+  sub->add_option("--threads", options.threads, "0: as many as the machine has")
+      ->check(CLI::Range(0, 4096));
+  sub->add_flag("--force", arguments->force, "overwrite files that are there");
+  sub->add_flag("--quiet", arguments->quiet, "no tables, no progress");
+  sub->footer(
+      "Example: plastica stability --sample 100 --most-work 2e4 -o points.csv --map map.svg\n"
+      "All points take some 10 minutes on two cores. Exit code 1 if a point is wrong without\n"
+      "saying so.");
+  sub->callback([&action, arguments] { action = [arguments] { return run_study(*arguments); }; });
+}
+
+}  // namespace plastica::cli

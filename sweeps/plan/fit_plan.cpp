@@ -1,0 +1,114 @@
+#include "sweeps/plan/fit_plan.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "calibrate/config/read_parameters.hpp"
+#include "plastica/io/digest.hpp"
+#include "plastica/io/units.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+using io::TomlTable;
+using io::TomlValue;
+
+/// One of the two columns and the probe that it is held against.
+struct Side {
+  std::string probe;
+  calibrate::ColumnSource column;
+  double factor = 1.0;
+};
+
+Side read_side(const TomlTable& fit, std::string_view name) {
+  const TomlValue value = fit.at(name);
+  const TomlTable table = value.table();
+  Side side;
+  side.probe = table.at("probe").string();
+  const TomlValue column = table.at("column");
+  side.column.column =
+      column.is_string() ? column.string() : std::to_string(column.integer(1, 1'000'000));
+  side.column.where = column.where();
+  if (const auto unit = table.find("unit")) side.column.unit = unit->string();
+  if (const auto factor = table.find("factor")) {
+    side.factor = factor->number();
+    if (side.factor == 0.0) throw factor->error("must not be 0");
+  }
+  return side;
+}
+
+Dimension dimension_of_probe(const Scene& scene, const std::string& name) {
+  for (const Probe& probe : scene.probes) {
+    if (probe.name == name) return dimension_of(probe.quantity, scene.drive.deformation);
+  }
+  return Dimension::None;
+}
+
+int whole(const TomlTable& fit, std::string_view key, int otherwise, int high) {
+  const auto value = fit.find(key);
+  return value ? static_cast<int>(value->integer(1, high)) : otherwise;
+}
+
+}  // namespace
+
+FitPlan read_fit_plan(const TomlTable& fit, const std::string& path, const Scene& scene) {
+  FitPlan plan;
+  const TomlValue name = fit.at("target");
+  const auto file = std::filesystem::path(path).parent_path() / name.string();
+  if (!std::filesystem::is_regular_file(file)) {
+    throw name.error("is not a file in the folder of " + path);
+  }
+  plan.file = file.lexically_normal().string();
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  plan.text = text.str();
+  const Side abscissa = read_side(fit, "abscissa");
+  const Side ordinate = read_side(fit, "ordinate");
+  calibrate::SceneTarget wanted;
+  wanted.name = file.stem().string();
+  wanted.abscissa_probe = abscissa.probe;
+  wanted.ordinate_probe = ordinate.probe;
+  wanted.abscissa_factor = abscissa.factor;
+  wanted.ordinate_factor = ordinate.factor;
+  if (const auto noise = fit.find("noise")) {
+    wanted.noise = noise->quantity(dimension_of_probe(scene, ordinate.probe));
+    if (!(*wanted.noise > 0.0)) throw noise->error("must be above 0");
+  }
+  calibrate::SceneTargetSource source;
+  source.file = plan.file;
+  source.abscissa = abscissa.column;
+  source.ordinate = ordinate.column;
+  source.where = fit.where();
+  plan.target = calibrate::read_scene_target(source, scene, std::move(wanted));
+  (void)fit.at("parameters");
+  plan.options.parameters = calibrate::read_parameters(fit);
+  plan.options.evaluations = whole(fit, "evaluations", plan.options.evaluations, 1'000'000);
+  plan.options.starts = whole(fit, "starts", plan.options.starts, 1000);
+  if (const auto seed = fit.find("seed")) {
+    plan.options.seed = static_cast<std::uint64_t>(
+        seed->integer(0, std::numeric_limits<std::int64_t>::max()));
+  }
+  return plan;
+}
+
+std::uint64_t digest_of(const FitPlan& plan) {
+  io::Digest digest;
+  const calibrate::SceneTarget& t = plan.target;
+  digest.reals(t.abscissa).reals(t.ordinate).text(t.abscissa_probe).text(t.ordinate_probe);
+  digest.real(t.abscissa_factor).real(t.ordinate_factor).real(t.noise.value_or(0.0));
+  digest.real(t.broke ? t.broke->at : -1.0).real(t.broke ? t.broke->half_interval : -1.0);
+  const calibrate::SceneFitOptions& o = plan.options;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  for (const calibrate::Parameter& p : o.parameters) {
+    digest.text(p.field->path).integer(static_cast<std::uint64_t>(p.role));
+    digest.integer(static_cast<std::uint64_t>(p.scale)).real(p.value.value_or(kNone));
+    digest.real(p.lower.value_or(kNone)).real(p.upper.value_or(kNone));
+  }
+  digest.integer(static_cast<std::uint64_t>(o.evaluations)).real(o.tolerance);
+  digest.integer(static_cast<std::uint64_t>(o.starts)).integer(o.seed);
+  return digest.value();
+}
+
+}  // namespace plastica::sweeps

@@ -1,0 +1,68 @@
+#include "sweeps/plan/fit_plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sweeps/run/sweep_run.hpp"
+#include "tests/support/message.hpp"
+#include "tests/sweeps/sweep_text.hpp"
+
+namespace plastica::sweeps {
+namespace {
+
+const std::string kFolder = std::string(PLASTICA_SOURCE_DIR) + "/data/sweeps/";
+
+Sweep bend(const std::string& error, const std::string& fit) {
+  return parse_sweep(
+      "scene = '../scenes/bend_test.toml'\n[set]\nsolver.steps = 40\n"
+      "rules.yield_model = 'interaction'\nmaterial.hardening.law = 'ideal'\n" +
+          segments_axis("[4, 5]") + "[error]\n" + error + fit,
+      kFolder + "test.toml");
+}
+
+const std::string kError = "quantity = 'fit'\nparameter = 'material.yield_stress'\n";
+const std::string kFit =
+    "[fit]\ntarget = '../targets/bend_test.csv'\n"
+    "abscissa = { probe = 'displacement', column = 'Displacement', factor = -1 }\n"
+    "ordinate = { probe = 'force', column = 'Force', factor = -1 }\nnoise = '5 N'\n"
+    "[fit.parameters]\nyield_stress = { bounds = ['100 MPa', '900 MPa'] }\n";
+
+TEST(FitPlan, IsReadAndFitsEachCase) {
+  const Sweep sweep = bend(kError, kFit);
+  ASSERT_TRUE(sweep.fit.has_value());
+  EXPECT_EQ(sweep.fit->target.noise, 5.0);
+  EXPECT_EQ(sweep.fit->target.abscissa_factor, -1.0);
+  EXPECT_EQ(sweep.inputs.back().name, "bend_test.csv");
+  const auto results = SweepRun(sweep, {}).run();
+  for (const CaseResult& result : results) {
+    EXPECT_EQ(result.status, Status::Completed) << result.reason;
+    EXPECT_GT(result.value.value_or(0.0), 300e6);
+    EXPECT_LT(result.value.value_or(0.0), 900e6);
+    EXPECT_GT(result.standard_error.value_or(0.0), 0.0);
+    EXPECT_GT(result.segment_iterations(), 100);
+  }
+}
+
+TEST(FitPlan, DecidesTheIdsOfItsCases) {
+  const auto id = [](const std::string& fit) { return CaseTable(bend(kError, fit)).id(0); };
+  std::string other = kFit;
+  other.replace(other.find("900"), 3, "800");
+  EXPECT_EQ(id(kFit), id(kFit));
+  EXPECT_NE(id(kFit), id(other));
+}
+
+TEST(FitPlan, GoesWithTheQuantityOfAFit) {
+  const auto message = [](const std::string& error, const std::string& fit) {
+    return plastica::testing::message_of([&] { bend(error, fit); });
+  };
+  EXPECT_EQ(message(kError, ""),
+            kFolder + "test.toml: fit: is missing: error.quantity is one of a fit");
+  EXPECT_EQ(message("probe = 'force'\n", kFit),
+            kFolder + "test.toml:12: fit: goes with error.quantity = \"fit\"");
+  EXPECT_EQ(message("quantity = 'fit'\nparameter = 'material.density'\n", kFit),
+            kFolder +
+                "test.toml:13: error.parameter = material.density: is not a free parameter "
+                "of [fit]");
+}
+
+}  // namespace
+}  // namespace plastica::sweeps
