@@ -29,9 +29,10 @@ enum class ClaimKind {
   Unsound,            ///< of a walk: number of points that are not sound, whatever they say [1]
 };
 
-inline constexpr std::array<std::string_view, 10> kClaimKinds{
-    "order", "correlation", "error", "extrapolated_error", "gci", "work", "spread",
-    "value", "ledger",      "failed"};
+inline constexpr std::array<std::string_view, 12> kClaimKinds{
+    "order",  "correlation", "error",  "extrapolated_error",
+    "gci",    "work",        "spread", "value",
+    "ledger", "failed",      "silent", "unsound"};
 
 /// One statement about a sweep, or about walks to the edge of stability, that holds or does not.
 struct Claim {

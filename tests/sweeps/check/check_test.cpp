@@ -68,7 +68,7 @@ TEST_F(CheckTest, JudgesWhatElseASweepSays) {
 
 TEST_F(CheckTest, JudgesWalksToTheEdge) {
   write("check.toml",
-        "[[claim]]\nname = 'a'\nstability = { only = ['planar tip force/modulus='] }\n"
+        "[[claim]]\nname = 'a'\nstability = { only = ['coupon'], most_work = 1e3 }\n"
         "silent = { at_most = 0 }\n"
         "[[claim]]\nname = 'b'\nstability = { only = ['none of them'] }\n"
         "unsound = { at_most = 0 }\n");

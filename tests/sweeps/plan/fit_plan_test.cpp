@@ -57,10 +57,10 @@ TEST(FitPlan, GoesWithTheQuantityOfAFit) {
   EXPECT_EQ(message(kError, ""),
             kFolder + "test.toml: fit: is missing: error.quantity is one of a fit");
   EXPECT_EQ(message("probe = 'force'\n", kFit),
-            kFolder + "test.toml:12: fit: goes with error.quantity = \"fit\"");
+            kFolder + "test.toml:11: fit: goes with error.quantity = \"fit\"");
   EXPECT_EQ(message("quantity = 'fit'\nparameter = 'material.density'\n", kFit),
             kFolder +
-                "test.toml:13: error.parameter = material.density: is not a free parameter "
+                "test.toml:12: error.parameter = material.density: is not a free parameter "
                 "of [fit]");
 }
 
