@@ -15,6 +15,8 @@
 #include "cli/run_files.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/report/scene_plot.hpp"
+#include "sweeps/report/plot.hpp"
+#include "sweeps/store/sweep_store.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -41,6 +43,8 @@ void list(const PlotArguments& arguments) {
     print(calibrate::plot_kinds());
     fmt::print("of a simulated scene:\n");
     print(report::scene_plot_kinds());
+    fmt::print("of a sweep:\n");
+    print(sweeps::sweep_plot_kinds());
     return;
   }
   switch (kind_of_result(arguments.files.front())) {
@@ -48,19 +52,22 @@ void list(const PlotArguments& arguments) {
     case ResultKind::Scene:
       print(report::scene_plot_kinds_of(io::read_scene_store(arguments.files.front())));
       break;
-    case ResultKind::Sweep: break;
+    case ResultKind::Sweep:
+      print(sweeps::sweep_plot_kinds_of(sweeps::read_sweep_store(arguments.files.front())));
+      break;
   }
 }
 
 void check_options(ResultKind kind, const PlotArguments& arguments) {
   using enum ResultKind;
-  const std::array options{ResultOption{"--case", !arguments.request.specimen.empty(), {Fits}},
-                           ResultOption{"--joint", arguments.joint.has_value(), {Scene}},
-                           ResultOption{"--probe", !arguments.probe.empty(), {Scene}},
-                           ResultOption{"--time", !arguments.time.empty(), {Scene}},
-                           ResultOption{"--frames", arguments.film_frames.has_value(), {Scene}},
-                           ResultOption{"--from", !arguments.film_from.empty(), {Scene}},
-                           ResultOption{"--to", !arguments.film_to.empty(), {Scene}}};
+  const std::array options{
+      ResultOption{"--case", !arguments.request.specimen.empty(), {Fits, Sweep}},
+      ResultOption{"--joint", arguments.joint.has_value(), {Scene}},
+      ResultOption{"--probe", !arguments.probe.empty(), {Scene}},
+      ResultOption{"--time", !arguments.time.empty(), {Scene}},
+      ResultOption{"--frames", arguments.film_frames.has_value(), {Scene}},
+      ResultOption{"--from", !arguments.film_from.empty(), {Scene}},
+      ResultOption{"--to", !arguments.film_to.empty(), {Scene}}};
   refuse_options_of_others(kind, options);
 }
 
@@ -76,11 +83,21 @@ void draw_scenes(const PlotArguments& arguments) {
   report::draw_scene_plot(records, request, std::cout);
 }
 
+void refuse_second_file(const PlotArguments& arguments, std::string_view why) {
+  if (arguments.files.size() == 1) return;
+  throw InputError({}, "plot", arguments.files[1], fmt::format("must not be there: {}", why));
+}
+
+void draw_sweep(const PlotArguments& arguments) {
+  refuse_second_file(arguments, "a sweep is drawn of one file");
+  const auto record = sweeps::read_sweep_store(arguments.files.front());
+  sweeps::draw_sweep_plot(
+      record, {arguments.request.what, arguments.request.specimen, arguments.request.output},
+      std::cout);
+}
+
 void draw_fits(const PlotArguments& arguments) {
-  if (arguments.files.size() > 1) {
-    throw InputError({}, "plot", arguments.files[1],
-                     "must not be there: fits are drawn of one file");
-  }
+  refuse_second_file(arguments, "fits are drawn of one file");
   const auto contents = calibrate::read_fit_store(arguments.files.front());
   calibrate::draw_plot(contents.records, arguments.request, std::cout);
 }
@@ -100,7 +117,7 @@ int plot(const PlotArguments& arguments) {
   switch (kind) {
     case ResultKind::Fits: draw_fits(arguments); break;
     case ResultKind::Scene: draw_scenes(arguments); break;
-    case ResultKind::Sweep: throw InputError({}, "plot", arguments.files.front(), "is a sweep");
+    case ResultKind::Sweep: draw_sweep(arguments); break;
   }
   if (output != "-") fmt::print("wrote {}\n", output);
   return kDone;
@@ -113,12 +130,13 @@ void add_plot(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<PlotArguments>();
   sub->add_option(
       "files", arguments->files,
-      "result of `plastica calibrate`, or of `simulate`; several scenes over each other");
+      "result of `plastica calibrate`, `sweep`, or of `simulate`; several scenes over each other");
   sub->add_option("-o,--output", arguments->request.output,
                   ".svg, .png, .pdf; .gp for script and data; - for the terminal")
       ->capture_default_str();
   sub->add_option("--what", arguments->request.what, "which picture, see --list");
-  sub->add_option("--case", arguments->request.specimen, "specimen of a curve");
+  sub->add_option("--case", arguments->request.specimen,
+                  "specimen of a curve; of a sweep an id, or \"AXIS = VALUE, AXIS = VALUE\"");
   sub->add_option("--joint", arguments->joint, "of the picture \"joint\" of a scene");
   sub->add_option("--probe", arguments->probe,
                   "of the pictures \"load\", \"history\" and \"spectrum\" of a scene");

@@ -140,7 +140,7 @@ TEST(BadSceneRequest, IsRefusedInOneLine) {
        "--what = curve: must be one of shape, film, moment, joint, load, history, energy for this "
        "file"},
       {{"plot", "x.h5", "--case", "a"},
-       "--case: is for results of fits; this is a simulated scene"},
+       "--case: is for results of fits and sweeps; this is a simulated scene"},
       {{"plot", "x.h5", "--what", "joint", "--joint", "7"}, "--joint = 7: must be from 0 to 4"},
       {{"plot", "x.h5", "-o", "x.h5", "--force"}, "--output = x.h5: is a file that this run reads"},
       {{"simulate", "beam.toml", "-o", "x.h5"},

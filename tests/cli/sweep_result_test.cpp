@@ -59,6 +59,30 @@ TEST_F(SweepResult, ExportsTheJsonThatSweepWrites) {
   EXPECT_EQ(output_of({"export", "sweep.h5", "--to", "json"}), place_.read("sweep.json"));
 }
 
+TEST_F(SweepResult, IsDrawnAsEachPictureThatItHas) {
+  const std::string listed = output_of({"plot", "sweep.h5", "--list"});
+  for (const std::string what : {"convergence", "value", "trade"}) {
+    EXPECT_TRUE(has("\n" + listed, "\n" + what + " ")) << listed;
+    EXPECT_EQ(output_of({"plot", "sweep.h5", "--what", what, "-o", what + ".svg"}),
+              "wrote " + what + ".svg\n");
+    EXPECT_TRUE(has(place_.read(what + ".svg"), "</svg>")) << what;
+    EXPECT_GT(lines_of(output_of({"plot", "sweep.h5", "--what", what})), 15U) << what;
+  }
+  output_of({"plot", "sweep.h5", "-o", "again.svg"});
+  EXPECT_EQ(place_.read("again.svg"), place_.read("convergence.svg"));
+  output_of({"plot", "sweep.h5", "--case", "end_rule = equal", "-o", "equal.png"});
+  EXPECT_TRUE(place_.read("equal.png").starts_with("\x89PNG"));
+}
+
+TEST_F(SweepResult, IsDrawnAsAMapWithPanels) {
+  place_.write("grid.toml", changed(place_.read("sweep.toml"), "[error]",
+                                    "[[axis]]\nfield = \"scale.loads\"\nvalues = [1, 4]\n[error]"));
+  ASSERT_EQ(place_.run({"sweep", "grid.toml", "--quiet"}).code, 0);
+  output_of({"plot", "grid.h5", "--what", "map", "-o", "map.svg"});
+  EXPECT_TRUE(has(place_.read("map.svg"), "half_joint"));
+  EXPECT_GT(lines_of(output_of({"plot", "grid.h5", "--what", "map"})), 30U);
+}
+
 TEST_F(SweepResult, RefusesRequestsInOneLine) {
   const std::map<std::string, std::string> files{
       {"x.h5", place_.read("sweep.h5")},
@@ -73,6 +97,9 @@ TEST_F(SweepResult, RefusesRequestsInOneLine) {
       {{"export", "x.h5", "--what", "curves"},
        "--what = curves: needs a sweep with error.take = \"curve\""},
       {{"export", "x.h5", "--to", "json", "--what", "cases"}, "--what: goes with --to csv"},
+      {{"plot", "x.h5", "--what", "film"},
+       "--what = film: must be one of convergence, value, trade for this file"},
+      {{"plot", "x.h5", "x.h5"}, "plot = x.h5: must not be there: a sweep is drawn of one file"},
       {{"plot", "x.h5", "--joint", "1"}, "--joint: is for simulated scenes; this is a sweep"},
       {{"sweep", "sweep.toml", "-o", "y.h5", "--json", "./y.h5"},
        "--json = ./y.h5: is the result file, too"},
