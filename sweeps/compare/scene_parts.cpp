@@ -4,15 +4,17 @@
 #include "plastica/run/simulate.hpp"
 
 namespace plastica::sweeps {
-namespace {
-
-bool is_at(const Place& place, double fraction, const Setup& setup) {
+bool is_at_end(const Place& place, double fraction, const Setup& setup) {
   const int segments = setup.scene.beam.segments;
   if (place.segment) return *place.segment == (fraction == 0.0 ? 0 : segments);
   return place.fraction == fraction;
 }
 
-}  // namespace
+double distance_of(const Place& place, const Setup& setup) {
+  const double length = setup.scene.beam.length;
+  return place.segment ? length * *place.segment / setup.scene.beam.segments
+                       : length * place.fraction;
+}
 
 void require_scene(bool holds, std::string_view rule) {
   if (!holds) throw InputError({}, "", "", rule);
@@ -22,13 +24,13 @@ Cantilever cantilever_of(const Setup& setup) {
   const Scene& scene = setup.scene;
   require_scene(!scene.is_coupon() && scene.supports.size() == 1 &&
                     scene.supports[0].kind == SupportKind::Clamp && !scene.supports[0].hold &&
-                    !scene.supports[0].moves() && is_at(scene.supports[0].at, 0.0, setup),
+                    !scene.supports[0].moves() && is_at_end(scene.supports[0].at, 0.0, setup),
                 "is for a beam with a clamp at its start as its one support");
   require_scene(scene.beam.shape == BeamShape::Straight && scene.regions.empty(),
                 "is for a straight, even beam");
   const bool weightless = scene.gravity == std::array<double, 3>{};
   require_scene(scene.loads.size() == 1 && !scene.loads[0].to && !scene.loads[0].follows &&
-                    is_at(scene.loads[0].at, 1.0, setup) && weightless,
+                    is_at_end(scene.loads[0].at, 1.0, setup) && weightless,
                 "is for one load, at the beam's end, that keeps its direction");
   Cantilever beam;
   beam.length = scene.beam.length;
@@ -40,6 +42,64 @@ Cantilever cantilever_of(const Setup& setup) {
   for (double& component : beam.force) component *= factor;
   for (double& component : beam.moment) component *= factor;
   return beam;
+}
+
+namespace {
+
+/// How the ends are held against bending in the y-z plane.
+theory::BeamEnds ends_of(const Setup& setup) {
+  using theory::BeamEnds;
+  const auto& supports = setup.scene.supports;
+  const auto holds = [&](std::size_t k, std::size_t freedom) {
+    return supports[k].held()[freedom] && !supports[k].moves();
+  };
+  constexpr std::size_t kY = 1;
+  constexpr std::size_t kRx = 3;
+  const std::string_view rule =
+      "is for a beam that is clamped or pinned at its start, and free, "
+      "clamped, pinned or on a roller at its end";
+  require_scene(!supports.empty() && supports.size() <= 2 &&
+                    is_at_end(supports[0].at, 0.0, setup) && holds(0, kY),
+                rule);
+  const bool clamped = holds(0, kRx);
+  if (supports.size() == 1) {
+    require_scene(clamped, rule);
+    return BeamEnds::ClampedFree;
+  }
+  require_scene(is_at_end(supports[1].at, 1.0, setup) && holds(1, kY), rule);
+  if (clamped) return holds(1, kRx) ? BeamEnds::ClampedClamped : BeamEnds::ClampedPinned;
+  require_scene(!holds(1, kRx), rule);
+  return BeamEnds::PinnedPinned;
+}
+
+}  // namespace
+
+BentBeam bent_beam_of(const Setup& setup) {
+  const Scene& scene = setup.scene;
+  require_scene(!scene.is_coupon() && scene.beam.shape == BeamShape::Straight &&
+                    scene.regions.empty() && scene.gravity == std::array<double, 3>{},
+                "is for a straight, even beam without gravity");
+  require_scene(scene.loads.size() == 1 && !scene.loads[0].follows, "is for one load");
+  const Load& load = scene.loads[0];
+  const bool across = load.force[0] == 0.0 && load.force[2] == 0.0 && load.moment[1] == 0.0 &&
+                      load.moment[2] == 0.0;
+  require_scene(across, "is for a force along y or a moment about x");
+  BentBeam bent;
+  bent.section = section_properties(scene.section, scene.material.poisson_ratio);
+  bent.beam.ends = ends_of(setup);
+  bent.beam.length = scene.beam.length;
+  bent.beam.bending_stiffness = scene.material.youngs_modulus * bent.section.second_moment_x;
+  const double factor = load.history.at(end_time(setup));
+  if (load.to) {
+    const bool whole = is_at_end(load.at, 0.0, setup) && is_at_end(*load.to, 1.0, setup);
+    require_scene(whole && load.moment[0] == 0.0, "is for a spread force along the whole beam");
+    bent.beam.load.distributed = factor * load.force[1];
+  } else {
+    bent.beam.load.position = distance_of(load.at, setup);
+    bent.beam.load.force = factor * load.force[1];
+    bent.beam.load.moment = -factor * load.moment[0];  // turns the slope dy/dz up
+  }
+  return bent;
 }
 
 const Probe& end_probe(const Setup& setup, const Quantity& quantity) {

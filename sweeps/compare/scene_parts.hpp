@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "plastica/model/section.hpp"
+#include "plastica/theory/beam_cases.hpp"
 #include "sweeps/compare/closed_forms.hpp"
 
 /// What closed forms ask of a scene; not installed. Each throws InputError with a rule in words
@@ -24,6 +25,22 @@ struct Cantilever {
 
 /// @throws InputError unless the scene is that, with a point load at its end alone, no gravity
 Cantilever cantilever_of(const Setup& setup);
+
+/// Whether a place is the beam's start (0) or end (1).
+bool is_at_end(const Place& place, double fraction, const Setup& setup);
+
+/// Where a place is, from the start along the beam [m].
+double distance_of(const Place& place, const Setup& setup);
+
+/// A straight, even beam that a load bends in the y-z plane, small displacements.
+struct BentBeam {
+  theory::BeamCase beam{};
+  SectionProperties section{};
+};
+
+/// @throws InputError unless the scene is that: clamped or pinned at its start, free, clamped or
+///         held across at its end, with one load along y or one moment about x, no gravity
+BentBeam bent_beam_of(const Setup& setup);
 
 /// The probe of a quantity that is taken of one at the end of the run.
 const Probe& end_probe(const Setup& setup, const Quantity& quantity);
