@@ -103,7 +103,7 @@ std::vector<StabilityRow> run_stability(const StabilityOptions& options) {
                  run_point(points[order[i]], options, rows[order[i]]);
                  const std::lock_guard lock(mutex);
                  ++finished;
-                 if (options.progress) options.progress(finished, points.size());
+                 if (options.progress) options.progress(rows[order[i]], finished, points.size());
                });
   return rows;
 }

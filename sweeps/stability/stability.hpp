@@ -14,26 +14,6 @@
 
 namespace plastica::sweeps::stability {
 
-/// Which points of the stability study are run, and how.
-struct StabilityOptions {
-  /// Points whose id contains one of these are run: "planar", "twist spin/", "time step="; empty:
-  /// all.
-  std::vector<std::string> only{};
-  std::size_t sample = 0;  ///< so many of them, drawn at random; 0: all
-  std::uint64_t seed = 1;  ///< of the sample
-  /// Points beyond this estimate are left out, segments times steps [1].
-  double most_segment_steps = 1e9;
-  /// A point is stopped, as failed, when it has taken four times its estimated segment-steps, but
-  /// not before so many [1].
-  double least_segment_steps = 1e6;
-  /// A point that takes longer ends as failed, "interrupted" [s].
-  double most_seconds = 60.0;
-  int threads = 0;                          ///< 0: as many as the machine has
-  const std::atomic<bool>* stop = nullptr;  ///< once true, no further point is begun; may be null
-  /// Told after each point how many of how many are done; from any thread, one call at a time.
-  std::function<void(std::size_t finished, std::size_t all)> progress{};
-};
-
 /// A number of a walk at a point.
 struct WalkedValue {
   std::string axis;  ///< "time step"
@@ -54,6 +34,27 @@ struct StabilityRow {
   double ledger_error = 0.0;   ///< of a motion [1]
   double segment_steps = 0.0;  ///< segments times steps that were taken [1]
   double seconds = 0.0;        ///< with preparation [s]
+};
+
+/// Which points of the stability study are run, and how.
+struct StabilityOptions {
+  /// Points whose id contains one of these are run: "planar", "twist spin/", "time step="; empty:
+  /// all.
+  std::vector<std::string> only{};
+  std::size_t sample = 0;  ///< so many of them, drawn at random; 0: all
+  std::uint64_t seed = 1;  ///< of the sample
+  /// Points beyond this estimate are left out, segments times steps [1].
+  double most_segment_steps = 1e9;
+  /// A point is stopped, as failed, when it has taken four times its estimated segment-steps, but
+  /// not before so many [1].
+  double least_segment_steps = 2e5;
+  /// A point that takes longer ends as failed, "interrupted" [s].
+  double most_seconds = 60.0;
+  int threads = 0;                          ///< 0: as many as the machine has
+  const std::atomic<bool>* stop = nullptr;  ///< once true, no further point is begun; may be null
+  /// Told after each point, with how many of how many are done; from any thread, one call at a
+  /// time.
+  std::function<void(const StabilityRow& row, std::size_t finished, std::size_t all)> progress{};
 };
 
 /// Walks scenes towards the edge and judges each point (`judge`): E from 1 kPa to 1 TPa, N from 2

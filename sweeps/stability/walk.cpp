@@ -14,6 +14,10 @@ namespace {
 
 constexpr double kMostSegmentSteps = 1e9;
 
+/// A motion of many segments takes fewer steps than its scene's: so many segment-steps.
+constexpr double kManySegmentSteps = 2e6;
+constexpr double kFewestSteps = 20.0;
+
 /// Powers of ten between two of them, both included, every `by`-th.
 std::vector<double> decades(int from, int to, int by = 1) {
   std::vector<double> values;
@@ -77,6 +81,11 @@ StabilityPoint point_of(const BaseScene& scene, std::vector<AxisValue> at) {
   if (at.empty()) point.id += "normal";
   point.at = std::move(at);
   const bool moves = scene.analysis == Analysis::Dynamics;
+  const bool counts = std::any_of(point.at.begin(), point.at.end(),
+                                  [](const AxisValue& value) { return value.axis == "steps"; });
+  if (moves && !counts && point.knobs.segments * point.knobs.steps > kManySegmentSteps) {
+    point.knobs.steps = std::max(kFewestSteps, kManySegmentSteps / point.knobs.segments);
+  }
   point.segment_steps = scene.level == Level::Coupon
                             ? 6.0
                             : point.knobs.segments * (moves ? point.knobs.steps : kStepsOfAPath);

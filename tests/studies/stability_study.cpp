@@ -34,6 +34,11 @@ TEST(Stability, IsNowhereWrongWithoutSayingSo) {
     options.most_segment_steps = 2e4;
     options.least_segment_steps = 5e4;
   }
+  options.progress = [](const StabilityRow& row, std::size_t finished, std::size_t all) {
+    if (finished % 500 == 0) std::fprintf(stderr, "%zu of %zu points\n", finished, all);
+    if (row.verdict.soundness != Soundness::Silent) return;
+    std::fprintf(stderr, "%s: %s\n", row.id.c_str(), row.verdict.reason.c_str());
+  };
   const std::vector<StabilityRow> rows = run_stability(options);
   EXPECT_EQ(rows.size() >= 2000, full);
   for (const StabilityRow& row : rows) {
