@@ -42,6 +42,7 @@ std::vector<StabilityPoint> chosen_points(const StabilityOptions& options) {
   order.resize(options.sample);
   std::sort(order.begin(), order.end());
   std::vector<StabilityPoint> sample;
+  sample.reserve(order.size());
   for (const std::size_t i : order) sample.push_back(std::move(chosen[i]));
   return sample;
 }
@@ -89,6 +90,7 @@ void run_point(const StabilityPoint& point, const StabilityOptions& options, Sta
 std::vector<StabilityRow> run_stability(const StabilityOptions& options) {
   const std::vector<StabilityPoint> points = chosen_points(options);
   std::vector<StabilityRow> rows;
+  rows.reserve(points.size());
   for (const StabilityPoint& point : points) rows.push_back(row_of(point));
   // The longest first, so that none is left alone at the end.
   std::vector<std::size_t> order(points.size());

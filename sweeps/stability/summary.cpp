@@ -81,6 +81,7 @@ std::vector<LevelCount> count_soundness(std::span<const StabilityRow> rows) {
     ++count.points[static_cast<std::size_t>(row.verdict.soundness)];
   }
   std::vector<LevelCount> all;
+  all.reserve(counts.size());
   for (const auto& [key, count] : counts) all.push_back(count);
   return all;
 }
@@ -175,9 +176,9 @@ std::string summary_text(std::span<const StabilityRow> rows) {
   for (const Axis& axis : axes()) {
     text += "| " + std::string(axis.name) +
             (axis.unit == "1" ? "" : " [" + std::string(axis.unit) + "]") + " |";
-    for (const auto& [level, analysis] : columns) {
+    for (const auto& column : columns) {
       const auto range = std::find_if(ranges.begin(), ranges.end(), [&](const SafeRange& each) {
-        return each.level == level && each.analysis == analysis && each.axis == axis.name;
+        return std::pair(each.level, each.analysis) == column && each.axis == axis.name;
       });
       if (range == ranges.end()) {
         text += " |";

@@ -133,9 +133,8 @@ Verdict judge(const Setup& setup, const Response& response, const Expectation& e
                   "the scheme makes " + percent(ledger.made / ledger.size) + " of the energy");
   }
   const bool dissipates = ledger.dissipated > kAccurate * ledger.size;
-  const Verdict stated{Inaccurate, "the scheme dissipates " +
-                                       percent(ledger.dissipated / ledger.size) +
-                                       " of the energy, as the ledger states"};
+  Verdict stated{Inaccurate, "the scheme dissipates " + percent(ledger.dissipated / ledger.size) +
+                                 " of the energy, as the ledger states"};
   if (auto found = check_kept(setup, response, expected)) return dissipates ? stated : *found;
   if (auto found = check_limit(setup, response, expected)) return *found;
   if (response.status == Status::Completed) {
