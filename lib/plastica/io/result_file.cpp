@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "plastica/base/status.hpp"
 #include "plastica/base/parallel_for.hpp"
+#include "plastica/base/status.hpp"
 #include "plastica/base/version.hpp"
 #include "plastica/io/durable_file.hpp"
 

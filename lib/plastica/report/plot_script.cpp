@@ -129,7 +129,8 @@ void PlotScript::end_panel() {
   command(
       "set lmargin at screen 0.02\nset rmargin at screen 0.98\nunset border\nunset tics\nunset "
       "xzeroaxis\n"
-      "unset grid\nunset logscale\nunset title\nunset xlabel\nunset ylabel\nset xrange [0:1]\nset yrange [0:1]\n"
+      "unset grid\nunset logscale\nunset title\nunset xlabel\nunset ylabel\nset xrange [0:1]\nset "
+      "yrange [0:1]\n"
       "set offsets 0, 0, 0, 0");
   command("plot NaN notitle" + legend_ + "\nunset multiplot");
 }
