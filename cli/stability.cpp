@@ -49,7 +49,8 @@ int run_study(const StabilityArguments& arguments) {
   stability::StabilityOptions options = arguments.options;
   options.stop = &interrupt.flag();
   std::unique_ptr<ProgressBar> bar;
-  options.progress = [&](std::size_t finished, std::size_t all) {
+  options.progress = [&](const stability::StabilityRow& /*row*/, std::size_t finished,
+                         std::size_t all) {
     if (!bar) bar = std::make_unique<ProgressBar>("walking", all, arguments.quiet);
     bar->update(finished, 0);
   };
