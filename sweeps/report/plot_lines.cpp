@@ -25,6 +25,7 @@ std::size_t count_together(const SweepRecord& record, const std::vector<std::siz
   std::set<std::vector<FieldValue>> seen;
   for (std::size_t k = 0; k < record.axes[axes.front()].values.size(); ++k) {
     std::vector<FieldValue> values;
+    values.reserve(axes.size());
     for (const std::size_t a : axes) values.push_back(record.axes[a].values[k]);
     seen.insert(std::move(values));
   }
@@ -58,6 +59,7 @@ std::size_t place_of(const SweepRecord& record, const CaseLine& line, std::size_
 std::vector<std::size_t> places_on(const SweepRecord& record, const std::vector<CaseLine>& lines,
                                    std::size_t axis) {
   std::vector<std::size_t> places;
+  places.reserve(lines.size());
   for (const CaseLine& line : lines) places.push_back(place_of(record, line, axis));
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
@@ -79,7 +81,7 @@ std::map<std::size_t, std::size_t> ranks_of(const std::vector<std::size_t>& plac
 
 std::string value_name(const SweepRecord& record, std::size_t axis, std::size_t place) {
   const Axis& one = record.axes[axis];
-  const std::string value = value_text(*one.field, one.values[place]);
+  std::string value = value_text(*one.field, one.values[place]);
   if (one.field->kind == FieldKind::Choice) return value;
   const std::string_view path = one.field->path;
   return std::string(path.substr(path.rfind('.') + 1)) + " " + value;
@@ -148,6 +150,7 @@ std::vector<CaseLine> lines_along(const PlotCases& cases, std::size_t axis) {
   for (std::size_t i = 0; i < record.cases(); ++i) {
     if (!cases.picked[i]) continue;
     std::vector<std::size_t> key;
+    key.reserve(others.size());
     for (const std::size_t a : others) key.push_back(record.position[i * record.axes.size() + a]);
     const auto [place, is_new] = line_at.emplace(std::move(key), lines.size());
     if (is_new) lines.emplace_back();

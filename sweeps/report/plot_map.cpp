@@ -81,6 +81,7 @@ std::vector<std::vector<std::size_t>> panels_of(const PlotCases& cases, const Ma
     const bool placed = std::isfinite(x_of(record, i, map)) && std::isfinite(y_of(record, i, map));
     if (!cases.picked[i] || !placed) continue;
     std::vector<std::size_t> key;
+    key.reserve(map.others.size());
     for (const std::size_t a : map.others) {
       key.push_back(record.position[i * record.axes.size() + a]);
     }
@@ -121,6 +122,7 @@ Edges edges_of(const PlotCases& cases, std::size_t axis) {
   out.logarithmic =
       out.values.front() > 0.0 && out.values.back() / out.values.front() >= kLogarithmic;
   std::vector<double> places;
+  places.reserve(out.values.size());
   for (const double value : out.values) {
     places.push_back(out.logarithmic ? std::log(value) : value);
   }
@@ -248,8 +250,10 @@ PlotScript map_terminal(const PlotCases& cases) {
   script.command(axis_commands(axis_of(record, map.x, x), 'x') + axis_commands(y_axis, 'y'));
   for (const auto& members : panels) {
     const std::string name = panel_title(record, map, members);
-    script.command("set title " + quoted(report::cut(title_of(record, map), 76)) + ".\"\\n\"." +
-                   quoted(report::cut(name + (name.empty() ? "" : "; ") + "over " + y_label, 76)));
+    const std::string below = fmt::format("{}{}over {}", name, name.empty() ? "" : "; ", y_label);
+    script.command(fmt::format("set title {}.\"\\n\".{}",
+                               quoted(report::cut(title_of(record, map), 76)),
+                               quoted(report::cut(below, 76))));
     std::string plot;
     for (std::size_t c = 0; c < map.colors.classes.size(); ++c) {
       Points points;

@@ -25,6 +25,7 @@ std::string head(const SweepRecord& record) {
 
 std::string block_text(const std::vector<CaseColumn>& names, const CaseBlock& block) {
   std::vector<Table::Column> columns;
+  columns.reserve(names.size());
   for (const CaseColumn& column : names) {
     columns.push_back(
         {column.name, column.words ? Table::Align::Left : Table::Align::Right, column.unit});
@@ -56,7 +57,7 @@ std::string sweep_report(const SweepRecord& record, std::size_t most_cases) {
 std::string case_report(const SweepRecord& record, std::size_t index) {
   const CaseResult& result = record.results[index];
   Table table({{"", Table::Align::Left}, {"", Table::Align::Left}});
-  const auto add = [&](std::string name, std::string value, const std::string& unit = {}) {
+  const auto add = [&](std::string name, const std::string& value, const std::string& unit = {}) {
     table.add({std::move(name), report::quantity(value, shown_unit_of(unit))});
   };
   const auto add_number = [&](std::string name, const std::optional<double>& value,
