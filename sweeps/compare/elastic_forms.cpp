@@ -52,28 +52,49 @@ Values elastica_moment(const Setup& setup, const Quantity& quantity,
   return tip_value(setup, quantity, tip, -beam.moment[0] / size);
 }
 
-/// The exact tip of a chain under a small tip force: the continuous beam's times its ratio.
+/// How theory names the chain of a scene, and its N.
+struct NamedChain {
+  theory::ChainConvention convention = theory::ChainConvention::HalfJoint;
+  int count = 0;
+};
+
+NamedChain chain_of(const Setup& setup) {
+  using theory::ChainConvention;
+  const Scene& scene = setup.scene;
+  require_scene(scene.formulas == Formulas::Mechanics && scene.beam.segment_shares.empty() &&
+                    scene.beam.joint_lengths.empty(),
+                "is for rules.formulas = \"mechanics\" and segments that the rule divides");
+  NamedChain chain{ChainConvention::HalfJoint, scene.beam.segments};
+  if (scene.end_rule == EndRule::Equal) chain.convention = ChainConvention::Weld;
+  if (scene.end_rule == EndRule::ThreeHalves) chain.convention = ChainConvention::ThreeHalvesEnds;
+  // Two of the segments are half as long.
+  if (scene.end_rule == EndRule::Half) chain = {ChainConvention::HalfEnds, scene.beam.segments - 1};
+  require_scene(chain.count >= 2, "is for more segments");
+  return chain;
+}
+
+/// The exact tip of a chain under a small load: the continuous beam's times its ratio.
 Values lumped_chain(const Setup& setup, const Quantity& quantity,
                     std::span<const double> /*time*/) {
-  using theory::ChainConvention;
-  const Cantilever beam = cantilever_of(setup);
-  require_scene(beam.force[1] != 0.0 && beam.moment == std::array<double, 3>{},
-                "is for a tip force along y");
+  const BentBeam bent = bent_beam_of(setup);
+  require_scene(bent.beam.ends == theory::BeamEnds::ClampedFree, "is for a cantilever");
+  const theory::BeamLoad& load = bent.beam.load;
+  require_scene(load.distributed != 0.0 || load.position == bent.beam.length,
+                "is for a load at the tip, or an even one");
   const Probe& probe = end_probe(setup, quantity);
   require_scene(probe.quantity == ProbeQuantity::Displacement && probe.component == Component::Y &&
                     is_at_end(probe.at, 1.0, setup),
                 "is for the displacement of the tip along y");
-  ChainConvention convention = ChainConvention::HalfJoint;
-  const EndRule rule = setup.scene.end_rule;
-  if (rule == EndRule::Equal) convention = ChainConvention::Weld;
-  if (rule == EndRule::ThreeHalves) convention = ChainConvention::ThreeHalvesEnds;
-  require_scene(rule != EndRule::Half && setup.scene.formulas == Formulas::Mechanics,
-                "is for rules.end_rule half_joint, equal or three_halves");
-  const int segments = setup.scene.beam.segments;
-  require_scene(segments >= 2, "is for two segments or more");
-  const double cube = beam.length * beam.length * beam.length;
-  return {theory::tip_force_ratio(convention, segments) * beam.force[1] * cube /
-          (3.0 * beam.bending_stiffness)};
+  const auto [convention, count] = chain_of(setup);
+  // What each part of the load does to the continuous beam.
+  const auto tip = [&](const theory::BeamLoad& part) {
+    theory::BeamCase one = bent.beam;
+    one.load = part;
+    return theory::beam_deflection(one, one.length);
+  };
+  return {theory::tip_force_ratio(convention, count) * tip({load.position, load.force}) +
+          theory::tip_moment_ratio(convention, count) * tip({load.position, 0.0, load.moment}) +
+          theory::self_weight_ratio(convention, count) * tip({0.0, 0.0, 0.0, load.distributed})};
 }
 
 /// Elementary cases of a bent beam, small displacements.
@@ -100,16 +121,34 @@ Values beam(const Setup& setup, const Quantity& quantity, std::span<const double
   return {std::abs(theory::beam_moment(bent.beam, at))};
 }
 
+/// A twisted bar: Saint-Venant's, beyond first yield that of a circle with ideal plasticity.
 Values torsion(const Setup& setup, const Quantity& quantity, std::span<const double> /*time*/) {
   const Cantilever beam = cantilever_of(setup);
   require_scene(
       beam.force == std::array<double, 3>{} && beam.moment[0] == 0.0 && beam.moment[1] == 0.0,
       "is for a torque at the tip, about z");
+  const Scene& scene = setup.scene;
   const Probe& probe = end_probe(setup, quantity);
   require_scene(probe.quantity == ProbeQuantity::Rotation && probe.component == Component::Z,
                 "is for a rotation about z");
-  return {theory::end_twist(setup.scene.section, resolved_shear_modulus(setup.scene.material),
-                            distance_of(probe.at, setup), beam.moment[2])};
+  const double torque = beam.moment[2];
+  const double shear_modulus = resolved_shear_modulus(scene.material);
+  const double elastic =
+      theory::end_twist(scene.section, shear_modulus, distance_of(probe.at, setup), torque);
+  if (scene.yield_model == YieldModel::Elastic) return {elastic};
+  const double first_yield =
+      resolved_shear_yield_stress(scene.material) * beam.section.torsion_modulus;
+  const double largest =
+      largest_factor(scene.loads[0].history, setup) * std::abs(scene.loads[0].moment[2]);
+  if (largest <= first_yield) return {elastic};
+  const double ratio = std::abs(torque) / first_yield;
+  require_scene(scene.section.shape == SectionShape::Circle &&
+                    scene.material.hardening.law == HardeningLaw::Ideal && ratio < 4.0 / 3.0 &&
+                    std::abs(torque) == largest,
+                "is for torques up to first yield; of a solid circle with ideal plasticity for "
+                "rising ones up to 4/3 of it");
+  // T/T_y = 4/3 (1 - 1/(4 t^3)), solved for the twist; the elastic twist is that of t = T/T_y.
+  return {elastic / ratio / std::cbrt(4.0 - 3.0 * ratio)};
 }
 
 }  // namespace
@@ -125,13 +164,17 @@ std::span<const ClosedForm> elastic_forms() {
                  "rotation x",
                  elastica_moment},
       ClosedForm{"lumped_chain",
-                 "the chain itself: tip of a cantilever of N segments under a small tip force",
+                 "the chain itself: tip displacement y of a cantilever of N segments under a small "
+                 "tip force, tip moment, even load or weight",
                  lumped_chain},
-      ClosedForm{"beam",
-                 "clamped, pinned and free beams under a point force, a moment or an even load, "
-                 "small displacements: displacement, rotation, reaction, size of the moment",
-                 beam},
-      ClosedForm{"torsion", "bar that is clamped and twisted at its end, elastic: rotation z",
+      ClosedForm{
+          "beam",
+          "clamped, pinned and free beams under a point force, a moment, an even load or "
+          "weight, small displacements: displacement, rotation, reaction, size of the moment",
+          beam},
+      ClosedForm{"torsion",
+                 "bar that is clamped and twisted at its end: rotation z; elastic, or a solid "
+                 "circle beyond first yield",
                  torsion},
   };
   return kForms;

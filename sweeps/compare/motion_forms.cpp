@@ -1,6 +1,7 @@
 #include <array>
 #include <numbers>
 
+#include "plastica/run/simulate.hpp"
 #include "plastica/theory/beam_vibration.hpp"
 #include "sweeps/compare/form_lists.hpp"
 #include "sweeps/compare/scene_parts.hpp"
@@ -42,6 +43,24 @@ Values cantilever_frequency(const Setup& setup, const Quantity& quantity,
   return {omega / (2.0 * std::numbers::pi)};
 }
 
+Values torsion_frequency(const Setup& setup, const Quantity& quantity,
+                         std::span<const double> /*time*/) {
+  const Scene& scene = setup.scene;
+  require_scene(quantity.kind == QuantityKind::NaturalFrequency,
+                "is for quantity = \"natural_frequency\"");
+  require_scene(is_clamped_alone(setup),
+                "is for a straight, even beam with a clamp at its start as its one support");
+  require_scene(prepare(scene, setup.solver).level == Level::Twist,
+                "is for a beam that is only twisted, solver.level = \"twist\"");
+  const auto section = section_properties(scene.section, scene.material.poisson_ratio);
+  const double stiffness = resolved_shear_modulus(scene.material) * section.torsion_constant;
+  const double inertia =
+      scene.material.density * (section.second_moment_x + section.second_moment_y);
+  return {
+      theory::clamped_free_torsion_frequency(quantity.mode, scene.beam.length, stiffness, inertia) /
+      (2.0 * std::numbers::pi)};
+}
+
 Values released_cantilever(const Setup& setup, const Quantity& quantity,
                            std::span<const double> time) {
   const Scene& scene = setup.scene;
@@ -69,6 +88,8 @@ std::span<const ClosedForm> motion_forms() {
       ClosedForm{"cantilever_frequency",
                  "natural frequencies of a planar cantilever, with rotary inertia where it is on",
                  cantilever_frequency},
+      ClosedForm{"torsion_frequency", "natural frequencies of a clamped bar that is only twisted",
+                 torsion_frequency},
       ClosedForm{"released_cantilever",
                  "tip of a cantilever that is let go straight under gravity along y, over time; "
                  "small displacements, no rotary inertia",

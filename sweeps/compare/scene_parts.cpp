@@ -1,5 +1,8 @@
 #include "sweeps/compare/scene_parts.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "plastica/run/chain_model.hpp"
 #include "plastica/run/simulate.hpp"
 
@@ -76,19 +79,26 @@ theory::BeamEnds ends_of(const Setup& setup) {
 
 BentBeam bent_beam_of(const Setup& setup) {
   const Scene& scene = setup.scene;
-  require_scene(!scene.is_coupon() && scene.beam.shape == BeamShape::Straight &&
-                    scene.regions.empty() && scene.gravity == std::array<double, 3>{},
-                "is for a straight, even beam without gravity");
-  require_scene(scene.loads.size() == 1 && !scene.loads[0].follows, "is for one load");
-  const Load& load = scene.loads[0];
-  const bool across = load.force[0] == 0.0 && load.force[2] == 0.0 && load.moment[1] == 0.0 &&
-                      load.moment[2] == 0.0;
-  require_scene(across, "is for a force along y or a moment about x");
+  require_scene(
+      !scene.is_coupon() && scene.beam.shape == BeamShape::Straight && scene.regions.empty(),
+      "is for a straight, even beam");
+  const bool heavy = scene.gravity != std::array<double, 3>{};
+  require_scene(scene.loads.size() == (heavy ? 0 : 1), "is for one load, or gravity alone");
   BentBeam bent;
   bent.section = section_properties(scene.section, scene.material.poisson_ratio);
   bent.beam.ends = ends_of(setup);
   bent.beam.length = scene.beam.length;
   bent.beam.bending_stiffness = scene.material.youngs_modulus * bent.section.second_moment_x;
+  if (heavy) {
+    require_scene(scene.gravity[0] == 0.0 && scene.gravity[2] == 0.0, "is for gravity along y");
+    bent.beam.load.distributed = scene.gravity_history.at(end_time(setup)) * scene.gravity[1] *
+                                 scene.material.density * bent.section.area;
+    return bent;
+  }
+  const Load& load = scene.loads[0];
+  const bool across = load.force[0] == 0.0 && load.force[2] == 0.0 && load.moment[1] == 0.0 &&
+                      load.moment[2] == 0.0 && !load.follows;
+  require_scene(across, "is for a force along y or a moment about x that keeps its direction");
   const double factor = load.history.at(end_time(setup));
   if (load.to) {
     const bool whole = is_at_end(load.at, 0.0, setup) && is_at_end(*load.to, 1.0, setup);
@@ -100,6 +110,15 @@ BentBeam bent_beam_of(const Setup& setup) {
     bent.beam.load.moment = -factor * load.moment[0];  // turns the slope dy/dz up
   }
   return bent;
+}
+
+double largest_factor(const History& history, const Setup& setup) {
+  const double end = end_time(setup);
+  double largest = std::abs(history.at(end));
+  for (std::size_t k = 0; k < history.time.size() && history.time[k] <= end; ++k) {
+    largest = std::max(largest, std::abs(history.factor[k]));
+  }
+  return largest;
 }
 
 const Probe& end_probe(const Setup& setup, const Quantity& quantity) {

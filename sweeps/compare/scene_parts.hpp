@@ -39,8 +39,11 @@ struct BentBeam {
 };
 
 /// @throws InputError unless the scene is that: clamped or pinned at its start, free, clamped or
-///         held across at its end, with one load along y or one moment about x, no gravity
+///         held across at its end, with one load along y, one moment about x, or gravity along y
 BentBeam bent_beam_of(const Setup& setup);
+
+/// The largest size of a history's factor up to the end of the run.
+double largest_factor(const History& history, const Setup& setup);
 
 /// The probe of a quantity that is taken of one at the end of the run.
 const Probe& end_probe(const Setup& setup, const Quantity& quantity);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "plastica/theory/cantilever.hpp"
 #include "plastica/theory/limit_load.hpp"
@@ -32,6 +33,7 @@ Values limit_load(const Setup& setup, const Quantity& quantity, std::span<const 
   require_scene(is_ideal(setup), "is for ideal plasticity");
   Setup unit = setup;
   if (unit.scene.loads.size() == 1) unit.scene.loads[0].history = History::constant();
+  unit.scene.gravity_history = History::constant();
   unit.solver.duration = 1.0;
   const BentBeam bent = bent_beam_of(unit);  // the load at the factor 1
   const theory::BeamLoad& load = bent.beam.load;
@@ -56,6 +58,9 @@ Values elastoplastic_cantilever(const Setup& setup, const Quantity& quantity,
                     is_at_end(probe.at, 1.0, setup),
                 "is for the displacement of the tip along y");
   const Load& load = setup.scene.loads[0];
+  require_scene(load.force[1] != 0.0 && load.force[0] == 0.0 && load.force[2] == 0.0 &&
+                    load.moment == std::array<double, 3>{},
+                "is for a tip force along y");
   const auto [least, largest] =
       std::minmax_element(load.history.factor.begin(), load.history.factor.end());
   const double last = load.history.at(end_time(setup));
@@ -79,15 +84,16 @@ Values hinge_break(const Setup& setup, const Quantity& quantity, std::span<const
                     scene.probes[quantity.probe].quantity == ProbeQuantity::PlasticAngle &&
                     scene.probes[quantity.probe].component == Component::X,
                 "is for the size of a plastic angle about x");
-  require_scene(is_ideal(setup) && scene.material.break_strain && scene.regions.empty(),
+  const std::optional<double> limit =
+      scene.break_limit_x ? scene.break_limit_x : scene.material.break_strain;
+  require_scene(is_ideal(setup) && limit && scene.regions.empty(),
                 "is for ideal plasticity with a break strain");
   const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
   const double depth = 2.0 * section.outer_distance_x;
   const double hinge = scene.hinge_length.value_or(depth);
   require_scene(hinge > 0.0, "is for a hinge length above 0");
-  return {theory::hinge_break(*scene.material.break_strain, depth, hinge, cap_of(setup, section),
-                              scene.beam.length)
-              .angle};
+  return {
+      theory::hinge_break(*limit, depth, hinge, cap_of(setup, section), scene.beam.length).angle};
 }
 
 /// Stress of a coupon that is only ever stretched.
@@ -97,10 +103,15 @@ Values uniaxial(const Setup& setup, const Quantity& quantity, std::span<const do
                     std::is_sorted(scene.drive.strain.begin(), scene.drive.strain.end()) &&
                     scene.drive.strain.front() >= 0.0,
                 "is for a coupon in rising tension");
-  require_scene(
-      end_probe(setup, quantity).quantity == ProbeQuantity::Stress && !scene.material.break_strain,
-      "is for its stress, without a break strain");
   const Material& m = scene.material;
+  if (quantity.kind == QuantityKind::BreakStrain || quantity.kind == QuantityKind::BreakLoad) {
+    require_scene(m.break_strain.has_value(), "is for a material with a break strain");
+    const double stress = theory::monotonic_stress(*m.break_strain, m);
+    return {quantity.kind == QuantityKind::BreakLoad ? stress
+                                                     : *m.break_strain + stress / m.youngs_modulus};
+  }
+  require_scene(end_probe(setup, quantity).quantity == ProbeQuantity::Stress && !m.break_strain,
+                "is for its stress without a break strain, or the strain or load at its break");
   require_scene(m.hardening.law != HardeningLaw::VoceChaboche, "is for ideal and linear hardening");
   const double slope = m.hardening.law == HardeningLaw::Linear ? m.hardening.tangent_modulus : 0.0;
   return {
@@ -112,15 +123,19 @@ Values uniaxial(const Setup& setup, const Quantity& quantity, std::span<const do
 std::span<const ClosedForm> yielding_forms() {
   static constexpr std::array kForms{
       ClosedForm{"limit_load",
-                 "limit_load of clamped, pinned and free beams under a point force or an even load",
+                 "limit_load of clamped, pinned and free beams under a point force, an even load "
+                 "or weight",
                  limit_load},
       ClosedForm{"elastoplastic_cantilever",
                  "tip of a cantilever of rectangular section beyond first yield, or what stays of "
                  "it after release; small displacements",
                  elastoplastic_cantilever},
       ClosedForm{"hinge_break", "rotation at which a plastic hinge breaks", hinge_break},
-      ClosedForm{"uniaxial", "stress of a coupon in tension, ideal or with linear hardening",
-                 uniaxial},
+      ClosedForm{
+          "uniaxial",
+          "coupon in tension: stress at the end, ideal or with linear hardening; break_strain "
+          "and break_load, all laws",
+          uniaxial},
   };
   return kForms;
 }

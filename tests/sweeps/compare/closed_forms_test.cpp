@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "plastica/run/batch.hpp"
+#include "plastica/run/natural_frequencies.hpp"
 #include "sweeps/run/case_result.hpp"
 #include "tests/support/chain_scene.hpp"
 #include "tests/support/message.hpp"
@@ -16,6 +17,7 @@ namespace {
 using plastica::testing::add_probe;
 using plastica::testing::cantilever_scene;
 using plastica::testing::chain_scene;
+using plastica::testing::properties_of;
 
 plastica::Setup setup_of(Scene scene) {
   plastica::Setup setup;
@@ -74,10 +76,54 @@ TEST(ClosedForms, HoldTheChainItself) {
     scene.end_rule = rule;
     add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
     EXPECT_LT(std::abs(error_of("lumped_chain", setup_of(scene), of_probe())), 1e-8);
-    scene.end_rule = EndRule::Half;
-    EXPECT_EQ(refusal("lumped_chain", setup_of(scene), of_probe()),
-              "is for rules.end_rule half_joint, equal or three_halves");
   }
+}
+
+TEST(ClosedForms, HoldTheChainUnderEveryLoadAtItsTipAndAlongIt) {
+  for (const EndRule rule :
+       {EndRule::HalfJoint, EndRule::Equal, EndRule::Half, EndRule::ThreeHalves}) {
+    const Load spread{.at = Place::start(), .to = Place::end(), .force = {0.0, -1e-3, 0.0}};
+    for (const Load& load :
+         {Load{.force = {0.0, -1e-3, 0.0}}, Load{.moment = {1e-3, 0.0, 0.0}}, spread}) {
+      Scene scene = loaded(cantilever_scene(7), load);
+      scene.end_rule = rule;
+      add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+      EXPECT_LT(std::abs(error_of("lumped_chain", setup_of(scene), of_probe())), 1e-8)
+          << static_cast<int>(rule) << (load.to ? " spread" : "");
+    }
+  }
+}
+
+TEST(ClosedForms, HoldTheChainUnderItsWeight) {
+  Scene scene = cantilever_scene(7);
+  scene.gravity = {0.0, -1e-5, 0.0};
+  add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+  EXPECT_LT(std::abs(error_of("lumped_chain", setup_of(scene), of_probe())), 1e-8);
+  EXPECT_LT(std::abs(error_of("beam", setup_of(scene), of_probe())), 0.03) << "1 + 1/49";
+}
+
+TEST(ClosedForms, RefuseOtherChains) {
+  Scene scene = loaded(cantilever_scene(2), {.force = {0.0, -1e-3, 0.0}});
+  add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+  const auto refused = [&](const Scene& other) {
+    return refusal("lumped_chain", setup_of(other), of_probe());
+  };
+  Scene other = scene;
+  other.end_rule = EndRule::Half;
+  EXPECT_EQ(refused(other), "is for more segments");
+  other = scene;
+  other.beam.segment_shares = {0.3, 0.7};
+  EXPECT_EQ(refused(other),
+            "is for rules.formulas = \"mechanics\" and segments that the rule divides");
+  other = scene;
+  other.loads[0].at = {0.5, {}};
+  EXPECT_EQ(refused(other), "is for a load at the tip, or an even one");
+  other = scene;
+  other.loads[0].force[2] = 1.0;
+  EXPECT_EQ(refused(other), "is for a force along y or a moment about x that keeps its direction");
+  other = scene;
+  other.gravity = {0.0, -1.0, 0.0};
+  EXPECT_EQ(refused(other), "is for one load, or gravity alone");
 }
 
 TEST(ClosedForms, HoldElementaryBeams) {
@@ -112,7 +158,7 @@ TEST(ClosedForms, HoldElementaryBeams) {
     }
   }
   Scene two = chain_scene(4);
-  EXPECT_EQ(refusal("beam", setup_of(two), of_probe()), "is for one load");
+  EXPECT_EQ(refusal("beam", setup_of(two), of_probe()), "is for one load, or gravity alone");
 }
 
 TEST(ClosedForms, HoldATwistedBar) {
@@ -123,6 +169,48 @@ TEST(ClosedForms, HoldATwistedBar) {
   EXPECT_NEAR(error_of("torsion", setup_of(scene), of_probe()), -0.05, 1e-9);
   scene.loads[0].force = {0.0, 1.0, 0.0};
   EXPECT_EQ(refusal("torsion", setup_of(scene), of_probe()), "is for a torque at the tip, about z");
+}
+
+TEST(ClosedForms, HoldATwistedCircleBeyondFirstYield) {
+  Scene scene = cantilever_scene(200);
+  scene.end_rule = EndRule::HalfJoint;
+  scene.section.shape = SectionShape::Circle;
+  scene.section.radius = 0.01;
+  scene.yield_model = YieldModel::Fibre;
+  const double first_yield =
+      resolved_shear_yield_stress(scene.material) * properties_of(scene).torsion_modulus;
+  scene.loads.push_back({.moment = {0.0, 0.0, 1.25 * first_yield}});
+  add_probe(scene, ProbeQuantity::Rotation, Place::end(), Component::Z);
+  plastica::Setup setup = setup_of(scene);
+  // At T = 5/4 T_y the twist is that of first yield times 4^(1/3).
+  const double yield_twist =
+      resolved_shear_yield_stress(scene.material) / resolved_shear_modulus(scene.material) / 0.01;
+  EXPECT_NEAR(find_closed_form("torsion").values(setup, of_probe(), {}).front(),
+              std::cbrt(4.0) * yield_twist, 1e-12);
+  setup.scene.loads[0].history = History::turning_points({1.0, 0.5});
+  const std::string rule =
+      "is for torques up to first yield; of a solid circle with ideal plasticity for rising ones "
+      "up to 4/3 of it";
+  EXPECT_EQ(refusal("torsion", setup, of_probe()), rule);
+  setup.scene.loads[0].history = History::ramp();
+  setup.scene.section.shape = SectionShape::Rectangle;
+  setup.scene.loads[0].moment[2] *= 4.0;
+  EXPECT_EQ(refusal("torsion", setup, of_probe()), rule);
+}
+
+TEST(ClosedForms, HoldTheFrequenciesOfATwistedBar) {
+  Scene scene = loaded(cantilever_scene(100), {.moment = {0.0, 0.0, 1.0}});
+  scene.end_rule = EndRule::HalfJoint;
+  plastica::Setup setup = setup_of(scene);
+  setup.solver.level = Level::Twist;
+  Quantity quantity;
+  quantity.kind = QuantityKind::NaturalFrequency;
+  quantity.mode = 2;
+  const double expected = find_closed_form("torsion_frequency").values(setup, quantity, {}).front();
+  EXPECT_NEAR(natural_frequencies(scene, setup.solver, 2)[1] / expected, 1.0, 1e-3);
+  setup.solver.level = Level::Spatial;
+  EXPECT_EQ(refusal("torsion_frequency", setup, quantity),
+            "is for a beam that is only twisted, solver.level = \"twist\"");
 }
 
 /// A beam of 0.2 m that yields.
@@ -184,6 +272,33 @@ TEST(ClosedForms, HoldACoupon) {
   EXPECT_LT(std::abs(error_of("uniaxial", setup, of_probe())), 1e-12);
   setup.scene.drive.strain.push_back(0.0);
   EXPECT_EQ(refusal("uniaxial", setup, of_probe()), "is for a coupon in rising tension");
+}
+
+TEST(ClosedForms, HoldTheBreakOfACoupon) {
+  plastica::Setup setup;
+  for (int i = 0; i <= 400; ++i) setup.scene.drive.strain.push_back(1e-4 * i);
+  setup.scene.material.break_strain = 0.02;
+  for (const HardeningLaw law : {HardeningLaw::Ideal, HardeningLaw::Linear}) {
+    setup.scene.material.hardening.law = law;
+    setup.scene.material.hardening.tangent_modulus = law == HardeningLaw::Linear ? 2e9 : 0.0;
+    Quantity quantity;
+    quantity.kind = QuantityKind::BreakStrain;
+    EXPECT_LT(std::abs(error_of("uniaxial", setup, quantity)), 1e-9);
+    quantity.kind = QuantityKind::BreakLoad;
+    EXPECT_LT(std::abs(error_of("uniaxial", setup, quantity)), 1e-9);
+    setup.scene.material.hardening = {};
+  }
+  Quantity quantity;
+  quantity.kind = QuantityKind::BreakStrain;
+  setup.scene.material.break_strain.reset();
+  EXPECT_EQ(refusal("uniaxial", setup, quantity), "is for a material with a break strain");
+}
+
+TEST(ClosedForms, RefuseATipMomentOnAnElastoplasticCantilever) {
+  Scene scene = loaded(stocky(8, YieldModel::Fibre), {.moment = {10.0, 0.0, 0.0}});
+  add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+  EXPECT_EQ(refusal("elastoplastic_cantilever", setup_of(scene), of_probe()),
+            "is for a tip force along y");
 }
 
 TEST(ClosedForms, HoldAReleasedCantilever) {
