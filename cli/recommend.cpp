@@ -70,6 +70,9 @@ sweeps::Wish wish_of(const RecommendArguments& arguments, sweeps::CostKind cost)
   sweeps::Wish wish;
   if (!arguments.within.empty()) {
     wish.within = positive("--within", arguments.within, Dimension::Strain);
+    if (*wish.within >= 1.0) {
+      throw InputError({}, "--within", arguments.within, "must be below 100 %");
+    }
   } else {
     wish.budget = positive("--budget", arguments.budget,
                            cost == sweeps::CostKind::Seconds ? Dimension::Time : Dimension::None);
@@ -98,18 +101,22 @@ int recommend(const RecommendArguments& arguments) {
     refuse_input(option, path, arguments.file);
     io::check_output_path(path, arguments.force);
   }
+  if (!arguments.next.empty() && arguments.next == arguments.output) {
+    throw InputError({}, "--next", arguments.next, "is the output, too");
+  }
+  sweeps::check_settings(record);
   const auto points = sweeps::trade_points(record, cost);
   const sweeps::Recommendation choice = wish.within
                                             ? sweeps::recommend_for_error(points, *wish.within)
                                             : sweeps::recommend_for_budget(points, *wish.budget);
-  fmt::print("{}", sweeps::recommendation_text(record, cost, wish, choice));
-  if (!choice.chosen) return kNotAcceptable;
-  if (!arguments.output.empty()) {
+  if (choice.chosen && !arguments.output.empty()) {
     write_scene(arguments.output, sweeps::scene_with_setting(record, *choice.chosen));
   }
-  if (!arguments.next.empty() && choice.next) {
+  if (choice.next && !arguments.next.empty()) {
     write_scene(arguments.next, sweeps::scene_with_setting(record, *choice.next));
   }
+  fmt::print("{}", sweeps::recommendation_text(record, cost, wish, choice));
+  if (!choice.chosen) return kNotAcceptable;
   return kDone;
 }
 

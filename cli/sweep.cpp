@@ -65,7 +65,7 @@ void check_outputs(const SweepArguments& arguments, const std::string& output,
     if (fs::path(arguments.json).lexically_normal() == fs::path(output).lexically_normal()) {
       throw InputError({}, "--json", arguments.json, "is the result file, too");
     }
-    io::check_output_path(arguments.json, arguments.force || goes_on);
+    io::check_output_path(arguments.json, arguments.force);
   }
   io::check_output_path(output, arguments.force || goes_on);
   if (arguments.rerun_failed && !fs::exists(output) && !fs::exists(io::journal_path(output))) {
@@ -183,7 +183,9 @@ void add_sweep(CLI::App& app, const std::string& command_line, Action& action) {
                 "the same, and the failed cases once more");
   sub->add_flag("--force", arguments->force, "overwrite the output, and an interrupted run");
   sub->add_flag("--quiet", arguments->quiet, "no report, no progress");
-  sub->footer("Example: plastica sweep sweep.toml -o sweep.h5");
+  sub->footer(
+      "Example: plastica sweep sweep.toml -o sweep.h5\n"
+      "Exit code 1 if no case has a usable result, 130 after Ctrl-C: --resume goes on.");
   arguments->command_line = command_line;
   sub->callback([&action, arguments] { action = [arguments] { return sweep_file(*arguments); }; });
 }

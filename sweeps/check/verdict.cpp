@@ -74,9 +74,21 @@ class Worst {
   std::string reason_;
 };
 
+/// What a case without a number says of itself.
+std::string why(const SweepRecord& record, std::size_t i) {
+  const CaseResult& result = record.results[i];
+  if (!usable(result.status)) return "a case ended as " + std::string(name_of(result.status));
+  if (!result.reason.empty()) return result.reason;
+  if (!record.comparison.reason[i].empty()) return record.comparison.reason[i];
+  return "a case has no value";
+}
+
 /// Of one group: what claims of order and extrapolation ask for.
 void add_group(const Claim& claim, const SweepRecord& record, const RefinementGroup& group,
                Worst& worst) {
+  for (const std::size_t i : group.cases) {
+    if (!usable(record.results[i].status)) worst.add(std::nullopt, why(record, i));
+  }
   const GroupConvergence found = convergence_of(group, record.results, record.comparison);
   const std::string of = group.label.empty() ? "" : " of " + group.label;
   if (claim.kind == ClaimKind::Order) {
@@ -96,17 +108,10 @@ void add_group(const Claim& claim, const SweepRecord& record, const RefinementGr
   }
 }
 
-/// What a case without a number says of itself.
-std::string why(const SweepRecord& record, std::size_t i) {
-  const CaseResult& result = record.results[i];
-  if (!usable(result.status)) return "a case ended as " + std::string(name_of(result.status));
-  if (!result.reason.empty()) return result.reason;
-  if (!record.comparison.reason[i].empty()) return record.comparison.reason[i];
-  return "a case has no value";
-}
-
+/// Whether a case is the finest one of its group that others are compared with.
 bool is_reference_itself(const SweepRecord& record, std::size_t i) {
-  return record.against == "finest" && usable(record.results[i].status) &&
+  const CaseResult& result = record.results[i];
+  return record.against == "finest" && (result.value || !result.curve.empty()) &&
          !record.comparison.error[i];
 }
 
@@ -124,7 +129,12 @@ void add_case(const Claim& claim, const SweepRecord& record, std::size_t i, Wors
       worst.add(usable(result.status) ? std::optional(result.ledger_error) : std::nullopt,
                 why(record, i));
       return;
-    default: worst.add(static_cast<double>(result.segment_iterations()), why(record, i)); return;
+    default:
+      worst.add(usable(result.status)
+                    ? std::optional(static_cast<double>(result.segment_iterations()))
+                    : std::nullopt,
+                why(record, i));
+      return;
   }
 }
 
@@ -149,7 +159,7 @@ void add_spread(const SweepRecord& record, const RefinementGroup& group, Worst& 
 
 ClaimVerdict judge(const Claim& claim, const SweepRecord& record) {
   Worst worst(claim);
-  double failed = 0.0;
+  std::optional<double> failed;
   for (const RefinementGroup& group : chosen_groups(claim, record)) {
     switch (claim.kind) {
       case ClaimKind::Order:
@@ -167,12 +177,12 @@ ClaimVerdict judge(const Claim& claim, const SweepRecord& record) {
       case ClaimKind::Unsound: break;  // of walks
       case ClaimKind::Failed:
         for (const std::size_t i : group.cases) {
-          if (!usable(record.results[i].status)) failed += 1.0;
+          failed = failed.value_or(0.0) + (usable(record.results[i].status) ? 0.0 : 1.0);
         }
         break;
     }
   }
-  if (claim.kind == ClaimKind::Failed) worst.add(failed, "");
+  if (claim.kind == ClaimKind::Failed) worst.add(failed, "no case is chosen");
   return worst.verdict();
 }
 
@@ -221,6 +231,7 @@ std::vector<ClaimVerdict> run_check(const CheckFile& file, const CheckOptions& o
     stability::StabilityOptions how = *claim.walk;
     how.threads = options.threads;
     how.stop = options.stop;
+    how.most_seconds = std::numeric_limits<double>::infinity();  // no verdict hangs on the machine
     const auto rows = stability::run_stability(how);
     if (options.stop != nullptr && *options.stop) return {};
     verdicts.push_back(judge(claim, rows));

@@ -109,7 +109,7 @@ class Comparer {
   void with_richardson(const RefinementGroup& group) {
     std::vector<double> sizes;
     std::vector<double> values;
-    for (std::size_t k = 0; k < group.cases.size(); ++k) {
+    for (const std::size_t k : group.distinct()) {
       const CaseResult& result = results_[group.cases[k]];
       if (!result.value) continue;
       sizes.push_back(group.size[k]);

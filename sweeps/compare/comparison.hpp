@@ -14,11 +14,13 @@ namespace plastica::sweeps {
 struct RefinementGroup {
   std::string label;               ///< what else tells them apart: "rules.end_rule = equal"
   std::vector<std::size_t> cases;  ///< from the coarsest to the finest (n)
-  std::vector<double> size;        ///< of each, falling (n)
+  std::vector<double> size;        ///< of each, falling or the same (n)
+
+  /// Places in the group of which no earlier one has the same size, but for rounding.
+  std::vector<std::size_t> distinct() const;
 };
 
-/// The groups of a sweep; none where no axis refines. Of cases of one size (an axis of ratios may
-/// round to the same number of segments), the first alone is in a group.
+/// The groups of a sweep; none where no axis refines.
 std::vector<RefinementGroup> refinement_groups(const Sweep& sweep, const CaseTable& cases);
 
 /// What cases are compared with, and how far they are off it.

@@ -11,7 +11,7 @@ GroupConvergence convergence_of(const RefinementGroup& group,
   std::vector<double> errors;
   std::vector<double> value_sizes;
   std::vector<double> values;
-  for (std::size_t k = 0; k < group.cases.size(); ++k) {
+  for (const std::size_t k : group.distinct()) {
     const std::size_t i = group.cases[k];
     if (comparison.error[i]) {
       sizes.push_back(group.size[k]);

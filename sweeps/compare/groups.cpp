@@ -8,10 +8,12 @@
 namespace plastica::sweeps {
 namespace {
 
-/// Whether an axis moves with the refined one.
+/// Whether an axis refines with the refined one.
 bool moves_along(const Sweep& sweep, std::size_t axis) {
   const std::string& group = sweep.axes[*sweep.refined].group;
-  return axis == *sweep.refined || (!group.empty() && sweep.axes[axis].group == group);
+  const bool together = !group.empty() && sweep.axes[axis].group == group;
+  return axis == *sweep.refined ||
+         (together && refinement_of(*sweep.axes[axis].field) != Refinement::None);
 }
 
 std::string label_of(const Sweep& sweep, const std::vector<std::size_t>& at) {
@@ -41,13 +43,21 @@ void sort_by_size(RefinementGroup& group) {
   group.cases.clear();
   group.size.clear();
   for (const auto& [minus_size, index] : order) {
-    if (!group.size.empty() && group.size.back() == -minus_size) continue;
     group.cases.push_back(index);
     group.size.push_back(-minus_size);
   }
 }
 
 }  // namespace
+
+std::vector<std::size_t> RefinementGroup::distinct() const {
+  constexpr double kSame = 1e-9;
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < size.size(); ++k) {
+    if (places.empty() || size[k] < size[places.back()] * (1.0 - kSame)) places.push_back(k);
+  }
+  return places;
+}
 
 std::vector<RefinementGroup> refinement_groups(const Sweep& sweep, const CaseTable& cases) {
   std::vector<RefinementGroup> groups;
@@ -57,7 +67,10 @@ std::vector<RefinementGroup> refinement_groups(const Sweep& sweep, const CaseTab
     const std::vector<std::size_t> at = cases.position(i);
     std::vector<std::size_t> key = at;
     for (std::size_t a = 0; a < key.size(); ++a) {
-      if (moves_along(sweep, a)) key[a] = 0;
+      const auto& values = sweep.axes[a].values;
+      // Zipped axes repeat their values.
+      const auto same = std::find(values.begin(), values.end(), values[key[a]]);
+      key[a] = moves_along(sweep, a) ? 0 : static_cast<std::size_t>(same - values.begin());
     }
     const auto [place, is_new] = group_at.emplace(std::move(key), groups.size());
     if (is_new) groups.push_back({label_of(sweep, at), {}, {}});

@@ -223,6 +223,7 @@ void read_axes(const TomlTable& root, Sweep& sweep) {
       if (zip) throw zip->error("does not go with sampled: all sampled axes move together");
       drawn->axis = axes.size();
       axis.group = kSampled;
+      axis.sampled = true;
       sampled.push_back(*drawn);
     }
     axes.push_back(std::move(axis));

@@ -175,13 +175,16 @@ void read_refined(const TomlTable& table, Sweep& sweep) {
   const auto named = table.find("along");
   for (std::size_t a = 0; a < sweep.axes.size() && !sweep.refined; ++a) {
     const Field& field = *sweep.axes[a].field;
-    const bool varies = sweep.axes[a].values.size() > 1;
+    const bool varies = sweep.axes[a].values.size() > 1 && !sweep.axes[a].sampled;
     if (named ? field.path == named->string()
               : varies && refinement_of(field) != Refinement::None) {
       sweep.refined = a;
     }
   }
   if (named && !sweep.refined) throw named->error("is not the field of an axis");
+  if (named && sweep.axes[*sweep.refined].sampled) {
+    throw named->error("is sampled: cases that differ by it alone there are none");
+  }
   if (named && refinement_of(*sweep.axes[*sweep.refined].field) == Refinement::None) {
     throw named->error("is no measure of how fine a discretization is");
   }

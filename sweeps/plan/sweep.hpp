@@ -23,6 +23,7 @@ struct Axis {
   std::vector<FieldValue> values;
   /// Axes with the same word, and all sampled ones, move together; empty: crossed with the others.
   std::string group{};
+  bool sampled = false;  ///< whether a sample has drawn its values
 };
 
 /// What cases are compared with.

@@ -21,6 +21,11 @@ CaseResult rejected(std::string reason) {
 
 CaseResult result_of(const BatchRow& row, const Quantity& quantity) {
   if (row.response.status == Status::Rejected) return rejected(row.reason);
+  if (!row.reason.empty()) {
+    CaseResult result;
+    result.reason = row.reason;
+    return result;
+  }
   return result_of(row.response, row.level, quantity);
 }
 

@@ -42,6 +42,12 @@ SweepRun::SweepRun(const Sweep& sweep, SweepRunOptions options)
     ++shared_by_[owner_[i]];
   }
   take_earlier();
+  const std::size_t there = options_.earlier.size() + (journal_ ? journal_->found() : 0);
+  if (there > 0 && taken_ == 0 && !options_.rerun_failed && !options_.journal.force) {
+    throw InputError({options_.journal.path, 0}, "", "",
+                     "and its output hold no case of this sweep: name another output, or use "
+                     "--force to start afresh");
+  }
 }
 
 void SweepRun::take_earlier() {

@@ -41,7 +41,8 @@ class SweepRun {
  public:
   /// Reads the journal, if one is there, and opens it for writing; computes nothing.
   /// @param sweep  must outlive this
-  /// @throws InputError, io::StorageError as `io::CaseJournal`
+  /// @throws InputError, io::StorageError as `io::CaseJournal`; InputError if journal and earlier
+  ///         results hold cases, but none of this sweep, and are not to be overwritten
   SweepRun(const Sweep& sweep, SweepRunOptions options);
 
   const CaseTable& cases() const { return cases_; }

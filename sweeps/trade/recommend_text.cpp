@@ -57,7 +57,7 @@ std::string recommendation_text(const SweepRecord& record, CostKind cost, const 
     text += fmt::format("{}: {}",
                         wish.within ? "next cheaper, not within" : "next more accurate, too costly",
                         case_text(record, cost, *choice.next));
-  } else {
+  } else if (!choice.passed_over) {
     text += wish.within ? "nothing is cheaper\n" : "nothing is more accurate\n";
   }
   if (choice.passed_over) {

@@ -103,6 +103,18 @@ std::vector<TradePoint> trade_points(const SweepRecord& record, CostKind cost) {
   return points;
 }
 
+void check_settings(const SweepRecord& record) {
+  for (const Axis& axis : record.axes) {
+    const std::string_view path = axis.field->path;
+    const bool setting = path.starts_with("solver.") || path.starts_with("rules.") ||
+                         path == "beam.segments" || path == "beam.segment_depth";
+    if (setting || axis.values.size() == 1) continue;
+    throw InputError({}, path, std::to_string(axis.values.size()) + " values",
+                     "makes other problems of the scene: a recommendation is for one; fix it by "
+                     "[set] in the sweep");
+  }
+}
+
 std::string setting_text(const SweepRecord& record, std::size_t index) {
   std::string text;
   for (std::size_t a = 0; a < record.axes.size(); ++a) {

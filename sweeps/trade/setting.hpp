@@ -18,6 +18,11 @@ enum class CostKind {
 /// without an error is one that failed.
 std::vector<TradePoint> trade_points(const SweepRecord& record, CostKind cost);
 
+/// Refuses a sweep that varies the problem, such as lengths, materials or loads: its cases are no
+/// settings of one scene to choose from. Fields of solver and rules and the number of segments are.
+/// @throws InputError that names the axis
+void check_settings(const SweepRecord& record);
+
 /// What tells a case from the others: "beam.segments = 32, rules.end_rule = equal".
 std::string setting_text(const SweepRecord& record, std::size_t index);
 

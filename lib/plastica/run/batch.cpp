@@ -58,6 +58,10 @@ BatchRow run_case(const BatchCase& one) {
   } catch (const InputError& error) {
     row.response.status = Status::Rejected;
     row.reason = error.what();
+  } catch (const std::exception& error) {
+    // Out of memory, or a defect: the other cases go on.
+    row.response = {};
+    row.reason = error.what();
   }
   return row;
 }

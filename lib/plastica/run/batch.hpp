@@ -25,8 +25,10 @@ struct BatchCase {
 /// What became of a case. A case that cannot be run is a row too, and the others go on.
 struct BatchRow {
   std::string id;
-  std::string reason;  ///< for a case whose input was rejected: the error line
-  Response response;   ///< status Rejected for such a case, NotRun for one that was not begun
+  /// For a case whose input was rejected the error line; for one that memory did not suffice for,
+  /// with status NotRun, what happened.
+  std::string reason;
+  Response response;  ///< status Rejected for such a case, NotRun for one that was not begun
   Level level = Level::Auto;  ///< that was chosen; Auto for a rejected case
 };
 

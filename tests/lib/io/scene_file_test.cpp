@@ -34,8 +34,8 @@ std::string scene_around(std::string_view path) {
   const std::string motion = "solver.analysis = 'dynamics'\n" + kChain;
   if (path == "solver.damping") return motion + "solver.damping_time = '1 s'\n";
   if (path == "solver.damping_time") return motion + "solver.damping = 'stiffness'\n";
-  const bool of_chain =
-      path.starts_with("gravity.") || path == "solver.level" || path == "solver.analysis";
+  const bool of_chain = path.starts_with("gravity.") || path == "solver.level" ||
+                        path == "solver.analysis" || path == "solver.precision";
   return of_chain ? kChain : "drive.strain = [0]\n";
 }
 

@@ -85,6 +85,24 @@ TEST_F(CheckTest, DoesNotHoldWhereThereIsNoNumber) {
   EXPECT_EQ(found.reason, "there is no order of rules.end_rule = equal");
 }
 
+TEST_F(CheckTest, DoesNotHoldWhereACaseFails) {
+  // The finest case does not converge in one iteration.
+  const std::string scenes = std::string(PLASTICA_SOURCE_DIR) + "/data/scenes/";
+  write("sweep.toml", "scene = '" + scenes +
+                          "cantilever.toml'\n[set]\nsolver.steps = 1\n"
+                          "solver.smallest_step = 1\n"
+                          "[[axis]]\nfield = 'beam.segments'\nvalues = [4, 8, 16, 32]\nzip = 'a'\n"
+                          "[[axis]]\nfield = 'solver.most_iterations'\n"
+                          "values = [25, 25, 25, 1]\nzip = 'a'\n[error]\nprobe = 'tip'\n"
+                          "against = 'theory:elastica'\nalong = 'beam.segments'\n");
+  for (const std::string claim :
+       {"order = { at_least = 0 }", "gci = { at_most = 9 }", "work = { at_most = 1e9 }",
+        "error = { at_most = 9 }", "failed = { at_most = 0 }"}) {
+    EXPECT_FALSE(verdict("where = { solver.most_iterations = [25, 1] }\n" + claim + "\n").holds)
+        << claim;
+  }
+}
+
 TEST_F(CheckTest, SaysEachVerdictOnce) {
   CheckedFile checked{read(kHalf + "order = { at_least = 3 }\n"), {}, 0.5};
   checked.file.claims[0].name = "FAIL to PASS & <go>";

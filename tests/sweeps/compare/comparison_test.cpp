@@ -60,13 +60,38 @@ TEST(RefinementGroups, MoveZippedAxesWithTheRefinedOne) {
   EXPECT_EQ(made.groups[0].label, "");
 }
 
-TEST(RefinementGroups, TakeOneCaseOfASize) {
+TEST(RefinementGroups, KeepCasesOfOneSizeAndCountThemOnce) {
   const Made made(
-      "[[axis]]\nfield = 'beam.segment_depth'\nvalues = [50, 25.1, 25]\n" + against("finest"),
-      {1, 2, 3});
+      "[[axis]]\nfield = 'beam.segment_depth'\nvalues = [50, 25.1, 25]\n" + against("value:1 m"),
+      {1.5, 1.125, 1.125});
   // 4 m of 20 mm: 4, 8 and 8 segments.
-  EXPECT_EQ(made.groups[0].cases, (std::vector<std::size_t>{0, 1}));
-  EXPECT_DOUBLE_EQ(made.groups[0].size[1], 25.0);
+  EXPECT_EQ(made.groups[0].cases, (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(made.groups[0].distinct(), (std::vector<std::size_t>{0, 1}));
+  const GroupConvergence found = convergence_of(made.groups[0], made.results, made.compared());
+  EXPECT_EQ(found.fit.points, 2U);
+  EXPECT_NEAR(found.fit.order.value_or(0.0), 2.0, 1e-12);
+}
+
+TEST(RefinementGroups, AreToldApartByZippedAxesThatDoNotRefine) {
+  const Made made(
+      "[[axis]]\nfield = 'beam.segments'\nvalues = [4, 8, 4, 8]\nzip = 'a'\n"
+      "[[axis]]\nfield = 'rules.end_rule'\nvalues = ['half_joint', 'half_joint', 'equal', "
+      "'equal']\n"
+      "zip = 'a'\n" +
+          against("finest"),
+      {1, 2, 3, 4});
+  ASSERT_EQ(made.groups.size(), 2U);
+  EXPECT_EQ(made.groups[1].label, "rules.end_rule = equal");
+  EXPECT_EQ(made.groups[1].cases, (std::vector<std::size_t>{2, 3}));
+}
+
+TEST(RefinementGroups, AreNotMadeOfSamples) {
+  const Sweep sweep = cantilever_sweep(
+      "[sample]\nmethod = 'sobol'\ncount = 4\n"
+      "[[axis]]\nfield = 'beam.segments'\nsampled = [4, 40]\n"
+      "[[axis]]\nfield = 'beam.length'\nsampled = ['1 m', '4 m']\n" +
+      kTipError);
+  EXPECT_FALSE(sweep.refined.has_value());
 }
 
 TEST(Compare, TakesTheFinestThatHasAValue) {

@@ -7,6 +7,7 @@
 
 #include "sweeps/run/result_bytes.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
+#include "tests/support/message.hpp"
 #include "tests/sweeps/sweep_text.hpp"
 
 namespace plastica::sweeps {
@@ -74,6 +75,18 @@ TEST_F(SweepRunTest, TakesOnlyWhatIsStillTheSame) {
   SweepRun run(other, {.journal = {journal_, true}});
   EXPECT_EQ(run.taken(), 2U);
   expect_same_bits(run.run(), run_plainly(other));
+}
+
+TEST_F(SweepRunTest, LeavesTheWorkOfAnotherSweepAlone) {
+  stop_after(3);
+  const Sweep other = cantilever_sweep(segments_axis("[20]") + kTipError);
+  EXPECT_EQ(plastica::testing::message_of([&] {
+              SweepRun(other, {.journal = {journal_, true}});
+            }),
+            journal_ +
+                ": and its output hold no case of this sweep: name another output, or use "
+                "--force to start afresh");
+  EXPECT_EQ(SweepRun(sweep_, {.journal = {journal_, true}}).taken(), 3U);
 }
 
 TEST_F(SweepRunTest, TakesResultsOfAnEarlierOutput) {

@@ -40,6 +40,15 @@ TEST(TradePoints, HaveGroupsAndLeaveOutWhatFailed) {
   EXPECT_DOUBLE_EQ(points[5].size, 1.0 / 16);
 }
 
+TEST(CheckSettings, RefusesOtherProblemsOfTheScene) {
+  const SweepRecord record = record_of(
+      kSegments + "[[axis]]\nfield = 'beam.length'\nvalues = ['2 m', '4 m']\n" + kTipError);
+  EXPECT_EQ(plastica::testing::message_of([&] { check_settings(record); }),
+            "beam.length = 2 values: makes other problems of the scene: a recommendation is for "
+            "one; fix it by [set] in the sweep");
+  EXPECT_NO_THROW(check_settings(record_of(kSegments + kTipError)));
+}
+
 TEST(SceneWithSetting, HasTheValuesOfTheCase) {
   const SweepRecord record =
       record_of("[set]\nsolver.tolerance = 1e-8\n" + kSegments +
