@@ -25,6 +25,10 @@ inline constexpr double kBend = 0.1;
 /// A limit load is bracketed within this share of it.
 inline constexpr double kLimitWidth = 1e-4;
 
+/// Where nothing yields and a joint has turned further than this [rad], an arc may have come back
+/// on the path that it should follow: the beam is too coarse to show a limit.
+inline constexpr double kFarTurn = 1.2;
+
 /// Follows an equilibrium path: README.md.
 template <class L, bool kElastic>
 class PathWalker {
@@ -205,6 +209,15 @@ class PathWalker {
   double relative_slope() const {
     const Value moved = control_.value(w_.placement) - at_;
     return (w_.time - time_) / std::max(span_ / way_ * size_of(moved), kTiny);
+  }
+
+  /// Of a joint, from the undeformed beam.
+  double farthest_turn() const {
+    double farthest = 0.0;
+    for (const typename L::Spin& angle : w_.q.angle) {
+      farthest = std::max(farthest, static_cast<double>(size_of(angle)));
+    }
+    return farthest;
   }
 
   double smallest() const { return options_.smallest_step * options_.stops.front(); }

@@ -174,7 +174,7 @@ typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::cross_by_arc(do
     highest = std::max(highest, time_);
     const double least = observer_.yields() ? kLimitSlope * first_slope : 0.0;
     if (secant_time_ <= least * size_of(secant_)) {
-      bracket_limit(highest);
+      if (observer_.yields() || farthest_turn() <= kFarTurn) bracket_limit(highest);
       return Trial::Failed;
     }
   }

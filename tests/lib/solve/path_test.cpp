@@ -129,6 +129,18 @@ TEST(Path, RefusesToHoldTheRigidAxisAtBothEnds) {
   EXPECT_EQ(simulate(scene, options).status, Status::Completed);
 }
 
+TEST(Path, ClaimsNoLimitForAnElasticFollowerLoad) {
+  // Seen from its tip a beam under a follower force has one shape for each force: there is no
+  // limit.
+  Scene scene = cantilever(4, {});
+  scene.material.youngs_modulus = 200e9;
+  scene.yield_model = YieldModel::Elastic;
+  scene.loads[0].force = {2e8, 8e8 / 3.0, 0.0};
+  scene.loads[0].follows = true;
+  const Response response = simulate(scene, {.level = Level::Spatial});
+  EXPECT_EQ(response.status, Status::NotConverged);
+}
+
 TEST(Path, StopsWhereItIsToldTo) {
   for (const PathControl control : {PathControl::Load, PathControl::ArcLength}) {
     SolverOptions options;
