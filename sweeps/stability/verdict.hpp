@@ -56,6 +56,8 @@ struct Expectation {
   std::vector<Kept> kept{};
   /// Load factor beyond which there is no equilibrium [1]; met within 1 %.
   std::optional<double> limit{};
+  /// Whether an elastic beam may lose its equilibrium: its loads are not conservative, or it snaps.
+  bool may_turn = false;
   bool breaks = false;  ///< whether the run must end broken
 };
 
