@@ -94,6 +94,7 @@ std::vector<std::vector<std::size_t>> panels_of(const PlotCases& cases, const Ma
                                  kMostPanels, panels.size()));
   }
   std::vector<std::vector<std::size_t>> all;
+  all.reserve(panels.size());
   for (auto& [key, members] : panels) all.push_back(std::move(members));
   return all;
 }
