@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,7 +37,7 @@ Lines lines_of(std::span<const StabilityRow> rows) {
     if (!lines.scene.empty() && lines.scene.back() == row.scene) continue;
     const bool moves = row.analysis == Analysis::Dynamics;
     std::string now(word_of(row.level));
-    if (row.level != Level::Coupon) now += moves ? ", dynamics" : ", statics";
+    if (moves) now += " (t)";
     const bool begins = now != group;
     if (begins) end_group();
     height -= begins && !group.empty() ? 2.5 : 1.0;
@@ -64,6 +65,17 @@ double place_of(const Axis& axis, double value) {
   return std::isfinite(value) ? std::log10(value) : high + 1.0;
 }
 
+/// Decades from one label of a logarithmic axis to the next, so that there are some four.
+double tic_decades(const Axis& axis) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double value : axis.values) {
+    low = std::min(low, place_of(axis, value));
+    high = std::max(high, place_of(axis, value));
+  }
+  return std::max(1.0, std::ceil((high - low) / 4.0));
+}
+
 void add_axis(const Axis& axis, std::span<const StabilityRow> rows, const Lines& lines,
               report::PlotScript& script) {
   std::array<std::vector<std::vector<double>>, 4> points;
@@ -78,7 +90,7 @@ void add_axis(const Axis& axis, std::span<const StabilityRow> rows, const Lines&
   script.begin_panel(report::quoted(std::string(axis.name) + unit));
   const bool linear = axis.values.front() < 0.0 || axis.name == "scheme";
   script.command(linear ? "set format x '%g'" : "set format x '1e%g'");
-  script.command("set xtics autofreq");
+  script.command("set xtics " + report::brief(linear ? 0.5 : tic_decades(axis)));
   script.command("set autoscale x");
   script.command("set offsets graph 0.04, graph 0.04, 0, 0");
   script.command("set yrange [" + report::brief(lines.height.back() - 1.0) + ":0]");
@@ -111,7 +123,7 @@ report::PlotScript stability_map(std::span<const StabilityRow> rows) {
     });
     if (any) walked.push_back(&axis);
   }
-  script.begin_panels(walked.size(), "each row a scene, each point a run", 1);
+  script.begin_panels(walked.size(), "each row a scene, (t) in motion; each point a run", 1);
   for (const Axis* axis : walked) add_axis(*axis, rows, lines, script);
   return script;
 }
