@@ -87,8 +87,7 @@ Quantity read_quantity(const TomlTable& table, const Scene& scene) {
   if (!probe && !word) {
     throw InputError(table.where(), table.key(), "", "needs a probe or a quantity");
   }
-  const Quantity quantity =
-      probe ? read_probe(table, *probe, scene) : read_kind(table, *word, scene);
+  Quantity quantity = probe ? read_probe(table, *probe, scene) : read_kind(table, *word, scene);
   if (!probe) refuse(table.find("take"), "goes with a probe");
   if (quantity.kind != QuantityKind::NaturalFrequency) {
     refuse(table.find("mode"), "goes with quantity = \"natural_frequency\"");

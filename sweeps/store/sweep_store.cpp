@@ -16,12 +16,14 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> numbers_of(const std::vector<std::optional<double>>& values) {
   std::vector<double> numbers;
+  numbers.reserve(values.size());
   for (const auto& value : values) numbers.push_back(value.value_or(kNone));
   return numbers;
 }
 
 std::vector<std::optional<double>> optionals_of(const std::vector<double>& numbers) {
   std::vector<std::optional<double>> values;
+  values.reserve(numbers.size());
   for (const double number : numbers) {
     values.push_back(number == number ? std::optional(number) : std::nullopt);
   }
@@ -33,11 +35,13 @@ void write_values(Hdf5Group& group, const std::string& path, const Field& field,
                   const std::vector<FieldValue>& values) {
   if (field.kind == FieldKind::Choice) {
     std::vector<std::string> words;
+    words.reserve(values.size());
     for (const FieldValue& value : values) words.push_back(std::get<std::string>(value));
     group.write_texts(path, words);
     return;
   }
   std::vector<double> numbers;
+  numbers.reserve(values.size());
   for (const FieldValue& value : values) {
     const auto* number = std::get_if<double>(&value);
     numbers.push_back(number != nullptr ? *number : kNone);

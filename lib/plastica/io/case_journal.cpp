@@ -49,7 +49,7 @@ bool shall_go_on(const JournalContent& found, const JournalPolicy& policy, std::
 
 std::string journal_path(const std::string& output) { return output + ".journal"; }
 
-CaseJournal::CaseJournal(JournalPolicy policy, std::uint64_t kind, std::string_view noun) {
+CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::string_view noun) {
   JournalContent content = read_journal(policy.path, kind);
   const int resumptions = take_resumptions(content.records);
   if (!shall_go_on(content, policy, noun)) {

@@ -34,7 +34,7 @@ class CaseJournal {
   /// @throws InputError if there is the journal of an interrupted run that is neither to be resumed
   ///         nor overwritten, or of another version and not to be overwritten, or some other file
   /// @throws StorageError if it cannot be read or written, or another run has it
-  CaseJournal(JournalPolicy policy, std::uint64_t kind, std::string_view noun);
+  CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::string_view noun);
   ~CaseJournal();
   CaseJournal(CaseJournal&&) noexcept = default;
   CaseJournal& operator=(CaseJournal&&) = delete;

@@ -46,11 +46,13 @@ class SceneWriter {
   void words(std::string_view path, const std::vector<Row>& rows, const Member& member,
              std::span<const std::string_view> words) {
     std::vector<std::string> texts;
+    texts.reserve(rows.size());
     for (const Row& row : rows) texts.emplace_back(words[static_cast<std::size_t>(member(row))]);
     root_.write_texts(path, texts);
   }
   void names(std::string_view path, const std::vector<Probe>& probes) {
     std::vector<std::string> texts;
+    texts.reserve(probes.size());
     for (const Probe& probe : probes) texts.push_back(probe.name);
     root_.write_texts(path, texts);
   }
@@ -59,6 +61,7 @@ class SceneWriter {
               std::string_view units) {
     using Value = Stored<std::remove_cvref_t<decltype(member(rows[0]))>>;
     std::vector<Value> values;
+    values.reserve(rows.size());
     for (const Row& row : rows) values.push_back(static_cast<Value>(member(row)));
     root_.write(path, values, {units, kDeflate});
   }
@@ -80,6 +83,7 @@ class SceneWriter {
   }
   void optional_places(std::string_view path, const std::vector<Load>& loads) {
     std::vector<double> values;
+    values.reserve(loads.size());
     for (const Load& load : loads) {
       values.push_back(load.to ? load.to->fraction : std::numeric_limits<double>::quiet_NaN());
     }
