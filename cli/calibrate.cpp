@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,7 +21,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
-#include "plastica/io/storage_error.hpp"
+#include "plastica/io/text_file.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -72,10 +71,7 @@ std::string default_output(const CalibrateArguments& arguments) {
 }
 
 void write_json(const std::string& path, std::span<const calibrate::FitRecord> records) {
-  std::ofstream out(path, std::ios::binary);
-  out << calibrate::json_summary(records) << '\n';
-  out.close();
-  if (!out) throw io::StorageError(path, "cannot be written");
+  io::write_text_file(path, calibrate::json_summary(records) + "\n");
 }
 
 void print_report(std::span<const calibrate::FitRecord> records, const calibrate::FitOptions& fit) {

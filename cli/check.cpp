@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -14,7 +13,7 @@
 #include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
 #include "plastica/io/result_file.hpp"
-#include "plastica/io/storage_error.hpp"
+#include "plastica/io/text_file.hpp"
 #include "plastica/report/format.hpp"
 #include "sweeps/check/report.hpp"
 #include "sweeps/check/verdict.hpp"
@@ -42,10 +41,7 @@ int print_dry_run(const std::vector<sweeps::CheckFile>& files) {
 }
 
 void write_junit(const std::string& path, const std::vector<sweeps::CheckedFile>& checked) {
-  std::ofstream out(path, std::ios::binary);
-  out << sweeps::junit_xml(checked);
-  out.close();
-  if (!out) throw io::StorageError(path, "cannot be written");
+  io::write_text_file(path, sweeps::junit_xml(checked));
 }
 
 /// Runs one file. @return whether it was run to its end

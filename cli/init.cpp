@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 
@@ -10,7 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "plastica/base/check.hpp"
-#include "plastica/io/storage_error.hpp"
+#include "plastica/io/text_file.hpp"
 #include "sweeps/plan/templates.hpp"
 
 namespace plastica::cli {
@@ -43,16 +42,15 @@ int init(const InitArguments& arguments) {
   // All names are looked at before the first is written.
   for (const auto& file : files) {
     const auto path = folder / file.name;
-    if (!arguments.force && std::filesystem::exists(path)) {
+    // A check brings the sweep that it is about, which may be there as it was begun.
+    const bool exists = std::filesystem::exists(path);
+    if (exists && !arguments.force && io::read_text_file(path.string()) != file.text) {
       throw InputError({}, "init", path.string(), "exists already; --force overwrites it");
     }
   }
   for (const auto& file : files) {
     const auto path = folder / file.name;
-    std::ofstream out(path, std::ios::binary);
-    out << file.text;
-    out.close();
-    if (!out) throw io::StorageError(path.string(), "cannot be written");
+    io::write_text_file(path.string(), file.text);
     fmt::print("wrote {}\n", path.string());
   }
   fmt::print("next: plastica {} {}\n", command_of(arguments.kind),

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,7 +11,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/run_files.hpp"
 #include "plastica/io/result_file.hpp"
-#include "plastica/io/storage_error.hpp"
+#include "plastica/io/text_file.hpp"
 #include "plastica/io/units.hpp"
 #include "sweeps/store/sweep_store.hpp"
 #include "sweeps/trade/recommend_text.hpp"
@@ -81,10 +80,7 @@ sweeps::Wish wish_of(const RecommendArguments& arguments, sweeps::CostKind cost)
 }
 
 void write_scene(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw io::StorageError(path, "cannot be written");
+  io::write_text_file(path, text);
   fmt::print(stderr, "wrote {}\n", path);
 }
 

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -18,7 +17,7 @@
 #include "cli/response_bytes.hpp"
 #include "cli/run_files.hpp"
 #include "plastica/io/scene_store.hpp"
-#include "plastica/io/storage_error.hpp"
+#include "plastica/io/text_file.hpp"
 #include "plastica/model/scene_warnings.hpp"
 #include "plastica/report/format.hpp"
 #include "plastica/report/scene_csv.hpp"
@@ -108,13 +107,6 @@ int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const 
   return kDone;
 }
 
-void write_file(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw io::StorageError(path, "cannot be written");
-}
-
 void write_result(const std::string& output, const io::SceneRecord& record) {
   if (output == "-") {
     report::write_probes_csv(std::cout, record);
@@ -124,7 +116,7 @@ void write_result(const std::string& output, const io::SceneRecord& record) {
   } else {
     std::ostringstream table;
     report::write_probes_csv(table, record);
-    write_file(output, table.str());
+    io::write_text_file(output, table.str());
   }
 }
 
@@ -173,7 +165,7 @@ int simulate_file(const SimulateArguments& arguments) {
   record.meta = std::move(meta);
 
   write_result(arguments.output, record);
-  if (!arguments.json.empty()) write_file(arguments.json, report::scene_json(record));
+  if (!arguments.json.empty()) io::write_text_file(arguments.json, report::scene_json(record));
   if (!arguments.quiet) {
     // A table on the standard output is left alone: it goes on to another program.
     const bool table = arguments.output == "-";

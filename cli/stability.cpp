@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -15,7 +14,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "plastica/io/result_file.hpp"
-#include "plastica/io/storage_error.hpp"
+#include "plastica/io/text_file.hpp"
 #include "plastica/report/picture.hpp"
 #include "sweeps/stability/stability_map.hpp"
 #include "sweeps/stability/summary.hpp"
@@ -34,10 +33,7 @@ struct StabilityArguments {
 };
 
 void write_file(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw io::StorageError(path, "cannot be written");
+  io::write_text_file(path, text);
   fmt::print(stderr, "wrote {}\n", path);
 }
 

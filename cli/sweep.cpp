@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,7 +15,7 @@
 #include "cli/progress_bar.hpp"
 #include "cli/response_bytes.hpp"
 #include "cli/run_files.hpp"
-#include "plastica/io/storage_error.hpp"
+#include "plastica/io/text_file.hpp"
 #include "plastica/report/format.hpp"
 #include "plastica/run/simulate.hpp"
 #include "sweeps/report/json.hpp"
@@ -110,10 +109,7 @@ void tell_of_journal(const sweeps::SweepRun& run, bool quiet) {
 }
 
 void write_json(const std::string& path, const sweeps::SweepRecord& record) {
-  std::ofstream out(path, std::ios::binary);
-  out << sweeps::sweep_json(record);
-  out.close();
-  if (!out) throw io::StorageError(path, "cannot be written");
+  io::write_text_file(path, sweeps::sweep_json(record));
 }
 
 int sweep_file(const SweepArguments& arguments) {

@@ -1,13 +1,11 @@
 #include "sweeps/plan/fit_plan.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "calibrate/config/read_parameters.hpp"
 #include "plastica/io/digest.hpp"
-#include "plastica/io/units.hpp"
+#include "plastica/io/text_file.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -61,9 +59,7 @@ FitPlan read_fit_plan(const TomlTable& fit, const std::string& path, const Scene
     throw name.error("is not a file in the folder of " + path);
   }
   plan.file = file.lexically_normal().string();
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  plan.text = text.str();
+  plan.text = io::read_text_file(plan.file);
   const Side abscissa = read_side(fit, "abscissa");
   const Side ordinate = read_side(fit, "ordinate");
   calibrate::SceneTarget wanted;

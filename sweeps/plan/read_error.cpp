@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "plastica/io/csv_column.hpp"
+#include "plastica/io/text_file.hpp"
 #include "plastica/io/units.hpp"
 #include "sweeps/plan/derived_fields.hpp"
 #include "sweeps/plan/read_axes.hpp"
@@ -98,12 +97,6 @@ Quantity read_quantity(const TomlTable& table, const Scene& scene) {
   return quantity;
 }
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 void read_curve(const TomlTable& table, const TomlValue& value, const std::string& file,
                 Sweep& sweep) {
   if (sweep.quantity.kind != QuantityKind::Probe) {
@@ -134,7 +127,7 @@ void read_curve(const TomlTable& table, const TomlValue& value, const std::strin
     throw names[0].error("must rise from row to row");
   }
   sweep.against.name = file;
-  sweep.inputs.push_back({path.filename().string(), text_of(path)});
+  sweep.inputs.push_back({path.filename().string(), io::read_text_file(path.string())});
 }
 
 void read_against(const TomlTable& table, Sweep& sweep) {
