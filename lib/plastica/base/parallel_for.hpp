@@ -8,7 +8,8 @@ namespace plastica {
 
 struct ParallelOptions {
   int threads = 0;  ///< how many; 0: as many as the machine has
-  /// Once true, no further index is begun; those under way are finished. May be null.
+  /// Once true, each worker begins no more than the index that it was about to begin; those under
+  /// way are finished. May be null.
   const std::atomic<bool>* stop = nullptr;
 };
 

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace plastica {
@@ -39,14 +41,24 @@ TEST(ParallelFor, CarriesTheExceptionOfTheSmallestIndexWhole) {
   }
 }
 
-TEST(ParallelFor, BeginsNothingMoreOnceStopped) {
-  std::atomic<bool> stop{false};
-  std::atomic<int> begun{0};
-  parallel_for(1000, {2, &stop}, [&](std::size_t, int) {
-    if (++begun == 10) stop = true;
-  });
-  EXPECT_GE(begun.load(), 10);
-  EXPECT_LE(begun.load(), 12);
+TEST(ParallelFor, EachOtherWorkerBeginsAtMostOneMoreOnceStopped) {
+  for (const int threads : {1, 2, 4}) {
+    std::atomic<bool> stop{false};
+    std::atomic<int> begun{0};
+    parallel_for(1000, {threads, &stop}, [&](std::size_t, int) {
+      const int order = ++begun;
+      if (order == 10) stop = true;
+      // So that none of these ends before the flag is set, however the threads are scheduled.
+      while (order > 10 && !stop) std::this_thread::yield();
+    });
+    EXPECT_GE(begun.load(), 10);
+    EXPECT_LE(begun.load(), 10 + threads - 1);
+  }
+}
+
+TEST(ParallelFor, BeginsNothingWhenStoppedBefore) {
+  const std::atomic<bool> stop{true};
+  parallel_for(100, {2, &stop}, [](std::size_t, int) { FAIL(); });
 }
 
 TEST(ParallelFor, DoesNothingForAnEmptyRange) {
