@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "calibrate/store/record_bytes.hpp"
+#include "plastica/base/instruction_set.hpp"
 #include "plastica/base/version.hpp"
 #include "plastica/io/digest.hpp"
 
@@ -29,7 +30,7 @@ void put_parameter(ByteWriter& writer, const Parameter& p) {
 
 std::uint64_t digest_of(const FitOptions& options) {
   ByteWriter writer;
-  writer.put(version()).put(instruction_set());
+  writer.put(version()).put(name_of(resolved(options.setup.solver.isa)));
   put_setup(writer, options.setup);
   writer.put(std::uint64_t{options.parameters.size()});
   for (const Parameter& parameter : options.parameters) put_parameter(writer, parameter);

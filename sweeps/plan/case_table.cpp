@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "plastica/base/instruction_set.hpp"
 #include "plastica/base/version.hpp"
 #include "plastica/io/digest.hpp"
 #include "plastica/io/scene_digest.hpp"
@@ -15,7 +16,7 @@ namespace {
 std::uint64_t quantity_digest(const Sweep& sweep) {
   const Quantity& q = sweep.quantity;
   io::Digest digest;
-  digest.text(version()).text(instruction_set());
+  digest.text(version()).text(name_of(resolved(InstructionSet::Auto)));
   digest.integer(static_cast<std::uint64_t>(q.kind)).integer(q.probe);
   digest.integer(static_cast<std::uint64_t>(q.take)).integer(static_cast<std::uint64_t>(q.mode));
   digest.text(q.parameter).integer(static_cast<std::uint64_t>(sweep.timed_runs));

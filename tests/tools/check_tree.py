@@ -14,7 +14,7 @@ LONGEST_FILE = 400
 # Includes only go upward in this list.
 LAYERS = [
     "plastica/base", "plastica/model", "plastica/law", "plastica/coupon", "plastica/chain",
-    "plastica/solve", "plastica/run", "plastica/theory", "plastica/io", "plastica/report",
+    "plastica/lanes", "plastica/solve", "plastica/run", "plastica/theory", "plastica/io", "plastica/report",
     "calibrate", "sweeps", "cli",
 ]
 

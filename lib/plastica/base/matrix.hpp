@@ -7,6 +7,7 @@
 
 /// Small vectors and matrices of kernels: sizes known to the compiler, no heap, any scalar.
 namespace plastica {
+PLASTICA_KERNELS_BEGIN
 
 /// N numbers; starts at zero.
 template <class S, std::size_t N>
@@ -171,4 +172,5 @@ constexpr Mat<S, 3, 3> skew(const Vec<S, 3>& a) {
   return {{zero, -a[2], a[1], a[2], zero, -a[0], -a[1], a[0], zero}};
 }
 
+PLASTICA_KERNELS_END
 }  // namespace plastica

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "plastica/base/kernel_namespace.hpp"
+
 /// The operations that kernels use on a scalar, for double and float.
 ///
 /// Kernels are templates on the scalar: double, float, `Pack` (a lane is a scenario) and `Dual`
@@ -12,6 +14,7 @@
 /// the functions of this header unqualified from namespace plastica, where `pack.hpp` and
 /// `dual.hpp` overload them.
 namespace plastica {
+PLASTICA_KERNELS_BEGIN
 
 /// What a kernel may need to know of a scalar type. `Mask` is what its comparisons give.
 template <class S>
@@ -62,6 +65,22 @@ inline double abs(double x) { return std::fabs(x); }
 inline float abs(float x) { return std::fabs(x); }
 inline double sqrt(double x) { return std::sqrt(x); }
 inline float sqrt(float x) { return std::sqrt(x); }
+
+/// a b + c; rounded once where the instruction set of the file has it, else twice.
+inline double multiply_add(double a, double b, double c) {
+#if defined(__FMA__)
+  return __builtin_fma(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+inline float multiply_add(float a, float b, float c) {
+#if defined(__FMA__)
+  return __builtin_fmaf(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
 
 /// The larger of two; of equal ones the first. A NaN in `b` is dropped, one in `a` stays.
 template <class S>
@@ -206,4 +225,5 @@ inline double log(double x) {
   return k * 0x1.62e42feep-1 + (2.0 * s * sum + k * 0x1.a39ef35793c76p-33);
 }
 
+PLASTICA_KERNELS_END
 }  // namespace plastica

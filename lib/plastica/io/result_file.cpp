@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "plastica/base/instruction_set.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/base/status.hpp"
 #include "plastica/base/version.hpp"
@@ -38,7 +39,7 @@ RunMeta begin_meta(std::string command_line, int threads) {
   std::array<char, 256> host{};
   if (gethostname(host.data(), host.size() - 1) == 0) meta.host = host.data();
   meta.threads = resolved_threads(threads);
-  meta.instruction_set = instruction_set();
+  meta.instruction_set = name_of(resolved(InstructionSet::Auto));
   meta.command_line = std::move(command_line);
   meta.versions = {{"plastica", std::string(version())}, {"hdf5", hdf5_version()}};
   return meta;

@@ -76,15 +76,19 @@ std::span<const std::string_view> words<Precision>() {
   return kWords;
 }
 template <>
+std::span<const std::string_view> words<InstructionSet>() {
+  return kInstructionSets;
+}
+template <>
 std::span<const std::string_view> words<Analysis>() {
   static constexpr std::array<std::string_view, 2> kWords{"statics", "dynamics"};
   return kWords;
 }
 template <>
 std::span<const std::string_view> words<Scheme>() {
-  static constexpr std::array<std::string_view, 4> kWords{"linearly_implicit_euler",
-                                                          "linearly_implicit_midpoint",
-                                                          "generalized_alpha", "energy_momentum"};
+  static constexpr std::array<std::string_view, 6> kWords{
+      "linearly_implicit_euler", "linearly_implicit_midpoint", "generalized_alpha",
+      "energy_momentum",         "articulated_euler",          "articulated_midpoint"};
   return kWords;
 }
 template <>
@@ -233,6 +237,8 @@ std::vector<Field> make_table() {
                                                  "stretch and shear of the joints"),
       choice<PLASTICA_REACH(solver.precision)>("solver.precision",
                                                "numbers that a chain is computed with"),
+      choice<PLASTICA_REACH(solver.isa)>(
+          "solver.isa", "vector instructions of articulated schemes; auto: the widest there are"),
       integer<PLASTICA_REACH(solver.fibres)>("solver.fibres", Range{2.0, 1e4},
                                              "fibres of a fibre section, along its depth"),
       number<PLASTICA_REACH(solver.duration)>(

@@ -32,7 +32,14 @@ enum class Scheme {
   LinearlyImplicitMidpoint,  ///< second order at the same cost
   GeneralizedAlpha,          ///< second order, damps what the step cannot follow by rho_infinity
   EnergyMomentum,            ///< second order, keeps momentum, angular momentum and energy
+  ArticulatedEuler,     ///< first order: joint springs alone are implicit; a tenth of the cost,
+                        ///< many scenarios at once; of beams held at their start alone
+  ArticulatedMidpoint,  ///< second order at the same cost
 };
+
+constexpr bool is_articulated(Scheme scheme) {
+  return scheme == Scheme::ArticulatedEuler || scheme == Scheme::ArticulatedMidpoint;
+}
 
 /// What damps the joints besides yielding.
 enum class Damping {

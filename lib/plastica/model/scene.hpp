@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "plastica/base/instruction_set.hpp"
 #include "plastica/model/beam.hpp"
 #include "plastica/model/drive.hpp"
 #include "plastica/model/load.hpp"
@@ -59,6 +60,8 @@ struct SolverOptions {
   JointTranslation translation = JointTranslation::Rigid;
   /// Float: of chains of ideal plasticity whose joints are rigid in translation.
   Precision precision = Precision::Double;
+  /// Whose kernels step articulated schemes. Each level has bits of its own.
+  InstructionSet isa = InstructionSet::Auto;
   int fibres = 40;        ///< of a fibre section, along its depth, >= 2
   double duration = 0.0;  ///< end of the path or motion [s], >= 0; 0: where the last history ends
   int steps = 20;         ///< recorded samples, evenly spaced in time, >= 1

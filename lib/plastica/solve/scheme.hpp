@@ -31,6 +31,8 @@ struct SchemeClaims {
 /// - Energy-momentum: midpoint in conservation form (Simo & Wong, Int. J. Numer. Meth. Eng. 31,
 ///   1991, 19), joint moments as discrete gradients (Gonzalez, J. Nonlinear Sci. 6, 1996, 449);
 ///   Newton's method to its end.
+/// - Articulated: joint springs alone are implicit, and the geometry of a step is that which the
+///   velocities foretell (lanes/README.md).
 /// @param rho_infinity  of generalized-alpha [1]
 constexpr SchemeClaims claims_of(Scheme scheme, double rho_infinity) {
   switch (scheme) {
@@ -41,6 +43,8 @@ constexpr SchemeClaims claims_of(Scheme scheme, double rho_infinity) {
       return {2, damps ? EnergyBehaviour::Loses : EnergyBehaviour::Wanders, false, !damps, false};
     }
     case Scheme::EnergyMomentum: return {2, EnergyBehaviour::Conserves, true, true, false};
+    case Scheme::ArticulatedEuler: return {1, EnergyBehaviour::Loses, false, false, true};
+    case Scheme::ArticulatedMidpoint: return {2, EnergyBehaviour::Wanders, false, false, true};
   }
   return {};
 }
@@ -69,7 +73,9 @@ struct StepRule {
 constexpr StepRule step_rule(Scheme scheme, double rho_infinity) {
   StepRule rule;
   switch (scheme) {
-    case Scheme::LinearlyImplicitEuler: break;
+    case Scheme::LinearlyImplicitEuler:
+    case Scheme::ArticulatedEuler:  // its kernels know its rule; this one is of its start
+    case Scheme::ArticulatedMidpoint: break;
     case Scheme::LinearlyImplicitMidpoint:
     case Scheme::EnergyMomentum:
       rule.half_way = true;

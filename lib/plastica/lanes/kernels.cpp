@@ -1,0 +1,17 @@
+#include <cassert>
+
+#include "plastica/lanes/kernel_table.hpp"
+
+namespace plastica::lanes {
+
+const KernelTable& kernels(InstructionSet level) {
+  assert(level != InstructionSet::Auto);
+#if defined(__x86_64__)
+  if (level == InstructionSet::Avx512) return kAvx512Kernels;
+  if (level == InstructionSet::Avx2) return kAvx2Kernels;
+#endif
+  static_cast<void>(level);
+  return kBaselineKernels;
+}
+
+}  // namespace plastica::lanes
