@@ -23,7 +23,7 @@ constexpr std::string_view kFit =
 [fit]
 objective = "strain-path"         # or "least-squares", with noise = "1 MPa"
 # break_weight = 1.0              # how much the break counts beside the curve
-# algorithm    = "auto"           # a global stage, then a local one; or one of NLopt's by name
+# algorithm    = "auto"           # local, if need be global; or one of NLopt's by name
 # seed         = 1                # of the global stage
 # confidence   = "95 %"           # of the intervals
 

@@ -92,8 +92,9 @@ class Search {
       const std::size_t k = searched_[i];
       const double slope = parameters_.slope(k, values_[k]);
       const double c = curvature[k] * slope * slope / misfit_.cost_unit();
-      // A parameter that does not matter here keeps its scale.
-      if (std::isfinite(c) && c > kLeastCurvature) scale_[i] = std::sqrt(c);
+      // A parameter that does not matter here keeps its scale. A power of two scales without
+      // rounding: the same point is not evaluated again because its last bit has changed.
+      if (std::isfinite(c) && c > kLeastCurvature) scale_[i] = power_of_two_near(std::sqrt(c));
     }
   }
 
@@ -144,6 +145,30 @@ class Search {
     return decrease > kWorthPolishing * f + kNoiseFloor;
   }
 
+  /// SLSQP from the best point, and what its end on a kink needs.
+  void descend(int evaluations) {
+    rescale();
+    stage("slsqp", evaluations, kEverywhere);
+    for (int i = 0; i < kMostPolishes && worth_polishing(); ++i) {
+      const bool better = stage("nelder-mead", evaluations, kPolishReach);
+      if (!better || !stage("slsqp", evaluations, kEverywhere)) break;
+    }
+  }
+
+  /// Whether a minimum was found that leaves nothing to look for elsewhere.
+  bool settled() const {
+    const bool ended = found_ && solution_.stages.back().outcome != "maxeval-reached";
+    return ended && (has_many_parameters() ? fits_exactly() : fits_closely());
+  }
+
+  /// Goes back to the start, and puts the best point aside for `finish`.
+  void begin_again() {
+    if (found_) aside_ = Best{best_, best_cost_};
+    best_ = start_;
+    found_ = false;
+    scale_.assign(n_, 1.0);
+  }
+
   /// Looks for other minima near the best point: SLSQP from seeded points around it, at which the
   /// cost would be up to kRestartRise higher if it were a parabola.
   void restart_around(int evaluations) {
@@ -163,7 +188,7 @@ class Search {
   /// each with the scale of its own curvature.
   void restart_widely(int evaluations) {
     std::mt19937_64 random(~seed_);
-    for (int i = 0; i < kWideRestarts && best_cost_ > kExactFit * kExactFit; ++i) {
+    for (int i = 0; i < kWideRestarts && !fits_exactly(); ++i) {
       const std::vector<double> kept = best_;
       for (std::size_t k = 0; k < n_; ++k) {
         const double x = start_[k] + kGlobalReach * uniform(random);
@@ -177,11 +202,18 @@ class Search {
 
   bool has_many_parameters() const { return n_ >= kManyParameters; }
 
+  bool fits_exactly() const { return best_cost_ <= kExactFit * kExactFit; }
+
   bool fits_closely() const { return best_cost_ < kCloseFit * kCloseFit; }
 
   bool found() const { return found_; }
 
   void finish() {
+    if (aside_ && !(found_ && best_cost_ <= aside_->cost)) {
+      best_ = aside_->at;
+      best_cost_ = aside_->cost;
+      found_ = true;
+    }
     if (!found_) {
       solution_.reason = "the model could not be run at any point of the box";
       return;
@@ -203,6 +235,12 @@ class Search {
   /// largest stress).
   static constexpr double kLeastCurvature = 1e-20;
   static constexpr double kNoiseFloor = 1e-24;
+
+  static double power_of_two_near(double x) {
+    int exponent = 0;
+    std::frexp(x, &exponent);
+    return std::ldexp(1.0, exponent - 1);
+  }
 
   /// 53 random bits as a number in [-1, 1).
   static double uniform(std::mt19937_64& random) {
@@ -233,9 +271,11 @@ class Search {
       values_[*break_] =
           std::clamp(misfit_.permanent_strain() / misfit_.break_factor(), p.lower, p.upper);
     }
-    Trace& trace = solution_.trace;
-    trace.values.insert(trace.values.end(), values_.begin(), values_.end());
-    trace.costs.push_back(f);
+    if (misfit_.was_run()) {
+      Trace& trace = solution_.trace;
+      trace.values.insert(trace.values.end(), values_.begin(), values_.end());
+      trace.costs.push_back(f);
+    }
     return f / misfit_.cost_unit();
   }
 
@@ -254,6 +294,11 @@ class Search {
   std::vector<double> best_;   ///< the set's coordinates; the start until a stage has run
   double best_cost_ = 0.0;
   bool found_ = false;
+  struct Best {
+    std::vector<double> at;
+    double cost;
+  };
+  std::optional<Best> aside_;  ///< of the first descent
 };
 
 }  // namespace
@@ -272,13 +317,16 @@ Solution minimize_misfit(Misfit& misfit, const ParameterSet& parameters, const F
                  kEverywhere);
   } else {
     search.try_largest_yield();
-    if (stop.global_evaluations > 0) search.stage("crs", stop.global_evaluations, kGlobalReach);
-    search.rescale();
-    search.stage("slsqp", stop.local_evaluations, kEverywhere);
-    for (int i = 0; i < kMostPolishes && search.worth_polishing(); ++i) {
-      const bool better = search.stage("nelder-mead", stop.local_evaluations, kPolishReach);
-      if (!better || !search.stage("slsqp", stop.local_evaluations, kEverywhere)) break;
+    if (stop.global_evaluations > 0) {
+      search.descend(stop.local_evaluations);
+      if (search.settled()) {
+        search.finish();
+        return solution;
+      }
+      search.begin_again();
+      search.stage("crs", stop.global_evaluations, kGlobalReach);
     }
+    search.descend(stop.local_evaluations);
     if (search.found() && search.has_many_parameters()) {
       search.restart_widely(stop.local_evaluations);
     }

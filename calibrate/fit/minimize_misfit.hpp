@@ -25,11 +25,13 @@ struct Solution {
 ///
 /// `auto`:
 /// 0. the yield stress begins at the largest measured stress if that costs less than its start;
-/// 1. a seeded global stage: controlled random search within the bounds and a factor of five
-///    around the start;
-/// 2. from its best point, or the start if that is better, SLSQP with exact derivatives;
-/// 3. the cost has kinks where a sample goes from elastic to plastic. If SLSQP ended where the
-///    slope still promises less cost, a downhill simplex looks around and SLSQP goes on;
+/// 1. from there SLSQP with exact derivatives. The cost has kinks where a sample goes from elastic
+///    to plastic: if SLSQP ended where the slope still promises less cost, a downhill simplex looks
+///    around and SLSQP goes on. If the misfit is now below 2 % of the largest stress (with three
+///    parameters and more, 0.2 %), this is the end;
+/// 2. else a seeded global stage from the start: controlled random search within the bounds and a
+///    factor of five around the start;
+/// 3. from its best point, or the start if that is better, as in 1;
 /// 4. a hardening law's three and more parameters have minima far apart: unless the misfit is below
 ///    0.2 % of the largest stress, SLSQP starts again from 12 seeded points in the global stage's
 ///    box (of 40 exact cyclic curves each with 4 to 6 parameters, all are recovered with it, half

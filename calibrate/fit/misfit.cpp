@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "calibrate/fit/given_weights.hpp"
+#include "calibrate/fit/weighted_squares.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -91,6 +92,7 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
   all_values_.resize(parameters.size());
   by_all_.resize(parameters.size());
   model_values_.resize(paths.size());
+  stress_slope_.resize(paths.size());
 }
 
 std::size_t Misfit::samples() const {
@@ -145,59 +147,75 @@ double Misfit::search_cost(std::span<const double> active, std::span<double> gra
 double Misfit::evaluate(std::span<const double> active, std::span<double> gradient,
                         bool with_break) {
   const double infinite = std::numeric_limits<double>::infinity();
-  if (!set_values(active)) return infinite;
-  if (gradient.empty()) {
-    run(model_, model_values_, workspace_, response_);
-  } else {
-    run_sensitivity(model_, model_values_, workspace_, response_, sensitivity_);
-  }
-  if (!usable(response_.status)) return infinite;
-
-  const double* model_stress = response_.probes[0].data();
-  const double* measured = target_.corrected.stress.data();
-  double sum = 0.0;
-  if (gradient.empty()) {
-    for (std::size_t s = 0; s < samples_; ++s) {
-      const double r = model_stress[s] - measured[s];
-      sum += weight_[s] * r * r;
-    }
-    return std::isfinite(sum) ? sum : infinite;
-  }
+  was_run_ = true;
+  if (!set_values(active) || !run_model(!gradient.empty())) return infinite;
+  if (gradient.empty()) return stress_cost_;
   std::fill(by_all_.begin(), by_all_.end(), 0.0);
-  const std::size_t width = model_index_.size();
-  const double* row = sensitivity_.stress.data();
-  for (std::size_t s = 0; s < samples_; ++s, row += width) {
-    const double r = model_stress[s] - measured[s];
-    const double wr = weight_[s] * r;
-    sum += wr * r;
-    for (std::size_t i = 0; i < width; ++i) by_all_[model_index_[i]] += 2.0 * wr * row[i];
+  for (std::size_t i = 0; i < model_index_.size(); ++i) {
+    by_all_[model_index_[i]] += stress_slope_[i];
   }
   break_cost(with_break ? limit() : likely_limit(), by_all_, with_break);
   parameters_.contract(by_all_, gradient);
-  return std::isfinite(sum) ? sum : infinite;
+  return stress_cost_;
+}
+
+bool Misfit::run_model(bool with_slopes) {
+  was_run_ = run_values_ != model_values_ || (with_slopes && !run_slopes_);
+  if (was_run_) {
+    run_values_ = model_values_;
+    run_slopes_ = with_slopes;
+    if (with_slopes) {
+      run_sensitivity(model_, model_values_, workspace_, response_, sensitivity_);
+    } else {
+      run(model_, model_values_, workspace_, response_);
+    }
+    if (usable(response_.status)) sum_stress_cost(with_slopes);
+  }
+  return usable(response_.status) && std::isfinite(stress_cost_);
+}
+
+void Misfit::sum_stress_cost(bool with_slopes) {
+  const std::span model(response_.probes[0].data(), samples_);
+  if (!with_slopes) {
+    stress_cost_ = weighted_squares(model, target_.corrected.stress, weight_);
+    return;
+  }
+  stress_cost_ = weighted_squares(model, target_.corrected.stress, weight_, sensitivity_.stress,
+                                  stress_slope_);
+}
+
+std::vector<double> Misfit::model_by_active(std::size_t active) {
+  const std::size_t width = model_index_.size();
+  std::vector<double> map(width * active);
+  for (std::size_t i = 0; i < width; ++i) {
+    std::fill(by_all_.begin(), by_all_.end(), 0.0);
+    by_all_[model_index_[i]] = 1.0;
+    parameters_.contract(by_all_, std::span(map).subspan(i * active, active));
+  }
+  return map;
 }
 
 std::vector<double> Misfit::curvature(std::span<const double> active) {
-  std::vector<double> curvature(active.size(), 0.0);
-  std::vector<double> by_active(active.size());
+  const std::size_t n = active.size();
+  std::vector<double> curvature(n, 0.0);
+  std::vector<double> by_active(n);
   if (!std::isfinite(cost(active, by_active))) return curvature;
-  const auto add = [&](const double* by_model, double weight) {
-    std::fill(by_all_.begin(), by_all_.end(), 0.0);
-    for (std::size_t i = 0; i < model_index_.size(); ++i) by_all_[model_index_[i]] = by_model[i];
-    parameters_.contract(by_all_, by_active);
-    for (std::size_t i = 0; i < active.size(); ++i) {
-      curvature[i] += 2.0 * weight * by_active[i] * by_active[i];
+  const std::vector<double> map = model_by_active(n);
+  const std::size_t width = model_index_.size();
+  const double* row = sensitivity_.stress.data();
+  for (std::size_t s = 0; s < samples_; ++s, row += width) {
+    for (std::size_t k = 0; k < n; ++k) {
+      double slope = 0.0;
+      for (std::size_t i = 0; i < width; ++i) slope += row[i] * map[i * n + k];
+      curvature[k] += 2.0 * weight_[s] * slope * slope;
     }
-  };
-  for (std::size_t s = 0; s < samples_; ++s) {
-    add(sensitivity_.stress.data() + s * model_index_.size(), weight_[s]);
   }
   if (break_scale_ > 0.0) {
     std::fill(by_all_.begin(), by_all_.end(), 0.0);
     by_all_[break_index_] = break_factor_;
     parameters_.contract(by_all_, by_active);
-    for (std::size_t i = 0; i < active.size(); ++i) {
-      curvature[i] += 2.0 * break_scale_ * by_active[i] * by_active[i];
+    for (std::size_t k = 0; k < n; ++k) {
+      curvature[k] += 2.0 * break_scale_ * by_active[k] * by_active[k];
     }
   }
   return curvature;
@@ -212,20 +230,21 @@ Misfit::Details Misfit::details(std::span<const double> active) {
   d.residual.resize(samples_);
   d.weight = raw_weight_;
   d.jacobian.resize(samples_ * active.size());
+  const std::size_t n = active.size();
   const std::size_t width = model_index_.size();
-  const auto scatter = [&](const double* by_model, std::span<double> by_active) {
-    std::fill(by_all_.begin(), by_all_.end(), 0.0);
-    for (std::size_t i = 0; i < width; ++i) by_all_[model_index_[i]] = by_model[i];
-    parameters_.contract(by_all_, by_active);
+  const std::vector<double> map = model_by_active(n);
+  const auto map_row = [&](const double* by_model, double* by_active) {
+    for (std::size_t i = 0; i < width; ++i) {
+      for (std::size_t k = 0; k < n; ++k) by_active[k] += by_model[i] * map[i * n + k];
+    }
   };
   for (std::size_t s = 0; s < samples_; ++s) {
     d.residual[s] = response_.probes[0][s] - target_.corrected.stress[s];
-    scatter(sensitivity_.stress.data() + s * width,
-            std::span(d.jacobian).subspan(s * active.size(), active.size()));
+    map_row(sensitivity_.stress.data() + s * width, d.jacobian.data() + s * n);
   }
   d.permanent = response_.permanent_strain;
-  d.permanent_gradient.resize(active.size());
-  scatter(sensitivity_.permanent_strain.data(), d.permanent_gradient);
+  d.permanent_gradient.resize(n);
+  map_row(sensitivity_.permanent_strain.data(), d.permanent_gradient.data());
   return d;
 }
 

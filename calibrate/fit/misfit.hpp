@@ -49,6 +49,9 @@ class Misfit {
   /// else as `cost`.
   double search_cost(std::span<const double> active, std::span<double> gradient);
 
+  /// Whether the last evaluation ran the model: one at the point before it does not.
+  bool was_run() const { return was_run_; }
+
   /// p above, of the last evaluation [1].
   double permanent_strain() const { return response_.permanent_strain; }
 
@@ -76,6 +79,12 @@ class Misfit {
 
  private:
   bool set_values(std::span<const double> active);
+  /// Runs the model at the values set, unless it has been run there. @return whether it is usable
+  bool run_model(bool with_slopes);
+  /// Sums f_stress, and with slopes its derivatives by the model's parameters.
+  void sum_stress_cost(bool with_slopes);
+  /// d all model parameters / d active (n_model x n_active).
+  std::vector<double> model_by_active(std::size_t active);
   /// f_stress; the gradient is that of `cost` if `with_break`, else of `search_cost`.
   double evaluate(std::span<const double> active, std::span<double> gradient, bool with_break);
   double limit() const;
@@ -101,6 +110,13 @@ class Misfit {
   std::vector<double> all_values_;
   std::vector<double> model_values_;
   std::vector<double> by_all_;
+
+  /// What the last run gave; kept for an evaluation at the same point.
+  std::optional<std::vector<double>> run_values_;  ///< of the model
+  bool run_slopes_ = false;
+  bool was_run_ = false;
+  double stress_cost_ = 0.0;
+  std::vector<double> stress_slope_;  ///< d f_stress / d model parameter (n_model)
 };
 
 }  // namespace plastica::calibrate

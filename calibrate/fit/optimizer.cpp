@@ -128,8 +128,9 @@ Minimum minimize(const Problem& problem, const MinimizeOptions& options) {
   opt.set_maxeval(options.max_evaluations);
   opt.set_xtol_abs(options.x_tolerance);
   opt.set_ftol_rel(options.cost_tolerance);
-  // NLopt keeps its random state by thread; a seed before each run makes the run repeatable.
-  nlopt::srand(static_cast<unsigned long>(options.seed));
+  // NLopt keeps its random state by thread; a seed before each run of an algorithm that draws
+  // numbers makes the run repeatable.
+  if (algorithm.global) nlopt::srand(static_cast<unsigned long>(options.seed));
 
   std::vector<double> x = problem.start;
   double cost = 0.0;

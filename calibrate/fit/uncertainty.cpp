@@ -23,62 +23,73 @@ struct StressPart {
   double degrees_of_freedom = 1.0;
 };
 
-/// A = J^T W J and B = J^T W^2 J, with columns scaled by `size`.
+/// A = J^T W J and B = J^T W^2 J of some columns, scaled by `size`.
 struct Normal {
   MatrixXd a, b;
+
+  /// The rows and columns of those that are kept.
+  Normal of(const std::vector<Eigen::Index>& kept) const { return {a(kept, kept), b(kept, kept)}; }
 };
 
 Normal normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>& columns,
                        const std::vector<double>& size, std::size_t n) {
   const auto m = static_cast<Eigen::Index>(columns.size());
   Normal normal{MatrixXd::Zero(m, m), MatrixXd::Zero(m, m)};
-  std::vector<double> row(columns.size());
+  VectorXd row(m);
   for (std::size_t s = 0; s < d.residual.size(); ++s) {
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      row[k] = d.jacobian[s * n + columns[k]] * size[columns[k]];
+    for (Eigen::Index k = 0; k < m; ++k) {
+      const std::size_t column = columns[static_cast<std::size_t>(k)];
+      row(k) = d.jacobian[s * n + column] * size[column];
     }
     const double w = d.weight[s];
-    for (Eigen::Index i = 0; i < m; ++i) {
-      for (Eigen::Index j = 0; j < m; ++j) {
-        const double product = row[static_cast<std::size_t>(i)] * row[static_cast<std::size_t>(j)];
-        normal.a(i, j) += w * product;
-        normal.b(i, j) += w * w * product;
+    for (Eigen::Index j = 0; j < m; ++j) {
+      for (Eigen::Index i = j; i < m; ++i) {
+        const double weighted = w * (row(i) * row(j));
+        normal.a(i, j) += weighted;
+        normal.b(i, j) += w * weighted;
       }
     }
   }
+  normal.a.triangularView<Eigen::StrictlyUpper>() = normal.a.transpose();
+  normal.b.triangularView<Eigen::StrictlyUpper>() = normal.b.transpose();
   return normal;
 }
 
 /// Drops columns that vanish or that only combinations determine.
-void keep_identified(const Misfit::Details& d, const std::vector<double>& size, double stress,
-                     std::size_t n, std::vector<std::size_t>& columns) {
+/// @return the normal matrices of those kept
+Normal keep_identified(const Misfit::Details& d, const std::vector<double>& size, double stress,
+                       std::size_t n, std::vector<std::size_t>& columns) {
   double total = 0.0;
   for (const double w : d.weight) total += w;
   Normal normal = normal_matrices(d, columns, size, n);
-  std::vector<std::size_t> seen;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
+  const auto keep = [&](const std::vector<Eigen::Index>& kept) {
+    std::vector<std::size_t> left;
+    for (const Eigen::Index k : kept) left.push_back(columns[static_cast<std::size_t>(k)]);
+    columns = left;
+    normal = normal.of(kept);
+  };
+  std::vector<Eigen::Index> seen;
+  for (Eigen::Index i = 0; i < normal.a.rows(); ++i) {
     if (normal.a(i, i) > kRankTolerance * kRankTolerance * stress * stress * total) {
-      seen.push_back(columns[k]);
+      seen.push_back(i);
     }
   }
-  columns = seen;
-  if (columns.empty()) return;
-  normal = normal_matrices(d, columns, size, n);
+  keep(seen);
+  if (columns.empty()) return normal;
   const VectorXd scale = normal.a.diagonal().cwiseSqrt().cwiseInverse();
   const MatrixXd unit = scale.asDiagonal() * normal.a * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
-  std::vector<std::size_t> kept;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < unit.rows(); ++k) {
     bool lost = false;
     for (Eigen::Index e = 0; e < eigen.eigenvalues().size(); ++e) {
       const bool unseen = eigen.eigenvalues()(e) < kRankTolerance;
-      lost = lost ||
-             (unseen && std::fabs(eigen.eigenvectors()(static_cast<Eigen::Index>(k), e)) > 1e-3);
+      lost = lost || (unseen && std::fabs(eigen.eigenvectors()(k, e)) > 1e-3);
     }
-    if (!lost) kept.push_back(columns[k]);
+    if (!lost) kept.push_back(k);
   }
-  columns = kept;
+  keep(kept);
+  return normal;
 }
 
 StressPart stress_part(const Misfit::Details& d, std::span<const double> active,
@@ -93,7 +104,7 @@ StressPart stress_part(const Misfit::Details& d, std::span<const double> active,
   }
   double stress = 0.0;
   for (const double s : target.corrected.stress) stress = std::max(stress, std::fabs(s));
-  keep_identified(d, size, stress, n, part.columns);
+  const Normal normal = keep_identified(d, size, stress, n, part.columns);
 
   const auto m = static_cast<Eigen::Index>(part.columns.size());
   part.covariance = MatrixXd::Zero(m, m);
@@ -106,7 +117,6 @@ StressPart stress_part(const Misfit::Details& d, std::span<const double> active,
   }
   part.degrees_of_freedom = std::max(1.0, counted - static_cast<double>(m));
   if (m == 0) return part;
-  const Normal normal = normal_matrices(d, part.columns, size, n);
   const MatrixXd inverse = normal.a.ldlt().solve(MatrixXd::Identity(m, m));
   double variance = squares / part.degrees_of_freedom;
   if (options.objective == Objective::LeastSquares && options.noise) {

@@ -74,15 +74,15 @@ const Field& find_field(std::string_view name, const SourceLocation& where) {
 
 void check_field(const Field& field, double value, const SourceLocation& where,
                  std::string_view shown) {
-  const std::string text = shown.empty() ? number_text(value) : std::string(shown);
+  const auto text = [&] { return shown.empty() ? number_text(value) : std::string(shown); };
   if (!field.range.contains(value)) {
     std::string rule = field.range.rule();
     const std::string_view unit = si_unit(field.dimension);
     if (unit != "1" && rule != "must be finite") rule += " " + std::string(unit);
-    throw InputError(where, field.path, text, rule);
+    throw InputError(where, field.path, text(), rule);
   }
   if (field.kind == FieldKind::Integer && value != std::floor(value)) {
-    throw InputError(where, field.path, text, "must be a whole number");
+    throw InputError(where, field.path, text(), "must be a whole number");
   }
 }
 

@@ -49,6 +49,29 @@ TEST(Misfit, IsTheIntegralOfTheTrapeziaOverTheStrainPath) {
   EXPECT_NEAR(c.cost({200e9, 300e6}), expected, tolerance(1e-12 * expected));
 }
 
+TEST(Misfit, RunsTheModelOnceAtAPointAndOnceMoreForItsSlopes) {
+  Case c(four_samples(),
+         fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress")}));
+  Misfit misfit(c.target, c.options, c.set);
+  const std::vector<double> here{200e9, 300e6};
+  const std::vector<double> there{200e9, 301e6};
+  std::vector<double> by(2);
+  const auto runs = [&](const std::vector<double>& at, std::span<double> gradient) {
+    misfit.cost(at, gradient);
+    return misfit.was_run();
+  };
+  EXPECT_TRUE(runs(here, {}));
+  EXPECT_FALSE(runs(here, {}));
+  EXPECT_TRUE(runs(here, by));
+  EXPECT_FALSE(runs(here, by));
+  EXPECT_FALSE(runs(here, {}));
+  EXPECT_EQ(misfit.cost(here, by), c.cost(here));
+  EXPECT_EQ(by, c.gradient(here));
+  EXPECT_TRUE(runs(there, {}));
+  EXPECT_EQ(misfit.cost(there, by), c.cost(there));
+  EXPECT_EQ(by, c.gradient(there));
+}
+
 TEST(Misfit, IsTheMeanSquareInLeastSquares) {
   FitOptions options = fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress")});
   options.objective = Objective::LeastSquares;

@@ -1,0 +1,74 @@
+#include "calibrate/fit/weighted_squares.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace plastica::calibrate {
+namespace {
+
+constexpr std::size_t kChains = 4;
+
+/// Known to the compiler, the gradient of the usual few parameters stays in registers.
+template <std::size_t kParameters>
+void sum_slopes(std::span<const double> model, std::span<const double> target,
+                std::span<const double> weight, const double* row, std::span<double> gradient) {
+  std::array<double, kParameters> even{};
+  std::array<double, kParameters> odd{};
+  const auto add = [&](std::size_t i, std::array<double, kParameters>& to) {
+    const double wr = weight[i] * (model[i] - target[i]);
+    for (std::size_t k = 0; k < kParameters; ++k) to[k] += wr * row[i * kParameters + k];
+  };
+  std::size_t i = 0;
+  for (; i + 2 <= model.size(); i += 2) {
+    add(i, even);
+    add(i + 1, odd);
+  }
+  if (i < model.size()) add(i, even);
+  for (std::size_t k = 0; k < kParameters; ++k) gradient[k] = 2.0 * (even[k] + odd[k]);
+}
+
+/// Any number of parameters.
+void sum_all_slopes(std::span<const double> model, std::span<const double> target,
+                    std::span<const double> weight, const double* row, std::span<double> gradient) {
+  std::fill(gradient.begin(), gradient.end(), 0.0);
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    const double wr = weight[i] * (model[i] - target[i]);
+    for (double& slope : gradient) slope += 2.0 * wr * *row++;
+  }
+}
+
+}  // namespace
+
+double weighted_squares(std::span<const double> model, std::span<const double> target,
+                        std::span<const double> weight) {
+  std::array<double, kChains> sum{};
+  std::size_t i = 0;
+  for (; i + kChains <= model.size(); i += kChains) {
+    for (std::size_t j = 0; j < kChains; ++j) {
+      const double r = model[i + j] - target[i + j];
+      sum[j] += weight[i + j] * r * r;
+    }
+  }
+  for (; i < model.size(); ++i) {
+    const double r = model[i] - target[i];
+    sum[0] += weight[i] * r * r;
+  }
+  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+double weighted_squares(std::span<const double> model, std::span<const double> target,
+                        std::span<const double> weight, std::span<const double> slopes,
+                        std::span<double> gradient) {
+  const double* rows = slopes.data();
+  switch (gradient.size()) {
+    case 1: sum_slopes<1>(model, target, weight, rows, gradient); break;
+    case 2: sum_slopes<2>(model, target, weight, rows, gradient); break;
+    case 3: sum_slopes<3>(model, target, weight, rows, gradient); break;
+    case 4: sum_slopes<4>(model, target, weight, rows, gradient); break;
+    default: sum_all_slopes(model, target, weight, rows, gradient); break;
+  }
+  return weighted_squares(model, target, weight);
+}
+
+}  // namespace plastica::calibrate

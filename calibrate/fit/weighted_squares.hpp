@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+
+namespace plastica::calibrate {
+
+/// sum w_i (m_i - t_i)^2 of a model's values and a target's (n).
+///
+/// Sums of a fixed order: four of every fourth sample, so that none waits for the one before.
+double weighted_squares(std::span<const double> model, std::span<const double> target,
+                        std::span<const double> weight);
+
+/// The same, with its derivatives 2 sum w_i (m_i - t_i) dm_i/dp in `gradient` (n_parameters).
+/// @param slopes  dm_i/dp (n x n_parameters), row by row
+double weighted_squares(std::span<const double> model, std::span<const double> target,
+                        std::span<const double> weight, std::span<const double> slopes,
+                        std::span<double> gradient);
+
+}  // namespace plastica::calibrate
