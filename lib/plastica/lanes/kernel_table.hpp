@@ -44,4 +44,14 @@ extern const KernelTable kAvx512Kernels;
 /// @param level  not Auto; one that this build has
 const KernelTable& kernels(InstructionSet level);
 
+/// Those of a precision.
+template <class Real>
+const KernelsOf<Real>& of_precision(const KernelTable& table) {
+  if constexpr (sizeof(Real) == sizeof(double)) {
+    return table.in_double;
+  } else {
+    return table.in_float;
+  }
+}
+
 }  // namespace plastica::lanes

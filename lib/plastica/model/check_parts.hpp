@@ -40,6 +40,9 @@ void check_dynamics(const Scene& scene, const SolverOptions& options);
 /// Cuts, on a level that holds the scene.
 void check_cuts(const Scene& scene, const LevelChoice& level);
 
+/// What articulated schemes cannot do.
+void check_articulated(const Scene& scene, const SolverOptions& options, const LevelChoice& level);
+
 /// Rules of a chain that contradict each other.
 void check_rules(const Scene& scene);
 

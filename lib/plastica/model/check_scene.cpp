@@ -97,6 +97,7 @@ void check_scene(const Scene& scene, const SolverOptions& options) {
   const LevelChoice level = choose_level(scene, options);
   if (scene.is_coupon()) return;
   model_detail::check_cuts(scene, level);
+  model_detail::check_articulated(scene, options, level);
   if (options.analysis == Analysis::Dynamics) return;
   if (const auto free = model_detail::free_motion(scene, level)) {
     const std::string name = level.reason.substr(0, level.reason.find(':'));

@@ -38,6 +38,21 @@ enum class ProbeQuantity {
 /// The words of files for what a probe records, in the order of ProbeQuantity.
 std::span<const std::string_view> probe_kinds();
 
+/// Whether a chain's probe is of a joint.
+constexpr bool is_of_joint(ProbeQuantity quantity) {
+  switch (quantity) {
+    case ProbeQuantity::Strain:
+    case ProbeQuantity::Stress:
+    case ProbeQuantity::PlasticStrain:
+    case ProbeQuantity::AccumulatedStrain:
+    case ProbeQuantity::Moment:
+    case ProbeQuantity::Angle:
+    case ProbeQuantity::PlasticAngle:
+    case ProbeQuantity::Force: return true;
+    default: return false;
+  }
+}
+
 /// Which part of a vector a probe records. Joint quantities: bending about x, about y, torsion.
 enum class Component { X, Y, Z, Size };
 

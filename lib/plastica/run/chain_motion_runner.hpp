@@ -10,6 +10,7 @@
 #include "plastica/run/break_policy.hpp"
 #include "plastica/run/chain_body.hpp"
 #include "plastica/run/chain_motion.hpp"
+#include "plastica/run/motion_begin.hpp"
 #include "plastica/run/step_size.hpp"
 #include "plastica/solve/motion_step.hpp"
 
@@ -22,17 +23,14 @@ class ChainMotionRunner final : public ChainProgram {
   using Work = solve::NewtonWork<L, kElastic>;
   using Step = solve::MotionStep<L, kElastic>;
 
-  ChainMotionRunner(const ChainModel& model, const chain::View<L>& view) : body_(model, view) {
-    set_options();
-  }
+  ChainMotionRunner(const ChainModel& model, const chain::View<L>& view)
+      : body_(model, view), options_(motion_options(body_)) {}
 
   void run(const MaterialValues<double>& material, const Workspace& hooks,
            Response& response) override;
 
  private:
-  void set_options();
   bool starts_free() const;
-  void set_initial_motion();
   Status walk(Step& step, const Workspace& hooks, Response& response);
   /// Takes steps up to a time. @return Completed if it got there
   Status go_to(double stop, StepSize& size, Step& step, const Workspace& hooks, Response& response);
@@ -53,26 +51,6 @@ class ChainMotionRunner final : public ChainProgram {
   std::size_t next_cut_ = 0;
 };
 
-template <class L, bool kElastic>
-void ChainMotionRunner<L, kElastic>::set_options() {
-  const SolverOptions& solver = body_.model.options;
-  options_.newton.most_iterations = std::min(solver.most_iterations, solve::kMostIterations);
-  options_.newton.tolerance = solver.tolerance;
-  options_.scheme = solver.scheme;
-  options_.rho_infinity = solver.rho_infinity;
-  options_.damping = solver.damping;
-  options_.damping_time = solver.damping_time;
-  options_.time_step = solver.time_step;
-  options_.step_error = solver.step_error;
-  options_.smallest_step = solver.smallest_step;
-  options_.largest_turn = solver.largest_turn;
-  options_.stops = body_.model.stops;
-  options_.recorded = body_.model.recorded;
-  for (const auto& closure : body_.build.chain.closures) {
-    options_.restitution.push_back(body_.model.scene.supports[closure.support].restitution);
-  }
-}
-
 /// Whether nothing holds the start.
 template <class L, bool kElastic>
 bool ChainMotionRunner<L, kElastic>::starts_free() const {
@@ -85,32 +63,6 @@ bool ChainMotionRunner<L, kElastic>::starts_free() const {
     if (root.welded[k] || joint.acting[k] || joint.spring[k] != 0.0) return false;
   }
   return true;
-}
-
-template <class L, bool kElastic>
-void ChainMotionRunner<L, kElastic>::set_initial_motion() {
-  const chain::Layout& layout = body_.model.layout;
-  const auto& chain = body_.build.chain;
-  const auto& placement = body_.work.placement;
-  const auto vector = [](const std::array<double, 3>& v) { return Vec<double, 3>{v}; };
-  auto& motion = initial_motion_;
-  motion.assign(chain.size(), {});
-  for (const InitialMotion& part : body_.model.scene.initial_motions) {
-    const double from = share_of(part.from, layout.ends);
-    const double to = share_of(part.to, layout.ends);
-    const chain::SegmentPoint about =
-        chain::segment_point(layout, share_of(part.about, layout.ends));
-    const auto center = placement.point(about.segment, body_.view.point(about.arm));
-    const auto velocity = body_.view.point(vector(part.velocity));
-    const auto spin = body_.view.spin(vector(part.spin));
-    for (std::size_t i = 0; i < chain.size(); ++i) {
-      const double middle = 0.5 * (layout.ends[i] + layout.ends[i + 1]);
-      if (middle < from || middle > to) continue;
-      const auto arm = placement.point(i, chain.inertias[i].center) - center;
-      motion[i].velocity += velocity + L::spun(spin, arm);
-      motion[i].spin += transposed_times(L::axes(placement.frame[i]), spin);
-    }
-  }
 }
 
 template <class L, bool kElastic>
@@ -141,7 +93,7 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
                                    options_, work);
     joints_of_step_ = body_.joints.get();
   }
-  set_initial_motion();
+  set_initial_motion(body_, initial_motion_);
   response.status =
       step_->start(initial_motion_) ? walk(*step_, hooks, response) : Status::HeldTwice;
   body_.record.end_motion();

@@ -72,6 +72,12 @@ class ChainRecord {
   }
   /// After the last one: keeps its shape, too, where the run has ended early.
   void end_frames(Response& response) const;
+  /// From now on shapes are worked out where a frame or a probe needs them; a run that ends early
+  /// calls `shape_now` before `end_frames`.
+  void shapes_on_demand() { on_demand_ = true; }
+  void shape_now(const Work& w, const Joints& joints, const NodeStrains& strains) {
+    set_shape(w, joints, strains);
+  }
 
   /// Moment of a node's joint about its x, y, z [N m]: of its section and of a spring beside it.
   Space moment(const Joints& joints, const Work& w, std::size_t node) const;
@@ -140,6 +146,8 @@ class ChainRecord {
   chain::Placement<L> placement_;
   std::vector<std::array<double, 6>> support_force_;
   ChainHistory shape_;  ///< of the sample that is being written, as one frame
+  bool on_demand_ = false;
+  bool probes_read_shape_ = false;
   bool begun_ = false;
   double time_ = 0.0;
   double external_ = 0.0;
@@ -166,6 +174,8 @@ void ChainRecord<L, kElastic>::prepare(const ChainModel& model, const chain::Vie
   placement_.resize(n);
   support_force_.resize(model.scene.supports.size());
   size_shape(model, 1, shape_);
+  probes_read_shape_ = std::any_of(model.scene.probes.begin(), model.scene.probes.end(),
+                                   [](const Probe& probe) { return is_of_joint(probe.quantity); });
 }
 
 template <class L, bool kElastic>
@@ -297,10 +307,11 @@ void ChainRecord<L, kElastic>::write(const Work& w, const Joints& joints,
   out.time[sample] = w.time;
   out.factor[sample] = factor_at(w.time);
   out.energy[sample] = energies(w, joints);
-  set_shape(w, joints, strains);
   const auto& frames = out.frame_sample;
   const auto frame = std::lower_bound(frames.begin(), frames.end(), sample);
-  if (frame != frames.end() && *frame == sample) {
+  const bool kept = frame != frames.end() && *frame == sample;
+  if (kept || probes_read_shape_ || !on_demand_) set_shape(w, joints, strains);
+  if (kept) {
     keep_shape(static_cast<std::size_t>(frame - frames.begin()), out);
   }
   const auto& probes = model_->scene.probes;

@@ -1,0 +1,83 @@
+#include <string_view>
+#include <vector>
+
+#include "plastica/base/check.hpp"
+#include "plastica/model/beam_axis.hpp"
+#include "plastica/model/check_parts.hpp"
+
+namespace plastica::model_detail {
+namespace {
+
+[[noreturn]] void refuse(std::string_view field, std::string_view value, std::string_view rule) {
+  throw InputError({}, field, value, rule);
+}
+
+/// The one support: what else holds the beam would need equations of its own.
+void check_support(const Scene& scene) {
+  constexpr std::string_view kRule =
+      "an articulated scheme is of a beam that a clamp or a pin holds at its start, and nothing "
+      "else; \"linearly_implicit_midpoint\" takes all supports";
+  const std::vector<double> ends = segment_ends(scene);
+  if (scene.supports.empty()) refuse("support", "", kRule);
+  for (std::size_t i = 0; i < scene.supports.size(); ++i) {
+    const Support& support = scene.supports[i];
+    const bool holds = support.kind == SupportKind::Clamp || support.kind == SupportKind::Pin;
+    const bool at_start = share_of(support.at, ends) == 0.0;
+    if (i > 0 || !holds || !at_start) refuse(item_name("support", i), "", kRule);
+    if (support.moves()) {
+      refuse(item_name("support", i), "", "must not move with an articulated scheme");
+    }
+  }
+}
+
+bool can_break(const Scene& scene) {
+  bool limited = scene.break_limit_x || scene.break_limit_y || scene.break_limit_z ||
+                 scene.material.break_strain || scene.material.break_shear_strain;
+  for (const Region& region : scene.regions) {
+    limited = limited || region.material.break_strain || region.material.break_shear_strain;
+  }
+  return limited && scene.yield_model != YieldModel::Elastic;
+}
+
+}  // namespace
+
+void check_articulated(const Scene& scene, const SolverOptions& options, const LevelChoice& level) {
+  if (options.analysis != Analysis::Dynamics || !is_articulated(options.scheme)) return;
+  check_support(scene);
+  for (std::size_t i = 0; i < scene.loads.size(); ++i) {
+    if (scene.loads[i].follows) {
+      refuse(item_name("load", i, ".follows"), "true",
+             "articulated schemes have loads that keep their direction");
+    }
+  }
+  if (level.level != Level::Planar) {
+    refuse("solver.level", "", "articulated schemes are of the level planar");
+  }
+  if (options.translation == JointTranslation::Elastic) {
+    refuse("solver.translation", "elastic", "must be rigid with an articulated scheme");
+  }
+  if (options.step_error > 0.0) {
+    refuse("solver.step_error", "", "articulated schemes have steps of one length");
+  }
+  if (options.damping == Damping::Relaxation) {
+    refuse("solver.damping", "relaxation", "must be none or stiffness with an articulated scheme");
+  }
+  if (!scene.cuts.empty()) {
+    refuse(item_name("cut", 0), "", "articulated schemes know no cuts");
+  }
+  if (can_break(scene)) {
+    refuse("material.break_strain", "",
+           "articulated schemes know no breaks: leave limits away or take another scheme");
+  }
+  const bool yields = scene.yield_model != YieldModel::Elastic;
+  bool ideal = scene.material.hardening.law == HardeningLaw::Ideal;
+  for (const Region& region : scene.regions) {
+    ideal = ideal && region.material.hardening.law == HardeningLaw::Ideal;
+  }
+  if (yields && (!ideal || scene.yield_model == YieldModel::Fibre)) {
+    refuse("rules.yield_model", scene.yield_model == YieldModel::Fibre ? "fibre" : "",
+           "articulated schemes have elastic or ideally plastic joints");
+  }
+}
+
+}  // namespace plastica::model_detail

@@ -1,0 +1,177 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "plastica/lanes/kernel_table.hpp"
+#include "plastica/run/lane_memory.hpp"
+#include "plastica/run/lane_program.hpp"
+
+namespace plastica {
+
+/// A lane program of one level and precision.
+template <class Form, class Real>
+class LaneGroup final : public LaneProgram {
+ public:
+  using Beam = typename Form::template Beam<Real>;
+  using Sums = typename Form::Sums;
+
+  explicit LaneGroup(const ChainModel& model)
+      : order_(model.options.scheme == Scheme::ArticulatedEuler ? 1 : 2),
+        kernels_(Form::template kernels<Real>(
+            lanes::of_precision<Real>(lanes::kernels(resolved(model.options.isa))), order_,
+            model.scene.yield_model != YieldModel::Elastic)) {}
+
+  std::size_t width() const override { return lanes::kManyLanes<Real>; }
+
+  void run(std::span<const LaneCase> cases) override {
+    const auto began = std::chrono::steady_clock::now();
+    begin(cases);
+    const ChainModel& model = *cases.front().model;
+    for (std::size_t k = 0; k < model.stops.size() && any_runs(); ++k) {
+      go_to(model.stops[k]);
+      if (!model.recorded[k]) continue;
+      for (Scenario& scenario : scenarios()) {
+        if (scenario.running()) scenario.record(true);
+      }
+    }
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+    for (Scenario& scenario : scenarios()) {
+      scenario.finish(took.count() / static_cast<double>(cases.size()));
+    }
+  }
+
+ private:
+  using Scenario = LaneScenario<Form>;
+  using Memory = LaneMemory<Form, Real>;
+
+  std::span<Scenario> scenarios() { return std::span(scenarios_).first(count_); }
+  bool any_runs() {
+    const auto all = scenarios();
+    return std::any_of(all.begin(), all.end(), [](const Scenario& s) { return s.running(); });
+  }
+
+  void begin(std::span<const LaneCase> cases) {
+    count_ = cases.size();
+    if (scenarios_.size() < count_) scenarios_.resize(count_);
+    for (std::size_t lane = 0; lane < count_; ++lane) scenarios_[lane].begin(cases[lane]);
+    time_ = last_step_ = 0.0;
+    memory_.set(scenarios(), count_ == 1 ? 1 : width());
+    const ChainModel& model = *cases.front().model;
+    loads_change_ = false;
+    for (const History& history : scenarios_.front().chain().histories) {
+      const auto& f = history.factor;
+      loads_change_ =
+          loads_change_ || std::adjacent_find(f.begin(), f.end(), std::not_equal_to<>()) != f.end();
+    }
+    if (!loads_change_) set_loads(memory_, 0.0, model.stops.back());
+    for (std::size_t lane = 0; lane < count_; ++lane) {
+      if (!scenarios_[lane].running()) continue;
+      read(lane, 0.0);
+      scenarios_[lane].record(false);
+    }
+  }
+
+  /// The factors where a step's forces act: the mean over the step, or at its end.
+  void set_loads(Memory& memory, double from, double to) const {
+    memory.set_loads([&](std::size_t h) {
+      const History& history = scenarios_.front().chain().histories[h];
+      return order_ == 2 ? 0.5 * (history.at(from) + history.at(to)) : history.at(to);
+    });
+  }
+
+  /// Takes `parts` even steps.
+  void march(Memory& memory, lanes::StepKernel<Beam> kernel, double stop, double parts,
+             bool aimed) const {
+    const double step = (stop - time_) / parts;
+    const auto steps = static_cast<std::size_t>(parts);
+    const Beam beam = memory.beam(loads_change_);
+    memory.reset_fastest();
+    if (!loads_change_) {
+      kernel(beam, step, steps, aimed);
+      return;
+    }
+    for (std::size_t k = 0; k < steps; ++k) {
+      const double begin = time_ + static_cast<double>(k) * step;
+      set_loads(memory, begin, begin + step);
+      kernel(beam, step, 1, aimed || k > 0);
+    }
+  }
+
+  void go_to(double stop) {
+    const SolverOptions& options = scenarios_.front().model().options;
+    const double parts = std::max(1.0, std::ceil((stop - time_) / options.time_step - 1e-9));
+    const double step = (stop - time_) / parts;
+    before_.copy_states(memory_);
+    march(memory_, count_ == 1 ? kernels_.one : kernels_.many, stop, parts, step == last_step_);
+    last_step_ = step;
+    for (std::size_t lane = 0; lane < count_; ++lane) {
+      Scenario& scenario = scenarios_[lane];
+      if (!scenario.running()) continue;
+      if (!holds(memory_, lane, step) && !retry(lane, stop, parts)) {
+        memory_.copy_lane(lane, before_, lane);
+        scenario.stop(Status::NotConverged);
+        continue;
+      }
+      auto& counters = scenario.response().counters;
+      counters.steps += static_cast<int>(parts);
+      counters.iterations += static_cast<int>(parts);
+      read(lane, stop);
+      const auto& told = scenario.hooks().on_progress;
+      if (told && !told(stop)) scenario.stop(Status::Interrupted);
+    }
+    time_ = stop;
+  }
+
+  /// Whether the steps of a memory's lane can be believed.
+  bool holds(const Memory& memory, std::size_t lane, double step) const {
+    const double most = scenarios_.front().model().options.largest_turn;
+    return memory.sum(Sums::FastestSpin, lane) * step <= most && memory.is_finite(lane);
+  }
+
+  /// Goes from the last stop with shorter steps, alone. @return whether it got there
+  bool retry(std::size_t lane, double stop, double parts) {
+    Scenario& scenario = scenarios_[lane];
+    const SolverOptions& options = scenario.model().options;
+    alone_.set(std::span<const Scenario>(&scenario, 1), 1);
+    if (!loads_change_) set_loads(alone_, time_, stop);
+    for (double cut = 2.0; 1.0 / cut >= options.smallest_step; cut *= 2.0) {
+      ++scenario.response().counters.cutbacks;
+      alone_.copy_lane(0, before_, lane);
+      march(alone_, kernels_.one, stop, parts * cut, false);
+      if (!holds(alone_, 0, (stop - time_) / (parts * cut))) continue;
+      memory_.copy_lane(lane, alone_, 0);
+      last_step_ = 0.0;  // this lane aims anew, with the same bits for all others
+      return true;
+    }
+    return false;
+  }
+
+  void read(std::size_t lane, double time) {
+    Scenario& scenario = scenarios_[lane];
+    for (std::size_t i = 0; i < scenario.chain().size(); ++i) {
+      scenario.read(memory_.state(i, lane), i);
+    }
+    const double work = memory_.sum(Sums::Loads, lane);
+    scenario.arrive(time, memory_.sum(Sums::Damping, lane), memory_.sum(Sums::Numerical, lane),
+                    loads_change_ ? &work : nullptr);
+  }
+
+  int order_;
+  const lanes::StepKernels<Beam>& kernels_;
+  std::vector<Scenario> scenarios_;
+  std::size_t count_ = 0;  ///< of them that run
+  Memory memory_;
+  Memory before_;  ///< states at the last stop
+  Memory alone_;   ///< of a lane that needs shorter steps
+  bool loads_change_ = false;
+  double time_ = 0.0;
+  double last_step_ = 0.0;  ///< that the memory is aimed for; 0: none
+};
+
+}  // namespace plastica

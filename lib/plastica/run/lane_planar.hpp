@@ -1,0 +1,105 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "plastica/lanes/kernel_table.hpp"
+#include "plastica/law/uniaxial_material.hpp"
+#include "plastica/run/chain_body.hpp"
+#include "plastica/run/given_joints.hpp"
+
+namespace plastica {
+
+/// What the planar kernels' numbers are in a chain.
+struct PlanarLanes {
+  using Level = chain::Planar<double>;
+  using Body = ChainBody<Level, false>;
+  using Kind = lanes::PlanarKind;
+  using Load = lanes::PlanarLoad;
+  using State = lanes::PlanarState;
+  using Work = lanes::PlanarWork;
+  using Sums = lanes::PlanarSums;
+  template <class Real>
+  using Beam = lanes::PlanarBeam<Real>;
+
+  template <class Real>
+  static const lanes::StepKernels<Beam<Real>>& kernels(const lanes::KernelsOf<Real>& table,
+                                                       int order, bool yields) {
+    return table.planar[order - 1][yields ? 1 : 0];
+  }
+
+  static std::array<double, Kind::kCount> kind(const Body& body, const GivenJoints<Level>& joints,
+                                               const MaterialValues<double>& material,
+                                               std::size_t i) {
+    const auto& chain = body.build.chain;
+    const auto& inertia = chain.inertias[i];
+    const double center = inertia.center[0];
+    const double outer = i == 0 ? chain.root.ground.angle : chain.segments[i - 1].outer.angle;
+    const double stiffness = joints.stiffness(i, 0);
+    const SolverOptions& options = body.model.options;
+    const bool damped = options.damping == Damping::Stiffness;
+    std::array<double, Kind::kCount> kind{};
+    kind[Kind::Length] = chain.segments[i].arm[0];
+    kind[Kind::Mass] = inertia.mass;
+    kind[Kind::FirstMoment] = inertia.mass * center;
+    kind[Kind::Inertia] = inertia.turning(0, 0) + inertia.mass * center * center;
+    kind[Kind::Rest] = outer - chain.segments[i].inner.angle;
+    kind[Kind::Stiffness] = stiffness;
+    kind[Kind::Compliance] = stiffness > 0.0 ? 1.0 / stiffness : 0.0;
+    kind[Kind::Damping] = damped ? options.damping_time * stiffness : 0.0;
+    kind[Kind::Cap] = cap(body, joints.joints()[i].law, material);
+    const bool welded = i == 0 && chain.root.welded[0];
+    kind[Kind::Hold] = welded ? std::numeric_limits<double>::infinity() : 0.0;
+    return kind;
+  }
+
+  /// Adds a load at a factor 1.
+  static void add_load(const chain::SegmentLoad<Level>& load,
+                       std::array<double, Load::kCount>& sum) {
+    sum[Load::ForceX] += load.force[0];
+    sum[Load::ForceY] += load.force[1];
+    sum[Load::LeverX] += load.arm[0] * load.force[0];
+    sum[Load::LeverY] += load.arm[0] * load.force[1];
+    sum[Load::Moment] += load.moment[0];
+  }
+
+  /// The state of the joints at a begin, from how fast the segments turn.
+  static std::array<double, State::kCount> state(
+      const Body& /*body*/, const std::vector<solve::SegmentMotion<Level>>& motion, std::size_t i) {
+    std::array<double, State::kCount> state{};
+    state[State::Rate] = motion[i].spin[0] - (i == 0 ? 0.0 : motion[i - 1].spin[0]);
+    return state;
+  }
+
+  /// Takes a joint's state into the chain.
+  /// @param turning  angular acceleration of the segment [rad/s^2]
+  static void read(const std::array<double, State::kCount>& state, std::size_t i, Body& body,
+                   GivenJoints<Level>& joints, const MaterialValues<double>& material,
+                   std::vector<solve::SegmentMotion<Level>>& motion, Level::Spin& turning) {
+    const double angle = state[State::Angle];
+    body.work.q.angle[i] = {{angle}};
+    joints.give(i, {{angle - state[State::Plastic]}},
+                state[State::Accumulated] > 0.0
+                    ? cap(body, joints.joints()[i].law, material) * state[State::Accumulated]
+                    : 0.0);
+    motion[i].spin = {{state[State::Rate] + (i == 0 ? 0.0 : motion[i - 1].spin[0])}};
+    turning = {{state[State::Turning]}};
+  }
+
+ private:
+  /// The moment at which a part's joints yield.
+  static double cap(const Body& body, std::size_t part, const MaterialValues<double>& material) {
+    if (body.model.scene.yield_model == YieldModel::Elastic) {
+      return std::numeric_limits<double>::infinity();
+    }
+    const std::size_t axis = body.view.section_axes().rotation(0);
+    const chain::PartForm& form = body.parts[part];
+    const MaterialValues<double> values = part == 0 ? material : material_values(*form.material);
+    return form.form.modulus[axis] * law::uniaxial_material(form.form.axis[axis], values).yield;
+  }
+};
+
+}  // namespace plastica

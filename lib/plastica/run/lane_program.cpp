@@ -1,0 +1,76 @@
+#include "plastica/run/lane_program.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "plastica/run/lane_group.hpp"
+#include "plastica/run/lane_planar.hpp"
+
+namespace plastica {
+namespace {
+
+bool same_history(const History& a, const History& b) {
+  return a.time == b.time && a.factor == b.factor;
+}
+
+/// Loads in the same order follow the same histories.
+bool same_histories(const Scene& a, const Scene& b) {
+  return same_history(a.gravity_history, b.gravity_history) &&
+         std::equal(
+             a.loads.begin(), a.loads.end(), b.loads.begin(), b.loads.end(),
+             [](const Load& x, const Load& y) { return same_history(x.history, y.history); });
+}
+
+bool has_gravity(const Scene& scene) { return scene.gravity != std::array<double, 3>{}; }
+
+bool same_steps(const SolverOptions& a, const SolverOptions& b) {
+  return a.scheme == b.scheme && a.time_step == b.time_step && a.precision == b.precision &&
+         a.isa == b.isa && a.largest_turn == b.largest_turn && a.smallest_step == b.smallest_step;
+}
+
+template <class Form>
+std::unique_ptr<LaneProgram> make_group(const ChainModel& model) {
+  if (model.options.precision == Precision::Float) {
+    return std::make_unique<LaneGroup<Form, float>>(model);
+  }
+  return std::make_unique<LaneGroup<Form, double>>(model);
+}
+
+class LoneLane final : public ChainProgram {
+ public:
+  explicit LoneLane(const ChainModel& model) : model_(model), program_(make_lane_program(model)) {}
+
+  void run(const MaterialValues<double>& material, const Workspace& hooks,
+           Response& response) override {
+    const LaneCase one{&model_, &material, &hooks, &response};
+    program_->run({&one, 1});
+  }
+
+ private:
+  const ChainModel& model_;
+  std::unique_ptr<LaneProgram> program_;
+};
+
+}  // namespace
+
+bool has_lanes(const ChainModel& model) {
+  return model.options.analysis == Analysis::Dynamics && is_articulated(model.options.scheme);
+}
+
+bool same_lanes(const ChainModel& a, const ChainModel& b) {
+  return a.level == b.level && a.across == b.across && a.layout.size() == b.layout.size() &&
+         a.stops == b.stops && a.recorded == b.recorded && same_steps(a.options, b.options) &&
+         (a.scene.yield_model == YieldModel::Elastic) ==
+             (b.scene.yield_model == YieldModel::Elastic) &&
+         has_gravity(a.scene) == has_gravity(b.scene) && same_histories(a.scene, b.scene);
+}
+
+std::unique_ptr<LaneProgram> make_lane_program(const ChainModel& model) {
+  return make_group<PlanarLanes>(model);
+}
+
+std::unique_ptr<ChainProgram> make_lone_lane(const ChainModel& model) {
+  return std::make_unique<LoneLane>(model);
+}
+
+}  // namespace plastica

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "plastica/run/chain_run.hpp"
+
+namespace plastica {
+
+/// One of the scenarios that are stepped together.
+struct LaneCase {
+  const ChainModel* model = nullptr;
+  const MaterialValues<double>* material = nullptr;  ///< of the scene's own material
+  const Workspace* hooks = nullptr;
+  Response* response = nullptr;
+};
+
+/// Runs motions of articulated schemes, several at a time; one a thread. A case has the same bits
+/// in whatever company.
+class LaneProgram {
+ public:
+  virtual ~LaneProgram() = default;
+  /// Most cases that are stepped together.
+  virtual std::size_t width() const = 0;
+  /// @param cases  1 … width(), all of one shape (`same_lanes`) with the program's model
+  virtual void run(std::span<const LaneCase> cases) = 0;
+};
+
+/// Whether a model is stepped by a lane program.
+bool has_lanes(const ChainModel& model);
+
+/// Whether two models of `has_lanes` can be stepped together: as many segments, the same steps and
+/// histories; all other numbers may differ.
+bool same_lanes(const ChainModel& a, const ChainModel& b);
+
+/// @throws InputError if the processor does not have the instruction set that is asked for
+std::unique_ptr<LaneProgram> make_lane_program(const ChainModel& model);
+
+/// A program of one case at a time.
+/// @param model  outlives it
+std::unique_ptr<ChainProgram> make_lone_lane(const ChainModel& model);
+
+}  // namespace plastica

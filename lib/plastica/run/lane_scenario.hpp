@@ -1,0 +1,241 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "plastica/run/given_joints.hpp"
+#include "plastica/run/lane_program.hpp"
+#include "plastica/run/motion_begin.hpp"
+#include "plastica/solve/motion_step.hpp"
+
+namespace plastica {
+
+/// One scenario of a group: its chain, and what is recorded of it.
+/// @tparam Form  of the level, see lane_planar.hpp
+template <class Form>
+class LaneScenario {
+ public:
+  using L = typename Form::Level;
+  using Body = typename Form::Body;
+  using Motions = std::vector<solve::SegmentMotion<L>>;
+
+  /// Back to the virgin beam, at time 0. @return Completed if it can begin
+  Status begin(const LaneCase& one) {
+    if (!body_ || model_ != one.model) {
+      model_ = one.model;
+      body_ = std::make_unique<Body>(*one.model, view_of(*one.model));
+      laws_.reset();
+    }
+    case_ = one;
+    if (laws_) std::swap(body_->joints, laws_);
+    body_->reset(*one.material);
+    body_->record.shapes_on_demand();
+    Response& response = *one.response;
+    response.samples = 0;
+    response.ledger_error = 0.0;
+    response.counters = {};
+    response.limit.reset();
+    response.chain.events.clear();
+    body_->record.begin_frames(response);
+    chain::place<false>(body_->build.chain, body_->work.q, 0.0, body_->work.placement);
+    set_initial_motion(*body_, motion_);
+    const Status status = fit_initial_motion();
+    auto given =
+        std::make_unique<GivenJoints<L>>(body_->joints->joints(), body_->view.section_axes());
+    given->reset();
+    joints_ = given.get();
+    laws_ = std::move(given);
+    std::swap(body_->joints, laws_);
+    turning_.assign(body_->build.chain.size(), {});
+    flows_ = {};
+    status_ = status;
+    return status;
+  }
+
+  std::array<double, Form::Kind::kCount> kind(std::size_t i) const {
+    return Form::kind(*body_, *joints_, *case_.material, i);
+  }
+  std::array<double, Form::State::kCount> state(std::size_t i) const {
+    return Form::state(*body_, motion_, i);
+  }
+  const chain::Chain<L>& chain() const { return body_->build.chain; }
+  const ChainModel& model() const { return *model_; }
+  Response& response() const { return *case_.response; }
+  const Workspace& hooks() const { return *case_.hooks; }
+
+  bool running() const { return status_ == Status::Completed; }
+  void stop(Status status) { status_ = status; }
+
+  /// Takes what the kernels say of a segment's joint.
+  void read(const std::array<double, Form::State::kCount>& state, std::size_t i) {
+    Form::read(state, i, *body_, *joints_, *case_.material, motion_, turning_[i]);
+  }
+
+  /// Places the chain where `read` has left its joints.
+  /// @param loads_work  counted by the kernels, or nothing: then it follows from the way
+  void arrive(double time, double damping, double numerical, const double* loads_work) {
+    auto& work = body_->work;
+    const double before = work.time;
+    if (loads_work == nullptr) previous_ = work.placement;
+    work.time = time;
+    chain::place<false>(chain(), work.q, time, work.placement);
+    for (std::size_t i = 0; i < chain().size(); ++i) {
+      work.angles[i] = work.q.angle[i];
+      for (std::size_t k = 0; k < L::kRotations; ++k) {
+        work.joints.force[i][k] =
+            joints_->section_forces()[i][body_->view.section_axes().rotation(k)];
+      }
+    }
+    set_velocities();
+    flows_.damping = damping;
+    flows_.numerical = numerical;
+    if (loads_work != nullptr) {
+      flows_.external = *loads_work;
+    } else {
+      add_loads_work(0.5 * (before + time));
+    }
+  }
+
+  /// Writes a sample.
+  /// @param moves  whether there were steps, so that accelerations are known
+  void record(bool moves) {
+    if (moves) transmit();
+    body_->set_trial_strains();
+    body_->accept_strains();
+    Response& out = response();
+    if (out.samples == 0) {
+      body_->record.begin_motion(body_->work, *body_->joints, motion_, kinetic());
+    } else {
+      body_->record.set_motion(motion_, kinetic(), flows_);
+    }
+    body_->record.write(body_->work, *body_->joints, body_->strains, out.samples, out);
+    out.chain.iterations[out.samples] = out.counters.iterations;
+    ++out.samples;
+  }
+
+  void finish(double seconds) {
+    Response& out = response();
+    out.status = status_;
+    if (!running()) body_->record.shape_now(body_->work, *body_->joints, body_->strains);
+    body_->record.end_motion();
+    body_->record.end_frames(out);
+    out.ledger_error = ledger_error(std::span(out.chain.energy).first(out.samples));
+    const auto& strain = body_->strains.strain;
+    out.permanent_strain = *std::max_element(strain.begin(), strain.end());
+    out.seconds = seconds;
+  }
+
+ private:
+  static chain::View<L> view_of(const ChainModel& model) {
+    if constexpr (requires(chain::View<L> view) { view.across; }) {
+      return {model.across};
+    } else {
+      return {};
+    }
+  }
+
+  /// The nearest motion that the joints and the support allow.
+  Status fit_initial_motion() {
+    if (model_->scene.initial_motions.empty()) return Status::Completed;
+    const solve::MotionOptions options = motion_options(*body_);
+    solve::MotionStep<L, false> step(body_->build.chain, *body_->joints, body_->view.section_axes(),
+                                     options, body_->work);
+    const bool holds = step.start(motion_);
+    motion_ = step.motions();
+    return holds ? Status::Completed : Status::HeldTwice;
+  }
+
+  double kinetic() const {
+    double energy = 0.0;
+    for (std::size_t i = 0; i < motion_.size(); ++i) {
+      energy += solve::kinetic_energy(chain().inertias[i], motion_[i]);
+    }
+    return energy;
+  }
+
+  void set_velocities() {
+    const auto& placement = body_->work.placement;
+    typename L::Point velocity{};
+    for (std::size_t i = 0; i < motion_.size(); ++i) {
+      const auto& frame = placement.frame[i];
+      const typename L::Spin spin = L::axes(frame) * motion_[i].spin;
+      motion_[i].velocity = velocity + L::spun(spin, L::turn(frame, chain().inertias[i].center));
+      velocity += L::spun(spin, L::turn(frame, chain().segments[i].arm));
+    }
+  }
+
+  /// Of loads whose factors do not change.
+  void add_loads_work(double time) {
+    const auto& now = body_->work.placement;
+    for (const auto& load : chain().loads) {
+      const double factor = chain().histories[load.history].at(time);
+      const std::size_t i = load.segment;
+      const typename L::Point way = now.point(i, load.arm) - previous_.point(i, load.arm);
+      const typename L::Spin turn =
+          L::axes(previous_.frame[i]) * L::angle_from(previous_.frame[i], now.frame[i]);
+      flows_.external += factor * (dot(load.force, way) + dot(load.moment, turn));
+    }
+  }
+
+  /// What each joint passes on: loads less what the segments outside of it resist, by the
+  /// accelerations of the step before.
+  void transmit() {
+    auto& work = body_->work;
+    const auto& placement = work.placement;
+    const std::size_t n = motion_.size();
+    center_pull_.resize(n);
+    typename L::Point at{};
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto& frame = placement.frame[i];
+      const typename L::Spin spin = L::axes(frame) * motion_[i].spin;
+      const auto moved = [&](const typename L::Point& local) {
+        const typename L::Point arm = L::turn(frame, local);
+        return at + L::spun(turning_[i], arm) + L::spun(spin, L::spun(spin, arm));
+      };
+      center_pull_[i] = moved(chain().inertias[i].center);
+      at = moved(chain().segments[i].arm);
+    }
+    auto& outer = work.transmitted.outer;
+    for (auto& wrench : outer) wrench = {};
+    for (const auto& load : chain().loads) {
+      const double factor = chain().histories[load.history].at(work.time);
+      const auto unit = chain::unit_wrench(load, placement);
+      outer[load.segment].force += factor * unit.force;
+      outer[load.segment].moment += factor * unit.moment;
+    }
+    chain::Wrench<L> sum{};
+    for (std::size_t i = n; i-- > 0;) {
+      const auto& inertia = chain().inertias[i];
+      const auto axes = L::axes(placement.frame[i]);
+      const typename L::Spin spin = motion_[i].spin;
+      const typename L::Spin momentum = inertia.turning * spin;
+      const typename L::Spin resists =
+          axes *
+          (inertia.turning * transposed_times(axes, turning_[i]) + L::turned_by(momentum) * -spin);
+      const typename L::Point force = -(inertia.mass * center_pull_[i]);
+      const typename L::Point arm = L::turn(placement.frame[i], inertia.center);
+      sum.force += outer[i].force + force;
+      sum.moment += outer[i].moment + L::moment(arm, force) - resists;
+      outer[i] = sum;
+      if (i > 0) {
+        sum.moment += L::moment(placement.position[i] - placement.position[i - 1], sum.force);
+      }
+    }
+  }
+
+  const ChainModel* model_ = nullptr;
+  LaneCase case_;
+  std::unique_ptr<Body> body_;
+  std::unique_ptr<chain::SectionJointsBase<L, false>> laws_;  ///< while the body has given joints
+  GivenJoints<L>* joints_ = nullptr;
+  Motions motion_;
+  std::vector<typename L::Spin> turning_;       ///< angular accelerations, in world axes (N)
+  std::vector<typename L::Point> center_pull_;  ///< accelerations of the centers of mass (N)
+  chain::Placement<L> previous_;
+  solve::EnergyFlows flows_;
+  Status status_ = Status::NotRun;
+};
+
+}  // namespace plastica

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "plastica/run/chain_body.hpp"
+#include "plastica/solve/motion_options.hpp"
+#include "plastica/solve/segment_motion.hpp"
+
+/// How a motion is solved, and what it begins with.
+namespace plastica {
+
+template <class L, bool kElastic>
+solve::MotionOptions motion_options(const ChainBody<L, kElastic>& body) {
+  const SolverOptions& solver = body.model.options;
+  solve::MotionOptions options;
+  options.newton.most_iterations = std::min(solver.most_iterations, solve::kMostIterations);
+  options.newton.tolerance = solver.tolerance;
+  options.scheme = solver.scheme;
+  options.rho_infinity = solver.rho_infinity;
+  options.damping = solver.damping;
+  options.damping_time = solver.damping_time;
+  options.time_step = solver.time_step;
+  options.step_error = solver.step_error;
+  options.smallest_step = solver.smallest_step;
+  options.largest_turn = solver.largest_turn;
+  options.stops = body.model.stops;
+  options.recorded = body.model.recorded;
+  for (const auto& closure : body.build.chain.closures) {
+    options.restitution.push_back(body.model.scene.supports[closure.support].restitution);
+  }
+  return options;
+}
+
+/// The motions that the scene gives to segments, which joints and supports need not allow.
+/// @param motion  (N)
+template <class L, bool kElastic>
+void set_initial_motion(const ChainBody<L, kElastic>& body,
+                        std::vector<solve::SegmentMotion<L>>& motion) {
+  const chain::Layout& layout = body.model.layout;
+  const auto& chain = body.build.chain;
+  const auto& placement = body.work.placement;
+  const auto vector = [](const std::array<double, 3>& v) { return Vec<double, 3>{v}; };
+  motion.assign(chain.size(), {});
+  for (const InitialMotion& part : body.model.scene.initial_motions) {
+    const double from = share_of(part.from, layout.ends);
+    const double to = share_of(part.to, layout.ends);
+    const chain::SegmentPoint about =
+        chain::segment_point(layout, share_of(part.about, layout.ends));
+    const auto center = placement.point(about.segment, body.view.point(about.arm));
+    const auto velocity = body.view.point(vector(part.velocity));
+    const auto spin = body.view.spin(vector(part.spin));
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const double middle = 0.5 * (layout.ends[i] + layout.ends[i + 1]);
+      if (middle < from || middle > to) continue;
+      const auto arm = placement.point(i, chain.inertias[i].center) - center;
+      motion[i].velocity += velocity + L::spun(spin, arm);
+      motion[i].spin += transposed_times(L::axes(placement.frame[i]), spin);
+    }
+  }
+}
+
+}  // namespace plastica
