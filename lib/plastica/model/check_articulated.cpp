@@ -43,6 +43,7 @@ bool can_break(const Scene& scene) {
 
 void check_articulated(const Scene& scene, const SolverOptions& options, const LevelChoice& level) {
   if (options.analysis != Analysis::Dynamics || !is_articulated(options.scheme)) return;
+  static_cast<void>(resolved(options.isa));
   check_support(scene);
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
     if (scene.loads[i].follows) {

@@ -1,11 +1,12 @@
 #include "plastica/run/batch.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <mutex>
 #include <utility>
 
 #include "plastica/base/parallel_for.hpp"
+#include "plastica/run/lane_pool.hpp"
+#include "plastica/run/parameters.hpp"
 
 namespace plastica {
 namespace {
@@ -25,36 +26,17 @@ class Progress {
   std::size_t finished_ = 0;
 };
 
-/// Time that this thread has computed for so far [s]: what else the machine does is not counted.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 double timed_run(const Model& model, Workspace& workspace, Response& response) {
   const double begin = thread_seconds();
   run(model, {}, workspace, response);
   return thread_seconds() - begin;
 }
 
-}  // namespace
-
-BatchRow run_case(const BatchCase& one) {
-  BatchRow row;
-  row.id = one.id;
+/// Fills a row, or leaves in it why there is no response.
+template <class Work>
+void guarded(BatchRow& row, const Work& work) {
   try {
-    const Model model = prepare(one.scene, one.options);
-    row.level = model.level;
-    row.response = make_response(model);
-    Workspace workspace = make_workspace(model);
-    workspace.on_break = one.on_break;
-    double seconds = timed_run(model, workspace, row.response);
-    for (int i = 0; i < one.timed_runs; ++i) {
-      const double again = timed_run(model, workspace, row.response);
-      seconds = i == 0 ? again : std::min(seconds, again);  // the first run warms up
-    }
-    row.response.seconds = seconds;
+    work();
   } catch (const InputError& error) {
     row.response.status = Status::Rejected;
     row.reason = error.what();
@@ -63,17 +45,61 @@ BatchRow run_case(const BatchCase& one) {
     row.response = {};
     row.reason = error.what();
   }
+}
+
+void run_alone(const BatchCase& one, const Model& model, BatchRow& row) {
+  Workspace workspace = make_workspace(model);
+  workspace.on_break = one.on_break;
+  double seconds = timed_run(model, workspace, row.response);
+  for (int i = 0; i < one.timed_runs; ++i) {
+    const double again = timed_run(model, workspace, row.response);
+    seconds = i == 0 ? again : std::min(seconds, again);  // the first run warms up
+  }
+  row.response.seconds = seconds;
+}
+
+/// Lays out a case, and runs it or lets it wait in the pool for others of its shape.
+void run_or_wait(std::size_t index, const BatchCase& one, LanePool& pool,
+                 const LanePool::Take& take) {
+  WaitingCase waiting;
+  waiting.index = index;
+  BatchRow& row = waiting.row;
+  row.id = one.id;
+  bool waits = false;
+  guarded(row, [&] {
+    waiting.model = std::make_unique<Model>(prepare(one.scene, one.options));
+    row.level = waiting.model->level;
+    row.response = make_response(*waiting.model);
+    waits = waiting.model->chain && has_lanes(*waiting.model->chain) && one.timed_runs == 0;
+    if (!waits) run_alone(one, *waiting.model, row);
+  });
+  if (!waits) {
+    take(index, std::move(row));
+    return;
+  }
+  pool.add(std::move(waiting), take);
+}
+
+}  // namespace
+
+BatchRow run_case(const BatchCase& one) {
+  BatchRow row;
+  row.id = one.id;
+  guarded(row, [&] {
+    const Model model = prepare(one.scene, one.options);
+    row.level = model.level;
+    row.response = make_response(model);
+    run_alone(one, model, row);
+  });
   return row;
 }
 
 std::vector<BatchRow> run_batch(std::span<const BatchCase> cases, const BatchOptions& options) {
   std::vector<BatchRow> rows(cases.size());
   for (std::size_t i = 0; i < cases.size(); ++i) rows[i].id = cases[i].id;
-  Progress progress(options);
-  parallel_for(cases.size(), {options.threads, options.stop}, [&](std::size_t i, int) {
-    rows[i] = run_case(cases[i]);
-    progress.one_more();
-  });
+  run_batch(
+      cases.size(), [&](std::size_t i) { return cases[i]; },
+      [&](std::size_t i, BatchRow&& row) { rows[i] = std::move(row); }, options);
   return rows;
 }
 
@@ -82,20 +108,29 @@ void run_batch(std::size_t cases, const std::function<BatchCase(std::size_t)>& m
                const BatchOptions& options) {
   Progress progress(options);
   std::mutex taking;
-  parallel_for(cases, {options.threads, options.stop}, [&](std::size_t i, int) {
-    BatchRow row;
-    try {
-      row = run_case(make(i));
-    } catch (const InputError& error) {
-      row.response.status = Status::Rejected;
-      row.reason = error.what();
-    }
+  const LanePool::Take hand_over = [&](std::size_t i, BatchRow&& row) {
     {
       const std::lock_guard lock(taking);
       take(i, std::move(row));
     }
     progress.one_more();
+  };
+  std::vector<LanePool> pools(static_cast<std::size_t>(resolved_threads(options.threads)));
+  parallel_for(cases, {options.threads, options.stop}, [&](std::size_t i, int worker) {
+    BatchRow rejected;
+    try {
+      run_or_wait(i, make(i), pools[static_cast<std::size_t>(worker)], hand_over);
+      return;
+    } catch (const InputError& error) {
+      rejected.response.status = Status::Rejected;
+      rejected.reason = error.what();
+    }
+    hand_over(i, std::move(rejected));
   });
+  if (options.stop != nullptr && *options.stop) return;
+  LanePool rest;
+  for (LanePool& pool : pools) rest.merge(std::move(pool), hand_over);
+  rest.finish(hand_over);
 }
 
 std::vector<Response> run_batch(const Model& model, std::span<const double> values,
@@ -107,10 +142,33 @@ std::vector<Response> run_batch(const Model& model, std::span<const double> valu
   }
   std::vector<Response> responses(cases);
   Progress progress(options);
+  const auto values_of = [&](std::size_t i) { return values.subspan(i * width, width); };
+  if (model.chain && has_lanes(*model.chain)) {
+    const std::size_t together = make_lane_program(*model.chain)->width();
+    const Workspace hooks;
+    parallel_for((cases + together - 1) / together, {options.threads, options.stop},
+                 [&](std::size_t group, int) {
+                   std::vector<MaterialValues<double>> materials(together);
+                   std::vector<LaneCase> lanes;
+                   const std::size_t end = std::min(cases, (group + 1) * together);
+                   for (std::size_t i = group * together; i < end; ++i) {
+                     responses[i] = make_response(model);
+                     MaterialValues<double>& material = materials[i - group * together];
+                     if (!take_parameters(model, values_of(i), material)) {
+                       responses[i].status = Status::InvalidParameter;
+                       continue;
+                     }
+                     lanes.push_back({model.chain.get(), &material, &hooks, &responses[i]});
+                   }
+                   if (!lanes.empty()) make_lane_program(*model.chain)->run(lanes);
+                   for (std::size_t i = group * together; i < end; ++i) progress.one_more();
+                 });
+    return responses;
+  }
   parallel_for(cases, {options.threads, options.stop}, [&](std::size_t i, int) {
     responses[i] = make_response(model);
     Workspace workspace = make_workspace(model);
-    run(model, values.subspan(i * width, width), workspace, responses[i]);
+    run(model, values_of(i), workspace, responses[i]);
     progress.one_more();
   });
   return responses;

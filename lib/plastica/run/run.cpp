@@ -7,6 +7,7 @@
 #include "plastica/coupon/material.hpp"
 #include "plastica/law/plastic_work.hpp"
 #include "plastica/run/chain_run.hpp"
+#include "plastica/run/parameters.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica {
@@ -170,9 +171,8 @@ bool begin(const Model& model, ParameterValues values, coupon::CouponMaterial<do
   response.event.reset();
   response.samples = 0;
   response.permanent_strain = 0.0;
-  MaterialValues<double> material = model.material;
-  set_parameters(model, values, material);
-  if (!valid(model, values, material)) {
+  MaterialValues<double> material;
+  if (!take_parameters(model, values, material)) {
     response.status = Status::InvalidParameter;
     return false;
   }
@@ -236,9 +236,8 @@ void sensitivity_chunk(const Model& model, ParameterValues values, std::size_t f
 void run_chain(const Model& model, ParameterValues values, Workspace& workspace,
                Response& response) {
   response.samples = 0;
-  MaterialValues<double> material = model.material;
-  set_parameters(model, values, material);
-  if (!valid(model, values, material)) {
+  MaterialValues<double> material;
+  if (!take_parameters(model, values, material)) {
     response.status = Status::InvalidParameter;
     return;
   }
@@ -251,6 +250,12 @@ bool stress_only(const Model& model) {
 }
 
 }  // namespace
+
+bool take_parameters(const Model& model, ParameterValues values, MaterialValues<double>& material) {
+  material = model.material;
+  set_parameters(model, values, material);
+  return valid(model, values, material);
+}
 
 void run(const Model& model, ParameterValues values, Workspace& workspace, Response& response) {
   assert(values.size() == model.parameters.size());
