@@ -98,6 +98,7 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
 
 template <class L, bool kElastic>
 void ChainBody<L, kElastic>::set_trial_strains() {
+  if (model.scene.yield_model == YieldModel::Elastic) return;
   for (std::size_t i = 0; i < trial.strain.size(); ++i) {
     const std::size_t joint = record.joint_of_node(i);
     if (joint == ChainRecord<L, kElastic>::kNone) continue;
@@ -116,6 +117,7 @@ const std::vector<JointAngles>& ChainBody<L, kElastic>::measured(const NodeStrai
 
 template <class L, bool kElastic>
 void ChainBody<L, kElastic>::accept_strains() {
+  if (model.scene.yield_model == YieldModel::Elastic) return;
   std::swap(strains.permanent, trial.permanent);
   std::swap(strains.accumulated, trial.accumulated);
   for (std::size_t i = 0; i < strains.strain.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -75,6 +76,10 @@ class ChainRecord {
   /// From now on shapes are worked out where a frame or a probe needs them; a run that ends early
   /// calls `shape_now` before `end_frames`.
   void shapes_on_demand() { on_demand_ = true; }
+  /// Whether a sample, written on demand, needs to know what joints transmit.
+  bool needs_forces(std::size_t sample, const Response& response) const {
+    return probes_read_shape_ || probes_read_reactions_ || is_kept(sample, response.chain);
+  }
   void shape_now(const Work& w, const Joints& joints, const NodeStrains& strains) {
     set_shape(w, joints, strains);
   }
@@ -88,6 +93,9 @@ class ChainRecord {
   std::array<double, 6> reaction(const Work& w, std::size_t support) const;
 
  private:
+  static bool is_kept(std::size_t sample, const ChainHistory& history) {
+    return std::binary_search(history.frame_sample.begin(), history.frame_sample.end(), sample);
+  }
   Space joint_spin(const typename L::Spin& w) const { return in_double(view_.spin_in_space(w)); }
   Space in_space(const typename L::Point& p) const { return in_double(view_.point_in_space(p)); }
   double load_work(const chain::SegmentLoad<L>& load, const Work& w) const;
@@ -148,6 +156,7 @@ class ChainRecord {
   ChainHistory shape_;  ///< of the sample that is being written, as one frame
   bool on_demand_ = false;
   bool probes_read_shape_ = false;
+  bool probes_read_reactions_ = false;
   bool begun_ = false;
   double time_ = 0.0;
   double external_ = 0.0;
@@ -176,6 +185,11 @@ void ChainRecord<L, kElastic>::prepare(const ChainModel& model, const chain::Vie
   size_shape(model, 1, shape_);
   probes_read_shape_ = std::any_of(model.scene.probes.begin(), model.scene.probes.end(),
                                    [](const Probe& probe) { return is_of_joint(probe.quantity); });
+  probes_read_reactions_ =
+      std::any_of(model.scene.probes.begin(), model.scene.probes.end(), [](const Probe& probe) {
+        return probe.quantity == ProbeQuantity::Reaction ||
+               probe.quantity == ProbeQuantity::ReactionMoment;
+      });
 }
 
 template <class L, bool kElastic>
@@ -307,11 +321,11 @@ void ChainRecord<L, kElastic>::write(const Work& w, const Joints& joints,
   out.time[sample] = w.time;
   out.factor[sample] = factor_at(w.time);
   out.energy[sample] = energies(w, joints);
-  const auto& frames = out.frame_sample;
-  const auto frame = std::lower_bound(frames.begin(), frames.end(), sample);
-  const bool kept = frame != frames.end() && *frame == sample;
+  const bool kept = is_kept(sample, out);
   if (kept || probes_read_shape_ || !on_demand_) set_shape(w, joints, strains);
   if (kept) {
+    const auto& frames = out.frame_sample;
+    const auto frame = std::lower_bound(frames.begin(), frames.end(), sample);
     keep_shape(static_cast<std::size_t>(frame - frames.begin()), out);
   }
   const auto& probes = model_->scene.probes;

@@ -110,10 +110,12 @@ class LaneGroup final : public LaneProgram {
     before_.copy_states(memory_);
     march(memory_, count_ == 1 ? kernels_.one : kernels_.many, stop, parts, step == last_step_);
     last_step_ = step;
+    memory_.add_up(not_finite_);
     for (std::size_t lane = 0; lane < count_; ++lane) {
       Scenario& scenario = scenarios_[lane];
       if (!scenario.running()) continue;
-      if (!holds(memory_, lane, step) && !retry(lane, stop, parts)) {
+      const bool held = not_finite_[lane] == Real(0) && turns_little(memory_, lane, step);
+      if (!held && !retry(lane, stop, parts)) {
         memory_.copy_lane(lane, before_, lane);
         scenario.stop(Status::NotConverged);
         continue;
@@ -128,10 +130,10 @@ class LaneGroup final : public LaneProgram {
     time_ = stop;
   }
 
-  /// Whether the steps of a memory's lane can be believed.
-  bool holds(const Memory& memory, std::size_t lane, double step) const {
+  /// Whether the steps of a memory's lane are short enough for how fast it turns.
+  bool turns_little(const Memory& memory, std::size_t lane, double step) const {
     const double most = scenarios_.front().model().options.largest_turn;
-    return memory.sum(Sums::FastestSpin, lane) * step <= most && memory.is_finite(lane);
+    return memory.sum(Sums::FastestSpin, lane) * step <= most;
   }
 
   /// Goes from the last stop with shorter steps, alone. @return whether it got there
@@ -144,7 +146,9 @@ class LaneGroup final : public LaneProgram {
       ++scenario.response().counters.cutbacks;
       alone_.copy_lane(0, before_, lane);
       march(alone_, kernels_.one, stop, parts * cut, false);
-      if (!holds(alone_, 0, (stop - time_) / (parts * cut))) continue;
+      alone_.add_up(not_finite_alone_);
+      if (not_finite_alone_[0] != Real(0)) continue;
+      if (!turns_little(alone_, 0, (stop - time_) / (parts * cut))) continue;
       memory_.copy_lane(lane, alone_, 0);
       last_step_ = 0.0;  // this lane aims anew, with the same bits for all others
       return true;
@@ -169,6 +173,7 @@ class LaneGroup final : public LaneProgram {
   Memory memory_;
   Memory before_;  ///< states at the last stop
   Memory alone_;   ///< of a lane that needs shorter steps
+  std::vector<Real> not_finite_, not_finite_alone_;
   bool loads_change_ = false;
   double time_ = 0.0;
   double last_step_ = 0.0;  ///< that the memory is aimed for; 0: none

@@ -81,13 +81,14 @@ class LaneMemory {
       sums_[Sums::FastestSpin * width_ + lane] = Real(0);
     }
   }
-  bool is_finite(std::size_t lane) const {
-    for (std::size_t i = 0; i < segments_; ++i) {
-      for (std::size_t field = 0; field < State::kCount; ++field) {
-        if (!std::isfinite(state_[index<State>(i, field, lane)])) return false;
+  /// Adds up what is not finite: nothing but zeros if all is (lanes).
+  void add_up(std::vector<Real>& not_finite) const {
+    not_finite.assign(width_, Real(0));
+    for (std::size_t k = 0; k < state_.size(); k += width_) {
+      for (std::size_t lane = 0; lane < width_; ++lane) {
+        not_finite[lane] += state_[k + lane] * Real(0);
       }
     }
-    return true;
   }
 
   /// Takes states and sums of a memory of the same layout.

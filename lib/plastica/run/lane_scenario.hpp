@@ -101,10 +101,10 @@ class LaneScenario {
   /// Writes a sample.
   /// @param moves  whether there were steps, so that accelerations are known
   void record(bool moves) {
-    if (moves) transmit();
+    Response& out = response();
+    if (moves && body_->record.needs_forces(out.samples, out)) transmit();
     body_->set_trial_strains();
     body_->accept_strains();
-    Response& out = response();
     if (out.samples == 0) {
       body_->record.begin_motion(body_->work, *body_->joints, motion_, kinetic());
     } else {
@@ -118,7 +118,10 @@ class LaneScenario {
   void finish(double seconds) {
     Response& out = response();
     out.status = status_;
-    if (!running()) body_->record.shape_now(body_->work, *body_->joints, body_->strains);
+    if (!running() && out.samples > 0) {
+      if (out.samples > 1) transmit();
+      body_->record.shape_now(body_->work, *body_->joints, body_->strains);
+    }
     body_->record.end_motion();
     body_->record.end_frames(out);
     out.ledger_error = ledger_error(std::span(out.chain.energy).first(out.samples));
