@@ -22,6 +22,13 @@ struct StepKernels {
   StepKernel<Beam> many;
 };
 
+/// Looks where beams are and what energies they have.
+template <class Beam>
+struct SightKernels {
+  void (*one)(const Beam& beam);
+  void (*many)(const Beam& beam);
+};
+
 /// Scenarios that `many` steps together.
 template <class Real>
 inline constexpr std::size_t kManyLanes = 64 / sizeof(Real);
@@ -30,6 +37,7 @@ template <class Real>
 struct KernelsOf {
   /// By order of the scheme less 1, and whether joints yield.
   StepKernels<PlanarBeam<Real>> planar[2][2];
+  SightKernels<PlanarBeam<Real>> planar_sight;
 };
 
 struct KernelTable {

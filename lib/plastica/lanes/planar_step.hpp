@@ -6,68 +6,13 @@
 #include "plastica/base/pack.hpp"
 #include "plastica/base/scalar.hpp"
 #include "plastica/base/sine_cosine.hpp"
+#include "plastica/lanes/entry.hpp"
 #include "plastica/lanes/planar_beam.hpp"
 
 /// Steps of planar beams that are held at their start alone, W at a time: the recursion of
 /// articulated bodies with joint springs implicit. README.md derives it.
 namespace plastica::lanes {
 PLASTICA_KERNELS_BEGIN
-
-/// How many numbers of the kernels' memory one S takes.
-template <class S>
-inline constexpr std::size_t kLanes = sizeof(S) / sizeof(real_t<S>);
-
-template <class S>
-[[gnu::always_inline]] inline S load_lanes(const real_t<S>* from) {
-  if constexpr (kLanes<S> == 1) {
-    return *from;
-  } else {
-    return S::load(from);
-  }
-}
-
-template <class S>
-[[gnu::always_inline]] inline void store_lanes(const S& value, real_t<S>* to) {
-  if constexpr (kLanes<S> == 1) {
-    *to = value;
-  } else {
-    value.store(to);
-  }
-}
-
-/// One entry of an array with `Fields::kCount` numbers an entry.
-template <class S, class Fields>
-class Entry {
- public:
-  using Real = real_t<S>;
-
-  [[gnu::always_inline]] Entry(Real* array, std::size_t index)
-      : at_(array + index * Fields::kCount * kLanes<S>) {}
-  [[gnu::always_inline]] S get(std::size_t field) const {
-    return load_lanes<S>(at_ + field * kLanes<S>);
-  }
-  [[gnu::always_inline]] void set(std::size_t field, const S& value) const {
-    store_lanes<S>(value, at_ + field * kLanes<S>);
-  }
-
- private:
-  Real* at_;
-};
-
-template <class S, class Fields>
-class ConstantEntry {
- public:
-  using Real = real_t<S>;
-
-  [[gnu::always_inline]] ConstantEntry(const Real* array, std::size_t index)
-      : at_(array + index * Fields::kCount * kLanes<S>) {}
-  [[gnu::always_inline]] S get(std::size_t field) const {
-    return load_lanes<S>(at_ + field * kLanes<S>);
-  }
-
- private:
-  const Real* at_;
-};
 
 /// The steps of one beam (of W).
 /// @tparam kOrder   1: linearly implicit Euler; 2: linearly implicit midpoint

@@ -53,6 +53,16 @@ constexpr bool is_of_joint(ProbeQuantity quantity) {
   }
 }
 
+/// Whether it is where a point is or how far its segment has turned.
+constexpr bool is_of_point(ProbeQuantity quantity) {
+  return quantity == ProbeQuantity::Displacement || quantity == ProbeQuantity::Rotation;
+}
+
+/// Whether it is a number of the whole scene that every sample has.
+constexpr bool is_of_all(ProbeQuantity quantity) {
+  return quantity == ProbeQuantity::Energy || quantity == ProbeQuantity::LoadFactor;
+}
+
 /// Which part of a vector a probe records. Joint quantities: bending about x, about y, torsion.
 enum class Component { X, Y, Z, Size };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "plastica/chain/build.hpp"
@@ -27,6 +28,12 @@ struct NodeStrains {
     accumulated.assign(nodes, {});
     strain.assign(nodes, 0.0);
   }
+};
+
+/// Energies at a sample that kernels have summed [J].
+struct GivenEnergies {
+  double elastic = 0.0;
+  double plastic = 0.0;
 };
 
 /// What a chain's unknowns mean in space, and what the loads have done: fills the response.
@@ -76,10 +83,13 @@ class ChainRecord {
   /// From now on shapes are worked out where a frame or a probe needs them; a run that ends early
   /// calls `shape_now` before `end_frames`.
   void shapes_on_demand() { on_demand_ = true; }
-  /// Whether a sample, written on demand, needs to know what joints transmit.
-  bool needs_forces(std::size_t sample, const Response& response) const {
-    return probes_read_shape_ || probes_read_reactions_ || is_kept(sample, response.chain);
+  /// Whether a sample, written on demand, needs the whole chain; else the points of probes and the
+  /// energies will do.
+  bool needs_chain(std::size_t sample, const Response& response) const {
+    return probes_read_chain_ || is_kept(sample, response.chain);
   }
+  /// Dynamics: energies of the next sample that are known already.
+  void give_energies(const GivenEnergies& energies) { given_ = energies; }
   void shape_now(const Work& w, const Joints& joints, const NodeStrains& strains) {
     set_shape(w, joints, strains);
   }
@@ -156,7 +166,8 @@ class ChainRecord {
   ChainHistory shape_;  ///< of the sample that is being written, as one frame
   bool on_demand_ = false;
   bool probes_read_shape_ = false;
-  bool probes_read_reactions_ = false;
+  bool probes_read_chain_ = false;  ///< more than where some points are
+  std::optional<GivenEnergies> given_{};
   bool begun_ = false;
   double time_ = 0.0;
   double external_ = 0.0;
@@ -185,10 +196,9 @@ void ChainRecord<L, kElastic>::prepare(const ChainModel& model, const chain::Vie
   size_shape(model, 1, shape_);
   probes_read_shape_ = std::any_of(model.scene.probes.begin(), model.scene.probes.end(),
                                    [](const Probe& probe) { return is_of_joint(probe.quantity); });
-  probes_read_reactions_ =
+  probes_read_chain_ =
       std::any_of(model.scene.probes.begin(), model.scene.probes.end(), [](const Probe& probe) {
-        return probe.quantity == ProbeQuantity::Reaction ||
-               probe.quantity == ProbeQuantity::ReactionMoment;
+        return !is_of_point(probe.quantity) && !is_of_all(probe.quantity);
       });
 }
 

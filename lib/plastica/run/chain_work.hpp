@@ -80,8 +80,13 @@ double ChainRecord<L, kElastic>::stored_energy(const Work& w, const Joints& join
 template <class L, bool kElastic>
 Energies ChainRecord<L, kElastic>::energies(const Work& w, const Joints& joints) const {
   Energies sum;
-  sum.elastic = stored_energy(w, joints);
-  for (const S& work : joints.plastic_work()) sum.plastic += work;
+  if (given_) {
+    sum.elastic = given_->elastic;
+    sum.plastic = given_->plastic;
+  } else {
+    sum.elastic = stored_energy(w, joints);
+    for (const S& work : joints.plastic_work()) sum.plastic += work;
+  }
   if (motion_ == nullptr) {
     sum.external = external_;
   } else {
@@ -102,7 +107,7 @@ void ChainRecord<L, kElastic>::begin_motion(const Work& w, const Joints& joints,
                                             const std::vector<solve::SegmentMotion<L>>& motion,
                                             double kinetic) {
   set_motion(motion, kinetic, {});
-  energy_at_start_ = kinetic + stored_energy(w, joints);
+  energy_at_start_ = kinetic + (given_ ? given_->elastic : stored_energy(w, joints));
 }
 
 template <class L, bool kElastic>

@@ -25,7 +25,9 @@ class LaneGroup final : public LaneProgram {
       : order_(model.options.scheme == Scheme::ArticulatedEuler ? 1 : 2),
         kernels_(Form::template kernels<Real>(
             lanes::of_precision<Real>(lanes::kernels(resolved(model.options.isa))), order_,
-            model.scene.yield_model != YieldModel::Elastic)) {}
+            model.scene.yield_model != YieldModel::Elastic)),
+        sight_(Form::template sight<Real>(
+            lanes::of_precision<Real>(lanes::kernels(resolved(model.options.isa))))) {}
 
   std::size_t width() const override { return lanes::kManyLanes<Real>; }
 
@@ -35,10 +37,7 @@ class LaneGroup final : public LaneProgram {
     const ChainModel& model = *cases.front().model;
     for (std::size_t k = 0; k < model.stops.size() && any_runs(); ++k) {
       go_to(model.stops[k]);
-      if (!model.recorded[k]) continue;
-      for (Scenario& scenario : scenarios()) {
-        if (scenario.running()) scenario.record(true);
-      }
+      if (model.recorded[k]) record();
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
     for (Scenario& scenario : scenarios()) {
@@ -70,11 +69,31 @@ class LaneGroup final : public LaneProgram {
           loads_change_ || std::adjacent_find(f.begin(), f.end(), std::not_equal_to<>()) != f.end();
     }
     if (!loads_change_) set_loads(memory_, 0.0, model.stops.back());
+    if (loads_change_) set_loads(memory_, 0.0, 0.0);
+    record();
+  }
+
+  /// Writes a sample of all that run.
+  void record() {
+    look();
     for (std::size_t lane = 0; lane < count_; ++lane) {
-      if (!scenarios_[lane].running()) continue;
-      read(lane, 0.0);
-      scenarios_[lane].record(false);
+      Scenario& scenario = scenarios_[lane];
+      if (!scenario.running()) continue;
+      scenario.arrive(time_, memory_, lane, loads_change_, false);
+      scenario.record();
     }
+    sampled_.copy_states(memory_);
+    sampled_time_ = time_;
+  }
+
+  void look() { (count_ == 1 ? sight_.one : sight_.many)(memory_.beam(loads_change_)); }
+
+  /// Ends a lane where its last sample was.
+  void stop(std::size_t lane, Status status) {
+    memory_.copy_lane(lane, sampled_, lane);
+    look();
+    scenarios_[lane].arrive(sampled_time_, memory_, lane, loads_change_, true);
+    scenarios_[lane].stop(status);
   }
 
   /// The factors where a step's forces act: the mean over the step, or at its end.
@@ -103,31 +122,29 @@ class LaneGroup final : public LaneProgram {
     }
   }
 
-  void go_to(double stop) {
+  void go_to(double to) {
     const SolverOptions& options = scenarios_.front().model().options;
-    const double parts = std::max(1.0, std::ceil((stop - time_) / options.time_step - 1e-9));
-    const double step = (stop - time_) / parts;
+    const double parts = std::max(1.0, std::ceil((to - time_) / options.time_step - 1e-9));
+    const double step = (to - time_) / parts;
     before_.copy_states(memory_);
-    march(memory_, count_ == 1 ? kernels_.one : kernels_.many, stop, parts, step == last_step_);
+    march(memory_, count_ == 1 ? kernels_.one : kernels_.many, to, parts, step == last_step_);
     last_step_ = step;
     memory_.add_up(not_finite_);
     for (std::size_t lane = 0; lane < count_; ++lane) {
       Scenario& scenario = scenarios_[lane];
       if (!scenario.running()) continue;
       const bool held = not_finite_[lane] == Real(0) && turns_little(memory_, lane, step);
-      if (!held && !retry(lane, stop, parts)) {
-        memory_.copy_lane(lane, before_, lane);
-        scenario.stop(Status::NotConverged);
+      if (!held && !retry(lane, to, parts)) {
+        stop(lane, Status::NotConverged);
         continue;
       }
       auto& counters = scenario.response().counters;
       counters.steps += static_cast<int>(parts);
       counters.iterations += static_cast<int>(parts);
-      read(lane, stop);
       const auto& told = scenario.hooks().on_progress;
-      if (told && !told(stop)) scenario.stop(Status::Interrupted);
+      if (told && !told(to)) stop(lane, Status::Interrupted);
     }
-    time_ = stop;
+    time_ = to;
   }
 
   /// Whether the steps of a memory's lane are short enough for how fast it turns.
@@ -156,23 +173,16 @@ class LaneGroup final : public LaneProgram {
     return false;
   }
 
-  void read(std::size_t lane, double time) {
-    Scenario& scenario = scenarios_[lane];
-    for (std::size_t i = 0; i < scenario.chain().size(); ++i) {
-      scenario.read(memory_.state(i, lane), i);
-    }
-    const double work = memory_.sum(Sums::Loads, lane);
-    scenario.arrive(time, memory_.sum(Sums::Damping, lane), memory_.sum(Sums::Numerical, lane),
-                    loads_change_ ? &work : nullptr);
-  }
-
   int order_;
   const lanes::StepKernels<Beam>& kernels_;
+  const lanes::SightKernels<Beam>& sight_;
   std::vector<Scenario> scenarios_;
   std::size_t count_ = 0;  ///< of them that run
   Memory memory_;
-  Memory before_;  ///< states at the last stop
-  Memory alone_;   ///< of a lane that needs shorter steps
+  Memory before_;   ///< states at the last stop
+  Memory sampled_;  ///< and at the last sample
+  double sampled_time_ = 0.0;
+  Memory alone_;  ///< of a lane that needs shorter steps
   std::vector<Real> not_finite_, not_finite_alone_;
   bool loads_change_ = false;
   double time_ = 0.0;

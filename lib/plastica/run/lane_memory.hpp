@@ -19,6 +19,7 @@ class LaneMemory {
   using Load = typename Form::Load;
   using State = typename Form::State;
   using Sums = typename Form::Sums;
+  using Sight = typename Form::Sight;
   using Scenario = LaneScenario<Form>;
 
   /// Lays out `width` lanes; those beyond the scenarios are like the last one.
@@ -31,6 +32,7 @@ class LaneMemory {
     state_ = AlignedNumbers<Real>(segments_ * State::kCount * width);
     work_ = AlignedNumbers<Real>(segments_ * Form::Work::kCount * width);
     sums_ = AlignedNumbers<Real>(Sums::kCount * width);
+    sight_ = AlignedNumbers<Real>(segments_ * Sight::kCount * width);
     for (std::size_t i = 0; i < segments_; ++i) {
       for (std::size_t lane = 0; lane < width; ++lane) {
         const auto state = of_lane(scenarios, lane).state(i);
@@ -62,7 +64,8 @@ class LaneMemory {
   typename Form::template Beam<Real> beam(bool counts_loads) {
     return {segments_,           kinds_.index(), kinds_.numbers().data(),
             load_forms_.index(), loads_.data(),  state_.data(),
-            work_.data(),        sums_.data(),   counts_loads};
+            work_.data(),        sums_.data(),   sight_.data(),
+            counts_loads};
   }
 
   std::array<double, State::kCount> state(std::size_t i, std::size_t lane) const {
@@ -71,6 +74,13 @@ class LaneMemory {
       state[field] = static_cast<double>(state_[index<State>(i, field, lane)]);
     }
     return state;
+  }
+  std::array<double, Sight::kCount> sight(std::size_t i, std::size_t lane) const {
+    std::array<double, Sight::kCount> sight{};
+    for (std::size_t field = 0; field < Sight::kCount; ++field) {
+      sight[field] = static_cast<double>(sight_[index<Sight>(i, field, lane)]);
+    }
+    return sight;
   }
   double sum(std::size_t field, std::size_t lane) const {
     return static_cast<double>(sums_[field * width_ + lane]);
@@ -159,7 +169,7 @@ class LaneMemory {
   std::size_t histories_ = 0;
   SharedEntries<Real> kinds_;
   SharedEntries<double> load_forms_;  ///< (histories x Load::kCount an entry)
-  AlignedNumbers<Real> loads_, state_, work_, sums_;
+  AlignedNumbers<Real> loads_, state_, work_, sums_, sight_;
 };
 
 }  // namespace plastica

@@ -22,6 +22,7 @@ struct PlanarLanes {
   using State = lanes::PlanarState;
   using Work = lanes::PlanarWork;
   using Sums = lanes::PlanarSums;
+  using Sight = lanes::PlanarSight;
   template <class Real>
   using Beam = lanes::PlanarBeam<Real>;
 
@@ -29,6 +30,11 @@ struct PlanarLanes {
   static const lanes::StepKernels<Beam<Real>>& kernels(const lanes::KernelsOf<Real>& table,
                                                        int order, bool yields) {
     return table.planar[order - 1][yields ? 1 : 0];
+  }
+
+  template <class Real>
+  static const lanes::SightKernels<Beam<Real>>& sight(const lanes::KernelsOf<Real>& table) {
+    return table.planar_sight;
   }
 
   static std::array<double, Kind::kCount> kind(const Body& body, const GivenJoints<Level>& joints,
@@ -75,18 +81,32 @@ struct PlanarLanes {
   }
 
   /// Takes a joint's state into the chain.
-  /// @param turning  angular acceleration of the segment [rad/s^2]
   static void read(const std::array<double, State::kCount>& state, std::size_t i, Body& body,
                    GivenJoints<Level>& joints, const MaterialValues<double>& material,
-                   std::vector<solve::SegmentMotion<Level>>& motion, Level::Spin& turning) {
+                   Level::Spin& turning) {
     const double angle = state[State::Angle];
     body.work.q.angle[i] = {{angle}};
     joints.give(i, {{angle - state[State::Plastic]}},
-                state[State::Accumulated] > 0.0
-                    ? cap(body, joints.joints()[i].law, material) * state[State::Accumulated]
-                    : 0.0);
-    motion[i].spin = {{state[State::Rate] + (i == 0 ? 0.0 : motion[i - 1].spin[0])}};
+                plastic_work(state, joints.joints()[i].law, body, material));
     turning = {{state[State::Turning]}};
+  }
+
+  static double plastic_work(const std::array<double, State::kCount>& state, std::size_t part,
+                             const Body& body, const MaterialValues<double>& material) {
+    const double flowed = state[State::Accumulated];
+    return flowed > 0.0 ? flowed * cap(body, part, material) : 0.0;
+  }
+
+  /// Takes where a segment is.
+  static void place(const std::array<double, Sight::kCount>& sight, std::size_t i, Body& body) {
+    const Level::Point& start = body.build.chain.root.position;
+    body.work.placement.position[i] = start + Level::Point{{sight[Sight::X], sight[Sight::Y]}};
+    body.work.placement.frame[i] = {sight[Sight::Direction], sight[Sight::Cosine],
+                                    sight[Sight::Sine]};
+  }
+  /// How a segment turns, in its own axes.
+  static Level::Spin spin(const std::array<double, Sight::kCount>& sight) {
+    return {{sight[Sight::Spin]}};
   }
 
  private:

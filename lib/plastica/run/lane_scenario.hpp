@@ -49,6 +49,12 @@ class LaneScenario {
     laws_ = std::move(given);
     std::swap(body_->joints, laws_);
     turning_.assign(body_->build.chain.size(), {});
+    probed_.clear();
+    for (const Probe& probe : model_->scene.probes) {
+      if (!is_of_point(probe.quantity)) continue;
+      const double share = share_of(probe.at, model_->layout.ends);
+      probed_.push_back(chain::segment_point(model_->layout, share).segment);
+    }
     flows_ = {};
     status_ = status;
     return status;
@@ -68,47 +74,45 @@ class LaneScenario {
   bool running() const { return status_ == Status::Completed; }
   void stop(Status status) { status_ = status; }
 
-  /// Takes what the kernels say of a segment's joint.
-  void read(const std::array<double, Form::State::kCount>& state, std::size_t i) {
-    Form::read(state, i, *body_, *joints_, *case_.material, motion_, turning_[i]);
-  }
-
-  /// Places the chain where `read` has left its joints.
-  /// @param loads_work  counted by the kernels, or nothing: then it follows from the way
-  void arrive(double time, double damping, double numerical, const double* loads_work) {
+  /// Takes what the kernels' memory says of the time that it has come to: of the whole chain where
+  /// the next sample needs that, else of the points that probes are at.
+  /// @param loads_work  counted by the kernels; else it is that of loads that do not change
+  template <class Memory>
+  void arrive(double time, const Memory& memory, std::size_t lane, bool loads_work, bool whole) {
+    using Sums = typename Form::Sums;
     auto& work = body_->work;
-    const double before = work.time;
-    if (loads_work == nullptr) previous_ = work.placement;
     work.time = time;
-    chain::place<false>(chain(), work.q, time, work.placement);
-    for (std::size_t i = 0; i < chain().size(); ++i) {
-      work.angles[i] = work.q.angle[i];
-      for (std::size_t k = 0; k < L::kRotations; ++k) {
-        work.joints.force[i][k] =
-            joints_->section_forces()[i][body_->view.section_axes().rotation(k)];
+    kinetic_ = memory.sum(Sums::Kinetic, lane);
+    flows_.damping = memory.sum(Sums::Damping, lane);
+    flows_.numerical = memory.sum(Sums::Numerical, lane);
+    const double potential = memory.sum(Sums::Potential, lane);
+    if (time == 0.0) potential_ = potential;
+    flows_.external = loads_work ? memory.sum(Sums::Loads, lane) : potential - potential_;
+    GivenEnergies energies{memory.sum(Sums::Elastic, lane), 0.0};
+    if (yields()) {
+      for (std::size_t i = 0; i < motion_.size(); ++i) {
+        energies.plastic += Form::plastic_work(memory.state(i, lane), joints_->joints()[i].law,
+                                               *body_, *case_.material);
       }
     }
-    set_velocities();
-    flows_.damping = damping;
-    flows_.numerical = numerical;
-    if (loads_work != nullptr) {
-      flows_.external = *loads_work;
+    body_->record.give_energies(energies);
+    if (whole || yields() || body_->record.needs_chain(response().samples, response())) {
+      read_chain(memory, lane);
     } else {
-      add_loads_work(0.5 * (before + time));
+      for (const std::size_t i : probed_) Form::place(memory.sight(i, lane), i, *body_);
     }
   }
 
   /// Writes a sample.
-  /// @param moves  whether there were steps, so that accelerations are known
-  void record(bool moves) {
+  void record() {
     Response& out = response();
-    if (moves && body_->record.needs_forces(out.samples, out)) transmit();
+    if (out.samples > 0 && body_->record.needs_chain(out.samples, out)) transmit();
     body_->set_trial_strains();
     body_->accept_strains();
     if (out.samples == 0) {
-      body_->record.begin_motion(body_->work, *body_->joints, motion_, kinetic());
+      body_->record.begin_motion(body_->work, *body_->joints, motion_, kinetic_);
     } else {
-      body_->record.set_motion(motion_, kinetic(), flows_);
+      body_->record.set_motion(motion_, kinetic_, flows_);
     }
     body_->record.write(body_->work, *body_->joints, body_->strains, out.samples, out);
     out.chain.iterations[out.samples] = out.counters.iterations;
@@ -119,6 +123,7 @@ class LaneScenario {
     Response& out = response();
     out.status = status_;
     if (!running() && out.samples > 0) {
+      // What `arrive` has read for this is the last sample.
       if (out.samples > 1) transmit();
       body_->record.shape_now(body_->work, *body_->joints, body_->strains);
     }
@@ -150,35 +155,33 @@ class LaneScenario {
     return holds ? Status::Completed : Status::HeldTwice;
   }
 
-  double kinetic() const {
-    double energy = 0.0;
-    for (std::size_t i = 0; i < motion_.size(); ++i) {
-      energy += solve::kinetic_energy(chain().inertias[i], motion_[i]);
-    }
-    return energy;
-  }
+  bool yields() const { return model_->scene.yield_model != YieldModel::Elastic; }
 
-  void set_velocities() {
-    const auto& placement = body_->work.placement;
+  template <class Memory>
+  void read_chain(const Memory& memory, std::size_t lane) {
+    auto& work = body_->work;
+    auto& placement = work.placement;
+    const std::size_t n = motion_.size();
     typename L::Point velocity{};
-    for (std::size_t i = 0; i < motion_.size(); ++i) {
+    typename L::Frame near = chain().root.ground;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto& segment = chain().segments[i];
+      Form::read(memory.state(i, lane), i, *body_, *joints_, *case_.material, turning_[i]);
+      const auto sight = memory.sight(i, lane);
+      Form::place(sight, i, *body_);
       const auto& frame = placement.frame[i];
+      placement.near[i] = near;
+      placement.far[i] = L::then(frame, segment.inner);
+      near = L::then(frame, segment.outer);
+      motion_[i].spin = Form::spin(sight);
       const typename L::Spin spin = L::axes(frame) * motion_[i].spin;
       motion_[i].velocity = velocity + L::spun(spin, L::turn(frame, chain().inertias[i].center));
-      velocity += L::spun(spin, L::turn(frame, chain().segments[i].arm));
-    }
-  }
-
-  /// Of loads whose factors do not change.
-  void add_loads_work(double time) {
-    const auto& now = body_->work.placement;
-    for (const auto& load : chain().loads) {
-      const double factor = chain().histories[load.history].at(time);
-      const std::size_t i = load.segment;
-      const typename L::Point way = now.point(i, load.arm) - previous_.point(i, load.arm);
-      const typename L::Spin turn =
-          L::axes(previous_.frame[i]) * L::angle_from(previous_.frame[i], now.frame[i]);
-      flows_.external += factor * (dot(load.force, way) + dot(load.moment, turn));
+      velocity += L::spun(spin, L::turn(frame, segment.arm));
+      work.angles[i] = work.q.angle[i];
+      for (std::size_t k = 0; k < L::kRotations; ++k) {
+        work.joints.force[i][k] =
+            joints_->section_forces()[i][body_->view.section_axes().rotation(k)];
+      }
     }
   }
 
@@ -236,7 +239,9 @@ class LaneScenario {
   Motions motion_;
   std::vector<typename L::Spin> turning_;       ///< angular accelerations, in world axes (N)
   std::vector<typename L::Point> center_pull_;  ///< accelerations of the centers of mass (N)
-  chain::Placement<L> previous_;
+  std::vector<std::size_t> probed_;             ///< segments of points that probes are at
+  double kinetic_ = 0.0;                        ///< energy [J]
+  double potential_ = 0.0;                      ///< of the loads at time 0 [J]
   solve::EnergyFlows flows_;
   Status status_ = Status::NotRun;
 };

@@ -43,7 +43,7 @@ template <class Real>
 struct RandomBeams {
   std::size_t segments, width;
   std::vector<std::uint32_t> index;
-  Numbers<Real> kinds, loads, state, work, sums;
+  Numbers<Real> kinds, loads, state, work, sums, sight;
 
   RandomBeams(std::size_t n, std::size_t lanes, unsigned first_seed = 0)
       : segments(n),
@@ -52,7 +52,8 @@ struct RandomBeams {
         loads(n * PlanarLoad::kCount * lanes),
         state(n * PlanarState::kCount * lanes),
         work(n * PlanarWork::kCount * lanes),
-        sums(PlanarSums::kCount * lanes) {
+        sums(PlanarSums::kCount * lanes),
+        sight(n * PlanarSight::kCount * lanes) {
     for (std::size_t i = 0; i < n; ++i) index.push_back(static_cast<std::uint32_t>(i));
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       std::mt19937 random(first_seed + static_cast<unsigned>(lane));
@@ -73,7 +74,7 @@ struct RandomBeams {
 
   PlanarBeam<Real> beam() const {
     return {segments,     index.data(), kinds.data(), index.data(), loads.data(),
-            state.data(), work.data(),  sums.data(),  true};
+            state.data(), work.data(),  sums.data(),  sight.data(), true};
   }
 
  private:
