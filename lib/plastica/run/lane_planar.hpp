@@ -59,16 +59,21 @@ struct PlanarLanes {
     kind[Kind::Cap] = cap(body, joints.joints()[i].law, material);
     const bool welded = i == 0 && chain.root.welded[0];
     kind[Kind::Hold] = welded ? std::numeric_limits<double>::infinity() : 0.0;
+    for (double& number : kind) number = without_noise(number);
+    kind[Kind::Rest] = std::nearbyint(kind[Kind::Rest] * 0x1p50) * 0x1p-50;
     return kind;
   }
 
   /// Adds a load at a factor 1.
   static void add_load(const chain::SegmentLoad<Level>& load,
                        std::array<double, Load::kCount>& sum) {
-    sum[Load::ForceX] += load.force[0];
-    sum[Load::ForceY] += load.force[1];
-    sum[Load::LeverX] += load.arm[0] * load.force[0];
-    sum[Load::LeverY] += load.arm[0] * load.force[1];
+    const double lever = without_noise(load.arm[0]);
+    const double along = without_noise(load.force[0]);
+    const double across = without_noise(load.force[1]);
+    sum[Load::ForceX] += along;
+    sum[Load::ForceY] += across;
+    sum[Load::LeverX] += lever * along;
+    sum[Load::LeverY] += lever * across;
     sum[Load::Moment] += load.moment[0];
   }
 
@@ -110,6 +115,14 @@ struct PlanarLanes {
   }
 
  private:
+  /// To 40 bits: even segments differ by the rounding of where their ends are, and would be kinds
+  /// of their own.
+  static double without_noise(double number) {
+    int exponent = 0;
+    const double mantissa = std::frexp(number, &exponent);
+    return std::ldexp(std::nearbyint(mantissa * 0x1p40), exponent - 40);
+  }
+
   /// The moment at which a part's joints yield.
   static double cap(const Body& body, std::size_t part, const MaterialValues<double>& material) {
     if (body.model.scene.yield_model == YieldModel::Elastic) {
