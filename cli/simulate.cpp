@@ -13,6 +13,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/frequency_line.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/isa_option.hpp"
 #include "cli/motion_progress.hpp"
 #include "cli/response_bytes.hpp"
 #include "cli/run_files.hpp"
@@ -36,6 +37,7 @@ struct SimulateArguments {
   bool dry_run = false;
   bool force = false;
   bool quiet = false;
+  std::string isa;
   std::string command_line;
 };
 
@@ -148,11 +150,13 @@ int exit_code_of(const Response& response, const std::string& output) {
 
 int simulate_file(const SimulateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
-  const io::SceneFile file = io::read_scene_file(arguments.file);
+  io::SceneFile file = io::read_scene_file(arguments.file);
+  take_isa(arguments.isa, file.setup.solver);
   const Model model = prepare(file.setup.scene, file.setup.solver);
   if (arguments.dry_run) return print_dry_run(arguments, file.setup, model);
   check_outputs(arguments);
   io::RunMeta meta = io::begin_meta(arguments.command_line, 1);
+  meta.instruction_set = name_of(resolved(file.setup.solver.isa));
   Response response = make_response(model);
   Workspace workspace = make_workspace(model);
   if (is_motion(model)) {
@@ -186,6 +190,7 @@ void add_simulate(CLI::App& app, const std::string& command_line, Action& action
                   ".h5: the result file; .csv: the probes; - for the probes on the terminal")
       ->capture_default_str();
   sub->add_option("--json", arguments->json, "also write the summary for scripts");
+  add_isa_option(*sub, arguments->isa);
   sub->add_flag("--dry-run", arguments->dry_run, "only say what would run");
   sub->add_flag("--force", arguments->force, "overwrite the output");
   sub->add_flag("--quiet", arguments->quiet, "no summary");

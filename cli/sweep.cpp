@@ -12,6 +12,7 @@
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/isa_option.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/response_bytes.hpp"
 #include "cli/run_files.hpp"
@@ -37,6 +38,7 @@ struct SweepArguments {
   bool rerun_failed = false;
   bool force = false;
   bool quiet = false;
+  std::string isa;
   std::string command_line;
 };
 
@@ -115,12 +117,14 @@ void write_json(const std::string& path, const sweeps::SweepRecord& record) {
 int sweep_file(const SweepArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string output = output_of(arguments);
-  const sweeps::Sweep sweep = sweeps::read_sweep_file(arguments.file);
+  sweeps::Sweep sweep = sweeps::read_sweep_file(arguments.file);
+  take_isa(arguments.isa, sweep.setup.solver);
   if (!arguments.dry_run) check_outputs(arguments, output, sweep);
   sweeps::check_reference(sweep, sweeps::CaseTable(sweep));
   if (arguments.dry_run) return print_dry_run(sweep, output);
 
   io::RunMeta meta = io::begin_meta(arguments.command_line, arguments.threads);
+  meta.instruction_set = name_of(resolved(sweep.setup.solver.isa));
   const InterruptGuard interrupt;
   sweeps::SweepRunOptions how;
   how.journal = {io::journal_path(output), arguments.resume || arguments.rerun_failed,
@@ -172,6 +176,7 @@ void add_sweep(CLI::App& app, const std::string& command_line, Action& action) {
   sub->add_option("--threads", arguments->threads,
                   "0: as many as the machine has, or one where cases are timed")
       ->check(CLI::Range(0, 4096));
+  add_isa_option(*sub, arguments->isa);
   sub->add_flag("--dry-run", arguments->dry_run, "only say what would run");
   sub->add_flag("--resume", arguments->resume,
                 "run only what is missing or changed in an interrupted run, or in the output");

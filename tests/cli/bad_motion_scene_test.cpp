@@ -60,7 +60,8 @@ INSTANTIATE_TEST_SUITE_P(
                "6: solver.analysis = kinematics: must be one of statics, dynamics"),
         change("UnknownScheme", "duration", "scheme = 'verlet'\nduration",
                "7: solver.scheme = verlet: must be one of linearly_implicit_euler, "
-               "linearly_implicit_midpoint, generalized_alpha, energy_momentum"),
+               "linearly_implicit_midpoint, generalized_alpha, energy_momentum, articulated_euler, "
+               "articulated_midpoint"),
         change("StepOfZero", "duration", "time_step = '0 s'\nduration",
                "7: solver.time_step = 0 s: must be above 0 s"),
         change("StepWithoutUnit", "duration", "time_step = 0.001\nduration",

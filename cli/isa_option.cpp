@@ -1,0 +1,29 @@
+#include "cli/isa_option.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "plastica/base/check.hpp"
+
+namespace plastica::cli {
+
+void add_isa_option(CLI::App& sub, std::string& isa) {
+  const std::vector<std::string> words(kInstructionSets.begin(), kInstructionSets.end());
+  sub.add_option("--isa", isa,
+                 "vector instructions of articulated schemes, in place of solver.isa; each level "
+                 "has bits of its own")
+      ->check(CLI::IsMember(words));
+}
+
+void take_isa(const std::string& isa, SolverOptions& options) {
+  if (!isa.empty()) {
+    const auto word = std::find(kInstructionSets.begin(), kInstructionSets.end(), isa);
+    options.isa = static_cast<InstructionSet>(word - kInstructionSets.begin());
+  }
+  if (!has_instruction_set(options.isa)) {
+    throw InputError({}, isa.empty() ? "solver.isa" : "--isa", name_of(options.isa),
+                     "is not what this processor has");
+  }
+}
+
+}  // namespace plastica::cli
