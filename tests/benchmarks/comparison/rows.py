@@ -1,0 +1,191 @@
+"""The rows of the comparison: data. A new row is a line or two in ROWS."""
+
+import dataclasses
+import math
+import statistics
+
+from comparison.ours import segments_in
+
+# Seconds of performance tables measured elsewhere (W1, N = 64, error <= 0.5 %) over those of
+# `limit_step` of order 2 at 1 ms there: engines that Debian does not package, carried over.
+CARRIED = {"OpenSees 2-D": 0.27 / 1.3e-3, "dismech": 0.90 / 1.3e-3}
+
+
+@dataclasses.dataclass(frozen=True)
+class Ours:
+    """A counter of a benchmark: program, regular expression of its name. Of several matches the
+    least, among those whose counter `error` is at most `within`."""
+    program: str
+    name: str
+    counter: str = "time"
+    within: float = math.inf
+    threads: int = 1
+
+    def value(self, figures):
+        runs = figures.ours.of(self.program, self.name, self.threads).values()
+        found = [run[self.counter] for run in runs if run.get("error", 0.0) <= self.within]
+        return min(found) if found else None
+
+
+@dataclasses.dataclass(frozen=True)
+class Slope:
+    """Of log time over log N, by least squares over the matches."""
+    program: str
+    name: str
+    counter: str  # per segment: the slope of the whole is 1 more
+
+    def value(self, figures):
+        runs = figures.ours.of(self.program, self.name)
+        if len(runs) < 2:
+            return None
+        x = [math.log(segments_in(name)) for name in runs]
+        y = [math.log(run[self.counter]) for run in runs.values()]
+        return 1.0 + statistics.linear_regression(x, y).slope
+
+
+class Shared:
+    """A figure of the shared programs, as shared.Figures.of takes it, times `times`."""
+
+    def __init__(self, *what, times=1.0):
+        self.what, self.times = what, times
+
+    def value(self, figures):
+        value = figures.of(*self.what)
+        return None if value is None else self.times * value
+
+
+@dataclasses.dataclass(frozen=True)
+class Row:
+    group: str
+    what: str
+    figure: object
+    against: str = ""
+    other: object = None
+    inverse: bool = False  # ratio = theirs / ours: times as fast
+    want: str = ""
+    unit: str = "s"
+    brief: bool = False    # in README.md, too
+    share: float = 1.0     # ours is divided by it: points, specimens
+
+    def measure(self, figures):
+        figure = self.figure.value(figures)
+        figure = None if figure is None else figure / self.share
+        other = self.other.value(figures) if self.other else None
+        found = figure is not None and other is not None
+        ratio = None if not found else other / figure if self.inverse else figure / other
+        return {"group": self.group, "what": self.what, "figure": figure, "unit": self.unit,
+                "against": self.against, "other": other, "ratio": ratio, "want": self.want,
+                "brief": self.brief}
+
+
+STEP, STATICS, W1, W2, W3, W4, COUPON, FITS, ORDER = GROUPS = [
+    "A step of a chain in motion, per segment, N = 64",
+    "A Newton iteration at rest, per segment, N = 64",
+    "W1, one scenario, N = 64, within 0.5 %",
+    "W2, N = 32, within 0.1 %",
+    "W3, within 0.5 %",
+    "W4, a batch of W1, N = 32 at 1 ms, per scenario",
+    "A coupon's curve of 300 points",
+    "Fits of 300-point curves",
+    "Order in N: slope of log time over log N",
+]
+
+
+def step(level, scheme, segments="64"):
+    number = {"planar": 3, "spatial": 4}[level]
+    name = f"step/level:{number}/scheme:{scheme}/segments:{segments}"
+    return Ours("motion_benchmark", name, "per_segment_step")
+
+
+def iteration(level):
+    return Ours("chain_benchmark", f"{level}/64", "per_segment_iteration")
+
+
+def w1(level):
+    return Ours("workload_benchmark", f"w1/{level}/.*", within=0.005)
+
+
+def w2(level):
+    return Ours("workload_benchmark", f"w2/{level}/segments:32/.*", within=0.001)
+
+
+def w4(level, threads=1):
+    name = f"w4/{level}/.*midpoint/threads:{threads}/scenarios:.*/real_time"
+    return Ours("workload_benchmark", name, "per_scenario", threads=threads)
+
+
+def coupon(name):
+    return Ours("coupon_benchmark", name)
+
+
+SCALAR, LANES = "scalar double", "AVX512 double x2"
+EULER, MIDPOINT = 0, 1
+FIT = Ours("fit_benchmark", "batch_of_fits/1/real_time", "per_fit")
+TWO_THREADS = Ours("fit_benchmark", "batch_of_fits/2/real_time", "per_fit", threads=2)
+
+ROWS = [
+    Row(STEP, "planar, linearly implicit Euler", step("planar", EULER),
+        "limit_step, order 1", Shared("limit_step", 1, SCALAR), want="≤ 2"),
+    Row(STEP, "planar, linearly implicit midpoint", step("planar", MIDPOINT),
+        "limit_step, order 2", Shared("limit_step", 2, SCALAR), want="≤ 2", brief=True),
+    Row(STEP, "spatial, linearly implicit midpoint", step("spatial", MIDPOINT)),
+
+    Row(STATICS, "planar", iteration("planar_elastic"),
+        "limit, 3×3", Shared("limit", "unbatched double", 3), want="≤ 3", brief=True),
+    Row(STATICS, "spatial", iteration("spatial_elastic"),
+        "limit, 6×6", Shared("limit", "unbatched double", 6), want="≤ 4", brief=True),
+
+    Row(W1, "planar", w1("planar"), "MuJoCo hinges",
+        Shared("w1", "mujoco", "hinge_euler", 0.005), True, brief=True),
+    Row(W1, "planar", w1("planar"), "Bullet revolute", Shared("w1", "bullet", "rev", 0.005), True),
+    Row(W1, "planar", w1("planar"), "DART revolute", Shared("w1", "dart", "rev", 0.005), True),
+    Row(W1, "planar", w1("planar"), "Simbody pins", Shared("w1", "simbody", "pin_see", 0.005), True),
+    Row(W1, "planar", w1("planar"), "OpenSees 2-D, carried over",
+        Shared("limit_step", 2, SCALAR, times=64e3 * CARRIED["OpenSees 2-D"]), True, want="≥ 100",
+        brief=True),
+    Row(W1, "spatial", w1("spatial"), "Bullet spherical",
+        Shared("w1", "bullet", "sph", 0.005), True, brief=True),
+    Row(W1, "spatial", w1("spatial"), "DART balls", Shared("w1", "dart", "ball", 0.005), True),
+    Row(W1, "spatial", w1("spatial"), "dismech, carried over",
+        Shared("limit_step", 2, SCALAR, times=64e3 * CARRIED["dismech"]), True, want="≥ 40",
+        brief=True),
+
+    Row(W2, "planar", w2("planar"), "MuJoCo hinges", Shared("w2", "mujoco", "hinge_euler"), True,
+        want="≥ 5", brief=True),
+    Row(W2, "planar", w2("planar"), "DART revolute", Shared("w2", "dart", "rev"), True),
+    Row(W2, "spatial", w2("spatial"), "DART balls", Shared("w2", "dart", "ball"), True,
+        want="≥ 4", brief=True),
+    Row(W3, "planar, fibres, graded segments", Ours("workload_benchmark", "w3/.*", within=0.005),
+        want="≤ 0.2 ms", brief=True),
+
+    Row(W4, "planar", w4("planar"), "two threads", w4("planar", 2), True, want="≥ 1.95",
+        brief=True),
+    Row(W4, "spatial", w4("spatial"), "two threads", w4("spatial", 2), True, want="≥ 1.95"),
+    Row(W4, "planar", w4("planar"), "limit_step, order 2, lanes",
+        Shared("limit_step", 2, LANES, times=32e3)),
+
+    Row(COUPON, "ideal plastic, a point", coupon("evaluate/ideal"), share=300),
+    Row(COUPON, "linear hardening, a point", coupon("evaluate/linear"), share=300),
+    Row(COUPON, "Voce and Chaboche, a point", coupon("evaluate/voce"), share=300),
+    Row(COUPON, "ideal, with 2 derivatives", coupon("differentiate/ideal_two"), "without",
+        coupon("evaluate/ideal"), want="≤ 2"),
+    Row(COUPON, "linear, with 3 derivatives", coupon("differentiate/linear_three"), "without",
+        coupon("evaluate/linear"), want="≤ 2", brief=True),
+    Row(COUPON, "Voce, with 3 derivatives", coupon("differentiate/voce_three"), "without",
+        coupon("evaluate/voce"), want="≤ 2"),
+
+    Row(FITS, "E, σ_y, ε_break free, a fit", FIT, "two threads", TWO_THREADS, True, want="≤ 50 us",
+        brief=True),
+    Row(FITS, "cost evaluations a fit",
+        Ours("fit_benchmark", "batch_of_fits/1/real_time", "evaluations/fit"), unit=""),
+
+    Row(ORDER, "planar step, N = 64 … 4 096",
+        Slope("motion_benchmark", "step/level:3/scheme:1/segments:(64|256|1024|4096)",
+              "per_segment_step"), unit="", want="≤ 1.05"),
+    Row(ORDER, "planar iteration at rest, N = 64 … 4 096",
+        Slope("chain_benchmark", "planar_elastic/(64|256|1024|4096)", "per_segment_iteration"),
+        unit="", want="≤ 1.05"),
+    Row(ORDER, "spatial iteration at rest, N = 64 … 4 096",
+        Slope("chain_benchmark", "spatial_elastic/(64|256|1024|4096)", "per_segment_iteration"),
+        unit="", want="≤ 1.05"),
+]

@@ -1,0 +1,111 @@
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tests/support/released_cantilever.hpp"
+
+/// Runs each kernel a fixed number of times inside `measured`, and prints for each call of it the
+/// kernel's name and how many units (points, segments x steps, segments x iterations) it did.
+/// `check_instructions` counts the instructions of each call.
+namespace plastica {
+namespace {
+
+constexpr int kSegments = 64;
+constexpr int kSteps = 20;
+constexpr int kPoints = 300;
+
+/// The one function whose instructions are counted.
+[[gnu::noinline]] void measured(const std::function<void()>& kernel) {
+  kernel();
+  asm volatile("");  // not the last call: else it would be a jump, and `measured` not seen to end
+}
+
+/// A first call, which may lay out memory, and a counted one. @return the last response
+Response count(std::string_view name, const Setup& setup, double units_of_iteration = 0.0,
+               double units = 0.0) {
+  const Model model = prepare(setup.scene, setup.solver);
+  Workspace workspace = make_workspace(model);
+  Response response = make_response(model);
+  run(model, {}, workspace, response);
+  measured([&] { run(model, {}, workspace, response); });
+  if (response.status != Status::Completed) std::fputs("a kernel did not go to its end\n", stderr);
+  const double done = units_of_iteration * response.counters.iterations + units;
+  std::printf("%.*s %.17g\n", static_cast<int>(name.size()), name.data(), done);
+  return response;
+}
+
+Setup setup_of(Scene scene, Level level) {
+  Setup setup{std::move(scene), {}};
+  setup.solver.level = level;
+  setup.solver.frames = 1;
+  // valgrind knows no AVX-512.
+  set_field(setup, find_field("solver.isa"), std::string("avx2"));
+  return setup;
+}
+
+/// Newton iterations of a cantilever with a tip force of 2 EI/L^2.
+void count_iterations(std::string_view name, Level level, YieldModel model) {
+  Scene scene = testing::cantilever_scene(kSegments);
+  scene.yield_model = model;
+  scene.material.yield_stress = 1e12;
+  scene.loads.push_back({.force = {0.0, -2.0 * testing::bending_stiffness_of(scene), 0.0}});
+  testing::add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+  Setup setup = setup_of(scene, level);
+  setup.solver.steps = 4;
+  count(name, setup, kSegments);
+}
+
+/// Steps of the released cantilever.
+void count_steps(std::string_view name, Level level, Scheme scheme) {
+  Setup setup = setup_of(testing::released_cantilever(kSegments), level);
+  setup.solver.analysis = Analysis::Dynamics;
+  setup.solver.scheme = scheme;
+  setup.solver.time_step = 1e-3;
+  setup.solver.duration = kSteps * 1e-3;
+  setup.solver.steps = 1;
+  count(name, setup, 0.0, kSegments * kSteps);
+}
+
+Scene tension(HardeningLaw law) {
+  Scene scene;
+  scene.material.hardening.law = law;
+  scene.material.hardening.tangent_modulus = 1.2e9;
+  for (int i = 1; i <= kPoints; ++i) scene.drive.strain.push_back(0.05 * i / kPoints);
+  return scene;
+}
+
+void count_points(std::string_view name, HardeningLaw law) {
+  count(name, {tension(law), {}}, 0.0, kPoints);
+}
+
+/// Points with derivatives by E, yield stress and tangent modulus.
+void count_differentiated_points(std::string_view name) {
+  const std::vector<std::string> parameters{"youngs_modulus", "yield_stress", "tangent_modulus"};
+  const Model model = prepare(tension(HardeningLaw::Linear), {}, parameters);
+  Workspace workspace = make_workspace(model);
+  Response response = make_response(model);
+  Sensitivity sensitivity = make_sensitivity(model);
+  const std::vector<double> values{200e9, 300e6, 1.1e9};
+  measured([&] { run_sensitivity(model, values, workspace, response, sensitivity); });
+  std::printf("%.*s %d\n", static_cast<int>(name.size()), name.data(), kPoints);
+}
+
+void count_all() {
+  count_points("point_ideal", HardeningLaw::Ideal);
+  count_points("point_linear", HardeningLaw::Linear);
+  count_differentiated_points("point_linear_three_derivatives");
+  count_iterations("iteration_planar_elastic", Level::Planar, YieldModel::Elastic);
+  count_iterations("iteration_planar_per_axis", Level::Planar, YieldModel::PerAxis);
+  count_iterations("iteration_spatial_elastic", Level::Spatial, YieldModel::Elastic);
+  count_steps("step_planar_midpoint", Level::Planar, Scheme::LinearlyImplicitMidpoint);
+  count_steps("step_planar_energy_momentum", Level::Planar, Scheme::EnergyMomentum);
+  count_steps("step_spatial_midpoint", Level::Spatial, Scheme::LinearlyImplicitMidpoint);
+}
+
+}  // namespace
+}  // namespace plastica
+
+int main() { plastica::count_all(); }
