@@ -50,7 +50,7 @@ class Figures:
         gathered = {}
         for run in json.loads(text)["benchmarks"]:
             if run.get("error_occurred"):
-                self._miss(f"{program} {run['run_name']}: {run['error_message']}")
+                self._miss(f"{program} {pattern}: {run['error_message']}")
             elif run["run_type"] == "iteration":
                 gathered.setdefault(run["run_name"], []).append(self._counters(run, threads))
         return {name: {counter: statistics.median(one[counter] for one in all_of)

@@ -101,6 +101,7 @@ void count_all() {
   count_iterations("iteration_planar_per_axis", Level::Planar, YieldModel::PerAxis);
   count_iterations("iteration_spatial_elastic", Level::Spatial, YieldModel::Elastic);
   count_steps("step_planar_midpoint", Level::Planar, Scheme::LinearlyImplicitMidpoint);
+  count_steps("step_planar_articulated", Level::Planar, Scheme::ArticulatedMidpoint);
   count_steps("step_planar_energy_momentum", Level::Planar, Scheme::EnergyMomentum);
   count_steps("step_spatial_midpoint", Level::Spatial, Scheme::LinearlyImplicitMidpoint);
 }
