@@ -64,6 +64,7 @@ Normal keep_identified(const Misfit::Details& d, const std::vector<double>& size
   Normal normal = normal_matrices(d, columns, size, n);
   const auto keep = [&](const std::vector<Eigen::Index>& kept) {
     std::vector<std::size_t> left;
+    left.reserve(kept.size());
     for (const Eigen::Index k : kept) left.push_back(columns[static_cast<std::size_t>(k)]);
     columns = left;
     normal = normal.of(kept);
