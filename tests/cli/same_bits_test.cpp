@@ -67,8 +67,8 @@ TEST(SameBits, ComeOutForEveryOrderOfTargetsButInTheTextOfTheFitFile) {
 TEST(SameBits, AreNotFoundWhereAFitWasToldOtherwise) {
   const Workplace place;
   write_curves(place);
-  place.write("fit.toml", fit_file("'curve-1.csv'", "seed = 1"));
-  place.write("other.toml", fit_file("'curve-1.csv'", "seed = 2"));
+  place.write("fit.toml", fit_file("'curve-1.csv'", "algorithm = 'crs'\nseed = 1"));
+  place.write("other.toml", fit_file("'curve-1.csv'", "algorithm = 'crs'\nseed = 2"));
   ASSERT_EQ(place.run({"calibrate", "fit.toml", "--quiet"}).code, 0);
   ASSERT_EQ(place.run({"calibrate", "other.toml", "--quiet"}).code, 0);
   const CommandResult compared = compare_results(place, {}, {"fit.h5", "other.h5"});
