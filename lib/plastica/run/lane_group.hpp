@@ -68,8 +68,9 @@ class LaneGroup final : public LaneProgram {
       loads_change_ =
           loads_change_ || std::adjacent_find(f.begin(), f.end(), std::not_equal_to<>()) != f.end();
     }
-    if (!loads_change_) set_loads(memory_, 0.0, model.stops.back());
-    if (loads_change_) set_loads(memory_, 0.0, 0.0);
+    // Of all cases of a shape, or a case's bits would depend on its company.
+    counts_loads_ = loads_change_ || (!Form::kMomentsHavePotential && !model.scene.loads.empty());
+    set_loads(memory_, 0.0, loads_change_ ? 0.0 : model.stops.back());
     record();
   }
 
@@ -79,20 +80,20 @@ class LaneGroup final : public LaneProgram {
     for (std::size_t lane = 0; lane < count_; ++lane) {
       Scenario& scenario = scenarios_[lane];
       if (!scenario.running()) continue;
-      scenario.arrive(time_, memory_, lane, loads_change_, false);
+      scenario.arrive(time_, memory_, lane, counts_loads_, false);
       scenario.record();
     }
     sampled_.copy_states(memory_);
     sampled_time_ = time_;
   }
 
-  void look() { (count_ == 1 ? sight_.one : sight_.many)(memory_.beam(loads_change_)); }
+  void look() { (count_ == 1 ? sight_.one : sight_.many)(memory_.beam(counts_loads_)); }
 
   /// Ends a lane where its last sample was.
   void stop(std::size_t lane, Status status) {
     memory_.copy_lane(lane, sampled_, lane);
     look();
-    scenarios_[lane].arrive(sampled_time_, memory_, lane, loads_change_, true);
+    scenarios_[lane].arrive(sampled_time_, memory_, lane, counts_loads_, true);
     scenarios_[lane].stop(status);
   }
 
@@ -109,8 +110,8 @@ class LaneGroup final : public LaneProgram {
              bool aimed) const {
     const double step = (stop - time_) / parts;
     const auto steps = static_cast<std::size_t>(parts);
-    const Beam beam = memory.beam(loads_change_);
-    memory.reset_fastest();
+    const Beam beam = memory.beam(counts_loads_);
+    memory.reset_extremes();
     if (!loads_change_) {
       kernel(beam, step, steps, aimed);
       return;
@@ -150,6 +151,9 @@ class LaneGroup final : public LaneProgram {
   /// Whether the steps of a memory's lane are short enough for how fast it turns.
   bool turns_little(const Memory& memory, std::size_t lane, double step) const {
     const double most = scenarios_.front().model().options.largest_turn;
+    if constexpr (requires { Sums::LargestAngle; }) {
+      if (!(memory.sum(Sums::LargestAngle, lane) < Form::kLargestAngle)) return false;
+    }
     return memory.sum(Sums::FastestSpin, lane) * step <= most;
   }
 
@@ -185,6 +189,7 @@ class LaneGroup final : public LaneProgram {
   Memory alone_;  ///< of a lane that needs shorter steps
   std::vector<Real> not_finite_, not_finite_alone_;
   bool loads_change_ = false;
+  bool counts_loads_ = false;
   double time_ = 0.0;
   double last_step_ = 0.0;  ///< that the memory is aimed for; 0: none
 };

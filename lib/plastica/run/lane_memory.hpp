@@ -85,10 +85,13 @@ class LaneMemory {
   double sum(std::size_t field, std::size_t lane) const {
     return static_cast<double>(sums_[field * width_ + lane]);
   }
-  /// Forgets how fast segments have been.
-  void reset_fastest() {
+  /// Forgets how fast segments have been and how far joints have turned.
+  void reset_extremes() {
     for (std::size_t lane = 0; lane < width_; ++lane) {
       sums_[Sums::FastestSpin * width_ + lane] = Real(0);
+      if constexpr (requires { Sums::LargestAngle; }) {
+        sums_[Sums::LargestAngle * width_ + lane] = Real(0);
+      }
     }
   }
   /// Adds up what is not finite: nothing but zeros if all is (lanes).

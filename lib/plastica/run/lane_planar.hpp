@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "plastica/lanes/kernel_table.hpp"
-#include "plastica/law/uniaxial_material.hpp"
 #include "plastica/run/chain_body.hpp"
 #include "plastica/run/given_joints.hpp"
+#include "plastica/run/lane_numbers.hpp"
 
 namespace plastica {
 
@@ -25,6 +25,8 @@ struct PlanarLanes {
   using Sight = lanes::PlanarSight;
   template <class Real>
   using Beam = lanes::PlanarBeam<Real>;
+  /// Whether the work of a moment that does not change follows from where the beam is.
+  static constexpr bool kMomentsHavePotential = true;
 
   template <class Real>
   static const lanes::StepKernels<Beam<Real>>& kernels(const lanes::KernelsOf<Real>& table,
@@ -115,23 +117,8 @@ struct PlanarLanes {
   }
 
  private:
-  /// To 40 bits: even segments differ by the rounding of where their ends are, and would be kinds
-  /// of their own.
-  static double without_noise(double number) {
-    int exponent = 0;
-    const double mantissa = std::frexp(number, &exponent);
-    return std::ldexp(std::nearbyint(mantissa * 0x1p40), exponent - 40);
-  }
-
-  /// The moment at which a part's joints yield.
   static double cap(const Body& body, std::size_t part, const MaterialValues<double>& material) {
-    if (body.model.scene.yield_model == YieldModel::Elastic) {
-      return std::numeric_limits<double>::infinity();
-    }
-    const std::size_t axis = body.view.section_axes().rotation(0);
-    const chain::PartForm& form = body.parts[part];
-    const MaterialValues<double> values = part == 0 ? material : material_values(*form.material);
-    return form.form.modulus[axis] * law::uniaxial_material(form.form.axis[axis], values).yield;
+    return yield_moment(body, part, body.view.section_axes().rotation(0), material);
   }
 };
 
