@@ -51,8 +51,8 @@ template <class Register>
 template <class Register>
 [[gnu::always_inline]] inline Register square_root(const Register& x) {
 #if defined(__AVX512F__)
-  if constexpr (sizeof(x[0]) == 8) return (Register)_mm512_sqrt_pd((__m512d)x);
-  if constexpr (sizeof(x[0]) == 4) return (Register)_mm512_sqrt_ps((__m512)x);
+  if constexpr (sizeof(x[0]) == 8) return (Register)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);
+  if constexpr (sizeof(x[0]) == 4) return (Register)_mm512_maskz_sqrt_ps(0xffff, (__m512)x);
 #elif defined(__AVX__)
   if constexpr (sizeof(x[0]) == 8) return (Register)_mm256_sqrt_pd((__m256d)x);
   if constexpr (sizeof(x[0]) == 4) return (Register)_mm256_sqrt_ps((__m256)x);

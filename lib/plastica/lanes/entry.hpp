@@ -32,33 +32,34 @@ template <class S>
 }
 
 /// One entry of an array with `Fields::kCount` numbers an entry.
-template <class S, class Fields>
+/// @tparam kStride  from a lane's number to that of the next field: as many lanes as the memory has
+template <class S, class Fields, std::size_t kStride = kLanes<S>>
 class Entry {
  public:
   using Real = real_t<S>;
 
   [[gnu::always_inline]] Entry(Real* array, std::size_t index)
-      : at_(array + index * Fields::kCount * kLanes<S>) {}
+      : at_(array + index * Fields::kCount * kStride) {}
   [[gnu::always_inline]] S get(std::size_t field) const {
-    return load_lanes<S>(at_ + field * kLanes<S>);
+    return load_lanes<S>(at_ + field * kStride);
   }
   [[gnu::always_inline]] void set(std::size_t field, const S& value) const {
-    store_lanes<S>(value, at_ + field * kLanes<S>);
+    store_lanes<S>(value, at_ + field * kStride);
   }
 
  private:
   Real* at_;
 };
 
-template <class S, class Fields>
+template <class S, class Fields, std::size_t kStride = kLanes<S>>
 class ConstantEntry {
  public:
   using Real = real_t<S>;
 
   [[gnu::always_inline]] ConstantEntry(const Real* array, std::size_t index)
-      : at_(array + index * Fields::kCount * kLanes<S>) {}
+      : at_(array + index * Fields::kCount * kStride) {}
   [[gnu::always_inline]] S get(std::size_t field) const {
-    return load_lanes<S>(at_ + field * kLanes<S>);
+    return load_lanes<S>(at_ + field * kStride);
   }
 
  private:

@@ -4,6 +4,7 @@
 
 #include "plastica/base/instruction_set.hpp"
 #include "plastica/lanes/planar_beam.hpp"
+#include "plastica/lanes/spatial_beam.hpp"
 
 /// The kernels of one instruction set. Each set is a source file of its own (kernels_*.cpp) with
 /// the same templates in an inline namespace of its own.
@@ -38,6 +39,7 @@ struct KernelsOf {
   /// By order of the scheme less 1, and whether joints yield.
   StepKernels<PlanarBeam<Real>> planar[2][2];
   SightKernels<PlanarBeam<Real>> planar_sight;
+  StepKernels<SpatialBeam<Real>> spatial[2][2];
 };
 
 struct KernelTable {

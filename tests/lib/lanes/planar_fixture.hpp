@@ -2,40 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
 #include <random>
 #include <vector>
 
 #include "plastica/lanes/kernel_table.hpp"
+#include "tests/lib/lanes/memory.hpp"
 
 namespace plastica::lanes::testing {
-
-/// Numbers of lane `lane` of entry `entry`, field `field`.
-template <class Real>
-std::size_t place(std::size_t entry, std::size_t fields, std::size_t field, std::size_t width,
-                  std::size_t lane) {
-  return (entry * fields + field) * width + lane;
-}
-
-/// Memory of `width` beams, aligned for the kernels; zeros.
-template <class Real>
-class Numbers {
- public:
-  Numbers() = default;
-  explicit Numbers(std::size_t size)
-      : at_(static_cast<Real*>(std::aligned_alloc(64, (size * sizeof(Real) + 63) / 64 * 64))) {
-    for (std::size_t i = 0; i < size; ++i) at_[i] = Real(0);
-  }
-  Real* data() const { return at_.get(); }
-  Real& operator[](std::size_t i) const { return at_[i]; }
-
- private:
-  struct Free {
-    void operator()(Real* p) const { std::free(p); }
-  };
-  std::unique_ptr<Real[], Free> at_;
-};
 
 /// Beams of random numbers, every segment of a kind of its own; lane k of a wide one is the beam of
 /// seed k.
@@ -62,13 +35,13 @@ struct RandomBeams {
   }
 
   Real& kind(std::size_t i, std::size_t field, std::size_t lane = 0) const {
-    return kinds[place<Real>(i, PlanarKind::kCount, field, width, lane)];
+    return kinds[place(i, PlanarKind::kCount, field, width, lane)];
   }
   Real& load(std::size_t i, std::size_t field, std::size_t lane = 0) const {
-    return loads[place<Real>(i, PlanarLoad::kCount, field, width, lane)];
+    return loads[place(i, PlanarLoad::kCount, field, width, lane)];
   }
   Real& at(std::size_t i, std::size_t field, std::size_t lane = 0) const {
-    return state[place<Real>(i, PlanarState::kCount, field, width, lane)];
+    return state[place(i, PlanarState::kCount, field, width, lane)];
   }
   Real& sum(std::size_t field, std::size_t lane = 0) const { return sums[field * width + lane]; }
 

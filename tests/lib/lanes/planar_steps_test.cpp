@@ -12,16 +12,9 @@
 namespace plastica::lanes {
 namespace {
 
+using testing::levels;
 using testing::RandomBeams;
-
-std::vector<InstructionSet> levels() {
-  std::vector<InstructionSet> there;
-  for (const InstructionSet level :
-       {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
-    if (has_instruction_set(level)) there.push_back(level);
-  }
-  return there;
-}
+using testing::solved;
 
 using Plane = std::array<double, 2>;
 using Matrix = std::vector<std::vector<double>>;
@@ -30,23 +23,6 @@ double dot(const Plane& a, const Plane& b) { return a[0] * b[0] + a[1] * b[1]; }
 Plane across(const Plane& from, const Plane& to) { return {from[1] - to[1], to[0] - from[0]}; }
 void add(double factor, const Plane& v, Plane& sum) {
   for (std::size_t k = 0; k < 2; ++k) sum[k] += factor * v[k];
-}
-
-/// Of a symmetric positive definite matrix.
-std::vector<double> solved(Matrix a, std::vector<double> b) {
-  const std::size_t n = b.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t r = i + 1; r < n; ++r) {
-      const double factor = a[r][i] / a[i][i];
-      for (std::size_t c = i; c < n; ++c) a[r][c] -= factor * a[i][c];
-      b[r] -= factor * b[i];
-    }
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t c = i + 1; c < n; ++c) b[i] -= a[i][c] * b[c];
-    b[i] /= a[i][i];
-  }
-  return b;
 }
 
 /// Accelerations of the joints by the whole mass matrix, where the recursion never has one.
