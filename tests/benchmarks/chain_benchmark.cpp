@@ -1,18 +1,28 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <vector>
 
-#include "plastica/run/simulate.hpp"
+#include "plastica/law/fibre.hpp"
+#include "plastica/law/interaction.hpp"
 #include "tests/support/chain.hpp"
 
-/// What one Newton iteration of a chain costs per segment, by level and number of segments: the
-/// slope of log time over log N is 1 for an O(N) recursion. Figures come from one run each, so
+/// What one Newton iteration of a chain costs per segment, by level, law and number of segments:
+/// the slope of log time over log N is 1 for an O(N) recursion. Figures come from one run each, so
 /// compare ratios.
 namespace plastica {
 namespace {
 
 using testing::cantilever;
 using testing::SolvedChain;
+
+using Ideal = law::IdealPlastic<double>;
+
+/// Seconds per segment and iteration.
+void count(benchmark::State& state, double iterations, int segments) {
+  state.counters["per_segment_iteration"] = benchmark::Counter(
+      iterations * segments, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
 
 /// A bent elastic cantilever, solved from straight again and again.
 template <template <class> class Level, bool kElastic>
@@ -31,9 +41,7 @@ void newton_iteration(benchmark::State& state, const chain::View<Level<double>>&
     iterations += outcome.iterations + 1;
     benchmark::DoNotOptimize(outcome.imbalance);
   }
-  // Seconds per segment and iteration.
-  state.counters["per_segment_iteration"] = benchmark::Counter(
-      iterations * segments, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  count(state, iterations, segments);
 }
 
 void twist(benchmark::State& state) { newton_iteration<chain::Twist, false>(state, {}); }
@@ -48,25 +56,111 @@ BENCHMARK(planar_elastic)->RangeMultiplier(4)->Range(16, 4096);
 BENCHMARK(spatial)->RangeMultiplier(4)->Range(16, 4096);
 BENCHMARK(spatial_elastic)->RangeMultiplier(4)->Range(16, 4096);
 
-/// A whole path: a cantilever loaded to 1.2 x first yield and released, by yield model (40 steps).
-void bend_and_release(benchmark::State& state) {
-  Scene scene = cantilever(160, {0.0, -400.0, 0.0});
-  scene.yield_model = static_cast<YieldModel>(state.range(0));
-  // A fibre section has no cap of its own.
-  if (scene.yield_model != YieldModel::Fibre) scene.yield_cap = YieldCap::FullyPlastic;
-  scene.loads[0].history = History::turning_points({1.0, 0.0});
-  SolverOptions options;
-  options.steps = 40;
-  const Model model = prepare(scene, options);
-  Workspace workspace = make_workspace(model);
-  Response response = make_response(model);
-  for (auto _ : state) run(model, {}, workspace, response);
-  state.counters["iterations"] = response.counters.iterations;
+/// How far the loads go: over the caps, all joints yield in all that they bend and twist about. A
+/// spring beside each joint holds them then.
+enum Reach { kUnyielded, kYielded };
+constexpr double kSpring = 0.2;
+
+/// A bar bent and twisted evenly, solved to and fro between two loads, by a law.
+/// @param law_of  makes the law of a section's form
+template <class Law, class L, class LawOf>
+void bend_evenly(benchmark::State& state, const chain::View<L>& view, Reach reach,
+                 const LawOf& law_of) {
+  const auto segments = static_cast<int>(state.range(0));
+  Scene scene = cantilever(segments, {});
+  scene.section.height = 0.03;
+  const auto values = material_values(scene.material);
+  SolvedChain<L, false, Law> solved(scene, values, view, law_of, kSpring);
+  const law::SectionForm& form = solved.parts[0].form;
+  chain::SegmentLoad<L> load;
+  load.segment = solved.layout.size() - 1;
+  load.history = solved.build.chain.histories.size();
+  solved.build.chain.histories.push_back(History::ramp());
+  const double share = reach == kYielded ? 1.5 : 0.3;
+  for (std::size_t k = 0; k < L::kRotations; ++k) {
+    const std::size_t axis = view.section_axes().rotation(k);
+    load.moment[k] =
+        share * form.modulus[axis] * law::uniaxial_material(form.axis[axis], values).yield;
+  }
+  solved.build.chain.loads.push_back(load);
+  double iterations = 0.0;
+  bool there = true;
+  bool converged = true;
+  for (auto _ : state) {
+    there = !there;
+    solved.work.time = there ? 1.0 : 0.95;
+    const auto outcome = solve::equilibrate(solved.build.chain, *solved.joints, {}, solved.work);
+    iterations += outcome.iterations + 1;
+    converged = converged && outcome.converged;
+  }
+  if (!converged) state.SkipWithError("no equilibrium");
+  count(state, iterations, segments);
 }
-BENCHMARK(bend_and_release)
-    ->Arg(static_cast<int>(YieldModel::Elastic))
-    ->Arg(static_cast<int>(YieldModel::PerAxis))
-    ->Arg(static_cast<int>(YieldModel::Fibre));
+
+MaterialValues<double> steel() { return material_values(cantilever(1, {}).material); }
+
+template <class L>
+void elastic(benchmark::State& state, const chain::View<L>& view) {
+  using Law = law::ElasticSection<double>;
+  bend_evenly<Law>(state, view, kUnyielded, [](const law::SectionForm& form) {
+    return law::elastic_section(form, steel());
+  });
+}
+
+template <class L>
+void per_axis(benchmark::State& state, const chain::View<L>& view, Reach reach) {
+  bend_evenly<law::PerAxisSection<double, Ideal>>(state, view, reach, [](const auto& form) {
+    return law::per_axis_section<Ideal>(form, steel());
+  });
+}
+
+template <class L>
+void interaction(benchmark::State& state, const chain::View<L>& view, Reach reach) {
+  Section section = cantilever(1, {}).section;
+  section.height = 0.03;
+  const auto surface = law::gauge_form(section, YieldModel::Interaction, YieldCap::FirstYield,
+                                       Formulas::Mechanics);
+  law::with_gauge<double>(surface, [&](const auto& gauge) {
+    using Gauge = std::remove_cvref_t<decltype(gauge)>;
+    bend_evenly<law::InteractionSection<double, Gauge, Ideal>>(
+        state, view, reach, [&](const law::SectionForm& form) {
+          return law::interaction_section<Ideal>(form, gauge, steel());
+        });
+  });
+}
+
+/// 20 layers; in space a grid of 20 along the height.
+template <class L>
+void fibre20(benchmark::State& state, const chain::View<L>& view, Reach reach) {
+  Section section = cantilever(1, {}).section;
+  section.height = 0.03;
+  const auto plane = L::kRotations == 1 ? law::FibrePlane::AboutX : law::FibrePlane::Both;
+  law::FibreLayout layout;
+  bend_evenly<law::FibreSection<double, Ideal>>(
+      state, view, reach, [&](const law::SectionForm& form) {
+        layout = law::fibre_layout(section, form, plane, 20);
+        return law::fibre_section<Ideal>(layout, form, steel());
+      });
+  state.counters["fibres"] = static_cast<double>(layout.area.size());
+}
+
+const chain::View<chain::Planar<double>> kPlane{1};
+const chain::View<chain::Spatial<double>> kSpace{};
+
+void sizes(benchmark::internal::Benchmark* b) { b->Arg(64)->Arg(1024); }
+
+BENCHMARK_CAPTURE(elastic, planar, kPlane)->Apply(sizes);
+BENCHMARK_CAPTURE(per_axis, planar_unyielded, kPlane, kUnyielded)->Apply(sizes);
+BENCHMARK_CAPTURE(per_axis, planar_yielded, kPlane, kYielded)->Apply(sizes);
+BENCHMARK_CAPTURE(fibre20, planar_unyielded, kPlane, kUnyielded)->Apply(sizes);
+BENCHMARK_CAPTURE(fibre20, planar_yielded, kPlane, kYielded)->Apply(sizes);
+BENCHMARK_CAPTURE(elastic, spatial, kSpace)->Apply(sizes);
+BENCHMARK_CAPTURE(per_axis, spatial_unyielded, kSpace, kUnyielded)->Apply(sizes);
+BENCHMARK_CAPTURE(per_axis, spatial_yielded, kSpace, kYielded)->Apply(sizes);
+BENCHMARK_CAPTURE(interaction, spatial_unyielded, kSpace, kUnyielded)->Apply(sizes);
+BENCHMARK_CAPTURE(interaction, spatial_yielded, kSpace, kYielded)->Apply(sizes);
+BENCHMARK_CAPTURE(fibre20, spatial_unyielded, kSpace, kUnyielded)->Apply(sizes);
+BENCHMARK_CAPTURE(fibre20, spatial_yielded, kSpace, kYielded)->Apply(sizes);
 
 }  // namespace
 }  // namespace plastica

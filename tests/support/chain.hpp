@@ -15,7 +15,7 @@ namespace plastica::testing {
 
 /// A scene as a chain of a level and scalar, with the joints of a section law, ready to be solved.
 ///
-/// @tparam Law  ElasticSection<S> or PerAxisSection<S, …>
+/// @tparam Law  a section law; ElasticSection<S> and PerAxisSection<S, …> need no maker
 template <class L, bool kElastic, class Law>
 struct SolvedChain {
   using S = typename L::Scalar;
@@ -29,6 +29,14 @@ struct SolvedChain {
   /// @param material  numbers of the scene's material; lanes and derivatives go in here
   SolvedChain(const Scene& scene, const MaterialValues<S>& material,
               const chain::View<L>& view = {})
+      : SolvedChain(scene, material, view,
+                    [&](const law::SectionForm& form) { return make_law(form, material); }) {}
+
+  /// @param law_of  makes the law of a section's form
+  /// @param spring  beside each joint, as a share of its own stiffness [1]
+  template <class LawOf>
+  SolvedChain(const Scene& scene, const MaterialValues<S>& material, const chain::View<L>& view,
+              const LawOf& law_of, double spring = 0.0)
       : layout(chain::make_layout(scene)), parts(chain::part_forms(scene)) {
     build = chain::Builder<L>(scene, layout, view).build();
     const std::vector<std::size_t> part_of_segment(layout.size(), 0);
@@ -39,9 +47,14 @@ struct SolvedChain {
     const S length = constant<S>(scene.beam.length);
     build.chain.closure_stiffness = constant<S>(100) * stiffness / (length * length * length);
     build.chain.closure_turning_stiffness = constant<S>(100) * stiffness / length;
+    for (auto& joint : numbers) {
+      for (std::size_t k = 0; k < L::kRotations; ++k) {
+        const std::size_t axis = view.section_axes().rotation(k);
+        joint.spring[k] = constant<S>(spring) * joint.stiffness[axis] / joint.length[axis];
+      }
+    }
     joints = std::make_unique<chain::SectionJoints<L, kElastic, Law>>(
-        view.section_axes(), std::vector<Law>{make_law(parts[0].form, material)},
-        std::move(numbers));
+        view.section_axes(), std::vector<Law>{law_of(parts[0].form)}, std::move(numbers));
     work.resize(build.chain);
   }
 
