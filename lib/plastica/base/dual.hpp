@@ -3,25 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 
+#include "plastica/base/each_of.hpp"
 #include "plastica/base/scalar.hpp"
+#include "plastica/base/sine_cosine.hpp"
 
 namespace plastica {
-
-namespace detail {
-
-/// The array of f(0) … f(N-1). Written out rather than looped over: an array that a loop indexes
-/// stays in memory, and a dual number that does costs three times as much.
-template <std::size_t N, class F>
-[[gnu::always_inline]] inline auto each_of(const F& f) {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
-    return std::array{f(I)...};
-  }
-  (std::make_index_sequence<N>{});
-}
-
-}  // namespace detail
 
 /// A value and its derivatives by N parameters (forward differentiation); a scalar of kernels.
 ///
@@ -48,37 +35,36 @@ struct Dual {
 
   [[gnu::always_inline]] friend Dual operator+(const Dual& a, const Dual& b) {
     Dual c(a.value + b.value);
-    c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+    c.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
       return a.derivative[i] + b.derivative[i];
     });
     return c;
   }
   [[gnu::always_inline]] friend Dual operator-(const Dual& a, const Dual& b) {
     Dual c(a.value - b.value);
-    c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+    c.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
       return a.derivative[i] - b.derivative[i];
     });
     return c;
   }
   [[gnu::always_inline]] friend Dual operator*(const Dual& a, const Dual& b) {
     Dual c(a.value * b.value);
-    c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+    c.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
       return a.derivative[i] * b.value + a.value * b.derivative[i];
     });
     return c;
   }
   [[gnu::always_inline]] friend Dual operator/(const Dual& a, const Dual& b) {
     Dual c(a.value / b.value);
-    c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+    c.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
       return (a.derivative[i] - c.value * b.derivative[i]) / b.value;
     });
     return c;
   }
   [[gnu::always_inline]] friend Dual operator-(const Dual& a) {
     Dual c(-a.value);
-    c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
-      return -a.derivative[i];
-    });
+    c.derivative =
+        each_of<N>([&](std::size_t i) __attribute__((always_inline)) { return -a.derivative[i]; });
     return c;
   }
   Dual& operator+=(const Dual& b) { return *this = *this + b; }
@@ -104,7 +90,7 @@ template <class T, std::size_t N>
 [[gnu::always_inline]] inline Dual<T, N> select(const mask_t<T>& mask, const Dual<T, N>& a,
                                                 const Dual<T, N>& b) {
   Dual<T, N> c(select(mask, a.value, b.value));
-  c.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+  c.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
     return select(mask, a.derivative[i], b.derivative[i]);
   });
   return c;
@@ -119,7 +105,7 @@ template <class T, std::size_t N>
 template <class T, std::size_t N>
 inline Dual<T, N> sqrt(const Dual<T, N>& x) {
   Dual<T, N> root(sqrt(x.value));
-  root.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+  root.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
     return x.derivative[i] / (root.value + root.value);
   });
   return root;
@@ -128,17 +114,32 @@ inline Dual<T, N> sqrt(const Dual<T, N>& x) {
 template <class T, std::size_t N>
 inline Dual<T, N> exp(const Dual<T, N>& x) {
   Dual<T, N> power(exp(x.value));
-  power.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+  power.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
     return x.derivative[i] * power.value;
   });
   return power;
 }
 
 template <class T, std::size_t N>
+struct SineCosine<Dual<T, N>> {
+  Dual<T, N> sine, cosine;
+
+  explicit SineCosine(const Dual<T, N>& x) {
+    const SineCosine<T> at(x.value);
+    sine = Dual<T, N>(at.sine);
+    cosine = Dual<T, N>(at.cosine);
+    for (std::size_t i = 0; i < N; ++i) {
+      sine.derivative[i] = x.derivative[i] * at.cosine;
+      cosine.derivative[i] = -(x.derivative[i] * at.sine);
+    }
+  }
+};
+
+template <class T, std::size_t N>
 inline Dual<T, N> sin(const Dual<T, N>& x) {
   Dual<T, N> sine(sin(x.value));
   const T slope = cos(x.value);
-  sine.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+  sine.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
     return x.derivative[i] * slope;
   });
   return sine;
@@ -148,7 +149,7 @@ template <class T, std::size_t N>
 inline Dual<T, N> cos(const Dual<T, N>& x) {
   Dual<T, N> cosine(cos(x.value));
   const T slope = -sin(x.value);
-  cosine.derivative = detail::each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+  cosine.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
     return x.derivative[i] * slope;
   });
   return cosine;

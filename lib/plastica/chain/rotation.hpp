@@ -56,67 +56,103 @@ inline constexpr std::array<double, 11> kCotangent{1.0 / 12.0,
                                                    174611.0 / 802857662698291200000.0,
                                                    77683.0 / 14101100039391805440000.0};
 
+/// Of the derivative.
+inline constexpr std::array<double, 10> kCotangentSlope = [] {
+  std::array<double, 10> slope{};
+  for (std::size_t n = 0; n < slope.size(); ++n) {
+    slope[n] = kCotangent[n + 1] * static_cast<double>(n + 1);
+  }
+  return slope;
+}();
+
 }  // namespace detail
 
-/// The coefficients a, b, c above at x = |theta|^2, and dc/dx.
+/// The coefficients a, b above at x = |theta|^2.
 template <class S>
-struct RotationCoefficients {
-  S a, b, c, c_slope;
+struct ExponentialCoefficients {
+  S a, b;
 
-  explicit RotationCoefficients(const S& x) {
+  explicit ExponentialCoefficients(const S& x) {
     const S one = constant<S>(1);
     const S near = min(x, one);
     a = detail::polynomial(detail::kSinc, near);
     b = detail::polynomial(detail::kVersine, near);
+    const auto far = x > one;
+    if (!any(far)) return;
+    const ExponentialCoefficients beyond = at_angle(sqrt(max(x, one)));
+    a = select(far, beyond.a, a);
+    b = select(far, beyond.b, b);
+  }
+  /// By the formulas, for an angle t > 0.
+  static ExponentialCoefficients at_angle(const S& t) {
+    ExponentialCoefficients k;
+    const S sine = sin(constant<S>(0.5) * t) / t;
+    k.a = sin(t) / t;
+    k.b = constant<S>(2) * sine * sine;
+    return k;
+  }
+
+ private:
+  ExponentialCoefficients() = default;
+};
+
+/// The coefficient c above at x = |theta|^2, and dc/dx.
+template <class S>
+struct RotationCoefficients {
+  S c, c_slope;
+
+  explicit RotationCoefficients(const S& x) {
+    const S one = constant<S>(1);
+    const S near = min(x, one);
     c = detail::polynomial(detail::kCotangent, near);
-    c_slope = slope_of_series(near);
+    c_slope = detail::polynomial(detail::kCotangentSlope, near);
     const auto far = x > one;
     if (any(far)) take_far(far, max(x, one));
   }
 
  private:
-  static S slope_of_series(const S& x) {
-    constexpr std::size_t kTerms = detail::kCotangent.size();
-    S sum = constant<S>(detail::kCotangent[kTerms - 1] * static_cast<double>(kTerms - 1));
-    for (std::size_t n = kTerms - 1; n-- > 1;) {
-      sum = sum * x + constant<S>(detail::kCotangent[n] * static_cast<double>(n));
-    }
-    return sum;
-  }
-
   template <class Mask>
   void take_far(const Mask& far, const S& x) {
     const S one = constant<S>(1);
     const S half = constant<S>(0.5);
     const S t = sqrt(x);
-    const S cosine = cos(t);
-    const S sinc = sin(t) / t;
-    const S half_sine = sin(half * t);
-    const S versine = constant<S>(2) * half_sine * half_sine / x;
+    const auto [sinc, versine] = ExponentialCoefficients<S>::at_angle(t);
     const S cotangent = (one - half * sinc / versine) / x;
-    const S sinc_slope = half * (cosine - sinc) / x;
+    const S sinc_slope = half * (cos(t) - sinc) / x;
     const S versine_slope = half * (sinc - versine - versine) / x;
     const S ratio_slope = (sinc_slope * versine - sinc * versine_slope) / (versine * versine);
-    a = select(far, sinc, a);
-    b = select(far, versine, b);
     c = select(far, cotangent, c);
     c_slope = select(far, (-(half * ratio_slope) - cotangent) / x, c_slope);
   }
 };
 
+/// I + p [theta] + q [theta]^2.
+template <class S>
+inline Mat<S, 3, 3> turning_matrix(const Vec<S, 3>& theta, const S& p, const S& q) {
+  const S one = constant<S>(1);
+  const Vec<S, 3> turn = p * theta;
+  const S xx = theta[0] * theta[0];
+  const S yy = theta[1] * theta[1];
+  const S zz = theta[2] * theta[2];
+  const S xy = q * (theta[0] * theta[1]);
+  const S xz = q * (theta[0] * theta[2]);
+  const S yz = q * (theta[1] * theta[2]);
+  return {{one - q * (yy + zz), xy - turn[2], xz + turn[1],  //
+           xy + turn[2], one - q * (xx + zz), yz - turn[0],  //
+           xz - turn[1], yz + turn[0], one - q * (xx + yy)}};
+}
+
 /// exp(theta).
 template <class S>
 inline Mat<S, 3, 3> rotation_matrix(const Vec<S, 3>& theta) {
-  const RotationCoefficients<S> k(dot(theta, theta));
-  const Mat<S, 3, 3> turn = skew(theta);
-  return identity<S, 3>() + k.a * turn + k.b * (turn * turn);
+  const ExponentialCoefficients<S> k(dot(theta, theta));
+  return turning_matrix(theta, k.a, k.b);
 }
 
 /// T^-1(theta): d theta = T^-1 spin.
 template <class S>
 inline Mat<S, 3, 3> inverse_tangent_map(const Vec<S, 3>& theta, const RotationCoefficients<S>& k) {
-  const Mat<S, 3, 3> turn = skew(theta);
-  return identity<S, 3>() - constant<S>(0.5) * turn + k.c * (turn * turn);
+  return turning_matrix(theta, constant<S>(-0.5), k.c);
 }
 
 /// d(T^-T s)/d theta at constant s. T^-T s = s + 1/2 theta x s + c theta x (theta x s).
