@@ -37,29 +37,18 @@ inline Mat<S, 3, 3> inverse(const Mat<S, 3, 3>& m) {
 /// By its last three rows and columns first: stretch and shear, which always resist.
 template <class S>
 inline Mat<S, 6, 6> inverse(const Mat<S, 6, 6>& m) {
-  const auto block = [&](std::size_t row, std::size_t column) {
-    Mat<S, 3, 3> part;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) part(i, j) = m(row + i, column + j);
-    }
-    return part;
-  };
-  const Mat<S, 3, 3> inner = inverse(block(3, 3));
-  const Mat<S, 3, 3> across = block(0, 3) * inner;
-  const Mat<S, 3, 3> down = inner * block(3, 0);
-  const Mat<S, 3, 3> rest = inverse(block(0, 0) - across * block(3, 0));
+  const Mat<S, 3, 3> inner = inverse(block<3, 3>(m, 3, 3));
+  const Mat<S, 3, 3> across = block<3, 3>(m, 0, 3) * inner;
+  const Mat<S, 3, 3> down = inner * block<3, 3>(m, 3, 0);
+  const Mat<S, 3, 3> rest = inverse(block<3, 3>(m, 0, 0) - across * block<3, 3>(m, 3, 0));
   const Mat<S, 3, 3> right = rest * across;
   const Mat<S, 3, 3> left = down * rest;
   const Mat<S, 3, 3> last = inner + left * across;
   Mat<S, 6, 6> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      result(i, j) = rest(i, j);
-      result(i, 3 + j) = -right(i, j);
-      result(3 + i, j) = -left(i, j);
-      result(3 + i, 3 + j) = last(i, j);
-    }
-  }
+  put(result, 0, 0, rest);
+  put(result, 0, 3, -constant<S>(1) * right);
+  put(result, 3, 0, -constant<S>(1) * left);
+  put(result, 3, 3, last);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "plastica/base/matrix.hpp"
+#include "plastica/base/sine_cosine.hpp"
 #include "plastica/chain/rotation.hpp"
 
 /// The algebra of rigid motion at each level of modelling: what differs between a twisted, a
@@ -109,7 +110,10 @@ struct Planar {
     return {f.angle - g.angle, f.cosine * g.cosine + f.sine * g.sine,
             f.sine * g.cosine - f.cosine * g.sine};
   }
-  static Frame rotation(const Spin& theta) { return {theta[0], cos(theta[0]), sin(theta[0])}; }
+  static Frame rotation(const Spin& theta) {
+    const SineCosine<S> turned(theta[0]);
+    return {theta[0], turned.cosine, turned.sine};
+  }
   static Spin angle_from(const Frame& f, const Frame& g) { return {{g.angle - f.angle}}; }
   static Point spun(const Spin& w, const Point& arm) { return {{-(w[0] * arm[1]), w[0] * arm[0]}}; }
   static Spin moment(const Point& arm, const Point& force) {
@@ -176,11 +180,16 @@ struct Spatial {
   static Mat<S, 3, 3> turn_matrix(const Frame& f) { return f.axes; }
   static Mat<S, 3, 3> spun_by(const Point& arm) { return skew(-arm); }
   static Mat<S, 3, 3> moment_by(const Point& arm, const Point& force) {
-    return skew(force) * skew(arm);
+    Mat<S, 3, 3> by = outer(arm, force);
+    const S along = dot(arm, force);
+    for (std::size_t i = 0; i < 3; ++i) by(i, i) = by(i, i) - along;
+    return by;
   }
   static Mat<S, 3, 3> turned_by(const Spin& moment) { return skew(-moment); }
   static Spin turn_by(const Spin& spin, const Spin& theta) {
-    return theta + inverse_tangent_map(theta, RotationCoefficients<S>(dot(theta, theta))) * spin;
+    const RotationCoefficients<S> k(dot(theta, theta));
+    const Spin turned = cross(theta, spin);
+    return theta + spin - constant<S>(0.5) * turned + k.c * cross(theta, turned);
   }
   /// Cayley: g f^T = 1 + (skew(s) + skew(s)^2/2)/(1 + s^2/4), so its axial part over 1 + trace is
   /// s/4.

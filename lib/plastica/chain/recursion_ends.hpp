@@ -24,7 +24,17 @@ void Recursion<L, kElastic>::factor_root(const Chain<L>& chain, const mask_t<S>&
     if (chain.root.held[k]) root_inverse_(k, k) = constant<S>(0);
   }
   root_inverse_ = select(open, {}, root_inverse_);
-  note_pivot(root_inverse_, chain.closure_stiffness);
+  S softest = constant<S>(0);
+  for (const S& entry : root_inverse_.at) softest = max(abs(entry), softest);
+  const S one = constant<S>(1);
+  least_pivot_ = min(one / max(chain.closure_stiffness * softest, one), least_pivot_);
+}
+
+template <class L, bool kElastic>
+void Recursion<L, kElastic>::set_root_balance(const Chain<L>& chain, const Wrench<L>& w) {
+  for (std::size_t k = 0; k < kT; ++k) {
+    root_balance_[k] = chain.root.held[k] ? constant<S>(0) : w.force[k];
+  }
 }
 
 template <class L, bool kElastic>
@@ -38,16 +48,8 @@ void Recursion<L, kElastic>::sum(const Chain<L>& chain, const Coordinates<L>& q,
   for (std::size_t i = chain.size(); i-- > 0;) {
     w = w + outer_forces.wrench[i];
     transmitted.outer[i] = w;
-    Joint& joint = joints_[i];
-    const typename L::Point shift = kElastic ? q.shift[i] : typename L::Point{};
-    if (!stage.half_way) set_axes(placement.near[i], placement.far[i], shift, joint);
-    set_work(stage, i, joint);
-    Vec<S, kJ> carried = joint.work_spin * w.moment;
-    if constexpr (kElastic) carried += joint.work_shift * w.force;
-    balance_[i] = laws.force[i] - carried;
-    for (std::size_t k = 0; i == 0 && k < kR; ++k) {
-      if (chain.root.welded[k]) balance_[0][k] = constant<S>(0);
-    }
+    set_joint(q, placement, stage, i);
+    set_balance(chain, stage, laws.force[i], w, i);
     if (any(q.open[i])) {
       PieceStart start;
       start.joint = i;
@@ -60,9 +62,7 @@ void Recursion<L, kElastic>::sum(const Chain<L>& chain, const Coordinates<L>& q,
     }
     if (i > 0) w.moment += L::moment(at.position[i] - at.position[i - 1], w.force);
   }
-  for (std::size_t k = 0; k < kT; ++k) {
-    root_balance_[k] = chain.root.held[k] ? constant<S>(0) : w.force[k];
-  }
+  set_root_balance(chain, w);
 }
 
 /// Solves a piece at its start, in the lanes where one begins, and leaves nothing for the joint.
@@ -78,14 +78,10 @@ void Recursion<L, kElastic>::factor_piece(std::size_t i, const mask_t<S>& open,
   start.open = open;
   start.balance = {select(open, w.force, {}), select(open, w.moment, {})};
   Mat<S, kFree, kFree> m;
-  for (std::size_t k = 0; k < kR; ++k) {
-    for (std::size_t j = 0; j < kR; ++j) m(k, j) = a.rr(k, j);
-    for (std::size_t j = 0; j < kT; ++j) m(k, kR + j) = a.rt(k, j);
-  }
-  for (std::size_t k = 0; k < kT; ++k) {
-    for (std::size_t j = 0; j < kR; ++j) m(kR + k, j) = a.tr(k, j);
-    for (std::size_t j = 0; j < kT; ++j) m(kR + k, kR + j) = a.tt(k, j);
-  }
+  put(m, 0, 0, a.rr);
+  put(m, 0, kR, a.rt);
+  put(m, kR, 0, a.tr);
+  put(m, kR, kR, a.tt);
   start.inverse = inverse(select(open, m, identity<S, kFree>()));
   starts_.push_back(start);
   w = {select(open, {}, w.force), select(open, {}, w.moment)};
@@ -96,11 +92,13 @@ void Recursion<L, kElastic>::factor_piece(std::size_t i, const mask_t<S>& open,
   joint.inverse = select(open, {}, joint.inverse);
   joint.u_shift = select(open, {}, joint.u_shift);
   joint.u_spin = select(open, {}, joint.u_spin);
+  joint.give_shift = select(open, {}, joint.give_shift);
+  joint.give_spin = select(open, {}, joint.give_spin);
   balance_[i] = select(open, {}, balance_[i]);
 }
 
 template <class L, bool kElastic>
-void Recursion<L, kElastic>::solve(const RightSide<L, kElastic>& right, bool with_balance,
+void Recursion<L, kElastic>::solve(const RightSide<L>& right, bool with_balance,
                                    Solution<L, kElastic>& solution) {
   const std::size_t n = joints_.size();
   Wrench<L> b{};
@@ -108,9 +106,8 @@ void Recursion<L, kElastic>::solve(const RightSide<L, kElastic>& right, bool wit
   for (std::size_t i = n; i-- > 0;) {
     const Joint& joint = joints_[i];
     b = b + right.wrench[i];
-    Vec<S, kJ> rest = right.joint[i] + joint.work_spin * b.moment;
-    if constexpr (kElastic) rest += joint.work_shift * b.force;
-    if (with_balance) rest -= balance_[i];
+    JointVector rest = in_freedoms(joint, b);
+    if (with_balance) rest -= joint.lacks;
     // Between the two sweeps the solution holds D^-1 (P b - balance).
     const JointVector gives = joint.inverse * rest;
     solution.joint[i] = gives;
@@ -120,7 +117,7 @@ void Recursion<L, kElastic>::solve(const RightSide<L, kElastic>& right, bool wit
     }
     b.force -= joint.u_shift * gives;
     b.moment -= joint.u_spin * gives;
-    if (i > 0) b.moment += transposed_times(joint.work_by, b.force);
+    if (i > 0) b.moment += L::moment(joint.work_arm, b.force);
   }
   // The root's translations; the ground's own motion is given.
   typename L::Point lack =
@@ -132,12 +129,11 @@ void Recursion<L, kElastic>::solve(const RightSide<L, kElastic>& right, bool wit
   auto piece = starts_.rbegin();
   for (std::size_t i = 0; i < n; ++i) {
     const Joint& joint = joints_[i];
-    if (i > 0) motion.shift += joint.by * motion.spin;
-    const JointVector moved = solution.joint[i] - joint.inverse * (joint.v_spin * motion.spin +
-                                                                   joint.v_shift * motion.shift);
+    if (i > 0) motion.shift += L::spun(motion.spin, joint.arm);
+    JointVector moved =
+        solution.joint[i] - joint.give_spin * motion.spin - joint.give_shift * motion.shift;
+    move(joint, moved, motion);
     solution.joint[i] = moved;
-    motion.spin += joint.axes_spin * moved;
-    if constexpr (kElastic) motion.shift += joint.axes_shift * moved;
     if (piece != starts_.rend() && piece->joint == i) {
       motion = {select(piece->open, piece->motion.shift, motion.shift),
                 select(piece->open, piece->motion.spin, motion.spin)};

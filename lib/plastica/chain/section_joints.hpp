@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,18 +21,35 @@ template <class S>
 struct SectionAxes<Twist<S>> {
   static constexpr std::size_t kTwist = 2;
   std::size_t rotation(std::size_t /*k*/) const { return kTwist; }
+  /// Calls `use` with the number of the first rotation's strain as a constant.
+  template <class Use>
+  void with_first(const Use& use) const {
+    use(std::integral_constant<std::size_t, kTwist>{});
+  }
 };
 
 template <class S>
 struct SectionAxes<Planar<S>> {
   std::size_t bending = 0;  ///< 0: about x, 1: about y
   std::size_t rotation(std::size_t /*k*/) const { return bending; }
+  template <class Use>
+  void with_first(const Use& use) const {
+    if (bending == 0) {
+      use(std::integral_constant<std::size_t, 0>{});
+    } else {
+      use(std::integral_constant<std::size_t, 1>{});
+    }
+  }
   static constexpr std::size_t kAxialShift = 0;  ///< the shift along the beam
 };
 
 template <class S>
 struct SectionAxes<Spatial<S>> {
   std::size_t rotation(std::size_t k) const { return k; }
+  template <class Use>
+  void with_first(const Use& use) const {
+    use(std::integral_constant<std::size_t, 0>{});
+  }
   static constexpr std::size_t kAxialShift = 2;
 };
 
@@ -106,6 +124,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     for (const SectionJoint<L>& joint : joints_) {
       first_state_.push_back(states);
       states += states_of(laws_[joint.law]);
+      scales_.push_back(scale_of(joint));
     }
     before_.resize(states);
     after_.resize(states);
@@ -113,11 +132,13 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
 
   void evaluate(std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts,
                 JointForces<L, kElastic>& forces) override {
-    for (std::size_t j = 0; j < joints_.size(); ++j) {
-      const typename L::Point shift =
-          kElastic && j < shifts.size() ? shifts[j] : typename L::Point{};
-      evaluate_joint(j, angles[j], shift, forces);
-    }
+    axes_.with_first([&](auto first) {
+      for (std::size_t j = 0; j < joints_.size(); ++j) {
+        const typename L::Point shift =
+            kElastic && j < shifts.size() ? shifts[j] : typename L::Point{};
+        evaluate_joint<decltype(first)::value>(j, angles[j], shift, forces);
+      }
+    });
   }
 
   void commit() override {
@@ -147,12 +168,36 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     }
   }
 
+  /// What the numbers of a joint are multiplied by in each trial.
+  struct Scale {
+    law::SectionStrain<S> per_length;  ///< 1/l [1/m]
+    typename L::Spin rest;             ///< see `rest_of`; with the spring beside [N m/rad]
+    S axial_rest;                      ///< [N/m]
+  };
+
+  Scale scale_of(const SectionJoint<L>& joint) const {
+    Scale scale;
+    for (std::size_t k = 0; k < law::kSectionAxes; ++k) {
+      scale.per_length[k] = constant<S>(1) / joint.length[k];
+    }
+    for (std::size_t k = 0; k < kR; ++k) {
+      const std::size_t axis = axes_.rotation(k);
+      scale.rest[k] =
+          joint.spring[k] + rest_of(joint.acting[k] * joint.stiffness[axis], joint.length[axis]);
+    }
+    scale.axial_rest = rest_of(joint.stiffness[kAxial], joint.length[kAxial]);
+    return scale;
+  }
+
+  template <class Has>
   law::SectionResponse<S> respond_to(std::size_t j, const law::SectionStrain<S>& strain) {
     const Law& law = laws_[joints_[j].law];
     const auto* before = &before_[first_state_[j]];
     auto* after = &after_[first_state_[j]];
     if constexpr (kManyStates) {
       return respond(law, before, after, strain);
+    } else if constexpr (requires { respond(law, *before, *after, strain, Has{}); }) {
+      return respond(law, *before, *after, strain, Has{});
     } else {
       return respond(law, *before, *after, strain);
     }
@@ -166,36 +211,36 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     return constant<S>(kIsDouble<S> ? 1e-9 : 1e-4) * stiffness / length;
   }
 
+  /// @tparam First  number of the first rotation's strain
+  template <std::size_t First>
   void evaluate_joint(std::size_t j, const typename L::Spin& angle, const typename L::Point& shift,
                       JointForces<L, kElastic>& forces) {
     const SectionJoint<L>& joint = joints_[j];
+    const Scale& scale = scales_[j];
     law::SectionStrain<S> strain;
     for (std::size_t k = 0; k < kR; ++k) {
-      const std::size_t axis = axes_.rotation(k);
-      strain[axis] = joint.acting[k] * angle[k] / joint.length[axis];
+      strain[First + k] = joint.acting[k] * angle[k] * scale.per_length[First + k];
     }
     if constexpr (kElastic) {
-      strain[kAxial] = shift[SectionAxes<L>::kAxialShift] / joint.length[kAxial];
+      strain[kAxial] = shift[SectionAxes<L>::kAxialShift] * scale.per_length[kAxial];
     }
-    const law::SectionResponse<S> now = respond_to(j, strain);
+    const law::SectionResponse<S> now = respond_to<law::Components<First, kR, kElastic>>(j, strain);
     force_[j] = now.force;
-    const S energy_length = joint.length[axes_.rotation(0)];
+    const S energy_length = joint.length[First];
     elastic_[j] = energy_length * now.elastic_energy;
     work_[j] = energy_length * now.plastic_work;
 
     typename L::Spin moment;
     Mat<S, kR, kR> slope;
     for (std::size_t k = 0; k < kR; ++k) {
-      moment[k] = joint.acting[k] * now.force[axes_.rotation(k)] + joint.spring[k] * angle[k];
-      elastic_[j] = elastic_[j] + constant<S>(0.5) * joint.spring[k] * angle[k] * angle[k];
+      const S sprung = joint.spring[k] * angle[k];
+      moment[k] = joint.acting[k] * now.force[First + k] + sprung;
+      elastic_[j] = elastic_[j] + constant<S>(0.5) * sprung * angle[k];
       for (std::size_t m = 0; m < kR; ++m) {
-        const std::size_t axis = axes_.rotation(m);
-        slope(k, m) = joint.acting[k] * joint.acting[m] * now.tangent(axes_.rotation(k), axis) /
-                      joint.length[axis];
+        slope(k, m) = joint.acting[k] * joint.acting[m] * now.tangent(First + k, First + m) *
+                      scale.per_length[First + m];
       }
-      slope(k, k) = slope(k, k) + joint.spring[k] +
-                    rest_of(joint.acting[k] * joint.stiffness[axes_.rotation(k)],
-                            joint.length[axes_.rotation(k)]);
+      slope(k, k) = slope(k, k) + scale.rest[k];
     }
     // The map from d angle to the spins that the chain works with; see rotation.hpp.
     Mat<S, kR, kR> to_angle = identity<S, kR>();
@@ -212,20 +257,22 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
       for (std::size_t m = 0; m < kR; ++m) tangent(k, m) = slope(k, m);
     }
     if constexpr (kElastic) {
-      add_shifts(joint, shift, now, to_angle, j, force, tangent);
+      add_shifts<First>(shift, now, to_angle, j, force, tangent);
     }
   }
 
-  void add_shifts(const SectionJoint<L>& joint, const typename L::Point& shift,
-                  const law::SectionResponse<S>& now, const Mat<S, kR, kR>& to_angle, std::size_t j,
-                  Vec<S, kJ>& force, Mat<S, kJ, kJ>& tangent) {
+  template <std::size_t First>
+  void add_shifts(const typename L::Point& shift, const law::SectionResponse<S>& now,
+                  const Mat<S, kR, kR>& to_angle, std::size_t j, Vec<S, kJ>& force,
+                  Mat<S, kJ, kJ>& tangent) {
     constexpr std::size_t kAlong = SectionAxes<L>::kAxialShift;
+    const SectionJoint<L>& joint = joints_[j];
+    const Scale& scale = scales_[j];
     for (std::size_t k = 0; k < kT; ++k) {
-      const S shear = joint.shear_stiffness[k] / joint.length[kAxial];
+      const S shear = joint.shear_stiffness[k] * scale.per_length[kAxial];
       const bool along = k == kAlong;
       force[kR + k] = along ? now.force[kAxial] : shear * shift[k];
-      const S stretch = now.tangent(kAxial, kAxial) / joint.length[kAxial] +
-                        rest_of(joint.stiffness[kAxial], joint.length[kAxial]);
+      const S stretch = now.tangent(kAxial, kAxial) * scale.per_length[kAxial] + scale.axial_rest;
       tangent(kR + k, kR + k) = along ? stretch : shear;
       if (!along) {
         elastic_[j] = elastic_[j] + constant<S>(0.5) * shear * shift[k] * shift[k];
@@ -236,10 +283,9 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
       S down = constant<S>(0);
       S right = constant<S>(0);
       for (std::size_t m = 0; m < kR; ++m) {
-        const std::size_t axis = axes_.rotation(m);
-        const S scale = joint.acting[m] * to_angle(m, k);
-        down = down + scale * now.tangent(axis, kAxial) / joint.length[kAxial];
-        right = right + scale * now.tangent(kAxial, axis) / joint.length[axis];
+        const S part = joint.acting[m] * to_angle(m, k);
+        down = down + part * now.tangent(First + m, kAxial) * scale.per_length[kAxial];
+        right = right + part * now.tangent(kAxial, First + m) * scale.per_length[First + m];
       }
       tangent(k, kR + kAlong) = down;
       tangent(kR + kAlong, k) = right;
@@ -250,6 +296,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   std::vector<Law> laws_;
   std::shared_ptr<const void> kept_;
   std::vector<std::size_t> first_state_;             ///< of each joint (joints)
+  std::vector<Scale> scales_;                        ///< (joints)
   std::vector<typename Law::State> before_, after_;  ///< (states of all joints)
 };
 

@@ -35,7 +35,43 @@ struct Impedance {
   Mat<S, kT, kR> tr;
   Mat<S, kR, kT> rt;
   Mat<S, kR, kR> rr;
+
+  Impedance& operator+=(const Impedance& b) {
+    tt += b.tt;
+    tr += b.tr;
+    rt += b.rt;
+    rr += b.rr;
+    return *this;
+  }
 };
+
+/// m spun_by(arm), without the zeros of `spun_by`.
+template <class L, std::size_t R>
+Mat<typename L::Scalar, R, L::kRotations> times_spun_by(
+    const Mat<typename L::Scalar, R, L::kTranslations>& m, const typename L::Point& arm) {
+  Mat<typename L::Scalar, R, L::kRotations> product;
+  for (std::size_t i = 0; i < R; ++i) {
+    typename L::Point row;
+    for (std::size_t k = 0; k < L::kTranslations; ++k) row[k] = m(i, k);
+    const typename L::Spin turned = L::moment(arm, row);
+    for (std::size_t j = 0; j < L::kRotations; ++j) product(i, j) = turned[j];
+  }
+  return product;
+}
+
+/// spun_by(arm)^T m, likewise.
+template <class L, std::size_t C>
+Mat<typename L::Scalar, L::kRotations, C> spun_by_times(
+    const typename L::Point& arm, const Mat<typename L::Scalar, L::kTranslations, C>& m) {
+  Mat<typename L::Scalar, L::kRotations, C> product;
+  for (std::size_t j = 0; j < C; ++j) {
+    typename L::Point column;
+    for (std::size_t k = 0; k < L::kTranslations; ++k) column[k] = m(k, j);
+    const typename L::Spin turned = L::moment(arm, column);
+    for (std::size_t i = 0; i < L::kRotations; ++i) product(i, j) = turned[i];
+  }
+  return product;
+}
 
 /// Number of freedoms of a joint: its rotations, then, with elastic translation, its shifts.
 template <class L, bool kElastic>
@@ -98,6 +134,7 @@ struct Stage {
   Placement<L> placement;                   ///< means; frames are no rotations (N)
   std::vector<typename L::Point> shift;     ///< means, of elastic joints (N)
   std::vector<Mat<S, kR, kR>> to_joint;     ///< moments to the axes of each joint's step spin (N)
+  std::vector<Mat<S, kR, kR>> from_joint;   ///< and back (N)
   std::vector<Mat<S, kR, kR>> ground_axes;  ///< and of ground joints back to the world
 
   S share() const { return constant<S>(follows); }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "plastica/base/each_of.hpp"
 #include "plastica/law/plastic_work.hpp"
 #include "plastica/law/section_form.hpp"
 #include "plastica/law/section_response.hpp"
@@ -17,18 +18,21 @@ struct ElasticSection {
   struct State {};
 };
 
-template <class S>
+/// @param has  what of the strain there is
+template <class S, class Has = AllComponents>
 inline SectionResponse<S> respond(const ElasticSection<S>& law,
                                   const typename ElasticSection<S>::State& /*before*/,
                                   typename ElasticSection<S>::State& /*after*/,
-                                  const SectionStrain<S>& strain) {
+                                  const SectionStrain<S>& strain, Has /*has*/ = {}) {
   SectionResponse<S> now;
-  for (std::size_t i = 0; i < kSectionAxes; ++i) {
+  now.elastic_energy = constant<S>(0);
+  now.plastic_work = constant<S>(0);
+  for_each_of<kSectionAxes>([&](std::size_t i) __attribute__((always_inline)) {
+    if (!Has::has(i)) return;
     now.force[i] = law.stiffness[i] * strain[i];
     now.tangent(i, i) = law.stiffness[i];
-  }
-  now.elastic_energy = constant<S>(0.5) * dot(now.force, strain);
-  now.plastic_work = constant<S>(0);
+    now.elastic_energy = now.elastic_energy + constant<S>(0.5) * now.force[i] * strain[i];
+  });
   return now;
 }
 
@@ -36,37 +40,39 @@ inline SectionResponse<S> respond(const ElasticSection<S>& law,
 /// extreme fibre, on its own (see `SectionForm`).
 ///
 /// Work per length is force d(section strain) = (modulus/lever) stress d(strain of the fibre), so
-/// energies of the uniaxial law count with modulus/lever [m^2].
+/// energies of the uniaxial law count with modulus/lever, `area`.
 /// @tparam Uniaxial  IdealPlastic<S>, LinearHardening<S> or VoceChaboche<S>
 template <class S, class Uniaxial>
 struct PerAxisSection {
   std::array<Uniaxial, kSectionAxes> axis;
   std::array<S, kSectionAxes> lever;
   std::array<S, kSectionAxes> modulus;
+  std::array<S, kSectionAxes> area;      ///< modulus/lever [m^2]
+  std::array<S, kSectionAxes> softness;  ///< area/stiffness [m^2/Pa]
 
   struct State {
     std::array<typename Uniaxial::State, kSectionAxes> axis{};
   };
 };
 
-template <class S, class Uniaxial>
+/// @param has  what of the strain there is
+template <class S, class Uniaxial, class Has = AllComponents>
 inline SectionResponse<S> respond(const PerAxisSection<S, Uniaxial>& law,
                                   const typename PerAxisSection<S, Uniaxial>::State& before,
                                   typename PerAxisSection<S, Uniaxial>::State& after,
-                                  const SectionStrain<S>& strain) {
+                                  const SectionStrain<S>& strain, Has /*has*/ = {}) {
   SectionResponse<S> now;
   now.elastic_energy = constant<S>(0);
   now.plastic_work = constant<S>(0);
-  for (std::size_t i = 0; i < kSectionAxes; ++i) {
+  for_each_of<kSectionAxes>([&](std::size_t i) __attribute__((always_inline)) {
+    if (!Has::has(i)) return;
     const auto fibre = respond(law.axis[i], before.axis[i], S(law.lever[i] * strain[i]));
-    const S area = law.modulus[i] / law.lever[i];
     now.force[i] = law.modulus[i] * fibre.stress;
     now.tangent(i, i) = law.modulus[i] * law.lever[i] * fibre.tangent;
-    now.elastic_energy +=
-        constant<S>(0.5) * area * fibre.stress * fibre.stress / law.axis[i].stiffness;
-    now.plastic_work += area * plastic_work(law.axis[i], before.axis[i], fibre);
+    now.elastic_energy += constant<S>(0.5) * law.softness[i] * fibre.stress * fibre.stress;
+    now.plastic_work += law.area[i] * plastic_work(law.axis[i], before.axis[i], fibre);
     after.axis[i] = fibre.state;
-  }
+  });
   return now;
 }
 
@@ -91,6 +97,8 @@ inline PerAxisSection<S, Uniaxial> per_axis_section(const SectionForm& form,
     law.axis[i] = uniaxial_law<Uniaxial>(uniaxial_material(form.axis[i], material));
     law.lever[i] = constant<S>(form.lever[i]);
     law.modulus[i] = constant<S>(form.modulus[i]);
+    law.area[i] = law.modulus[i] / law.lever[i];
+    law.softness[i] = law.area[i] / law.axis[i].stiffness;
   }
   return law;
 }

@@ -33,4 +33,14 @@ struct SectionResponse {
   S plastic_work;             ///< of this increment per length [J/m]
 };
 
+/// The components of strain that a level has: some of bending and twist, and the axial one if it
+/// stretches. A law whose components do not know of each other leaves out the others, which are 0.
+template <std::size_t First, std::size_t Count, bool Axial>
+struct Components {
+  static constexpr bool has(std::size_t axis) {
+    return (axis >= First && axis < First + Count) || (Axial && axis == kSectionAxes - 1);
+  }
+};
+using AllComponents = Components<0, kSectionAxes, true>;
+
 }  // namespace plastica::law

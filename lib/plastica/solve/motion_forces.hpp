@@ -39,7 +39,9 @@ void MotionStep<L, kElastic>::set_stage() {
     mean.far[i] = L::mean(begin_.far[i], end.far[i]);
     mean.position[i] = half * (begin_.position[i] + end.position[i]);
     if constexpr (kElastic) stage.shift[i] = half * (q_begin_.shift[i] + w_.q.shift[i]);
-    stage.to_joint[i] = transpose(L::axes(begin_.near[i])) * L::work_to_joint(inner, step_[i].spin);
+    const auto axes = L::axes(begin_.near[i]);
+    stage.to_joint[i] = transpose(axes) * L::work_to_joint(inner, step_[i].spin);
+    stage.from_joint[i] = L::work_from_joint(inner, step_[i].spin) * axes;
     inner = step_[i].spin;
   }
   for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {

@@ -41,7 +41,7 @@ struct NewtonWork {
   std::vector<mask_t<S>> may_close;      ///< whether a one-sided one may
   bool closed_anew = false;              ///< whether one has just closed or opened
   std::vector<S> gap;                    ///< of each closure
-  chain::RightSide<L, kElastic> right;
+  chain::RightSide<L> right;
   /// Of the imbalance, of each closure, and of the time (1 + closures + 1).
   std::vector<chain::Solution<L, kElastic>> columns;
   SmallSystem<S> small;
@@ -79,6 +79,7 @@ struct NewtonWork {
     stage.placement.resize(n);
     stage.shift.assign(kElastic ? n : 0, {});
     stage.to_joint.assign(n, {});
+    stage.from_joint.assign(n, {});
     stage.ground_axes.assign(chain.ground_joints.size(), {});
     joints.force.assign(chain.joints(), {});
     joints.tangent.assign(chain.joints(), {});
