@@ -118,8 +118,8 @@ template <class L>
 void interaction(benchmark::State& state, const chain::View<L>& view, Reach reach) {
   Section section = cantilever(1, {}).section;
   section.height = 0.03;
-  const auto surface = law::gauge_form(section, YieldModel::Interaction, YieldCap::FirstYield,
-                                       Formulas::Mechanics);
+  const auto surface =
+      law::gauge_form(section, YieldModel::Interaction, YieldCap::FirstYield, Formulas::Mechanics);
   law::with_gauge<double>(surface, [&](const auto& gauge) {
     using Gauge = std::remove_cvref_t<decltype(gauge)>;
     bend_evenly<law::InteractionSection<double, Gauge, Ideal>>(
