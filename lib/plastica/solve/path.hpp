@@ -106,6 +106,8 @@ class PathWalker {
     previous_time_ = time_;
     time_ = w_.time;
     at_ = control_.value(w_.placement);
+    // Where nothing has flowed the laws are as they were in the last iteration.
+    factored_ = !observer_.yields();
     ++counters_.steps;
     interrupted_ = !observer_.accept(w_);
   }
@@ -147,6 +149,7 @@ class PathWalker {
   /// Seeks an equilibrium from the unknowns in `w_` and takes it, if it is near enough.
   template <class Condition>
   Trial attempt(const Condition& condition, bool shortest) {
+    factored_ = solved_ = false;
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_, condition);
     counters_.iterations += outcome.iterations;
     iterations_ = outcome.iterations;
@@ -191,17 +194,24 @@ class PathWalker {
     at_time.value = constant<S>(w_.time - time);
     solve_rates(at_time);
     detail::combine_columns(chain_, at_time, w_);
+    solved_ = false;
     detail::take_step(chain_, at_time, false, w_);
   }
 
-  /// All columns at the current unknowns, and how much of each meets a condition on the time.
+  /// All columns at the committed unknowns, and how much of each meets a condition on the time.
   void solve_rates(const PathCondition<L>& at_time) {
-    detail::assemble(chain_, laws_, w_);
-    w_.recursion.factor(chain_, w_.q, w_.placement, w_.stage, w_.joints, w_.outer_forces,
-                        w_.transmitted);
-    detail::solve_imbalance(chain_, at_time, w_);
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) detail::solve_closure(chain_, k, w_);
-    detail::solve_time(chain_, at_time, w_);
+    if (!factored_) {
+      detail::assemble(chain_, laws_, w_);
+      w_.recursion.factor(chain_, w_.q, w_.placement, w_.stage, w_.joints, w_.outer_forces,
+                          w_.transmitted);
+      factored_ = true;
+    }
+    if (!solved_) {
+      detail::solve_imbalance(chain_, at_time, w_);
+      for (std::size_t k = 0; k < chain_.closures.size(); ++k) detail::solve_closure(chain_, k, w_);
+      detail::solve_time(chain_, at_time, w_);
+      solved_ = true;
+    }
     detail::join_columns(chain_, at_time, w_);
   }
 
@@ -321,6 +331,8 @@ class PathWalker {
   double above_ = 0.0;  ///< the last time at which load control found nothing
   int iterations_ = 0;
   bool interrupted_ = false;  ///< the observer does not want to go on
+  bool factored_ = false;     ///< `w_` holds the tangent at the committed unknowns
+  bool solved_ = false;       ///< and all columns
 
   double span_ = 1.0;  ///< scale of time
   double way_ = 1.0;   ///< of the control point, the way that it would go elastically in `span_`

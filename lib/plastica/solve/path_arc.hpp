@@ -190,6 +190,7 @@ void PathWalker<L, kElastic>::bracket_limit(double highest) {
     const double time = highest + part * highest;
     restore();
     w_.time = time;
+    factored_ = solved_ = false;
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
     counters_.iterations += outcome.iterations;
     if (outcome.converged && largest_turn() <= options_.largest_turn) continue;
