@@ -176,8 +176,9 @@ Recursion<L, kElastic>::inverse_welded(const Mat<S, kJ, kJ>& d, const Spins& nea
 
 /// The impedance of what is outside of a joint, about the one before: by way of the arm between.
 template <class L, bool kElastic>
-void Recursion<L, kElastic>::carry(const typename L::Point& arm, const typename L::Point& work_arm,
-                                   Impedance<L>& a) {
+[[gnu::always_inline]] inline void Recursion<L, kElastic>::carry(const typename L::Point& arm,
+                                                                 const typename L::Point& work_arm,
+                                                                 Impedance<L>& a) {
   const Mat<S, kT, kR> tr = a.tr + times_spun_by<L>(a.tt, arm);
   a.rr += times_spun_by<L>(a.rt, arm) + spun_by_times<L>(work_arm, tr);
   a.rt += spun_by_times<L>(work_arm, a.tt);

@@ -47,29 +47,27 @@ struct Impedance {
 
 /// m spun_by(arm), without the zeros of `spun_by`.
 template <class L, std::size_t R>
-Mat<typename L::Scalar, R, L::kRotations> times_spun_by(
+[[gnu::always_inline]] inline Mat<typename L::Scalar, R, L::kRotations> times_spun_by(
     const Mat<typename L::Scalar, R, L::kTranslations>& m, const typename L::Point& arm) {
   Mat<typename L::Scalar, R, L::kRotations> product;
-  for (std::size_t i = 0; i < R; ++i) {
-    typename L::Point row;
-    for (std::size_t k = 0; k < L::kTranslations; ++k) row[k] = m(i, k);
-    const typename L::Spin turned = L::moment(arm, row);
-    for (std::size_t j = 0; j < L::kRotations; ++j) product(i, j) = turned[j];
-  }
+  for_each_of<R>([&](std::size_t i) __attribute__((always_inline)) {
+    const auto row = block<1, L::kTranslations>(m, i, 0);
+    const typename L::Spin turned = L::moment(arm, {row.at});
+    put(product, i, 0, Mat<typename L::Scalar, 1, L::kRotations>{turned.at});
+  });
   return product;
 }
 
 /// spun_by(arm)^T m, likewise.
 template <class L, std::size_t C>
-Mat<typename L::Scalar, L::kRotations, C> spun_by_times(
+[[gnu::always_inline]] inline Mat<typename L::Scalar, L::kRotations, C> spun_by_times(
     const typename L::Point& arm, const Mat<typename L::Scalar, L::kTranslations, C>& m) {
   Mat<typename L::Scalar, L::kRotations, C> product;
-  for (std::size_t j = 0; j < C; ++j) {
-    typename L::Point column;
-    for (std::size_t k = 0; k < L::kTranslations; ++k) column[k] = m(k, j);
-    const typename L::Spin turned = L::moment(arm, column);
-    for (std::size_t i = 0; i < L::kRotations; ++i) product(i, j) = turned[i];
-  }
+  for_each_of<C>([&](std::size_t j) __attribute__((always_inline)) {
+    const auto column = block<L::kTranslations, 1>(m, 0, j);
+    const typename L::Spin turned = L::moment(arm, {column.at});
+    put(product, 0, j, Mat<typename L::Scalar, L::kRotations, 1>{turned.at});
+  });
   return product;
 }
 
