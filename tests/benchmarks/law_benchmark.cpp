@@ -67,6 +67,17 @@ void run(benchmark::State& state, const std::vector<SectionStrain<double>>& path
   }
 }
 
+void elastic(benchmark::State& state) {
+  const Material material = steel(HardeningLaw::Ideal);
+  const Section section = section_of(SectionShape::Rectangle);
+  const SectionForm form = section_form(section, section_properties(section, 0.3), material,
+                                        YieldCap::FirstYield, Formulas::Mechanics);
+  const auto law = elastic_section(form, material_values(material));
+  ElasticSection<double>::State joint;
+  run(state, path_of(kAll, form, material),
+      [&](const auto& strain) { return respond(law, joint, joint, strain); });
+}
+
 void per_axis(benchmark::State& state, HardeningLaw hardening, Path path) {
   const Material material = steel(hardening);
   const Section section = section_of(SectionShape::Rectangle);
@@ -97,12 +108,13 @@ void interaction(benchmark::State& state, SectionShape shape, YieldCap cap, Hard
   });
 }
 
-void fibre(benchmark::State& state, FibrePlane plane, HardeningLaw hardening, Path path) {
+void fibre(benchmark::State& state, FibrePlane plane, HardeningLaw hardening, Path path,
+           int fibres = 40) {
   const Material material = steel(hardening);
   const Section section = section_of(SectionShape::Rectangle);
   const SectionForm form = section_form(section, section_properties(section, 0.3), material,
                                         YieldCap::FirstYield, Formulas::Mechanics);
-  const FibreLayout layout = fibre_layout(section, form, plane, 40);
+  const FibreLayout layout = fibre_layout(section, form, plane, fibres);
   with_law_type<double>(hardening, [&]<class Law>(std::type_identity<Law>) {
     const auto law = fibre_section<Law>(layout, form, material_values(material));
     std::vector<typename Law::State> joint(layout.states());
@@ -119,6 +131,8 @@ constexpr auto kRound = SectionShape::Circle;
 constexpr auto kFirst = YieldCap::FirstYield;
 constexpr auto kPlastic = YieldCap::FullyPlastic;
 
+BENCHMARK(elastic);
+BENCHMARK_CAPTURE(per_axis, ideal_elastic, kIdeal, kElastic);
 BENCHMARK_CAPTURE(per_axis, ideal, kIdeal, kAll);
 BENCHMARK_CAPTURE(per_axis, linear, kLinear, kAll);
 BENCHMARK_CAPTURE(per_axis, voce, kVoce, kAll);
@@ -136,6 +150,7 @@ BENCHMARK_CAPTURE(interaction, circle_all_linear, kRound, kFirst, kLinear, kAll)
 BENCHMARK_CAPTURE(interaction, plastic_rectangle_biaxial, kBlock, kPlastic, kIdeal, kBiaxial);
 BENCHMARK_CAPTURE(interaction, plastic_rectangle_twisting, kBlock, kPlastic, kIdeal, kTwisting);
 BENCHMARK_CAPTURE(interaction, plastic_rectangle_all, kBlock, kPlastic, kIdeal, kAll);
+BENCHMARK_CAPTURE(fibre, layers_ideal_20, FibrePlane::AboutX, kIdeal, kBending, 20);
 BENCHMARK_CAPTURE(fibre, layers_ideal, FibrePlane::AboutX, kIdeal, kBending);
 BENCHMARK_CAPTURE(fibre, layers_linear, FibrePlane::AboutX, kLinear, kBending);
 BENCHMARK_CAPTURE(fibre, layers_voce, FibrePlane::AboutX, kVoce, kBending);
