@@ -40,6 +40,7 @@ struct KernelsOf {
   StepKernels<PlanarBeam<Real>> planar[2][2];
   SightKernels<PlanarBeam<Real>> planar_sight;
   StepKernels<SpatialBeam<Real>> spatial[2][2];
+  SightKernels<SpatialBeam<Real>> spatial_sight;
 };
 
 struct KernelTable {

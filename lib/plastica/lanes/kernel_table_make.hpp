@@ -3,6 +3,7 @@
 #include "plastica/lanes/kernel_table.hpp"
 #include "plastica/lanes/planar_sight.hpp"
 #include "plastica/lanes/planar_step.hpp"
+#include "plastica/lanes/spatial_sight.hpp"
 #include "plastica/lanes/spatial_step.hpp"
 
 /// Fills a table with the kernels of the instruction set that this file is compiled for.
@@ -29,7 +30,8 @@ constexpr KernelsOf<Real> kernels_of() {
            {planar_kernels<Real, 2, false>(), planar_kernels<Real, 2, true>()}},
           {planar_sight<Real>, planar_sight<Many<Real>>},
           {{spatial_kernels<Real, 1, false>(), spatial_kernels<Real, 1, true>()},
-           {spatial_kernels<Real, 2, false>(), spatial_kernels<Real, 2, true>()}}};
+           {spatial_kernels<Real, 2, false>(), spatial_kernels<Real, 2, true>()}},
+          {spatial_sight<Real>, spatial_sight<Many<Real>>}};
 }
 
 PLASTICA_KERNELS_END

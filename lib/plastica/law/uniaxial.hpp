@@ -102,17 +102,19 @@ inline UniaxialResponse<S, typename LinearHardening<S>::State> respond(
     const S& strain) {
   const S trial = law.stiffness * (strain - before.plastic);
   const S relative = trial - before.back_stress;
-  const S direction = sign(relative);
+  const auto backward = relative < constant<S>(0);
   const S over = abs(relative) - (law.yield + law.isotropic * before.accumulated);
   const auto yields = over > constant<S>(0);
   const S hardening = law.isotropic + law.kinematic;
   // Without the sample: a loop over samples divides once.
   const S softness = constant<S>(1) / (law.stiffness + hardening);
   const S dp = max(over * softness, constant<S>(0));
+  // Chosen, not multiplied by -1 or 1: a product costs a dual number twelve operations.
+  const S along = select(backward, -dp, dp);
   UniaxialResponse<S, typename LinearHardening<S>::State> now;
-  now.state.plastic = before.plastic + direction * dp;
+  now.state.plastic = before.plastic + along;
   now.state.accumulated = before.accumulated + dp;
-  now.state.back_stress = before.back_stress + law.kinematic * direction * dp;
+  now.state.back_stress = before.back_stress + law.kinematic * along;
   now.stress = law.stiffness * (strain - now.state.plastic);
   now.tangent = select(yields, law.stiffness * hardening * softness, law.stiffness);
   return now;

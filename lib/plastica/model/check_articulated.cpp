@@ -30,6 +30,23 @@ void check_support(const Scene& scene) {
   }
 }
 
+/// What only the spatial kernels do not hold.
+void check_space(const Scene& scene) {
+  if (scene.beam.shape != BeamShape::Straight) {
+    refuse("beam.shape", "", "must be straight with an articulated scheme in space");
+  }
+  if (scene.supports[0].kind == SupportKind::Pin && !has_half_joints(scene)) {
+    refuse("rules.end_rule", "",
+           "must be half_joint with a pin and an articulated scheme in space");
+  }
+  if (scene.yield_model == YieldModel::Interaction ||
+      scene.yield_model == YieldModel::Conservative) {
+    refuse("rules.yield_model",
+           scene.yield_model == YieldModel::Interaction ? "interaction" : "conservative",
+           "must be elastic or per_axis with an articulated scheme in space");
+  }
+}
+
 bool can_break(const Scene& scene) {
   bool limited = scene.break_limit_x || scene.break_limit_y || scene.break_limit_z ||
                  scene.material.break_strain || scene.material.break_shear_strain;
@@ -51,9 +68,10 @@ void check_articulated(const Scene& scene, const SolverOptions& options, const L
              "articulated schemes have loads that keep their direction");
     }
   }
-  if (level.level != Level::Planar) {
-    refuse("solver.level", "", "articulated schemes are of the level planar");
+  if (level.level == Level::Twist) {
+    refuse("solver.level", "twist", "must be planar or spatial with an articulated scheme");
   }
+  if (level.level == Level::Spatial) check_space(scene);
   if (options.translation == JointTranslation::Elastic) {
     refuse("solver.translation", "elastic", "must be rigid with an articulated scheme");
   }

@@ -5,6 +5,7 @@
 
 #include "plastica/run/lane_group.hpp"
 #include "plastica/run/lane_planar.hpp"
+#include "plastica/run/lane_spatial.hpp"
 
 namespace plastica {
 namespace {
@@ -66,6 +67,7 @@ bool same_lanes(const ChainModel& a, const ChainModel& b) {
 }
 
 std::unique_ptr<LaneProgram> make_lane_program(const ChainModel& model) {
+  if (model.level == Level::Spatial) return make_group<SpatialLanes>(model);
   return make_group<PlanarLanes>(model);
 }
 

@@ -178,10 +178,17 @@ class LaneScenario {
       motion_[i].velocity = velocity + L::spun(spin, L::turn(frame, chain().inertias[i].center));
       velocity += L::spun(spin, L::turn(frame, segment.arm));
       work.angles[i] = work.q.angle[i];
+      typename L::Spin moment;
       for (std::size_t k = 0; k < L::kRotations; ++k) {
-        work.joints.force[i][k] =
-            joints_->section_forces()[i][body_->view.section_axes().rotation(k)];
+        moment[k] = joints_->section_forces()[i][body_->view.section_axes().rotation(k)];
       }
+      if constexpr (L::kRotations == 3) {
+        // As it works on spins: chain/rotation.hpp.
+        const auto& angle = work.q.angle[i];
+        const chain::RotationCoefficients<double> by(dot(angle, angle));
+        moment = transposed_times(chain::inverse_tangent_map(angle, by), moment);
+      }
+      for (std::size_t k = 0; k < L::kRotations; ++k) work.joints.force[i][k] = moment[k];
     }
   }
 
