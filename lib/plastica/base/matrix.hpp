@@ -58,6 +58,10 @@ constexpr Vec<double, N> in_double(const Vec<S, N>& v) {
   return wide;
 }
 
+/// What an index among rows of C numbers is divided by; matrices without columns have no index.
+template <std::size_t C>
+inline constexpr std::size_t kDivisor = C == 0 ? 1 : C;
+
 /// R x C numbers, row by row; starts at zero.
 template <class S, std::size_t R, std::size_t C>
 struct Mat {
@@ -93,7 +97,7 @@ template <class S, std::size_t R, std::size_t K, std::size_t C>
                                                         const Mat<S, K, C>& b) {
   return {each_of<R * C>([&](std::size_t at) __attribute__((always_inline))->S {
     return sum_of<S, K>([&](std::size_t k) __attribute__((always_inline))->S {
-      return a(at / C, k) * b(k, at % C);
+      return a(at / kDivisor<C>, k) * b(k, at % kDivisor<C>);
     });
   })};
 }
@@ -110,7 +114,7 @@ template <class S, std::size_t R, std::size_t C>
 template <class S, std::size_t R, std::size_t C>
 [[gnu::always_inline]] constexpr Mat<S, C, R> transpose(const Mat<S, R, C>& a) {
   return {each_of<R * C>([&](std::size_t at) __attribute__((always_inline))->S {
-    return a(at % R, at / R);
+    return a(at % kDivisor<R>, at / kDivisor<R>);
   })};
 }
 
@@ -126,7 +130,7 @@ template <std::size_t R, std::size_t C, class S, std::size_t M, std::size_t N>
 [[gnu::always_inline]] constexpr Mat<S, R, C> block(const Mat<S, M, N>& a, std::size_t row,
                                                     std::size_t column) {
   return {each_of<R * C>([&](std::size_t at) __attribute__((always_inline))->S {
-    return a(row + at / C, column + at % C);
+    return a(row + at / kDivisor<C>, column + at % kDivisor<C>);
   })};
 }
 
@@ -135,7 +139,7 @@ template <class S, std::size_t M, std::size_t N, std::size_t R, std::size_t C>
 [[gnu::always_inline]] constexpr void put(Mat<S, M, N>& a, std::size_t row, std::size_t column,
                                           const Mat<S, R, C>& part) {
   for_each_of<R * C>([&](std::size_t at) __attribute__((always_inline)) {
-    a(row + at / C, column + at % C) = part.at[at];
+    a(row + at / kDivisor<C>, column + at % kDivisor<C>) = part.at[at];
   });
 }
 
@@ -166,14 +170,14 @@ template <class Mask, class S, std::size_t R, std::size_t C>
 template <class S, std::size_t R, std::size_t C>
 [[gnu::always_inline]] constexpr Mat<S, R, C> outer(const Vec<S, R>& a, const Vec<S, C>& b) {
   return {each_of<R * C>([&](std::size_t at) __attribute__((always_inline))->S {
-    return a[at / C] * b[at % C];
+    return a[at / kDivisor<C>] * b[at % kDivisor<C>];
   })};
 }
 
 template <class S, std::size_t N>
 [[gnu::always_inline]] constexpr Mat<S, N, N> identity() {
   return {each_of<N * N>([](std::size_t at) __attribute__((always_inline))->S {
-    return constant<S>(at / N == at % N ? 1 : 0);
+    return constant<S>(at / kDivisor<N> == at % kDivisor<N> ? 1 : 0);
   })};
 }
 
