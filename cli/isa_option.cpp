@@ -16,13 +16,11 @@ void add_isa_option(CLI::App& sub, std::string& isa) {
 }
 
 void take_isa(const std::string& isa, SolverOptions& options) {
-  if (!isa.empty()) {
-    const auto word = std::find(kInstructionSets.begin(), kInstructionSets.end(), isa);
-    options.isa = static_cast<InstructionSet>(word - kInstructionSets.begin());
-  }
+  if (isa.empty()) return;
+  const auto word = std::find(kInstructionSets.begin(), kInstructionSets.end(), isa);
+  options.isa = static_cast<InstructionSet>(word - kInstructionSets.begin());
   if (!has_instruction_set(options.isa)) {
-    throw InputError({}, isa.empty() ? "solver.isa" : "--isa", name_of(options.isa),
-                     "is not what this processor has");
+    throw InputError({}, "--isa", isa, "is not what this processor has");
   }
 }
 

@@ -24,6 +24,11 @@ void check_support(const Scene& scene) {
     const bool holds = support.kind == SupportKind::Clamp || support.kind == SupportKind::Pin;
     const bool at_start = share_of(support.at, ends) == 0.0;
     if (i > 0 || !holds || !at_start) refuse(item_name("support", i), "", kRule);
+    const HeldFreedoms held = support.held();
+    if (!held[0] || !held[1] || !held[2]) {
+      refuse(item_name("support", i, ".hold"), "",
+             "must hold x, y and z with an articulated scheme");
+    }
     if (support.moves()) {
       refuse(item_name("support", i), "", "must not move with an articulated scheme");
     }
@@ -35,9 +40,10 @@ void check_space(const Scene& scene) {
   if (scene.beam.shape != BeamShape::Straight) {
     refuse("beam.shape", "", "must be straight with an articulated scheme in space");
   }
-  if (scene.supports[0].kind == SupportKind::Pin && !has_half_joints(scene)) {
+  const HeldFreedoms held = scene.supports[0].held();
+  if (!(held[3] && held[4] && held[5]) && !has_half_joints(scene)) {
     refuse("rules.end_rule", "",
-           "must be half_joint with a pin and an articulated scheme in space");
+           "must be half_joint with an articulated scheme in space, where the start may turn");
   }
   if (scene.yield_model == YieldModel::Interaction ||
       scene.yield_model == YieldModel::Conservative) {

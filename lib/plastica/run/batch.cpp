@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "plastica/base/parallel_for.hpp"
@@ -58,9 +59,10 @@ void run_alone(const BatchCase& one, const Model& model, BatchRow& row) {
   row.response.seconds = seconds;
 }
 
+using Take = std::function<void(std::size_t index, BatchRow&& row)>;
+
 /// Lays out a case, and runs it or lets it wait in the pool for others of its shape.
-void run_or_wait(std::size_t index, const BatchCase& one, LanePool& pool,
-                 const LanePool::Take& take) {
+void run_or_wait(std::size_t index, const BatchCase& one, LanePool& pool, const Take& take) {
   WaitingCase waiting;
   waiting.index = index;
   BatchRow& row = waiting.row;
@@ -77,7 +79,26 @@ void run_or_wait(std::size_t index, const BatchCase& one, LanePool& pool,
     take(index, std::move(row));
     return;
   }
-  pool.add(std::move(waiting), take);
+  if (std::optional<LaneCases> ready = pool.add(std::move(waiting))) {
+    run_lane_cases(std::move(*ready), take);
+  }
+}
+
+/// What still waits in the pools of all threads: those of one shape come together once more.
+std::vector<LaneCases> left_over(std::vector<LanePool>& pools) {
+  LanePool all;
+  std::vector<LaneCases> left;
+  for (LanePool& pool : pools) {
+    for (LaneCases& cases : pool.release()) {
+      for (WaitingCase& one : cases) {
+        if (std::optional<LaneCases> ready = all.add(std::move(one))) {
+          left.push_back(std::move(*ready));
+        }
+      }
+    }
+  }
+  for (LaneCases& cases : all.release()) left.push_back(std::move(cases));
+  return left;
 }
 
 }  // namespace
@@ -108,29 +129,34 @@ void run_batch(std::size_t cases, const std::function<BatchCase(std::size_t)>& m
                const BatchOptions& options) {
   Progress progress(options);
   std::mutex taking;
-  const LanePool::Take hand_over = [&](std::size_t i, BatchRow&& row) {
+  const Take hand_over = [&](std::size_t i, BatchRow&& row) {
     {
       const std::lock_guard lock(taking);
       take(i, std::move(row));
     }
     progress.one_more();
   };
+  const ParallelOptions how{options.threads, options.stop};
   std::vector<LanePool> pools(static_cast<std::size_t>(resolved_threads(options.threads)));
-  parallel_for(cases, {options.threads, options.stop}, [&](std::size_t i, int worker) {
+  parallel_for(cases, how, [&](std::size_t i, int worker) {
+    std::optional<BatchCase> one;
     BatchRow rejected;
     try {
-      run_or_wait(i, make(i), pools[static_cast<std::size_t>(worker)], hand_over);
-      return;
+      one = make(i);
     } catch (const InputError& error) {
       rejected.response.status = Status::Rejected;
       rejected.reason = error.what();
     }
-    hand_over(i, std::move(rejected));
+    if (one) {
+      run_or_wait(i, *one, pools[static_cast<std::size_t>(worker)], hand_over);
+    } else {
+      hand_over(i, std::move(rejected));
+    }
   });
   if (options.stop != nullptr && *options.stop) return;
-  LanePool rest;
-  for (LanePool& pool : pools) rest.merge(std::move(pool), hand_over);
-  rest.finish(hand_over);
+  std::vector<LaneCases> left = left_over(pools);
+  parallel_for(left.size(), how,
+               [&](std::size_t k, int) { run_lane_cases(std::move(left[k]), hand_over); });
 }
 
 std::vector<Response> run_batch(const Model& model, std::span<const double> values,
@@ -144,7 +170,7 @@ std::vector<Response> run_batch(const Model& model, std::span<const double> valu
   Progress progress(options);
   const auto values_of = [&](std::size_t i) { return values.subspan(i * width, width); };
   if (model.chain && has_lanes(*model.chain)) {
-    const std::size_t together = make_lane_program(*model.chain)->width();
+    const std::size_t together = lane_width(*model.chain);
     const Workspace hooks;
     parallel_for((cases + together - 1) / together, {options.threads, options.stop},
                  [&](std::size_t group, int) {

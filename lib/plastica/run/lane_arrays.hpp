@@ -78,7 +78,10 @@ class SharedEntries {
     const std::size_t kinds = first_.size();
     for (std::size_t back = 1; back <= std::min(kinds, kLookBack); ++back) {
       const double* same = entries.data() + first_[kinds - back] * size;
-      if (std::equal(same, same + size, entries.data() + i * size)) return kinds - back;
+      // To the bit: -0 in place of 0 would show in some other case's company.
+      if (std::memcmp(same, entries.data() + i * size, size * sizeof(double)) == 0) {
+        return kinds - back;
+      }
     }
     first_.push_back(i);
     return kinds;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -28,8 +29,6 @@ class LaneGroup final : public LaneProgram {
             model.scene.yield_model != YieldModel::Elastic)),
         sight_(Form::template sight<Real>(
             lanes::of_precision<Real>(lanes::kernels(resolved(model.options.isa))))) {}
-
-  std::size_t width() const override { return lanes::kManyLanes<Real>; }
 
   void run(std::span<const LaneCase> cases) override {
     const auto began = std::chrono::steady_clock::now();
@@ -60,7 +59,9 @@ class LaneGroup final : public LaneProgram {
     if (scenarios_.size() < count_) scenarios_.resize(count_);
     for (std::size_t lane = 0; lane < count_; ++lane) scenarios_[lane].begin(cases[lane]);
     time_ = last_step_ = 0.0;
-    memory_.set(scenarios(), count_ == 1 ? 1 : width());
+    looked_ = false;
+    alone_lane_ = kNone;
+    memory_.set(scenarios(), count_ == 1 ? 1 : lanes::kManyLanes<Real>);
     const ChainModel& model = *cases.front().model;
     loads_change_ = false;
     for (const History& history : scenarios_.front().chain().histories) {
@@ -71,6 +72,14 @@ class LaneGroup final : public LaneProgram {
     // Of all cases of a shape, or a case's bits would depend on its company.
     counts_loads_ = loads_change_ || (!Form::kMomentsHavePotential && !model.scene.loads.empty());
     set_loads(memory_, 0.0, loads_change_ ? 0.0 : model.stops.back());
+    look();
+    ledgers_.assign(count_, {});
+    for (std::size_t lane = 0; lane < count_; ++lane) {
+      ledgers_[lane].potential = memory_.sum(Sums::Potential, lane);
+      const Balance begin = balance_of(memory_, lane, lane);
+      ledgers_[lane].sum = begin.sum;
+      ledgers_[lane].size = begin.size;
+    }
     record();
   }
 
@@ -87,11 +96,15 @@ class LaneGroup final : public LaneProgram {
     sampled_time_ = time_;
   }
 
-  void look() { (count_ == 1 ? sight_.one : sight_.many)(memory_.beam(counts_loads_)); }
+  void look() {
+    if (!looked_) (count_ == 1 ? sight_.one : sight_.many)(memory_.beam(counts_loads_));
+    looked_ = true;
+  }
 
   /// Ends a lane where its last sample was.
   void stop(std::size_t lane, Status status) {
     memory_.copy_lane(lane, sampled_, lane);
+    looked_ = false;
     look();
     scenarios_[lane].arrive(sampled_time_, memory_, lane, counts_loads_, true);
     scenarios_[lane].stop(status);
@@ -105,11 +118,9 @@ class LaneGroup final : public LaneProgram {
     });
   }
 
-  /// Takes `parts` even steps.
-  void march(Memory& memory, lanes::StepKernel<Beam> kernel, double stop, double parts,
-             bool aimed) const {
-    const double step = (stop - time_) / parts;
-    const auto steps = static_cast<std::size_t>(parts);
+  /// Takes even steps from a time on.
+  void march(Memory& memory, lanes::StepKernel<Beam> kernel, double from, double step,
+             std::size_t steps, bool aimed) const {
     const Beam beam = memory.beam(counts_loads_);
     memory.reset_extremes();
     if (!loads_change_) {
@@ -117,35 +128,53 @@ class LaneGroup final : public LaneProgram {
       return;
     }
     for (std::size_t k = 0; k < steps; ++k) {
-      const double begin = time_ + static_cast<double>(k) * step;
+      const double begin = from + static_cast<double>(k) * step;
       set_loads(memory, begin, begin + step);
       kernel(beam, step, 1, aimed || k > 0);
     }
   }
 
+  /// Goes to a stop, so many steps at a time that a failure does not cost much and that those who
+  /// watch are told in between.
   void go_to(double to) {
     const SolverOptions& options = scenarios_.front().model().options;
-    const double parts = std::max(1.0, std::ceil((to - time_) / options.time_step - 1e-9));
-    const double step = (to - time_) / parts;
-    before_.copy_states(memory_);
-    march(memory_, count_ == 1 ? kernels_.one : kernels_.many, to, parts, step == last_step_);
-    last_step_ = step;
-    memory_.add_up(not_finite_);
-    for (std::size_t lane = 0; lane < count_; ++lane) {
-      Scenario& scenario = scenarios_[lane];
-      if (!scenario.running()) continue;
-      const bool held = not_finite_[lane] == Real(0) && turns_little(memory_, lane, step);
-      if (!held && !retry(lane, to, parts)) {
-        stop(lane, Status::NotConverged);
-        continue;
+    const double from = time_;
+    const double parts = std::max(1.0, std::ceil((to - from) / options.time_step - 1e-9));
+    const double step = (to - from) / parts;
+    for (double done = 0.0; done < parts && any_runs();) {
+      const double steps = std::min(parts - done, kSteps);
+      before_.copy_states(memory_);
+      march(memory_, count_ == 1 ? kernels_.one : kernels_.many, time_, step,
+            static_cast<std::size_t>(steps), step == last_step_);
+      looked_ = false;
+      last_step_ = step;
+      look();
+      memory_.add_up(not_finite_);
+      for (std::size_t lane = 0; lane < count_; ++lane) {
+        if (scenarios_[lane].running()) judge(lane, step, steps);
       }
-      auto& counters = scenario.response().counters;
-      counters.steps += static_cast<int>(parts);
-      counters.iterations += static_cast<int>(parts);
-      const auto& told = scenario.hooks().on_progress;
-      if (told && !told(to)) stop(lane, Status::Interrupted);
+      done += steps;
+      time_ = done < parts ? from + done * step : to;
+      for (std::size_t lane = 0; lane < count_; ++lane) tell(lane);
     }
-    time_ = to;
+  }
+
+  /// Takes the steps of a lane, or goes them again with shorter ones.
+  void judge(std::size_t lane, double step, double steps) {
+    auto& counters = scenarios_[lane].response().counters;
+    counters.iterations += static_cast<int>(steps);
+    if (not_finite_[lane] == Real(0) && turns_little(memory_, lane, step) &&
+        ledger_closes(memory_, lane, lane)) {
+      counters.steps += static_cast<int>(steps);
+      return;
+    }
+    if (!retry(lane, step, steps)) stop(lane, Status::NotConverged);
+  }
+
+  void tell(std::size_t lane) {
+    Scenario& scenario = scenarios_[lane];
+    const auto& told = scenario.hooks().on_progress;
+    if (scenario.running() && told && !told(time_)) stop(lane, Status::Interrupted);
   }
 
   /// Whether the steps of a memory's lane are short enough for how fast it turns.
@@ -157,25 +186,83 @@ class LaneGroup final : public LaneProgram {
     return memory.sum(Sums::FastestSpin, lane) * step <= most;
   }
 
-  /// Goes from the last stop with shorter steps, alone. @return whether it got there
-  bool retry(std::size_t lane, double stop, double parts) {
+  /// Whether the energies of the last steps balance; takes them if they do. Where the explicit
+  /// geometry is too coarse (a beam that whips, a string under tension) they do not.
+  bool ledger_closes(const Memory& memory, std::size_t memory_lane, std::size_t lane) {
+    Ledger& ledger = ledgers_[lane];
+    const Balance now = balance_of(memory, memory_lane, lane);
+    const double size = std::max(ledger.size, now.size);
+    constexpr double kRounding = 256.0 * std::numeric_limits<Real>::epsilon();
+    if (!(std::fabs(now.sum - ledger.sum) <= kLedgerTolerance * size + kRounding * now.terms)) {
+      return false;
+    }
+    ledger.sum = now.sum;
+    ledger.size = size;
+    return true;
+  }
+
+  /// What an energy ledger says of a lane.
+  struct Balance {
+    double sum;    ///< of what is there and what has gone, less what has come in [J]
+    double size;   ///< the largest of the entries [J]
+    double terms;  ///< the largest term that these are differences of [J]
+  };
+  Balance balance_of(const Memory& memory, std::size_t memory_lane, std::size_t lane) const {
+    const double kinetic = memory.sum(Sums::Kinetic, memory_lane);
+    const double elastic = memory.sum(Sums::Elastic, memory_lane);
+    const double gone = memory.sum(Sums::Damping, memory_lane) +
+                        memory.sum(Sums::Numerical, memory_lane) +
+                        scenarios_[lane].plastic_work(memory, memory_lane);
+    const double potential = memory.sum(Sums::Potential, memory_lane);
+    const double came =
+        counts_loads_ ? memory.sum(Sums::Loads, memory_lane) : potential - ledgers_[lane].potential;
+    return {
+        kinetic + elastic + gone - came,
+        std::max({kinetic, elastic, std::fabs(gone), std::fabs(came)}),
+        std::max({kinetic, elastic, std::fabs(potential), std::fabs(ledgers_[lane].potential)})};
+  }
+
+  /// Goes from the last state that held with shorter steps, alone. @return whether it got there
+  bool retry(std::size_t lane, double step, double steps) {
     Scenario& scenario = scenarios_[lane];
-    const SolverOptions& options = scenario.model().options;
-    alone_.set(std::span<const Scenario>(&scenario, 1), 1);
-    if (!loads_change_) set_loads(alone_, time_, stop);
-    for (double cut = 2.0; 1.0 / cut >= options.smallest_step; cut *= 2.0) {
+    const double shortest = std::max(scenario.model().options.smallest_step, kShortest);
+    if (alone_lane_ != lane) alone_.set(std::span<const Scenario>(&scenario, 1), 1);
+    alone_lane_ = lane;
+    if (!loads_change_) set_loads(alone_, time_, time_);
+    for (double cut = 2.0; 1.0 / cut >= shortest; cut *= 2.0) {
       ++scenario.response().counters.cutbacks;
       alone_.copy_lane(0, before_, lane);
-      march(alone_, kernels_.one, stop, parts * cut, false);
-      alone_.add_up(not_finite_alone_);
-      if (not_finite_alone_[0] != Real(0)) continue;
-      if (!turns_little(alone_, 0, (stop - time_) / (parts * cut))) continue;
+      if (!march_alone(lane, step / cut, steps * cut)) continue;
+      sight_.one(alone_.beam(counts_loads_));
+      if (!ledger_closes(alone_, 0, lane)) continue;
       memory_.copy_lane(lane, alone_, 0);
       last_step_ = 0.0;  // this lane aims anew, with the same bits for all others
+      looked_ = false;
+      look();
+      scenario.response().counters.steps += static_cast<int>(steps * cut);
       return true;
     }
     return false;
   }
+
+  /// @return whether all steps could be taken
+  bool march_alone(std::size_t lane, double step, double steps) {
+    for (double done = 0.0; done < steps; done += kSteps) {
+      const double now = std::min(steps - done, kSteps);
+      march(alone_, kernels_.one, time_ + done * step, step, static_cast<std::size_t>(now),
+            done > 0.0);
+      scenarios_[lane].response().counters.iterations += static_cast<int>(now);
+      alone_.add_up(not_finite_alone_);
+      if (not_finite_alone_[0] != Real(0) || !turns_little(alone_, 0, step)) return false;
+    }
+    return true;
+  }
+
+  /// Steps between two looks.
+  static constexpr double kSteps = 256.0;
+  /// Steps are cut back to no less than this part, whatever `smallest_step` allows: what is not
+  /// stable then will not be.
+  static constexpr double kShortest = 1.0 / 1024.0;
 
   int order_;
   const lanes::StepKernels<Beam>& kernels_;
@@ -183,10 +270,18 @@ class LaneGroup final : public LaneProgram {
   std::vector<Scenario> scenarios_;
   std::size_t count_ = 0;  ///< of them that run
   Memory memory_;
-  Memory before_;   ///< states at the last stop
+  Memory before_;   ///< states before the last steps
   Memory sampled_;  ///< and at the last sample
   double sampled_time_ = 0.0;
   Memory alone_;  ///< of a lane that needs shorter steps
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::size_t alone_lane_ = kNone;  ///< which
+  bool looked_ = false;             ///< whether the memory's sight is of its states
+  /// Energies of a lane so far [J].
+  struct Ledger {
+    double sum = 0.0, size = 0.0, potential = 0.0;
+  };
+  std::vector<Ledger> ledgers_;
   std::vector<Real> not_finite_, not_finite_alone_;
   bool loads_change_ = false;
   bool counts_loads_ = false;

@@ -104,6 +104,11 @@ struct PlanarLanes {
     return flowed > 0.0 ? flowed * cap(body, part, material) : 0.0;
   }
 
+  /// Sums of the sizes of a joint's permanent turns [rad].
+  static Level::Spin accumulated(const std::array<double, State::kCount>& state) {
+    return {{state[State::Accumulated]}};
+  }
+
   /// Takes where a segment is.
   static void place(const std::array<double, Sight::kCount>& sight, std::size_t i, Body& body) {
     const Level::Point& start = body.build.chain.root.position;

@@ -6,6 +6,33 @@
 #include <utility>
 
 namespace plastica {
+namespace {
+
+void run_together(LaneCases& cases) {
+  std::vector<LaneCase> lanes;
+  lanes.reserve(cases.size());
+  for (WaitingCase& one : cases) {
+    lanes.push_back({one.model->chain.get(), &one.model->material, &one.hooks, &one.row.response});
+  }
+  const double begin = thread_seconds();
+  make_lane_program(*cases.front().model->chain)->run(lanes);
+  const double seconds = (thread_seconds() - begin) / static_cast<double>(cases.size());
+  for (WaitingCase& one : cases) one.row.response.seconds = seconds;
+}
+
+void run_by_itself(WaitingCase& one) {
+  try {
+    one.row.response = make_response(*one.model);
+    Workspace workspace = make_workspace(*one.model);
+    run(*one.model, {}, workspace, one.row.response);
+  } catch (const std::exception& error) {
+    // Out of memory, or a defect: the other cases go on.
+    one.row.response = {};
+    one.row.reason = error.what();
+  }
+}
+
+}  // namespace
 
 double thread_seconds() {
   timespec now{};
@@ -13,56 +40,35 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-void LanePool::add(WaitingCase&& one, const Take& take) {
+std::optional<LaneCases> LanePool::add(WaitingCase&& one) {
   const ChainModel& model = *one.model->chain;
-  auto shape = std::find_if(shapes_.begin(), shapes_.end(), [&](const Shape& s) {
-    return !s.waiting.empty() && same_lanes(*s.waiting.front().model->chain, model);
+  auto shape = std::find_if(shapes_.begin(), shapes_.end(), [&](const LaneCases& cases) {
+    return same_lanes(*cases.front().model->chain, model);
   });
   if (shape == shapes_.end()) {
-    Shape fresh{make_lane_program(model), {}};
-    shapes_.push_back(std::move(fresh));
+    shapes_.emplace_back();
     shape = shapes_.end() - 1;
   }
-  shape->waiting.push_back(std::move(one));
-  if (shape->waiting.size() < shape->program->width()) return;
-  Shape full = std::move(*shape);
+  shape->push_back(std::move(one));
+  if (shape->size() < lane_width(*shape->front().model->chain)) {
+    if (shapes_.size() <= kMostShapes) return {};
+    shape = shapes_.begin();
+  }
+  LaneCases ready = std::move(*shape);
   shapes_.erase(shape);
-  run(full, take);
+  return ready;
 }
 
-void LanePool::merge(LanePool&& other, const Take& take) {
-  for (Shape& shape : other.shapes_) {
-    for (WaitingCase& one : shape.waiting) add(std::move(one), take);
-  }
-  other.shapes_.clear();
-}
+std::vector<LaneCases> LanePool::release() { return std::exchange(shapes_, {}); }
 
-void LanePool::finish(const Take& take) {
-  for (Shape& shape : shapes_) run(shape, take);
-  shapes_.clear();
-}
-
-void LanePool::run(Shape& shape, const Take& take) {
-  std::vector<LaneCase> cases;
-  cases.reserve(shape.waiting.size());
-  for (WaitingCase& one : shape.waiting) {
-    cases.push_back({one.model->chain.get(), &one.model->material, &one.hooks, &one.row.response});
-  }
-  const double begin = thread_seconds();
+void run_lane_cases(LaneCases&& cases,
+                    const std::function<void(std::size_t index, BatchRow&& row)>& take) {
   try {
-    shape.program->run(cases);
-  } catch (const std::exception& error) {
-    // Out of memory, or a defect: the other cases of the batch go on.
-    for (WaitingCase& one : shape.waiting) {
-      one.row.response = {};
-      one.row.reason = error.what();
-    }
+    run_together(cases);
+  } catch (const std::exception&) {
+    for (WaitingCase& one : cases) run_by_itself(one);
   }
-  const double seconds = (thread_seconds() - begin) / static_cast<double>(cases.size());
-  for (WaitingCase& one : shape.waiting) {
-    one.row.response.seconds = seconds;
-    take(one.index, std::move(one.row));
-  }
+  for (WaitingCase& one : cases) take(one.index, std::move(one.row));
 }
 
 }  // namespace plastica

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "plastica/run/batch.hpp"
@@ -18,33 +19,32 @@ struct WaitingCase {
   Workspace hooks;
 };
 
-/// Collects cases of lane programs and runs them when there are enough of a shape; one a thread.
+/// Cases of one shape (`same_lanes`), no more than are stepped together.
+using LaneCases = std::vector<WaitingCase>;
+
+/// Collects cases of lane programs until there are enough of a shape; one a thread.
 class LanePool {
  public:
-  using Take = std::function<void(std::size_t index, BatchRow&& row)>;
+  /// Takes a case in.
+  /// @param one  of `has_lanes`
+  /// @return cases that are to be run now: a shape of which there are enough, or, where very many
+  ///         cases wait, the shape that waits longest
+  std::optional<LaneCases> add(WaitingCase&& one);
 
-  /// Takes a case in, and runs those of its shape if a program is full.
-  /// @param one   of `has_lanes`
-  /// @param take  called with the rows of the cases that were run
-  /// @throws InputError as `make_lane_program`; the case is given back in `one`
-  void add(WaitingCase&& one, const Take& take);
-
-  /// Takes in all that wait in another one.
-  void merge(LanePool&& other, const Take& take);
-
-  /// Runs all that wait, in programs that are not full.
-  void finish(const Take& take);
+  /// Gives back all that wait.
+  std::vector<LaneCases> release();
 
  private:
-  struct Shape {
-    std::unique_ptr<LaneProgram> program;
-    std::vector<WaitingCase> waiting;
-  };
+  static constexpr std::size_t kMostShapes = 64;
 
-  static void run(Shape& shape, const Take& take);
-
-  std::vector<Shape> shapes_;
+  std::vector<LaneCases> shapes_;  ///< none of them empty
 };
+
+/// Runs cases of one shape together; should that throw, each by itself, so that one case's failure
+/// is no other's.
+/// @param take  called with each row
+void run_lane_cases(LaneCases&& cases,
+                    const std::function<void(std::size_t index, BatchRow&& row)>& take);
 
 /// CPU time of this thread so far [s]: what else the machine does is not counted.
 double thread_seconds();

@@ -22,7 +22,12 @@ bool same_histories(const Scene& a, const Scene& b) {
              [](const Load& x, const Load& y) { return same_history(x.history, y.history); });
 }
 
-bool has_gravity(const Scene& scene) { return scene.gravity != std::array<double, 3>{}; }
+/// As chain/build.hpp asks.
+bool has_gravity(const Scene& scene) {
+  double square = 0.0;
+  for (const double g : scene.gravity) square += g * g;
+  return square > 0.0;
+}
 
 bool same_steps(const SolverOptions& a, const SolverOptions& b) {
   return a.scheme == b.scheme && a.time_step == b.time_step && a.precision == b.precision &&
@@ -64,6 +69,11 @@ bool same_lanes(const ChainModel& a, const ChainModel& b) {
          (a.scene.yield_model == YieldModel::Elastic) ==
              (b.scene.yield_model == YieldModel::Elastic) &&
          has_gravity(a.scene) == has_gravity(b.scene) && same_histories(a.scene, b.scene);
+}
+
+std::size_t lane_width(const ChainModel& model) {
+  return model.options.precision == Precision::Float ? lanes::kManyLanes<float>
+                                                     : lanes::kManyLanes<double>;
 }
 
 std::unique_ptr<LaneProgram> make_lane_program(const ChainModel& model) {

@@ -21,9 +21,7 @@ struct LaneCase {
 class LaneProgram {
  public:
   virtual ~LaneProgram() = default;
-  /// Most cases that are stepped together.
-  virtual std::size_t width() const = 0;
-  /// @param cases  1 … width(), all of one shape (`same_lanes`) with the program's model
+  /// @param cases  1 … lane_width(), all of one shape (`same_lanes`) with the program's model
   virtual void run(std::span<const LaneCase> cases) = 0;
 };
 
@@ -33,6 +31,9 @@ bool has_lanes(const ChainModel& model);
 /// Whether two models of `has_lanes` can be stepped together: as many segments, the same steps and
 /// histories; all other numbers may differ.
 bool same_lanes(const ChainModel& a, const ChainModel& b);
+
+/// Most cases that are stepped together.
+std::size_t lane_width(const ChainModel& model);
 
 /// @throws InputError if the processor does not have the instruction set that is asked for
 std::unique_ptr<LaneProgram> make_lane_program(const ChainModel& model);

@@ -49,6 +49,7 @@ class LaneScenario {
     laws_ = std::move(given);
     std::swap(body_->joints, laws_);
     turning_.assign(body_->build.chain.size(), {});
+    accumulated_.assign(body_->build.chain.size(), {});
     probed_.clear();
     for (const Probe& probe : model_->scene.probes) {
       if (!is_of_point(probe.quantity)) continue;
@@ -88,14 +89,7 @@ class LaneScenario {
     const double potential = memory.sum(Sums::Potential, lane);
     if (time == 0.0) potential_ = potential;
     flows_.external = loads_work ? memory.sum(Sums::Loads, lane) : potential - potential_;
-    GivenEnergies energies{memory.sum(Sums::Elastic, lane), 0.0};
-    if (yields()) {
-      for (std::size_t i = 0; i < motion_.size(); ++i) {
-        energies.plastic += Form::plastic_work(memory.state(i, lane), joints_->joints()[i].law,
-                                               *body_, *case_.material);
-      }
-    }
-    body_->record.give_energies(energies);
+    body_->record.give_energies({memory.sum(Sums::Elastic, lane), plastic_work(memory, lane)});
     if (whole || yields() || body_->record.needs_chain(response().samples, response())) {
       read_chain(memory, lane);
     } else {
@@ -103,11 +97,26 @@ class LaneScenario {
     }
   }
 
+  /// Of all joints so far [J].
+  template <class Memory>
+  double plastic_work(const Memory& memory, std::size_t lane) const {
+    double work = 0.0;
+    for (std::size_t i = 0; yields() && i < motion_.size(); ++i) {
+      work += Form::plastic_work(memory.state(i, lane), joints_->joints()[i].law, *body_,
+                                 *case_.material);
+    }
+    return work;
+  }
+
   /// Writes a sample.
   void record() {
     Response& out = response();
     if (out.samples > 0 && body_->record.needs_chain(out.samples, out)) transmit();
     body_->set_trial_strains();
+    // The kernels have summed in every step what is taken here once a sample.
+    if (yields()) {
+      std::copy(accumulated_.begin(), accumulated_.end(), body_->trial.accumulated.begin());
+    }
     body_->accept_strains();
     if (out.samples == 0) {
       body_->record.begin_motion(body_->work, *body_->joints, motion_, kinetic_);
@@ -166,7 +175,10 @@ class LaneScenario {
     typename L::Frame near = chain().root.ground;
     for (std::size_t i = 0; i < n; ++i) {
       const auto& segment = chain().segments[i];
-      Form::read(memory.state(i, lane), i, *body_, *joints_, *case_.material, turning_[i]);
+      const auto state = memory.state(i, lane);
+      Form::read(state, i, *body_, *joints_, *case_.material, turning_[i]);
+      const auto flowed = in_double(body_->view.spin_in_space(Form::accumulated(state)));
+      for (std::size_t k = 0; k < 3; ++k) accumulated_[i][k] = std::fabs(flowed[k]);
       const auto sight = memory.sight(i, lane);
       Form::place(sight, i, *body_);
       const auto& frame = placement.frame[i];
@@ -244,6 +256,7 @@ class LaneScenario {
   std::unique_ptr<chain::SectionJointsBase<L, false>> laws_;  ///< while the body has given joints
   GivenJoints<L>* joints_ = nullptr;
   Motions motion_;
+  std::vector<JointAngles> accumulated_;        ///< sums of the permanent angles' changes (N)
   std::vector<typename L::Spin> turning_;       ///< angular accelerations, in world axes (N)
   std::vector<typename L::Point> center_pull_;  ///< accelerations of the centers of mass (N)
   std::vector<std::size_t> probed_;             ///< segments of points that probes are at

@@ -112,6 +112,12 @@ struct SpatialLanes {
     return work;
   }
 
+  /// Sums of the sizes of a joint's permanent turns [rad].
+  static Level::Spin accumulated(const std::array<double, State::kCount>& state) {
+    return {
+        {state[State::Accumulated], state[State::Accumulated + 1], state[State::Accumulated + 2]}};
+  }
+
   /// Takes where a segment is.
   static void place(const std::array<double, Sight::kCount>& sight, std::size_t i, Body& body) {
     const Level::Point& start = body.build.chain.root.position;
