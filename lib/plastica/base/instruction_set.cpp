@@ -7,7 +7,7 @@
 namespace plastica {
 
 bool has_instruction_set(InstructionSet level) {
-#if defined(__x86_64__)
+#if defined(PLASTICA_WIDE_KERNELS)
   switch (level) {
     case InstructionSet::Avx2:
       return static_cast<bool>(__builtin_cpu_supports("avx2")) &&

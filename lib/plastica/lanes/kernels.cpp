@@ -6,7 +6,7 @@ namespace plastica::lanes {
 
 const KernelTable& kernels(InstructionSet level) {
   assert(level != InstructionSet::Auto);
-#if defined(__x86_64__)
+#if defined(PLASTICA_WIDE_KERNELS)
   if (level == InstructionSet::Avx512) return kAvx512Kernels;
   if (level == InstructionSet::Avx2) return kAvx2Kernels;
 #endif
