@@ -124,7 +124,7 @@ TEST(LaneFailures, StopABatchWhoseCasesWait) {
 TEST(LaneFailures, LetErrorsOfTheCallerThrough) {
   const BatchCase one{"one", struck(4, 1.0), options_of(1e-4, 1e-3, 1)};
   EXPECT_THROW(run_batch(
-                   9, [&](std::size_t) { return one; },
+                   9, [&](std::size_t) { return BatchCase(one); },
                    [](std::size_t, BatchRow&&) { throw InputError({}, "take", "", "is full"); }),
                InputError);
 }
