@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "plastica/base/always_inline.hpp"
 #include "plastica/base/each_of.hpp"
 #include "plastica/base/scalar.hpp"
 #include "plastica/base/sine_cosine.hpp"
@@ -33,38 +34,36 @@ struct Dual {
     return x;
   }
 
-  [[gnu::always_inline]] friend Dual operator+(const Dual& a, const Dual& b) {
+  PLASTICA_ALWAYS_INLINE friend Dual operator+(const Dual& a, const Dual& b) {
     Dual c(a.value + b.value);
-    c.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
-      return a.derivative[i] + b.derivative[i];
-    });
+    c.derivative = each_of<N>(
+        [&](std::size_t i) PLASTICA_ALWAYS_INLINE { return a.derivative[i] + b.derivative[i]; });
     return c;
   }
-  [[gnu::always_inline]] friend Dual operator-(const Dual& a, const Dual& b) {
+  PLASTICA_ALWAYS_INLINE friend Dual operator-(const Dual& a, const Dual& b) {
     Dual c(a.value - b.value);
-    c.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
-      return a.derivative[i] - b.derivative[i];
-    });
+    c.derivative = each_of<N>(
+        [&](std::size_t i) PLASTICA_ALWAYS_INLINE { return a.derivative[i] - b.derivative[i]; });
     return c;
   }
-  [[gnu::always_inline]] friend Dual operator*(const Dual& a, const Dual& b) {
+  PLASTICA_ALWAYS_INLINE friend Dual operator*(const Dual& a, const Dual& b) {
     Dual c(a.value * b.value);
-    c.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+    c.derivative = each_of<N>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
       return a.derivative[i] * b.value + a.value * b.derivative[i];
     });
     return c;
   }
-  [[gnu::always_inline]] friend Dual operator/(const Dual& a, const Dual& b) {
+  PLASTICA_ALWAYS_INLINE friend Dual operator/(const Dual& a, const Dual& b) {
     Dual c(a.value / b.value);
-    c.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+    c.derivative = each_of<N>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
       return (a.derivative[i] - c.value * b.derivative[i]) / b.value;
     });
     return c;
   }
-  [[gnu::always_inline]] friend Dual operator-(const Dual& a) {
+  PLASTICA_ALWAYS_INLINE friend Dual operator-(const Dual& a) {
     Dual c(-a.value);
     c.derivative =
-        each_of<N>([&](std::size_t i) __attribute__((always_inline)) { return -a.derivative[i]; });
+        each_of<N>([&](std::size_t i) PLASTICA_ALWAYS_INLINE { return -a.derivative[i]; });
     return c;
   }
   Dual& operator+=(const Dual& b) { return *this = *this + b; }
@@ -87,10 +86,10 @@ template <class T, std::size_t N>
 inline constexpr bool kCarriesDerivatives<Dual<T, N>> = true;
 
 template <class T, std::size_t N>
-[[gnu::always_inline]] inline Dual<T, N> select(const mask_t<T>& mask, const Dual<T, N>& a,
+PLASTICA_ALWAYS_INLINE inline Dual<T, N> select(const mask_t<T>& mask, const Dual<T, N>& a,
                                                 const Dual<T, N>& b) {
   Dual<T, N> c(select(mask, a.value, b.value));
-  c.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+  c.derivative = each_of<N>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
     return select(mask, a.derivative[i], b.derivative[i]);
   });
   return c;
@@ -98,14 +97,14 @@ template <class T, std::size_t N>
 
 /// |x| with the derivative of x at 0.
 template <class T, std::size_t N>
-[[gnu::always_inline]] inline Dual<T, N> abs(const Dual<T, N>& x) {
+PLASTICA_ALWAYS_INLINE inline Dual<T, N> abs(const Dual<T, N>& x) {
   return select(x.value < constant<T>(0), -x, x);
 }
 
 template <class T, std::size_t N>
 inline Dual<T, N> sqrt(const Dual<T, N>& x) {
   Dual<T, N> root(sqrt(x.value));
-  root.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
+  root.derivative = each_of<N>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
     return x.derivative[i] / (root.value + root.value);
   });
   return root;
@@ -114,9 +113,8 @@ inline Dual<T, N> sqrt(const Dual<T, N>& x) {
 template <class T, std::size_t N>
 inline Dual<T, N> exp(const Dual<T, N>& x) {
   Dual<T, N> power(exp(x.value));
-  power.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
-    return x.derivative[i] * power.value;
-  });
+  power.derivative = each_of<N>(
+      [&](std::size_t i) PLASTICA_ALWAYS_INLINE { return x.derivative[i] * power.value; });
   return power;
 }
 
@@ -139,9 +137,8 @@ template <class T, std::size_t N>
 inline Dual<T, N> sin(const Dual<T, N>& x) {
   Dual<T, N> sine(sin(x.value));
   const T slope = cos(x.value);
-  sine.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
-    return x.derivative[i] * slope;
-  });
+  sine.derivative =
+      each_of<N>([&](std::size_t i) PLASTICA_ALWAYS_INLINE { return x.derivative[i] * slope; });
   return sine;
 }
 
@@ -149,9 +146,8 @@ template <class T, std::size_t N>
 inline Dual<T, N> cos(const Dual<T, N>& x) {
   Dual<T, N> cosine(cos(x.value));
   const T slope = -sin(x.value);
-  cosine.derivative = each_of<N>([&](std::size_t i) __attribute__((always_inline)) {
-    return x.derivative[i] * slope;
-  });
+  cosine.derivative =
+      each_of<N>([&](std::size_t i) PLASTICA_ALWAYS_INLINE { return x.derivative[i] * slope; });
   return cosine;
 }
 

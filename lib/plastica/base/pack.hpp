@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "plastica/base/always_inline.hpp"
 #include "plastica/base/scalar.hpp"
 
 namespace plastica {
@@ -29,7 +30,7 @@ inline constexpr std::size_t kRegisterBytes = 16;
 
 /// a b + c of a register, rounded once where the instruction set can.
 template <class Register>
-[[gnu::always_inline]] inline Register fused(const Register& a, const Register& b,
+PLASTICA_ALWAYS_INLINE inline Register fused(const Register& a, const Register& b,
                                              const Register& c) {
 #if defined(__AVX512F__)
   if constexpr (sizeof(a[0]) == 8) {
@@ -49,7 +50,7 @@ template <class Register>
 }
 
 template <class Register>
-[[gnu::always_inline]] inline Register square_root(const Register& x) {
+PLASTICA_ALWAYS_INLINE inline Register square_root(const Register& x) {
 #if defined(__AVX512F__)
   if constexpr (sizeof(x[0]) == 8) return (Register)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);
   if constexpr (sizeof(x[0]) == 4) return (Register)_mm512_maskz_sqrt_ps(0xffff, (__m512)x);
@@ -90,13 +91,13 @@ struct Pack {
   struct Mask {
     NativeMask part[kParts];
 
-    [[gnu::always_inline]] friend Mask operator&(const Mask& a, const Mask& b) {
+    PLASTICA_ALWAYS_INLINE friend Mask operator&(const Mask& a, const Mask& b) {
       return mask_by_part([&](std::size_t i) { return a.part[i] & b.part[i]; });
     }
-    [[gnu::always_inline]] friend Mask operator|(const Mask& a, const Mask& b) {
+    PLASTICA_ALWAYS_INLINE friend Mask operator|(const Mask& a, const Mask& b) {
       return mask_by_part([&](std::size_t i) { return a.part[i] | b.part[i]; });
     }
-    [[gnu::always_inline]] friend Mask operator!(const Mask& a) {
+    PLASTICA_ALWAYS_INLINE friend Mask operator!(const Mask& a) {
       return mask_by_part([&](std::size_t i) { return ~a.part[i]; });
     }
     bool operator[](int lane) const {
@@ -107,22 +108,22 @@ struct Pack {
 
   Native part[kParts];
 
-  [[gnu::always_inline]] Pack() {
+  PLASTICA_ALWAYS_INLINE Pack() {
     *this = by_part([](std::size_t /*i*/) { return Native{}; });
   }
-  [[gnu::always_inline]] explicit Pack(T value) {
+  PLASTICA_ALWAYS_INLINE explicit Pack(T value) {
     *this = by_part([value](std::size_t /*i*/) { return value - Native{}; });
   }
 
   /// Part by part: what is copied as a whole stays in memory.
-  [[gnu::always_inline]] static Pack load(const T* from) {
+  PLASTICA_ALWAYS_INLINE static Pack load(const T* from) {
     return by_part([from](std::size_t i) {
       Native lanes;
       __builtin_memcpy(&lanes, from + i * kPartLanes, kPartBytes);
       return lanes;
     });
   }
-  [[gnu::always_inline]] void store(T* to) const {
+  PLASTICA_ALWAYS_INLINE void store(T* to) const {
     for (std::size_t i = 0; i < kParts; ++i) {
       __builtin_memcpy(to + i * kPartLanes, &part[i], kPartBytes);
     }
@@ -139,8 +140,8 @@ struct Pack {
   /// f(i) of each part. Written out rather than looped over: an array that a loop indexes stays in
   /// memory.
   template <class F>
-  [[gnu::always_inline]] static Pack by_part(const F& f) {
-    return [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+  PLASTICA_ALWAYS_INLINE static Pack by_part(const F& f) {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) PLASTICA_ALWAYS_INLINE {
       Pack pack(kUnset);
       ((pack.part[I] = f(I)), ...);
       return pack;
@@ -148,8 +149,8 @@ struct Pack {
     (std::make_index_sequence<kParts>{});
   }
   template <class F>
-  [[gnu::always_inline]] static Mask mask_by_part(const F& f) {
-    return [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+  PLASTICA_ALWAYS_INLINE static Mask mask_by_part(const F& f) {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) PLASTICA_ALWAYS_INLINE {
       Mask mask;
       ((mask.part[I] = f(I)), ...);
       return mask;
@@ -157,41 +158,41 @@ struct Pack {
     (std::make_index_sequence<kParts>{});
   }
 
-  [[gnu::always_inline]] friend Pack operator+(const Pack& a, const Pack& b) {
+  PLASTICA_ALWAYS_INLINE friend Pack operator+(const Pack& a, const Pack& b) {
     return by_part([&](std::size_t i) { return a.part[i] + b.part[i]; });
   }
-  [[gnu::always_inline]] friend Pack operator-(const Pack& a, const Pack& b) {
+  PLASTICA_ALWAYS_INLINE friend Pack operator-(const Pack& a, const Pack& b) {
     return by_part([&](std::size_t i) { return a.part[i] - b.part[i]; });
   }
-  [[gnu::always_inline]] friend Pack operator*(const Pack& a, const Pack& b) {
+  PLASTICA_ALWAYS_INLINE friend Pack operator*(const Pack& a, const Pack& b) {
     return by_part([&](std::size_t i) { return a.part[i] * b.part[i]; });
   }
-  [[gnu::always_inline]] friend Pack operator/(const Pack& a, const Pack& b) {
+  PLASTICA_ALWAYS_INLINE friend Pack operator/(const Pack& a, const Pack& b) {
     return by_part([&](std::size_t i) { return a.part[i] / b.part[i]; });
   }
-  [[gnu::always_inline]] friend Pack operator-(const Pack& a) {
+  PLASTICA_ALWAYS_INLINE friend Pack operator-(const Pack& a) {
     return by_part([&](std::size_t i) { return -a.part[i]; });
   }
-  [[gnu::always_inline]] Pack& operator+=(const Pack& b) { return *this = *this + b; }
-  [[gnu::always_inline]] Pack& operator-=(const Pack& b) { return *this = *this - b; }
-  [[gnu::always_inline]] Pack& operator*=(const Pack& b) { return *this = *this * b; }
+  PLASTICA_ALWAYS_INLINE Pack& operator+=(const Pack& b) { return *this = *this + b; }
+  PLASTICA_ALWAYS_INLINE Pack& operator-=(const Pack& b) { return *this = *this - b; }
+  PLASTICA_ALWAYS_INLINE Pack& operator*=(const Pack& b) { return *this = *this * b; }
 
-  [[gnu::always_inline]] friend Mask operator<(const Pack& a, const Pack& b) {
+  PLASTICA_ALWAYS_INLINE friend Mask operator<(const Pack& a, const Pack& b) {
     return mask_by_part([&](std::size_t i) { return a.part[i] < b.part[i]; });
   }
-  [[gnu::always_inline]] friend Mask operator>(const Pack& a, const Pack& b) {
+  PLASTICA_ALWAYS_INLINE friend Mask operator>(const Pack& a, const Pack& b) {
     return mask_by_part([&](std::size_t i) { return a.part[i] > b.part[i]; });
   }
-  [[gnu::always_inline]] friend Mask operator<=(const Pack& a, const Pack& b) {
+  PLASTICA_ALWAYS_INLINE friend Mask operator<=(const Pack& a, const Pack& b) {
     return mask_by_part([&](std::size_t i) { return a.part[i] <= b.part[i]; });
   }
-  [[gnu::always_inline]] friend Mask operator>=(const Pack& a, const Pack& b) {
+  PLASTICA_ALWAYS_INLINE friend Mask operator>=(const Pack& a, const Pack& b) {
     return mask_by_part([&](std::size_t i) { return a.part[i] >= b.part[i]; });
   }
 
  private:
   enum Unset { kUnset };
-  [[gnu::always_inline]] explicit Pack(Unset /*parts follow*/) {}
+  PLASTICA_ALWAYS_INLINE explicit Pack(Unset /*parts follow*/) {}
 };
 
 template <class T, int W>
@@ -201,7 +202,7 @@ struct ScalarTraits<Pack<T, W>> {
 };
 
 template <class T, int W>
-[[gnu::always_inline]] inline Pack<T, W> select(const typename Pack<T, W>::Mask& mask,
+PLASTICA_ALWAYS_INLINE inline Pack<T, W> select(const typename Pack<T, W>::Mask& mask,
                                                 const Pack<T, W>& a, const Pack<T, W>& b) {
   return Pack<T, W>::by_part([&](std::size_t i) { return mask.part[i] ? a.part[i] : b.part[i]; });
 }
@@ -209,7 +210,7 @@ template <class T, int W>
 /// Any type with parts that is a mask: `mask_t<Pack>` cannot be deduced through its outer class.
 template <class Mask>
 requires requires(const Mask& mask) { mask.part[0][0] != 0; }
-[[gnu::always_inline]] inline bool any(const Mask& mask) {
+PLASTICA_ALWAYS_INLINE inline bool any(const Mask& mask) {
   auto all = mask.part[0];
   for (std::size_t i = 1; i < sizeof(mask.part) / sizeof(mask.part[0]); ++i) all |= mask.part[i];
   bool found = false;
@@ -220,7 +221,7 @@ requires requires(const Mask& mask) { mask.part[0][0] != 0; }
 }
 
 template <class T, int W>
-[[gnu::always_inline]] inline Pack<T, W> abs(const Pack<T, W>& x) {
+PLASTICA_ALWAYS_INLINE inline Pack<T, W> abs(const Pack<T, W>& x) {
   using Native = typename Pack<T, W>::Native;
   using NativeMask = typename Pack<T, W>::NativeMask;
   const NativeMask sign_bit = (NativeMask)(-Native{});
@@ -229,12 +230,12 @@ template <class T, int W>
 }
 
 template <class T, int W>
-[[gnu::always_inline]] inline Pack<T, W> sqrt(const Pack<T, W>& x) {
+PLASTICA_ALWAYS_INLINE inline Pack<T, W> sqrt(const Pack<T, W>& x) {
   return Pack<T, W>::by_part([&](std::size_t i) { return detail::square_root(x.part[i]); });
 }
 
 template <class T, int W>
-[[gnu::always_inline]] inline Pack<T, W> multiply_add(const Pack<T, W>& a, const Pack<T, W>& b,
+PLASTICA_ALWAYS_INLINE inline Pack<T, W> multiply_add(const Pack<T, W>& a, const Pack<T, W>& b,
                                                       const Pack<T, W>& c) {
   return Pack<T, W>::by_part(
       [&](std::size_t i) { return detail::fused(a.part[i], b.part[i], c.part[i]); });

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "plastica/base/always_inline.hpp"
 #include "plastica/base/pack.hpp"
 #include "plastica/base/scalar.hpp"
 
@@ -15,7 +16,7 @@ namespace detail {
 /// @tparam Bits  unsigned integers as wide as the numbers: one, or a register of them
 /// @param shifted  n, added to kRound, so that it stands in the lowest bits
 template <class Bits, int kSignBit, class Float>
-[[gnu::always_inline]] inline void turn_bits(const Float& shifted, Float& sine, Float& cosine) {
+PLASTICA_ALWAYS_INLINE inline void turn_bits(const Float& shifted, Float& sine, Float& cosine) {
   Bits n, s, c;
   __builtin_memcpy(&n, &shifted, sizeof(Float));
   __builtin_memcpy(&s, &sine, sizeof(Float));
@@ -37,7 +38,7 @@ inline void turn_by_quarters(float shifted, float& sine, float& cosine) {
   turn_bits<std::uint32_t, 31>(shifted, sine, cosine);
 }
 template <class T, int W>
-[[gnu::always_inline]] inline void turn_by_quarters(const Pack<T, W>& shifted, Pack<T, W>& sine,
+PLASTICA_ALWAYS_INLINE inline void turn_by_quarters(const Pack<T, W>& shifted, Pack<T, W>& sine,
                                                     Pack<T, W>& cosine) {
   using P = Pack<T, W>;
   using Bits [[gnu::vector_size(P::kPartBytes)]] = BitsOf<T>;
@@ -48,7 +49,7 @@ template <class T, int W>
 
 /// Sum of (-1)^n x^n first!/(2n + first)!, n = 0 … kTerms - 1.
 template <int kTerms, class S>
-[[gnu::always_inline]] inline S alternating_series(const S& x, int first) {
+PLASTICA_ALWAYS_INLINE inline S alternating_series(const S& x, int first) {
   double factor = 1.0;
   for (int n = 1; n < kTerms; ++n) factor /= -(2.0 * n + first) * (2.0 * n + first - 1.0);
   S sum = constant<S>(factor);
@@ -71,7 +72,7 @@ template <class S>
 struct SineCosine {
   S sine, cosine;
 
-  [[gnu::always_inline]] explicit SineCosine(const S& x) {
+  PLASTICA_ALWAYS_INLINE explicit SineCosine(const S& x) {
     constexpr bool kDouble = sizeof(real_t<S>) == 8;
     const S round = S(detail::kRound<real_t<S>>);
     const S shifted = multiply_add(x, constant<S>(0.63661977236758134308), round);

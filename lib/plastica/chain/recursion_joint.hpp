@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "plastica/base/always_inline.hpp"
 #include "plastica/chain/recursion.hpp"
 
 /// One joint of the recursion along the chain.
@@ -176,7 +177,7 @@ Recursion<L, kElastic>::inverse_welded(const Mat<S, kJ, kJ>& d, const Spins& nea
 
 /// The impedance of what is outside of a joint, about the one before: by way of the arm between.
 template <class L, bool kElastic>
-[[gnu::always_inline]] inline void Recursion<L, kElastic>::carry(const typename L::Point& arm,
+PLASTICA_ALWAYS_INLINE inline void Recursion<L, kElastic>::carry(const typename L::Point& arm,
                                                                  const typename L::Point& work_arm,
                                                                  Impedance<L>& a) {
   const Mat<S, kT, kR> tr = a.tr + times_spun_by<L>(a.tt, arm);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "plastica/base/always_inline.hpp"
 #include "plastica/chain/chain.hpp"
 
 namespace plastica::chain {
@@ -47,10 +48,10 @@ struct Impedance {
 
 /// m spun_by(arm), without the zeros of `spun_by`.
 template <class L, std::size_t R>
-[[gnu::always_inline]] inline Mat<typename L::Scalar, R, L::kRotations> times_spun_by(
+PLASTICA_ALWAYS_INLINE inline Mat<typename L::Scalar, R, L::kRotations> times_spun_by(
     const Mat<typename L::Scalar, R, L::kTranslations>& m, const typename L::Point& arm) {
   Mat<typename L::Scalar, R, L::kRotations> product;
-  for_each_of<R>([&](std::size_t i) __attribute__((always_inline)) {
+  for_each_of<R>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
     const auto row = block<1, L::kTranslations>(m, i, 0);
     const typename L::Spin turned = L::moment(arm, {row.at});
     put(product, i, 0, Mat<typename L::Scalar, 1, L::kRotations>{turned.at});
@@ -60,10 +61,10 @@ template <class L, std::size_t R>
 
 /// spun_by(arm)^T m, likewise.
 template <class L, std::size_t C>
-[[gnu::always_inline]] inline Mat<typename L::Scalar, L::kRotations, C> spun_by_times(
+PLASTICA_ALWAYS_INLINE inline Mat<typename L::Scalar, L::kRotations, C> spun_by_times(
     const typename L::Point& arm, const Mat<typename L::Scalar, L::kTranslations, C>& m) {
   Mat<typename L::Scalar, L::kRotations, C> product;
-  for_each_of<C>([&](std::size_t j) __attribute__((always_inline)) {
+  for_each_of<C>([&](std::size_t j) PLASTICA_ALWAYS_INLINE {
     const auto column = block<L::kTranslations, 1>(m, 0, j);
     const typename L::Spin turned = L::moment(arm, {column.at});
     put(product, 0, j, Mat<typename L::Scalar, L::kRotations, 1>{turned.at});

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "plastica/base/always_inline.hpp"
 #include "plastica/base/pack.hpp"
 #include "plastica/base/scalar.hpp"
 
@@ -14,7 +15,7 @@ template <class S>
 inline constexpr std::size_t kLanes = sizeof(S) / sizeof(real_t<S>);
 
 template <class S>
-[[gnu::always_inline]] inline S load_lanes(const real_t<S>* from) {
+PLASTICA_ALWAYS_INLINE inline S load_lanes(const real_t<S>* from) {
   if constexpr (kLanes<S> == 1) {
     return *from;
   } else {
@@ -23,7 +24,7 @@ template <class S>
 }
 
 template <class S>
-[[gnu::always_inline]] inline void store_lanes(const S& value, real_t<S>* to) {
+PLASTICA_ALWAYS_INLINE inline void store_lanes(const S& value, real_t<S>* to) {
   if constexpr (kLanes<S> == 1) {
     *to = value;
   } else {
@@ -38,12 +39,12 @@ class Entry {
  public:
   using Real = real_t<S>;
 
-  [[gnu::always_inline]] Entry(Real* array, std::size_t index)
+  PLASTICA_ALWAYS_INLINE Entry(Real* array, std::size_t index)
       : at_(array + index * Fields::kCount * kStride) {}
-  [[gnu::always_inline]] S get(std::size_t field) const {
+  PLASTICA_ALWAYS_INLINE S get(std::size_t field) const {
     return load_lanes<S>(at_ + field * kStride);
   }
-  [[gnu::always_inline]] void set(std::size_t field, const S& value) const {
+  PLASTICA_ALWAYS_INLINE void set(std::size_t field, const S& value) const {
     store_lanes<S>(value, at_ + field * kStride);
   }
 
@@ -56,9 +57,9 @@ class ConstantEntry {
  public:
   using Real = real_t<S>;
 
-  [[gnu::always_inline]] ConstantEntry(const Real* array, std::size_t index)
+  PLASTICA_ALWAYS_INLINE ConstantEntry(const Real* array, std::size_t index)
       : at_(array + index * Fields::kCount * kStride) {}
-  [[gnu::always_inline]] S get(std::size_t field) const {
+  PLASTICA_ALWAYS_INLINE S get(std::size_t field) const {
     return load_lanes<S>(at_ + field * kStride);
   }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "plastica/base/always_inline.hpp"
 #include "plastica/base/pack.hpp"
 #include "plastica/base/scalar.hpp"
 #include "plastica/base/sine_cosine.hpp"
@@ -26,14 +27,14 @@ class PlanarSteps {
   using State = Entry<S, PlanarState>;
   using Work = Entry<S, PlanarWork>;
 
-  [[gnu::always_inline]] PlanarSteps(const PlanarBeam<Real>& beam, double step)
+  PLASTICA_ALWAYS_INLINE PlanarSteps(const PlanarBeam<Real>& beam, double step)
       : beam_(beam),
         h_(constant<S>(step)),
         ahead_(constant<S>(kOrder == 2 ? 0.5 * step : 0.0)),
         to_force_(constant<S>(kOrder == 2 ? 0.5 * step : step)) {}
 
   /// Looks from the state where the forces of a step act.
-  [[gnu::always_inline]] void aim() const {
+  PLASTICA_ALWAYS_INLINE void aim() const {
     S direction = constant<S>(0);
     S spin = constant<S>(0);
     for (std::size_t i = 0; i < beam_.segments; ++i) {
@@ -45,7 +46,7 @@ class PlanarSteps {
     }
   }
 
-  [[gnu::always_inline]] void step() const {
+  PLASTICA_ALWAYS_INLINE void step() const {
     inward();
     outward();
   }
@@ -57,7 +58,7 @@ class PlanarSteps {
     S r, x, y;                 ///< what is needed without any acceleration
   };
 
-  [[gnu::always_inline]] void aim_segment(std::size_t i, const S& direction, const S& spin,
+  PLASTICA_ALWAYS_INLINE void aim_segment(std::size_t i, const S& direction, const S& spin,
                                           const S& turning) const {
     const SineCosine<S> at(multiply_add(ahead_, spin, direction));
     const Work work(beam_.work, i);
@@ -70,7 +71,7 @@ class PlanarSteps {
   struct JointMoment {
     S moment, resistance;
   };
-  [[gnu::always_inline]] JointMoment joint_moment(const Kind& kind, const State& state) const {
+  PLASTICA_ALWAYS_INLINE JointMoment joint_moment(const Kind& kind, const State& state) const {
     const S angle = state.get(PlanarState::Angle);
     const S rate = state.get(PlanarState::Rate);
     const S stiffness = kind.get(PlanarKind::Stiffness);
@@ -96,7 +97,7 @@ class PlanarSteps {
   }
 
   /// From the free end to the start: what each body, with all outside of it, asks of its joint.
-  [[gnu::always_inline]] void inward() const {
+  PLASTICA_ALWAYS_INLINE void inward() const {
     const S zero = constant<S>(0);
     Body a{zero, zero, zero, zero, zero, zero, zero, zero, zero};
     for (std::size_t i = beam_.segments; i-- > 0;) {
@@ -110,7 +111,7 @@ class PlanarSteps {
     }
   }
 
-  [[gnu::always_inline]] static void add_segment(const Kind& kind, const Load& load,
+  PLASTICA_ALWAYS_INLINE static void add_segment(const Kind& kind, const Load& load,
                                                  const Work& work, Body& a) {
     const S c = work.get(PlanarWork::Cosine);
     const S s = work.get(PlanarWork::Sine);
@@ -134,7 +135,7 @@ class PlanarSteps {
 
   /// Eliminates the joint's acceleration. With resistance k and D = rr + k, what is left of rr is
   /// rr - rr^2/D = rr k/D, without a difference of large numbers.
-  [[gnu::always_inline]] static void release_joint(const JointMoment& joint, const Work& work,
+  PLASTICA_ALWAYS_INLINE static void release_joint(const JointMoment& joint, const Work& work,
                                                    Body& a) {
     const S inverse = constant<S>(1) / (a.rr + joint.resistance);
     const S by_turning = a.rr * inverse;
@@ -159,7 +160,7 @@ class PlanarSteps {
 
   /// The same about the joint of the inner neighbour: its outer end accelerates with it by
   /// (ex, ey) times its turning and towards its inner end by its spin.
-  [[gnu::always_inline]] static void carry_inward(const Kind& inner, const Work& work, Body& a) {
+  PLASTICA_ALWAYS_INLINE static void carry_inward(const Kind& inner, const Work& work, Body& a) {
     const S length = inner.get(PlanarKind::Length);
     const S spin = work.get(PlanarWork::Spin);
     const S ex = -(length * work.get(PlanarWork::Sine));
@@ -179,7 +180,7 @@ class PlanarSteps {
   }
 
   /// From the start to the free end: accelerations, and the state at the end of the step.
-  [[gnu::always_inline]] void outward() const {
+  PLASTICA_ALWAYS_INLINE void outward() const {
     const S zero = constant<S>(0);
     Entry<S, PlanarSums> sums(beam_.sums, 0);
     S damped = sums.get(PlanarSums::Damping);
@@ -247,7 +248,7 @@ class PlanarSteps {
     sums.set(PlanarSums::FastestSpin, fastest);
   }
 
-  [[gnu::always_inline]] static S power(const Load& load, const S& c, const S& s, const S& spin,
+  PLASTICA_ALWAYS_INLINE static S power(const Load& load, const S& c, const S& s, const S& spin,
                                         const S& velocity_x, const S& velocity_y) {
     const S moment =
         multiply_add(c, load.get(PlanarLoad::LeverY),
@@ -258,7 +259,7 @@ class PlanarSteps {
 
   /// Returns the moment to its cap; adds what the scheme's moment did beyond the plastic work and
   /// the elastic energy.
-  [[gnu::always_inline]] static void yield(const Kind& kind, const State& state,
+  PLASTICA_ALWAYS_INLINE static void yield(const Kind& kind, const State& state,
                                            const S& angle_before, const S& angle, S& numerical) {
     const S stiffness = kind.get(PlanarKind::Stiffness);
     const S compliance = kind.get(PlanarKind::Compliance);
@@ -278,7 +279,7 @@ class PlanarSteps {
 
   /// What Euler's rule loses of a segment's kinetic energy in a step: half of h^2 times the
   /// product of its inertia with the squares of its accelerations.
-  [[gnu::always_inline]] S lost(const Kind& kind, const S& c, const S& s, const S& turning,
+  PLASTICA_ALWAYS_INLINE S lost(const Kind& kind, const S& c, const S& s, const S& turning,
                                 const S& x, const S& y) const {
     const S first = kind.get(PlanarKind::FirstMoment);
     const S twice = multiply_add(kind.get(PlanarKind::Inertia) * turning, turning,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "plastica/base/always_inline.hpp"
 #include "plastica/lanes/spatial_beam.hpp"
 #include "plastica/lanes/triple.hpp"
 
@@ -15,7 +16,7 @@ struct Factored {
   Triple<S> inverse;
 
   /// @param free  1; 0 makes the inverse 0
-  [[gnu::always_inline]] Factored(const Symmetric<S>& m, const S& free) {
+  PLASTICA_ALWAYS_INLINE Factored(const Symmetric<S>& m, const S& free) {
     inverse.x = free / m.xx;
     yx = m.xy * inverse.x;
     zx = m.xz * inverse.x;
@@ -26,19 +27,19 @@ struct Factored {
     inverse.z = free / multiply_add(-zy, rest, multiply_add(-zx, m.xz, m.zz));
   }
   /// L^-1 v.
-  [[gnu::always_inline]] Triple<S> forward(const Triple<S>& v) const {
+  PLASTICA_ALWAYS_INLINE Triple<S> forward(const Triple<S>& v) const {
     const S y = multiply_add(-yx, v.x, v.y);
     return {v.x, y, multiply_add(-zy, y, multiply_add(-zx, v.x, v.z))};
   }
-  [[gnu::always_inline]] Triple<S> scaled(const Triple<S>& v) const {
+  PLASTICA_ALWAYS_INLINE Triple<S> scaled(const Triple<S>& v) const {
     return {inverse.x * v.x, inverse.y * v.y, inverse.z * v.z};
   }
   /// L^-T v.
-  [[gnu::always_inline]] Triple<S> backward(const Triple<S>& v) const {
+  PLASTICA_ALWAYS_INLINE Triple<S> backward(const Triple<S>& v) const {
     const S y = multiply_add(-zy, v.z, v.y);
     return {multiply_add(-yx, y, multiply_add(-zx, v.z, v.x)), y, v.z};
   }
-  [[gnu::always_inline]] Triple<S> solved(const Triple<S>& v) const {
+  PLASTICA_ALWAYS_INLINE Triple<S> solved(const Triple<S>& v) const {
     return backward(scaled(forward(v)));
   }
 };
@@ -59,7 +60,7 @@ struct SpatialBody {
   Symmetric<S> tt;
   Triple<S> r, t;
 
-  [[gnu::always_inline]] static SpatialBody none() {
+  PLASTICA_ALWAYS_INLINE static SpatialBody none() {
     const S zero = constant<S>(0);
     const Triple<S> v{zero, zero, zero};
     const Symmetric<S> m{zero, zero, zero, zero, zero, zero};
@@ -68,7 +69,7 @@ struct SpatialBody {
 
   /// The same about another joint, of which the first accelerates by turning x e + pull. Column k
   /// of rt gets e x column k of tt; rr gets that of rt's rows before and after.
-  [[gnu::always_inline]] void carry(const Triple<S>& e, const Triple<S>& pull) {
+  PLASTICA_ALWAYS_INLINE void carry(const Triple<S>& e, const Triple<S>& pull) {
     const Columns<S> columns = tt.columns();
     r = columns_add(rt, pull, r);
     t = columns_add(columns, pull, t);
@@ -85,7 +86,7 @@ struct SpatialBody {
   /// rr, without a difference of large numbers; likewise of rt.
   /// @param free  0 for a welded joint, whose body may not be carried on then
   template <class Sink>
-  [[gnu::always_inline]] void release(const JointMoment<S>& joint, const S& free,
+  PLASTICA_ALWAYS_INLINE void release(const JointMoment<S>& joint, const S& free,
                                       const Sink& sink) {
     const Factored<S> d(rr + joint.resistance, free);
     const Columns<S> k = joint.resistance.columns();
@@ -126,7 +127,7 @@ struct SpatialBody {
 
  private:
   /// Adds e x row i of m, of its component j, to the entry ij.
-  [[gnu::always_inline]] static void turn_rows(const Triple<S>& e, const Columns<S>& m,
+  PLASTICA_ALWAYS_INLINE static void turn_rows(const Triple<S>& e, const Columns<S>& m,
                                                Symmetric<S>& to) {
     to.xx = across(e.y, m.z.x, e.z, m.y.x, to.xx);
     to.xy = across(e.z, m.x.x, e.x, m.z.x, to.xy);
@@ -136,7 +137,7 @@ struct SpatialBody {
     to.zz = across(e.x, m.y.z, e.y, m.x.z, to.zz);
   }
   /// The same to the entry ji.
-  [[gnu::always_inline]] static void turn_rows_transposed(const Triple<S>& e, const Columns<S>& m,
+  PLASTICA_ALWAYS_INLINE static void turn_rows_transposed(const Triple<S>& e, const Columns<S>& m,
                                                           Symmetric<S>& to) {
     to.xx = across(e.y, m.z.x, e.z, m.y.x, to.xx);
     to.xy = across(e.y, m.z.y, e.z, m.y.y, to.xy);
@@ -147,7 +148,7 @@ struct SpatialBody {
   }
 
   /// a b - c d + sum.
-  [[gnu::always_inline]] static S across(const S& a, const S& b, const S& c, const S& d,
+  PLASTICA_ALWAYS_INLINE static S across(const S& a, const S& b, const S& c, const S& d,
                                          const S& sum) {
     return multiply_add(a, b, multiply_add(-c, d, sum));
   }

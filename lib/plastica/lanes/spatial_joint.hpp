@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "plastica/base/always_inline.hpp"
 #include "plastica/lanes/spatial_beam.hpp"
 #include "plastica/lanes/spatial_body.hpp"
 
@@ -26,13 +27,13 @@ class SpatialJoints {
   using State = Entry<S, SpatialState, kStride>;
   using Vector = Triple<S>;
 
-  [[gnu::always_inline]] explicit SpatialJoints(double step)
+  PLASTICA_ALWAYS_INLINE explicit SpatialJoints(double step)
       : h_(constant<S>(step)),
         to_force_(constant<S>(kOrder == 2 ? 0.5 * step : step)),
         calm_(constant<S>(0.5 * kCalm * step)) {}
 
   /// @param b  rows of B
-  [[gnu::always_inline]] JointMoment<S> moment(const Kind& kind, const State& state,
+  PLASTICA_ALWAYS_INLINE JointMoment<S> moment(const Kind& kind, const State& state,
                                                const Columns<S>& b) const {
     const Vector rate = rows_times(b, get_triple(state, SpatialState::Rate));
     const Component x = component(kind, state, rate.x, 0);
@@ -47,7 +48,7 @@ class SpatialJoints {
 
   /// Counts what a step has dissipated; lets what is beyond its cap flow.
   /// @param rate  mean of the angle's
-  [[gnu::always_inline]] void settle(const Kind& kind, const State& state, const Vector& before,
+  PLASTICA_ALWAYS_INLINE void settle(const Kind& kind, const State& state, const Vector& before,
                                      const Vector& angle, const Vector& rate,
                                      Losses<S>& losses) const {
     settle_component(kind, state, 0, before.x, angle.x, rate.x, losses);
@@ -60,7 +61,7 @@ class SpatialJoints {
   struct Component {
     S moment, resistance;
   };
-  [[gnu::always_inline]] Component component(const Kind& kind, const State& state, const S& rate,
+  PLASTICA_ALWAYS_INLINE Component component(const Kind& kind, const State& state, const S& rate,
                                              std::size_t k) const {
     const S angle = state.get(SpatialState::Angle + k);
     const S stiffness = kind.get(SpatialKind::Stiffness + k);
@@ -89,7 +90,7 @@ class SpatialJoints {
     return joint;
   }
 
-  [[gnu::always_inline]] void settle_component(const Kind& kind, const State& state, std::size_t k,
+  PLASTICA_ALWAYS_INLINE void settle_component(const Kind& kind, const State& state, std::size_t k,
                                                const S& before, const S& angle, const S& rate,
                                                Losses<S>& losses) const {
     losses.damping =
@@ -112,7 +113,7 @@ class SpatialJoints {
 
   /// Returns the moment to its cap; adds what the scheme's moment did beyond the plastic work and
   /// the elastic energy.
-  [[gnu::always_inline]] static void flow(const Kind& kind, const State& state, std::size_t k,
+  PLASTICA_ALWAYS_INLINE static void flow(const Kind& kind, const State& state, std::size_t k,
                                           const S& angle_before, const S& angle, S& numerical) {
     const S stiffness = kind.get(SpatialKind::Stiffness + k);
     const S compliance = kind.get(SpatialKind::Compliance + k);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "plastica/base/always_inline.hpp"
 #include "plastica/lanes/spatial_beam.hpp"
 #include "plastica/lanes/spatial_body.hpp"
 #include "plastica/lanes/spatial_joint.hpp"
@@ -26,7 +27,7 @@ class SpatialSteps {
   using Work = Entry<S, SpatialWork, kStride>;
   using Vector = Triple<S>;
 
-  [[gnu::always_inline]] SpatialSteps(const SpatialBeam<Real>& beam, double step)
+  PLASTICA_ALWAYS_INLINE SpatialSteps(const SpatialBeam<Real>& beam, double step)
       : beam_(beam),
         h_(constant<S>(step)),
         ahead_(constant<S>(kOrder == 2 ? 0.5 * step : 0.0)),
@@ -44,7 +45,7 @@ class SpatialSteps {
     }
   }
 
-  [[gnu::always_inline]] void step() const {
+  PLASTICA_ALWAYS_INLINE void step() const {
     inward();
     outward();
   }
@@ -56,7 +57,7 @@ class SpatialSteps {
     Columns<S> axes;
     Vector spin;
   };
-  [[gnu::always_inline]] static Aim begin() {
+  PLASTICA_ALWAYS_INLINE static Aim begin() {
     const S zero = constant<S>(0);
     const S one = constant<S>(1);
     const Vector none{zero, zero, zero};
@@ -64,7 +65,7 @@ class SpatialSteps {
   }
 
   /// @param aim  its frame and axes: of the inner neighbour, then of the segment
-  [[gnu::always_inline]] void aim_segment(std::size_t i, const Vector& angle,
+  PLASTICA_ALWAYS_INLINE void aim_segment(std::size_t i, const Vector& angle,
                                           const Vector& angle_rate, const Vector& turning,
                                           Aim& aim) const {
     const Work work(beam_.work, i);
@@ -83,19 +84,19 @@ class SpatialSteps {
   struct Sink {
     Work work;
 
-    [[gnu::always_inline]] void given(const Vector& v) const {
+    PLASTICA_ALWAYS_INLINE void given(const Vector& v) const {
       set_triple(work, SpatialWork::Given, v);
     }
-    [[gnu::always_inline]] void by_turning(std::size_t column, const Vector& v) const {
+    PLASTICA_ALWAYS_INLINE void by_turning(std::size_t column, const Vector& v) const {
       set_triple(work, SpatialWork::ByTurning + 3 * column, v);
     }
-    [[gnu::always_inline]] void by_acceleration(std::size_t column, const Vector& v) const {
+    PLASTICA_ALWAYS_INLINE void by_acceleration(std::size_t column, const Vector& v) const {
       set_triple(work, SpatialWork::ByAcceleration + 3 * column, v);
     }
   };
 
   /// From the free end to the start: what each body, with all outside of it, asks of its joint.
-  [[gnu::always_inline]] void inward() const {
+  PLASTICA_ALWAYS_INLINE void inward() const {
     SpatialBody<S> body = SpatialBody<S>::none();
     for (std::size_t i = beam_.segments; i-- > 0;) {
       const Kind kind(beam_.kinds, beam_.kind[i]);
@@ -114,13 +115,13 @@ class SpatialSteps {
   }
 
   /// w x (w x z).
-  [[gnu::always_inline]] static Vector centripetal(const Vector& w, const Vector& z) {
+  PLASTICA_ALWAYS_INLINE static Vector centripetal(const Vector& w, const Vector& z) {
     return scale_add(dot(w, z), w, -dot(w, w) * z);
   }
 
   /// Its inertia is Ix + (Iy - Ix) y y^T + (Iz - Ix) z z^T, of which only the last two have a
   /// gyroscopic moment.
-  [[gnu::always_inline]] static void add_segment(const Kind& kind, const Load& load,
+  PLASTICA_ALWAYS_INLINE static void add_segment(const Kind& kind, const Load& load,
                                                  const Vector& z, const Vector& y,
                                                  const Vector& spin, const Vector& pull,
                                                  SpatialBody<S>& a) {
@@ -151,7 +152,7 @@ class SpatialSteps {
   }
 
   /// From the start to the free end: accelerations, and the state at the end of the step.
-  [[gnu::always_inline]] void outward() const {
+  PLASTICA_ALWAYS_INLINE void outward() const {
     Entry<S, SpatialSums, kStride> sums(beam_.sums, 0);
     Losses<S> losses{sums.get(SpatialSums::Damping), sums.get(SpatialSums::Numerical)};
     S fastest = constant<S>(0);
@@ -210,7 +211,7 @@ class SpatialSteps {
     sums.set(SpatialSums::LargestAngle, max(sums.get(SpatialSums::LargestAngle), sqrt(largest)));
   }
 
-  [[gnu::always_inline]] static S power(const Load& load, const Vector& z, const Vector& spin,
+  PLASTICA_ALWAYS_INLINE static S power(const Load& load, const Vector& z, const Vector& spin,
                                         const Vector& velocity) {
     const Vector moment =
         cross_add(z, get_triple(load, SpatialLoad::Lever), get_triple(load, SpatialLoad::Moment));
@@ -219,7 +220,7 @@ class SpatialSteps {
 
   /// What Euler's rule loses of a segment's kinetic energy in a step: half of h^2 times the
   /// product of its inertia with the squares of its accelerations.
-  [[gnu::always_inline]] S lost(const Kind& kind, const Vector& z, const Vector& y,
+  PLASTICA_ALWAYS_INLINE S lost(const Kind& kind, const Vector& z, const Vector& y,
                                 const Vector& turning, const Vector& free) const {
     const S across = kind.get(SpatialKind::Inertia);
     const S by_y = dot(y, turning);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "plastica/base/always_inline.hpp"
 #include "plastica/base/sine_cosine.hpp"
 #include "plastica/lanes/triple.hpp"
 
@@ -16,7 +17,7 @@ namespace detail {
 
 /// Sum of (-x/4)^n/(2n + first)!: sin u/u for first = 1, cos u for 0; |u| <= 1/2.
 template <class S>
-[[gnu::always_inline]] inline S half_turn_series(const S& x, int first) {
+PLASTICA_ALWAYS_INLINE inline S half_turn_series(const S& x, int first) {
   constexpr bool kDouble = sizeof(real_t<S>) == 8;
   const int terms = kDouble ? (first == 1 ? 7 : 8) : (first == 1 ? 4 : 5);
   double factor = 1.0;
@@ -32,7 +33,7 @@ template <class S>
 
 /// c: the sum of |B_2n| x^(n-1)/(2n)!, B the Bernoulli numbers; x <= 1.
 template <class S>
-[[gnu::always_inline]] inline S cotangent_series(const S& x) {
+PLASTICA_ALWAYS_INLINE inline S cotangent_series(const S& x) {
   S sum = constant<S>(1.0 / 1209600.0);
   if constexpr (sizeof(real_t<S>) == 8) {
     sum = constant<S>(174611.0 / 802857662698291200000.0);
@@ -59,7 +60,7 @@ struct TurnCoefficients {
 };
 
 template <class S>
-[[gnu::always_inline]] inline TurnCoefficients<S> near_coefficients(const S& x) {
+PLASTICA_ALWAYS_INLINE inline TurnCoefficients<S> near_coefficients(const S& x) {
   return {detail::cotangent_series(x), detail::half_turn_series(x, 0),
           detail::half_turn_series(x, 1)};
 }
@@ -86,7 +87,7 @@ struct JointTurn {
 };
 
 template <class S>
-[[gnu::always_inline]] inline JointTurn<S> joint_turn(const Triple<S>& theta) {
+PLASTICA_ALWAYS_INLINE inline JointTurn<S> joint_turn(const Triple<S>& theta) {
   const S x = dot(theta, theta);
   JointTurn<S> turn{theta, near_coefficients(x)};
   if (any(x > constant<S>(1))) {
@@ -103,14 +104,14 @@ struct Quaternion {
   Triple<S> v;
 
   /// This frame turned by a joint.
-  [[gnu::always_inline]] Quaternion then(const JointTurn<S>& turn) const {
+  PLASTICA_ALWAYS_INLINE Quaternion then(const JointTurn<S>& turn) const {
     const Triple<S> sine = (constant<S>(0.5) * turn.by.sinc) * turn.theta;
     const S straight = multiply_add(w, turn.by.cosine, -dot(v, sine));
     return {straight, cross_add(v, sine, scale_add(w, sine, turn.by.cosine * v))};
   }
 
   /// The frame's axes.
-  [[gnu::always_inline]] Columns<S> axes() const {
+  PLASTICA_ALWAYS_INLINE Columns<S> axes() const {
     const S one = constant<S>(1);
     const Triple<S> twice = v + v;
     const Triple<S> by_w = w * twice;
@@ -127,7 +128,7 @@ struct Quaternion {
 /// What turns a joint's rate in world axes into that of its angle, by rows: T^-1 R^T = (R T^-T)^T
 /// with the axes R of its inner side, so that row k is R times column k of T^-T.
 template <class S>
-[[gnu::always_inline]] inline Columns<S> angle_rate_rows(const JointTurn<S>& turn,
+PLASTICA_ALWAYS_INLINE inline Columns<S> angle_rate_rows(const JointTurn<S>& turn,
                                                          const Columns<S>& inner) {
   const Triple<S>& t = turn.theta;
   const Triple<S> half = constant<S>(0.5) * t;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "plastica/base/always_inline.hpp"
 #include "plastica/base/each_of.hpp"
 #include "plastica/law/plastic_work.hpp"
 #include "plastica/law/section_form.hpp"
@@ -27,7 +28,7 @@ inline SectionResponse<S> respond(const ElasticSection<S>& law,
   SectionResponse<S> now;
   now.elastic_energy = constant<S>(0);
   now.plastic_work = constant<S>(0);
-  for_each_of<kSectionAxes>([&](std::size_t i) __attribute__((always_inline)) {
+  for_each_of<kSectionAxes>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
     if (!Has::has(i)) return;
     now.force[i] = law.stiffness[i] * strain[i];
     now.tangent(i, i) = law.stiffness[i];
@@ -64,7 +65,7 @@ inline SectionResponse<S> respond(const PerAxisSection<S, Uniaxial>& law,
   SectionResponse<S> now;
   now.elastic_energy = constant<S>(0);
   now.plastic_work = constant<S>(0);
-  for_each_of<kSectionAxes>([&](std::size_t i) __attribute__((always_inline)) {
+  for_each_of<kSectionAxes>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
     if (!Has::has(i)) return;
     const auto fibre = respond(law.axis[i], before.axis[i], S(law.lever[i] * strain[i]));
     now.force[i] = law.modulus[i] * fibre.stress;
