@@ -17,6 +17,14 @@ SKIPPED = ('<testcase name="c" status="notrun">'
 DISABLED = '<testcase name="d" status="disabled"/>'
 MISSING = ('<testcase name="e" status="notrun">'
            '<skipped message="Unable to find executable"/></testcase>')
+PROGRAM = '<testcase name="p" status="{}"/>'
+OF_PROGRAM = """<testsuites tests="5"><testsuite name="S">
+<testcase name="a" status="run" result="completed"/>
+<testcase name="b" status="run" result="completed">{}</testcase>
+<testcase name="c" status="run" result="skipped"><skipped message=""/></testcase>
+<testcase name="d" status="notrun" result="suppressed"/>
+<testcase name="e" status="run" result="completed"/>
+</testsuite></testsuites>"""
 
 
 class CountTests(unittest.TestCase):
@@ -28,6 +36,21 @@ class CountTests(unittest.TestCase):
 
     def test_no_test_is_no_test_passed(self):
         self.assertEqual((0, 0, 0), counts(suite()))
+
+    def test_a_program_counts_as_its_own_tests(self):
+        left = {"p": OF_PROGRAM.format("")}
+        self.assertEqual((4, 0, 2), counts(suite(PASSED, PROGRAM.format("run")), left))
+
+    def test_a_test_of_a_program_fails_once(self):
+        left = {"p": OF_PROGRAM.format('<failure message="x"/><failure message="y"/>')}
+        self.assertEqual((2, 1, 2), counts(suite(PROGRAM.format("fail")), left))
+
+    def test_a_program_that_fails_at_its_end_has_one_failure_more(self):
+        left = {"p": OF_PROGRAM.format("")}
+        self.assertEqual((3, 1, 2), counts(suite(PROGRAM.format("fail")), left))
+
+    def test_a_program_that_left_no_counts_is_one_test(self):
+        self.assertEqual((0, 1, 0), counts(suite(PROGRAM.format("fail")), {"q": OF_PROGRAM}))
 
 
 if __name__ == "__main__":

@@ -99,7 +99,7 @@ def step(level, scheme, segments="64"):
 
 def articulated(order, cases, segments="64", numbers=8):
     """The widest instruction set that the machine has."""
-    name = f"step/order:{order}/isa:\\d/bytes:{numbers}/cases:{cases}/segments:{segments}"
+    name = f"step/order:{order}/isa:[0-9]/bytes:{numbers}/cases:{cases}/segments:{segments}"
     return Ours("lanes_benchmark", name, "per_segment_step")
 
 
@@ -118,7 +118,7 @@ def w2(level):
 def w4(level, threads=0):
     """CPU time of one thread, or wall time of so many."""
     wall = "/real_time" if threads else ""
-    name = f"w4/{level}/.*midpoint/threads:{max(threads, 1)}/scenarios:\\d+{wall}"
+    name = f"w4/{level}/.*midpoint/threads:{max(threads, 1)}/scenarios:[0-9]+{wall}"
     return Ours("workload_benchmark", name, "per_scenario", threads=max(threads, 1))
 
 
