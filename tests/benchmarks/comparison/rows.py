@@ -147,9 +147,9 @@ ROWS = [
         "limit_step, order 2", Shared("limit_step", 2, SCALAR)),
     Row(STEP, "spatial, linearly implicit midpoint", step("spatial", MIDPOINT)),
 
-    Row(STATICS, "planar", iteration("planar_elastic"),
+    Row(STATICS, "planar", iteration("planar"),
         "limit, 3×3", Shared("limit", "unbatched double", 3), want="≤ 3", brief=True),
-    Row(STATICS, "spatial", iteration("spatial_elastic"),
+    Row(STATICS, "spatial", iteration("spatial"),
         "limit, 6×6", Shared("limit", "unbatched double", 6), want="≤ 4", brief=True),
 
     Row(W1, "planar", w1("planar"), "MuJoCo hinges",
@@ -211,9 +211,9 @@ ROWS = [
               "step/order:2/isa:0/bytes:8/cases:1/segments:(256|1024|4096|16384|65536)",
               "per_segment_step"), unit=""),
     Row(ORDER, "planar iteration at rest, N = 64 … 4 096",
-        Slope("chain_benchmark", "planar_elastic/(64|256|1024|4096)", "per_segment_iteration"),
+        Slope("chain_benchmark", "planar/(64|256|1024|4096)", "per_segment_iteration"),
         unit="", want="≤ 1.05"),
     Row(ORDER, "spatial iteration at rest, N = 64 … 4 096",
-        Slope("chain_benchmark", "spatial_elastic/(64|256|1024|4096)", "per_segment_iteration"),
+        Slope("chain_benchmark", "spatial/(64|256|1024|4096)", "per_segment_iteration"),
         unit="", want="≤ 1.05"),
 ]
