@@ -23,8 +23,8 @@ enum class Objective {
 
 /// When an optimizer stage ends: at the first of these.
 struct StoppingRules {
-  /// Largest number of cost evaluations of the global stage, which follows where the local one alone
-  /// does not meet the curve closely; 0 switches it off.
+  /// Largest number of cost evaluations of the global stage, which follows where the local one
+  /// alone does not meet the curve closely; 0 switches it off.
   int global_evaluations = 60;
   /// Largest number of cost evaluations of the local stage.
   int local_evaluations = 500;
