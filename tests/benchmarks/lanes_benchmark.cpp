@@ -74,37 +74,5 @@ void sets(benchmark::internal::Benchmark* benchmark) {
 }
 BENCHMARK(step)->Apply(sets)->ArgNames({"order", "isa", "bytes", "cases", "segments"});
 
-/// A batch of scenes of their own: laid out, run, and recorded.
-void batch(benchmark::State& state) {
-  constexpr int kCases = 512;
-  std::vector<BatchCase> cases;
-  for (int i = 0; i < kCases; ++i) {
-    Scene scene = falling_scene(64);
-    scene.material.youngs_modulus *= 1.0 + 1e-4 * i;
-    testing::add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
-    SolverOptions options = testing::motion_options(Scheme::ArticulatedMidpoint, 1e-3, 125);
-    options.duration = 1.0;
-    cases.push_back({std::to_string(i), scene, options});
-  }
-  BatchOptions options;
-  options.threads = static_cast<int>(state.range(0));
-  const bool lanes = state.range(1) != 0;
-  for (auto _ : state) {
-    if (lanes) {
-      benchmark::DoNotOptimize(run_batch(cases, options));
-    } else {
-      for (const BatchCase& one : cases) benchmark::DoNotOptimize(run_case(one));
-    }
-  }
-  count(state, kCases, 64);
-}
-BENCHMARK(batch)
-    ->Args({1, 0})
-    ->Args({1, 1})
-    ->Args({2, 1})
-    ->ArgNames({"threads", "lanes"})
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
-
 }  // namespace
 }  // namespace plastica

@@ -93,26 +93,82 @@ void w1(benchmark::State& state, Level level, const std::string& scheme) {
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// W4: a batch of W1 at 32 segments and 1 ms, all with moduli of their own.
-void w4(benchmark::State& state, Level level, const std::string& scheme) {
-  const auto threads = static_cast<int>(state.range(0));
-  const auto scenarios = static_cast<std::size_t>(state.range(1));
-  std::vector<BatchCase> cases;
-  for (int i = 0; i < static_cast<int>(scenarios); ++i) {
-    const Setup setup = released(level, scheme, 32, 1000);
-    cases.push_back({std::to_string(i), setup.scene, setup.solver});
-    cases.back().scene.material.youngs_modulus *= 1.0 + 0.1 * i / static_cast<double>(scenarios);
-  }
-  for (auto _ : state) {
-    const auto rows = run_batch(cases, {.threads = threads});
-    if (rows[0].response.status != Status::Completed) {
-      state.SkipWithError(rows[0].reason.c_str());
-      return;
-    }
-  }
+void count_scenarios(benchmark::State& state, std::size_t scenarios) {
   state.counters["per_scenario"] = benchmark::Counter(
       static_cast<double>(scenarios),
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+/// A modulus for each scenario, the first one that of W1 [Pa].
+std::vector<double> moduli(std::size_t scenarios) {
+  std::vector<double> values(scenarios);
+  for (std::size_t i = 0; i < scenarios; ++i) {
+    values[i] = 2e9 * (1.0 + 0.1 * static_cast<double>(i) / static_cast<double>(scenarios));
+  }
+  return values;
+}
+
+std::vector<BatchCase> released_cases(Level level, const std::string& scheme, int segments,
+                                      int steps, std::size_t scenarios) {
+  const Setup setup = released(level, scheme, segments, steps);
+  std::vector<BatchCase> cases;
+  for (const double modulus : moduli(scenarios)) {
+    cases.push_back({std::to_string(cases.size()), setup.scene, setup.solver});
+    cases.back().scene.material.youngs_modulus = modulus;
+  }
+  return cases;
+}
+
+/// W1 as a batch, a modulus for each: parameters of one model, or scenes of their own that are laid
+/// out one by one.
+void w1_batch(benchmark::State& state, Level level, const std::string& scheme) {
+  const auto steps = static_cast<int>(state.range(0));
+  const bool scenes = state.range(1) != 0;
+  constexpr std::size_t kScenarios = 256;
+  const Setup setup = released(level, scheme, 64, steps);
+  const std::vector<std::string> parameters{"material.youngs_modulus"};
+  const Model model = prepare(setup.scene, setup.solver, parameters);
+  const std::vector<double> values = moduli(kScenarios);
+  const std::vector<BatchCase> cases = released_cases(level, scheme, 64, steps, kScenarios);
+  Response first;
+  for (auto _ : state) {
+    first = scenes ? run_batch(cases, {.threads = 1}).front().response
+                   : run_batch(model, values, kScenarios, {.threads = 1}).front();
+  }
+  if (first.status != Status::Completed) {
+    state.SkipWithError(std::string(name_of(first.status)).c_str());
+    return;
+  }
+  state.counters["error"] = history_error(first);
+  count_scenarios(state, kScenarios);
+}
+
+/// W4: a batch of W1 at 32 segments and 1 ms, all with moduli of their own; in lanes where there
+/// are any, or one after the other.
+void w4(benchmark::State& state, Level level, const std::string& scheme) {
+  const auto threads = static_cast<int>(state.range(0));
+  const auto scenarios = static_cast<std::size_t>(state.range(1));
+  const bool together = state.range(2) != 0;
+  const std::vector<BatchCase> cases = released_cases(level, scheme, 32, 1000, scenarios);
+  for (auto _ : state) {
+    Status status = Status::Completed;
+    if (together) {
+      const auto take = [&](std::size_t, BatchRow&& row) {
+        if (row.response.status != Status::Completed) status = row.response.status;
+      };
+      run_batch(scenarios, [&](std::size_t i) { return cases[i]; }, take, {.threads = threads});
+    } else {
+      for (const BatchCase& one : cases) {
+        const BatchRow row = run_case(one);
+        if (row.response.status != Status::Completed) status = row.response.status;
+      }
+    }
+    if (status != Status::Completed) {
+      state.SkipWithError(std::string(name_of(status)).c_str());
+      return;
+    }
+  }
+  count_scenarios(state, scenarios);
 }
 
 /// W2: the same beam with a tip force of 2 EI/L^2, at rest; in space the force stands askew, so
@@ -208,17 +264,29 @@ const bool kRegistered = [] {
           ->ArgsProduct({{64}, {500, 800, 1000, 2000}})
           ->Unit(benchmark::kMillisecond);
       if (!scheme.ends_with("midpoint")) continue;
-      // As many as fill lanes again and again; the general step has none and takes longer.
-      const std::int64_t scenarios = scheme.starts_with("articulated") ? 256 : 32;
-      const auto batch = [&, &level_name = name, &of = level](std::vector<std::int64_t> threads) {
+      // The general step has no lanes, and takes longer.
+      const bool lanes = scheme.starts_with("articulated");
+      const auto batch = [&, &level_name = name, &of = level](std::vector<std::int64_t> threads,
+                                                              std::int64_t scenarios,
+                                                              std::int64_t together) {
         return benchmark::RegisterBenchmark(
                    ("w4/" + std::string(level_name) + "/" + scheme).c_str(), w4, of, scheme)
-            ->ArgNames({"threads", "scenarios"})
-            ->ArgsProduct({std::move(threads), {scenarios}})
+            ->ArgNames({"threads", "scenarios", "together"})
+            ->ArgsProduct({std::move(threads), {scenarios}, {together}})
             ->Unit(benchmark::kMillisecond);
       };
-      batch({1});
-      batch({1, 2})->UseRealTime();
+      if (!lanes) {
+        batch({1}, 32, 1);
+        continue;
+      }
+      batch({1}, 4096, 1);
+      batch({1, 2}, 4096, 1)->UseRealTime();
+      batch({1}, 512, 0);
+      benchmark::RegisterBenchmark(("w1_batch/" + std::string(name) + "/" + scheme).c_str(),
+                                   w1_batch, level, scheme)
+          ->ArgNames({"steps", "scenes"})
+          ->ArgsProduct({{500, 800, 1000}, {0, 1}})
+          ->Unit(benchmark::kMillisecond);
     }
   }
   return true;

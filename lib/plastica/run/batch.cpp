@@ -172,8 +172,10 @@ std::vector<Response> run_batch(const Model& model, std::span<const double> valu
   if (model.chain && has_lanes(*model.chain)) {
     const std::size_t together = lane_width(*model.chain);
     const Workspace hooks;
+    std::vector<std::unique_ptr<LaneProgram>> programs(
+        static_cast<std::size_t>(resolved_threads(options.threads)));
     parallel_for((cases + together - 1) / together, {options.threads, options.stop},
-                 [&](std::size_t group, int) {
+                 [&](std::size_t group, int worker) {
                    std::vector<MaterialValues<double>> materials(together);
                    std::vector<LaneCase> lanes;
                    const std::size_t end = std::min(cases, (group + 1) * together);
@@ -186,7 +188,9 @@ std::vector<Response> run_batch(const Model& model, std::span<const double> valu
                      }
                      lanes.push_back({model.chain.get(), &material, &hooks, &responses[i]});
                    }
-                   if (!lanes.empty()) make_lane_program(*model.chain)->run(lanes);
+                   auto& program = programs[static_cast<std::size_t>(worker)];
+                   if (!program) program = make_lane_program(*model.chain);
+                   if (!lanes.empty()) program->run(lanes);
                    for (std::size_t i = group * together; i < end; ++i) progress.one_more();
                  });
     return responses;

@@ -143,13 +143,17 @@ class LaneGroup final : public LaneProgram {
     const double step = (to - from) / parts;
     for (double done = 0.0; done < parts && any_runs();) {
       const double steps = std::min(parts - done, kSteps);
-      before_.copy_states(memory_);
+      if (sampled_time_ == time_) {
+        before_ = &sampled_;
+      } else {
+        kept_.copy_states(memory_);
+        before_ = &kept_;
+      }
       march(memory_, count_ == 1 ? kernels_.one : kernels_.many, time_, step,
             static_cast<std::size_t>(steps), step == last_step_);
       looked_ = false;
       last_step_ = step;
       look();
-      memory_.add_up(not_finite_);
       for (std::size_t lane = 0; lane < count_; ++lane) {
         if (scenarios_[lane].running()) judge(lane, step, steps);
       }
@@ -163,8 +167,8 @@ class LaneGroup final : public LaneProgram {
   void judge(std::size_t lane, double step, double steps) {
     auto& counters = scenarios_[lane].response().counters;
     counters.iterations += static_cast<int>(steps);
-    if (not_finite_[lane] == Real(0) && turns_little(memory_, lane, step) &&
-        ledger_closes(memory_, lane, lane)) {
+    // A number that is not finite leaves no energies that balance.
+    if (turns_little(memory_, lane, step) && ledger_closes(memory_, lane, lane)) {
       counters.steps += static_cast<int>(steps);
       return;
     }
@@ -231,7 +235,7 @@ class LaneGroup final : public LaneProgram {
     if (!loads_change_) set_loads(alone_, time_, time_);
     for (double cut = 2.0; 1.0 / cut >= shortest; cut *= 2.0) {
       ++scenario.response().counters.cutbacks;
-      alone_.copy_lane(0, before_, lane);
+      alone_.copy_lane(0, *before_, lane);
       if (!march_alone(lane, step / cut, steps * cut)) continue;
       sight_.one(alone_.beam(counts_loads_));
       if (!ledger_closes(alone_, 0, lane)) continue;
@@ -252,8 +256,7 @@ class LaneGroup final : public LaneProgram {
       march(alone_, kernels_.one, time_ + done * step, step, static_cast<std::size_t>(now),
             done > 0.0);
       scenarios_[lane].response().counters.iterations += static_cast<int>(now);
-      alone_.add_up(not_finite_alone_);
-      if (not_finite_alone_[0] != Real(0) || !turns_little(alone_, 0, step)) return false;
+      if (!alone_.is_finite(0) || !turns_little(alone_, 0, step)) return false;
     }
     return true;
   }
@@ -270,8 +273,9 @@ class LaneGroup final : public LaneProgram {
   std::vector<Scenario> scenarios_;
   std::size_t count_ = 0;  ///< of them that run
   Memory memory_;
-  Memory before_;   ///< states before the last steps
-  Memory sampled_;  ///< and at the last sample
+  Memory sampled_;                  ///< states at the last sample
+  Memory kept_;                     ///< and later than that, before the last steps
+  const Memory* before_ = nullptr;  ///< that of them from before the last steps
   double sampled_time_ = 0.0;
   Memory alone_;  ///< of a lane that needs shorter steps
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -282,7 +286,6 @@ class LaneGroup final : public LaneProgram {
     double sum = 0.0, size = 0.0, potential = 0.0;
   };
   std::vector<Ledger> ledgers_;
-  std::vector<Real> not_finite_, not_finite_alone_;
   bool loads_change_ = false;
   bool counts_loads_ = false;
   double time_ = 0.0;

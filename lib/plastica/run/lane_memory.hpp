@@ -94,14 +94,11 @@ class LaneMemory {
       }
     }
   }
-  /// Adds up what is not finite: nothing but zeros if all is (lanes).
-  void add_up(std::vector<Real>& not_finite) const {
-    not_finite.assign(width_, Real(0));
-    for (std::size_t k = 0; k < state_.size(); k += width_) {
-      for (std::size_t lane = 0; lane < width_; ++lane) {
-        not_finite[lane] += state_[k + lane] * Real(0);
-      }
-    }
+  /// Whether all of a lane's state is.
+  bool is_finite(std::size_t lane) const {
+    Real none = 0;
+    for (std::size_t k = lane; k < state_.size(); k += width_) none += state_[k] * Real(0);
+    return none == Real(0);
   }
 
   /// Takes states and sums of a memory of the same layout.

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <cmath>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "plastica/law/uniaxial_material.hpp"
@@ -10,12 +11,13 @@
 /// How the kernels' numbers follow from a chain's.
 namespace plastica {
 
-/// A number to 40 bits: even segments differ by the rounding of where their ends are, and would be
-/// kinds of their own.
+/// A number to 40 bits, the last half rounded away from zero; infinity stays: even segments differ
+/// by the rounding of where their ends are, and would be kinds of their own.
 inline double without_noise(double number) {
-  int exponent = 0;
-  const double mantissa = std::frexp(number, &exponent);
-  return std::ldexp(std::nearbyint(mantissa * 0x1p40), exponent - 40);
+  constexpr std::uint64_t kDropped = 12;  // of the 52 bits after the leading one
+  constexpr std::uint64_t kHalf = std::uint64_t{1} << (kDropped - 1);
+  constexpr std::uint64_t kKept = ~((std::uint64_t{1} << kDropped) - 1);
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(number) + kHalf) & kKept);
 }
 
 /// The moment at which a part's joints yield about an axis of the section [N m].
