@@ -1,3 +1,4 @@
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -53,13 +54,20 @@ void check_space(const Scene& scene) {
   }
 }
 
-bool can_break(const Scene& scene) {
-  bool limited = scene.break_limit_x || scene.break_limit_y || scene.break_limit_z ||
-                 scene.material.break_strain || scene.material.break_shear_strain;
-  for (const Region& region : scene.regions) {
-    limited = limited || region.material.break_strain || region.material.break_shear_strain;
+/// The field that lets joints break; empty if none does.
+std::string break_field(const Scene& scene) {
+  if (scene.yield_model == YieldModel::Elastic) return {};  // nothing flows
+  if (scene.material.break_strain) return "material.break_strain";
+  if (scene.material.break_shear_strain) return "material.break_shear_strain";
+  if (scene.break_limit_x) return "rules.break_limit_x";
+  if (scene.break_limit_y) return "rules.break_limit_y";
+  if (scene.break_limit_z) return "rules.break_limit_z";
+  for (std::size_t i = 0; i < scene.regions.size(); ++i) {
+    const Material& material = scene.regions[i].material;
+    if (material.break_strain) return item_name("region", i, ".material.break_strain");
+    if (material.break_shear_strain) return item_name("region", i, ".material.break_shear_strain");
   }
-  return limited && scene.yield_model != YieldModel::Elastic;
+  return {};
 }
 
 }  // namespace
@@ -75,7 +83,7 @@ void check_articulated(const Scene& scene, const SolverOptions& options, const L
     }
   }
   if (level.level == Level::Twist) {
-    refuse("solver.level", "twist", "must be planar or spatial with an articulated scheme");
+    refuse("solver.level", level.reason, "must be planar or spatial with an articulated scheme");
   }
   if (level.level == Level::Spatial) check_space(scene);
   if (options.translation == JointTranslation::Elastic) {
@@ -90,9 +98,10 @@ void check_articulated(const Scene& scene, const SolverOptions& options, const L
   if (!scene.cuts.empty()) {
     refuse(item_name("cut", 0), "", "articulated schemes know no cuts");
   }
-  if (can_break(scene)) {
-    refuse("material.break_strain", "",
-           "articulated schemes know no breaks: leave limits away or take another scheme");
+  if (const std::string field = break_field(scene); !field.empty()) {
+    refuse(field, "",
+           "articulated schemes know no breaks: leave it away, or take "
+           "\"linearly_implicit_midpoint\"");
   }
   const bool yields = scene.yield_model != YieldModel::Elastic;
   bool ideal = scene.material.hardening.law == HardeningLaw::Ideal;
