@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <numeric>
+#include <utility>
 
 namespace plastica::calibrate {
 namespace {
@@ -15,8 +18,6 @@ using Eigen::VectorXd;
 constexpr double kFirstLambda = 1e-3;
 constexpr double kLeastLambda = 1e-12;
 constexpr double kMostLambda = 1e12;
-
-double sum_of_squares(const VectorXd& r) { return r.squaredNorm(); }
 
 std::span<double> span_of(VectorXd& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 std::span<const double> span_of(const VectorXd& v) {
@@ -55,8 +56,13 @@ class Minimizer {
   double evaluate(const VectorXd& x, VectorXd& r) {
     ++evaluations_;
     r.resize(r_.size());
-    if (!problem_.residual(span_of(x), span_of(r))) return std::numeric_limits<double>::infinity();
-    const double cost = sum_of_squares(r);
+    bool found = false;
+    problem_.evaluate(span_of(x), span_of(r), {&found, 1});
+    return found ? cost_of(r) : std::numeric_limits<double>::infinity();
+  }
+
+  static double cost_of(const VectorXd& r) {
+    const double cost = r.squaredNorm();
     return std::isfinite(cost) ? cost : std::numeric_limits<double>::infinity();
   }
 
@@ -71,7 +77,7 @@ class Minimizer {
       for (;;) {
         const VectorXd step = step_of(normal, pull);
         const VectorXd fitted = r_ + jacobian_ * step;
-        const double gain = cost_ - sum_of_squares(fitted);
+        const double gain = cost_ - fitted.squaredNorm();
         const bool small = step.cwiseAbs().maxCoeff() <= options_.x_tolerance;
         if (gain <= options_.cost_tolerance * cost_) {
           return small ? LeastSquaresOutcome::StepReached : LeastSquaresOutcome::CostReached;
@@ -99,19 +105,51 @@ class Minimizer {
   /// @return false if the evaluations do not suffice
   bool set_slopes() {
     jacobian_ = MatrixXd::Zero(r_.size(), x_.size());
-    for (Index k = 0; k < x_.size(); ++k) {
-      for (const double step : {options_.difference_step, -options_.difference_step}) {
-        VectorXd moved = x_;
-        moved[k] += step;
-        if (moved[k] > upper_[k] || moved[k] < lower_[k]) continue;
-        if (spent()) return false;
-        VectorXd r;
-        if (!std::isfinite(evaluate(moved, r))) continue;
-        jacobian_.col(k) = (r - r_) / (moved[k] - x_[k]);
-        break;
+    std::vector<Index> wanted(static_cast<std::size_t>(x_.size()));
+    std::iota(wanted.begin(), wanted.end(), Index{0});
+    for (const double step : {options_.difference_step, -options_.difference_step}) {
+      std::vector<Index> within, left;
+      for (const Index k : wanted) {
+        const double to = x_[k] + step;
+        (to > upper_[k] || to < lower_[k] ? left : within).push_back(k);
       }
+      const int most = options_.max_evaluations - evaluations_;
+      if (static_cast<int>(within.size()) > most) return false;
+      evaluations_ += static_cast<int>(within.size());
+      const std::vector<Index> failed = set_slopes_of(within, step);
+      left.insert(left.end(), failed.begin(), failed.end());
+      wanted = std::move(left);
+      if (wanted.empty()) break;
     }
     return true;
+  }
+
+  /// @return those that have no residuals there
+  std::vector<Index> set_slopes_of(const std::vector<Index>& coordinates, double step) {
+    const std::size_t count = coordinates.size();
+    const auto n = static_cast<std::size_t>(x_.size());
+    const auto m = static_cast<std::size_t>(r_.size());
+    std::vector<double> points;
+    points.reserve(count * n);
+    for (const Index k : coordinates) {
+      VectorXd moved = x_;
+      moved[k] += step;
+      points.insert(points.end(), moved.data(), moved.data() + n);
+    }
+    std::vector<double> residuals(count * m);
+    const auto found = std::make_unique<bool[]>(count);
+    if (count > 0) problem_.evaluate(points, residuals, {found.get(), count});
+    std::vector<Index> failed;
+    for (std::size_t i = 0; i < count; ++i) {
+      const VectorXd r = Eigen::Map<const VectorXd>(residuals.data() + i * m, r_.size());
+      const Index k = coordinates[i];
+      if (found[i] && std::isfinite(cost_of(r))) {
+        jacobian_.col(k) = (r - r_) / (points[i * n + static_cast<std::size_t>(k)] - x_[k]);
+      } else {
+        failed.push_back(k);
+      }
+    }
+    return failed;
   }
 
   /// The damped step within the box. What a bound stops is held, and the others are solved again.
@@ -180,31 +218,49 @@ LeastSquares minimize_squares(const LeastSquaresProblem& problem,
   return Minimizer(problem, options).run();
 }
 
+LeastSquaresProblem::AtPoints one_by_one(LeastSquaresProblem::AtPoint residual) {
+  return [residual = std::move(residual)](std::span<const double> points,
+                                          std::span<double> residuals, std::span<bool> found) {
+    const std::size_t n = points.size() / found.size();
+    const std::size_t m = residuals.size() / found.size();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      found[i] = residual(points.subspan(i * n, n), residuals.subspan(i * m, m));
+    }
+  };
+}
+
 std::vector<double> residual_slopes(const LeastSquaresProblem& problem, std::span<const double> x,
                                     std::span<const double> at, double step) {
   const std::size_t n = x.size();
   const std::size_t m = problem.residuals;
-  std::vector<double> slopes(m * n);
-  std::vector<double> moved(x.begin(), x.end());
-  std::vector<double> above(m);
-  std::vector<double> below(m);
+  // Two points a coordinate; one that a bound holds is `x` itself, whose residuals are known.
+  std::vector<double> ends(2 * n);
+  std::vector<double> points;
+  std::vector<std::size_t> which;
   for (std::size_t k = 0; k < n; ++k) {
-    const double high = std::min(x[k] + step, problem.upper[k]);
-    const double low = std::max(x[k] - step, problem.lower[k]);
-    moved[k] = high;
-    if (high == x[k]) {
-      std::copy(at.begin(), at.end(), above.begin());
-    } else if (!problem.residual(moved, above)) {
-      return {};
+    ends[2 * k] = std::min(x[k] + step, problem.upper[k]);
+    ends[2 * k + 1] = std::max(x[k] - step, problem.lower[k]);
+    for (const std::size_t end : {2 * k, 2 * k + 1}) {
+      if (ends[end] == x[k]) continue;
+      which.push_back(end);
+      points.insert(points.end(), x.begin(), x.end());
+      points[points.size() - n + k] = ends[end];
     }
-    moved[k] = low;
-    if (low == x[k]) {
-      std::copy(at.begin(), at.end(), below.begin());
-    } else if (!problem.residual(moved, below)) {
-      return {};
+  }
+  std::vector<double> moved(which.size() * m);
+  const auto found = std::make_unique<bool[]>(which.size());
+  if (!which.empty()) problem.evaluate(points, moved, {found.get(), which.size()});
+  std::vector<std::span<const double>> residuals(2 * n, at);
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    if (!found[i]) return {};
+    residuals[which[i]] = std::span<const double>(moved).subspan(i * m, m);
+  }
+  std::vector<double> slopes(m * n);
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = 0; i < m; ++i) {
+      slopes[i * n + k] =
+          (residuals[2 * k][i] - residuals[2 * k + 1][i]) / (ends[2 * k] - ends[2 * k + 1]);
     }
-    moved[k] = x[k];
-    for (std::size_t i = 0; i < m; ++i) slopes[i * n + k] = (above[i] - below[i]) / (high - low);
   }
   return slopes;
 }

@@ -14,10 +14,20 @@ struct LeastSquaresProblem {
   std::vector<double> upper;  ///< (n), finite, above lower
   std::vector<double> start;  ///< (n), within the box
   std::size_t residuals = 0;  ///< m, at least n
-  /// Fills the residuals at x. May throw: the exception leaves `minimize_squares` whole.
+  /// Residuals at a point. May throw: the exception leaves `minimize_squares` whole.
   /// @return false where there are none; taken as a very bad point
-  std::function<bool(std::span<const double> x, std::span<double> residual)> residual;
+  using AtPoint = std::function<bool(std::span<const double> x, std::span<double> residual)>;
+  /// Residuals at several points, for those who find them side by side.
+  /// @param points  (n_points x n), row by row
+  /// @param residuals  to be filled (n_points x m)
+  /// @param found  for each point, whether there are any (n_points)
+  using AtPoints = std::function<void(std::span<const double> points, std::span<double> residuals,
+                                      std::span<bool> found)>;
+  AtPoints evaluate;
 };
+
+/// One point after the other.
+LeastSquaresProblem::AtPoints one_by_one(LeastSquaresProblem::AtPoint residual);
 
 struct LeastSquaresOptions {
   int max_evaluations = 200;      ///< >= 1; of residuals, those of differences included

@@ -16,6 +16,12 @@ enum class ParameterRole { Free, Fixed, Tied };
 /// above zero, else linear.
 enum class ParameterScale { Auto, Linear, Logarithmic };
 
+/// What is known of a parameter before the fit: a normal distribution [SI].
+struct Prior {
+  double mean = 0.0;
+  double standard_deviation = 0.0;  ///< > 0
+};
+
 /// One parameter of a fit, as a fit file states it. All values in SI.
 struct Parameter {
   const Field* field = nullptr;  ///< a material field; its path is the parameter's name in files
@@ -26,7 +32,8 @@ struct Parameter {
   ParameterScale scale = ParameterScale::Auto;
   const Field* tied_to = nullptr;  ///< Tied: value = factor * value of that parameter
   double factor = 1.0;
-  SourceLocation where;  ///< for error lines
+  std::optional<Prior> prior;  ///< Free, of a fit through scenes
+  SourceLocation where;        ///< for error lines
 
   /// "yield_stress" of "material.yield_stress": the name that reports use.
   std::string name() const;

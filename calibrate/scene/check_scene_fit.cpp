@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibrate/scene/scene_errors.hpp"
+
 namespace plastica::calibrate {
 namespace {
 
@@ -33,16 +35,60 @@ void check_free(const Parameter& p) {
   }
 }
 
+void check_tie(const Parameter& p, const std::vector<Parameter>& all) {
+  const auto base = std::find_if(all.begin(), all.end(),
+                                 [&](const Parameter& other) { return other.field == p.tied_to; });
+  if (is_break(p) || (base != all.end() && is_break(*base))) {
+    refuse(p, "", "cannot be tied in a fit through scenes: a break strain is set, not searched");
+  }
+  if (base == all.end() || base->role == ParameterRole::Tied) {
+    refuse(p, "", "must be tied to a parameter of the fit that is not tied itself");
+  }
+}
+
+void check_prior(const Parameter& p) {
+  if (!p.prior) return;
+  if (is_break(p)) refuse(p, "", "cannot have a prior: a break strain is set, not searched");
+  if (!std::isfinite(p.prior->mean) || !(p.prior->standard_deviation > 0.0) ||
+      !std::isfinite(p.prior->standard_deviation)) {
+    refuse(p, fmt::format("{:g}", p.prior->standard_deviation),
+           "the prior's standard deviation must be above 0");
+  }
+}
+
+void check_target(const SceneTarget& target) {
+  const std::size_t n = target.abscissa.size();
+  if (n == 0 || target.ordinate.size() != n) {
+    throw InputError({}, "target", target.name, "needs as many ordinates as abscissas, and any");
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool goes_on =
+        i == 0 || is_driven(target.kind) || target.abscissa[i] >= target.abscissa[i - 1];
+    if (std::isfinite(target.abscissa[i]) && std::isfinite(target.ordinate[i]) && goes_on) continue;
+    throw InputError({}, "target", target.name,
+                     fmt::format("must be finite and never go back, and does at sample {}", i));
+  }
+  for (const double factor : {target.abscissa_factor, target.ordinate_factor}) {
+    require(std::isfinite(factor) && factor != 0.0, "factor", factor, "must be finite and not 0");
+  }
+  if (target.noise) require(*target.noise > 0.0, "noise", *target.noise, "must be above 0");
+}
+
 }  // namespace
 
-void check_scene_fit(const SceneTarget& target, const SceneFitOptions& options) {
+void check_scene_fit(std::span<const ScenePart> parts, const SceneFitOptions& options) {
+  if (parts.empty()) throw InputError({}, "target", "", "a fit needs at least one");
   bool any_free = false;
+  const bool any_broke = std::any_of(parts.begin(), parts.end(), [](const ScenePart& part) {
+    return part.target.broke.has_value();
+  });
   for (const Parameter& p : options.parameters) {
     if (p.field->kind != FieldKind::Number) refuse(p, "", "is no number that a fit could move");
     const auto same = [&](const Parameter& other) { return other.field == p.field; };
     if (std::count_if(options.parameters.begin(), options.parameters.end(), same) > 1) {
       refuse(p, "", "is given twice");
     }
+    check_prior(p);
     switch (p.role) {
       case ParameterRole::Free:
         check_free(p);
@@ -51,9 +97,9 @@ void check_scene_fit(const SceneTarget& target, const SceneFitOptions& options) 
       case ParameterRole::Fixed:
         if (!p.value) refuse(p, "", "is fixed and needs a value");
         break;
-      case ParameterRole::Tied: refuse(p, "", "cannot be tied in the fit of a scene");
+      case ParameterRole::Tied: check_tie(p, options.parameters); break;
     }
-    if (p.role == ParameterRole::Free && is_break(p) && !target.broke) {
+    if (p.role == ParameterRole::Free && is_break(p) && !any_broke) {
       refuse(p, "", "cannot be fitted: the target does not say where it broke");
     }
   }
@@ -61,23 +107,28 @@ void check_scene_fit(const SceneTarget& target, const SceneFitOptions& options) 
   require(options.evaluations >= 1, "evaluations", options.evaluations, "must be at least 1");
   require(options.starts >= 1, "starts", options.starts, "must be at least 1");
   require(options.tolerance > 0.0, "tolerance", options.tolerance, "must be above 0");
+  require(options.confidence > 0.0 && options.confidence < 1.0, "confidence", options.confidence,
+          "must be between 0 and 1");
+  for (const ScenePart& part : parts) {
+    check_target(part.target);
+    require(part.weight > 0.0 && std::isfinite(part.weight), "weight", part.weight,
+            "must be above 0");
+  }
+}
 
-  const std::size_t n = target.abscissa.size();
-  if (n == 0 || target.ordinate.size() != n) {
-    throw InputError({}, "target", target.name, "needs as many ordinates as abscissas, and any");
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    if (std::isfinite(target.abscissa[i]) && std::isfinite(target.ordinate[i]) &&
-        (i == 0 || target.abscissa[i] >= target.abscissa[i - 1])) {
-      continue;
+void check_break_levels(const SceneProblem& problem, const SceneFitOptions& options) {
+  for (const Parameter& p : options.parameters) {
+    if (p.role != ParameterRole::Free || !is_break(p)) continue;
+    bool any = false;
+    for (std::size_t i = 0; i < problem.parts().size(); ++i) {
+      any = any || breaks_by(p, problem.model(i), problem.parts()[i]);
     }
-    throw InputError({}, "target", target.name,
-                     fmt::format("must be finite and never go back, and does at sample {}", i));
+    if (any) continue;
+    throw InputError(p.where, p.field->path, "",
+                     p.field->material == MaterialField::BreakStrain
+                         ? "is fitted where the beam bends in a plane (solver.level)"
+                         : "is fitted where the beam is twisted alone (solver.level)");
   }
-  for (const double factor : {target.abscissa_factor, target.ordinate_factor}) {
-    require(std::isfinite(factor) && factor != 0.0, "factor", factor, "must be finite and not 0");
-  }
-  if (target.noise) require(*target.noise > 0.0, "noise", *target.noise, "must be above 0");
 }
 
 }  // namespace plastica::calibrate

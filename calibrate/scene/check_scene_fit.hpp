@@ -1,16 +1,16 @@
 #pragma once
 
+#include <span>
+
 #include "calibrate/scene/scene_fit.hpp"
+#include "calibrate/scene/scene_problem.hpp"
 
 namespace plastica::calibrate {
 
-/// Whether a parameter is a limit, which is not searched but set.
-inline bool is_break(const Parameter& p) {
-  return p.field->material == MaterialField::BreakStrain ||
-         p.field->material == MaterialField::BreakShearStrain;
-}
+/// @throws InputError for what a fit of no scenes can have
+void check_scene_fit(std::span<const ScenePart> parts, const SceneFitOptions& options);
 
-/// @throws InputError for what a fit of no scene can have
-void check_scene_fit(const SceneTarget& target, const SceneFitOptions& options);
+/// @throws InputError for a free break limit that none of the scenes meets at its level
+void check_break_levels(const SceneProblem& problem, const SceneFitOptions& options);
 
 }  // namespace plastica::calibrate

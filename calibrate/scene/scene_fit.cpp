@@ -2,280 +2,276 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <stdexcept>
 #include <utility>
 
 #include "calibrate/scene/check_scene_fit.hpp"
-#include "calibrate/scene/scene_curve.hpp"
+#include "calibrate/scene/scene_errors.hpp"
+#include "calibrate/scene/scene_problem.hpp"
+#include "calibrate/scene/scene_verdict.hpp"
+#include "plastica/theory/sampling.hpp"
+#include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-/// Of the central differences at the solution, in scaled parameters: fibres that yield one after
-/// the other, and Newton's tolerance, are smooth over it.
-constexpr double kErrorStep = 1e-4;
+/// Of the fits that set a part's noise by what is left of it.
+constexpr int kMostRounds = 4;
+constexpr double kSameNoise = 0.05;
 
-/// A parameter that is searched, and its coordinate: ln(value/start), or the distance from the
-/// start over the width of the bounds.
-struct Moved {
-  const Parameter* parameter = nullptr;
-  double start = 0.0;
-  bool logarithmic = false;
-
-  double coordinate(double value) const {
-    return logarithmic ? std::log(value / start)
-                       : (value - start) / (*parameter->upper - *parameter->lower);
-  }
-  double value(double x) const {
-    const double v =
-        logarithmic ? start * std::exp(x) : start + x * (*parameter->upper - *parameter->lower);
-    return std::clamp(v, *parameter->lower, *parameter->upper);
-  }
-  /// d value / d coordinate.
-  double slope(double at) const { return logarithmic ? at : *parameter->upper - *parameter->lower; }
-};
-
-Moved moved_of(const Parameter& p, const Setup& setup) {
-  Moved moved;
-  moved.parameter = &p;
-  moved.logarithmic =
-      p.scale == ParameterScale::Logarithmic || (p.scale == ParameterScale::Auto && *p.lower > 0.0);
-  const FieldValue scene = p.field->get(setup);
-  const double middle =
-      moved.logarithmic ? std::sqrt(*p.lower * *p.upper) : 0.5 * (*p.lower + *p.upper);
-  const double* given = std::get_if<double>(&scene);
-  const double start = p.value ? *p.value : given != nullptr ? *given : middle;
-  moved.start = std::clamp(start, *p.lower, *p.upper);
-  return moved;
+double largest_size(std::span<const double> values) {
+  double largest = 0.0;
+  for (const double v : values) largest = std::max(largest, std::abs(v));
+  return largest;
 }
 
 class SceneFit {
  public:
-  SceneFit(const Setup& setup, const SceneTarget& target, const SceneFitOptions& options)
-      : target_(target), options_(options), setup_(with_fixed(setup, options)) {
-    std::vector<const Field*> fields;
-    for (const Parameter& p : options.parameters) {
-      if (p.role != ParameterRole::Free || is_break(p)) continue;
-      moved_.push_back(moved_of(p, setup_));
-      fields.push_back(p.field);
-    }
-    curve_.emplace(setup_, target, std::move(fields));
-    check_break();
-    problem_.residuals = target.ordinate.size();
-    for (const Moved& m : moved_) {
-      problem_.lower.push_back(m.coordinate(*m.parameter->lower));
-      problem_.upper.push_back(m.coordinate(*m.parameter->upper));
-      problem_.start.push_back(0.0);
-    }
-    if (problem_.residuals <= moved_.size()) {
-      throw InputError({}, "target", target.name,
+  SceneFit(std::span<const ScenePart> parts, const SceneFitOptions& options)
+      : parts_(parts), options_(options), problem_(parts, options) {
+    check_break_levels(problem_, options);
+    if (problem_.samples() <= problem_.parameters().size()) {
+      throw InputError({}, "target", parts.front().target.name,
                        "has no more samples than the fit has parameters");
     }
-    problem_.residual = [this](std::span<const double> x, std::span<double> r) {
-      if (!curve_->run(values_at(x))) return false;
-      const std::vector<double>& y = curve_->ordinate();
-      for (std::size_t i = 0; i < r.size(); ++i) r[i] = y[i] - target_.ordinate[i];
-      return true;
-    };
+    knows_noise_ = std::all_of(parts.begin(), parts.end(),
+                               [](const ScenePart& part) { return part.target.noise; });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const double range = largest_size(parts[i].target.ordinate);
+      problem_.set_scale(i, parts[i].target.noise.value_or(range > 0.0 ? range : 1.0));
+    }
   }
 
   SceneFitResult run() {
-    SceneFitResult result;
     search();
     if (best_.outcome == LeastSquaresOutcome::NoStart) {
       // Bad input where no value of a parameter could help.
-      if (start_turns_)
-        throw InputError({}, "abscissa_probe", target_.abscissa_probe, first_reason_);
-      result.reason = "the scene gives no curve from the start values: " + first_reason_;
+      if (start_turns_) {
+        throw InputError({}, "abscissa_probe", parts_.front().target.abscissa_probe, first_reason_);
+      }
+      result_.reason = "the scene gives no curve from the start values: " + first_reason_;
     } else {
-      explain(result);
+      settle_noise();
+      explain();
     }
-    result.runs = curve_->runs();
-    result.failed_runs = curve_->failed_runs();
-    result.segment_iterations = curve_->segment_iterations();
-    return result;
+    result_.runs = problem_.counters().runs;
+    result_.failed_runs = problem_.counters().failed;
+    result_.segment_iterations = problem_.counters().segment_iterations;
+    return std::move(result_);
   }
 
  private:
-  static Setup with_fixed(const Setup& setup, const SceneFitOptions& options) {
-    Setup fixed = setup;
-    for (const Parameter& p : options.parameters) {
-      if (p.role == ParameterRole::Fixed) set_field(fixed, *p.field, *p.value, p.where);
-    }
-    return fixed;
+  LeastSquares search_from(std::span<const double> start) {
+    LeastSquaresOptions how;
+    how.max_evaluations = options_.evaluations;
+    how.x_tolerance = options_.tolerance;
+    LeastSquaresProblem problem = problem_.squares();
+    problem.start.assign(start.begin(), start.end());
+    return minimize_squares(problem, how);
   }
 
-  void check_break() const {
-    for (const Parameter& p : options_.parameters) {
-      if (p.role != ParameterRole::Free || !is_break(p)) continue;
-      const bool bends = p.field->material == MaterialField::BreakStrain;
-      if (curve_->level() == (bends ? Level::Planar : Level::Twist)) continue;
-      throw InputError(p.where, p.field->path, "",
-                       bends ? "is fitted where the beam bends in a plane (solver.level)"
-                             : "is fitted where the beam is twisted alone (solver.level)");
-    }
-  }
-
-  std::vector<double> values_at(std::span<const double> x) const {
-    std::vector<double> values(moved_.size());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = moved_[i].value(x[i]);
+  std::vector<double> searched_values(std::span<const double> x) const {
+    std::vector<double> values = problem_.parameters().values(x);
+    values.resize(x.size());
     return values;
   }
 
   void search() {
-    LeastSquaresOptions how;
-    how.max_evaluations = options_.evaluations;
-    how.x_tolerance = options_.tolerance;
-    std::mt19937_64 random(options_.seed);
-    LeastSquaresProblem problem = problem_;
-    for (int start = 0; start < options_.starts; ++start) {
-      if (start > 0) {
-        for (std::size_t i = 0; i < moved_.size(); ++i) {
-          const double share = static_cast<double>(random() >> 11U) * 0x1p-53;
-          problem.start[i] = problem.lower[i] + share * (problem.upper[i] - problem.lower[i]);
-        }
+    const LeastSquaresProblem& squares = problem_.squares();
+    const std::size_t n = squares.start.size();
+    const auto others = static_cast<std::size_t>(options_.starts - 1);
+    // The first of Sobol's points is a corner; with a seed all are scrambled.
+    const std::vector<double> drawn =
+        n > 0 ? theory::sobol(others, n, options_.seed) : std::vector<double>();
+    for (std::size_t k = 0; k <= (n > 0 ? others : 0); ++k) {
+      std::vector<double> from = squares.start;
+      for (std::size_t i = 0; k > 0 && i < n; ++i) {
+        const double share = drawn[(k - 1) * n + i];
+        from[i] = squares.lower[i] + share * (squares.upper[i] - squares.lower[i]);
       }
-      LeastSquares found = minimize_squares(problem, how);
-      if (start == 0) {
-        first_reason_ = curve_->reason();
-        start_turns_ = found.outcome == LeastSquaresOutcome::NoStart && curve_->turns();
+      LeastSquares found = search_from(from);
+      SceneStart start;
+      start.from = searched_values(from);
+      start.outcome = found.outcome;
+      start.evaluations = found.evaluations;
+      const bool any = found.outcome != LeastSquaresOutcome::NoStart;
+      start.cost = any ? found.cost : std::numeric_limits<double>::infinity();
+      if (any) start.to = searched_values(found.x);
+      result_.starts.push_back(std::move(start));
+      if (k == 0) {
+        first_reason_ = problem_.reason();
+        start_turns_ = !any && problem_.turned();
       }
-      if (found.outcome == LeastSquaresOutcome::NoStart) continue;
+      if (!any) continue;
       if (best_.outcome == LeastSquaresOutcome::NoStart || found.cost < best_.cost) {
         best_ = std::move(found);
       }
     }
   }
 
-  bool at_bound(std::size_t i) const {
-    const double reach = 1e-9 * (problem_.upper[i] - problem_.lower[i]);
-    return best_.x[i] <= problem_.lower[i] + reach || best_.x[i] >= problem_.upper[i] - reach;
+  /// Sum of the squares of a part, without its weight and scale [SI^2].
+  double cost_of(std::size_t part) const {
+    const std::size_t first = problem_.first_residual(part);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < parts_[part].target.ordinate.size(); ++i) {
+      sum += best_.residual[first + i] * best_.residual[first + i];
+    }
+    const double scale = problem_.scale(part);
+    return sum * scale * scale / parts_[part].weight;
   }
 
-  void explain(SceneFitResult& result) {
-    const auto samples = static_cast<double>(problem_.residuals);
-    result.status = FitStatus::Fitted;
-    result.outcome = best_.outcome;
-    result.cost = best_.cost;
-    double largest = 0.0;
-    for (const double y : target_.ordinate) largest = std::max(largest, std::abs(y));
-    const double rms = std::sqrt(best_.cost / samples);
-    result.misfit_share = largest > 0.0 ? rms / largest : 0.0;
-    for (std::size_t i = 0; i < best_.residual.size(); ++i) {
-      result.fitted.push_back(target_.ordinate[i] + best_.residual[i]);
-    }
-    const double freedom = samples - static_cast<double>(moved_.size());
-    result.noise = target_.noise.value_or(std::sqrt(best_.cost / freedom));
-    result.degrees_of_freedom = target_.noise ? std::numeric_limits<double>::infinity() : freedom;
-    set_covariance(result.noise);
-    add_parameters(result);
+  /// What the residuals of a part say of its noise: each has its share of the parameters.
+  double noise_left(std::size_t part) const {
+    const auto samples = static_cast<double>(parts_[part].target.ordinate.size());
+    const auto taken =
+        static_cast<double>(problem_.parameters().size()) / static_cast<double>(problem_.samples());
+    return std::sqrt(cost_of(part) / (samples * (1.0 - taken)));
   }
 
-  /// C above, of the coordinates; NaN in rows of those that are not determined.
-  void set_covariance(double noise) {
-    const std::size_t n = moved_.size();
-    covariance_ = MatrixXd::Constant(static_cast<Index>(n), static_cast<Index>(n), kNan);
-    if (n == 0) return;
-    const std::vector<double> slopes =
-        residual_slopes(problem_, best_.x, best_.residual, kErrorStep);
-    if (slopes.empty()) return;
-    const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
-        all(slopes.data(), static_cast<Index>(problem_.residuals), static_cast<Index>(n));
-    std::vector<Index> kept;
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto k = static_cast<Index>(i);
-      if (!at_bound(i) && all.col(k).squaredNorm() > 0.0) kept.push_back(k);
-    }
-    const MatrixXd j = all(Eigen::all, kept);
-    const Eigen::FullPivLU<MatrixXd> normal(j.transpose() * j);
-    if (!normal.isInvertible()) return;
-    const MatrixXd c = noise * noise * normal.inverse();
-    for (std::size_t a = 0; a < kept.size(); ++a) {
-      for (std::size_t b = 0; b < kept.size(); ++b) {
-        covariance_(kept[a], kept[b]) = c(static_cast<Index>(a), static_cast<Index>(b));
+  /// Weights parts by the noise that they turn out to have.
+  void settle_noise() {
+    for (int round = 0; !knows_noise_; ++round) {
+      double change = 0.0;
+      for (std::size_t part = 0; part < parts_.size(); ++part) {
+        if (parts_[part].target.noise) continue;
+        // Without any residual its range goes on to weight it.
+        const double noise = noise_left(part);
+        if (!(noise > 1e-12 * problem_.scale(part))) continue;
+        const double factor = problem_.scale(part) / noise;
+        change = std::max(change, std::abs(factor - 1.0));
+        const std::size_t first = problem_.first_residual(part);
+        for (std::size_t i = 0; i < parts_[part].target.ordinate.size(); ++i) {
+          best_.residual[first + i] *= factor;
+        }
+        problem_.set_scale(part, noise);
       }
+      best_.cost = 0.0;
+      for (const double r : best_.residual) best_.cost += r * r;
+      const bool alone = parts_.size() == 1 && problem_.squares().residuals == problem_.samples();
+      if (alone || change < kSameNoise || round == kMostRounds) return;
+      LeastSquares again = search_from(best_.x);
+      if (again.outcome != LeastSquaresOutcome::NoStart) best_ = std::move(again);
     }
   }
 
-  void add_parameters(SceneFitResult& result) {
+  void explain() {
+    result_.status = FitStatus::Fitted;
+    result_.outcome = best_.outcome;
+    const auto n = static_cast<double>(problem_.parameters().size());
+    result_.degrees_of_freedom = knows_noise_ ? std::numeric_limits<double>::infinity()
+                                              : static_cast<double>(problem_.samples()) - n;
+    for (std::size_t part = 0; part < parts_.size(); ++part) add_part(part);
+    SceneErrors errors(problem_, best_.x, best_.residual);
+    add_parameters(errors);
+    for (const SceneParameter& p : result_.parameters) add_warning(p, result_.warnings);
+    for (const ScenePartFit& part : result_.parts) add_warning(part, result_.warnings);
+  }
+
+  void add_part(std::size_t index) {
+    const SceneTarget& target = parts_[index].target;
+    ScenePartFit part;
+    part.name = target.name;
+    part.level = problem_.model(index).level();
+    part.samples = target.ordinate.size();
+    part.cost = cost_of(index);
+    part.noise = target.noise.value_or(noise_left(index));
+    const double largest = largest_size(target.ordinate);
+    const double rms = std::sqrt(part.cost / static_cast<double>(part.samples));
+    part.misfit_share = largest > 0.0 ? rms / largest : 0.0;
+    const double unit = problem_.scale(index) / std::sqrt(parts_[index].weight);
+    std::vector<double> residual;
+    for (std::size_t i = 0; i < part.samples; ++i) {
+      residual.push_back(unit * best_.residual[problem_.first_residual(index) + i]);
+      part.fitted.push_back(target.ordinate[i] + residual.back());
+    }
+    part.runs_probability = runs_probability(residual);
+    part.break_strain = kNan;
+    result_.parts.push_back(std::move(part));
+  }
+
+  void add_parameters(SceneErrors& errors) {
+    const SceneParameters& searched = problem_.parameters();
+    const Eigen::MatrixXd& covariance = errors.covariance();
+    const double factor =
+        theory::student_t_quantile(0.5 + 0.5 * options_.confidence, result_.degrees_of_freedom);
+    // By the coordinates: of a searched one its slope, of a limit its gradient.
+    std::vector<Eigen::VectorXd> slopes;
     std::size_t next = 0;
     for (const Parameter& p : options_.parameters) {
       if (p.role != ParameterRole::Free) continue;
       SceneParameter fitted;
       fitted.path = p.field->path;
+      fitted.dimension = p.field->dimension;
+      fitted.lower = *p.lower;
+      fitted.upper = *p.upper;
+      double half = 0.0;
+      Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
       if (is_break(p)) {
-        set_break(p, fitted);
+        const BreakLimit limit = errors.break_limit(p);
+        fitted.value = fitted.start = std::clamp(limit.value, *p.lower, *p.upper);
+        fitted.at_bound = fitted.value != limit.value;
+        half = limit.half;
+        slope = limit.slope;
       } else {
-        const Moved& moved = moved_[next];
-        const auto k = static_cast<Index>(next);
-        fitted.value = moved.value(best_.x[next]);
-        fitted.at_bound = at_bound(next);
-        fitted.standard_error = std::abs(moved.slope(fitted.value)) * std::sqrt(covariance_(k, k));
+        fitted.value = searched.value(next, best_.x[next]);
+        fitted.start = searched.value(next, 0.0);
+        fitted.at_bound = errors.at_bound(next);
+        slope[static_cast<Eigen::Index>(next)] = std::abs(searched.slope(next, fitted.value));
         ++next;
       }
-      result.parameters.push_back(std::move(fitted));
+      double variance = 0.0;
+      for (Eigen::Index i = 0; i < slope.size(); ++i) {
+        for (Eigen::Index j = 0; j < slope.size(); ++j) {
+          const double product = slope[i] * slope[j];
+          if (product != 0.0) variance += product * covariance(i, j);
+        }
+      }
+      const double noise_error = fitted.at_bound ? kNan : std::sqrt(variance);
+      fitted.standard_error = std::sqrt(noise_error * noise_error + half * half / 3.0);
+      fitted.interval_low = fitted.value - factor * noise_error - half;
+      fitted.interval_high = fitted.value + factor * noise_error + half;
+      judge(noise_error, half, fitted);
+      result_.parameters.push_back(std::move(fitted));
+      slopes.push_back(std::move(slope));
     }
+    add_correlation(slopes, covariance);
   }
 
-  double break_strain_at(std::span<const double> x) {
-    return curve_->run(values_at(x)) ? curve_->permanent_strain() : kNan;
-  }
-
-  void set_break(const Parameter& p, SceneParameter& fitted) {
-    const double strain = break_strain_at(best_.x);
-    const SceneBreak& broke = *target_.broke;
-    double by_abscissa = 0.0;
-    if (broke.half_interval > 0.0) {
-      const auto below = curve_->permanent_strain_at(broke.at - broke.half_interval);
-      const auto above = curve_->permanent_strain_at(broke.at + broke.half_interval);
-      // Beyond the end of the path the slope is that before.
-      by_abscissa = above && below ? (*above - *below) / (2.0 * broke.half_interval)
-                    : below        ? (strain - *below) / broke.half_interval
-                                   : kNan;
-    }
-    fitted.value = std::clamp(strain, *p.lower, *p.upper);
-    fitted.at_bound = fitted.value != strain;
-    const auto n = static_cast<Index>(moved_.size());
-    VectorXd slope = VectorXd::Zero(n);
-    std::vector<double> x = best_.x;
-    double variance = by_abscissa * by_abscissa * broke.half_interval * broke.half_interval / 3.0;
-    for (Index i = 0; i < n; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      if (at_bound(k)) continue;
-      x[k] = best_.x[k] + kErrorStep;
-      const double above = break_strain_at(x);
-      x[k] = best_.x[k] - kErrorStep;
-      slope[i] = (above - break_strain_at(x)) / (2.0 * kErrorStep);
-      x[k] = best_.x[k];
-    }
-    for (Index i = 0; i < n; ++i) {
-      for (Index j = 0; j < n; ++j) {
-        if (slope[i] != 0.0 && slope[j] != 0.0) variance += slope[i] * covariance_(i, j) * slope[j];
+  void add_correlation(const std::vector<Eigen::VectorXd>& slopes,
+                       const Eigen::MatrixXd& covariance) {
+    const std::size_t n = slopes.size();
+    result_.correlation.assign(n * n, kNan);
+    const auto joint = [&](std::size_t a, std::size_t b) {
+      double sum = 0.0;
+      for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
+        for (Eigen::Index j = 0; j < covariance.rows(); ++j) {
+          const double product = slopes[a][i] * slopes[b][j];
+          if (product != 0.0) sum += product * covariance(i, j);
+        }
+      }
+      return sum;
+    };
+    for (std::size_t a = 0; a < n; ++a) {
+      for (std::size_t b = 0; b < n; ++b) {
+        const double both =
+            result_.parameters[a].standard_error * result_.parameters[b].standard_error;
+        result_.correlation[a * n + b] = a == b && both > 0.0 ? 1.0 : joint(a, b) / both;
       }
     }
-    fitted.standard_error = fitted.at_bound ? kNan : std::sqrt(variance);
   }
 
-  const SceneTarget& target_;
+  std::span<const ScenePart> parts_;
   const SceneFitOptions& options_;
-  Setup setup_;
-  std::vector<Moved> moved_;
-  std::optional<SceneCurve> curve_;
-  LeastSquaresProblem problem_;
+  SceneProblem problem_;
+  bool knows_noise_ = false;
   LeastSquares best_;
   std::string first_reason_;
   bool start_turns_ = false;
-  MatrixXd covariance_;
+  SceneFitResult result_;
 };
 
 }  // namespace
@@ -288,10 +284,15 @@ const SceneParameter& SceneFitResult::parameter(std::string_view name) const {
   throw std::out_of_range("no fitted parameter " + std::string(name));
 }
 
+SceneFitResult fit_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options) {
+  check_scene_fit(parts, options);
+  return SceneFit(parts, options).run();
+}
+
 SceneFitResult fit_scene(const Setup& setup, const SceneTarget& target,
                          const SceneFitOptions& options) {
-  check_scene_fit(target, options);
-  return SceneFit(setup, target, options).run();
+  const std::vector<ScenePart> parts{{setup, target}};
+  return fit_scenes(parts, options);
 }
 
 }  // namespace plastica::calibrate

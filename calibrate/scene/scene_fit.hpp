@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,59 +14,129 @@
 
 namespace plastica::calibrate {
 
-/// What a fit of a scene may move, and how long it searches.
-struct SceneFitOptions {
-  /// Numbers of the field table. Free ones need both bounds; their start is `value`, else what the
-  /// scene has, else the middle of the bounds. None may be tied.
-  ///
-  /// A break strain (`material.break_strain` of a planar beam, `material.break_shear_strain` of a
-  /// twisted one) is not searched but set, within its bounds, to the permanent strain that the
-  /// fitted model has where the target broke (see misfit.hpp).
-  std::vector<Parameter> parameters;
-  int evaluations = 200;    ///< largest number of runs of a search, >= 1
-  double tolerance = 1e-9;  ///< a step that moves no scaled parameter by more is the last [1], > 0
-  /// How many searches: the first from the start, others from points drawn within the bounds; the
-  /// best counts, >= 1.
-  int starts = 1;
-  std::uint64_t seed = 1;  ///< of the drawn starts
+/// A measured curve and the scene that it is fitted through.
+struct ScenePart {
+  Setup setup;
+  SceneTarget target;
+  double weight = 1.0;  ///< of its squares, beside those of other parts, > 0
 };
 
-/// One free parameter of a fitted scene.
+/// What a fit through scenes may move, and how long it searches.
+struct SceneFitOptions {
+  /// Numbers of the field table, which all parts share. Free ones need both bounds; their start is
+  /// `value`, else what the first part's scene has, else the middle of the bounds.
+  ///
+  /// A break strain (`material.break_strain` of a beam that bends in a plane or is stretched,
+  /// `material.break_shear_strain` of a twisted one) is not searched but set, within its bounds, to
+  /// the permanent strain that the fitted model has where the target broke (see misfit.hpp). No
+  /// other may be tied to it, nor may it have a prior.
+  std::vector<Parameter> parameters;
+  int evaluations = 200;    ///< largest number of points of a search, >= 1
+  double tolerance = 1e-9;  ///< a step that moves no scaled parameter by more is the last [1], > 0
+  /// How many searches: the first from the start, others from Sobol's points within the bounds; the
+  /// best counts, >= 1.
+  int starts = 1;
+  std::uint64_t seed = 1;    ///< of the points' scrambling
+  double confidence = 0.95;  ///< of the intervals, within (0, 1)
+  int threads = 1;           ///< 0: as many as the machine has; changes no bit
+};
+
+/// How well the curves determine a parameter.
+enum class Verdict {
+  Identified,
+  Weak,               ///< its interval is wide
+  NotIdentified,      ///< no curve depends on it, or only a combination with others
+  AtBound,            ///< it would go on beyond its bound
+  LimitedBySampling,  ///< a break: where it is between two samples matters more than the noise
+};
+
+/// "identified", "weak", "not identified", …
+std::string_view name_of(Verdict verdict);
+
+/// From this relative standard error on a parameter is weak.
+inline constexpr double kWeak = 0.1;
+
+/// One free parameter of a fit through scenes.
 struct SceneParameter {
-  std::string path;             ///< "material.yield_stress"
-  double value = 0.0;           ///< [SI]
-  double standard_error = 0.0;  ///< from the noise [SI]; NaN if at a bound or not determined
+  std::string path;  ///< "material.yield_stress"
+  Dimension dimension = Dimension::None;
+  double value = 0.0;  ///< [SI]
+  double start = 0.0, lower = 0.0, upper = 0.0;
+  double standard_error =
+      0.0;  ///< from noise and sampling [SI]; NaN if at a bound or not identified
+  /// Of the confidence of the options: Student's; a break's is that of the noise, widened by its
+  /// sampling interval. NaN where there is no standard error.
+  double interval_low = 0.0, interval_high = 0.0;
   bool at_bound = false;
+  Verdict verdict = Verdict::NotIdentified;
+  /// The number behind the word: standard error over value; of a bound the bound [SI]; of sampling
+  /// half the interval between samples over the value.
+  double verdict_number = 0.0;
+};
+
+/// What a fit made of one target.
+struct ScenePartFit {
+  std::string name;
+  Level level = Level::Auto;
+  std::size_t samples = 0;
+  double cost = 0.0;  ///< sum of the squared residuals [SI^2]
+  /// Standard deviation of the ordinate that errors stand on, and that parts are weighted by: the
+  /// target's, else sqrt(cost/(n_samples (1 - n/n_all samples))) [SI].
+  double noise = 0.0;
+  double misfit_share = 0.0;  ///< rms residual over the largest measured ordinate [1]
+  /// Wald and Wolfowitz: probability of as few runs of residuals of one sign, if they were
+  /// independent [1]; NaN for fewer than 10 of each sign. Small where the model cannot follow.
+  double runs_probability = 0.0;
+  std::vector<double> fitted;  ///< the model's ordinate at the measured abscissa [SI] (n_samples)
+  /// Permanent strain of the fitted model where the target broke [1]; NaN if it did not.
+  double break_strain = 0.0;
+};
+
+/// One search of several.
+struct SceneStart {
+  std::vector<double> from;  ///< values of the searched parameters [SI] (n)
+  std::vector<double> to;    ///< where it ended [SI] (n); empty without a start
+  double cost = 0.0;         ///< there: sum of the squares over the noise [1]; infinite without
+  LeastSquaresOutcome outcome = LeastSquaresOutcome::NoStart;
+  int evaluations = 0;
 };
 
 struct SceneFitResult {
   FitStatus status = FitStatus::Failed;    ///< Fitted or Failed
   std::string reason;                      ///< one sentence for Failed
   std::vector<SceneParameter> parameters;  ///< the free ones, in the order of the options
-  double cost = 0.0;                       ///< sum of the squared residuals [SI]
-  double noise = 0.0;                      ///< standard deviation that the errors stand on [SI]
-  double degrees_of_freedom = 0.0;         ///< of an estimated noise; infinite if it was given
-  double misfit_share = 0.0;               ///< rms residual over the largest measured ordinate [1]
-  std::vector<double> fitted;  ///< the model's ordinate at the measured abscissa [SI] (n_samples)
+  std::vector<double> correlation;         ///< of these (n_free x n_free); NaN where there is none
+  std::vector<ScenePartFit> parts;
+  double degrees_of_freedom = 0.0;  ///< of an estimated noise; infinite if all targets have theirs
+  std::vector<SceneStart> starts;   ///< in their order
   LeastSquaresOutcome outcome = LeastSquaresOutcome::NoStart;  ///< of the best search
-  int runs = 0;                         ///< of the scene, those of differences and errors included
+  int runs = 0;                         ///< of scenes, those of differences and errors included
   int failed_runs = 0;                  ///< of these, without a curve over the measured abscissa
   std::int64_t segment_iterations = 0;  ///< of all runs
+  std::vector<std::string> warnings;
 
   /// The parameter of a path, or of its last part. @throws std::out_of_range
   const SceneParameter& parameter(std::string_view name) const;
 };
 
-/// Fits fields of a scene to a measured curve, by least squares of the ordinate.
+/// Fits fields of one or several scenes to measured curves, by least squares of the ordinates.
 ///
-/// Errors are those of Gauss and Newton with the noise s: C = s^2 (J^T J)^-1, J by central
-/// differences; s is the target's, else s^2 = sum r_i^2/(n_samples - n). A break strain has
-/// g^T C g + (e h)^2/3, with g its slope by the parameters, e by the abscissa, and h the half
-/// interval of the break. Where the model cannot follow the curve the residuals are no noise and
-/// the errors are too small; what segments, steps and fibres do to the values is not in them.
-/// A confidence interval takes Student's factor of `degrees_of_freedom`.
-/// @throws InputError for a scene, target or parameter that is bad input, and if the probe of the
+/// Parts are weighted by their noise: sum over parts of weight/noise^2 sum r_i^2. Where a target
+/// states none, each part's ordinate range stands for it at first; then the parts' residuals say
+/// it, and the fit is repeated, four times at most, until it changes by less than 5 %.
+///
+/// Errors are those of Gauss and Newton: C = A^-1 B A^-1 with A = J^T W J, B = J^T W^2 J, J the
+/// residuals' slopes over the noise by central differences and W the given weights (for weights
+/// of 1: A^-1). A prior counts as a residual. A break strain has g^T C g + (a - b)^2/12, with g its
+/// slope by the parameters and a, b its values at both ends of the sampling interval of the break;
+/// of several broken targets the mean, weighted by these. Where the model cannot follow a curve the
+/// residuals are no noise and the errors are too small; what segments, steps and fibres do to the
+/// values is not in them.
+/// @throws InputError for a scene, target or parameter that is bad input, and if the probe of an
 ///         abscissa turns round on the path from the start values
+SceneFitResult fit_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options);
+
+/// The same for one target.
 SceneFitResult fit_scene(const Setup& setup, const SceneTarget& target,
                          const SceneFitOptions& options);
 

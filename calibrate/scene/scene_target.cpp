@@ -7,7 +7,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "calibrate/scene/scene_curve.hpp"
+#include "calibrate/scene/scene_drive.hpp"
+#include "calibrate/scene/scene_model.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::calibrate {
@@ -18,13 +19,11 @@ struct Column {
   io::UnitConversion convert;
 };
 
-Column find_column(const io::CsvTable& table, const ColumnSource& source, const Probe& probe,
+Column find_column(const io::CsvTable& table, const ColumnSource& source, Dimension dimension,
                    std::string_view field) {
   Column column;
   column.index = table.find(source.column, source.where, field);
   const std::string unit = source.unit.value_or(table.units()[column.index]);
-  // The scene is a chain: its probes do not depend on a coupon's deformation.
-  const Dimension dimension = dimension_of(probe.quantity, Deformation::Tension);
   const SourceLocation where = source.unit ? source.where : SourceLocation{table.file(), 0};
   column.convert = io::unit_conversion(unit, dimension, where, source.column);
   return column;
@@ -37,13 +36,12 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
   SceneTarget target = std::move(probes);
   const io::CsvTable table = io::CsvTable::read(source.file, source.csv);
   if (target.name.empty()) target.name = std::filesystem::path(source.file).stem().string();
-  const auto probe_of = [&](const std::string& name, std::string_view field) {
-    return scene.probes[probe_index(scene, name, field, source.where)];
-  };
+  const Probe& probe =
+      scene.probes[probe_index(scene, target.ordinate_probe, "ordinate_probe", source.where)];
   const Column x = find_column(table, source.abscissa,
-                               probe_of(target.abscissa_probe, "abscissa_probe"), "abscissa");
+                               abscissa_dimension(scene, target, source.where), "abscissa");
   const Column y = find_column(table, source.ordinate,
-                               probe_of(target.ordinate_probe, "ordinate_probe"), "ordinate");
+                               dimension_of(probe.quantity, scene.drive.deformation), "ordinate");
   target.abscissa.clear();
   target.ordinate.clear();
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -57,9 +55,11 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
       return column.convert(value);
     };
     const double at = number(x);
-    if (!target.abscissa.empty() && at < target.abscissa.back()) {
-      throw InputError(where, table.names()[x.index], table.cell(row, x.index),
-                       "goes back: a beam's curve is followed one way, cut it where it turns");
+    if (!is_driven(target.kind) && !target.abscissa.empty() && at < target.abscissa.back()) {
+      throw InputError(
+          where, table.names()[x.index], table.cell(row, x.index),
+          "goes back: a beam's curve is followed one way; a scene that this column drives "
+          "follows it to and fro");
     }
     target.abscissa.push_back(at);
     target.ordinate.push_back(number(y));
@@ -67,7 +67,7 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
   const std::size_t n = target.ordinate.size();
   if (n > 2 && target.ordinate[n - 1] == 0.0 && target.ordinate[n - 2] != 0.0) {
     const double half = 0.5 * (target.abscissa[n - 1] - target.abscissa[n - 2]);
-    target.broke = SceneBreak{target.abscissa[n - 2] + half, half};
+    target.broke = SceneBreak{target.abscissa[n - 2] + half, std::abs(half)};
     target.abscissa.pop_back();
     target.ordinate.pop_back();
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,17 +15,37 @@ namespace plastica::calibrate {
 struct SceneBreak {
   double at = 0.0;             ///< abscissa [SI]
   double half_interval = 0.0;  ///< it lies anywhere within this on both sides [SI], >= 0
+
+  /// Where it is known to be broken, coming from a last whole sample.
+  double broken_from(double last) const {
+    return at < last ? at - half_interval : at + half_interval;
+  }
 };
 
-/// A measured curve of a beam that a scene can follow: one probe over another, such as a force over
-/// the displacement that it makes.
+/// What a measured abscissa is in the scene.
+enum class Abscissa {
+  Probe,    ///< what a probe says along the scene's own path, on which it grows
+  Time,     ///< the time of a motion [s]
+  Support,  ///< how far a support has moved or turned: it follows what was measured
+  Load,     ///< the size of a load, likewise
+  Strain,   ///< that of a coupon, likewise
+};
+
+/// Whether the scene follows the measured values, up and down, in place of its own history.
+constexpr bool is_driven(Abscissa kind) { return kind >= Abscissa::Support; }
+
+/// A measured curve of a beam that a scene can follow, such as a force over the displacement that
+/// it makes.
 struct SceneTarget {
   std::string name;
-  std::vector<double> abscissa;  ///< SI, never falling (n_samples)
+  Abscissa kind = Abscissa::Probe;
+  std::size_t driven = 0;  ///< which support or load follows
+  /// SI (n_samples); any path if the scene is driven by it, else never falling.
+  std::vector<double> abscissa;
   std::vector<double> ordinate;  ///< SI (n_samples)
-  std::string abscissa_probe;    ///< names of two of the scene's probes
-  std::string ordinate_probe;
-  /// Measured = factor x probe, not 0: -1 where the machine counts against the scene's axis.
+  std::string abscissa_probe;    ///< one of the scene's, of Abscissa::Probe
+  std::string ordinate_probe;    ///< another
+  /// Measured = factor x the scene's, not 0: -1 where the machine counts against its axis.
   double abscissa_factor = 1.0;
   double ordinate_factor = 1.0;
   std::optional<double> noise;  ///< standard deviation of the ordinate [SI], > 0; empty: unknown

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "plastica/model/check_value.hpp"
+#include "plastica/theory/sampling.hpp"
 #include "sweeps/plan/derived_fields.hpp"
-#include "sweeps/plan/sampling.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -135,12 +135,13 @@ void draw_samples(const TomlTable& root, const std::vector<SampledAxis>& sampled
   const auto seed_value = table->find("seed");
   const auto seed = static_cast<std::uint64_t>(
       seed_value ? seed_value->integer(0, std::numeric_limits<std::int64_t>::max()) : 1);
-  if (method == 1 && sampled.size() > kSobolDimensions) {
-    throw table->at("method").error("takes at most " + std::to_string(kSobolDimensions) +
+  if (method == 1 && sampled.size() > theory::kSobolDimensions) {
+    throw table->at("method").error("takes at most " + std::to_string(theory::kSobolDimensions) +
                                     " sampled axes");
   }
-  const std::vector<double> points = method == 0 ? latin_hypercube(count, sampled.size(), seed)
-                                                 : sobol(count, sampled.size(), seed);
+  const std::vector<double> points = method == 0
+                                         ? theory::latin_hypercube(count, sampled.size(), seed)
+                                         : theory::sobol(count, sampled.size(), seed);
   for (std::size_t d = 0; d < sampled.size(); ++d) {
     Axis& axis = axes[sampled[d].axis];
     for (std::size_t i = 0; i < count; ++i) {

@@ -15,11 +15,11 @@ LeastSquaresProblem valley() {
   problem.upper = {5.0, 5.0};
   problem.start = {-1.2, 1.0};
   problem.residuals = 2;
-  problem.residual = [](std::span<const double> x, std::span<double> r) {
+  problem.evaluate = one_by_one([](std::span<const double> x, std::span<double> r) {
     r[0] = 10.0 * (x[1] - x[0] * x[0]);
     r[1] = 1.0 - x[0];
     return true;
-  };
+  });
   return problem;
 }
 
@@ -48,11 +48,11 @@ TEST(LeastSquares, FindsTheLeastOfWhatCannotVanish) {
   problem.upper = {100.0, 100.0};
   problem.start = {0.0, 0.0};
   problem.residuals = 5;
-  problem.residual = [](std::span<const double> x, std::span<double> r) {
+  problem.evaluate = one_by_one([](std::span<const double> x, std::span<double> r) {
     const double y[] = {2.0, 3.0, 4.5, 4.0, 5.5};
     for (std::size_t i = 0; i < 5; ++i) r[i] = x[0] + x[1] * static_cast<double>(i) - y[i];
     return true;
-  };
+  });
   const LeastSquares found = minimize_squares(problem, {});
   EXPECT_NEAR(found.x[0], 2.2, 1e-7);
   EXPECT_NEAR(found.x[1], 0.8, 1e-7);
@@ -68,11 +68,11 @@ TEST(LeastSquares, StepsBackFromWhereThereIsNothing) {
   problem.start = {0.1};
   problem.residuals = 1;
   int missing = 0;
-  problem.residual = [&](std::span<const double> x, std::span<double> r) {
+  problem.evaluate = one_by_one([&](std::span<const double> x, std::span<double> r) {
     if (x[0] > 4.0) ++missing;
     r[0] = 1.0 / x[0] - 1.0 / 3.0;
     return x[0] <= 4.0;
-  };
+  });
   const LeastSquares found = minimize_squares(problem, {});
   EXPECT_NEAR(found.x[0], 3.0, 1e-7);
   problem.start = {3.9999999};  // ahead of it a difference finds nothing
@@ -86,12 +86,13 @@ TEST(LeastSquares, SaysHowItEnded) {
   EXPECT_EQ(few.outcome, LeastSquaresOutcome::EvaluationsReached);
   EXPECT_LE(few.evaluations, 7);
   EXPECT_EQ(name_of(few.outcome), "evaluations-reached");
-  problem.residual = [](std::span<const double>, std::span<double>) { return false; };
+  problem.evaluate =
+      one_by_one([](std::span<const double>, std::span<double>) { return false; });
   EXPECT_EQ(minimize_squares(problem, {}).outcome, LeastSquaresOutcome::NoStart);
   EXPECT_TRUE(residual_slopes(problem, problem.start, {}, 1e-4).empty());
-  problem.residual = [](std::span<const double>, std::span<double>) -> bool {
+  problem.evaluate = one_by_one([](std::span<const double>, std::span<double>) -> bool {
     throw std::runtime_error("out of paper");
-  };
+  });
   EXPECT_THROW(minimize_squares(problem, {}), std::runtime_error);
 }
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "calibrate/scene/scene_curve.hpp"
 #include "calibrate/scene/scene_fit.hpp"
+#include "calibrate/scene/scene_model.hpp"
 #include "plastica/io/scene_file.hpp"
 
 namespace plastica::testing {
@@ -55,11 +55,12 @@ inline calibrate::SceneTarget measured(const Setup& setup, const Truth& truth = 
   target.abscissa_factor = target.ordinate_factor = -1.0;
   for (int i = 0; i * spacing < last * (1.0 + 1e-9); ++i) target.abscissa.push_back(i * spacing);
   target.ordinate.assign(target.abscissa.size(), 0.0);
-  calibrate::SceneCurve curve(
+  const calibrate::SceneModel model(
       setup, target,
       {&find_field("material.youngs_modulus"), &find_field("material.yield_stress")});
   const std::vector<double> values{truth.youngs_modulus, truth.yield_stress};
-  if (curve.run(values)) target.ordinate = curve.ordinate();
+  const calibrate::SceneCurve curve = model.run(values, 1).front();
+  if (curve.usable) target.ordinate = curve.ordinate;
   target.broke = calibrate::SceneBreak{last, 0.0};
   return target;
 }

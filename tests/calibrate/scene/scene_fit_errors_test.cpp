@@ -47,8 +47,9 @@ TEST(SceneFitErrors, NameTheParameterThatIsWrong) {
               in.options.parameters.push_back(free_parameter("beam.segments", 2.0, 9.0));
             }),
             "beam.segments: is no number that a fit could move");
-  EXPECT_EQ(refusal([](Input& in) { in.options.parameters[0].role = ParameterRole::Tied; }),
-            "material.youngs_modulus: cannot be tied in the fit of a scene");
+  EXPECT_EQ(
+      refusal([](Input& in) { in.options.parameters[0].role = ParameterRole::Tied; }),
+      "material.youngs_modulus: must be tied to a parameter of the fit that is not tied itself");
   EXPECT_EQ(refusal([](Input& in) { in.options.parameters[0].role = ParameterRole::Fixed; }),
             "material.youngs_modulus: is fixed and needs a value");
   EXPECT_EQ(refusal([](Input& in) { in.target.broke.reset(); }),
@@ -82,18 +83,19 @@ TEST(SceneFitErrors, NameWhatIsWrongWithTargetAndOptions) {
 TEST(SceneFitErrors, RefuseScenesThatGiveNoSuchCurve) {
   EXPECT_EQ(refusal([](Input& in) { in.target.abscissa_factor = 1.0; }),
             "abscissa_probe = displacement: the probe displacement must grow along the path "
-            "(times 1), and does not at sample 1");
+            "(times 1), and does not at sample 1; a scene whose drive follows what was measured "
+            "may turn");
   EXPECT_EQ(refusal([](Input& in) {
               in.setup.scene.supports[1].history = History::turning_points({1.0, 0.5});
             }),
             "abscissa_probe = displacement: the probe displacement must grow along the path "
-            "(times -1), and does not at sample 41");
+            "(times -1), and does not at sample 41; a scene whose drive follows what was measured "
+            "may turn");
   EXPECT_EQ(refusal([](Input& in) {
               in.setup = {};
               in.setup.scene.drive.strain = {0.001};
             }),
-            "drive.strain: makes the scene a coupon: its curve is stress over strain, which "
-            "plastica calibrate fits");
+            "drive.strain: makes the scene a coupon, which follows a measured strain");
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(SceneFitReference, GivesErrorsThatTheNoiseOfFiftyCurvesHas) {
     for (double& force : target.ordinate) force += kNoise * normal.draw();
     const SceneFitResult fit = fit_scene(setup, target, {.parameters = all_three()});
     ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
-    noise += fit.noise / kCurves;
+    noise += fit.parts[0].noise / kCurves;
     for (std::size_t i = 0; i < 3; ++i) {
       const double z = (fit.parameters[i].value - truth[i]) / fit.parameters[i].standard_error;
       sum[i] += z;
@@ -98,7 +98,7 @@ TEST(SceneFitReference, FindsTheSpecimenOfTheShippedCurve) {
   ASSERT_TRUE(target.broke);
   const SceneFitResult fit = fit_scene(setup, target, {.parameters = all_three()});
   ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
-  EXPECT_NEAR(fit.noise, 5.0, 1.0);
+  EXPECT_NEAR(fit.parts[0].noise, 5.0, 1.0);
   const std::array<double, 3> truth{205e9, 380e6, 0.02};
   for (std::size_t i = 0; i < 3; ++i) {
     const SceneParameter& p = fit.parameters[i];

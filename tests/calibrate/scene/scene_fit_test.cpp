@@ -25,7 +25,7 @@ TEST(SceneFit, RecoversTheParametersOfItsOwnModel) {
   ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
   EXPECT_NEAR(fit.parameter("youngs_modulus").value / Truth{}.youngs_modulus, 1.0, 1e-6);
   EXPECT_NEAR(fit.parameter("material.yield_stress").value / Truth{}.yield_stress, 1.0, 1e-6);
-  EXPECT_LT(fit.misfit_share, 1e-8);
+  EXPECT_LT(fit.parts[0].misfit_share, 1e-8);
   EXPECT_EQ(fit.failed_runs, 0);
   EXPECT_LE(fit.runs, 40);
   EXPECT_GT(fit.segment_iterations, 10 * fit.runs);
@@ -102,9 +102,9 @@ TEST(SceneFit, HasTheErrorsOfALinearFitWhereForcesAreProportional) {
   const SceneFitResult estimated = fit_scene(setup, target, options);
   const auto samples = static_cast<double>(target.ordinate.size());
   EXPECT_EQ(estimated.degrees_of_freedom, samples - 1.0);
-  EXPECT_NEAR(estimated.noise, 3.0 * std::sqrt(samples / (samples - 1.0)), 0.01);
+  EXPECT_NEAR(estimated.parts[0].noise, 3.0 * std::sqrt(samples / (samples - 1.0)), 0.01);
   EXPECT_NEAR(estimated.parameters[0].standard_error,
-              estimated.noise * estimated.parameters[0].value / std::sqrt(squares),
+              estimated.parts[0].noise * estimated.parameters[0].value / std::sqrt(squares),
               1e-3 * estimated.parameters[0].standard_error);
 }
 
@@ -135,10 +135,10 @@ TEST(SceneFit, GivesTheSameBitsAndNoWorseFromMoreStarts) {
   often.starts = 3;
   const SceneFitResult a = fit_scene(setup, target, often);
   const SceneFitResult b = fit_scene(setup, target, often);
-  EXPECT_EQ(a.cost, b.cost);
+  EXPECT_EQ(a.parts[0].cost, b.parts[0].cost);
   EXPECT_EQ(a.parameters[0].value, b.parameters[0].value);
-  EXPECT_EQ(a.fitted, b.fitted);
-  EXPECT_LE(a.cost, fit_scene(setup, target, once).cost);
+  EXPECT_EQ(a.parts[0].fitted, b.parts[0].fitted);
+  EXPECT_LE(a.parts[0].cost, fit_scene(setup, target, once).parts[0].cost);
 }
 
 TEST(SceneFit, FailsWithAReasonWhereThePathEndsTooEarly) {

@@ -61,8 +61,8 @@ TEST_F(SceneTargetFile, SaysThatTheBeamBrokeBeforeALastRowOfNoForce) {
 
 TEST_F(SceneTargetFile, RefusesWhatIsNoCurveOfTheScene) {
   EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n2,5\n1,6\n"),
-            file("4: Way = 1: goes back: a beam's curve is followed one way, cut it where it "
-                 "turns"));
+            file("4: Way = 1: goes back: a beam's curve is followed one way; a scene that this "
+                 "column drives follows it to and fro"));
   EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n2,NaN\n3,6\n"),
             file("3: Force = NaN: must be a number in every row of a measured beam"));
   EXPECT_EQ(refusal("Way (mm),Load (N)\n0,0\n2,1\n"),

@@ -1,4 +1,4 @@
-#include "sweeps/plan/sampling.hpp"
+#include "plastica/theory/sampling.hpp"
 
 #include <array>
 #include <bit>
@@ -9,7 +9,7 @@
 
 #include "plastica/base/check.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::theory {
 namespace {
 
 constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15U;
@@ -165,4 +165,4 @@ std::vector<double> sobol(std::size_t count, std::size_t dimensions, std::uint64
   return points;
 }
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::theory

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace plastica::sweeps {
+namespace plastica::theory {
 
-// Points that fill the unit cube more evenly than random ones, for sweeps over many axes. The
+// Points that fill the unit cube more evenly than random ones, for sweeps over many axes and starts of fits. The
 // generator is ours, so that a seed gives the same bits on every machine.
 
 /// So many dimensions have direction numbers here.
@@ -35,4 +35,4 @@ std::vector<double> latin_hypercube(std::size_t count, std::size_t dimensions, s
 /// @throws InputError if there are more dimensions than direction numbers
 std::vector<double> sobol(std::size_t count, std::size_t dimensions, std::uint64_t seed);
 
-}  // namespace plastica::sweeps
+}  // namespace plastica::theory

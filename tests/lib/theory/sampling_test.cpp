@@ -1,4 +1,4 @@
-#include "sweeps/plan/sampling.hpp"
+#include "plastica/theory/sampling.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "tests/support/message.hpp"
 
-namespace plastica::sweeps {
+namespace plastica::theory {
 namespace {
 
 std::size_t cell(double coordinate, std::size_t cells) {
@@ -194,4 +194,4 @@ TEST(Sobol, RefusesMoreDimensionsThanItHasNumbersFor) {
 }
 
 }  // namespace
-}  // namespace plastica::sweeps
+}  // namespace plastica::theory

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "calibrate/scene/scene_target.hpp"
+#include "plastica/base/quantity.hpp"
+#include "plastica/model/field.hpp"
+
+namespace plastica::calibrate {
+
+/// What the abscissa of a target is: a length, an angle, a force …
+/// @throws InputError for a support, load or probe that the scene does not have, or that has no
+///         one direction to follow a number in
+Dimension abscissa_dimension(const Scene& scene, const SceneTarget& target,
+                             const SourceLocation& where = {});
+
+/// The setup that follows a target's measured abscissa: sample i is reached at time i + 1, the
+/// first broken one, if there is one, a second after the last; recorded are these.
+///
+/// A support or load keeps its direction, and its size counts as one: the history's factor is
+/// measured/(factor x size). All else that acts must be there from the first (history constant).
+/// @throws InputError where the scene cannot follow
+Setup driven_setup(const Setup& setup, const SceneTarget& target);
+
+}  // namespace plastica::calibrate

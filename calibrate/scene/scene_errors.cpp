@@ -1,0 +1,165 @@
+#include "calibrate/scene/scene_errors.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+
+namespace plastica::calibrate {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+/// Of the central differences at the solution, in scaled parameters: fibres that yield one after
+/// the other, and Newton's tolerance, are smooth over it.
+constexpr double kErrorStep = 1e-4;
+/// Of the normal matrix scaled to a unit diagonal: what lies along an eigenvector below this is
+/// seen by no curve.
+constexpr double kUnseen = 1e-12;
+
+/// Drops coordinates that only combinations determine: the largest part of each unseen one.
+void drop_unseen(const MatrixXd& normal, std::vector<Index>& kept) {
+  while (!kept.empty()) {
+    const MatrixXd a = normal(kept, kept);
+    const VectorXd size = a.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(size.asDiagonal() * a * size.asDiagonal());
+    if (solver.eigenvalues()[0] > kUnseen) return;
+    const VectorXd unseen = solver.eigenvectors().col(0).cwiseAbs();
+    // All that take part: what is left says nothing of any of them.
+    std::vector<Index> left;
+    for (Index i = 0; i < unseen.size(); ++i) {
+      if (unseen[i] < 0.1) left.push_back(kept[static_cast<std::size_t>(i)]);
+    }
+    kept = std::move(left);
+  }
+}
+
+}  // namespace
+
+bool breaks_by(const Parameter& p, const SceneModel& model, const ScenePart& part) {
+  if (!part.target.broke) return false;
+  const bool torsion =
+      model.level() == Level::Twist || (model.level() == Level::Coupon &&
+                                        part.setup.scene.drive.deformation == Deformation::Torsion);
+  const bool bends = !torsion && model.level() != Level::Spatial;
+  return p.field->material == MaterialField::BreakStrain ? bends : torsion;
+}
+
+SceneErrors::SceneErrors(SceneProblem& problem, std::span<const double> x,
+                         std::span<const double> residual)
+    : problem_(problem), x_(x.begin(), x.end()) {
+  const LeastSquaresProblem& squares = problem.squares();
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    const double reach = 1e-9 * (squares.upper[i] - squares.lower[i]);
+    at_bound_.push_back(x_[i] <= squares.lower[i] + reach || x_[i] >= squares.upper[i] - reach);
+  }
+  set_covariance(residual);
+}
+
+VectorXd SceneErrors::weights() const {
+  VectorXd w = VectorXd::Ones(static_cast<Index>(problem_.squares().residuals));
+  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
+    const auto first = static_cast<Index>(problem_.first_residual(part));
+    const auto count = static_cast<Index>(problem_.parts()[part].target.ordinate.size());
+    w.segment(first, count).setConstant(problem_.parts()[part].weight);
+  }
+  return w;
+}
+
+void SceneErrors::set_covariance(std::span<const double> residual) {
+  const auto n = static_cast<Index>(x_.size());
+  covariance_ = MatrixXd::Constant(n, n, kNan);
+  if (n == 0) return;
+  const std::vector<double> slopes = residual_slopes(problem_.squares(), x_, residual, kErrorStep);
+  if (slopes.empty()) return;
+  // Rows over the noise, times the root of their weight.
+  const Eigen::Map<const Slopes> j(slopes.data(), static_cast<Index>(problem_.squares().residuals),
+                                   n);
+  const MatrixXd normal = j.transpose() * j;
+  std::vector<Index> kept;
+  for (Index k = 0; k < n; ++k) {
+    if (!at_bound_[static_cast<std::size_t>(k)] && normal(k, k) > 0.0) kept.push_back(k);
+  }
+  drop_unseen(normal, kept);
+  if (kept.empty()) return;
+  const MatrixXd weighted = j.transpose() * weights().asDiagonal() * j;
+  const MatrixXd a = normal(kept, kept);
+  const MatrixXd inverse = a.ldlt().solve(MatrixXd::Identity(a.rows(), a.cols()));
+  const MatrixXd b = weighted(kept, kept);
+  const MatrixXd c = inverse * b * inverse;
+  for (std::size_t row = 0; row < kept.size(); ++row) {
+    for (std::size_t column = 0; column < kept.size(); ++column) {
+      covariance_(kept[row], kept[column]) = c(static_cast<Index>(row), static_cast<Index>(column));
+    }
+  }
+}
+
+void SceneErrors::run_neighbours() {
+  const std::size_t n = x_.size();
+  std::vector<double> points = x_;
+  for (std::size_t k = 0; k < n; ++k) {
+    for (const double step : {kErrorStep, -kErrorStep}) {
+      points.insert(points.end(), x_.begin(), x_.end());
+      points[points.size() - n + k] += at_bound_[k] ? 0.0 : step;
+    }
+  }
+  neighbours_ = problem_.curves(points, 1 + 2 * n);
+}
+
+BreakLimit SceneErrors::limit_of(std::size_t part) const {
+  const std::vector<SceneCurve>& curves = neighbours_[part];
+  const StrainAtBreak& strain = curves[0].strain;
+  BreakLimit limit;
+  limit.value = strain.at;
+  // Beyond the end of the path the slope is that before.
+  limit.half =
+      std::isnan(strain.after) ? strain.at - strain.before : 0.5 * (strain.after - strain.before);
+  const std::size_t n = x_.size();
+  limit.slope = VectorXd::Zero(static_cast<Index>(n));
+  for (std::size_t k = 0; k < n; ++k) {
+    if (at_bound_[k]) continue;
+    limit.slope[static_cast<Index>(k)] =
+        (curves[1 + 2 * k].strain.at - curves[2 + 2 * k].strain.at) / (2.0 * kErrorStep);
+  }
+  return limit;
+}
+
+BreakLimit SceneErrors::break_limit(const Parameter& p) {
+  if (neighbours_.empty()) run_neighbours();
+  std::vector<BreakLimit> limits;
+  std::vector<double> certainty;
+  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
+    if (!breaks_by(p, problem_.model(part), problem_.parts()[part])) continue;
+    limits.push_back(limit_of(part));
+    const BreakLimit& limit = limits.back();
+    double variance = limit.half * limit.half / 3.0;
+    for (Index i = 0; i < limit.slope.size(); ++i) {
+      for (Index j = 0; j < limit.slope.size(); ++j) {
+        const double term = limit.slope[i] * limit.slope[j];
+        if (term != 0.0) variance += term * covariance_(i, j);
+      }
+    }
+    certainty.push_back(1.0 / variance);
+  }
+  double total = 0.0;
+  for (const double c : certainty) total += c;
+  if (limits.size() == 1) return limits.front();
+  BreakLimit mean;
+  mean.slope = VectorXd::Zero(static_cast<Index>(x_.size()));
+  double half_squares = 0.0;
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    // Without noise, or where it says nothing, all count alike.
+    const double share =
+        std::isfinite(total) ? certainty[k] / total : 1.0 / static_cast<double>(limits.size());
+    mean.value += share * limits[k].value;
+    mean.slope += share * limits[k].slope;
+    half_squares += share * share * limits[k].half * limits[k].half;
+  }
+  mean.half = std::sqrt(half_squares);
+  return mean;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "calibrate/scene/scene_problem.hpp"
+
+namespace plastica::calibrate {
+
+/// A break limit as the fitted scenes have it.
+struct BreakLimit {
+  double value = 0.0;     ///< [1]; NaN if no scene gets there
+  double half = 0.0;      ///< half the interval that the sampling leaves [1]
+  Eigen::VectorXd slope;  ///< by the coordinates (n)
+};
+
+/// What the curves say of the coordinates at a solution, and of the break limits.
+class SceneErrors {
+ public:
+  /// @param x  coordinates of the solution (n)
+  /// @param residual  there, over the scales
+  SceneErrors(SceneProblem& problem, std::span<const double> x, std::span<const double> residual);
+
+  bool at_bound(std::size_t i) const { return at_bound_[i]; }
+  /// Covariance of the coordinates; NaN in rows and columns that are not determined (n x n).
+  const Eigen::MatrixXd& covariance() const { return covariance_; }
+
+  /// The limit of one break parameter, by all targets that broke in its way.
+  BreakLimit break_limit(const Parameter& p);
+
+ private:
+  void set_covariance(std::span<const double> residual);
+  Eigen::VectorXd weights() const;
+  /// The break strains at the solution and on both sides of it in each coordinate, by part.
+  void run_neighbours();
+  BreakLimit limit_of(std::size_t part) const;
+
+  SceneProblem& problem_;
+  std::vector<double> x_;
+  std::vector<bool> at_bound_;
+  Eigen::MatrixXd covariance_;
+  std::vector<std::vector<SceneCurve>> neighbours_;
+};
+
+/// Whether a target broke in the way that a break parameter limits.
+bool breaks_by(const Parameter& p, const SceneModel& model, const ScenePart& part);
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,253 @@
+#include "calibrate/scene/scene_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "calibrate/scene/scene_drive.hpp"
+#include "plastica/run/batch.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+/// The path may end short of the measured abscissa by this share of it: rounding of a motion that
+/// is prescribed to end there.
+constexpr double kRounding = 1e-9;
+
+/// Whether a prepared model takes a field's value at run time just as if the scene had it.
+bool is_run_parameter(const Field& field, const Setup& setup) {
+  if (!field.material) return false;
+  switch (*field.material) {
+    case MaterialField::YoungsModulus:
+    case MaterialField::YieldStress:
+    case MaterialField::KinematicShare:
+    case MaterialField::SaturationStress:
+    case MaterialField::SaturationRate: return true;
+    // A chain asks the scene whether these are given.
+    case MaterialField::ShearModulus: return setup.scene.material.shear_modulus.has_value();
+    case MaterialField::ShearYieldStress:
+      return setup.scene.material.shear_yield_stress.has_value();
+    // … and how its strains spread, of which hardening at all decides.
+    case MaterialField::TangentModulus: return setup.scene.material.hardening.tangent_modulus > 0.0;
+    default: return false;
+  }
+}
+
+void take_limits_off(Scene& scene) {
+  const auto take_off = [](Material& material) {
+    material.break_strain.reset();
+    material.break_shear_strain.reset();
+  };
+  take_off(scene.material);
+  for (Region& region : scene.regions) take_off(region.material);
+  scene.break_limit_x.reset();
+  scene.break_limit_y.reset();
+  scene.break_limit_z.reset();
+}
+
+void check_kind(const Scene& scene, Abscissa kind) {
+  if (scene.is_coupon() == (kind == Abscissa::Strain)) return;
+  if (scene.is_coupon()) {
+    throw InputError({}, "drive.strain", "",
+                     "makes the scene a coupon, which follows a measured strain");
+  }
+  throw InputError({}, "drive", "strain", "needs a coupon: a scene with drive.strain");
+}
+
+SceneCurve failed(std::string reason) {
+  SceneCurve curve;
+  curve.reason = std::move(reason);
+  return curve;
+}
+
+}  // namespace
+
+std::size_t probe_index(const Scene& scene, const std::string& name, std::string_view field,
+                        const SourceLocation& where) {
+  std::string names;
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    if (scene.probes[i].name == name) return i;
+    names += (names.empty() ? "" : ", ") + scene.probes[i].name;
+  }
+  throw InputError(
+      where, field, name,
+      names.empty() ? "the scene has no probes" : "is not one of the scene's probes: " + names);
+}
+
+SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
+                       std::vector<const Field*> fields)
+    : setup_(setup), target_(target), fields_(std::move(fields)) {
+  check_kind(setup_.scene, target.kind);
+  if (is_driven(target.kind)) setup_ = driven_setup(setup, target);
+  Scene& scene = setup_.scene;
+  if (target.kind == Abscissa::Probe) {
+    abscissa_probe_ = probe_index(scene, target.abscissa_probe, "abscissa_probe");
+  }
+  ordinate_probe_ = probe_index(scene, target.ordinate_probe, "ordinate_probe");
+  take_limits_off(scene);
+  if (scene.is_coupon()) {
+    const bool net = scene.break_measure == BreakMeasure::Net;
+    strain_probe_ = scene.probes.size();
+    scene.probes.push_back(
+        {"permanent", net ? ProbeQuantity::PlasticStrain : ProbeQuantity::AccumulatedStrain});
+  }
+  setup_.solver.frames = 0;  // the permanent strain of every sample
+  prepared_ = std::all_of(fields_.begin(), fields_.end(),
+                          [&](const Field* field) { return is_run_parameter(*field, setup_); });
+  std::vector<std::string> paths;
+  if (prepared_) {
+    for (const Field* field : fields_) paths.emplace_back(field->path);
+  }
+  model_ = prepare(scene, setup_.solver, paths);
+}
+
+Setup SceneModel::setup_at(std::span<const double> values) const {
+  Setup setup = setup_;
+  for (std::size_t i = 0; i < fields_.size(); ++i) set_field(setup, *fields_[i], values[i]);
+  return setup;
+}
+
+std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::size_t count,
+                                        int threads) const {
+  BatchOptions how;
+  how.threads = threads;
+  std::vector<SceneCurve> curves(count);
+  if (prepared_) {
+    const std::vector<Response> responses = run_batch(model_, values, count, how);
+    for (std::size_t i = 0; i < count; ++i) curves[i] = curve_of(responses[i]);
+    return curves;
+  }
+  const std::size_t n = fields_.size();
+  run_batch(
+      count,
+      [&](std::size_t i) {
+        const Setup setup = setup_at(values.subspan(i * n, n));
+        return BatchCase{std::to_string(i), setup.scene, setup.solver};
+      },
+      [&](std::size_t i, BatchRow&& row) {
+        curves[i] = row.reason.empty() ? curve_of(row.response) : failed(row.reason);
+      },
+      how);
+  return curves;
+}
+
+SceneCurve SceneModel::curve_of(const Response& response) const {
+  SceneCurve curve;
+  curve.segment_iterations =
+      static_cast<std::int64_t>(setup_.scene.beam.segments) * response.counters.iterations;
+  if (!usable(response.status)) {
+    curve.reason =
+        fmt::format("the scene ended {}: {}", name_of(response.status), advice(response.status));
+    return curve;
+  }
+  std::vector<double> path;
+  if (!place(response, path, curve)) return curve;
+  curve.usable = true;
+  set_ordinate(response, path, curve);
+  set_strain(response, path, curve);
+  return curve;
+}
+
+/// Where the response's samples are: on the abscissa, or their numbers if it was driven.
+/// @return whether they reach over all that was measured
+bool SceneModel::place(const Response& response, std::vector<double>& path,
+                       SceneCurve& curve) const {
+  const std::size_t samples = response.samples;
+  path.resize(samples);
+  if (is_driven(target_.kind)) {
+    // A chain's first sample is the beam at rest.
+    const double first = target_.kind == Abscissa::Strain ? 0.0 : -1.0;
+    for (std::size_t i = 0; i < samples; ++i) path[i] = first + static_cast<double>(i);
+    const double last = static_cast<double>(target_.abscissa.size() - 1);
+    if (samples > 0 && path.back() >= last) return true;
+    curve.reason = fmt::format("the path ends after {} of {} measured samples",
+                               samples > 0 ? path.back() + 1.0 : 0.0, target_.abscissa.size());
+    return false;
+  }
+  const std::vector<double>& from =
+      target_.kind == Abscissa::Time ? response.chain.time : response.probes[abscissa_probe_];
+  for (std::size_t i = 0; i < samples; ++i) {
+    path[i] = target_.abscissa_factor * from[i] + 0.0;  // no -0
+    if (i == 0 || path[i] > path[i - 1]) continue;
+    curve.turns = true;
+    curve.reason = fmt::format(
+        "the probe {} must grow along the path (times {:g}), and does not at sample {}; a scene "
+        "whose drive follows what was measured may turn",
+        target_.abscissa_probe, target_.abscissa_factor, i);
+    return false;
+  }
+  const double least = target_.abscissa.front();
+  double most = target_.abscissa.back();
+  if (target_.broke) most = std::max(most, target_.broke->at);
+  const double slack = kRounding * std::max(std::abs(least), std::abs(most));
+  if (samples >= 2 && path.front() <= least + slack && path.back() >= most - slack) return true;
+  curve.reason =
+      fmt::format("the path goes from {:g} to {:g}, and was measured from {:g} to {:g}",
+                  samples > 0 ? path.front() : 0.0, samples > 0 ? path.back() : 0.0, least, most);
+  return false;
+}
+
+void SceneModel::set_ordinate(const Response& response, const std::vector<double>& path,
+                              SceneCurve& curve) const {
+  const std::vector<double>& height = response.probes[ordinate_probe_];
+  const std::size_t n = target_.abscissa.size();
+  curve.ordinate.resize(n);
+  if (is_driven(target_.kind)) {
+    const auto first = static_cast<std::size_t>(-path.front());
+    for (std::size_t i = 0; i < n; ++i) {
+      curve.ordinate[i] = target_.ordinate_factor * height[first + i];
+    }
+    return;
+  }
+  std::size_t k = 1;
+  for (std::size_t i = 0; i < n; ++i) {
+    while (k + 1 < path.size() && path[k] < target_.abscissa[i]) ++k;
+    const double share = (target_.abscissa[i] - path[k - 1]) / (path[k] - path[k - 1]);
+    curve.ordinate[i] =
+        target_.ordinate_factor * (height[k - 1] + share * (height[k] - height[k - 1]));
+  }
+}
+
+double SceneModel::strain_of(const Response& response, std::size_t sample) const {
+  if (setup_.scene.is_coupon()) return std::fabs(response.probes[strain_probe_][sample]);
+  const auto joints = static_cast<std::ptrdiff_t>(response.chain.joints);
+  const auto first =
+      response.chain.plastic_strain.begin() + static_cast<std::ptrdiff_t>(sample) * joints;
+  return *std::max_element(first, first + joints);
+}
+
+/// Between samples on a straight line.
+double SceneModel::strain_at(const Response& response, const std::vector<double>& path,
+                             double at) const {
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  if (path.size() < 2) return kNowhere;
+  const double slack = kRounding * std::max(std::abs(path.front()), std::abs(path.back()));
+  if (at < path.front() - slack || at > path.back() + slack) return kNowhere;
+  const auto above = std::lower_bound(path.begin() + 1, path.end() - 1, at);
+  const auto k = static_cast<std::size_t>(above - path.begin());
+  const double share = (at - path[k - 1]) / (path[k] - path[k - 1]);
+  const double low = strain_of(response, k - 1);
+  return low + share * (strain_of(response, k) - low);
+}
+
+void SceneModel::set_strain(const Response& response, const std::vector<double>& path,
+                            SceneCurve& curve) const {
+  const auto at = [&](double place) { return strain_at(response, path, place); };
+  if (!target_.broke) {
+    curve.strain.at = at(is_driven(target_.kind) ? static_cast<double>(target_.abscissa.size() - 1)
+                                                 : target_.abscissa.back());
+    return;
+  }
+  if (is_driven(target_.kind)) {
+    const auto last = static_cast<double>(target_.abscissa.size() - 1);
+    curve.strain = {at(last + 0.5), at(last), at(last + 1.0)};
+    return;
+  }
+  const SceneBreak& broke = *target_.broke;
+  curve.strain = {at(broke.at), at(broke.at - broke.half_interval),
+                  at(broke.at + broke.half_interval)};
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,112 @@
+#include "calibrate/scene/scene_problem.hpp"
+
+#include <cmath>
+
+#include "plastica/base/parallel_for.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+Setup with_fixed(const Setup& setup, const SceneFitOptions& options) {
+  Setup fixed = setup;
+  for (const Parameter& p : options.parameters) {
+    if (p.role == ParameterRole::Fixed) set_field(fixed, *p.field, *p.value, p.where);
+  }
+  for (const Parameter& p : options.parameters) {
+    if (p.role != ParameterRole::Tied) continue;
+    for (const Parameter& base : options.parameters) {
+      if (base.field != p.tied_to || base.role != ParameterRole::Fixed) continue;
+      set_field(fixed, *p.field, p.factor * *base.value, p.where);
+    }
+  }
+  return fixed;
+}
+
+}  // namespace
+
+SceneProblem::SceneProblem(std::span<const ScenePart> parts, const SceneFitOptions& options)
+    : parts_(parts),
+      options_(options),
+      parameters_(options.parameters, parts.front().setup),
+      scale_(parts.size(), 1.0) {
+  for (const ScenePart& part : parts) {
+    models_.emplace_back(with_fixed(part.setup, options), part.target, parameters_.fields());
+    first_.push_back(squares_.residuals);
+    squares_.residuals += part.target.ordinate.size();
+  }
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    squares_.lower.push_back(parameters_.lower(i));
+    squares_.upper.push_back(parameters_.upper(i));
+    squares_.start.push_back(0.0);
+    if (!parameters_.parameter(i).prior) continue;
+    priors_.push_back(i);
+    ++squares_.residuals;
+  }
+  squares_.evaluate = [this](std::span<const double> points, std::span<double> residuals,
+                             std::span<bool> found) { set_residuals(points, residuals, found); };
+}
+
+std::size_t SceneProblem::samples() const { return squares_.residuals - priors_.size(); }
+
+std::vector<std::vector<SceneCurve>> SceneProblem::curves(std::span<const double> points,
+                                                          std::size_t count) {
+  const std::size_t n = parameters_.size();
+  std::vector<double> values;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::vector<double> at = parameters_.values(points.subspan(i * n, n));
+    values.insert(values.end(), at.begin(), at.end());
+  }
+  std::vector<std::vector<SceneCurve>> curves(models_.size());
+  // A lone point has its parts side by side, several points each part's runs.
+  const bool by_part = count == 1;
+  const int threads = options_.threads;
+  parallel_for(models_.size(), {by_part ? threads : 1}, [&](std::size_t part, int) {
+    curves[part] = models_[part].run(values, count, by_part ? 1 : threads);
+  });
+  for (const std::vector<SceneCurve>& of_part : curves) {
+    for (const SceneCurve& curve : of_part) note(curve);
+  }
+  return curves;
+}
+
+void SceneProblem::note(const SceneCurve& curve) {
+  ++counters_.runs;
+  counters_.segment_iterations += curve.segment_iterations;
+  if (curve.usable) return;
+  ++counters_.failed;
+  reason_ = curve.reason;
+  turned_ = curve.turns;
+}
+
+void SceneProblem::set_residuals(std::span<const double> points, std::span<double> residuals,
+                                 std::span<bool> found) {
+  const std::size_t n = parameters_.size();
+  const std::size_t m = squares_.residuals;
+  const auto all = curves(points, found.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::span<double> to = residuals.subspan(i * m, m);
+    found[i] = true;
+    for (std::size_t part = 0; part < all.size(); ++part) {
+      const SceneCurve& curve = all[part][i];
+      found[i] = found[i] && curve.usable;
+      if (found[i]) add_residuals(part, curve, to);
+    }
+    for (std::size_t k = 0; k < priors_.size(); ++k) {
+      const std::size_t p = priors_[k];
+      const Prior& prior = *parameters_.parameter(p).prior;
+      const double value = parameters_.value(p, points[i * n + p]);
+      to[samples() + k] = (value - prior.mean) / prior.standard_deviation;
+    }
+  }
+}
+
+void SceneProblem::add_residuals(std::size_t part, const SceneCurve& curve,
+                                 std::span<double> residuals) const {
+  const std::vector<double>& measured = parts_[part].target.ordinate;
+  const double factor = std::sqrt(parts_[part].weight) / scale_[part];
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    residuals[first_[part] + i] = factor * (curve.ordinate[i] - measured[i]);
+  }
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "calibrate/fit/least_squares.hpp"
+#include "calibrate/scene/scene_fit.hpp"
+#include "calibrate/scene/scene_model.hpp"
+#include "calibrate/scene/scene_parameters.hpp"
+
+namespace plastica::calibrate {
+
+/// Runs that a fit has made.
+struct RunCounters {
+  int runs = 0;
+  int failed = 0;
+  std::int64_t segment_iterations = 0;
+};
+
+/// The sum of squares of a fit through scenes: for each part sqrt(weight) (model - measured)/scale
+/// at its samples, one part after the other, then (value - mean)/standard deviation of each prior.
+class SceneProblem {
+ public:
+  /// @param parts, options  checked; must outlive this
+  /// @throws InputError for a scene that is bad input or cannot follow its target
+  SceneProblem(std::span<const ScenePart> parts, const SceneFitOptions& options);
+
+  const SceneParameters& parameters() const { return parameters_; }
+  std::span<const ScenePart> parts() const { return parts_; }
+  const SceneModel& model(std::size_t part) const { return models_[part]; }
+  /// With the scales that are set now.
+  const LeastSquaresProblem& squares() const { return squares_; }
+  std::size_t samples() const;  ///< of all parts
+
+  /// Where a part's residuals begin.
+  std::size_t first_residual(std::size_t part) const { return first_[part]; }
+  /// What a part's residuals are divided by [SI], at first 1.
+  double scale(std::size_t part) const { return scale_[part]; }
+  void set_scale(std::size_t part, double scale) { scale_[part] = scale; }
+
+  /// Runs all parts at several points, in parallel.
+  /// @param points  coordinates (count x n), row by row
+  /// @return by part and point (n_parts, count)
+  std::vector<std::vector<SceneCurve>> curves(std::span<const double> points, std::size_t count);
+
+  const RunCounters& counters() const { return counters_; }
+  /// Of the last run without a curve.
+  const std::string& reason() const { return reason_; }
+  bool turned() const { return turned_; }
+
+ private:
+  void set_residuals(std::span<const double> points, std::span<double> residuals,
+                     std::span<bool> found);
+  void add_residuals(std::size_t part, const SceneCurve& curve, std::span<double> residuals) const;
+  void note(const SceneCurve& curve);
+
+  std::span<const ScenePart> parts_;
+  const SceneFitOptions& options_;
+  SceneParameters parameters_;
+  std::vector<SceneModel> models_;
+  std::vector<std::size_t> first_;
+  std::vector<double> scale_;
+  std::vector<std::size_t> priors_;  ///< parameters that have one
+  LeastSquaresProblem squares_;
+  RunCounters counters_;
+  std::string reason_;
+  bool turned_ = false;
+};
+
+}  // namespace plastica::calibrate
