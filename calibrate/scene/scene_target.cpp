@@ -38,10 +38,10 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
   if (target.name.empty()) target.name = std::filesystem::path(source.file).stem().string();
   const Probe& probe =
       scene.probes[probe_index(scene, target.ordinate_probe, "ordinate_probe", source.where)];
-  const Column x = find_column(table, source.abscissa,
-                               abscissa_dimension(scene, target, source.where), "abscissa");
-  const Column y = find_column(table, source.ordinate,
-                               dimension_of(probe.quantity, scene.drive.deformation), "ordinate");
+  target.abscissa_is = abscissa_dimension(scene, target, source.where);
+  target.ordinate_is = dimension_of(probe.quantity, scene.drive.deformation);
+  const Column x = find_column(table, source.abscissa, target.abscissa_is, "abscissa");
+  const Column y = find_column(table, source.ordinate, target.ordinate_is, "ordinate");
   target.abscissa.clear();
   target.ordinate.clear();
   for (std::size_t row = 0; row < table.rows(); ++row) {

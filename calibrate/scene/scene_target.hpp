@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calibrate/target/import.hpp"
+#include "plastica/base/quantity.hpp"
 #include "plastica/io/csv.hpp"
 #include "plastica/model/scene.hpp"
 
@@ -42,9 +43,11 @@ struct SceneTarget {
   std::size_t driven = 0;  ///< which support or load follows
   /// SI (n_samples); any path if the scene is driven by it, else never falling.
   std::vector<double> abscissa;
-  std::vector<double> ordinate;  ///< SI (n_samples)
-  std::string abscissa_probe;    ///< one of the scene's, of Abscissa::Probe
-  std::string ordinate_probe;    ///< another
+  std::vector<double> ordinate;             ///< SI (n_samples)
+  std::string abscissa_probe;               ///< one of the scene's, of Abscissa::Probe
+  std::string ordinate_probe;               ///< another
+  Dimension abscissa_is = Dimension::None;  ///< what the numbers measure, for reports
+  Dimension ordinate_is = Dimension::None;
   /// Measured = factor x the scene's, not 0: -1 where the machine counts against its axis.
   double abscissa_factor = 1.0;
   double ordinate_factor = 1.0;
