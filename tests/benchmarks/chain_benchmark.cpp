@@ -1,10 +1,14 @@
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <cmath>
+#include <memory>
 #include <vector>
 
+#include "plastica/chain/lane_fields.hpp"
 #include "plastica/law/fibre.hpp"
 #include "plastica/law/interaction.hpp"
+#include "plastica/solve/lane_newton.hpp"
 #include "tests/support/chain.hpp"
 
 /// What one Newton iteration of a chain costs per segment, by level, law and number of segments:
@@ -49,6 +53,67 @@ void planar(benchmark::State& state) { newton_iteration<chain::Planar, false>(st
 void planar_elastic(benchmark::State& state) { newton_iteration<chain::Planar, true>(state, {1}); }
 void spatial(benchmark::State& state) { newton_iteration<chain::Spatial, false>(state, {}); }
 void spatial_elastic(benchmark::State& state) { newton_iteration<chain::Spatial, true>(state, {}); }
+
+/// The same side by side, by instruction set (0: the widest): iterations at the equilibrium, each
+/// of which does what all do.
+template <template <class> class Level>
+void newton_lanes(benchmark::State& state, const chain::View<Level<double>>& view,
+                  solve::LaneNewtonTable::Make const (&makes)[solve::kLaneLaws]) {
+  const auto segments = static_cast<int>(state.range(0));
+  const double bending = 200e9 * std::pow(0.02, 4) / 12.0;
+  Scene scene = cantilever(segments, {0.0, -0.3 * bending, 0.0});
+  if (Level<double>::kRotations == 3) scene.loads[0].force[0] = 0.2 * bending;
+  scene.loads[0].moment = {0.0, 0.0, 100.0};
+  const std::unique_ptr<solve::LaneNewton> lanes(makes[0]());
+  for (int lane = 0; lane < solve::kPathLanes; ++lane) {
+    scene.material.youngs_modulus = 200e9 * (1.0 + 0.1 * lane);
+    SolvedChain<Level<double>, false, law::ElasticSection<double>> solved(
+        scene, material_values(scene.material), view);
+    solved.go_to(1.0, 1);
+    std::vector<std::size_t> shape;
+    std::vector<double> numbers;
+    chain::FieldWriter chain_writer{shape, numbers};
+    chain::visit_chain(chain_writer, solved.build.chain);
+    solved.joints->visit(chain_writer, [](auto& v, auto& law) { chain::visit_law(v, law); });
+    if (lane == 0) lanes->take_shape(shape.data());
+    lanes->take_chain(lane, numbers.data());
+    numbers.clear();
+    chain::visit_unknowns(chain_writer, solved.work.q);
+    numbers.insert(numbers.end(), {solved.work.moment_scale, solved.work.force_scale});
+    for (const History& history : solved.build.chain.histories) numbers.push_back(history.at(1.0));
+    lanes->take_start(lane, numbers.data());
+  }
+  std::array<double, solve::kPathLanes> imbalance{};
+  double iterations = 0.0;
+  for (auto _ : state) {
+    lanes->evaluate(imbalance.data());
+    lanes->step();
+    iterations += solve::kPathLanes;
+  }
+  for (const double left : imbalance) {
+    if (!(left < 1e-10)) state.SkipWithError("no equilibrium");
+  }
+  count(state, iterations, segments);
+}
+
+const solve::LaneNewtonTable& newton_of(const benchmark::State& state) {
+  const auto set = static_cast<InstructionSet>(state.range(1));
+  return solve::lane_newton(resolved(set));
+}
+void planar_lanes(benchmark::State& state) {
+  newton_lanes<chain::Planar>(state, {1}, newton_of(state).planar);
+}
+void spatial_lanes(benchmark::State& state) {
+  newton_lanes<chain::Spatial>(state, {}, newton_of(state).spatial);
+}
+void sets(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgNames({"segments", "isa"});
+  for (const int isa : {0, 1, 2, 3}) {
+    if (has_instruction_set(static_cast<InstructionSet>(isa))) benchmark->Args({64, isa});
+  }
+}
+BENCHMARK(planar_lanes)->Apply(sets);
+BENCHMARK(spatial_lanes)->Apply(sets);
 
 BENCHMARK(twist)->RangeMultiplier(4)->Range(16, 4096);
 BENCHMARK(planar)->RangeMultiplier(4)->Range(16, 4096);

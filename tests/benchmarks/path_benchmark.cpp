@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "plastica/run/batch.hpp"
 #include "plastica/run/simulate.hpp"
 #include "tests/support/chain.hpp"
 
@@ -72,6 +73,66 @@ void permanent_set(benchmark::State& state) {
   state.counters["error"] = std::fabs(tip) / 0.5247e-3 - 1.0;
 }
 BENCHMARK(permanent_set)->ArgsProduct({{16, 32, 64}, {12, 20, 40}});
+
+/// 4 096 cantilevers, each with a modulus, yield stress and force of its own, bent in 20 recorded
+/// steps, as scenes of their own: laid out, run and handed over one by one or as a batch.
+void bent_batch(benchmark::State& state, Level level, YieldModel model) {
+  constexpr std::size_t kCases = 4096;
+  const bool together = state.range(0) == 1;
+  Scene scene = cantilever(64, {0.0, -400.0, 0.0});
+  if (level == Level::Spatial) scene.loads[0].force = {300.0, -400.0, 0.0};
+  scene.yield_model = model;
+  scene.yield_cap = YieldCap::FullyPlastic;
+  BatchCase one;
+  one.options.level = level;
+  one.options.frames = 1;
+  const auto make = [&](std::size_t i) {
+    BatchCase made = one;
+    made.scene = scene;
+    made.scene.material.youngs_modulus *= 1.0 + 1e-4 * static_cast<double>(i);
+    made.scene.material.yield_stress *= 1.0 + 5e-5 * static_cast<double>(i);
+    made.scene.loads[0].force[1] *= 1.0 + 2e-5 * static_cast<double>(i);
+    return made;
+  };
+  double iterations = 0.0;
+  const auto take = [&](std::size_t, BatchRow&& row) {
+    if (row.response.status != Status::Completed) state.SkipWithError("not completed");
+    iterations += row.response.counters.iterations;
+  };
+  BatchOptions options;
+  options.threads = 1;
+  for (auto _ : state) {
+    iterations = 0.0;
+    if (together) {
+      run_batch(kCases, make, take, options);
+    } else {
+      for (std::size_t i = 0; i < kCases; ++i) take(i, run_case(make(i)));
+    }
+  }
+  state.counters["iterations"] = iterations / kCases;
+  state.counters["per_scenario"] = benchmark::Counter(
+      kCases, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK_CAPTURE(bent_batch, planar_elastic, Level::Planar, YieldModel::Elastic)
+    ->Arg(0)
+    ->Arg(1)
+    ->ArgName("together")
+    ->Iterations(1);
+BENCHMARK_CAPTURE(bent_batch, planar_yielding, Level::Planar, YieldModel::PerAxis)
+    ->Arg(0)
+    ->Arg(1)
+    ->ArgName("together")
+    ->Iterations(1);
+BENCHMARK_CAPTURE(bent_batch, spatial_elastic, Level::Spatial, YieldModel::Elastic)
+    ->Arg(0)
+    ->Arg(1)
+    ->ArgName("together")
+    ->Iterations(1);
+BENCHMARK_CAPTURE(bent_batch, spatial_yielding, Level::Spatial, YieldModel::PerAxis)
+    ->Arg(0)
+    ->Arg(1)
+    ->ArgName("together")
+    ->Iterations(1);
 
 }  // namespace
 }  // namespace plastica

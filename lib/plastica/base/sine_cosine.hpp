@@ -47,8 +47,18 @@ PLASTICA_ALWAYS_INLINE inline void turn_by_quarters(const Pack<T, W>& shifted, P
   }
 }
 
+/// a b + c; rounded twice on every instruction set if not fused.
+template <bool kFused, class S>
+PLASTICA_ALWAYS_INLINE inline S times_plus(const S& a, const S& b, const S& c) {
+  if constexpr (kFused) {
+    return multiply_add(a, b, c);
+  } else {
+    return a * b + c;
+  }
+}
+
 /// Sum of (-1)^n x^n first!/(2n + first)!, n = 0 … kTerms - 1.
-template <int kTerms, class S>
+template <int kTerms, bool kFused, class S>
 PLASTICA_ALWAYS_INLINE inline S alternating_series(const S& x, int first) {
   double factor = 1.0;
   for (int n = 1; n < kTerms; ++n) factor /= -(2.0 * n + first) * (2.0 * n + first - 1.0);
@@ -56,33 +66,35 @@ PLASTICA_ALWAYS_INLINE inline S alternating_series(const S& x, int first) {
 #pragma GCC unroll 16
   for (int n = kTerms - 1; n >= 1; --n) {
     factor *= -(2.0 * n + first) * (2.0 * n + first - 1.0);
-    sum = multiply_add(sum, x, constant<S>(factor));
+    sum = times_plus<kFused>(sum, x, constant<S>(factor));
   }
   return sum;
 }
 
 }  // namespace detail
 
-/// sin x and cos x at the cost of little more than one, |x| up to 1e5 (float: 1e3); with fused
-/// multiply-adds where the instruction set has them, so that its levels differ in the last place.
+/// sin x and cos x at the cost of little more than one, |x| up to 1e5 (float: 1e3); if `kFused`
+/// with fused multiply-adds where the instruction set has them, so that its levels differ in the
+/// last place; else with the same bits on every machine.
 ///
 /// x = r + n pi/2, |r| <= pi/4 (pi/2 in three parts, Cody and Waite 1980), then Taylor series: the
 /// rest is below 5e-17 (float: 4e-8).
-template <class S>
+template <class S, bool kFused = true>
 struct SineCosine {
   S sine, cosine;
 
   PLASTICA_ALWAYS_INLINE explicit SineCosine(const S& x) {
     constexpr bool kDouble = sizeof(real_t<S>) == 8;
     const S round = S(detail::kRound<real_t<S>>);
-    const S shifted = multiply_add(x, constant<S>(0.63661977236758134308), round);
+    const S shifted = detail::times_plus<kFused>(x, constant<S>(0.63661977236758134308), round);
     const S n = shifted - round;
-    S r = multiply_add(n, constant<S>(kDouble ? -0x1.921fb544p0 : -0x1.92p0), x);
-    r = multiply_add(n, constant<S>(kDouble ? -0x1.0b4611ap-34 : -0x1.fb4p-12), r);
-    r = multiply_add(n, constant<S>(kDouble ? -0x1.3198a2e037073p-69 : -0x1.4442d2p-24), r);
+    S r = detail::times_plus<kFused>(n, constant<S>(kDouble ? -0x1.921fb544p0 : -0x1.92p0), x);
+    r = detail::times_plus<kFused>(n, constant<S>(kDouble ? -0x1.0b4611ap-34 : -0x1.fb4p-12), r);
+    r = detail::times_plus<kFused>(
+        n, constant<S>(kDouble ? -0x1.3198a2e037073p-69 : -0x1.4442d2p-24), r);
     const S square = r * r;
-    sine = r * detail::alternating_series < kDouble ? 8 : 5 > (square, 1);
-    cosine = detail::alternating_series < kDouble ? 9 : 5 > (square, 0);
+    sine = r * detail::alternating_series < kDouble ? 8 : 5, kFused > (square, 1);
+    cosine = detail::alternating_series < kDouble ? 9 : 5, kFused > (square, 0);
     detail::turn_by_quarters(shifted, sine, cosine);
   }
 };

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "plastica/chain/level.hpp"
@@ -97,6 +98,23 @@ struct Root {
   std::optional<std::size_t> support{};  ///< of the scene, if one is at the start
 };
 
+/// What a chain knows of a load's or motion's factor over time. Lanes whose times are their own are
+/// told it (solve/lane_newton_make.hpp).
+template <class L>
+struct HistoryOf {
+  using Type = History;
+};
+
+/// A factor as a scalar: a number, or already one.
+template <class S, class Factor>
+S factor_as(const Factor& factor) {
+  if constexpr (std::is_same_v<S, Factor>) {
+    return factor;
+  } else {
+    return constant<S>(factor);
+  }
+}
+
 template <class L>
 struct Chain {
   using Level = L;
@@ -109,8 +127,8 @@ struct Chain {
   std::vector<Spring<L>> springs;
   std::vector<GroundJoint<L>> ground_joints;
   Root<L> root;
-  std::vector<History> histories;  ///< that the others name
-  S length = constant<S>(1);       ///< of the beam [m]: the scale of gaps
+  std::vector<typename HistoryOf<L>::Type> histories;  ///< that the others name
+  S length = constant<S>(1);                           ///< of the beam [m]: the scale of gaps
   /// What stiffens the point of a closure in the factorization without changing the solution
   /// (README.md), along directions [N/m] and about axes [N m/rad].
   S closure_stiffness = constant<S>(1);

@@ -111,7 +111,7 @@ struct Planar {
             f.sine * g.cosine - f.cosine * g.sine};
   }
   static Frame rotation(const Spin& theta) {
-    const SineCosine<S> turned(theta[0]);
+    const SineCosine<S, false> turned(theta[0]);
     return {theta[0], turned.cosine, turned.sine};
   }
   static Spin angle_from(const Frame& f, const Frame& g) { return {{g.angle - f.angle}}; }

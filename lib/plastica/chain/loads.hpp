@@ -42,7 +42,7 @@ template <class L>
 inline typename L::Scalar closure_gap(const Chain<L>& chain, const Closure<L>& closure,
                                       const Placement<L>& placement, double time) {
   using S = typename L::Scalar;
-  const S factor = constant<S>(chain.histories[closure.history].at(time));
+  const S factor = factor_as<S>(chain.histories[closure.history].at(time));
   if (closure.turning) {
     const typename L::Spin turned =
         L::axes(closure.frame) * L::angle_from(closure.frame, placement.frame[closure.segment]);
@@ -72,7 +72,7 @@ void add_loads(const Chain<L>& chain, const Placement<L>& placement, const Facto
                const typename L::Scalar& share, OuterForces<L>& outer_forces) {
   using S = typename L::Scalar;
   for (const SegmentLoad<L>& load : chain.loads) {
-    const S factor = constant<S>(factor_at(load.history));
+    const S factor = factor_as<S>(factor_at(load.history));
     const S slope = share * factor;
     const Wrench<L> unit = unit_wrench(load, placement);
     Wrench<L>& wrench = outer_forces.wrench[load.segment];
@@ -94,7 +94,7 @@ void add_springs(const Chain<L>& chain, const Placement<L>& placement, const Fac
                  const typename L::Scalar& share, OuterForces<L>& outer_forces) {
   using S = typename L::Scalar;
   for (const Spring<L>& spring : chain.springs) {
-    const S factor = constant<S>(factor_at(spring.history));
+    const S factor = factor_as<S>(factor_at(spring.history));
     const typename L::Point arm = L::turn(placement.frame[spring.segment], spring.arm);
     const typename L::Point off =
         placement.position[spring.segment] + arm - spring.rest - factor * spring.motion;

@@ -7,7 +7,7 @@ namespace plastica::chain {
 /// The ground's frame at joint 0 at a time, with its prescribed turn.
 template <class L>
 inline typename L::Frame root_frame(const Chain<L>& chain, double time) {
-  const auto factor = constant<typename L::Scalar>(chain.histories[chain.root.history].at(time));
+  const auto factor = factor_as<typename L::Scalar>(chain.histories[chain.root.history].at(time));
   return L::then(L::rotation(factor * chain.root.turn), chain.root.ground);
 }
 
@@ -26,7 +26,7 @@ void place_piece(const Segment<L>& segment, const Pose<L>& pose,
 template <bool kElastic, class L>
 void place(const Chain<L>& chain, const Coordinates<L>& q, double time, Placement<L>& placement) {
   using S = typename L::Scalar;
-  const S factor = constant<S>(chain.histories[chain.root.history].at(time));
+  const S factor = factor_as<S>(chain.histories[chain.root.history].at(time));
   typename L::Frame near = root_frame(chain, time);
   typename L::Point at = chain.root.position + factor * chain.root.motion + q.root;
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -55,7 +55,7 @@ inline typename L::Frame ground_joint_axes(const GroundJoint<L>& joint,
 template <class L>
 inline typename L::Spin ground_joint_angle(const Chain<L>& chain, const GroundJoint<L>& joint,
                                            const Placement<L>& placement, double time) {
-  const auto factor = constant<typename L::Scalar>(chain.histories[joint.history].at(time));
+  const auto factor = factor_as<typename L::Scalar>(chain.histories[joint.history].at(time));
   const typename L::Frame ground = L::then(L::rotation(factor * joint.motion), joint.ground);
   return L::angle_from(ground_joint_axes(joint, placement), ground);
 }

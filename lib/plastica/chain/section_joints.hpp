@@ -113,21 +113,27 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   static constexpr std::size_t kJ = kFreedoms<L, kElastic>;
   static constexpr std::size_t kAxial = 3;
 
-  /// @param kept  what the laws point to
-  SectionJoints(SectionAxes<L> axes, std::vector<Law> laws, std::vector<SectionJoint<L>> joints,
-                std::shared_ptr<const void> kept = nullptr)
-      : SectionJointsBase<L, kElastic>(std::move(joints)),
-        axes_(axes),
-        laws_(std::move(laws)),
-        kept_(std::move(kept)) {
+  SectionJoints(SectionAxes<L> axes, std::vector<Law> laws, std::vector<SectionJoint<L>> joints)
+      : SectionJointsBase<L, kElastic>(std::move(joints)), axes_(axes), laws_(std::move(laws)) {
     std::size_t states = 0;
     for (const SectionJoint<L>& joint : joints_) {
-      first_state_.push_back(states);
-      states += states_of(laws_[joint.law]);
+      if constexpr (kManyStates) {
+        states_.first.push_back(states);
+        states += laws_[joint.law].layout->states();
+      } else {
+        ++states;
+      }
       scales_.push_back(scale_of(joint));
     }
     before_.resize(states);
     after_.resize(states);
+  }
+  /// @param kept  what laws with many states point to
+  SectionJoints(SectionAxes<L> axes, std::vector<Law> laws, std::vector<SectionJoint<L>> joints,
+                std::shared_ptr<const void> kept) requires requires(const Law& law) {
+    law.layout->states();
+  } : SectionJoints(axes, std::move(laws), std::move(joints)) {
+    states_.kept = std::move(kept);
   }
 
   void evaluate(std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts,
@@ -146,6 +152,38 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     for (std::size_t j = 0; j < joints_.size(); ++j) plastic_[j] = plastic_[j] + work_[j];
   }
 
+  /// Visits which joints there are and all their numbers: chain/lane_fields.hpp.
+  /// @param visit_law  (visitor, law)
+  template <class V, class VisitLaw>
+  void visit(V& v, const VisitLaw& visit_law) {
+    if constexpr (requires { axes_.bending; }) v.index(axes_.bending);
+    v.size(laws_);
+    for (Law& law : laws_) visit_law(v, law);
+    v.size(joints_);
+    v.size(scales_);
+    v.size(before_);
+    v.size(after_);
+    v.size(force_);
+    v.size(elastic_);
+    v.size(work_);
+    v.size(plastic_);
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      SectionJoint<L>& joint = joints_[j];
+      v.index(joint.law);
+      for (S& number : joint.length.at) v.number(number);
+      for (S& number : joint.acting.at) v.number(number);
+      for (S& number : joint.spring.at) v.number(number);
+      for (S& number : scales_[j].per_length.at) v.number(number);
+      for (S& number : scales_[j].rest.at) v.number(number);
+    }
+  }
+  /// Visits the committed states of laws with one each, of the strains that the level has.
+  /// @param visit_state  (visitor, state, first strain, how many)
+  template <class V, class VisitState>
+  void visit_states(V& v, const VisitState& visit_state) {
+    for (typename Law::State& state : before_) visit_state(v, state, axes_.rotation(0), kR);
+  }
+
   void reset() override {
     std::fill(before_.begin(), before_.end(), typename Law::State{});
     std::fill(plastic_.begin(), plastic_.end(), constant<S>(0));
@@ -160,11 +198,18 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
 
   static constexpr bool kManyStates = requires(const Law& law) { law.layout->states(); };
 
-  static std::size_t states_of(const Law& law) {
+  /// Where the states of each joint begin, of laws with many.
+  struct ManyStates {
+    std::vector<std::size_t> first;    ///< (joints)
+    std::shared_ptr<const void> kept;  ///< what the laws point to
+  };
+  struct OneState {};
+
+  std::size_t first_state(std::size_t j) const {
     if constexpr (kManyStates) {
-      return law.layout->states();
+      return states_.first[j];
     } else {
-      return 1;
+      return j;
     }
   }
 
@@ -192,8 +237,8 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   template <class Has>
   law::SectionResponse<S> respond_to(std::size_t j, const law::SectionStrain<S>& strain) {
     const Law& law = laws_[joints_[j].law];
-    const auto* before = &before_[first_state_[j]];
-    auto* after = &after_[first_state_[j]];
+    const auto* before = &before_[first_state(j)];
+    auto* after = &after_[first_state(j)];
     if constexpr (kManyStates) {
       return respond(law, before, after, strain);
     } else if constexpr (requires { respond(law, *before, *after, strain, Has{}); }) {
@@ -294,8 +339,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
 
   SectionAxes<L> axes_;
   std::vector<Law> laws_;
-  std::shared_ptr<const void> kept_;
-  std::vector<std::size_t> first_state_;             ///< of each joint (joints)
+  [[no_unique_address]] std::conditional_t<kManyStates, ManyStates, OneState> states_;
   std::vector<Scale> scales_;                        ///< (joints)
   std::vector<typename Law::State> before_, after_;  ///< (states of all joints)
 };

@@ -26,10 +26,11 @@ struct JointsMaker {
   const chain::View<L>& view;
   int fibres;
 
-  template <class Law>
-  Made make(std::vector<Law> laws, std::shared_ptr<const void> kept = nullptr) {
+  /// @param kept  see SectionJoints
+  template <class Law, class... Kept>
+  Made make(std::vector<Law> laws, Kept&&... kept) {
     return std::make_unique<chain::SectionJoints<L, kElastic, Law>>(
-        view.section_axes(), std::move(laws), std::move(joints), std::move(kept));
+        view.section_axes(), std::move(laws), std::move(joints), std::forward<Kept>(kept)...);
   }
 
   Made elastic() {

@@ -24,7 +24,7 @@ std::unique_ptr<ChainProgram> make_float_program(const ChainModel& model) {
 }  // namespace
 
 std::unique_ptr<ChainProgram> make_chain_program(const ChainModel& model) {
-  if (has_lanes(model)) return make_lone_lane(model);
+  if (steps_in_lanes(model)) return make_lone_lane(model);
   if (model.options.precision == Precision::Float) return make_float_program(model);
   const bool elastic = model.options.translation == JointTranslation::Elastic;
   switch (model.level) {

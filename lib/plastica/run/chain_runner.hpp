@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "plastica/run/chain_body.hpp"
 #include "plastica/solve/path.hpp"
 
@@ -16,6 +18,20 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   void run(const MaterialValues<double>& material, const Workspace& hooks,
            Response& response) override;
 
+  // The same in pieces, for beams whose equilibria are sought side by side.
+  /// @return whether an equilibrium is sought at the time in `body().work`, from the unknowns there
+  bool begin(const MaterialValues<double>& material, const Workspace& hooks, Response& response);
+  /// See PathWalker::take.
+  bool take(bool converged, int iterations, bool factored) {
+    return walker_->take(converged, iterations, factored);
+  }
+  /// Seeks the equilibrium, and all that follow, alone.
+  void walk_on();
+  /// After the path has ended.
+  void finish();
+  ChainBody<L, kElastic>& body() { return body_; }
+  const solve::NewtonOptions& newton() const { return options_.newton; }
+
  private:
   bool yields() const override;
   solve::Verdict judge(const Work& w, bool shortest) override;
@@ -30,8 +46,12 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   solve::ControlPoint<L> control_;
   chain::Coordinates<L> committed_, previous_;
   Response* response_ = nullptr;
-  const Workspace* hooks_ = nullptr;                        ///< while a path is walked
-  const solve::PathWalker<L, kElastic>* walker_ = nullptr;  ///< while a path is walked
+  const Workspace* hooks_ = nullptr;  ///< while a path is walked
+  std::optional<solve::PathWalker<L, kElastic>> walker_;
 };
+
+// Those that lanes need, too (chain_runner_*.cpp).
+extern template class ChainRunner<chain::Planar<double>, false>;
+extern template class ChainRunner<chain::Spatial<double>, false>;
 
 }  // namespace plastica

@@ -51,6 +51,15 @@ template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material, const Workspace& hooks,
                                    Response& response) {
   const auto began = std::chrono::steady_clock::now();
+  if (begin(material, hooks, response)) walk_on();
+  finish();
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  response.seconds = took.count();
+}
+
+template <class L, bool kElastic>
+bool ChainRunner<L, kElastic>::begin(const MaterialValues<double>& material, const Workspace& hooks,
+                                     Response& response) {
   body_.reset(material);
   committed_ = body_.work.q;
   previous_ = body_.work.q;
@@ -60,22 +69,30 @@ void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material, const
   response.ledger_error = 0.0;
   response.chain.events.clear();
   body_.record.begin_frames(response);
+  solve::PathObserver<L, kElastic>& observer = *this;
+  walker_.emplace(body_.build.chain, *body_.joints, options_, control_, body_.work, committed_,
+                  previous_, observer);
+  return walker_->begin();
+}
 
-  solve::PathWalker<L, kElastic> walker(body_.build.chain, *body_.joints, options_, control_,
-                                        body_.work, committed_, previous_, *this);
-  walker_ = &walker;
-  response.status = walker.walk();
+template <class L, bool kElastic>
+void ChainRunner<L, kElastic>::walk_on() {
+  walker_->walk_on();
+}
+
+template <class L, bool kElastic>
+void ChainRunner<L, kElastic>::finish() {
+  Response& response = *response_;
+  response.status = walker_->status();
   body_.record.end_frames(response);
-  response.counters = walker.counters();
-  response.limit = walker.limit();
+  response.counters = walker_->counters();
+  response.limit = walker_->limit();
   if (response.limit) {
     response.limit->below = body_.record.factor_at(response.limit->below);
     response.limit->above = body_.record.factor_at(response.limit->above);
   }
   const auto& strain = body_.strains.strain;
   response.permanent_strain = *std::max_element(strain.begin(), strain.end());
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  response.seconds = took.count();
 }
 
 template <class L, bool kElastic>

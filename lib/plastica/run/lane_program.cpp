@@ -6,6 +6,7 @@
 #include "plastica/run/lane_group.hpp"
 #include "plastica/run/lane_planar.hpp"
 #include "plastica/run/lane_spatial.hpp"
+#include "plastica/run/path_lanes.hpp"
 
 namespace plastica {
 namespace {
@@ -59,11 +60,14 @@ class LoneLane final : public ChainProgram {
 
 }  // namespace
 
-bool has_lanes(const ChainModel& model) {
+bool steps_in_lanes(const ChainModel& model) {
   return model.options.analysis == Analysis::Dynamics && is_articulated(model.options.scheme);
 }
 
+bool has_lanes(const ChainModel& model) { return steps_in_lanes(model) || walks_in_lanes(model); }
+
 bool same_lanes(const ChainModel& a, const ChainModel& b) {
+  if (walks_in_lanes(a) || walks_in_lanes(b)) return same_path_lanes(a, b);
   return a.level == b.level && a.across == b.across && a.layout.size() == b.layout.size() &&
          a.stops == b.stops && a.recorded == b.recorded && same_steps(a.options, b.options) &&
          (a.scene.yield_model == YieldModel::Elastic) ==
@@ -72,11 +76,13 @@ bool same_lanes(const ChainModel& a, const ChainModel& b) {
 }
 
 std::size_t lane_width(const ChainModel& model) {
+  if (walks_in_lanes(model)) return kPathsTogether;
   return model.options.precision == Precision::Float ? lanes::kManyLanes<float>
                                                      : lanes::kManyLanes<double>;
 }
 
 std::unique_ptr<LaneProgram> make_lane_program(const ChainModel& model) {
+  if (walks_in_lanes(model)) return make_path_lanes(model);
   if (model.level == Level::Spatial) return make_group<SpatialLanes>(model);
   return make_group<PlanarLanes>(model);
 }

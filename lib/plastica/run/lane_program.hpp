@@ -16,8 +16,8 @@ struct LaneCase {
   Response* response = nullptr;
 };
 
-/// Runs motions of articulated schemes, several at a time; one a thread. A case has the same bits
-/// in whatever company.
+/// Runs motions of articulated schemes, or paths at rest, several at a time; one a thread. A case
+/// has the same bits in whatever company.
 class LaneProgram {
  public:
   virtual ~LaneProgram() = default;
@@ -25,20 +25,24 @@ class LaneProgram {
   virtual void run(std::span<const LaneCase> cases) = 0;
 };
 
-/// Whether a model is stepped by a lane program.
+/// Whether a model is a motion that nothing but a lane program steps, a lone one too.
+bool steps_in_lanes(const ChainModel& model);
+
+/// Whether a lane program can run a model.
 bool has_lanes(const ChainModel& model);
 
-/// Whether two models of `has_lanes` can be stepped together: as many segments, the same steps and
-/// histories; all other numbers may differ.
+/// Whether two models of `has_lanes` can be run together: as many segments and, of motions, the
+/// same steps and histories, of paths supports and loads of the same kind at the same segments; all
+/// other numbers may differ.
 bool same_lanes(const ChainModel& a, const ChainModel& b);
 
-/// Most cases that are stepped together.
+/// Most cases that are run together.
 std::size_t lane_width(const ChainModel& model);
 
 /// @throws InputError if the processor does not have the instruction set that is asked for
 std::unique_ptr<LaneProgram> make_lane_program(const ChainModel& model);
 
-/// A program of one case at a time.
+/// A program of one motion at a time.
 /// @param model  outlives it
 std::unique_ptr<ChainProgram> make_lone_lane(const ChainModel& model);
 

@@ -13,6 +13,12 @@
 /// time; a small dense system joins them (chain/README.md).
 namespace plastica::solve {
 
+/// Whether an imbalance is worth another iteration. What is not a number is not.
+template <class S>
+mask_t<S> may_improve(const S& imbalance, const S& enough) {
+  return (imbalance > enough) & (imbalance < constant<S>(kIsDouble<S> ? 1e100 : 1e30));
+}
+
 /// Seeks the equilibrium at `w.time`, or on a path condition, from the current unknowns.
 ///
 /// @param assemble  places the chain and gathers all that acts on it
@@ -27,7 +33,6 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
                                               const Condition& condition_at) {
   using S = typename L::Scalar;
   NewtonOutcome<S> outcome;
-  const S huge = constant<S>(kIsDouble<S> ? 1e100 : 1e30);
   bool polished = false;
   for (int iteration = 0;; ++iteration) {
     const S enough = constant<S>(reachable<S>(options.tolerance, iteration));
@@ -48,7 +53,7 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     outcome.imbalance[static_cast<std::size_t>(iteration)] = imbalance;
     outcome.iterations = iteration;
     outcome.converged = imbalance <= enough;
-    auto going = (imbalance > enough) & (imbalance < huge);
+    auto going = may_improve(imbalance, enough);
     if (options.patience > 0 && iteration >= options.patience) {
       const S& before = outcome.imbalance[static_cast<std::size_t>(iteration - options.patience)];
       going = going & (imbalance <= constant<S>(0.1) * before);

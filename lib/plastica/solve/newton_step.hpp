@@ -239,10 +239,11 @@ void join_columns(const chain::Chain<L>& chain, const PathCondition<L>& conditio
       const S open = k == j ? one : zero;
       small.a(k, j) = select(w.closed[k], select(w.closed[j], moved, zero), open);
     }
-    const S slope = constant<S>(chain.histories[closure.history].slope_at(w.time));
-    const S by_time = condition.active ? power(wrench, w.columns.back().motion[closure.segment]) -
-                                             slope * closure.motion
-                                       : zero;
+    S by_time = zero;
+    if (condition.active) {
+      const S slope = chain::factor_as<S>(chain.histories[closure.history].slope_at(w.time));
+      by_time = power(wrench, w.columns.back().motion[closure.segment]) - slope * closure.motion;
+    }
     small.a(k, closures) = select(w.closed[k], by_time, zero);
     const S moved = power(wrench, w.columns[0].motion[closure.segment]);
     small.b(k) = select(w.closed[k], -w.gap[k] - moved, zero);

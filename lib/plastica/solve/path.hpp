@@ -51,25 +51,35 @@ class PathWalker {
         previous_(previous),
         observer_(observer) {}
 
-  Status walk() {
-    const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
-    counters_.iterations += outcome.iterations;
-    if (!(w_.recursion.least_pivot() > kMechanism)) return Status::Mechanism;
-    if (holds_twice()) return Status::HeldTwice;
-    if (!outcome.converged) return finite(outcome) ? Status::NotConverged : Status::NonFinite;
-    if (observer_.judge(w_, true) == Verdict::End) return end_broken();
-    accept();
-    observer_.record(w_);
-    if (interrupted_) return Status::Interrupted;
-    step_ = options_.stops.front();
-    switch (options_.control) {
-      case PathControl::Displacement: return walk_displacement();
-      case PathControl::ArcLength: return walk_arc();
-      case PathControl::Auto:
-      case PathControl::Load: return walk_load();
-    }
-    return Status::NotRun;
+  // A walk comes in pieces, cut where an equilibrium at a given time is sought, so that several
+  // beams may seek theirs side by side.
+
+  /// Goes up to the first one, or to the path's end.
+  /// @return whether one is sought: at `work.time`, from the unknowns in `work`
+  bool begin() {
+    status_ = find_first();
+    return status_ == Status::Completed && begin_control();
   }
+
+  /// Takes what was found, which is in `work`, and goes on to the next.
+  /// @param factored  whether `work` holds the tangent, too
+  bool take(bool converged, int iterations, bool factored) {
+    const Trial trial = judge(converged, iterations, shortest_);
+    factored_ = factored_ && factored;
+    return go_on(trial);
+  }
+
+  /// Seeks this one and all that follow.
+  void walk_on() {
+    bool seeks = true;
+    while (seeks) {
+      const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
+      seeks = take(outcome.converged, outcome.iterations, true);
+    }
+  }
+
+  /// How the path has ended.
+  Status status() const { return status_; }
 
   const PathCounters& counters() const { return counters_; }
   const std::optional<LimitLoad>& limit() const { return limit_; }
@@ -149,11 +159,16 @@ class PathWalker {
   /// Seeks an equilibrium from the unknowns in `w_` and takes it, if it is near enough.
   template <class Condition>
   Trial attempt(const Condition& condition, bool shortest) {
-    factored_ = solved_ = false;
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_, condition);
-    counters_.iterations += outcome.iterations;
-    iterations_ = outcome.iterations;
-    if (!outcome.converged) return Trial::Failed;
+    return judge(outcome.converged, outcome.iterations, shortest);
+  }
+
+  /// Takes an equilibrium that has been sought, if it is near enough.
+  Trial judge(bool converged, int iterations, bool shortest) {
+    factored_ = solved_ = false;
+    counters_.iterations += iterations;
+    iterations_ = iterations;
+    if (!converged) return Trial::Failed;
     if (largest_turn() > options_.largest_turn) return Trial::Failed;
     const double slope = watches_slope_ && observer_.yields() ? relative_slope() : 1.0;
     flat_ = slope < kLimitSlope;
@@ -174,7 +189,8 @@ class PathWalker {
     return interrupted_ ? Trial::Ended : Trial::Accepted;
   }
 
-  Trial attempt_time(double time, bool shortest) {
+  /// Where to seek the equilibrium at a time from.
+  void aim(double time) {
     restore();
     if (goes_on_) {
       extrapolate((time - time_) / (time_ - previous_time_));
@@ -182,6 +198,10 @@ class PathWalker {
       predict(time);
     }
     w_.time = time;
+  }
+
+  Trial attempt_time(double time, bool shortest) {
+    aim(time);
     return attempt([](const Work&) { return PathCondition<L>{}; }, shortest);
   }
 
@@ -232,54 +252,18 @@ class PathWalker {
 
   double smallest() const { return options_.smallest_step * options_.stops.front(); }
 
-  /// Steps of given time up to a stop. @return Failed where even the smallest finds nothing
-  Trial advance_to(double stop) {
-    while (time_ < stop) {
-      // No sliver is left before the stop.
-      const double left = stop - time_;
-      const double length = left <= 1.001 * step_ ? left : std::min(step_, 0.5 * left);
-      const double next = length == left ? stop : time_ + length;
-      const bool shortest = length <= smallest();
-      const Trial trial = attempt_time(next, shortest);
-      if (trial == Trial::Ended) return trial;
-      if (trial == Trial::Accepted) {
-        goes_on_ = true;
-        if (iterations_ <= 6) step_ = 2.0 * std::max(length, step_);
-        if (!flat_) continue;
-        limit_ = LimitLoad{previous_time_, time_};
-        return Trial::Failed;
-      }
-      above_ = next;
-      ++counters_.cutbacks;
-      if (shortest) return Trial::Failed;
-      step_ = std::max(0.5 * length, smallest());
-    }
-    return Trial::Accepted;
-  }
-
-  Status walk_load() {
-    watches_slope_ = begin_arcs();
-    for (std::size_t k = 0; k < options_.stops.size(); ++k) {
-      Trial trial = advance_to(options_.stops[k]);
-      if (trial == Trial::Failed && !limit_) trial = cross_by_arc(options_.stops[k]);
-      if (trial == Trial::Ended) return ended();
-      if (trial == Trial::Failed) return limit_ ? Status::LimitLoad : Status::NotConverged;
-      if (options_.recorded[k]) observer_.record(w_);
-      if (is_corner(options_.stops[k])) goes_on_ = false;
-    }
-    return Status::Completed;
-  }
-
-  /// Whether a load or motion changes its rate at a time: what comes then is no continuation.
-  bool is_corner(double time) const {
-    for (const History& history : chain_.histories) {
-      if (history.is_ramp()) continue;
-      for (const double corner : history.time) {
-        if (std::fabs(corner - time) < 1e-9 * options_.stops.back()) return true;
-      }
-    }
+  /// The equilibrium without loads.
+  Status find_first();
+  bool begin_control();
+  bool end(Status status) {
+    status_ = status;
     return false;
   }
+  /// Aims at a time up to the next stop.
+  bool seek();
+  /// Load control after a trial at the time that was sought.
+  bool go_on(Trial trial);
+  bool is_corner(double time) const;
 
   /// The plane n . (u - u0) + weight (t - t0) = length in which the next equilibrium is sought;
   /// (n, weight) is a unit vector in (u/way, t/span), times `way`.
@@ -328,7 +312,12 @@ class PathWalker {
   double time_ = 0.0;
   double previous_time_ = 0.0;
   double step_ = 0.0;
-  double above_ = 0.0;  ///< the last time at which load control found nothing
+  double above_ = 0.0;     ///< the last time at which load control found nothing
+  std::size_t stop_ = 0;   ///< load control: the next one
+  double next_ = 0.0;      ///< the time that is sought, so far from the last step
+  double length_ = 0.0;    ///< [s]
+  bool shortest_ = false;  ///< which cannot be cut back
+  Status status_ = Status::NotRun;
   int iterations_ = 0;
   bool interrupted_ = false;  ///< the observer does not want to go on
   bool factored_ = false;     ///< `w_` holds the tangent at the committed unknowns
@@ -351,3 +340,4 @@ class PathWalker {
 }  // namespace plastica::solve
 
 #include "plastica/solve/path_arc.hpp"
+#include "plastica/solve/path_load.hpp"

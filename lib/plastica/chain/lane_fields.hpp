@@ -1,0 +1,192 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "plastica/chain/chain.hpp"
+#include "plastica/chain/section_joints.hpp"
+#include "plastica/chain/state.hpp"
+#include "plastica/law/per_axis.hpp"
+
+/// Visits what a chain at rest consists of, in one order for every scalar: so the numbers of a lone
+/// chain come to a lane of a chain of packs, whichever instruction set that is compiled for.
+///
+/// A visitor has size(vector), index(integer) and flag(bool), which say the shape that all lanes
+/// share, and number(scalar), in which lanes may differ.
+namespace plastica::chain {
+
+/// Writes down a chain's shape and numbers.
+struct FieldWriter {
+  std::vector<std::size_t>& shape;
+  std::vector<double>& numbers;
+
+  template <class Values>
+  void size(const Values& values) {
+    shape.push_back(values.size());
+  }
+  void index(std::size_t index) { shape.push_back(index); }
+  void flag(bool flag) { shape.push_back(flag ? 1 : 0); }
+  void number(double number) { numbers.push_back(number); }
+};
+
+/// Reads numbers back.
+struct FieldReader {
+  const double* from;
+  void number(double& number) { number = *from++; }
+};
+
+/// A factor that a lane has been told, for iterations at a time that is given: no slope is asked
+/// for.
+template <class S>
+struct ToldFactor {
+  S now{};
+  S at(double /*time*/) const { return now; }
+  S slope_at(double /*time*/) const { return {}; }
+};
+
+/// A level in lanes each of which has a time of its own.
+template <class Level>
+struct OwnTimes : Level {};
+
+template <class Level>
+struct HistoryOf<OwnTimes<Level>> {
+  using Type = ToldFactor<typename Level::Scalar>;
+};
+
+template <class Level>
+struct SectionAxes<OwnTimes<Level>> : SectionAxes<Level> {};
+
+template <class V, class Numbers>
+void visit_numbers(V& visitor, Numbers& numbers) {
+  for (auto& number : numbers.at) visitor.number(number);
+}
+
+template <class V, class Frame>
+void visit_frame(V& visitor, Frame& frame) {
+  if constexpr (requires { frame.cosine; }) {
+    visitor.number(frame.angle);
+    visitor.number(frame.cosine);
+    visitor.number(frame.sine);
+  } else {
+    visit_numbers(visitor, frame.axes);
+  }
+}
+
+template <class V, class Flags>
+void visit_flags(V& visitor, Flags& flags) {
+  for (auto& flag : flags) visitor.flag(flag);
+}
+
+/// The root and what is attached to segments.
+template <class V, class C>
+void visit_attached(V& v, C& chain) {
+  v.size(chain.loads);
+  for (auto& load : chain.loads) {
+    v.index(load.segment);
+    v.index(load.history);
+    v.flag(load.follows);
+    visit_numbers(v, load.arm);
+    visit_numbers(v, load.force);
+    visit_numbers(v, load.moment);
+  }
+  v.size(chain.closures);
+  for (auto& closure : chain.closures) {
+    v.index(closure.segment);
+    v.index(closure.history);
+    v.flag(closure.turning);
+    v.flag(closure.one_sided);
+    visit_numbers(v, closure.arm);
+    visit_numbers(v, closure.direction);
+    visit_numbers(v, closure.axis);
+    visit_frame(v, closure.frame);
+    v.number(closure.target);
+    v.number(closure.motion);
+  }
+  v.size(chain.springs);
+  for (auto& spring : chain.springs) {
+    v.index(spring.segment);
+    v.index(spring.history);
+    visit_numbers(v, spring.arm);
+    visit_numbers(v, spring.stiffness);
+    visit_numbers(v, spring.rest);
+    visit_numbers(v, spring.motion);
+  }
+  v.size(chain.ground_joints);
+  for (auto& joint : chain.ground_joints) {
+    v.index(joint.segment);
+    v.index(joint.history);
+    v.index(joint.joint);
+    visit_frame(v, joint.local);
+    visit_frame(v, joint.ground);
+    visit_numbers(v, joint.motion);
+  }
+  v.index(chain.root.history);
+  visit_flags(v, chain.root.held);
+  visit_flags(v, chain.root.welded);
+  visit_numbers(v, chain.root.position);
+  visit_frame(v, chain.root.ground);
+  visit_numbers(v, chain.root.motion);
+  visit_numbers(v, chain.root.turn);
+}
+
+/// Of the histories, nothing but how many there are.
+template <class V, class C>
+void visit_chain(V& v, C& chain) {
+  v.size(chain.segments);
+  for (auto& segment : chain.segments) {
+    visit_numbers(v, segment.arm);
+    visit_frame(v, segment.inner);
+    visit_frame(v, segment.outer);
+  }
+  visit_attached(v, chain);
+  v.size(chain.histories);
+  v.number(chain.length);
+  v.number(chain.closure_stiffness);
+  v.number(chain.closure_turning_stiffness);
+}
+
+/// The unknowns of a chain in one piece.
+template <class V, class Q>
+void visit_unknowns(V& v, Q& q) {
+  for (auto& angle : q.angle) visit_numbers(v, angle);
+  visit_numbers(v, q.root);
+  for (auto& multiplier : q.multiplier) v.number(multiplier);
+}
+
+/// The numbers of a law of each kind that lanes have, and of its states.
+template <class V, class Law>
+void visit_law(V& v, Law& law) {
+  if constexpr (requires { law.axis; }) {
+    for (std::size_t i = 0; i < law::kSectionAxes; ++i) {
+      visit_law(v, law.axis[i]);
+      v.number(law.lever[i]);
+      v.number(law.modulus[i]);
+      v.number(law.area[i]);
+      v.number(law.softness[i]);
+    }
+  } else if constexpr (requires { law.compliance; }) {
+    v.number(law.stiffness);
+    v.number(law.compliance);
+    v.number(law.yield);
+  } else if constexpr (requires { law.kinematic; }) {
+    v.number(law.stiffness);
+    v.number(law.yield);
+    v.number(law.isotropic);
+    v.number(law.kinematic);
+  } else {
+    visit_numbers(v, law.stiffness);  // of a section that never yields
+  }
+}
+
+template <class V, class State>
+void visit_state(V& v, State& state, std::size_t first, std::size_t count) {
+  if constexpr (requires { state.axis; }) {
+    for (std::size_t i = first; i < first + count; ++i) {
+      v.number(state.axis[i].plastic);
+      v.number(state.axis[i].accumulated);
+      if constexpr (requires { state.axis[i].back_stress; }) v.number(state.axis[i].back_stress);
+    }
+  }
+}
+
+}  // namespace plastica::chain

@@ -1,0 +1,74 @@
+#include "plastica/run/path_lanes.hpp"
+
+#include <algorithm>
+
+#include "plastica/chain/layout.hpp"
+
+namespace plastica {
+namespace {
+
+std::size_t segment_at(const ChainModel& model, const Place& place) {
+  return chain::segment_point(model.layout, share_of(place, model.layout.ends)).segment;
+}
+
+bool same_supports(const ChainModel& a, const ChainModel& b) {
+  const auto& x = a.scene.supports;
+  const auto& y = b.scene.supports;
+  return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                    [&](const Support& s, const Support& t) {
+                      return s.kind == t.kind && s.held() == t.held() &&
+                             segment_at(a, s.at) == segment_at(b, t.at);
+                    });
+}
+
+bool same_loads(const ChainModel& a, const ChainModel& b) {
+  const auto& x = a.scene.loads;
+  const auto& y = b.scene.loads;
+  return std::equal(x.begin(), x.end(), y.begin(), y.end(), [&](const Load& s, const Load& t) {
+    return s.follows == t.follows && s.to.has_value() == t.to.has_value() &&
+           segment_at(a, s.at) == segment_at(b, t.at);
+  });
+}
+
+}  // namespace
+
+std::optional<solve::LaneLaw> lane_law(const ChainModel& model) {
+  const YieldModel yields = model.scene.yield_model;
+  if (yields == YieldModel::Elastic) return solve::LaneLaw::Elastic;
+  // In the plane a rigid joint has one moment, whose surfaces are all the same.
+  if (yields == YieldModel::Fibre ||
+      (yields != YieldModel::PerAxis && model.level == Level::Spatial)) {
+    return {};
+  }
+  switch (model.scene.material.hardening.law) {
+    case HardeningLaw::Ideal: return solve::LaneLaw::Ideal;
+    case HardeningLaw::Linear: return solve::LaneLaw::Linear;
+    case HardeningLaw::VoceChaboche: break;
+  }
+  return {};
+}
+
+bool walks_in_lanes(const ChainModel& model) {
+  const SolverOptions& options = model.options;
+  const auto& supports = model.scene.supports;
+  return options.analysis == Analysis::Statics && options.precision == Precision::Double &&
+         options.translation == JointTranslation::Rigid &&
+         (model.level == Level::Planar || model.level == Level::Spatial) &&
+         (options.control == PathControl::Auto || options.control == PathControl::Load) &&
+         has_instruction_set(options.isa) && lane_law(model) &&
+         std::none_of(supports.begin(), supports.end(),
+                      [](const Support& s) { return s.kind == SupportKind::Pillar; });
+}
+
+bool same_path_lanes(const ChainModel& a, const ChainModel& b) {
+  return walks_in_lanes(a) && walks_in_lanes(b) && a.level == b.level && a.across == b.across &&
+         a.options.isa == b.options.isa && lane_law(a) == lane_law(b) &&
+         a.part_of_segment == b.part_of_segment && same_supports(a, b) && same_loads(a, b);
+}
+
+std::unique_ptr<LaneProgram> make_path_lanes(const ChainModel& model) {
+  if (model.level == Level::Planar) return make_planar_path_lanes(model);
+  return make_spatial_path_lanes(model);
+}
+
+}  // namespace plastica

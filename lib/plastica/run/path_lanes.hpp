@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "plastica/chain/lane_fields.hpp"
+#include "plastica/run/chain_runner.hpp"
+#include "plastica/run/lane_program.hpp"
+#include "plastica/solve/lane_newton.hpp"
+
+namespace plastica {
+
+/// The law of a model's joints, if lanes have it.
+std::optional<solve::LaneLaw> lane_law(const ChainModel& model);
+
+/// Whether a model is a path that can be walked in a lane: of rigid joints in the plane or in space
+/// that are elastic, or ideal plastic or linearly hardening about each axis by itself, on two-sided
+/// supports, under load control.
+bool walks_in_lanes(const ChainModel& model);
+/// Whether two of them can be walked together.
+bool same_path_lanes(const ChainModel& a, const ChainModel& b);
+/// Paths that one program takes: more than lanes, so that few of those are empty at the end.
+inline constexpr std::size_t kPathsTogether = 4 * solve::kPathLanes;
+std::unique_ptr<LaneProgram> make_path_lanes(const ChainModel& model);
+
+/// Walks the paths of several beams of one shape, each at its own pace: whoever has found an
+/// equilibrium goes on by itself to where it seeks the next, and who has ended makes room for a
+/// beam that waits. What is sought otherwise than at a given time (the first equilibrium, arcs,
+/// displacement control) each seeks alone.
+template <class L>
+class PathLanes final : public LaneProgram {
+ public:
+  /// @param model  has a `lane_law`
+  PathLanes(const ChainModel& model, solve::LaneNewtonTable::Make newton)
+      : law_(*lane_law(model)), newton_(newton()) {}
+
+  void run(std::span<const LaneCase> cases) override;
+
+ private:
+  using Runner = ChainRunner<L, false>;
+
+  struct Lane {
+    std::unique_ptr<Runner> runner;
+    const ChainModel* model = nullptr;  ///< that the runner has
+    bool seeks = false;
+    bool found = false;      ///< what it sought, or that it cannot be found
+    bool converged = false;  ///< which of both
+    int iteration = 0;
+  };
+
+  void fill(int lane);
+  bool begin(int lane, const LaneCase& one);
+  void begin_seeking(int lane);
+  void judge(int lane, double imbalance);
+  void take_found(int lane);
+
+  /// Calls `use` with the joints of a runner as what they are.
+  template <class Use>
+  void with_joints(Runner& runner, const Use& use) const {
+    const auto as = [&](auto tag) {
+      using Law = typename decltype(tag)::type;
+      use(static_cast<chain::SectionJoints<L, false, Law>&>(*runner.body().joints));
+    };
+    using S = double;
+    switch (law_) {
+      case solve::LaneLaw::Elastic: as(std::type_identity<law::ElasticSection<S>>{}); return;
+      case solve::LaneLaw::Ideal:
+        as(std::type_identity<law::PerAxisSection<S, law::IdealPlastic<S>>>{});
+        return;
+      case solve::LaneLaw::Linear:
+        as(std::type_identity<law::PerAxisSection<S, law::LinearHardening<S>>>{});
+        return;
+    }
+  }
+
+  solve::LaneLaw law_;
+  std::unique_ptr<solve::LaneNewton> newton_;
+  std::array<Lane, solve::kPathLanes> lanes_;
+  std::span<const LaneCase> waiting_;
+  std::vector<std::size_t> shape_;  ///< of what is in the lanes
+  std::vector<std::size_t> new_shape_;
+  std::vector<double> numbers_;
+};
+
+/// Of both levels that lanes have (path_lanes_*.cpp).
+std::unique_ptr<LaneProgram> make_planar_path_lanes(const ChainModel& model);
+std::unique_ptr<LaneProgram> make_spatial_path_lanes(const ChainModel& model);
+
+}  // namespace plastica

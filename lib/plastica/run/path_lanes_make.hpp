@@ -1,0 +1,161 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "plastica/run/chain_runner.hpp"
+#include "plastica/run/path_lanes.hpp"
+
+/// Defines `PathLanes`.
+namespace plastica {
+
+template <class L>
+void PathLanes<L>::run(std::span<const LaneCase> cases) {
+  const auto began = std::chrono::steady_clock::now();
+  waiting_ = cases;
+  shape_.clear();
+  for (int lane = 0; lane < solve::kPathLanes; ++lane) fill(lane);
+  const auto seeks = [](const Lane& lane) { return lane.seeks; };
+  while (std::any_of(lanes_.begin(), lanes_.end(), seeks)) {
+    std::array<double, solve::kPathLanes> imbalance{};
+    newton_->evaluate(imbalance.data());
+    bool all_found = true;
+    for (int lane = 0; lane < solve::kPathLanes; ++lane) {
+      Lane& one = lanes_[static_cast<std::size_t>(lane)];
+      if (!one.seeks) continue;
+      judge(lane, imbalance[static_cast<std::size_t>(lane)]);
+      all_found = all_found && one.found;
+    }
+    if (!all_found) newton_->step();
+    for (int lane = 0; lane < solve::kPathLanes; ++lane) {
+      if (lanes_[static_cast<std::size_t>(lane)].found) take_found(lane);
+    }
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  for (const LaneCase& one : cases) {
+    one.response->seconds = took.count() / static_cast<double>(cases.size());
+  }
+}
+
+/// Begins a beam that waits; those that need nothing from a lane are run meanwhile.
+template <class L>
+void PathLanes<L>::fill(int lane) {
+  Lane& one = lanes_[static_cast<std::size_t>(lane)];
+  one.seeks = one.found = false;
+  while (!one.seeks && !waiting_.empty()) {
+    const LaneCase& next = waiting_.front();
+    waiting_ = waiting_.subspan(1);
+    one.seeks = begin(lane, next);
+  }
+  if (one.seeks) begin_seeking(lane);
+}
+
+/// @return whether the beam is in the lane, and has not ended
+template <class L>
+bool PathLanes<L>::begin(int lane, const LaneCase& next) {
+  Lane& one = lanes_[static_cast<std::size_t>(lane)];
+  const auto view_of = [](const ChainModel& model) -> chain::View<L> {
+    if constexpr (L::kRotations == 1) {
+      return {model.across};
+    } else {
+      return {};
+    }
+  };
+  if (one.model != next.model) {
+    one.runner = std::make_unique<Runner>(*next.model, view_of(*next.model));
+    one.model = next.model;
+  }
+  Runner& runner = *one.runner;
+  if (runner.begin(*next.material, *next.hooks, *next.response)) {
+    new_shape_.clear();
+    numbers_.clear();
+    chain::FieldWriter writer{new_shape_, numbers_};
+    const auto& chain = runner.body().build.chain;
+    chain::visit_chain(writer, chain);
+    with_joints(runner, [&](auto& joints) {
+      joints.visit(writer, [](auto& v, auto& law) { chain::visit_law(v, law); });
+    });
+    if (shape_.empty()) {
+      shape_ = new_shape_;
+      newton_->take_shape(shape_.data());
+    }
+    const auto one_sided = [](const auto& closure) { return closure.one_sided; };
+    if (shape_ == new_shape_ &&
+        std::none_of(chain.closures.begin(), chain.closures.end(), one_sided)) {
+      newton_->take_chain(lane, numbers_.data());
+      return true;
+    }
+    runner.walk_on();
+  }
+  runner.finish();
+  return false;
+}
+
+template <class L>
+void PathLanes<L>::begin_seeking(int lane) {
+  Lane& one = lanes_[static_cast<std::size_t>(lane)];
+  auto& work = one.runner->body().work;
+  numbers_.clear();
+  chain::FieldWriter writer{new_shape_, numbers_};
+  chain::visit_unknowns(writer, work.q);
+  writer.number(work.moment_scale);
+  writer.number(work.force_scale);
+  for (const History& history : one.runner->body().build.chain.histories) {
+    writer.number(history.at(work.time));
+  }
+  with_joints(*one.runner, [&](auto& joints) {
+    joints.visit_states(writer, [](auto& v, auto& state, std::size_t first, std::size_t count) {
+      chain::visit_state(v, state, first, count);
+    });
+  });
+  newton_->take_start(lane, numbers_.data());
+  one.iteration = 0;
+  one.found = false;
+}
+
+/// As `equilibrate` decides; what is found is read before the others step on.
+template <class L>
+void PathLanes<L>::judge(int lane, double imbalance) {
+  Lane& one = lanes_[static_cast<std::size_t>(lane)];
+  const solve::NewtonOptions& options = one.runner->newton();
+  one.converged = imbalance <= options.tolerance;
+  one.found =
+      !solve::may_improve(imbalance, options.tolerance) || one.iteration == options.most_iterations;
+  if (!one.found) {
+    ++one.iteration;
+    return;
+  }
+  auto& work = one.runner->body().work;
+  newton_->read(lane, numbers_.data());
+  chain::FieldReader reader{numbers_.data()};
+  chain::visit_unknowns(reader, work.q);
+  reader.number(work.moment_scale);
+  reader.number(work.force_scale);
+}
+
+template <class L>
+void PathLanes<L>::take_found(int lane) {
+  Lane& one = lanes_[static_cast<std::size_t>(lane)];
+  auto& body = one.runner->body();
+  auto& work = body.work;
+  if (one.converged) {
+    solve::detail::assemble(body.build.chain, *body.joints, work);
+    work.recursion.sum(body.build.chain, work.q, work.placement, work.stage, work.joints,
+                       work.outer_forces, work.transmitted);
+  }
+  if (one.runner->take(one.converged, one.iteration, false)) {
+    begin_seeking(lane);
+  } else {
+    one.runner->finish();
+    fill(lane);
+  }
+}
+
+/// The iterations of a level for a model's law and instruction set.
+inline solve::LaneNewtonTable::Make lane_newton_of(
+    const solve::LaneNewtonTable::Make (&makes)[solve::kLaneLaws], const ChainModel& model) {
+  return makes[static_cast<std::size_t>(*lane_law(model))];
+}
+
+}  // namespace plastica

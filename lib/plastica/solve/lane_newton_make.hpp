@@ -1,0 +1,143 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "plastica/base/pack.hpp"
+#include "plastica/chain/lane_fields.hpp"
+#include "plastica/solve/lane_newton.hpp"
+#include "plastica/solve/newton_step.hpp"
+
+/// Defines the iterations in lanes for the instruction set that a file is compiled for.
+namespace plastica::solve {
+PLASTICA_KERNELS_BEGIN
+
+using LaneScalar = Pack<double, kPathLanes>;
+
+/// Makes room for a shape.
+struct ShapeReader {
+  const std::size_t* from;
+  template <class Values>
+  void size(Values& values) {
+    values.clear();
+    values.resize(*from++);
+  }
+  void index(std::size_t& index) { index = *from++; }
+  void flag(bool& flag) { flag = *from++ != 0; }
+  void number(LaneScalar& /*number*/) {}
+};
+
+/// Sets the numbers of a lane.
+struct LaneWriter {
+  int lane;
+  const double* from;
+  template <class Values>
+  void size(Values& /*values*/) {}
+  void index(std::size_t& /*index*/) {}
+  void flag(bool& /*flag*/) {}
+  void number(LaneScalar& number) { number.set(lane, *from++); }
+};
+
+/// Gives them back.
+struct LaneReader {
+  int lane;
+  double* to;
+  void number(const LaneScalar& number) { *to++ = number[lane]; }
+};
+
+template <template <class> class Level, class Law>
+class LaneNewtonOf final : public LaneNewton {
+ public:
+  using L = chain::OwnTimes<Level<LaneScalar>>;
+
+  void take_shape(const std::size_t* shape) override {
+    ShapeReader reader{shape};
+    chain::visit_chain(reader, chain_);
+    joints_.visit(reader, VisitLaw{});
+    work_.resize(chain_);
+  }
+
+  void take_chain(int lane, const double* numbers) override {
+    LaneWriter writer{lane, numbers};
+    chain::visit_chain(writer, chain_);
+    joints_.visit(writer, VisitLaw{});
+  }
+
+  void take_start(int lane, const double* start) override {
+    LaneWriter writer{lane, start};
+    chain::visit_unknowns(writer, work_.q);
+    writer.number(work_.moment_scale);
+    writer.number(work_.force_scale);
+    for (auto& history : chain_.histories) writer.number(history.now);
+    joints_.visit_states(writer, VisitState{});
+  }
+
+  void evaluate(double* imbalance) override {
+    detail::assemble(chain_, joints_, work_);
+    work_.recursion.factor(chain_, work_.q, work_.placement, work_.stage, work_.joints,
+                           work_.outer_forces, work_.transmitted);
+    detail::relative_imbalance(chain_, work_).store(imbalance);
+  }
+
+  void step() override {
+    const PathCondition<L> at_its_time;
+    detail::solve_imbalance(chain_, at_its_time, work_);
+    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+      detail::solve_closure(chain_, k, work_);
+    }
+    detail::join_columns(chain_, at_its_time, work_);
+    detail::combine_columns(chain_, at_its_time, work_);
+    const LaneScalar zero = constant<LaneScalar>(0);
+    detail::take_step(chain_, at_its_time, zero < zero, work_);
+  }
+
+  void read(int lane, double* found) override {
+    LaneReader reader{lane, found};
+    chain::visit_unknowns(reader, work_.q);
+    reader.number(work_.moment_scale);
+    reader.number(work_.force_scale);
+  }
+
+ private:
+  struct VisitLaw {
+    template <class V>
+    void operator()(V& visitor, Law& law) const {
+      chain::visit_law(visitor, law);
+    }
+  };
+  struct VisitState {
+    template <class V, class State>
+    void operator()(V& visitor, State& state, std::size_t first, std::size_t count) const {
+      chain::visit_state(visitor, state, first, count);
+    }
+  };
+
+  chain::Chain<L> chain_;
+  chain::SectionJoints<L, false, Law> joints_{{}, {}, {}};
+  NewtonWork<L, false> work_;
+};
+
+template <template <class> class Level, class Law>
+LaneNewton* make_lane_newton() {
+  return new LaneNewtonOf<Level, Law>;
+}
+
+template <template <class> class Level>
+struct NewtonOfLevel {
+  using S = LaneScalar;
+  static constexpr LaneNewtonTable::Make kElastic = make_lane_newton<Level, law::ElasticSection<S>>;
+  static constexpr LaneNewtonTable::Make kIdeal =
+      make_lane_newton<Level, law::PerAxisSection<S, law::IdealPlastic<S>>>;
+  static constexpr LaneNewtonTable::Make kLinear =
+      make_lane_newton<Level, law::PerAxisSection<S, law::LinearHardening<S>>>;
+};
+
+constexpr LaneNewtonTable newton_table() {
+  using InPlane = NewtonOfLevel<chain::Planar>;
+  using InSpace = NewtonOfLevel<chain::Spatial>;
+  return {{InPlane::kElastic, InPlane::kIdeal, InPlane::kLinear},
+          {InSpace::kElastic, InSpace::kIdeal, InSpace::kLinear}};
+}
+
+PLASTICA_KERNELS_END
+}  // namespace plastica::solve

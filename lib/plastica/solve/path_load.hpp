@@ -1,0 +1,86 @@
+#pragma once
+
+#include "plastica/solve/path.hpp"
+
+/// The beginning of a path, and load control: equilibria at given times.
+namespace plastica::solve {
+
+template <class L, bool kElastic>
+Status PathWalker<L, kElastic>::find_first() {
+  const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
+  counters_.iterations += outcome.iterations;
+  if (!(w_.recursion.least_pivot() > kMechanism)) return Status::Mechanism;
+  if (holds_twice()) return Status::HeldTwice;
+  if (!outcome.converged) return finite(outcome) ? Status::NotConverged : Status::NonFinite;
+  if (observer_.judge(w_, true) == Verdict::End) return end_broken();
+  accept();
+  observer_.record(w_);
+  return interrupted_ ? Status::Interrupted : Status::Completed;
+}
+
+template <class L, bool kElastic>
+bool PathWalker<L, kElastic>::begin_control() {
+  step_ = options_.stops.front();
+  switch (options_.control) {
+    case PathControl::Displacement: return end(walk_displacement());
+    case PathControl::ArcLength: return end(walk_arc());
+    case PathControl::Auto:
+    case PathControl::Load: break;
+  }
+  watches_slope_ = begin_arcs();
+  return seek();
+}
+
+template <class L, bool kElastic>
+bool PathWalker<L, kElastic>::seek() {
+  // No sliver is left before the stop.
+  const double stop = options_.stops[stop_];
+  const double left = stop - time_;
+  length_ = left <= 1.001 * step_ ? left : std::min(step_, 0.5 * left);
+  next_ = length_ == left ? stop : time_ + length_;
+  shortest_ = length_ <= smallest();
+  aim(next_);
+  return true;
+}
+
+template <class L, bool kElastic>
+bool PathWalker<L, kElastic>::go_on(Trial trial) {
+  if (trial == Trial::Failed) {
+    above_ = next_;
+    ++counters_.cutbacks;
+    if (!shortest_) {
+      step_ = std::max(0.5 * length_, smallest());
+      return seek();
+    }
+    trial = cross_by_arc(options_.stops[stop_]);
+  } else if (trial == Trial::Accepted) {
+    goes_on_ = true;
+    if (iterations_ <= 6) step_ = 2.0 * std::max(length_, step_);
+    if (flat_) {
+      limit_ = LimitLoad{previous_time_, time_};
+      return end(Status::LimitLoad);
+    }
+  }
+  if (trial == Trial::Ended) return end(ended());
+  if (trial == Trial::Failed) return end(limit_ ? Status::LimitLoad : Status::NotConverged);
+  while (!(time_ < options_.stops[stop_])) {
+    if (options_.recorded[stop_]) observer_.record(w_);
+    if (is_corner(options_.stops[stop_])) goes_on_ = false;
+    if (++stop_ == options_.stops.size()) return end(Status::Completed);
+  }
+  return seek();
+}
+
+/// Whether a load or motion changes its rate at a time: what comes then is no continuation.
+template <class L, bool kElastic>
+bool PathWalker<L, kElastic>::is_corner(double time) const {
+  for (const History& history : chain_.histories) {
+    if (history.is_ramp()) continue;
+    for (const double corner : history.time) {
+      if (std::fabs(corner - time) < 1e-9 * options_.stops.back()) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace plastica::solve

@@ -1,0 +1,225 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plastica/run/batch.hpp"
+#include "tests/support/chain_scene.hpp"
+#include "tests/support/response_bits.hpp"
+
+/// Batches of beams at rest, whose paths are walked side by side: each has the bits that it has
+/// alone, whatever the others do.
+namespace plastica {
+namespace {
+
+using testing::bits_of;
+
+constexpr InstructionSet kLevels[] = {InstructionSet::Baseline, InstructionSet::Avx2,
+                                      InstructionSet::Avx512};
+
+Load load_at(double share, std::array<double, 3> force) {
+  Load load;
+  load.at = {share, {}};
+  load.force = force;
+  return load;
+}
+
+void probe_all(Scene& scene) {
+  testing::add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+  testing::add_probe(scene, ProbeQuantity::Moment, {0.5, {}}, Component::X);
+}
+
+/// Numbers that differ from case to case.
+void vary(Scene& scene, std::size_t i) {
+  const double x = static_cast<double>(i);
+  scene.material.youngs_modulus *= 1.0 + 0.03 * x;
+  scene.material.yield_stress *= 1.0 + 0.02 * x;
+  scene.section.height *= 1.0 + 0.005 * x;
+}
+
+/// A cantilever that is bent to and fro, beyond first yield.
+Scene bent(std::size_t i, YieldModel model, HardeningLaw law = HardeningLaw::Linear) {
+  Scene scene = testing::cantilever_scene(6);
+  scene.yield_model = model;
+  scene.material.hardening.law = law;
+  scene.material.hardening.tangent_modulus = 20e9;
+  scene.material.hardening.kinematic_share = 0.3;
+  vary(scene, i);
+  scene.loads.push_back(load_at(1.0, {0.0, -1.3 * testing::yield_moment_of(scene), 0.0}));
+  scene.loads[0].history = History::turning_points({1.0, -1.0, 0.2});
+  probe_all(scene);
+  return scene;
+}
+
+/// The same, propped at its end and pushed half way: ideal joints hold until two of them yield.
+Scene propped(std::size_t i) {
+  Scene scene = bent(i, YieldModel::PerAxis, HardeningLaw::Ideal);
+  scene.material.hardening = {};
+  scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Roller});
+  const double first_yield = 16.0 / 3.0 * testing::yield_moment_of(scene);
+  scene.loads = {load_at(0.5, {0.0, -1.08 * first_yield, 0.0})};
+  scene.loads[0].history = History::turning_points({1.0, -1.0, 0.2});
+  return scene;
+}
+
+/// Three-point bending to the limit of some.
+Scene pressed(std::size_t i) {
+  Scene scene = testing::chain_scene(8);
+  scene.supports.push_back({.at = Place::start(), .kind = SupportKind::Pin});
+  scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Roller});
+  scene.yield_model = YieldModel::PerAxis;
+  vary(scene, i);
+  const double limit = 4.0 * testing::yield_moment_of(scene);
+  scene.loads.push_back(load_at(0.5, {0.0, -(0.8 + 0.03 * static_cast<double>(i)) * limit, 0.0}));
+  probe_all(scene);
+  return scene;
+}
+
+/// An end that is moved and turned by its support, between springs.
+Scene moved(std::size_t i) {
+  Scene scene = testing::cantilever_scene(5);
+  scene.yield_model = YieldModel::PerAxis;
+  Support hand{.at = Place::end(), .kind = SupportKind::Clamp};
+  hand.hold = HeldFreedoms{false, true, false, true, false, false};
+  hand.translation = {0.0, 0.01 + 0.001 * static_cast<double>(i), 0.0};
+  hand.rotation = {0.02, 0.0, 0.0};
+  hand.history = History::turning_points({1.0, 0.3});
+  scene.supports.push_back(hand);
+  scene.supports.push_back(
+      {.at = {0.6, {}}, .kind = SupportKind::Elastic, .stiffness = {0.0, 2e4, 0.0}});
+  vary(scene, i);
+  probe_all(scene);
+  return scene;
+}
+
+/// Bent both ways and twisted by a follower, with its weight.
+Scene askew(std::size_t i, YieldModel model) {
+  const double x = static_cast<double>(i);
+  Scene scene = testing::cantilever_scene(5);
+  scene.yield_model = model;
+  scene.material.density = 7850.0;
+  scene.gravity = {0.0, -9.81, 0.0};
+  scene.loads.push_back(load_at(1.0, {150.0 + 9.0 * x, -200.0, 30.0}));
+  scene.loads[0].moment = {0.0, 0.0, 40.0 + 4.0 * x};
+  scene.loads[0].follows = i % 2 == 0;
+  vary(scene, i);
+  probe_all(scene);
+  return scene;
+}
+
+void expect_bits_of_alone(const std::vector<BatchCase>& cases, int threads = 1) {
+  BatchOptions options;
+  options.threads = threads;
+  const std::vector<BatchRow> rows = run_batch(cases, options);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Response alone = simulate(cases[i].scene, cases[i].options);
+    EXPECT_EQ(rows[i].reason, "");
+    EXPECT_EQ(rows[i].response.status, alone.status) << cases[i].id;
+    EXPECT_TRUE(bits_of(rows[i].response) == bits_of(alone)) << cases[i].id;
+  }
+}
+
+/// Eleven cases: more than lanes, so that some wait for a free one.
+template <class MakeScene>
+std::vector<BatchCase> eleven(const MakeScene& make, InstructionSet level) {
+  std::vector<BatchCase> cases;
+  for (std::size_t i = 0; i < 11; ++i) {
+    BatchCase one{std::to_string(i), make(i), {}};
+    one.options.isa = level;
+    one.options.steps = 3 + static_cast<int>(i % 3);
+    cases.push_back(std::move(one));
+  }
+  return cases;
+}
+
+template <class MakeScene>
+void expect_lanes_like_alone(const MakeScene& make) {
+  for (const InstructionSet level : kLevels) {
+    if (has_instruction_set(level)) expect_bits_of_alone(eleven(make, level));
+  }
+}
+
+TEST(PathLanes, HaveTheBitsOfLoneElasticBeams) {
+  expect_lanes_like_alone([](std::size_t i) { return bent(i, YieldModel::Elastic); });
+}
+
+TEST(PathLanes, HaveTheBitsOfLoneBeamsThatYield) {
+  expect_lanes_like_alone(propped);
+  const Response one = testing::completed(propped(3));
+  EXPECT_GT(one.permanent_strain, 1e-4);
+}
+
+TEST(PathLanes, HaveTheBitsOfLoneBeamsThatHarden) {
+  expect_lanes_like_alone([](std::size_t i) { return bent(i, YieldModel::PerAxis); });
+  EXPECT_GT(testing::completed(bent(3, YieldModel::PerAxis)).permanent_strain, 1e-4);
+}
+
+TEST(PathLanes, HaveTheBitsOfLoneBeamsOnTwoSupports) { expect_lanes_like_alone(pressed); }
+
+TEST(PathLanes, HaveTheBitsOfLoneBeamsThatSupportsMove) { expect_lanes_like_alone(moved); }
+
+TEST(PathLanes, HaveTheBitsOfLoneBeamsInSpace) {
+  expect_lanes_like_alone([](std::size_t i) { return askew(i, YieldModel::Elastic); });
+  expect_lanes_like_alone([](std::size_t i) { return askew(i, YieldModel::PerAxis); });
+}
+
+TEST(PathLanes, LeaveTheOthersAloneWhenOneEnds) {
+  std::vector<BatchCase> cases = eleven(
+      [](std::size_t i) {
+        Scene scene = bent(i, YieldModel::PerAxis);
+        if (i % 3 == 0) scene.material.break_strain = 2e-3;
+        return scene;
+      },
+      InstructionSet::Auto);
+  cases[4].scene.loads[0].force[1] = -1e9;
+  cases[5].options.most_iterations = 2;
+  std::vector<Status> statuses;
+  for (const BatchRow& row : run_batch(cases)) statuses.push_back(row.response.status);
+  EXPECT_GT(std::count(statuses.begin(), statuses.end(), Status::Broken), 1);
+  EXPECT_GT(std::count(statuses.begin(), statuses.end(), Status::Completed), 1);
+  EXPECT_NE(statuses[4], Status::Completed);
+  expect_bits_of_alone(cases);
+}
+
+TEST(PathLanes, TakeShapesApartInWhateverOrder) {
+  std::vector<BatchCase> cases;
+  for (std::size_t i = 0; i < 60; ++i) {
+    const Scene scene = i % 4 == 0   ? pressed(i / 4)
+                        : i % 4 == 1 ? bent(i / 4, YieldModel::PerAxis)
+                        : i % 4 == 2 ? askew(i / 4, YieldModel::PerAxis)
+                                     : bent(i / 4, YieldModel::Fibre);
+    BatchCase one{std::to_string(i), scene, {}};
+    one.options.steps = 4;
+    if (i % 8 == 1) one.scene.loads[0].at = {0.4, {}};
+    if (i % 12 == 0) one.scene.beam.segments = 3;
+    cases.push_back(std::move(one));
+  }
+  std::mt19937 random(3);
+  for (const int threads : {1, 3, 8}) {
+    std::shuffle(cases.begin(), cases.end(), random);
+    expect_bits_of_alone(cases, threads);
+  }
+}
+
+TEST(PathLanes, RunOneModelWithManyValues) {
+  const Scene scene = bent(0, YieldModel::PerAxis);
+  const std::vector<std::string> parameters{"material.yield_stress"};
+  const Model model = prepare(scene, {}, parameters);
+  std::vector<double> values;
+  for (int i = 0; i < 45; ++i) values.push_back(i == 4 ? -1.0 : 200e6 + 1e7 * i);
+  const std::vector<Response> together = run_batch(model, values, values.size());
+  Workspace workspace = make_workspace(model);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    Response alone = make_response(model);
+    run(model, {&values[i], 1}, workspace, alone);
+    EXPECT_TRUE(bits_of(together[i]) == bits_of(alone)) << i;
+  }
+  EXPECT_EQ(together[4].status, Status::InvalidParameter);
+}
+
+}  // namespace
+}  // namespace plastica
