@@ -153,6 +153,13 @@ void visit_unknowns(V& v, Q& q) {
   for (auto& multiplier : q.multiplier) v.number(multiplier);
 }
 
+/// Where the segments are.
+template <class V, class P>
+void visit_places(V& v, P& placement) {
+  for (auto& frame : placement.frame) visit_frame(v, frame);
+  for (auto& position : placement.position) visit_numbers(v, position);
+}
+
 /// The numbers of a law of each kind that lanes have, and of its states.
 template <class V, class Law>
 void visit_law(V& v, Law& law) {

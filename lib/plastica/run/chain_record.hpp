@@ -80,13 +80,18 @@ class ChainRecord {
   }
   /// After the last one: keeps its shape, too, where the run has ended early.
   void end_frames(Response& response) const;
-  /// From now on shapes are worked out where a frame or a probe needs them; a run that ends early
-  /// calls `shape_now` before `end_frames`.
-  void shapes_on_demand() { on_demand_ = true; }
+  /// From now on shapes are worked out where a frame or a probe needs them, or for every sample; a
+  /// run that ends early calls `shape_now` before `end_frames`, or runs again with those of all.
+  void shapes_on_demand(bool on_demand = true) { on_demand_ = on_demand; }
+  /// Whether the last sample of a run that has ended has no shape, but was to have one.
+  bool lacks_last_shape(const Response& response) const {
+    return on_demand_ && !probes_read_shape_ && response.samples > 0 &&
+           !is_kept(response.samples - 1, response.chain);
+  }
   /// Whether a sample, written on demand, needs the whole chain; else the points of probes and the
   /// energies will do.
   bool needs_chain(std::size_t sample, const Response& response) const {
-    return probes_read_chain_ || is_kept(sample, response.chain);
+    return !on_demand_ || probes_read_chain_ || is_kept(sample, response.chain);
   }
   /// Dynamics: energies of the next sample that are known already.
   void give_energies(const GivenEnergies& energies) { given_ = energies; }

@@ -30,6 +30,9 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   /// After the path has ended.
   void finish();
   ChainBody<L, kElastic>& body() { return body_; }
+  /// Whether what is sought next is looked at for more than where points are and what the laws say:
+  /// `work` must then hold all that `equilibrate` leaves in it.
+  bool needs_all() const;
   const solve::NewtonOptions& newton() const { return options_.newton; }
 
  private:
@@ -38,6 +41,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   bool accept(const Work& w) override;
   bool record(const Work& w) override;
 
+  bool begin_path();
   void set_path_options();
   void note_break(const Work& w);
 
@@ -46,6 +50,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   solve::ControlPoint<L> control_;
   chain::Coordinates<L> committed_, previous_;
   Response* response_ = nullptr;
+  MaterialValues<double> material_{};
   const Workspace* hooks_ = nullptr;  ///< while a path is walked
   std::optional<solve::PathWalker<L, kElastic>> walker_;
 };

@@ -60,15 +60,23 @@ void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material, const
 template <class L, bool kElastic>
 bool ChainRunner<L, kElastic>::begin(const MaterialValues<double>& material, const Workspace& hooks,
                                      Response& response) {
-  body_.reset(material);
-  committed_ = body_.work.q;
-  previous_ = body_.work.q;
+  material_ = material;
   response_ = &response;
   hooks_ = &hooks;
-  response.samples = 0;
-  response.ledger_error = 0.0;
-  response.chain.events.clear();
-  body_.record.begin_frames(response);
+  // Who is told of each step is told of it once.
+  body_.record.shapes_on_demand(!hooks.on_progress);
+  return begin_path();
+}
+
+template <class L, bool kElastic>
+bool ChainRunner<L, kElastic>::begin_path() {
+  body_.reset(material_);
+  committed_ = body_.work.q;
+  previous_ = body_.work.q;
+  response_->samples = 0;
+  response_->ledger_error = 0.0;
+  response_->chain.events.clear();
+  body_.record.begin_frames(*response_);
   solve::PathObserver<L, kElastic>& observer = *this;
   walker_.emplace(body_.build.chain, *body_.joints, options_, control_, body_.work, committed_,
                   previous_, observer);
@@ -83,6 +91,11 @@ void ChainRunner<L, kElastic>::walk_on() {
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::finish() {
   Response& response = *response_;
+  if (body_.record.lacks_last_shape(response)) {
+    // It has ended early. That is rare, and the path is the same once more.
+    body_.record.shapes_on_demand(false);
+    if (begin_path()) walk_on();
+  }
   response.status = walker_->status();
   body_.record.end_frames(response);
   response.counters = walker_->counters();
@@ -93,6 +106,15 @@ void ChainRunner<L, kElastic>::finish() {
   }
   const auto& strain = body_.strains.strain;
   response.permanent_strain = *std::max_element(strain.begin(), strain.end());
+}
+
+template <class L, bool kElastic>
+bool ChainRunner<L, kElastic>::needs_all() const {
+  const auto& supports = body_.model.scene.supports;
+  return !body_.build.chain.ground_joints.empty() || body_.watch.active() ||
+         std::any_of(supports.begin(), supports.end(),
+                     [](const Support& s) { return s.moves(); }) ||
+         (walker_->records_next() && body_.record.needs_chain(response_->samples, *response_));
 }
 
 template <class L, bool kElastic>

@@ -29,8 +29,9 @@ template <class L, bool kElastic>
 void ChainRecord<L, kElastic>::add_work(const Work& w) {
   const auto& supports = model_->scene.supports;
   for (std::size_t s = 0; s < supports.size(); ++s) {
+    if (!supports[s].moves()) continue;
     const std::array<double, 6> force = reaction(w, s);
-    if (begun_ && supports[s].moves()) {
+    if (begun_) {
       const double moved = supports[s].history.at(w.time) - supports[s].history.at(time_);
       for (std::size_t k = 0; k < 3; ++k) {
         external_ += 0.5 * (force[k] + support_force_[s][k]) * supports[s].translation[k] * moved;
@@ -43,7 +44,10 @@ void ChainRecord<L, kElastic>::add_work(const Work& w) {
   if (begun_) {
     for (const auto& load : build_->chain.loads) external_ += load_work(load, w);
   }
-  placement_ = w.placement;
+  for (const auto& load : build_->chain.loads) {
+    placement_.frame[load.segment] = w.placement.frame[load.segment];
+    placement_.position[load.segment] = w.placement.position[load.segment];
+  }
   time_ = w.time;
   begun_ = true;
 }

@@ -50,6 +50,7 @@ class PathLanes final : public LaneProgram {
     bool seeks = false;
     bool found = false;      ///< what it sought, or that it cannot be found
     bool converged = false;  ///< which of both
+    bool placed = false;     ///< the segments' places were read, and no more is needed
     int iteration = 0;
   };
 
@@ -84,7 +85,7 @@ class PathLanes final : public LaneProgram {
   std::span<const LaneCase> waiting_;
   std::vector<std::size_t> shape_;  ///< of what is in the lanes
   std::vector<std::size_t> new_shape_;
-  std::vector<double> numbers_;
+  std::vector<double> numbers_, found_;
 };
 
 /// Of both levels that lanes have (path_lanes_*.cpp).

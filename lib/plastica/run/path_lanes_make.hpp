@@ -79,6 +79,8 @@ bool PathLanes<L>::begin(int lane, const LaneCase& next) {
     if (shape_.empty()) {
       shape_ = new_shape_;
       newton_->take_shape(shape_.data());
+      constexpr std::size_t kOfSegment = 12;  // its frame and place, more than its joint's unknowns
+      found_.resize(kOfSegment * (chain.size() + 1) + chain.closures.size());
     }
     const auto one_sided = [](const auto& closure) { return closure.one_sided; };
     if (shape_ == new_shape_ &&
@@ -127,11 +129,16 @@ void PathLanes<L>::judge(int lane, double imbalance) {
     return;
   }
   auto& work = one.runner->body().work;
-  newton_->read(lane, numbers_.data());
-  chain::FieldReader reader{numbers_.data()};
+  newton_->read(lane, found_.data());
+  chain::FieldReader reader{found_.data()};
   chain::visit_unknowns(reader, work.q);
   reader.number(work.moment_scale);
   reader.number(work.force_scale);
+  one.placed = one.converged && !one.runner->needs_all();
+  if (!one.placed) return;
+  newton_->read_places(lane, found_.data());
+  chain::FieldReader places{found_.data()};
+  chain::visit_places(places, work.placement);
 }
 
 template <class L>
@@ -139,7 +146,10 @@ void PathLanes<L>::take_found(int lane) {
   Lane& one = lanes_[static_cast<std::size_t>(lane)];
   auto& body = one.runner->body();
   auto& work = body.work;
-  if (one.converged) {
+  if (one.placed) {
+    std::copy(work.q.angle.begin(), work.q.angle.end(), work.angles.begin());
+    body.joints->evaluate(work.angles, work.q.shift, work.joints);
+  } else if (one.converged) {
     solve::detail::assemble(body.build.chain, *body.joints, work);
     work.recursion.sum(body.build.chain, work.q, work.placement, work.stage, work.joints,
                        work.outer_forces, work.transmitted);

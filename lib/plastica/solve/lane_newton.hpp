@@ -36,6 +36,8 @@ class LaneNewton {
 
   /// @param found  unknowns and scales of imbalance
   virtual void read(int lane, double* found) = 0;
+  /// @param places  of the segments, where the last `evaluate` has placed them
+  virtual void read_places(int lane, double* places) = 0;
 };
 
 /// Makes the iterations of a level and law, to be deleted.

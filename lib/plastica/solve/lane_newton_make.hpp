@@ -98,6 +98,11 @@ class LaneNewtonOf final : public LaneNewton {
     reader.number(work_.force_scale);
   }
 
+  void read_places(int lane, double* places) override {
+    LaneReader reader{lane, places};
+    chain::visit_places(reader, work_.placement);
+  }
+
  private:
   struct VisitLaw {
     template <class V>

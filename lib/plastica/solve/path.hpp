@@ -69,6 +69,9 @@ class PathWalker {
     return go_on(trial);
   }
 
+  /// Whether what is sought, once taken, is recorded.
+  bool records_next() const { return next_ == options_.stops[stop_] && options_.recorded[stop_]; }
+
   /// Seeks this one and all that follow.
   void walk_on() {
     bool seeks = true;
