@@ -118,12 +118,12 @@ inline Dual<T, N> exp(const Dual<T, N>& x) {
   return power;
 }
 
-template <class T, std::size_t N>
-struct SineCosine<Dual<T, N>> {
+template <class T, std::size_t N, bool kFused>
+struct SineCosine<Dual<T, N>, kFused> {
   Dual<T, N> sine, cosine;
 
   explicit SineCosine(const Dual<T, N>& x) {
-    const SineCosine<T> at(x.value);
+    const SineCosine<T, kFused> at(x.value);
     sine = Dual<T, N>(at.sine);
     cosine = Dual<T, N>(at.cosine);
     for (std::size_t i = 0; i < N; ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -54,6 +55,9 @@ class PathLanes final : public LaneProgram {
     int iteration = 0;
   };
 
+  bool any_seeks() const {
+    return std::any_of(lanes_.begin(), lanes_.end(), [](const Lane& lane) { return lane.seeks; });
+  }
   void fill(int lane);
   bool begin(int lane, const LaneCase& one);
   void begin_seeking(int lane);

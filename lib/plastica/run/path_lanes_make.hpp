@@ -14,10 +14,9 @@ template <class L>
 void PathLanes<L>::run(std::span<const LaneCase> cases) {
   const auto began = std::chrono::steady_clock::now();
   waiting_ = cases;
-  shape_.clear();
+  for (Lane& lane : lanes_) lane.seeks = false;
   for (int lane = 0; lane < solve::kPathLanes; ++lane) fill(lane);
-  const auto seeks = [](const Lane& lane) { return lane.seeks; };
-  while (std::any_of(lanes_.begin(), lanes_.end(), seeks)) {
+  while (any_seeks()) {
     std::array<double, solve::kPathLanes> imbalance{};
     newton_->evaluate(imbalance.data());
     bool all_found = true;
@@ -76,7 +75,7 @@ bool PathLanes<L>::begin(int lane, const LaneCase& next) {
     with_joints(runner, [&](auto& joints) {
       joints.visit(writer, [](auto& v, auto& law) { chain::visit_law(v, law); });
     });
-    if (shape_.empty()) {
+    if (shape_ != new_shape_ && !any_seeks()) {
       shape_ = new_shape_;
       newton_->take_shape(shape_.data());
       constexpr std::size_t kOfSegment = 12;  // its frame and place, more than its joint's unknowns

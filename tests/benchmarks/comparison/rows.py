@@ -108,6 +108,16 @@ def iteration(level):
     return Ours("chain_benchmark", f"{level}/64", "per_segment_iteration")
 
 
+def iteration_in_lanes(level):
+    """On the widest instruction set that the machine has."""
+    return Ours("chain_benchmark", f"{level}_lanes/segments:64/isa:0", "per_segment_iteration")
+
+
+def paths(level, law, together):
+    name = f"bent_batch/{level}_{law}/together:{int(together)}/.*"
+    return Ours("path_benchmark", name, "per_scenario")
+
+
 def w1(level):
     return Ours("workload_benchmark", f"w1/{level}/.*", within=0.005)
 
@@ -159,6 +169,13 @@ ROWS = [
         "limit, 3×3", Shared("limit", "unbatched double", 3), want="≤ 3", brief=True),
     Row(STATICS, "spatial", iteration("spatial"),
         "limit, 6×6", Shared("limit", "unbatched double", 6), want="≤ 4", brief=True),
+    Row(STATICS, "planar, 8 lanes", iteration_in_lanes("planar"),
+        "limit, 3×3, 8 lanes", Shared("limit", "batched double x1", 3), want="≤ 3"),
+    Row(STATICS, "spatial, 8 lanes", iteration_in_lanes("spatial"),
+        "limit, 6×6, 8 lanes", Shared("limit", "batched double x1", 6), want="≤ 4"),
+    *(Row(STATICS, f"a batch of paths, {level}, {law}, a scenario", paths(level, law, True),
+          "one by one", paths(level, law, False), True, want="≥ 5")
+      for level in ("planar", "spatial") for law in ("elastic", "yielding")),
 
     Row(W1, "planar", w1("planar"), "MuJoCo hinges",
         Shared("w1", "mujoco", "hinge_euler", 0.005), True, brief=True),
