@@ -1,0 +1,67 @@
+#include "calibrate/store/scene_result_bytes.hpp"
+
+#include <string>
+
+#include "calibrate/store/coders.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using store::A;
+
+constexpr const char* kSource = "a record of a fit through scenes";
+
+void code(auto& coder, A<SceneParameter> auto& p) {
+  coder(p.path, p.dimension, p.value, p.start, p.lower, p.upper, p.standard_error, p.interval_low,
+        p.interval_high, p.at_bound, p.verdict, p.verdict_number);
+}
+
+void code(auto& coder, A<ScenePartFit> auto& p) {
+  coder(p.name, p.level, p.samples, p.cost, p.noise, p.misfit_share, p.runs_probability, p.fitted,
+        p.break_strain);
+}
+
+void code(auto& coder, A<SceneStart> auto& s) {
+  coder(s.from, s.to, s.cost, s.outcome, s.evaluations);
+}
+
+void code(auto& coder, A<SceneFitResult> auto& r) {
+  const auto item = [](auto& to, auto& each) { code(to, each); };
+  coder(r.status, r.reason);
+  coder.each(r.parameters, item);
+  coder(r.correlation);
+  coder.each(r.parts, item);
+  coder(r.degrees_of_freedom);
+  coder.each(r.starts, item);
+  coder(r.outcome, r.runs, r.failed_runs, r.segment_iterations, r.warnings);
+}
+
+/// Not inlined, for the same reason as in record_bytes.cpp.
+[[gnu::noinline]] void put_version(io::ByteWriter& writer) { writer.put(kSceneResultVersion); }
+
+}  // namespace
+
+std::vector<std::byte> bytes_of(const SceneFitResult& result) {
+  io::ByteWriter writer;
+  put_version(writer);
+  store::Putter putter(writer);
+  code(putter, result);
+  return writer.take();
+}
+
+SceneFitResult scene_result_from_bytes(std::span<const std::byte> bytes) {
+  io::ByteReader reader(bytes, kSource);
+  const auto version = reader.get<std::uint32_t>();
+  if (version != kSceneResultVersion) {
+    throw io::StorageError(kSource, "has version " + std::to_string(version) +
+                                        ", this library reads version " +
+                                        std::to_string(kSceneResultVersion));
+  }
+  SceneFitResult result;
+  store::Getter getter(reader);
+  code(getter, result);
+  reader.expect_end();
+  return result;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "calibrate/scene/scene_fit_record.hpp"
+#include "tests/calibrate/store/same_bits.hpp"
+
+namespace plastica::calibrate {
+
+// As in same_bits.hpp: what is new does not compile until it is named here.
+inline auto members(const SceneBreak& v) {
+  const auto& [a, b] = v;
+  return std::tie(a, b);
+}
+inline auto members(const SceneTarget& v) {
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
+}
+inline auto members(const SceneParameter& v) {
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
+}
+inline auto members(const ScenePartFit& v) {
+  const auto& [a, b, c, d, e, f, g, h, i] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i);
+}
+inline auto members(const SceneStart& v) {
+  const auto& [a, b, c, d, e] = v;
+  return std::tie(a, b, c, d, e);
+}
+inline auto members(const SceneFitResult& v) {
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
+}
+inline auto members(const SceneFitRecord& v) {
+  const auto& [a, b, c, d] = v;
+  return std::tie(a, b, c, d);
+}
+
+/// SYNTHETIC: two targets, three parameters, three starts; no field has its default.
+inline SceneFitRecord filled_scene_record(const std::string& name) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  SceneTarget bent;
+  bent.name = name + ", bent";
+  bent.kind = Abscissa::Support;
+  bent.driven = 1;
+  bent.abscissa = {0.0, 0.01, 0.02, 0.03, 0.02};
+  bent.ordinate = {-0.0, 95.0, 190.0, 210.0, 120.0};
+  bent.ordinate_probe = "force";
+  bent.abscissa_is = Dimension::Length;
+  bent.ordinate_is = Dimension::Force;
+  bent.abscissa_factor = -1.0;
+  bent.ordinate_factor = 2.0;
+  bent.noise = 1.5;
+  bent.broke = SceneBreak{0.029, 0.0005};
+  SceneTarget twisted;
+  twisted.name = name + ", verdreht ä";
+  twisted.abscissa = {0.0, 0.1, 0.2};
+  twisted.ordinate = {0.0, 5.0, 6.0};
+  twisted.abscissa_probe = "twist";
+  twisted.ordinate_probe = "torque";
+  twisted.abscissa_is = Dimension::Angle;
+  twisted.ordinate_is = Dimension::Moment;
+
+  SceneFitResult r;
+  r.status = FitStatus::Fitted;
+  r.reason = "none";
+  r.parameters = {{"material.youngs_modulus", Dimension::Stress, 205e9, 200e9, 50e9, 500e9, 1.2e9,
+                   202.6e9, 207.4e9, false, Verdict::Identified, 1.2 / 205.0},
+                  {"material.yield_stress", Dimension::Stress, 380e6, 300e6, 100e6, 380e6, kNan,
+                   kNan, kNan, true, Verdict::AtBound, 380e6},
+                  {"material.break_strain", Dimension::Strain, 0.021, 0.05, 1e-4, 1.0, 4e-4, 0.0202,
+                   0.0218, false, Verdict::LimitedBySampling, 0.018}};
+  r.correlation = {1.0, kNan, -0.97, kNan, 1.0, kNan, -0.97, kNan, 1.0};
+  r.parts = {{bent.name,
+              Level::Planar,
+              5,
+              12.0,
+              1.5,
+              0.008,
+              kNan,
+              {0.0, 96.0, 189.0, 211.0, 119.0},
+              0.021},
+             {twisted.name, Level::Twist, 3, 0.02, 0.1, 0.02, 0.004, {0.0, 5.1, 5.9}, kNan}};
+  r.degrees_of_freedom = 6.5;
+  r.starts = {
+      {{200e9, 300e6}, {205e9, 380e6}, 7.1, LeastSquaresOutcome::StepReached, 31},
+      {{90e9, 1e9}, {}, std::numeric_limits<double>::infinity(), LeastSquaresOutcome::NoStart, 1},
+      {{400e9, 200e6}, {204e9, 379e6}, 7.4, LeastSquaresOutcome::Stalled, 44}};
+  r.outcome = LeastSquaresOutcome::StepReached;
+  r.runs = 130;
+  r.failed_runs = 2;
+  r.segment_iterations = 9'000'000'000;
+  r.warnings = {"the break is two samples wide", "", "ß"};
+  return {name, {bent, twisted}, {1.0, 0.25}, r};
+}
+
+/// A fit that could not be made.
+inline SceneFitRecord failed_scene_record(const std::string& name) {
+  SceneFitRecord record = filled_scene_record(name);
+  SceneFitResult& r = record.result;
+  const SceneFitResult none;
+  r.status = FitStatus::Failed;
+  r.reason = "no curve at the start";
+  r.correlation.clear();
+  for (ScenePartFit& part : r.parts) part.fitted.clear();
+  r.starts.resize(1);
+  r.starts[0].to.clear();
+  r.outcome = none.outcome;
+  return record;
+}
+
+}  // namespace plastica::calibrate
