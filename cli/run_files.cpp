@@ -67,8 +67,13 @@ std::optional<double> seconds_of(std::string_view option, const std::string& tex
 
 void check_outputs(const calibrate::FitFile& file, const std::string& output,
                    const std::string& json, bool force) {
+  check_outputs(files_read(file), output, json, force);
+}
+
+void check_outputs(std::span<const std::string> read, const std::string& output,
+                   const std::string& json, bool force) {
   const auto check = [&](std::string_view option, const std::string& path) {
-    for (const std::string& input : files_read(file)) refuse_input(option, path, input);
+    for (const std::string& input : read) refuse_input(option, path, input);
   };
   check("--output", output);
   io::check_output_path(output, force);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,9 @@ std::optional<double> seconds_of(std::string_view option, const std::string& tex
 /// @param json  empty: none is asked for
 /// @throws InputError
 void check_outputs(const calibrate::FitFile& file, const std::string& output,
+                   const std::string& json, bool force);
+/// @param read  the files that the run reads
+void check_outputs(std::span<const std::string> read, const std::string& output,
                    const std::string& json, bool force);
 
 }  // namespace plastica::cli

@@ -1,48 +1,19 @@
 #include "calibrate/config/fit_file.hpp"
 
 #include <filesystem>
-#include <map>
 #include <set>
 #include <utility>
 
-#include "calibrate/config/find_files.hpp"
 #include "calibrate/config/read_fit_options.hpp"
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/config/read_target.hpp"
+#include "calibrate/config/target_files.hpp"
 #include "plastica/io/toml.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 using io::TomlTable;
-using io::TomlValue;
-
-/// `files` as single patterns, each with its own place for errors.
-std::vector<TomlValue> patterns_of(const TomlValue& files) {
-  (void)files.strings();
-  return files.is_array() ? files.array() : std::vector<TomlValue>{files};
-}
-
-/// The files that a target's patterns match, each once.
-std::vector<std::string> files_of(const TomlTable& table, const std::string& folder) {
-  std::vector<std::string> files;
-  std::map<std::string, int> lines;
-  for (const TomlValue& pattern : patterns_of(table.at("files"))) {
-    const std::vector<std::string> found = find_files(folder, pattern.string());
-    if (found.empty()) {
-      throw pattern.error("matches no file" + (folder.empty() ? "" : " in " + folder));
-    }
-    for (const std::string& file : found) {
-      files.push_back(std::filesystem::path(file).lexically_normal().string());
-      const auto [known, is_new] = lines.emplace(files.back(), pattern.where().line);
-      if (!is_new) {
-        throw pattern.error("matches " + files.back() + ", which line " +
-                            std::to_string(known->second) + " has already");
-      }
-    }
-  }
-  return files;
-}
 
 /// A modulus that the fit holds fixed is also that of the characteristics, unless the target says
 /// otherwise: a proof stress should not be found with another one.
@@ -75,7 +46,7 @@ std::vector<TargetBlock> read_targets(const TomlTable& root, const std::string& 
     TargetBlock block = defaults;
     block.source.where = table.where();
     read_target(table, folder, block);
-    block.source.files = files_of(table, folder);
+    block.source.files = target_files(table, folder);
     table.check_unused();
     check_target(table, block.source);
     check_material_is_given(root, parameters, block.source.test);

@@ -17,9 +17,12 @@ constexpr std::string_view kAuto = "auto";
 
 std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 
-const Field* material_field(std::string_view name) {
+/// A material field by its path or its last part; of a fit through scenes any number by its path.
+const Field* parameter_field_or_null(std::string_view name, ParameterScope scope) {
   for (const Field& field : fields()) {
     if (field.material && (field.path == name || last_part(field.path) == name)) return &field;
+    const bool any = scope == ParameterScope::Scene && field.kind == FieldKind::Number;
+    if (any && field.path == name) return &field;
   }
   return nullptr;
 }
@@ -64,16 +67,32 @@ struct Keys {
         factor(table.find("factor")),
         bounds(table.find("bounds")),
         start(table.find("start")),
-        scale(table.find("scale")) {}
+        scale(table.find("scale")),
+        prior(table.find("prior")) {}
 
-  std::optional<TomlValue> value, fixed, tie, factor, bounds, start, scale;
+  std::optional<TomlValue> value, fixed, tie, factor, bounds, start, scale, prior;
 };
 
 void refuse(const std::optional<TomlValue>& value, std::string_view rule) {
   if (value) throw value->error(rule);
 }
 
-void read_free(const Keys& keys, Parameter& parameter) {
+/// { mean = ..., standard_deviation = ... }
+Prior read_prior(const TomlValue& value, const Field& field, ParameterScope scope) {
+  if (scope != ParameterScope::Scene) {
+    throw value.error(
+        "goes with targets that name a scene; an objective over the strain path has "
+        "no noise to weigh it by");
+  }
+  const TomlTable table = value.table();
+  const TomlValue deviation = table.at("standard_deviation");
+  const Prior prior{table.at("mean").quantity(field.dimension),
+                    deviation.quantity(field.dimension)};
+  if (!(prior.standard_deviation > 0.0)) throw deviation.error("must be above 0");
+  return prior;
+}
+
+void read_free(const Keys& keys, ParameterScope scope, Parameter& parameter) {
   refuse(keys.value, "needs fixed = true beside it; a free parameter's first value is its start");
   refuse(keys.factor, "belongs to a tie");
   if (keys.bounds) read_bounds(*keys.bounds, parameter);
@@ -83,6 +102,7 @@ void read_free(const Keys& keys, Parameter& parameter) {
     const bool above = parameter.upper && *parameter.value > *parameter.upper;
     if (below || above) throw keys.start->error("must be within the bounds");
   }
+  if (keys.prior) parameter.prior = read_prior(*keys.prior, *parameter.field, scope);
   if (!keys.scale) return;
   parameter.scale = scale_of(*keys.scale);
   const bool logarithmic = parameter.scale == ParameterScale::Logarithmic;
@@ -92,15 +112,16 @@ void read_free(const Keys& keys, Parameter& parameter) {
   }
 }
 
-void read_tied(const Keys& keys, Parameter& parameter) {
+void read_tied(const Keys& keys, ParameterScope scope, Parameter& parameter) {
   constexpr std::string_view kRule = "cannot go with a tie";
+  refuse(keys.prior, kRule);
   refuse(keys.bounds, kRule);
   refuse(keys.start, kRule);
   refuse(keys.scale, kRule);
   refuse(keys.value, kRule);
   refuse(keys.fixed, kRule);
   parameter.role = ParameterRole::Tied;
-  const Field* other = material_field(keys.tie->string());
+  const Field* other = parameter_field_or_null(keys.tie->string(), scope);
   if (other == nullptr) throw keys.tie->error("is not the name of a parameter");
   if (other == parameter.field) throw keys.tie->error("a parameter cannot be tied to itself");
   if (other->dimension != parameter.field->dimension) {
@@ -117,6 +138,7 @@ void read_tied(const Keys& keys, Parameter& parameter) {
 
 void read_fixed(const Keys& keys, const TomlTable& table, Parameter& parameter) {
   constexpr std::string_view kRule = "cannot go with fixed = true";
+  refuse(keys.prior, kRule);
   refuse(keys.bounds, kRule);
   refuse(keys.start, kRule);
   refuse(keys.scale, kRule);
@@ -125,7 +147,7 @@ void read_fixed(const Keys& keys, const TomlTable& table, Parameter& parameter) 
   parameter.value = value_of(table.at("value"), *parameter.field);
 }
 
-Parameter read_parameter(const TomlValue& value, const Field& field) {
+Parameter read_parameter(const TomlValue& value, const Field& field, ParameterScope scope) {
   Parameter parameter;
   parameter.field = &field;
   parameter.where = value.where();
@@ -140,40 +162,40 @@ Parameter read_parameter(const TomlValue& value, const Field& field) {
   const TomlTable table = value.table();
   const Keys keys(table);
   if (keys.tie) {
-    read_tied(keys, parameter);
+    read_tied(keys, scope, parameter);
   } else if (keys.fixed && keys.fixed->boolean()) {
     read_fixed(keys, table, parameter);
   } else {
-    read_free(keys, parameter);
+    read_free(keys, scope, parameter);
   }
   return parameter;
 }
 
 /// Whether fields lie below a name: "hardening" below "material.".
-bool is_folder(const std::string& path) {
+bool is_folder(const std::string& path, ParameterScope scope) {
   return std::any_of(fields().begin(), fields().end(), [&](const Field& field) {
-    return field.material && field.path.starts_with(path + ".");
+    return (field.material || scope == ParameterScope::Scene) && field.path.starts_with(path + ".");
   });
 }
 
 /// @param prefix  of a path that is written with dots, such as material.yield_stress
-void collect(const TomlTable& table, const std::string& prefix,
+void collect(const TomlTable& table, const std::string& prefix, ParameterScope scope,
              std::vector<Parameter>& parameters) {
   for (const std::string& key : table.keys()) {
     const TomlValue value = table.at(key);
     const std::string name = prefix + key;
-    if (value.is_table() && is_folder(name)) {
-      collect(value.table(), name + ".", parameters);
+    if (value.is_table() && is_folder(name, scope)) {
+      collect(value.table(), name + ".", scope, parameters);
       continue;
     }
-    const Field& field = parameter_field(name, value.where(), value.key());
+    const Field& field = parameter_field(name, value.where(), value.key(), scope);
     for (const Parameter& other : parameters) {
       if (other.field == &field) {
         throw InputError(value.where(), value.key(), "",
                          "is the parameter of line " + std::to_string(other.where.line) + ", too");
       }
     }
-    parameters.push_back(read_parameter(value, field));
+    parameters.push_back(read_parameter(value, field, scope));
   }
 }
 
@@ -213,8 +235,8 @@ std::vector<Parameter> default_parameters() {
 }
 
 const Field& parameter_field(std::string_view name, const SourceLocation& where,
-                             std::string_view key) {
-  if (const Field* field = material_field(name)) return *field;
+                             std::string_view key, ParameterScope scope) {
+  if (const Field* field = parameter_field_or_null(name, scope)) return *field;
   std::vector<std::string> names;
   for (const Field& field : fields()) {
     if (field.material) names.emplace_back(last_part(field.path));
@@ -231,11 +253,11 @@ const Field& parameter_field(std::string_view name, const SourceLocation& where,
   throw InputError(where, key, "", rule);
 }
 
-std::vector<Parameter> read_parameters(const TomlTable& fit) {
+std::vector<Parameter> read_parameters(const TomlTable& fit, ParameterScope scope) {
   const auto table = fit.find_table("parameters");
   if (!table || table->keys().empty()) return default_parameters();
   std::vector<Parameter> parameters;
-  collect(*table, "", parameters);
+  collect(*table, "", scope, parameters);
   check_ties(parameters);
   const bool any_free = std::any_of(parameters.begin(), parameters.end(), [](const Parameter& p) {
     return p.role == ParameterRole::Free;

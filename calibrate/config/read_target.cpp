@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "calibrate/config/read_csv_options.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::calibrate {
@@ -14,10 +15,6 @@ namespace {
 
 using io::TomlTable;
 using io::TomlValue;
-
-std::string column_name(const TomlValue& value) {
-  return value.is_number() ? std::to_string(value.integer(1, 1'000'000)) : value.string();
-}
 
 /// The key `unit` of a column's table, checked.
 std::optional<std::string> read_unit(const TomlTable& table, Dimension dimension) {
@@ -59,22 +56,6 @@ SpecimenValue read_specimen_value(const TomlValue& value, Dimension dimension) {
   return specimen;
 }
 
-void read_csv(const TomlTable& table, io::CsvOptions& csv) {
-  static constexpr std::array<std::string_view, 4> kSeparators{",", ";", "tab", "\t"};
-  static constexpr std::array<std::string_view, 2> kDecimals{".", ","};
-  const auto separator = table.find("separator");
-  if (separator) csv.separator = std::string_view(",;\t\t")[separator->word(kSeparators)];
-  if (const auto value = table.find("decimal")) {
-    csv.decimal = kDecimals[value->word(kDecimals)][0];
-    if (csv.separator == csv.decimal) throw value->error("is the separator, too");
-  } else if (separator && csv.separator == csv.decimal) {
-    throw separator->error("is the decimal mark, too");
-  }
-  if (const auto value = table.find("header")) {
-    csv.header = static_cast<std::size_t>(value->integer(0, 1'000'000));
-  }
-}
-
 TableSource read_table(const TomlValue& value, const std::string& folder) {
   const TomlTable table = value.table();
   const TomlValue file = table.at("file");
@@ -86,7 +67,7 @@ TableSource read_table(const TomlValue& value, const std::string& folder) {
   source.file = path.lexically_normal().string();
   source.key = column_name(table.at("key"));
   source.where = value.where();
-  read_csv(table, source.csv);
+  read_csv_options(table, source.csv);
   return source;
 }
 
@@ -269,7 +250,7 @@ void read_target(const TomlTable& table, const std::string& folder, TargetBlock&
   read_columns(table, source);
   if (const auto value = table.find("table")) source.table = read_table(*value, folder);
   if (const auto value = table.find("group")) source.group = value->strings();
-  read_csv(table, source.csv);
+  read_csv_options(table, source.csv);
   if (const auto corrections = table.find_table("corrections")) {
     read_corrections(*corrections, options);
   }

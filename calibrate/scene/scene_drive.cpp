@@ -24,7 +24,7 @@ bool is_constant(const History& history) {
 
 /// One history of a scene and what it scales.
 struct Driven {
-  std::string name;  ///< "support[1]", for error lines
+  std::string name;  ///< of the second support "support[2]", as files name it
   Vector straight{};
   Vector turning{};
   Dimension straight_is = Dimension::None;
@@ -39,12 +39,12 @@ std::vector<Driven> histories_of(Scene& scene) {
   std::vector<Driven> all;
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     Support& s = scene.supports[i];
-    all.push_back({fmt::format("support[{}]", i), s.translation, s.rotation, Dimension::Length,
+    all.push_back({fmt::format("support[{}]", i + 1), s.translation, s.rotation, Dimension::Length,
                    Dimension::Angle, &s.history});
   }
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
     Load& load = scene.loads[i];
-    all.push_back({fmt::format("load[{}]", i), load.force, load.moment, Dimension::Force,
+    all.push_back({fmt::format("load[{}]", i + 1), load.force, load.moment, Dimension::Force,
                    Dimension::Moment, &load.history});
   }
   return all;
@@ -54,10 +54,9 @@ std::size_t index_of(const Scene& scene, const SceneTarget& target, const Source
   const bool support = target.kind == Abscissa::Support;
   const std::size_t count = support ? scene.supports.size() : scene.loads.size();
   if (target.driven >= count) {
-    throw InputError(where, "drive",
-                     fmt::format("{}[{}]", support ? "support" : "load", target.driven),
-                     count == 0 ? "the scene has none"
-                                : fmt::format("the scene has {} of them, from 0 on", count));
+    throw InputError(
+        where, "drive", fmt::format("{}[{}]", support ? "support" : "load", target.driven + 1),
+        count == 0 ? "the scene has none" : fmt::format("the scene has {} of them", count));
   }
   return target.driven + (support ? 0 : scene.supports.size());
 }

@@ -7,6 +7,12 @@
 
 namespace plastica::calibrate {
 
+/// One fit of several that are run together.
+struct SceneFitCase {
+  std::string name;  ///< the target's; of a fit that shares its parameters the file's
+  std::vector<ScenePart> parts;
+};
+
 /// One fit through scenes, what it was held against and what came out: what a file holds of it, and
 /// reports and pictures are made of.
 struct SceneFitRecord {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "calibrate/config/read_parameters.hpp"
+#include "calibrate/scene/scene_fit_digest.hpp"
 #include "plastica/io/digest.hpp"
 #include "plastica/io/text_file.hpp"
 
@@ -79,7 +80,7 @@ FitPlan read_fit_plan(const TomlTable& fit, const std::string& path, const Scene
   source.where = fit.where();
   plan.target = calibrate::read_scene_target(source, scene, std::move(wanted));
   (void)fit.at("parameters");
-  plan.options.parameters = calibrate::read_parameters(fit);
+  plan.options.parameters = calibrate::read_parameters(fit, calibrate::ParameterScope::Scene);
   plan.options.evaluations = whole(fit, "evaluations", plan.options.evaluations, 1'000'000);
   plan.options.starts = whole(fit, "starts", plan.options.starts, 1000);
   if (const auto seed = fit.find("seed")) {
@@ -91,19 +92,8 @@ FitPlan read_fit_plan(const TomlTable& fit, const std::string& path, const Scene
 
 std::uint64_t digest_of(const FitPlan& plan) {
   io::Digest digest;
-  const calibrate::SceneTarget& t = plan.target;
-  digest.reals(t.abscissa).reals(t.ordinate).text(t.abscissa_probe).text(t.ordinate_probe);
-  digest.real(t.abscissa_factor).real(t.ordinate_factor).real(t.noise.value_or(0.0));
-  digest.real(t.broke ? t.broke->at : -1.0).real(t.broke ? t.broke->half_interval : -1.0);
-  const calibrate::SceneFitOptions& o = plan.options;
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  for (const calibrate::Parameter& p : o.parameters) {
-    digest.text(p.field->path).integer(static_cast<std::uint64_t>(p.role));
-    digest.integer(static_cast<std::uint64_t>(p.scale)).real(p.value.value_or(kNone));
-    digest.real(p.lower.value_or(kNone)).real(p.upper.value_or(kNone));
-  }
-  digest.integer(static_cast<std::uint64_t>(o.evaluations)).real(o.tolerance);
-  digest.integer(static_cast<std::uint64_t>(o.starts)).integer(o.seed);
+  calibrate::add_to(digest, plan.target);
+  calibrate::add_to(digest, plan.options);
   return digest.value();
 }
 

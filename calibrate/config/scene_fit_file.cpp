@@ -1,0 +1,232 @@
+#include "calibrate/config/scene_fit_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "calibrate/config/read_csv_options.hpp"
+#include "calibrate/config/read_parameters.hpp"
+#include "calibrate/config/target_files.hpp"
+#include "calibrate/scene/scene_model.hpp"
+#include "plastica/io/scene_file.hpp"
+#include "plastica/io/text_file.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using io::TomlTable;
+using io::TomlValue;
+
+constexpr int kMostEvaluations = 1'000'000;
+constexpr int kMostStarts = 10'000;
+
+/// Column, unit and factor of one of both axes.
+ColumnSource read_column(const TomlTable& axis, double& factor) {
+  ColumnSource source;
+  const TomlValue column = axis.at("column");
+  source.column = column_name(column);
+  source.where = column.where();
+  if (const auto unit = axis.find("unit")) source.unit = unit->string();
+  if (const auto value = axis.find("factor")) {
+    factor = value->number();
+    if (factor == 0.0) throw value->error("must not be 0");
+  }
+  return source;
+}
+
+/// "strain", "support[2]" or "load[1]", by its number from 1 on.
+void read_drive(const TomlValue& value, SceneTarget& target) {
+  const std::string& word = value.string();
+  if (word == "strain") {
+    target.kind = Abscissa::Strain;
+    return;
+  }
+  for (const auto& [name, kind] : {std::pair{std::string_view("support["), Abscissa::Support},
+                                   std::pair{std::string_view("load["), Abscissa::Load}}) {
+    if (!word.starts_with(name) || !word.ends_with(']')) continue;
+    const char* first = word.data() + name.size();
+    const char* last = word.data() + word.size() - 1;
+    const auto [end, error] = std::from_chars(first, last, target.driven);
+    if (error != std::errc{} || end != last || first == last) break;
+    if (target.driven == 0) break;
+    --target.driven;
+    target.kind = kind;
+    return;
+  }
+  throw value.error("must be \"strain\", \"support[I]\" or \"load[I]\", I its number from 1 on");
+}
+
+/// What the abscissa is: { probe = ... }, { drive = ... } or { time = true }.
+void read_kind(const TomlTable& axis, SceneTarget& target) {
+  const auto probe = axis.find("probe");
+  const auto drive = axis.find("drive");
+  const auto time = axis.find("time");
+  const int given = (probe ? 1 : 0) + (drive ? 1 : 0) + (time ? 1 : 0);
+  if (given != 1) {
+    throw InputError(axis.where(), axis.key(), "",
+                     "needs one of probe (compared along the scene's own path), drive (the scene "
+                     "follows what was measured) and time = true");
+  }
+  if (probe) target.abscissa_probe = probe->string();
+  if (drive) read_drive(*drive, target);
+  if (time) {
+    if (!time->boolean()) throw time->error("must be true, or left out");
+    target.kind = Abscissa::Time;
+  }
+}
+
+/// What the targets of a table have in common.
+struct TargetTable {
+  ScenePart part;
+  SceneTargetSource source;
+};
+
+class Reader {
+ public:
+  Reader(const io::TomlDocument& document, const std::string& path)
+      : root_(document.root()), folder_(std::filesystem::path(path).parent_path().string()) {
+    file_.path = path;
+    add_input(path, document.text());
+  }
+
+  SceneFitFile read() {
+    const auto fit = root_.find_table("fit");
+    if (!fit) throw InputError({root_.where().file, 0}, "fit", "", "is missing");
+    read_options(*fit);
+    const auto shared = fit->find("shared");
+    const bool together = !shared || shared->boolean();
+    for (const TomlTable& table : root_.find_tables("target")) read_target(table, together);
+    root_.check_unused();
+    return std::move(file_);
+  }
+
+ private:
+  void add_input(const std::string& path, std::string text) {
+    const std::string name = std::filesystem::path(path).filename().string();
+    if (std::find(file_.read_files.begin(), file_.read_files.end(), path) !=
+        file_.read_files.end()) {
+      return;
+    }
+    file_.read_files.push_back(path);
+    file_.inputs.push_back({name, std::move(text)});
+  }
+
+  void read_options(const TomlTable& fit) {
+    SceneFitOptions& options = file_.options;
+    (void)fit.at("parameters");
+    options.parameters = read_parameters(fit, ParameterScope::Scene);
+    const auto whole = [&](std::string_view key, int high, int& value) {
+      if (const auto found = fit.find(key)) value = static_cast<int>(found->integer(1, high));
+    };
+    whole("evaluations", kMostEvaluations, options.evaluations);
+    whole("starts", kMostStarts, options.starts);
+    if (const auto seed = fit.find("seed")) {
+      options.seed =
+          static_cast<std::uint64_t>(seed->integer(0, std::numeric_limits<std::int64_t>::max()));
+    }
+    if (const auto tolerance = fit.find("tolerance")) {
+      options.tolerance = tolerance->number_within(0.0, 1.0, false);
+    }
+    if (const auto confidence = fit.find("confidence")) {
+      options.confidence = confidence->quantity(Dimension::None);
+      if (options.confidence <= 0.0 || options.confidence >= 1.0) {
+        throw confidence->error("must be above 0 % and below 100 %");
+      }
+    }
+  }
+
+  void read_target(const TomlTable& table, bool together) {
+    const TargetTable target = read_table(table);
+    for (const std::string& path : target_files(table, folder_)) {
+      ScenePart part = target.part;
+      SceneTargetSource source = target.source;
+      source.file = path;
+      part.target = read_scene_target(source, part.setup.scene, std::move(part.target));
+      file_.read_files.push_back(path);
+      part.target.name = unique(part.target.name);
+      if (!together || file_.cases.empty()) {
+        const std::string stem = std::filesystem::path(file_.path).stem().string();
+        file_.cases.push_back({together ? stem : part.target.name, {}});
+      }
+      file_.cases.back().parts.push_back(std::move(part));
+    }
+    table.check_unused();
+  }
+
+  std::string unique(const std::string& name) {
+    std::string found = name;
+    for (int use = 2; !names_.insert(found).second; ++use) {
+      found = name + "#" + std::to_string(use);
+    }
+    return found;
+  }
+
+  TargetTable read_table(const TomlTable& table) {
+    TargetTable read;
+    ScenePart& part = read.part;
+    part.setup = read_scene(table.at("scene"));
+    io::read_setup(table, part.setup);
+    const TomlTable abscissa = table.at("abscissa").table();
+    const TomlTable ordinate = table.at("ordinate").table();
+    read_kind(abscissa, part.target);
+    const TomlValue probe = ordinate.at("probe");
+    part.target.ordinate_probe = probe.string();
+    read.source.abscissa = read_column(abscissa, part.target.abscissa_factor);
+    read.source.ordinate = read_column(ordinate, part.target.ordinate_factor);
+    read.source.where = table.where();
+    read_csv_options(table, read.source.csv);
+    if (const auto noise = table.find("noise")) {
+      const Scene& scene = part.setup.scene;
+      const std::size_t index =
+          probe_index(scene, part.target.ordinate_probe, probe.key(), probe.where());
+      part.target.noise =
+          noise->quantity(dimension_of(scene.probes[index].quantity, scene.drive.deformation));
+      if (!(*part.target.noise > 0.0)) throw noise->error("must be above 0");
+    }
+    if (const auto weight = table.find("weight")) {
+      part.weight = weight->number_within(0.0, std::numeric_limits<double>::infinity(), false);
+    }
+    return read;
+  }
+
+  Setup read_scene(const TomlValue& value) {
+    const auto path = std::filesystem::path(folder_) / value.string();
+    if (!std::filesystem::is_regular_file(path)) {
+      throw value.error("is not a file" + (folder_.empty() ? "" : " in " + folder_));
+    }
+    const std::string file = path.lexically_normal().string();
+    io::SceneFile scene = io::read_scene_file(file);
+    add_input(file, scene.text);
+    return std::move(scene.setup);
+  }
+
+  TomlTable root_;
+  std::string folder_;
+  std::set<std::string> names_;
+  SceneFitFile file_;
+};
+
+}  // namespace
+
+bool names_scenes(const std::string& path) {
+  const auto document = io::TomlDocument::read(path);
+  const std::vector<TomlTable> targets = document.root().find_tables("target");
+  return std::any_of(targets.begin(), targets.end(),
+                     [](const TomlTable& table) { return table.contains("scene"); });
+}
+
+SceneFitFile parse_scene_fit_file(std::string text, const std::string& path) {
+  return Reader(io::TomlDocument::parse(std::move(text), path), path).read();
+}
+
+SceneFitFile read_scene_fit_file(const std::string& path) {
+  return parse_scene_fit_file(io::TomlDocument::read(path).text(), path);
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calibrate/scene/scene_fit_record.hpp"
+#include "plastica/io/result_file.hpp"
+#include "plastica/io/toml.hpp"
+
+namespace plastica::calibrate {
+
+/// A fit file whose targets name scenes; calibrate/config/README.md lists its keys.
+struct SceneFitFile {
+  std::string path;                     ///< as the user gave it
+  std::vector<io::InputText> inputs;    ///< the fit file, then its scenes, each once
+  std::vector<std::string> read_files;  ///< all that was read, for those who must not write there
+  SceneFitOptions options;
+  std::vector<SceneFitCase> cases;
+};
+
+/// Whether any target of a fit file names a scene.
+bool names_scenes(const std::string& path);
+
+/// Reads a fit file, its scenes and its measured curves.
+/// @throws InputError naming file, line, key, value and rule, for the first thing that is wrong
+SceneFitFile read_scene_fit_file(const std::string& path);
+SceneFitFile parse_scene_fit_file(std::string text, const std::string& path);
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,45 @@
+#include "calibrate/scene/scene_fit_digest.hpp"
+
+#include <limits>
+
+#include "plastica/io/scene_digest.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+void add_to(io::Digest& digest, const SceneTarget& t) {
+  digest.integer(static_cast<std::uint64_t>(t.kind)).integer(t.driven);
+  digest.reals(t.abscissa).reals(t.ordinate).text(t.abscissa_probe).text(t.ordinate_probe);
+  digest.real(t.abscissa_factor).real(t.ordinate_factor).real(t.noise.value_or(kNone));
+  digest.real(t.broke ? t.broke->at : kNone).real(t.broke ? t.broke->half_interval : kNone);
+}
+
+void add_to(io::Digest& digest, const SceneFitOptions& options) {
+  for (const Parameter& p : options.parameters) {
+    digest.text(p.field->path).integer(static_cast<std::uint64_t>(p.role));
+    digest.integer(static_cast<std::uint64_t>(p.scale)).real(p.value.value_or(kNone));
+    digest.real(p.lower.value_or(kNone)).real(p.upper.value_or(kNone));
+    digest.text(p.tied_to != nullptr ? p.tied_to->path : "").real(p.factor);
+    digest.real(p.prior ? p.prior->mean : kNone);
+    digest.real(p.prior ? p.prior->standard_deviation : kNone);
+  }
+  digest.integer(static_cast<std::uint64_t>(options.evaluations)).real(options.tolerance);
+  digest.integer(static_cast<std::uint64_t>(options.starts)).integer(options.seed);
+  digest.real(options.confidence);
+}
+
+std::uint64_t digest_of(std::span<const ScenePart> parts, const SceneFitOptions& options) {
+  io::Digest digest;
+  for (const ScenePart& part : parts) {
+    digest.integer(io::scene_digest(part.setup)).real(part.weight);
+    add_to(digest, part.target);
+  }
+  add_to(digest, options);
+  return digest.value();
+}
+
+}  // namespace plastica::calibrate
