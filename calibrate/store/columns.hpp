@@ -12,6 +12,7 @@
 
 #include "calibrate/fit/options.hpp"
 #include "calibrate/fit/result.hpp"
+#include "calibrate/scene/scene_fit.hpp"
 #include "plastica/io/hdf5.hpp"
 
 /// Tables of a result file: a group with one dataset a column and an element a row; not installed.
@@ -22,6 +23,21 @@ namespace plastica::calibrate::store {
 
 /// How hard numbers are deflated: more costs much time and saves little.
 inline constexpr int kDeflate = 1;
+
+/// Enumerations whose words are those of `name_of`, which are all the same beyond the last.
+template <typename Enum>
+concept Named = std::is_same_v<Enum, Verdict> || std::is_same_v<Enum, LeastSquaresOutcome> ||
+    std::is_same_v<Enum, Dimension>;
+
+template <Named Enum>
+std::vector<std::string_view> all_names() {
+  const std::string_view none = name_of(static_cast<Enum>(-1));
+  std::vector<std::string_view> names;
+  for (int i = 0; name_of(static_cast<Enum>(i)) != none; ++i) {
+    names.push_back(name_of(static_cast<Enum>(i)));
+  }
+  return names;
+}
 
 /// The words of an enumeration in files, in the order of its enumerators.
 template <typename Enum>
@@ -48,6 +64,14 @@ std::span<const std::string_view> words_of() {
   } else if constexpr (std::is_same_v<Enum, Objective>) {
     static constexpr std::array kWords{"strain-path"sv, "least-squares"sv};
     return kWords;
+  } else if constexpr (std::is_same_v<Enum, Abscissa>) {
+    static constexpr std::array kWords{"probe"sv, "time"sv, "support"sv, "load"sv, "strain"sv};
+    return kWords;
+  } else if constexpr (Named<Enum>) {
+    static const std::vector<std::string_view> words = all_names<Enum>();
+    return words;
+  } else if constexpr (std::is_same_v<Enum, Level>) {
+    return find_field_or_null("solver.level")->choices;
   } else {
     static_assert(std::is_same_v<Enum, Test>);
     static const std::span<const std::string_view> words =

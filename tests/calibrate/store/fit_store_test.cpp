@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include "calibrate/fit/fit.hpp"
 #include "plastica/io/hdf5.hpp"
 #include "tests/calibrate/store/same_bits.hpp"
+#include "tests/calibrate/store/stored_objects.hpp"
 #include "tests/calibrate/store/synthetic_fits.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
 
@@ -45,38 +45,6 @@ FitStoreContents round_trip(const FitStoreContents& contents) {
   const std::string path = folder.file("out.h5");
   write_fit_store(path, contents);
   return read_fit_store(path);
-}
-
-/// Everything in a group: path → kind, shape, units and values, as text.
-void describe(const io::Hdf5Group& group, std::map<std::string, std::string>& objects) {
-  for (const std::string& name : group.children()) {
-    const std::string path = (group.path() == "/" ? "/" : group.path() + "/") + name;
-    if (path == "/meta") continue;
-    std::string& text = objects[path];
-    if (group.has_attribute(name, "units")) text += group.text_attribute(name, "units") + ";";
-    if (group.kind(name) == io::Hdf5Kind::Group) {
-      describe(group.open_group(name), objects);
-      continue;
-    }
-    for (const std::size_t extent : group.shape(name)) text += std::to_string(extent) + ",";
-    if (group.kind(name) == io::Hdf5Kind::Text) {
-      for (const std::string& value : group.read_texts(name)) text += value + "|";
-    } else if (group.kind(name) == io::Hdf5Kind::Real) {
-      const auto values = group.read<double>(name);
-      text.append(reinterpret_cast<const char*>(values.data()), 8 * values.size());
-    } else {
-      for (const std::uint64_t value : group.read<std::uint64_t>(name)) {
-        text += std::to_string(value) + "|";
-      }
-    }
-  }
-}
-
-std::map<std::string, std::string> objects_of(const std::string& path) {
-  const io::Hdf5File file = io::Hdf5File::open(path);
-  std::map<std::string, std::string> objects;
-  describe(file.root(), objects);
-  return objects;
 }
 
 TEST(FitStore, GivesBackEveryFieldOfEveryRecordBitByBit) {

@@ -1,0 +1,299 @@
+#include "calibrate/store/scene_fit_store.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "calibrate/store/columns.hpp"
+#include "calibrate/store/scene_fit_rows.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using store::ColumnReader;
+using store::ColumnWriter;
+using store::SceneRows;
+
+constexpr io::DatasetOptions kPlain{{}, store::kDeflate};
+
+[[noreturn]] void refuse(const SceneFitRecord& record, const std::string& why) {
+  throw std::logic_error("write_scene_fit_store: " + record.name + " " + why);
+}
+
+void check(const SceneFitRecord& record) {
+  const std::vector<ScenePartFit>& parts = record.result.parts;
+  if (record.weights.size() != record.targets.size()) refuse(record, "has not a weight a target");
+  if (!parts.empty() && parts.size() != record.targets.size()) {
+    refuse(record, "has not a part a target");
+  }
+  for (std::size_t p = 0; p < record.targets.size(); ++p) {
+    const SceneTarget& target = record.targets[p];
+    if (target.ordinate.size() != target.abscissa.size()) {
+      refuse(record, "has a curve with more abscissas than ordinates or fewer");
+    }
+    if (parts.empty()) continue;
+    if (parts[p].name != target.name) refuse(record, "has a part of another name than its target");
+    if (!parts[p].fitted.empty() && parts[p].fitted.size() != target.abscissa.size()) {
+      refuse(record, "has not a fitted ordinate an abscissa");
+    }
+  }
+}
+
+/// Pointers to the records, sorted by name and checked.
+std::vector<const SceneFitRecord*> by_name(const std::vector<SceneFitRecord>& records) {
+  std::vector<const SceneFitRecord*> sorted;
+  for (const SceneFitRecord& record : records) sorted.push_back(&record);
+  const auto name = [](const SceneFitRecord* record) -> const std::string& { return record->name; };
+  std::ranges::sort(sorted, std::less<>(), name);
+  const auto twice = std::ranges::adjacent_find(sorted, std::equal_to<>(), name);
+  if (twice != sorted.end()) refuse(**twice, "is the name of two fits");
+  for (const SceneFitRecord* record : sorted) check(*record);
+  return sorted;
+}
+
+SceneRows rows_of(const std::vector<const SceneFitRecord*>& records) {
+  SceneRows rows;
+  for (std::uint64_t i = 0; i < records.size(); ++i) {
+    const SceneFitRecord& record = *records[i];
+    for (std::size_t p = 0; p < record.targets.size(); ++p) {
+      store::ScenePartRow& row = rows.parts.emplace_back();
+      row.fit = i;
+      row.target = record.targets[p];
+      row.weight = record.weights[p];
+      if (record.result.parts.empty()) continue;
+      row.made = record.result.parts[p];
+      row.has_curve = !row.made->fitted.empty();
+    }
+    for (const SceneParameter& parameter : record.result.parameters) {
+      rows.parameters.push_back({i, parameter});
+    }
+    for (const SceneStart& start : record.result.starts) rows.starts.push_back({i, start});
+    for (const std::string& text : record.result.warnings) rows.warnings.push_back({i, text});
+  }
+  return rows;
+}
+
+template <typename Row, typename Columns>
+io::Hdf5Group write_rows(io::Hdf5Group& root, const std::string& path,
+                         std::vector<const Row*> pointers, const Columns& columns) {
+  io::Hdf5Group group = root.group(path);
+  ColumnWriter<Row> writer(group, std::move(pointers));
+  columns(writer);
+  return group;
+}
+
+template <typename Row, typename Columns>
+io::Hdf5Group write_rows(io::Hdf5Group& root, const std::string& path, const std::vector<Row>& rows,
+                         const Columns& columns) {
+  std::vector<const Row*> pointers;
+  for (const Row& row : rows) pointers.push_back(&row);
+  return write_rows(root, path, std::move(pointers), columns);
+}
+
+/// A column of units beside columns whose unit differs from row to row, for other readers.
+template <typename Row, typename DimensionOf>
+void write_units(io::Hdf5Group& group, std::string_view name, const std::vector<Row>& rows,
+                 const DimensionOf& dimension_of) {
+  std::vector<std::string> units;
+  for (const Row& row : rows) units.emplace_back(si_unit(dimension_of(row)));
+  group.write_texts(name, units);
+}
+
+void write_curves(io::Hdf5Group& root, const std::vector<store::ScenePartRow>& parts) {
+  std::vector<double> abscissa, ordinate, fitted;
+  std::vector<std::uint64_t> offsets{0};
+  for (const store::ScenePartRow& part : parts) {
+    const SceneTarget& target = part.target;
+    abscissa.insert(abscissa.end(), target.abscissa.begin(), target.abscissa.end());
+    ordinate.insert(ordinate.end(), target.ordinate.begin(), target.ordinate.end());
+    if (part.has_curve)
+      fitted.insert(fitted.end(), part.made->fitted.begin(), part.made->fitted.end());
+    fitted.resize(abscissa.size(), std::numeric_limits<double>::quiet_NaN());
+    offsets.push_back(abscissa.size());
+  }
+  io::Hdf5Group group = root.group("curves");
+  group.write("abscissa", abscissa, kPlain);
+  group.write("ordinate", ordinate, kPlain);
+  group.write("fitted", fitted, kPlain);
+  group.write("offsets", offsets, kPlain);
+}
+
+void write_tables(io::Hdf5Group& root, const SceneRows& rows) {
+  io::Hdf5Group parameters =
+      write_rows(root, "parameters", rows.parameters, store::kSceneParameterColumns);
+  write_units(parameters, "value_units", rows.parameters,
+              [](const auto& row) { return row.parameter.dimension; });
+  io::Hdf5Group parts = write_rows(root, "parts", rows.parts, store::kScenePartColumns);
+  write_units(parts, "abscissa_units", rows.parts,
+              [](const auto& row) { return row.target.abscissa_is; });
+  write_units(parts, "ordinate_units", rows.parts,
+              [](const auto& row) { return row.target.ordinate_is; });
+  write_curves(root, rows.parts);
+  io::Hdf5Group starts = write_rows(root, "starts", rows.starts, store::kSceneStartColumns);
+  io::Ragged<double> from, to;
+  for (const store::SceneStartRow& row : rows.starts) {
+    from.push_back(row.start.from);
+    to.push_back(row.start.to);
+  }
+  starts.write_ragged("from", from, kPlain);
+  starts.write_ragged("to", to, kPlain);
+  write_rows(root, "warnings", rows.warnings, store::kSceneWarningColumns);
+}
+
+/// Fills records from a file, of which it knows how many there are.
+class Reader {
+ public:
+  Reader(const io::Hdf5Group& root, std::vector<SceneFitRecord>& records)
+      : root_(root), records_(records) {}
+
+  void fits() {
+    std::vector<SceneFitRecord*> rows;
+    for (SceneFitRecord& record : records_) rows.push_back(&record);
+    read_columns("fits", std::move(rows), store::kSceneFitColumns);
+    const auto correlation = ragged("correlation", records_.size());
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      records_[i].result.correlation = numbers(correlation.row(i));
+    }
+  }
+
+  void parameters() {
+    for (auto& row : table<store::SceneParameterRow>("parameters", store::kSceneParameterColumns)) {
+      records_[row.fit].result.parameters.push_back(std::move(row.parameter));
+    }
+  }
+
+  void parts() {
+    auto rows = table<store::ScenePartRow>("parts", store::kScenePartColumns);
+    const io::Ragged<double> abscissa = curve("abscissa", rows.size());
+    const io::Ragged<double> ordinate = curve("ordinate", rows.size());
+    const io::Ragged<double> fitted = curve("fitted", rows.size());
+    for (std::size_t p = 0; p < rows.size(); ++p) {
+      store::ScenePartRow& row = rows[p];
+      SceneFitRecord& record = records_[row.fit];
+      row.target.abscissa = numbers(abscissa.row(p));
+      row.target.ordinate = numbers(ordinate.row(p));
+      if (row.made) {
+        row.made->name = row.target.name;
+        if (row.has_curve) row.made->fitted = numbers(fitted.row(p));
+        record.result.parts.push_back(std::move(*row.made));
+      }
+      record.targets.push_back(std::move(row.target));
+      record.weights.push_back(row.weight);
+    }
+    for (const SceneFitRecord& record : records_) {
+      const std::size_t made = record.result.parts.size();
+      if (made != 0 && made != record.targets.size()) {
+        refuse("parts/present", "must be the same for all targets of a fit");
+      }
+    }
+  }
+
+  void starts() {
+    auto rows = table<store::SceneStartRow>("starts", store::kSceneStartColumns);
+    const auto from = ragged("starts/from", rows.size());
+    const auto to = ragged("starts/to", rows.size());
+    for (std::size_t s = 0; s < rows.size(); ++s) {
+      rows[s].start.from = numbers(from.row(s));
+      rows[s].start.to = numbers(to.row(s));
+      records_[rows[s].fit].result.starts.push_back(std::move(rows[s].start));
+    }
+  }
+
+  void warnings() {
+    for (auto& row : table<store::SceneWarningRow>("warnings", store::kSceneWarningColumns)) {
+      records_[row.fit].result.warnings.push_back(std::move(row.text));
+    }
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& path, const std::string& rule) const {
+    throw InputError({root_.file(), 0}, "/" + path, "", rule);
+  }
+
+  template <typename Row, typename Columns>
+  void read_columns(const std::string& path, std::vector<Row*> rows, const Columns& columns) const {
+    const io::Hdf5Group group = root_.open_group(path);
+    ColumnReader<Row> reader(group, std::move(rows));
+    columns(reader);
+  }
+
+  template <typename Row, typename Columns>
+  std::vector<Row> table(const std::string& path, const Columns& columns) const {
+    std::vector<Row> rows(root_.read<std::uint64_t>(path + "/fit").size());
+    std::vector<Row*> pointers;
+    for (Row& row : rows) pointers.push_back(&row);
+    read_columns(path, std::move(pointers), columns);
+    for (const Row& row : rows) {
+      if (row.fit >= records_.size()) refuse(path + "/fit", "names a fit that is not in the file");
+    }
+    return rows;
+  }
+
+  void check_rows(const std::string& path, const io::Ragged<double>& rows, std::size_t n) const {
+    const std::vector<std::uint64_t>& offsets = rows.offsets;
+    const bool whole = offsets.size() == n + 1 && offsets.front() == 0 &&
+                       offsets.back() == rows.values.size() && std::ranges::is_sorted(offsets);
+    if (!whole) refuse(path, "has offsets that do not fit its values");
+  }
+
+  io::Ragged<double> ragged(const std::string& path, std::size_t n) const {
+    io::Ragged<double> rows = root_.read_ragged<double>(path);
+    check_rows(path, rows, n);
+    return rows;
+  }
+
+  io::Ragged<double> curve(const std::string& name, std::size_t n) const {
+    io::Ragged<double> rows;
+    rows.values = root_.read<double>("curves/" + name);
+    rows.offsets = root_.read<std::uint64_t>("curves/offsets");
+    check_rows("curves/" + name, rows, n);
+    return rows;
+  }
+
+  static std::vector<double> numbers(std::span<const double> row) {
+    return {row.begin(), row.end()};
+  }
+
+  const io::Hdf5Group& root_;
+  std::vector<SceneFitRecord>& records_;
+};
+
+}  // namespace
+
+void write_scene_fit_store(const std::string& path, const SceneFitContents& contents) {
+  const std::vector<const SceneFitRecord*> records = by_name(contents.records);
+  io::Hdf5File file = io::Hdf5File::create(path);
+  io::Hdf5Group& root = file.root();
+  io::write_schema(root, kSceneFitSchema, kSceneFitVersion);
+  write_rows(root, "fits", records, store::kSceneFitColumns);
+  io::Ragged<double> correlation;
+  for (const SceneFitRecord* record : records) correlation.push_back(record->result.correlation);
+  root.write_ragged("correlation", correlation, {"1", store::kDeflate});
+  write_tables(root, rows_of(records));
+  root.write("options/confidence", contents.confidence, {"1"});
+  io::write_inputs(root, contents.inputs);
+  io::write_meta(root, contents.meta);
+  file.commit();
+}
+
+SceneFitContents read_scene_fit_store(const std::string& path) {
+  const io::Hdf5File file = io::Hdf5File::open(path);
+  const io::Hdf5Group& root = file.root();
+  io::check_schema(root, kSceneFitSchema, kSceneFitVersion);
+  SceneFitContents contents;
+  contents.records.resize(root.read_texts("fits/name").size());
+  Reader reader(root, contents.records);
+  reader.fits();
+  reader.parameters();
+  reader.parts();
+  reader.starts();
+  reader.warnings();
+  contents.confidence = root.read_scalar<double>("options/confidence");
+  contents.inputs = io::read_inputs(root);
+  contents.meta = io::read_meta(root);
+  return contents;
+}
+
+}  // namespace plastica::calibrate
