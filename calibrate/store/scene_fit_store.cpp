@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -41,10 +42,16 @@ void check(const SceneFitRecord& record) {
   }
 }
 
+template <typename Row>
+std::vector<Row*> pointers_to(std::span<Row> rows) {
+  std::vector<Row*> pointers(rows.size());
+  std::ranges::transform(rows, pointers.begin(), [](Row& row) { return &row; });
+  return pointers;
+}
+
 /// Pointers to the records, sorted by name and checked.
 std::vector<const SceneFitRecord*> by_name(const std::vector<SceneFitRecord>& records) {
-  std::vector<const SceneFitRecord*> sorted;
-  for (const SceneFitRecord& record : records) sorted.push_back(&record);
+  std::vector<const SceneFitRecord*> sorted = pointers_to(std::span(records));
   const auto name = [](const SceneFitRecord* record) -> const std::string& { return record->name; };
   std::ranges::sort(sorted, std::less<>(), name);
   const auto twice = std::ranges::adjacent_find(sorted, std::equal_to<>(), name);
@@ -87,17 +94,17 @@ io::Hdf5Group write_rows(io::Hdf5Group& root, const std::string& path,
 template <typename Row, typename Columns>
 io::Hdf5Group write_rows(io::Hdf5Group& root, const std::string& path, const std::vector<Row>& rows,
                          const Columns& columns) {
-  std::vector<const Row*> pointers;
-  for (const Row& row : rows) pointers.push_back(&row);
-  return write_rows(root, path, std::move(pointers), columns);
+  return write_rows(root, path, pointers_to(std::span(rows)), columns);
 }
 
 /// A column of units beside columns whose unit differs from row to row, for other readers.
 template <typename Row, typename DimensionOf>
 void write_units(io::Hdf5Group& group, std::string_view name, const std::vector<Row>& rows,
                  const DimensionOf& dimension_of) {
-  std::vector<std::string> units;
-  for (const Row& row : rows) units.emplace_back(si_unit(dimension_of(row)));
+  std::vector<std::string> units(rows.size());
+  std::ranges::transform(rows, units.begin(), [&](const Row& row) {
+    return std::string(si_unit(dimension_of(row)));
+  });
   group.write_texts(name, units);
 }
 
@@ -149,9 +156,7 @@ class Reader {
       : root_(root), records_(records) {}
 
   void fits() {
-    std::vector<SceneFitRecord*> rows;
-    for (SceneFitRecord& record : records_) rows.push_back(&record);
-    read_columns("fits", std::move(rows), store::kSceneFitColumns);
+    read_columns("fits", pointers_to(std::span(records_)), store::kSceneFitColumns);
     const auto correlation = ragged("correlation", records_.size());
     for (std::size_t i = 0; i < records_.size(); ++i) {
       records_[i].result.correlation = numbers(correlation.row(i));
@@ -222,9 +227,7 @@ class Reader {
   template <typename Row, typename Columns>
   std::vector<Row> table(const std::string& path, const Columns& columns) const {
     std::vector<Row> rows(root_.read<std::uint64_t>(path + "/fit").size());
-    std::vector<Row*> pointers;
-    for (Row& row : rows) pointers.push_back(&row);
-    read_columns(path, std::move(pointers), columns);
+    read_columns(path, pointers_to(std::span(rows)), columns);
     for (const Row& row : rows) {
       if (row.fit >= records_.size()) refuse(path + "/fit", "names a fit that is not in the file");
     }
