@@ -1,0 +1,272 @@
+#include "calibrate/engine/engine_beam.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "calibrate/engine/engine_notes.hpp"
+#include "plastica/model/beam_axis.hpp"
+#include "plastica/run/chain_body.hpp"
+#include "plastica/run/simulate.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using Space = chain::Spatial<double>;
+using Body = ChainBody<Space, false>;
+
+EngineAxes axes_of(const Mat<double, 3, 3>& frame) {
+  EngineAxes axes;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t k = 0; k < 3; ++k) axes[axis][k] = frame(k, axis);
+  }
+  return axes;
+}
+
+bool all_of(const std::array<bool, 3>& flags) { return flags[0] && flags[1] && flags[2]; }
+bool any_of(const std::array<bool, 3>& flags) { return flags[0] || flags[1] || flags[2]; }
+
+/// Puts the parts together; see `engine_beam`.
+class BeamReader {
+ public:
+  explicit BeamReader(const ChainModel& model) : model_(model), body_(model, {}) {
+    body_.reset(material_values(model.scene.material));
+    for (const chain::PartForm& part : body_.parts) {
+      materials_.push_back(material_values(*part.material));
+    }
+  }
+
+  EngineBeam read() {
+    const Scene& scene = model_.scene;
+    beam_.name = scene.name;
+    beam_.formulas = scene.formulas;
+    beam_.yield_model = scene.yield_model;
+    beam_.yield_cap = scene.yield_cap;
+    beam_.hinge_length = body_.watch.hinge_length();
+    beam_.break_length = break_length();
+    beam_.breaks = body_.watch.active() && scene.yield_model != YieldModel::Elastic;
+    add_parts();
+    for (std::size_t i = 0; i < model_.layout.size(); ++i) add_segment(i);
+    for (std::size_t i = 0; i < model_.layout.size(); ++i) add_joint(i);
+    for (std::size_t s = 0; s < scene.supports.size(); ++s) add_support(s);
+    for (const EngineJoint& joint : beam_.joints) check_frame(joint);
+    return std::move(beam_);
+  }
+
+ private:
+  /// What `BreakWatch` does with a joint whose neighbours are straight, in words.
+  std::string break_length() const {
+    if (beam_.hinge_length == 0.0) return "l";
+    switch (spreading_of(model_.scene)) {
+      case Spreading::Gathers: return "L_p";
+      case Spreading::Saturates: return "L_p where l < L_p, else l";
+      case Spreading::Hardens: break;
+    }
+    return "l";
+  }
+
+  void add_parts() {
+    for (const chain::PartForm& form : body_.parts) {
+      EnginePart part{*form.material, *form.section, form.properties, {}, {}};
+      for (std::size_t k = 0; k < 3; ++k) {
+        part.stiffness_factor[k] = form.form.axis[k].stiffness_factor;
+        part.cap_factor[k] = form.form.axis[k].cap_factor;
+      }
+      beam_.parts.push_back(std::move(part));
+    }
+  }
+
+  void add_segment(std::size_t i) {
+    const chain::Inertia<Space>& inertia = body_.build.chain.inertias[i];
+    EngineSegment segment;
+    segment.length = model_.layout.segment_length[i];
+    segment.mass = inertia.mass;
+    for (std::size_t k = 0; k < 3; ++k) segment.inertia[k] = inertia.turning(k, k);
+    segment.start = model_.layout.node[i].at;
+    segment.end = model_.layout.node[i + 1].at;
+    segment.axes = axes_of(model_.layout.segment_frame[i]);
+    segment.part = model_.part_of_segment[i];
+    beam_.segments.push_back(segment);
+  }
+
+  /// The joint at the inner end of a segment.
+  void add_joint(std::size_t i) {
+    const chain::Root<Space>& root = body_.build.chain.root;
+    EngineJoint joint;
+    joint.name = fmt::format("joint_{}", i);
+    joint.child = i;
+    joint.axes = axes_of(model_.layout.joint_frame[i]);
+    set_place(model_.layout.ends[i], model_.layout.node[i].at, joint);
+    if (i > 0) {
+      joint.parent = i - 1;
+      joint.holds = {true, true, true};
+    } else {
+      joint.holds = root.held;
+    }
+    set_law(body_.joints->joints()[i], body_.build.joints[i].length, i, joint);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (i == 0 && root.welded[k]) joint.turning[k] = JointHold::Rigid;
+    }
+    joint.half_joint = i == 0 && joint.length > 0.0;
+    const bool acts = any_of(joint.holds) || joint.turning != std::array<JointHold, 3>{};
+    if (acts) beam_.joints.push_back(std::move(joint));
+  }
+
+  /// What a support off the start holds rigidly, and its half joints.
+  void add_support(std::size_t index) {
+    const chain::Chain<Space>& chain = body_.build.chain;
+    EngineJoint held;
+    held.name = fmt::format("support_{}", index + 1);
+    held.off_start = true;
+    const double share = share_of(model_.scene.supports[index].at, model_.layout.ends);
+    const chain::SegmentPoint point = chain::segment_point(model_.layout, share);
+    const auto& frame = model_.layout.segment_frame[point.segment];
+    set_place(share, (model_.layout.node[point.segment] + frame * point.arm).at, held);
+    held.child = point.segment;
+    held.axes = axes_of(identity<double, 3>());
+    for (const chain::Closure<Space>& closure : chain.closures) {
+      if (closure.support != index || closure.one_sided) continue;
+      if (closure.turning) {
+        add_weld(closure, held);
+        continue;
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        held.holds[k] = held.holds[k] || closure.direction[k] != 0.0;
+      }
+    }
+    bool is_first = true;
+    for (const chain::GroundJoint<Space>& ground : chain.ground_joints) {
+      const chain::JointPlan& plan = body_.build.joints[ground.joint];
+      if (ground.support != index || !any_of(plan.acting)) continue;
+      EngineJoint half = held;
+      if (!is_first) {
+        half.name += "_beyond";
+        half.holds = {};
+      }
+      half.half_joint = true;
+      half.child = ground.segment;
+      half.axes = axes_of(ground.ground.axes);
+      const std::size_t node = ground.segment + (is_first ? 1 : 0);
+      set_law(body_.joints->joints()[ground.joint], plan.length, node, half);
+      beam_.joints.push_back(std::move(half));
+      is_first = false;
+    }
+    if (is_first && (any_of(held.holds) || held.turning != std::array<JointHold, 3>{})) {
+      beam_.joints.push_back(std::move(held));
+    }
+  }
+
+  /// A weld holds the segment before the support, and where there is one, that behind it.
+  void add_weld(const chain::Closure<Space>& closure, EngineJoint& held) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (closure.axis[k] == 0.0) continue;
+      if (closure.segment == held.child) {
+        held.turning[k] = JointHold::Rigid;
+      } else {
+        beam_.notes.push_back(fmt::format("{} also welds segment_{} to the ground about {}",
+                                          held.name, closure.segment + 1, "xyz"[k]));
+      }
+    }
+  }
+
+  void set_place(double share, const std::array<double, 3>& point, EngineJoint& joint) const {
+    joint.at = share * model_.scene.beam.length;
+    joint.point = point;
+  }
+
+  void set_law(const chain::SectionJoint<Space>& law, double length, std::size_t node,
+               EngineJoint& joint) const {
+    joint.part = law.law;
+    const chain::PartForm& part = body_.parts[law.law];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (law.acting[k] == 0.0) continue;
+      joint.turning[k] = JointHold::Sprung;
+      joint.length = length;
+      joint.stiffness[k] = law.stiffness[k] / law.length[k];
+      if (model_.scene.yield_model == YieldModel::Elastic) continue;
+      const auto uniaxial = law::uniaxial_material(part.form.axis[k], materials_[law.law]);
+      joint.yield_moment[k] = part.form.modulus[k] * uniaxial.yield;
+      if (part.material->hardening.law == HardeningLaw::Linear) {
+        joint.hardened_stiffness[k] = joint.stiffness[k] * uniaxial.plastic_modulus /
+                                      (uniaxial.stiffness + uniaxial.plastic_modulus);
+      }
+      if (beam_.breaks) joint.break_angle[k] = break_angle(node, k);
+    }
+  }
+
+  /// The permanent angle of one joint about one axis, all others straight, at which it breaks.
+  double break_angle(std::size_t node, std::size_t axis) const {
+    const std::size_t segment = std::min(node, model_.layout.size() - 1);
+    const chain::PartForm& part = body_.parts[model_.part_of_segment[segment]];
+    const double limit = detail::watched_joint(model_.scene, model_.layout, part, node).limit[axis];
+    if (!std::isfinite(limit)) return kNever;
+    std::vector<JointAngles> angles(model_.layout.size() + 1);
+    const auto strain = [&](double angle) {
+      angles[node][axis] = angle;
+      return body_.watch.strain(angles, node);
+    };
+    // Strains are linear in the angle, but for the report's sine, which goes no further than pi.
+    const double straight = limit / strain(1.0);
+    if (std::fabs(strain(straight) - limit) < 1e-12 * limit) return straight;
+    double low = 0.0;
+    double high = 3.14159265358979323846;
+    if (strain(high) < limit) return kNever;
+    for (int halving = 0; halving < 60; ++halving) {
+      const double middle = 0.5 * (low + high);
+      (strain(middle) < limit ? low : high) = middle;
+    }
+    return high;
+  }
+
+  /// Translations are held along the world's axes; a joint has one frame for them and its turning.
+  void check_frame(const EngineJoint& joint) const {
+    if (all_of(joint.holds) || !any_of(joint.holds)) return;
+    if (joint.axes == axes_of(identity<double, 3>())) return;
+    throw InputError(
+        {}, fmt::format("support at {:g} m", joint.at), "",
+        "must hold all translations or none where it holds rotation and the beam's axis "
+        "does not run along z: an engine's joint has one frame");
+  }
+
+  const ChainModel& model_;
+  Body body_;
+  std::vector<MaterialValues<double>> materials_;
+  EngineBeam beam_;
+};
+
+/// The beam and what holds it, in space and free to move: what a scene does with its beam, and
+/// whether it can be solved, does not matter here.
+Model bare_model(const Scene& scene) {
+  Scene bare = scene;
+  bare.gravity = {};
+  bare.initial_motions.clear();
+  bare.cuts.clear();
+  bare.probes.clear();
+  bare.loads = {{.at = Place::end(), .force = {0.0, 1.0, 0.0}}};
+  for (Support& support : bare.supports) support.translation = support.rotation = {};
+  return prepare(bare, {.level = Level::Spatial, .analysis = Analysis::Dynamics, .duration = 1.0});
+}
+
+}  // namespace
+
+std::array<double, 3> EngineSegment::center() const {
+  std::array<double, 3> middle;
+  for (std::size_t k = 0; k < 3; ++k) middle[k] = 0.5 * (start[k] + end[k]);
+  return middle;
+}
+
+EngineBeam engine_beam(const Scene& scene, const SolverOptions& options) {
+  if (scene.is_coupon()) {
+    throw InputError({}, "drive.strain", "",
+                     "a coupon has no joints: an export needs a beam with supports");
+  }
+  const Model model = bare_model(scene);
+  EngineBeam beam = BeamReader(*model.chain).read();
+  beam.gravity = scene.gravity;
+  beam.time_step = options.time_step;
+  add_scene_notes(scene, options, beam);
+  return beam;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,43 @@
+#include "calibrate/engine/engine_text.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "calibrate/engine/writers.hpp"
+
+namespace plastica::calibrate {
+
+std::span<const std::string_view> engine_formats() {
+  static constexpr std::array<std::string_view, 5> kWords{"csv", "mjcf", "agx", "chrono",
+                                                          "opensees"};
+  return kWords;
+}
+
+std::vector<std::string> engine_notes(const EngineBeam& beam, EngineFormat format) {
+  std::vector<std::string> notes = beam.notes;
+  // Its reader of XML (tinyxml2) ends there up to MuJoCo 2; each segment is inside of the last.
+  constexpr std::size_t kNested = 96;
+  if (format == EngineFormat::Mjcf && beam.segments.size() > kNested) {
+    notes.push_back(fmt::format(
+        "MuJoCo 2 reads no more than 100 elements inside of each other, so {} segments at most: "
+        "this beam has {}",
+        kNested, beam.segments.size()));
+  }
+  return notes;
+}
+
+std::string engine_text(const EngineBeam& plain, EngineFormat format) {
+  EngineBeam beam = plain;
+  beam.notes = engine_notes(plain, format);
+  switch (format) {
+    case EngineFormat::Csv: break;
+    case EngineFormat::Mjcf: return mjcf_text(beam);
+    case EngineFormat::Agx: return agx_text(beam);
+    case EngineFormat::Chrono: return chrono_text(beam);
+    case EngineFormat::OpenSees: return opensees_text(beam);
+  }
+  return csv_text(beam);
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calibrate/fit/options.hpp"
+#include "calibrate/fit/result.hpp"
+#include "plastica/model/scene.hpp"
+
+namespace plastica::calibrate {
+
+/// A scene with the material of a fit, and what came from where.
+struct FittedScene {
+  Scene scene;
+  /// A sentence for each parameter: its value and standard error, or why the scene's own number
+  /// stays.
+  std::vector<std::string> notes;
+};
+
+/// Puts the numbers of a fit into a scene's material: every parameter of the fit, fixed and tied
+/// ones too, but for those that the curve does not determine, and the hardening that the fit was
+/// made with. A region that has a number from the scene's own material gets the fitted one as well.
+/// All else (density, section, beam, rules) is the scene's.
+/// @param record   a fit that found parameters
+/// @param options  what it was told
+/// @throws InputError if there is no fit, or a region's material ends up with impossible numbers
+FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitOptions& options);
+
+}  // namespace plastica::calibrate

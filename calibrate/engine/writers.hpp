@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "calibrate/engine/engine_beam.hpp"
+
+/// A writer for each format; not installed.
+namespace plastica::calibrate {
+
+std::string csv_text(const EngineBeam& beam);
+std::string mjcf_text(const EngineBeam& beam);
+std::string agx_text(const EngineBeam& beam);
+std::string chrono_text(const EngineBeam& beam);
+std::string opensees_text(const EngineBeam& beam);
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,114 @@
+#include "calibrate/engine/fitted_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/calibrate/engine/engine_scenes.hpp"
+#include "tests/calibrate/report/records.hpp"
+#include "tests/support/message.hpp"
+
+namespace plastica::testing {
+namespace {
+
+using calibrate::FitOptions;
+using calibrate::FitRecord;
+using calibrate::FittedParameter;
+using calibrate::FittedScene;
+using calibrate::ParameterRole;
+using calibrate::testing::free_parameter;
+
+FitRecord fit_of(std::vector<FittedParameter> parameters) {
+  FitRecord record;
+  record.target.name = "bar-01";
+  record.result.status = calibrate::FitStatus::Fitted;
+  record.result.parameters = std::move(parameters);
+  return record;
+}
+
+FittedParameter yield() {
+  return free_parameter("yield_stress", Dimension::Stress, 310e6, 2.4e6, 300e6, 1e6, 1e9);
+}
+
+FittedParameter break_strain() {
+  return free_parameter("break_strain", Dimension::Strain, 0.16, 0.001, 0.1, 0.001, 1.0);
+}
+
+bool has(const FittedScene& fitted, const std::string& note) {
+  return std::find(fitted.notes.begin(), fitted.notes.end(), note) != fitted.notes.end();
+}
+
+TEST(FittedScene, HasTheNumbersOfTheFitAndElseItsOwn) {
+  const Scene scene = breakable_scene();
+  const FittedScene fitted = fitted_scene(scene, fit_of({yield(), break_strain()}), {});
+  EXPECT_EQ(fitted.scene.material.yield_stress, 310e6);
+  EXPECT_EQ(fitted.scene.material.break_strain, 0.16);
+  EXPECT_EQ(fitted.scene.material.youngs_modulus, scene.material.youngs_modulus);
+  EXPECT_EQ(fitted.scene.material.name, "bar-01");
+  EXPECT_EQ(fitted.scene.section.height, 0.03);
+  EXPECT_TRUE(has(fitted, "material fitted to bar-01"));
+  EXPECT_TRUE(has(fitted, "yield_stress = 310.0 ± 2.4 MPa, fitted"));
+}
+
+TEST(FittedScene, KeepsWhatTheFitDoesNotKnow) {
+  FittedParameter unknown = break_strain();
+  unknown.identified = false;
+  const FittedScene fitted = fitted_scene(breakable_scene(), fit_of({yield(), unknown}), {});
+  EXPECT_EQ(fitted.scene.material.break_strain, 0.02);
+  EXPECT_TRUE(has(fitted, "break_strain is not identified by the fit: the scene's own stays"));
+}
+
+TEST(FittedScene, TakesFixedNumbersAndSaysWhatIsAtABound) {
+  FittedParameter fixed = break_strain();
+  fixed.role = ParameterRole::Fixed;
+  fixed.identified = false;
+  fixed.standard_error.reset();
+  FittedParameter bound = yield();
+  bound.at_upper = true;
+  const FittedScene fitted = fitted_scene(breakable_scene(), fit_of({bound, fixed}), {});
+  EXPECT_EQ(fitted.scene.material.break_strain, 0.16);
+  EXPECT_TRUE(has(fitted, "break_strain = 16.000 %, fixed"));
+  EXPECT_TRUE(has(fitted, "yield_stress = 310.0 ± 2.4 MPa, fitted, at a bound of the fit"));
+}
+
+TEST(FittedScene, HasTheHardeningOfTheFit) {
+  Scene scene = breakable_scene();
+  scene.material.hardening = {.law = HardeningLaw::Linear, .tangent_modulus = 1e9};
+  FitOptions options;
+  options.setup.scene.material.hardening = {.law = HardeningLaw::Linear, .kinematic_share = 1.0};
+  const FittedParameter tangent =
+      free_parameter("hardening.tangent_modulus", Dimension::Stress, 2e9, 1e7, 1e9, 0.0, 1e11);
+  const auto& found = fitted_scene(scene, fit_of({tangent}), options).scene.material.hardening;
+  EXPECT_EQ(found.law, HardeningLaw::Linear);
+  EXPECT_EQ(found.tangent_modulus, 2e9);
+  EXPECT_EQ(found.kinematic_share, 1.0);
+  EXPECT_EQ(fitted_scene(scene, fit_of({yield()}), {}).scene.material.hardening.law,
+            HardeningLaw::Ideal);
+}
+
+TEST(FittedScene, FitsRegionsOfTheSameMaterialToo) {
+  Scene scene = rich_scene();
+  scene.regions.push_back(scene.regions[0]);
+  scene.regions[1].material.name = "harder";
+  scene.regions[1].material.yield_stress = 900e6;
+  FitOptions options;
+  options.setup.scene.material.hardening = {.law = HardeningLaw::Linear, .kinematic_share = 0.5};
+  const FittedScene fitted = fitted_scene(scene, fit_of({yield(), break_strain()}), options);
+  EXPECT_EQ(fitted.scene.regions[0].material.yield_stress, 310e6);
+  EXPECT_EQ(fitted.scene.regions[0].material.hardening.kinematic_share, 0.5);
+  EXPECT_EQ(fitted.scene.regions[0].material.name, "bar-01");
+  EXPECT_EQ(fitted.scene.regions[1].material.yield_stress, 900e6);
+  EXPECT_EQ(fitted.scene.regions[1].material.break_strain, 0.16);
+  EXPECT_EQ(fitted.scene.regions[1].material.name, "harder");
+}
+
+TEST(FittedScene, NeedsAFit) {
+  FitRecord record = fit_of({});
+  record.result.status = calibrate::FitStatus::Failed;
+  record.result.reason = "the optimizer found nothing";
+  EXPECT_EQ(message_of([&] { fitted_scene(breakable_scene(), record, {}); }),
+            "--case = bar-01: has no fit: the optimizer found nothing");
+}
+
+}  // namespace
+}  // namespace plastica::testing
