@@ -8,15 +8,19 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "calibrate/engine/engine_text.hpp"
 #include "calibrate/report/csv_export.hpp"
 #include "calibrate/report/json.hpp"
 #include "calibrate/store/fit_store.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/export_beam.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
+#include "plastica/io/nearest_word.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/io/storage_error.hpp"
 #include "plastica/report/scene_csv.hpp"
@@ -34,9 +38,40 @@ struct ExportArguments {
   std::string to = "csv";
   std::string what;  ///< empty: the first of the file's kind
   std::string time;
+  std::string scene;
+  std::string which;
+  std::optional<int> segments;
   std::string output = "-";
   bool force = false;
 };
+
+constexpr std::array<std::string_view, 3> kTables{"json", "markdown", "latex"};
+
+/// What --to may be: the formats of beams, csv the first, and the others of tables.
+std::vector<std::string> formats() {
+  const auto engines = calibrate::engine_formats();
+  std::vector<std::string> words(engines.begin(), engines.end());
+  words.insert(words.begin() + 1, kTables.begin(), kTables.end());
+  return words;
+}
+
+void check_format(const std::string& to) {
+  const std::vector<std::string> words = formats();
+  if (std::find(words.begin(), words.end(), to) != words.end()) return;
+  std::string rule = fmt::format("must be one of {}", fmt::join(words, ", "));
+  if (const auto nearest = io::nearest_word(to, words)) rule += "; did you mean " + *nearest + "?";
+  throw InputError({}, "--to", to, rule);
+}
+
+bool is_table(const std::string& to) {
+  return std::find(kTables.begin(), kTables.end(), to) != kTables.end();
+}
+
+/// Whether the beam is wanted for an engine, not the numbers of the result.
+bool wants_beam(const ExportArguments& arguments) {
+  if (arguments.to != "csv") return !is_table(arguments.to);
+  return arguments.what == "beam" || (arguments.what.empty() && !arguments.scene.empty());
+}
 
 /// What of a file's kind that was asked for, or its first.
 std::string what_of(const ExportArguments& arguments, const std::vector<std::string>& kinds) {
@@ -97,11 +132,27 @@ std::string text_of_sweep(const ExportArguments& arguments) {
 std::string text_of(const ExportArguments& arguments) {
   using enum ResultKind;
   const ResultKind kind = kind_of_result(arguments.file);
+  const bool beam = wants_beam(arguments);
   const std::array options{
       ResultOption{"--time", !arguments.time.empty(), {Scene}},
+      ResultOption{"--scene", !arguments.scene.empty(), {Fits}},
+      ResultOption{"--case", !arguments.which.empty(), {Fits}},
+      ResultOption{"--what beam", arguments.what == "beam", {Fits, Scene}},
+      ResultOption{"--to " + arguments.to, beam, {Fits, Scene}},
       ResultOption{
           "--to " + arguments.to, arguments.to == "markdown" || arguments.to == "latex", {Sweep}}};
   refuse_options_of_others(kind, options);
+  constexpr std::string_view kOfBeams = "goes with a beam: --to mjcf, agx, chrono, opensees or csv";
+  refuse_option(!beam && !arguments.scene.empty(), "--scene", kOfBeams);
+  refuse_option(!beam && !arguments.which.empty(), "--case", kOfBeams);
+  refuse_option(!beam && arguments.segments, "--segments", kOfBeams);
+  if (beam) {
+    refuse_option(!arguments.what.empty() && arguments.what != "beam", "--what",
+                  "goes with --to csv or json");
+    refuse_option(!arguments.time.empty(), "--time", "goes with --what joints only");
+    return beam_text(
+        {arguments.file, arguments.to, arguments.scene, arguments.which, arguments.segments}, kind);
+  }
   switch (kind) {
     case Fits: return text_of_fits(arguments);
     case Scene: return text_of_scene(arguments);
@@ -111,8 +162,10 @@ std::string text_of(const ExportArguments& arguments) {
 }
 
 int run_export(const ExportArguments& arguments) {
+  check_format(arguments.to);
   if (arguments.output != "-") {
     refuse_input("--output", arguments.output, arguments.file);
+    if (!arguments.scene.empty()) refuse_input("--output", arguments.output, arguments.scene);
     io::check_output_path(arguments.output, arguments.force);
   }
   const std::string text = text_of(arguments);
@@ -134,22 +187,33 @@ void add_export(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<ExportArguments>();
   sub->add_option("file", arguments->file, "result of `plastica calibrate`, `simulate` or `sweep`")
       ->required();
-  sub->add_option("--to", arguments->to,
-                  "csv or json; of a sweep also its table as markdown or latex")
-      ->check(CLI::IsMember({"csv", "json", "markdown", "latex"}))
+  sub->add_option(
+         "--to", arguments->to,
+         "csv or json; of a sweep also its table as markdown or latex; of a fit or a scene "
+         "its beam for an engine: mjcf (MuJoCo), agx, chrono or opensees")
       ->capture_default_str();
   sub->add_option(
          "--what", arguments->what,
          "csv of fits: specimens, or curves, a row per sample; of a scene: probes or energies, a "
          "row per sample, joints, a row per joint at --time T, events, a row per joint that broke, "
-         "pieces, or spectrum, a row per frequency; of a sweep: cases, or curves")
+         "pieces, or spectrum, a row per frequency; of a sweep: cases, or curves; of fits with "
+         "--scene "
+         "and of scenes also beam, a row per joint with stiffness, yield moments, break angles")
       ->check(CLI::IsMember({"specimens", "curves", "probes", "joints", "energies", "events",
-                             "pieces", "spectrum", "cases"}));
+                             "pieces", "spectrum", "cases", "beam"}));
   sub->add_option("--time", arguments->time, "of joints: \"12 ms\"; else the last frame's");
+  sub->add_option("--scene", arguments->scene,
+                  "beam of a fit: a scene file, whose material gets the fitted numbers");
+  sub->add_option("--case", arguments->which, "beam of a fit: whose, where there are several");
+  sub->add_option("--segments", arguments->segments, "of the beam, instead of the scene's");
   sub->add_option("-o,--output", arguments->output, "file, or - for the terminal")
       ->capture_default_str();
   sub->add_flag("--force", arguments->force, "overwrite the output");
-  sub->footer("Example: plastica export fit.h5 --to csv -o fit.csv");
+  sub->footer(
+      "Examples:\n"
+      "  plastica export fit.h5 --to csv -o fit.csv\n"
+      "  plastica export fit.h5 --case s355 --scene scene.toml --segments 32 --to mjcf -o "
+      "beam.xml");
   sub->callback([&action, arguments] { action = [arguments] { return run_export(*arguments); }; });
 }
 

@@ -81,10 +81,10 @@ TEST(BadRequest, OfAResultIsRefusedInOneLine) {
       {{"plot", "x.h5", "--joint", "1"},
        "--joint: is for simulated scenes; this is a result of fits"},
       {{"export", "x.h5", "--to", "xls"},
-       "--to: xls not in {csv,json,markdown,latex} (see plastica export --help)"},
+       "--to = xls: must be one of csv, json, markdown, latex, mjcf, agx, chrono, opensees"},
       {{"export", "x.h5", "--what", "all"},
        "--what: all not in "
-       "{specimens,curves,probes,joints,energies,events,pieces,spectrum,cases} (see "
+       "{specimens,curves,probes,joints,energies,events,pieces,spectrum,cases,beam} (see "
        "plastica export --help)"},
       {{"export", "x.h5", "--to", "latex"}, "--to latex: is for sweeps; this is a result of fits"},
       {{"export", "x.h5", "-o", "mine.csv"},

@@ -40,6 +40,11 @@ def without_time(report):
     return re.sub(r", [\d.e-]+ s$", "", report.rstrip())
 
 
+def one_joint(text):
+    """The lines of joint 1 in a beam for OpenSees."""
+    return re.search(r"# joint_1\n.*?\n(?=# joint_2)", text, re.DOTALL).group(0)
+
+
 def main():
     command = str(pathlib.Path(sys.argv[1]).resolve())
     write = "--write" in sys.argv[2:]
@@ -50,6 +55,8 @@ def main():
         report = run(command, "calibrate", "data/fits/demo.toml", "-o", "demo.h5", folder=folder)
         scene = run(command, "simulate", "data/scenes/report_fig06_bent.toml", "-o", "bent.h5",
                     folder=folder)
+        beam = run(command, "export", "bent.h5", "--to", "opensees", "--segments", "4",
+                   folder=folder)
         shutil.copytree(ROOT / "tests/reference", pathlib.Path(folder) / "tests/reference")
         sweep = run(command, "sweep", "data/sweeps/cantilever_deflection.toml", "-o", "sweep.h5",
                     folder=folder)
@@ -59,6 +66,7 @@ def main():
             "sweep-report": fenced("text", first_group(sweep)),
             "recommend-report": fenced("text", chosen),
             "check-report": fenced("text", without_time(checked)),
+            "export-example": fenced("tcl", one_joint(beam)),
             "scene-report": fenced("text", scene),
             "demo-report": fenced("text", report),
             "library-example": fenced("cpp", (ROOT / "tests/consumer/main.cpp").read_text()),

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/result_kind.hpp"
+
+namespace plastica::cli {
+
+/// What of a beam is asked for.
+struct BeamRequest {
+  std::string file;   ///< of fits, or a simulated scene
+  std::string to;     ///< one of `calibrate::engine_formats()`
+  std::string scene;  ///< the beam of a fit
+  std::string which;  ///< the specimen of a fit; empty: the only one
+  std::optional<int> segments;
+};
+
+/// The beam of a result as the text of an engine's format. What the format does not hold of the
+/// scene is said on stderr.
+/// @param kind  of the file: fits or a scene
+/// @throws InputError
+std::string beam_text(const BeamRequest& request, ResultKind kind);
+
+}  // namespace plastica::cli
