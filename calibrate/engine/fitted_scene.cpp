@@ -1,5 +1,9 @@
 #include "calibrate/engine/fitted_scene.hpp"
 
+#include <cmath>
+#include <limits>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "calibrate/report/format.hpp"
@@ -23,15 +27,31 @@ bool same(const Hardening& a, const Hardening& b) {
          a.backstress_rate == b.backstress_rate;
 }
 
-/// "310.59 MPa ± 2.4 MPa".
-std::string shown(const FittedParameter& parameter) {
-  const report::DisplayUnit unit = report::display_unit(parameter);
-  const double value = parameter.value / unit.scale;
-  if (!parameter.standard_error) {
-    return report::quantity(report::significant(value), unit.name);
-  }
-  return report::quantity(report::with_error(value, *parameter.standard_error / unit.scale),
+/// "310.59 ± 2.4 MPa"; an error that is a NaN is left out.
+std::string shown(std::string_view name, Dimension dimension, double value, double error) {
+  const bool modulus = name.find("modulus") != std::string_view::npos;
+  const report::DisplayUnit unit =
+      plastica::report::display_unit(dimension, std::fabs(value), modulus);
+  const double number = value / unit.scale;
+  return report::quantity(std::isfinite(error) ? report::with_error(number, error / unit.scale)
+                                               : report::significant(number),
                           unit.name);
+}
+
+/// Sets a field of a scene, and where regions have its own material, theirs.
+void apply(const Setup& original, const Field& field, double value, Setup& setup) {
+  if (field.path.starts_with("material.")) {
+    const FieldValue before = field.get(original);
+    for (Region& region : setup.scene.regions) replace(field, before, value, region.material);
+  }
+  set_field(setup, field, value);
+}
+
+void rename_material(const std::string& name, const Scene& original, Scene& scene) {
+  for (Region& region : scene.regions) {
+    if (region.material.name == original.material.name) region.material.name = name;
+  }
+  scene.material.name = name;
 }
 
 }  // namespace
@@ -44,34 +64,34 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
   Scene& out = fitted.scene;
   fitted.notes.push_back("material fitted to " + record.target.name);
 
-  for (Region& region : out.regions) {
-    if (region.material.name == scene.material.name) region.material.name = record.target.name;
-  }
-  out.material.name = record.target.name;
+  rename_material(record.target.name, scene, out);
   // The numbers of a law hold with that law.
+  std::vector<std::size_t> same_hardening;
+  for (std::size_t i = 0; i < out.regions.size(); ++i) {
+    if (same(out.regions[i].material.hardening, scene.material.hardening)) {
+      same_hardening.push_back(i);
+    }
+  }
   out.material.hardening = options.setup.scene.material.hardening;
   const Setup original{scene, {}};
   for (const FittedParameter& parameter : record.result.parameters) {
-    const Field& field = find_field(parameter.path);
     if (parameter.role != ParameterRole::Fixed && !parameter.identified) {
       fitted.notes.push_back(
           fmt::format("{} is not identified by the fit: the scene's own stays", parameter.name));
       continue;
     }
-    const FieldValue before = field.get(original);
-    for (Region& region : out.regions) replace(field, before, parameter.value, region.material);
     Setup setup{out, {}};
-    set_field(setup, field, parameter.value);
-    out.material = setup.scene.material;
+    apply(original, find_field(parameter.path), parameter.value, setup);
+    out = std::move(setup.scene);
     fitted.notes.push_back(fmt::format(
-        "{} = {}, {}{}", parameter.name, shown(parameter),
+        "{} = {}, {}{}", parameter.name,
+        shown(parameter.name, parameter.dimension, parameter.value,
+              parameter.standard_error.value_or(std::numeric_limits<double>::quiet_NaN())),
         parameter.role == ParameterRole::Free ? "fitted" : report::word_of(parameter.role),
         parameter.at_lower || parameter.at_upper ? ", at a bound of the fit" : ""));
   }
-  for (Region& region : out.regions) {
-    if (same(region.material.hardening, scene.material.hardening)) {
-      region.material.hardening = out.material.hardening;
-    }
+  for (const std::size_t i : same_hardening) {
+    out.regions[i].material.hardening = out.material.hardening;
   }
   const Scene& told = options.setup.scene;
   if (record.target.test != Test::Tension && told.yield_cap != scene.yield_cap) {
@@ -79,6 +99,27 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
         "the fit and the scene have different rules.yield_cap: the yield stress means another "
         "moment there");
   }
+  return fitted;
+}
+
+FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record) {
+  if (record.result.status != FitStatus::Fitted) {
+    throw InputError({}, "--case", record.name, "has no fit: " + record.result.reason);
+  }
+  FittedSetup fitted{setup, {"fitted to " + record.name}};
+  for (const SceneParameter& parameter : record.result.parameters) {
+    if (parameter.verdict == Verdict::NotIdentified) {
+      fitted.notes.push_back(
+          fmt::format("{} is not identified by the fit: the scene's own stays", parameter.path));
+      continue;
+    }
+    apply(setup, find_field(parameter.path), parameter.value, fitted.setup);
+    fitted.notes.push_back(fmt::format(
+        "{} = {}, {}", parameter.path,
+        shown(parameter.path, parameter.dimension, parameter.value, parameter.standard_error),
+        name_of(parameter.verdict)));
+  }
+  rename_material(record.name, setup.scene, fitted.setup.scene);
   return fitted;
 }
 

@@ -5,6 +5,8 @@
 
 #include "calibrate/fit/options.hpp"
 #include "calibrate/fit/result.hpp"
+#include "calibrate/scene/scene_fit_record.hpp"
+#include "plastica/model/field.hpp"
 #include "plastica/model/scene.hpp"
 
 namespace plastica::calibrate {
@@ -25,5 +27,16 @@ struct FittedScene {
 /// @param options  what it was told
 /// @throws InputError if there is no fit, or a region's material ends up with impossible numbers
 FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitOptions& options);
+
+/// A scene and its solver with the numbers of a fit through scenes.
+struct FittedSetup {
+  Setup setup;
+  std::vector<std::string> notes;  ///< a sentence for each parameter
+};
+
+/// The same for a fit through scenes, whose parameters may be any fields. The record knows the free
+/// ones alone: what the fit held fixed or tied must be in the setup, as it is in the fit's own.
+/// @throws InputError if there is no fit, or a value does not suit the setup
+FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record);
 
 }  // namespace plastica::calibrate

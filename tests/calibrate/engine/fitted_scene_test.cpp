@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "tests/calibrate/engine/engine_scenes.hpp"
 #include "tests/calibrate/report/records.hpp"
@@ -100,6 +101,67 @@ TEST(FittedScene, FitsRegionsOfTheSameMaterialToo) {
   EXPECT_EQ(fitted.scene.regions[1].material.yield_stress, 900e6);
   EXPECT_EQ(fitted.scene.regions[1].material.break_strain, 0.16);
   EXPECT_EQ(fitted.scene.regions[1].material.name, "harder");
+}
+
+TEST(FittedScene, GivesRegionsTheWholeLawOfTheFit) {
+  FitOptions options;
+  options.setup.scene.material.hardening = {.law = HardeningLaw::Linear, .kinematic_share = 0.5};
+  const FittedParameter tangent =
+      free_parameter("hardening.tangent_modulus", Dimension::Stress, 3e9, 1e7, 1e9, 0.0, 1e11);
+  const FittedScene fitted = fitted_scene(rich_scene(), fit_of({tangent}), options);
+  EXPECT_EQ(fitted.scene.regions[0].material.hardening.tangent_modulus, 3e9);
+  EXPECT_EQ(fitted.scene.regions[0].material.hardening.kinematic_share, 0.5);
+}
+
+/// A fit through scenes of the yield stress and the hinge length.
+calibrate::SceneFitRecord scene_fit(calibrate::Verdict of_the_hinge) {
+  calibrate::SceneParameter yield_stress;
+  yield_stress.path = "material.yield_stress";
+  yield_stress.dimension = Dimension::Stress;
+  yield_stress.value = 310e6;
+  yield_stress.standard_error = 2.4e6;
+  yield_stress.verdict = calibrate::Verdict::Identified;
+  calibrate::SceneParameter hinge;
+  hinge.path = "rules.hinge_length";
+  hinge.dimension = Dimension::Length;
+  hinge.value = 0.05;
+  hinge.standard_error = std::numeric_limits<double>::quiet_NaN();
+  hinge.verdict = of_the_hinge;
+  calibrate::SceneFitRecord record;
+  record.name = "bend";
+  record.result.status = calibrate::FitStatus::Fitted;
+  record.result.parameters = {yield_stress, hinge};
+  return record;
+}
+
+TEST(FittedSetup, HasTheNumbersOfAFitThroughScenes) {
+  const plastica::Setup setup{rich_scene(), {}};
+  const auto fitted = fitted_setup(setup, scene_fit(calibrate::Verdict::AtBound));
+  EXPECT_EQ(fitted.setup.scene.material.yield_stress, 310e6);
+  EXPECT_EQ(fitted.setup.scene.regions[0].material.yield_stress, 310e6);
+  EXPECT_EQ(fitted.setup.scene.hinge_length, 0.05);
+  EXPECT_EQ(fitted.notes,
+            (std::vector<std::string>{"fitted to bend",
+                                      "material.yield_stress = 310.0 ± 2.4 MPa, identified",
+                                      "rules.hinge_length = 0.050000 m, at bound"}));
+}
+
+TEST(FittedSetup, KeepsWhatTheFitDoesNotKnow) {
+  const auto fitted =
+      fitted_setup({rich_scene(), {}}, scene_fit(calibrate::Verdict::NotIdentified));
+  EXPECT_FALSE(fitted.setup.scene.hinge_length);
+  EXPECT_EQ(fitted.notes.back(),
+            "rules.hinge_length is not identified by the fit: the scene's own stays");
+}
+
+TEST(FittedSetup, NeedsAFit) {
+  auto record = scene_fit(calibrate::Verdict::Identified);
+  record.result.status = calibrate::FitStatus::Failed;
+  record.result.reason = "no search found a start";
+  EXPECT_EQ(message_of([&] {
+              fitted_setup({rich_scene(), {}}, record);
+            }),
+            "--case = bend: has no fit: no search found a start");
 }
 
 TEST(FittedScene, NeedsAFit) {
