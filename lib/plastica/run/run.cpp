@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <initializer_list>
 
-#include "plastica/base/dual.hpp"
+#include "plastica/base/instruction_set.hpp"
 #include "plastica/coupon/material.hpp"
+#include "plastica/coupon/slope_kernel.hpp"
 #include "plastica/law/plastic_work.hpp"
 #include "plastica/run/chain_run.hpp"
 #include "plastica/run/parameters.hpp"
@@ -13,10 +15,9 @@
 namespace plastica {
 namespace {
 
-template <class S>
-void set_parameters(const Model& model, ParameterValues values, MaterialValues<S>& material) {
+void set_parameters(const Model& model, ParameterValues values, MaterialValues<double>& material) {
   for (std::size_t i = 0; i < values.size(); ++i) {
-    material[static_cast<std::size_t>(*model.parameters[i]->material)] = S(values[i]);
+    material[static_cast<std::size_t>(*model.parameters[i]->material)] = values[i];
   }
 }
 
@@ -184,53 +185,31 @@ bool begin(const Model& model, ParameterValues values, coupon::CouponMaterial<do
   return true;
 }
 
-/// Derivatives that go along in one pass.
-constexpr std::size_t kWidest = 8;
-
-/// A function of its own for each law and N: inlined into one, they would use up what the compiler
-/// allows a function to grow by inlining, and call dual numbers' operators (four times slower).
-template <std::size_t N, class Law>
-[[gnu::noinline]] void differentiate(const Model& model, const Law& law, std::size_t parameters,
-                                     std::size_t first, Response& response,
-                                     Sensitivity& sensitivity) {
-  using D = Dual<double, N>;
-  // Known to the compiler but for the widest, which also takes what does not fill it.
-  const std::size_t width = N == kWidest ? std::min(N, parameters - first) : N;
-  typename Law::State state;
-  const double* strain = model.drive.data();
-  double* stress = response.probes[0].data();
-  double* out = sensitivity.stress.data() + first;
-  const std::size_t samples = model.drive.size();
-  for (std::size_t s = 0; s < samples; ++s, out += parameters) {
-    const auto now = law::respond(law, state, D(strain[s]));
-    state = now.state;
-    stress[s] = now.stress.value;
-    for (std::size_t i = 0; i < width; ++i) out[i] = now.stress.derivative[i];
-  }
-  const D permanent = coupon::break_measure(model.coupon, state);
-  response.permanent_strain = permanent.value;
-  for (std::size_t i = 0; i < width; ++i) {
-    sensitivity.permanent_strain[first + i] = permanent.derivative[i];
-  }
-}
-
-template <std::size_t N>
-void sensitivity_chunk(const Model& model, ParameterValues values, std::size_t first,
-                       Response& response, Sensitivity& sensitivity) {
-  using D = Dual<double, N>;
-  const std::size_t parameters = values.size();
-  const std::size_t width = std::min(N, parameters - first);
-  MaterialValues<D> material;
-  for (std::size_t i = 0; i < kMaterialFields; ++i) material[i] = D(model.material[i]);
+/// Follows the curve as often as its parameters need.
+void differentiate(const Model& model, ParameterValues values, Response& response,
+                   Sensitivity& sensitivity) {
+  MaterialValues<double> material = model.material;
   set_parameters(model, values, material);
-  for (std::size_t i = 0; i < width; ++i) {
-    const auto field = static_cast<std::size_t>(*model.parameters[first + i]->material);
-    material[field] = D::parameter(values[first + i], i);
+  // Each gives the same bits.
+  const coupon::SlopeKernel kernel = coupon::slope_kernel(resolved(InstructionSet::Auto));
+  for (std::size_t first = 0; first < values.size(); first += coupon::kMostSlopes) {
+    const std::size_t n_slopes = std::min(values.size() - first, coupon::kMostSlopes);
+    std::array<std::size_t, coupon::kMostSlopes> fields{};
+    for (std::size_t i = 0; i < n_slopes; ++i) {
+      fields[i] = static_cast<std::size_t>(*model.parameters[first + i]->material);
+    }
+    kernel({.shape = &model.coupon,
+            .material = material.data(),
+            .fields = fields.data(),
+            .n_slopes = n_slopes,
+            .strain = model.drive.data(),
+            .n_samples = model.drive.size(),
+            .stress = response.probes[0].data(),
+            .slopes = sensitivity.stress.data() + first,
+            .stride = values.size(),
+            .permanent = &response.permanent_strain,
+            .permanent_slopes = sensitivity.permanent_strain.data() + first});
   }
-  const auto m = coupon::coupon_material(model.coupon, material);
-  coupon::with_law(model.coupon.hardening, m, [&](const auto& law) {
-    differentiate<N>(model, law, parameters, first, response, sensitivity);
-  });
 }
 
 void run_chain(const Model& model, ParameterValues values, Workspace& workspace,
@@ -294,15 +273,7 @@ void run_sensitivity(const Model& model, ParameterValues values, Workspace& work
   }
   coupon::CouponMaterial<double> m;
   if (!begin(model, values, m, response)) return;
-  for (std::size_t first = 0; first < values.size(); first += kWidest) {
-    switch (std::min(values.size() - first, kWidest)) {
-      case 1: sensitivity_chunk<1>(model, values, first, response, sensitivity); break;
-      case 2: sensitivity_chunk<2>(model, values, first, response, sensitivity); break;
-      case 3: sensitivity_chunk<3>(model, values, first, response, sensitivity); break;
-      case 4: sensitivity_chunk<4>(model, values, first, response, sensitivity); break;
-      default: sensitivity_chunk<kWidest>(model, values, first, response, sensitivity); break;
-    }
-  }
+  differentiate(model, values, response, sensitivity);
   finish(model, response, {response.probes[0].back(), response.permanent_strain});
 }
 

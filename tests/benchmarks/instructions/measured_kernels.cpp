@@ -81,14 +81,18 @@ void count_points(std::string_view name, HardeningLaw law) {
   count(name, {tension(law), {}}, 0.0, kPoints);
 }
 
-/// Points with derivatives by E, yield stress and tangent modulus.
-void count_differentiated_points(std::string_view name) {
-  const std::vector<std::string> parameters{"youngs_modulus", "yield_stress", "tangent_modulus"};
-  const Model model = prepare(tension(HardeningLaw::Linear), {}, parameters);
+/// Points with derivatives by E, yield stress and, with hardening, a number of the law.
+void count_differentiated_points(std::string_view name, HardeningLaw law) {
+  std::vector<std::string> parameters{"youngs_modulus", "yield_stress"};
+  std::vector<double> values{200e9, 300e6};
+  if (law != HardeningLaw::Ideal) {
+    parameters.emplace_back(law == HardeningLaw::Linear ? "tangent_modulus" : "saturation_stress");
+    values.push_back(law == HardeningLaw::Linear ? 1.1e9 : 120e6);
+  }
+  const Model model = prepare(tension(law), {}, parameters);
   Workspace workspace = make_workspace(model);
   Response response = make_response(model);
   Sensitivity sensitivity = make_sensitivity(model);
-  const std::vector<double> values{200e9, 300e6, 1.1e9};
   measured([&] { run_sensitivity(model, values, workspace, response, sensitivity); });
   std::printf("%.*s %d\n", static_cast<int>(name.size()), name.data(), kPoints);
 }
@@ -96,7 +100,10 @@ void count_differentiated_points(std::string_view name) {
 void count_all() {
   count_points("point_ideal", HardeningLaw::Ideal);
   count_points("point_linear", HardeningLaw::Linear);
-  count_differentiated_points("point_linear_three_derivatives");
+  count_points("point_voce", HardeningLaw::VoceChaboche);
+  count_differentiated_points("point_ideal_two_derivatives", HardeningLaw::Ideal);
+  count_differentiated_points("point_linear_three_derivatives", HardeningLaw::Linear);
+  count_differentiated_points("point_voce_three_derivatives", HardeningLaw::VoceChaboche);
   count_iterations("iteration_planar_elastic", Level::Planar, YieldModel::Elastic);
   count_iterations("iteration_planar_per_axis", Level::Planar, YieldModel::PerAxis);
   count_iterations("iteration_spatial_elastic", Level::Spatial, YieldModel::Elastic);

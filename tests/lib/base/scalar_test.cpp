@@ -137,13 +137,36 @@ TEST(Dual, AgreesWithFiniteDifferencesOverDecades) {
   const double x = 0.7;
   const double y = 1.3;
   const D d = mixture(D::parameter(x, 0), D::parameter(y, 1));
-  EXPECT_EQ(d.value, mixture(x, y));
+  EXPECT_EQ(d.value(), mixture(x, y));
   for (const double h : {1e-3, 1e-4, 1e-5}) {
     const double dx = (mixture(x + h, y) - mixture(x - h, y)) / (2.0 * h);
     const double dy = (mixture(x, y + h) - mixture(x, y - h)) / (2.0 * h);
-    EXPECT_NEAR(d.derivative[0], dx, 10.0 * h * h + 1e-10);
-    EXPECT_NEAR(d.derivative[1], dy, 10.0 * h * h + 1e-10);
+    EXPECT_NEAR(d.derivative(0), dx, 10.0 * h * h + 1e-10);
+    EXPECT_NEAR(d.derivative(1), dy, 10.0 * h * h + 1e-10);
   }
+}
+
+TEST(Dual, HoldsAsManyDerivativesAsAreAskedFor) {
+  const auto sum_of_squares = [](auto... x) { return ((x * x) + ...); };
+  using D = Dual<double, 5>;
+  const D sum = sum_of_squares(D::parameter(1.0, 0), D::parameter(2.0, 1), D::parameter(3.0, 2),
+                               D::parameter(4.0, 3), D::parameter(5.0, 4));
+  EXPECT_EQ(sum.value(), 55.0);
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_EQ(sum.derivative(i), 2.0 * (1.0 + static_cast<double>(i))) << i;
+  using F = Dual<float, 3>;
+  EXPECT_EQ(sum_of_squares(F::parameter(2.0F, 2)).derivative(2), 4.0F);
+  EXPECT_EQ(sum_of_squares(F::parameter(2.0F, 2)).derivative(1), 0.0F);
+}
+
+TEST(Dual, TakesTheSlopeOfItsSideAtAKink) {
+  using D = Dual<double, 1>;
+  const D slope = D::parameter(0.0, 0);
+  EXPECT_EQ(abs(slope).derivative(0), 1.0);
+  EXPECT_EQ(abs(D::parameter(-2.0, 0)).value(), 2.0);
+  EXPECT_EQ(abs(D::parameter(-2.0, 0)).derivative(0), -1.0);
+  EXPECT_EQ(max(slope, D(0.0)).derivative(0), 1.0);  // of equal ones the first
+  EXPECT_EQ(max(D(0.0), slope).derivative(0), 0.0);
 }
 
 TEST(Dual, CarriesPacks) {
@@ -152,8 +175,8 @@ TEST(Dual, CarriesPacks) {
   for (int lane = 0; lane < 8; ++lane) x.set(lane, 0.3 * lane);
   const D e = exp(D::parameter(x, 0) * constant<D>(2.0));
   for (int lane = 0; lane < 8; ++lane) {
-    EXPECT_EQ(e.value[lane], exp(x[lane] * 2.0));
-    EXPECT_EQ(e.derivative[0][lane], 2.0 * exp(x[lane] * 2.0));
+    EXPECT_EQ(e.value()[lane], exp(x[lane] * 2.0));
+    EXPECT_EQ(e.derivative(0)[lane], 2.0 * exp(x[lane] * 2.0));
   }
 }
 

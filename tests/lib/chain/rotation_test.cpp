@@ -78,12 +78,12 @@ TEST(Rotation, HasDerivativesWhereItIsTheIdentity) {
   Vec<D, 3> theta;
   for (std::size_t k = 0; k < 3; ++k) theta[k] = D::parameter(0.0, k);
   const Mat<D, 3, 3> r = rotation_matrix(theta);
-  EXPECT_EQ(r(2, 1).derivative[0], 1.0);
-  EXPECT_EQ(r(0, 0).derivative[0], 0.0);
+  EXPECT_EQ(r(2, 1).derivative(0), 1.0);
+  EXPECT_EQ(r(0, 0).derivative(0), 0.0);
   const Vec<D, 3> back = rotation_vector(r);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
-      EXPECT_NEAR(back[i].derivative[k], i == k ? 1.0 : 0.0, 1e-15);
+      EXPECT_NEAR(back[i].derivative(k), i == k ? 1.0 : 0.0, 1e-15);
     }
   }
 }

@@ -303,8 +303,8 @@ void expect_same_for_all_scalars() {
     for (std::size_t k = 0; k < 4; ++k) {
       const double cap = form.modulus[k] * 300e6;
       EXPECT_EQ(lanes[k][6], expected[k]);
-      EXPECT_EQ(dual[k].value, expected[k]);
-      EXPECT_NEAR(dual[k].derivative[0], (more[k] - less[k]) / 2e2, 1e-5 * cap / 300e6);
+      EXPECT_EQ(dual[k].value(), expected[k]);
+      EXPECT_NEAR(dual[k].derivative(0), (more[k] - less[k]) / 2e2, 1e-5 * cap / 300e6);
       EXPECT_NEAR(single[k], expected[k], 1e-3 * cap);
     }
   }

@@ -234,8 +234,8 @@ TEST(Gauge, TakesEveryScalar) {
       auto z = testing::strain_of<D>({0.3, -0.4, 0.2, -0.1});
       z[1] = D::parameter(-0.4, 0);
       const D phi = gauge_value(gauge, z);
-      EXPECT_EQ(phi.value, expected);
-      EXPECT_NEAR(phi.derivative[0], gauge_gradient(gauge, z)[1].value, 1e-14);
+      EXPECT_EQ(phi.value(), expected);
+      EXPECT_NEAR(phi.derivative(0), gauge_gradient(gauge, z)[1].value(), 1e-14);
     });
     with_gauge<float>(form, [&](const auto& gauge) {
       EXPECT_NEAR(gauge_value(gauge, testing::strain_of<float>({0.3, -0.4, 0.2, -0.1})), expected,

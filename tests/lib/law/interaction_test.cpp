@@ -350,12 +350,12 @@ TEST(InteractionSection, TakesSingleNumbersAndDerivatives) {
       with_gauge<D>(gauge_form_of(surface), [&](const auto& gauge) {
         with_law_type<D>(hardening, [&]<class Law>(std::type_identity<Law>) {
           MaterialValues<D> values = values_of<D>(material);
-          values[kYield] = D::parameter(values[kYield].value, 0);
+          values[kYield] = D::parameter(values[kYield].value(), 0);
           const auto dual = force_after<D>(interaction_section<Law>(form, gauge, values), yield);
           for (std::size_t k = 0; k < 4; ++k) {
-            EXPECT_NEAR(dual[k].value, expected[k], 1e-10 * cap[k]) << name << k;
+            EXPECT_NEAR(dual[k].value(), expected[k], 1e-10 * cap[k]) << name << k;
             const double slope = (more[k] - less[k]) / 2e2;
-            EXPECT_NEAR(dual[k].derivative[0], slope, 1e-5 * cap[k] / 300e6) << name << k;
+            EXPECT_NEAR(dual[k].derivative(0), slope, 1e-5 * cap[k] / 300e6) << name << k;
           }
         });
       });

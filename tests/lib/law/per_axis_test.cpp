@@ -160,7 +160,7 @@ void expect_same_for_all_scalars() {
   const auto single = force_after<float, Law>(values_of<float>(material), form, yield);
   MaterialValues<D> values = values_of<D>(material);
   constexpr auto kYield = static_cast<std::size_t>(MaterialField::YieldStress);
-  values[kYield] = D::parameter(values[kYield].value, 0);
+  values[kYield] = D::parameter(values[kYield].value(), 0);
   const auto dual = force_after<D, Law>(values, form, yield);
   const auto moved = [&](double step) {
     MaterialValues<double> other = values_of<double>(material);
@@ -169,10 +169,10 @@ void expect_same_for_all_scalars() {
   };
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(lanes[i][3], expected[i]);
-    EXPECT_EQ(dual[i].value, expected[i]);
+    EXPECT_EQ(dual[i].value(), expected[i]);
     EXPECT_NEAR(static_cast<double>(single[i]), expected[i], 1e-3 * std::fabs(expected[i]));
     const double slope = (moved(1e2)[i] - moved(-1e2)[i]) / 2e2;
-    EXPECT_NEAR(dual[i].derivative[0], slope, 1e-5 * std::fabs(expected[i]) / 300e6);
+    EXPECT_NEAR(dual[i].derivative(0), slope, 1e-5 * std::fabs(expected[i]) / 300e6);
   }
 }
 

@@ -83,7 +83,7 @@ void expect_same_for_all_scalars(const Make& make) {
   using D = Dual<double, 1>;
   const double expected = work_of<double>(make.template operator()<double>(), 3, false);
   EXPECT_EQ(work_of<Lanes>(make.template operator()<Lanes>(), 3, false)[5], expected);
-  EXPECT_EQ(work_of<D>(make.template operator()<D>(), 3, false).value, expected);
+  EXPECT_EQ(work_of<D>(make.template operator()<D>(), 3, false).value(), expected);
   const float single = work_of<float>(make.template operator()<float>(), 3, false);
   EXPECT_NEAR(static_cast<double>(single), expected, 1e-3 * expected);
 }

@@ -183,7 +183,7 @@ void expect_same_for_all_scalars(const Make& make) {
   const double expected = stress_after<double>(law, kCycle);
   const auto lanes = stress_after<Lanes>(make.template operator()<Lanes>(), kCycle);
   for (int lane = 0; lane < 8; ++lane) EXPECT_EQ(lanes[lane], expected);
-  EXPECT_EQ(stress_after<D>(make.template operator()<D>(), kCycle).value, expected);
+  EXPECT_EQ(stress_after<D>(make.template operator()<D>(), kCycle).value(), expected);
   const float single = stress_after<float>(make.template operator()<float>(), kCycle);
   EXPECT_NEAR(static_cast<double>(single), expected, 2e-4 * kY);
   const auto floats = stress_after<FloatLanes>(make.template operator()<FloatLanes>(), kCycle);
@@ -226,7 +226,7 @@ TEST(VoceChaboche, IsSmoothDownToABackRateOfZero) {
   auto law = voce<D>();
   law.back_rate[0] = D::parameter(0.0, 0);
   const double difference = (with(2e-3) - with(0.0)) / 2e-3;
-  EXPECT_NEAR(stress_after<D>(law, kCycle).derivative[0], difference, 1e-3 * std::fabs(difference));
+  EXPECT_NEAR(stress_after<D>(law, kCycle).derivative(0), difference, 1e-3 * std::fabs(difference));
 }
 
 TEST(UniaxialLaws, LetDerivativesThroughPlasticCycles) {
@@ -245,9 +245,9 @@ TEST(UniaxialLaws, LetDerivativesThroughPlasticCycles) {
   const double dq = (with(80e6 + 1e3, 12, 20e9) - with(80e6 - 1e3, 12, 20e9)) / 2e3;
   const double db = (with(80e6, 12 + 1e-4, 20e9) - with(80e6, 12 - 1e-4, 20e9)) / 2e-4;
   const double dc = (with(80e6, 12, 20e9 + 1e5) - with(80e6, 12, 20e9 - 1e5)) / 2e5;
-  EXPECT_NEAR(stress.derivative[0], dq, 1e-6 * std::fabs(dq) + 1e-9);
-  EXPECT_NEAR(stress.derivative[1], db, 1e-6 * std::fabs(db));
-  EXPECT_NEAR(stress.derivative[2], dc, 1e-5 * std::fabs(dc));
+  EXPECT_NEAR(stress.derivative(0), dq, 1e-6 * std::fabs(dq) + 1e-9);
+  EXPECT_NEAR(stress.derivative(1), db, 1e-6 * std::fabs(db));
+  EXPECT_NEAR(stress.derivative(2), dc, 1e-5 * std::fabs(dc));
 }
 
 }  // namespace

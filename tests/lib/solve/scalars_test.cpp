@@ -71,10 +71,10 @@ void expect_lanes_and_derivatives(const Scene& scene, const MakeView& view_of) {
       const auto lone = alone(lanes[kYoung][lane], plain[kYield]);
       EXPECT_NEAR(in_lanes[k][lane], lone[k], 1e-10);
     }
-    EXPECT_NEAR(derived[k].value, tip[k], 1e-10);
+    EXPECT_NEAR(derived[k].value(), tip[k], 1e-10);
     // By differences; what the step's square and rounding leave is below 1e-6 of the slope.
     const double slope = (stiffer[k] - softer[k]) / (2.0 * h);
-    EXPECT_NEAR(derived[k].derivative[0] * plain[kYoung], slope, 1e-6 * (1.0 + std::fabs(slope)));
+    EXPECT_NEAR(derived[k].derivative(0) * plain[kYoung], slope, 1e-6 * (1.0 + std::fabs(slope)));
   }
 }
 
@@ -112,7 +112,7 @@ TEST(Scalars, AgreeInTwist) {
   const double alone = turn(plain);
   EXPECT_NEAR(turn(lanes)[3], alone, 1e-10);
   // The twist is T L/(G J): its derivative by E is -twist/E.
-  EXPECT_NEAR(turn(dual).derivative[0] * plain[kYoung], -alone, 1e-10);
+  EXPECT_NEAR(turn(dual).derivative(0) * plain[kYoung], -alone, 1e-10);
 }
 
 }  // namespace
