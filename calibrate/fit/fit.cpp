@@ -23,11 +23,7 @@ std::uint64_t seed_of(const std::string& name, std::uint64_t seed) {
   return hash;
 }
 
-double largest_stress(const Curve& curve) {
-  double size = 0.0;
-  for (const double s : curve.stress) size = std::max(size, std::fabs(s));
-  return size;
-}
+double largest_stress(const Curve& curve) { return largest_magnitude(curve.stress); }
 
 /// Limits of the misfit, as a share of the largest stress, for "close" and "fair".
 constexpr double kClose = 0.02;

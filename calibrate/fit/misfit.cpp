@@ -61,8 +61,7 @@ Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterS
   weight_ = raw_weight_;
   for (double& w : weight_) w /= sum;
 
-  double stress = 0.0;
-  for (const double s : target.corrected.stress) stress = std::max(stress, std::fabs(s));
+  const double stress = largest_magnitude(target.corrected.stress);
   if (stress > 0.0) cost_unit_ = stress * stress;
 
   std::vector<std::string> paths;
@@ -195,20 +194,35 @@ std::vector<double> Misfit::model_by_active(std::size_t active) {
   return map;
 }
 
+void Misfit::stress_slopes(std::span<const double> map, std::size_t parameter,
+                           std::span<double> slopes) const {
+  const std::size_t width = model_index_.size();
+  const std::size_t n = parameters_.active().size();
+  bool first = true;
+  for (std::size_t i = 0; i < width; ++i) {
+    const double factor = map[i * n + parameter];
+    if (factor == 0.0) continue;
+    const double* slope = sensitivity_.stress.data() + i;
+    if (first) {
+      for (std::size_t s = 0; s < slopes.size(); ++s) slopes[s] = factor * slope[s * width];
+    } else {
+      for (std::size_t s = 0; s < slopes.size(); ++s) slopes[s] += factor * slope[s * width];
+    }
+    first = false;
+  }
+  if (first) std::fill(slopes.begin(), slopes.end(), 0.0);
+}
+
 std::vector<double> Misfit::curvature(std::span<const double> active) {
   const std::size_t n = active.size();
   std::vector<double> curvature(n, 0.0);
   std::vector<double> by_active(n);
   if (!std::isfinite(cost(active, by_active))) return curvature;
   const std::vector<double> map = model_by_active(n);
-  const std::size_t width = model_index_.size();
-  const double* row = sensitivity_.stress.data();
-  for (std::size_t s = 0; s < samples_; ++s, row += width) {
-    for (std::size_t k = 0; k < n; ++k) {
-      double slope = 0.0;
-      for (std::size_t i = 0; i < width; ++i) slope += row[i] * map[i * n + k];
-      curvature[k] += 2.0 * weight_[s] * slope * slope;
-    }
+  std::vector<double> slope(samples_);
+  for (std::size_t k = 0; k < n; ++k) {
+    stress_slopes(map, k, slope);
+    curvature[k] = 2.0 * weighted_product(weight_, slope, slope);
   }
   if (break_scale_ > 0.0) {
     std::fill(by_all_.begin(), by_all_.end(), 0.0);
@@ -233,18 +247,20 @@ Misfit::Details Misfit::details(std::span<const double> active) {
   const std::size_t n = active.size();
   const std::size_t width = model_index_.size();
   const std::vector<double> map = model_by_active(n);
-  const auto map_row = [&](const double* by_model, double* by_active) {
-    for (std::size_t i = 0; i < width; ++i) {
-      for (std::size_t k = 0; k < n; ++k) by_active[k] += by_model[i] * map[i * n + k];
-    }
-  };
+  const double* stress = response_.probes[0].data();
   for (std::size_t s = 0; s < samples_; ++s) {
-    d.residual[s] = response_.probes[0][s] - target_.corrected.stress[s];
-    map_row(sensitivity_.stress.data() + s * width, d.jacobian.data() + s * n);
+    d.residual[s] = stress[s] - target_.corrected.stress[s];
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    stress_slopes(map, k, std::span(d.jacobian).subspan(k * samples_, samples_));
   }
   d.permanent = response_.permanent_strain;
   d.permanent_gradient.resize(n);
-  map_row(sensitivity_.permanent_strain.data(), d.permanent_gradient.data());
+  for (std::size_t i = 0; i < width; ++i) {
+    for (std::size_t k = 0; k < n; ++k) {
+      d.permanent_gradient[k] += sensitivity_.permanent_strain[i] * map[i * n + k];
+    }
+  }
   return d;
 }
 

@@ -64,11 +64,12 @@ class Misfit {
 
   /// The parts of a cost and what an uncertainty needs, at a solution.
   struct Details {
-    double stress_cost = 0.0;                ///< f_stress [Pa^2]
-    double break_cost = 0.0;                 ///< f_break [Pa^2]
-    std::vector<double> residual;            ///< (n_samples) [Pa]
-    std::vector<double> weight;              ///< w_i, unscaled (n_samples)
-    std::vector<double> jacobian;            ///< d model stress / d active (n_samples x n_active)
+    double stress_cost = 0.0;      ///< f_stress [Pa^2]
+    double break_cost = 0.0;       ///< f_break [Pa^2]
+    std::vector<double> residual;  ///< (n_samples) [Pa]
+    std::vector<double> weight;    ///< w_i, unscaled (n_samples)
+    /// d model stress / d active, of each parameter all samples in a row (n_active x n_samples).
+    std::vector<double> jacobian;
     double permanent = 0.0;                  ///< p above [1]
     std::vector<double> permanent_gradient;  ///< dp / d active (n_active)
   };
@@ -85,6 +86,10 @@ class Misfit {
   void sum_stress_cost(bool with_slopes);
   /// d all model parameters / d active (n_model x n_active).
   std::vector<double> model_by_active(std::size_t active);
+  /// Slopes of the stress at the last evaluation by an active parameter (n_samples).
+  /// @param map  `model_by_active`
+  void stress_slopes(std::span<const double> map, std::size_t parameter,
+                     std::span<double> slopes) const;
   /// f_stress; the gradient is that of `cost` if `with_break`, else of `search_cost`.
   double evaluate(std::span<const double> active, std::span<double> gradient, bool with_break);
   double limit() const;

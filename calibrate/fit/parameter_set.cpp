@@ -23,7 +23,8 @@ bool is_break(const Field& field) {
 /// A lower bound that leaves room below an upper one that is given alone.
 double room_below(double upper) { return upper > 0.0 ? upper / 30.0 : upper * 30.0; }
 
-ResolvedParameter resolve(const Parameter& p, const Target& target, const FitOptions& options) {
+ResolvedParameter resolve(const Parameter& p, const CurveSizes& sizes, const Target& target,
+                          const FitOptions& options) {
   ResolvedParameter r;
   r.field = p.field;
   r.role = p.role;
@@ -35,7 +36,7 @@ ResolvedParameter resolve(const Parameter& p, const Target& target, const FitOpt
   }
   if (p.role == ParameterRole::Tied) return r;
 
-  const StartValue found = start_value(*p.field, target, options);
+  const StartValue found = start_value(*p.field, sizes, target, options);
   r.lower = p.lower.value_or(p.upper ? std::min(found.lower, room_below(*p.upper)) : found.lower);
   r.upper = p.upper.value_or(p.lower ? std::max(found.upper, *p.lower * 30.0) : found.upper);
   if (p.value) {
@@ -63,7 +64,10 @@ ResolvedParameter resolve(const Parameter& p, const Target& target, const FitOpt
 }  // namespace
 
 ParameterSet::ParameterSet(const Target& target, const FitOptions& options) {
-  for (const Parameter& p : options.parameters) all_.push_back(resolve(p, target, options));
+  const CurveSizes sizes = curve_sizes(target, options);
+  for (const Parameter& p : options.parameters) {
+    all_.push_back(resolve(p, sizes, target, options));
+  }
   resolve_ties(options);
   find_break_parameter(target, options);
   for (std::size_t i = 0; i < all_.size(); ++i) {

@@ -10,50 +10,22 @@
 namespace plastica::calibrate {
 namespace {
 
-/// What the curve shows, with stand-ins for what its characteristics lack.
-struct Sizes {
-  double stress = 1.0;   ///< largest |stress| [Pa]
-  double strain = 1.0;   ///< largest |strain| [1]
-  double modulus = 1.0;  ///< stiffness of the test: E, or G in torsion [Pa]
-  double yield = 1.0;    ///< start of the yield stress [Pa]
-  double slope = 0.0;    ///< after yield [Pa]
-};
-
-double largest(const std::vector<double>& values) {
-  double size = 0.0;
-  for (const double value : values) size = std::max(size, std::fabs(value));
-  return size;
-}
-
-Sizes sizes_of(const Target& target, const FitOptions& options) {
-  const Characteristics& c = target.characteristics;
-  Sizes s;
-  s.stress = largest(target.corrected.stress);
-  s.strain = largest(target.corrected.strain);
-  s.modulus = c.youngs_modulus.value_or(s.stress / s.strain);
-  const double strength = c.rm.value_or(s.stress);
-  const double proof = c.rp02.value_or(strength);
-  if (target.loading == Loading::Cyclic) {
-    s.yield = 0.8 * s.stress;
-  } else if (options.setup.scene.material.hardening.law == HardeningLaw::Ideal) {
-    s.yield = 0.5 * (proof + strength);
-  } else {
-    s.yield = proof;
+double largest_weighted_stress(const Curve& curve, const FitOptions& options) {
+  if (options.weights.empty()) return largest_magnitude(curve.stress);
+  double stress = 0.0;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (given_weight(options.weights, curve.strain[i]) > 0.0) {
+      stress = std::max(stress, std::fabs(curve.stress[i]));
+    }
   }
-  // The largest of noisy stresses lies above the plateau, where the model does not yield at all and
-  // no slope leads back.
-  if (!c.rp02 && target.loading == Loading::Monotonic) s.yield *= 0.95;
-  const double strain_at_proof = proof / s.modulus;
-  const double run = c.strain_at_rm.value_or(s.strain) - strain_at_proof;
-  if (run > 0.0) s.slope = std::max(0.0, (strength - proof) / run);
-  return s;
+  return stress;
 }
 
 /// A factor around the start, within the field's range.
 StartValue around(double start, double factor) { return {start, start / factor, start * factor}; }
 
-StartValue raw_start(MaterialField field, const Target& target, const FitOptions& options) {
-  const Sizes s = sizes_of(target, options);
+StartValue raw_start(MaterialField field, const CurveSizes& s, const Target& target,
+                     const FitOptions& options) {
   const Material& material = options.setup.scene.material;
   const bool torsion = target.test == Test::Torsion;
   const double yield_ratio = torsion ? std::sqrt(3.0) : 1.0;
@@ -94,8 +66,33 @@ StartValue raw_start(MaterialField field, const Target& target, const FitOptions
 
 }  // namespace
 
-StartValue start_value(const Field& field, const Target& target, const FitOptions& options) {
-  StartValue value = raw_start(*field.material, target, options);
+CurveSizes curve_sizes(const Target& target, const FitOptions& options) {
+  const Characteristics& c = target.characteristics;
+  CurveSizes s;
+  s.stress = largest_magnitude(target.corrected.stress);
+  s.strain = largest_magnitude(target.corrected.strain);
+  s.modulus = c.youngs_modulus.value_or(s.stress / s.strain);
+  const double strength = c.rm.value_or(s.stress);
+  const double proof = c.rp02.value_or(strength);
+  if (target.loading == Loading::Cyclic) {
+    s.yield = 0.8 * s.stress;
+  } else if (options.setup.scene.material.hardening.law == HardeningLaw::Ideal) {
+    s.yield = 0.5 * (proof + strength);
+  } else {
+    s.yield = proof;
+  }
+  // The largest of noisy stresses lies above the plateau, where the model does not yield at all and
+  // no slope leads back.
+  if (!c.rp02 && target.loading == Loading::Monotonic) s.yield *= 0.95;
+  const double strain_at_proof = proof / s.modulus;
+  const double run = c.strain_at_rm.value_or(s.strain) - strain_at_proof;
+  if (run > 0.0) s.slope = std::max(0.0, (strength - proof) / run);
+  return s;
+}
+
+StartValue start_value(const Field& field, const CurveSizes& sizes, const Target& target,
+                       const FitOptions& options) {
+  StartValue value = raw_start(*field.material, sizes, target, options);
   value.lower = std::max(value.lower, field.range.low);
   value.upper = std::min(value.upper, field.range.high);
   value.start = std::clamp(value.start, value.lower, value.upper);
@@ -103,17 +100,12 @@ StartValue start_value(const Field& field, const Target& target, const FitOption
 }
 
 double largest_useful_value(const Field& field, const Target& target, const FitOptions& options) {
-  double stress = 0.0;
-  for (std::size_t i = 0; i < target.corrected.size(); ++i) {
-    if (given_weight(options.weights, target.corrected.strain[i]) > 0.0) {
-      stress = std::max(stress, std::fabs(target.corrected.stress[i]));
-    }
-  }
   const bool torsion = target.test == Test::Torsion;
   const bool shear = field.material == MaterialField::ShearYieldStress;
   if ((field.material != MaterialField::YieldStress && !shear) || (shear && !torsion)) {
     return std::numeric_limits<double>::infinity();
   }
+  const double stress = largest_weighted_stress(target.corrected, options);
   if (target.test == Test::Tension) return stress;
   Scene scene = options.setup.scene;
   scene.drive.deformation = target.test;

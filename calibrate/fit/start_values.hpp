@@ -5,6 +5,17 @@
 
 namespace plastica::calibrate {
 
+/// What a curve shows, with stand-ins for what its characteristics lack.
+struct CurveSizes {
+  double stress = 1.0;   ///< largest |stress| [Pa]
+  double strain = 1.0;   ///< largest |strain| [1]
+  double modulus = 1.0;  ///< stiffness of the test: E, or G in torsion [Pa]
+  double yield = 1.0;    ///< start of the yield stress [Pa]
+  double slope = 0.0;    ///< after yield [Pa]
+};
+
+CurveSizes curve_sizes(const Target& target, const FitOptions& options);
+
 /// Where a fit begins and how far it may go, from what the curve shows.
 struct StartValue {
   double start = 0.0;
@@ -20,7 +31,9 @@ struct StartValue {
 /// proof stress to strength. Where a curve lacks one, its largest stress and strain stand in (95 %
 /// of the stress for a yield stress).
 /// Bounds hold the start with at least a factor of ten, and lie within the field's range.
-StartValue start_value(const Field& field, const Target& target, const FitOptions& options);
+/// @param sizes  the target's `curve_sizes`
+StartValue start_value(const Field& field, const CurveSizes& sizes, const Target& target,
+                       const FitOptions& options);
 
 /// The value of a yield stress at which the model's would be the largest measured stress (of the
 /// samples with a given weight above 0), beyond which it has no effect on a better fit; infinite

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
+#include "calibrate/fit/weighted_squares.hpp"
 #include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {
@@ -32,22 +34,22 @@ struct Normal {
 };
 
 Normal normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>& columns,
-                       const std::vector<double>& size, std::size_t n) {
+                       const std::vector<double>& size) {
   const auto m = static_cast<Eigen::Index>(columns.size());
   Normal normal{MatrixXd::Zero(m, m), MatrixXd::Zero(m, m)};
-  VectorXd row(m);
-  for (std::size_t s = 0; s < d.residual.size(); ++s) {
-    for (Eigen::Index k = 0; k < m; ++k) {
-      const std::size_t column = columns[static_cast<std::size_t>(k)];
-      row(k) = d.jacobian[s * n + column] * size[column];
-    }
-    const double w = d.weight[s];
-    for (Eigen::Index j = 0; j < m; ++j) {
-      for (Eigen::Index i = j; i < m; ++i) {
-        const double weighted = w * (row(i) * row(j));
-        normal.a(i, j) += weighted;
-        normal.b(i, j) += w * weighted;
-      }
+  std::vector<double> squared_weight(d.weight);
+  for (double& w : squared_weight) w *= w;
+  const std::size_t samples = d.residual.size();
+  const auto column = [&](Eigen::Index k) {
+    const std::size_t begin = columns[static_cast<std::size_t>(k)] * samples;
+    return std::span(d.jacobian).subspan(begin, samples);
+  };
+  const auto size_of = [&](Eigen::Index k) { return size[columns[static_cast<std::size_t>(k)]]; };
+  for (Eigen::Index j = 0; j < m; ++j) {
+    for (Eigen::Index i = j; i < m; ++i) {
+      const double unit = size_of(i) * size_of(j);
+      normal.a(i, j) = unit * weighted_product(d.weight, column(i), column(j));
+      normal.b(i, j) = unit * weighted_product(squared_weight, column(i), column(j));
     }
   }
   normal.a.triangularView<Eigen::StrictlyUpper>() = normal.a.transpose();
@@ -58,10 +60,10 @@ Normal normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>&
 /// Drops columns that vanish or that only combinations determine.
 /// @return the normal matrices of those kept
 Normal keep_identified(const Misfit::Details& d, const std::vector<double>& size, double stress,
-                       std::size_t n, std::vector<std::size_t>& columns) {
+                       std::vector<std::size_t>& columns) {
   double total = 0.0;
   for (const double w : d.weight) total += w;
-  Normal normal = normal_matrices(d, columns, size, n);
+  Normal normal = normal_matrices(d, columns, size);
   const auto keep = [&](const std::vector<Eigen::Index>& kept) {
     std::vector<std::size_t> left;
     left.reserve(kept.size());
@@ -103,9 +105,8 @@ StressPart stress_part(const Misfit::Details& d, std::span<const double> active,
     size[i] = active[i] != 0.0 ? std::fabs(active[i]) : 1.0;
     if (!parameters.all()[parameters.active()[i]].is_break) part.columns.push_back(i);
   }
-  double stress = 0.0;
-  for (const double s : target.corrected.stress) stress = std::max(stress, std::fabs(s));
-  const Normal normal = keep_identified(d, size, stress, n, part.columns);
+  const double stress = largest_magnitude(target.corrected.stress);
+  const Normal normal = keep_identified(d, size, stress, part.columns);
 
   const auto m = static_cast<Eigen::Index>(part.columns.size());
   part.covariance = MatrixXd::Zero(m, m);

@@ -57,6 +57,17 @@ double weighted_squares(std::span<const double> model, std::span<const double> t
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
+double weighted_product(std::span<const double> weight, std::span<const double> a,
+                        std::span<const double> b) {
+  std::array<double, kChains> sum{};
+  std::size_t i = 0;
+  for (; i + kChains <= weight.size(); i += kChains) {
+    for (std::size_t j = 0; j < kChains; ++j) sum[j] += weight[i + j] * (a[i + j] * b[i + j]);
+  }
+  for (; i < weight.size(); ++i) sum[0] += weight[i] * (a[i] * b[i]);
+  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
 double weighted_squares(std::span<const double> model, std::span<const double> target,
                         std::span<const double> weight, std::span<const double> slopes,
                         std::span<double> gradient) {

@@ -16,4 +16,8 @@ double weighted_squares(std::span<const double> model, std::span<const double> t
                         std::span<const double> weight, std::span<const double> slopes,
                         std::span<double> gradient);
 
+/// sum w_i a_i b_i (n); sums of a fixed order, as above.
+double weighted_product(std::span<const double> weight, std::span<const double> a,
+                        std::span<const double> b);
+
 }  // namespace plastica::calibrate

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "plastica/model/drive.hpp"
@@ -13,6 +14,9 @@ struct Curve {
   std::vector<double> stress;
   std::size_t size() const { return strain.size(); }
 };
+
+/// The largest |value|; 0 if there is none. NaN is left out.
+double largest_magnitude(std::span<const double> values);
 
 /// What loads the specimen; says of which fibre strain and stress are (see `Deformation`).
 using Test = Deformation;

@@ -111,9 +111,9 @@ TEST(Misfit, ReportsThePartsOfItsCost) {
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(d.residual[i], residual[i], tolerance(1e-3));
     EXPECT_NEAR(d.weight[i], weight[i], tolerance(1e-15));
-    EXPECT_NEAR(d.jacobian[3 * i], by_young[i], tolerance(1e-15));
-    EXPECT_NEAR(d.jacobian[3 * i + 1], by_yield[i], tolerance(1e-15));
-    EXPECT_EQ(d.jacobian[3 * i + 2], 0.0);
+    EXPECT_NEAR(d.jacobian[i], by_young[i], tolerance(1e-15));
+    EXPECT_NEAR(d.jacobian[d.residual.size() + i], by_yield[i], tolerance(1e-15));
+    EXPECT_EQ(d.jacobian[2 * d.residual.size() + i], 0.0);
   }
   EXPECT_NEAR(d.permanent, 0.0055, tolerance(1e-15));
   // p = strain - Y/E.

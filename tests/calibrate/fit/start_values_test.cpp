@@ -24,7 +24,7 @@ Target steel(Deformation test = Deformation::Tension) {
 }
 
 StartValue start_of(const char* name, const Target& target, const FitOptions& options) {
-  return start_value(find_field(name), target, options);
+  return start_value(find_field(name), curve_sizes(target, options), target, options);
 }
 
 StartValue start_of(const char* name, const Target& target) {
@@ -83,7 +83,8 @@ TEST(StartValues, LieInsideOfBoundsThatLieInTheFieldsRange) {
   for (const Deformation test : {Deformation::Tension, Deformation::Torsion}) {
     for (const Field& field : fields()) {
       if (!field.material) continue;
-      const StartValue value = start_value(field, steel(test), options);
+      const Target target = steel(test);
+      const StartValue value = start_value(field, curve_sizes(target, options), target, options);
       EXPECT_LT(value.lower, value.upper) << field.path;
       EXPECT_GE(value.start, value.lower) << field.path;
       EXPECT_LE(value.start, value.upper) << field.path;

@@ -41,5 +41,16 @@ TEST(WeightedSquares, AreSummedForEveryNumberOfSamplesAndParameters) {
   }
 }
 
+TEST(WeightedProduct, IsSummedForEveryNumberOfSamples) {
+  for (std::size_t samples = 0; samples <= 9; ++samples) {
+    const Sums sums(samples, 1);
+    double expected = 0.0;
+    for (std::size_t i = 0; i < samples; ++i) {
+      expected += sums.weight[i] * sums.model[i] * sums.target[i];
+    }
+    EXPECT_EQ(weighted_product(sums.weight, sums.model, sums.target), expected) << samples;
+  }
+}
+
 }  // namespace
 }  // namespace plastica::calibrate
