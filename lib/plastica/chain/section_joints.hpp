@@ -130,10 +130,10 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   }
   /// @param kept  what laws with many states point to
   SectionJoints(SectionAxes<L> axes, std::vector<Law> laws, std::vector<SectionJoint<L>> joints,
-                std::shared_ptr<const void> kept) requires requires(const Law& law) {
+                const std::shared_ptr<const void>& kept) requires requires(const Law& law) {
     law.layout->states();
   } : SectionJoints(axes, std::move(laws), std::move(joints)) {
-    states_.kept = std::move(kept);
+    states_.kept = kept;
   }
 
   void evaluate(std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts,
@@ -182,6 +182,19 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   template <class V, class VisitState>
   void visit_states(V& v, const VisitState& visit_state) {
     for (typename Law::State& state : before_) visit_state(v, state, axes_.rotation(0), kR);
+  }
+  /// The same of what the last trial has found: energies and, where the law can yield, forces, work
+  /// and states.
+  template <class V, class VisitState>
+  void visit_trial(V& v, const VisitState& visit_state) {
+    for (S& energy : elastic_) v.number(energy);
+    if constexpr (!std::is_empty_v<typename Law::State>) {
+      for (std::size_t j = 0; j < joints_.size(); ++j) {
+        for (std::size_t k = 0; k < kR; ++k) v.number(force_[j][axes_.rotation(k)]);
+        v.number(work_[j]);
+        visit_state(v, after_[j], axes_.rotation(0), kR);
+      }
+    }
   }
 
   void reset() override {

@@ -238,7 +238,8 @@ std::vector<Field> make_table() {
       choice<PLASTICA_REACH(solver.precision)>("solver.precision",
                                                "numbers that a chain is computed with"),
       choice<PLASTICA_REACH(solver.isa)>(
-          "solver.isa", "vector instructions of articulated schemes; auto: the widest there are"),
+          "solver.isa",
+          "vector instructions of articulated schemes and batches at rest; auto: the widest"),
       integer<PLASTICA_REACH(solver.fibres)>("solver.fibres", Range{2.0, 1e4},
                                              "fibres of a fibre section, along its depth"),
       number<PLASTICA_REACH(solver.duration)>(

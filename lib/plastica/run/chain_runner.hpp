@@ -33,6 +33,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   /// Whether what is sought next is looked at for more than where points are and what the laws say:
   /// `work` must then hold all that `equilibrate` leaves in it.
   bool needs_all() const;
+  bool records_next() const { return walker_->records_next(); }
   const solve::NewtonOptions& newton() const { return options_.newton; }
 
  private:

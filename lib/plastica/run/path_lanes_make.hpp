@@ -10,6 +10,10 @@
 /// Defines `PathLanes`.
 namespace plastica {
 
+inline constexpr auto kVisitState = [](auto& v, auto& state, std::size_t first, std::size_t count) {
+  chain::visit_state(v, state, first, count);
+};
+
 template <class L>
 void PathLanes<L>::run(std::span<const LaneCase> cases) {
   const auto began = std::chrono::steady_clock::now();
@@ -78,7 +82,7 @@ bool PathLanes<L>::begin(int lane, const LaneCase& next) {
     if (shape_ != new_shape_ && !any_seeks()) {
       shape_ = new_shape_;
       newton_->take_shape(shape_.data());
-      constexpr std::size_t kOfSegment = 12;  // its frame and place, more than its joint's unknowns
+      constexpr std::size_t kOfSegment = 16;  // more than a joint's trial in space, with hardening
       found_.resize(kOfSegment * (chain.size() + 1) + chain.closures.size());
     }
     const auto one_sided = [](const auto& closure) { return closure.one_sided; };
@@ -105,11 +109,7 @@ void PathLanes<L>::begin_seeking(int lane) {
   for (const History& history : one.runner->body().build.chain.histories) {
     writer.number(history.at(work.time));
   }
-  with_joints(*one.runner, [&](auto& joints) {
-    joints.visit_states(writer, [](auto& v, auto& state, std::size_t first, std::size_t count) {
-      chain::visit_state(v, state, first, count);
-    });
-  });
+  with_joints(*one.runner, [&](auto& joints) { joints.visit_states(writer, kVisitState); });
   newton_->take_start(lane, numbers_.data());
   one.iteration = 0;
   one.found = false;
@@ -138,6 +138,10 @@ void PathLanes<L>::judge(int lane, double imbalance) {
   newton_->read_places(lane, found_.data());
   chain::FieldReader places{found_.data()};
   chain::visit_places(places, work.placement);
+  if (law_ == solve::LaneLaw::Elastic && !one.runner->records_next()) return;
+  newton_->read_trial(lane, found_.data());
+  chain::FieldReader trial{found_.data()};
+  with_joints(*one.runner, [&](auto& joints) { joints.visit_trial(trial, kVisitState); });
 }
 
 template <class L>
@@ -147,7 +151,6 @@ void PathLanes<L>::take_found(int lane) {
   auto& work = body.work;
   if (one.placed) {
     std::copy(work.q.angle.begin(), work.q.angle.end(), work.angles.begin());
-    body.joints->evaluate(work.angles, work.q.shift, work.joints);
   } else if (one.converged) {
     solve::detail::assemble(body.build.chain, *body.joints, work);
     work.recursion.sum(body.build.chain, work.q, work.placement, work.stage, work.joints,

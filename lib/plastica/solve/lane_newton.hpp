@@ -38,6 +38,8 @@ class LaneNewton {
   virtual void read(int lane, double* found) = 0;
   /// @param places  of the segments, where the last `evaluate` has placed them
   virtual void read_places(int lane, double* places) = 0;
+  /// @param trial  of the laws there: energies, forces, work and states
+  virtual void read_trial(int lane, double* trial) = 0;
 };
 
 /// Makes the iterations of a level and law, to be deleted.

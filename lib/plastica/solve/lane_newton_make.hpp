@@ -103,6 +103,11 @@ class LaneNewtonOf final : public LaneNewton {
     chain::visit_places(reader, work_.placement);
   }
 
+  void read_trial(int lane, double* trial) override {
+    LaneReader reader{lane, trial};
+    joints_.visit_trial(reader, VisitState{});
+  }
+
  private:
   struct VisitLaw {
     template <class V>
