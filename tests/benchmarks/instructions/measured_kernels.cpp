@@ -100,10 +100,8 @@ void count_differentiated_points(std::string_view name, HardeningLaw law) {
 void count_all() {
   count_points("point_ideal", HardeningLaw::Ideal);
   count_points("point_linear", HardeningLaw::Linear);
-  count_points("point_voce", HardeningLaw::VoceChaboche);
   count_differentiated_points("point_ideal_two_derivatives", HardeningLaw::Ideal);
   count_differentiated_points("point_linear_three_derivatives", HardeningLaw::Linear);
-  count_differentiated_points("point_voce_three_derivatives", HardeningLaw::VoceChaboche);
   count_iterations("iteration_planar_elastic", Level::Planar, YieldModel::Elastic);
   count_iterations("iteration_planar_per_axis", Level::Planar, YieldModel::PerAxis);
   count_iterations("iteration_spatial_elastic", Level::Spatial, YieldModel::Elastic);
