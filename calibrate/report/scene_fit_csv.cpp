@@ -1,0 +1,134 @@
+#include "calibrate/report/scene_fit_csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "calibrate/report/scene_fit_words.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using namespace report;
+
+std::string cell_of(std::optional<double> value) {
+  return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string();
+}
+
+void put_row(std::ostream& out, const std::vector<std::string>& cells) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) out << ',';
+    out << plastica::report::csv_cell(cells[i]);
+  }
+  out << '\n';
+}
+
+/// Paths that any fit has, in the order in which they come up first.
+std::vector<std::pair<std::string, Dimension>> all_paths(std::span<const SceneFitRecord> records) {
+  std::vector<std::pair<std::string, Dimension>> all;
+  for (const SceneFitRecord& record : records) {
+    for (const SceneParameter& p : record.result.parameters) {
+      const std::pair path{p.path, p.dimension};
+      if (std::ranges::find(all, path) == all.end()) all.push_back(path);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> records) {
+  const auto paths = all_paths(records);
+  std::vector<std::string> header = {"name", "status", "reason"};
+  for (const auto& [path, dimension] : paths) {
+    for (const char* what : {"", ".stderr", ".low", ".high"}) {
+      header.push_back(fmt::format("{}{} [{}]", path, what, si_unit(dimension)));
+    }
+    header.push_back(path + ".verdict");
+  }
+  for (const char* last : {"cost [1]", "degrees_of_freedom [1]", "starts", "runs", "failed_runs"}) {
+    header.emplace_back(last);
+  }
+  put_row(out, header);
+  for (const SceneFitRecord& record : records) {
+    const SceneFitResult& result = record.result;
+    const bool fitted = result.status == FitStatus::Fitted;
+    std::vector<std::string> row = {record.name, std::string(word_of(result.status)),
+                                    result.reason};
+    for (const auto& [path, dimension] : paths) {
+      const auto p = std::ranges::find(result.parameters, path, &SceneParameter::path);
+      if (p == result.parameters.end() || !fitted) {
+        row.insert(row.end(), 5, std::string());
+        continue;
+      }
+      for (const double value : {p->value, p->standard_error, p->interval_low, p->interval_high}) {
+        row.push_back(cell_of(value));
+      }
+      row.emplace_back(name_of(p->verdict));
+    }
+    const std::vector<double> costs = sorted_costs(result);
+    row.push_back(fitted && !costs.empty() ? cell_of(costs.front()) : std::string());
+    row.push_back(fitted ? cell_of(result.degrees_of_freedom) : std::string());
+    row.push_back(std::to_string(result.starts.size()));
+    row.push_back(std::to_string(result.runs));
+    row.push_back(std::to_string(result.failed_runs));
+    put_row(out, row);
+  }
+}
+
+void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> records) {
+  put_row(out, {"fit", "target", "abscissa", "abscissa_unit", "ordinate", "ordinate_unit",
+                "samples", "weight", "broke_at", "broke_half_interval", "level", "noise",
+                "noise_is", "misfit_share [1]", "runs_probability [1]", "break_strain [1]"});
+  for (const SceneFitRecord& record : records) {
+    const bool there = record.result.parts.size() == record.targets.size();
+    for (std::size_t i = 0; i < record.targets.size(); ++i) {
+      const SceneTarget& target = record.targets[i];
+      std::vector<std::string> row = {record.name,
+                                      target.name,
+                                      abscissa_text(target),
+                                      std::string(si_unit(target.abscissa_is)),
+                                      target.ordinate_probe,
+                                      std::string(si_unit(target.ordinate_is)),
+                                      std::to_string(target.abscissa.size()),
+                                      cell_of(record.weights[i])};
+      row.push_back(target.broke ? cell_of(target.broke->at) : std::string());
+      row.push_back(target.broke ? cell_of(target.broke->half_interval) : std::string());
+      if (there) {
+        const ScenePartFit& part = record.result.parts[i];
+        row.insert(row.end(), {word_of(part.level), cell_of(part.noise),
+                               target.noise ? "given" : "estimated", cell_of(part.misfit_share),
+                               cell_of(part.runs_probability), cell_of(part.break_strain)});
+      } else {
+        row.insert(row.end(), 6, std::string());
+      }
+      put_row(out, row);
+    }
+  }
+}
+
+void write_scene_fit_curves_csv(std::ostream& out, std::span<const SceneFitRecord> records) {
+  out << "fit,target,abscissa,abscissa_unit,measured,fitted,ordinate_unit\n";
+  for (const SceneFitRecord& record : records) {
+    const bool there = record.result.parts.size() == record.targets.size();
+    for (std::size_t i = 0; i < record.targets.size(); ++i) {
+      const SceneTarget& target = record.targets[i];
+      static const std::vector<double> kNone;
+      const std::vector<double>& fitted = there ? record.result.parts[i].fitted : kNone;
+      for (std::size_t k = 0; k < target.abscissa.size(); ++k) {
+        put_row(out, {record.name, target.name, cell_of(target.abscissa[k]),
+                      std::string(si_unit(target.abscissa_is)), cell_of(target.ordinate[k]),
+                      k < fitted.size() ? cell_of(fitted[k]) : std::string(),
+                      std::string(si_unit(target.ordinate_is))});
+      }
+    }
+  }
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <iosfwd>
+#include <span>
+
+#include "calibrate/scene/scene_fit_record.hpp"
+
+namespace plastica::calibrate {
+
+/// Tables of fits through scenes: SI, the units in the header or, where they differ from row to
+/// row, in a column of their own; quoted after RFC 4180 with line feeds; what is missing is an
+/// empty cell. Numbers have all their digits.
+
+/// A row per fit: name, status, reason and, per parameter, value, standard error, interval and
+/// verdict; cost of the best search, runs.
+void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> records);
+
+/// A row per target: what it was measured over, and how well its fit follows it.
+void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> records);
+
+/// A row per sample: fit, target, abscissa, measured and fitted ordinate.
+void write_scene_fit_curves_csv(std::ostream& out, std::span<const SceneFitRecord> records);
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,143 @@
+#include "calibrate/report/scene_fit_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "calibrate/report/scene_fit_words.hpp"
+#include "calibrate/report/scene_population.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using namespace report;
+using Json = nlohmann::ordered_json;
+
+Json number(std::optional<double> value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+Json numbers(std::span<const double> values) {
+  Json all = Json::array();
+  for (const double value : values) all.push_back(number(value));
+  return all;
+}
+
+Json text_or_null(std::string_view text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+/// Rows of a square matrix; empty if it is none.
+Json matrix(std::span<const double> values, std::size_t n) {
+  Json rows = Json::array();
+  if (values.size() != n * n) return rows;
+  for (std::size_t i = 0; i < n; ++i) rows.push_back(numbers(values.subspan(i * n, n)));
+  return rows;
+}
+
+Json parameter_of(const SceneParameter& p) {
+  return {{"value", number(p.value)},
+          {"stderr", number(p.standard_error)},
+          {"interval", {number(p.interval_low), number(p.interval_high)}},
+          {"start", number(p.start)},
+          {"bounds", {number(p.lower), number(p.upper)}},
+          {"unit", si_unit(p.dimension)},
+          {"at_bound", p.at_bound},
+          {"verdict", name_of(p.verdict)},
+          {"verdict_number", number(p.verdict_number)}};
+}
+
+/// @param part  null: the fit has none
+Json target_of(const SceneTarget& target, double weight, const ScenePartFit* part) {
+  const auto of_part = [&](auto member) {
+    return part == nullptr ? Json(nullptr) : number(part->*member);
+  };
+  Json broke = nullptr;
+  if (target.broke) {
+    broke = {{"at", number(target.broke->at)},
+             {"half_interval", number(target.broke->half_interval)}};
+  }
+  return {{"name", target.name},
+          {"abscissa", abscissa_text(target)},
+          {"abscissa_unit", si_unit(target.abscissa_is)},
+          {"ordinate", target.ordinate_probe},
+          {"ordinate_unit", si_unit(target.ordinate_is)},
+          {"samples", target.abscissa.size()},
+          {"weight", number(weight)},
+          {"given_noise", number(target.noise)},
+          {"broke", std::move(broke)},
+          {"level", part == nullptr ? Json(nullptr) : Json(word_of(part->level))},
+          {"cost", of_part(&ScenePartFit::cost)},
+          {"noise", of_part(&ScenePartFit::noise)},
+          {"misfit_share", of_part(&ScenePartFit::misfit_share)},
+          {"runs_probability", of_part(&ScenePartFit::runs_probability)},
+          {"break_strain", of_part(&ScenePartFit::break_strain)}};
+}
+
+Json fit_of(const SceneFitRecord& record) {
+  const SceneFitResult& result = record.result;
+  Json parameters = Json::object();
+  for (const SceneParameter& p : result.parameters) parameters[p.path] = parameter_of(p);
+  Json targets = Json::array();
+  for (std::size_t i = 0; i < record.targets.size(); ++i) {
+    const bool there = result.parts.size() == record.targets.size();
+    targets.push_back(
+        target_of(record.targets[i], record.weights[i], there ? &result.parts[i] : nullptr));
+  }
+  Json starts = Json::array();
+  for (const SceneStart& start : result.starts) {
+    starts.push_back({{"from", numbers(start.from)},
+                      {"to", numbers(start.to)},
+                      {"cost", number(start.cost)},
+                      {"outcome", name_of(start.outcome)},
+                      {"evaluations", start.evaluations}});
+  }
+  return {{"name", record.name},
+          {"status", word_of(result.status)},
+          {"reason", text_or_null(result.reason)},
+          {"parameters", std::move(parameters)},
+          {"correlation", matrix(result.correlation, result.parameters.size())},
+          {"degrees_of_freedom", number(result.degrees_of_freedom)},
+          {"targets", std::move(targets)},
+          {"starts", std::move(starts)},
+          {"outcome", name_of(result.outcome)},
+          {"runs", result.runs},
+          {"failed_runs", result.failed_runs},
+          {"segment_iterations", result.segment_iterations},
+          {"warnings", result.warnings}};
+}
+
+Json population_of(std::span<const SceneFitRecord> records) {
+  const ScenePopulation population = scene_population(records);
+  Json parameters = Json::object();
+  for (const PopulationParameter& p : population.parameters) {
+    parameters[p.path] = {{"n", p.n},
+                          {"left_out", p.left_out},
+                          {"mean", number(p.mean)},
+                          {"standard_deviation", number(p.standard_deviation)},
+                          {"rms_error", number(p.rms_error)},
+                          {"specimen_deviation", number(p.specimen_deviation)},
+                          {"unit", si_unit(p.dimension)}};
+  }
+  const std::size_t n = population.parameters.size();
+  return {{"parameters", std::move(parameters)},
+          {"covariance", matrix(population.covariance, n)},
+          {"specimen_covariance", matrix(population.specimen_covariance, n)}};
+}
+
+}  // namespace
+
+std::string scene_fits_json(std::span<const SceneFitRecord> records, int indent) {
+  Json fits = Json::array();
+  for (const SceneFitRecord& record : records) fits.push_back(fit_of(record));
+  const auto fitted = std::ranges::count(records, FitStatus::Fitted,
+                                         [](const SceneFitRecord& r) { return r.result.status; });
+  const Json all = {{"fits", std::move(fits)},
+                    {"population", population_of(records)},
+                    {"counts", {{"fitted", fitted}, {"failed", std::ssize(records) - fitted}}}};
+  return all.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace plastica::calibrate

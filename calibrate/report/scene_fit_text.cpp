@@ -1,0 +1,159 @@
+#include "calibrate/report/scene_fit_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "calibrate/report/scene_fit_words.hpp"
+#include "plastica/report/ink.hpp"
+#include "plastica/report/table.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using namespace report;
+using plastica::report::Ink;
+using plastica::report::kWidth;
+using plastica::report::Table;
+using Align = Table::Align;
+
+std::string entry(std::string_view label, std::string_view text) {
+  return wrapped(fmt::format("  {:<12}", label), text, kWidth);
+}
+
+/// The costs in rising order, equal ones once: "best cost 7.10 in 2 of 3 searches, then 7.40".
+std::string waterfall(const SceneFitResult& result) {
+  constexpr std::size_t kMost = 5;
+  const std::vector<double> costs = sorted_costs(result);
+  const std::size_t searches = result.starts.size();
+  if (costs.empty()) return fmt::format("{}, none with a curve", counted(searches, "start"));
+  const std::size_t best = count_of_best(costs);
+  std::string text = searches == 1 ? fmt::format("cost {}", significant(costs.front(), 4))
+                                   : fmt::format("best cost {} from {} of {} starts",
+                                                 significant(costs.front(), 4), best, searches);
+  for (std::size_t i = best; i < costs.size() && i < best + kMost; ++i) {
+    text += fmt::format("{} {}", i == best ? ", then" : ",", significant(costs[i], 4));
+  }
+  if (costs.size() > best + kMost) text += ", …";
+  if (costs.size() < searches) text += fmt::format("; {} without a curve", searches - costs.size());
+  return text + fmt::format(" ({})", name_of(result.outcome));
+}
+
+std::string header(const SceneFitRecord& record, const Ink& ink) {
+  const SceneFitResult& result = record.result;
+  const bool fitted = result.status == FitStatus::Fitted;
+  std::string text =
+      wrapped("", fmt::format("{}: {}", printable(record.name), word_of(result.status)), kWidth);
+  text = fitted ? ink.heading(text) : ink.bad(text);
+  if (!fitted && !result.reason.empty()) text += entry("reason", printable(result.reason));
+  if (result.starts.empty()) return text;
+  text += entry("search", waterfall(result));
+  std::string work = counted(static_cast<std::size_t>(result.runs), "run") + " of scenes";
+  if (result.failed_runs > 0) {
+    work += fmt::format(", {} without a curve over the measured abscissa", result.failed_runs);
+  }
+  return text + entry("work", work + fmt::format("; {:.3g} segment iterations",
+                                                 static_cast<double>(result.segment_iterations)));
+}
+
+std::string parameters_text(const SceneFitResult& result, const ReportOptions& options,
+                            const Ink& ink) {
+  if (result.parameters.empty()) return {};
+  const bool fitted = result.status == FitStatus::Fitted;
+  Table table({{"", Align::Left},
+               {"value ± error", Align::PlusMinus},
+               {"", Align::Left},
+               {fmt::format("{:.4g} % interval", 100.0 * options.confidence), Align::Range},
+               {"verdict", Align::Left}});
+  for (const SceneParameter& parameter : result.parameters) {
+    const DisplayUnit unit = report::display_unit(parameter);
+    table.add({short_name(parameter.path), value_text(parameter, unit), std::string(unit.name),
+               interval_text(parameter, unit), fitted ? verdict_text(parameter) : ""});
+  }
+  std::string text = '\n' + ink.heading("Parameters\n") + table.text(2, kWidth);
+  if (!fitted) return text;
+  return text + entry("errors", std::isfinite(result.degrees_of_freedom)
+                                    ? fmt::format("of noise that the residuals say, {} degrees of "
+                                                  "freedom",
+                                                  significant(result.degrees_of_freedom, 3))
+                                    : "of the noise that the targets state");
+}
+
+/// "0.0290 ± 0.0005 m".
+std::string break_text(const SceneTarget& target) {
+  const DisplayUnit unit = plastica::report::display_unit(target.abscissa_is, target.broke->at);
+  const double at = target.broke->at / unit.scale;
+  const double half = target.broke->half_interval / unit.scale;
+  return quantity(half > 0.0 ? with_error(at, half) : significant(at, 4), unit.name);
+}
+
+std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
+  const std::vector<ScenePartFit>& parts = record.result.parts;
+  if (record.result.status != FitStatus::Fitted || parts.size() != record.targets.size()) return {};
+  const bool broke = std::ranges::any_of(
+      parts, [](const ScenePartFit& part) { return !std::isnan(part.break_strain); });
+  const bool weighted =
+      std::ranges::any_of(record.weights, [](double weight) { return weight != 1.0; });
+  std::vector<Table::Column> columns = {{"", Align::Left},
+                                        {"level", Align::Left},
+                                        {"samples", Align::Right},
+                                        {"noise", Align::Right},
+                                        {"", Align::Left},
+                                        {"misfit", Align::Right, "% of largest"},
+                                        {"runs", Align::Right, "probability"}};
+  if (weighted) columns.push_back({"weight"});
+  if (broke) columns.push_back({"break strain", Align::Right, "%"});
+  Table table(std::move(columns));
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const ScenePartFit& part = parts[p];
+    const SceneTarget& target = record.targets[p];
+    const DisplayUnit unit = plastica::report::display_unit(target.ordinate_is, part.noise);
+    std::vector<std::string> cells = {
+        printable(part.name),
+        word_of(part.level),
+        std::to_string(part.samples),
+        significant(part.noise / unit.scale, 3),
+        std::string(unit.name) + (target.noise ? " (given)" : ""),
+        significant(100.0 * part.misfit_share, 2),
+        std::isnan(part.runs_probability) ? "-" : fmt::format("{:.2g}", part.runs_probability)};
+    if (weighted) cells.push_back(brief(record.weights[p]));
+    if (broke) {
+      cells.push_back(std::isnan(part.break_strain) ? "-"
+                                                    : significant(100.0 * part.break_strain, 4));
+    }
+    table.add(std::move(cells));
+    if (target.broke)
+      table.add_note("broke at " + abscissa_text(target) + " " + break_text(target));
+  }
+  return '\n' + ink.heading("Targets\n") + table.text(2, kWidth);
+}
+
+std::string correlations_text(const SceneFitResult& result, const Ink& ink) {
+  Table table({{"", Align::Left}, {"", Align::Right}});
+  for (const StrongCorrelation& pair : strong_correlations(result)) {
+    table.add({short_name(result.parameters[pair.a].path) + ", " +
+                   short_name(result.parameters[pair.b].path),
+               fmt::format("{:+.3f}", pair.value)});
+  }
+  if (table.rows() == 0) return {};
+  const std::string heading = fmt::format("Correlations above {}\n", kStrongCorrelation);
+  return '\n' + ink.heading(heading) + table.text(2, kWidth);
+}
+
+}  // namespace
+
+std::string scene_fit_report(const SceneFitRecord& record, const ReportOptions& options) {
+  const Ink ink(options.color);
+  std::string text = header(record, ink) + parameters_text(record.result, options, ink) +
+                     targets_text(record, ink) + correlations_text(record.result, ink);
+  std::string warnings;
+  for (const std::string& warning : record.result.warnings) {
+    warnings += wrapped("  ! ", printable(warning), kWidth);
+  }
+  if (!warnings.empty()) text += '\n' + ink.bad("Warnings\n") + warnings;
+  return text;
+}
+
+}  // namespace plastica::calibrate

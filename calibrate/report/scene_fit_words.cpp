@@ -1,0 +1,103 @@
+#include "calibrate/report/scene_fit_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "plastica/model/field.hpp"
+
+namespace plastica::calibrate::report {
+
+std::string short_name(std::string_view path) {
+  return printable(path.substr(path.rfind('.') + 1));
+}
+
+DisplayUnit display_unit_of(std::string_view path, Dimension dimension, double size) {
+  return plastica::report::display_unit(dimension, size, path.find("modulus") != path.npos);
+}
+
+DisplayUnit display_unit(const SceneParameter& parameter) {
+  return display_unit_of(parameter.path, parameter.dimension, parameter.value);
+}
+
+std::string value_text(const SceneParameter& parameter, const DisplayUnit& unit) {
+  const double value = parameter.value / unit.scale;
+  if (!std::isfinite(parameter.standard_error)) return significant(value);
+  return with_error(value, parameter.standard_error / unit.scale);
+}
+
+std::string interval_text(const SceneParameter& parameter, const DisplayUnit& unit) {
+  const double low = parameter.interval_low / unit.scale;
+  const double high = parameter.interval_high / unit.scale;
+  if (!std::isfinite(low) || !std::isfinite(high)) return {};
+  const double error = 0.25 * (high - low);
+  if (!(error >= 1e-6) || std::max(std::fabs(low), std::fabs(high)) >= 1e7) {
+    return significant(low) + " … " + significant(high);
+  }
+  const int decimals = decimals_for(parameter.value / unit.scale, error);
+  return fmt::format("{:.{}f} … {:.{}f}", low, decimals, high, decimals);
+}
+
+std::string verdict_text(const SceneParameter& parameter) {
+  const std::string word(name_of(parameter.verdict));
+  const std::string share = fmt::format("{:.2g} %", 100.0 * parameter.verdict_number);
+  switch (parameter.verdict) {
+    case Verdict::Identified:
+    case Verdict::Weak: return word + ", error " + share;
+    case Verdict::NotIdentified: return word;
+    case Verdict::AtBound: {
+      const DisplayUnit unit =
+          display_unit_of(parameter.path, parameter.dimension, parameter.verdict_number);
+      return fmt::format("{}, {} {}", word,
+                         parameter.verdict_number == parameter.lower ? "lower" : "upper",
+                         quantity(brief(parameter.verdict_number / unit.scale), unit.name));
+    }
+    case Verdict::LimitedBySampling: return word + ", ± " + share;
+  }
+  return word;
+}
+
+std::string word_of(Level level) {
+  return std::string(find_field("solver.level").choices[static_cast<std::size_t>(level)]);
+}
+
+std::string abscissa_text(const SceneTarget& target) {
+  switch (target.kind) {
+    case Abscissa::Probe: return printable(target.abscissa_probe);
+    case Abscissa::Time: return "time";
+    case Abscissa::Support: return fmt::format("support {}", target.driven + 1);
+    case Abscissa::Load: return fmt::format("load {}", target.driven + 1);
+    case Abscissa::Strain: return "strain";
+  }
+  return {};
+}
+
+std::vector<StrongCorrelation> strong_correlations(const SceneFitResult& result) {
+  const std::size_t n = result.parameters.size();
+  std::vector<StrongCorrelation> all;
+  if (result.correlation.size() != n * n) return all;
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = a + 1; b < n; ++b) {
+      const double value = result.correlation[a * n + b];
+      if (std::fabs(value) > kStrongCorrelation) all.push_back({a, b, value});
+    }
+  }
+  return all;
+}
+
+std::vector<double> sorted_costs(const SceneFitResult& result) {
+  std::vector<double> costs;
+  for (const SceneStart& start : result.starts) {
+    if (std::isfinite(start.cost)) costs.push_back(start.cost);
+  }
+  std::ranges::sort(costs);
+  return costs;
+}
+
+std::size_t count_of_best(const std::vector<double>& costs) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      costs, [&](double cost) { return cost <= costs.front() * (1.0 + 1e-3); }));
+}
+
+}  // namespace plastica::calibrate::report

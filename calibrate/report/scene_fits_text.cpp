@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "calibrate/report/scene_fit_text.hpp"
+#include "calibrate/report/scene_fit_words.hpp"
+#include "calibrate/report/scene_population.hpp"
+#include "plastica/report/ink.hpp"
+#include "plastica/report/table.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using namespace report;
+using plastica::report::Ink;
+using plastica::report::kWidth;
+using plastica::report::Table;
+using Align = Table::Align;
+
+/// Parameters that the table over fits has room for; the report of a fit has all.
+constexpr std::size_t kMostColumns = 3;
+
+/// The letters of the table's last column, in their order.
+struct Flag {
+  char letter;
+  std::string_view meaning;
+};
+constexpr std::array<Flag, 6> kFlags = {{{'b', "a parameter at a bound"},
+                                         {'n', "a parameter not identified"},
+                                         {'k', "a parameter weak"},
+                                         {'s', "a break limited by sampling"},
+                                         {'c', "a correlation above 0.95"},
+                                         {'w', "warnings"}}};
+
+std::string flags_of(const SceneFitResult& result) {
+  const auto any = [&](Verdict verdict) {
+    return std::ranges::any_of(result.parameters,
+                               [&](const SceneParameter& p) { return p.verdict == verdict; });
+  };
+  std::string flags;
+  if (any(Verdict::AtBound)) flags += 'b';
+  if (any(Verdict::NotIdentified)) flags += 'n';
+  if (any(Verdict::Weak)) flags += 'k';
+  if (any(Verdict::LimitedBySampling)) flags += 's';
+  if (!strong_correlations(result).empty()) flags += 'c';
+  if (!result.warnings.empty()) flags += 'w';
+  return flags;
+}
+
+const SceneParameter* find_parameter(const SceneFitResult& result, const std::string& path) {
+  const auto found = std::ranges::find(result.parameters, path, &SceneParameter::path);
+  return found == result.parameters.end() ? nullptr : &*found;
+}
+
+/// A parameter's column: its unit fits the largest value.
+struct ShownParameter {
+  std::string path;
+  DisplayUnit unit;
+};
+
+std::vector<ShownParameter> shown_parameters(std::span<const SceneFitRecord> records,
+                                             const ScenePopulation& population) {
+  std::vector<ShownParameter> shown;
+  for (const PopulationParameter& parameter : population.parameters) {
+    double most = 0.0;
+    for (const SceneFitRecord& record : records) {
+      const SceneParameter* found = find_parameter(record.result, parameter.path);
+      if (found != nullptr) most = std::fmax(most, std::fabs(found->value));
+    }
+    shown.push_back({parameter.path, display_unit_of(parameter.path, parameter.dimension, most)});
+  }
+  return shown;
+}
+
+double largest_misfit(const SceneFitResult& result) {
+  double most = 0.0;
+  for (const ScenePartFit& part : result.parts) most = std::fmax(most, part.misfit_share);
+  return most;
+}
+
+std::vector<std::string> row_of(const SceneFitRecord& record,
+                                std::span<const ShownParameter> shown) {
+  const SceneFitResult& result = record.result;
+  const bool fitted = result.status == FitStatus::Fitted;
+  std::vector<std::string> cells = {printable(record.name)};
+  for (const ShownParameter& parameter : shown) {
+    const SceneParameter* found = find_parameter(result, parameter.path);
+    const bool there = fitted && found != nullptr && found->verdict != Verdict::NotIdentified;
+    cells.push_back(there ? value_text(*found, parameter.unit) : "-");
+  }
+  cells.push_back(fitted ? significant(100.0 * largest_misfit(result), 2) : "-");
+  cells.push_back(fitted ? flags_of(result) : std::string(word_of(result.status)));
+  return cells;
+}
+
+std::string table_text(std::span<const SceneFitRecord> records, std::span<const ShownParameter> all,
+                       const ReportOptions& options, const Ink& ink) {
+  const auto shown = all.first(std::min(all.size(), kMostColumns));
+  std::vector<Table::Column> columns = {{"fit", Align::Left, ""}};
+  for (const ShownParameter& parameter : shown) {
+    columns.push_back({short_name(parameter.path) + " ± error", Align::PlusMinus,
+                       std::string(parameter.unit.name)});
+  }
+  columns.push_back({"misfit", Align::Right, "%"});
+  columns.push_back({"flags", Align::Left, ""});
+  Table table(std::move(columns));
+  const std::size_t limit = options.specimens_shown == 0
+                                ? records.size()
+                                : std::max<std::size_t>(options.specimens_shown, 2);
+  const std::size_t left_out = records.size() > limit ? records.size() - limit : 0;
+  const std::size_t head = left_out > 0 ? limit / 2 : records.size();
+  std::string seen;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (i == head) {
+      table.add_line(fmt::format("… {} left out …", counted(left_out, "fit")));
+      i += left_out;
+    }
+    if (records[i].result.status == FitStatus::Fitted) seen += flags_of(records[i].result);
+    table.add(row_of(records[i], shown));
+  }
+  std::string text = ink.heading("Fits\n") + table.text(2, kWidth);
+  std::string legend = "misfit: rms residual over the largest ordinate";
+  for (const Flag& flag : kFlags) {
+    if (seen.find(flag.letter) == std::string::npos) continue;
+    legend += fmt::format("; {} {}", flag.letter, flag.meaning);
+  }
+  return text + wrapped("  ", legend, kWidth);
+}
+
+/// Numbers of one row with the same decimals, those that the scatter says something of.
+std::string with_decimals(double value, double scatter, double mean) {
+  if (!std::isfinite(value)) return "-";
+  if (!(scatter > 0.0)) return significant(value);
+  if (std::fabs(mean) >= 1e7 || std::fabs(mean) <= 1e-4) return significant(value, 4);
+  return fmt::format("{:.{}f}", value, decimals_for(mean, scatter, 3));
+}
+
+std::string population_text(const ScenePopulation& population,
+                            std::span<const ShownParameter> shown, const Ink& ink) {
+  Table table({{"", Align::Left},
+               {"n", Align::Right},
+               {"mean ± error", Align::PlusMinus},
+               {"std. dev.", Align::Right, "of values"},
+               {"noise", Align::Right, "of fits"},
+               {"std. dev.", Align::Right, "of specimens"},
+               {"", Align::Left}});
+  std::size_t left_out = 0;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const PopulationParameter& p = population.parameters[i];
+    left_out += p.left_out;
+    if (p.n < 2) continue;
+    const DisplayUnit& unit = shown[i].unit;
+    const double mean = p.mean / unit.scale;
+    const double scatter = p.standard_deviation / unit.scale;
+    const auto number = [&](double value) {
+      return with_decimals(value / unit.scale, scatter, mean);
+    };
+    table.add({short_name(p.path), std::to_string(p.n),
+               with_error(mean, scatter / std::sqrt(static_cast<double>(p.n))),
+               number(p.standard_deviation), number(p.rms_error), number(p.specimen_deviation),
+               std::string(unit.name)});
+  }
+  if (table.rows() == 0) return {};
+  std::string text = '\n' + ink.heading("Population\n") + table.text(2, kWidth);
+  text += wrapped("  ",
+                  "of specimens: variance of the values less the mean of their squared standard "
+                  "errors, at least 0",
+                  kWidth);
+  if (left_out > 0) {
+    text += wrapped("  ", counted(left_out, "value") + " at a bound or not identified left out",
+                    kWidth);
+  }
+  Table pairs({{"", Align::Left}, {"", Align::Right}});
+  for (std::size_t a = 0; a < shown.size(); ++a) {
+    for (std::size_t b = a + 1; b < shown.size(); ++b) {
+      const double value = population.correlation(a, b);
+      if (std::isnan(value)) continue;
+      pairs.add({short_name(shown[a].path) + ", " + short_name(shown[b].path),
+                 fmt::format("{:+.2f}", value)});
+    }
+  }
+  if (pairs.rows() == 0) return text;
+  return text + '\n' + ink.heading("Correlations among specimens\n") + pairs.text(2, kWidth);
+}
+
+std::string failures_text(std::span<const SceneFitRecord> records, const Ink& ink) {
+  std::string list;
+  for (const SceneFitRecord& record : records) {
+    if (record.result.status == FitStatus::Fitted) continue;
+    list += wrapped(fmt::format("  {}: ", printable(record.name)), printable(record.result.reason),
+                    kWidth);
+  }
+  return list.empty() ? list : '\n' + ink.bad("Failed\n") + list;
+}
+
+}  // namespace
+
+std::string scene_fits_report(std::span<const SceneFitRecord> records,
+                              const ReportOptions& options) {
+  const Ink ink(options.color);
+  const ScenePopulation population = scene_population(records);
+  const std::vector<ShownParameter> shown = shown_parameters(records, population);
+  std::string text;
+  if (!records.empty()) text += table_text(records, shown, options, ink);
+  text += population_text(population, shown, ink) + failures_text(records, ink);
+  if (!text.empty()) text += '\n';
+  const auto fitted = static_cast<std::size_t>(std::ranges::count(
+      records, FitStatus::Fitted, [](const SceneFitRecord& r) { return r.result.status; }));
+  const std::size_t failed = records.size() - fitted;
+  const std::string last = fmt::format("fitted {}, failed {}\n", fitted, failed);
+  return text + (failed == 0 ? ink.good(last) : ink.bad(last));
+}
+
+}  // namespace plastica::calibrate

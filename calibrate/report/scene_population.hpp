@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "calibrate/scene/scene_fit_record.hpp"
+
+namespace plastica::calibrate {
+
+/// One parameter over the specimens of a population.
+struct PopulationParameter {
+  std::string path;
+  Dimension dimension = Dimension::None;
+  std::size_t n = 0;         ///< fits that determine it
+  std::size_t left_out = 0;  ///< fitted, but at a bound or not identified
+  double mean = 0.0;         ///< [SI]
+  /// Of the values, with n - 1: the specimens' scatter and the fits' noise together [SI]; NaN for
+  /// n < 2.
+  double standard_deviation = 0.0;
+  double rms_error = 0.0;  ///< root of the mean squared standard error [SI]
+  /// Of the specimens alone, the noise taken out [SI], >= 0; NaN for n < 2.
+  double specimen_deviation = 0.0;
+};
+
+/// How parameters scatter among specimens that were fitted alike.
+///
+/// With v_k the value of fit k, s_k its standard error and rho_k its correlation, over the n fits
+/// that determine the parameter or both of a pair:
+///   variance     max(0, sum (v_k - mean)^2/(n - 1) - sum s_k^2/n)
+///   covariance   sum (a_k - mean a)(b_k - mean b)/(n - 1) - sum rho_k s_a,k s_b,k/n,
+///                held within plus and minus the product of both standard deviations.
+/// A value scatters about its specimen's truth with variance s_k^2, independently of the scatter
+/// among specimens: the expectation of the observed moment is the specimens' plus the mean of that
+/// of the noise (method of moments).
+struct ScenePopulation {
+  std::vector<PopulationParameter> parameters;
+  std::vector<double> covariance;           ///< of the values [SI] (n_parameters x same)
+  std::vector<double> specimen_covariance;  ///< the noise taken out [SI] (n_parameters x same)
+
+  /// Of the specimens, from the covariance without noise [1]; NaN where a deviation is 0.
+  double correlation(std::size_t a, std::size_t b) const;
+};
+
+/// The population of all fits of the status Fitted; parameters in the order of the first of them.
+/// Fits without a parameter, with one at a bound or without a standard error do not count for it.
+ScenePopulation scene_population(std::span<const SceneFitRecord> records);
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "calibrate/report/scene_fit_csv.hpp"
+#include "calibrate/report/scene_fit_json.hpp"
+#include "tests/calibrate/report/scene_records.hpp"
+
+/// JSON and CSV of fits through scenes.
+namespace plastica::calibrate {
+namespace {
+
+using Json = nlohmann::json;
+using testing::failed_scene_record;
+using testing::lone_scene_record;
+using testing::scene_record;
+
+std::vector<std::vector<std::string>> rows_of(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line + ",");
+    std::vector<std::string>& row = rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
+  }
+  return rows;
+}
+
+template <typename Write>
+std::vector<std::vector<std::string>> table_of(const Write& write,
+                                               const std::vector<SceneFitRecord>& records) {
+  std::ostringstream out;
+  write(out, records);
+  return rows_of(out.str());
+}
+
+TEST(SceneFitJson, HoldsParametersTargetsStartsAndCounts) {
+  const Json all = Json::parse(scene_fits_json(
+      std::vector{scene_record(), failed_scene_record("f", "no curve at the start")}));
+  const Json& fit = all["fits"][0];
+  EXPECT_EQ(fit["name"], "both");
+  EXPECT_EQ(fit["parameters"]["material.youngs_modulus"]["value"], 205e9);
+  EXPECT_EQ(fit["parameters"]["material.youngs_modulus"]["unit"], "Pa");
+  EXPECT_EQ(fit["parameters"]["material.break_strain"]["verdict"], "limited by sampling");
+  EXPECT_EQ(fit["correlation"][0][1], -0.42);
+  EXPECT_EQ(fit["targets"][0]["abscissa"], "support 2");
+  EXPECT_EQ(fit["targets"][0]["broke"]["at"], 0.0605);
+  EXPECT_EQ(fit["targets"][1]["level"], "twist");
+  EXPECT_TRUE(fit["targets"][1]["broke"].is_null());
+  EXPECT_TRUE(fit["targets"][1]["runs_probability"].is_null());
+  EXPECT_EQ(fit["starts"].size(), 4U);
+  EXPECT_TRUE(fit["starts"][1]["cost"].is_null()) << "infinite";
+  EXPECT_EQ(all["fits"][1]["reason"], "no curve at the start");
+  EXPECT_TRUE(all["fits"][1]["targets"][0]["level"].is_null());
+  EXPECT_EQ(all["counts"], (Json{{"fitted", 1}, {"failed", 1}}));
+}
+
+TEST(SceneFitJson, HoldsThePopulation) {
+  const Json all = Json::parse(scene_fits_json(std::vector{lone_scene_record("a", 200e9, 380e6),
+                                                           lone_scene_record("b", 210e9, 390e6),
+                                                           lone_scene_record("c", 205e9, 370e6)}));
+  const Json& modulus = all["population"]["parameters"]["material.youngs_modulus"];
+  EXPECT_EQ(modulus["n"], 3);
+  EXPECT_NEAR(modulus["mean"], 205e9, 1.0);
+  EXPECT_NEAR(modulus["specimen_deviation"], 1e9 * std::sqrt(25.0 - 1.44), 1e3);
+  EXPECT_EQ(all["population"]["specimen_covariance"].size(), 2U);
+}
+
+TEST(SceneFitJson, IsWholeWhateverTheUsersText) {
+  SceneFitRecord record = scene_record("\xff\"\n");
+  record.result.warnings = {"\xc3"};
+  EXPECT_EQ(Json::parse(scene_fits_json(std::vector{record}))["counts"]["fitted"], 1);
+}
+
+TEST(SceneFitCsv, HasARowPerFitWithAllParametersThatAnyHas) {
+  const auto rows = table_of(
+      write_scene_fits_csv,
+      {lone_scene_record("a", 2e11, 3e8), scene_record("b"), failed_scene_record("f", "no")});
+  ASSERT_EQ(rows.size(), 4U);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), 3U + 3U * 5U + 5U);
+  EXPECT_EQ(rows[0][3], "material.youngs_modulus [Pa]");
+  EXPECT_EQ(rows[0][14], "material.break_strain.stderr [1]");
+  EXPECT_EQ(rows[1][3], "200000000000");
+  EXPECT_EQ(rows[1][7], "identified");
+  EXPECT_EQ(rows[1][13], "");
+  EXPECT_EQ(rows[2][14], "0.0004");
+  EXPECT_EQ(rows[2][18], "49.1");
+  EXPECT_EQ(rows[3][1], "failed");
+  EXPECT_EQ(rows[3][3], "");
+}
+
+TEST(SceneFitCsv, HasARowPerTarget) {
+  const auto rows =
+      table_of(write_scene_targets_csv, {scene_record("b"), failed_scene_record("f", "no")});
+  ASSERT_EQ(rows.size(), 4U);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
+  EXPECT_EQ(rows[1], (std::vector<std::string>{"b", "bent", "support 2", "m", "force", "N", "30",
+                                               "1", "0.0605", "0.0005", "planar", "5", "estimated",
+                                               "0.0083", "0.41", "0.021"}));
+  EXPECT_EQ(rows[2][12], "given");
+  EXPECT_EQ(rows[2][14], "");
+  EXPECT_EQ(rows[3][10], "");
+}
+
+TEST(SceneFitCsv, HasARowPerSample) {
+  const auto rows =
+      table_of(write_scene_fit_curves_csv, {scene_record("b"), failed_scene_record("f", "no")});
+  ASSERT_EQ(rows.size(), 1U + 30U + 20U + 30U);
+  EXPECT_EQ(rows[1], (std::vector<std::string>{"b", "bent", "0.002", "m", "20", "20", "N"}));
+  EXPECT_EQ(rows[31][3], "rad");
+  EXPECT_EQ(rows[51][5], "") << "not fitted";
+}
+
+}  // namespace
+}  // namespace plastica::calibrate

@@ -1,0 +1,151 @@
+#include "calibrate/report/scene_fit_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+#include "calibrate/report/format.hpp"
+#include "tests/calibrate/report/scene_records.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using testing::failed_scene_record;
+using testing::lone_scene_record;
+using testing::scene_record;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+::testing::AssertionResult has_line(const std::string& text, const std::string& wanted) {
+  const std::vector<std::string> lines = lines_of(text);
+  if (std::find(lines.begin(), lines.end(), wanted) != lines.end()) {
+    return ::testing::AssertionSuccess();
+  }
+  return ::testing::AssertionFailure() << "no line '" << wanted << "' in\n" << text;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::vector<SceneFitRecord> specimens() {
+  return {lone_scene_record("a", 200e9, 380e6), lone_scene_record("b", 210e9, 390e6),
+          lone_scene_record("c", 205e9, 370e6)};
+}
+
+TEST(SceneFitText, ShowsEachParameterWithErrorIntervalAndVerdict) {
+  const std::string text = scene_fit_report(scene_record());
+  EXPECT_TRUE(text.starts_with("both: fitted\n"));
+  EXPECT_TRUE(has_line(
+      text, "  youngs_modulus  205.0 ± 1.2    GPa  202.6 … 207.4  identified, error 0.59 %"));
+  EXPECT_TRUE(has_line(
+      text, "  break_strain    2.100 ± 0.040  %    2.020 … 2.180  limited by sampling, ± 1.8 %"));
+  EXPECT_TRUE(
+      has_line(text, "  errors      of noise that the residuals say, 28.8 degrees of freedom"));
+}
+
+TEST(SceneFitText, NamesTheBoundThatAParameterIsAt) {
+  SceneFitRecord record = scene_record();
+  SceneParameter& yield = record.result.parameters[1];
+  yield.at_bound = true;
+  yield.verdict = Verdict::AtBound;
+  yield.verdict_number = yield.upper = yield.value;
+  yield.standard_error = yield.interval_low = yield.interval_high =
+      std::numeric_limits<double>::quiet_NaN();
+  const std::string text = scene_fit_report(record);
+  EXPECT_TRUE(contains(text, "  yield_stress    380.00 ")) << text;
+  EXPECT_TRUE(contains(text, " at bound, upper 380 MPa\n")) << text;
+  yield.verdict_number = yield.lower;
+  EXPECT_TRUE(contains(scene_fit_report(record), " at bound, lower 38 MPa\n"));
+}
+
+TEST(SceneFitText, ShowsEachTargetWithNoiseMisfitAndBreak) {
+  const std::string text = scene_fit_report(scene_record());
+  EXPECT_TRUE(has_line(text, "           broke at support 2 0.06050 ± 0.00050 m"));
+  EXPECT_TRUE(contains(text, "  bent     planar       30   5.00  N "));
+  EXPECT_TRUE(contains(text, "  twisted  twist        20   3.00  N m (given) "));
+  EXPECT_FALSE(contains(text, "weight"));
+  SceneFitRecord record = scene_record();
+  record.weights[1] = 0.25;
+  EXPECT_TRUE(contains(scene_fit_report(record), "weight"));
+}
+
+TEST(SceneFitText, ShowsTheWaterfallOfTheStartsInOneLine) {
+  EXPECT_TRUE(has_line(scene_fit_report(scene_record()),
+                       "  search      best cost 49.10 from 2 of 4 starts, then 733.0; 1 without a "
+                       "curve (step-reached)"));
+  EXPECT_TRUE(has_line(scene_fit_report(lone_scene_record("a", 2e11, 3e8)),
+                       "  search      cost 49.10 (step-reached)"));
+}
+
+TEST(SceneFitText, NamesStrongCorrelationsAlone) {
+  SceneFitRecord record = scene_record();
+  EXPECT_FALSE(contains(scene_fit_report(record), "Correlations"));
+  record.result.correlation[1] = record.result.correlation[3] = -0.971;
+  const std::string text = scene_fit_report(record);
+  EXPECT_TRUE(has_line(text, "Correlations above 0.95"));
+  EXPECT_TRUE(has_line(text, "  youngs_modulus, yield_stress  -0.971"));
+}
+
+TEST(SceneFitText, IsAtMostAHundredColumnsWideAndPrintable) {
+  SceneFitRecord record = scene_record(std::string(150, 'x') + "\x1b[31m\xff");
+  record.targets[0].name = record.result.parts[0].name = std::string(120, 'y');
+  record.result.warnings = {std::string(130, 'z')};
+  for (const std::string& text :
+       {scene_fit_report(record), scene_fits_report(std::vector{record, record})}) {
+    for (const std::string& line : lines_of(text)) EXPECT_LE(report::width_of(line), 100U) << line;
+    EXPECT_FALSE(contains(text, "\x1b"));
+    EXPECT_FALSE(contains(text, "\xff"));
+  }
+}
+
+TEST(SceneFitText, SaysWhyAFitFailed) {
+  const std::string text = scene_fit_report(failed_scene_record("a", "no curve at the start"));
+  EXPECT_TRUE(has_line(text, "a: failed"));
+  EXPECT_TRUE(has_line(text, "  reason      no curve at the start"));
+}
+
+TEST(SceneFitsText, ShowsFitsPopulationAndFailures) {
+  std::vector<SceneFitRecord> records = specimens();
+  records[1].result.parameters[1].verdict = Verdict::Weak;
+  records.push_back(failed_scene_record("d", "no curve at the start"));
+  const std::string text = scene_fits_report(records);
+  EXPECT_TRUE(has_line(text, "  b               210.0 ± 1.2           390.0 ± 2.1    0.83  k"));
+  EXPECT_TRUE(contains(text, "; k a parameter weak"));
+  // Mean 205, scatter 5, noise 1.2: sqrt(25 - 1.44) = 4.854.
+  EXPECT_TRUE(
+      has_line(text, "  youngs_modulus  3   205.0 ± 2.9       5.00     1.20          4.85  GPa"));
+  EXPECT_TRUE(has_line(text, "  d: no curve at the start"));
+  EXPECT_TRUE(text.ends_with("\nfitted 3, failed 1\n"));
+}
+
+TEST(SceneFitsText, LeavesOutTheMiddleOfManyFits) {
+  std::vector<SceneFitRecord> records;
+  for (int i = 0; i < 100; ++i) {
+    records.push_back(lone_scene_record("s" + std::to_string(i), 2e11, 3e8));
+  }
+  const std::string text = scene_fits_report(records);
+  EXPECT_TRUE(has_line(text, "  … 40 fits left out …"));
+  EXPECT_TRUE(contains(text, "  s29 "));
+  EXPECT_FALSE(contains(text, "  s30 "));
+  EXPECT_FALSE(contains(text, "  s69 "));
+  EXPECT_TRUE(contains(text, "  s70 "));
+  EXPECT_TRUE(contains(scene_fits_report(records, {.specimens_shown = 0}), "  s50 "));
+}
+
+TEST(SceneFitsText, HasNoPopulationOfASingleFit) {
+  const std::string text = scene_fits_report(std::vector{scene_record()});
+  EXPECT_FALSE(contains(text, "Population"));
+  EXPECT_TRUE(text.ends_with("\nfitted 1, failed 0\n"));
+}
+
+}  // namespace
+}  // namespace plastica::calibrate

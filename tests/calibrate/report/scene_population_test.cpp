@@ -1,0 +1,101 @@
+#include "calibrate/report/scene_population.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "tests/calibrate/report/scene_records.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using testing::failed_scene_record;
+using testing::lone_scene_record;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// A fit whose parameters have these values, errors of 3 and 0.4 and a correlation of -0.5.
+SceneFitRecord specimen(double a, double b) {
+  SceneFitRecord record = lone_scene_record("s", a, b);
+  record.result.parameters[0].standard_error = 3.0;
+  record.result.parameters[1].standard_error = 0.4;
+  record.result.correlation = {1.0, -0.5, -0.5, 1.0};
+  return record;
+}
+
+TEST(ScenePopulation, TakesTheMeanSquaredErrorsOutOfTheVariances) {
+  const ScenePopulation p = scene_population(
+      std::vector{specimen(90.0, 1.0), specimen(100.0, 4.0), specimen(110.0, 7.0)});
+  ASSERT_EQ(p.parameters.size(), 2U);
+  EXPECT_EQ(p.parameters[0].n, 3U);
+  EXPECT_NEAR(p.parameters[0].mean, 100.0, 1e-12);
+  EXPECT_NEAR(p.parameters[0].standard_deviation, 10.0, 1e-12);
+  EXPECT_NEAR(p.parameters[0].rms_error, 3.0, 1e-12);
+  EXPECT_NEAR(p.parameters[0].specimen_deviation, std::sqrt(91.0), 1e-12);
+  EXPECT_NEAR(p.covariance[1], 30.0, 1e-12);
+  EXPECT_NEAR(p.specimen_covariance[0], 91.0, 1e-11);
+  EXPECT_NEAR(p.specimen_covariance[3], 9.0 - 0.16, 1e-12);
+  // 30 + 0.5 · 3 · 0.4 is more than sqrt(91 · 8.84) = 28.36: held there.
+  EXPECT_NEAR(p.specimen_covariance[1], std::sqrt(91.0 * 8.84), 1e-11);
+  EXPECT_NEAR(p.correlation(0, 1), 1.0, 1e-12);
+}
+
+TEST(ScenePopulation, OfEqualSpecimensIsNoiseAlone) {
+  const ScenePopulation p =
+      scene_population(std::vector{specimen(99.0, 1.0), specimen(101.0, 1.1)});
+  EXPECT_EQ(p.parameters[0].specimen_deviation, 0.0);
+  EXPECT_EQ(p.specimen_covariance[1], 0.0);
+  EXPECT_TRUE(std::isnan(p.correlation(0, 1)));
+}
+
+TEST(ScenePopulation, LeavesOutWhatIsAtABoundOrNotIdentifiedOrFailed) {
+  std::vector<SceneFitRecord> records{specimen(90.0, 1.0), specimen(100.0, 4.0),
+                                      specimen(110.0, 7.0), specimen(500.0, 9.0),
+                                      failed_scene_record("f", "no")};
+  records[3].result.parameters[0].at_bound = true;
+  records[2].result.parameters[1].standard_error = kNan;
+  const ScenePopulation p = scene_population(records);
+  EXPECT_EQ(p.parameters[0].n, 3U);
+  EXPECT_EQ(p.parameters[0].left_out, 1U);
+  EXPECT_NEAR(p.parameters[0].mean, 100.0, 1e-12);
+  EXPECT_EQ(p.parameters[1].n, 3U);
+  EXPECT_NEAR(p.covariance[1], 15.0, 1e-12) << "of the first two, which determine both";
+}
+
+TEST(ScenePopulation, OfOneFitHasNoScatter) {
+  const ScenePopulation p = scene_population(std::vector{specimen(90.0, 1.0)});
+  EXPECT_EQ(p.parameters[0].mean, 90.0);
+  EXPECT_TRUE(std::isnan(p.parameters[0].standard_deviation));
+  EXPECT_TRUE(std::isnan(p.parameters[0].specimen_deviation));
+  EXPECT_TRUE(scene_population({}).parameters.empty());
+}
+
+TEST(ScenePopulation, FindsTheSpecimensScatterUnderNoiseAsLarge) {
+  // Truths with deviations 2 and 0.3 and a correlation of 0.6; noise of 3 and 0.4, -0.5.
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  const auto pair = [&](double a, double b, double rho) {
+    const double x = normal(random), y = normal(random);
+    return std::pair{a * x, b * (rho * x + std::sqrt(1.0 - rho * rho) * y)};
+  };
+  std::vector<SceneFitRecord> records;
+  for (int i = 0; i < 4000; ++i) {
+    const auto [a, b] = pair(2.0, 0.3, 0.6);
+    const auto [noise_a, noise_b] = pair(3.0, 0.4, -0.5);
+    records.push_back(specimen(200.0 + a + noise_a, 20.0 + b + noise_b));
+  }
+  const ScenePopulation p = scene_population(records);
+  // The scatter of such a variance is (s^2 + noise^2) sqrt(2/n): 0.29 of 4, 0.0056 of 0.09; that
+  // of the covariance sqrt((13 · 0.25 + 0.24^2)/n) = 0.029. Three of these.
+  EXPECT_NEAR(p.specimen_covariance[0], 4.0, 0.87);
+  EXPECT_NEAR(p.specimen_covariance[3], 0.09, 0.017);
+  EXPECT_NEAR(p.specimen_covariance[1], 0.36, 0.087);
+  EXPECT_GT(p.covariance[0], 12.0) << "without taking the noise out";
+  EXPECT_LT(p.covariance[1], 0.0) << "likewise";
+}
+
+}  // namespace
+}  // namespace plastica::calibrate

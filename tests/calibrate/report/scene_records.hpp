@@ -1,0 +1,120 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "calibrate/scene/scene_fit_record.hpp"
+
+/// Records of made-up fits through scenes, for tests of what is written of them.
+namespace plastica::calibrate::testing {
+
+inline SceneParameter scene_parameter(const std::string& path, Dimension dimension, double value,
+                                      double error) {
+  SceneParameter p;
+  p.path = path;
+  p.dimension = dimension;
+  p.value = value;
+  p.start = 1.1 * value;
+  p.lower = 0.1 * value;
+  p.upper = 10.0 * value;
+  p.standard_error = error;
+  p.interval_low = value - 2.0 * error;
+  p.interval_high = value + 2.0 * error;
+  p.verdict = Verdict::Identified;
+  p.verdict_number = error / value;
+  return p;
+}
+
+/// A bar that is bent until it breaks at 60 mm and one that is twisted, fitted together.
+inline SceneFitRecord scene_record(const std::string& name = "both", double modulus = 205e9,
+                                   double yield = 380e6) {
+  SceneFitRecord record;
+  record.name = name;
+  record.weights = {1.0, 1.0};
+  record.targets.resize(2);
+  SceneTarget& bent = record.targets[0];
+  bent.name = "bent";
+  bent.kind = Abscissa::Support;
+  bent.driven = 1;
+  bent.ordinate_probe = "force";
+  bent.abscissa_is = Dimension::Length;
+  bent.ordinate_is = Dimension::Force;
+  bent.broke = SceneBreak{0.0605, 0.0005};
+  SceneTarget& twisted = record.targets[1];
+  twisted.name = "twisted";
+  twisted.kind = Abscissa::Probe;
+  twisted.abscissa_probe = "angle";
+  twisted.ordinate_probe = "torque";
+  twisted.abscissa_is = Dimension::Angle;
+  twisted.ordinate_is = Dimension::Moment;
+  twisted.noise = 3.0;
+
+  SceneFitResult& r = record.result;
+  r.status = FitStatus::Fitted;
+  r.parts.resize(2);
+  for (std::size_t p = 0; p < 2; ++p) {
+    ScenePartFit& part = r.parts[p];
+    SceneTarget& target = record.targets[p];
+    part.name = target.name;
+    part.level = p == 0 ? Level::Planar : Level::Twist;
+    part.samples = p == 0 ? 30 : 20;
+    part.noise = p == 0 ? 5.0 : 3.0;
+    part.misfit_share = p == 0 ? 0.0083 : 0.012;
+    part.runs_probability = p == 0 ? 0.41 : std::numeric_limits<double>::quiet_NaN();
+    part.break_strain = p == 0 ? 0.021 : std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < part.samples; ++i) {
+      const double at = (p == 0 ? 0.002 : 0.02) * static_cast<double>(i + 1);
+      const double value = std::min(p == 0 ? 1e4 * at : 1e3 * at, p == 0 ? 400.0 : 250.0);
+      const double noise = part.noise * std::sin(12.9898 * static_cast<double>(i));
+      target.abscissa.push_back(at);
+      part.fitted.push_back(value);
+      target.ordinate.push_back(value + noise);
+      part.cost += noise * noise;
+    }
+  }
+  r.parameters = {scene_parameter("material.youngs_modulus", Dimension::Stress, modulus, 1.2e9),
+                  scene_parameter("material.yield_stress", Dimension::Stress, yield, 2.1e6),
+                  scene_parameter("material.break_strain", Dimension::Strain, 0.021, 0.0004)};
+  r.parameters[2].verdict = Verdict::LimitedBySampling;
+  r.parameters[2].verdict_number = 0.018;
+  r.correlation = {1.0, -0.42, 0.1, -0.42, 1.0, 0.2, 0.1, 0.2, 1.0};
+  r.degrees_of_freedom = 28.8;
+  r.outcome = LeastSquaresOutcome::StepReached;
+  r.starts = {
+      {{200e9, 300e6}, {modulus, yield}, 49.1, r.outcome, 31},
+      {{90e9, 1e9}, {}, std::numeric_limits<double>::infinity(), LeastSquaresOutcome::NoStart, 1},
+      {{400e9, 200e6}, {150e9, 2e8}, 733.0, LeastSquaresOutcome::Stalled, 44},
+      {{300e9, 250e6}, {modulus, yield}, 49.1, r.outcome, 27}};
+  r.runs = 130;
+  r.segment_iterations = 123456;
+  return record;
+}
+
+/// One target, two parameters, no break.
+inline SceneFitRecord lone_scene_record(const std::string& name, double modulus, double yield) {
+  SceneFitRecord record = scene_record(name, modulus, yield);
+  SceneFitResult& r = record.result;
+  record.targets.resize(1);
+  record.targets[0].name = name;
+  record.targets[0].broke.reset();
+  record.weights.resize(1);
+  r.parts.resize(1);
+  r.parts[0].name = name;
+  r.parts[0].break_strain = std::numeric_limits<double>::quiet_NaN();
+  r.parameters.resize(2);
+  r.correlation = {1.0, -0.42, -0.42, 1.0};
+  r.starts.resize(1);
+  return record;
+}
+
+inline SceneFitRecord failed_scene_record(const std::string& name, const std::string& reason) {
+  SceneFitRecord record = lone_scene_record(name, 2e11, 3e8);
+  record.result = {};
+  record.result.reason = reason;
+  return record;
+}
+
+}  // namespace plastica::calibrate::testing
