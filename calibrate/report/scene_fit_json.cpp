@@ -38,7 +38,9 @@ Json matrix(std::span<const double> values, std::size_t n) {
 }
 
 Json parameter_of(const SceneParameter& p) {
-  return {{"value", number(p.value)},
+  return {{"name", short_name(p.path)},
+          {"path", p.path},
+          {"value", number(p.value)},
           {"stderr", number(p.standard_error)},
           {"interval", {number(p.interval_low), number(p.interval_high)}},
           {"start", number(p.start)},
@@ -79,7 +81,8 @@ Json target_of(const SceneTarget& target, double weight, const ScenePartFit* par
 Json fit_of(const SceneFitRecord& record) {
   const SceneFitResult& result = record.result;
   Json parameters = Json::object();
-  for (const SceneParameter& p : result.parameters) parameters[p.path] = parameter_of(p);
+  for (const SceneParameter& p : result.parameters)
+    parameters[short_name(p.path)] = parameter_of(p);
   Json targets = Json::array();
   for (std::size_t i = 0; i < record.targets.size(); ++i) {
     const bool there = result.parts.size() == record.targets.size();
@@ -113,13 +116,13 @@ Json population_of(std::span<const SceneFitRecord> records) {
   const ScenePopulation population = scene_population(records);
   Json parameters = Json::object();
   for (const PopulationParameter& p : population.parameters) {
-    parameters[p.path] = {{"n", p.n},
-                          {"left_out", p.left_out},
-                          {"mean", number(p.mean)},
-                          {"standard_deviation", number(p.standard_deviation)},
-                          {"rms_error", number(p.rms_error)},
-                          {"specimen_deviation", number(p.specimen_deviation)},
-                          {"unit", si_unit(p.dimension)}};
+    parameters[short_name(p.path)] = {{"n", p.n},
+                                      {"left_out", p.left_out},
+                                      {"mean", number(p.mean)},
+                                      {"standard_deviation", number(p.standard_deviation)},
+                                      {"rms_error", number(p.rms_error)},
+                                      {"specimen_deviation", number(p.specimen_deviation)},
+                                      {"unit", si_unit(p.dimension)}};
   }
   const std::size_t n = population.parameters.size();
   return {{"parameters", std::move(parameters)},

@@ -14,8 +14,9 @@ namespace plastica::calibrate {
 /// Of the options colour and confidence count.
 std::string scene_fit_report(const SceneFitRecord& record, const ReportOptions& options = {});
 
-/// The report of several: a table over fits, the population (see scene_population.hpp), every fit
-/// that failed and why; the last line is `fitted N, failed N`.
+/// The report of a file: of a single fit its whole report; of several a table over fits, the
+/// population (see scene_population.hpp), every fit that failed and why. The last line is
+/// `fitted N, failed N`.
 std::string scene_fits_report(std::span<const SceneFitRecord> records,
                               const ReportOptions& options = {});
 

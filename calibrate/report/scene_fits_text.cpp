@@ -204,8 +204,12 @@ std::string scene_fits_report(std::span<const SceneFitRecord> records,
   const ScenePopulation population = scene_population(records);
   const std::vector<ShownParameter> shown = shown_parameters(records, population);
   std::string text;
-  if (!records.empty()) text += table_text(records, shown, options, ink);
-  text += population_text(population, shown, ink) + failures_text(records, ink);
+  if (records.size() == 1) {
+    text = scene_fit_report(records.front(), options);
+  } else if (!records.empty()) {
+    text = table_text(records, shown, options, ink) + population_text(population, shown, ink) +
+           failures_text(records, ink);
+  }
   if (!text.empty()) text += '\n';
   const auto fitted = static_cast<std::size_t>(std::ranges::count(
       records, FitStatus::Fitted, [](const SceneFitRecord& r) { return r.result.status; }));

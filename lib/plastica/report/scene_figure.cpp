@@ -44,6 +44,11 @@ std::string style_of(const FigureCurve& curve) {
                          curve.symbol, color);
     case Stroke::Area:
       return fmt::format("using 1:2:3 with filledcurves {} fillstyle solid 0.85 noborder", color);
+    case Stroke::Points:
+      return fmt::format("using 1:2 with points pointtype {} pointsize 0.7 linewidth 1.2 {}",
+                         curve.symbol, color);
+    case Stroke::Bars:
+      return "using 1:2:3:4 with yerrorbars pointtype 7 pointsize 0.5 linewidth 1 " + color;
   }
   return "";
 }
@@ -54,8 +59,8 @@ std::string offsets_of(const FigurePanel& panel) {
   double high = 0.0;
   for (const FigureCurve& curve : panel.curves) {
     for (const auto& point : curve.points) {
-      low = std::min(low, point[1]);
-      high = std::max(high, point.back());
+      low = std::min(low, *std::min_element(point.begin() + 1, point.end()));
+      high = std::max(high, *std::max_element(point.begin() + 1, point.end()));
     }
   }
   return fmt::format("set offsets graph 0, graph 0.02, graph {}, graph {}", high > 0.0 ? 0.06 : 0.0,
@@ -207,11 +212,14 @@ PlotScript figure_terminal(const Figure& figure) {
     script.command("set xlabel " + quoted(panel.x_label));
     std::string plot;
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+      const FigureCurve& curve = panel.curves[i];
+      const bool joined = curve.stroke != Stroke::Points && curve.stroke != Stroke::Bars;
       const std::string points = script.add_points(
-          dense_points(thinned(panel.curves[i].points), x_high - x_low, y_high - y_low));
+          joined ? dense_points(thinned(curve.points), x_high - x_low, y_high - y_low)
+                 : curve.points);
       plot += fmt::format("{}{} using 1:2 with points pointtype '{}' title {}",
                           plot.empty() ? "plot " : ", \\\n     ", points,
-                          kLetters[i % kLetters.size()], quoted(cut(panel.curves[i].name, 30)));
+                          kLetters[i % kLetters.size()], quoted(cut(curve.name, 30)));
     }
     std::vector<std::vector<double>> marks;
     for (const double x : panel.marks) {

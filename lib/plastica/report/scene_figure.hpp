@@ -10,17 +10,18 @@
 /// Pictures of curves, said once for a page and for a terminal; not installed.
 namespace plastica::report {
 
-/// How a curve is drawn: a line alone, with a dot at each point, with symbols, or as the area
-/// between two lines.
-enum class Stroke { Line, Dots, Symbols, Area };
+/// How a curve is drawn: a line alone, with a dot at each point, with symbols, as the area between
+/// two lines, as points alone, or as points with upright bars.
+enum class Stroke { Line, Dots, Symbols, Area, Points, Bars };
 
 /// One curve.
 struct FigureCurve {
-  std::vector<std::vector<double>> points;  ///< (x, y); an area: (x, low, high)
-  std::string name;                         ///< in the legend
+  std::vector<std::vector<double>>
+      points;        ///< (x, y); an area: (x, low, high); bars: (x, y, low, high)
+  std::string name;  ///< in the legend
   std::string_view color = kBlue;
   Stroke stroke = Stroke::Line;
-  int symbol = 7;  ///< gnuplot's number of the point type of Symbols
+  int symbol = 7;  ///< gnuplot's number of the point type of Symbols and Points
 };
 
 /// A text at a point of a panel.

@@ -42,9 +42,10 @@ TEST(SceneFitJson, HoldsParametersTargetsStartsAndCounts) {
       std::vector{scene_record(), failed_scene_record("f", "no curve at the start")}));
   const Json& fit = all["fits"][0];
   EXPECT_EQ(fit["name"], "both");
-  EXPECT_EQ(fit["parameters"]["material.youngs_modulus"]["value"], 205e9);
-  EXPECT_EQ(fit["parameters"]["material.youngs_modulus"]["unit"], "Pa");
-  EXPECT_EQ(fit["parameters"]["material.break_strain"]["verdict"], "limited by sampling");
+  EXPECT_EQ(fit["parameters"]["youngs_modulus"]["value"], 205e9);
+  EXPECT_EQ(fit["parameters"]["youngs_modulus"]["unit"], "Pa");
+  EXPECT_EQ(fit["parameters"]["break_strain"]["verdict"], "limited by sampling");
+  EXPECT_EQ(fit["parameters"]["break_strain"]["path"], "material.break_strain");
   EXPECT_EQ(fit["correlation"][0][1], -0.42);
   EXPECT_EQ(fit["targets"][0]["abscissa"], "support 2");
   EXPECT_EQ(fit["targets"][0]["broke"]["at"], 0.0605);
@@ -62,7 +63,7 @@ TEST(SceneFitJson, HoldsThePopulation) {
   const Json all = Json::parse(scene_fits_json(std::vector{lone_scene_record("a", 200e9, 380e6),
                                                            lone_scene_record("b", 210e9, 390e6),
                                                            lone_scene_record("c", 205e9, 370e6)}));
-  const Json& modulus = all["population"]["parameters"]["material.youngs_modulus"];
+  const Json& modulus = all["population"]["parameters"]["youngs_modulus"];
   EXPECT_EQ(modulus["n"], 3);
   EXPECT_NEAR(modulus["mean"], 205e9, 1.0);
   EXPECT_NEAR(modulus["specimen_deviation"], 1e9 * std::sqrt(25.0 - 1.44), 1e3);

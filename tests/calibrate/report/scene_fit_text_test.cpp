@@ -141,10 +141,10 @@ TEST(SceneFitsText, LeavesOutTheMiddleOfManyFits) {
   EXPECT_TRUE(contains(scene_fits_report(records, {.specimens_shown = 0}), "  s50 "));
 }
 
-TEST(SceneFitsText, HasNoPopulationOfASingleFit) {
-  const std::string text = scene_fits_report(std::vector{scene_record()});
-  EXPECT_FALSE(contains(text, "Population"));
-  EXPECT_TRUE(text.ends_with("\nfitted 1, failed 0\n"));
+TEST(SceneFitsText, OfASingleFitIsItsWholeReport) {
+  const std::vector<SceneFitRecord> one{scene_record()};
+  EXPECT_EQ(scene_fits_report(one), scene_fit_report(one.front()) + "\nfitted 1, failed 0\n");
+  EXPECT_EQ(scene_fits_report({}), "fitted 0, failed 0\n");
 }
 
 }  // namespace

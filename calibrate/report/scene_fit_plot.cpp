@@ -1,0 +1,78 @@
+#include "calibrate/report/scene_fit_plot.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "calibrate/report/scene_fit_figures.hpp"
+#include "plastica/base/check.hpp"
+#include "plastica/report/picture.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using report::Figure;
+using report::PlotScript;
+
+constexpr std::array<PlotKind, 5> kKinds = {{
+    {"fit", "one fit: measured and fitted curve of each target, the break (choose it with --case)"},
+    {"residuals", "measured minus fitted of each target, and the noise (--case)"},
+    {"starts", "what the searches found, in rising order of their costs (--case)"},
+    {"correlation", "correlations of the fitted parameters (--case)"},
+    {"population", "values and intervals of all fits, with mean and deviation of the specimens"},
+}};
+
+const SceneFitRecord& find_fit(std::span<const SceneFitRecord> records, const std::string& name) {
+  if (name.empty()) return records.front();
+  const auto found = std::ranges::find(records, name, &SceneFitRecord::name);
+  if (found != records.end()) return *found;
+  std::string names;
+  for (std::size_t i = 0; i < std::min<std::size_t>(records.size(), 8); ++i) {
+    names += (i == 0 ? "" : ", ") + records[i].name;
+  }
+  if (records.size() > 8) names += ", …";
+  throw InputError({}, "--case", name, "is not a fit of this file; it has " + names);
+}
+
+PlotScript make(std::span<const SceneFitRecord> records, const PlotRequest& request) {
+  if (records.empty()) throw InputError({}, "plot", request.what, "there is no fit to draw");
+  const std::string what = request.what.empty() ? std::string(kKinds[0].name) : request.what;
+  if (std::ranges::find(kKinds, what, &PlotKind::name) == kKinds.end()) {
+    throw InputError({}, "--what", what,
+                     "must be fit, residuals, starts, correlation or population");
+  }
+  const bool terminal = request.output == "-";
+  const auto drawn = [&](const Figure& figure) {
+    return terminal ? plastica::report::figure_terminal(figure)
+                    : plastica::report::figure_page(figure);
+  };
+  if (what == "population") {
+    if (!request.specimen.empty()) {
+      throw InputError({}, "--case", request.specimen, "does not go with the picture 'population'");
+    }
+    return drawn(report::population_figure(records));
+  }
+  const SceneFitRecord& record = find_fit(records, request.specimen);
+  if (what == "correlation") return report::correlation_plot(record, terminal);
+  if (what == "starts") return drawn(report::starts_figure(record));
+  if (what == "residuals") return drawn(report::residuals_figure(record));
+  return drawn(report::fit_figure(record));
+}
+
+}  // namespace
+
+std::span<const PlotKind> scene_fit_plot_kinds() { return kKinds; }
+
+std::string scene_fit_plot_script(std::span<const SceneFitRecord> records,
+                                  const PlotRequest& request) {
+  return make(records, request).text();
+}
+
+void draw_scene_fit_plot(std::span<const SceneFitRecord> records, const PlotRequest& request,
+                         std::ostream& standard_output) {
+  plastica::report::check_picture_output(request.output);
+  plastica::report::draw_picture(make(records, request), request.output, standard_output);
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,126 @@
+#include "calibrate/report/scene_fit_plot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "plastica/base/check.hpp"
+#include "tests/calibrate/report/scene_records.hpp"
+#include "tests/support/message.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using plastica::testing::message_of;
+using testing::failed_scene_record;
+using testing::lone_scene_record;
+using testing::scene_record;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string script_of(const SceneFitRecord& record, const std::string& what) {
+  return scene_fit_plot_script(std::vector{record}, {.what = what});
+}
+
+TEST(SceneFitPlot, OfAFitHasAPanelPerTargetWithTheBreakMarked) {
+  const std::string script = script_of(scene_record(), "");
+  EXPECT_TRUE(contains(script, "set title 'bent'"));
+  EXPECT_TRUE(contains(script, "set title 'twisted'"));
+  EXPECT_TRUE(contains(script, "set xlabel 'support 2 [m]'"));
+  EXPECT_TRUE(contains(script, "set ylabel 'torque [N m]'"));
+  EXPECT_TRUE(contains(script, "set arrow from 0.0605, graph 0 to 0.0605, graph 1"));
+  for (const char* name : {"'measured'", "'fitted'", "'break, measured'"}) {
+    EXPECT_TRUE(contains(script, std::string("title ") + name)) << name;
+  }
+  EXPECT_TRUE(contains(script, "youngs_modulus 205.0 ± 1.2 GPa"));
+}
+
+TEST(SceneFitPlot, OfAFailedFitShowsWhatWasMeasuredAndWhy) {
+  const std::string script = script_of(failed_scene_record("f", "no curve at the start"), "fit");
+  EXPECT_TRUE(contains(script, "failed: no curve at the start"));
+  EXPECT_TRUE(contains(script, "title 'measured'"));
+  EXPECT_FALSE(contains(script, "title 'fitted'"));
+}
+
+TEST(SceneFitPlot, OfResidualsShowsMeasuredMinusFitted) {
+  SceneFitRecord record = lone_scene_record("a", 2e11, 3e8);
+  record.targets[0].abscissa = {0.25, 0.5};
+  record.targets[0].ordinate = {10.0, 20.0};
+  record.result.parts[0].fitted = {12.0, 19.0};
+  const std::string script = script_of(record, "residuals");
+  EXPECT_TRUE(contains(script, "\n0.25 -2 \n0.5 1 \n") || contains(script, "\n0.25 -2\n0.5 1\n"));
+  EXPECT_TRUE(contains(script, "force, measured - fitted [N]"));
+  EXPECT_TRUE(contains(script, "\n0.25 -5\n0.5 -5\n") || contains(script, "\n0.25 -5 \n0.5 -5 \n"))
+      << "the noise";
+}
+
+TEST(SceneFitPlot, OfStartsIsTheirWaterfall) {
+  const std::string script = script_of(scene_record(), "starts");
+  EXPECT_TRUE(contains(script, "the best cost from 2 of 4 starts, 1 without a curve"));
+  EXPECT_TRUE(contains(script, "set logscale y"));
+  EXPECT_TRUE(contains(script, "\n1 49.1\n2 49.1\n") || contains(script, "\n1 49.1 \n2 49.1 \n"));
+  EXPECT_TRUE(contains(script, "\n3 733"));
+}
+
+TEST(SceneFitPlot, OfCorrelationsWritesEachNumber) {
+  SceneFitRecord record = scene_record();
+  record.result.correlation[5] = record.result.correlation[7] =
+      std::numeric_limits<double>::quiet_NaN();
+  for (const char* output : {"", "-"}) {
+    const std::string script =
+        scene_fit_plot_script(std::vector{record}, {.what = "correlation", .output = output});
+    EXPECT_TRUE(contains(script, "set label '-0.42' at 2, 3 center"));
+    EXPECT_TRUE(contains(script, "set label '-' at 3, 2 center"));
+    EXPECT_TRUE(contains(script, "'yield_stress' 2"));
+  }
+}
+
+TEST(SceneFitPlot, OfThePopulationHasAPanelPerParameter) {
+  const std::string script = scene_fit_plot_script(
+      std::vector{lone_scene_record("a", 200e9, 380e6), failed_scene_record("b", "no"),
+                  lone_scene_record("c", 210e9, 390e6)},
+      {.what = "population"});
+  EXPECT_TRUE(contains(script, "set title 'youngs_modulus'"));
+  EXPECT_TRUE(contains(script, "set ylabel 'yield_stress [MPa]'"));
+  EXPECT_TRUE(contains(script, "\n3 210 207.6 212.4"));
+  EXPECT_TRUE(contains(script, "title 'mean'"));
+  EXPECT_TRUE(contains(script, "title 'standard deviation of specimens, noise taken out'"));
+}
+
+TEST(SceneFitPlot, RefusesWhatThereIsNot) {
+  const std::vector<SceneFitRecord> records{scene_record("a"), failed_scene_record("f", "no")};
+  const auto message = [&](const PlotRequest& request) {
+    return message_of([&] { scene_fit_plot_script(records, request); });
+  };
+  EXPECT_EQ(message({.what = "pie"}),
+            "--what = pie: must be fit, residuals, starts, correlation or population");
+  EXPECT_EQ(message({.specimen = "x"}), "--case = x: is not a fit of this file; it has a, f");
+  EXPECT_EQ(message({.what = "population", .specimen = "a"}),
+            "--case = a: does not go with the picture 'population'");
+  EXPECT_EQ(message({.what = "residuals", .specimen = "f"}),
+            "--what = residuals: f was not fitted");
+  EXPECT_EQ(message({.what = "starts", .specimen = "f"}),
+            "--what = starts: f has no search that ended anywhere");
+  EXPECT_EQ(message({.what = "correlation", .specimen = "f"}),
+            "--what = correlation: f has no correlations");
+  EXPECT_EQ(message_of([] { scene_fit_plot_script({}, {}); }), "plot: there is no fit to draw");
+}
+
+TEST(SceneFitPlot, LetsNoTextOfAUserLeaveItsQuotes) {
+  SceneFitRecord record = scene_record("it's `id`\nsystem('id')");
+  record.targets[0].name = "x'y\nplot 1";
+  record.targets[0].ordinate_probe = "p'q";
+  for (const PlotKind& kind : scene_fit_plot_kinds()) {
+    const std::string script = script_of(record, std::string(kind.name));
+    EXPECT_FALSE(contains(script, "\nsystem(")) << kind.name;
+    EXPECT_FALSE(contains(script, "\nplot 1")) << kind.name;
+    EXPECT_FALSE(contains(script, "p'q")) << kind.name;
+  }
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
