@@ -14,7 +14,10 @@
 #include "calibrate/engine/engine_text.hpp"
 #include "calibrate/report/csv_export.hpp"
 #include "calibrate/report/json.hpp"
+#include "calibrate/report/scene_fit_csv.hpp"
+#include "calibrate/report/scene_fit_json.hpp"
 #include "calibrate/store/fit_store.hpp"
+#include "calibrate/store/scene_fit_store.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/export_beam.hpp"
@@ -113,6 +116,17 @@ std::string text_of_fits(const ExportArguments& arguments) {
   return out.str();
 }
 
+std::string text_of_scene_fits(const ExportArguments& arguments) {
+  const std::string what = what_of(arguments, {"fits", "targets", "curves"});
+  const auto contents = calibrate::read_scene_fit_store(arguments.file);
+  if (arguments.to == "json") return calibrate::scene_fits_json(contents.records);
+  std::ostringstream out;
+  if (what == "fits") calibrate::write_scene_fits_csv(out, contents.records);
+  if (what == "targets") calibrate::write_scene_targets_csv(out, contents.records);
+  if (what == "curves") calibrate::write_scene_fit_curves_csv(out, contents.records);
+  return out.str();
+}
+
 std::string text_of_sweep(const ExportArguments& arguments) {
   const std::string what = what_of(arguments, {"cases", "curves"});
   refuse_option(!arguments.what.empty() && arguments.to != "csv", "--what", "goes with --to csv");
@@ -135,10 +149,10 @@ std::string text_of(const ExportArguments& arguments) {
   const bool beam = wants_beam(arguments);
   const std::array options{
       ResultOption{"--time", !arguments.time.empty(), {Scene}},
-      ResultOption{"--scene", !arguments.scene.empty(), {Fits}},
-      ResultOption{"--case", !arguments.which.empty(), {Fits}},
-      ResultOption{"--what beam", arguments.what == "beam", {Fits, Scene}},
-      ResultOption{"--to " + arguments.to, beam, {Fits, Scene}},
+      ResultOption{"--scene", !arguments.scene.empty(), {Fits, SceneFits}},
+      ResultOption{"--case", !arguments.which.empty(), {Fits, SceneFits}},
+      ResultOption{"--what beam", arguments.what == "beam", {Fits, SceneFits, Scene}},
+      ResultOption{"--to " + arguments.to, beam, {Fits, SceneFits, Scene}},
       ResultOption{
           "--to " + arguments.to, arguments.to == "markdown" || arguments.to == "latex", {Sweep}}};
   refuse_options_of_others(kind, options);
@@ -156,6 +170,7 @@ std::string text_of(const ExportArguments& arguments) {
   switch (kind) {
     case Fits: return text_of_fits(arguments);
     case Scene: return text_of_scene(arguments);
+    case SceneFits: return text_of_scene_fits(arguments);
     case Sweep: break;
   }
   return text_of_sweep(arguments);
@@ -194,13 +209,14 @@ void add_export(CLI::App& app, Action& action) {
       ->capture_default_str();
   sub->add_option(
          "--what", arguments->what,
-         "csv of fits: specimens, or curves, a row per sample; of a scene: probes or energies, a "
+         "csv of fits: specimens, or curves, a row per sample; of fits through scenes: fits, "
+         "targets or curves; of a scene: probes or energies, a "
          "row per sample, joints, a row per joint at --time T, events, a row per joint that broke, "
          "pieces, or spectrum, a row per frequency; of a sweep: cases, or curves; of fits with "
          "--scene "
          "and of scenes also beam, a row per joint with stiffness, yield moments, break angles")
-      ->check(CLI::IsMember({"specimens", "curves", "probes", "joints", "energies", "events",
-                             "pieces", "spectrum", "cases", "beam"}));
+      ->check(CLI::IsMember({"specimens", "fits", "targets", "curves", "probes", "joints",
+                             "energies", "events", "pieces", "spectrum", "cases", "beam"}));
   sub->add_option("--time", arguments->time, "of joints: \"12 ms\"; else the last frame's");
   sub->add_option("--scene", arguments->scene,
                   "beam of a fit: a scene file, whose material gets the fitted numbers");

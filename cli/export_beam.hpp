@@ -20,7 +20,7 @@ struct BeamRequest {
 
 /// The beam of a result as the text of an engine's format. What the format does not hold of the
 /// scene is said on stderr.
-/// @param kind  of the file: fits or a scene
+/// @param kind  of the file: fits, fits through scenes, or a scene
 /// @throws InputError
 std::string beam_text(const BeamRequest& request, ResultKind kind);
 

@@ -5,17 +5,34 @@
 #include "plastica/base/check.hpp"
 
 namespace plastica::cli {
+namespace {
 
-const calibrate::FitRecord& find_record(std::span<const calibrate::FitRecord> records,
-                                        const std::string& specimen, const std::string& file) {
+template <typename Record, typename NameOf>
+const Record& find(std::span<const Record> records, const NameOf& name_of, std::string_view what,
+                   const std::string& wanted, const std::string& file) {
   constexpr std::size_t kMostNames = 8;
   std::string names;
   for (std::size_t i = 0; i < records.size(); ++i) {
-    if (records[i].target.name == specimen) return records[i];
-    if (i < kMostNames) names += (i == 0 ? "" : ", ") + records[i].target.name;
+    if (name_of(records[i]) == wanted) return records[i];
+    if (i < kMostNames) names += (i == 0 ? "" : ", ") + name_of(records[i]);
   }
   if (records.size() > kMostNames) names += fmt::format(", … ({} in all)", records.size());
-  throw InputError({file, 0}, "--case", specimen, "must be a specimen of the file: " + names);
+  throw InputError({file, 0}, "--case", wanted,
+                   fmt::format("must be a {} of the file: {}", what, names));
+}
+
+}  // namespace
+
+const calibrate::FitRecord& find_record(std::span<const calibrate::FitRecord> records,
+                                        const std::string& specimen, const std::string& file) {
+  const auto name = [](const calibrate::FitRecord& record) { return record.target.name; };
+  return find(records, name, "specimen", specimen, file);
+}
+
+const calibrate::SceneFitRecord& find_record(std::span<const calibrate::SceneFitRecord> records,
+                                             const std::string& fit, const std::string& file) {
+  const auto name = [](const calibrate::SceneFitRecord& record) { return record.name; };
+  return find(records, name, "fit", fit, file);
 }
 
 }  // namespace plastica::cli

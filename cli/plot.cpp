@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "calibrate/report/plot.hpp"
+#include "calibrate/report/scene_fit_plot.hpp"
 #include "calibrate/store/fit_store.hpp"
+#include "calibrate/store/scene_fit_store.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/result_kind.hpp"
@@ -41,6 +43,8 @@ void list(const PlotArguments& arguments) {
   if (arguments.files.empty()) {
     fmt::print("of fits:\n");
     print(calibrate::plot_kinds());
+    fmt::print("of fits through scenes:\n");
+    print(calibrate::scene_fit_plot_kinds());
     fmt::print("of a simulated scene:\n");
     print(report::scene_plot_kinds());
     fmt::print("of a sweep:\n");
@@ -49,6 +53,7 @@ void list(const PlotArguments& arguments) {
   }
   switch (kind_of_result(arguments.files.front())) {
     case ResultKind::Fits: print(calibrate::plot_kinds()); break;
+    case ResultKind::SceneFits: print(calibrate::scene_fit_plot_kinds()); break;
     case ResultKind::Scene:
       print(report::scene_plot_kinds_of(io::read_scene_store(arguments.files.front())));
       break;
@@ -61,7 +66,7 @@ void list(const PlotArguments& arguments) {
 void check_options(ResultKind kind, const PlotArguments& arguments) {
   using enum ResultKind;
   const std::array options{
-      ResultOption{"--case", !arguments.request.specimen.empty(), {Fits, Sweep}},
+      ResultOption{"--case", !arguments.request.specimen.empty(), {Fits, SceneFits, Sweep}},
       ResultOption{"--joint", arguments.joint.has_value(), {Scene}},
       ResultOption{"--probe", !arguments.probe.empty(), {Scene}},
       ResultOption{"--time", !arguments.time.empty(), {Scene}},
@@ -102,6 +107,12 @@ void draw_fits(const PlotArguments& arguments) {
   calibrate::draw_plot(contents.records, arguments.request, std::cout);
 }
 
+void draw_scene_fits(const PlotArguments& arguments) {
+  refuse_second_file(arguments, "fits are drawn of one file");
+  const auto contents = calibrate::read_scene_fit_store(arguments.files.front());
+  calibrate::draw_scene_fit_plot(contents.records, arguments.request, std::cout);
+}
+
 int plot(const PlotArguments& arguments) {
   if (arguments.list) {
     list(arguments);
@@ -116,6 +127,7 @@ int plot(const PlotArguments& arguments) {
   check_options(kind, arguments);
   switch (kind) {
     case ResultKind::Fits: draw_fits(arguments); break;
+    case ResultKind::SceneFits: draw_scene_fits(arguments); break;
     case ResultKind::Scene: draw_scenes(arguments); break;
     case ResultKind::Sweep: draw_sweep(arguments); break;
   }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/store/fit_store.hpp"
+#include "calibrate/store/scene_fit_store.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/io/result_file.hpp"
 #include "plastica/io/scene_store.hpp"
@@ -25,6 +26,7 @@ constexpr std::array kWords{
     KindWords{calibrate::kFitStoreSchema, "a result of fits", "results of fits"},
     KindWords{io::kSceneSchema, "a simulated scene", "simulated scenes"},
     KindWords{sweeps::kSweepSchema, "a sweep", "sweeps"},
+    KindWords{calibrate::kSceneFitSchema, "a result of fits through scenes", "results of fits"},
 };
 
 const KindWords& words_of(ResultKind kind) { return kWords[static_cast<std::size_t>(kind)]; }
@@ -36,9 +38,9 @@ ResultKind kind_of_result(const std::string& path) {
   for (std::size_t k = 0; k < kWords.size(); ++k) {
     if (kWords[k].schema == schema) return static_cast<ResultKind>(k);
   }
-  throw InputError(
-      {path, 0}, "schema", schema,
-      fmt::format("must be {}, {} or {}", kWords[0].schema, kWords[1].schema, kWords[2].schema));
+  throw InputError({path, 0}, "schema", schema,
+                   fmt::format("must be {}, {}, {} or {}", kWords[0].schema, kWords[1].schema,
+                               kWords[2].schema, kWords[3].schema));
 }
 
 void refuse_options_of_others(ResultKind kind, std::span<const ResultOption> options) {
@@ -47,7 +49,9 @@ void refuse_options_of_others(ResultKind kind, std::span<const ResultOption> opt
     if (!option.given || std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
     std::string those;
     for (const ResultKind other : kinds) {
-      those += (those.empty() ? "" : " and ") + std::string(words_of(other).many);
+      const std::string_view many = words_of(other).many;
+      if (those.ends_with(many)) continue;  // both kinds of fits
+      those += (those.empty() ? "" : " and ") + std::string(many);
     }
     throw InputError({}, option.name, "",
                      fmt::format("is for {}; this is {}", those, words_of(kind).one));

@@ -9,7 +9,7 @@
 namespace plastica::cli {
 
 /// What a result file holds.
-enum class ResultKind { Fits, Scene, Sweep };
+enum class ResultKind { Fits, Scene, Sweep, SceneFits };
 
 /// @throws InputError if it holds none of them
 ResultKind kind_of_result(const std::string& path);

@@ -6,8 +6,10 @@
 #include <memory>
 #include <string>
 
+#include "calibrate/report/scene_fit_text.hpp"
 #include "calibrate/report/text.hpp"
 #include "calibrate/store/fit_store.hpp"
+#include "calibrate/store/scene_fit_store.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/find_record.hpp"
@@ -72,15 +74,39 @@ int show_fits(const ShowArguments& arguments) {
   return kDone;
 }
 
+int show_scene_fits(const ShowArguments& arguments) {
+  const auto contents = calibrate::read_scene_fit_store(arguments.file);
+  calibrate::ReportOptions options;
+  options.color = isatty(STDOUT_FILENO) != 0;
+  options.confidence = contents.confidence;
+  if (!arguments.which.empty()) {
+    const auto& record = find_record(contents.records, arguments.which, arguments.file);
+    fmt::print("{}", calibrate::scene_fit_report(record, options));
+    return kDone;
+  }
+  if (arguments.all) {
+    options.specimens_shown = 0;
+    if (contents.records.size() > 1) {
+      for (const auto& record : contents.records) {
+        fmt::print("{}\n", calibrate::scene_fit_report(record, options));
+      }
+    }
+  }
+  fmt::print("{}", calibrate::scene_fits_report(contents.records, options));
+  return kDone;
+}
+
 int show(const ShowArguments& arguments) {
   using enum ResultKind;
   const ResultKind kind = kind_of_result(arguments.file);
-  const std::array options{ResultOption{"--case", !arguments.which.empty(), {Fits, Sweep}},
-                           ResultOption{"--all", arguments.all, {Fits, Sweep}}};
+  const std::array options{
+      ResultOption{"--case", !arguments.which.empty(), {Fits, SceneFits, Sweep}},
+      ResultOption{"--all", arguments.all, {Fits, SceneFits, Sweep}}};
   refuse_options_of_others(kind, options);
   switch (kind) {
     case Fits: return show_fits(arguments);
     case Scene: return show_scene(arguments);
+    case SceneFits: return show_scene_fits(arguments);
     case Sweep: break;
   }
   return show_sweep(arguments);

@@ -61,8 +61,8 @@ TEST(BadResult, OfAnotherSchemaIsRefused) {
   file.root().set_attribute(".", "schema", "plastica/other");
   file.commit();
   expect_no_result(place.read("x.h5"),
-                   "x.h5: schema = plastica/other: must be plastica/fits, plastica/scene or "
-                   "plastica/sweep");
+                   "x.h5: schema = plastica/other: must be plastica/fits, plastica/scene, "
+                   "plastica/sweep or plastica/scene-fits");
 }
 
 TEST(BadRequest, OfAResultIsRefusedInOneLine) {
