@@ -192,9 +192,8 @@ Figure population_figure(std::span<const SceneFitRecord> records) {
     if (parameter.n == 0 || figure.panels.size() == kMostPanels) continue;
     const DisplayUnit unit = display_unit_of(parameter.path, parameter.dimension, parameter.mean);
     FigurePanel panel;
-    panel.title = short_name(parameter.path);
+    panel.title = label(short_name(parameter.path), unit);
     panel.x_label = "fit, in the order of the file";
-    panel.y_label = label(short_name(parameter.path), unit);
     panel.x_range = {0.5, static_cast<double>(records.size()) + 0.5};
     FigureCurve values{{}, "value and interval", kGrey, Stroke::Bars};
     for (std::size_t i = 0; i < records.size(); ++i) {
@@ -216,7 +215,7 @@ Figure population_figure(std::span<const SceneFitRecord> records) {
     };
     across(parameter.mean, "mean", kBlue);
     if (std::isfinite(parameter.specimen_deviation)) {
-      const char* name = "standard deviation of specimens, noise taken out";
+      const char* name = "specimens' standard deviation, without noise";
       across(parameter.mean - parameter.specimen_deviation, name, kVermillion);
       across(parameter.mean + parameter.specimen_deviation, name, kVermillion);
     }
@@ -265,14 +264,16 @@ PlotScript correlation_plot(const SceneFitRecord& record, bool terminal) {
   if (terminal) {
     plastica::report::begin_terminal(script);
   } else {
-    script.begin_panels(1, {}, 2, 30.0);
+    // Names as long as they may be need room at the left and, where they are turned, below.
+    script.begin_panels(1, {}, 2, n > 4 ? 90.0 : 20.0);
     script.command("unset grid\nset tics scale 0");
     script.command(
         fmt::format("set palette defined (-1 '{}', 0 '#FFFFFF', 1 '{}')\n"
                     "set cbrange [-1:1]\nunset colorbox",
                     kBlue, kVermillion));
   }
-  script.command(fmt::format("set xtics ({})\nset ytics ({})", x_tics, y_tics));
+  script.command(fmt::format("set xtics {}({})\nset ytics ({})",
+                             n > 4 && !terminal ? "rotate by 35 right " : "", x_tics, y_tics));
   const double end = static_cast<double>(n) + 0.5;
   script.command(fmt::format("set xrange [0.5:{0}]\nset yrange [0.5:{0}]", end));
   script.command(labels);
@@ -282,6 +283,7 @@ PlotScript correlation_plot(const SceneFitRecord& record, bool terminal) {
     return script;
   }
   script.begin_panel(title);
+  script.command("set lmargin at screen 0.25");
   script.add_unnamed(script.add_points(cells), "using 1:2:3 with image");
   script.end_panel();
   return script;

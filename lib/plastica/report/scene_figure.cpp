@@ -207,9 +207,14 @@ PlotScript figure_terminal(const Figure& figure) {
         y_high = std::max(y_high, point[1]);
       }
     }
+    const std::string title =
+        panel.y_label.empty() ? panel.title : panel.title + ": " + panel.y_label;
     script.command("set title " + quoted(cut(figure.title, kTitleWidth)) + ".\"\\n\"." +
-                   quoted(cut(panel.title + ": " + panel.y_label, kTitleWidth)));
+                   quoted(cut(title, kTitleWidth)));
     script.command("set xlabel " + quoted(panel.x_label));
+    const auto [first, last] = panel.x_range;
+    script.command(first == last ? "set autoscale x"
+                                 : fmt::format("set xrange [{:.7g}:{:.7g}]", first, last));
     std::string plot;
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {
       const FigureCurve& curve = panel.curves[i];

@@ -84,11 +84,11 @@ TEST(SceneFitPlot, OfThePopulationHasAPanelPerParameter) {
       std::vector{lone_scene_record("a", 200e9, 380e6), failed_scene_record("b", "no"),
                   lone_scene_record("c", 210e9, 390e6)},
       {.what = "population"});
-  EXPECT_TRUE(contains(script, "set title 'youngs_modulus'"));
-  EXPECT_TRUE(contains(script, "set ylabel 'yield_stress [MPa]'"));
+  EXPECT_TRUE(contains(script, "set title 'youngs_modulus [GPa]'"));
+  EXPECT_TRUE(contains(script, "set title 'yield_stress [MPa]'"));
   EXPECT_TRUE(contains(script, "\n3 210 207.6 212.4"));
   EXPECT_TRUE(contains(script, "title 'mean'"));
-  EXPECT_TRUE(contains(script, "title 'standard deviation of specimens, noise taken out'"));
+  EXPECT_TRUE(contains(script, "title 'specimens'' standard deviation, without noise'"));
 }
 
 TEST(SceneFitPlot, RefusesWhatThereIsNot) {
