@@ -10,11 +10,14 @@
 
 #include "calibrate/config/bare_files.hpp"
 #include "calibrate/config/fit_file.hpp"
+#include "calibrate/config/scene_fit_file.hpp"
 #include "calibrate/fit/optimizer.hpp"
 #include "calibrate/report/json.hpp"
 #include "calibrate/report/text.hpp"
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/journaled_batch.hpp"
+#include "cli/calibrate_arguments.hpp"
+#include "cli/calibrate_scenes.hpp"
 #include "cli/command.hpp"
 #include "cli/dry_run.hpp"
 #include "cli/exit_code.hpp"
@@ -25,20 +28,6 @@
 
 namespace plastica::cli {
 namespace {
-
-struct CalibrateArguments {
-  std::vector<std::string> inputs;
-  std::string output;
-  std::string json;
-  int threads = 0;
-  bool dry_run = false;
-  bool resume = false;
-  bool force = false;
-  bool quiet = false;
-  calibrate::BareFiles bare;
-  std::string bare_option;  ///< first of the options for curves without a fit file that was given
-  std::string command_line;
-};
 
 bool is_fit_file(const std::string& path) {
   return std::filesystem::path(path).extension() == ".toml";
@@ -65,11 +54,6 @@ calibrate::FitFile read_inputs(const CalibrateArguments& arguments) {
   return calibrate::read_fit_file(*toml);
 }
 
-std::string default_output(const CalibrateArguments& arguments) {
-  const std::filesystem::path first(arguments.inputs.front());
-  return (arguments.inputs.size() == 1 ? first.stem().string() : "fit") + ".h5";
-}
-
 void write_json(const std::string& path, std::span<const calibrate::FitRecord> records) {
   io::write_text_file(path, calibrate::json_summary(records) + "\n");
 }
@@ -83,23 +67,15 @@ void print_report(std::span<const calibrate::FitRecord> records, const calibrate
   fmt::print("{}", calibrate::batch_report(records, options));
 }
 
-void tell_of_journal(const calibrate::JournaledBatch& batch, bool quiet) {
-  if (batch.dropped_bytes() > 0) {
-    fmt::print(stderr, "plastica: dropped {} bytes of an unfinished record from the journal\n",
-               batch.dropped_bytes());
-  }
-  if (!quiet && batch.taken() > 0) {
-    fmt::print(stderr, "{} fits taken from the journal\n", batch.taken());
-  }
-  if (!quiet && batch.outdated() > 0) {
-    fmt::print(stderr, "{} fits of the journal are outdated and run again\n", batch.outdated());
-  }
+/// Whether it is a fit file whose targets name scenes.
+bool has_scenes(const CalibrateArguments& arguments) {
+  return arguments.inputs.size() == 1 && is_fit_file(arguments.inputs.front()) &&
+         arguments.bare_option.empty() && calibrate::names_scenes(arguments.inputs.front());
 }
 
 int calibrate_files(const CalibrateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
-  const std::string output =
-      arguments.output.empty() ? default_output(arguments) : arguments.output;
+  const std::string output = output_of(arguments);
   const calibrate::FitFile file = read_inputs(arguments);
   if (!arguments.dry_run) check_outputs(file, output, arguments.json, arguments.force);
   std::vector<calibrate::Target> targets = calibrate::import_all(file);
@@ -203,7 +179,9 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
       arguments->bare_option = option->get_name();
       break;
     }
-    action = [arguments] { return calibrate_files(*arguments); };
+    action = [arguments] {
+      return has_scenes(*arguments) ? calibrate_scenes(*arguments) : calibrate_files(*arguments);
+    };
   });
 }
 

@@ -96,7 +96,9 @@ struct ScenePartFit {
 struct SceneStart {
   std::vector<double> from;  ///< values of the searched parameters [SI] (n)
   std::vector<double> to;    ///< where it ended [SI] (n); empty without a start
-  double cost = 0.0;         ///< there: sum of the squares over the noise [1]; infinite without
+  /// There: sum of the squares over the noise, or over each target's largest ordinate while the
+  /// noise was not known [1]; infinite without a start.
+  double cost = 0.0;
   LeastSquaresOutcome outcome = LeastSquaresOutcome::NoStart;
   int evaluations = 0;
 };

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "calibrate/config/bare_files.hpp"
+
+namespace plastica::cli {
+
+struct CalibrateArguments {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string json;
+  int threads = 0;
+  bool dry_run = false;
+  bool resume = false;
+  bool force = false;
+  bool quiet = false;
+  calibrate::BareFiles bare;
+  std::string bare_option;  ///< first of the options for curves without a fit file that was given
+  std::string command_line;
+};
+
+/// The result file: the one that is asked for, or the input's name with .h5.
+inline std::string output_of(const CalibrateArguments& arguments) {
+  if (!arguments.output.empty()) return arguments.output;
+  const std::filesystem::path first(arguments.inputs.front());
+  return (arguments.inputs.size() == 1 ? first.stem().string() : "fit") + ".h5";
+}
+
+/// Says on stderr what a batch has found in its journal.
+template <class Batch>
+void tell_of_journal(const Batch& batch, bool quiet) {
+  if (batch.dropped_bytes() > 0) {
+    fmt::print(stderr, "plastica: dropped {} bytes of an unfinished record from the journal\n",
+               batch.dropped_bytes());
+  }
+  if (!quiet && batch.taken() > 0) {
+    fmt::print(stderr, "{} fits taken from the journal\n", batch.taken());
+  }
+  if (!quiet && batch.outdated() > 0) {
+    fmt::print(stderr, "{} fits of the journal are outdated and run again\n", batch.outdated());
+  }
+}
+
+}  // namespace plastica::cli

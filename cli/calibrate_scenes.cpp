@@ -1,0 +1,123 @@
+#include "cli/calibrate_scenes.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "calibrate/config/scene_fit_file.hpp"
+#include "calibrate/fit/optimizer.hpp"
+#include "calibrate/report/scene_fit_json.hpp"
+#include "calibrate/report/scene_fit_text.hpp"
+#include "calibrate/store/journaled_scene_fits.hpp"
+#include "calibrate/store/scene_fit_store.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/run_files.hpp"
+#include "plastica/io/text_file.hpp"
+#include "plastica/run/simulate.hpp"
+
+namespace plastica::cli {
+namespace {
+
+using calibrate::SceneFitCase;
+using calibrate::SceneFitFile;
+using calibrate::SceneFitRecord;
+
+void print_dry_run(const SceneFitFile& file, const std::string& output) {
+  fmt::print("{} {} of {} targets, written to {}\n", file.cases.size(),
+             file.cases.size() == 1 ? "fit" : "fits",
+             std::accumulate(
+                 file.cases.begin(), file.cases.end(), std::size_t{0},
+                 [](std::size_t sum, const SceneFitCase& one) { return sum + one.parts.size(); }),
+             output);
+  for (const SceneFitCase& one : file.cases) {
+    for (const calibrate::ScenePart& part : one.parts) {
+      const Model model = prepare(part.setup.scene, part.setup.solver);
+      fmt::print("{}: {} samples, {} segments, {}\n", part.target.name, part.target.ordinate.size(),
+                 part.setup.scene.beam.segments, model.level_reason);
+    }
+  }
+  fmt::print("up to {} points of each search, {} {} a fit\n", file.options.evaluations,
+             file.options.starts, file.options.starts == 1 ? "search" : "searches");
+}
+
+SceneFitRecord record_of(SceneFitCase&& one, calibrate::SceneFitResult&& result) {
+  SceneFitRecord record;
+  record.name = std::move(one.name);
+  for (calibrate::ScenePart& part : one.parts) {
+    record.targets.push_back(std::move(part.target));
+    record.weights.push_back(part.weight);
+  }
+  record.result = std::move(result);
+  return record;
+}
+
+void print_report(std::span<const SceneFitRecord> records, double confidence) {
+  calibrate::ReportOptions options;
+  options.color = isatty(STDOUT_FILENO) != 0;
+  options.confidence = confidence;
+  fmt::print("{}", calibrate::scene_fits_report(records, options));
+}
+
+}  // namespace
+
+int calibrate_scenes(const CalibrateArguments& arguments) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::string output = output_of(arguments);
+  SceneFitFile file = calibrate::read_scene_fit_file(arguments.inputs.front());
+  if (arguments.dry_run) {
+    print_dry_run(file, output);
+    return kDone;
+  }
+  check_outputs(file.read_files, output, arguments.json, arguments.force);
+  calibrate::SceneFitContents contents;
+  contents.meta = io::begin_meta(arguments.command_line, arguments.threads);
+  const InterruptGuard interrupt;
+  calibrate::JournaledOptions how;
+  how.journal = {io::journal_path(output), arguments.resume, arguments.force};
+  how.threads = arguments.threads;
+  how.stop = &interrupt.flag();
+  ProgressBar bar("fitting", file.cases.size(), arguments.quiet);
+  how.progress = [&bar](const calibrate::BatchProgress& progress) {
+    bar.update(progress.done, progress.failed, progress.taken);
+  };
+  calibrate::JournaledSceneFits batch(file.cases, file.options, how);
+  tell_of_journal(batch, arguments.quiet);
+  std::vector<calibrate::SceneFitResult> results = batch.run();
+  bar.clear();
+  if (!batch.complete()) {
+    fmt::print(stderr, "plastica: interrupted; what is finished is kept: --resume goes on\n");
+    return kInterrupted;
+  }
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    contents.records.push_back(record_of(std::move(file.cases[i]), std::move(results[i])));
+  }
+  contents.confidence = file.options.confidence;
+  contents.inputs = std::move(file.inputs);
+  contents.meta.resumptions = batch.resumptions();
+  contents.meta.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  calibrate::write_scene_fit_store(output, contents);
+  batch.finish();
+  if (!arguments.json.empty()) {
+    io::write_text_file(arguments.json, calibrate::scene_fits_json(contents.records) + "\n");
+  }
+  if (!arguments.quiet) {
+    print_report(contents.records, contents.confidence);
+    fmt::print(stderr, "wrote {}\n", output);
+  }
+  const bool all = std::all_of(contents.records.begin(), contents.records.end(),
+                               [](const SceneFitRecord& record) {
+                                 return record.result.status == calibrate::FitStatus::Fitted;
+                               });
+  return all ? kDone : kNotAcceptable;
+}
+
+}  // namespace plastica::cli

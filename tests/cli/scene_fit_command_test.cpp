@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/cli/bad_input.hpp"
+#include "tests/cli/command.hpp"
+
+/// `plastica calibrate` of targets that name scenes.
+namespace plastica::testing {
+namespace {
+
+std::string shipped(const std::string& name) {
+  return std::string(PLASTICA_SOURCE_DIR) + "/data/" + name;
+}
+
+constexpr const char* kScene = R"([beam]
+length = "400 mm"
+segments = 6
+section = { shape = "rectangle", width = "20 mm", height = "20 mm" }
+[material]
+name = "S355"
+[rules]
+yield_model = "fibre"
+[[support]]
+at = "start"
+kind = "clamp"
+[[support]]
+at = "end"
+kind = "roller"
+hold = ["y"]
+translation = ["0 mm", "-80 mm", "0 mm"]
+[[probe]]
+name = "force"
+kind = "reaction"
+at = "end"
+component = "y"
+)";
+
+constexpr const char* kFit = R"([fit]
+shared = false
+[fit.parameters]
+youngs_modulus = { bounds = ["50 GPa", "500 GPa"] }
+[[target]]
+files = "*.csv"
+scene = "bar.toml"
+abscissa = { drive = "support[2]", column = "Way" }
+ordinate = { probe = "force", column = "Force", factor = -1 }
+)";
+
+/// 3 EI/L^3 is 131 N/mm at 210 GPa; two bars that differ by a tenth.
+void write_bars(const Workplace& place) {
+  place.write("bar.toml", kScene);
+  place.write("fit.toml", kFit);
+  place.write("a.csv", "Way (mm),Force (N)\n1,130\n2,263\n1,131\n-1,-131\n");
+  place.write("b.csv", "Way (mm),Force (N)\n1,144\n2,289\n1,144\n-1,-144\n");
+}
+
+TEST(SceneFitCommand, FitsTheShippedBendTest) {
+  const Workplace place;
+  const CommandResult result =
+      place.run({"calibrate", shipped("fits/bend_test.toml"), "--json", "fit.json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.err, "wrote bend_test.h5\n");
+  const auto fit = nlohmann::json::parse(place.read("fit.json")).at("fits").at(0);
+  const auto value = [&](const std::string& name) {
+    for (const auto& p : fit.at("parameters")) {
+      if (p.at("name") == name) return p.at("value").get<double>();
+    }
+    return 0.0;
+  };
+  // What the curve was made with; 32 segments are off by 0.1 %.
+  EXPECT_NEAR(value("youngs_modulus"), 205e9, 0.005 * 205e9);
+  EXPECT_NEAR(value("yield_stress"), 380e6, 0.005 * 380e6);
+  EXPECT_NEAR(value("break_strain"), 0.02, 0.02 * 0.02);
+  const CommandResult shown = place.run({"show", "bend_test.h5"});
+  EXPECT_EQ(shown.code, 0);
+  EXPECT_EQ(shown.out, result.out);
+  EXPECT_NE(shown.out.find("identified"), std::string::npos) << shown.out;
+}
+
+TEST(SceneFitCommand, FitsEachSpecimenOrAllTogether) {
+  const Workplace place;
+  write_bars(place);
+  const CommandResult each = place.run({"calibrate", "fit.toml", "-o", "each.h5"});
+  ASSERT_EQ(each.code, 0) << each.err;
+  EXPECT_TRUE(each.out.ends_with("fitted 2, failed 0\n")) << each.out;
+  place.write("fit.toml", changed(kFit, "shared = false", "shared = true"));
+  const CommandResult together =
+      place.run({"calibrate", "fit.toml", "-o", "all.h5", "--json", "all.json"});
+  ASSERT_EQ(together.code, 0) << together.err;
+  const auto fits = nlohmann::json::parse(place.read("all.json")).at("fits");
+  EXPECT_EQ(fits.size(), 1U);
+  EXPECT_EQ(fits.at(0).at("name"), "fit");
+}
+
+TEST(SceneFitCommand, SaysWhatWouldRun) {
+  const Workplace place;
+  write_bars(place);
+  const CommandResult result = place.run({"calibrate", "fit.toml", "--dry-run"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(
+      result.out.starts_with("2 fits of 2 targets, written to fit.h5\n"
+                             "a: 4 samples, 6 segments, planar"))
+      << result.out;
+  EXPECT_FALSE(place.has("fit.h5"));
+}
+
+TEST(SceneFitCommand, HasTheSameBytesOnEveryNumberOfThreads) {
+  const Workplace place;
+  write_bars(place);
+  ASSERT_EQ(place
+                .run({"calibrate", "fit.toml", "-o", "1.h5", "--json", "1.json", "--threads", "1",
+                      "--quiet"})
+                .code,
+            0);
+  ASSERT_EQ(place
+                .run({"calibrate", "fit.toml", "-o", "3.h5", "--json", "3.json", "--threads", "3",
+                      "--quiet"})
+                .code,
+            0);
+  EXPECT_EQ(place.read("1.json"), place.read("3.json"));
+}
+
+TEST(SceneFitCommand, KeepsAFailedFitAsARow) {
+  const Workplace place;
+  write_bars(place);
+  place.write("b.csv", "Way (mm),Force (N)\n1,144\n");
+  const CommandResult result = place.run({"calibrate", "fit.toml"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_TRUE(result.out.ends_with("fitted 1, failed 1\n")) << result.out;
+  EXPECT_NE(result.out.find("has no more samples than the fit has parameters"), std::string::npos)
+      << result.out;
+}
+
+BadInput bad_fit(std::string name, const std::string& from, const std::string& to,
+                 const std::string& line) {
+  return {std::move(name),
+          {{"bar.toml", kScene},
+           {"a.csv", "Way (mm),Force (N)\n1,130\n2,263\n1,131\n-1,-131\n"},
+           {"fit.toml", changed(kFit, from, to)}},
+          {"calibrate", "fit.toml"},
+          line};
+}
+
+class BadSceneFit : public ::testing::TestWithParam<BadInput> {};
+TEST_P(BadSceneFit, IsRefusedInOneLine) { expect_refusal(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(
+    SceneFits, BadSceneFit,
+    ::testing::Values(
+        bad_fit("NoScene", "scene = \"bar.toml\"", "scene = \"bra.toml\"",
+                "fit.toml:7: target[1].scene = bra.toml: is not a file"),
+        bad_fit("NoBound", "{ bounds = [\"50 GPa\", \"500 GPa\"] }", "{ start = \"50 GPa\" }",
+                "fit.toml:4: material.youngs_modulus: needs a lower and an upper bound to be "
+                "fitted"),
+        bad_fit("UnknownKey", "[fit]\n", "[fit]\nobjective = \"least-squares\"\n",
+                "fit.toml:2: fit.objective…"),
+        bad_fit("NoBreak", "[fit.parameters]\n",
+                "[fit.parameters]\nbreak_strain = { bounds = [\"1 %\", \"9 %\"] }\n",
+                "fit.toml:4: material.break_strain: cannot be fitted: the target does not say "
+                "where it broke"),
+        bad_fit("WrongUnit", "column = \"Way\"", "column = \"Way\", unit = \"N\"",
+                "fit.toml:8: Way…")),
+    name_of_case);
+
+}  // namespace
+}  // namespace plastica::testing
