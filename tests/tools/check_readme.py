@@ -40,6 +40,11 @@ def without_time(report):
     return re.sub(r", [\d.e-]+ s$", "", report.rstrip())
 
 
+def without_comment(text):
+    """A file without the comment at its top."""
+    return re.sub(r"\A(#.*\n)+\n", "", text)
+
+
 def one_joint(text):
     """The lines of joint 1 in a beam for OpenSees."""
     return re.search(r"# joint_1\n.*?\n(?=# joint_2)", text, re.DOTALL).group(0)
@@ -53,6 +58,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         shutil.copytree(ROOT / "data", pathlib.Path(folder) / "data")
         report = run(command, "calibrate", "data/fits/demo.toml", "-o", "demo.h5", folder=folder)
+        through = run(command, "calibrate", "data/fits/bend_test.toml", "-o", "bend.h5",
+                      folder=folder)
         scene = run(command, "simulate", "data/scenes/report_fig06_bent.toml", "-o", "bent.h5",
                     folder=folder)
         beam = run(command, "export", "bent.h5", "--to", "opensees", "--segments", "4",
@@ -67,6 +74,9 @@ def main():
             "recommend-report": fenced("text", chosen),
             "check-report": fenced("text", without_time(checked)),
             "export-example": fenced("tcl", one_joint(beam)),
+            "scene-fit-example": fenced("toml", without_comment(
+                (ROOT / "data/fits/bend_test.toml").read_text())),
+            "scene-fit-report": fenced("text", through),
             "scene-report": fenced("text", scene),
             "demo-report": fenced("text", report),
             "library-example": fenced("cpp", (ROOT / "tests/consumer/main.cpp").read_text()),
