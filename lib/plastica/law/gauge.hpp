@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include "plastica/base/matrix.hpp"
 #include "plastica/law/linear_piece.hpp"
@@ -44,6 +45,7 @@ template <class S, std::size_t K, bool Round>
 struct FirstYieldGauge {
   using Scalar = S;
   static constexpr std::size_t kPieces = K;
+  static constexpr bool kLinear = true;  ///< each piece, in moments and axial force
   static constexpr bool kRound = Round;
 
   std::array<S, K> xi, eta, tau_squared;  ///< the first has xi = 1, eta = 0; for y it is number K/2
@@ -117,6 +119,7 @@ template <class S, bool Round>
 struct PlasticGauge {
   using Scalar = S;
   static constexpr std::size_t kPieces = Round ? 1 : 2;
+  static constexpr bool kLinear = false;
   static constexpr bool kRound = Round;
 
   S axial;  ///< e [1], 0..1
@@ -187,6 +190,20 @@ struct PlasticGauge {
              kink, kink, one, zero}};
   }
 };
+
+/// An entry of one of a gauge's arrays by its number.
+template <class S, std::size_t K>
+inline S pick(const std::array<S, K>& of, const S& number) {
+  if constexpr (std::is_floating_point_v<S>) {
+    return of[static_cast<std::size_t>(max(number, constant<S>(0)))];
+  } else {
+    S found = of[0];
+    for (std::size_t k = 1; k < K; ++k) {
+      found = select(number > constant<S>(static_cast<double>(k) - 0.5), of[k], found);
+    }
+    return found;
+  }
+}
 
 /// Where a force lies in the orthant: the coordinates u of `gauge.hpp`.
 template <class Gauge>

@@ -31,9 +31,13 @@ struct InteractionSection {
   using Rule = HardeningRule<S, Uniaxial>;
 
   Gauge gauge;
-  SectionForce<S> cap;        ///< [N m, N m, N m, N]
-  SectionForce<S> stiffness;  ///< E I_x, E I_y, G J [N m^2], E A [N]
-  SectionForce<S> area;       ///< Y V_i [N]
+  SectionForce<S> cap;         ///< [N m, N m, N m, N]
+  SectionForce<S> stiffness;   ///< E I_x, E I_y, G J [N m^2], E A [N]
+  SectionForce<S> area;        ///< Y V_i [N]
+  SectionForce<S> elastic;     ///< a: cap^2/stiffness
+  SectionForce<S> compliance;  ///< 1/a
+  SectionForce<S> per_strain;  ///< stiffness/cap
+  SectionForce<S> per_force;   ///< cap/stiffness
   Rule rule;
 
   struct State {
@@ -54,13 +58,11 @@ class HardeningReturn {
   static constexpr std::size_t kBacks = Section::Rule::kBacks;
 
   HardeningReturn(const Section& law, const typename Section::State& before,
-                  const SectionForce<S>& elastic, const SectionForce<S>& trial, const S& phi,
-                  const mask_t<S>& yields)
-      : law_(law), before_(before), elastic_(elastic), trial_(trial), phi_(phi) {
+                  const SectionForce<S>& trial, const S& phi, const mask_t<S>& yields)
+      : law_(law), before_(before), elastic_(law.elastic), trial_(trial), phi_(phi) {
     const S inverse = constant<S>(1) / (phi * phi);
     for (std::size_t i = 0; i < kSectionAxes; ++i) {
-      energy_[i] = elastic[i] * trial[i];
-      compliance_[i] = constant<S>(1) / elastic[i];
+      energy_[i] = elastic_[i] * trial[i];
       work_[i] = law.area[i] * trial[i];
     }
     twice_energy_ = dot(energy_, trial);
@@ -95,7 +97,7 @@ class HardeningReturn {
     z = projected_.point + back;
     after.equivalent = before_.equivalent + p_;
     for (std::size_t i = 0; i < kSectionAxes; ++i) {
-      const S d = law_.cap[i] / law_.stiffness[i] * part * cut[i];
+      const S d = law_.per_force[i] * part * cut[i];
       after.plastic[i] = before_.plastic[i] + d;
       after.accumulated[i] = before_.accumulated[i] + abs(d);
     }
@@ -143,7 +145,7 @@ class HardeningReturn {
     level_ = law_.rule.level(before_.equivalent, p);
     const S inverse = one / level_.value;
     const S overshoot = select(mask, phi_ * inverse - one, one);
-    projected_ = project(law_.gauge, compliance_, inverse * trial_, overshoot, mask);
+    projected_ = project(law_.gauge, law_.compliance, inverse * trial_, overshoot, mask);
     projected_.point = level_.value * projected_.point;
     by_radius_ = inverse * (projected_.point - projected_.slope * trial_);
     lambda_ = constant<S>(0);
@@ -204,7 +206,7 @@ class HardeningReturn {
   const SectionForce<S>& elastic_;
   const SectionForce<S>& trial_;
   const S& phi_;
-  SectionForce<S> energy_, compliance_, work_;
+  SectionForce<S> energy_, work_;
   S twice_energy_, elastic_area_, plastic_area_;
   std::array<S, kBacks> along_{};
   S p_;
@@ -227,12 +229,11 @@ inline SectionResponse<S> respond(
   constexpr bool kIdeal = Section::Rule::kBacks == 0;
   const S zero = constant<S>(0);
   const S one = constant<S>(1);
-  SectionForce<S> z, trial, elastic, back;
+  SectionForce<S> z, trial, back;
   for (std::size_t k = 0; k < Section::Rule::kBacks; ++k) back += before.back[k];
   for (std::size_t i = 0; i < kSectionAxes; ++i) {
-    z[i] = law.stiffness[i] * (strain[i] - before.plastic[i]) / law.cap[i];
+    z[i] = law.per_strain[i] * (strain[i] - before.plastic[i]);
     trial[i] = z[i] - back[i];
-    elastic[i] = law.cap[i] * law.cap[i] / law.stiffness[i];
   }
   const S phi = gauge_value(law.gauge, trial);
   // A point that was returned before is on the surface but for rounding.
@@ -240,7 +241,7 @@ inline SectionResponse<S> respond(
   const auto yields = phi > outside * law.rule.level(before.equivalent);
 
   SectionResponse<S> now;
-  SectionTangent<S> slope = identity<S, kSectionAxes>();
+  for (std::size_t i = 0; i < kSectionAxes; ++i) now.tangent(i, i) = law.stiffness[i];
   now.plastic_work = zero;
   typename Section::State next = before;
   if (any(yields)) {
@@ -249,25 +250,23 @@ inline SectionResponse<S> respond(
     S work;
     typename Section::State flowed = before;
     if constexpr (kIdeal) {
-      SectionForce<S> compliance;
-      for (std::size_t i = 0; i < kSectionAxes; ++i) compliance[i] = one / elastic[i];
       const Projection<S> projected =
-          project(law.gauge, compliance, trial, select(yields, phi - one, one), yields);
+          project(law.gauge, law.compliance, trial, select(yields, phi - one, one), yields);
       returned = projected.point;
       returned_slope = projected.slope;
       work = zero;
       for (std::size_t i = 0; i < kSectionAxes; ++i) {
         const S cut = trial[i] - returned[i];
-        const S flow = law.cap[i] / law.stiffness[i] * cut;
+        const S flow = law.per_force[i] * cut;
         flowed.plastic[i] += flow;
         flowed.accumulated[i] += abs(flow);
-        work += elastic[i] * cut * returned[i];
+        work += law.elastic[i] * cut * returned[i];
       }
       S area = zero;
       for (std::size_t i = 0; i < kSectionAxes; ++i) area += law.area[i] * trial[i] * trial[i];
       flowed.equivalent += work * phi * phi / area;
     } else {
-      detail::HardeningReturn<Section>(law, before, elastic, trial, phi, yields)
+      detail::HardeningReturn<Section>(law, before, trial, phi, yields)
           .finish(returned, returned_slope, flowed, work);
     }
     now.plastic_work = select(yields, work, zero);
@@ -280,7 +279,8 @@ inline SectionResponse<S> respond(
         next.back[k][i] = select(yields, flowed.back[k][i], before.back[k][i]);
       }
       for (std::size_t j = 0; j < kSectionAxes; ++j) {
-        slope(i, j) = select(yields, returned_slope(i, j), slope(i, j));
+        now.tangent(i, j) = select(yields, law.cap[i] * returned_slope(i, j) * law.per_strain[j],
+                                   now.tangent(i, j));
       }
     }
   }
@@ -288,10 +288,7 @@ inline SectionResponse<S> respond(
   now.elastic_energy = zero;
   for (std::size_t i = 0; i < kSectionAxes; ++i) {
     now.force[i] = law.cap[i] * z[i];
-    now.elastic_energy += constant<S>(0.5) * elastic[i] * z[i] * z[i];
-    for (std::size_t j = 0; j < kSectionAxes; ++j) {
-      now.tangent(i, j) = law.cap[i] * slope(i, j) * law.stiffness[j] / law.cap[j];
-    }
+    now.elastic_energy += constant<S>(0.5) * law.elastic[i] * z[i] * z[i];
   }
   return now;
 }
@@ -302,13 +299,19 @@ inline InteractionSection<S, Gauge, Uniaxial> interaction_section(
     const SectionForm& form, const Gauge& gauge, const MaterialValues<S>& material) {
   // Its stresses are over the yield stress, so that caps and shear do not enter.
   InteractionSection<S, Gauge, Uniaxial> law{
-      gauge, {}, {}, {}, HardeningRule<S, Uniaxial>(uniaxial_material(UniaxialForm{}, material))};
+      gauge, {}, {},
+      {},    {}, {},
+      {},    {}, HardeningRule<S, Uniaxial>(uniaxial_material(UniaxialForm{}, material))};
   for (std::size_t i = 0; i < kSectionAxes; ++i) {
     const UniaxialMaterial<S> m = uniaxial_material(form.axis[i], material);
     law.cap[i] = m.yield * constant<S>(form.modulus[i]);
     law.stiffness[i] = m.stiffness * constant<S>(form.lever[i] * form.modulus[i]);
     law.area[i] = material[static_cast<std::size_t>(MaterialField::YieldStress)] *
                   constant<S>(form.modulus[i] * form.axis[i].cap_factor / form.lever[i]);
+    law.per_strain[i] = law.stiffness[i] / law.cap[i];
+    law.per_force[i] = law.cap[i] / law.stiffness[i];
+    law.elastic[i] = law.cap[i] * law.per_force[i];
+    law.compliance[i] = constant<S>(1) / law.elastic[i];
   }
   return law;
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "plastica/base/matrix.hpp"
+#include "plastica/law/active_pieces.hpp"
 #include "plastica/law/gauge.hpp"
 #include "plastica/law/interior_point.hpp"
 #include "plastica/law/linear_piece.hpp"
@@ -15,9 +16,10 @@
 /// projection is the implicit (backward Euler) return of ideal associated plasticity.
 ///
 /// In the orthant of `gauge.hpp` it is a smooth convex problem with inequalities f_k(u) <= 1/2 and
-/// u >= 0. Three ways, from the cheapest: along an axis; onto one piece that is linear in moments
-/// and axial force (`linear_piece.hpp`), if no other is in the way; by interior points
-/// (`interior_point.hpp`).
+/// u >= 0. Four ways, from the cheapest: along an axis; onto several pieces that are linear in
+/// moments and axial force (`active_pieces.hpp`); onto one of them (`linear_piece.hpp`), if no
+/// other is in the way; by interior points (`interior_point.hpp`), which find what the others
+/// leave.
 namespace plastica::law {
 namespace detail {
 
@@ -65,19 +67,86 @@ inline Projection<typename Gauge::Scalar> project_orthant(
       }
     }
   };
-  const LinearPiece<S> piece = gauge.linear_piece(target);
-  const auto simple = hard & piece.applies;
-  if (any(simple)) {
-    const Projection<S> found = project_on_line<Gauge::kRound>(piece, compliance, target, simple);
-    const S within = constant<S>(sizeof(real_t<S>) == 8 ? 1.0 + 1e-13 : 1.0 + 1e-6);
-    const auto fits = simple & (orthant_gauge(gauge, found.point) < within);
-    take(found, fits);
-    hard = hard & !fits;
+  if constexpr (Gauge::kLinear && Gauge::kPieces > 1) {
+    if (any(hard)) {
+      const ActivePieces<S, Gauge::kPieces> pieces(gauge, compliance, target, overshoot, hard);
+      const auto found = hard & pieces.holds();
+      if (any(found)) take(pieces.result(), found);
+      hard = hard & !found;
+    }
+  }
+  if (any(hard)) {
+    const LinearPiece<S> piece = gauge.linear_piece(target);
+    const auto simple = hard & piece.applies;
+    if (any(simple)) {
+      const Projection<S> found = project_on_line<Gauge::kRound>(piece, compliance, target, simple);
+      const S within = constant<S>(kIsDouble<S> ? 1.0 + 1e-13 : 1.0 + 1e-6);
+      const auto fits = simple & (orthant_gauge(gauge, found.point) < within);
+      take(found, fits);
+      hard = hard & !fits;
+    }
   }
   if (any(hard)) {
     take(InteriorPoint<Gauge>(gauge, compliance, target, select(hard, overshoot, one), hard)
              .result(),
          hard);
+  }
+  return now;
+}
+
+/// What was found in the orthant, for the force itself: the sizes' directions are signs.
+template <class Gauge>
+inline Projection<typename Gauge::Scalar> turned_back(
+    const SectionForce<typename Gauge::Scalar>& target,
+    const SectionForce<typename Gauge::Scalar>& u,
+    const Projection<typename Gauge::Scalar>& inside) requires(!Gauge::kRound) {
+  using S = typename Gauge::Scalar;
+  Projection<S> now;
+  SectionForce<S> way;
+  for_each_of<kSectionAxes>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
+    way[i] = sign(target[i]);
+    now.point[i] = way[i] * inside.point[i];
+  });
+  for_each_of<kSectionAxes * kSectionAxes>([&](std::size_t at) PLASTICA_ALWAYS_INLINE {
+    now.slope.at[at] = way[at / kSectionAxes] * way[at % kSectionAxes] * inside.slope.at[at];
+  });
+  static_cast<void>(u);
+  return now;
+}
+
+/// The same of a round section, whose resultant moment keeps its direction: what is across it
+/// shrinks with it.
+template <class Gauge>
+inline Projection<typename Gauge::Scalar> turned_back(
+    const SectionForce<typename Gauge::Scalar>& target,
+    const SectionForce<typename Gauge::Scalar>& u,
+    const Projection<typename Gauge::Scalar>& inside) requires(Gauge::kRound) {
+  using S = typename Gauge::Scalar;
+  const S zero = constant<S>(0);
+  const S one = constant<S>(1);
+  const auto some = u[kBendingX] > zero;
+  const S inverse = one / select(some, u[kBendingX], one);
+  const S along_x = select(some, target[kBendingX] * inverse, one);
+  const S along_y = select(some, target[kBendingY] * inverse, zero);
+  const S stays = inside.slope(kBendingX, kBendingX);
+  const S across = select(some, inside.point[kBendingX] * inverse, stays);
+  Projection<S> now;
+  now.point[kBendingX] = along_x * inside.point[kBendingX];
+  now.point[kBendingY] = along_y * inside.point[kBendingX];
+  now.slope(kBendingX, kBendingX) = along_x * along_x * stays + along_y * along_y * across;
+  now.slope(kBendingX, kBendingY) = along_x * along_y * (stays - across);
+  now.slope(kBendingY, kBendingX) = now.slope(kBendingX, kBendingY);
+  now.slope(kBendingY, kBendingY) = along_y * along_y * stays + along_x * along_x * across;
+  for (const std::size_t i : {kTorsion, kAxial}) {
+    const S way = sign(target[i]);
+    now.point[i] = way * inside.point[i];
+    for (const std::size_t j : {kTorsion, kAxial}) {
+      now.slope(i, j) = way * sign(target[j]) * inside.slope(i, j);
+    }
+    now.slope(i, kBendingX) = way * along_x * inside.slope(i, kBendingX);
+    now.slope(i, kBendingY) = way * along_y * inside.slope(i, kBendingX);
+    now.slope(kBendingX, i) = way * along_x * inside.slope(kBendingX, i);
+    now.slope(kBendingY, i) = way * along_y * inside.slope(kBendingX, i);
   }
   return now;
 }
@@ -103,25 +172,7 @@ inline Projection<typename Gauge::Scalar> project(
     const S slope = max(inside.slope(i, i), constant<S>(detail::kLeastSlope));
     inside.slope(i, i) = select(gone, slope, inside.slope(i, i));
   }
-  const SectionTangent<S> axes = axes_of<Gauge>(target, u);
-  // Column i of `axes` is the direction of u_i; the size of what is across a resultant shrinks with
-  // the resultant.
-  Projection<S> now;
-  now.point = axes * inside.point;
-  now.slope = axes * inside.slope * transpose(axes);
-  if constexpr (Gauge::kRound) {
-    const auto some = u[kBendingX] > constant<S>(0);
-    const S ratio =
-        select(some, inside.point[kBendingX] / select(some, u[kBendingX], constant<S>(1)),
-               inside.slope(kBendingX, kBendingX));
-    const S ex = axes(kBendingX, kBendingX);
-    const S ey = axes(kBendingY, kBendingX);
-    now.slope(kBendingX, kBendingX) += ratio * ey * ey;
-    now.slope(kBendingX, kBendingY) -= ratio * ex * ey;
-    now.slope(kBendingY, kBendingX) -= ratio * ex * ey;
-    now.slope(kBendingY, kBendingY) += ratio * ex * ex;
-  }
-  return now;
+  return detail::turned_back<Gauge>(target, u, inside);
 }
 
 }  // namespace plastica::law
