@@ -113,6 +113,10 @@ def iteration_in_lanes(level):
     return Ours("chain_benchmark", f"{level}_lanes/segments:64/isa:0", "per_segment_iteration")
 
 
+def yielding(law, reach):
+    return Ours("chain_benchmark", f"{law}/spatial_{reach}/64", "per_segment_iteration")
+
+
 def paths(level, law, together):
     name = f"bent_batch/{level}_{law}/together:{int(together)}/.*"
     return Ours("path_benchmark", name, "per_scenario")
@@ -176,6 +180,10 @@ ROWS = [
     *(Row(STATICS, f"a batch of paths, {level}, {law}, a scenario", paths(level, law, True),
           "one by one", paths(level, law, False), True, want="≥ 5")
       for level in ("planar", "spatial") for law in ("elastic", "yielding")),
+    *(Row(STATICS, f"spatial, one yield surface, {joints}", yielding("interaction", reach),
+          "per axis", yielding("per_axis", reach), want="≤ 1.5")
+      for joints, reach in (("no joint yields", "unyielded"),
+                            ("all return from far beyond", "yielded"))),
 
     Row(W1, "planar", w1("planar"), "MuJoCo hinges",
         Shared("w1", "mujoco", "hinge_euler", 0.005), True, brief=True),
