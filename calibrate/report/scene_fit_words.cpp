@@ -40,7 +40,7 @@ std::string interval_text(const SceneParameter& parameter, const DisplayUnit& un
 }
 
 std::string verdict_text(const SceneParameter& parameter) {
-  const std::string word(name_of(parameter.verdict));
+  std::string word(name_of(parameter.verdict));
   const std::string share = fmt::format("{:.2g} %", 100.0 * parameter.verdict_number);
   switch (parameter.verdict) {
     case Verdict::Identified:
