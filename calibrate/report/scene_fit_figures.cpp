@@ -98,7 +98,7 @@ std::string title_of(const SceneFitRecord& record) {
 
 }  // namespace
 
-Figure fit_figure(const SceneFitRecord& record) {
+Figure fit_figure(const SceneFitRecord& record, bool terminal) {
   Figure figure;
   figure.title = title_of(record);
   for (std::size_t t = 0; t < panels_of(record); ++t) {
@@ -107,14 +107,16 @@ Figure fit_figure(const SceneFitRecord& record) {
     const DisplayUnit y_unit = unit_of(target.ordinate_is, target.ordinate);
     FigurePanel panel = panel_of(record, t, x_unit);
     panel.y_label = label(printable(target.ordinate_probe), y_unit);
+    const bool few = target.abscissa.size() <= 400;
+    panel.curves.push_back({points_of(target.abscissa, x_unit, target.ordinate, y_unit), "measured",
+                            few ? kDark : kGrey, few ? Stroke::Points : Stroke::Line, 6});
     if (has_parts(record) && !record.result.parts[t].fitted.empty()) {
       panel.curves.push_back(
           {points_of(target.abscissa, x_unit, record.result.parts[t].fitted, y_unit), "fitted",
            kVermillion, Stroke::Line});
     }
-    // Above the fitted curve; of many samples as a line, which stays readable.
-    panel.curves.push_back({points_of(target.abscissa, x_unit, target.ordinate, y_unit), "measured",
-                            kDark, target.abscissa.size() < 80 ? Stroke::Points : Stroke::Line, 6});
+    // A line of letters would cover the letters of points.
+    if (terminal) std::reverse(panel.curves.begin(), panel.curves.end());
     figure.panels.push_back(std::move(panel));
   }
   return figure;

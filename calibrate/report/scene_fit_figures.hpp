@@ -12,7 +12,7 @@ using plastica::report::Figure;
 using plastica::report::PlotScript;
 
 /// A panel per target: measured and fitted ordinate over the abscissa, the break marked.
-Figure fit_figure(const SceneFitRecord& record);
+Figure fit_figure(const SceneFitRecord& record, bool terminal);
 /// A panel per target: measured minus fitted ordinate, and the noise on both sides of zero.
 /// @throws InputError if nothing was fitted
 Figure residuals_figure(const SceneFitRecord& record);

@@ -57,7 +57,7 @@ PlotScript make(std::span<const SceneFitRecord> records, const PlotRequest& requ
   if (what == "correlation") return report::correlation_plot(record, terminal);
   if (what == "starts") return drawn(report::starts_figure(record));
   if (what == "residuals") return drawn(report::residuals_figure(record));
-  return drawn(report::fit_figure(record));
+  return drawn(report::fit_figure(record, terminal));
 }
 
 }  // namespace
