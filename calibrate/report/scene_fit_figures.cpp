@@ -172,7 +172,7 @@ Figure starts_figure(const SceneFitRecord& record) {
     panel.title += fmt::format(", {} without a curve", record.result.starts.size() - costs.size());
   }
   panel.x_label = "starts in rising order of what they found";
-  panel.y_label = "cost, squares over the noise";
+  panel.y_label = "cost";
   panel.x_range = {0.5, static_cast<double>(costs.size()) + 0.5};
   if (costs.front() > 0.0) {
     panel.logarithmic = true;

@@ -165,6 +165,10 @@ class SceneFit {
     result_.degrees_of_freedom = knows_noise_ ? std::numeric_limits<double>::infinity()
                                               : static_cast<double>(problem_.samples()) - n;
     for (std::size_t part = 0; part < parts_.size(); ++part) add_part(part);
+    const auto curves = problem_.curves(best_.x, 1);
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      if (parts_[part].target.broke) result_.parts[part].break_strain = curves[part][0].strain.at;
+    }
     SceneErrors errors(problem_, best_.x, best_.residual);
     add_parameters(errors);
     for (const SceneParameter& p : result_.parameters) add_warning(p, result_.warnings);

@@ -9,7 +9,8 @@
 
 /// Runs each kernel a fixed number of times inside `measured`, and prints for each call of it the
 /// kernel's name and how many units (points, segments x steps, segments x iterations) it did.
-/// `check_instructions` counts the instructions of each call.
+/// `check_instructions` counts the instructions of each call. A kernel "NAME@N" is one of several
+/// sizes, whose instructions must grow no faster than N.
 namespace plastica {
 namespace {
 
@@ -46,27 +47,29 @@ Setup setup_of(Scene scene, Level level) {
   return setup;
 }
 
-/// Newton iterations of a cantilever with a tip force of 2 EI/L^2.
-void count_iterations(std::string_view name, Level level, YieldModel model) {
-  Scene scene = testing::cantilever_scene(kSegments);
+/// Newton iterations of a cantilever with a tip force of `load` EI/L^2, in so many steps.
+void count_iterations(std::string_view name, Level level, YieldModel model,
+                      int segments = kSegments, double load = 2.0, int steps = 4) {
+  Scene scene = testing::cantilever_scene(segments);
   scene.yield_model = model;
   scene.material.yield_stress = 1e12;
-  scene.loads.push_back({.force = {0.0, -2.0 * testing::bending_stiffness_of(scene), 0.0}});
+  scene.loads.push_back({.force = {0.0, -load * testing::bending_stiffness_of(scene), 0.0}});
   testing::add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
   Setup setup = setup_of(scene, level);
-  setup.solver.steps = 4;
-  count(name, setup, kSegments);
+  setup.solver.steps = steps;
+  count(name, setup, segments);
 }
 
 /// Steps of the released cantilever.
-void count_steps(std::string_view name, Level level, Scheme scheme) {
-  Setup setup = setup_of(testing::released_cantilever(kSegments), level);
+void count_steps(std::string_view name, Level level, Scheme scheme, int segments = kSegments,
+                 int steps = kSteps) {
+  Setup setup = setup_of(testing::released_cantilever(segments), level);
   setup.solver.analysis = Analysis::Dynamics;
   setup.solver.scheme = scheme;
   setup.solver.time_step = 1e-3;
-  setup.solver.duration = kSteps * 1e-3;
+  setup.solver.duration = steps * 1e-3;
   setup.solver.steps = 1;
-  count(name, setup, 0.0, kSegments * kSteps);
+  count(name, setup, 0.0, static_cast<double>(segments) * steps);
 }
 
 Scene tension(HardeningLaw law) {
@@ -97,6 +100,28 @@ void count_differentiated_points(std::string_view name, HardeningLaw law) {
   std::printf("%.*s %d\n", static_cast<int>(name.size()), name.data(), kPoints);
 }
 
+/// Up to as many segments as valgrind goes through in seconds.
+void count_sizes() {
+  const auto at = [](const std::string& name, int segments) {
+    return name + "@" + std::to_string(segments);
+  };
+  for (const int n : {64, 1024, 16384, 65536}) {
+    count_steps(at("step_planar_articulated", n), Level::Planar, Scheme::ArticulatedMidpoint, n, 4);
+  }
+  for (const int n : {64, 1024, 16384}) {
+    count_steps(at("step_spatial_articulated", n), Level::Spatial, Scheme::ArticulatedMidpoint, n,
+                4);
+    count_steps(at("step_planar_midpoint", n), Level::Planar, Scheme::LinearlyImplicitMidpoint, n,
+                2);
+    count_iterations(at("iteration_planar_elastic", n), Level::Planar, YieldModel::Elastic, n, 0.02,
+                     1);
+  }
+  for (const int n : {64, 512, 4096}) {
+    count_iterations(at("iteration_spatial_elastic", n), Level::Spatial, YieldModel::Elastic, n,
+                     0.02, 1);
+  }
+}
+
 void count_all() {
   count_points("point_ideal", HardeningLaw::Ideal);
   count_points("point_linear", HardeningLaw::Linear);
@@ -114,4 +139,7 @@ void count_all() {
 }  // namespace
 }  // namespace plastica
 
-int main() { plastica::count_all(); }
+int main() {
+  plastica::count_all();
+  plastica::count_sizes();
+}
