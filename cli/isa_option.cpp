@@ -10,8 +10,8 @@ namespace plastica::cli {
 void add_isa_option(CLI::App& sub, std::string& isa) {
   const std::vector<std::string> words(kInstructionSets.begin(), kInstructionSets.end());
   sub.add_option("--isa", isa,
-                 "vector instructions of articulated schemes, in place of solver.isa; each level "
-                 "has bits of its own")
+                 "vector instructions of articulated schemes, which have bits of their own at each "
+                 "level, and of batches at rest, which have not; in place of solver.isa")
       ->check(CLI::IsMember(words));
 }
 

@@ -1,6 +1,7 @@
 #include "plastica/run/batch.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -67,6 +68,7 @@ void run_or_wait(std::size_t index, const BatchCase& one, LanePool& pool, const 
   waiting.index = index;
   BatchRow& row = waiting.row;
   row.id = one.id;
+  waiting.hooks.on_break = one.on_break;
   bool waits = false;
   guarded(row, [&] {
     waiting.model = std::make_unique<Model>(prepare(one.scene, one.options));
@@ -84,6 +86,26 @@ void run_or_wait(std::size_t index, const BatchCase& one, LanePool& pool, const 
   }
 }
 
+/// Halves the largest groups of paths until there is a group for each thread; motions are stepped
+/// in registers, full or not.
+void spread(std::size_t threads, std::vector<LaneCases>& groups) {
+  const auto paths_of = [](const LaneCases& group) {
+    return steps_in_lanes(*group.front().model->chain) ? 0 : group.size();
+  };
+  const auto fewer = [&](const LaneCases& a, const LaneCases& b) {
+    return paths_of(a) < paths_of(b);
+  };
+  while (!groups.empty() && groups.size() < threads) {
+    const auto largest = std::max_element(groups.begin(), groups.end(), fewer);
+    const std::size_t paths = paths_of(*largest);
+    if (paths < 2) return;
+    const auto middle = largest->begin() + static_cast<std::ptrdiff_t>(paths / 2);
+    LaneCases half(std::make_move_iterator(middle), std::make_move_iterator(largest->end()));
+    largest->erase(middle, largest->end());
+    groups.push_back(std::move(half));
+  }
+}
+
 /// What still waits in the pools of all threads: those of one shape come together once more.
 std::vector<LaneCases> left_over(std::vector<LanePool>& pools) {
   LanePool all;
@@ -98,6 +120,7 @@ std::vector<LaneCases> left_over(std::vector<LanePool>& pools) {
     }
   }
   for (LaneCases& cases : all.release()) left.push_back(std::move(cases));
+  spread(pools.size(), left);
   return left;
 }
 
@@ -170,7 +193,7 @@ std::vector<Response> run_batch(const Model& model, std::span<const double> valu
   Progress progress(options);
   const auto values_of = [&](std::size_t i) { return values.subspan(i * width, width); };
   if (model.chain && has_lanes(*model.chain)) {
-    const std::size_t together = lane_width(*model.chain);
+    const std::size_t together = lane_width(*model.chain, cases, resolved_threads(options.threads));
     const Workspace hooks;
     std::vector<std::unique_ptr<LaneProgram>> programs(
         static_cast<std::size_t>(resolved_threads(options.threads)));

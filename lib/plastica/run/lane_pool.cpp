@@ -16,14 +16,14 @@ void run_together(LaneCases& cases) {
   }
   const double begin = thread_seconds();
   make_lane_program(*cases.front().model->chain)->run(lanes);
-  const double seconds = (thread_seconds() - begin) / static_cast<double>(cases.size());
-  for (WaitingCase& one : cases) one.row.response.seconds = seconds;
+  share_seconds(thread_seconds() - begin, lanes);
 }
 
 void run_by_itself(WaitingCase& one) {
   try {
     one.row.response = make_response(*one.model);
     Workspace workspace = make_workspace(*one.model);
+    workspace.on_break = one.hooks.on_break;
     run(*one.model, {}, workspace, one.row.response);
   } catch (const std::exception& error) {
     // Out of memory, or a defect: the other cases go on.

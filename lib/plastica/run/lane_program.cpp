@@ -60,6 +60,22 @@ class LoneLane final : public ChainProgram {
 
 }  // namespace
 
+void share_seconds(double seconds, std::span<const LaneCase> cases) {
+  const auto work = [](const LaneCase& one) {
+    return 1.0 + one.response->counters.iterations + static_cast<double>(one.response->samples);
+  };
+  double all = 0.0;
+  for (const LaneCase& one : cases) all += work(one);
+  for (const LaneCase& one : cases) one.response->seconds = seconds * work(one) / all;
+}
+
+std::size_t lane_width(const ChainModel& model, std::size_t cases, int threads) {
+  const std::size_t most = lane_width(model);
+  if (!walks_in_lanes(model)) return most;
+  const auto workers = static_cast<std::size_t>(threads);
+  return std::clamp((cases + workers - 1) / workers, std::size_t{1}, most);
+}
+
 bool steps_in_lanes(const ChainModel& model) {
   return model.options.analysis == Analysis::Dynamics && is_articulated(model.options.scheme);
 }

@@ -25,6 +25,9 @@ class LaneProgram {
   virtual void run(std::span<const LaneCase> cases) = 0;
 };
 
+/// Gives each case its share of the time of all [s]: as its iterations and samples are of theirs.
+void share_seconds(double seconds, std::span<const LaneCase> cases);
+
 /// Whether a model is a motion that nothing but a lane program steps, a lone one too.
 bool steps_in_lanes(const ChainModel& model);
 
@@ -38,6 +41,9 @@ bool same_lanes(const ChainModel& a, const ChainModel& b);
 
 /// Most cases that are run together.
 std::size_t lane_width(const ChainModel& model);
+/// How many of so many cases a thread runs together: of paths no more than leave work for all
+/// threads; motions are stepped in registers, full or not.
+std::size_t lane_width(const ChainModel& model, std::size_t cases, int threads);
 
 /// @throws InputError if the processor does not have the instruction set that is asked for
 std::unique_ptr<LaneProgram> make_lane_program(const ChainModel& model);

@@ -36,9 +36,7 @@ void PathLanes<L>::run(std::span<const LaneCase> cases) {
     }
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  for (const LaneCase& one : cases) {
-    one.response->seconds = took.count() / static_cast<double>(cases.size());
-  }
+  share_seconds(took.count(), cases);
 }
 
 /// Begins a beam that waits; those that need nothing from a lane are run meanwhile.
@@ -79,15 +77,18 @@ bool PathLanes<L>::begin(int lane, const LaneCase& next) {
     with_joints(runner, [&](auto& joints) {
       joints.visit(writer, [](auto& v, auto& law) { chain::visit_law(v, law); });
     });
-    if (shape_ != new_shape_ && !any_seeks()) {
+    const auto one_sided = [](const auto& closure) { return closure.one_sided; };
+    // A lone beam is faster without lanes, and has the same bits.
+    const bool lone = waiting_.empty() && !any_seeks();
+    const bool fits =
+        !lone && std::none_of(chain.closures.begin(), chain.closures.end(), one_sided);
+    if (fits && shape_ != new_shape_ && !any_seeks()) {
       shape_ = new_shape_;
       newton_->take_shape(shape_.data());
-      constexpr std::size_t kOfSegment = 16;  // more than a joint's trial in space, with hardening
-      found_.resize(kOfSegment * (chain.size() + 1) + chain.closures.size());
+      constexpr std::size_t kOfJoint = 16;  // more than its trial in space, with hardening
+      found_.resize(kOfJoint * (chain.joints() + 1) + chain.closures.size());
     }
-    const auto one_sided = [](const auto& closure) { return closure.one_sided; };
-    if (shape_ == new_shape_ &&
-        std::none_of(chain.closures.begin(), chain.closures.end(), one_sided)) {
+    if (fits && shape_ == new_shape_) {
       newton_->take_chain(lane, numbers_.data());
       return true;
     }
@@ -156,12 +157,16 @@ void PathLanes<L>::take_found(int lane) {
     work.recursion.sum(body.build.chain, work.q, work.placement, work.stage, work.joints,
                        work.outer_forces, work.transmitted);
   }
-  if (one.runner->take(one.converged, one.iteration, false)) {
+  const bool goes_on = one.runner->take(one.converged, one.iteration, false);
+  one.seeks = false;
+  if (goes_on && (any_seeks() || !waiting_.empty())) {
+    one.seeks = true;
     begin_seeking(lane);
-  } else {
-    one.runner->finish();
-    fill(lane);
+    return;
   }
+  if (goes_on) one.runner->walk_on();  // the last one is faster without lanes
+  one.runner->finish();
+  fill(lane);
 }
 
 /// The iterations of a level for a model's law and instruction set.

@@ -128,7 +128,9 @@ struct Response {
   /// `plastica::ledger_error` of a motion [1]; above `kLedgerTolerance` the motion is not to be
   /// trusted, whatever its status.
   double ledger_error = 0.0;
-  double seconds = 0.0;  ///< wall time of the run [s]
+  /// Wall time of the run; of a batch's case CPU time of its thread. What ran in lanes has its
+  /// share, by iterations and samples, of the time of all that ran beside it [s].
+  double seconds = 0.0;
 };
 
 /// Derivatives of a response by the model's parameters; sized by `make_sensitivity`.

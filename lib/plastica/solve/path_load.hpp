@@ -38,7 +38,8 @@ bool PathWalker<L, kElastic>::seek() {
   const double left = stop - time_;
   length_ = left <= 1.001 * step_ ? left : std::min(step_, 0.5 * left);
   next_ = length_ == left ? stop : time_ + length_;
-  shortest_ = length_ <= smallest();
+  // As near as two lengths are taken for one above: a step that can hardly be cut is not cut.
+  shortest_ = length_ <= 1.001 * smallest();
   aim(next_);
   return true;
 }

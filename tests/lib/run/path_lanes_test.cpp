@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plastica/run/batch.hpp"
+#include "plastica/run/lane_program.hpp"
 #include "tests/support/chain_scene.hpp"
 #include "tests/support/response_bits.hpp"
 
@@ -133,6 +134,15 @@ std::vector<BatchCase> eleven(const MakeScene& make, InstructionSet level) {
     one.options.steps = 3 + static_cast<int>(i % 3);
     cases.push_back(std::move(one));
   }
+  // Else both sides of a comparison would run alone.
+  const Model first = prepare(cases[0].scene, cases[0].options);
+  std::size_t together = 0;
+  for (const BatchCase& one : cases) {
+    const Model model = prepare(one.scene, one.options);
+    EXPECT_TRUE(has_lanes(*model.chain)) << one.id;
+    if (same_lanes(*first.chain, *model.chain)) ++together;
+  }
+  EXPECT_GE(together, 3U);
   return cases;
 }
 
@@ -203,6 +213,57 @@ TEST(PathLanes, TakeShapesApartInWhateverOrder) {
     std::shuffle(cases.begin(), cases.end(), random);
     expect_bits_of_alone(cases, threads);
   }
+}
+
+TEST(PathLanes, EndWhereNoStepMayBeCut) {
+  // Stops that differ in their last place from the first one, which the smallest step equals.
+  BatchCase one{"path", bent(0, YieldModel::PerAxis, HardeningLaw::Ideal), {}};
+  one.scene.material.hardening = {};
+  one.scene.loads[0].force[1] *= 3.0;
+  one.options.steps = 11;
+  one.options.smallest_step = 1.0;
+  const BatchRow alone = run_case(one);
+  EXPECT_GT(alone.response.counters.cutbacks, 0);
+  EXPECT_NE(alone.response.status, Status::Completed);
+  const std::vector<BatchCase> two{one, one};
+  for (const BatchRow& row : run_batch(two, {.threads = 1})) {
+    EXPECT_TRUE(bits_of(row.response) == bits_of(alone.response));
+  }
+}
+
+TEST(PathLanes, ShareTheTimeAsTheyShareTheWork) {
+  std::vector<Response> responses(2);
+  responses[0].counters.iterations = 4;
+  responses[0].samples = 5;
+  responses[1].counters.iterations = 20;
+  responses[1].samples = 9;
+  const std::vector<LaneCase> cases{{nullptr, nullptr, nullptr, &responses[0]},
+                                    {nullptr, nullptr, nullptr, &responses[1]}};
+  share_seconds(8.0, cases);
+  EXPECT_EQ(responses[0].seconds, 2.0);
+  EXPECT_EQ(responses[1].seconds, 6.0);
+}
+
+TEST(PathLanes, StopWhereTheyAreTold) {
+  const Model model = prepare(bent(0, YieldModel::PerAxis), {});
+  std::vector<Response> responses(3, make_response(model));
+  std::vector<Workspace> hooks(3);
+  int told = 0;
+  hooks[1].on_progress = [&](double) { return ++told < 4; };
+  std::vector<LaneCase> lanes;
+  for (std::size_t i = 0; i < 3; ++i) {
+    lanes.push_back({model.chain.get(), &model.material, &hooks[i], &responses[i]});
+  }
+  const auto program = make_lane_program(*model.chain);
+  program->run(lanes);
+  EXPECT_EQ(told, 4);
+  EXPECT_EQ(responses[1].status, Status::Interrupted);
+  EXPECT_EQ(responses[0].status, Status::Completed);
+  EXPECT_TRUE(bits_of(responses[0]) == bits_of(responses[2]));
+  // Run once more, fewer of them.
+  const auto before = bits_of(responses[0]);
+  program->run(std::span(lanes).first(1));
+  EXPECT_TRUE(bits_of(responses[0]) == before);
 }
 
 TEST(PathLanes, RunOneModelWithManyValues) {
