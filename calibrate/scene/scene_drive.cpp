@@ -62,7 +62,7 @@ std::size_t index_of(const Scene& scene, const SceneTarget& target, const Source
 }
 
 Driven driven_of(Scene& scene, const SceneTarget& target, const SourceLocation& where) {
-  const Driven driven = histories_of(scene)[index_of(scene, target, where)];
+  Driven driven = histories_of(scene)[index_of(scene, target, where)];
   if ((size_of(driven.straight) > 0.0) == driven.turns()) {
     throw InputError(where, "drive", driven.name,
                      target.kind == Abscissa::Support

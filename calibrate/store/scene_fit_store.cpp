@@ -102,9 +102,8 @@ template <typename Row, typename DimensionOf>
 void write_units(io::Hdf5Group& group, std::string_view name, const std::vector<Row>& rows,
                  const DimensionOf& dimension_of) {
   std::vector<std::string> units(rows.size());
-  std::ranges::transform(rows, units.begin(), [&](const Row& row) {
-    return std::string(si_unit(dimension_of(row)));
-  });
+  std::ranges::transform(rows, units.begin(),
+                         [&](const Row& row) { return std::string(si_unit(dimension_of(row))); });
   group.write_texts(name, units);
 }
 

@@ -6,8 +6,8 @@
 
 namespace plastica::theory {
 
-// Points that fill the unit cube more evenly than random ones, for sweeps over many axes and starts of fits. The
-// generator is ours, so that a seed gives the same bits on every machine.
+// Points that fill the unit cube more evenly than random ones, for sweeps over many axes and starts
+// of fits. The generator is ours, so that a seed gives the same bits on every machine.
 
 /// So many dimensions have direction numbers here.
 inline constexpr std::size_t kSobolDimensions = 31;

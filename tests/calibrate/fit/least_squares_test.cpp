@@ -86,8 +86,7 @@ TEST(LeastSquares, SaysHowItEnded) {
   EXPECT_EQ(few.outcome, LeastSquaresOutcome::EvaluationsReached);
   EXPECT_LE(few.evaluations, 7);
   EXPECT_EQ(name_of(few.outcome), "evaluations-reached");
-  problem.evaluate =
-      one_by_one([](std::span<const double>, std::span<double>) { return false; });
+  problem.evaluate = one_by_one([](std::span<const double>, std::span<double>) { return false; });
   EXPECT_EQ(minimize_squares(problem, {}).outcome, LeastSquaresOutcome::NoStart);
   EXPECT_TRUE(residual_slopes(problem, problem.start, {}, 1e-4).empty());
   problem.evaluate = one_by_one([](std::span<const double>, std::span<double>) -> bool {
