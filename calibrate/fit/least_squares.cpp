@@ -252,12 +252,16 @@ std::vector<double> residual_slopes(const LeastSquaresProblem& problem, std::spa
   if (!which.empty()) problem.evaluate(points, moved, {found.get(), which.size()});
   std::vector<std::span<const double>> residuals(2 * n, at);
   for (std::size_t i = 0; i < which.size(); ++i) {
-    if (!found[i]) return {};
-    residuals[which[i]] = std::span<const double>(moved).subspan(i * m, m);
+    if (found[i]) {
+      residuals[which[i]] = std::span<const double>(moved).subspan(i * m, m);
+    } else {
+      ends[which[i]] = x[which[i] / 2];  // the other side alone
+    }
   }
   std::vector<double> slopes(m * n);
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t i = 0; i < m; ++i) {
+      // 0/0 where there is nothing on either side.
       slopes[i * n + k] =
           (residuals[2 * k][i] - residuals[2 * k + 1][i]) / (ends[2 * k] - ends[2 * k + 1]);
     }

@@ -63,8 +63,8 @@ struct LeastSquares {
 LeastSquares minimize_squares(const LeastSquaresProblem& problem,
                               const LeastSquaresOptions& options);
 
-/// d residual / d x at a point by central differences, one-sided at bounds (m x n), row by row;
-/// empty if residuals are missing beside it.
+/// d residual / d x at a point by central differences, one-sided at bounds and where residuals are
+/// missing on one side (m x n), row by row; NaN of a coordinate that has none on either.
 /// @param at  residuals at x (m)
 std::vector<double> residual_slopes(const LeastSquaresProblem& problem, std::span<const double> x,
                                     std::span<const double> at, double step);

@@ -74,7 +74,6 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
   covariance_ = MatrixXd::Constant(n, n, kNan);
   if (n == 0) return;
   const std::vector<double> slopes = residual_slopes(problem_.squares(), x_, residual, kErrorStep);
-  if (slopes.empty()) return;
   // Rows over the noise, times the root of their weight.
   const Eigen::Map<const Slopes> j(slopes.data(), static_cast<Index>(problem_.squares().residuals),
                                    n);
@@ -121,8 +120,15 @@ BreakLimit SceneErrors::limit_of(std::size_t part) const {
   limit.slope = VectorXd::Zero(static_cast<Index>(n));
   for (std::size_t k = 0; k < n; ++k) {
     if (at_bound_[k]) continue;
-    limit.slope[static_cast<Index>(k)] =
-        (curves[1 + 2 * k].strain.at - curves[2 + 2 * k].strain.at) / (2.0 * kErrorStep);
+    // One-sided where the path does not get there on the other side.
+    double above = curves[1 + 2 * k].strain.at, below = curves[2 + 2 * k].strain.at;
+    double way = 2.0 * kErrorStep;
+    for (double* end : {&above, &below}) {
+      if (!std::isnan(*end)) continue;
+      *end = strain.at;
+      way = kErrorStep;
+    }
+    limit.slope[static_cast<Index>(k)] = (above - below) / way;
   }
   return limit;
 }

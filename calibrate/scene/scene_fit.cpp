@@ -171,8 +171,26 @@ class SceneFit {
     }
     SceneErrors errors(problem_, best_.x, best_.residual);
     add_parameters(errors);
+    if (best_.outcome == LeastSquaresOutcome::EvaluationsReached) {
+      result_.warnings.push_back(fmt::format(
+          "the search ended at its {} evaluations (fit.evaluations): better values may be near",
+          options_.evaluations));
+    }
+    for (std::size_t part = 0; part < parts_.size(); ++part) warn_of_noise(part);
     for (const SceneParameter& p : result_.parameters) add_warning(p, result_.warnings);
     for (const ScenePartFit& part : result_.parts) add_warning(part, result_.warnings);
+  }
+
+  /// A stated noise that the residuals contradict.
+  void warn_of_noise(std::size_t part) {
+    constexpr double kFactor = 2.0;
+    const auto& given = parts_[part].target.noise;
+    if (!given) return;
+    const double left = noise_left(part);
+    if (left < kFactor * *given && left > *given / kFactor) return;
+    result_.warnings.push_back(
+        fmt::format("{}: a noise of {:.3g} is stated, but the residuals are of {:.3g} (SI)",
+                    parts_[part].target.name, *given, left));
   }
 
   void add_part(std::size_t index) {
@@ -217,7 +235,7 @@ class SceneFit {
       if (is_break(p)) {
         const BreakLimit limit = errors.break_limit(p);
         fitted.value = fitted.start = std::clamp(limit.value, *p.lower, *p.upper);
-        fitted.at_bound = fitted.value != limit.value;
+        fitted.at_bound = !std::isnan(limit.value) && fitted.value != limit.value;
         half = limit.half;
         slope = limit.slope;
       } else {

@@ -35,7 +35,7 @@ void add_to(io::Digest& digest, const SceneFitOptions& options) {
 std::uint64_t digest_of(std::span<const ScenePart> parts, const SceneFitOptions& options) {
   io::Digest digest;
   for (const ScenePart& part : parts) {
-    digest.integer(io::scene_digest(part.setup)).real(part.weight);
+    digest.text(part.target.name).integer(io::scene_digest(part.setup)).real(part.weight);
     add_to(digest, part.target);
   }
   add_to(digest, options);

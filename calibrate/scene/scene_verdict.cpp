@@ -79,11 +79,12 @@ void add_warning(const SceneParameter& p, std::vector<std::string>& warnings) {
 }
 
 void add_warning(const ScenePartFit& part, std::vector<std::string>& warnings) {
-  if (part.runs_probability < kFewRuns && part.misfit_share > kLargeMisfit) {
-    warnings.push_back(fmt::format(
-        "{}: the model does not describe this curve (misfit {:.1f} % of its largest value, in long "
-        "runs of one sign): standard errors are too small",
-        part.name, 100.0 * part.misfit_share));
+  if (part.runs_probability < kFewRuns) {
+    warnings.push_back(
+        fmt::format("{}: the residuals lie in long runs of one sign (misfit {:.2g} % of the "
+                    "largest value): they "
+                    "are no noise, and standard errors are too small",
+                    part.name, 100.0 * part.misfit_share));
   }
 }
 

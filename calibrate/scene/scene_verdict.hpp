@@ -18,9 +18,8 @@ void judge(double noise_error, double half, SceneParameter& parameter);
 /// Source: Wald & Wolfowitz, Ann. Math. Stat. 11 (1940) 147.
 double runs_probability(std::span<const double> residual);
 
-/// Below this probability of its runs, and above this misfit, a part's residuals are no noise.
+/// Below this probability of its runs a part's residuals are no noise.
 inline constexpr double kFewRuns = 1e-3;
-inline constexpr double kLargeMisfit = 0.01;
 
 /// Says what a reader must not overlook.
 void add_warning(const SceneParameter& parameter, std::vector<std::string>& warnings);

@@ -23,6 +23,19 @@ LeastSquaresProblem valley() {
   return problem;
 }
 
+TEST(LeastSquares, HasSlopesOfOneSideWhereTheOtherHasNoResiduals) {
+  LeastSquaresProblem problem = valley();
+  problem.evaluate = one_by_one([](std::span<const double> x, std::span<double> r) {
+    r[0] = 3.0 * x[0];
+    r[1] = x[1];
+    return x[0] <= 1.0;
+  });
+  const std::vector<double> x{1.0, 2.0};
+  const auto slopes = residual_slopes(problem, x, std::vector<double>{3.0, 2.0}, 1e-4);
+  EXPECT_NEAR(slopes[0], 3.0, 1e-9);
+  EXPECT_NEAR(slopes[3], 1.0, 1e-9);
+}
+
 TEST(LeastSquares, GoesDownACurvedValley) {
   const LeastSquares found = minimize_squares(valley(), {});
   EXPECT_NEAR(found.x[0], 1.0, 1e-8);
@@ -88,7 +101,9 @@ TEST(LeastSquares, SaysHowItEnded) {
   EXPECT_EQ(name_of(few.outcome), "evaluations-reached");
   problem.evaluate = one_by_one([](std::span<const double>, std::span<double>) { return false; });
   EXPECT_EQ(minimize_squares(problem, {}).outcome, LeastSquaresOutcome::NoStart);
-  EXPECT_TRUE(residual_slopes(problem, problem.start, {}, 1e-4).empty());
+  for (const double slope : residual_slopes(problem, problem.start, std::vector<double>(2), 1e-4)) {
+    EXPECT_TRUE(std::isnan(slope));
+  }
   problem.evaluate = one_by_one([](std::span<const double>, std::span<double>) -> bool {
     throw std::runtime_error("out of paper");
   });
