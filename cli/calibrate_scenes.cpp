@@ -73,6 +73,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   const std::string output = output_of(arguments);
   SceneFitFile file = calibrate::read_scene_fit_file(arguments.inputs.front());
   if (arguments.dry_run) {
+    for (const SceneFitCase& one : file.cases) calibrate::check_scenes(one.parts, file.options);
     print_dry_run(file, output);
     return kDone;
   }

@@ -7,18 +7,10 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/format.hpp"
+#include "calibrate/scene/set_everywhere.hpp"
 
 namespace plastica::calibrate {
 namespace {
-
-/// Sets a field of a material, where it has the value that the scene's material had.
-void replace(const Field& field, const FieldValue& before, double value, Material& material) {
-  Setup setup;
-  setup.scene.material = material;
-  if (field.get(setup) != before) return;
-  set_field(setup, field, value);
-  material = setup.scene.material;
-}
 
 bool same(const Hardening& a, const Hardening& b) {
   return a.law == b.law && a.tangent_modulus == b.tangent_modulus &&
@@ -36,15 +28,6 @@ std::string shown(std::string_view name, Dimension dimension, double value, doub
   return report::quantity(std::isfinite(error) ? report::with_error(number, error / unit.scale)
                                                : report::significant(number),
                           unit.name);
-}
-
-/// Sets a field of a scene, and where regions have its own material, theirs.
-void apply(const Setup& original, const Field& field, double value, Setup& setup) {
-  if (field.path.starts_with("material.")) {
-    const FieldValue before = field.get(original);
-    for (Region& region : setup.scene.regions) replace(field, before, value, region.material);
-  }
-  set_field(setup, field, value);
 }
 
 void rename_material(const std::string& name, const Scene& original, Scene& scene) {
@@ -81,7 +64,7 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
       continue;
     }
     Setup setup{out, {}};
-    apply(original, find_field(parameter.path), parameter.value, setup);
+    set_everywhere(original, find_field(parameter.path), parameter.value, setup);
     out = std::move(setup.scene);
     fitted.notes.push_back(fmt::format(
         "{} = {}, {}{}", parameter.name,
@@ -113,7 +96,7 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record) {
           fmt::format("{} is not identified by the fit: the scene's own stays", parameter.path));
       continue;
     }
-    apply(setup, find_field(parameter.path), parameter.value, fitted.setup);
+    set_everywhere(setup, find_field(parameter.path), parameter.value, fitted.setup);
     fitted.notes.push_back(fmt::format(
         "{} = {}, {}", parameter.path,
         shown(parameter.path, parameter.dimension, parameter.value, parameter.standard_error),

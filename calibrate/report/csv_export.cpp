@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/csv_cells.hpp"
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/summary.hpp"
 #include "plastica/report/format.hpp"
@@ -18,18 +19,6 @@ namespace plastica::calibrate {
 namespace {
 
 using namespace report;
-
-std::string cell_of(std::optional<double> value) {
-  return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string();
-}
-
-void put_row(std::ostream& out, const std::vector<std::string>& cells) {
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (i > 0) out << ',';
-    out << plastica::report::csv_cell(cells[i]);
-  }
-  out << '\n';
-}
 
 /// Names that any record has, in the order in which they come up first.
 template <typename Names>

@@ -9,20 +9,13 @@
 #include <nlohmann/json.hpp>
 
 #include "calibrate/report/format.hpp"
+#include "calibrate/report/json_values.hpp"
 #include "calibrate/report/summary.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 using namespace report;
-using Json = nlohmann::ordered_json;
-
-Json number(std::optional<double> value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
-Json text_or_null(std::string_view text) { return text.empty() ? Json(nullptr) : Json(text); }
-
 Json pairs(const std::vector<std::pair<std::string, std::string>>& all) {
   Json object = Json::object();
   for (const auto& [key, value] : all) object[key] = value;

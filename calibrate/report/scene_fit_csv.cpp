@@ -10,24 +10,13 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/csv_cells.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 using namespace report;
-
-std::string cell_of(std::optional<double> value) {
-  return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string();
-}
-
-void put_row(std::ostream& out, const std::vector<std::string>& cells) {
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (i > 0) out << ',';
-    out << plastica::report::csv_cell(cells[i]);
-  }
-  out << '\n';
-}
 
 /// Paths that any fit has, in the order in which they come up first.
 std::vector<std::pair<std::string, Dimension>> all_paths(std::span<const SceneFitRecord> records) {

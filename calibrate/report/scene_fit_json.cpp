@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calibrate/report/json_values.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/scene_population.hpp"
 
@@ -15,19 +16,11 @@ namespace plastica::calibrate {
 namespace {
 
 using namespace report;
-using Json = nlohmann::ordered_json;
-
-Json number(std::optional<double> value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
 Json numbers(std::span<const double> values) {
   Json all = Json::array();
   for (const double value : values) all.push_back(number(value));
   return all;
 }
-
-Json text_or_null(std::string_view text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 /// Rows of a square matrix; empty if it is none.
 Json matrix(std::span<const double> values, std::size_t n) {

@@ -1,6 +1,7 @@
 #include "calibrate/scene/scene_errors.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -155,16 +156,22 @@ BreakLimit SceneErrors::break_limit(const Parameter& p) {
   if (limits.size() == 1) return limits.front();
   BreakLimit mean;
   mean.slope = VectorXd::Zero(static_cast<Index>(x_.size()));
-  double half_squares = 0.0;
   for (std::size_t k = 0; k < limits.size(); ++k) {
     // Without noise, or where it says nothing, all count alike.
     const double share =
         std::isfinite(total) ? certainty[k] / total : 1.0 / static_cast<double>(limits.size());
     mean.value += share * limits[k].value;
+    mean.half += share * limits[k].half;
     mean.slope += share * limits[k].slope;
-    half_squares += share * share * limits[k].half * limits[k].half;
   }
-  mean.half = std::sqrt(half_squares);
+  mean.least = mean.most = limits.front().value;
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    constexpr double kFar = 4.0;
+    mean.least = std::min(mean.least, limits[k].value);
+    mean.most = std::max(mean.most, limits[k].value);
+    const double off = limits[k].value - mean.value;
+    mean.disagree = mean.disagree || off * off * certainty[k] > kFar * kFar;
+  }
   return mean;
 }
 

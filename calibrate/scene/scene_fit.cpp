@@ -237,6 +237,11 @@ class SceneFit {
         fitted.value = fitted.start = std::clamp(limit.value, *p.lower, *p.upper);
         fitted.at_bound = !std::isnan(limit.value) && fitted.value != limit.value;
         half = limit.half;
+        if (limit.disagree) {
+          result_.warnings.push_back(fmt::format(
+              "{}: the targets disagree, from {:.4g} to {:.4g}; the value is a mean of unlike ones",
+              fitted.path, limit.least, limit.most));
+        }
         slope = limit.slope;
       } else {
         fitted.value = searched.value(next, best_.x[next]);
@@ -309,6 +314,11 @@ const SceneParameter& SceneFitResult::parameter(std::string_view name) const {
 SceneFitResult fit_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options) {
   check_scene_fit(parts, options);
   return SceneFit(parts, options).run();
+}
+
+void check_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options) {
+  check_scene_fit(parts, options);
+  (void)SceneFit(parts, options);
 }
 
 SceneFitResult fit_scene(const Setup& setup, const SceneTarget& target,

@@ -85,7 +85,8 @@ struct ScenePartFit {
   double noise = 0.0;
   double misfit_share = 0.0;  ///< rms residual over the largest measured ordinate [1]
   /// Wald and Wolfowitz: probability of as few runs of residuals of one sign, if they were
-  /// independent [1]; NaN for fewer than 10 of each sign. Small where the model cannot follow.
+  /// independent, or of so few of one sign [1]; NaN for fewer than 20. Small where the model
+  /// cannot follow.
   double runs_probability = 0.0;
   std::vector<double> fitted;  ///< the model's ordinate at the measured abscissa [SI] (n_samples)
   /// Permanent strain of the fitted model where the target broke [1]; NaN if it did not.
@@ -131,14 +132,17 @@ struct SceneFitResult {
 /// residuals' slopes over the noise by central differences and W the given weights (for weights
 /// of 1: A^-1). A prior counts as a residual. A break strain has g^T C g + (a - b)^2/12, with g its
 /// slope by the parameters and a, b its values at both ends of the sampling interval of the break;
-/// of several broken targets the mean, weighted by these. Where the model cannot follow a curve the
-/// residuals are no noise and the errors are too small; what segments, steps and fibres do to the
-/// values is not in them.
+/// of several broken targets the mean, weighted by these, its interval as wide as theirs on the
+/// mean. Where the model cannot follow a curve the residuals are no noise and the errors are too
+/// small; what segments, steps and fibres do to the values is not in them.
 /// @throws InputError for a scene, target or parameter that is bad input, and if the probe of an
 ///         abscissa turns round on the path from the start values
 SceneFitResult fit_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options);
 
-/// The same for one target.
+/// Refuses what `fit_scenes` would refuse before its first run. @throws InputError
+void check_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options);
+
+/// The same as `fit_scenes` for one target.
 SceneFitResult fit_scene(const Setup& setup, const SceneTarget& target,
                          const SceneFitOptions& options);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "calibrate/scene/scene_drive.hpp"
+#include "calibrate/scene/set_everywhere.hpp"
 #include "plastica/run/batch.hpp"
 
 namespace plastica::calibrate {
@@ -94,8 +95,9 @@ SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
         {"permanent", net ? ProbeQuantity::PlasticStrain : ProbeQuantity::AccumulatedStrain});
   }
   setup_.solver.frames = 0;  // the permanent strain of every sample
-  prepared_ = std::all_of(fields_.begin(), fields_.end(),
-                          [&](const Field* field) { return is_run_parameter(*field, setup_); });
+  prepared_ = std::all_of(fields_.begin(), fields_.end(), [&](const Field* field) {
+    return is_run_parameter(*field, setup_) && !stands_in_regions(setup_, *field);
+  });
   std::vector<std::string> paths;
   if (prepared_) {
     for (const Field* field : fields_) paths.emplace_back(field->path);
@@ -105,7 +107,8 @@ SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
 
 Setup SceneModel::setup_at(std::span<const double> values) const {
   Setup setup = setup_;
-  for (std::size_t i = 0; i < fields_.size(); ++i) set_field(setup, *fields_[i], values[i]);
+  for (std::size_t i = 0; i < fields_.size(); ++i)
+    set_everywhere(setup_, *fields_[i], values[i], setup);
   return setup;
 }
 

@@ -1,7 +1,9 @@
 #include "calibrate/scene/scene_problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "calibrate/scene/set_everywhere.hpp"
 #include "plastica/base/parallel_for.hpp"
 
 namespace plastica::calibrate {
@@ -10,13 +12,13 @@ namespace {
 Setup with_fixed(const Setup& setup, const SceneFitOptions& options) {
   Setup fixed = setup;
   for (const Parameter& p : options.parameters) {
-    if (p.role == ParameterRole::Fixed) set_field(fixed, *p.field, *p.value, p.where);
+    if (p.role == ParameterRole::Fixed) set_everywhere(setup, *p.field, *p.value, fixed);
   }
   for (const Parameter& p : options.parameters) {
     if (p.role != ParameterRole::Tied) continue;
     for (const Parameter& base : options.parameters) {
       if (base.field != p.tied_to || base.role != ParameterRole::Fixed) continue;
-      set_field(fixed, *p.field, p.factor * *base.value, p.where);
+      set_everywhere(setup, *p.field, p.factor * *base.value, fixed);
     }
   }
   return fixed;
@@ -51,17 +53,45 @@ std::size_t SceneProblem::samples() const { return squares_.residuals - priors_.
 std::vector<std::vector<SceneCurve>> SceneProblem::curves(std::span<const double> points,
                                                           std::size_t count) {
   const std::size_t n = parameters_.size();
-  std::vector<double> values;
+  const auto point = [&](std::size_t i) {
+    const std::span<const double> x = points.subspan(i * n, n);
+    return std::vector<double>(x.begin(), x.end());
+  };
+  if (known_.size() > kMostKnown) known_.clear();
+  std::vector<std::vector<double>> missing;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<double> at = parameters_.values(points.subspan(i * n, n));
-    values.insert(values.end(), at.begin(), at.end());
+    const std::vector<double> x = point(i);
+    const bool known = known_.contains(x) || std::ranges::find(missing, x) != missing.end();
+    if (!known) missing.push_back(x);
+  }
+  std::vector<std::vector<SceneCurve>> found = run(missing);
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    std::vector<SceneCurve>& of_parts = known_[missing[i]];
+    of_parts.clear();
+    for (std::vector<SceneCurve>& part : found) of_parts.push_back(std::move(part[i]));
   }
   std::vector<std::vector<SceneCurve>> curves(models_.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::vector<SceneCurve>& of_parts = known_.at(point(i));
+    for (std::size_t part = 0; part < curves.size(); ++part) curves[part].push_back(of_parts[part]);
+  }
+  return curves;
+}
+
+std::vector<std::vector<SceneCurve>> SceneProblem::run(
+    const std::vector<std::vector<double>>& points) {
+  std::vector<std::vector<SceneCurve>> curves(models_.size());
+  if (points.empty()) return curves;
+  std::vector<double> values;
+  for (const std::vector<double>& x : points) {
+    const std::vector<double> at = parameters_.values(x);
+    values.insert(values.end(), at.begin(), at.end());
+  }
   // A lone point has its parts side by side, several points each part's runs.
-  const bool by_part = count == 1;
+  const bool by_part = points.size() == 1;
   const int threads = options_.threads;
   parallel_for(models_.size(), {by_part ? threads : 1}, [&](std::size_t part, int) {
-    curves[part] = models_[part].run(values, count, by_part ? 1 : threads);
+    curves[part] = models_[part].run(values, points.size(), by_part ? 1 : threads);
   });
   for (const std::vector<SceneCurve>& of_part : curves) {
     for (const SceneCurve& curve : of_part) note(curve);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ class SceneProblem {
   /// @param parts, options  checked; must outlive this
   /// @throws InputError for a scene that is bad input or cannot follow its target
   SceneProblem(std::span<const ScenePart> parts, const SceneFitOptions& options);
+  SceneProblem(const SceneProblem&) = delete;
+  SceneProblem& operator=(const SceneProblem&) = delete;
 
   const SceneParameters& parameters() const { return parameters_; }
   std::span<const ScenePart> parts() const { return parts_; }
@@ -41,7 +44,8 @@ class SceneProblem {
   double scale(std::size_t part) const { return scale_[part]; }
   void set_scale(std::size_t part, double scale) { scale_[part] = scale; }
 
-  /// Runs all parts at several points, in parallel.
+  /// The curves of all parts at several points, run in parallel; what was run there lately is not
+  /// run again.
   /// @param points  coordinates (count x n), row by row
   /// @return by part and point (n_parts, count)
   std::vector<std::vector<SceneCurve>> curves(std::span<const double> points, std::size_t count);
@@ -55,6 +59,7 @@ class SceneProblem {
   void set_residuals(std::span<const double> points, std::span<double> residuals,
                      std::span<bool> found);
   void add_residuals(std::size_t part, const SceneCurve& curve, std::span<double> residuals) const;
+  std::vector<std::vector<SceneCurve>> run(const std::vector<std::vector<double>>& points);
   void note(const SceneCurve& curve);
 
   std::span<const ScenePart> parts_;
@@ -65,6 +70,8 @@ class SceneProblem {
   std::vector<double> scale_;
   std::vector<std::size_t> priors_;  ///< parameters that have one
   LeastSquaresProblem squares_;
+  static constexpr std::size_t kMostKnown = 64;
+  std::map<std::vector<double>, std::vector<SceneCurve>> known_;  ///< curves of the parts by point
   RunCounters counters_;
   std::string reason_;
   bool turned_ = false;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -48,8 +49,12 @@ double runs_probability(std::span<const double> residual) {
     up = r > 0.0;
     (up ? above : below) += 1.0;
   }
-  if (above < kFewest || below < kFewest) return std::numeric_limits<double>::quiet_NaN();
   const double all = above + below;
+  if (all < 2.0 * kFewest) return std::numeric_limits<double>::quiet_NaN();
+  if (above < kFewest || below < kFewest) {
+    const double few = std::min(above, below);
+    return 2.0 * theory::normal_cdf((few + 0.5 - 0.5 * all) / (0.5 * std::sqrt(all)));
+  }
   const double mean = 1.0 + 2.0 * above * below / all;
   const double variance = (mean - 1.0) * (mean - 2.0) / (all - 1.0);
   return theory::normal_cdf((runs + 0.5 - mean) / std::sqrt(variance));

@@ -14,7 +14,8 @@ namespace plastica::calibrate {
 void judge(double noise_error, double half, SceneParameter& parameter);
 
 /// Probability of as few runs of one sign as these residuals have, or fewer, if they were
-/// independent; NaN for fewer than 10 of either sign. Runs of so many are normal within 1 %.
+/// independent (runs of so many are normal within 1 %); where fewer than 10 have one of the signs,
+/// that of so few. NaN for fewer than 20 in all.
 /// Source: Wald & Wolfowitz, Ann. Math. Stat. 11 (1940) 147.
 double runs_probability(std::span<const double> residual);
 

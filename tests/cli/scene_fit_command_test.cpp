@@ -106,6 +106,15 @@ TEST(SceneFitCommand, SaysWhatWouldRun) {
   EXPECT_FALSE(place.has("fit.h5"));
 }
 
+TEST(SceneFitCommand, DoesNotPromiseWhatCannotRun) {
+  const Workplace place;
+  write_bars(place);
+  place.write("b.csv", "Way (mm),Force (N)\n1,144\n");
+  const CommandResult result = place.run({"calibrate", "fit.toml", "--dry-run"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.err, "plastica: target = b: has no more samples than the fit has parameters\n");
+}
+
 TEST(SceneFitCommand, HasTheSameBytesOnEveryNumberOfThreads) {
   const Workplace place;
   write_bars(place);

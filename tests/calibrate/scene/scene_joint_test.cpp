@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -127,6 +128,61 @@ TEST(SceneJointFit, JoinsACouponWithABeam) {
   EXPECT_EQ(fit.parts[1].level, Level::Coupon);
   EXPECT_NEAR(fit.parts[1].noise, 1e6, 0.5e6);
   EXPECT_NEAR(fit.parameter("youngs_modulus").value / Truth{}.youngs_modulus, 1.0, 0.01);
+}
+
+TEST(SceneJointFit, SaysThatTargetsDisagreeOnTheBreak) {
+  std::vector<ScenePart> parts{bent(6, 0.5, 1), bent(6, 0.5, 2)};
+  for (ScenePart& part : parts) {
+    part.target.abscissa.resize(30);
+    part.target.ordinate.resize(30);
+  }
+  // The second bar was pushed on.
+  for (int i = 31; i <= 35; ++i) parts[1].target.abscissa.push_back(2e-3 * i);
+  make_curve(parts[1], {}, 0.5, 2);
+  parts[0].target.broke = SceneBreak{0.061, 0.001};
+  parts[1].target.broke = SceneBreak{0.071, 0.001};
+  const SceneFitOptions options{.parameters = testing::all_three()};
+  const auto disagrees = [](const SceneFitResult& fit) {
+    return std::any_of(fit.warnings.begin(), fit.warnings.end(), [](const std::string& line) {
+      return line.find("the targets disagree") != std::string::npos;
+    });
+  };
+  const SceneFitResult apart = fit_scenes(parts, options);
+  EXPECT_TRUE(disagrees(apart));
+  EXPECT_LT(apart.parts[0].break_strain, apart.parameter("break_strain").value);
+  EXPECT_GT(apart.parts[1].break_strain, apart.parameter("break_strain").value);
+  parts[1] = parts[0];
+  EXPECT_FALSE(disagrees(fit_scenes(parts, options)));
+}
+
+TEST(SceneJointFit, ReachesRegionsThatHaveTheScenesMaterial) {
+  // The bar in two halves of one section is the bar.
+  ScenePart part = bent(6, 1.0, 3);
+  const SceneFitOptions options{.parameters = stiffness_and_yield()};
+  const SceneFitResult whole = fit_scene(part.setup, part.target, options);
+  Region half;
+  half.from = {0.5, {}};
+  half.to = Place::end();
+  half.section = part.setup.scene.section;
+  half.material = part.setup.scene.material;
+  part.setup.scene.regions.push_back(half);
+  const SceneFitResult halves = fit_scene(part.setup, part.target, options);
+  for (const char* name : {"youngs_modulus", "yield_stress"}) {
+    EXPECT_NEAR(halves.parameter(name).value / whole.parameter(name).value, 1.0, 1e-6) << name;
+  }
+}
+
+TEST(SceneJointFit, RunsNoPointTwice) {
+  // Differences at the solution serve the errors and the break strain's slope.
+  ScenePart part = bent(6, 1.0, 4);
+  part.target.abscissa.resize(30);
+  part.target.ordinate.resize(30);
+  const SceneFitResult two =
+      fit_scene(part.setup, part.target, {.parameters = stiffness_and_yield()});
+  part.target.broke = SceneBreak{0.061, 0.001};
+  const SceneFitResult three =
+      fit_scene(part.setup, part.target, {.parameters = testing::all_three()});
+  EXPECT_EQ(three.runs, two.runs);
 }
 
 TEST(SceneJointFit, LetsPriorsAndTiesSayWhatCurvesDoNot) {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+
+/// What JSON summaries are made of; not installed.
+namespace plastica::calibrate::report {
+
+using Json = nlohmann::ordered_json;
+
+/// Null where there is none, or it is not finite.
+inline Json number(std::optional<double> value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+inline Json text_or_null(std::string_view text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+
+}  // namespace plastica::calibrate::report
