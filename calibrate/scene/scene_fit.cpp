@@ -11,52 +11,38 @@
 #include "calibrate/scene/check_scene_fit.hpp"
 #include "calibrate/scene/scene_errors.hpp"
 #include "calibrate/scene/scene_problem.hpp"
+#include "calibrate/scene/scene_search.hpp"
 #include "calibrate/scene/scene_verdict.hpp"
-#include "plastica/theory/sampling.hpp"
 #include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-/// Of the fits that set a part's noise by what is left of it.
-constexpr int kMostRounds = 4;
-constexpr double kSameNoise = 0.05;
-
-double largest_size(std::span<const double> values) {
-  double largest = 0.0;
-  for (const double v : values) largest = std::max(largest, std::abs(v));
-  return largest;
-}
 
 class SceneFit {
  public:
   SceneFit(std::span<const ScenePart> parts, const SceneFitOptions& options)
-      : parts_(parts), options_(options), problem_(parts, options) {
+      : parts_(parts), options_(options), problem_(parts, options), search_(problem_, options) {
     check_break_levels(problem_, options);
     if (problem_.samples() <= problem_.parameters().size()) {
       throw InputError({}, "target", parts.front().target.name,
                        "has no more samples than the fit has parameters");
     }
-    knows_noise_ = std::all_of(parts.begin(), parts.end(),
-                               [](const ScenePart& part) { return part.target.noise; });
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      const double range = largest_size(parts[i].target.ordinate);
-      problem_.set_scale(i, parts[i].target.noise.value_or(range > 0.0 ? range : 1.0));
-    }
   }
 
   SceneFitResult run() {
-    search();
-    if (best_.outcome == LeastSquaresOutcome::NoStart) {
-      // Bad input where no value of a parameter could help.
-      if (start_turns_) {
-        throw InputError({}, "abscissa_probe", parts_.front().target.abscissa_probe, first_reason_);
-      }
-      result_.reason = "the scene gives no curve from the start values: " + first_reason_;
-    } else {
-      settle_noise();
+    search_.run();
+    result_.starts = search_.starts();
+    if (search_.found()) {
       explain();
+    } else {
+      // Bad input where no value of a parameter could help.
+      if (search_.start_turns()) {
+        throw InputError({}, "abscissa_probe", parts_.front().target.abscissa_probe,
+                         search_.first_reason());
+      }
+      result_.reason = "the scene gives no curve from the start values: " + search_.first_reason();
     }
     result_.runs = problem_.counters().runs;
     result_.failed_runs = problem_.counters().failed;
@@ -65,113 +51,21 @@ class SceneFit {
   }
 
  private:
-  LeastSquares search_from(std::span<const double> start) {
-    LeastSquaresOptions how;
-    how.max_evaluations = options_.evaluations;
-    how.x_tolerance = options_.tolerance;
-    LeastSquaresProblem problem = problem_.squares();
-    problem.start.assign(start.begin(), start.end());
-    return minimize_squares(problem, how);
-  }
-
-  std::vector<double> searched_values(std::span<const double> x) const {
-    std::vector<double> values = problem_.parameters().values(x);
-    values.resize(x.size());
-    return values;
-  }
-
-  void search() {
-    const LeastSquaresProblem& squares = problem_.squares();
-    const std::size_t n = squares.start.size();
-    const auto others = static_cast<std::size_t>(options_.starts - 1);
-    // The first of Sobol's points is a corner; with a seed all are scrambled.
-    const std::vector<double> drawn =
-        n > 0 ? theory::sobol(others, n, options_.seed) : std::vector<double>();
-    for (std::size_t k = 0; k <= (n > 0 ? others : 0); ++k) {
-      std::vector<double> from = squares.start;
-      for (std::size_t i = 0; k > 0 && i < n; ++i) {
-        const double share = drawn[(k - 1) * n + i];
-        from[i] = squares.lower[i] + share * (squares.upper[i] - squares.lower[i]);
-      }
-      LeastSquares found = search_from(from);
-      SceneStart start;
-      start.from = searched_values(from);
-      start.outcome = found.outcome;
-      start.evaluations = found.evaluations;
-      const bool any = found.outcome != LeastSquaresOutcome::NoStart;
-      start.cost = any ? found.cost : std::numeric_limits<double>::infinity();
-      if (any) start.to = searched_values(found.x);
-      result_.starts.push_back(std::move(start));
-      if (k == 0) {
-        first_reason_ = problem_.reason();
-        start_turns_ = !any && problem_.turned();
-      }
-      if (!any) continue;
-      if (best_.outcome == LeastSquaresOutcome::NoStart || found.cost < best_.cost) {
-        best_ = std::move(found);
-      }
-    }
-  }
-
-  /// Sum of the squares of a part, without its weight and scale [SI^2].
-  double cost_of(std::size_t part) const {
-    const std::size_t first = problem_.first_residual(part);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < parts_[part].target.ordinate.size(); ++i) {
-      sum += best_.residual[first + i] * best_.residual[first + i];
-    }
-    const double scale = problem_.scale(part);
-    return sum * scale * scale / parts_[part].weight;
-  }
-
-  /// What the residuals of a part say of its noise: each has its share of the parameters.
-  double noise_left(std::size_t part) const {
-    const auto samples = static_cast<double>(parts_[part].target.ordinate.size());
-    const auto taken =
-        static_cast<double>(problem_.parameters().size()) / static_cast<double>(problem_.samples());
-    return std::sqrt(cost_of(part) / (samples * (1.0 - taken)));
-  }
-
-  /// Weights parts by the noise that they turn out to have.
-  void settle_noise() {
-    for (int round = 0; !knows_noise_; ++round) {
-      double change = 0.0;
-      for (std::size_t part = 0; part < parts_.size(); ++part) {
-        if (parts_[part].target.noise) continue;
-        // Without any residual its range goes on to weight it.
-        const double noise = noise_left(part);
-        if (!(noise > 1e-12 * problem_.scale(part))) continue;
-        const double factor = problem_.scale(part) / noise;
-        change = std::max(change, std::abs(factor - 1.0));
-        const std::size_t first = problem_.first_residual(part);
-        for (std::size_t i = 0; i < parts_[part].target.ordinate.size(); ++i) {
-          best_.residual[first + i] *= factor;
-        }
-        problem_.set_scale(part, noise);
-      }
-      best_.cost = 0.0;
-      for (const double r : best_.residual) best_.cost += r * r;
-      const bool alone = parts_.size() == 1 && problem_.squares().residuals == problem_.samples();
-      if (alone || change < kSameNoise || round == kMostRounds) return;
-      LeastSquares again = search_from(best_.x);
-      if (again.outcome != LeastSquaresOutcome::NoStart) best_ = std::move(again);
-    }
-  }
-
   void explain() {
     result_.status = FitStatus::Fitted;
-    result_.outcome = best_.outcome;
+    result_.outcome = search_.best().outcome;
     const auto n = static_cast<double>(problem_.parameters().size());
-    result_.degrees_of_freedom = knows_noise_ ? std::numeric_limits<double>::infinity()
-                                              : static_cast<double>(problem_.samples()) - n;
+    result_.degrees_of_freedom = search_.knows_noise()
+                                     ? std::numeric_limits<double>::infinity()
+                                     : static_cast<double>(problem_.samples()) - n;
     for (std::size_t part = 0; part < parts_.size(); ++part) add_part(part);
-    const auto curves = problem_.curves(best_.x, 1);
+    const auto curves = problem_.curves(search_.best().x, 1);
     for (std::size_t part = 0; part < parts_.size(); ++part) {
       if (parts_[part].target.broke) result_.parts[part].break_strain = curves[part][0].strain.at;
     }
-    SceneErrors errors(problem_, best_.x, best_.residual);
+    SceneErrors errors(problem_, search_.best().x, search_.best().residual);
     add_parameters(errors);
-    if (best_.outcome == LeastSquaresOutcome::EvaluationsReached) {
+    if (search_.best().outcome == LeastSquaresOutcome::EvaluationsReached) {
       result_.warnings.push_back(fmt::format(
           "the search ended at its {} evaluations (fit.evaluations): better values may be near",
           options_.evaluations));
@@ -186,7 +80,7 @@ class SceneFit {
     constexpr double kFactor = 2.0;
     const auto& given = parts_[part].target.noise;
     if (!given) return;
-    const double left = noise_left(part);
+    const double left = search_.noise_left(part);
     if (left < kFactor * *given && left > *given / kFactor) return;
     result_.warnings.push_back(
         fmt::format("{}: a noise of {:.3g} is stated, but the residuals are of {:.3g} (SI)",
@@ -199,15 +93,15 @@ class SceneFit {
     part.name = target.name;
     part.level = problem_.model(index).level();
     part.samples = target.ordinate.size();
-    part.cost = cost_of(index);
-    part.noise = target.noise.value_or(noise_left(index));
+    part.cost = search_.cost_of(index);
+    part.noise = target.noise.value_or(search_.noise_left(index));
     const double largest = largest_size(target.ordinate);
     const double rms = std::sqrt(part.cost / static_cast<double>(part.samples));
     part.misfit_share = largest > 0.0 ? rms / largest : 0.0;
     const double unit = problem_.scale(index) / std::sqrt(parts_[index].weight);
     std::vector<double> residual;
     for (std::size_t i = 0; i < part.samples; ++i) {
-      residual.push_back(unit * best_.residual[problem_.first_residual(index) + i]);
+      residual.push_back(unit * search_.best().residual[problem_.first_residual(index) + i]);
       part.fitted.push_back(target.ordinate[i] + residual.back());
     }
     part.runs_probability = runs_probability(residual);
@@ -244,7 +138,7 @@ class SceneFit {
         }
         slope = limit.slope;
       } else {
-        fitted.value = searched.value(next, best_.x[next]);
+        fitted.value = searched.value(next, search_.best().x[next]);
         fitted.start = searched.value(next, 0.0);
         fitted.at_bound = errors.at_bound(next);
         slope[static_cast<Eigen::Index>(next)] = std::abs(searched.slope(next, fitted.value));
@@ -294,10 +188,7 @@ class SceneFit {
   std::span<const ScenePart> parts_;
   const SceneFitOptions& options_;
   SceneProblem problem_;
-  bool knows_noise_ = false;
-  LeastSquares best_;
-  std::string first_reason_;
-  bool start_turns_ = false;
+  SceneSearch search_;
   SceneFitResult result_;
 };
 

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "calibrate/fit/least_squares.hpp"
+#include "calibrate/scene/scene_fit.hpp"
+#include "calibrate/scene/scene_problem.hpp"
+
+namespace plastica::calibrate {
+
+/// The search for the least sum of squares of a fit through scenes, from one or several starts, and
+/// for the noise that weights its parts.
+class SceneSearch {
+ public:
+  /// Sets the problem's scales: the noise of parts that state theirs, else their largest ordinate.
+  /// @param problem, options  must outlive this
+  SceneSearch(SceneProblem& problem, const SceneFitOptions& options);
+
+  /// Searches from all starts, then settles the noise. To be called once.
+  void run();
+
+  /// Whether any start gave a curve.
+  bool found() const { return best_.outcome != LeastSquaresOutcome::NoStart; }
+  /// The best point, with residuals over the scales that the problem has at the end.
+  const LeastSquares& best() const { return best_; }
+  const std::vector<SceneStart>& starts() const { return starts_; }  ///< in their order
+
+  /// Whether all parts state their noise.
+  bool knows_noise() const { return knows_noise_; }
+  /// Sum of the squares of a part at the best point, without its weight and scale [SI^2].
+  double cost_of(std::size_t part) const;
+  /// What the residuals of a part say of its noise: each has its share of the parameters [SI].
+  double noise_left(std::size_t part) const;
+
+  /// Why the start's own scene gave no curve, and whether it was its abscissa's probe that turned.
+  const std::string& first_reason() const { return first_reason_; }
+  bool start_turns() const { return start_turns_; }
+
+ private:
+  LeastSquares search_from(std::span<const double> start);
+  std::vector<double> searched_values(std::span<const double> x) const;
+  void search();
+  void settle_noise();
+
+  SceneProblem& problem_;
+  const SceneFitOptions& options_;
+  bool knows_noise_ = false;
+  LeastSquares best_;
+  std::vector<SceneStart> starts_;
+  std::string first_reason_;
+  bool start_turns_ = false;
+};
+
+/// The largest absolute value; 0 of none.
+double largest_size(std::span<const double> values);
+
+}  // namespace plastica::calibrate
