@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace plastica::calibrate {
 namespace {
@@ -48,6 +49,8 @@ bool breaks_by(const Parameter& p, const SceneModel& model, const ScenePart& par
   const bool bends = !torsion && model.level() != Level::Spatial;
   return p.field->material == MaterialField::BreakStrain ? bends : torsion;
 }
+
+double BreakLimit::half() const { return std::accumulate(halves.begin(), halves.end(), 0.0); }
 
 SceneErrors::SceneErrors(SceneProblem& problem, std::span<const double> x,
                          std::span<const double> residual)
@@ -115,8 +118,8 @@ BreakLimit SceneErrors::limit_of(std::size_t part) const {
   BreakLimit limit;
   limit.value = strain.at;
   // Beyond the end of the path the slope is that before.
-  limit.half =
-      std::isnan(strain.after) ? strain.at - strain.before : 0.5 * (strain.after - strain.before);
+  limit.halves = {std::isnan(strain.after) ? strain.at - strain.before
+                                           : 0.5 * (strain.after - strain.before)};
   const std::size_t n = x_.size();
   limit.slope = VectorXd::Zero(static_cast<Index>(n));
   for (std::size_t k = 0; k < n; ++k) {
@@ -142,7 +145,7 @@ BreakLimit SceneErrors::break_limit(const Parameter& p) {
     if (!breaks_by(p, problem_.model(part), problem_.parts()[part])) continue;
     limits.push_back(limit_of(part));
     const BreakLimit& limit = limits.back();
-    double variance = limit.half * limit.half / 3.0;
+    double variance = limit.half() * limit.half() / 3.0;
     for (Index i = 0; i < limit.slope.size(); ++i) {
       for (Index j = 0; j < limit.slope.size(); ++j) {
         const double term = limit.slope[i] * limit.slope[j];
@@ -161,7 +164,7 @@ BreakLimit SceneErrors::break_limit(const Parameter& p) {
     const double share =
         std::isfinite(total) ? certainty[k] / total : 1.0 / static_cast<double>(limits.size());
     mean.value += share * limits[k].value;
-    mean.half += share * limits[k].half;
+    mean.halves.push_back(share * limits[k].half());
     mean.slope += share * limits[k].slope;
   }
   mean.least = mean.most = limits.front().value;

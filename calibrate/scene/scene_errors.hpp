@@ -10,13 +10,16 @@ namespace plastica::calibrate {
 
 /// A break limit as the fitted scenes have it.
 struct BreakLimit {
-  double value = 0.0;     ///< [1]; NaN if no scene gets there
-  double half = 0.0;      ///< half the interval that the sampling leaves [1]
+  double value = 0.0;  ///< [1]; NaN if no scene gets there
+  /// Half the intervals that the samplings of all targets leave, times their shares [1].
+  std::vector<double> halves;
   Eigen::VectorXd slope;  ///< by the coordinates (n)
   /// Of several targets: the least and the largest, and whether any is further from the mean than
   /// four of its standard errors.
   double least = 0.0, most = 0.0;
   bool disagree = false;
+
+  double half() const;  ///< the sum of the halves
 };
 
 /// What the curves say of the coordinates at a solution, and of the break limits.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -112,8 +113,6 @@ class SceneFit {
   void add_parameters(SceneErrors& errors) {
     const SceneParameters& searched = problem_.parameters();
     const Eigen::MatrixXd& covariance = errors.covariance();
-    const double factor =
-        theory::student_t_quantile(0.5 + 0.5 * options_.confidence, result_.degrees_of_freedom);
     // By the coordinates: of a searched one its slope, of a limit its gradient.
     std::vector<Eigen::VectorXd> slopes;
     std::size_t next = 0;
@@ -124,13 +123,13 @@ class SceneFit {
       fitted.dimension = p.field->dimension;
       fitted.lower = *p.lower;
       fitted.upper = *p.upper;
-      double half = 0.0;
+      std::vector<double> halves;
       Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
       if (is_break(p)) {
         const BreakLimit limit = errors.break_limit(p);
         fitted.value = fitted.start = std::clamp(limit.value, *p.lower, *p.upper);
         fitted.at_bound = !std::isnan(limit.value) && fitted.value != limit.value;
-        half = limit.half;
+        halves = limit.halves;
         if (limit.disagree) {
           result_.warnings.push_back(fmt::format(
               "{}: the targets disagree, from {:.4g} to {:.4g}; the value is a mean of unlike ones",
@@ -152,10 +151,16 @@ class SceneFit {
         }
       }
       const double noise_error = fitted.at_bound ? kNan : std::sqrt(variance);
-      fitted.standard_error = std::sqrt(noise_error * noise_error + half * half / 3.0);
-      fitted.interval_low = fitted.value - factor * noise_error - half;
-      fitted.interval_high = fitted.value + factor * noise_error + half;
-      judge(noise_error, half, fitted);
+      variance = noise_error * noise_error;
+      for (const double half : halves) variance += half * half / 3.0;
+      fitted.standard_error = std::sqrt(variance);
+      const double reach = std::isnan(noise_error)
+                               ? kNan
+                               : theory::half_interval(options_.confidence, noise_error,
+                                                       result_.degrees_of_freedom, halves);
+      fitted.interval_low = fitted.value - reach;
+      fitted.interval_high = fitted.value + reach;
+      judge(noise_error, std::accumulate(halves.begin(), halves.end(), 0.0), fitted);
       result_.parameters.push_back(std::move(fitted));
       slopes.push_back(std::move(slope));
     }

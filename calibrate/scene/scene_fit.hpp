@@ -64,8 +64,8 @@ struct SceneParameter {
   double start = 0.0, lower = 0.0, upper = 0.0;
   double standard_error =
       0.0;  ///< from noise and sampling [SI]; NaN if at a bound or not identified
-  /// Of the confidence of the options: Student's; a break's is that of the noise, widened by its
-  /// sampling interval. NaN where there is no standard error.
+  /// Of the confidence of the options: Student's; a break's is that of the noise and of its place
+  /// between two samples together (theory::half_interval). NaN where there is no standard error.
   double interval_low = 0.0, interval_high = 0.0;
   bool at_bound = false;
   Verdict verdict = Verdict::NotIdentified;
@@ -132,9 +132,9 @@ struct SceneFitResult {
 /// residuals' slopes over the noise by central differences and W the given weights (for weights
 /// of 1: A^-1). A prior counts as a residual. A break strain has g^T C g + (a - b)^2/12, with g its
 /// slope by the parameters and a, b its values at both ends of the sampling interval of the break;
-/// of several broken targets the mean, weighted by these, its interval as wide as theirs on the
-/// mean. Where the model cannot follow a curve the residuals are no noise and the errors are too
-/// small; what segments, steps and fibres do to the values is not in them.
+/// of several broken targets the mean, weighted by these. Where the model cannot follow a curve the
+/// residuals are no noise and the errors are too small; what segments, steps and fibres do to the
+/// values is not in them.
 /// @throws InputError for a scene, target or parameter that is bad input, and if the probe of an
 ///         abscissa turns round on the path from the start values
 SceneFitResult fit_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace plastica::theory {
 namespace {
@@ -13,6 +14,8 @@ namespace {
 /// expansion about the normal quantile is as good as bisection, and far faster.
 constexpr double kManyDegrees = 200.0;
 constexpr double kShortTail = 0.11;
+/// From so many on Student's t is normal to 1e-5.
+constexpr double kNormalDegrees = 1e4;
 
 /// Continued fraction of the incomplete beta function (Abramowitz & Stegun 26.5.8), evaluated from
 /// the front by Lentz's method; converges fast for x < (a + 1)/(a + b + 2).
@@ -84,6 +87,31 @@ double expanded_quantile(double z, double nu) {
   return z * (1.0 + (g1 + (g2 + (g3 + g4 / nu) / nu) / nu) / nu);
 }
 
+/// A distribution function on even steps, averaged over `reach` steps to both sides; beyond its
+/// ends it is 0 and 1.
+std::vector<double> averaged(const std::vector<double>& below, double reach) {
+  const std::size_t n = below.size();
+  std::vector<double> integral(n, 0.0);
+  for (std::size_t i = 1; i < n; ++i) {
+    integral[i] = integral[i - 1] + 0.5 * (below[i - 1] + below[i]);
+  }
+  const auto last = static_cast<double>(n - 1);
+  const auto at = [&](double x) {
+    if (x <= 0.0) return 0.0;
+    if (x >= last) return integral.back() + (x - last);
+    const auto k = static_cast<std::size_t>(x);
+    const double share = x - static_cast<double>(k);
+    const double slope = below[k] + 0.5 * share * (below[k + 1] - below[k]);
+    return integral[k] + share * slope;
+  };
+  std::vector<double> mean(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto x = static_cast<double>(i);
+    mean[i] = (at(x + reach) - at(x - reach)) / (2.0 * reach);
+  }
+  return mean;
+}
+
 }  // namespace
 
 double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
@@ -120,6 +148,41 @@ double student_t_quantile(double p, double degrees_of_freedom) {
   }
   const double t = student_t_tail_quantile(std::min(p, 1.0 - p), degrees_of_freedom);
   return p < 0.5 ? -t : t;
+}
+
+double half_interval(double confidence, double scale, double degrees_of_freedom,
+                     std::span<const double> halves) {
+  assert(confidence > 0.0 && confidence < 1.0 && scale >= 0.0);
+  const double alone =
+      scale > 0.0 ? scale * student_t_quantile(0.5 + 0.5 * confidence, degrees_of_freedom) : 0.0;
+  double sum = 0.0;
+  for (const double h : halves) sum += h;
+  if (!(sum > 0.0)) return alone;
+  // q lies below alone + sum; its probability is made of values up to a sum beyond.
+  const double end = alone + 2.0 * sum;
+  constexpr int kSide = 4000;
+  const double step = end / kSide;
+  std::vector<double> below(2 * kSide + 1);
+  for (int i = -kSide; i <= kSide; ++i) {
+    const double x = i * step;
+    double& p = below[static_cast<std::size_t>(i + kSide)];
+    if (scale > 0.0) {
+      const bool normal = degrees_of_freedom > kNormalDegrees;
+      p = normal ? normal_cdf(x / scale) : student_t_cdf(x / scale, degrees_of_freedom);
+    } else {
+      p = i < 0 ? 0.0 : (i > 0 ? 1.0 : 0.5);
+    }
+  }
+  for (const double h : halves) {
+    if (h > 0.0) below = averaged(below, h / step);
+  }
+  const double wanted = 0.5 + 0.5 * confidence;
+  const auto above = std::lower_bound(below.begin() + kSide, below.end(), wanted);
+  const auto k = std::min(static_cast<int>(above - below.begin()), 2 * kSide);
+  const double low = below[static_cast<std::size_t>(k - 1)];
+  const double high = below[static_cast<std::size_t>(k)];
+  const double share = high > low ? (wanted - low) / (high - low) : 0.0;
+  return (k - 1 - kSide + share) * step;
 }
 
 }  // namespace plastica::theory

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 namespace plastica::theory {
 
 /// Probability that a standard normal variable is below x.
@@ -21,5 +23,16 @@ double student_t_cdf(double t, double degrees_of_freedom);
 /// @param probability         0 < p < 1
 /// @param degrees_of_freedom  nu > 0; infinity gives the normal quantile
 double student_t_quantile(double probability, double degrees_of_freedom);
+
+/// The q within which (|x| <= q) an error x = scale t + sum h_k u_k lies with the given confidence:
+/// t a Student t variable, u_k even within -1 … 1, all independent. So is a measured value of which
+/// noise is one part and the distance between samples the other. To 5e-4 of q + sum h_k, by the
+/// averages of the distribution function over 2 h_k, one after the other.
+/// @param confidence          within (0, 1)
+/// @param scale               >= 0
+/// @param degrees_of_freedom  of t, > 0; infinity: normal
+/// @param halves              h_k >= 0
+double half_interval(double confidence, double scale, double degrees_of_freedom,
+                     std::span<const double> halves);
 
 }  // namespace plastica::theory

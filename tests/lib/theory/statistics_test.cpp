@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace plastica::theory {
 namespace {
@@ -78,6 +79,45 @@ TEST(StudentDistribution, IsTheIntegralOfItsDensity) {
     sum += 0.375 * std::pow(1.0 + x * x / 4.0, -2.5) * t / kPoints;
   }
   EXPECT_NEAR(student_t_cdf(t, 4.0), 0.5 + sum, 1e-9);
+}
+
+TEST(HalfInterval, IsStudentsWithoutEvenErrors) {
+  EXPECT_EQ(half_interval(0.95, 2.0, 7.0, {}), 2.0 * student_t_quantile(0.975, 7.0));
+  const std::vector<double> none{0.0, 0.0};
+  EXPECT_EQ(half_interval(0.9, 2.0, 7.0, none), 2.0 * student_t_quantile(0.95, 7.0));
+}
+
+TEST(HalfInterval, HasClosedFormsOfEvenErrorsAlone) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::vector<double> one{3.0}, two{3.0, 3.0};
+  EXPECT_NEAR(half_interval(0.95, 0.0, kInfinity, one), 0.95 * 3.0, 3.0 * 1e-3);
+  // A triangle of half width 6.
+  EXPECT_NEAR(half_interval(0.95, 0.0, kInfinity, two), 6.0 * (1.0 - std::sqrt(0.05)), 3.0 * 1e-3);
+}
+
+TEST(HalfInterval, OfNormalAndEvenErrorHoldsItsConfidence) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto density = [](double x) {
+    return std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::numbers::pi);
+  };
+  // The integral of the normal distribution function is x cdf(x) + density(x).
+  const auto integral = [&](double x) { return x * normal_cdf(x) + density(x); };
+  for (const double h : {1e-3, 0.1, 1.0, 5.0, 100.0}) {
+    const std::vector<double> halves{h};
+    const double q = half_interval(0.95, 1.0, kInfinity, halves);
+    const double below = (integral(q + h) - integral(q - h)) / (2.0 * h);
+    EXPECT_NEAR(below, 0.975, 5e-4) << h;
+  }
+}
+
+TEST(HalfInterval, OfOneDegreeOfFreedomHoldsItsConfidence) {
+  // Cauchy: the integral of the distribution function is x/2 + (x atan x - ln(1 + x^2)/2)/pi.
+  const auto integral = [](double x) {
+    return 0.5 * x + (x * std::atan(x) - 0.5 * std::log1p(x * x)) / std::numbers::pi;
+  };
+  const std::vector<double> halves{4.0};
+  const double q = half_interval(0.95, 1.0, 1.0, halves);
+  EXPECT_NEAR((integral(q + 4.0) - integral(q - 4.0)) / 8.0, 0.975, 5e-4);
 }
 
 }  // namespace
