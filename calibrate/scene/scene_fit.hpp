@@ -10,6 +10,7 @@
 #include "calibrate/fit/least_squares.hpp"
 #include "calibrate/fit/parameter.hpp"
 #include "calibrate/fit/result.hpp"
+#include "calibrate/fit/verdict.hpp"
 #include "calibrate/scene/scene_target.hpp"
 
 namespace plastica::calibrate {
@@ -40,21 +41,6 @@ struct SceneFitOptions {
   double confidence = 0.95;  ///< of the intervals, within (0, 1)
   int threads = 1;           ///< 0: as many as the machine has; changes no bit
 };
-
-/// How well the curves determine a parameter.
-enum class Verdict {
-  Identified,
-  Weak,               ///< its interval is wide
-  NotIdentified,      ///< no curve depends on it, or only a combination with others
-  AtBound,            ///< it would go on beyond its bound
-  LimitedBySampling,  ///< a break: where it is between two samples matters more than the noise
-};
-
-/// "identified", "weak", "not identified", …
-std::string_view name_of(Verdict verdict);
-
-/// From this relative standard error on a parameter is weak.
-inline constexpr double kWeak = 0.1;
 
 /// One free parameter of a fit through scenes.
 struct SceneParameter {

@@ -2,62 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "plastica/theory/statistics.hpp"
-
 namespace plastica::calibrate {
 
-std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::Identified: return "identified";
-    case Verdict::Weak: return "weak";
-    case Verdict::NotIdentified: return "not identified";
-    case Verdict::AtBound: return "at bound";
-    case Verdict::LimitedBySampling: return "limited by sampling";
-  }
-  return "";
-}
-
-void judge(double noise_error, double half, SceneParameter& parameter) {
-  const double size = std::abs(parameter.value);
-  if (parameter.at_bound) {
-    parameter.verdict = Verdict::AtBound;
-    const bool low = parameter.value - parameter.lower < parameter.upper - parameter.value;
-    parameter.verdict_number = low ? parameter.lower : parameter.upper;
-  } else if (std::isnan(noise_error)) {
-    parameter.verdict = Verdict::NotIdentified;
-    parameter.verdict_number = std::numeric_limits<double>::infinity();
-  } else if (half > std::sqrt(3.0) * noise_error && half > 0.0) {
-    parameter.verdict = Verdict::LimitedBySampling;
-    parameter.verdict_number = half / size;
-  } else {
-    parameter.verdict_number = parameter.standard_error / size;
-    parameter.verdict = parameter.verdict_number > kWeak ? Verdict::Weak : Verdict::Identified;
-  }
-}
-
-double runs_probability(std::span<const double> residual) {
-  constexpr double kFewest = 10.0;
-  double above = 0.0, below = 0.0, runs = 0.0;
-  bool up = false;
-  for (const double r : residual) {
-    if (r == 0.0) continue;
-    if (above + below == 0.0 || up != (r > 0.0)) runs += 1.0;
-    up = r > 0.0;
-    (up ? above : below) += 1.0;
-  }
-  const double all = above + below;
-  if (all < 2.0 * kFewest) return std::numeric_limits<double>::quiet_NaN();
-  if (above < kFewest || below < kFewest) {
-    const double few = std::min(above, below);
-    return 2.0 * theory::normal_cdf((few + 0.5 - 0.5 * all) / (0.5 * std::sqrt(all)));
-  }
-  const double mean = 1.0 + 2.0 * above * below / all;
-  const double variance = (mean - 1.0) * (mean - 2.0) / (all - 1.0);
-  return theory::normal_cdf((runs + 0.5 - mean) / std::sqrt(variance));
+void judge(double noise_error, double half, SceneParameter& p) {
+  const Judgement judgement = calibrate::judge({.value = p.value,
+                                                .lower = p.lower,
+                                                .upper = p.upper,
+                                                .at_bound = p.at_bound,
+                                                .noise_error = noise_error,
+                                                .half = half,
+                                                .standard_error = p.standard_error});
+  p.verdict = judgement.verdict;
+  p.verdict_number = judgement.number;
 }
 
 void add_warning(const SceneParameter& p, std::vector<std::string>& warnings) {

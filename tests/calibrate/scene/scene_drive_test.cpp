@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "calibrate/scene/scene_model.hpp"
-#include "calibrate/scene/scene_verdict.hpp"
 #include "tests/calibrate/scene/bent_bar.hpp"
 
 namespace plastica::calibrate {
@@ -107,19 +106,6 @@ TEST(SceneDrive, RefusesWhatCannotFollow) {
             "rest is there from the first");
   EXPECT_EQ(refusal([](auto& setup, auto&) { setup.solver.analysis = Analysis::Dynamics; }),
             "drive: is followed at rest: the curve of a motion is compared over its time");
-}
-
-TEST(SceneVerdict, CountsRunsAsWaldAndWolfowitz) {
-  // 20 of each sign. In two blocks there are 2 runs: mean 21, variance 20*19/39, z = -5.93.
-  std::vector<double> blocks(40, 1.0);
-  for (std::size_t i = 20; i < 40; ++i) blocks[i] = -1.0;
-  EXPECT_NEAR(runs_probability(blocks), 1.5e-9, 0.2e-9);
-  std::vector<double> to_and_fro(40, 1.0);
-  for (std::size_t i = 0; i < 40; i += 2) to_and_fro[i] = -1.0;
-  EXPECT_GT(runs_probability(to_and_fro), 0.999);
-  // Hardly any of one sign: z = (0.5 - 20)/sqrt(10).
-  EXPECT_NEAR(runs_probability(std::vector<double>(40, 1.0)), 7e-10, 1e-10);
-  EXPECT_TRUE(std::isnan(runs_probability(std::vector<double>(19, 1.0))));
 }
 
 }  // namespace

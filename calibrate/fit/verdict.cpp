@@ -1,0 +1,59 @@
+#include "calibrate/fit/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "plastica/theory/statistics.hpp"
+
+namespace plastica::calibrate {
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Identified: return "identified";
+    case Verdict::Weak: return "weak";
+    case Verdict::NotIdentified: return "not identified";
+    case Verdict::AtBound: return "at bound";
+    case Verdict::LimitedBySampling: return "limited by sampling";
+  }
+  return "";
+}
+
+Judgement judge(const Evidence& e) {
+  const double size = std::abs(e.value);
+  if (e.at_bound) {
+    const bool low = e.value - e.lower < e.upper - e.value;
+    return {Verdict::AtBound, low ? e.lower : e.upper};
+  }
+  if (std::isnan(e.noise_error)) {
+    return {Verdict::NotIdentified, std::numeric_limits<double>::infinity()};
+  }
+  if (e.half > std::sqrt(3.0) * e.noise_error && e.half > 0.0) {
+    return {Verdict::LimitedBySampling, e.half / size};
+  }
+  const double share = e.standard_error / size;
+  return {share > kWeak ? Verdict::Weak : Verdict::Identified, share};
+}
+
+double runs_probability(std::span<const double> residual) {
+  constexpr double kFewest = 10.0;
+  double above = 0.0, below = 0.0, runs = 0.0;
+  bool up = false;
+  for (const double r : residual) {
+    if (r == 0.0) continue;
+    if (above + below == 0.0 || up != (r > 0.0)) runs += 1.0;
+    up = r > 0.0;
+    (up ? above : below) += 1.0;
+  }
+  const double all = above + below;
+  if (all < 2.0 * kFewest) return std::numeric_limits<double>::quiet_NaN();
+  if (above < kFewest || below < kFewest) {
+    const double few = std::min(above, below);
+    return 2.0 * theory::normal_cdf((few + 0.5 - 0.5 * all) / (0.5 * std::sqrt(all)));
+  }
+  const double mean = 1.0 + 2.0 * above * below / all;
+  const double variance = (mean - 1.0) * (mean - 2.0) / (all - 1.0);
+  return theory::normal_cdf((runs + 0.5 - mean) / std::sqrt(variance));
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace plastica::calibrate {
+
+/// How well curves determine a free parameter.
+enum class Verdict {
+  Identified,
+  Weak,               ///< its interval is wide
+  NotIdentified,      ///< no curve depends on it, or only a combination with others
+  AtBound,            ///< it would go on beyond its bound
+  LimitedBySampling,  ///< a break: where it is between two samples matters more than the noise
+};
+
+/// "identified", "weak", "not identified", …
+std::string_view name_of(Verdict verdict);
+
+/// From this relative standard error on a parameter is weak.
+inline constexpr double kWeak = 0.1;
+
+/// What a verdict is made of; SI.
+struct Evidence {
+  double value = 0.0;
+  double lower = 0.0, upper = 0.0;  ///< bounds
+  bool at_bound = false;
+  double noise_error = 0.0;     ///< standard error from the noise alone; NaN if not identified
+  double half = 0.0;            ///< half the interval that a break's sampling leaves
+  double standard_error = 0.0;  ///< from both
+};
+
+struct Judgement {
+  Verdict verdict = Verdict::NotIdentified;
+  /// The number behind the word: standard error over value; of a bound the bound [SI]; of sampling
+  /// half the interval between samples over the value; infinite if not identified.
+  double number = 0.0;
+};
+
+Judgement judge(const Evidence& evidence);
+
+/// Probability of as few runs of one sign as these residuals have, or fewer, if they were
+/// independent (runs of so many are normal within 1 %); where fewer than 10 have one of the signs,
+/// that of so few. NaN for fewer than 20 in all.
+/// Source: Wald & Wolfowitz, Ann. Math. Stat. 11 (1940) 147.
+double runs_probability(std::span<const double> residual);
+
+/// Below this probability of its runs a curve's residuals are no noise.
+inline constexpr double kFewRuns = 1e-3;
+
+}  // namespace plastica::calibrate

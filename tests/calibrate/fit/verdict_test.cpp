@@ -1,0 +1,64 @@
+#include "calibrate/fit/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace plastica::calibrate {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// A parameter of 100 within 10 and 400 with an error of 1.
+Evidence sound() {
+  return {.value = 100.0, .lower = 10.0, .upper = 400.0, .noise_error = 1.0, .standard_error = 1.0};
+}
+
+TEST(Verdict, HasTheNumberBehindItsWord) {
+  const Judgement identified = judge(sound());
+  EXPECT_EQ(identified.verdict, Verdict::Identified);
+  EXPECT_DOUBLE_EQ(identified.number, 0.01);
+
+  Evidence evidence = sound();
+  evidence.standard_error = evidence.noise_error = 10.1;
+  EXPECT_EQ(judge(evidence).verdict, Verdict::Weak);
+  EXPECT_DOUBLE_EQ(judge(evidence).number, 0.101);
+
+  evidence = sound();
+  evidence.noise_error = kNan;
+  EXPECT_EQ(judge(evidence).verdict, Verdict::NotIdentified);
+
+  evidence = sound();
+  evidence.at_bound = true;
+  EXPECT_EQ(judge(evidence).verdict, Verdict::AtBound);
+  EXPECT_EQ(judge(evidence).number, 10.0);
+  evidence.value = 399.0;
+  EXPECT_EQ(judge(evidence).number, 400.0);
+}
+
+TEST(Verdict, OfABreakIsSamplingWhereItMattersMoreThanNoise) {
+  Evidence evidence = sound();
+  evidence.half = 1.7;  // its variance is a third of its square
+  EXPECT_EQ(judge(evidence).verdict, Verdict::Identified);
+  evidence.half = 1.8;
+  EXPECT_EQ(judge(evidence).verdict, Verdict::LimitedBySampling);
+  EXPECT_DOUBLE_EQ(judge(evidence).number, 0.018);
+}
+
+TEST(Verdict, CountsRunsAsWaldAndWolfowitz) {
+  // 20 of each sign. In two blocks there are 2 runs: mean 21, variance 20*19/39, z = -5.93.
+  std::vector<double> blocks(40, 1.0);
+  for (std::size_t i = 20; i < 40; ++i) blocks[i] = -1.0;
+  EXPECT_NEAR(runs_probability(blocks), 1.5e-9, 0.2e-9);
+  std::vector<double> to_and_fro(40, 1.0);
+  for (std::size_t i = 0; i < 40; i += 2) to_and_fro[i] = -1.0;
+  EXPECT_GT(runs_probability(to_and_fro), 0.999);
+  // Hardly any of one sign: z = (0.5 - 20)/sqrt(10).
+  EXPECT_NEAR(runs_probability(std::vector<double>(40, 1.0)), 7e-10, 1e-10);
+  EXPECT_TRUE(std::isnan(runs_probability(std::vector<double>(19, 1.0))));
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
