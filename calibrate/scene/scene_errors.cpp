@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "calibrate/fit/score_covariance.hpp"
+
 namespace plastica::calibrate {
 namespace {
 
@@ -75,7 +77,7 @@ VectorXd SceneErrors::weights() const {
 
 void SceneErrors::set_covariance(std::span<const double> residual) {
   const auto n = static_cast<Index>(x_.size());
-  covariance_ = MatrixXd::Constant(n, n, kNan);
+  covariance_ = correlated_covariance_ = MatrixXd::Constant(n, n, kNan);
   if (n == 0) return;
   const std::vector<double> slopes = residual_slopes(problem_.squares(), x_, residual, kErrorStep);
   // Rows over the noise, times the root of their weight.
@@ -92,12 +94,27 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
   const MatrixXd a = normal(kept, kept);
   const MatrixXd inverse = a.ldlt().solve(MatrixXd::Identity(a.rows(), a.cols()));
   const MatrixXd b = weighted(kept, kept);
-  const MatrixXd c = inverse * b * inverse;
-  for (std::size_t row = 0; row < kept.size(); ++row) {
-    for (std::size_t column = 0; column < kept.size(); ++column) {
-      covariance_(kept[row], kept[column]) = c(static_cast<Index>(row), static_cast<Index>(column));
-    }
+  covariance_(kept, kept) = inverse * b * inverse;
+  const MatrixXd correlated = correlated_scores(slopes, residual)(kept, kept);
+  correlated_covariance_(kept, kept) = inverse * correlated * inverse;
+}
+
+/// Of the scores of all parts, each of which may leave residuals in runs, and of the priors.
+MatrixXd SceneErrors::correlated_scores(std::span<const double> slopes,
+                                        std::span<const double> residual) const {
+  const auto n = static_cast<Index>(x_.size());
+  const std::size_t samples = problem_.samples();
+  const Eigen::Map<const Slopes> of_priors(slopes.data() + samples * x_.size(),
+                                           static_cast<Index>(residual.size() - samples), n);
+  MatrixXd sum = of_priors.transpose() * of_priors;
+  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
+    const std::size_t first = problem_.first_residual(part);
+    const std::size_t count = problem_.parts()[part].target.ordinate.size();
+    const std::vector<double> scores = score_covariance(
+        slopes.subspan(first * x_.size(), count * x_.size()), residual.subspan(first, count));
+    sum += Eigen::Map<const Slopes>(scores.data(), n, n);
   }
+  return sum;
 }
 
 void SceneErrors::run_neighbours() {
@@ -116,20 +133,24 @@ BreakLimit SceneErrors::limit_of(std::size_t part) const {
   const std::vector<SceneCurve>& curves = neighbours_[part];
   const StrainAtBreak& strain = curves[0].strain;
   BreakLimit limit;
-  limit.value = strain.at;
-  // Beyond the end of the path the slope is that before.
-  limit.halves = {std::isnan(strain.after) ? strain.at - strain.before
-                                           : 0.5 * (strain.after - strain.before)};
+  // Where the path ends before the beam was broken for sure, what lies beyond is taken to be as
+  // wide as what lies before.
+  const bool ends = std::isnan(strain.after);
+  const auto middle = [&](const StrainAtBreak& s) {
+    return ends ? s.at : 0.5 * (s.before + s.after);
+  };
+  limit.value = middle(strain);
+  limit.halves = {limit.value - strain.before};
   const std::size_t n = x_.size();
   limit.slope = VectorXd::Zero(static_cast<Index>(n));
   for (std::size_t k = 0; k < n; ++k) {
     if (at_bound_[k]) continue;
     // One-sided where the path does not get there on the other side.
-    double above = curves[1 + 2 * k].strain.at, below = curves[2 + 2 * k].strain.at;
+    double above = middle(curves[1 + 2 * k].strain), below = middle(curves[2 + 2 * k].strain);
     double way = 2.0 * kErrorStep;
     for (double* end : {&above, &below}) {
       if (!std::isnan(*end)) continue;
-      *end = strain.at;
+      *end = limit.value;
       way = kErrorStep;
     }
     limit.slope[static_cast<Index>(k)] = (above - below) / way;

@@ -32,12 +32,16 @@ class SceneErrors {
   bool at_bound(std::size_t i) const { return at_bound_[i]; }
   /// Covariance of the coordinates; NaN in rows and columns that are not determined (n x n).
   const Eigen::MatrixXd& covariance() const { return covariance_; }
+  /// The same for residuals that lie in runs: see score_covariance.hpp (n x n).
+  const Eigen::MatrixXd& correlated_covariance() const { return correlated_covariance_; }
 
   /// The limit of one break parameter, by all targets that broke in its way.
   BreakLimit break_limit(const Parameter& p);
 
  private:
   void set_covariance(std::span<const double> residual);
+  Eigen::MatrixXd correlated_scores(std::span<const double> slopes,
+                                    std::span<const double> residual) const;
   Eigen::VectorXd weights() const;
   /// The break strains at the solution and on both sides of it in each coordinate, by part.
   void run_neighbours();
@@ -47,6 +51,7 @@ class SceneErrors {
   std::vector<double> x_;
   std::vector<bool> at_bound_;
   Eigen::MatrixXd covariance_;
+  Eigen::MatrixXd correlated_covariance_;
   std::vector<std::vector<SceneCurve>> neighbours_;
 };
 

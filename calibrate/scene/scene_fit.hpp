@@ -29,7 +29,8 @@ struct SceneFitOptions {
   ///
   /// A break strain (`material.break_strain` of a beam that bends in a plane or is stretched,
   /// `material.break_shear_strain` of a twisted one) is not searched but set, within its bounds, to
-  /// the permanent strain that the fitted model has where the target broke (see misfit.hpp). No
+  /// the permanent strain that the fitted model has where the target broke (see misfit.hpp), half
+  /// way between that at its last whole sample and at its first broken one. No
   /// other may be tied to it, nor may it have a prior.
   std::vector<Parameter> parameters;
   int evaluations = 200;    ///< largest number of points of a search, >= 1

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace plastica::calibrate {
+
+/// Covariance of the sum of the scores s_i = j_i r_i of residuals that need not be independent:
+///
+///   sum over lags l = -L … L of (1 - |l|/(L + 1)) sum_i s_i s_{i+|l|}^T
+///
+/// (Newey & West, Econometrica 55 (1987) 703), with L = 1.1447 (a n)^(1/3), a = 4 rho^2/(1 -
+/// rho^2)^2 and rho the correlation of neighbouring residuals (Andrews, Econometrica 59 (1991) 817,
+/// eq. 6.2 and 6.4), n - 1 at most. For independent residuals of unit variance it tends to J^T J.
+/// Divided by A = J^T J from both sides it is the covariance of a least-squares solution whose
+/// model does not follow the curve, as far as the curve can say it.
+/// @param slopes    d residual / d parameter (n x n_parameters), row by row
+/// @param residual  in the order of the path (n >= 1)
+/// @return (n_parameters x n_parameters), row by row
+std::vector<double> score_covariance(std::span<const double> slopes,
+                                     std::span<const double> residual);
+
+}  // namespace plastica::calibrate
