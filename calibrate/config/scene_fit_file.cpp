@@ -130,6 +130,9 @@ class Reader {
       options.seed =
           static_cast<std::uint64_t>(seed->integer(0, std::numeric_limits<std::int64_t>::max()));
     }
+    if (const auto segments = fit.find("segments_error")) {
+      options.segments_error = segments->boolean();
+    }
     if (const auto tolerance = fit.find("tolerance")) {
       options.tolerance = tolerance->number_within(0.0, 1.0, false);
     }

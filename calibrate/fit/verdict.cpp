@@ -15,6 +15,7 @@ std::string_view name_of(Verdict verdict) {
     case Verdict::NotIdentified: return "not identified";
     case Verdict::AtBound: return "at bound";
     case Verdict::LimitedBySampling: return "limited by sampling";
+    case Verdict::LimitedBySegments: return "limited by segments";
   }
   return "";
 }
@@ -28,8 +29,11 @@ Judgement judge(const Evidence& e) {
   if (std::isnan(e.noise_error)) {
     return {Verdict::NotIdentified, std::numeric_limits<double>::infinity()};
   }
-  if (e.half > std::sqrt(3.0) * e.noise_error && e.half > 0.0) {
-    return {Verdict::LimitedBySampling, e.half / size};
+  // Evenly likely over it, a half interval is as wide as a standard error of its 1/sqrt(3).
+  const double widest = std::max(e.half, e.segments);
+  if (widest > std::sqrt(3.0) * e.noise_error && widest > 0.0) {
+    return {e.segments > e.half ? Verdict::LimitedBySegments : Verdict::LimitedBySampling,
+            widest / size};
   }
   const double share = e.standard_error / size;
   return {share > kWeak ? Verdict::Weak : Verdict::Identified, share};

@@ -12,6 +12,7 @@ enum class Verdict {
   NotIdentified,      ///< no curve depends on it, or only a combination with others
   AtBound,            ///< it would go on beyond its bound
   LimitedBySampling,  ///< a break: where it is between two samples matters more than the noise
+  LimitedBySegments,  ///< what the number of segments does to it matters more than the noise
 };
 
 /// "identified", "weak", "not identified", …
@@ -28,12 +29,14 @@ struct Evidence {
   double noise_error = 0.0;     ///< standard error from the noise alone; NaN if not identified
   double half = 0.0;            ///< half the interval that a break's sampling leaves
   double standard_error = 0.0;  ///< from both
+  double segments = 0.0;  ///< half the interval that the number of segments leaves; 0: none known
 };
 
 struct Judgement {
   Verdict verdict = Verdict::NotIdentified;
   /// The number behind the word: standard error over value; of a bound the bound [SI]; of sampling
-  /// half the interval between samples over the value; infinite if not identified.
+  /// half the interval between samples over the value, of segments half theirs; infinite if not
+  /// identified.
   double number = 0.0;
 };
 

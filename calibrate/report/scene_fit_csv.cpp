@@ -36,7 +36,7 @@ void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> rec
   const auto paths = all_paths(records);
   std::vector<std::string> header = {"name", "status", "reason"};
   for (const auto& [path, dimension] : paths) {
-    for (const char* what : {"", ".stderr", ".low", ".high"}) {
+    for (const char* what : {"", ".stderr", ".low", ".high", ".extrapolated", ".segments_error"}) {
       header.push_back(fmt::format("{}{} [{}]", path, what, si_unit(dimension)));
     }
     header.push_back(path + ".verdict");
@@ -53,12 +53,17 @@ void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> rec
     for (const auto& [path, dimension] : paths) {
       const auto p = std::ranges::find(result.parameters, path, &SceneParameter::path);
       if (p == result.parameters.end() || !fitted) {
-        row.insert(row.end(), 5, std::string());
+        row.insert(row.end(), 7, std::string());
         continue;
       }
       for (const double value : {p->value, p->standard_error, p->interval_low, p->interval_high}) {
         row.push_back(cell_of(value));
       }
+      const auto i = static_cast<std::size_t>(p - result.parameters.begin());
+      const SegmentsError error =
+          result.segments ? result.segments->parameters[i] : SegmentsError{};
+      row.push_back(cell_of(error.extrapolated));
+      row.push_back(cell_of(error.error));
       row.emplace_back(name_of(p->verdict));
     }
     const std::vector<double> costs = sorted_costs(result);

@@ -11,8 +11,9 @@ namespace plastica::calibrate {
 /// row, in a column of their own; quoted after RFC 4180 with line feeds; what is missing is an
 /// empty cell. Numbers have all their digits.
 
-/// A row per fit: name, status, reason and, per parameter, value, standard error, interval and
-/// verdict; cost of the best search, runs.
+/// A row per fit: name, status, reason and, per parameter, value, standard error, interval, value
+/// extrapolated in the segments, half interval that they leave, and verdict; cost of the best
+/// search, runs.
 void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> records);
 
 /// A row per target: what it was measured over, and how well its fit follows it.

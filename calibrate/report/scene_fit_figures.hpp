@@ -18,6 +18,9 @@ Figure fit_figure(const SceneFitRecord& record, bool terminal);
 Figure residuals_figure(const SceneFitRecord& record);
 /// The costs of the searches in rising order. @throws InputError if none ended anywhere
 Figure starts_figure(const SceneFitRecord& record);
+/// A panel per parameter: its value over the length of the segments, and where that leads.
+/// @throws InputError if the fit was not repeated with other segments
+Figure segments_figure(const SceneFitRecord& record);
 /// A panel per parameter: its value and interval in each fit, with mean and deviation.
 /// @throws InputError if no fit determines any
 Figure population_figure(std::span<const SceneFitRecord> records);

@@ -36,6 +36,8 @@ Json parameter_of(const SceneParameter& p) {
           {"value", number(p.value)},
           {"stderr", number(p.standard_error)},
           {"interval", {number(p.interval_low), number(p.interval_high)}},
+          {"noise_error", number(p.noise_error)},
+          {"sampling_error", number(p.sampling_error)},
           {"start", number(p.start)},
           {"bounds", {number(p.lower), number(p.upper)}},
           {"unit", si_unit(p.dimension)},
@@ -71,6 +73,31 @@ Json target_of(const SceneTarget& target, double weight, const ScenePartFit* par
           {"break_strain", of_part(&ScenePartFit::break_strain)}};
 }
 
+/// Null if the fit was not repeated with other segments.
+Json segments_of(const SceneFitResult& result) {
+  if (!result.segments) return nullptr;
+  const SceneSegments& segments = *result.segments;
+  Json parameters = Json::object();
+  for (std::size_t i = 0; i < segments.parameters.size(); ++i) {
+    const SegmentsError& e = segments.parameters[i];
+    parameters[short_name(result.parameters[i].path)] = {
+        {"at_half", number(e.at_half)},
+        {"at_own", number(e.at_own)},
+        {"at_twice", number(e.at_twice)},
+        {"trend", name_of(e.trend)},
+        {"observed_order", number(e.observed_order)},
+        {"order", number(e.order)},
+        {"safety_factor", number(e.safety_factor)},
+        {"extrapolated", number(e.extrapolated)},
+        {"extrapolated_error", number(e.extrapolated_error)},
+        {"error", number(e.error)},
+        {"unit", si_unit(result.parameters[i].dimension)}};
+  }
+  return {{"segments", segments.segments},
+          {"note", text_or_null(segments.note)},
+          {"parameters", std::move(parameters)}};
+}
+
 Json fit_of(const SceneFitRecord& record) {
   const SceneFitResult& result = record.result;
   Json parameters = Json::object();
@@ -96,6 +123,7 @@ Json fit_of(const SceneFitRecord& record) {
           {"parameters", std::move(parameters)},
           {"correlation", matrix(result.correlation, result.parameters.size())},
           {"degrees_of_freedom", number(result.degrees_of_freedom)},
+          {"segments", segments_of(result)},
           {"targets", std::move(targets)},
           {"starts", std::move(starts)},
           {"outcome", name_of(result.outcome)},

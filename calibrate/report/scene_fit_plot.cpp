@@ -15,11 +15,12 @@ namespace {
 using report::Figure;
 using report::PlotScript;
 
-constexpr std::array<PlotKind, 5> kKinds = {{
+constexpr std::array<PlotKind, 6> kKinds = {{
     {"fit", "one fit: measured and fitted curve of each target, the break (choose it with --case)"},
     {"residuals", "measured minus fitted of each target, and the noise (--case)"},
     {"starts", "what the searches found, in rising order of their costs (--case)"},
     {"correlation", "correlations of the fitted parameters (--case)"},
+    {"segments", "values over the length of the segments, and where they lead (--case)"},
     {"population", "values and intervals of all fits, with mean and deviation of the specimens"},
 }};
 
@@ -40,7 +41,7 @@ PlotScript make(std::span<const SceneFitRecord> records, const PlotRequest& requ
   const std::string what = request.what.empty() ? std::string(kKinds[0].name) : request.what;
   if (std::ranges::find(kKinds, what, &PlotKind::name) == kKinds.end()) {
     throw InputError({}, "--what", what,
-                     "must be fit, residuals, starts, correlation or population");
+                     "must be fit, residuals, starts, correlation, segments or population");
   }
   const bool terminal = request.output == "-";
   const auto drawn = [&](const Figure& figure) {
@@ -55,6 +56,7 @@ PlotScript make(std::span<const SceneFitRecord> records, const PlotRequest& requ
   }
   const SceneFitRecord& record = find_fit(records, request.specimen);
   if (what == "correlation") return report::correlation_plot(record, terminal);
+  if (what == "segments") return drawn(report::segments_figure(record));
   if (what == "starts") return drawn(report::starts_figure(record));
   if (what == "residuals") return drawn(report::residuals_figure(record));
   return drawn(report::fit_figure(record, terminal));

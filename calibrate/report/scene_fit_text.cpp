@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/scene_errors_text.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "plastica/report/ink.hpp"
 #include "plastica/report/table.hpp"
@@ -147,6 +148,7 @@ std::string correlations_text(const SceneFitResult& result, const Ink& ink) {
 std::string scene_fit_report(const SceneFitRecord& record, const ReportOptions& options) {
   const Ink ink(options.color);
   std::string text = header(record, ink) + parameters_text(record.result, options, ink) +
+                     errors_text(record, ink) + segments_text(record, ink) +
                      targets_text(record, ink) + correlations_text(record.result, ink);
   std::string warnings;
   for (const std::string& warning : record.result.warnings) {

@@ -53,6 +53,7 @@ std::string verdict_text(const SceneParameter& parameter) {
                          parameter.verdict_number == parameter.lower ? "lower" : "upper",
                          quantity(brief(parameter.verdict_number / unit.scale), unit.name));
     }
+    case Verdict::LimitedBySegments:
     case Verdict::LimitedBySampling: return word + ", ± " + share;
   }
   return word;

@@ -162,9 +162,11 @@ BreakLimit SceneErrors::break_limit(const Parameter& p) {
   if (neighbours_.empty()) run_neighbours();
   std::vector<BreakLimit> limits;
   std::vector<double> certainty;
+  std::vector<std::size_t> broken;
   for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
     if (!breaks_by(p, problem_.model(part), problem_.parts()[part])) continue;
     limits.push_back(limit_of(part));
+    broken.push_back(part);
     const BreakLimit& limit = limits.back();
     double variance = limit.half() * limit.half() / 3.0;
     for (Index i = 0; i < limit.slope.size(); ++i) {
@@ -177,13 +179,19 @@ BreakLimit SceneErrors::break_limit(const Parameter& p) {
   }
   double total = 0.0;
   for (const double c : certainty) total += c;
-  if (limits.size() == 1) return limits.front();
   BreakLimit mean;
+  mean.shares.assign(problem_.parts().size(), 0.0);
+  if (limits.size() == 1) {
+    limits.front().shares = std::move(mean.shares);
+    limits.front().shares[broken.front()] = 1.0;
+    return limits.front();
+  }
   mean.slope = VectorXd::Zero(static_cast<Index>(x_.size()));
   for (std::size_t k = 0; k < limits.size(); ++k) {
     // Without noise, or where it says nothing, all count alike.
     const double share =
         std::isfinite(total) ? certainty[k] / total : 1.0 / static_cast<double>(limits.size());
+    mean.shares[broken[k]] = share;
     mean.value += share * limits[k].value;
     mean.halves.push_back(share * limits[k].half());
     mean.slope += share * limits[k].slope;

@@ -18,6 +18,8 @@ struct BreakLimit {
   /// four of its standard errors.
   double least = 0.0, most = 0.0;
   bool disagree = false;
+  /// What each part counts in the value, 0 if it did not break in its way (n_parts).
+  std::vector<double> shares;
 
   double half() const;  ///< the sum of the halves
 };

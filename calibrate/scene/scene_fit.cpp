@@ -13,6 +13,7 @@
 #include "calibrate/scene/scene_errors.hpp"
 #include "calibrate/scene/scene_problem.hpp"
 #include "calibrate/scene/scene_search.hpp"
+#include "calibrate/scene/scene_segments.hpp"
 #include "calibrate/scene/scene_verdict.hpp"
 #include "plastica/theory/statistics.hpp"
 
@@ -45,9 +46,11 @@ class SceneFit {
       }
       result_.reason = "the scene gives no curve from the start values: " + search_.first_reason();
     }
-    result_.runs = problem_.counters().runs;
-    result_.failed_runs = problem_.counters().failed;
-    result_.segment_iterations = problem_.counters().segment_iterations;
+    RunCounters all = problem_.counters();
+    all.add(divided_);
+    result_.runs = all.runs;
+    result_.failed_runs = all.failed;
+    result_.segment_iterations = all.segment_iterations;
     return std::move(result_);
   }
 
@@ -66,14 +69,36 @@ class SceneFit {
     }
     SceneErrors errors(problem_, search_.best().x, search_.best().residual);
     add_parameters(errors);
+    if (options_.segments_error) add_segments();
+    for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
+      judge(halves_[i], segments_of(i), result_.parameters[i]);
+    }
     if (search_.best().outcome == LeastSquaresOutcome::EvaluationsReached) {
       result_.warnings.push_back(fmt::format(
           "the search ended at its {} evaluations (fit.evaluations): better values may be near",
           options_.evaluations));
     }
     for (std::size_t part = 0; part < parts_.size(); ++part) warn_of_noise(part);
-    for (const SceneParameter& p : result_.parameters) add_warning(p, result_.warnings);
+    for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
+      add_warning(result_.parameters[i], segments_of(i), result_.warnings);
+    }
     for (const ScenePartFit& part : result_.parts) add_warning(part, result_.warnings);
+  }
+
+  void add_segments() {
+    result_.segments =
+        divide_anew({problem_, options_, search_.best().x, result_.parameters, shares_}, divided_);
+    if (!result_.segments) return;
+    const auto unknown = [](const SegmentsError& e) { return e.trend == SegmentsTrend::Unknown; };
+    const SceneSegments& made = *result_.segments;
+    if (made.note.empty() || !std::ranges::all_of(made.parameters, unknown)) return;
+    result_.warnings.push_back("the error of the segments is not known: " + made.note);
+  }
+
+  /// What the segments do to a parameter; of coupons, or if not asked for, nothing that is known.
+  const SegmentsError& segments_of(std::size_t i) const {
+    static const SegmentsError kUnknown;
+    return result_.segments ? result_.segments->parameters[i] : kUnknown;
   }
 
   /// A stated noise that the residuals contradict.
@@ -124,12 +149,14 @@ class SceneFit {
       fitted.lower = *p.lower;
       fitted.upper = *p.upper;
       std::vector<double> halves;
+      shares_.emplace_back();
       Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
       if (is_break(p)) {
         const BreakLimit limit = errors.break_limit(p);
         fitted.value = fitted.start = std::clamp(limit.value, *p.lower, *p.upper);
         fitted.at_bound = !std::isnan(limit.value) && fitted.value != limit.value;
         halves = limit.halves;
+        shares_.back() = limit.shares;
         if (limit.disagree) {
           result_.warnings.push_back(fmt::format(
               "{}: the targets disagree, from {:.4g} to {:.4g}; the value is a mean of unlike ones",
@@ -151,16 +178,18 @@ class SceneFit {
         }
       }
       const double noise_error = fitted.at_bound ? kNan : std::sqrt(variance);
-      variance = noise_error * noise_error;
+      fitted.noise_error = noise_error;
+      variance = 0.0;
       for (const double half : halves) variance += half * half / 3.0;
-      fitted.standard_error = std::sqrt(variance);
+      fitted.sampling_error = std::sqrt(variance);
+      fitted.standard_error = std::sqrt(noise_error * noise_error + variance);
       const double reach = std::isnan(noise_error)
                                ? kNan
                                : theory::half_interval(options_.confidence, noise_error,
                                                        result_.degrees_of_freedom, halves);
       fitted.interval_low = fitted.value - reach;
       fitted.interval_high = fitted.value + reach;
-      judge(noise_error, std::accumulate(halves.begin(), halves.end(), 0.0), fitted);
+      halves_.push_back(std::accumulate(halves.begin(), halves.end(), 0.0));
       result_.parameters.push_back(std::move(fitted));
       slopes.push_back(std::move(slope));
     }
@@ -194,6 +223,9 @@ class SceneFit {
   const SceneFitOptions& options_;
   SceneProblem problem_;
   SceneSearch search_;
+  std::vector<double> halves_;               ///< of the sampling intervals of parameters [SI]
+  std::vector<std::vector<double>> shares_;  ///< of the parts in a break limit, by parameter
+  RunCounters divided_;                      ///< of the repetitions with other segments
   SceneFitResult result_;
 };
 

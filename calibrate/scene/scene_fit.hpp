@@ -12,6 +12,7 @@
 #include "calibrate/fit/result.hpp"
 #include "calibrate/fit/verdict.hpp"
 #include "calibrate/scene/scene_target.hpp"
+#include "calibrate/scene/segments_error.hpp"
 
 namespace plastica::calibrate {
 
@@ -40,7 +41,9 @@ struct SceneFitOptions {
   int starts = 1;
   std::uint64_t seed = 1;    ///< of the points' scrambling
   double confidence = 0.95;  ///< of the intervals, within (0, 1)
-  int threads = 1;           ///< 0: as many as the machine has; changes no bit
+  /// Whether the fit is repeated with half and with twice the segments, to say what they do to it.
+  bool segments_error = true;
+  int threads = 1;  ///< 0: as many as the machine has; changes no bit
 };
 
 /// One free parameter of a fit through scenes.
@@ -51,13 +54,16 @@ struct SceneParameter {
   double start = 0.0, lower = 0.0, upper = 0.0;
   double standard_error =
       0.0;  ///< from noise and sampling [SI]; NaN if at a bound or not identified
+  /// What of it is of the noise, and what of where a break is between two samples, its interval's
+  /// half over the root of 3 [SI]; the squares add up.
+  double noise_error = 0.0, sampling_error = 0.0;
   /// Of the confidence of the options: Student's; a break's is that of the noise and of its place
   /// between two samples together (theory::half_interval). NaN where there is no standard error.
   double interval_low = 0.0, interval_high = 0.0;
   bool at_bound = false;
   Verdict verdict = Verdict::NotIdentified;
   /// The number behind the word: standard error over value; of a bound the bound [SI]; of sampling
-  /// half the interval between samples over the value.
+  /// half the interval between samples over the value; of segments `SegmentsError::error` over it.
   double verdict_number = 0.0;
 };
 
@@ -103,6 +109,8 @@ struct SceneFitResult {
   int runs = 0;                         ///< of scenes, those of differences and errors included
   int failed_runs = 0;                  ///< of these, without a curve over the measured abscissa
   std::int64_t segment_iterations = 0;  ///< of all runs
+  /// Where the options ask for it and a target was measured on a beam, no coupon.
+  std::optional<SceneSegments> segments;
   std::vector<std::string> warnings;
 
   /// The parameter of a path, or of its last part. @throws std::out_of_range
@@ -120,8 +128,8 @@ struct SceneFitResult {
 /// of 1: A^-1). A prior counts as a residual. A break strain has g^T C g + (a - b)^2/12, with g its
 /// slope by the parameters and a, b its values at both ends of the sampling interval of the break;
 /// of several broken targets the mean, weighted by these. Where the model cannot follow a curve the
-/// residuals are no noise and the errors are too small; what segments, steps and fibres do to the
-/// values is not in them.
+/// residuals are no noise and the errors are too small; what steps and fibres do to the
+/// values is not in them, nor is what segments do: see `SceneSegments`.
 /// @throws InputError for a scene, target or parameter that is bad input, and if the probe of an
 ///         abscissa turns round on the path from the start values
 SceneFitResult fit_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options);

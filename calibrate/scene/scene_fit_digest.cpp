@@ -29,7 +29,7 @@ void add_to(io::Digest& digest, const SceneFitOptions& options) {
   }
   digest.integer(static_cast<std::uint64_t>(options.evaluations)).real(options.tolerance);
   digest.integer(static_cast<std::uint64_t>(options.starts)).integer(options.seed);
-  digest.real(options.confidence);
+  digest.real(options.confidence).integer(options.segments_error ? 1 : 0);
 }
 
 std::uint64_t digest_of(std::span<const ScenePart> parts, const SceneFitOptions& options) {

@@ -19,6 +19,12 @@ struct RunCounters {
   int runs = 0;
   int failed = 0;
   std::int64_t segment_iterations = 0;
+
+  void add(const RunCounters& others) {
+    runs += others.runs;
+    failed += others.failed;
+    segment_iterations += others.segment_iterations;
+  }
 };
 
 /// The sum of squares of a fit through scenes: for each part sqrt(weight) (model - measured)/scale

@@ -23,6 +23,10 @@ struct SceneParameterRow {
   std::uint64_t fit = 0;
   SceneParameter parameter;
 };
+struct SceneSegmentsRow {
+  std::uint64_t fit = 0;
+  SegmentsError error;
+};
 struct SceneStartRow {
   std::uint64_t fit = 0;
   SceneStart start;
@@ -36,6 +40,7 @@ struct SceneWarningRow {
 struct SceneRows {
   std::vector<ScenePartRow> parts;
   std::vector<SceneParameterRow> parameters;
+  std::vector<SceneSegmentsRow> segments;
   std::vector<SceneStartRow> starts;
   std::vector<SceneWarningRow> warnings;
 };
@@ -52,6 +57,10 @@ constexpr auto kSceneFitColumns = [](auto& columns) {
   columns("runs", "1", PLASTICA_MEMBER(result.runs));
   columns("failed_runs", "1", PLASTICA_MEMBER(result.failed_runs));
   columns("segment_iterations", "1", PLASTICA_MEMBER(result.segment_iterations));
+  columns.part("divided", PLASTICA_MEMBER(result.segments), [](auto& part) {
+    part("segments", "1", PLASTICA_MEMBER(segments));
+    part("segments_note", "", PLASTICA_MEMBER(note));
+  });
 };
 
 constexpr auto kSceneParameterColumns = [](auto& columns) {
@@ -63,6 +72,8 @@ constexpr auto kSceneParameterColumns = [](auto& columns) {
   columns("lower", "", PLASTICA_MEMBER(parameter.lower));
   columns("upper", "", PLASTICA_MEMBER(parameter.upper));
   columns("standard_error", "", PLASTICA_MEMBER(parameter.standard_error));
+  columns("noise_error", "", PLASTICA_MEMBER(parameter.noise_error));
+  columns("sampling_error", "", PLASTICA_MEMBER(parameter.sampling_error));
   columns("interval_low", "", PLASTICA_MEMBER(parameter.interval_low));
   columns("interval_high", "", PLASTICA_MEMBER(parameter.interval_high));
   columns("at_bound", "", PLASTICA_MEMBER(parameter.at_bound));
@@ -97,6 +108,20 @@ constexpr auto kScenePartColumns = [](auto& columns) {
     part("runs_probability", "1", PLASTICA_MEMBER(runs_probability));
     part("break_strain", "1", PLASTICA_MEMBER(break_strain));
   });
+};
+
+constexpr auto kSceneSegmentsColumns = [](auto& columns) {
+  columns("fit", "", PLASTICA_MEMBER(fit));
+  columns("at_half", "", PLASTICA_MEMBER(error.at_half));
+  columns("at_own", "", PLASTICA_MEMBER(error.at_own));
+  columns("at_twice", "", PLASTICA_MEMBER(error.at_twice));
+  columns("trend", "", PLASTICA_MEMBER(error.trend));
+  columns("observed_order", "1", PLASTICA_MEMBER(error.observed_order));
+  columns("order", "1", PLASTICA_MEMBER(error.order));
+  columns("safety_factor", "1", PLASTICA_MEMBER(error.safety_factor));
+  columns("extrapolated", "", PLASTICA_MEMBER(error.extrapolated));
+  columns("extrapolated_error", "", PLASTICA_MEMBER(error.extrapolated_error));
+  columns("error", "", PLASTICA_MEMBER(error.error));
 };
 
 constexpr auto kSceneStartColumns = [](auto& columns) {

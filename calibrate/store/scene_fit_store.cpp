@@ -76,6 +76,11 @@ SceneRows rows_of(const std::vector<const SceneFitRecord*>& records) {
     for (const SceneParameter& parameter : record.result.parameters) {
       rows.parameters.push_back({i, parameter});
     }
+    if (record.result.segments) {
+      for (const SegmentsError& error : record.result.segments->parameters) {
+        rows.segments.push_back({i, error});
+      }
+    }
     for (const SceneStart& start : record.result.starts) rows.starts.push_back({i, start});
     for (const std::string& text : record.result.warnings) rows.warnings.push_back({i, text});
   }
@@ -131,6 +136,7 @@ void write_tables(io::Hdf5Group& root, const SceneRows& rows) {
       write_rows(root, "parameters", rows.parameters, store::kSceneParameterColumns);
   write_units(parameters, "value_units", rows.parameters,
               [](const auto& row) { return row.parameter.dimension; });
+  write_rows(root, "segments", rows.segments, store::kSceneSegmentsColumns);
   io::Hdf5Group parts = write_rows(root, "parts", rows.parts, store::kScenePartColumns);
   write_units(parts, "abscissa_units", rows.parts,
               [](const auto& row) { return row.target.abscissa_is; });
@@ -165,6 +171,20 @@ class Reader {
   void parameters() {
     for (auto& row : table<store::SceneParameterRow>("parameters", store::kSceneParameterColumns)) {
       records_[row.fit].result.parameters.push_back(std::move(row.parameter));
+    }
+  }
+
+  void segments() {
+    for (auto& row : table<store::SceneSegmentsRow>("segments", store::kSceneSegmentsColumns)) {
+      auto& made = records_[row.fit].result.segments;
+      if (!made) refuse("segments/fit", "names a fit that was not divided anew");
+      made->parameters.push_back(row.error);
+    }
+    for (const SceneFitRecord& record : records_) {
+      const SceneFitResult& result = record.result;
+      if (result.segments && result.segments->parameters.size() != result.parameters.size()) {
+        refuse("segments/fit", "must have a row for each parameter of a fit");
+      }
     }
   }
 
@@ -289,6 +309,7 @@ SceneFitContents read_scene_fit_store(const std::string& path) {
   Reader reader(root, contents.records);
   reader.fits();
   reader.parameters();
+  reader.segments();
   reader.parts();
   reader.starts();
   reader.warnings();

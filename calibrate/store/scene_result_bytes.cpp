@@ -13,7 +13,18 @@ constexpr const char* kSource = "a record of a fit through scenes";
 
 void code(auto& coder, A<SceneParameter> auto& p) {
   coder(p.path, p.dimension, p.value, p.start, p.lower, p.upper, p.standard_error, p.interval_low,
-        p.interval_high, p.at_bound, p.verdict, p.verdict_number);
+        p.interval_high, p.at_bound, p.verdict, p.verdict_number, p.noise_error, p.sampling_error);
+}
+
+void code(auto& coder, A<SegmentsError> auto& e) {
+  coder(e.at_half, e.at_own, e.at_twice, e.trend, e.observed_order, e.order, e.safety_factor,
+        e.extrapolated, e.extrapolated_error, e.error);
+}
+
+void code(auto& coder, A<SceneSegments> auto& s) {
+  const auto item = [](auto& to, auto& each) { code(to, each); };
+  coder(s.segments, s.note);
+  coder.each(s.parameters, item);
 }
 
 void code(auto& coder, A<ScenePartFit> auto& p) {
@@ -33,6 +44,7 @@ void code(auto& coder, A<SceneFitResult> auto& r) {
   coder.each(r.parts, item);
   coder(r.degrees_of_freedom);
   coder.each(r.starts, item);
+  coder.maybe(r.segments, item);
   coder(r.outcome, r.runs, r.failed_runs, r.segment_iterations, r.warnings);
 }
 

@@ -80,6 +80,7 @@ FitPlan read_fit_plan(const TomlTable& fit, const std::string& path, const Scene
   source.where = fit.where();
   plan.target = calibrate::read_scene_target(source, scene, std::move(wanted));
   (void)fit.at("parameters");
+  plan.options.segments_error = false;  // a sweep over the segments shows it itself
   plan.options.parameters = calibrate::read_parameters(fit, calibrate::ParameterScope::Scene);
   plan.options.evaluations = whole(fit, "evaluations", plan.options.evaluations, 1'000'000);
   plan.options.starts = whole(fit, "starts", plan.options.starts, 1000);

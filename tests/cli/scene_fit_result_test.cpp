@@ -66,7 +66,7 @@ TEST(SceneFitResult, IsDrawnInEveryPicture) {
   const Workplace place;
   write_results(place);
   const std::string kinds = shown(place, {"plot", "--list", "x.h5"});
-  for (const char* what : {"fit", "residuals", "starts", "correlation", "population"}) {
+  for (const char* what : {"fit", "residuals", "starts", "correlation", "segments", "population"}) {
     EXPECT_NE(kinds.find(what), std::string::npos) << what;
     const std::string picture = std::string(what) + ".svg";
     EXPECT_EQ(shown(place, {"plot", "x.h5", "--what", what, "-o", picture}),

@@ -83,10 +83,13 @@ TEST_F(SceneFitFileTest, ReadsTargetsThatShareTheirParameters) {
 }
 
 TEST_F(SceneFitFileTest, ReadsFitsOfTheirOwn) {
-  const SceneFitFile file = parse(kFit + "shared = false\nstarts = 5\n" + kTarget);
+  const SceneFitFile file =
+      parse(kFit + "shared = false\nstarts = 5\nsegments_error = false\n" + kTarget);
   ASSERT_EQ(file.cases.size(), 2U);
   EXPECT_EQ(file.cases[1].name, "b");
   EXPECT_EQ(file.options.starts, 5);
+  EXPECT_FALSE(file.options.segments_error);
+  EXPECT_TRUE(parse(kFit + kTarget).options.segments_error);
 }
 
 TEST_F(SceneFitFileTest, ReadsTheShippedOne) {

@@ -47,6 +47,21 @@ TEST(Verdict, OfABreakIsSamplingWhereItMattersMoreThanNoise) {
   EXPECT_DOUBLE_EQ(judge(evidence).number, 0.018);
 }
 
+TEST(Verdict, IsSegmentsWhereTheyMatterMoreThanNoiseAndSampling) {
+  Evidence evidence = sound();
+  evidence.segments = 1.7;
+  EXPECT_EQ(judge(evidence).verdict, Verdict::Identified);
+  evidence.segments = 1.8;
+  EXPECT_EQ(judge(evidence).verdict, Verdict::LimitedBySegments);
+  EXPECT_DOUBLE_EQ(judge(evidence).number, 0.018);
+  evidence.half = 2.0;
+  EXPECT_EQ(judge(evidence).verdict, Verdict::LimitedBySampling);
+  evidence.segments = 2.1;
+  EXPECT_EQ(judge(evidence).verdict, Verdict::LimitedBySegments);
+  evidence.noise_error = kNan;
+  EXPECT_EQ(judge(evidence).verdict, Verdict::NotIdentified);
+}
+
 TEST(Verdict, CountsRunsAsWaldAndWolfowitz) {
   // 20 of each sign. In two blocks there are 2 runs: mean 21, variance 20*19/39, z = -5.93.
   std::vector<double> blocks(40, 1.0);

@@ -70,6 +70,20 @@ TEST(SceneFitJson, HoldsThePopulation) {
   EXPECT_EQ(all["population"]["specimen_covariance"].size(), 2U);
 }
 
+TEST(SceneFitJson, SaysWhatTheSegmentsDo) {
+  SceneFitRecord record = scene_record();
+  const auto fit_of = [&] { return Json::parse(scene_fits_json(std::vector{record}))["fits"][0]; };
+  const Json segments = fit_of()["segments"];
+  EXPECT_EQ(segments["segments"], 32);
+  EXPECT_TRUE(segments["note"].is_null());
+  EXPECT_EQ(segments["parameters"]["youngs_modulus"]["trend"], "monotone");
+  EXPECT_EQ(segments["parameters"]["yield_stress"]["error"], 3.0 * 0.04 * 380e6);
+  EXPECT_TRUE(segments["parameters"]["break_strain"]["error"].is_null());
+  EXPECT_EQ(fit_of()["parameters"]["break_strain"]["sampling_error"], 3.9e-4);
+  record.result.segments.reset();
+  EXPECT_TRUE(fit_of()["segments"].is_null());
+}
+
 TEST(SceneFitJson, IsWholeWhateverTheUsersText) {
   SceneFitRecord record = scene_record("\xff\"\n");
   record.result.warnings = {"\xc3"};
@@ -80,15 +94,22 @@ TEST(SceneFitCsv, HasARowPerFitWithAllParametersThatAnyHas) {
   const auto rows = table_of(
       write_scene_fits_csv,
       {lone_scene_record("a", 2e11, 3e8), scene_record("b"), failed_scene_record("f", "no")});
+  const SegmentsError record_of_a =
+      lone_scene_record("a", 2e11, 3e8).result.segments->parameters[0];
   ASSERT_EQ(rows.size(), 4U);
-  for (const auto& row : rows) EXPECT_EQ(row.size(), 3U + 3U * 5U + 5U);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), 3U + 3U * 7U + 5U);
   EXPECT_EQ(rows[0][3], "material.youngs_modulus [Pa]");
-  EXPECT_EQ(rows[0][14], "material.break_strain.stderr [1]");
+  EXPECT_EQ(rows[0][7], "material.youngs_modulus.extrapolated [Pa]");
+  EXPECT_EQ(rows[0][15], "material.yield_stress.segments_error [Pa]");
+  EXPECT_EQ(rows[0][18], "material.break_strain.stderr [1]");
   EXPECT_EQ(rows[1][3], "200000000000");
-  EXPECT_EQ(rows[1][7], "identified");
-  EXPECT_EQ(rows[1][13], "");
-  EXPECT_EQ(rows[2][14], "0.0004");
-  EXPECT_EQ(rows[2][18], "49.1");
+  EXPECT_EQ(std::stod(rows[1][7]), record_of_a.extrapolated);
+  EXPECT_EQ(std::stod(rows[1][8]), record_of_a.error);
+  EXPECT_EQ(rows[1][9], "identified");
+  EXPECT_EQ(rows[1][17], "");
+  EXPECT_EQ(rows[2][18], "0.0004");
+  EXPECT_EQ(rows[2][21], "") << "not known";
+  EXPECT_EQ(rows[2][24], "49.1");
   EXPECT_EQ(rows[3][1], "failed");
   EXPECT_EQ(rows[3][3], "");
 }

@@ -79,6 +79,19 @@ TEST(SceneFitPlot, OfCorrelationsWritesEachNumber) {
   }
 }
 
+TEST(SceneFitPlot, OfSegmentsLeadsToTheContinuousBeam) {
+  SceneFitRecord record = lone_scene_record("a", 200e9, 400e6);
+  record.result.segments->segments = 20;
+  record.result.segments->parameters[0] = segments_error(220e9, 200e9, 195e9, 2.0);
+  const std::string script = script_of(record, "segments");
+  EXPECT_TRUE(contains(script, "a: fits with half, once and twice 20 segments"));
+  EXPECT_TRUE(contains(script, "set title 'youngs_modulus [GPa], order 2.00'"));
+  EXPECT_TRUE(contains(script, "set title 'yield_stress [MPa], oscillates'"));
+  // Extrapolated by 5/3 beyond 195, and 1.25 times as much to both sides.
+  EXPECT_TRUE(contains(script, "\n0 193.3333 "));
+  EXPECT_TRUE(contains(script, "\n2 220 \n1 200 \n0.5 195 \n"));
+}
+
 TEST(SceneFitPlot, OfThePopulationHasAPanelPerParameter) {
   const std::string script = scene_fit_plot_script(
       std::vector{lone_scene_record("a", 200e9, 380e6), failed_scene_record("b", "no"),
@@ -97,7 +110,7 @@ TEST(SceneFitPlot, RefusesWhatThereIsNot) {
     return message_of([&] { scene_fit_plot_script(records, request); });
   };
   EXPECT_EQ(message({.what = "pie"}),
-            "--what = pie: must be fit, residuals, starts, correlation or population");
+            "--what = pie: must be fit, residuals, starts, correlation, segments or population");
   EXPECT_EQ(message({.specimen = "x"}), "--case = x: is not a fit of this file; it has a, f");
   EXPECT_EQ(message({.what = "population", .specimen = "a"}),
             "--case = a: does not go with the picture 'population'");
@@ -107,6 +120,8 @@ TEST(SceneFitPlot, RefusesWhatThereIsNot) {
             "--what = starts: f has no search that ended anywhere");
   EXPECT_EQ(message({.what = "correlation", .specimen = "f"}),
             "--what = correlation: f has no correlations");
+  EXPECT_EQ(message({.what = "segments", .specimen = "f"}),
+            "--what = segments: f was not repeated with other segments");
   EXPECT_EQ(message_of([] { scene_fit_plot_script({}, {}); }), "plot: there is no fit to draw");
 }
 

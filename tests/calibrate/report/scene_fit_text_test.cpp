@@ -52,6 +52,35 @@ TEST(SceneFitText, ShowsEachParameterWithErrorIntervalAndVerdict) {
       has_line(text, "  errors      of noise that the residuals say, 28.8 degrees of freedom"));
 }
 
+TEST(SceneFitText, SetsNoiseSamplingAndSegmentsSideBySide) {
+  const std::string text = scene_fit_report(scene_record());
+  EXPECT_TRUE(contains(text, "\nStandard errors\n"));
+  EXPECT_TRUE(has_line(text, "                  noise  sampling  segments"));
+  // 1.25 x 1 % of 205 GPa, and 3 x 4 % of 380 MPa, over the root of 3.
+  EXPECT_TRUE(has_line(text, "  youngs_modulus    1.2         -       1.5  GPa"));
+  EXPECT_TRUE(has_line(text, "  yield_stress      2.1         -        26  MPa"));
+  EXPECT_TRUE(has_line(text, "  break_strain    0.010     0.039         -  %"));
+}
+
+TEST(SceneFitText, ShowsTheValuesOfOtherSegmentsAndWhereTheyLead) {
+  SceneFitRecord record = scene_record();
+  record.result.segments->note = "no fit with half the segments";
+  const std::string text = scene_fit_report(record);
+  EXPECT_TRUE(contains(text, "\nSegments\n"));
+  EXPECT_TRUE(
+      has_line(text, "                     N/2  N = 32      2N  order        extrapolated"));
+  EXPECT_TRUE(
+      has_line(text, "  youngs_modulus  211.15  205.00  203.46  2.00        202.95 ± 0.64  GPa"));
+  EXPECT_TRUE(
+      has_line(text, "  yield_stress       395     380     384  oscillates     384 ± 46    MPa"));
+  EXPECT_TRUE(
+      has_line(text, "  break_strain         -       -       -  unknown          -         %"));
+  EXPECT_TRUE(has_line(text, "  no fit with half the segments"));
+  record.result.segments.reset();
+  EXPECT_FALSE(contains(scene_fit_report(record), "\nSegments\n"));
+  EXPECT_FALSE(contains(scene_fit_report(record), "sampling  segments"));
+}
+
 TEST(SceneFitText, NamesTheBoundThatAParameterIsAt) {
   SceneFitRecord record = scene_record();
   SceneParameter& yield = record.result.parameters[1];

@@ -20,7 +20,7 @@ inline SceneParameter scene_parameter(const std::string& path, Dimension dimensi
   p.start = 1.1 * value;
   p.lower = 0.1 * value;
   p.upper = 10.0 * value;
-  p.standard_error = error;
+  p.standard_error = p.noise_error = error;
   p.interval_low = value - 2.0 * error;
   p.interval_high = value + 2.0 * error;
   p.verdict = Verdict::Identified;
@@ -80,9 +80,16 @@ inline SceneFitRecord scene_record(const std::string& name = "both", double modu
                   scene_parameter("material.break_strain", Dimension::Strain, 0.021, 0.0004)};
   r.parameters[2].verdict = Verdict::LimitedBySampling;
   r.parameters[2].verdict_number = 0.018;
+  r.parameters[2].noise_error = 1e-4;
+  r.parameters[2].sampling_error = 3.9e-4;
   r.correlation = {1.0, -0.42, 0.1, -0.42, 1.0, 0.2, 0.1, 0.2, 1.0};
   r.degrees_of_freedom = 28.8;
   r.outcome = LeastSquaresOutcome::StepReached;
+  const SegmentsError unknown;
+  r.segments = SceneSegments{32,
+                             "",
+                             {segments_error(1.03 * modulus, modulus, 0.9925 * modulus, 2.0),
+                              segments_error(1.04 * yield, yield, 1.01 * yield, 2.0), unknown}};
   r.starts = {
       {{200e9, 300e6}, {modulus, yield}, 49.1, r.outcome, 31},
       {{90e9, 1e9}, {}, std::numeric_limits<double>::infinity(), LeastSquaresOutcome::NoStart, 1},
@@ -105,6 +112,7 @@ inline SceneFitRecord lone_scene_record(const std::string& name, double modulus,
   r.parts[0].name = name;
   r.parts[0].break_strain = std::numeric_limits<double>::quiet_NaN();
   r.parameters.resize(2);
+  r.segments->parameters.resize(2);
   r.correlation = {1.0, -0.42, -0.42, 1.0};
   r.starts.resize(1);
   return record;

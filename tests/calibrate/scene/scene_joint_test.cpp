@@ -75,7 +75,7 @@ ScenePart twisted(int segments, double noise, unsigned seed) {
 
 TEST(SceneJointFit, IsTighterThanEachTargetAlone) {
   const std::vector<ScenePart> parts{bent(8, 5.0, 1), twisted(8, 3.0, 2)};
-  const SceneFitOptions options{.parameters = stiffness_and_yield()};
+  const SceneFitOptions options{.parameters = stiffness_and_yield(), .segments_error = false};
   const SceneFitResult both = fit_scenes(parts, options);
   ASSERT_EQ(both.status, FitStatus::Fitted) << both.reason;
   EXPECT_EQ(both.parts[0].level, Level::Planar);
@@ -108,6 +108,7 @@ TEST(SceneJointFit, HasTheSameBitsOnEveryNumberOfThreads) {
     EXPECT_EQ(one.parameters[i].value, three.parameters[i].value);
     EXPECT_EQ(one.parameters[i].standard_error, three.parameters[i].standard_error);
     EXPECT_EQ(one.parts[i].fitted, three.parts[i].fitted);
+    EXPECT_EQ(one.segments.value().parameters[i].error, three.segments.value().parameters[i].error);
   }
   ASSERT_EQ(three.starts.size(), 3U);
   EXPECT_EQ(one.runs, three.runs);

@@ -163,7 +163,7 @@ TEST_F(SceneFitStore, NamesAFileOfAnotherSchemaOrVersion) {
   EXPECT_EQ(write("plastica/fits", 1),
             path_ + ": schema = plastica/fits: must be plastica/scene-fits");
   EXPECT_EQ(write("plastica/scene-fits", kSceneFitVersion + 1),
-            path_ + ": version = 2: must be 1, which this Plastica reads");
+            path_ + ": version = 3: must be 2, which this Plastica reads");
   EXPECT_NE(write("plastica/scene-fits", kSceneFitVersion).find("/fits/name"), std::string::npos);
 }
 
@@ -184,7 +184,7 @@ TEST_F(SceneFitStore, NamesARowOfAFitThatIsNotThere) {
     }
     return message_of([&] { read_scene_fit_store(other); });
   };
-  for (const std::string table : {"parameters", "parts", "starts", "warnings"}) {
+  for (const std::string table : {"parameters", "segments", "parts", "starts", "warnings"}) {
     EXPECT_EQ(spoilt(table), folder_.file("other.h5") + ": /" + table +
                                  "/fit: names a fit that is not in the file");
   }

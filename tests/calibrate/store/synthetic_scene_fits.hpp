@@ -21,8 +21,8 @@ inline auto members(const SceneTarget& v) {
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
 }
 inline auto members(const SceneParameter& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
 }
 inline auto members(const ScenePartFit& v) {
   const auto& [a, b, c, d, e, f, g, h, i] = v;
@@ -32,9 +32,17 @@ inline auto members(const SceneStart& v) {
   const auto& [a, b, c, d, e] = v;
   return std::tie(a, b, c, d, e);
 }
+inline auto members(const SegmentsError& v) {
+  const auto& [a, b, c, d, e, f, g, h, i, j] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j);
+}
+inline auto members(const SceneSegments& v) {
+  const auto& [a, b, c] = v;
+  return std::tie(a, b, c);
+}
 inline auto members(const SceneFitResult& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
 }
 inline auto members(const SceneFitRecord& v) {
   const auto& [a, b, c, d] = v;
@@ -70,11 +78,11 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
   r.status = FitStatus::Fitted;
   r.reason = "none";
   r.parameters = {{"material.youngs_modulus", Dimension::Stress, 205e9, 200e9, 50e9, 500e9, 1.2e9,
-                   202.6e9, 207.4e9, false, Verdict::Identified, 1.2 / 205.0},
+                   1.2e9, 0.0, 202.6e9, 207.4e9, false, Verdict::Identified, 1.2 / 205.0},
                   {"material.yield_stress", Dimension::Stress, 380e6, 300e6, 100e6, 380e6, kNan,
-                   kNan, kNan, true, Verdict::AtBound, 380e6},
-                  {"material.break_strain", Dimension::Strain, 0.021, 0.05, 1e-4, 1.0, 4e-4, 0.0202,
-                   0.0218, false, Verdict::LimitedBySampling, 0.018}};
+                   kNan, 1.0, kNan, kNan, true, Verdict::AtBound, 380e6},
+                  {"material.break_strain", Dimension::Strain, 0.021, 0.05, 1e-4, 1.0, 4e-4, 1e-4,
+                   3.87e-4, 0.0202, 0.0218, false, Verdict::LimitedBySampling, 0.018}};
   r.correlation = {1.0, kNan, -0.97, kNan, 1.0, kNan, -0.97, kNan, 1.0};
   r.parts = {{bent.name,
               Level::Planar,
@@ -95,6 +103,12 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
   r.runs = 130;
   r.failed_runs = 2;
   r.segment_iterations = 9'000'000'000;
+  r.segments = SceneSegments{
+      32,
+      "no fit with half the segments: ä",
+      {{206e9, 205e9, 204.8e9, SegmentsTrend::Monotone, 2.3, 2.0, 1.25, 204.7e9, 8e7, 4e8},
+       {},
+       {kNan, 0.021, 0.022, SegmentsTrend::Assumed, kNan, 1.0, 3.0, 0.023, 0.003, 0.006}}};
   r.warnings = {"the break is two samples wide", "", "ß"};
   return {name, {bent, twisted}, {1.0, 0.25}, r};
 }

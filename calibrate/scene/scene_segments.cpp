@@ -1,0 +1,137 @@
+#include "calibrate/scene/scene_segments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "calibrate/scene/redivide.hpp"
+#include "plastica/base/check.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std::string_view word_of(Division division) {
+  return division == Division::Half ? "half" : "twice";
+}
+
+/// A repetition with another number of segments.
+struct Repetition {
+  std::vector<double> values;  ///< of the parameters [SI], NaN at a bound (n_free)
+  std::string why_not;         ///< one sentence if there is none
+};
+
+std::vector<ScenePart> divided_parts(std::span<const ScenePart> parts, Division division) {
+  std::vector<ScenePart> made(parts.begin(), parts.end());
+  for (ScenePart& part : made) {
+    if (part.setup.scene.is_coupon()) continue;
+    try {
+      part.setup = redivided(part.setup, division);
+    } catch (const InputError& error) {
+      if (parts.size() == 1) throw;
+      throw InputError({}, part.target.name + ": " + error.field(), error.value(), error.rule());
+    }
+  }
+  return made;
+}
+
+/// The solution of a repetition, from that of the fit.
+LeastSquares solved(SceneProblem& problem, const DividedFit& fit) {
+  for (std::size_t part = 0; part < problem.parts().size(); ++part) {
+    problem.set_scale(part, fit.problem.scale(part));
+  }
+  LeastSquaresProblem squares = problem.squares();
+  squares.start.assign(fit.x.begin(), fit.x.end());
+  LeastSquaresOptions how;
+  how.max_evaluations = fit.options.evaluations;
+  how.x_tolerance = fit.options.tolerance;
+  return minimize_squares(squares, how);
+}
+
+double searched_value(const SceneProblem& problem, std::size_t k, double x) {
+  const LeastSquaresProblem& squares = problem.squares();
+  const double reach = 1e-9 * (squares.upper[k] - squares.lower[k]);
+  const bool at_bound = x <= squares.lower[k] + reach || x >= squares.upper[k] - reach;
+  return at_bound ? kNan : problem.parameters().value(k, x);
+}
+
+double break_value(const std::vector<std::vector<SceneCurve>>& curves,
+                   const std::vector<double>& shares, const SceneParameter& parameter) {
+  double value = 0.0;
+  for (std::size_t part = 0; part < shares.size(); ++part) {
+    if (shares[part] != 0.0) value += shares[part] * curves[part][0].strain.at;
+  }
+  return value > parameter.lower && value < parameter.upper ? value : kNan;
+}
+
+Repetition repeated(const DividedFit& fit, Division division, RunCounters& counters) {
+  const std::vector<ScenePart> parts = divided_parts(fit.problem.parts(), division);
+  SceneProblem problem(parts, fit.options);
+  const LeastSquares found = solved(problem, fit);
+  Repetition made;
+  if (found.outcome == LeastSquaresOutcome::NoStart) {
+    made.why_not = "the scene gives no curve: " + problem.reason();
+  } else if (found.outcome == LeastSquaresOutcome::EvaluationsReached) {
+    made.why_not = "the search ended at its evaluations";
+  } else {
+    const auto curves = problem.curves(found.x, 1);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+      const bool searched = fit.shares[i].empty();
+      made.values.push_back(searched ? searched_value(problem, next, found.x[next])
+                                     : break_value(curves, fit.shares[i], fit.parameters[i]));
+      next += searched ? 1 : 0;
+    }
+  }
+  counters.add(problem.counters());
+  return made;
+}
+
+Repetition attempted(const DividedFit& fit, Division division, RunCounters& counters) {
+  try {
+    return repeated(fit, division, counters);
+  } catch (const InputError& error) {
+    return {{}, error.what()};
+  }
+}
+
+}  // namespace
+
+std::optional<SceneSegments> divide_anew(const DividedFit& fit, RunCounters& counters) {
+  const std::span<const ScenePart> parts = fit.problem.parts();
+  SceneSegments segments;
+  double order = 0.0;
+  for (const ScenePart& part : parts) {
+    if (part.setup.scene.is_coupon()) continue;
+    const double own = order_of_joints(part.setup.scene);
+    if (segments.segments == 0) segments.segments = part.setup.scene.beam.segments;
+    order = order == 0.0 ? own : std::min(order, own);
+  }
+  if (segments.segments == 0) return std::nullopt;
+  const Repetition half = attempted(fit, Division::Half, counters);
+  const Repetition twice = attempted(fit, Division::Twice, counters);
+  for (const auto& [made, division] :
+       {std::pair{&half, Division::Half}, std::pair{&twice, Division::Twice}}) {
+    if (made->why_not.empty()) continue;
+    segments.note +=
+        fmt::format("{}no fit with {} the segments: {}", segments.note.empty() ? "" : "; ",
+                    word_of(division), made->why_not);
+  }
+  for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+    const SceneParameter& parameter = fit.parameters[i];
+    const auto value = [&](const Repetition& made) {
+      return made.values.empty() ? kNan : made.values[i];
+    };
+    // What no curve determines may be anything.
+    const bool known = !parameter.at_bound && std::isfinite(parameter.standard_error);
+    segments.parameters.push_back(
+        known ? segments_error(value(half), parameter.value, value(twice), order)
+              : SegmentsError{});
+  }
+  return segments;
+}
+
+}  // namespace plastica::calibrate
