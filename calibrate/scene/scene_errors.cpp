@@ -52,6 +52,10 @@ bool breaks_by(const Parameter& p, const SceneModel& model, const ScenePart& par
   return p.field->material == MaterialField::BreakStrain ? bends : torsion;
 }
 
+double limit_within(const StrainAtBreak& strain, bool ends) {
+  return ends ? strain.at : 0.5 * (strain.before + strain.after);
+}
+
 double BreakLimit::half() const { return std::accumulate(halves.begin(), halves.end(), 0.0); }
 
 SceneErrors::SceneErrors(SceneProblem& problem, std::span<const double> x,
@@ -133,12 +137,8 @@ BreakLimit SceneErrors::limit_of(std::size_t part) const {
   const std::vector<SceneCurve>& curves = neighbours_[part];
   const StrainAtBreak& strain = curves[0].strain;
   BreakLimit limit;
-  // Where the path ends before the beam was broken for sure, what lies beyond is taken to be as
-  // wide as what lies before.
   const bool ends = std::isnan(strain.after);
-  const auto middle = [&](const StrainAtBreak& s) {
-    return ends ? s.at : 0.5 * (s.before + s.after);
-  };
+  const auto middle = [&](const StrainAtBreak& s) { return limit_within(s, ends); };
   limit.value = middle(strain);
   limit.halves = {limit.value - strain.before};
   const std::size_t n = x_.size();

@@ -24,6 +24,11 @@ struct BreakLimit {
   double half() const;  ///< the sum of the halves
 };
 
+/// The limit that is half way between a strain that held and one that broke [1].
+/// @param ends  whether the path ends before the beam was broken for sure: what lies beyond is then
+///        taken to be as wide as what lies before
+double limit_within(const StrainAtBreak& strain, bool ends);
+
 /// What the curves say of the coordinates at a solution, and of the break limits.
 class SceneErrors {
  public:

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "calibrate/scene/redivide.hpp"
+#include "calibrate/scene/scene_errors.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::calibrate {
@@ -62,7 +63,9 @@ double break_value(const std::vector<std::vector<SceneCurve>>& curves,
                    const std::vector<double>& shares, const SceneParameter& parameter) {
   double value = 0.0;
   for (std::size_t part = 0; part < shares.size(); ++part) {
-    if (shares[part] != 0.0) value += shares[part] * curves[part][0].strain.at;
+    if (shares[part] == 0.0) continue;
+    const StrainAtBreak& strain = curves[part][0].strain;
+    value += shares[part] * limit_within(strain, std::isnan(strain.after));
   }
   return value > parameter.lower && value < parameter.upper ? value : kNan;
 }
