@@ -90,13 +90,6 @@ Setup redivided(const Setup& setup, Division division) {
   if (!original.beam.joint_lengths.empty()) {
     throw InputError({}, "beam.joint_lengths", "", "are given for each joint");
   }
-  for (const Probe& probe : original.probes) {
-    if (probe.quantity != ProbeQuantity::Angle && probe.quantity != ProbeQuantity::PlasticAngle) {
-      continue;
-    }
-    throw InputError({}, "probe", probe.name,
-                     "is the angle of one joint, which follows its length");
-  }
   Setup made = setup;
   made.scene.beam.segments = divided(original, division);
   made.scene.beam.segment_shares = divided(original.beam.segment_shares, division);

@@ -10,8 +10,7 @@ enum class Division { Half, Twice };
 /// The same chain with half or twice the segments: each is cut in two, or two are made one. What
 /// stands at the end of a segment stays at one.
 /// @throws InputError if that cannot be: a number of segments that is odd or below 4, a place that
-///         would fall within a segment, lengths given for each joint, a probe that says the angle
-///         of one joint, which follows its length
+///         would fall within a segment, lengths given for each joint
 Setup redivided(const Setup& setup, Division division);
 
 /// Order in the segments' length at which the joints of a chain answer as a continuous beam does:

@@ -61,6 +61,8 @@ SegmentsError segments_error(double at_half, double at_own, double at_twice, dou
   if (spread <= kSettled * std::abs(at_own)) {
     error.trend = SegmentsTrend::Settled;
     set_by_spread(spread, error);
+    error.error = std::max(error.error, kSettled * std::abs(at_own));
+    error.extrapolated_error = error.error;
     return error;
   }
   error.trend = SegmentsTrend::Assumed;

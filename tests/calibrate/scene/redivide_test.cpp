@@ -69,10 +69,6 @@ TEST(Redivided, RefusesWhatWouldBeAnotherScene) {
   plastica::Setup lengths = bar(4);
   lengths.scene.beam.joint_lengths = {0.2, 0.3, 0.2};
   EXPECT_EQ(refusal(lengths, Division::Twice), "beam.joint_lengths: are given for each joint");
-  plastica::Setup angle = bar(4);
-  angle.scene.probes.push_back({"hinge", ProbeQuantity::Angle});
-  EXPECT_EQ(refusal(angle, Division::Twice),
-            "probe = hinge: is the angle of one joint, which follows its length");
 }
 
 TEST(Redivided, KnowsTheOrderOfTheJoints) {

@@ -135,6 +135,17 @@ TEST(SceneSegments, SayWhyTheirErrorIsNotKnown) {
             "beam.joint_lengths: are given for each joint; no fit with twice the segments: "
             "beam.joint_lengths: are given for each joint");
   EXPECT_EQ(fit.parameters[0].verdict, Verdict::Identified);
+  // The angle of one joint follows its length; that nobody asks for it does no harm.
+  plastica::Setup hinge = cantilever(8);
+  hinge.scene.probes.push_back({"hinge", ProbeQuantity::Angle, Place::start()});
+  EXPECT_EQ(fit_scene(hinge, continuous(), stiffness()).segments.value().note, "");
+  SceneTarget turned = continuous();
+  turned.ordinate_probe = "hinge";
+  for (double& angle : turned.ordinate) angle *= 0.1;
+  EXPECT_EQ(fit_scene(hinge, turned, stiffness()).segments.value().note,
+            "no fit with half the segments: probe = hinge: is the angle of one joint, which "
+            "follows its length; no fit with twice the segments: probe = hinge: is the angle of "
+            "one joint, which follows its length");
 }
 
 TEST(SceneSegments, AreNoneOfCouponsAndWhereSwitchedOff) {

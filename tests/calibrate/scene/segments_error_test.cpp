@@ -65,7 +65,7 @@ TEST(SegmentsError, CallsAMillionthSettled) {
   const SegmentsError error = segments_error(100.0, 100.00005, 100.0, 2.0);
   EXPECT_EQ(error.trend, SegmentsTrend::Settled);
   EXPECT_NEAR(error.error, 1.5e-4, 1e-12);
-  EXPECT_EQ(segments_error(5.0, 5.0, 5.0, 2.0).error, 0.0);
+  EXPECT_DOUBLE_EQ(segments_error(5.0, 5.0, 5.0, 2.0).error, 5e-6);
 }
 
 TEST(SegmentsError, AssumesTheOrderOfTheJointsOfTwoValues) {
