@@ -56,6 +56,23 @@ void check_prior(const Parameter& p) {
   }
 }
 
+void check_intervals(const SceneIntervalOptions& how, std::span<const ScenePart> parts) {
+  const auto check_count = [](std::string_view field, int count) {
+    const bool enough = count >= kFewestResamples && count <= kMostResamples;
+    require(count == 0 || enough, field, count,
+            fmt::format("must be 0, for none, or {} to {}", kFewestResamples, kMostResamples));
+  };
+  check_count("bootstrap", how.bootstrap);
+  check_count("bootstrap_specimens", how.specimens);
+  require(how.block >= 1, "bootstrap_block", how.block, "must be at least 1");
+  for (const ScenePart& part : parts) {
+    require(static_cast<std::size_t>(how.block) <= part.target.ordinate.size(), "bootstrap_block",
+            how.block, fmt::format("must be no more than the samples of {}", part.target.name));
+  }
+  require(how.specimens == 0 || parts.size() > 1, "bootstrap_specimens", how.specimens,
+          "needs several targets that share the parameters");
+}
+
 void check_target(const SceneTarget& target) {
   const std::size_t n = target.abscissa.size();
   if (n == 0 || target.ordinate.size() != n) {
@@ -109,6 +126,7 @@ void check_scene_fit(std::span<const ScenePart> parts, const SceneFitOptions& op
   require(options.tolerance > 0.0, "tolerance", options.tolerance, "must be above 0");
   require(options.confidence > 0.0 && options.confidence < 1.0, "confidence", options.confidence,
           "must be between 0 and 1");
+  check_intervals(options.intervals, parts);
   for (const ScenePart& part : parts) {
     check_target(part.target);
     require(part.weight > 0.0 && std::isfinite(part.weight), "weight", part.weight,

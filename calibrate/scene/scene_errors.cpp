@@ -81,11 +81,11 @@ VectorXd SceneErrors::weights() const {
 
 void SceneErrors::set_covariance(std::span<const double> residual) {
   const auto n = static_cast<Index>(x_.size());
-  covariance_ = correlated_covariance_ = MatrixXd::Constant(n, n, kNan);
+  covariance_ = inverse_ = correlated_covariance_ = MatrixXd::Constant(n, n, kNan);
   if (n == 0) return;
-  const std::vector<double> slopes = residual_slopes(problem_.squares(), x_, residual, kErrorStep);
+  slopes_ = residual_slopes(problem_.squares(), x_, residual, kErrorStep);
   // Rows over the noise, times the root of their weight.
-  const Eigen::Map<const Slopes> j(slopes.data(), static_cast<Index>(problem_.squares().residuals),
+  const Eigen::Map<const Slopes> j(slopes_.data(), static_cast<Index>(problem_.squares().residuals),
                                    n);
   const MatrixXd normal = j.transpose() * j;
   std::vector<Index> kept;
@@ -99,7 +99,8 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
   const MatrixXd inverse = a.ldlt().solve(MatrixXd::Identity(a.rows(), a.cols()));
   const MatrixXd b = weighted(kept, kept);
   covariance_(kept, kept) = inverse * b * inverse;
-  const MatrixXd correlated = correlated_scores(slopes, residual)(kept, kept);
+  inverse_(kept, kept) = inverse;
+  const MatrixXd correlated = correlated_scores(slopes_, residual)(kept, kept);
   correlated_covariance_(kept, kept) = inverse * correlated * inverse;
 }
 
@@ -119,6 +120,39 @@ MatrixXd SceneErrors::correlated_scores(std::span<const double> slopes,
     sum += Eigen::Map<const Slopes>(scores.data(), n, n);
   }
   return sum;
+}
+
+std::vector<double> SceneErrors::fitted_errors(std::size_t part) const {
+  const std::size_t samples = problem_.parts()[part].target.ordinate.size();
+  std::vector<double> errors(samples, 0.0);
+  const auto n = static_cast<Index>(x_.size());
+  if (n == 0) return errors;
+  const Eigen::Map<const Slopes> j(slopes_.data(), static_cast<Index>(problem_.squares().residuals),
+                                   n);
+  std::vector<Index> moves;
+  for (Index k = 0; k < n; ++k) {
+    if (!at_bound_[static_cast<std::size_t>(k)] && j.col(k).squaredNorm() > 0.0) moves.push_back(k);
+  }
+  if (moves.empty()) return errors;
+  // What no curve sees moves none of them: the inverse over the directions that are seen.
+  const MatrixXd seen = j(Eigen::all, moves);
+  const MatrixXd normal = seen.transpose() * seen;
+  const VectorXd size = normal.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(size.asDiagonal() * normal *
+                                                       size.asDiagonal());
+  VectorXd stiffness = solver.eigenvalues();
+  for (double& value : stiffness) value = value > kUnseen ? 1.0 / value : 0.0;
+  const MatrixXd inverse = size.asDiagonal() * solver.eigenvectors() * stiffness.asDiagonal() *
+                           solver.eigenvectors().transpose() * size.asDiagonal();
+  const MatrixXd covariance =
+      inverse * (seen.transpose() * weights().asDiagonal() * seen) * inverse;
+  const double unit = problem_.scale(part) / std::sqrt(problem_.parts()[part].weight);
+  const auto first = static_cast<Index>(problem_.first_residual(part));
+  for (std::size_t i = 0; i < samples; ++i) {
+    const VectorXd row = seen.row(first + static_cast<Index>(i));
+    errors[i] = unit * std::sqrt(std::max(row.dot(covariance * row), 0.0));
+  }
+  return errors;
 }
 
 void SceneErrors::run_neighbours() {

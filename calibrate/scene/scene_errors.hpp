@@ -41,6 +41,10 @@ class SceneErrors {
   const Eigen::MatrixXd& covariance() const { return covariance_; }
   /// The same for residuals that lie in runs: see score_covariance.hpp (n x n).
   const Eigen::MatrixXd& correlated_covariance() const { return correlated_covariance_; }
+  /// The inverse of J^T W J, likewise: the covariance if all weights are 1 (n x n).
+  const Eigen::MatrixXd& inverse() const { return inverse_; }
+  /// Standard errors of a part's fitted ordinates, by what its curves determine [SI] (n_samples).
+  std::vector<double> fitted_errors(std::size_t part) const;
 
   /// The limit of one break parameter, by all targets that broke in its way.
   BreakLimit break_limit(const Parameter& p);
@@ -57,8 +61,9 @@ class SceneErrors {
   SceneProblem& problem_;
   std::vector<double> x_;
   std::vector<bool> at_bound_;
-  Eigen::MatrixXd covariance_;
+  Eigen::MatrixXd covariance_, inverse_;
   Eigen::MatrixXd correlated_covariance_;
+  std::vector<double> slopes_;  ///< of the residuals (m x n), row by row
   std::vector<std::vector<SceneCurve>> neighbours_;
 };
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "calibrate/scene/check_scene_fit.hpp"
+#include "calibrate/scene/fitted_scenes.hpp"
 #include "calibrate/scene/scene_errors.hpp"
 #include "calibrate/scene/scene_problem.hpp"
 #include "calibrate/scene/scene_search.hpp"
@@ -46,11 +47,10 @@ class SceneFit {
       }
       result_.reason = "the scene gives no curve from the start values: " + search_.first_reason();
     }
-    RunCounters all = problem_.counters();
-    all.add(divided_);
-    result_.runs = all.runs;
-    result_.failed_runs = all.failed;
-    result_.segment_iterations = all.segment_iterations;
+    counters_.add(problem_.counters());
+    result_.runs = counters_.runs;
+    result_.failed_runs = counters_.failed;
+    result_.segment_iterations = counters_.segment_iterations;
     return std::move(result_);
   }
 
@@ -69,6 +69,9 @@ class SceneFit {
     }
     SceneErrors errors(problem_, search_.best().x, search_.best().residual);
     add_parameters(errors);
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      result_.parts[part].fitted_error = errors.fitted_errors(part);
+    }
     if (options_.segments_error) add_segments();
     for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
       judge(halves_[i], segments_of(i), result_.parameters[i]);
@@ -83,11 +86,14 @@ class SceneFit {
       add_warning(result_.parameters[i], segments_of(i), result_.warnings);
     }
     for (const ScenePartFit& part : result_.parts) add_warning(part, result_.warnings);
+    const FittedScenes fitted(problem_, options_, search_.best(), errors,
+                              result_.degrees_of_freedom);
+    result_.intervals = find_intervals(fitted, counters_, result_.warnings);
   }
 
   void add_segments() {
     result_.segments =
-        divide_anew({problem_, options_, search_.best().x, result_.parameters, shares_}, divided_);
+        divide_anew({problem_, options_, search_.best().x, result_.parameters, shares_}, counters_);
     if (!result_.segments) return;
     const auto unknown = [](const SegmentsError& e) { return e.trend == SegmentsTrend::Unknown; };
     const SceneSegments& made = *result_.segments;
@@ -225,7 +231,7 @@ class SceneFit {
   SceneSearch search_;
   std::vector<double> halves_;               ///< of the sampling intervals of parameters [SI]
   std::vector<std::vector<double>> shares_;  ///< of the parts in a break limit, by parameter
-  RunCounters divided_;                      ///< of the repetitions with other segments
+  RunCounters counters_;                     ///< of what has problems of its own
   SceneFitResult result_;
 };
 

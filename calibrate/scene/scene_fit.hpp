@@ -11,6 +11,7 @@
 #include "calibrate/fit/parameter.hpp"
 #include "calibrate/fit/result.hpp"
 #include "calibrate/fit/verdict.hpp"
+#include "calibrate/scene/scene_intervals.hpp"
 #include "calibrate/scene/scene_target.hpp"
 #include "calibrate/scene/segments_error.hpp"
 
@@ -39,11 +40,12 @@ struct SceneFitOptions {
   /// How many searches: the first from the start, others from Sobol's points within the bounds; the
   /// best counts, >= 1.
   int starts = 1;
-  std::uint64_t seed = 1;    ///< of the points' scrambling
+  std::uint64_t seed = 1;    ///< of the points' scrambling, and of resamples
   double confidence = 0.95;  ///< of the intervals, within (0, 1)
   /// Whether the fit is repeated with half and with twice the segments, to say what they do to it.
   bool segments_error = true;
-  int threads = 1;  ///< 0: as many as the machine has; changes no bit
+  int threads = 1;                   ///< 0: as many as the machine has; changes no bit
+  SceneIntervalOptions intervals{};  ///< besides those of the covariance
 };
 
 /// One free parameter of a fit through scenes.
@@ -82,6 +84,8 @@ struct ScenePartFit {
   /// cannot follow.
   double runs_probability = 0.0;
   std::vector<double> fitted;  ///< the model's ordinate at the measured abscissa [SI] (n_samples)
+  /// Standard error of each of these from the covariance, sqrt(diag(J C J^T)) [SI] (n_samples).
+  std::vector<double> fitted_error;
   /// Permanent strain of the fitted model where the target broke [1]; NaN if it did not.
   double break_strain = 0.0;
 };
@@ -112,6 +116,7 @@ struct SceneFitResult {
   /// Where the options ask for it and a target was measured on a beam, no coupon.
   std::optional<SceneSegments> segments;
   std::vector<std::string> warnings;
+  SceneIntervals intervals;  ///< those that were asked for
 
   /// The parameter of a path, or of its last part. @throws std::out_of_range
   const SceneParameter& parameter(std::string_view name) const;

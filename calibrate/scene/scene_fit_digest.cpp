@@ -30,6 +30,11 @@ void add_to(io::Digest& digest, const SceneFitOptions& options) {
   digest.integer(static_cast<std::uint64_t>(options.evaluations)).real(options.tolerance);
   digest.integer(static_cast<std::uint64_t>(options.starts)).integer(options.seed);
   digest.real(options.confidence).integer(options.segments_error ? 1 : 0);
+  const SceneIntervalOptions& intervals = options.intervals;
+  digest.integer(intervals.profile ? 1 : 0);
+  for (const int number : {intervals.bootstrap, intervals.block, intervals.specimens}) {
+    digest.integer(static_cast<std::uint64_t>(number));
+  }
 }
 
 std::uint64_t digest_of(std::span<const ScenePart> parts, const SceneFitOptions& options) {

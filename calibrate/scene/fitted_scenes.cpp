@@ -1,0 +1,81 @@
+#include "calibrate/scene/fitted_scenes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastica::calibrate {
+
+FittedScenes::FittedScenes(SceneProblem& problem, const SceneFitOptions& options,
+                           const LeastSquares& best, SceneErrors& errors, double degrees_of_freedom)
+    : problem_(problem),
+      options_(options),
+      alone_(options),
+      best_(best),
+      errors_(errors),
+      degrees_of_freedom_(degrees_of_freedom) {
+  alone_.threads = 1;
+  std::size_t coordinate = 0;
+  for (const Parameter& p : options.parameters) {
+    if (p.role != ParameterRole::Free) continue;
+    FreeParameter free;
+    free.parameter = &p;
+    free.is_break = calibrate::is_break(p);
+    if (free.is_break) {
+      free.limit = errors.break_limit(p);
+    } else {
+      free.coordinate = coordinate++;
+    }
+    free_.push_back(std::move(free));
+  }
+}
+
+std::unique_ptr<SceneProblem> FittedScenes::copy() const {
+  auto problem = std::make_unique<SceneProblem>(problem_.parts(), alone_);
+  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
+    problem->set_scale(part, problem_.scale(part));
+  }
+  return problem;
+}
+
+double strain_at_break(const SceneCurve& curve, double place) {
+  const StrainAtBreak& strain = curve.strain;
+  // Beyond the end of the path it goes on as before the middle.
+  if (std::isnan(strain.after)) {
+    return strain.at + (2.0 * place - 1.0) * (strain.at - strain.before);
+  }
+  return strain.before + place * (strain.after - strain.before);
+}
+
+SceneIntervals find_intervals(const FittedScenes& fitted, RunCounters& counters,
+                              std::vector<std::string>& warnings) {
+  const SceneIntervalOptions& how = fitted.options().intervals;
+  SceneIntervals intervals;
+  if (how.profile) intervals.profiles = profile_scenes(fitted, counters);
+  if (how.bootstrap > 0) intervals.residuals = bootstrap_residuals(fitted, counters);
+  if (how.specimens > 0) intervals.specimens = bootstrap_specimens(fitted, counters);
+  for (std::size_t i = 0; i < intervals.profiles.size(); ++i) {
+    constexpr double kLower = 0.01;
+    const SceneProfile& profile = intervals.profiles[i];
+    double least = 0.0;
+    for (const double rise : profile.rise) least = std::min(least, rise);
+    if (least >= -kLower * profile.threshold) continue;
+    warnings.push_back(fmt::format(
+        "the profile of {} found a lower cost than the search, by {:.2g}: search again from more "
+        "starts (fit.starts)",
+        fitted.free()[i].parameter->field->path, -least));
+  }
+  for (const SceneBootstrap* bootstrap : {&intervals.residuals, &intervals.specimens}) {
+    constexpr double kMany = 0.05;
+    if (bootstrap->failed <= kMany * bootstrap->resamples) continue;
+    warnings.push_back(
+        fmt::format("{} of {} searches of the {} bootstrap failed: its intervals "
+                    "are those of the others",
+                    bootstrap->failed, bootstrap->resamples,
+                    bootstrap == &intervals.residuals ? "residual" : "specimen"));
+  }
+  return intervals;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "calibrate/scene/scene_errors.hpp"
+#include "calibrate/scene/scene_problem.hpp"
+
+namespace plastica::calibrate {
+
+/// A fit through scenes, as what looks for its intervals begins from it.
+class FittedScenes {
+ public:
+  /// @param problem  with the scales of the fit
+  /// @param best  the solution, with its residuals over these scales
+  /// @param degrees_of_freedom  of the noise; infinite if it is known
+  /// All must outlive this.
+  FittedScenes(SceneProblem& problem, const SceneFitOptions& options, const LeastSquares& best,
+               SceneErrors& errors, double degrees_of_freedom);
+
+  const SceneProblem& problem() const { return problem_; }
+  const SceneFitOptions& options() const { return options_; }
+  const LeastSquares& best() const { return best_; }
+  const SceneErrors& errors() const { return errors_; }
+  double degrees_of_freedom() const { return degrees_of_freedom_; }
+
+  struct FreeParameter {
+    const Parameter* parameter = nullptr;
+    bool is_break = false;
+    std::size_t coordinate = 0;  ///< of one that is searched
+    BreakLimit limit;            ///< of a break
+  };
+  /// The free ones, in the order of the options.
+  const std::vector<FreeParameter>& free() const { return free_; }
+
+  /// The problem once more, for one who works beside others: it runs its scenes on one thread, and
+  /// counts them itself.
+  std::unique_ptr<SceneProblem> copy() const;
+
+ private:
+  SceneProblem& problem_;
+  const SceneFitOptions& options_;
+  SceneFitOptions alone_;
+  const LeastSquares& best_;
+  SceneErrors& errors_;
+  double degrees_of_freedom_;
+  std::vector<FreeParameter> free_;
+};
+
+/// Permanent strain at the break of a part's curve: `place` 0 is where the target was whole for
+/// sure, 1/2 the middle, 1 where it was broken for sure.
+double strain_at_break(const SceneCurve& curve, double place);
+
+/// Likelihood intervals of the free parameters, in their order. Points of a break's are those of
+/// its value where the targets broke in the middle of their sampling intervals; its ends have the
+/// sampling's share in them (theory::half_interval).
+/// @param counters  takes the runs that it makes
+std::vector<SceneProfile> profile_scenes(const FittedScenes& fitted, RunCounters& counters);
+
+/// Intervals from searches of residuals drawn anew, from the fitted parameters on.
+///
+/// Each part's own residuals are drawn, so that each keeps its noise; a prior's mean is drawn from
+/// the normal distribution about the fitted value that it stands for; a break is anywhere between
+/// its samples. Scales and the shares of several breaks stay as they were fitted.
+SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, RunCounters& counters);
+
+/// The same of targets drawn anew: a part counts as often as it is drawn. For targets that are
+/// specimens of one kind and share their parameters.
+SceneBootstrap bootstrap_specimens(const FittedScenes& fitted, RunCounters& counters);
+
+/// All that the options ask for; `warnings` gets what a reader must not overlook.
+SceneIntervals find_intervals(const FittedScenes& fitted, RunCounters& counters,
+                              std::vector<std::string>& warnings);
+
+}  // namespace plastica::calibrate

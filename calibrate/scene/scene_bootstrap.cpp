@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "calibrate/scene/fitted_scenes.hpp"
+#include "plastica/base/parallel_for.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+/// One resample: what becomes of the residuals, and where and how much the breaks count.
+struct Resample {
+  std::vector<double> factor, shift;  ///< (m), see `changed`
+  std::vector<double> place;          ///< of the breaks between their samples (n_parts)
+  std::vector<double> count;          ///< of the parts (n_parts)
+};
+
+using Draw = std::function<Resample(Draws& draws)>;
+
+std::vector<double> values_of(const FittedScenes& fitted, SceneProblem& problem,
+                              std::span<const double> x, const Resample& resample) {
+  std::vector<double> values;
+  const bool broke = std::ranges::any_of(fitted.free(), &FittedScenes::FreeParameter::is_break);
+  const auto curves = broke ? problem.curves(x, 1) : std::vector<std::vector<SceneCurve>>();
+  for (const FittedScenes::FreeParameter& free : fitted.free()) {
+    if (!free.is_break) {
+      values.push_back(problem.parameters().value(free.coordinate, x[free.coordinate]));
+      continue;
+    }
+    double sum = 0.0, total = 0.0;
+    for (std::size_t part = 0; part < curves.size(); ++part) {
+      const double share = free.limit.shares[part] * resample.count[part];
+      if (share == 0.0) continue;
+      sum += share * strain_at_break(curves[part][0], resample.place[part]);
+      total += share;
+    }
+    // Not a number if no target that broke was drawn.
+    values.push_back(std::clamp(sum / total, *free.parameter->lower, *free.parameter->upper));
+  }
+  return values;
+}
+
+SceneBootstrap bootstrap(const FittedScenes& fitted, int resamples, std::uint64_t seed,
+                         const Draw& draw, RunCounters& counters) {
+  // So many have one problem, which knows the curves that all of them begin with. How many share
+  // one must not depend on the threads: the runs are counted.
+  constexpr std::size_t kTogether = 8;
+  const auto count = static_cast<std::size_t>(resamples);
+  const std::size_t groups = (count + kTogether - 1) / kTogether;
+  std::vector<std::vector<double>> values(count);
+  std::vector<RunCounters> made(groups);
+  LeastSquaresOptions how;
+  how.max_evaluations = fitted.options().evaluations;
+  how.x_tolerance = fitted.options().tolerance;
+  how.cost_tolerance =
+      1e-8;  // a ten-thousandth of a standard error, or a thousandth of few samples
+  parallel_for(groups, {fitted.options().threads}, [&](std::size_t group, int) {
+    const auto problem = fitted.copy();
+    for (std::size_t b = group * kTogether; b < std::min(count, (group + 1) * kTogether); ++b) {
+      Draws draws(seed, b);
+      const Resample resample = draw(draws);
+      LeastSquaresProblem squares = changed(problem->squares(), resample.factor, resample.shift);
+      squares.start = fitted.best().x;
+      const LeastSquares found = minimize_squares(squares, how);
+      if (found.outcome == LeastSquaresOutcome::NoStart) continue;
+      values[b] = values_of(fitted, *problem, found.x, resample);
+    }
+    made[group] = problem->counters();
+  });
+  for (const RunCounters& one : made) counters.add(one);
+  SceneBootstrap result;
+  result.resamples = resamples;
+  const std::size_t n = fitted.free().size();
+  std::vector<std::vector<double>> columns(n);
+  for (const std::vector<double>& row : values) {
+    const auto is_number = [](double v) { return std::isfinite(v); };
+    if (row.empty() || !std::ranges::all_of(row, is_number)) {
+      ++result.failed;
+      continue;
+    }
+    result.values.insert(result.values.end(), row.begin(), row.end());
+    for (std::size_t i = 0; i < n; ++i) columns[i].push_back(row[i]);
+  }
+  for (std::vector<double>& column : columns) {
+    result.intervals.push_back(bootstrap_interval(std::move(column), fitted.options().confidence));
+  }
+  return result;
+}
+
+}  // namespace
+
+SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, RunCounters& counters) {
+  const SceneProblem& problem = fitted.problem();
+  const std::vector<double>& residual = fitted.best().residual;
+  const std::size_t parts = problem.parts().size();
+  const auto taken = static_cast<double>(fitted.best().x.size());
+  const double inflation = 1.0 / std::sqrt(1.0 - taken / static_cast<double>(problem.samples()));
+  const auto block = static_cast<std::size_t>(fitted.options().intervals.block);
+  const Draw draw = [&](Draws& draws) {
+    Resample resample;
+    resample.factor.assign(residual.size(), 1.0);
+    resample.count.assign(parts, 1.0);
+    for (std::size_t part = 0; part < parts; ++part) {
+      const std::size_t samples = problem.parts()[part].target.ordinate.size();
+      const std::vector<double> drawn =
+          drawn_residuals(std::span(residual).subspan(problem.first_residual(part), samples),
+                          inflation, block, draws);
+      resample.shift.insert(resample.shift.end(), drawn.begin(), drawn.end());
+      resample.place.push_back(draws.even());
+    }
+    while (resample.shift.size() < residual.size()) resample.shift.push_back(draws.normal());
+    // A drawn target is the fitted curve and what was drawn.
+    for (std::size_t i = 0; i < residual.size(); ++i) resample.shift[i] -= residual[i];
+    return resample;
+  };
+  SceneBootstrap result = bootstrap(fitted, fitted.options().intervals.bootstrap,
+                                    fitted.options().seed, draw, counters);
+  result.block = fitted.options().intervals.block;
+  return result;
+}
+
+SceneBootstrap bootstrap_specimens(const FittedScenes& fitted, RunCounters& counters) {
+  const SceneProblem& problem = fitted.problem();
+  const std::size_t all = fitted.best().residual.size();
+  const std::size_t parts = problem.parts().size();
+  const Draw draw = [&](Draws& draws) {
+    Resample resample;
+    resample.count.assign(parts, 0.0);
+    resample.place.assign(parts, 0.5);
+    resample.shift.assign(all, 0.0);
+    resample.factor.assign(all, 1.0);
+    for (std::size_t i = 0; i < parts; ++i) resample.count[draws.below(parts)] += 1.0;
+    for (std::size_t part = 0; part < parts; ++part) {
+      const std::size_t samples = problem.parts()[part].target.ordinate.size();
+      std::fill_n(
+          resample.factor.begin() + static_cast<std::ptrdiff_t>(problem.first_residual(part)),
+          samples, std::sqrt(resample.count[part]));
+    }
+    return resample;
+  };
+  // Other draws than those of the residuals.
+  return bootstrap(fitted, fitted.options().intervals.specimens, ~fitted.options().seed, draw,
+                   counters);
+}
+
+}  // namespace plastica::calibrate
