@@ -75,6 +75,10 @@ bool has_scenes(const CalibrateArguments& arguments) {
 
 int calibrate_files(const CalibrateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
+  if (!arguments.interval_option.empty()) {
+    throw InputError({}, arguments.interval_option, "",
+                     "is for fits through scenes: targets that name one");
+  }
   const std::string output = output_of(arguments);
   const calibrate::FitFile file = read_inputs(arguments);
   if (!arguments.dry_run) check_outputs(file, output, arguments.json, arguments.force);
@@ -151,6 +155,33 @@ void add_bare_options(CLI::App& sub, calibrate::BareFiles& bare) {
       ->group(group);
 }
 
+constexpr const char* kIntervalGroup = "Intervals of fits through scenes";
+
+void add_interval_options(CLI::App& sub, CalibrateArguments& arguments) {
+  const std::string group = kIntervalGroup;
+  sub.add_flag("--profile", arguments.profile, "likelihood intervals of all parameters")
+      ->group(group);
+  sub.add_option("--bootstrap", arguments.bootstrap, "resamples of the residuals, e.g. 400")
+      ->check(CLI::Range(0, calibrate::kMostResamples))
+      ->group(group);
+  sub.add_option("--bootstrap-block", arguments.bootstrap_block,
+                 "neighbouring residuals that are drawn together")
+      ->check(CLI::Range(1, calibrate::kMostResamples))
+      ->group(group);
+  sub.add_option("--bootstrap-specimens", arguments.bootstrap_specimens,
+                 "resamples of the targets that share the parameters")
+      ->check(CLI::Range(0, calibrate::kMostResamples))
+      ->group(group);
+}
+
+/// The first option of a group that was given; empty if none was.
+std::string first_given(const CLI::App& sub, const char* group) {
+  for (const CLI::Option* option : sub.get_options()) {
+    if (option->get_group() == group && option->count() > 0) return option->get_name();
+  }
+  return {};
+}
+
 }  // namespace
 
 void add_calibrate(CLI::App& app, const std::string& command_line, Action& action) {
@@ -166,19 +197,18 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
   sub->add_flag("--resume", arguments->resume, "go on with an interrupted run");
   sub->add_flag("--force", arguments->force, "overwrite the output, and an interrupted run");
   sub->add_flag("--quiet", arguments->quiet, "no report, no progress");
+  add_interval_options(*sub, *arguments);
   add_bare_options(*sub, arguments->bare);
   sub->footer(
       "Examples:\n"
       "  plastica calibrate fit.toml -o fit.h5 --json fit.json\n"
+      "  plastica calibrate bend.toml --profile --bootstrap 400\n"
       "  plastica calibrate a.csv b.csv --strain Strain --stress Stress:MPa "
       "--fix youngs_modulus=\"200 GPa\"");
   arguments->command_line = command_line;
   sub->callback([&action, arguments, sub] {
-    for (const CLI::Option* option : sub->get_options()) {
-      if (option->get_group() != kBareGroup || option->count() == 0) continue;
-      arguments->bare_option = option->get_name();
-      break;
-    }
+    arguments->bare_option = first_given(*sub, kBareGroup);
+    arguments->interval_option = first_given(*sub, kIntervalGroup);
     action = [arguments] {
       return has_scenes(*arguments) ? calibrate_scenes(*arguments) : calibrate_files(*arguments);
     };

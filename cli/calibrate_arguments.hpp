@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct CalibrateArguments {
   bool quiet = false;
   calibrate::BareFiles bare;
   std::string bare_option;  ///< first of the options for curves without a fit file that was given
+  bool profile = false;     ///< and these replace what a fit file through scenes says
+  std::optional<int> bootstrap, bootstrap_block, bootstrap_specimens;
+  std::string interval_option;  ///< first of these that was given
   std::string command_line;
 };
 

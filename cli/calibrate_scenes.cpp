@@ -48,6 +48,15 @@ void print_dry_run(const SceneFitFile& file, const std::string& output) {
              file.options.starts, file.options.starts == 1 ? "search" : "searches");
 }
 
+/// What the command line asks for, whatever the file says.
+void set_intervals(const CalibrateArguments& arguments,
+                   calibrate::SceneIntervalOptions& intervals) {
+  intervals.profile = intervals.profile || arguments.profile;
+  intervals.bootstrap = arguments.bootstrap.value_or(intervals.bootstrap);
+  intervals.block = arguments.bootstrap_block.value_or(intervals.block);
+  intervals.specimens = arguments.bootstrap_specimens.value_or(intervals.specimens);
+}
+
 SceneFitRecord record_of(SceneFitCase&& one, calibrate::SceneFitResult&& result) {
   SceneFitRecord record;
   record.name = std::move(one.name);
@@ -72,6 +81,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string output = output_of(arguments);
   SceneFitFile file = calibrate::read_scene_fit_file(arguments.inputs.front());
+  set_intervals(arguments, file.options.intervals);
   if (arguments.dry_run) {
     for (const SceneFitCase& one : file.cases) calibrate::check_scenes(one.parts, file.options);
     print_dry_run(file, output);
@@ -108,7 +118,8 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   calibrate::write_scene_fit_store(output, contents);
   batch.finish();
   if (!arguments.json.empty()) {
-    io::write_text_file(arguments.json, calibrate::scene_fits_json(contents.records) + "\n");
+    io::write_text_file(arguments.json,
+                        calibrate::scene_fits_json(contents.records, contents.confidence) + "\n");
   }
   if (!arguments.quiet) {
     print_report(contents.records, contents.confidence);

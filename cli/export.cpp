@@ -119,7 +119,8 @@ std::string text_of_fits(const ExportArguments& arguments) {
 std::string text_of_scene_fits(const ExportArguments& arguments) {
   const std::string what = what_of(arguments, {"fits", "targets", "curves"});
   const auto contents = calibrate::read_scene_fit_store(arguments.file);
-  if (arguments.to == "json") return calibrate::scene_fits_json(contents.records);
+  if (arguments.to == "json")
+    return calibrate::scene_fits_json(contents.records, contents.confidence);
   std::ostringstream out;
   if (what == "fits") calibrate::write_scene_fits_csv(out, contents.records);
   if (what == "targets") calibrate::write_scene_targets_csv(out, contents.records);

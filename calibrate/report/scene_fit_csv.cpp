@@ -30,13 +30,53 @@ std::vector<std::pair<std::string, Dimension>> all_paths(std::span<const SceneFi
   return all;
 }
 
+using Ends = std::pair<double, double>;
+
+std::optional<Ends> ends_of(const SceneBootstrap& bootstrap, std::size_t i) {
+  if (i >= bootstrap.intervals.size()) return std::nullopt;
+  return Ends(bootstrap.intervals[i].low, bootstrap.intervals[i].high);
+}
+
+/// An interval that a fit may have beside that of the covariance.
+struct IntervalKind {
+  const char* low;
+  const char* high;
+  std::optional<Ends> (*ends)(const SceneIntervals& intervals, std::size_t parameter);
+};
+const IntervalKind kIntervalKinds[] = {
+    {".profile_low", ".profile_high",
+     [](const SceneIntervals& all, std::size_t i) {
+       if (i >= all.profiles.size()) return std::optional<Ends>();
+       return std::optional(Ends(all.profiles[i].low, all.profiles[i].high));
+     }},
+    {".bootstrap_low", ".bootstrap_high",
+     [](const SceneIntervals& all, std::size_t i) { return ends_of(all.residuals, i); }},
+    {".specimens_low", ".specimens_high",
+     [](const SceneIntervals& all, std::size_t i) { return ends_of(all.specimens, i); }}};
+
+/// Those that any fit has.
+std::vector<IntervalKind> kinds_of(std::span<const SceneFitRecord> records) {
+  std::vector<IntervalKind> kinds;
+  for (const IntervalKind& kind : kIntervalKinds) {
+    const bool any = std::ranges::any_of(records, [&](const SceneFitRecord& record) {
+      return kind.ends(record.result.intervals, 0).has_value();
+    });
+    if (any) kinds.push_back(kind);
+  }
+  return kinds;
+}
+
 }  // namespace
 
 void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> records) {
   const auto paths = all_paths(records);
+  const std::vector<IntervalKind> kinds = kinds_of(records);
   std::vector<std::string> header = {"name", "status", "reason"};
   for (const auto& [path, dimension] : paths) {
-    for (const char* what : {"", ".stderr", ".low", ".high", ".extrapolated", ".segments_error"}) {
+    std::vector<const char*> columns = {"",      ".stderr",       ".low",
+                                        ".high", ".extrapolated", ".segments_error"};
+    for (const IntervalKind& kind : kinds) columns.insert(columns.end(), {kind.low, kind.high});
+    for (const char* what : columns) {
       header.push_back(fmt::format("{}{} [{}]", path, what, si_unit(dimension)));
     }
     header.push_back(path + ".verdict");
@@ -53,17 +93,22 @@ void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> rec
     for (const auto& [path, dimension] : paths) {
       const auto p = std::ranges::find(result.parameters, path, &SceneParameter::path);
       if (p == result.parameters.end() || !fitted) {
-        row.insert(row.end(), 7, std::string());
+        row.insert(row.end(), 2 * kinds.size() + 7, std::string());
         continue;
       }
+      const auto index = static_cast<std::size_t>(p - result.parameters.begin());
       for (const double value : {p->value, p->standard_error, p->interval_low, p->interval_high}) {
         row.push_back(cell_of(value));
       }
-      const auto i = static_cast<std::size_t>(p - result.parameters.begin());
       const SegmentsError error =
-          result.segments ? result.segments->parameters[i] : SegmentsError{};
+          result.segments ? result.segments->parameters[index] : SegmentsError{};
       row.push_back(cell_of(error.extrapolated));
       row.push_back(cell_of(error.error));
+      for (const IntervalKind& kind : kinds) {
+        const auto ends = kind.ends(result.intervals, index);
+        row.push_back(ends ? cell_of(ends->first) : std::string());
+        row.push_back(ends ? cell_of(ends->second) : std::string());
+      }
       row.emplace_back(name_of(p->verdict));
     }
     const std::vector<double> costs = sorted_costs(result);
@@ -108,17 +153,19 @@ void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> 
 }
 
 void write_scene_fit_curves_csv(std::ostream& out, std::span<const SceneFitRecord> records) {
-  out << "fit,target,abscissa,abscissa_unit,measured,fitted,ordinate_unit\n";
+  out << "fit,target,abscissa,abscissa_unit,measured,fitted,fitted_error,ordinate_unit\n";
   for (const SceneFitRecord& record : records) {
     const bool there = record.result.parts.size() == record.targets.size();
     for (std::size_t i = 0; i < record.targets.size(); ++i) {
       const SceneTarget& target = record.targets[i];
       static const std::vector<double> kNone;
       const std::vector<double>& fitted = there ? record.result.parts[i].fitted : kNone;
+      const std::vector<double>& error = there ? record.result.parts[i].fitted_error : kNone;
       for (std::size_t k = 0; k < target.abscissa.size(); ++k) {
         put_row(out, {record.name, target.name, cell_of(target.abscissa[k]),
                       std::string(si_unit(target.abscissa_is)), cell_of(target.ordinate[k]),
                       k < fitted.size() ? cell_of(fitted[k]) : std::string(),
+                      k < error.size() ? cell_of(error[k]) : std::string(),
                       std::string(si_unit(target.ordinate_is))});
       }
     }

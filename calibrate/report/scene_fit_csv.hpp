@@ -12,14 +12,15 @@ namespace plastica::calibrate {
 /// empty cell. Numbers have all their digits.
 
 /// A row per fit: name, status, reason and, per parameter, value, standard error, interval, value
-/// extrapolated in the segments, half interval that they leave, and verdict; cost of the best
-/// search, runs.
+/// extrapolated in the segments, half interval that they leave, intervals of profile and bootstrap
+/// where any fit has them, and verdict; cost of the best search, runs.
 void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> records);
 
 /// A row per target: what it was measured over, and how well its fit follows it.
 void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> records);
 
-/// A row per sample: fit, target, abscissa, measured and fitted ordinate.
+/// A row per sample: fit, target, abscissa, measured and fitted ordinate, the fitted one's standard
+/// error.
 void write_scene_fit_curves_csv(std::ostream& out, std::span<const SceneFitRecord> records);
 
 }  // namespace plastica::calibrate

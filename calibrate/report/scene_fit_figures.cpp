@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/scene_fit_words.hpp"
+#include "calibrate/report/scene_interval_figures.hpp"
 #include "calibrate/report/scene_population.hpp"
 #include "plastica/base/check.hpp"
 
@@ -108,6 +109,10 @@ Figure fit_figure(const SceneFitRecord& record, bool terminal) {
     FigurePanel panel = panel_of(record, t, x_unit);
     panel.y_label = label(printable(target.ordinate_probe), y_unit);
     const bool few = target.abscissa.size() <= 400;
+    if (has_parts(record) && !terminal) {
+      panel.curves = bands_of(target, record.result.parts[t], record.result.degrees_of_freedom,
+                              x_unit, y_unit);
+    }
     panel.curves.push_back({points_of(target.abscissa, x_unit, target.ordinate, y_unit), "measured",
                             few ? kDark : kGrey, few ? Stroke::Points : Stroke::Line, 6});
     if (has_parts(record) && !record.result.parts[t].fitted.empty()) {

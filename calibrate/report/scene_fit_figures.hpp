@@ -11,7 +11,8 @@ namespace plastica::calibrate::report {
 using plastica::report::Figure;
 using plastica::report::PlotScript;
 
-/// A panel per target: measured and fitted ordinate over the abscissa, the break marked.
+/// A panel per target: measured and fitted ordinate over the abscissa with bands of 95 % (not on a
+/// terminal), the break marked.
 Figure fit_figure(const SceneFitRecord& record, bool terminal);
 /// A panel per target: measured minus fitted ordinate, and the noise on both sides of zero.
 /// @throws InputError if nothing was fitted

@@ -98,6 +98,38 @@ Json segments_of(const SceneFitResult& result) {
           {"parameters", std::move(parameters)}};
 }
 
+Json bootstrap_of(const SceneBootstrap& bootstrap, const SceneFitResult& result) {
+  if (bootstrap.resamples == 0) return nullptr;
+  Json intervals = Json::object();
+  for (std::size_t i = 0; i < bootstrap.intervals.size(); ++i) {
+    const BootstrapInterval& interval = bootstrap.intervals[i];
+    intervals[short_name(result.parameters.at(i).path)] = {
+        {"stderr", number(interval.standard_error)},
+        {"interval", {number(interval.low), number(interval.high)}}};
+  }
+  return {{"resamples", bootstrap.resamples},
+          {"failed", bootstrap.failed},
+          {"block", bootstrap.block},
+          {"parameters", std::move(intervals)}};
+}
+
+/// Null where they were not asked for.
+Json intervals_of(const SceneFitResult& result) {
+  Json profiles = nullptr;
+  for (std::size_t i = 0; i < result.intervals.profiles.size(); ++i) {
+    const SceneProfile& profile = result.intervals.profiles[i];
+    profiles[short_name(result.parameters.at(i).path)] = {
+        {"interval", {number(profile.low), number(profile.high)}},
+        {"ends", {name_of(profile.low_end), name_of(profile.high_end)}},
+        {"threshold", number(profile.threshold)},
+        {"value", numbers(profile.value)},
+        {"rise", numbers(profile.rise)}};
+  }
+  return {{"profile", std::move(profiles)},
+          {"bootstrap", bootstrap_of(result.intervals.residuals, result)},
+          {"bootstrap_specimens", bootstrap_of(result.intervals.specimens, result)}};
+}
+
 Json fit_of(const SceneFitRecord& record) {
   const SceneFitResult& result = record.result;
   Json parameters = Json::object();
@@ -121,6 +153,7 @@ Json fit_of(const SceneFitRecord& record) {
           {"status", word_of(result.status)},
           {"reason", text_or_null(result.reason)},
           {"parameters", std::move(parameters)},
+          {"intervals", intervals_of(result)},
           {"correlation", matrix(result.correlation, result.parameters.size())},
           {"degrees_of_freedom", number(result.degrees_of_freedom)},
           {"segments", segments_of(result)},
@@ -133,33 +166,40 @@ Json fit_of(const SceneFitRecord& record) {
           {"warnings", result.warnings}};
 }
 
-Json population_of(std::span<const SceneFitRecord> records) {
-  const ScenePopulation population = scene_population(records);
+Json population_of(std::span<const SceneFitRecord> records, double confidence) {
+  const ScenePopulation population = scene_population(records, confidence);
   Json parameters = Json::object();
   for (const PopulationParameter& p : population.parameters) {
-    parameters[short_name(p.path)] = {{"n", p.n},
-                                      {"left_out", p.left_out},
-                                      {"mean", number(p.mean)},
-                                      {"standard_deviation", number(p.standard_deviation)},
-                                      {"rms_error", number(p.rms_error)},
-                                      {"specimen_deviation", number(p.specimen_deviation)},
-                                      {"unit", si_unit(p.dimension)}};
+    parameters[short_name(p.path)] = {
+        {"n", p.n},
+        {"left_out", p.left_out},
+        {"mean", number(p.mean)},
+        {"standard_deviation", number(p.standard_deviation)},
+        {"rms_error", number(p.rms_error)},
+        {"specimen_deviation", number(p.specimen_deviation)},
+        {"mean_interval", {number(p.mean_low), number(p.mean_high)}},
+        {"specimen_deviation_interval", {number(p.deviation_low), number(p.deviation_high)}},
+        {"unit", si_unit(p.dimension)}};
   }
   const std::size_t n = population.parameters.size();
   return {{"parameters", std::move(parameters)},
           {"covariance", matrix(population.covariance, n)},
-          {"specimen_covariance", matrix(population.specimen_covariance, n)}};
+          {"specimen_covariance", matrix(population.specimen_covariance, n)},
+          {"specimen_covariance_low", matrix(population.covariance_low, n)},
+          {"specimen_covariance_high", matrix(population.covariance_high, n)},
+          {"confidence", confidence}};
 }
 
 }  // namespace
 
-std::string scene_fits_json(std::span<const SceneFitRecord> records, int indent) {
+std::string scene_fits_json(std::span<const SceneFitRecord> records, double confidence,
+                            int indent) {
   Json fits = Json::array();
   for (const SceneFitRecord& record : records) fits.push_back(fit_of(record));
   const auto fitted = std::ranges::count(records, FitStatus::Fitted,
                                          [](const SceneFitRecord& r) { return r.result.status; });
   const Json all = {{"fits", std::move(fits)},
-                    {"population", population_of(records)},
+                    {"population", population_of(records, confidence)},
                     {"counts", {{"fitted", fitted}, {"failed", std::ssize(records) - fitted}}}};
   return all.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/scene_fit_figures.hpp"
+#include "calibrate/report/scene_interval_figures.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/report/picture.hpp"
 
@@ -15,12 +16,14 @@ namespace {
 using report::Figure;
 using report::PlotScript;
 
-constexpr std::array<PlotKind, 6> kKinds = {{
-    {"fit", "one fit: measured and fitted curve of each target, the break (choose it with --case)"},
+constexpr std::array<PlotKind, 8> kKinds = {{
+    {"fit", "one fit: curves of each target, bands of 95 %, the break (choose it with --case)"},
     {"residuals", "measured minus fitted of each target, and the noise (--case)"},
     {"starts", "what the searches found, in rising order of their costs (--case)"},
     {"correlation", "correlations of the fitted parameters (--case)"},
     {"segments", "values over the length of the segments, and where they lead (--case)"},
+    {"profile", "rise of the least cost over each parameter, of a fit with profiles (--case)"},
+    {"bootstrap", "resampled values of the parameters and of pairs (--case)"},
     {"population", "values and intervals of all fits, with mean and deviation of the specimens"},
 }};
 
@@ -40,8 +43,9 @@ PlotScript make(std::span<const SceneFitRecord> records, const PlotRequest& requ
   if (records.empty()) throw InputError({}, "plot", request.what, "there is no fit to draw");
   const std::string what = request.what.empty() ? std::string(kKinds[0].name) : request.what;
   if (std::ranges::find(kKinds, what, &PlotKind::name) == kKinds.end()) {
-    throw InputError({}, "--what", what,
-                     "must be fit, residuals, starts, correlation, segments or population");
+    throw InputError(
+        {}, "--what", what,
+        "must be fit, residuals, starts, correlation, segments, profile, bootstrap or population");
   }
   const bool terminal = request.output == "-";
   const auto drawn = [&](const Figure& figure) {
@@ -57,6 +61,8 @@ PlotScript make(std::span<const SceneFitRecord> records, const PlotRequest& requ
   const SceneFitRecord& record = find_fit(records, request.specimen);
   if (what == "correlation") return report::correlation_plot(record, terminal);
   if (what == "segments") return drawn(report::segments_figure(record));
+  if (what == "profile") return drawn(report::profile_figure(record));
+  if (what == "bootstrap") return drawn(report::bootstrap_figure(record));
   if (what == "starts") return drawn(report::starts_figure(record));
   if (what == "residuals") return drawn(report::residuals_figure(record));
   return drawn(report::fit_figure(record, terminal));

@@ -10,7 +10,7 @@
 namespace plastica::calibrate {
 
 /// All pictures of fits through scenes: "fit", "residuals", "starts", "correlation", "segments",
-/// "population".
+/// "profile", "bootstrap", "population".
 std::span<const PlotKind> scene_fit_plot_kinds();
 
 /// The picture as a gnuplot script with its data, without terminal and output.

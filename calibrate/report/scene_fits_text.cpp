@@ -140,8 +140,36 @@ std::string with_decimals(double value, double scatter, double mean) {
   return fmt::format("{:.{}f}", value, decimals_for(mean, scatter, 3));
 }
 
+/// Intervals of mean and deviation; empty of few fits.
+std::string population_intervals_text(const ScenePopulation& population,
+                                      std::span<const ShownParameter> shown, double confidence) {
+  const std::string of = fmt::format("{:.4g} % interval", 100.0 * confidence);
+  Table table({{"", Align::Left},
+               {"mean", Align::Range, of},
+               {"std. dev. of specimens", Align::Range, of},
+               {"", Align::Left}});
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const PopulationParameter& p = population.parameters[i];
+    const DisplayUnit& unit = shown[i].unit;
+    const auto range = [&](double low, double high) {
+      const auto number = [&](double value) {
+        return with_decimals(value / unit.scale, (high - low) / unit.scale, p.mean / unit.scale);
+      };
+      return number(low) + " … " + number(high);
+    };
+    if (!std::isfinite(p.mean_low) || !std::isfinite(p.deviation_low)) continue;
+    table.add({short_name(p.path), range(p.mean_low, p.mean_high),
+               range(p.deviation_low, p.deviation_high), std::string(unit.name)});
+  }
+  if (table.rows() == 0) return {};
+  return '\n' + table.text(2, kWidth) +
+         wrapped("  ", fmt::format("percentiles of {} resamples of the fits", kPopulationResamples),
+                 kWidth);
+}
+
 std::string population_text(const ScenePopulation& population,
-                            std::span<const ShownParameter> shown, const Ink& ink) {
+                            std::span<const ShownParameter> shown, double confidence,
+                            const Ink& ink) {
   Table table({{"", Align::Left},
                {"n", Align::Right},
                {"mean ± error", Align::PlusMinus},
@@ -175,6 +203,7 @@ std::string population_text(const ScenePopulation& population,
     text += wrapped("  ", counted(left_out, "value") + " at a bound or not identified left out",
                     kWidth);
   }
+  text += population_intervals_text(population, shown, confidence);
   Table pairs({{"", Align::Left}, {"", Align::Right}});
   for (std::size_t a = 0; a < shown.size(); ++a) {
     for (std::size_t b = a + 1; b < shown.size(); ++b) {
@@ -203,13 +232,14 @@ std::string failures_text(std::span<const SceneFitRecord> records, const Ink& in
 std::string scene_fits_report(std::span<const SceneFitRecord> records,
                               const ReportOptions& options) {
   const Ink ink(options.color);
-  const ScenePopulation population = scene_population(records);
+  const ScenePopulation population = scene_population(records, options.confidence);
   const std::vector<ShownParameter> shown = shown_parameters(records, population);
   std::string text;
   if (records.size() == 1) {
     text = scene_fit_report(records.front(), options);
   } else if (!records.empty()) {
-    text = table_text(records, shown, options, ink) + population_text(population, shown, ink) +
+    text = table_text(records, shown, options, ink) +
+           population_text(population, shown, options.confidence, ink) +
            failures_text(records, ink);
   }
   if (!text.empty()) text += '\n';

@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
+
+#include "calibrate/fit/bootstrap.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -21,78 +26,161 @@ bool is_determined(const SceneParameter& p) {
   return !p.at_bound && std::isfinite(p.value) && std::isfinite(p.standard_error);
 }
 
+/// The fits of a population: each parameter's value and error, each pair's correlation.
+class Fits {
+ public:
+  Fits(std::span<const SceneFitRecord> records, const std::vector<SceneParameter>& parameters)
+      : n_(parameters.size()) {
+    for (const SceneFitRecord& record : records) {
+      if (record.result.status == FitStatus::Fitted) add(record.result, parameters);
+    }
+  }
+
+  std::size_t size() const { return there_.size() / n_; }
+  bool has(std::size_t fit, std::size_t a) const { return there_[fit * n_ + a]; }
+  double value(std::size_t fit, std::size_t a) const { return value_[fit * n_ + a]; }
+  /// rho s_a s_b; NaN where not both are determined.
+  double noise(std::size_t fit, std::size_t a, std::size_t b) const {
+    return noise_[(fit * n_ + a) * n_ + b];
+  }
+
+ private:
+  void add(const SceneFitResult& result, const std::vector<SceneParameter>& parameters) {
+    std::vector<std::optional<std::size_t>> at;
+    for (const SceneParameter& like : parameters) {
+      at.push_back(index_of(result, like.path));
+      there_.push_back(at.back().has_value());
+      value_.push_back(at.back() ? result.parameters[*at.back()].value : kNan);
+    }
+    const std::size_t n = result.parameters.size();
+    const bool correlated = result.correlation.size() == n * n;
+    for (const auto& i : at) {
+      for (const auto& j : at) {
+        noise_.push_back(kNan);
+        if (!i || !j) continue;
+        const SceneParameter& p = result.parameters[*i];
+        const SceneParameter& q = result.parameters[*j];
+        if (!is_determined(p) || !is_determined(q)) continue;
+        const double rho = i == j ? 1.0 : correlated ? result.correlation[*i * n + *j] : kNan;
+        noise_.back() = rho * p.standard_error * q.standard_error;
+      }
+    }
+  }
+
+  std::size_t n_;
+  std::vector<bool> there_;
+  std::vector<double> value_, noise_;
+};
+
 /// Moments of a pair of parameters over the fits that determine both; of a parameter with itself
 /// its variance.
 struct Moments {
-  double observed = kNan;
-  double noise = kNan;
+  std::size_t n = 0;
+  double mean = kNan;      ///< of the first
+  double noise = kNan;     ///< mean of rho s_a s_b
+  double observed = kNan;  ///< with n - 1; NaN for n < 2
 };
 
-struct Sample {
-  double a = 0.0, b = 0.0;
-  double noise = 0.0;  ///< rho s_a s_b
-};
-
-std::vector<Sample> samples_of(std::span<const SceneFitRecord> records, const std::string& a,
-                               const std::string& b) {
-  std::vector<Sample> samples;
-  for (const SceneFitRecord& record : records) {
-    const SceneFitResult& result = record.result;
-    if (result.status != FitStatus::Fitted) continue;
-    const auto i = index_of(result, a);
-    const auto j = index_of(result, b);
-    if (!i || !j) continue;
-    const SceneParameter& p = result.parameters[*i];
-    const SceneParameter& q = result.parameters[*j];
-    const std::size_t n = result.parameters.size();
-    double rho = 1.0;
-    if (*i != *j) rho = result.correlation.size() == n * n ? result.correlation[*i * n + *j] : kNan;
-    if (!is_determined(p) || !is_determined(q) || !std::isfinite(rho)) continue;
-    samples.push_back({p.value, q.value, rho * p.standard_error * q.standard_error});
+Moments moments_of(const Fits& fits, std::span<const std::size_t> drawn, std::size_t a,
+                   std::size_t b) {
+  Moments moments;
+  double sum_a = 0.0, sum_b = 0.0, noise = 0.0;
+  for (const std::size_t fit : drawn) {
+    const double its_noise = fits.noise(fit, a, b);
+    if (!std::isfinite(its_noise)) continue;
+    ++moments.n;
+    sum_a += fits.value(fit, a);
+    sum_b += fits.value(fit, b);
+    noise += its_noise;
   }
-  return samples;
-}
-
-Moments moments_of(const std::vector<Sample>& samples) {
-  const auto n = static_cast<double>(samples.size());
-  if (samples.size() < 2) return {};
-  double mean_a = 0.0, mean_b = 0.0;
-  for (const Sample& s : samples) {
-    mean_a += s.a / n;
-    mean_b += s.b / n;
+  const auto n = static_cast<double>(moments.n);
+  if (moments.n == 0) return moments;
+  moments.mean = sum_a / n;
+  moments.noise = noise / n;
+  if (moments.n < 2) return moments;
+  moments.observed = 0.0;
+  for (const std::size_t fit : drawn) {
+    if (!std::isfinite(fits.noise(fit, a, b))) continue;
+    moments.observed += (fits.value(fit, a) - moments.mean) * (fits.value(fit, b) - sum_b / n);
   }
-  Moments moments{0.0, 0.0};
-  for (const Sample& s : samples) {
-    moments.observed += (s.a - mean_a) * (s.b - mean_b) / (n - 1.0);
-    moments.noise += s.noise / n;
-  }
+  moments.observed /= n - 1.0;
   return moments;
 }
 
-PopulationParameter parameter_of(std::span<const SceneFitRecord> records,
-                                 const SceneParameter& like) {
-  PopulationParameter all;
-  all.path = like.path;
-  all.dimension = like.dimension;
-  const std::vector<Sample> samples = samples_of(records, like.path, like.path);
-  all.n = samples.size();
-  for (const SceneFitRecord& record : records) {
-    if (record.result.status != FitStatus::Fitted) continue;
-    if (index_of(record.result, like.path)) ++all.left_out;
-  }
-  all.left_out -= all.n;
-  double squares = 0.0;
-  for (const Sample& s : samples) {
-    all.mean += s.a / static_cast<double>(all.n);
-    squares += s.noise / static_cast<double>(all.n);
-  }
-  if (all.n == 0) all.mean = kNan;
-  all.rms_error = all.n == 0 ? kNan : std::sqrt(squares);
-  const Moments moments = moments_of(samples);
-  all.standard_deviation = std::sqrt(moments.observed);
+/// sqrt(max(0, variance)); NaN of NaN.
+double deviation_of(const Moments& moments) {
   const double left = moments.observed - moments.noise;
-  all.specimen_deviation = left < 0.0 ? 0.0 : std::sqrt(left);
-  return all;
+  return left < 0.0 ? 0.0 : std::sqrt(left);
+}
+
+double specimen_covariance_of(const Moments& moments, double most) {
+  const double left = moments.observed - moments.noise;
+  return std::isnan(left) || std::isnan(most) ? kNan : std::clamp(left, -most, most);
+}
+
+/// What one resample of the fits says.
+struct Resample {
+  std::vector<double> mean, deviation;  ///< (n_parameters)
+  std::vector<double> covariance;       ///< of the specimens (n_parameters x same)
+};
+
+Resample resample_of(const Fits& fits, std::span<const std::size_t> drawn, std::size_t n) {
+  Resample resample;
+  for (std::size_t a = 0; a < n; ++a) {
+    const Moments moments = moments_of(fits, drawn, a, a);
+    resample.mean.push_back(moments.mean);
+    resample.deviation.push_back(deviation_of(moments));
+  }
+  resample.covariance.resize(n * n);
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = a; b < n; ++b) {
+      const double most = resample.deviation[a] * resample.deviation[b];
+      resample.covariance[a * n + b] = resample.covariance[b * n + a] =
+          specimen_covariance_of(moments_of(fits, drawn, a, b), most);
+    }
+  }
+  return resample;
+}
+
+/// Percentiles over resamples of the fits.
+void add_intervals(const Fits& fits, double confidence, ScenePopulation& population) {
+  std::vector<PopulationParameter>& parameters = population.parameters;
+  const std::size_t n = parameters.size();
+  population.covariance_low.assign(n * n, kNan);
+  population.covariance_high.assign(n * n, kNan);
+  for (PopulationParameter& p : parameters) {
+    p.mean_low = p.mean_high = p.deviation_low = p.deviation_high = kNan;
+  }
+  if (fits.size() < kFewestSpecimens) return;
+  std::vector<Resample> resamples;
+  std::vector<std::size_t> drawn(fits.size());
+  for (int b = 0; b < kPopulationResamples; ++b) {
+    Draws draws(1, static_cast<std::uint64_t>(b));
+    for (std::size_t& fit : drawn) fit = draws.below(fits.size());
+    resamples.push_back(resample_of(fits, drawn, n));
+  }
+  const auto interval = [&](auto number) {
+    std::vector<double> values;
+    for (const Resample& resample : resamples) {
+      if (std::isfinite(number(resample))) values.push_back(number(resample));
+    }
+    return bootstrap_interval(std::move(values), confidence);
+  };
+  for (std::size_t a = 0; a < n; ++a) {
+    if (parameters[a].n < kFewestSpecimens) continue;
+    const BootstrapInterval mean = interval([&](const Resample& r) { return r.mean[a]; });
+    const BootstrapInterval scatter = interval([&](const Resample& r) { return r.deviation[a]; });
+    parameters[a].mean_low = mean.low;
+    parameters[a].mean_high = mean.high;
+    parameters[a].deviation_low = scatter.low;
+    parameters[a].deviation_high = scatter.high;
+    for (std::size_t b = 0; b < n; ++b) {
+      if (parameters[b].n < kFewestSpecimens) continue;
+      const auto both = interval([&](const Resample& r) { return r.covariance[a * n + b]; });
+      population.covariance_low[a * n + b] = both.low;
+      population.covariance_high[a * n + b] = both.high;
+    }
+  }
 }
 
 }  // namespace
@@ -102,25 +190,36 @@ double ScenePopulation::correlation(std::size_t a, std::size_t b) const {
   return size > 0.0 ? specimen_covariance[a * parameters.size() + b] / size : kNan;
 }
 
-ScenePopulation scene_population(std::span<const SceneFitRecord> records) {
+ScenePopulation scene_population(std::span<const SceneFitRecord> records, double confidence) {
   ScenePopulation population;
   const auto first = std::ranges::find(records, FitStatus::Fitted,
                                        [](const SceneFitRecord& r) { return r.result.status; });
   if (first == records.end()) return population;
-  for (const SceneParameter& like : first->result.parameters) {
-    population.parameters.push_back(parameter_of(records, like));
-  }
-  const auto& all = population.parameters;
-  for (const PopulationParameter& a : all) {
-    for (const PopulationParameter& b : all) {
-      const Moments moments = moments_of(samples_of(records, a.path, b.path));
-      const double most = a.specimen_deviation * b.specimen_deviation;
-      const double left = moments.observed - moments.noise;
-      population.covariance.push_back(moments.observed);
-      population.specimen_covariance.push_back(
-          std::isnan(left) || std::isnan(most) ? kNan : std::clamp(left, -most, most));
+  const Fits fits(records, first->result.parameters);
+  std::vector<std::size_t> all(fits.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::size_t n = first->result.parameters.size();
+  const Resample whole = resample_of(fits, all, n);
+  for (std::size_t a = 0; a < n; ++a) {
+    const Moments moments = moments_of(fits, all, a, a);
+    PopulationParameter p;
+    p.path = first->result.parameters[a].path;
+    p.dimension = first->result.parameters[a].dimension;
+    p.n = moments.n;
+    const auto there =
+        std::ranges::count_if(all, [&](std::size_t fit) { return fits.has(fit, a); });
+    p.left_out = static_cast<std::size_t>(there) - p.n;
+    p.mean = moments.mean;
+    p.standard_deviation = std::sqrt(moments.observed);
+    p.rms_error = std::sqrt(moments.noise);
+    p.specimen_deviation = whole.deviation[a];
+    population.parameters.push_back(std::move(p));
+    for (std::size_t b = 0; b < n; ++b) {
+      population.covariance.push_back(moments_of(fits, all, a, b).observed);
     }
   }
+  population.specimen_covariance = whole.covariance;
+  add_intervals(fits, confidence, population);
   return population;
 }
 

@@ -22,7 +22,15 @@ struct PopulationParameter {
   double rms_error = 0.0;  ///< root of the mean squared standard error [SI]
   /// Of the specimens alone, the noise taken out [SI], >= 0; NaN for n < 2.
   double specimen_deviation = 0.0;
+  /// Intervals of the mean and of the specimens' deviation, from a bootstrap over the fits [SI];
+  /// NaN for n < kFewestSpecimens.
+  double mean_low = 0.0, mean_high = 0.0;
+  double deviation_low = 0.0, deviation_high = 0.0;
 };
+
+/// Of fewer specimens a bootstrap says nothing, and how many resamples it has.
+inline constexpr std::size_t kFewestSpecimens = 8;
+inline constexpr int kPopulationResamples = 1000;
 
 /// How parameters scatter among specimens that were fitted alike.
 ///
@@ -34,10 +42,17 @@ struct PopulationParameter {
 /// A value scatters about its specimen's truth with variance s_k^2, independently of the scatter
 /// among specimens: the expectation of the observed moment is the specimens' plus the mean of that
 /// of the noise (method of moments).
+///
+/// Their intervals are percentiles over resamples of the fits, each with the errors that it has:
+/// all fits are drawn anew with replacement, and mean, variance and covariance taken from those
+/// drawn (seeded; the same bits each time). Of few specimens those of a scatter are too narrow: of
+/// 20 by an eighth.
 struct ScenePopulation {
   std::vector<PopulationParameter> parameters;
   std::vector<double> covariance;           ///< of the values [SI] (n_parameters x same)
   std::vector<double> specimen_covariance;  ///< the noise taken out [SI] (n_parameters x same)
+  /// Its interval [SI] (n_parameters x same).
+  std::vector<double> covariance_low, covariance_high;
 
   /// Of the specimens, from the covariance without noise [1]; NaN where a deviation is 0.
   double correlation(std::size_t a, std::size_t b) const;
@@ -45,6 +60,7 @@ struct ScenePopulation {
 
 /// The population of all fits of the status Fitted; parameters in the order of the first of them.
 /// Fits without a parameter, with one at a bound or without a standard error do not count for it.
-ScenePopulation scene_population(std::span<const SceneFitRecord> records);
+/// @param confidence  of the intervals, within (0, 1)
+ScenePopulation scene_population(std::span<const SceneFitRecord> records, double confidence = 0.95);
 
 }  // namespace plastica::calibrate

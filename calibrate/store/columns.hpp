@@ -27,7 +27,8 @@ inline constexpr int kDeflate = 1;
 /// Enumerations whose words are those of `name_of`, which are all the same beyond the last.
 template <typename Enum>
 concept Named = std::is_same_v<Enum, Verdict> || std::is_same_v<Enum, LeastSquaresOutcome> ||
-    std::is_same_v<Enum, Dimension> || std::is_same_v<Enum, SegmentsTrend>;
+    std::is_same_v<Enum, Dimension> || std::is_same_v<Enum, SegmentsTrend> ||
+    std::is_same_v<Enum, ProfileEnd>;
 
 template <Named Enum>
 std::vector<std::string_view> all_names() {

@@ -9,6 +9,7 @@
 
 #include "calibrate/store/columns.hpp"
 #include "calibrate/store/scene_fit_rows.hpp"
+#include "calibrate/store/scene_interval_store.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -38,6 +39,9 @@ void check(const SceneFitRecord& record) {
     if (parts[p].name != target.name) refuse(record, "has a part of another name than its target");
     if (!parts[p].fitted.empty() && parts[p].fitted.size() != target.abscissa.size()) {
       refuse(record, "has not a fitted ordinate an abscissa");
+    }
+    if (parts[p].fitted_error.size() != parts[p].fitted.size()) {
+      refuse(record, "has not an error a fitted ordinate");
     }
   }
 }
@@ -113,21 +117,26 @@ void write_units(io::Hdf5Group& group, std::string_view name, const std::vector<
 }
 
 void write_curves(io::Hdf5Group& root, const std::vector<store::ScenePartRow>& parts) {
-  std::vector<double> abscissa, ordinate, fitted;
+  std::vector<double> abscissa, ordinate, fitted, error;
   std::vector<std::uint64_t> offsets{0};
   for (const store::ScenePartRow& part : parts) {
     const SceneTarget& target = part.target;
     abscissa.insert(abscissa.end(), target.abscissa.begin(), target.abscissa.end());
     ordinate.insert(ordinate.end(), target.ordinate.begin(), target.ordinate.end());
-    if (part.has_curve)
+    if (part.has_curve) {
       fitted.insert(fitted.end(), part.made->fitted.begin(), part.made->fitted.end());
-    fitted.resize(abscissa.size(), std::numeric_limits<double>::quiet_NaN());
+      error.insert(error.end(), part.made->fitted_error.begin(), part.made->fitted_error.end());
+    }
+    for (std::vector<double>* column : {&fitted, &error}) {
+      column->resize(abscissa.size(), std::numeric_limits<double>::quiet_NaN());
+    }
     offsets.push_back(abscissa.size());
   }
   io::Hdf5Group group = root.group("curves");
   group.write("abscissa", abscissa, kPlain);
   group.write("ordinate", ordinate, kPlain);
   group.write("fitted", fitted, kPlain);
+  group.write("fitted_error", error, kPlain);
   group.write("offsets", offsets, kPlain);
 }
 
@@ -193,6 +202,7 @@ class Reader {
     const io::Ragged<double> abscissa = curve("abscissa", rows.size());
     const io::Ragged<double> ordinate = curve("ordinate", rows.size());
     const io::Ragged<double> fitted = curve("fitted", rows.size());
+    const io::Ragged<double> error = curve("fitted_error", rows.size());
     for (std::size_t p = 0; p < rows.size(); ++p) {
       store::ScenePartRow& row = rows[p];
       SceneFitRecord& record = records_[row.fit];
@@ -200,7 +210,10 @@ class Reader {
       row.target.ordinate = numbers(ordinate.row(p));
       if (row.made) {
         row.made->name = row.target.name;
-        if (row.has_curve) row.made->fitted = numbers(fitted.row(p));
+        if (row.has_curve) {
+          row.made->fitted = numbers(fitted.row(p));
+          row.made->fitted_error = numbers(error.row(p));
+        }
         record.result.parts.push_back(std::move(*row.made));
       }
       record.targets.push_back(std::move(row.target));
@@ -294,6 +307,7 @@ void write_scene_fit_store(const std::string& path, const SceneFitContents& cont
   for (const SceneFitRecord* record : records) correlation.push_back(record->result.correlation);
   root.write_ragged("correlation", correlation, {"1", store::kDeflate});
   write_tables(root, rows_of(records));
+  store::write_intervals(root, records);
   root.write("options/confidence", contents.confidence, {"1"});
   io::write_inputs(root, contents.inputs);
   io::write_meta(root, contents.meta);
@@ -313,6 +327,7 @@ SceneFitContents read_scene_fit_store(const std::string& path) {
   reader.parts();
   reader.starts();
   reader.warnings();
+  store::read_intervals(root, contents.records);
   contents.confidence = root.read_scalar<double>("options/confidence");
   contents.inputs = io::read_inputs(root);
   contents.meta = io::read_meta(root);

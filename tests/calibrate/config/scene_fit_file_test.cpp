@@ -92,6 +92,23 @@ TEST_F(SceneFitFileTest, ReadsFitsOfTheirOwn) {
   EXPECT_TRUE(parse(kFit + kTarget).options.segments_error);
 }
 
+TEST_F(SceneFitFileTest, ReadsWhichIntervalsAreWanted) {
+  const SceneIntervalOptions none = parse(kFit + kTarget).options.intervals;
+  EXPECT_FALSE(none.profile);
+  EXPECT_EQ(none.bootstrap, 0);
+  const SceneIntervalOptions all =
+      parse(kFit +
+            "profile = true\nbootstrap = 400\nbootstrap_block = 3\nbootstrap_specimens = 20\n" +
+            kTarget)
+          .options.intervals;
+  EXPECT_TRUE(all.profile);
+  EXPECT_EQ(all.bootstrap, 400);
+  EXPECT_EQ(all.block, 3);
+  EXPECT_EQ(all.specimens, 20);
+  EXPECT_EQ(refusal(kFit + "bootstrap = 5\n" + kTarget),
+            path("fit.toml") + ":3: fit.bootstrap = 5: must be 0, for none, or at least 20");
+}
+
 TEST_F(SceneFitFileTest, ReadsTheShippedOne) {
   const std::string path = std::string(PLASTICA_SOURCE_DIR) + "/data/fits/bend_test.toml";
   EXPECT_TRUE(names_scenes(path));

@@ -110,7 +110,8 @@ TEST(SceneFitPlot, RefusesWhatThereIsNot) {
     return message_of([&] { scene_fit_plot_script(records, request); });
   };
   EXPECT_EQ(message({.what = "pie"}),
-            "--what = pie: must be fit, residuals, starts, correlation, segments or population");
+            "--what = pie: must be fit, residuals, starts, correlation, segments, profile, "
+            "bootstrap or population");
   EXPECT_EQ(message({.specimen = "x"}), "--case = x: is not a fit of this file; it has a, f");
   EXPECT_EQ(message({.what = "population", .specimen = "a"}),
             "--case = a: does not go with the picture 'population'");
@@ -129,6 +130,7 @@ TEST(SceneFitPlot, LetsNoTextOfAUserLeaveItsQuotes) {
   SceneFitRecord record = scene_record("it's `id`\nsystem('id')");
   record.targets[0].name = "x'y\nplot 1";
   record.targets[0].ordinate_probe = "p'q";
+  record.result.intervals = testing::record_with_intervals().result.intervals;
   for (const PlotKind& kind : scene_fit_plot_kinds()) {
     const std::string script = script_of(record, std::string(kind.name));
     EXPECT_FALSE(contains(script, "\nsystem(")) << kind.name;

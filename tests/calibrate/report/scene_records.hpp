@@ -100,6 +100,37 @@ inline SceneFitRecord scene_record(const std::string& name = "both", double modu
   return record;
 }
 
+/// The same with profiles, of which the yield stress's is open upwards and the break's on both
+/// sides, and with a bootstrap of four resamples.
+inline SceneFitRecord record_with_intervals() {
+  SceneFitRecord record = scene_record();
+  SceneIntervals& all = record.result.intervals;
+  all.profiles = {{202e9,
+                   209e9,
+                   ProfileEnd::Crossed,
+                   ProfileEnd::Crossed,
+                   4.0,
+                   {202e9, 205e9, 209e9},
+                   {4.0, 0.0, 4.0},
+                   {202e9, 381e6, 205e9, 380e6, 209e9, 378e6}},
+                  {375e6,
+                   2e9,
+                   ProfileEnd::Crossed,
+                   ProfileEnd::Bound,
+                   4.0,
+                   {375e6, 380e6, 2e9},
+                   {4.0, 0.0, 2.0},
+                   {205e9, 375e6, 205e9, 380e6, 205e9, 2e9}},
+                  {0.0, 1.0, ProfileEnd::Bound, ProfileEnd::Open, 4.0, {}, {}, {}}};
+  all.residuals = {
+      5,
+      1,
+      2,
+      {204e9, 379e6, 0.020, 206e9, 381e6, 0.021, 205e9, 380e6, 0.022, 203e9, 382e6, 0.021},
+      {{1.3e9, 203e9, 206e9}, {1.3e6, 379e6, 382e6}, {8e-4, 0.020, 0.022}}};
+  return record;
+}
+
 /// One target, two parameters, no break.
 inline SceneFitRecord lone_scene_record(const std::string& name, double modulus, double yield) {
   SceneFitRecord record = scene_record(name, modulus, yield);

@@ -25,12 +25,28 @@ inline auto members(const SceneParameter& v) {
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
 }
 inline auto members(const ScenePartFit& v) {
-  const auto& [a, b, c, d, e, f, g, h, i] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i);
+  const auto& [a, b, c, d, e, f, g, h, i, j] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j);
 }
 inline auto members(const SceneStart& v) {
   const auto& [a, b, c, d, e] = v;
   return std::tie(a, b, c, d, e);
+}
+inline auto members(const SceneProfile& v) {
+  const auto& [a, b, c, d, e, f, g, h] = v;
+  return std::tie(a, b, c, d, e, f, g, h);
+}
+inline auto members(const BootstrapInterval& v) {
+  const auto& [a, b, c] = v;
+  return std::tie(a, b, c);
+}
+inline auto members(const SceneBootstrap& v) {
+  const auto& [a, b, c, d, e] = v;
+  return std::tie(a, b, c, d, e);
+}
+inline auto members(const SceneIntervals& v) {
+  const auto& [a, b, c] = v;
+  return std::tie(a, b, c);
 }
 inline auto members(const SegmentsError& v) {
   const auto& [a, b, c, d, e, f, g, h, i, j] = v;
@@ -41,8 +57,8 @@ inline auto members(const SceneSegments& v) {
   return std::tie(a, b, c);
 }
 inline auto members(const SceneFitResult& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
 }
 inline auto members(const SceneFitRecord& v) {
   const auto& [a, b, c, d] = v;
@@ -92,8 +108,18 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
               0.008,
               kNan,
               {0.0, 96.0, 189.0, 211.0, 119.0},
+              {0.0, 0.5, 1.0, 1.25, 1.0},
               0.021},
-             {twisted.name, Level::Twist, 3, 0.02, 0.1, 0.02, 0.004, {0.0, 5.1, 5.9}, kNan}};
+             {twisted.name,
+              Level::Twist,
+              3,
+              0.02,
+              0.1,
+              0.02,
+              0.004,
+              {0.0, 5.1, 5.9},
+              {0.0, 0.1, 0.1},
+              kNan}};
   r.degrees_of_freedom = 6.5;
   r.starts = {
       {{200e9, 300e6}, {205e9, 380e6}, 7.1, LeastSquaresOutcome::StepReached, 31},
@@ -109,6 +135,30 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
       {{206e9, 205e9, 204.8e9, SegmentsTrend::Monotone, 2.3, 2.0, 1.25, 204.7e9, 8e7, 4e8},
        {},
        {kNan, 0.021, 0.022, SegmentsTrend::Assumed, kNan, 1.0, 3.0, 0.023, 0.003, 0.006}}};
+  r.intervals.profiles = {{201e9,
+                           208e9,
+                           ProfileEnd::Crossed,
+                           ProfileEnd::NoCurves,
+                           5.9,
+                           {201e9, 205e9, 208e9},
+                           {5.9, 0.0, 5.0},
+                           {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}},
+                          {100e6, 380e6, ProfileEnd::Bound, ProfileEnd::Bound, 5.9, {}, {}, {}},
+                          {kNan,
+                           0.0218,
+                           ProfileEnd::Open,
+                           ProfileEnd::Crossed,
+                           5.9,
+                           {0.02, 0.021},
+                           {5.9, 0.0},
+                           {1.0, 2.0, 3.0, 4.0}}};
+  r.intervals.residuals = {40,
+                           38,
+                           3,
+                           {205e9, 380e6, 0.021, 204e9, 379e6, 0.0212},
+                           {{1.1e9, 203e9, 207e9}, {2e6, 371e6, 380e6}, {3e-4, 0.0203, kNan}}};
+  r.intervals.specimens = {
+      20, 20, 1, {}, {{kNan, kNan, kNan}, {kNan, kNan, kNan}, {kNan, kNan, kNan}}};
   r.warnings = {"the break is two samples wide", "", "ß"};
   return {name, {bent, twisted}, {1.0, 0.25}, r};
 }
@@ -121,7 +171,11 @@ inline SceneFitRecord failed_scene_record(const std::string& name) {
   r.status = FitStatus::Failed;
   r.reason = "no curve at the start";
   r.correlation.clear();
-  for (ScenePartFit& part : r.parts) part.fitted.clear();
+  for (ScenePartFit& part : r.parts) {
+    part.fitted.clear();
+    part.fitted_error.clear();
+  }
+  r.intervals = {};
   r.starts.resize(1);
   r.starts[0].to.clear();
   r.outcome = none.outcome;

@@ -1,0 +1,269 @@
+#include "calibrate/report/scene_interval_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "calibrate/report/scene_fit_words.hpp"
+#include "plastica/base/check.hpp"
+#include "plastica/theory/statistics.hpp"
+
+namespace plastica::calibrate::report {
+namespace {
+
+using plastica::report::FigureCurve;
+using plastica::report::FigurePanel;
+using plastica::report::kBlue;
+using plastica::report::kDark;
+using plastica::report::kGrey;
+using plastica::report::kVermillion;
+using plastica::report::Stroke;
+using Points = std::vector<std::vector<double>>;
+
+constexpr std::size_t kMostPanels = 12;
+constexpr std::string_view kNarrowBand = "#9CC4DE";
+constexpr std::string_view kWideBand = "#DDEBF4";
+/// How far above the threshold a profile is shown.
+constexpr double kRoom = 1.6;
+
+/// The profile between its points: the root of the rise, with the sign of the side, as a straight
+/// line, so that a parabola is one.
+Points curve_of(const SceneProfile& profile, double best, double scale) {
+  constexpr int kBetween = 20;
+  const auto root = [&](std::size_t i) {
+    return std::copysign(std::sqrt(std::max(profile.rise[i], 0.0)), profile.value[i] - best);
+  };
+  Points points;
+  for (std::size_t i = 0; i + 1 < profile.value.size(); ++i) {
+    for (int k = 0; k <= kBetween; ++k) {
+      const double share = static_cast<double>(k) / kBetween;
+      const double r = root(i) + share * (root(i + 1) - root(i));
+      const double value = profile.value[i] + share * (profile.value[i + 1] - profile.value[i]);
+      if (r * r <= kRoom * profile.threshold) points.push_back({value / scale, r * r});
+    }
+  }
+  return points;
+}
+
+FigurePanel profile_panel(const SceneParameter& p, const SceneProfile& profile) {
+  const DisplayUnit unit = report::display_unit(p);
+  FigurePanel panel;
+  panel.title = fmt::format("{} [{}]", short_name(p.path), unit.name);
+  panel.y_label = "rise of the least cost";
+  panel.y_range = {0.0, kRoom * profile.threshold};
+  panel.curves.push_back(
+      {curve_of(profile, p.value, unit.scale), "least cost", kBlue, Stroke::Line});
+  Points met;
+  double low = p.value, high = p.value;
+  for (std::size_t i = 0; i < profile.value.size(); ++i) {
+    if (profile.rise[i] > kRoom * profile.threshold) continue;
+    met.push_back({profile.value[i] / unit.scale, profile.rise[i]});
+    low = std::min(low, profile.value[i]);
+    high = std::max(high, profile.value[i]);
+  }
+  for (const double end : {profile.low, profile.high}) {
+    if (!std::isfinite(end)) continue;
+    low = std::min(low, end);
+    high = std::max(high, end);
+  }
+  panel.curves.push_back({std::move(met), "searched", kBlue, Stroke::Points, 7});
+  if (std::isfinite(p.standard_error) && p.standard_error > 0.0) {
+    Points parabola;
+    for (int k = -60; k <= 60; ++k) {
+      const double z = std::sqrt(kRoom * profile.threshold) * k / 60.0;
+      parabola.push_back({(p.value + z * p.standard_error) / unit.scale, z * z});
+      low = std::min(low, p.value + z * p.standard_error);
+      high = std::max(high, p.value + z * p.standard_error);
+    }
+    panel.curves.push_back(
+        {std::move(parabola), "parabola of the standard error", kVermillion, Stroke::Line});
+  }
+  const double room = high > low ? 0.04 * (high - low) : 0.04 * std::fabs(high);
+  panel.x_range = {(low - room) / unit.scale, (high + room) / unit.scale};
+  panel.curves.push_back(
+      {{{panel.x_range[0], profile.threshold}, {panel.x_range[1], profile.threshold}},
+       "threshold",
+       kGrey,
+       Stroke::Line});
+  if (profile.low_end == ProfileEnd::Crossed) panel.marks.push_back(profile.low / unit.scale);
+  if (profile.high_end == ProfileEnd::Crossed) panel.marks.push_back(profile.high / unit.scale);
+  if (!panel.marks.empty()) panel.mark_name = "ends of the interval";
+  return panel;
+}
+
+/// A column of a bootstrap.
+std::vector<double> column_of(const SceneBootstrap& bootstrap, std::size_t i, std::size_t n) {
+  std::vector<double> values;
+  for (std::size_t row = 0; row + n <= bootstrap.values.size(); row += n) {
+    values.push_back(bootstrap.values[row + i]);
+  }
+  return values;
+}
+
+/// Steps of a histogram: how many values lie in each of equal intervals.
+Points histogram_of(const std::vector<double>& values, double& width) {
+  const auto [low, high] = std::ranges::minmax(values);
+  const auto bins = static_cast<std::size_t>(std::clamp(2.0 * std::cbrt(values.size()), 8.0, 40.0));
+  width = (high - low) / static_cast<double>(bins);
+  if (!(width > 0.0)) return {{low, 0.0}, {low, static_cast<double>(values.size())}};
+  std::vector<double> counts(bins, 0.0);
+  for (const double v : values) {
+    counts[std::min(static_cast<std::size_t>((v - low) / width), bins - 1)] += 1.0;
+  }
+  Points steps{{low, 0.0}};
+  for (std::size_t k = 0; k < bins; ++k) {
+    steps.push_back({low + static_cast<double>(k) * width, counts[k]});
+    steps.push_back({low + static_cast<double>(k + 1) * width, counts[k]});
+  }
+  steps.push_back({high, 0.0});
+  return steps;
+}
+
+FigurePanel histogram_panel(const SceneParameter& p, const BootstrapInterval& interval,
+                            const std::vector<double>& values) {
+  const DisplayUnit unit = report::display_unit(p);
+  FigurePanel panel;
+  panel.title = fmt::format("{} [{}]", short_name(p.path), unit.name);
+  panel.y_label = "resamples";
+  double width = 0.0;
+  Points steps = histogram_of(values, width);
+  for (auto& point : steps) point[0] /= unit.scale;
+  panel.curves.push_back({std::move(steps), "resamples", kBlue, Stroke::Line});
+  if (std::isfinite(p.standard_error) && p.standard_error > 0.0) {
+    Points normal;
+    const double height = static_cast<double>(values.size()) * width /
+                          (p.standard_error * std::sqrt(2.0 * std::numbers::pi));
+    for (int k = -60; k <= 60; ++k) {
+      const double z = 3.2 * k / 60.0;
+      normal.push_back(
+          {(p.value + z * p.standard_error) / unit.scale, height * std::exp(-0.5 * z * z)});
+    }
+    panel.curves.push_back(
+        {std::move(normal), "normal curve of the standard error", kVermillion, Stroke::Line});
+  }
+  panel.marks = {interval.low / unit.scale, interval.high / unit.scale};
+  panel.mark_name = "percentiles";
+  double low = panel.curves[0].points[0][0], high = low;
+  for (const FigureCurve& curve : panel.curves) {
+    for (const auto& point : curve.points) {
+      low = std::min(low, point[0]);
+      high = std::max(high, point[0]);
+    }
+  }
+  panel.x_range = {low, high};
+  return panel;
+}
+
+FigurePanel pair_panel(const SceneParameter& a, const std::vector<double>& a_values,
+                       const SceneParameter& b, const std::vector<double>& b_values) {
+  const DisplayUnit a_unit = report::display_unit(a), b_unit = report::display_unit(b);
+  FigurePanel panel;
+  panel.title = short_name(b.path) + " over " + short_name(a.path);
+  panel.x_label = fmt::format("{} [{}]", short_name(a.path), a_unit.name);
+  panel.y_label = fmt::format("{} [{}]", short_name(b.path), b_unit.name);
+  FigureCurve cloud{{}, "resamples", kBlue, Stroke::Points, 7};
+  for (std::size_t i = 0; i < a_values.size(); ++i) {
+    cloud.points.push_back({a_values[i] / a_unit.scale, b_values[i] / b_unit.scale});
+  }
+  const auto range_of = [](const std::vector<double>& values, double scale) {
+    const auto [low, high] = std::ranges::minmax(values);
+    const double room = high > low ? 0.06 * (high - low) : 0.06 * std::fabs(high);
+    return std::array{(low - room) / scale, (high + room) / scale};
+  };
+  panel.x_range = range_of(a_values, a_unit.scale);
+  panel.y_range = range_of(b_values, b_unit.scale);
+  panel.curves.push_back(std::move(cloud));
+  panel.curves.push_back({{{a.value / a_unit.scale, b.value / b_unit.scale}},
+                          "fitted",
+                          kVermillion,
+                          Stroke::Points,
+                          7});
+  return panel;
+}
+
+}  // namespace
+
+Figure profile_figure(const SceneFitRecord& record) {
+  const SceneFitResult& result = record.result;
+  Figure figure;
+  figure.title = record.name + ": profile likelihood";
+  for (std::size_t i = 0; i < result.intervals.profiles.size(); ++i) {
+    const SceneProfile& profile = result.intervals.profiles[i];
+    if (profile.value.size() < 2 || figure.panels.size() == kMostPanels) continue;
+    figure.panels.push_back(profile_panel(result.parameters.at(i), profile));
+  }
+  if (figure.panels.empty()) {
+    throw InputError({}, "--what", "profile",
+                     record.name + " has no profile: calibrate with --profile");
+  }
+  return figure;
+}
+
+Figure bootstrap_figure(const SceneFitRecord& record) {
+  const SceneFitResult& result = record.result;
+  const bool of_residuals = result.intervals.residuals.resamples > 0;
+  const SceneBootstrap& bootstrap =
+      of_residuals ? result.intervals.residuals : result.intervals.specimens;
+  const std::size_t n = result.parameters.size();
+  if (n == 0 || bootstrap.values.size() < 2 * n || bootstrap.intervals.size() != n) {
+    throw InputError({}, "--what", "bootstrap",
+                     record.name + " has no bootstrap: calibrate with --bootstrap 400");
+  }
+  std::vector<std::vector<double>> columns;
+  for (std::size_t i = 0; i < n; ++i) columns.push_back(column_of(bootstrap, i, n));
+  Figure figure;
+  figure.title = fmt::format("{}: {} resamples of the {}", record.name, columns[0].size(),
+                             of_residuals ? "residuals" : "specimens");
+  for (std::size_t i = 0; i < n && figure.panels.size() < kMostPanels; ++i) {
+    figure.panels.push_back(
+        histogram_panel(result.parameters[i], bootstrap.intervals[i], columns[i]));
+  }
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = a + 1; b < n && figure.panels.size() < kMostPanels; ++b) {
+      figure.panels.push_back(
+          pair_panel(result.parameters[a], columns[a], result.parameters[b], columns[b]));
+    }
+  }
+  return figure;
+}
+
+std::vector<FigureCurve> bands_of(const SceneTarget& target, const ScenePartFit& part,
+                                  double degrees_of_freedom, const DisplayUnit& x_unit,
+                                  const DisplayUnit& y_unit) {
+  std::vector<FigureCurve> bands;
+  if (part.fitted.empty() || part.fitted_error.size() != part.fitted.size() ||
+      part.fitted.size() != target.abscissa.size() || !(degrees_of_freedom > 0.0)) {
+    return bands;
+  }
+  const double factor = theory::student_t_quantile(0.975, degrees_of_freedom);
+  const bool grows = std::ranges::is_sorted(target.abscissa);
+  for (const bool of_sample : {true, false}) {
+    const char* name = of_sample ? "95 % of new samples" : "95 % of the curve";
+    const std::string_view color = of_sample ? kWideBand : kNarrowBand;
+    Points area, low, high;
+    for (std::size_t i = 0; i < part.fitted.size(); ++i) {
+      const double noise = of_sample ? part.noise : 0.0;
+      const double reach = factor * std::hypot(part.fitted_error[i], noise);
+      const double x = target.abscissa[i] / x_unit.scale;
+      const double least = (part.fitted[i] - reach) / y_unit.scale;
+      const double most = (part.fitted[i] + reach) / y_unit.scale;
+      if (!std::isfinite(least)) continue;
+      area.push_back({x, least, most});
+      low.push_back({x, least});
+      high.push_back({x, most});
+    }
+    if (grows) {
+      bands.push_back({std::move(area), name, color, Stroke::Area});
+    } else {
+      bands.push_back({std::move(low), name, color, Stroke::Line});
+      bands.push_back({std::move(high), name, color, Stroke::Line});
+    }
+  }
+  return bands;
+}
+
+}  // namespace plastica::calibrate::report

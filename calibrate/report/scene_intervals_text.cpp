@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "calibrate/report/scene_fit_text.hpp"
+#include "calibrate/report/scene_fit_words.hpp"
+#include "plastica/report/ink.hpp"
+#include "plastica/report/table.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using namespace report;
+using plastica::report::Ink;
+using plastica::report::kWidth;
+using plastica::report::Table;
+using Align = Table::Align;
+
+/// An end, or why there is none.
+std::string end_text(const SceneParameter& p, const DisplayUnit& unit, double end, double width,
+                     ProfileEnd why) {
+  switch (why) {
+    case ProfileEnd::Crossed: break;
+    case ProfileEnd::Bound: return "bound";
+    case ProfileEnd::Open:
+    case ProfileEnd::NoCurves: return "open";
+  }
+  const double error = 0.25 * width / unit.scale;
+  const double value = end / unit.scale;
+  if (!(error >= 1e-6) || std::fabs(value) >= 1e7) return significant(value);
+  return fmt::format("{:.{}f}", value, decimals_for(p.value / unit.scale, error));
+}
+
+std::string range_text(const SceneParameter& p, const DisplayUnit& unit, double low, double high,
+                       ProfileEnd low_end = ProfileEnd::Crossed,
+                       ProfileEnd high_end = ProfileEnd::Crossed) {
+  if (!std::isfinite(low) || !std::isfinite(high)) return "-";
+  return end_text(p, unit, low, high - low, low_end) + " … " +
+         end_text(p, unit, high, high - low, high_end);
+}
+
+std::string profile_text(const SceneParameter& p, const DisplayUnit& unit,
+                         const SceneProfile& profile) {
+  const bool flat =
+      profile.low_end != ProfileEnd::Crossed && profile.high_end != ProfileEnd::Crossed;
+  if (flat) return "open … open";
+  return range_text(p, unit, profile.low, profile.high, profile.low_end, profile.high_end);
+}
+
+std::string bootstrap_note(std::string_view of, const SceneBootstrap& bootstrap) {
+  std::string text =
+      fmt::format("{}: percentiles of {}", of,
+                  counted(static_cast<std::size_t>(bootstrap.resamples), "resample"));
+  if (bootstrap.block > 1) text += fmt::format(", residuals in blocks of {}", bootstrap.block);
+  if (bootstrap.failed > 0) text += fmt::format("; {} failed", bootstrap.failed);
+  return text;
+}
+
+}  // namespace
+
+std::string scene_intervals_text(const SceneFitResult& result, const ReportOptions& options) {
+  const SceneIntervals& all = result.intervals;
+  const std::size_t n = result.parameters.size();
+  const bool profiled = all.profiles.size() == n && n > 0;
+  std::vector<Table::Column> columns = {
+      {"", Align::Left}, {"", Align::Left}, {"covariance", Align::Range}};
+  if (profiled) columns.push_back({"profile", Align::Range});
+  std::vector<const SceneBootstrap*> bootstraps;
+  for (const auto& [name, bootstrap] :
+       {std::pair{"residuals", &all.residuals}, std::pair{"specimens", &all.specimens}}) {
+    if (bootstrap->resamples == 0 || bootstrap->intervals.size() != n) continue;
+    columns.push_back({std::string("bootstrap, ") + name, Align::Range});
+    bootstraps.push_back(bootstrap);
+  }
+  if (!profiled && bootstraps.empty()) return {};
+  Table table(std::move(columns));
+  for (std::size_t i = 0; i < n; ++i) {
+    const SceneParameter& p = result.parameters[i];
+    const DisplayUnit unit = report::display_unit(p);
+    std::vector<std::string> cells = {short_name(p.path), std::string(unit.name),
+                                      range_text(p, unit, p.interval_low, p.interval_high)};
+    if (profiled) cells.push_back(profile_text(p, unit, all.profiles[i]));
+    for (const SceneBootstrap* bootstrap : bootstraps) {
+      const BootstrapInterval& interval = bootstrap->intervals[i];
+      cells.push_back(range_text(p, unit, interval.low, interval.high));
+    }
+    table.add(std::move(cells));
+  }
+  const Ink ink(options.color);
+  std::string text =
+      '\n' + ink.heading(fmt::format("Intervals of {:.4g} %\n", 100.0 * options.confidence)) +
+      table.text(2, kWidth);
+  if (profiled) {
+    const auto ends = [&](ProfileEnd why) {
+      return std::ranges::any_of(all.profiles, [&](const SceneProfile& profile) {
+        return profile.low_end == why || profile.high_end == why;
+      });
+    };
+    std::string note = fmt::format("profile: where the least cost has risen by {}",
+                                   significant(all.profiles.front().threshold, 3));
+    if (ends(ProfileEnd::Bound)) note += "; bound: it has not, up to the parameter's bound";
+    if (ends(ProfileEnd::Open)) note += "; open: it has not, as far as it was followed";
+    if (ends(ProfileEnd::NoCurves)) note += "; open: beyond there are no curves";
+    text += wrapped("  ", note, kWidth);
+  }
+  for (const SceneBootstrap* bootstrap : bootstraps) {
+    text += wrapped(
+        "  ", bootstrap_note(bootstrap == &all.residuals ? "residuals" : "specimens", *bootstrap),
+        kWidth);
+  }
+  return text;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "calibrate/report/scene_fit_csv.hpp"
+#include "calibrate/report/scene_fit_json.hpp"
+#include "calibrate/report/scene_fit_plot.hpp"
+#include "calibrate/report/scene_fit_text.hpp"
+#include "tests/calibrate/report/scene_records.hpp"
+#include "tests/support/message.hpp"
+
+// Intervals of profile and bootstrap in what people and scripts read.
+
+namespace plastica::calibrate {
+namespace {
+
+using plastica::testing::message_of;
+using testing::lone_scene_record;
+using testing::record_with_intervals;
+using testing::scene_record;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(SceneIntervalsReport, PutsAllIntervalsSideBySide) {
+  const std::string text = scene_fit_report(record_with_intervals());
+  EXPECT_TRUE(contains(text, "Intervals of 95 %\n")) << text;
+  EXPECT_TRUE(contains(text, "covariance")) << text;
+  EXPECT_TRUE(contains(text, "profile")) << text;
+  EXPECT_TRUE(contains(text, "bootstrap, residuals")) << text;
+  EXPECT_TRUE(contains(text, "202.0 … 209.0")) << text;
+  EXPECT_TRUE(contains(text, "375 … bound")) << text;
+  EXPECT_TRUE(contains(text, "open … open")) << text;
+  EXPECT_TRUE(contains(text,
+                       "profile: where the least cost has risen by 4.00; bound: it has not, up "
+                       "to the parameter's bound"))
+      << text;
+  EXPECT_TRUE(contains(text, "percentiles of 5 resamples, residuals in blocks of 2; 1 failed"))
+      << text;
+  EXPECT_FALSE(contains(scene_fit_report(scene_record()), "Intervals of"));
+}
+
+TEST(SceneIntervalsReport, WritesThemAsJson) {
+  using Json = nlohmann::json;
+  const Json fit = Json::parse(scene_fits_json(std::vector{record_with_intervals()}))["fits"][0];
+  const Json& profile = fit["intervals"]["profile"]["yield_stress"];
+  EXPECT_EQ(profile["interval"], Json({375e6, 2e9}));
+  EXPECT_EQ(profile["ends"], Json({"crossed", "bound"}));
+  EXPECT_EQ(profile["value"].size(), 3U);
+  const Json& bootstrap = fit["intervals"]["bootstrap"];
+  EXPECT_EQ(bootstrap["resamples"], 5);
+  EXPECT_EQ(bootstrap["failed"], 1);
+  EXPECT_EQ(bootstrap["parameters"]["break_strain"]["interval"], Json({0.020, 0.022}));
+  EXPECT_TRUE(fit["intervals"]["bootstrap_specimens"].is_null());
+  const Json bare = Json::parse(scene_fits_json(std::vector{scene_record()}))["fits"][0];
+  EXPECT_TRUE(bare["intervals"]["profile"].is_null());
+}
+
+TEST(SceneIntervalsReport, WritesColumnsOfThoseThatAnyFitHas) {
+  std::ostringstream out, bare;
+  write_scene_fits_csv(out, std::vector{record_with_intervals(), scene_record("b")});
+  const std::string header = out.str().substr(0, out.str().find('\n'));
+  EXPECT_TRUE(contains(header,
+                       "material.youngs_modulus.high [Pa],"
+                       "material.youngs_modulus.profile_low [Pa],"
+                       "material.youngs_modulus.profile_high [Pa],"
+                       "material.youngs_modulus.bootstrap_low [Pa],"
+                       "material.youngs_modulus.bootstrap_high [Pa],"
+                       "material.youngs_modulus.verdict"))
+      << header;
+  EXPECT_FALSE(contains(header, "specimens"));
+  std::istringstream lines(out.str());
+  std::string line;
+  std::vector<std::ptrdiff_t> cells;
+  while (std::getline(lines, line)) cells.push_back(std::ranges::count(line, ','));
+  ASSERT_EQ(cells.size(), 3U);
+  EXPECT_EQ(cells[1], cells[0]);
+  EXPECT_EQ(cells[2], cells[0]);
+  write_scene_fits_csv(bare, std::vector{scene_record()});
+  EXPECT_FALSE(contains(bare.str(), "profile"));
+}
+
+TEST(SceneIntervalsReport, DrawsProfiles) {
+  const std::string script =
+      scene_fit_plot_script(std::vector{record_with_intervals()}, {.what = "profile"});
+  EXPECT_TRUE(contains(script, "set title 'youngs_modulus [GPa]'"));
+  EXPECT_TRUE(contains(script, "set arrow from 202, graph 0"));
+  EXPECT_TRUE(contains(script, "set arrow from 209, graph 0"));
+  EXPECT_FALSE(contains(script, "set arrow from 2000, graph 0")) << "an end at a bound";
+  for (const char* name : {"'least cost'", "'threshold'", "'parabola of the standard error'"}) {
+    EXPECT_TRUE(contains(script, std::string("title ") + name)) << name;
+  }
+  EXPECT_EQ(
+      message_of([] { scene_fit_plot_script(std::vector{scene_record()}, {.what = "profile"}); }),
+      "--what = profile: both has no profile: calibrate with --profile");
+}
+
+TEST(SceneIntervalsReport, DrawsBootstraps) {
+  const std::string script =
+      scene_fit_plot_script(std::vector{record_with_intervals()}, {.what = "bootstrap"});
+  EXPECT_TRUE(contains(script, "set title 'yield_stress over youngs_modulus'"));
+  EXPECT_TRUE(contains(script, "204 379"));
+  EXPECT_TRUE(contains(script, "set arrow from 203, graph 0")) << "a percentile";
+  EXPECT_EQ(
+      message_of([] { scene_fit_plot_script(std::vector{scene_record()}, {.what = "bootstrap"}); }),
+      "--what = bootstrap: both has no bootstrap: calibrate with --bootstrap 400");
+}
+
+TEST(SceneIntervalsReport, DrawsBandsWhereTheCurveHasErrors) {
+  SceneFitRecord record = lone_scene_record("a", 2e11, 3e8);
+  record.targets[0].abscissa = {0.25, 0.5};
+  record.targets[0].ordinate = {10.0, 20.0};
+  record.result.parts[0].fitted = {12.0, 19.0};
+  record.result.degrees_of_freedom = std::numeric_limits<double>::infinity();
+  const auto script_of = [&] { return scene_fit_plot_script(std::vector{record}, {}); };
+  EXPECT_FALSE(contains(script_of(), "of the curve"));
+  record.result.parts[0].fitted_error = {1.0, 2.0};
+  record.result.parts[0].noise = 0.0;
+  // 12 -+ 1.96
+  EXPECT_TRUE(contains(script_of(), "0.25 10.04004 13.95996")) << script_of();
+  EXPECT_TRUE(contains(script_of(), "with filledcurves"));
+  record.targets[0].abscissa = {0.5, 0.25};
+  EXPECT_FALSE(contains(script_of(), "with filledcurves")) << "a path to and fro";
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
