@@ -8,8 +8,8 @@
 namespace plastica::calibrate {
 
 /// The summary of fits through scenes for scripts: one JSON object in SI units, `{"fits": [{"name",
-/// "status", "parameters", "targets", "correlation", "starts", …}], "population": {…}, "counts":
-/// {…}}`; what the population's numbers are says scene_population.hpp. What a fit does not have is
+/// "status", "parameters", "intervals", "targets", "correlation", "starts", …}], "population": {…},
+/// "counts": {…}}`; what the population's numbers are says scene_population.hpp. What a fit does not have is
 /// null, so is every number that is not finite. The order of the keys is fixed. Bytes of a user's
 /// text that are not UTF-8 become question marks.
 /// @param confidence  of the population's intervals

@@ -56,6 +56,30 @@ void write_bars(const Workplace& place) {
   place.write("b.csv", "Way (mm),Force (N)\n1,144\n2,289\n1,144\n-1,-144\n");
 }
 
+TEST(SceneFitCommand, FindsTheIntervalsThatAreAskedFor) {
+  const Workplace place;
+  write_bars(place);
+  const CommandResult result = place.run({"calibrate", "fit.toml", "--profile", "--bootstrap", "20",
+                                          "--json", "fit.json", "-o", "fit.h5"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto fit = nlohmann::json::parse(place.read("fit.json")).at("fits").at(0);
+  const auto& intervals = fit.at("intervals");
+  const auto& profile = intervals.at("profile").at("youngs_modulus");
+  EXPECT_EQ(profile.at("ends").at(0), "crossed");
+  EXPECT_LT(profile.at("interval").at(0), fit.at("parameters").at("youngs_modulus").at("value"));
+  EXPECT_EQ(intervals.at("bootstrap").at("resamples"), 20);
+  for (const char* what : {"profile", "bootstrap"}) {
+    const CommandResult drawn =
+        place.run({"plot", "fit.h5", "--what", what, "-o", std::string(what) + ".gp"});
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+  }
+  EXPECT_NE(place.read("profile.gp").find("least cost"), std::string::npos);
+  const CommandResult curves = place.run({"calibrate", "a.csv", "--profile"});
+  EXPECT_EQ(curves.code, 2);
+  EXPECT_NE(curves.err.find("--profile: is for fits through scenes"), std::string::npos)
+      << curves.err;
+}
+
 TEST(SceneFitCommand, FitsTheShippedBendTest) {
   const Workplace place;
   const CommandResult result =

@@ -67,7 +67,7 @@ TEST(SceneIntervalsReport, WritesColumnsOfThoseThatAnyFitHas) {
   write_scene_fits_csv(out, std::vector{record_with_intervals(), scene_record("b")});
   const std::string header = out.str().substr(0, out.str().find('\n'));
   EXPECT_TRUE(contains(header,
-                       "material.youngs_modulus.high [Pa],"
+                       "material.youngs_modulus.segments_error [Pa],"
                        "material.youngs_modulus.profile_low [Pa],"
                        "material.youngs_modulus.profile_high [Pa],"
                        "material.youngs_modulus.bootstrap_low [Pa],"
