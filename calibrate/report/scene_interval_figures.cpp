@@ -71,16 +71,16 @@ FigurePanel profile_panel(const SceneParameter& p, const SceneProfile& profile) 
     high = std::max(high, end);
   }
   panel.curves.push_back({std::move(met), "searched", kBlue, Stroke::Points, 7});
-  if (std::isfinite(p.standard_error) && p.standard_error > 0.0) {
+  if (std::isfinite(p.noise_error) && p.noise_error > 0.0) {
     Points parabola;
     for (int k = -60; k <= 60; ++k) {
       const double z = std::sqrt(kRoom * profile.threshold) * k / 60.0;
-      parabola.push_back({(p.value + z * p.standard_error) / unit.scale, z * z});
-      low = std::min(low, p.value + z * p.standard_error);
-      high = std::max(high, p.value + z * p.standard_error);
+      parabola.push_back({(p.value + z * p.noise_error) / unit.scale, z * z});
+      low = std::min(low, p.value + z * p.noise_error);
+      high = std::max(high, p.value + z * p.noise_error);
     }
     panel.curves.push_back(
-        {std::move(parabola), "parabola of the standard error", kVermillion, Stroke::Line});
+        {std::move(parabola), "parabola of the covariance", kVermillion, Stroke::Line});
   }
   const double room = high > low ? 0.04 * (high - low) : 0.04 * std::fabs(high);
   panel.x_range = {(low - room) / unit.scale, (high + room) / unit.scale};

@@ -109,6 +109,7 @@ void PlotScript::add_series(std::string_view block, std::string_view style, std:
 }
 
 void PlotScript::add_entry(std::string_view style, std::string_view name) {
+  if (std::ranges::find(names_, name) != names_.end()) return;
   names_.emplace_back(name);
   legend_ += fmt::format(", \\\n     keyentry {} title {}", style, quoted(name));
 }

@@ -83,6 +83,18 @@ std::string decades_of(const std::array<double, 2>& range) {
   return "set logscale y\nset ytics (" + tics + ")\n";
 }
 
+/// Numbers that differ in their last digits only are long: three or four of them along an axis.
+std::string tics_of(const std::array<double, 2>& range) {
+  const double wide = range[1] - range[0];
+  if (!(wide > 0.0) || wide > 0.05 * std::max(std::fabs(range[0]), std::fabs(range[1]))) {
+    return "set xtics autofreq\n";
+  }
+  const double power = std::pow(10.0, std::floor(std::log10(wide / 3.0)));
+  const double share = wide / (3.0 * power);
+  const double step = power * (share < 2.0 ? 1.0 : share < 5.0 ? 2.0 : 5.0);
+  return fmt::format("set xtics {:.7g}\n", wide / step > 4.5 ? 2.0 * step : step);
+}
+
 /// Ranges, scale, upright lines and texts of a panel.
 std::string frame_of(const FigurePanel& panel) {
   std::string text = "unset arrow\nunset label\nunset logscale\n";
@@ -92,6 +104,7 @@ std::string frame_of(const FigurePanel& panel) {
     text += fmt::format("set {}range [{:.7g}:{:.7g}]\n", axis, ends[0], ends[1]);
   };
   range('x', panel.x_range);
+  text += tics_of(panel.x_range);
   range('y', panel.y_range);
   for (const double x : panel.marks) {
     text += fmt::format("set arrow from {0:.7g}, graph 0 to {0:.7g}, graph 1 nohead front {1}\n", x,

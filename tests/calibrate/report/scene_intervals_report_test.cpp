@@ -93,7 +93,7 @@ TEST(SceneIntervalsReport, DrawsProfiles) {
   EXPECT_TRUE(contains(script, "set arrow from 202, graph 0"));
   EXPECT_TRUE(contains(script, "set arrow from 209, graph 0"));
   EXPECT_FALSE(contains(script, "set arrow from 2000, graph 0")) << "an end at a bound";
-  for (const char* name : {"'least cost'", "'threshold'", "'parabola of the standard error'"}) {
+  for (const char* name : {"'least cost'", "'threshold'", "'parabola of the covariance'"}) {
     EXPECT_TRUE(contains(script, std::string("title ") + name)) << name;
   }
   EXPECT_EQ(
