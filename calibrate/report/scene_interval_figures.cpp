@@ -162,9 +162,9 @@ FigurePanel pair_panel(const SceneParameter& a, const std::vector<double>& a_val
                        const SceneParameter& b, const std::vector<double>& b_values) {
   const DisplayUnit a_unit = report::display_unit(a), b_unit = report::display_unit(b);
   FigurePanel panel;
-  panel.title = short_name(b.path) + " over " + short_name(a.path);
+  // The label of an upright axis would lie on the panel beside it: its numbers are long.
+  panel.title = fmt::format("{} [{}] over {}", short_name(b.path), b_unit.name, short_name(a.path));
   panel.x_label = fmt::format("{} [{}]", short_name(a.path), a_unit.name);
-  panel.y_label = fmt::format("{} [{}]", short_name(b.path), b_unit.name);
   FigureCurve cloud{{}, "resamples", kBlue, Stroke::Points, 7};
   for (std::size_t i = 0; i < a_values.size(); ++i) {
     cloud.points.push_back({a_values[i] / a_unit.scale, b_values[i] / b_unit.scale});

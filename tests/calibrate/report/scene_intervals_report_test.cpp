@@ -104,7 +104,7 @@ TEST(SceneIntervalsReport, DrawsProfiles) {
 TEST(SceneIntervalsReport, DrawsBootstraps) {
   const std::string script =
       scene_fit_plot_script(std::vector{record_with_intervals()}, {.what = "bootstrap"});
-  EXPECT_TRUE(contains(script, "set title 'yield_stress over youngs_modulus'"));
+  EXPECT_TRUE(contains(script, "set title 'yield_stress [MPa] over youngs_modulus'"));
   EXPECT_TRUE(contains(script, "204 379"));
   EXPECT_TRUE(contains(script, "set arrow from 203, graph 0")) << "a percentile";
   EXPECT_EQ(
