@@ -18,7 +18,6 @@ namespace {
 using plastica::report::FigureCurve;
 using plastica::report::FigurePanel;
 using plastica::report::kBlue;
-using plastica::report::kDark;
 using plastica::report::kGrey;
 using plastica::report::kVermillion;
 using plastica::report::Stroke;
