@@ -13,7 +13,6 @@ namespace plastica::calibrate {
 namespace {
 
 using testing::bilinear_coupon;
-using testing::bilinear_target;
 using testing::bounded;
 using testing::message_of;
 using testing::noisy_bilinear;
