@@ -44,8 +44,10 @@ void print_dry_run(const SceneFitFile& file, const std::string& output) {
                  part.setup.scene.beam.segments, model.level_reason);
     }
   }
-  fmt::print("up to {} points of each search, {} {} a fit\n", file.options.evaluations,
+  fmt::print("up to {} points of each search, {} {} a fit", file.options.evaluations,
              file.options.starts, file.options.starts == 1 ? "search" : "searches");
+  const bool screens = file.options.starts > 1 && file.options.screen > 0;
+  fmt::print("{}\n", screens ? fmt::format(" after {} screened points", file.options.screen) : "");
 }
 
 /// What the command line asks for, whatever the file says.

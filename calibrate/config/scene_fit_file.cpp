@@ -25,6 +25,7 @@ using io::TomlValue;
 
 constexpr int kMostEvaluations = 1'000'000;
 constexpr int kMostStarts = 10'000;
+constexpr int kMostScreened = 1'000'000;
 
 /// Column, unit and factor of one of both axes.
 ColumnSource read_column(const TomlTable& axis, double& factor) {
@@ -121,11 +122,12 @@ class Reader {
     SceneFitOptions& options = file_.options;
     (void)fit.at("parameters");
     options.parameters = read_parameters(fit, ParameterScope::Scene);
-    const auto whole = [&](std::string_view key, int high, int& value) {
-      if (const auto found = fit.find(key)) value = static_cast<int>(found->integer(1, high));
+    const auto whole = [&](std::string_view key, int low, int high, int& value) {
+      if (const auto found = fit.find(key)) value = static_cast<int>(found->integer(low, high));
     };
-    whole("evaluations", kMostEvaluations, options.evaluations);
-    whole("starts", kMostStarts, options.starts);
+    whole("evaluations", 1, kMostEvaluations, options.evaluations);
+    whole("starts", 1, kMostStarts, options.starts);
+    whole("screen", 0, kMostScreened, options.screen);
     if (const auto seed = fit.find("seed")) {
       options.seed =
           static_cast<std::uint64_t>(seed->integer(0, std::numeric_limits<std::int64_t>::max()));

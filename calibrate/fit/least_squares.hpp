@@ -43,6 +43,7 @@ enum class LeastSquaresOutcome {
   Stalled,             ///< no step lowers the cost any more
   EvaluationsReached,  ///< max_evaluations; x is the best so far
   NoStart,             ///< no residuals at the start
+  SetAside,            ///< ended early, because other searches had come further down
 };
 
 /// One word for reports: "step-reached", …

@@ -123,6 +123,7 @@ void check_scene_fit(std::span<const ScenePart> parts, const SceneFitOptions& op
   if (!any_free) throw InputError({}, "fit.parameters", "", "at least one must be free");
   require(options.evaluations >= 1, "evaluations", options.evaluations, "must be at least 1");
   require(options.starts >= 1, "starts", options.starts, "must be at least 1");
+  require(options.screen >= 0, "screen", options.screen, "must be at least 0");
   require(options.tolerance > 0.0, "tolerance", options.tolerance, "must be above 0");
   require(options.confidence > 0.0 && options.confidence < 1.0, "confidence", options.confidence,
           "must be between 0 and 1");

@@ -11,6 +11,7 @@
 #include "calibrate/fit/parameter.hpp"
 #include "calibrate/fit/result.hpp"
 #include "calibrate/fit/verdict.hpp"
+#include "calibrate/scene/scene_fit_hooks.hpp"
 #include "calibrate/scene/scene_intervals.hpp"
 #include "calibrate/scene/scene_target.hpp"
 #include "calibrate/scene/segments_error.hpp"
@@ -37,15 +38,20 @@ struct SceneFitOptions {
   std::vector<Parameter> parameters;
   int evaluations = 200;    ///< largest number of points of a search, >= 1
   double tolerance = 1e-9;  ///< a step that moves no scaled parameter by more is the last [1], > 0
-  /// How many searches: the first from the start, others from Sobol's points within the bounds; the
-  /// best counts, >= 1.
-  int starts = 1;
+  /// Points of the global stage: Sobol's, within the bounds, of which the best that lie apart are
+  /// starts beside the given one, >= 0; 0: the starts are Sobol's points as they come, and each
+  /// search goes to its end.
+  int screen = 64;
+  /// Searches, side by side: the first from the given start; the best counts, >= 1. 1: no global
+  /// stage. After a screening each takes some six steps, and the two best go on to their ends.
+  int starts = 10;
   std::uint64_t seed = 1;    ///< of the points' scrambling, and of resamples
   double confidence = 0.95;  ///< of the intervals, within (0, 1)
   /// Whether the fit is repeated with half and with twice the segments, to say what they do to it.
   bool segments_error = true;
   int threads = 1;                   ///< 0: as many as the machine has; changes no bit
   SceneIntervalOptions intervals{};  ///< besides those of the covariance
+  SceneFitHooks hooks{};             ///< change none either
 };
 
 /// One free parameter of a fit through scenes.
@@ -90,7 +96,7 @@ struct ScenePartFit {
   double break_strain = 0.0;
 };
 
-/// One search of several.
+/// One search of several. Ranked by their costs, they are the waterfall of the starts.
 struct SceneStart {
   std::vector<double> from;  ///< values of the searched parameters [SI] (n)
   std::vector<double> to;    ///< where it ended [SI] (n); empty without a start
@@ -136,7 +142,7 @@ struct SceneFitResult {
 /// residuals are no noise and the errors are too small; what steps and fibres do to the
 /// values is not in them, nor is what segments do: see `SceneSegments`.
 /// @throws InputError for a scene, target or parameter that is bad input, and if the probe of an
-///         abscissa turns round on the path from the start values
+///         abscissa turns round on the path from the start values; FitInterrupted by the hooks
 SceneFitResult fit_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options);
 
 /// Refuses what `fit_scenes` would refuse before its first run. @throws InputError

@@ -29,6 +29,7 @@ void add_to(io::Digest& digest, const SceneFitOptions& options) {
   }
   digest.integer(static_cast<std::uint64_t>(options.evaluations)).real(options.tolerance);
   digest.integer(static_cast<std::uint64_t>(options.starts)).integer(options.seed);
+  digest.integer(static_cast<std::uint64_t>(options.screen));
   digest.real(options.confidence).integer(options.segments_error ? 1 : 0);
   const SceneIntervalOptions& intervals = options.intervals;
   digest.integer(intervals.profile ? 1 : 0);

@@ -113,9 +113,10 @@ Setup SceneModel::setup_at(std::span<const double> values) const {
 }
 
 std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::size_t count,
-                                        int threads) const {
+                                        int threads, const std::atomic<bool>* stop) const {
   BatchOptions how;
   how.threads = threads;
+  how.stop = stop;
   std::vector<SceneCurve> curves(count);
   if (prepared_) {
     const std::vector<Response> responses = run_batch(model_, values, count, how);

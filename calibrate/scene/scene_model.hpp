@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -51,8 +52,9 @@ class SceneModel {
   /// Runs the scene at several points, in parallel, with the same bits in every company.
   /// @param values  of the fields [SI] (count x n_fields), row by row
   /// @param threads  0: as many as the machine has
-  std::vector<SceneCurve> run(std::span<const double> values, std::size_t count,
-                              int threads = 1) const;
+  /// @param stop  once true, no further run is begun; may be null
+  std::vector<SceneCurve> run(std::span<const double> values, std::size_t count, int threads = 1,
+                              const std::atomic<bool>* stop = nullptr) const;
 
   Level level() const { return model_.level; }
 

@@ -24,6 +24,10 @@ Setup with_fixed(const Setup& setup, const SceneFitOptions& options) {
   return fixed;
 }
 
+RunCounters counters_of(const SceneCurve& curve) {
+  return {1, curve.usable ? 0 : 1, curve.segment_iterations};
+}
+
 }  // namespace
 
 SceneProblem::SceneProblem(std::span<const ScenePart> parts, const SceneFitOptions& options)
@@ -50,17 +54,17 @@ SceneProblem::SceneProblem(std::span<const ScenePart> parts, const SceneFitOptio
 
 std::size_t SceneProblem::samples() const { return squares_.residuals - priors_.size(); }
 
+std::vector<double> SceneProblem::point(std::span<const double> points, std::size_t index) const {
+  const std::span<const double> x = points.subspan(index * parameters_.size(), parameters_.size());
+  return {x.begin(), x.end()};
+}
+
 std::vector<std::vector<SceneCurve>> SceneProblem::curves(std::span<const double> points,
                                                           std::size_t count) {
-  const std::size_t n = parameters_.size();
-  const auto point = [&](std::size_t i) {
-    const std::span<const double> x = points.subspan(i * n, n);
-    return std::vector<double>(x.begin(), x.end());
-  };
   if (known_.size() > kMostKnown) known_.clear();
   std::vector<std::vector<double>> missing;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<double> x = point(i);
+    const std::vector<double> x = point(points, i);
     const bool known = known_.contains(x) || std::ranges::find(missing, x) != missing.end();
     if (!known) missing.push_back(x);
   }
@@ -72,7 +76,7 @@ std::vector<std::vector<SceneCurve>> SceneProblem::curves(std::span<const double
   }
   std::vector<std::vector<SceneCurve>> curves(models_.size());
   for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<SceneCurve>& of_parts = known_.at(point(i));
+    const std::vector<SceneCurve>& of_parts = known_.at(point(points, i));
     for (std::size_t part = 0; part < curves.size(); ++part) curves[part].push_back(of_parts[part]);
   }
   return curves;
@@ -82,6 +86,7 @@ std::vector<std::vector<SceneCurve>> SceneProblem::run(
     const std::vector<std::vector<double>>& points) {
   std::vector<std::vector<SceneCurve>> curves(models_.size());
   if (points.empty()) return curves;
+  if (options_.hooks.stopped()) throw FitInterrupted();
   std::vector<double> values;
   for (const std::vector<double>& x : points) {
     const std::vector<double> at = parameters_.values(x);
@@ -91,42 +96,64 @@ std::vector<std::vector<SceneCurve>> SceneProblem::run(
   const bool by_part = points.size() == 1;
   const int threads = options_.threads;
   parallel_for(models_.size(), {by_part ? threads : 1}, [&](std::size_t part, int) {
-    curves[part] = models_[part].run(values, points.size(), by_part ? 1 : threads);
+    curves[part] =
+        models_[part].run(values, points.size(), by_part ? 1 : threads, options_.hooks.stop);
   });
+  // What was not begun has no curve, and must not count as a scene without one.
+  if (options_.hooks.stopped()) throw FitInterrupted();
   for (const std::vector<SceneCurve>& of_part : curves) {
-    for (const SceneCurve& curve : of_part) note(curve);
+    for (const SceneCurve& curve : of_part) {
+      counters_.add(counters_of(curve));
+      if (!curve.usable) reason_ = curve.reason;
+    }
   }
   return curves;
 }
 
-void SceneProblem::note(const SceneCurve& curve) {
-  ++counters_.runs;
-  counters_.segment_iterations += curve.segment_iterations;
-  if (curve.usable) return;
-  ++counters_.failed;
-  reason_ = curve.reason;
-  turned_ = curve.turns;
-}
-
 void SceneProblem::set_residuals(std::span<const double> points, std::span<double> residuals,
                                  std::span<bool> found) {
+  const std::vector<PointRun> runs = compare(curves(points, found.size()), points, residuals);
+  for (std::size_t i = 0; i < found.size(); ++i) found[i] = runs[i].found;
+}
+
+std::vector<PointRun> SceneProblem::evaluate(std::span<const double> points, std::size_t count,
+                                             std::span<double> residuals) {
+  std::vector<std::vector<double>> each;
+  for (std::size_t i = 0; i < count; ++i) each.push_back(point(points, i));
+  return compare(run(each), points, residuals);
+}
+
+std::vector<PointRun> SceneProblem::compare(const std::vector<std::vector<SceneCurve>>& curves,
+                                            std::span<const double> points,
+                                            std::span<double> residuals) const {
   const std::size_t n = parameters_.size();
   const std::size_t m = squares_.residuals;
-  const auto all = curves(points, found.size());
-  for (std::size_t i = 0; i < found.size(); ++i) {
+  std::vector<PointRun> all(curves.front().size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    PointRun& here = all[i];
     const std::span<double> to = residuals.subspan(i * m, m);
-    found[i] = true;
-    for (std::size_t part = 0; part < all.size(); ++part) {
-      const SceneCurve& curve = all[part][i];
-      found[i] = found[i] && curve.usable;
-      if (found[i]) add_residuals(part, curve, to);
+    here.found = true;
+    for (std::size_t part = 0; part < curves.size(); ++part) {
+      const SceneCurve& curve = curves[part][i];
+      here.runs.add(counters_of(curve));
+      if (here.found && !curve.usable) {
+        here.found = false;
+        here.reason = curve.reason;
+        here.turned = curve.turns;
+      }
+      if (here.found) add_residuals(part, curve, to);
     }
-    for (std::size_t k = 0; k < priors_.size(); ++k) {
-      const std::size_t p = priors_[k];
-      const Prior& prior = *parameters_.parameter(p).prior;
-      const double value = parameters_.value(p, points[i * n + p]);
-      to[samples() + k] = (value - prior.mean) / prior.standard_deviation;
-    }
+    add_priors(points.subspan(i * n, n), to);
+  }
+  return all;
+}
+
+void SceneProblem::add_priors(std::span<const double> x, std::span<double> residuals) const {
+  for (std::size_t k = 0; k < priors_.size(); ++k) {
+    const std::size_t p = priors_[k];
+    const Prior& prior = *parameters_.parameter(p).prior;
+    const double value = parameters_.value(p, x[p]);
+    residuals[samples() + k] = (value - prior.mean) / prior.standard_deviation;
   }
 }
 

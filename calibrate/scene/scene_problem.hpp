@@ -27,6 +27,14 @@ struct RunCounters {
   }
 };
 
+/// What came of a point at which all parts were run.
+struct PointRun {
+  bool found = false;   ///< whether all parts have a curve
+  std::string reason;   ///< else why not
+  bool turned = false;  ///< whether because the probe of an abscissa turns round
+  RunCounters runs;
+};
+
 /// The sum of squares of a fit through scenes: for each part sqrt(weight) (model - measured)/scale
 /// at its samples, one part after the other, then (value - mean)/standard deviation of each prior.
 class SceneProblem {
@@ -56,17 +64,29 @@ class SceneProblem {
   /// @return by part and point (n_parts, count)
   std::vector<std::vector<SceneCurve>> curves(std::span<const double> points, std::size_t count);
 
-  const RunCounters& counters() const { return counters_; }
+  /// Residuals at several points, which are run whatever was run before: what that took depends on
+  /// the points alone.
+  /// @param points  coordinates (count x n), row by row
+  /// @param residuals  to be filled where they are found (count x m)
+  /// @return of each point (count)
+  std::vector<PointRun> evaluate(std::span<const double> points, std::size_t count,
+                                 std::span<double> residuals);
+
   /// Of the last run without a curve.
   const std::string& reason() const { return reason_; }
-  bool turned() const { return turned_; }
+  const RunCounters& counters() const { return counters_; }
+  /// Counts runs that were made elsewhere.
+  void count(const RunCounters& runs) { counters_.add(runs); }
 
  private:
   void set_residuals(std::span<const double> points, std::span<double> residuals,
                      std::span<bool> found);
+  std::vector<PointRun> compare(const std::vector<std::vector<SceneCurve>>& curves,
+                                std::span<const double> points, std::span<double> residuals) const;
   void add_residuals(std::size_t part, const SceneCurve& curve, std::span<double> residuals) const;
   std::vector<std::vector<SceneCurve>> run(const std::vector<std::vector<double>>& points);
-  void note(const SceneCurve& curve);
+  std::vector<double> point(std::span<const double> points, std::size_t index) const;
+  void add_priors(std::span<const double> x, std::span<double> residuals) const;
 
   std::span<const ScenePart> parts_;
   const SceneFitOptions& options_;
@@ -80,7 +100,6 @@ class SceneProblem {
   std::map<std::vector<double>, std::vector<SceneCurve>> known_;  ///< curves of the parts by point
   RunCounters counters_;
   std::string reason_;
-  bool turned_ = false;
 };
 
 }  // namespace plastica::calibrate

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <numeric>
 #include <utility>
 
+#include "calibrate/fit/choose_starts.hpp"
+#include "calibrate/fit/least_squares_search.hpp"
 #include "plastica/theory/sampling.hpp"
 
 namespace plastica::calibrate {
@@ -13,6 +17,31 @@ namespace {
 /// Of the fits that set a part's noise by what is left of it.
 constexpr int kMostRounds = 4;
 constexpr double kSameNoise = 0.05;
+/// Gauss-Newton steps that a search may take before the best are chosen, and how many of these go
+/// on to the end: see tests/studies/README.md.
+constexpr int kShortSteps = 6;
+constexpr std::size_t kPolished = 2;
+/// Searches side by side: as many points at once as fill lanes and threads.
+constexpr std::size_t kTogether = 16;
+
+/// What a search is kept by.
+std::string name_of(std::string_view stage, std::size_t index) {
+  return std::string(stage) + " " + std::to_string(index);
+}
+
+double cost_of_search(const LeastSquares& found) {
+  return found.outcome == LeastSquaresOutcome::NoStart ? std::numeric_limits<double>::infinity()
+                                                       : found.cost;
+}
+
+/// From the least cost on; of ties the first comes first.
+std::vector<std::size_t> ranked(const std::vector<SearchRecord>& records) {
+  std::vector<std::size_t> order(records.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t k) { return cost_of_search(records[k].found); });
+  return order;
+}
 
 }  // namespace
 
@@ -38,13 +67,10 @@ void SceneSearch::run() {
   if (found()) settle_noise();
 }
 
-LeastSquares SceneSearch::search_from(std::span<const double> start) {
-  LeastSquaresOptions how;
-  how.max_evaluations = options_.evaluations;
-  how.x_tolerance = options_.tolerance;
-  LeastSquaresProblem problem = problem_.squares();
-  problem.start.assign(start.begin(), start.end());
-  return minimize_squares(problem, how);
+void SceneSearch::tell(std::string_view stage, std::size_t done, std::size_t total) const {
+  if (!options_.hooks.progress) return;
+  options_.hooks.progress(
+      {stage, static_cast<int>(done), static_cast<int>(total), problem_.counters().runs});
 }
 
 std::vector<double> SceneSearch::searched_values(std::span<const double> x) const {
@@ -53,37 +79,181 @@ std::vector<double> SceneSearch::searched_values(std::span<const double> x) cons
   return values;
 }
 
-void SceneSearch::search() {
+/// Sobol's points within the bounds. The first is a corner; with a seed all are scrambled.
+SceneSearch::Points SceneSearch::drawn(int count) const {
   const LeastSquaresProblem& squares = problem_.squares();
   const std::size_t n = squares.start.size();
-  const auto others = static_cast<std::size_t>(options_.starts - 1);
-  // The first of Sobol's points is a corner; with a seed all are scrambled.
-  const std::vector<double> drawn =
-      n > 0 ? theory::sobol(others, n, options_.seed) : std::vector<double>();
-  for (std::size_t k = 0; k <= (n > 0 ? others : 0); ++k) {
-    std::vector<double> from = squares.start;
-    for (std::size_t i = 0; k > 0 && i < n; ++i) {
-      const double share = drawn[(k - 1) * n + i];
-      from[i] = squares.lower[i] + share * (squares.upper[i] - squares.lower[i]);
-    }
-    LeastSquares found = search_from(from);
-    SceneStart start;
-    start.from = searched_values(from);
-    start.outcome = found.outcome;
-    start.evaluations = found.evaluations;
-    const bool any = found.outcome != LeastSquaresOutcome::NoStart;
-    start.cost = any ? found.cost : std::numeric_limits<double>::infinity();
-    if (any) start.to = searched_values(found.x);
-    starts_.push_back(std::move(start));
-    if (k == 0) {
-      first_reason_ = problem_.reason();
-      start_turns_ = !any && problem_.turned();
-    }
-    if (!any) continue;
-    if (best_.outcome == LeastSquaresOutcome::NoStart || found.cost < best_.cost) {
-      best_ = std::move(found);
+  Points points(static_cast<std::size_t>(count));
+  const std::vector<double> shares = theory::sobol(points.size(), n, options_.seed);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const double width = squares.upper[i] - squares.lower[i];
+      points[k].push_back(squares.lower[i] + shares[k * n + i] * width);
     }
   }
+  return points;
+}
+
+std::vector<double> SceneSearch::screened_costs(const Points& points) {
+  const SceneFitHooks& hooks = options_.hooks;
+  const std::vector<std::byte>* kept = hooks.find ? hooks.find("screen") : nullptr;
+  if (kept != nullptr) {
+    ScreenRecord record = screen_record_from(*kept);
+    problem_.count(record.runs);
+    return std::move(record.costs);
+  }
+  tell("screen", 0, points.size());
+  const std::size_t m = problem_.squares().residuals;
+  std::vector<double> all;
+  for (const std::vector<double>& x : points) all.insert(all.end(), x.begin(), x.end());
+  std::vector<double> residuals(points.size() * m);
+  const std::vector<PointRun> runs = problem_.evaluate(all, points.size(), residuals);
+  ScreenRecord record;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    double cost = runs[k].found ? 0.0 : std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < m; ++i) cost += residuals[k * m + i] * residuals[k * m + i];
+    record.costs.push_back(cost);
+    record.runs.add(runs[k].runs);
+  }
+  if (hooks.keep) hooks.keep("screen", bytes_of(record));
+  tell("screen", points.size(), points.size());
+  return std::move(record.costs);
+}
+
+/// The best of many points that lie apart.
+SceneSearch::Points SceneSearch::screened_starts(int count) {
+  const LeastSquaresProblem& squares = problem_.squares();
+  const Points points = drawn(options_.screen);
+  const std::vector<double> costs = screened_costs(points);
+  std::vector<double> shares;
+  for (const std::vector<double>& x : points) {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      shares.push_back((x[i] - squares.lower[i]) / (squares.upper[i] - squares.lower[i]));
+    }
+  }
+  Points chosen;
+  for (const std::size_t k : choose_starts(shares, costs, static_cast<std::size_t>(count))) {
+    chosen.push_back(points[k]);
+  }
+  return chosen;
+}
+
+/// Searches from several points, as far as no earlier fit has kept what they found.
+std::vector<SearchRecord> SceneSearch::search_from(std::string_view stage, const Points& starts,
+                                                   int evaluations) {
+  std::vector<SearchRecord> records(starts.size());
+  std::vector<std::size_t> missing;
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    const auto& find = options_.hooks.find;
+    const std::vector<std::byte>* kept = find ? find(name_of(stage, k)) : nullptr;
+    if (kept == nullptr) {
+      missing.push_back(k);
+      continue;
+    }
+    records[k] = search_record_from(*kept);
+    problem_.count(records[k].runs);
+  }
+  for (std::size_t first = 0; first < missing.size(); first += kTogether) {
+    const std::size_t many = std::min(kTogether, missing.size() - first);
+    search_together(stage, starts, evaluations,
+                    std::span<const std::size_t>(missing).subspan(first, many), records);
+  }
+  return records;
+}
+
+/// Some of the searches side by side: in each round what all of them want is run together.
+void SceneSearch::search_together(std::string_view stage, const Points& starts, int evaluations,
+                                  std::span<const std::size_t> which,
+                                  std::vector<SearchRecord>& records) {
+  const LeastSquaresOptions how{.max_evaluations = evaluations, .x_tolerance = options_.tolerance};
+  LeastSquaresProblem problem = problem_.squares();
+  const std::size_t m = problem.residuals;
+  std::vector<LeastSquaresSearch> searches;
+  for (const std::size_t k : which) {
+    problem.start = starts[k];
+    searches.emplace_back(problem, how);
+  }
+  std::size_t done = which.front();
+  tell(stage, done, starts.size());
+  for (bool first = true; done < which.front() + which.size(); first = false) {
+    std::vector<double> points;
+    std::size_t count = 0;
+    for (const LeastSquaresSearch& search : searches) {
+      points.insert(points.end(), search.points().begin(), search.points().end());
+      count += search.count();
+    }
+    std::vector<double> residuals(count * m);
+    const std::vector<PointRun> runs = problem_.evaluate(points, count, residuals);
+    const auto found = std::make_unique<bool[]>(count);
+    for (std::size_t i = 0; i < count; ++i) found[i] = runs[i].found;
+    std::size_t next = 0;
+    for (std::size_t s = 0; s < searches.size(); ++s) {
+      const std::size_t many = searches[s].count();
+      if (many == 0) continue;
+      SearchRecord& record = records[which[s]];
+      if (first) record.start = runs[next];
+      for (std::size_t i = 0; i < many; ++i) record.runs.add(runs[next + i].runs);
+      searches[s].take(std::span<const double>(residuals).subspan(next * m, many * m),
+                       {found.get() + next, many});
+      next += many;
+      if (!searches[s].done()) continue;
+      ++done;
+      record.found = searches[s].result();
+      if (options_.hooks.keep) options_.hooks.keep(name_of(stage, which[s]), bytes_of(record));
+    }
+    tell(stage, done, starts.size());
+  }
+}
+
+/// Goes on to the end with the best of searches that were cut short.
+void SceneSearch::polish(std::vector<SearchRecord>& records) {
+  std::vector<std::size_t> chosen;
+  Points from;
+  for (const std::size_t k : ranked(records)) {
+    if (chosen.size() == kPolished) break;
+    if (records[k].found.outcome == LeastSquaresOutcome::NoStart) break;
+    chosen.push_back(k);
+    from.push_back(records[k].found.x);
+  }
+  std::vector<SearchRecord> ends = search_from("polish", from, options_.evaluations);
+  for (SearchRecord& record : records) {
+    if (record.found.outcome == LeastSquaresOutcome::EvaluationsReached) {
+      record.found.outcome = LeastSquaresOutcome::SetAside;
+    }
+  }
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    ends[i].found.evaluations += records[chosen[i]].found.evaluations;
+    records[chosen[i]].found = std::move(ends[i].found);
+  }
+}
+
+void SceneSearch::search() {
+  const std::size_t n = problem_.squares().start.size();
+  Points starts{problem_.squares().start};
+  const bool several = n > 0 && options_.starts > 1;
+  const bool screens = several && options_.screen > 0;
+  if (several) {
+    const int others = options_.starts - 1;
+    Points more = screens ? screened_starts(others) : drawn(others);
+    starts.insert(starts.end(), more.begin(), more.end());
+  }
+  const int few = kShortSteps * static_cast<int>(n + 1) + 1;
+  std::vector<SearchRecord> records = search_from(
+      "search", starts, screens ? std::min(few, options_.evaluations) : options_.evaluations);
+  first_reason_ = records.front().start.reason;
+  start_turns_ = records.front().start.turned;
+  if (screens) polish(records);
+  for (std::size_t k = 0; k < records.size(); ++k) {
+    const LeastSquares& found = records[k].found;
+    const bool any = found.outcome != LeastSquaresOutcome::NoStart;
+    SceneStart& start = starts_.emplace_back();
+    start.from = searched_values(starts[k]);
+    if (any) start.to = searched_values(found.x);
+    start.cost = cost_of_search(found);
+    start.outcome = found.outcome;
+    start.evaluations = found.evaluations;
+  }
+  best_ = std::move(records[ranked(records).front()].found);
 }
 
 double SceneSearch::cost_of(std::size_t part) const {
@@ -125,7 +295,8 @@ void SceneSearch::settle_noise() {
     const bool alone =
         problem_.parts().size() == 1 && problem_.squares().residuals == problem_.samples();
     if (alone || change < kSameNoise || round == kMostRounds) return;
-    LeastSquares again = search_from(best_.x);
+    const std::string stage = "weights " + std::to_string(round);
+    LeastSquares again = search_from(stage, {best_.x}, options_.evaluations).front().found;
     if (again.outcome != LeastSquaresOutcome::NoStart) best_ = std::move(again);
   }
 }

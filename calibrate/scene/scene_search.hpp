@@ -3,23 +3,28 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "calibrate/fit/least_squares.hpp"
 #include "calibrate/scene/scene_fit.hpp"
 #include "calibrate/scene/scene_problem.hpp"
+#include "calibrate/scene/search_record.hpp"
 
 namespace plastica::calibrate {
 
-/// The search for the least sum of squares of a fit through scenes, from one or several starts, and
-/// for the noise that weights its parts.
+/// The search for the least sum of squares of a fit through scenes, and for the noise that weights
+/// its parts.
+///
+/// Sobol's points within the bounds are screened; from the start and from the best of them that lie
+/// apart go short searches side by side, and the best of these go on to their ends.
 class SceneSearch {
  public:
   /// Sets the problem's scales: the noise of parts that state theirs, else their largest ordinate.
   /// @param problem, options  must outlive this
   SceneSearch(SceneProblem& problem, const SceneFitOptions& options);
 
-  /// Searches from all starts, then settles the noise. To be called once.
+  /// Searches, then settles the noise. To be called once. @throws FitInterrupted
   void run();
 
   /// Whether any start gave a curve.
@@ -40,10 +45,20 @@ class SceneSearch {
   bool start_turns() const { return start_turns_; }
 
  private:
-  LeastSquares search_from(std::span<const double> start);
+  using Points = std::vector<std::vector<double>>;
+
   std::vector<double> searched_values(std::span<const double> x) const;
+  Points drawn(int count) const;
+  std::vector<double> screened_costs(const Points& points);
+  Points screened_starts(int count);
+  std::vector<SearchRecord> search_from(std::string_view stage, const Points& starts,
+                                        int evaluations);
+  void search_together(std::string_view stage, const Points& starts, int evaluations,
+                       std::span<const std::size_t> which, std::vector<SearchRecord>& records);
+  void polish(std::vector<SearchRecord>& records);
   void search();
   void settle_noise();
+  void tell(std::string_view stage, std::size_t done, std::size_t total) const;
 
   SceneProblem& problem_;
   const SceneFitOptions& options_;

@@ -83,7 +83,8 @@ FitPlan read_fit_plan(const TomlTable& fit, const std::string& path, const Scene
   plan.options.segments_error = false;  // a sweep over the segments shows it itself
   plan.options.parameters = calibrate::read_parameters(fit, calibrate::ParameterScope::Scene);
   plan.options.evaluations = whole(fit, "evaluations", plan.options.evaluations, 1'000'000);
-  plan.options.starts = whole(fit, "starts", plan.options.starts, 1000);
+  // A sweep varies a scene that is near its curve: more searches only if asked for.
+  plan.options.starts = whole(fit, "starts", 1, 1000);
   if (const auto seed = fit.find("seed")) {
     plan.options.seed =
         static_cast<std::uint64_t>(seed->integer(0, std::numeric_limits<std::int64_t>::max()));

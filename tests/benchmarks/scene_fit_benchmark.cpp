@@ -45,6 +45,7 @@ SceneFitOptions all_three() {
   options.parameters = plastica::testing::all_three();
   options.threads = 1;
   options.segments_error = false;  // one fit, not three
+  options.starts = 1;
   return options;
 }
 

@@ -20,7 +20,7 @@ using testing::message_of;
 struct Input {
   Setup setup = bend_test(4);
   SceneTarget target = measured(setup);
-  SceneFitOptions options{.parameters = all_three()};
+  SceneFitOptions options{.parameters = all_three(), .starts = 1};
 };
 
 std::string refusal(const std::function<void(Input&)>& change) {

@@ -75,7 +75,8 @@ ScenePart twisted(int segments, double noise, unsigned seed) {
 
 TEST(SceneJointFit, IsTighterThanEachTargetAlone) {
   const std::vector<ScenePart> parts{bent(8, 5.0, 1), twisted(8, 3.0, 2)};
-  const SceneFitOptions options{.parameters = stiffness_and_yield(), .segments_error = false};
+  const SceneFitOptions options{
+      .parameters = stiffness_and_yield(), .starts = 1, .segments_error = false};
   const SceneFitResult both = fit_scenes(parts, options);
   ASSERT_EQ(both.status, FitStatus::Fitted) << both.reason;
   EXPECT_EQ(both.parts[0].level, Level::Planar);
@@ -99,7 +100,7 @@ TEST(SceneJointFit, IsTighterThanEachTargetAlone) {
 
 TEST(SceneJointFit, HasTheSameBitsOnEveryNumberOfThreads) {
   const std::vector<ScenePart> parts{bent(6, 5.0, 3), twisted(6, 3.0, 4)};
-  SceneFitOptions options{.parameters = stiffness_and_yield()};
+  SceneFitOptions options{.parameters = stiffness_and_yield(), .starts = 1};
   options.starts = 3;
   const SceneFitResult one = fit_scenes(parts, options);
   options.threads = 3;
@@ -124,7 +125,7 @@ TEST(SceneJointFit, JoinsACouponWithABeam) {
   for (int i = 1; i <= 20; ++i) coupon.target.abscissa.push_back(2e-4 * i);
   make_curve(coupon, {}, 1e6, 5);
   const std::vector<ScenePart> parts{bent(8, 5.0, 6), coupon};
-  const SceneFitResult fit = fit_scenes(parts, {.parameters = stiffness_and_yield()});
+  const SceneFitResult fit = fit_scenes(parts, {.parameters = stiffness_and_yield(), .starts = 1});
   ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
   EXPECT_EQ(fit.parts[1].level, Level::Coupon);
   EXPECT_NEAR(fit.parts[1].noise, 1e6, 0.5e6);
@@ -159,7 +160,7 @@ TEST(SceneJointFit, SaysThatTargetsDisagreeOnTheBreak) {
 TEST(SceneJointFit, ReachesRegionsThatHaveTheScenesMaterial) {
   // The bar in two halves of one section is the bar.
   ScenePart part = bent(6, 1.0, 3);
-  const SceneFitOptions options{.parameters = stiffness_and_yield()};
+  const SceneFitOptions options{.parameters = stiffness_and_yield(), .starts = 1};
   const SceneFitResult whole = fit_scene(part.setup, part.target, options);
   Region half;
   half.from = {0.5, {}};
@@ -179,7 +180,7 @@ TEST(SceneJointFit, RunsNoPointTwice) {
   part.target.abscissa.resize(30);
   part.target.ordinate.resize(30);
   const SceneFitResult two =
-      fit_scene(part.setup, part.target, {.parameters = stiffness_and_yield()});
+      fit_scene(part.setup, part.target, {.parameters = stiffness_and_yield(), .starts = 1});
   part.target.broke = SceneBreak{0.061, 0.001};
   const SceneFitResult three =
       fit_scene(part.setup, part.target, {.parameters = testing::all_three()});
@@ -191,7 +192,7 @@ TEST(SceneJointFit, LetsPriorsAndTiesSayWhatCurvesDoNot) {
   ScenePart part = bent(6, 0.5, 7);
   part.target.abscissa.assign({1e-4, 2e-4, 4e-4, 6e-4, 1e-3, 2e-3});
   make_curve(part, {}, 0.05, 8);
-  SceneFitOptions options{.parameters = stiffness_and_yield()};
+  SceneFitOptions options{.parameters = stiffness_and_yield(), .starts = 1};
   const SceneFitResult unseen = fit_scene(part.setup, part.target, options);
   EXPECT_EQ(unseen.parameter("yield_stress").verdict, Verdict::NotIdentified);
   options.parameters[1].prior = Prior{400e6, 20e6};
@@ -202,14 +203,14 @@ TEST(SceneJointFit, LetsPriorsAndTiesSayWhatCurvesDoNot) {
   EXPECT_EQ(known.parameter("yield_stress").verdict, Verdict::Identified);
   // Tied, the torsional yield stress follows that of tension.
   const ScenePart twist = twisted(6, 1.0, 9);
-  SceneFitOptions tied{.parameters = stiffness_and_yield()};
+  SceneFitOptions tied{.parameters = stiffness_and_yield(), .starts = 1};
   tied.parameters.push_back(free_parameter("shear_yield_stress", 1e6, 2e9));
   tied.parameters[2].role = ParameterRole::Tied;
   tied.parameters[2].tied_to = tied.parameters[1].field;
   tied.parameters[2].factor = 1.0 / std::sqrt(3.0);
   const SceneFitResult by_tie = fit_scene(twist.setup, twist.target, tied);
   const SceneFitResult by_default =
-      fit_scene(twist.setup, twist.target, {.parameters = stiffness_and_yield()});
+      fit_scene(twist.setup, twist.target, {.parameters = stiffness_and_yield(), .starts = 1});
   EXPECT_NEAR(by_tie.parameter("yield_stress").value, by_default.parameter("yield_stress").value,
               1e-6 * by_default.parameter("yield_stress").value);
 }

@@ -1,0 +1,211 @@
+#include "tests/studies/starts_scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <utility>
+
+#include "calibrate/scene/scene_model.hpp"
+
+namespace plastica::studies {
+namespace {
+
+using calibrate::Abscissa;
+using calibrate::Parameter;
+using calibrate::ScenePart;
+
+constexpr double kFactor = 30.0;
+constexpr double kNoise = 0.005;
+
+/// A bar of 400 x 20 x 20 mm, clamped at its start.
+Setup bar(int segments) {
+  Setup setup;
+  Scene& scene = setup.scene;
+  scene.beam.length = 0.4;
+  scene.beam.segments = segments;
+  scene.section.width = scene.section.height = 0.02;
+  scene.material.youngs_modulus = 205e9;
+  scene.material.yield_stress = 380e6;
+  scene.supports = {{.at = Place::start(), .kind = SupportKind::Clamp}};
+  scene.probes.clear();
+  return setup;
+}
+
+/// Its end is pushed along y.
+Setup bent_bar(int segments) {
+  Setup setup = bar(segments);
+  Scene& scene = setup.scene;
+  scene.yield_model = YieldModel::Fibre;
+  Support head{.at = Place::end(), .kind = SupportKind::Roller};
+  head.hold = HeldFreedoms{false, true, false, false, false, false};
+  head.translation = {0.0, 1.0, 0.0};
+  scene.supports.push_back(head);
+  scene.probes = {{"force", ProbeQuantity::Reaction, Place::end(), Component::Y}};
+  return setup;
+}
+
+/// From one turning point over the next to the last, in even steps.
+std::vector<double> way_over(const std::vector<double>& turning_points, int steps) {
+  std::vector<double> way;
+  double from = 0.0;
+  for (const double to : turning_points) {
+    for (int i = 1; i <= steps; ++i) way.push_back(from + (to - from) * i / steps);
+    from = to;
+  }
+  return way;
+}
+
+/// Standard normal numbers, the same on every machine.
+class Normal {
+ public:
+  explicit Normal(std::uint64_t seed) : random_(seed) {}
+  double draw() {
+    constexpr double kTurn = 6.283185307179586;
+    return std::sqrt(-2.0 * std::log(1.0 - uniform())) * std::cos(kTurn * uniform());
+  }
+
+ private:
+  double uniform() { return static_cast<double>(random_() >> 11U) * 0x1p-53; }
+  std::mt19937_64 random_;
+};
+
+double value_of(const Setup& setup, const Field& field) {
+  return std::get<double>(field.get(setup));
+}
+
+/// Frees fields of a scene, whose numbers are the truth, and makes its curve.
+StartsProblem problem(std::string name, ScenePart part, const std::vector<std::string>& fields) {
+  StartsProblem made;
+  made.name = part.target.name = std::move(name);
+  std::vector<const Field*> set;
+  std::vector<double> truth;
+  for (const std::string& path : fields) {
+    Parameter p;
+    p.field = &find_field(path);
+    p.value = value_of(part.setup, *p.field);
+    const bool share = p.field->material == MaterialField::KinematicShare;
+    p.lower = share ? 0.02 : *p.value / kFactor;
+    p.upper = share ? 1.0 : *p.value * kFactor;
+    made.parameters.push_back(p);
+    set.push_back(p.field);
+    truth.push_back(*p.value);
+  }
+  part.target.ordinate.assign(part.target.abscissa.size(), 0.0);
+  const calibrate::SceneModel model(part.setup, part.target, set);
+  const calibrate::SceneCurve curve = model.run(truth, 1).front();
+  if (!curve.usable) throw std::runtime_error(made.name + ": " + curve.reason);
+  double largest = 0.0;
+  for (const double y : curve.ordinate) largest = std::max(largest, std::abs(y));
+  Normal normal(7);
+  for (std::size_t i = 0; i < curve.ordinate.size(); ++i) {
+    part.target.ordinate[i] = curve.ordinate[i] + kNoise * largest * normal.draw();
+  }
+  made.part = std::move(part);
+  return made;
+}
+
+ScenePart driven(Setup setup, Abscissa kind, std::size_t driven, std::vector<double> way) {
+  ScenePart part;
+  part.target.kind = kind;
+  part.target.driven = driven;
+  part.target.ordinate_probe = setup.scene.probes.front().name;
+  part.target.abscissa = std::move(way);
+  part.setup = std::move(setup);
+  return part;
+}
+
+StartsProblem bend() {
+  Setup setup = bent_bar(8);
+  setup.scene.material.hardening = {HardeningLaw::Linear, 10e9};
+  return problem(
+      "bend", driven(setup, Abscissa::Support, 1, way_over({0.06, 0.04}, 20)),
+      {"material.youngs_modulus", "material.yield_stress", "material.hardening.tangent_modulus"});
+}
+
+StartsProblem torsion() {
+  Setup setup = bar(6);
+  Scene& scene = setup.scene;
+  scene.material.shear_modulus = 79e9;
+  scene.material.shear_yield_stress = 220e6;
+  scene.yield_cap = YieldCap::FullyPlastic;
+  Support head{.at = Place::end(), .kind = SupportKind::Pin};
+  head.hold = HeldFreedoms{true, true, false, false, false, true};
+  head.rotation = {0.0, 0.0, 1.0};
+  scene.supports.push_back(head);
+  scene.probes = {{"torque", ProbeQuantity::ReactionMoment, Place::end(), Component::Z}};
+  return problem("torsion", driven(setup, Abscissa::Support, 1, way_over({0.3}, 30)),
+                 {"material.shear_modulus", "material.shear_yield_stress"});
+}
+
+/// The force is given, so that soft or weak bars have no equilibrium.
+StartsProblem cyclic() {
+  Setup setup = bar(8);
+  Scene& scene = setup.scene;
+  scene.yield_model = YieldModel::Fibre;
+  scene.material.hardening = {HardeningLaw::Linear, 10e9, 0.6};
+  scene.loads = {{.at = Place::end(), .force = {0.0, 1.0, 0.0}}};
+  scene.probes = {{"way", ProbeQuantity::Displacement, Place::end(), Component::Y}};
+  return problem("cyclic force",
+                 driven(setup, Abscissa::Load, 0, way_over({2000.0, -2000.0, 2200.0}, 16)),
+                 {"material.youngs_modulus", "material.yield_stress",
+                  "material.hardening.tangent_modulus", "material.hardening.kinematic_share"});
+}
+
+StartsProblem voce() {
+  Setup setup = bent_bar(8);
+  setup.scene.material.hardening.law = HardeningLaw::VoceChaboche;
+  setup.scene.material.hardening.saturation_stress = 150e6;
+  setup.scene.material.hardening.saturation_rate = 40.0;
+  return problem("Voce bend", driven(setup, Abscissa::Support, 1, way_over({0.08, 0.05}, 20)),
+                 {"material.youngs_modulus", "material.yield_stress",
+                  "material.hardening.saturation_stress", "material.hardening.saturation_rate"});
+}
+
+/// A bar that was struck and swings: three and a half periods.
+StartsProblem swing() {
+  Setup setup = bar(6);
+  Scene& scene = setup.scene;
+  scene.yield_model = YieldModel::Elastic;
+  scene.initial_motions = {{.from = Place{0.5, {}}, .velocity = {0.0, 3.0, 0.0}}};
+  scene.probes = {{"way", ProbeQuantity::Displacement, Place::end(), Component::Y}};
+  setup.solver.analysis = Analysis::Dynamics;
+  setup.solver.scheme = Scheme::ArticulatedMidpoint;
+  setup.solver.time_step = 2e-4;
+  setup.solver.damping = Damping::Stiffness;
+  setup.solver.damping_time = 1e-4;
+  setup.solver.duration = 0.036;
+  setup.solver.steps = 90;
+  ScenePart part = driven(setup, Abscissa::Time, 0, way_over({0.036}, 90));
+  return problem("swing", std::move(part), {"material.youngs_modulus", "solver.damping_time"});
+}
+
+StartsProblem coupon() {
+  Setup setup;
+  Scene& scene = setup.scene;
+  scene.material.youngs_modulus = 205e9;
+  scene.material.yield_stress = 300e6;
+  scene.material.hardening.law = HardeningLaw::VoceChaboche;
+  scene.material.hardening.saturation_stress = 80e6;
+  scene.material.hardening.saturation_rate = 15.0;
+  scene.material.hardening.backstress_modulus = {30e9, 0.0, 0.0};
+  scene.material.hardening.backstress_rate = {250.0, 0.0, 0.0};
+  scene.drive.strain = {0.01};
+  return problem(
+      "Chaboche coupon",
+      driven(setup, Abscissa::Strain, 0,
+             way_over({0.012, -0.012, 0.012, -0.012, 0.016, -0.016}, 40)),
+      {"material.youngs_modulus", "material.yield_stress", "material.hardening.saturation_stress",
+       "material.hardening.saturation_rate", "material.hardening.backstress_modulus_1",
+       "material.hardening.backstress_rate_1"});
+}
+
+}  // namespace
+
+std::vector<StartsProblem> starts_problems() {
+  std::vector<StartsProblem> all{bend(), torsion(), cyclic(), voce(), swing(), coupon()};
+  for (const std::size_t cheap : {0, 1, 4}) all[cheap].cheap = true;
+  return all;
+}
+
+}  // namespace plastica::studies
