@@ -20,6 +20,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
+#include "cli/search_progress.hpp"
 #include "plastica/io/text_file.hpp"
 #include "plastica/run/simulate.hpp"
 
@@ -98,13 +99,22 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   how.threads = arguments.threads;
   how.stop = &interrupt.flag();
   ProgressBar bar("fitting", file.cases.size(), arguments.quiet);
-  how.progress = [&bar](const calibrate::BatchProgress& progress) {
-    bar.update(progress.done, progress.failed, progress.taken);
+  // A lone fit has a line of its own.
+  const bool several = file.cases.size() > 1;
+  how.progress = [&bar, several](const calibrate::BatchProgress& progress) {
+    if (several) bar.update(progress.done, progress.failed, progress.taken);
   };
-  calibrate::JournaledSceneFits batch(file.cases, file.options, how);
+  SearchProgress search(arguments.quiet);
+  calibrate::JournaledSceneFits batch(
+      file.cases, file.options, how,
+      [&search](const calibrate::SceneFitProgress& progress) { search.update(progress); });
   tell_of_journal(batch, arguments.quiet);
+  if (!arguments.quiet && batch.parts() > 0) {
+    fmt::print(stderr, "{} finished parts of fits taken from the journal\n", batch.parts());
+  }
   std::vector<calibrate::SceneFitResult> results = batch.run();
   bar.clear();
+  search.clear();
   if (!batch.complete()) {
     fmt::print(stderr, "plastica: interrupted; what is finished is kept: --resume goes on\n");
     return kInterrupted;

@@ -1,5 +1,6 @@
 #include "plastica/io/case_journal.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -80,6 +81,12 @@ CaseJournal::~CaseJournal() {
 const std::vector<std::byte>* CaseJournal::find(std::string_view id) const {
   const auto record = found_.find(std::string(id));
   return record == found_.end() ? nullptr : &record->second;
+}
+
+std::size_t CaseJournal::found_under(std::string_view beginning) const {
+  return static_cast<std::size_t>(
+      std::count_if(found_.begin(), found_.end(),
+                    [&](const auto& record) { return record.first.starts_with(beginning); }));
 }
 
 void CaseJournal::keep(std::string_view id, std::span<const std::byte> payload) {

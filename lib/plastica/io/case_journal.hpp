@@ -43,6 +43,8 @@ class CaseJournal {
   const std::vector<std::byte>* find(std::string_view id) const;
   /// How many cases an earlier run has stored.
   std::size_t found() const { return found_.size(); }
+  /// How many of these have an id that begins so: parts of a case.
+  std::size_t found_under(std::string_view beginning) const;
   /// Bytes at the journal's end that were dropped: a record torn by a crash. 0: none.
   std::uint64_t dropped_bytes() const { return dropped_bytes_; }
   /// How often the batch was interrupted and resumed, this time included.
