@@ -50,7 +50,7 @@ SceneTarget continuous() {
 }
 
 SceneFitOptions stiffness() {
-  return {.parameters = {free_parameter("youngs_modulus", 50e9, 500e9)}};
+  return {.parameters = {free_parameter("youngs_modulus", 50e9, 500e9)}, .starts = 1};
 }
 
 TEST(SceneSegments, ExtrapolateTheStiffnessThatALumpedCantileverMakesUpFor) {
