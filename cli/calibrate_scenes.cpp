@@ -85,8 +85,9 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   const std::string output = output_of(arguments);
   SceneFitFile file = calibrate::read_scene_fit_file(arguments.inputs.front());
   set_intervals(arguments, file.options.intervals);
+  // Bad input of any fit is told before the first one runs.
+  for (const SceneFitCase& one : file.cases) calibrate::check_scenes(one.parts, file.options);
   if (arguments.dry_run) {
-    for (const SceneFitCase& one : file.cases) calibrate::check_scenes(one.parts, file.options);
     print_dry_run(file, output);
     return kDone;
   }

@@ -28,12 +28,15 @@ constexpr int kMostStarts = 10'000;
 constexpr int kMostScreened = 1'000'000;
 
 /// Column, unit and factor of one of both axes.
-ColumnSource read_column(const TomlTable& axis, double& factor) {
+ColumnSource read_column(const TomlTable& axis, double& factor, SourceLocation& unit_where) {
   ColumnSource source;
   const TomlValue column = axis.at("column");
   source.column = column_name(column);
   source.where = column.where();
-  if (const auto unit = axis.find("unit")) source.unit = unit->string();
+  if (const auto unit = axis.find("unit")) {
+    source.unit = unit->string();
+    unit_where = unit->where();
+  }
   if (const auto value = axis.find("factor")) {
     factor = value->number();
     if (factor == 0.0) throw value->error("must not be 0");
@@ -74,6 +77,7 @@ void read_kind(const TomlTable& axis, SceneTarget& target) {
                      "needs one of probe (compared along the scene's own path), drive (the scene "
                      "follows what was measured) and time = true");
   }
+  target.abscissa_where = (probe ? *probe : drive ? *drive : *time).where();
   if (probe) target.abscissa_probe = probe->string();
   if (drive) read_drive(*drive, target);
   if (time) {
@@ -194,8 +198,11 @@ class Reader {
     read_kind(abscissa, part.target);
     const TomlValue probe = ordinate.at("probe");
     part.target.ordinate_probe = probe.string();
-    read.source.abscissa = read_column(abscissa, part.target.abscissa_factor);
-    read.source.ordinate = read_column(ordinate, part.target.ordinate_factor);
+    part.target.ordinate_where = probe.where();
+    read.source.abscissa =
+        read_column(abscissa, part.target.abscissa_factor, read.source.abscissa_unit);
+    read.source.ordinate =
+        read_column(ordinate, part.target.ordinate_factor, read.source.ordinate_unit);
     read.source.where = table.where();
     read_csv_options(table, read.source.csv);
     if (const auto noise = table.find("noise")) {

@@ -16,6 +16,7 @@ std::string_view name_of(Verdict verdict) {
     case Verdict::AtBound: return "at bound";
     case Verdict::LimitedBySampling: return "limited by sampling";
     case Verdict::LimitedBySegments: return "limited by segments";
+    case Verdict::FromPrior: return "from its prior";
   }
   return "";
 }
@@ -29,6 +30,7 @@ Judgement judge(const Evidence& e) {
   if (std::isnan(e.noise_error)) {
     return {Verdict::NotIdentified, std::numeric_limits<double>::infinity()};
   }
+  if (e.prior > kOfPrior) return {Verdict::FromPrior, e.prior};
   // Evenly likely over it, a half interval is as wide as a standard error of its 1/sqrt(3).
   const double widest = std::max(e.half, e.segments);
   if (widest > std::sqrt(3.0) * e.noise_error && widest > 0.0) {

@@ -13,6 +13,7 @@ enum class Verdict {
   AtBound,            ///< it would go on beyond its bound
   LimitedBySampling,  ///< a break: where it is between two samples matters more than the noise
   LimitedBySegments,  ///< what the number of segments does to it matters more than the noise
+  FromPrior,          ///< its prior says more of it than the curves
 };
 
 /// "identified", "weak", "not identified", …
@@ -20,6 +21,8 @@ std::string_view name_of(Verdict verdict);
 
 /// From this relative standard error on a parameter is weak.
 inline constexpr double kWeak = 0.1;
+/// Above this share of its prior a parameter is the prior's.
+inline constexpr double kOfPrior = 0.5;
 
 /// What a verdict is made of; SI.
 struct Evidence {
@@ -30,13 +33,14 @@ struct Evidence {
   double half = 0.0;            ///< half the interval that a break's sampling leaves
   double standard_error = 0.0;  ///< from both
   double segments = 0.0;  ///< half the interval that the number of segments leaves; 0: none known
+  double prior = 0.0;     ///< share of its prior in all that is known of it [1]
 };
 
 struct Judgement {
   Verdict verdict = Verdict::NotIdentified;
   /// The number behind the word: standard error over value; of a bound the bound [SI]; of sampling
-  /// half the interval between samples over the value, of segments half theirs; infinite if not
-  /// identified.
+  /// half the interval between samples over the value, of segments half theirs; of a prior its
+  /// share; infinite if not identified.
   double number = 0.0;
 };
 

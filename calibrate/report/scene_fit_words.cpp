@@ -55,6 +55,7 @@ std::string verdict_text(const SceneParameter& parameter) {
     }
     case Verdict::LimitedBySegments:
     case Verdict::LimitedBySampling: return word + ", ± " + share;
+    case Verdict::FromPrior: return word + ", " + share + " of it";
   }
   return word;
 }

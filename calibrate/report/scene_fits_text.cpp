@@ -28,11 +28,12 @@ struct Flag {
   char letter;
   std::string_view meaning;
 };
-constexpr std::array<Flag, 7> kFlags = {{{'b', "a parameter at a bound"},
+constexpr std::array<Flag, 8> kFlags = {{{'b', "a parameter at a bound"},
                                          {'n', "a parameter not identified"},
                                          {'k', "a parameter weak"},
                                          {'s', "a break limited by sampling"},
                                          {'g', "a parameter limited by segments"},
+                                         {'p', "a parameter from its prior"},
                                          {'c', "a correlation above 0.95"},
                                          {'w', "warnings"}}};
 
@@ -47,6 +48,7 @@ std::string flags_of(const SceneFitResult& result) {
   if (any(Verdict::Weak)) flags += 'k';
   if (any(Verdict::LimitedBySampling)) flags += 's';
   if (any(Verdict::LimitedBySegments)) flags += 'g';
+  if (any(Verdict::FromPrior)) flags += 'p';
   if (!strong_correlations(result).empty()) flags += 'c';
   if (!result.warnings.empty()) flags += 'w';
   return flags;

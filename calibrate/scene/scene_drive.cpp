@@ -55,7 +55,8 @@ std::size_t index_of(const Scene& scene, const SceneTarget& target, const Source
   const std::size_t count = support ? scene.supports.size() : scene.loads.size();
   if (target.driven >= count) {
     throw InputError(
-        where, "drive", fmt::format("{}[{}]", support ? "support" : "load", target.driven + 1),
+        where, "abscissa.drive",
+        fmt::format("{}[{}]", support ? "support" : "load", target.driven + 1),
         count == 0 ? "the scene has none" : fmt::format("the scene has {} of them", count));
   }
   return target.driven + (support ? 0 : scene.supports.size());
@@ -64,7 +65,7 @@ std::size_t index_of(const Scene& scene, const SceneTarget& target, const Source
 Driven driven_of(Scene& scene, const SceneTarget& target, const SourceLocation& where) {
   Driven driven = histories_of(scene)[index_of(scene, target, where)];
   if ((size_of(driven.straight) > 0.0) == driven.turns()) {
-    throw InputError(where, "drive", driven.name,
+    throw InputError(where, "abscissa.drive", driven.name,
                      target.kind == Abscissa::Support
                          ? "must be moved by a translation or by a rotation, to follow a number"
                          : "must be a force or a moment, to follow a number");
@@ -93,7 +94,7 @@ Dimension abscissa_dimension(const Scene& scene, const SceneTarget& target,
     case Abscissa::Probe:
       // The scene is a chain: its probes do not depend on a coupon's deformation.
       return dimension_of(
-          scene.probes[probe_index(scene, target.abscissa_probe, "abscissa_probe", where)].quantity,
+          scene.probes[probe_index(scene, target.abscissa_probe, "abscissa.probe", where)].quantity,
           Deformation::Tension);
     case Abscissa::Time: return Dimension::Time;
     case Abscissa::Strain: return Dimension::Strain;
@@ -116,10 +117,10 @@ Setup driven_setup(const Setup& setup, const SceneTarget& target) {
     return followed;
   }
   if (setup.solver.analysis == Analysis::Dynamics) {
-    throw InputError({}, "drive", "",
+    throw InputError(target.abscissa_where, "abscissa.drive", "",
                      "is followed at rest: the curve of a motion is compared over its time");
   }
-  const Driven driven = driven_of(scene, target, {});
+  const Driven driven = driven_of(scene, target, target.abscissa_where);
   check_others(scene, driven.history);
   History history{{0.0}, {0.0}};
   for (std::size_t i = 0; i < way.size(); ++i) {

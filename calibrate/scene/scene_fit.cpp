@@ -42,7 +42,8 @@ class SceneFit {
     } else {
       // Bad input where no value of a parameter could help.
       if (search_.start_turns()) {
-        throw InputError({}, "abscissa_probe", parts_.front().target.abscissa_probe,
+        const SceneTarget& target = first_along_a_probe();
+        throw InputError(target.abscissa_where, "abscissa.probe", target.abscissa_probe,
                          search_.first_reason());
       }
       result_.reason = "the scene gives no curve from the start values: " + search_.first_reason();
@@ -55,13 +56,20 @@ class SceneFit {
   }
 
  private:
+  const SceneTarget& first_along_a_probe() const {
+    const auto part = std::ranges::find_if(parts_, [](const ScenePart& each) {
+      return each.target.kind == Abscissa::Probe || each.target.kind == Abscissa::Time;
+    });
+    return part == parts_.end() ? parts_.front().target : part->target;
+  }
+
   void explain() {
     result_.status = FitStatus::Fitted;
     result_.outcome = search_.best().outcome;
     const auto n = static_cast<double>(problem_.parameters().size());
     result_.degrees_of_freedom = search_.knows_noise()
                                      ? std::numeric_limits<double>::infinity()
-                                     : static_cast<double>(problem_.samples()) - n;
+                                     : static_cast<double>(problem_.squares().residuals) - n;
     for (std::size_t part = 0; part < parts_.size(); ++part) add_part(part);
     const auto curves = problem_.curves(search_.best().x, 1);
     for (std::size_t part = 0; part < parts_.size(); ++part) {
@@ -74,14 +82,17 @@ class SceneFit {
     }
     if (options_.segments_error) add_segments();
     for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
-      judge(halves_[i], segments_of(i), result_.parameters[i]);
+      judge(halves_[i], segments_of(i), prior_shares_[i], result_.parameters[i]);
     }
     if (search_.best().outcome == LeastSquaresOutcome::EvaluationsReached) {
       result_.warnings.push_back(fmt::format(
           "the search ended at its {} evaluations (fit.evaluations): better values may be near",
           options_.evaluations));
     }
-    for (std::size_t part = 0; part < parts_.size(); ++part) warn_of_noise(part);
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      warn_of_noise(part);
+      warn_of_sign(part);
+    }
     for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
       add_warning(result_.parameters[i], segments_of(i), result_.warnings);
     }
@@ -117,6 +128,24 @@ class SceneFit {
     result_.warnings.push_back(
         fmt::format("{}: a noise of {:.3g} is stated, but the residuals are of {:.3g} (SI)",
                     parts_[part].target.name, *given, left));
+  }
+
+  /// A curve that runs against the fitted one: no value of a parameter mends it.
+  void warn_of_sign(std::size_t part) {
+    constexpr double kAgainst = -0.9;
+    const SceneTarget& target = parts_[part].target;
+    const std::vector<double>& fitted = result_.parts[part].fitted;
+    double both = 0.0, measured = 0.0, made = 0.0;
+    for (std::size_t i = 0; i < fitted.size(); ++i) {
+      both += fitted[i] * target.ordinate[i];
+      measured += target.ordinate[i] * target.ordinate[i];
+      made += fitted[i] * fitted[i];
+    }
+    if (!(both < kAgainst * std::sqrt(measured * made))) return;
+    result_.warnings.push_back(fmt::format(
+        "{}: the scene's curve runs against the measured one; if the machine counts the other way, "
+        "ordinate.factor = {:g} turns it",
+        target.name, -target.ordinate_factor));
   }
 
   void add_part(std::size_t index) {
@@ -195,6 +224,9 @@ class SceneFit {
                                                        result_.degrees_of_freedom, halves);
       fitted.interval_low = fitted.value - reach;
       fitted.interval_high = fitted.value + reach;
+      // Both count by one over the square of their standard deviations.
+      const double prior = p.prior ? noise_error / p.prior->standard_deviation : 0.0;
+      prior_shares_.push_back(prior * prior);
       halves_.push_back(std::accumulate(halves.begin(), halves.end(), 0.0));
       result_.parameters.push_back(std::move(fitted));
       slopes.push_back(std::move(slope));
@@ -230,6 +262,7 @@ class SceneFit {
   SceneProblem problem_;
   SceneSearch search_;
   std::vector<double> halves_;               ///< of the sampling intervals of parameters [SI]
+  std::vector<double> prior_shares_;         ///< in what is known of the parameters (n_free)
   std::vector<std::vector<double>> shares_;  ///< of the parts in a break limit, by parameter
   RunCounters counters_;                     ///< of what has problems of its own
   SceneFitResult result_;

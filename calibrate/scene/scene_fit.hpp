@@ -82,7 +82,7 @@ struct ScenePartFit {
   std::size_t samples = 0;
   double cost = 0.0;  ///< sum of the squared residuals [SI^2]
   /// Standard deviation of the ordinate that errors stand on, and that parts are weighted by: the
-  /// target's, else sqrt(cost/(n_samples (1 - n/n_all samples))) [SI].
+  /// target's, else sqrt(cost/(n_samples (1 - (n - n_priors)/n_all samples))) [SI].
   double noise = 0.0;
   double misfit_share = 0.0;  ///< rms residual over the largest measured ordinate [1]
   /// Wald and Wolfowitz: probability of as few runs of residuals of one sign, if they were

@@ -48,13 +48,14 @@ void take_limits_off(Scene& scene) {
   scene.break_limit_z.reset();
 }
 
-void check_kind(const Scene& scene, Abscissa kind) {
-  if (scene.is_coupon() == (kind == Abscissa::Strain)) return;
+void check_kind(const Scene& scene, const SceneTarget& target) {
+  if (scene.is_coupon() == (target.kind == Abscissa::Strain)) return;
   if (scene.is_coupon()) {
-    throw InputError({}, "drive.strain", "",
+    throw InputError(target.abscissa_where, "drive.strain", "",
                      "makes the scene a coupon, which follows a measured strain");
   }
-  throw InputError({}, "drive", "strain", "needs a coupon: a scene with drive.strain");
+  throw InputError(target.abscissa_where, "abscissa.drive", "strain",
+                   "needs a coupon: a scene with drive.strain");
 }
 
 SceneCurve failed(std::string reason) {
@@ -80,13 +81,15 @@ std::size_t probe_index(const Scene& scene, const std::string& name, std::string
 SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
                        std::vector<const Field*> fields)
     : setup_(setup), target_(target), fields_(std::move(fields)) {
-  check_kind(setup_.scene, target.kind);
+  check_kind(setup_.scene, target);
   if (is_driven(target.kind)) setup_ = driven_setup(setup, target);
   Scene& scene = setup_.scene;
   if (target.kind == Abscissa::Probe) {
-    abscissa_probe_ = probe_index(scene, target.abscissa_probe, "abscissa_probe");
+    abscissa_probe_ =
+        probe_index(scene, target.abscissa_probe, "abscissa.probe", target.abscissa_where);
   }
-  ordinate_probe_ = probe_index(scene, target.ordinate_probe, "ordinate_probe");
+  ordinate_probe_ =
+      probe_index(scene, target.ordinate_probe, "ordinate.probe", target.ordinate_where);
   take_limits_off(scene);
   if (scene.is_coupon()) {
     const bool net = scene.break_measure == BreakMeasure::Net;
@@ -180,6 +183,10 @@ bool SceneModel::place(const Response& response, std::vector<double>& path,
         "the probe {} must grow along the path (times {:g}), and does not at sample {}; a scene "
         "whose drive follows what was measured may turn",
         target_.abscissa_probe, target_.abscissa_factor, i);
+    if (path[i] < path.front()) {
+      curve.reason += fmt::format("; if the machine counts the other way: abscissa.factor = {:g}",
+                                  -target_.abscissa_factor);
+    }
     return false;
   }
   const double least = target_.abscissa.front();

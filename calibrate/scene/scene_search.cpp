@@ -268,8 +268,10 @@ double SceneSearch::cost_of(std::size_t part) const {
 
 double SceneSearch::noise_left(std::size_t part) const {
   const auto samples = static_cast<double>(problem_.parts()[part].target.ordinate.size());
-  const auto taken =
-      static_cast<double>(problem_.parameters().size()) / static_cast<double>(problem_.samples());
+  // A prior gives what a parameter takes.
+  const std::size_t priors = problem_.squares().residuals - problem_.samples();
+  const auto taken = static_cast<double>(problem_.parameters().size() - priors) /
+                     static_cast<double>(problem_.samples());
   return std::sqrt(cost_of(part) / (samples * (1.0 - taken)));
 }
 

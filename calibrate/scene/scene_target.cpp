@@ -19,12 +19,12 @@ struct Column {
   io::UnitConversion convert;
 };
 
-Column find_column(const io::CsvTable& table, const ColumnSource& source, Dimension dimension,
-                   std::string_view field) {
+Column find_column(const io::CsvTable& table, const ColumnSource& source,
+                   const SourceLocation& unit_where, Dimension dimension, std::string_view field) {
   Column column;
   column.index = table.find(source.column, source.where, field);
   const std::string unit = source.unit.value_or(table.units()[column.index]);
-  const SourceLocation where = source.unit ? source.where : SourceLocation{table.file(), 0};
+  const SourceLocation where = source.unit ? unit_where : SourceLocation{table.file(), 0};
   column.convert = io::unit_conversion(unit, dimension, where, source.column);
   return column;
 }
@@ -36,12 +36,14 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
   SceneTarget target = std::move(probes);
   const io::CsvTable table = io::CsvTable::read(source.file, source.csv);
   if (target.name.empty()) target.name = std::filesystem::path(source.file).stem().string();
-  const Probe& probe =
-      scene.probes[probe_index(scene, target.ordinate_probe, "ordinate_probe", source.where)];
-  target.abscissa_is = abscissa_dimension(scene, target, source.where);
+  const Probe& probe = scene.probes[probe_index(scene, target.ordinate_probe, "ordinate.probe",
+                                                target.ordinate_where)];
+  target.abscissa_is = abscissa_dimension(scene, target, target.abscissa_where);
   target.ordinate_is = dimension_of(probe.quantity, scene.drive.deformation);
-  const Column x = find_column(table, source.abscissa, target.abscissa_is, "abscissa");
-  const Column y = find_column(table, source.ordinate, target.ordinate_is, "ordinate");
+  const Column x =
+      find_column(table, source.abscissa, source.abscissa_unit, target.abscissa_is, "abscissa");
+  const Column y =
+      find_column(table, source.ordinate, source.ordinate_unit, target.ordinate_is, "ordinate");
   target.abscissa.clear();
   target.ordinate.clear();
   for (std::size_t row = 0; row < table.rows(); ++row) {

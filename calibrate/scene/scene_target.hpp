@@ -53,6 +53,8 @@ struct SceneTarget {
   double ordinate_factor = 1.0;
   std::optional<double> noise;  ///< standard deviation of the ordinate [SI], > 0; empty: unknown
   std::optional<SceneBreak> broke;
+  /// For error lines: of the probe or drive of the abscissa, and of the probe of the ordinate.
+  SourceLocation abscissa_where{}, ordinate_where{};
 };
 
 /// Which file and columns hold a measured curve.
@@ -61,7 +63,8 @@ struct SceneTargetSource {
   ColumnSource abscissa;  ///< a name or number; no pattern
   ColumnSource ordinate;
   io::CsvOptions csv;
-  SourceLocation where;  ///< of the user's words, for error lines
+  SourceLocation where;                             ///< of the user's words, for error lines
+  SourceLocation abscissa_unit{}, ordinate_unit{};  ///< of given units, likewise
 };
 
 /// Reads a measured curve; units come from the source or the file and must fit the probes.

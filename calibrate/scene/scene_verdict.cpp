@@ -20,7 +20,7 @@ std::string enough_segments(const SceneParameter& p, const SegmentsError& segmen
 
 }  // namespace
 
-void judge(double half, const SegmentsError& segments, SceneParameter& p) {
+void judge(double half, const SegmentsError& segments, double prior, SceneParameter& p) {
   const bool seen = segments.trend > SegmentsTrend::Settled;
   const Judgement judgement = calibrate::judge({.value = p.value,
                                                 .lower = p.lower,
@@ -29,7 +29,8 @@ void judge(double half, const SegmentsError& segments, SceneParameter& p) {
                                                 .noise_error = p.noise_error,
                                                 .half = half,
                                                 .standard_error = p.standard_error,
-                                                .segments = seen ? segments.error : 0.0});
+                                                .segments = seen ? segments.error : 0.0,
+                                                .prior = prior});
   p.verdict = judgement.verdict;
   p.verdict_number = judgement.number;
 }
@@ -64,6 +65,12 @@ void add_warning(const SceneParameter& p, const SegmentsError& segments,
                                      : fmt::format("is more than the noise does, {:.2g} %",
                                                    100.0 * p.noise_error / std::abs(p.value)),
           enough_segments(p, segments)));
+      return;
+    case Verdict::FromPrior:
+      warnings.push_back(fmt::format(
+          "{} is from its prior: of what is known of it, {:.0f} % is the prior's and the rest the "
+          "curves'",
+          name, 100.0 * p.verdict_number));
   }
 }
 

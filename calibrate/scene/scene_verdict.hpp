@@ -10,7 +10,8 @@ namespace plastica::calibrate {
 
 /// Sets verdict and number of a parameter that has its value and errors.
 /// @param half  half the interval that a break's sampling leaves [SI]
-void judge(double half, const SegmentsError& segments, SceneParameter& parameter);
+/// @param prior  share of its prior in all that is known of it [1]; 0 without one
+void judge(double half, const SegmentsError& segments, double prior, SceneParameter& parameter);
 
 /// Says what a reader must not overlook.
 void add_warning(const SceneParameter& parameter, const SegmentsError& segments,

@@ -77,7 +77,8 @@ FitPlan read_fit_plan(const TomlTable& fit, const std::string& path, const Scene
   source.file = plan.file;
   source.abscissa = abscissa.column;
   source.ordinate = ordinate.column;
-  source.where = fit.where();
+  source.where = source.abscissa_unit = source.ordinate_unit = fit.where();
+  wanted.abscissa_where = wanted.ordinate_where = fit.where();
   plan.target = calibrate::read_scene_target(source, scene, std::move(wanted));
   (void)fit.at("parameters");
   plan.options.segments_error = false;  // a sweep over the segments shows it itself

@@ -155,15 +155,25 @@ TEST(SceneFitCommand, HasTheSameBytesOnEveryNumberOfThreads) {
   EXPECT_EQ(place.read("1.json"), place.read("3.json"));
 }
 
-TEST(SceneFitCommand, KeepsAFailedFitAsARow) {
+TEST(SceneFitCommand, ChecksAllFitsBeforeTheFirst) {
   const Workplace place;
   write_bars(place);
   place.write("b.csv", "Way (mm),Force (N)\n1,144\n");
   const CommandResult result = place.run({"calibrate", "fit.toml"});
-  EXPECT_EQ(result.code, 1);
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.err, "plastica: target = b: has no more samples than the fit has parameters\n");
+  EXPECT_FALSE(place.has("fit.h5"));
+}
+
+TEST(SceneFitCommand, KeepsAFailedFitAsARow) {
+  const Workplace place;
+  write_bars(place);
+  // No bar of 400 mm can be pushed by 40 m.
+  place.write("b.csv", "Way (mm),Force (N)\n1,144\n40000,289\n1,144\n");
+  const CommandResult result = place.run({"calibrate", "fit.toml"});
+  EXPECT_EQ(result.code, 1) << result.err;
   EXPECT_TRUE(result.out.ends_with("fitted 1, failed 1\n")) << result.out;
-  EXPECT_NE(result.out.find("has no more samples than the fit has parameters"), std::string::npos)
-      << result.out;
+  EXPECT_NE(result.out.find("gives no curve"), std::string::npos) << result.out;
 }
 
 BadInput bad_fit(std::string name, const std::string& from, const std::string& to,

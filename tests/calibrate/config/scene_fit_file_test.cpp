@@ -142,13 +142,19 @@ TEST_F(SceneFitFileTest, NamesWhatIsWrong) {
       "fit.toml:6: target[1].abscissa.drive = suport[2]: must be \"strain\", \"support[I]\" or "
       "\"load[I]\", I its number from 1 on");
   EXPECT_EQ(with("support[2]", "support[3]"),
-            "fit.toml:3: drive = support[3]: the scene has 2 of them");
+            "fit.toml:6: abscissa.drive = support[3]: the scene has 2 of them");
   EXPECT_EQ(
       with("drive = \"support[2]\", ", ""),
       "fit.toml:6: target[1].abscissa: needs one of probe (compared along the scene's own path), "
       "drive (the scene follows what was measured) and time = true");
   EXPECT_EQ(with("probe = \"force\"", "probe = \"fource\""),
-            "fit.toml:3: ordinate_probe = fource: is not one of the scene's probes: force");
+            "fit.toml:7: ordinate.probe = fource: is not one of the scene's probes: force");
+  EXPECT_EQ(with("ordinate = { probe = \"force\", column = \"Force\", factor = -1 }",
+                 "[target.ordinate]\nprobe = \"fource\"\ncolumn = \"Force\""),
+            "fit.toml:8: ordinate.probe = fource: is not one of the scene's probes: force");
+  EXPECT_TRUE(with("ordinate = { probe = \"force\", column = \"Force\", factor = -1 }",
+                   "[target.ordinate]\nprobe = \"force\"\ncolumn = \"Force\"\nunit = \"mm\"")
+                  .starts_with("fit.toml:10: Force"));
   EXPECT_EQ(
       with("\"Force\"", "\"Load\""),
       "fit.toml:7: ordinate = Load: is not a column of a.csv, which has 2 columns: Way, Force");

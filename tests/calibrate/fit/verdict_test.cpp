@@ -75,5 +75,16 @@ TEST(Verdict, CountsRunsAsWaldAndWolfowitz) {
   EXPECT_TRUE(std::isnan(runs_probability(std::vector<double>(19, 1.0))));
 }
 
+TEST(Verdict, IsThePriorsWhereThatSaysMoreThanTheCurves) {
+  Evidence evidence{.value = 1.0, .lower = 0.1, .upper = 10.0, .noise_error = 0.02};
+  evidence.standard_error = 0.02;
+  evidence.prior = 0.4;
+  EXPECT_EQ(judge(evidence).verdict, Verdict::Identified);
+  evidence.prior = 0.6;
+  EXPECT_EQ(judge(evidence).verdict, Verdict::FromPrior);
+  EXPECT_EQ(judge(evidence).number, 0.6);
+  EXPECT_EQ(name_of(Verdict::FromPrior), "from its prior");
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

@@ -93,19 +93,20 @@ std::string refusal(const Change& change) {
 
 TEST(SceneDrive, RefusesWhatCannotFollow) {
   EXPECT_EQ(refusal([](auto&, auto& target) { target.driven = 2; }),
-            "drive = support[3]: the scene has 2 of them");
-  EXPECT_EQ(refusal([](auto&, auto& target) { target.driven = 0; }),
-            "drive = support[1]: must be moved by a translation or by a rotation, to follow a "
-            "number");
+            "abscissa.drive = support[3]: the scene has 2 of them");
+  EXPECT_EQ(
+      refusal([](auto&, auto& target) { target.driven = 0; }),
+      "abscissa.drive = support[1]: must be moved by a translation or by a rotation, to follow a "
+      "number");
   EXPECT_EQ(refusal([](auto&, auto& target) { target.kind = Abscissa::Load; }),
-            "drive = load[2]: the scene has none");
+            "abscissa.drive = load[2]: the scene has none");
   EXPECT_EQ(refusal([](auto& setup, auto&) {
               setup.scene.loads.push_back({.force = {0.0, 1.0, 0.0}});
             }),
             "load[1].history: must be constant: the scene is driven by what was measured, and the "
             "rest is there from the first");
   EXPECT_EQ(refusal([](auto& setup, auto&) { setup.solver.analysis = Analysis::Dynamics; }),
-            "drive: is followed at rest: the curve of a motion is compared over its time");
+            "abscissa.drive: is followed at rest: the curve of a motion is compared over its time");
 }
 
 }  // namespace

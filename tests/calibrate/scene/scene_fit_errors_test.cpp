@@ -60,7 +60,7 @@ TEST(SceneFitErrors, NameTheParameterThatIsWrong) {
 
 TEST(SceneFitErrors, NameWhatIsWrongWithTargetAndOptions) {
   EXPECT_EQ(refusal([](Input& in) { in.target.abscissa_probe = "way"; }),
-            "abscissa_probe = way: is not one of the scene's probes: displacement, force");
+            "abscissa.probe = way: is not one of the scene's probes: displacement, force");
   EXPECT_EQ(refusal([](Input& in) { in.target.abscissa[5] = 0.0; }),
             "target = bar: must be finite and never go back, and does at sample 5");
   EXPECT_EQ(refusal([](Input& in) { in.target.ordinate.pop_back(); }),
@@ -82,15 +82,17 @@ TEST(SceneFitErrors, NameWhatIsWrongWithTargetAndOptions) {
 
 TEST(SceneFitErrors, RefuseScenesThatGiveNoSuchCurve) {
   EXPECT_EQ(refusal([](Input& in) { in.target.abscissa_factor = 1.0; }),
-            "abscissa_probe = displacement: the probe displacement must grow along the path "
+            "abscissa.probe = displacement: the probe displacement must grow along the path "
             "(times 1), and does not at sample 1; a scene whose drive follows what was measured "
-            "may turn");
-  EXPECT_EQ(refusal([](Input& in) {
-              in.setup.scene.supports[1].history = History::turning_points({1.0, 0.5});
-            }),
-            "abscissa_probe = displacement: the probe displacement must grow along the path "
-            "(times -1), and does not at sample 41; a scene whose drive follows what was measured "
-            "may turn");
+            "may turn; if the machine counts the other way: abscissa.factor = -1");
+  EXPECT_EQ(
+      refusal([](Input& in) {
+        in.target.abscissa_where = {"fit.toml", 6};
+        in.setup.scene.supports[1].history = History::turning_points({1.0, 0.5});
+      }),
+      "fit.toml:6: abscissa.probe = displacement: the probe displacement must grow along the path "
+      "(times -1), and does not at sample 41; a scene whose drive follows what was measured "
+      "may turn");
   EXPECT_EQ(refusal([](Input& in) {
               in.setup = {};
               in.setup.scene.drive.strain = {0.001};

@@ -20,6 +20,7 @@ class SceneTargetFile : public ::testing::Test {
     SceneTarget probes;
     probes.abscissa_probe = "displacement";
     probes.ordinate_probe = probe;
+    probes.ordinate_where = {"fit.toml", 5};
     probes.ordinate_factor = -1.0;
     return read_scene_target(source(text), bend_test(4).scene, probes);
   }
@@ -69,7 +70,7 @@ TEST_F(SceneTargetFile, RefusesWhatIsNoCurveOfTheScene) {
             "fit.toml:5: ordinate = Force: is not a column of " + folder_.file("bar.csv") +
                 ", which has 2 columns: Way, Load");
   EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n2,1\n", "load"),
-            "fit.toml:3: ordinate_probe = load: is not one of the scene's probes: displacement, "
+            "fit.toml:5: ordinate.probe = load: is not one of the scene's probes: displacement, "
             "force");
   EXPECT_NE(refusal("Way (mm),Force (MPa)\n0,0\n2,1\n").find("Force"), std::string::npos);
   EXPECT_NE(refusal("Way (mm),Force\n0,0\n2,1\n").find("Force"), std::string::npos);
