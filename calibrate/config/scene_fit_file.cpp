@@ -150,7 +150,7 @@ class Reader {
     };
     resamples("bootstrap", intervals.bootstrap);
     resamples("bootstrap_specimens", intervals.specimens);
-    whole("bootstrap_block", kMostResamples, intervals.block);
+    whole("bootstrap_block", 1, kMostResamples, intervals.block);
     if (const auto tolerance = fit.find("tolerance")) {
       options.tolerance = tolerance->number_within(0.0, 1.0, false);
     }
