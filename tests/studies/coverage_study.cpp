@@ -78,6 +78,7 @@ TEST(Coverage, PopulationOfSpecimensIsThatOfTheirTruths) {
   const std::size_t n = truths[0].size();
   ASSERT_EQ(n, 200U);
   SceneFitOptions options;
+  options.starts = 1;
   options.parameters = yield_and_tangent();
   std::vector<SceneFitRecord> records(n);
   std::vector<ScenePart> pooled(n);
@@ -138,6 +139,7 @@ TEST(Coverage, IntervalsHoldTheTruthAsOftenAsTheySay) {
   constexpr Bilinear kTruth;
   const double truth[] = {kTruth.yield_stress, kTruth.tangent_modulus};
   SceneFitOptions options;
+  options.starts = 1;
   options.parameters = yield_and_tangent();
   options.intervals = {.profile = true, .bootstrap = is_full() ? 400 : 200};
   std::vector<Held> held(2 * seeds);

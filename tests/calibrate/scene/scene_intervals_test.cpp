@@ -20,6 +20,7 @@ using testing::yield_and_tangent;
 
 SceneFitOptions yield_options() {
   SceneFitOptions options;
+  options.starts = 1;
   options.parameters = yield_and_tangent();
   return options;
 }
@@ -109,6 +110,7 @@ TEST(SceneIntervals, DoNotChangeTheFit) {
 TEST(SceneIntervals, AreOneSidedWhereTheCurveSaysNoMore) {
   // A coupon that stays elastic: yield is not seen below 0.12, and anywhere above.
   SceneFitOptions options;
+  options.starts = 1;
   options.parameters = {bounded("youngs_modulus", 0.5, 5.0), bounded("yield_stress", 0.02, 1.0)};
   options.parameters[1].value = 0.3;
   options.intervals.profile = true;
@@ -204,6 +206,7 @@ TEST(SceneIntervals, OfSpecimensAreTheirScatter) {
 TEST(SceneIntervals, OfTheFittedCurveAreThoseOfALine) {
   // Stress = E strain: the curve's error is strain sigma/sqrt(sum strain^2).
   SceneFitOptions options;
+  options.starts = 1;
   options.parameters = {bounded("youngs_modulus", 0.5, 5.0)};
   SceneTarget target = noisy_bilinear({.yield_stress = 10.0}, 0.0, 5, 50);
   for (std::size_t i = 0; i < 50; ++i) {
