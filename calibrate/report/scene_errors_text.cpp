@@ -41,6 +41,12 @@ std::vector<ErrorColumn> error_columns(const SceneFitResult& result) {
                          return result.segments->parameters[i].error / std::sqrt(3.0);
                        }});
   }
+  if (result.intervals.specimens.resamples > 0) {
+    columns.push_back({"specimens", [&](std::size_t i) {
+                         return result.intervals.specimens.intervals[i].standard_error;
+                       }});
+  }
+  columns.push_back({"misfit", of_parameter(&SceneParameter::misfit_error)});
   return columns;
 }
 

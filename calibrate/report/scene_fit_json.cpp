@@ -38,6 +38,7 @@ Json parameter_of(const SceneParameter& p) {
           {"interval", {number(p.interval_low), number(p.interval_high)}},
           {"noise_error", number(p.noise_error)},
           {"sampling_error", number(p.sampling_error)},
+          {"misfit_error", number(p.misfit_error)},
           {"start", number(p.start)},
           {"bounds", {number(p.lower), number(p.upper)}},
           {"unit", si_unit(p.dimension)},

@@ -56,6 +56,17 @@ double limit_within(const StrainAtBreak& strain, bool ends) {
   return ends ? strain.at : 0.5 * (strain.before + strain.after);
 }
 
+double joint_moment(const MatrixXd& c, const VectorXd& a, const VectorXd& b) {
+  double sum = 0.0;
+  for (Index i = 0; i < a.size(); ++i) {
+    for (Index j = 0; j < b.size(); ++j) {
+      const double product = a[i] * b[j];
+      if (product != 0.0) sum += product * c(i, j);
+    }
+  }
+  return sum;
+}
+
 double BreakLimit::half() const { return std::accumulate(halves.begin(), halves.end(), 0.0); }
 
 SceneErrors::SceneErrors(SceneProblem& problem, std::span<const double> x,
@@ -203,12 +214,7 @@ BreakLimit SceneErrors::break_limit(const Parameter& p) {
     broken.push_back(part);
     const BreakLimit& limit = limits.back();
     double variance = limit.half() * limit.half() / 3.0;
-    for (Index i = 0; i < limit.slope.size(); ++i) {
-      for (Index j = 0; j < limit.slope.size(); ++j) {
-        const double term = limit.slope[i] * limit.slope[j];
-        if (term != 0.0) variance += term * covariance_(i, j);
-      }
-    }
+    variance += joint_moment(covariance_, limit.slope, limit.slope);
     certainty.push_back(1.0 / variance);
   }
   double total = 0.0;

@@ -29,6 +29,10 @@ struct BreakLimit {
 ///        taken to be as wide as what lies before
 double limit_within(const StrainAtBreak& strain, bool ends);
 
+/// a^T C b over the coordinates that both have anything of: what C does not know of others does not
+/// count.
+double joint_moment(const Eigen::MatrixXd& c, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
 /// What the curves say of the coordinates at a solution, and of the break limits.
 class SceneErrors {
  public:

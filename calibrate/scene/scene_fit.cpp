@@ -205,27 +205,29 @@ class SceneFit {
         slope[static_cast<Eigen::Index>(next)] = std::abs(searched.slope(next, fitted.value));
         ++next;
       }
-      double variance = 0.0;
-      for (Eigen::Index i = 0; i < slope.size(); ++i) {
-        for (Eigen::Index j = 0; j < slope.size(); ++j) {
-          const double product = slope[i] * slope[j];
-          if (product != 0.0) variance += product * covariance(i, j);
-        }
-      }
-      const double noise_error = fitted.at_bound ? kNan : std::sqrt(variance);
-      fitted.noise_error = noise_error;
-      variance = 0.0;
-      for (const double half : halves) variance += half * half / 3.0;
-      fitted.sampling_error = std::sqrt(variance);
-      fitted.standard_error = std::sqrt(noise_error * noise_error + variance);
-      const double reach = std::isnan(noise_error)
+      const auto error = [&](const Eigen::MatrixXd& c) {
+        return fitted.at_bound ? kNan : std::sqrt(joint_moment(c, slope, slope));
+      };
+      fitted.noise_error = error(errors.covariance());
+      // Where the residuals are independent both estimate the same, and either may be larger.
+      const double in_runs = error(errors.correlated_covariance());
+      fitted.misfit_error =
+          std::isnan(in_runs)
+              ? kNan
+              : std::sqrt(
+                    std::max(0.0, in_runs * in_runs - fitted.noise_error * fitted.noise_error));
+      double sampling = 0.0;
+      for (const double half : halves) sampling += half * half / 3.0;
+      fitted.sampling_error = std::sqrt(sampling);
+      fitted.standard_error = std::hypot(fitted.noise_error, fitted.sampling_error);
+      const double reach = std::isnan(fitted.noise_error)
                                ? kNan
-                               : theory::half_interval(options_.confidence, noise_error,
+                               : theory::half_interval(options_.confidence, fitted.noise_error,
                                                        result_.degrees_of_freedom, halves);
       fitted.interval_low = fitted.value - reach;
       fitted.interval_high = fitted.value + reach;
       // Both count by one over the square of their standard deviations.
-      const double prior = p.prior ? noise_error / p.prior->standard_deviation : 0.0;
+      const double prior = p.prior ? fitted.noise_error / p.prior->standard_deviation : 0.0;
       prior_shares_.push_back(prior * prior);
       halves_.push_back(std::accumulate(halves.begin(), halves.end(), 0.0));
       result_.parameters.push_back(std::move(fitted));
@@ -238,21 +240,12 @@ class SceneFit {
                        const Eigen::MatrixXd& covariance) {
     const std::size_t n = slopes.size();
     result_.correlation.assign(n * n, kNan);
-    const auto joint = [&](std::size_t a, std::size_t b) {
-      double sum = 0.0;
-      for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
-        for (Eigen::Index j = 0; j < covariance.rows(); ++j) {
-          const double product = slopes[a][i] * slopes[b][j];
-          if (product != 0.0) sum += product * covariance(i, j);
-        }
-      }
-      return sum;
-    };
     for (std::size_t a = 0; a < n; ++a) {
       for (std::size_t b = 0; b < n; ++b) {
         const double both =
             result_.parameters[a].standard_error * result_.parameters[b].standard_error;
-        result_.correlation[a * n + b] = a == b && both > 0.0 ? 1.0 : joint(a, b) / both;
+        result_.correlation[a * n + b] =
+            a == b && both > 0.0 ? 1.0 : joint_moment(covariance, slopes[a], slopes[b]) / both;
       }
     }
   }

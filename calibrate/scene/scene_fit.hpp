@@ -65,6 +65,10 @@ struct SceneParameter {
   /// What of it is of the noise, and what of where a break is between two samples, its interval's
   /// half over the root of 3 [SI]; the squares add up.
   double noise_error = 0.0, sampling_error = 0.0;
+  /// What residuals that lie in runs, as those of a model that cannot follow, add to it: the root
+  /// of what the squared error after Newey and West (score_covariance.hpp) is more [SI]. Not part
+  /// of the standard error; 0 where they are no larger than noise.
+  double misfit_error = 0.0;
   /// Of the confidence of the options: Student's; a break's is that of the noise and of its place
   /// between two samples together (theory::half_interval). NaN where there is no standard error.
   double interval_low = 0.0, interval_high = 0.0;

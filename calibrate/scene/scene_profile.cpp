@@ -18,17 +18,6 @@ std::span<const double> values_of(const VectorXd& v) {
   return {v.data(), static_cast<std::size_t>(v.size())};
 }
 
-/// v^T C v over the coordinates that v has anything of.
-double quadratic(const Eigen::MatrixXd& c, const VectorXd& v) {
-  double sum = 0.0;
-  for (Index i = 0; i < v.size(); ++i) {
-    for (Index j = 0; j < v.size(); ++j) {
-      if (v[i] * v[j] != 0.0) sum += v[i] * v[j] * c(i, j);
-    }
-  }
-  return sum;
-}
-
 /// The squares and, last, the break limit that the scenes have.
 LeastSquaresProblem with_limit(SceneProblem& problem, const std::vector<double>& shares) {
   LeastSquaresProblem both = problem.squares();
@@ -94,8 +83,8 @@ class ParameterProfile {
   /// Of given weights the covariance is not the inverse of the squares' curvature: there the
   /// threshold is stretched as the squared error is.
   void set_scale() {
-    const double error2 = quadratic(fitted_.errors().covariance(), gradient_);
-    const double inverse2 = quadratic(fitted_.errors().inverse(), gradient_);
+    const double error2 = joint_moment(fitted_.errors().covariance(), gradient_, gradient_);
+    const double inverse2 = joint_moment(fitted_.errors().inverse(), gradient_, gradient_);
     if (std::isfinite(error2) && error2 > 0.0) {
       ratio_ = error2 / inverse2;
       best_.step = factor_ * std::sqrt(error2);

@@ -74,6 +74,7 @@ constexpr auto kSceneParameterColumns = [](auto& columns) {
   columns("standard_error", "", PLASTICA_MEMBER(parameter.standard_error));
   columns("noise_error", "", PLASTICA_MEMBER(parameter.noise_error));
   columns("sampling_error", "", PLASTICA_MEMBER(parameter.sampling_error));
+  columns("misfit_error", "", PLASTICA_MEMBER(parameter.misfit_error));
   columns("interval_low", "", PLASTICA_MEMBER(parameter.interval_low));
   columns("interval_high", "", PLASTICA_MEMBER(parameter.interval_high));
   columns("at_bound", "", PLASTICA_MEMBER(parameter.at_bound));

@@ -13,7 +13,8 @@ constexpr const char* kSource = "a record of a fit through scenes";
 
 void code(auto& coder, A<SceneParameter> auto& p) {
   coder(p.path, p.dimension, p.value, p.start, p.lower, p.upper, p.standard_error, p.interval_low,
-        p.interval_high, p.at_bound, p.verdict, p.verdict_number, p.noise_error, p.sampling_error);
+        p.interval_high, p.at_bound, p.verdict, p.verdict_number, p.noise_error, p.sampling_error,
+        p.misfit_error);
 }
 
 void code(auto& coder, A<SegmentsError> auto& e) {

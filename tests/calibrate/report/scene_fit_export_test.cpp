@@ -80,6 +80,7 @@ TEST(SceneFitJson, SaysWhatTheSegmentsDo) {
   EXPECT_EQ(segments["parameters"]["yield_stress"]["error"], 3.0 * 0.04 * 380e6);
   EXPECT_TRUE(segments["parameters"]["break_strain"]["error"].is_null());
   EXPECT_EQ(fit_of()["parameters"]["break_strain"]["sampling_error"], 3.9e-4);
+  EXPECT_EQ(fit_of()["parameters"]["break_strain"]["misfit_error"], 2e-4);
   record.result.segments.reset();
   EXPECT_TRUE(fit_of()["segments"].is_null());
 }

@@ -82,6 +82,7 @@ inline SceneFitRecord scene_record(const std::string& name = "both", double modu
   r.parameters[2].verdict_number = 0.018;
   r.parameters[2].noise_error = 1e-4;
   r.parameters[2].sampling_error = 3.9e-4;
+  r.parameters[2].misfit_error = 2e-4;
   r.correlation = {1.0, -0.42, 0.1, -0.42, 1.0, 0.2, 0.1, 0.2, 1.0};
   r.degrees_of_freedom = 28.8;
   r.outcome = LeastSquaresOutcome::StepReached;

@@ -98,6 +98,22 @@ TEST(SceneJointFit, IsTighterThanEachTargetAlone) {
   EXPECT_EQ(both.parameter("yield_stress").verdict, Verdict::Identified);
 }
 
+TEST(SceneFitMisfit, AddsErrorsWhereResidualsLieInRuns) {
+  SceneFitOptions options{.parameters = stiffness_and_yield()};
+  options.segments_error = false;
+  ScenePart part = bent(8, 5.0, 1);
+  const SceneFitResult noisy = fit_scene(part.setup, part.target, options);
+  for (const SceneParameter& p : noisy.parameters) EXPECT_LT(p.misfit_error, p.noise_error);
+  // A bar that hardens twice as much as the scene says.
+  const double hardening = part.setup.scene.material.hardening.tangent_modulus;
+  part.setup.scene.material.hardening.tangent_modulus = 2.0 * hardening;
+  make_curve(part, {}, 5.0, 1);
+  part.setup.scene.material.hardening.tangent_modulus = hardening;
+  const SceneFitResult wrong = fit_scene(part.setup, part.target, options);
+  EXPECT_LT(wrong.parts[0].runs_probability, 1e-3);
+  for (const SceneParameter& p : wrong.parameters) EXPECT_GT(p.misfit_error, p.noise_error);
+}
+
 TEST(SceneJointFit, HasTheSameBitsOnEveryNumberOfThreads) {
   const std::vector<ScenePart> parts{bent(6, 5.0, 3), twisted(6, 3.0, 4)};
   SceneFitOptions options{.parameters = stiffness_and_yield(), .starts = 1};
