@@ -13,6 +13,7 @@
 #include "calibrate/config/scene_fit_file.hpp"
 #include "calibrate/fit/optimizer.hpp"
 #include "calibrate/report/json.hpp"
+#include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/text.hpp"
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/journaled_batch.hpp"
@@ -58,13 +59,16 @@ void write_json(const std::string& path, std::span<const calibrate::FitRecord> r
   io::write_text_file(path, calibrate::json_summary(records) + "\n");
 }
 
-void print_report(std::span<const calibrate::FitRecord> records, const calibrate::FitOptions& fit) {
+/// @param records  put into another order where laws are compared
+void print_report(std::vector<calibrate::FitRecord>& records, const calibrate::FitOptions& fit) {
   calibrate::ReportOptions options;
   options.color = isatty(STDOUT_FILENO) != 0;
   options.confidence = fit.confidence;
-  options.law = fit.setup.scene.material.hardening.law;
-  if (records.size() == 1) fmt::print("{}\n", calibrate::fit_report(records.front(), options));
-  fmt::print("{}", calibrate::batch_report(records, options));
+  fmt::print("{}", calibrate::laws_report(records, options));
+  if (calibrate::compares_laws(records)) fmt::print("\n");
+  const auto shown = std::span(records).first(calibrate::advised_first(records));
+  if (shown.size() == 1) fmt::print("{}\n", calibrate::fit_report(shown.front(), options));
+  fmt::print("{}", calibrate::batch_report(shown, options));
 }
 
 /// Whether it is a fit file whose targets name scenes.
@@ -80,7 +84,8 @@ int calibrate_files(const CalibrateArguments& arguments) {
                      "is for fits through scenes: targets that name one");
   }
   const std::string output = output_of(arguments);
-  const calibrate::FitFile file = read_inputs(arguments);
+  calibrate::FitFile file = read_inputs(arguments);
+  if (!arguments.laws.empty()) file.options.laws = calibrate::laws_of(arguments.laws, "--laws");
   if (!arguments.dry_run) check_outputs(file, output, arguments.json, arguments.force);
   std::vector<calibrate::Target> targets = calibrate::import_all(file);
   if (arguments.dry_run) {
@@ -97,7 +102,8 @@ int calibrate_files(const CalibrateArguments& arguments) {
   how.journal = {io::journal_path(output), arguments.resume, arguments.force};
   how.threads = arguments.threads;
   how.stop = &interrupt.flag();
-  ProgressBar bar("fitting", targets.size(), arguments.quiet);
+  const std::size_t fits = targets.size() * std::max<std::size_t>(1, file.options.laws.size());
+  ProgressBar bar("fitting", fits, arguments.quiet);
   how.progress = [&bar](const calibrate::BatchProgress& progress) {
     bar.update(progress.done, progress.failed + progress.rejected, progress.taken);
   };
@@ -110,8 +116,8 @@ int calibrate_files(const CalibrateArguments& arguments) {
     return kInterrupted;
   }
 
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    contents.records.push_back({std::move(targets[i]), std::move(results[i])});
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    contents.records.push_back({targets[batch.cases()[i].target], std::move(results[i])});
   }
   contents.options = file.options;
   contents.meta.resumptions = batch.resumptions();
@@ -124,9 +130,13 @@ int calibrate_files(const CalibrateArguments& arguments) {
     print_report(contents.records, file.options);
     fmt::print(stderr, "wrote {}\n", output);
   }
-  const bool all = std::all_of(contents.records.begin(), contents.records.end(), [](const auto& r) {
-    return r.result.status == calibrate::FitStatus::Fitted;
-  });
+  // Where laws are compared, one of them suffices.
+  const auto fitted = [](const calibrate::FitRecord* record) {
+    return record->result.status == calibrate::FitStatus::Fitted;
+  };
+  const bool all = std::ranges::all_of(
+      calibrate::by_target(contents.records),
+      [&](const auto& records) { return std::ranges::any_of(records, fitted); });
   return all ? kDone : kNotAcceptable;
 }
 
@@ -191,6 +201,10 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
   sub->add_option("-o,--output", arguments->output,
                   "result file (HDF5); default: the input's name with .h5, here");
   sub->add_option("--json", arguments->json, "also write the summary for scripts");
+  sub->add_option("--laws", arguments->laws,
+                  "fit each of these and compare: ideal, linear, voce, chaboche; ideal,linear,voce")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   sub->add_option("--threads", arguments->threads, "0: as many as the machine has")
       ->check(CLI::Range(0, 4096));
   sub->add_flag("--dry-run", arguments->dry_run, "only say what would run");

@@ -16,6 +16,7 @@ struct CalibrateArguments {
   std::vector<std::string> inputs;
   std::string output;
   std::string json;
+  std::vector<std::string> laws;  ///< to be compared; empty: as the fit file says
   int threads = 0;
   bool dry_run = false;
   bool resume = false;

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "calibrate/report/law_choice.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::cli {
@@ -25,7 +28,17 @@ const Record& find(std::span<const Record> records, const NameOf& name_of, std::
 
 const calibrate::FitRecord& find_record(std::span<const calibrate::FitRecord> records,
                                         const std::string& specimen, const std::string& file) {
-  const auto name = [](const calibrate::FitRecord& record) { return record.target.name; };
+  const bool compared = calibrate::compares_laws(records);
+  for (const calibrate::LawRecords& target : calibrate::by_target(records)) {
+    if (!compared || target.front()->target.name != specimen) continue;
+    const calibrate::LawComparison laws = calibrate::compare_laws(target);
+    const calibrate::Law best = laws.laws[laws.advised.value_or(0)].fit.law;
+    return **std::ranges::find_if(target,
+                                  [&](const auto* record) { return record->result.law == best; });
+  }
+  const auto name = [&](const calibrate::FitRecord& record) {
+    return calibrate::label_of(record, compared);
+  };
   return find(records, name, "specimen", specimen, file);
 }
 

@@ -4,8 +4,10 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <span>
 #include <string>
 
+#include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/scene_fit_text.hpp"
 #include "calibrate/report/text.hpp"
 #include "calibrate/store/fit_store.hpp"
@@ -51,11 +53,10 @@ int show_sweep(const ShowArguments& arguments) {
 }
 
 int show_fits(const ShowArguments& arguments) {
-  const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
+  calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
   calibrate::ReportOptions options;
   options.color = isatty(STDOUT_FILENO) != 0;
   options.confidence = contents.options.confidence;
-  options.law = contents.options.setup.scene.material.hardening.law;
   if (!arguments.which.empty()) {
     const auto& record = find_record(contents.records, arguments.which, arguments.file);
     fmt::print("{}", calibrate::fit_report(record, options));
@@ -64,13 +65,18 @@ int show_fits(const ShowArguments& arguments) {
   if (arguments.all) {
     options.specimens_shown = 0;
     options.groups_shown = 0;
-    for (const auto& record : contents.records) {
+  }
+  fmt::print("{}", calibrate::laws_report(contents.records, options));
+  if (calibrate::compares_laws(contents.records)) fmt::print("\n");
+  const auto advised =
+      std::span(contents.records).first(calibrate::advised_first(contents.records));
+  const auto reported = arguments.all ? std::span(contents.records) : advised;
+  if (arguments.all || advised.size() == 1) {
+    for (const auto& record : reported) {
       fmt::print("{}\n", calibrate::fit_report(record, options));
     }
-  } else if (contents.records.size() == 1) {
-    fmt::print("{}\n", calibrate::fit_report(contents.records.front(), options));
   }
-  fmt::print("{}", calibrate::batch_report(contents.records, options));
+  fmt::print("{}", calibrate::batch_report(advised, options));
   return kDone;
 }
 

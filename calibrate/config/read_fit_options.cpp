@@ -1,5 +1,6 @@
 #include "calibrate/config/read_fit_options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -73,6 +74,18 @@ void read_objective(const TomlTable& fit, FitOptions& options) {
   }
 }
 
+std::vector<Law> read_laws(const TomlValue& value) {
+  std::vector<Law> laws;
+  const std::vector<TomlValue> items = value.array();
+  if (items.empty()) throw value.error("must name at least one law");
+  for (const TomlValue& item : items) {
+    const auto law = static_cast<Law>(item.word(law_names()));
+    if (std::ranges::find(laws, law) != laws.end()) throw item.error("is named twice");
+    laws.push_back(law);
+  }
+  return laws;
+}
+
 }  // namespace
 
 FitOptions read_fit_options(const TomlTable& root) {
@@ -97,6 +110,7 @@ FitOptions read_fit_options(const TomlTable& root) {
       throw value->error("must be above 0 % and below 100 %");
     }
   }
+  if (const auto value = fit->find("laws")) options.laws = read_laws(*value);
   read_stopping(*fit, options.stopping);
   options.parameters = read_parameters(*fit);
   return options;

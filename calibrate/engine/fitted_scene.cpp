@@ -56,6 +56,9 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
     }
   }
   out.material.hardening = options.setup.scene.material.hardening;
+  if (!options.laws.empty()) {
+    out.material.hardening = hardening_of(record.result.law, out.material.hardening);
+  }
   const Setup original{scene, {}};
   for (const FittedParameter& parameter : record.result.parameters) {
     if (parameter.role != ParameterRole::Fixed && !parameter.identified) {

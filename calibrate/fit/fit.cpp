@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
+#include "calibrate/fit/compare_laws.hpp"
+#include "calibrate/fit/fit_law.hpp"
 #include "calibrate/fit/given_weights.hpp"
 #include "calibrate/fit/minimize_misfit.hpp"
 #include "calibrate/fit/misfit.hpp"
@@ -29,19 +32,25 @@ double largest_stress(const Curve& curve) { return largest_magnitude(curve.stres
 constexpr double kClose = 0.02;
 constexpr double kFair = 0.05;
 
-void describe_misfit(const Misfit::Details& details, const Target& target, FitResult& result) {
+void describe_misfit(const Misfit::Details& details, const Target& target,
+                     const FitOptions& options, FitResult& result) {
   const double stress = largest_stress(target.corrected);
   result.misfit_rms = std::sqrt(std::max(0.0, details.stress_cost));
   result.misfit_share = stress > 0.0 ? result.misfit_rms / stress : 0.0;
   result.misfit_word = result.misfit_share < kClose  ? "close"
                        : result.misfit_share < kFair ? "fair"
                                                      : "poor";
-  if (result.misfit_word == "poor") {
-    result.warnings.push_back(fmt::format(
-        "the model cannot follow this curve: misfit {:.1f} % of the largest stress; standard "
-        "errors are too small",
-        100.0 * result.misfit_share));
+  std::vector<double> residual;
+  for (std::size_t i = 0; i < details.residual.size(); ++i) {
+    if (details.weight[i] > 0.0) residual.push_back(details.residual[i]);
   }
+  result.runs_probability = runs_probability(residual);
+  result.autocorrelation = autocorrelation(residual);
+  result.effective_samples = effective_samples(details.weight);
+  std::string lack =
+      lack_of_fit(phrase_of(result.law), result.misfit_share, result.runs_probability,
+                  laws_to_try(result.law, target.loading, options.laws));
+  if (!lack.empty()) result.warnings.push_back(std::move(lack));
 }
 
 void add_parameters(const ParameterSet& set, std::span<const double> active, const Uncertainty& u,
@@ -63,6 +72,7 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
     p.logarithmic = r.logarithmic;
     if (r.idle) {
       p.identified = false;
+      p.judgement = {Verdict::NotIdentified, std::numeric_limits<double>::infinity()};
     } else if (r.role == ParameterRole::Free) {
       const std::size_t k = next++;
       const double bottom = set.coordinate(k, r.lower);
@@ -79,6 +89,13 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
         p.interval_low = p.value - u.half_interval[k];
         p.interval_high = p.value + u.half_interval[k];
       }
+      p.judgement = judge({.value = p.value,
+                           .lower = p.lower,
+                           .upper = p.upper,
+                           .at_bound = p.identified && (p.at_lower || p.at_upper),
+                           .noise_error = u.noise_error[k],
+                           .half = u.sampling[k],
+                           .standard_error = u.standard_error[k]});
     }
     result.parameters.push_back(p);
   }
@@ -100,18 +117,22 @@ void add_tied_errors(const ParameterSet& set, FitResult& result) {
   }
 }
 
+/// Of most curves the sampling leaves some of the break open: up to this share no word is lost.
+constexpr double kMinor = 0.01;
+
 void add_warnings(const Target& target, FitResult& result) {
   for (const FittedParameter& p : result.parameters) {
     const bool no_break = p.role == ParameterRole::Free && !target.characteristics.observed_break &&
                           (p.name == "break_strain" || p.name == "break_shear_strain");
     if (no_break) {
       result.warnings.push_back(p.name + " is not identified: the specimen did not break");
-    } else if (!p.identified) {
-      result.warnings.push_back(p.name + " is not identified: the curve does not depend on it");
+    } else if (p.judgement) {
+      const Judgement& judgement = *p.judgement;
+      const bool minor =
+          judgement.verdict == Verdict::LimitedBySampling && judgement.number < kMinor;
+      std::string warning = minor ? std::string() : warning_of(p.name, judgement, p.lower);
+      if (!warning.empty()) result.warnings.push_back(std::move(warning));
     }
-    if (!p.identified) continue;
-    if (p.at_lower) result.warnings.push_back(p.name + " is at its lower bound");
-    if (p.at_upper) result.warnings.push_back(p.name + " is at its upper bound");
   }
 }
 
@@ -213,6 +234,7 @@ void check_options(const FitOptions& options) {
 FitResult fit_target(const Target& target, const FitOptions& options) {
   FitResult result;
   result.seed = seed_of(target.name, options.seed);
+  result.law = law_of(options.setup.scene.material.hardening, options.parameters);
   if (target.status != TargetStatus::Ready) {
     result.reason = target.reason;
     return result;
@@ -243,7 +265,7 @@ FitResult fit_target(const Target& target, const FitOptions& options) {
   result.cost = details.stress_cost + details.break_cost;
   const Uncertainty u =
       uncertainty(details, solution.active, set, target, options, misfit.break_factor());
-  describe_misfit(details, target, result);
+  describe_misfit(details, target, options, result);
   add_parameters(set, solution.active, u, result);
   add_tied_errors(set, result);
   result.correlation = u.correlation;
@@ -253,25 +275,42 @@ FitResult fit_target(const Target& target, const FitOptions& options) {
   return result;
 }
 
-std::vector<FitResult> fit_batch(std::span<const Target> targets, const FitOptions& options,
-                                 const BatchFitOptions& batch) {
+std::vector<FitCase> cases_of(std::size_t targets, const FitOptions& options) {
+  std::vector<FitCase> cases;
+  for (std::size_t i = 0; i < targets; ++i) {
+    if (options.laws.empty()) cases.push_back({i, std::nullopt});
+    for (const Law law : options.laws) cases.push_back({i, law});
+  }
+  return cases;
+}
+
+std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<const FitCase> cases,
+                                 const FitOptions& options, const BatchFitOptions& batch) {
   check_options(options);
-  std::vector<FitResult> results(targets.size());
+  std::vector<FitResult> results(cases.size());
   for (FitResult& result : results) result.reason = "not run";
   std::mutex mutex;
-  parallel_for(targets.size(), {batch.threads, batch.stop}, [&](std::size_t i, int) {
+  parallel_for(cases.size(), {batch.threads, batch.stop}, [&](std::size_t i, int) {
+    const Target& target = targets[cases[i].target];
     try {
-      results[i] = fit_target(targets[i], options);
+      results[i] =
+          cases[i].law ? fit_law(target, options, *cases[i].law) : fit_target(target, options);
     } catch (const InputError& error) {
       // The options were checked above: this one target does not go with them.
       results[i].status = FitStatus::Failed;
       results[i].reason = error.what();
+      if (cases[i].law) results[i].law = *cases[i].law;
     }
     if (!batch.finished) return;
     const std::lock_guard lock(mutex);
     batch.finished(i, results[i]);
   });
   return results;
+}
+
+std::vector<FitResult> fit_batch(std::span<const Target> targets, const FitOptions& options,
+                                 const BatchFitOptions& batch) {
+  return fit_cases(targets, cases_of(targets.size(), options), options, batch);
 }
 
 }  // namespace plastica::calibrate

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,7 +13,8 @@
 
 namespace plastica::calibrate {
 
-/// Fits one target. Never throws for what a curve is like: that is a status of the result.
+/// Fits one target, with the law of the options' material. Never throws for what a curve is like:
+/// that is a status of the result.
 /// @throws InputError if the options themselves are bad (parameters that no coupon has, an unknown
 ///         algorithm, bounds out of range)
 FitResult fit_target(const Target& target, const FitOptions& options);
@@ -25,8 +27,22 @@ struct BatchFitOptions {
   std::function<void(std::size_t index, const FitResult& result)> finished;
 };
 
-/// Fits targets in parallel. Result i belongs to target i and has the same bits for every number of
-/// threads and every order of the targets. A fit that was not begun has the reason "not run".
+/// One fit of a batch: of a target, with one of the laws that are compared.
+struct FitCase {
+  std::size_t target = 0;  ///< index
+  std::optional<Law> law;  ///< empty: the options' own
+};
+
+/// All fits of targets with these options: every law of the first target, then of the next.
+std::vector<FitCase> cases_of(std::size_t targets, const FitOptions& options);
+
+/// Fits cases in parallel, as `fit_batch`. Result i belongs to case i.
+std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<const FitCase> cases,
+                                 const FitOptions& options, const BatchFitOptions& batch = {});
+
+/// Fits targets in parallel, each with every law (`cases_of`). Without laws result i belongs to
+/// target i and has the same bits for every number of threads and every order of the targets. A fit
+/// that was not begun has the reason "not run".
 std::vector<FitResult> fit_batch(std::span<const Target> targets, const FitOptions& options,
                                  const BatchFitOptions& batch = {});
 

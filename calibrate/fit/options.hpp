@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "calibrate/fit/law.hpp"
 #include "calibrate/fit/parameter.hpp"
 #include "plastica/model/field.hpp"
 
@@ -57,6 +58,8 @@ struct FitOptions {
   double break_weight = 1.0;
   std::string algorithm = "auto";  ///< see `algorithm_names()`
   StoppingRules stopping;
+  /// Laws to be compared, see fit_law.hpp; empty: the material's own alone.
+  std::vector<Law> laws;
   std::uint64_t seed = 1;    ///< each target's own seed is made from this and the target's name
   double confidence = 0.95;  ///< of the intervals, within (0, 1)
 };

@@ -2,12 +2,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "calibrate/fit/law.hpp"
 #include "calibrate/fit/parameter.hpp"
+#include "calibrate/fit/verdict.hpp"
 #include "calibrate/target/target.hpp"
 #include "plastica/base/status.hpp"
 
@@ -40,6 +43,9 @@ struct FittedParameter {
   bool at_lower = false;
   bool at_upper = false;
   bool identified = true;  ///< free: whether the curve determines it
+  /// Free and fitted: how well the curve determines it, and the number behind the word
+  /// (verdict.hpp).
+  std::optional<Judgement> judgement;
 };
 
 /// One stage of the optimizer.
@@ -66,11 +72,17 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   /// Of the parameters in `trace.active` (n x n), row by row; NaN where unidentified.
   std::vector<double> correlation;
+  Law law = Law::Ideal;       ///< that was fitted
   double cost = 0.0;          ///< f at the solution, break term included [Pa^2]
   double misfit_rms = 0.0;    ///< sqrt of f without the break term [Pa]
   double misfit_share = 0.0;  ///< misfit_rms / largest measured stress [1]
   std::string misfit_word;    ///< "close", "fair", "poor": how well the model can follow
-  std::size_t samples = 0;    ///< that entered the fit
+  /// Probability of so few runs of one sign, if the residuals were noise (verdict.hpp); NaN for
+  /// fewer than 20.
+  double runs_probability = std::numeric_limits<double>::quiet_NaN();
+  double autocorrelation = 0.0;              ///< of neighbouring residuals (compare_laws.hpp) [1]
+  double effective_samples = 0.0;            ///< by their weights (compare_laws.hpp) [1]
+  std::size_t samples = 0;                   ///< that entered the fit
   std::optional<double> break_strain_total;  ///< total strain at which the fitted model breaks [1]
   std::uint64_t seed = 0;
   std::vector<OptimizerStage> stages;

@@ -169,6 +169,8 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
   const double quantile =
       theory::student_t_quantile(0.5 * (1.0 + options.confidence), part.degrees_of_freedom);
   u.standard_error.assign(n, kNan);
+  u.noise_error.assign(n, kNan);
+  u.sampling.assign(n, 0.0);
   u.half_interval.assign(n, kNan);
   u.correlation.assign(n * n, kNan);
   for (std::size_t i = 0; i < n; ++i) {
@@ -176,6 +178,8 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     const auto row = static_cast<Eigen::Index>(i);
     const double variance = std::max(0.0, covariance(row, row));
     const double half = std::fabs(sampling(row));
+    u.noise_error[i] = std::sqrt(variance);
+    u.sampling[i] = half;
     u.standard_error[i] = std::sqrt(variance + half * half / 3.0);
     u.half_interval[i] = quantile * std::sqrt(variance) + half;
   }

@@ -32,6 +32,9 @@ namespace plastica::calibrate {
 struct Uncertainty {
   std::vector<bool> identified;        ///< (n)
   std::vector<double> standard_error;  ///< SI (n); NaN if not identified
+  /// The part of the standard error that is the residuals', SI (n); NaN if not identified.
+  std::vector<double> noise_error;
+  std::vector<double> sampling;       ///< half a break's sampling interval, SI (n); 0 of all others
   std::vector<double> half_interval;  ///< half width of the confidence interval, SI (n); NaN if not
   std::vector<double> correlation;    ///< (n x n); NaN in rows and columns not identified
 };

@@ -1,5 +1,7 @@
 #include "calibrate/fit/verdict.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,6 +41,27 @@ Judgement judge(const Evidence& e) {
   }
   const double share = e.standard_error / size;
   return {share > kWeak ? Verdict::Weak : Verdict::Identified, share};
+}
+
+std::string warning_of(std::string_view name, const Judgement& judgement, double lower) {
+  const double share = 100.0 * judgement.number;
+  switch (judgement.verdict) {
+    case Verdict::Identified:
+    case Verdict::LimitedBySegments: break;  // of fits through scenes, which say more of it
+    case Verdict::Weak:
+      return fmt::format("{} is weak: its standard error is {:.0f} % of it", name, share);
+    case Verdict::NotIdentified:
+      return fmt::format("{} is not identified: the curves do not depend on it by itself", name);
+    case Verdict::AtBound:
+      return fmt::format("{} is at its {} bound", name,
+                         judgement.number == lower ? "lower" : "upper");
+    case Verdict::LimitedBySampling:
+      return fmt::format(
+          "{} is limited by sampling: the break lies between two samples, which leaves {:.2g} % of "
+          "it open",
+          name, share);
+  }
+  return {};
 }
 
 double runs_probability(std::span<const double> residual) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace plastica::calibrate {
@@ -24,6 +25,10 @@ inline constexpr double kWeak = 0.1;
 /// Above this share of its prior a parameter is the prior's.
 inline constexpr double kOfPrior = 0.5;
 
+/// From this size on a correlation is named: the curves determine a combination of the two
+/// parameters rather than each by itself.
+inline constexpr double kStrongCorrelation = 0.95;
+
 /// What a verdict is made of; SI.
 struct Evidence {
   double value = 0.0;
@@ -45,6 +50,10 @@ struct Judgement {
 };
 
 Judgement judge(const Evidence& evidence);
+
+/// What a reader must not overlook of a parameter: "yield_stress is at its lower bound". Empty for
+/// one that is identified, and of segments.
+std::string warning_of(std::string_view name, const Judgement& judgement, double lower);
 
 /// Probability of as few runs of one sign as these residuals have, or fewer, if they were
 /// independent (runs of so many are normal within 1 %); where fewer than 10 have one of the signs,

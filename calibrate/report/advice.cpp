@@ -30,24 +30,17 @@ void advise_on(const FittedParameter& parameter, std::vector<std::string>& advic
 
 }  // namespace
 
-std::string_view name_of_law(HardeningLaw law) {
-  switch (law) {
-    case HardeningLaw::Ideal: return "ideal plasticity";
-    case HardeningLaw::Linear: return "linear hardening";
-    case HardeningLaw::VoceChaboche: return "Voce-Chaboche hardening";
-  }
-  return "the model";
-}
-
-std::string misfit_meaning(const FitResult& result, HardeningLaw law) {
-  const std::string name(name_of_law(law));
+std::string misfit_meaning(const FitResult& result) {
+  const std::string name(phrase_of(result.law));
   if (result.misfit_word == "close") return name + " follows this curve";
+  const bool noise = result.runs_probability >= kFewRuns;
+  if (noise && !result.misfit_word.empty()) return name + " follows this curve within its noise";
   if (result.misfit_word == "fair") return name + " follows this curve roughly";
   if (result.misfit_word == "poor") return name + " cannot follow this curve";
   return {};
 }
 
-std::vector<std::string> advice_for(const FitRecord& record, HardeningLaw law) {
+std::vector<std::string> advice_for(const FitRecord& record) {
   const FitResult& result = record.result;
   std::vector<std::string> advice;
   if (record.target.status == TargetStatus::TooCoarse) {
@@ -63,13 +56,10 @@ std::vector<std::string> advice_for(const FitRecord& record, HardeningLaw law) {
         "Standard errors hold only as far as the model does: they count the scatter about the "
         "fitted curve, not the shape that the model lacks.");
   }
-  if (result.misfit_word == "poor") {
+  if (result.misfit_word == "poor" && !(result.runs_probability >= kFewRuns)) {
     advice.emplace_back(
-        law == HardeningLaw::Ideal
-            ? "Let the material harden: hardening.law = \"linear\" and a parameter "
-              "tangent_modulus; or fit up to the largest stress, if it is the fall after it that "
-              "is missed."
-            : "The material hardens already: look at the picture for what is missing.");
+        "If it is the fall after the largest stress that the model misses, fit up to there; the "
+        "picture shows what is missing.");
   }
   return advice;
 }

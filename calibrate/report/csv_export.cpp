@@ -12,6 +12,7 @@
 
 #include "calibrate/report/csv_cells.hpp"
 #include "calibrate/report/format.hpp"
+#include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/summary.hpp"
 #include "plastica/report/format.hpp"
 
@@ -63,8 +64,8 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
     }
     return names;
   });
-  std::vector<std::string> header = {"name",    "file",   "test",  "measure",
-                                     "loading", "status", "reason"};
+  std::vector<std::string> header = {"name",    "law",     "file",   "test",
+                                     "measure", "loading", "status", "reason"};
   for (const std::string& key : keys) header.push_back("group." + key);
   for (const CharacteristicEntry& entry : characteristic_entries()) {
     header.push_back(fmt::format("{} [{}]", entry.name, si_unit(entry.dimension)));
@@ -75,9 +76,12 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
     for (const char* what : {"", ".stderr", ".low", ".high"}) {
       header.push_back(fmt::format("fit.{}{} [{}]", name, what, si_unit(example->dimension)));
     }
+    header.push_back(fmt::format("fit.{}.verdict", name));
+    header.push_back(fmt::format("fit.{}.verdict_number", name));
   }
-  for (const char* last : {"objective [Pa^2]", "misfit_rms [Pa]", "misfit_share [1]", "misfit",
-                           "break_strain_total [1]", "samples", "evaluations"}) {
+  for (const char* last :
+       {"objective [Pa^2]", "misfit_rms [Pa]", "misfit_share [1]", "runs_probability [1]", "misfit",
+        "break_strain_total [1]", "samples", "evaluations"}) {
     header.emplace_back(last);
   }
   put_row(out, header);
@@ -88,6 +92,7 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
     const bool fitted = result.status == FitStatus::Fitted;
     const auto if_fitted = [&](double value) { return fitted ? cell_of(value) : std::string(); };
     std::vector<std::string> row = {target.name,
+                                    std::string(name_of(result.law)),
                                     target.file,
                                     std::string(word_of(target.test)),
                                     std::string(word_of(target.measure)),
@@ -109,10 +114,14 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
       row.push_back(there ? cell_of(parameter->standard_error) : std::string());
       row.push_back(there ? cell_of(parameter->interval_low) : std::string());
       row.push_back(there ? cell_of(parameter->interval_high) : std::string());
+      const bool judged = there && parameter->judgement;
+      row.emplace_back(judged ? name_of(parameter->judgement->verdict) : "");
+      row.push_back(judged ? cell_of(parameter->judgement->number) : std::string());
     }
     row.push_back(if_fitted(result.cost));
     row.push_back(if_fitted(result.misfit_rms));
     row.push_back(if_fitted(result.misfit_share));
+    row.push_back(if_fitted(result.runs_probability));
     row.push_back(fitted ? result.misfit_word : std::string());
     row.push_back(cell_of(result.break_strain_total));
     row.push_back(std::to_string(result.samples));
@@ -122,9 +131,10 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
 }
 
 void write_curves_csv(std::ostream& out, std::span<const FitRecord> records) {
+  const bool compared = compares_laws(records);
   out << "specimen,strain [1],stress_measured [Pa],stress_fitted [Pa]\n";
   for (const FitRecord& record : records) {
-    const std::string name = plastica::report::csv_cell(record.target.name);
+    const std::string name = plastica::report::csv_cell(label_of(record, compared));
     const Target& target = record.target;
     const Curve& measured = target.corrected.size() > 0 ? target.corrected : target.raw;
     const Curve& fitted = record.result.fitted;

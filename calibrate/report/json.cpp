@@ -10,6 +10,7 @@
 
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/json_values.hpp"
+#include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/summary.hpp"
 
 namespace plastica::calibrate {
@@ -53,7 +54,9 @@ Json parameter_of(const FittedParameter& parameter) {
           {"role", word_of(parameter.role)},
           {"scale", parameter.logarithmic ? "logarithmic" : "linear"},
           {"at_bound", text_or_null(word_of_bound(parameter))},
-          {"identified", parameter.identified}};
+          {"identified", parameter.identified},
+          {"verdict", parameter.judgement ? Json(name_of(parameter.judgement->verdict)) : Json()},
+          {"verdict_number", parameter.judgement ? number(parameter.judgement->number) : Json()}};
 }
 
 Json repairs_of(const Target& target) {
@@ -118,6 +121,7 @@ Json fit_of(const FitRecord& record) {
   Json properties = Json::object();
   for (const auto& [name, value] : target.properties) properties[name] = number(value);
   return {{"name", target.name},
+          {"law", name_of(result.law)},
           {"status", word_of(result.status)},
           {"reason", text_or_null(reason_of(record))},
           {"characteristics", characteristics_of(target.characteristics)},
@@ -126,6 +130,9 @@ Json fit_of(const FitRecord& record) {
           {"evaluations", result.evaluations()},
           {"misfit_rms", if_fitted(result.misfit_rms)},
           {"misfit_share", if_fitted(result.misfit_share)},
+          {"runs_probability", if_fitted(result.runs_probability)},
+          {"autocorrelation", if_fitted(result.autocorrelation)},
+          {"effective_samples", if_fitted(result.effective_samples)},
           {"misfit", fitted ? text_or_null(result.misfit_word) : Json(nullptr)},
           {"break_strain_total", number(result.break_strain_total)},
           {"correlation", correlation_of(result)},
@@ -154,13 +161,53 @@ Json statistics_of(const std::vector<GroupStatistic>& all) {
   return object;
 }
 
+/// Laws beside each other, the best first.
+Json comparison_of(const LawComparison& comparison) {
+  Json laws = Json::array();
+  for (const ComparedLaw& law : comparison.laws) {
+    Json counts = Json::object();
+    for (const Verdict verdict : law.fit.verdicts) {
+      Json& count = counts[std::string(name_of(verdict))];
+      count = count.is_null() ? 1 : count.get<int>() + 1;
+    }
+    laws.push_back({{"law", name_of(law.fit.law)},
+                    {"fitted", law.fit.fitted},
+                    {"parameters", law.fit.parameters.size()},
+                    {"misfit_share", number(law.fit.misfit_share)},
+                    {"aic", number(law.aic)},
+                    {"aicc", number(law.aicc)},
+                    {"bic", number(law.bic)},
+                    {"verdicts", std::move(counts)},
+                    {"evaluations", law.fit.evaluations}});
+  }
+  return {
+      {"samples", number(comparison.samples)},
+      {"laws", std::move(laws)},
+      {"advised",
+       comparison.advised ? Json(name_of(comparison.laws[*comparison.advised].fit.law)) : Json()},
+      {"advice", text_or_null(comparison.advice)}};
+}
+
+Json comparisons_of(std::span<const FitRecord> records) {
+  Json targets = Json::array();
+  for (const LawRecords& target : by_target(records)) {
+    Json one = comparison_of(compare_laws(target));
+    one["name"] = target.front()->target.name;
+    targets.push_back(std::move(one));
+  }
+  return {{"targets", std::move(targets)}, {"all", comparison_of(compare_laws(records))}};
+}
+
 }  // namespace
 
 std::string json_summary(std::span<const FitRecord> records, int indent) {
   Json fits = Json::array();
   for (const FitRecord& record : records) fits.push_back(fit_of(record));
+  // Groups and counts are those of the law that is advised.
+  std::vector<FitRecord> advised(records.begin(), records.end());
+  const std::span<const FitRecord> shown = std::span(advised).first(advised_first(advised));
   Json groups = Json::array();
-  for (const GroupSummary& group : summarize_groups(records)) {
+  for (const GroupSummary& group : summarize_groups(shown)) {
     groups.push_back({{"group", pairs(group.group)},
                       {"fitted", group.fitted},
                       {"rejected", group.rejected},
@@ -168,12 +215,13 @@ std::string json_summary(std::span<const FitRecord> records, int indent) {
                       {"characteristics", statistics_of(group.characteristics)},
                       {"parameters", statistics_of(group.parameters)}});
   }
-  const Counts counts = count_statuses(records);
-  const Json all = {
+  const Counts counts = count_statuses(shown);
+  Json all = {
       {"fits", std::move(fits)},
       {"groups", std::move(groups)},
       {"counts",
        {{"fitted", counts.fitted}, {"rejected", counts.rejected}, {"failed", counts.failed}}}};
+  if (compares_laws(records)) all["laws"] = comparisons_of(records);
   return all.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

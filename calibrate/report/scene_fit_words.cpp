@@ -13,10 +13,6 @@ std::string short_name(std::string_view path) {
   return printable(path.substr(path.rfind('.') + 1));
 }
 
-DisplayUnit display_unit_of(std::string_view path, Dimension dimension, double size) {
-  return plastica::report::display_unit(dimension, size, path.find("modulus") != path.npos);
-}
-
 DisplayUnit display_unit(const SceneParameter& parameter) {
   return display_unit_of(parameter.path, parameter.dimension, parameter.value);
 }
@@ -39,25 +35,8 @@ std::string interval_text(const SceneParameter& parameter, const DisplayUnit& un
   return fmt::format("{:.{}f} … {:.{}f}", low, decimals, high, decimals);
 }
 
-std::string verdict_text(const SceneParameter& parameter) {
-  std::string word(name_of(parameter.verdict));
-  const std::string share = fmt::format("{:.2g} %", 100.0 * parameter.verdict_number);
-  switch (parameter.verdict) {
-    case Verdict::Identified:
-    case Verdict::Weak: return word + ", error " + share;
-    case Verdict::NotIdentified: return word;
-    case Verdict::AtBound: {
-      const DisplayUnit unit =
-          display_unit_of(parameter.path, parameter.dimension, parameter.verdict_number);
-      return fmt::format("{}, {} {}", word,
-                         parameter.verdict_number == parameter.lower ? "lower" : "upper",
-                         quantity(brief(parameter.verdict_number / unit.scale), unit.name));
-    }
-    case Verdict::LimitedBySegments:
-    case Verdict::LimitedBySampling: return word + ", ± " + share;
-    case Verdict::FromPrior: return word + ", " + share + " of it";
-  }
-  return word;
+std::string verdict_text(const SceneParameter& p) {
+  return verdict_text({p.verdict, p.verdict_number}, p.path, p.dimension, p.lower);
 }
 
 std::string word_of(Level level) {

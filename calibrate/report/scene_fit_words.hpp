@@ -13,8 +13,6 @@ namespace plastica::calibrate::report {
 
 /// "yield_stress" of "material.yield_stress", printable.
 std::string short_name(std::string_view path);
-/// The unit in which a parameter of about this size is shown.
-DisplayUnit display_unit_of(std::string_view path, Dimension dimension, double size);
 /// The same for a parameter at its value.
 DisplayUnit display_unit(const SceneParameter& parameter);
 
@@ -34,8 +32,6 @@ struct StrongCorrelation {
   std::size_t a = 0, b = 0;  ///< rows of the fit's parameters, a < b
   double value = 0.0;
 };
-/// From this size on a correlation is named.
-inline constexpr double kStrongCorrelation = 0.95;
 std::vector<StrongCorrelation> strong_correlations(const SceneFitResult& result);
 
 /// Costs of the searches that ended somewhere, in rising order: the waterfall of the starts.

@@ -5,18 +5,15 @@
 #include <string>
 
 #include "calibrate/fit/result.hpp"
-#include "plastica/model/material.hpp"
 
 namespace plastica::calibrate {
 
 /// How the text reports look.
 struct ReportOptions {
-  bool color = false;                      ///< ANSI colours, for a terminal
-  double confidence = 0.95;                ///< of the intervals in the records (FitOptions)
-  HardeningLaw law = HardeningLaw::Ideal;  ///< of the model that was fitted (FitOptions)
-  double correlation_shown = 0.5;          ///< |correlation| from which on it is listed
-  std::size_t specimens_shown = 60;        ///< rows of the table over specimens; 0: all
-  std::size_t groups_shown = 24;           ///< groups whose statistics are shown; 0: all
+  bool color = false;                ///< ANSI colours, for a terminal
+  double confidence = 0.95;          ///< of the intervals in the records (FitOptions)
+  std::size_t specimens_shown = 60;  ///< rows of the table over specimens; 0: all
+  std::size_t groups_shown = 24;     ///< groups whose statistics are shown; 0: all
 };
 
 /// The report of one specimen, in engineering units, at most 100 columns wide (UTF-8): what was

@@ -165,11 +165,6 @@ std::vector<std::string> notes_on(const FittedParameter& parameter, const FitRec
     }
     notes.push_back(std::move(note));
   }
-  if (parameter.role == ParameterRole::Free && !parameter.identified) {
-    notes.emplace_back("! not identified: the curve does not determine it");
-  }
-  const std::string_view bound = word_of_bound(parameter);
-  if (!bound.empty()) notes.push_back(fmt::format("! at its {} bound", bound));
   return notes;
 }
 
@@ -177,14 +172,9 @@ std::vector<std::string> row_of(const FittedParameter& parameter) {
   const DisplayUnit unit = display_unit(parameter);
   const auto shown = [&](double value) { return value / unit.scale; };
   std::string value = significant(shown(parameter.value));
-  std::string share;
   std::string interval;
   if (parameter.standard_error) {
     value = with_error(shown(parameter.value), shown(*parameter.standard_error));
-    if (parameter.value != 0.0) {
-      share =
-          fmt::format("{:.2g} %", 100.0 * *parameter.standard_error / std::fabs(parameter.value));
-    }
   }
   if (parameter.interval_low && parameter.interval_high) {
     const double low = shown(*parameter.interval_low);
@@ -195,18 +185,14 @@ std::vector<std::string> row_of(const FittedParameter& parameter) {
     interval = plain ? fmt::format("{:.{}f} … {:.{}f}", low, decimals, high, decimals)
                      : significant(low) + " … " + significant(high);
   }
-  std::vector<std::string> cells = {
-      printable(parameter.name),           value, std::string(unit.name), share, interval, "", "",
-      std::string(word_of(parameter.role))};
-  if (parameter.role == ParameterRole::Free) {
-    cells[5] = brief(shown(parameter.start));
-    cells[6] = brief(shown(parameter.lower)) + " … " + brief(shown(parameter.upper));
-  }
-  return cells;
+  return {printable(parameter.name), value, std::string(unit.name), interval,
+          parameter.judgement ? verdict_text(*parameter.judgement, parameter.path,
+                                             parameter.dimension, parameter.lower)
+                              : std::string(word_of(parameter.role))};
 }
 
 /// How far the model goes for this curve: stands beside the intervals, which say nothing of it.
-std::string misfit_text(const FitRecord& record, HardeningLaw law, const Ink& ink) {
+std::string misfit_text(const FitRecord& record, const Ink& ink) {
   const FitResult& result = record.result;
   if (result.status != FitStatus::Fitted) return {};
   const DisplayUnit unit = display_unit(Dimension::Stress, result.misfit_rms);
@@ -215,8 +201,11 @@ std::string misfit_text(const FitRecord& record, HardeningLaw law, const Ink& in
       fmt::format("{} % of {} (rms {} {})", significant(100.0 * result.misfit_share, 2),
                   tension ? "Rm" : "the largest stress",
                   significant(result.misfit_rms / unit.scale, 3), unit.name);
+  if (!std::isnan(result.runs_probability)) {
+    line += fmt::format(", runs probability {:.2g}", result.runs_probability);
+  }
   if (!result.misfit_word.empty()) line += ": " + result.misfit_word;
-  const std::string meaning = misfit_meaning(result, law);
+  const std::string meaning = misfit_meaning(result);
   if (!meaning.empty()) line += ", " + meaning;
   const std::string text = entry("misfit", line);
   return result.misfit_word == "poor" ? ink.bad(text) : text;
@@ -228,21 +217,16 @@ std::string parameters_text(const FitRecord& record, const ReportOptions& option
   Table table({{"", Align::Left},
                {"value ± error", Align::PlusMinus},
                {"", Align::Left},
-               {"share", Align::Right},
                {fmt::format("{:.4g} % interval", 100.0 * options.confidence), Align::Range},
-               {"start", Align::Right},
-               {"bounds", Align::Range},
-               {"role", Align::Left}});
+               {"verdict", Align::Left}});
   for (const FittedParameter& parameter : record.result.parameters) {
     table.add(row_of(parameter));
     for (std::string& note : notes_on(parameter, record)) table.add_note(std::move(note));
   }
-  return '\n' + ink.heading("Parameters\n") + table.text(2, kWidth) +
-         misfit_text(record, options.law, ink);
+  return '\n' + ink.heading("Parameters\n") + table.text(2, kWidth) + misfit_text(record, ink);
 }
 
-std::string correlations_text(const FitResult& result, const ReportOptions& options,
-                              const Ink& ink) {
+std::string correlations_text(const FitResult& result, const Ink& ink) {
   std::vector<std::string> names;
   for (const FittedParameter& parameter : result.parameters) {
     if (parameter.role == ParameterRole::Free) names.push_back(printable(parameter.name));
@@ -253,13 +237,12 @@ std::string correlations_text(const FitResult& result, const ReportOptions& opti
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 1; j < n; ++j) {
       const double value = result.correlation[i * n + j];
-      if (!(std::fabs(value) >= options.correlation_shown)) continue;
+      if (!(std::fabs(value) > kStrongCorrelation)) continue;
       table.add({names[i] + ", " + names[j], fmt::format("{:+.3f}", value)});
     }
   }
   if (table.rows() == 0) return {};
-  const std::string heading =
-      fmt::format("Correlations from {:.2g} on\n", options.correlation_shown);
+  const std::string heading = fmt::format("Correlations above {}\n", kStrongCorrelation);
   return '\n' + ink.heading(heading) + table.text(2, kWidth);
 }
 
@@ -305,14 +288,14 @@ std::string fit_report(const FitRecord& record, const ReportOptions& options) {
   const Ink ink(options.color);
   std::string text = header(record, ink) + mending(record.target, ink) +
                      characteristics_text(record.target, ink) +
-                     parameters_text(record, options, ink) +
-                     correlations_text(record.result, options, ink) + fit_text(record, ink);
+                     parameters_text(record, options, ink) + correlations_text(record.result, ink) +
+                     fit_text(record, ink);
   std::string remarks;
   for (const std::vector<std::string>* list : {&record.target.warnings, &record.result.warnings}) {
     for (const std::string& warning : *list) remarks += wrapped("  ! ", printable(warning), kWidth);
   }
   if (!remarks.empty()) text += '\n' + ink.bad("Warnings\n") + remarks;
-  const std::vector<std::string> advice = advice_for(record, options.law);
+  const std::vector<std::string> advice = advice_for(record);
   if (!advice.empty()) text += '\n' + ink.heading("Advice\n");
   for (const std::string& line : advice) text += wrapped("  - ", printable(line), kWidth);
   return text;

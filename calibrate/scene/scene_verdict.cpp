@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace plastica::calibrate {
 
@@ -38,40 +39,18 @@ void judge(double half, const SegmentsError& segments, double prior, SceneParame
 void add_warning(const SceneParameter& p, const SegmentsError& segments,
                  std::vector<std::string>& warnings) {
   const std::string name = p.path.substr(p.path.rfind('.') + 1);
-  switch (p.verdict) {
-    case Verdict::Identified: return;
-    case Verdict::Weak:
-      warnings.push_back(fmt::format("{} is weak: its standard error is {:.0f} % of it", name,
-                                     100.0 * p.verdict_number));
-      return;
-    case Verdict::NotIdentified:
-      warnings.push_back(name + " is not identified: the curves do not depend on it by itself");
-      return;
-    case Verdict::AtBound:
-      warnings.push_back(name + " is at its " + (p.verdict_number == p.lower ? "lower" : "upper") +
-                         " bound");
-      return;
-    case Verdict::LimitedBySampling:
-      warnings.push_back(
-          fmt::format("{} is limited by sampling: the break lies between two samples, "
-                      "which leaves {:.2g} % of it open",
-                      name, 100.0 * p.verdict_number));
-      return;
-    case Verdict::LimitedBySegments:
-      warnings.push_back(fmt::format(
-          "{} is limited by segments: what they do to it, {:.2g} % of it, {}{}", name,
-          100.0 * p.verdict_number,
-          std::isnan(segments.order) ? "does not fall steadily with their number"
-                                     : fmt::format("is more than the noise does, {:.2g} %",
-                                                   100.0 * p.noise_error / std::abs(p.value)),
-          enough_segments(p, segments)));
-      return;
-    case Verdict::FromPrior:
-      warnings.push_back(fmt::format(
-          "{} is from its prior: of what is known of it, {:.0f} % is the prior's and the rest the "
-          "curves'",
-          name, 100.0 * p.verdict_number));
+  if (p.verdict == Verdict::LimitedBySegments) {
+    warnings.push_back(fmt::format(
+        "{} is limited by segments: what they do to it, {:.2g} % of it, {}{}", name,
+        100.0 * p.verdict_number,
+        std::isnan(segments.order) ? "does not fall steadily with their number"
+                                   : fmt::format("is more than the noise does, {:.2g} %",
+                                                 100.0 * p.noise_error / std::abs(p.value)),
+        enough_segments(p, segments)));
+    return;
   }
+  std::string warning = warning_of(name, {p.verdict, p.verdict_number}, p.lower);
+  if (!warning.empty()) warnings.push_back(std::move(warning));
 }
 
 void add_warning(const ScenePartFit& part, std::vector<std::string>& warnings) {

@@ -40,6 +40,8 @@ std::uint64_t digest_of(const FitOptions& options) {
   writer.put(options.algorithm);
   writer.put(options.stopping.global_evaluations).put(options.stopping.local_evaluations);
   writer.put(options.stopping.parameter_tolerance).put(options.stopping.cost_tolerance);
+  writer.put(std::uint64_t{options.laws.size()});
+  for (const Law law : options.laws) writer.put(law);
   writer.put(options.seed).put(options.confidence);
   return io::Digest().bytes(writer.bytes()).value();
 }

@@ -28,7 +28,7 @@ inline constexpr int kDeflate = 1;
 template <typename Enum>
 concept Named = std::is_same_v<Enum, Verdict> || std::is_same_v<Enum, LeastSquaresOutcome> ||
     std::is_same_v<Enum, Dimension> || std::is_same_v<Enum, SegmentsTrend> ||
-    std::is_same_v<Enum, ProfileEnd>;
+    std::is_same_v<Enum, ProfileEnd> || std::is_same_v<Enum, Law>;
 
 template <Named Enum>
 std::vector<std::string_view> all_names() {
@@ -136,6 +136,7 @@ class ColumnWriter {
     std::vector<const Part*> parts(rows_.size(), nullptr);
     std::vector<std::uint8_t> present(rows_.size(), 0);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (rows_[i] == nullptr) continue;
       const auto& there = member(*rows_[i]);
       if (there) parts[i] = &*there;
       present[i] = there.has_value();
@@ -204,7 +205,7 @@ class ColumnReader {
     const auto present = checked(name, group_.template read<std::uint8_t>(name));
     std::vector<Part*> parts(rows_.size(), nullptr);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (present[i] != 0) parts[i] = &member(*rows_[i]).emplace();
+      if (present[i] != 0 && rows_[i] != nullptr) parts[i] = &member(*rows_[i]).emplace();
     }
     ColumnReader<Part> reader(group_, std::move(parts));
     columns(reader);

@@ -12,7 +12,7 @@ namespace plastica::calibrate {
 
 /// The attributes `schema` and `version` of a result file's root.
 inline constexpr std::string_view kFitStoreSchema = "plastica/fits";
-inline constexpr int kFitStoreVersion = 1;
+inline constexpr int kFitStoreVersion = 2;
 
 /// What a result file holds. Summaries of groups are derived from it and are not stored.
 struct FitStoreContents {
@@ -24,12 +24,13 @@ struct FitStoreContents {
 };
 
 /// Writes a result file (HDF5; layout: data/README.md). The records are stored in the order of
-/// their targets' names, so that the same contents give the same bytes outside /meta whatever the
-/// order in which they come. The file appears under its name when it is whole; what is there
-/// already is replaced.
+/// their targets' names and laws, so that the same contents give the same bytes outside /meta
+/// whatever the order in which they come. The file appears under its name when it is whole; what is
+/// there already is replaced.
 ///
-/// The records must have names of their own, curves with as many stresses as strains, and either
-/// no parameters or those of the options, in their order. A fit that is not Fitted has no cost and
+/// The records must have names of their own, or laws of their own beside the same name; curves with
+/// as many stresses as strains; and either no parameters or those of the options (of their law), in
+/// their order. A fit that is not Fitted has no cost and
 /// no misfit.
 /// @throws io::StorageError if it cannot be written; std::logic_error if the records are not so
 void write_fit_store(const std::string& path, const FitStoreContents& contents);

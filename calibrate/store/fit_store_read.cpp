@@ -58,7 +58,7 @@ class StoreReader {
     }
     for (std::size_t i = 0; i < records_.size(); ++i) {
       if (present[i] == 0) continue;
-      for (const Parameter& parameter : options_.parameters) {
+      for (const Parameter& parameter : store::parameters_of(records_[i], options_)) {
         FittedParameter& p = records_[i].result.parameters.emplace_back();
         p.name = parameter.name();
         p.path = parameter.field->path;
@@ -66,13 +66,14 @@ class StoreReader {
         p.role = parameter.role;
       }
     }
-    for (std::size_t j = 0; j < options_.parameters.size(); ++j) {
-      std::vector<FittedParameter*> rows(records_.size(), nullptr);
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (present[i] != 0) rows[i] = &records_[i].result.parameters[j];
+    for (const Parameter& parameter : parameters_of(options_.laws, options_.parameters)) {
+      std::vector<FittedParameter*> rows;
+      for (FitRecord& record : records_) {
+        auto& own = record.result.parameters;
+        const auto found = std::ranges::find(own, parameter.field->path, &FittedParameter::path);
+        rows.push_back(found == own.end() ? nullptr : &*found);
       }
-      read_columns("parameters/" + options_.parameters[j].name(), std::move(rows),
-                   store::parameter_columns(""));
+      read_columns("parameters/" + parameter.name(), std::move(rows), store::parameter_columns(""));
     }
   }
 
@@ -81,7 +82,7 @@ class StoreReader {
     check_offsets("moved", rows.offsets, rows.values.size());
     for (std::size_t i = 0; i < records_.size(); ++i) {
       for (const std::uint64_t index : rows.row(i)) {
-        if (index >= options_.parameters.size()) {
+        if (index >= store::parameters_of(records_[i], options_).size()) {
           refuse("moved", "names a parameter that is not in the file");
         }
         records_[i].result.trace.active.push_back(static_cast<std::uint32_t>(index));

@@ -66,7 +66,6 @@ class StoreWriter {
   }
 
   void parameters() {
-    const std::size_t count = options_.parameters.size();
     std::vector<std::uint8_t> present;
     for (const FitRecord* record : records_) {
       const auto& own = record->result.parameters;
@@ -74,7 +73,7 @@ class StoreWriter {
         return p.path == q.field->path && p.name == q.name() && p.role == q.role &&
                p.dimension == q.field->dimension;
       };
-      const auto& all = options_.parameters;
+      const std::vector<Parameter> all = store::parameters_of(*record, options_);
       if (!own.empty() && !std::equal(own.begin(), own.end(), all.begin(), all.end(), same)) {
         refuse(record->target.name, "has other parameters than the options");
       }
@@ -82,11 +81,12 @@ class StoreWriter {
     }
     io::Hdf5Group group = root_.group("parameters");
     group.write("present", present, {{}, store::kDeflate});
-    for (std::size_t j = 0; j < count; ++j) {
-      const Parameter& parameter = options_.parameters[j];
-      std::vector<const FittedParameter*> rows(records_.size(), nullptr);
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (present[i] != 0) rows[i] = &records_[i]->result.parameters[j];
+    for (const Parameter& parameter : parameters_of(options_.laws, options_.parameters)) {
+      std::vector<const FittedParameter*> rows;
+      for (const FitRecord* record : records_) {
+        const auto& own = record->result.parameters;
+        const auto found = std::ranges::find(own, parameter.field->path, &FittedParameter::path);
+        rows.push_back(found == own.end() ? nullptr : &*found);
       }
       const std::string path = "parameters/" + parameter.name();
       write_columns(path, std::move(rows),
@@ -104,7 +104,8 @@ class StoreWriter {
       const std::vector<std::uint64_t> row(active.begin(), active.end());
       const bool rising =
           std::adjacent_find(row.begin(), row.end(), std::greater_equal<>()) == row.end();
-      if (!rising || (!row.empty() && row.back() >= options_.parameters.size())) {
+      const std::size_t count = store::parameters_of(*record, options_).size();
+      if (!rising || (!row.empty() && row.back() >= count)) {
         refuse(record->target.name, "has moved other parameters than the options have");
       }
       rows.push_back(row);
@@ -161,17 +162,18 @@ class StoreWriter {
   const FitOptions& options_;
 };
 
-/// Pointers to the records, sorted by name and checked.
+/// Pointers to the records, sorted by name and law, and checked.
 std::vector<const FitRecord*> by_name(const std::vector<FitRecord>& records) {
   std::vector<const FitRecord*> sorted;
   sorted.reserve(records.size());
   for (const FitRecord& record : records) sorted.push_back(&record);
   const auto before = [](const FitRecord* a, const FitRecord* b) {
-    return a->target.name < b->target.name;
+    if (a->target.name != b->target.name) return a->target.name < b->target.name;
+    return a->result.law < b->result.law;
   };
   std::sort(sorted.begin(), sorted.end(), before);
   const auto same = [](const FitRecord* a, const FitRecord* b) {
-    return a->target.name == b->target.name;
+    return a->target.name == b->target.name && a->result.law == b->result.law;
   };
   for (const FitRecord* record : sorted) {
     const FitResult& r = record->result;

@@ -44,17 +44,23 @@ JournaledBatch::JournaledBatch(std::span<const Target> targets, const FitOptions
     : targets_(targets),
       options_(options),
       how_(std::move(how)),
-      ids_(targets.size()),
-      results_(targets.size()),
+      cases_(cases_of(targets.size(), options)),
+      ids_(cases_.size()),
+      results_(cases_.size()),
       journal_(checked(how_.journal, targets, options), journal_kind(), "fits") {
   const std::uint64_t options_digest = digest_of(options);
-  parallel_for(targets.size(), {how_.threads, nullptr},
-               [&](std::size_t i, int) { ids_[i] = case_id(targets[i], options_digest); });
+  parallel_for(cases_.size(), {how_.threads, nullptr}, [&](std::size_t i, int) {
+    const FitCase& one = cases_[i];
+    const std::uint64_t digest =
+        one.law ? io::Digest().integer(options_digest).text(name_of(*one.law)).value()
+                : options_digest;
+    ids_[i] = case_id(targets[one.target], digest);
+  });
   take_from_journal();
 }
 
 void JournaledBatch::take_from_journal() {
-  for (std::size_t i = 0; i < targets_.size(); ++i) {
+  for (std::size_t i = 0; i < cases_.size(); ++i) {
     const std::vector<std::byte>* bytes = journal_.find(ids_[i]);
     if (bytes == nullptr) continue;
     results_[i] = result_from_bytes(*bytes);
@@ -69,45 +75,41 @@ void JournaledBatch::count(const FitResult& result, BatchProgress& progress) con
   if (result.status == FitStatus::Rejected) ++progress.rejected;
 }
 
-void JournaledBatch::keep(std::size_t target, const FitResult& result) {
-  journal_.keep(ids_[target], bytes_of(result));
+void JournaledBatch::keep(std::size_t index, const FitResult& result) {
+  journal_.keep(ids_[index], bytes_of(result));
 }
 
 std::vector<FitResult> JournaledBatch::run() {
   if (std::exchange(has_run_, true)) {
     throw std::logic_error("JournaledBatch::run: it has run already");
   }
-  BatchProgress progress{.taken = taken_, .total = targets_.size()};
+  BatchProgress progress{.taken = taken_, .total = cases_.size()};
   std::vector<std::size_t> missing;
-  for (std::size_t i = 0; i < targets_.size(); ++i) {
+  std::vector<FitCase> to_fit;
+  for (std::size_t i = 0; i < cases_.size(); ++i) {
     if (results_[i]) {
       count(*results_[i], progress);
     } else {
       missing.push_back(i);
+      to_fit.push_back(cases_[i]);
     }
   }
   if (how_.progress) how_.progress(progress);
 
-  // A batch wants its targets in a row: those that are missing, unless that is all of them.
-  std::vector<Target> gathered;
-  if (taken_ > 0) {
-    gathered.reserve(missing.size());
-    for (const std::size_t i : missing) gathered.push_back(targets_[i]);
-  }
-  const std::span<const Target> to_fit = taken_ > 0 ? std::span<const Target>(gathered) : targets_;
   const auto finished = [&](std::size_t index, const FitResult& result) {
     keep(missing[index], result);
     count(result, progress);
     if (how_.progress) how_.progress(progress);
   };
-  std::vector<FitResult> fitted = fit_batch(
-      to_fit, options_, {.threads = how_.threads, .stop = how_.stop, .finished = finished});
-  complete_ = progress.done == targets_.size();
+  std::vector<FitResult> fitted =
+      fit_cases(targets_, to_fit, options_,
+                {.threads = how_.threads, .stop = how_.stop, .finished = finished});
+  complete_ = progress.done == cases_.size();
   if (!complete_) journal_.sync();
 
-  std::vector<FitResult> results(targets_.size());
+  std::vector<FitResult> results(cases_.size());
   for (std::size_t k = 0; k < missing.size(); ++k) results[missing[k]] = std::move(fitted[k]);
-  for (std::size_t i = 0; i < targets_.size(); ++i) {
+  for (std::size_t i = 0; i < cases_.size(); ++i) {
     if (results_[i]) results[i] = std::move(*results_[i]);
   }
   return results;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "calibrate/fit/fit.hpp"
 #include "calibrate/fit/options.hpp"
 #include "calibrate/fit/result.hpp"
 #include "calibrate/target/target.hpp"
@@ -56,6 +57,8 @@ class JournaledBatch {
   JournaledBatch(const JournaledBatch&) = delete;
   JournaledBatch& operator=(const JournaledBatch&) = delete;
 
+  /// What result i is of.
+  const std::vector<FitCase>& cases() const { return cases_; }
   /// Number of fits taken from the journal.
   std::size_t taken() const { return taken_; }
   /// Number of fits in the journal that are of no use: target or options have changed.
@@ -66,12 +69,12 @@ class JournaledBatch {
   /// How often this batch was interrupted and resumed, this time included.
   int resumptions() const { return journal_.resumptions(); }
 
-  /// Fits what is missing. Result i belongs to target i; a fit that was not begun, because of the
+  /// Fits what is missing. Result i belongs to case i; a fit that was not begun, because of the
   /// stop flag, has the reason "not run". To be called once.
   /// @throws InputError as `fit_target`; io::StorageError if the journal cannot be written. What
   ///         was finished before is in the journal.
   std::vector<FitResult> run();
-  /// Whether `run` fitted all targets.
+  /// Whether `run` fitted all cases.
   bool complete() const { return complete_; }
   /// Deletes the journal, once the results of a complete run are stored elsewhere.
   /// @throws io::StorageError
@@ -80,13 +83,14 @@ class JournaledBatch {
  private:
   void take_from_journal();
   void count(const FitResult& result, BatchProgress& progress) const;
-  void keep(std::size_t target, const FitResult& result);
+  void keep(std::size_t index, const FitResult& result);
 
   std::span<const Target> targets_;
   const FitOptions& options_;
   JournaledOptions how_;
-  std::vector<std::string> ids_;                   ///< of the targets (n_targets)
-  std::vector<std::optional<FitResult>> results_;  ///< those of the journal (n_targets)
+  std::vector<FitCase> cases_;
+  std::vector<std::string> ids_;                   ///< of the cases (n_cases)
+  std::vector<std::optional<FitResult>> results_;  ///< those of the journal (n_cases)
   io::CaseJournal journal_;
   std::size_t taken_ = 0;
   std::size_t outdated_ = 0;

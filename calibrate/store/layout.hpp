@@ -35,6 +35,7 @@ constexpr auto kCharacteristicsColumns = [](auto& columns) {
 
 constexpr auto kFitColumns = [](auto& columns) {
   columns("name", "", PLASTICA_MEMBER(target.name));
+  columns("law", "", PLASTICA_MEMBER(result.law));
   columns("status", "", PLASTICA_MEMBER(result.status));
   columns("reason", "", PLASTICA_MEMBER(result.reason));
   columns("file", "", PLASTICA_MEMBER(target.file));
@@ -51,6 +52,9 @@ constexpr auto kFitColumns = [](auto& columns) {
     only("misfit_rms", "Pa", PLASTICA_MEMBER(result.misfit_rms));
     only("misfit_share", "1", PLASTICA_MEMBER(result.misfit_share));
     only("misfit_word", "", PLASTICA_MEMBER(result.misfit_word));
+    only("runs_probability", "1", PLASTICA_MEMBER(result.runs_probability));
+    only("autocorrelation", "1", PLASTICA_MEMBER(result.autocorrelation));
+    only("effective_samples", "1", PLASTICA_MEMBER(result.effective_samples));
   });
   columns("break_strain_total", "1", PLASTICA_MEMBER(result.break_strain_total));
 };
@@ -69,6 +73,10 @@ constexpr auto parameter_columns(std::string_view units) {
     columns("at_lower", "", PLASTICA_MEMBER(at_lower));
     columns("at_upper", "", PLASTICA_MEMBER(at_upper));
     columns("identified", "", PLASTICA_MEMBER(identified));
+    columns.part("judged", PLASTICA_MEMBER(judgement), [](auto& part) {
+      part("verdict", "", PLASTICA_MEMBER(verdict));
+      part("verdict_number", "", PLASTICA_MEMBER(number));
+    });
   };
 }
 

@@ -49,13 +49,14 @@ void code(auto& coder, A<Target> auto& t) {
 void code(auto& coder, A<FittedParameter> auto& p) {
   coder(p.name, p.path, p.dimension, p.role, p.value, p.start, p.lower, p.upper, p.logarithmic,
         p.standard_error, p.interval_low, p.interval_high, p.at_lower, p.at_upper, p.identified);
+  coder.maybe(p.judgement, [](auto& to, auto& j) { to(j.verdict, j.number); });
 }
 
 void code(auto& coder, A<FitResult> auto& r) {
-  coder(r.status, r.reason);
+  coder(r.status, r.reason, r.law);
   coder.each(r.parameters, [](auto& to, auto& parameter) { code(to, parameter); });
   coder(r.correlation, r.cost, r.misfit_rms, r.misfit_share, r.misfit_word, r.samples,
-        r.break_strain_total, r.seed);
+        r.break_strain_total, r.seed, r.runs_probability, r.autocorrelation, r.effective_samples);
   coder.each(r.stages, [](auto& to, auto& stage) {
     to(stage.algorithm, stage.outcome, stage.evaluations, stage.cost);
   });

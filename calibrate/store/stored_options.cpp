@@ -110,6 +110,13 @@ constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(const FitRecord& record, const FitOptions& options) {
+  if (options.laws.empty()) return options.parameters;
+  const std::vector<Parameter> all = calibrate::parameters_of(options.laws, options.parameters);
+  return calibrate::parameters_of(record.result.law, record.target.loading, all,
+                                  options.parameters);
+}
+
 void write_options(io::Hdf5Group& group, const FitOptions& options) {
   group.write_text("objective", word_of(options.objective));
   group.write("noise", options.noise.value_or(kUnset), {"Pa"});
@@ -121,6 +128,9 @@ void write_options(io::Hdf5Group& group, const FitOptions& options) {
   group.write("local_evaluations", std::int64_t{stopping.local_evaluations});
   group.write("parameter_tolerance", stopping.parameter_tolerance, {"1"});
   group.write("cost_tolerance", stopping.cost_tolerance, {"1"});
+  std::vector<std::string> laws;
+  for (const Law law : options.laws) laws.emplace_back(name_of(law));
+  group.write_texts("laws", laws);
   group.write("seed", options.seed);
   group.write("confidence", options.confidence, {"1"});
   io::Hdf5Group parameters = group.group("parameters");
@@ -143,6 +153,7 @@ FitOptions read_options(const io::Hdf5Group& group) {
       static_cast<int>(group.read_scalar<std::int64_t>("local_evaluations"));
   stopping.parameter_tolerance = group.read_scalar<double>("parameter_tolerance");
   stopping.cost_tolerance = group.read_scalar<double>("cost_tolerance");
+  options.laws = laws_of(group.read_texts("laws"), group.path() + "/laws", {group.file(), 0});
   options.seed = group.read_scalar<std::uint64_t>("seed");
   options.confidence = group.read_scalar<double>("confidence");
   options.parameters = read_parameters(group.open_group("parameters"));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calibrate/fit/fit.hpp"
+#include "calibrate/fit/fit_law.hpp"
 #include "plastica/io/csv.hpp"
 #include "tests/calibrate/fit/targets.hpp"
 #include "tests/support/shared.hpp"
@@ -65,6 +66,25 @@ TEST(PublishedFits, CyclicSteelFromItsOwnCharacteristics) {
   EXPECT_NEAR(result.parameter("yield_stress").value, 420.1724e6, tolerance(0.01e6));
 }
 
+TEST(PublishedFits, CyclicSteelByEveryLaw) {
+  PLASTICA_NEEDS_SHARED("data/s355j2-resspylab");
+  const Target target = cyclic_s355();
+  FitOptions options = fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress")});
+  options.laws = {Law::Ideal, Law::Linear, Law::Voce, Law::Chaboche};
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    options.seed = seed;
+    const FitResult chaboche = fit_law(target, options, Law::Chaboche);
+    ASSERT_EQ(chaboche.status, FitStatus::Fitted) << chaboche.reason;
+    EXPECT_LE(chaboche.cost, 600e12) << seed;
+    EXPECT_NEAR(chaboche.cost, 366.43e12, tolerance(0.05e12)) << seed;
+  }
+  EXPECT_NEAR(fit_law(target, options, Law::Ideal).cost, 3617.9732e12, tolerance(0.01e12));
+  const FitResult linear = fit_law(target, options, Law::Linear);
+  EXPECT_NEAR(linear.cost, 1612.33e12, tolerance(0.05e12));
+  EXPECT_GT(linear.parameter("kinematic_share").value, 0.9) << "a cycle hardly grows";
+  EXPECT_LT(linear.runs_probability, kFewRuns);
+}
+
 /// Least squares of yield and hardening with the modulus known, in the tables' own unit.
 FitOptions bilinear() {
   FitOptions options = fit_of({fixed_parameter("youngs_modulus", 1.5),
@@ -95,6 +115,8 @@ TEST(PublishedFits, YieldOfALineIsNotIdentified) {
   ASSERT_EQ(result.status, FitStatus::Fitted) << result.reason;
   EXPECT_FALSE(result.parameter("yield_stress").identified);
   EXPECT_FALSE(result.parameter("yield_stress").standard_error);
+  ASSERT_TRUE(result.parameter("yield_stress").judgement);
+  EXPECT_EQ(result.parameter("yield_stress").judgement->verdict, Verdict::NotIdentified);
 }
 
 TEST(PublishedFits, PullsOfTwoHundredSpecimensAreNormal) {

@@ -193,7 +193,8 @@ std::string unidentified(const FitResult& result) {
     if (!p.identified) {
       names += p.name + " ";
       EXPECT_FALSE(p.standard_error || p.interval_low || p.interval_high);
-      const std::string warning = p.name + " is not identified: the curve does not depend on it";
+      const std::string warning =
+          p.name + " is not identified: the curves do not depend on it by itself";
       EXPECT_EQ(std::count(result.warnings.begin(), result.warnings.end(), warning), 1);
     }
   }

@@ -56,7 +56,8 @@ TEST(SpecimenTable, LeavesEmptyWhatASpecimenDoesNotHave) {
 
 TEST(SpecimenTable, QuotesSeparatorsQuotesAndLineEnds) {
   const std::string text = specimens_of({rejected_record("a,\"b\"", "two\nlines")});
-  EXPECT_NE(text.find("\n\"a,\"\"b\"\"\",\"targets/a,\"\"b\"\".csv\",tension,"), std::string::npos)
+  EXPECT_NE(text.find("\n\"a,\"\"b\"\"\",ideal,\"targets/a,\"\"b\"\".csv\",tension,"),
+            std::string::npos)
       << text;
   EXPECT_NE(text.find(",rejected,\"two\nlines\",20,"), std::string::npos) << text;
 }

@@ -54,9 +54,9 @@ TEST(JsonSummary, HasItsKeysInAFixedOrder) {
   EXPECT_EQ(keys_of(all), (std::vector<std::string>{"fits", "groups", "counts"}));
   const Json& fit = all["fits"][0];
   const std::vector<std::string> keys = keys_of(fit);
-  EXPECT_EQ(std::vector<std::string>(keys.begin(), keys.begin() + 7),
-            (std::vector<std::string>{"name", "status", "reason", "characteristics", "parameters",
-                                      "objective", "evaluations"}));
+  EXPECT_EQ(std::vector<std::string>(keys.begin(), keys.begin() + 8),
+            (std::vector<std::string>{"name", "law", "status", "reason", "characteristics",
+                                      "parameters", "objective", "evaluations"}));
   const std::vector<std::string> characteristics = keys_of(fit["characteristics"]);
   EXPECT_EQ(std::vector<std::string>(characteristics.begin(), characteristics.begin() + 8),
             (std::vector<std::string>{"youngs_modulus", "rp02", "reh", "rel", "rm", "strain_at_rm",

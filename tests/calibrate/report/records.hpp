@@ -26,6 +26,7 @@ inline FittedParameter free_parameter(std::string name, Dimension dimension, dou
   parameter.standard_error = error;
   parameter.interval_low = value - 1.96 * error;
   parameter.interval_high = value + 1.96 * error;
+  parameter.judgement = {Verdict::Identified, error / value};
   return parameter;
 }
 

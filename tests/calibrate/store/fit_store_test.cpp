@@ -178,9 +178,15 @@ TEST(FitStore, GivesEveryRealColumnAUnitOrSaysThatItIsMixed) {
   write_fit_store(folder.file("a.h5"), contents_of(mixed_records()));
   const io::Hdf5File file = io::Hdf5File::open(folder.file("a.h5"));
   // Those whose unit differs from row to row stand beside a column that names it, or are SI.
-  const std::vector<std::string> mixed{"/evaluations/values",       "/properties/value",
-                                       "/corrections/amount",       "/options/parameters/value",
-                                       "/options/parameters/lower", "/options/parameters/upper"};
+  const std::vector<std::string> mixed{"/evaluations/values",
+                                       "/properties/value",
+                                       "/corrections/amount",
+                                       "/options/parameters/value",
+                                       "/options/parameters/lower",
+                                       "/options/parameters/upper",
+                                       "/parameters/youngs_modulus/verdict_number",
+                                       "/parameters/yield_stress/verdict_number",
+                                       "/parameters/break_strain/verdict_number"};
   std::vector<std::string> without;
   for (const auto& [path, text] : objects_of(folder.file("a.h5"))) {
     if (file.root().kind(path) != io::Hdf5Kind::Real) continue;

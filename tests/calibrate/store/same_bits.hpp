@@ -38,9 +38,13 @@ inline auto members(const Target& v) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = v;
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
 }
+inline auto members(const Judgement& v) {
+  const auto& [a, b] = v;
+  return std::tie(a, b);
+}
 inline auto members(const FittedParameter& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
 }
 inline auto members(const OptimizerStage& v) {
   const auto& [a, b, c, d] = v;
@@ -51,8 +55,8 @@ inline auto members(const Trace& v) {
   return std::tie(a, b, c);
 }
 inline auto members(const FitResult& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s);
 }
 inline auto members(const FitRecord& v) {
   const auto& [a, b] = v;

@@ -100,6 +100,7 @@ inline FitRecord filled_record(const std::string& name) {
     p.at_lower = true;
     p.at_upper = true;
     p.identified = false;
+    p.judgement = {Verdict::AtBound, 1e12};
     r.parameters.push_back(p);
   }
   r.parameters[1].standard_error = 0.25;
@@ -110,6 +111,10 @@ inline FitRecord filled_record(const std::string& name) {
   r.misfit_rms = 1e5;
   r.misfit_share = 0.001;
   r.misfit_word = "close";
+  r.law = Law::Ideal;
+  r.runs_probability = 0.31;
+  r.autocorrelation = -0.2;
+  r.effective_samples = 6.4;
   r.samples = 7;
   r.break_strain_total = 0.0201;
   r.seed = 0xfedcba9876543210U;

@@ -1,0 +1,64 @@
+#include "calibrate/fit/fit_law.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "calibrate/fit/fit.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+/// A cost above the simpler law's by more than this share of it is not the least.
+constexpr double kNoBetter = 1e-6;
+
+/// Lets a search begin where a simpler law's ended; what the law has beyond that one begins small.
+void start_from(const FitResult& simpler, FitOptions& options) {
+  for (Parameter& p : options.parameters) {
+    if (p.role != ParameterRole::Free) continue;
+    for (const FittedParameter& found : simpler.parameters) {
+      if (found.path != p.field->path) continue;
+      p.value =
+          std::clamp(found.value, p.lower.value_or(found.value), p.upper.value_or(found.value));
+    }
+  }
+}
+
+/// The work of a first search stands before that of a second one of the same parameters.
+void put_before(FitResult&& first, FitResult& second) {
+  first.stages.insert(first.stages.end(), second.stages.begin(), second.stages.end());
+  second.stages = std::move(first.stages);
+  Trace& trace = first.trace;
+  trace.values.insert(trace.values.end(), second.trace.values.begin(), second.trace.values.end());
+  trace.costs.insert(trace.costs.end(), second.trace.costs.begin(), second.trace.costs.end());
+  second.trace = std::move(trace);
+}
+
+}  // namespace
+
+FitOptions options_of(Law law, const FitOptions& options, Loading loading) {
+  FitOptions own = options;
+  const std::vector<Law> laws{law};
+  own.parameters =
+      parameters_of(law, loading, parameters_of(laws, options.parameters), options.parameters);
+  Hardening& hardening = own.setup.scene.material.hardening;
+  hardening = hardening_of(law, hardening);
+  return own;
+}
+
+FitResult fit_law(const Target& target, const FitOptions& options, Law law) {
+  FitOptions own = options_of(law, options, target.loading);
+  FitResult result = fit_target(target, own);
+  Law simpler = law;
+  if (result.status != FitStatus::Fitted || !has_simpler(law, simpler)) return result;
+  const FitResult below = fit_law(target, options, simpler);
+  if (below.status != FitStatus::Fitted || result.cost <= below.cost * (1.0 + kNoBetter)) {
+    return result;
+  }
+  start_from(below, own);
+  FitResult again = fit_target(target, own);
+  if (again.status != FitStatus::Fitted || again.cost >= result.cost) return result;
+  put_before(std::move(result), again);
+  return again;
+}
+
+}  // namespace plastica::calibrate

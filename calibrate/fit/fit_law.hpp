@@ -1,0 +1,22 @@
+#pragma once
+
+#include "calibrate/fit/law.hpp"
+#include "calibrate/fit/options.hpp"
+#include "calibrate/fit/result.hpp"
+
+namespace plastica::calibrate {
+
+/// What a fit of one law is told: the options with that law in the material and its parameters.
+///
+/// Freed by themselves, between bounds and from starts that the curve gives (start_values.hpp), are
+/// those that the options do not name: of linear hardening the tangent modulus and, of cyclic
+/// curves, the kinematic share; of Voce's Q and b; of Chaboche's these and C and gamma of two
+/// back-stresses, one fast and one slow. What the options fix stays fixed.
+FitOptions options_of(Law law, const FitOptions& options, Loading loading);
+
+/// Fits one law of several. A law that contains a simpler one is never left with a larger cost than
+/// that: where its own search ends above, it goes on from the simpler law's solution.
+/// @throws InputError as `fit_target`
+FitResult fit_law(const Target& target, const FitOptions& options, Law law);
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,168 @@
+#include "calibrate/fit/law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace plastica::calibrate {
+namespace {
+
+constexpr std::array<std::string_view, 4> kNames{"ideal", "linear", "voce", "chaboche"};
+
+/// A hardening parameter and the laws that have it.
+struct LawParameter {
+  std::string_view name;
+  MaterialField field;
+  bool linear, voce, chaboche;
+  bool freed;  ///< by the laws themselves
+};
+
+constexpr std::array<LawParameter, 10> kParameters{{
+    {"tangent_modulus", MaterialField::TangentModulus, true, false, false, true},
+    {"kinematic_share", MaterialField::KinematicShare, true, false, false, true},
+    {"saturation_stress", MaterialField::SaturationStress, false, true, true, true},
+    {"saturation_rate", MaterialField::SaturationRate, false, true, true, true},
+    {"backstress_modulus_1", MaterialField::BackModulus1, false, false, true, true},
+    {"backstress_rate_1", MaterialField::BackRate1, false, false, true, true},
+    {"backstress_modulus_2", MaterialField::BackModulus2, false, false, true, true},
+    {"backstress_rate_2", MaterialField::BackRate2, false, false, true, true},
+    {"backstress_modulus_3", MaterialField::BackModulus3, false, false, true, false},
+    {"backstress_rate_3", MaterialField::BackRate3, false, false, true, false},
+}};
+
+bool has(Law law, const LawParameter& p) {
+  switch (law) {
+    case Law::Ideal: return false;
+    case Law::Linear: return p.linear;
+    case Law::Voce: return p.voce;
+    case Law::Chaboche: return p.chaboche;
+  }
+  return false;
+}
+
+const LawParameter* find(const Parameter& parameter) {
+  for (const LawParameter& p : kParameters) {
+    if (parameter.field->material == p.field) return &p;
+  }
+  return nullptr;
+}
+
+bool contains(std::span<const Parameter> all, const Field* field) {
+  return std::ranges::any_of(all, [&](const Parameter& p) { return p.field == field; });
+}
+
+}  // namespace
+
+std::string_view name_of(Law law) {
+  const auto i = static_cast<std::size_t>(law);
+  return i < kNames.size() ? kNames[i] : std::string_view();
+}
+
+std::span<const std::string_view> law_names() { return kNames; }
+
+std::string_view phrase_of(Law law) {
+  switch (law) {
+    case Law::Ideal: return "ideal plasticity";
+    case Law::Linear: return "linear hardening";
+    case Law::Voce: return "Voce hardening";
+    case Law::Chaboche: return "Voce-Chaboche hardening";
+  }
+  return "the model";
+}
+
+std::vector<Law> laws_of(std::span<const std::string> words, std::string_view key,
+                         const SourceLocation& where) {
+  std::vector<Law> laws;
+  for (const std::string& word : words) {
+    const auto found = std::ranges::find(kNames, std::string_view(word));
+    if (found == kNames.end()) {
+      throw InputError(where, key, word,
+                       fmt::format("is no law; there are {}", fmt::join(kNames, ", ")));
+    }
+    const auto law = static_cast<Law>(found - kNames.begin());
+    if (std::ranges::find(laws, law) != laws.end()) {
+      throw InputError(where, key, word, "is named twice");
+    }
+    laws.push_back(law);
+  }
+  return laws;
+}
+
+Law law_of(const Hardening& hardening, std::span<const Parameter> parameters) {
+  switch (hardening.law) {
+    case HardeningLaw::Ideal: return Law::Ideal;
+    case HardeningLaw::Linear: return Law::Linear;
+    case HardeningLaw::VoceChaboche: break;
+  }
+  const auto is_there = [](double modulus) { return modulus != 0.0; };
+  bool back = std::ranges::any_of(hardening.backstress_modulus, is_there);
+  for (const Parameter& parameter : parameters) {
+    const LawParameter* p = find(parameter);
+    back = back || (p != nullptr && p->chaboche && !p->voce);
+  }
+  return back ? Law::Chaboche : Law::Voce;
+}
+
+std::vector<Parameter> parameters_of(std::span<const Law> laws, std::vector<Parameter> given) {
+  for (const LawParameter& p : kParameters) {
+    const bool wanted = p.freed && std::ranges::any_of(laws, [&](Law law) { return has(law, p); });
+    const Field& field = find_field(fmt::format("material.hardening.{}", p.name));
+    if (!wanted || contains(given, &field)) continue;
+    given.emplace_back().field = &field;
+  }
+  return given;
+}
+
+std::vector<Parameter> parameters_of(Law law, Loading loading, std::span<const Parameter> all,
+                                     std::span<const Parameter> given) {
+  std::vector<Parameter> own;
+  for (const Parameter& parameter : all) {
+    const LawParameter* p = find(parameter);
+    const bool no_effect = p != nullptr && p->field == MaterialField::KinematicShare &&
+                           loading == Loading::Monotonic && !contains(given, parameter.field);
+    if (p == nullptr || (has(law, *p) && !no_effect)) own.push_back(parameter);
+  }
+  // A tie to a parameter that this law does not have leaves its own free.
+  for (Parameter& parameter : own) {
+    if (parameter.role != ParameterRole::Tied || contains(own, parameter.tied_to)) continue;
+    Parameter freed;
+    freed.field = parameter.field;
+    freed.where = parameter.where;
+    parameter = std::move(freed);
+  }
+  return own;
+}
+
+Hardening hardening_of(Law law, const Hardening& given) {
+  Hardening hardening = given;
+  switch (law) {
+    case Law::Ideal: hardening.law = HardeningLaw::Ideal; break;
+    case Law::Linear: hardening.law = HardeningLaw::Linear; break;
+    case Law::Voce: hardening.backstress_modulus = {}; [[fallthrough]];
+    case Law::Chaboche: hardening.law = HardeningLaw::VoceChaboche; break;
+  }
+  return hardening;
+}
+
+bool has_simpler(Law law, Law& simpler) {
+  simpler = law == Law::Chaboche ? Law::Voce : Law::Ideal;
+  return law != Law::Ideal;
+}
+
+std::string laws_to_try(Law law, Loading loading, std::span<const Law> tried) {
+  const Law last = loading == Loading::Cyclic || law >= Law::Voce ? Law::Chaboche : Law::Voce;
+  std::string names(name_of(law));
+  bool any = false;
+  for (std::size_t i = static_cast<std::size_t>(law) + 1; i < kNames.size(); ++i) {
+    const auto next = static_cast<Law>(i);
+    if (next > last) break;
+    names += fmt::format(",{}", kNames[i]);
+    any = any || std::ranges::find(tried, next) == tried.end();
+  }
+  return any ? names : std::string();
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,123 @@
+#include "calibrate/fit/fit_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "calibrate/fit/fit.hpp"
+#include "tests/calibrate/fit/targets.hpp"
+#include "tests/support/message.hpp"
+#include "tests/support/tolerance.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using namespace plastica::testing;
+
+std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
+  std::vector<std::string> names;
+  for (const Parameter& p : parameters) names.push_back(p.name());
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+FitOptions modulus_and_yield() {
+  return fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress")});
+}
+
+TEST(Law, FreesItsOwnParameters) {
+  const FitOptions options = modulus_and_yield();
+  const auto names = [&](Law law, Loading loading) {
+    return names_of(options_of(law, options, loading).parameters);
+  };
+  const auto monotonic = Loading::Monotonic;
+  EXPECT_EQ(names(Law::Ideal, monotonic), (Names{"youngs_modulus", "yield_stress"}));
+  EXPECT_EQ(names(Law::Linear, monotonic),
+            (Names{"youngs_modulus", "yield_stress", "tangent_modulus"}));
+  EXPECT_EQ(names(Law::Linear, Loading::Cyclic),
+            (Names{"youngs_modulus", "yield_stress", "tangent_modulus", "kinematic_share"}));
+  EXPECT_EQ(names(Law::Voce, monotonic),
+            (Names{"youngs_modulus", "yield_stress", "saturation_stress", "saturation_rate"}));
+  EXPECT_EQ(names(Law::Chaboche, monotonic).size(), 8U);
+}
+
+TEST(Law, KeepsWhatTheFitFixesAndLeavesOutWhatOthersHave) {
+  FitOptions options = modulus_and_yield();
+  options.parameters.push_back(fixed_parameter("saturation_rate", 12.0));
+  options.parameters.push_back(free_parameter("backstress_rate_1"));
+  options.parameters.push_back(tied_parameter("backstress_rate_2", "backstress_rate_1", 0.1));
+  EXPECT_EQ(names_of(options_of(Law::Ideal, options, Loading::Cyclic).parameters),
+            (Names{"youngs_modulus", "yield_stress"}));
+  const FitOptions voce = options_of(Law::Voce, options, Loading::Cyclic);
+  EXPECT_EQ(names_of(voce.parameters),
+            (Names{"youngs_modulus", "yield_stress", "saturation_rate", "saturation_stress"}));
+  EXPECT_EQ(voce.parameters[2].role, ParameterRole::Fixed);
+  const FitOptions chaboche = options_of(Law::Chaboche, options, Loading::Cyclic);
+  EXPECT_EQ(chaboche.parameters[4].role, ParameterRole::Tied);
+  EXPECT_EQ(law_of(chaboche.setup.scene.material.hardening, chaboche.parameters), Law::Chaboche);
+  EXPECT_EQ(law_of(voce.setup.scene.material.hardening, voce.parameters), Law::Voce);
+}
+
+TEST(Law, IsRefusedByNameIfThereIsNone) {
+  const std::vector<std::string> wrong{"ideal", "ludwik"};
+  EXPECT_EQ(message_of([&] { (void)laws_of(wrong, "--laws"); }),
+            "--laws = ludwik: is no law; there are ideal, linear, voce, chaboche");
+  const std::vector<std::string> twice{"voce", "voce"};
+  EXPECT_EQ(message_of([&] { (void)laws_of(twice, "--laws"); }), "--laws = voce: is named twice");
+}
+
+TEST(Law, IsOfferedTheNextOnesInTheRow) {
+  const auto monotonic = Loading::Monotonic;
+  EXPECT_EQ(laws_to_try(Law::Ideal, monotonic, {}), "ideal,linear,voce");
+  EXPECT_EQ(laws_to_try(Law::Ideal, Loading::Cyclic, {}), "ideal,linear,voce,chaboche");
+  EXPECT_EQ(laws_to_try(Law::Voce, monotonic, {}), "voce,chaboche");
+  EXPECT_EQ(laws_to_try(Law::Chaboche, Loading::Cyclic, {}), "");
+  const std::vector<Law> tried{Law::Ideal, Law::Linear, Law::Voce};
+  EXPECT_EQ(laws_to_try(Law::Ideal, monotonic, tried), "");
+}
+
+/// A bar with Voce hardening, stretched to 5 %, with a noise of 1 MPa.
+Target voce_target() {
+  FitOptions truth;
+  Material& material = truth.setup.scene.material;
+  material.youngs_modulus = 200e9;
+  material.yield_stress = 300e6;
+  material.hardening.law = HardeningLaw::VoceChaboche;
+  material.hardening.saturation_stress = 150e6;
+  material.hardening.saturation_rate = 60.0;
+  Target target = target_like(truth, Deformation::Tension, ramp(200, 0.05));
+  Noise noise(7);
+  for (double& stress : target.corrected.stress) stress += noise(1e6);
+  return target;
+}
+
+TEST(FitLaw, FindsTheLawThatMadeTheCurve) {
+  FitOptions options = modulus_and_yield();
+  options.laws = {Law::Ideal, Law::Linear, Law::Voce};
+  const std::vector<Target> targets{voce_target()};
+  const std::vector<FitResult> results = fit_batch(targets, options);
+  ASSERT_EQ(results.size(), 3U);
+  EXPECT_EQ(results[2].law, Law::Voce);
+  EXPECT_NEAR(results[2].misfit_rms, 1e6, tolerance(0.1e6));
+  EXPECT_NEAR(results[2].parameter("saturation_stress").value, 150e6, tolerance(2e6));
+  EXPECT_GT(results[2].runs_probability, kFewRuns);
+  EXPECT_TRUE(results[2].warnings.empty()) << results[2].warnings.front();
+  EXPECT_LT(results[1].runs_probability, kFewRuns);
+  EXPECT_GT(results[0].misfit_rms, results[1].misfit_rms);
+}
+
+TEST(FitLaw, IsNeverWorseThanTheSimplerLawThatItContains) {
+  FitOptions options = modulus_and_yield();
+  // One evaluation is no search: what is found is where it began.
+  options.algorithm = "slsqp";
+  options.stopping.local_evaluations = 1;
+  const Target target = voce_target();
+  const FitResult ideal = fit_law(target, options, Law::Ideal);
+  const FitResult linear = fit_law(target, options, Law::Linear);
+  EXPECT_LE(linear.cost, ideal.cost * (1.0 + 1e-6));
+}
+
+}  // namespace
+}  // namespace plastica::calibrate
