@@ -83,6 +83,7 @@ std::vector<Law> read_laws(const TomlValue& value) {
     if (std::ranges::find(laws, law) != laws.end()) throw item.error("is named twice");
     laws.push_back(law);
   }
+  std::ranges::sort(laws);
   return laws;
 }
 

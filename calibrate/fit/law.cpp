@@ -88,6 +88,7 @@ std::vector<Law> laws_of(std::span<const std::string> words, std::string_view ke
     }
     laws.push_back(law);
   }
+  std::ranges::sort(laws);
   return laws;
 }
 

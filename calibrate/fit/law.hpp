@@ -27,7 +27,7 @@ std::span<const std::string_view> law_names();
 /// "ideal plasticity", "linear hardening", …
 std::string_view phrase_of(Law law);
 
-/// The laws of a list of words, each once.
+/// The laws of a list of words, each once, in their order.
 /// @throws InputError for a word that is none, naming those that are, and for one that comes twice
 std::vector<Law> laws_of(std::span<const std::string> words, std::string_view key,
                          const SourceLocation& where = {});

@@ -167,10 +167,11 @@ TEST(Command, ExportsARowForEachSpecimenOrSample) {
   const Workplace place;
   fit_two(place);
   const std::string table = output_of(place, {"export", "fit.h5", "--to", "csv"});
-  EXPECT_TRUE(table.starts_with("name,file,test,measure,loading,status,reason,youngs_modulus [Pa]"))
+  EXPECT_TRUE(table.starts_with("name,law,file,test,measure,loading,status,reason,youngs_modulus "))
       << table;
   EXPECT_EQ(lines_of(table), 3U);
-  EXPECT_TRUE(has(table, "\na,a.csv,tension,") && has(table, "\nb,b.csv,tension,")) << table;
+  EXPECT_TRUE(has(table, "\na,ideal,a.csv,tension,") && has(table, "\nb,ideal,b.csv,tension,"))
+      << table;
   const std::string curves = output_of(place, {"export", "fit.h5", "--what", "curves"});
   EXPECT_TRUE(curves.starts_with("specimen,strain [1],stress_measured [Pa],stress_fitted [Pa]\n"));
   EXPECT_GT(lines_of(curves), 200U);
