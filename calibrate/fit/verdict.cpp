@@ -55,6 +55,11 @@ std::string warning_of(std::string_view name, const Judgement& judgement, double
     case Verdict::AtBound:
       return fmt::format("{} is at its {} bound", name,
                          judgement.number == lower ? "lower" : "upper");
+    case Verdict::FromPrior:
+      return fmt::format(
+          "{} is from its prior: of what is known of it, {:.0f} % is the prior's and the rest the "
+          "curves'",
+          name, share);
     case Verdict::LimitedBySampling:
       return fmt::format(
           "{} is limited by sampling: the break lies between two samples, which leaves {:.2g} % of "

@@ -77,6 +77,7 @@ std::string verdict_text(const Judgement& judgement, std::string_view path, Dime
     }
     case Verdict::LimitedBySegments:
     case Verdict::LimitedBySampling: return word + ", ± " + share;
+    case Verdict::FromPrior: return word + ", " + share + " of it";
   }
   return word;
 }

@@ -17,12 +17,13 @@ inline auto members(const SceneBreak& v) {
   return std::tie(a, b);
 }
 inline auto members(const SceneTarget& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = v;
+  // Where the user's words stood is not stored.
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, where, other_where] = v;
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
 }
 inline auto members(const SceneParameter& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
 }
 inline auto members(const ScenePartFit& v) {
   const auto& [a, b, c, d, e, f, g, h, i, j] = v;
@@ -94,11 +95,11 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
   r.status = FitStatus::Fitted;
   r.reason = "none";
   r.parameters = {{"material.youngs_modulus", Dimension::Stress, 205e9, 200e9, 50e9, 500e9, 1.2e9,
-                   1.2e9, 0.0, 202.6e9, 207.4e9, false, Verdict::Identified, 1.2 / 205.0},
+                   1.2e9, 0.0, 0.3e9, 202.6e9, 207.4e9, false, Verdict::Identified, 1.2 / 205.0},
                   {"material.yield_stress", Dimension::Stress, 380e6, 300e6, 100e6, 380e6, kNan,
-                   kNan, 1.0, kNan, kNan, true, Verdict::AtBound, 380e6},
+                   kNan, 1.0, kNan, kNan, kNan, true, Verdict::AtBound, 380e6},
                   {"material.break_strain", Dimension::Strain, 0.021, 0.05, 1e-4, 1.0, 4e-4, 1e-4,
-                   3.87e-4, 0.0202, 0.0218, false, Verdict::LimitedBySampling, 0.018}};
+                   3.87e-4, 2e-5, 0.0202, 0.0218, false, Verdict::LimitedBySampling, 0.018}};
   r.correlation = {1.0, kNan, -0.97, kNan, 1.0, kNan, -0.97, kNan, 1.0};
   r.parts = {{bent.name,
               Level::Planar,
