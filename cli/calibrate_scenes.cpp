@@ -1,6 +1,7 @@
 #include "cli/calibrate_scenes.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -82,6 +83,10 @@ void print_report(std::span<const SceneFitRecord> records, double confidence) {
 
 int calibrate_scenes(const CalibrateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
+  if (!arguments.laws.empty()) {
+    throw InputError({}, "--laws", fmt::format("{}", fmt::join(arguments.laws, ",")),
+                     "is for curves of coupons; a fit through scenes has the laws of its scenes");
+  }
   const std::string output = output_of(arguments);
   SceneFitFile file = calibrate::read_scene_fit_file(arguments.inputs.front());
   set_intervals(arguments, file.options.intervals);

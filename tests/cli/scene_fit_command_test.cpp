@@ -139,6 +139,17 @@ TEST(SceneFitCommand, DoesNotPromiseWhatCannotRun) {
   EXPECT_EQ(result.err, "plastica: target = b: has no more samples than the fit has parameters\n");
 }
 
+TEST(SceneFitCommand, RefusesToCompareLaws) {
+  const Workplace place;
+  write_bars(place);
+  const CommandResult result = place.run({"calibrate", "fit.toml", "--laws", "ideal,linear"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(
+      result.err,
+      "plastica: --laws = ideal,linear: is for curves of coupons; a fit through scenes has the "
+      "laws of its scenes\n");
+}
+
 TEST(SceneFitCommand, HasTheSameBytesOnEveryNumberOfThreads) {
   const Workplace place;
   write_bars(place);

@@ -76,7 +76,8 @@ TEST(Starts, ReachTheBestFitFromWhereverTheyAre) {
   const int fits = full ? 100 : 3;
   for (const StartsProblem& problem : starts_problems()) {
     if (!full && !problem.cheap) continue;
-    SceneFitOptions at_truth{.parameters = problem.parameters, .starts = 1, .segments_error = false};
+    SceneFitOptions at_truth{
+        .parameters = problem.parameters, .starts = 1, .segments_error = false};
     Tally truth;
     truth.add(fit_scenes(std::vector{problem.part}, at_truth));
     const Tally found = fit_from(problem, fits, 0, truth.best);

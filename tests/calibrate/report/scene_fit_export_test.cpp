@@ -132,7 +132,7 @@ TEST(SceneFitCsv, HasARowPerSample) {
   const auto rows =
       table_of(write_scene_fit_curves_csv, {scene_record("b"), failed_scene_record("f", "no")});
   ASSERT_EQ(rows.size(), 1U + 30U + 20U + 30U);
-  EXPECT_EQ(rows[1], (std::vector<std::string>{"b", "bent", "0.002", "m", "20", "20", "", "N"}));
+  EXPECT_EQ(rows[1], (std::vector<std::string>{"b", "bent", "0.002", "m", "20", "20", "1", "N"}));
   EXPECT_EQ(rows[31][3], "rad");
   EXPECT_EQ(rows[51][5], "") << "not fitted";
 }

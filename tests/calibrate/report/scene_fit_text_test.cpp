@@ -52,14 +52,14 @@ TEST(SceneFitText, ShowsEachParameterWithErrorIntervalAndVerdict) {
       has_line(text, "  errors      of noise that the residuals say, 28.8 degrees of freedom"));
 }
 
-TEST(SceneFitText, SetsNoiseSamplingAndSegmentsSideBySide) {
+TEST(SceneFitText, SetsAllSourcesOfErrorsSideBySide) {
   const std::string text = scene_fit_report(scene_record());
   EXPECT_TRUE(contains(text, "\nStandard errors\n"));
-  EXPECT_TRUE(has_line(text, "                  noise  sampling  segments"));
+  EXPECT_TRUE(has_line(text, "                  noise  sampling  segments  misfit"));
   // 1.25 x 1 % of 205 GPa, and 3 x 4 % of 380 MPa, over the root of 3.
-  EXPECT_TRUE(has_line(text, "  youngs_modulus    1.2         -       1.5  GPa"));
-  EXPECT_TRUE(has_line(text, "  yield_stress      2.1         -        26  MPa"));
-  EXPECT_TRUE(has_line(text, "  break_strain    0.010     0.039         -  %"));
+  EXPECT_TRUE(has_line(text, "  youngs_modulus    1.2         -       1.5       -  GPa"));
+  EXPECT_TRUE(has_line(text, "  yield_stress      2.1         -        26       -  MPa"));
+  EXPECT_TRUE(has_line(text, "  break_strain    0.010     0.039         -   0.020  %"));
 }
 
 TEST(SceneFitText, ShowsTheValuesOfOtherSegmentsAndWhereTheyLead) {

@@ -71,6 +71,7 @@ inline SceneFitRecord scene_record(const std::string& name = "both", double modu
       const double noise = part.noise * std::sin(12.9898 * static_cast<double>(i));
       target.abscissa.push_back(at);
       part.fitted.push_back(value);
+      part.fitted_error.push_back(0.2 * part.noise);
       target.ordinate.push_back(value + noise);
       part.cost += noise * noise;
     }
