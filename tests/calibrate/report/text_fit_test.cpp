@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -153,6 +154,9 @@ TEST(FitReport, SaysHowWellTheModelFollowsInAPlainWord) {
   EXPECT_TRUE(has_line(fit_report(record),
                        "  misfit        0.39 % of Rm (rms 1.10 MPa): close, ideal plasticity "
                        "follows this curve"));
+  record.result.runs_probability = 1e-9;
+  EXPECT_TRUE(contains(fit_report(record), "but not to its noise"));
+  record.result.runs_probability = std::numeric_limits<double>::quiet_NaN();
   const std::optional<double> rm = std::exchange(record.target.characteristics.rm, std::nullopt);
   record.result.misfit_word = "fair";
   EXPECT_TRUE(contains(fit_report(record),
