@@ -154,12 +154,15 @@ double autocorrelation(std::span<const double> residual) {
   return squares > 0.0 ? products / squares : 0.0;
 }
 
+bool lacks_fit(double share, double runs_probability) {
+  return std::isnan(runs_probability) ? share > kLackingForSure
+                                      : runs_probability < kFewRuns && share > kLacking;
+}
+
 std::string lack_of_fit(std::string_view law, double share, double runs_probability,
                         std::string_view try_next) {
+  if (!lacks_fit(share, runs_probability)) return {};
   const bool counted = !std::isnan(runs_probability);
-  const bool lacks =
-      counted ? runs_probability < kFewRuns && share > kLacking : share > kLackingForSure;
-  if (!lacks) return {};
   std::string text = fmt::format("{} does not describe this curve (misfit {} of the largest value",
                                  law, share_text(share));
   if (counted) text += fmt::format(", runs probability {:.1g}", runs_probability);

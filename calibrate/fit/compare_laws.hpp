@@ -31,7 +31,7 @@ struct LawFit {
   std::vector<Verdict> verdicts;  ///< of these
   std::size_t evaluations = 0;    ///< what the search cost
   double misfit_share = 0.0;      ///< rms over the largest measured value [1]
-  bool lacks_fit = false;         ///< whether `lack_of_fit` says that it does not describe a curve
+  bool lacks_fit = false;         ///< whether it does not describe a curve: `lacks_fit` below
 };
 
 /// A law among others, all fitted to the same curves.
@@ -75,10 +75,13 @@ double effective_samples(std::span<const double> weight);
 /// sum r_i r_{i-1}/sum r_i^2; 0 for residuals that all vanish.
 double autocorrelation(std::span<const double> residual);
 
-/// Says that a law does not describe a curve, and what to try; empty where it does, as far as the
-/// residuals tell: where they lie in runs that noise would not (`kFewRuns`) and are more than 1 %
-/// of the largest value. For curves too short to count runs, where they are more than 5 % of it.
+/// Whether a law does not describe a curve, as far as the residuals tell: where they lie in runs
+/// that noise would not (`kFewRuns`) and are more than 1 % of the largest value. For curves too
+/// short to count runs, where they are more than 5 % of it.
 /// @param share  rms of the residuals over the largest measured value
+bool lacks_fit(double share, double runs_probability);
+
+/// Says that it does not, and what to try; empty where it does.
 /// @param try_next  `laws_to_try`
 std::string lack_of_fit(std::string_view law, double share, double runs_probability,
                         std::string_view try_next);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "calibrate/fit/compare_laws.hpp"
 #include "calibrate/report/format.hpp"
 
 namespace plastica::calibrate::report {
@@ -33,10 +34,10 @@ void advise_on(const FittedParameter& parameter, std::vector<std::string>& advic
 std::string misfit_meaning(const FitResult& result) {
   const std::string name(phrase_of(result.law));
   const bool noise = result.runs_probability >= kFewRuns;
-  if (result.misfit_word == "close") {
-    return name + (result.runs_probability < kFewRuns ? " follows this curve, but not to its noise"
-                                                      : " follows this curve");
+  if (lacks_fit(result.misfit_share, result.runs_probability)) {
+    return name + " does not describe this curve";
   }
+  if (result.misfit_word == "close") return name + " follows this curve";
   if (noise && !result.misfit_word.empty()) return name + " follows this curve within its noise";
   if (result.misfit_word == "fair") return name + " follows this curve roughly";
   if (result.misfit_word == "poor") return name + " cannot follow this curve";

@@ -27,7 +27,7 @@ LawFit law_fit_of(const FitRecord& record) {
   }
   fit.evaluations = result.evaluations();
   fit.misfit_share = result.misfit_share;
-  fit.lacks_fit = !lack_of_fit("", result.misfit_share, result.runs_probability, "").empty();
+  fit.lacks_fit = lacks_fit(result.misfit_share, result.runs_probability);
   return fit;
 }
 
@@ -76,15 +76,27 @@ LawComparison compare_laws(const LawRecords& records) {
 
 LawComparison compare_laws(std::span<const FitRecord> records) {
   std::vector<LawFit> sums;
-  for (const LawRecords& target : by_target(records)) {
+  const auto targets = by_target(records);
+  const auto fitted = [](const FitRecord* record) {
+    return record->result.status == FitStatus::Fitted;
+  };
+  const bool any_whole = std::ranges::any_of(
+      targets, [&](const LawRecords& target) { return std::ranges::all_of(target, fitted); });
+  const auto failed_somewhere = [&](Law law) {
+    return std::ranges::any_of(records, [&](const FitRecord& record) {
+      return record.result.law == law && !fitted(&record);
+    });
+  };
+  for (const LawRecords& target : targets) {
     std::vector<LawFit> fits;
     for (const FitRecord* record : target) fits.push_back(law_fit_of(*record));
     for (const LawFit& fit : fits) {
       const auto same = [&](const LawFit& sum) { return sum.law == fit.law; };
       if (std::ranges::none_of(sums, same)) sums.emplace_back().law = fit.law;
     }
-    if (!std::ranges::all_of(fits, &LawFit::fitted)) continue;
+    if (any_whole && !std::ranges::all_of(fits, &LawFit::fitted)) continue;
     for (LawFit& fit : fits) {
+      if (!any_whole && failed_somewhere(fit.law)) continue;
       LawFit& sum = *std::ranges::find(sums, fit.law, &LawFit::law);
       sum.fitted = true;
       add(std::move(fit), sum);

@@ -24,7 +24,8 @@ bool compares_laws(std::span<const FitRecord> records);
 LawComparison compare_laws(const LawRecords& records);
 
 /// The laws over all targets, as if each target had the law's parameters of its own: sums of the
-/// targets that every law was fitted to.
+/// targets that every law was fitted to; where there is none, of the laws that were fitted to every
+/// target.
 LawComparison compare_laws(std::span<const FitRecord> records);
 
 /// Puts the records of the law that is advised for all targets to the front, in their order; all

@@ -93,7 +93,9 @@ SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, RunCounters& coun
   const SceneProblem& problem = fitted.problem();
   const std::vector<double>& residual = fitted.best().residual;
   const std::size_t parts = problem.parts().size();
-  const auto taken = static_cast<double>(fitted.best().x.size());
+  // Parameters take from the samples' residuals what priors do not give.
+  const std::size_t priors = residual.size() - problem.samples();
+  const auto taken = static_cast<double>(fitted.best().x.size() - priors);
   const double inflation = 1.0 / std::sqrt(1.0 - taken / static_cast<double>(problem.samples()));
   const auto block = static_cast<std::size_t>(fitted.options().intervals.block);
   const Draw draw = [&](Draws& draws) {

@@ -229,7 +229,8 @@ class SceneFit {
       // Both count by one over the square of their standard deviations.
       const double prior = p.prior ? fitted.noise_error / p.prior->standard_deviation : 0.0;
       prior_shares_.push_back(prior * prior);
-      halves_.push_back(std::accumulate(halves.begin(), halves.end(), 0.0));
+      // As wide as one interval with the same standard error.
+      halves_.push_back(std::sqrt(3.0) * fitted.sampling_error);
       result_.parameters.push_back(std::move(fitted));
       slopes.push_back(std::move(slope));
     }

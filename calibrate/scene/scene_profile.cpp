@@ -71,8 +71,8 @@ class ParameterProfile {
   SceneProfile profile(const ProfileSide& low, const ProfileSide& high) const {
     SceneProfile profile;
     profile.threshold = factor_ * factor_;
-    profile.low = end_of(low.end, profile.low_end = low.why);
-    profile.high = end_of(high.end, profile.high_end = high.why);
+    profile.low = end_of(low.end, -1.0, profile.low_end = low.why);
+    profile.high = end_of(high.end, 1.0, profile.high_end = high.why);
     for (const ProfilePoint& point : low.points) add(point, profile);
     add({best_.value, best_.cost, best_.x}, profile);
     for (const ProfilePoint& point : high.points) add(point, profile);
@@ -113,13 +113,13 @@ class ParameterProfile {
   }
 
   /// The interval's end [SI]; a break's has its place between two samples in it, too.
-  double end_of(double end, ProfileEnd& why) const {
+  double end_of(double end, double side, ProfileEnd& why) const {
     if (!free_.is_break) return value_of(end);
     const double off = end - best_.value;
     const double reach =
         theory::half_interval(fitted_.options().confidence, std::abs(off) / factor_,
                               fitted_.degrees_of_freedom(), free_.limit.halves);
-    const double to = best_.value + std::copysign(reach, off);
+    const double to = best_.value + side * reach;
     const double held = std::clamp(to, *free_.parameter->lower, *free_.parameter->upper);
     if (held != to) why = ProfileEnd::Bound;
     return held;
@@ -145,6 +145,9 @@ class ParameterProfile {
 /// Of a break that nothing searched moves: its sampling alone.
 SceneProfile unmoved(const FittedScenes& fitted, const FittedScenes::FreeParameter& free) {
   SceneProfile profile;
+  const double factor = theory::student_t_quantile(0.5 + 0.5 * fitted.options().confidence,
+                                                   fitted.degrees_of_freedom());
+  profile.threshold = factor * factor;
   const double reach = theory::half_interval(fitted.options().confidence, 0.0,
                                              fitted.degrees_of_freedom(), free.limit.halves);
   const bool there = free.is_break && std::isfinite(free.limit.value);

@@ -143,6 +143,8 @@ void check_trip(const Trip& trip, int segments, std::size_t count, int fewest, i
     EXPECT_GE(hits, fewest);
     EXPECT_LE(hits, most);
   }
+  EXPECT_GE(ellipse, fewest);
+  EXPECT_LE(ellipse, most);
 }
 
 TEST(RoundTrip, HoldsTheTruthAsOftenAsItSays) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -62,7 +63,7 @@ class CaseJournal {
   std::optional<Journal> journal_;
   std::uint64_t dropped_bytes_ = 0;
   int resumptions_ = 0;
-  bool empty_ = true;
+  std::atomic<bool> empty_ = true;
 };
 
 }  // namespace plastica::io

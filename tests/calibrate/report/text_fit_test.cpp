@@ -155,7 +155,10 @@ TEST(FitReport, SaysHowWellTheModelFollowsInAPlainWord) {
                        "  misfit        0.39 % of Rm (rms 1.10 MPa): close, ideal plasticity "
                        "follows this curve"));
   record.result.runs_probability = 1e-9;
-  EXPECT_TRUE(contains(fit_report(record), "but not to its noise"));
+  EXPECT_TRUE(contains(fit_report(record), "close, ideal plasticity follows")) << "below 1 %";
+  record.result.misfit_share = 0.015;
+  EXPECT_TRUE(contains(fit_report(record), "close, ideal plasticity does not"));
+  record.result.misfit_share = 0.0039;
   record.result.runs_probability = std::numeric_limits<double>::quiet_NaN();
   const std::optional<double> rm = std::exchange(record.target.characteristics.rm, std::nullopt);
   record.result.misfit_word = "fair";
