@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "calibrate/fit/fit.hpp"
 
 namespace plastica::calibrate {
@@ -11,7 +13,8 @@ namespace {
 /// A cost above the simpler law's by more than this share of it is not the least.
 constexpr double kNoBetter = 1e-6;
 
-/// Lets a search begin where a simpler law's ended; what the law has beyond that one begins small.
+/// Lets a search begin where a simpler law's ended; what the law has beyond that one
+/// begins where it always does.
 void start_from(const FitResult& simpler, FitOptions& options) {
   for (Parameter& p : options.parameters) {
     if (p.role != ParameterRole::Free) continue;
@@ -56,9 +59,17 @@ FitResult fit_law(const Target& target, const FitOptions& options, Law law) {
   }
   start_from(below, own);
   FitResult again = fit_target(target, own);
-  if (again.status != FitStatus::Fitted || again.cost >= result.cost) return result;
-  put_before(std::move(result), again);
-  return again;
+  if (again.status == FitStatus::Fitted && again.cost < result.cost) {
+    put_before(std::move(result), again);
+    result = std::move(again);
+  }
+  if (result.cost > below.cost * (1.0 + kNoBetter)) {
+    result.warnings.push_back(
+        fmt::format("{} ends with a larger misfit than {}, which it contains: its search has not "
+                    "found its best",
+                    name_of(law), name_of(simpler)));
+  }
+  return result;
 }
 
 }  // namespace plastica::calibrate

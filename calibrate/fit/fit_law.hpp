@@ -14,8 +14,9 @@ namespace plastica::calibrate {
 /// back-stresses, one fast and one slow. What the options fix stays fixed.
 FitOptions options_of(Law law, const FitOptions& options, Loading loading);
 
-/// Fits one law of several. A law that contains a simpler one is never left with a larger cost than
-/// that: where its own search ends above, it goes on from the simpler law's solution.
+/// Fits one law of several. Where a law that contains a simpler one ends with a larger cost than
+/// that, it searches again from the simpler law's values of what both have, its own parameters from
+/// their usual starts; a warning says where it still ends above.
 /// @throws InputError as `fit_target`
 FitResult fit_law(const Target& target, const FitOptions& options, Law law);
 
