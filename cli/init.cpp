@@ -29,7 +29,7 @@ bool is_of_sweeps(const std::string& kind) {
 /// The command that runs what was begun.
 std::string_view command_of(const std::string& kind) {
   if (is_of_sweeps(kind)) return kind;
-  return kind == "fit" ? "calibrate" : "simulate";
+  return kind == "fit" || kind == "scene-fit" ? "calibrate" : "simulate";
 }
 
 int init(const InitArguments& arguments) {
@@ -66,7 +66,9 @@ void add_init(CLI::App& app, Action& action) {
   std::vector<std::string> kinds;
   for (const auto& kind : calibrate::template_kinds()) kinds.emplace_back(kind);
   for (const auto& kind : sweeps::template_kinds()) kinds.emplace_back(kind);
-  sub->add_option("kind", arguments->kind, "what to begin: fit, scene, coupon, sweep or check")
+  sub->add_option(
+         "kind", arguments->kind,
+         "what to begin: fit, scene-fit (a fit through a beam), scene, coupon, sweep or check")
       ->required()
       ->check(CLI::IsMember(kinds));
   sub->add_option("-d,--directory", arguments->folder, "where to write")->capture_default_str();

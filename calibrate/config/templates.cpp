@@ -6,6 +6,7 @@
 #include <array>
 #include <random>
 
+#include "calibrate/config/bend_test_files.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::calibrate {
@@ -52,6 +53,49 @@ stress = { column = "Stress", unit = "MPa" }
 # area         = { from = "S0_mm2", unit = "mm^2" }       # a column of this table:
 # table        = { file = "info.csv", key = "specimen" }  # a row for each file, by its stem
 # group        = ["temperature"]                          # columns whose values form groups
+)";
+
+constexpr std::string_view kSceneFit =
+    R"(# A fit through a beam: finds Young's modulus, yield stress and break strain of a bar whose end was
+# pushed down until it broke, in the scene that will be run with them.
+#
+#   plastica calibrate scene-fit.toml -o scene-fit.h5
+#
+# Runs as it is, on bend_test.csv and bend_test.toml beside it. For your own test change `scene` and
+# `files`, and say below what the columns are in the scene.
+# `#` begins a comment. Quantities stand in quotes with their unit: "355 MPa", "0.2 %".
+
+[fit]
+# starts = 10                     # searches from the best of `screen` points; 1: from the scene's
+# screen = 64                     # own values alone, a tenth of the work, where they are near
+# seed   = 1                      # of the points
+# profile = true                  # likelihood intervals; bootstrap = 400: resampled ones
+# segments_error = false          # do not repeat the fit with half and twice the segments
+# shared = false                  # with several targets: a fit of each, in place of one of all
+
+[fit.parameters]                  # `plastica fields` lists the names; a free one needs its bounds
+youngs_modulus = { bounds = ["50 GPa", "500 GPa"] }
+yield_stress   = { bounds = ["100 MPa", "2 GPa"] }
+break_strain   = { bounds = ["0.01 %", "100 %"] }      # the permanent strain at the break
+# poisson_ratio = { value = 0.3, fixed = true }
+# tangent_modulus = { bounds = ["1 GPa", "20 GPa"],
+#                     prior = { mean = "10 GPa", standard_deviation = "2 GPa" } }
+
+# One [[target]] for each kind of test; a file is a specimen.
+[[target]]
+scene = "bend_test.toml"          # beside this file
+files = ["bend_test.csv"]         # patterns too: "curves/*.csv"
+
+# The second support of the scene, the machine's head, follows the measured way, up and down.
+# In its place: `probe = "displacement"`, compared along the scene's own path; or `time = true`.
+abscissa = { drive = "support[2]", column = "Displacement", unit = "mm" }
+
+# factor = -1: the machine counts against the scene's axis.
+ordinate = { probe = "force", column = "Force", unit = "N", factor = -1 }
+# noise  = "5 N"                  # standard deviation of the ordinate, where it is known
+# weight = 2.0                    # of this target beside others
+
+beam = { segments = 32 }          # what differs from the scene
 )";
 
 constexpr std::string_view kCoupon =
@@ -202,7 +246,7 @@ std::string example_curve() {
 }
 
 std::span<const std::string_view> template_kinds() {
-  static constexpr std::array<std::string_view, 3> kKinds{"fit", "scene", "coupon"};
+  static constexpr std::array<std::string_view, 4> kKinds{"fit", "scene-fit", "scene", "coupon"};
   return kKinds;
 }
 
@@ -210,9 +254,14 @@ std::vector<TemplateFile> template_files(std::string_view kind) {
   if (kind == "fit") {
     return {{"fit.toml", std::string(kFit)}, {"example-curve.csv", example_curve()}};
   }
+  if (kind == "scene-fit") {
+    return {{"scene-fit.toml", std::string(kSceneFit)},
+            {"bend_test.toml", std::string(bend_test_scene())},
+            {"bend_test.csv", std::string(bend_test_curve())}};
+  }
   if (kind == "scene") return {{"scene.toml", std::string(kScene)}};
   if (kind == "coupon") return {{"coupon.toml", std::string(kCoupon)}};
-  throw InputError({}, "init", kind, "must be one of fit, scene, coupon");
+  throw InputError({}, "init", kind, "must be one of fit, scene-fit, scene, coupon");
 }
 
 }  // namespace plastica::calibrate

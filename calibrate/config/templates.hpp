@@ -13,14 +13,15 @@ struct TemplateFile {
   std::string text;
 };
 
-/// What `plastica init` can begin: "fit", "scene", "coupon".
+/// What `plastica init` can begin: "fit", "scene-fit", "scene", "coupon".
 std::span<const std::string_view> template_kinds();
 
 /// The files that `plastica init KIND` writes side by side; they run as they are. The first is the
 /// one to run:
-///   fit    fit.toml and example-curve.csv, the curve that it fits;
-///   scene  scene.toml, a cantilever;
-///   coupon coupon.toml, a beam in tension.
+///   fit        fit.toml and example-curve.csv, the curve that it fits;
+///   scene-fit  scene-fit.toml, bend_test.toml, the scene that it fits through, and bend_test.csv;
+///   scene      scene.toml, a cantilever;
+///   coupon     coupon.toml, a beam in tension.
 /// Each says in comments what it does and what can be changed.
 /// @throws InputError for another kind
 std::vector<TemplateFile> template_files(std::string_view kind);

@@ -78,6 +78,18 @@ TEST(Command, InitsAFitThatRunsAsItIs) {
   EXPECT_EQ(fitted.err, "wrote fit.h5\n");
 }
 
+TEST(Command, InitsAFitThroughASceneThatRunsAsItIs) {
+  const Workplace place;
+  EXPECT_EQ(output_of(place, {"init", "scene-fit"}),
+            "wrote ./scene-fit.toml\nwrote ./bend_test.toml\nwrote ./bend_test.csv\n"
+            "next: plastica calibrate ./scene-fit.toml\n");
+  EXPECT_EQ(place.run({"simulate", "bend_test.toml"}).code, 0);
+  const CommandResult fitted = place.run({"calibrate", "scene-fit.toml"});
+  EXPECT_EQ(fitted.code, 0) << fitted.err;
+  EXPECT_TRUE(fitted.out.ends_with("\nfitted 1, failed 0\n")) << fitted.out;
+  EXPECT_EQ(fitted.err, "wrote scene-fit.h5\n");
+}
+
 TEST(Command, InitsACouponThatRunsAsItIs) {
   const Workplace place;
   output_of(place, {"init", "coupon"});

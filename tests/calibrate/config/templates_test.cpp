@@ -7,6 +7,7 @@
 
 #include "plastica/io/csv.hpp"
 #include "plastica/io/scene_file.hpp"
+#include "plastica/io/text_file.hpp"
 #include "plastica/model/choose_level.hpp"
 #include "plastica/run/simulate.hpp"
 #include "tests/support/message.hpp"
@@ -40,10 +41,18 @@ TEST(Templates, BeginAChainWithACantilever) {
             "planar: every load, support and joint axis lies in the y-z plane");
 }
 
+TEST(Templates, BringTheShippedBendTest) {
+  const auto files = template_files("scene-fit");
+  ASSERT_EQ(files.size(), 3U);
+  const std::string data = std::string(PLASTICA_SOURCE_DIR) + "/data/";
+  EXPECT_EQ(files[1].text, io::read_text_file(data + "scenes/" + files[1].name));
+  EXPECT_EQ(files[2].text, io::read_text_file(data + "targets/" + files[2].name));
+}
+
 TEST(Templates, AreListedByKind) {
   for (const auto kind : template_kinds()) EXPECT_FALSE(template_files(kind).empty());
   EXPECT_EQ(testing::message_of([] { template_files("fits"); }),
-            "init = fits: must be one of fit, scene, coupon");
+            "init = fits: must be one of fit, scene-fit, scene, coupon");
 }
 
 TEST(ExampleCurve, HasTheFormOfATensionTestWithABreak) {
