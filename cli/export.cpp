@@ -220,7 +220,8 @@ void add_export(CLI::App& app, Action& action) {
                              "energies", "events", "pieces", "spectrum", "cases", "beam"}));
   sub->add_option("--time", arguments->time, "of joints: \"12 ms\"; else the last frame's");
   sub->add_option("--scene", arguments->scene,
-                  "beam of a fit: a scene file, whose material gets the fitted numbers");
+                  "beam of a fit: a scene file, whose material gets the fitted numbers; of a fit "
+                  "through scenes, whose result has them, needed only where there are several");
   sub->add_option("--case", arguments->which, "beam of a fit: whose, where there are several");
   sub->add_option("--segments", arguments->segments, "of the beam, instead of the scene's");
   sub->add_option("-o,--output", arguments->output, "file, or - for the terminal")
@@ -230,7 +231,8 @@ void add_export(CLI::App& app, Action& action) {
       "Examples:\n"
       "  plastica export fit.h5 --to csv -o fit.csv\n"
       "  plastica export fit.h5 --case s355 --scene scene.toml --segments 32 --to mjcf -o "
-      "beam.xml");
+      "beam.xml\n"
+      "  plastica export scene-fit.h5 --to mjcf -o beam.xml");
   sub->callback([&action, arguments] { action = [arguments] { return run_export(*arguments); }; });
 }
 

@@ -1,9 +1,12 @@
 #include "cli/export_beam.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include "calibrate/config/stored_scenes.hpp"
 #include "calibrate/engine/engine_text.hpp"
 #include "calibrate/engine/fitted_scene.hpp"
 #include "calibrate/store/fit_store.hpp"
@@ -19,6 +22,7 @@ namespace {
 struct BeamSource {
   Setup setup;
   std::vector<std::string> notes;
+  std::vector<int> fitted_segments{};  ///< of the scenes of a fit, each number once
 };
 
 template <typename Record>
@@ -43,12 +47,88 @@ BeamSource fitted_beam(const BeamRequest& request) {
   return source;
 }
 
+std::string with_segments(const calibrate::StoredScene& scene) {
+  if (!scene.setup || scene.setup->scene.is_coupon()) return scene.name + " (a coupon)";
+  return fmt::format("{} ({} segments)", scene.name, scene.setup->scene.beam.segments);
+}
+
+std::string list_of(const std::vector<calibrate::StoredScene>& scenes) {
+  std::string list;
+  for (const calibrate::StoredScene& scene : scenes) {
+    list += (list.empty() ? "" : ", ") + with_segments(scene);
+  }
+  return list;
+}
+
+/// The scene of a fit that was asked for by its name, or its only one.
+const calibrate::StoredScene& stored_scene(const BeamRequest& request,
+                                           const std::vector<calibrate::StoredScene>& scenes) {
+  if (request.scene.empty() && scenes.size() == 1) return scenes.front();
+  if (request.scene.empty()) {
+    throw InputError({}, "--scene", "",
+                     "must be one of those that the fit went through: " + list_of(scenes));
+  }
+  const auto named = [&](const calibrate::StoredScene& scene) {
+    return scene.name == request.scene;
+  };
+  const auto found = std::ranges::find_if(scenes, named);
+  if (found == scenes.end()) {
+    throw InputError({}, "--scene", request.scene,
+                     "is no file, nor a scene that the fit went through: " + list_of(scenes));
+  }
+  if (std::ranges::count_if(scenes, named) > 1) {
+    throw InputError({}, "--scene", request.scene,
+                     "is several in the fit; take a scene file: " + list_of(scenes));
+  }
+  return *found;
+}
+
+/// With how many segments a fit was made: of the scenes that are beams, each number once.
+std::vector<int> segments_of(const std::vector<calibrate::StoredScene>& scenes,
+                             const calibrate::SceneFitRecord& record) {
+  std::vector<int> segments;
+  for (const calibrate::StoredScene& scene : scenes) {
+    if (!scene.setup || scene.setup->scene.is_coupon()) continue;
+    const int n = scene.setup->scene.beam.segments;
+    if (std::ranges::find(segments, n) == segments.end()) segments.push_back(n);
+  }
+  if (segments.empty() && record.result.segments) {
+    segments.push_back(record.result.segments->segments);
+  }
+  return segments;
+}
+
 BeamSource scene_fitted_beam(const BeamRequest& request) {
   const auto contents = calibrate::read_scene_fit_store(request.file);
   const calibrate::SceneFitRecord& record = record_of(request, contents.records);
-  auto fitted = calibrate::fitted_setup(setup_of(request), record);
-  fitted.notes.emplace_back("What the fit held fixed or tied is the scene's.");
-  return {std::move(fitted.setup), std::move(fitted.notes)};
+  const auto stored = calibrate::read_stored_scenes(contents.inputs);
+  const bool from_file = !request.scene.empty() && std::filesystem::exists(request.scene);
+  if (from_file || !stored) {
+    auto fitted = calibrate::fitted_setup(setup_of(request), record);
+    fitted.notes.emplace_back("What the fit held fixed or tied is the scene's.");
+    return {std::move(fitted.setup), std::move(fitted.notes),
+            segments_of(stored ? stored->scenes : std::vector<calibrate::StoredScene>{}, record)};
+  }
+  const calibrate::StoredScene& scene = stored_scene(request, stored->scenes);
+  if (!scene.setup) throw InputError({}, "--scene", scene.name, scene.why_not);
+  auto fitted = calibrate::fitted_setup(*scene.setup, record, stored->parameters);
+  fitted.notes.push_back("scene: " + scene.name + ", as the fit has it");
+  return {std::move(fitted.setup), std::move(fitted.notes), segments_of({scene}, record)};
+}
+
+/// A chain of some segments answers otherwise than the continuous beam, and fitted numbers make up
+/// for it: those of one number are off for another.
+void tell_of_segments(const BeamRequest& request, BeamSource& source) {
+  const std::vector<int>& fitted = source.fitted_segments;
+  if (fitted.empty()) return;
+  const std::string with = fmt::format("{} segment{}", fmt::join(fitted, " and "),
+                                       fitted.size() == 1 && fitted.front() == 1 ? "" : "s");
+  source.notes.push_back("fitted with " + with + ": the numbers make up for what so many do");
+  const int now = source.setup.scene.beam.segments;
+  if (std::ranges::find(fitted, now) != fitted.end()) return;
+  source.notes.push_back(
+      fmt::format("the fit was made with {}, this beam has {}: the numbers may be off", with, now));
+  fmt::print(stderr, "warning: {}: {}\n", request.file, source.notes.back());
 }
 
 /// The scene of a result, which stores what every support holds, even a pillar, as if it were
@@ -73,6 +153,7 @@ std::string beam_text(const BeamRequest& request, ResultKind kind) {
     set_field(source.setup, find_field("beam.segments"), static_cast<double>(*request.segments), {},
               std::to_string(*request.segments));
   }
+  tell_of_segments(request, source);
   calibrate::EngineBeam beam = calibrate::engine_beam(source.setup.scene, source.setup.solver);
   const auto words = calibrate::engine_formats();
   const auto format = static_cast<calibrate::EngineFormat>(

@@ -13,7 +13,7 @@ namespace plastica::cli {
 struct BeamRequest {
   std::string file;   ///< of fits, or a simulated scene
   std::string to;     ///< one of `calibrate::engine_formats()`
-  std::string scene;  ///< the beam of a fit
+  std::string scene;  ///< the beam of a fit: a file, or the name of one that the fit went through
   std::string which;  ///< the specimen of a fit; empty: the only one
   std::optional<int> segments;
 };

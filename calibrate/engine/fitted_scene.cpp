@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -35,6 +36,21 @@ void rename_material(const std::string& name, const Scene& original, Scene& scen
     if (region.material.name == original.material.name) region.material.name = name;
   }
   scene.material.name = name;
+}
+
+/// What a fit gave to a parameter that it did not search; none if tied to one that it cannot tell.
+std::optional<double> held_value(const Parameter& held, const SceneFitRecord& record,
+                                 std::span<const Parameter> parameters) {
+  if (held.role == ParameterRole::Fixed) return held.value;
+  for (const SceneParameter& base : record.result.parameters) {
+    if (base.path != held.tied_to->path) continue;
+    if (base.verdict == Verdict::NotIdentified) return std::nullopt;
+    return held.factor * base.value;
+  }
+  for (const Parameter& base : parameters) {
+    if (base.field == held.tied_to && base.value) return held.factor * *base.value;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -88,7 +104,8 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
   return fitted;
 }
 
-FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record) {
+FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
+                         std::span<const Parameter> parameters) {
   if (record.result.status != FitStatus::Fitted) {
     throw InputError({}, "--case", record.name, "has no fit: " + record.result.reason);
   }
@@ -104,6 +121,20 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record) {
         "{} = {}, {}", parameter.path,
         shown(parameter.path, parameter.dimension, parameter.value, parameter.standard_error),
         name_of(parameter.verdict)));
+  }
+  for (const Parameter& held : parameters) {
+    if (held.role == ParameterRole::Free) continue;
+    const std::string path(held.field->path);
+    const auto value = held_value(held, record, parameters);
+    if (!value) {
+      fitted.notes.push_back(path + " is tied to what is not identified: the scene's own stays");
+      continue;
+    }
+    set_everywhere(setup, *held.field, *value, fitted.setup);
+    fitted.notes.push_back(fmt::format(
+        "{} = {}, {}", path,
+        shown(path, held.field->dimension, *value, std::numeric_limits<double>::quiet_NaN()),
+        report::word_of(held.role)));
   }
   rename_material(record.name, setup.scene, fitted.setup.scene);
   return fitted;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,11 @@ struct FittedSetup {
 };
 
 /// The same for a fit through scenes, whose parameters may be any fields. The record knows the free
-/// ones alone: what the fit held fixed or tied must be in the setup, as it is in the fit's own.
+/// ones alone.
+/// @param parameters  of the fit, for the fixed and tied ones among them; empty: what the fit held
+///                    is the setup's
 /// @throws InputError if there is no fit, or a value does not suit the setup
-FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record);
+FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
+                         std::span<const Parameter> parameters = {});
 
 }  // namespace plastica::calibrate

@@ -154,6 +154,33 @@ TEST(FittedSetup, KeepsWhatTheFitDoesNotKnow) {
             "rules.hinge_length is not identified by the fit: the scene's own stays");
 }
 
+TEST(FittedSetup, HasWhatTheFitHeldToo) {
+  std::vector<calibrate::Parameter> held(4);
+  const auto set = [&](std::size_t i, const char* name, ParameterRole role) {
+    held[i].field = &find_field(name);
+    held[i].role = role;
+  };
+  set(0, "density", ParameterRole::Fixed);
+  held[0].value = 2700.0;
+  set(1, "shear_yield_stress", ParameterRole::Tied);
+  held[1].tied_to = &find_field("yield_stress");
+  held[1].factor = 0.5;
+  set(2, "shear_modulus", ParameterRole::Tied);
+  held[2].tied_to = held[0].field;
+  held[2].factor = 1e7;
+  set(3, "solver.damping_time", ParameterRole::Tied);
+  held[3].tied_to = &find_field("rules.hinge_length");
+  const auto fitted =
+      fitted_setup({rich_scene(), {}}, scene_fit(calibrate::Verdict::NotIdentified), held);
+  EXPECT_EQ(fitted.setup.scene.material.density, 2700.0);
+  EXPECT_EQ(fitted.setup.scene.material.shear_yield_stress, 155e6);
+  EXPECT_EQ(fitted.setup.scene.material.shear_modulus, 27e9);
+  EXPECT_EQ(fitted.setup.solver.damping_time, 0.0);
+  EXPECT_EQ(fitted.notes[4], "material.shear_yield_stress = 155.00 MPa, tied");
+  EXPECT_EQ(fitted.notes.back(),
+            "solver.damping_time is tied to what is not identified: the scene's own stays");
+}
+
 TEST(FittedSetup, NeedsAFit) {
   auto record = scene_fit(calibrate::Verdict::Identified);
   record.result.status = calibrate::FitStatus::Failed;
