@@ -6,9 +6,37 @@
 #include <cmath>
 #include <limits>
 
-#include "plastica/theory/statistics.hpp"
-
 namespace plastica::calibrate {
+namespace {
+
+/// ln of n over k; of none, minus infinity.
+double log_choices(int n, int k) {
+  if (k < 0 || k > n) return -std::numeric_limits<double>::infinity();
+  return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
+}
+
+/// Of all orders of so many of each sign the share with no more runs: of 2 k runs there are k of
+/// each sign, which C(above - 1, k - 1) C(below - 1, k - 1) ways make, and either may be first.
+double as_few_runs(int runs, int above, int below) {
+  const double all = log_choices(above + below, above);
+  if (above == 0 || below == 0) return 1.0;
+  double sum = 0.0;
+  for (int r = 2; r <= runs; ++r) {
+    const int more = (r + 1) / 2 - 1, less = r / 2 - 1;
+    sum += std::exp(log_choices(above - 1, more) + log_choices(below - 1, less) - all) +
+           std::exp(log_choices(above - 1, less) + log_choices(below - 1, more) - all);
+  }
+  return std::min(sum, 1.0);
+}
+
+/// Probability that no more than so many of all have the rarer of two signs that are alike.
+double as_few_of_a_sign(int few, int all) {
+  double sum = 0.0;
+  for (int k = 0; k <= few; ++k) sum += std::exp(log_choices(all, k) - all * std::log(2.0));
+  return std::min(2.0 * sum, 1.0);
+}
+
+}  // namespace
 
 std::string_view name_of(Verdict verdict) {
   switch (verdict) {
@@ -70,24 +98,20 @@ std::string warning_of(std::string_view name, const Judgement& judgement, double
 }
 
 double runs_probability(std::span<const double> residual) {
-  constexpr double kFewest = 10.0;
-  double above = 0.0, below = 0.0, runs = 0.0;
+  constexpr int kFewest = 10;
+  int above = 0, below = 0, runs = 0;
   bool up = false;
   for (const double r : residual) {
     if (r == 0.0) continue;
-    if (above + below == 0.0 || up != (r > 0.0)) runs += 1.0;
+    if (above + below == 0 || up != (r > 0.0)) ++runs;
     up = r > 0.0;
-    (up ? above : below) += 1.0;
+    ++(up ? above : below);
   }
-  const double all = above + below;
-  if (all < 2.0 * kFewest) return std::numeric_limits<double>::quiet_NaN();
-  if (above < kFewest || below < kFewest) {
-    const double few = std::min(above, below);
-    return 2.0 * theory::normal_cdf((few + 0.5 - 0.5 * all) / (0.5 * std::sqrt(all)));
-  }
-  const double mean = 1.0 + 2.0 * above * below / all;
-  const double variance = (mean - 1.0) * (mean - 2.0) / (all - 1.0);
-  return theory::normal_cdf((runs + 0.5 - mean) / std::sqrt(variance));
+  if (above + below < 2 * kFewest) return std::numeric_limits<double>::quiet_NaN();
+  const double of_runs = as_few_runs(runs, above, below);
+  if (std::min(above, below) >= kFewest) return of_runs;
+  return std::min(1.0,
+                  2.0 * std::min(of_runs, as_few_of_a_sign(std::min(above, below), above + below)));
 }
 
 }  // namespace plastica::calibrate

@@ -55,9 +55,9 @@ Judgement judge(const Evidence& evidence);
 /// one that is identified, and of segments.
 std::string warning_of(std::string_view name, const Judgement& judgement, double lower);
 
-/// Probability of as few runs of one sign as these residuals have, or fewer, if they were
-/// independent (runs of so many are normal within 1 %); where fewer than 10 have one of the signs,
-/// that of so few. NaN for fewer than 20 in all.
+/// Probability of as few runs of one sign as these residuals have, or fewer, if all orders of their
+/// signs were alike. Where fewer than 10 have one of the signs, which leaves few orders, twice the
+/// lesser of this and of the probability of so few. NaN for fewer than 20 in all.
 /// Source: Wald & Wolfowitz, Ann. Math. Stat. 11 (1940) 147.
 double runs_probability(std::span<const double> residual);
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,56 +30,111 @@ std::vector<std::pair<std::string, Dimension>> all_paths(std::span<const SceneFi
   return all;
 }
 
-using Ends = std::pair<double, double>;
+/// A column of each parameter.
+struct Column {
+  enum class Unit { Own, One, None };
+  const char* name;
+  Unit unit;
+  std::string (*cell)(const SceneFitResult& result, std::size_t parameter);
+  /// Of an interval beside that of the covariance: whether a fit has it. Null: all have.
+  bool (*there)(const SceneIntervals& intervals) = nullptr;
+};
+using Unit = Column::Unit;
 
-std::optional<Ends> ends_of(const SceneBootstrap& bootstrap, std::size_t i) {
-  if (i >= bootstrap.intervals.size()) return std::nullopt;
-  return Ends(bootstrap.intervals[i].low, bootstrap.intervals[i].high);
+template <double SceneParameter::*member>
+std::string of_parameter(const SceneFitResult& result, std::size_t i) {
+  return cell_of(result.parameters[i].*member);
 }
 
-/// An interval that a fit may have beside that of the covariance.
-struct IntervalKind {
-  const char* low;
-  const char* high;
-  std::optional<Ends> (*ends)(const SceneIntervals& intervals, std::size_t parameter);
-};
-const IntervalKind kIntervalKinds[] = {
-    {".profile_low", ".profile_high",
-     [](const SceneIntervals& all, std::size_t i) {
-       if (i >= all.profiles.size()) return std::optional<Ends>();
-       return std::optional(Ends(all.profiles[i].low, all.profiles[i].high));
+template <double SegmentsError::*member>
+std::string of_segments(const SceneFitResult& result, std::size_t i) {
+  return cell_of((result.segments ? result.segments->parameters[i] : SegmentsError{}).*member);
+}
+
+template <double SceneProfile::*member>
+std::string of_profile(const SceneFitResult& result, std::size_t i) {
+  const auto& profiles = result.intervals.profiles;
+  return i < profiles.size() ? cell_of(profiles[i].*member) : std::string();
+}
+
+template <ProfileEnd SceneProfile::*member>
+std::string end_of_profile(const SceneFitResult& result, std::size_t i) {
+  const auto& profiles = result.intervals.profiles;
+  return i < profiles.size() ? std::string(name_of(profiles[i].*member)) : std::string();
+}
+
+template <SceneBootstrap SceneIntervals::*which, double BootstrapInterval::*member>
+std::string of_bootstrap(const SceneFitResult& result, std::size_t i) {
+  const auto& intervals = (result.intervals.*which).intervals;
+  return i < intervals.size() ? cell_of(intervals[i].*member) : std::string();
+}
+
+bool has_profiles(const SceneIntervals& all) { return !all.profiles.empty(); }
+
+template <SceneBootstrap SceneIntervals::*which>
+bool has_bootstrap(const SceneIntervals& all) {
+  return !(all.*which).intervals.empty();
+}
+
+const Column kColumns[] = {
+    {"", Unit::Own, of_parameter<&SceneParameter::value>},
+    {".stderr", Unit::Own, of_parameter<&SceneParameter::standard_error>},
+    {".low", Unit::Own, of_parameter<&SceneParameter::interval_low>},
+    {".high", Unit::Own, of_parameter<&SceneParameter::interval_high>},
+    {".noise_error", Unit::Own, of_parameter<&SceneParameter::noise_error>},
+    {".sampling_error", Unit::Own, of_parameter<&SceneParameter::sampling_error>},
+    {".misfit_error", Unit::Own, of_parameter<&SceneParameter::misfit_error>},
+    {".degrees_of_freedom", Unit::One, of_parameter<&SceneParameter::degrees_of_freedom>},
+    {".extrapolated", Unit::Own, of_segments<&SegmentsError::extrapolated>},
+    {".segments_error", Unit::Own, of_segments<&SegmentsError::error>},
+    {".profile_low", Unit::Own, of_profile<&SceneProfile::low>, has_profiles},
+    {".profile_high", Unit::Own, of_profile<&SceneProfile::high>, has_profiles},
+    {".profile_low_end", Unit::None, end_of_profile<&SceneProfile::low_end>, has_profiles},
+    {".profile_high_end", Unit::None, end_of_profile<&SceneProfile::high_end>, has_profiles},
+    {".bootstrap_low", Unit::Own, of_bootstrap<&SceneIntervals::residuals, &BootstrapInterval::low>,
+     has_bootstrap<&SceneIntervals::residuals>},
+    {".bootstrap_high", Unit::Own,
+     of_bootstrap<&SceneIntervals::residuals, &BootstrapInterval::high>,
+     has_bootstrap<&SceneIntervals::residuals>},
+    {".specimens_low", Unit::Own, of_bootstrap<&SceneIntervals::specimens, &BootstrapInterval::low>,
+     has_bootstrap<&SceneIntervals::specimens>},
+    {".specimens_high", Unit::Own,
+     of_bootstrap<&SceneIntervals::specimens, &BootstrapInterval::high>,
+     has_bootstrap<&SceneIntervals::specimens>},
+    {".verdict", Unit::None,
+     [](const SceneFitResult& result, std::size_t i) {
+       return std::string(name_of(result.parameters[i].verdict));
      }},
-    {".bootstrap_low", ".bootstrap_high",
-     [](const SceneIntervals& all, std::size_t i) { return ends_of(all.residuals, i); }},
-    {".specimens_low", ".specimens_high",
-     [](const SceneIntervals& all, std::size_t i) { return ends_of(all.specimens, i); }}};
+    {".verdict_number", Unit::None, of_parameter<&SceneParameter::verdict_number>}};
 
 /// Those that any fit has.
-std::vector<IntervalKind> kinds_of(std::span<const SceneFitRecord> records) {
-  std::vector<IntervalKind> kinds;
-  for (const IntervalKind& kind : kIntervalKinds) {
-    const bool any = std::ranges::any_of(records, [&](const SceneFitRecord& record) {
-      return kind.ends(record.result.intervals, 0).has_value();
-    });
-    if (any) kinds.push_back(kind);
+std::vector<Column> columns_of(std::span<const SceneFitRecord> records) {
+  std::vector<Column> columns;
+  for (const Column& column : kColumns) {
+    const bool any =
+        column.there == nullptr || std::ranges::any_of(records, [&](const SceneFitRecord& record) {
+          return column.there(record.result.intervals);
+        });
+    if (any) columns.push_back(column);
   }
-  return kinds;
+  return columns;
+}
+
+std::string title_of(const Column& column, const std::string& path, Dimension dimension) {
+  if (column.unit == Unit::None) return path + column.name;
+  const std::string_view unit =
+      column.unit == Unit::One ? std::string_view("1") : si_unit(dimension);
+  return fmt::format("{}{} [{}]", path, column.name, unit);
 }
 
 }  // namespace
 
 void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> records) {
   const auto paths = all_paths(records);
-  const std::vector<IntervalKind> kinds = kinds_of(records);
+  const std::vector<Column> columns = columns_of(records);
   std::vector<std::string> header = {"name", "status", "reason"};
   for (const auto& [path, dimension] : paths) {
-    std::vector<const char*> columns = {"",      ".stderr",       ".low",
-                                        ".high", ".extrapolated", ".segments_error"};
-    for (const IntervalKind& kind : kinds) columns.insert(columns.end(), {kind.low, kind.high});
-    for (const char* what : columns) {
-      header.push_back(fmt::format("{}{} [{}]", path, what, si_unit(dimension)));
-    }
-    header.push_back(path + ".verdict");
+    for (const Column& column : columns) header.push_back(title_of(column, path, dimension));
   }
   for (const char* last : {"cost [1]", "degrees_of_freedom [1]", "starts", "runs", "failed_runs"}) {
     header.emplace_back(last);
@@ -93,23 +148,11 @@ void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> rec
     for (const auto& [path, dimension] : paths) {
       const auto p = std::ranges::find(result.parameters, path, &SceneParameter::path);
       if (p == result.parameters.end() || !fitted) {
-        row.insert(row.end(), 2 * kinds.size() + 7, std::string());
+        row.insert(row.end(), columns.size(), std::string());
         continue;
       }
       const auto index = static_cast<std::size_t>(p - result.parameters.begin());
-      for (const double value : {p->value, p->standard_error, p->interval_low, p->interval_high}) {
-        row.push_back(cell_of(value));
-      }
-      const SegmentsError error =
-          result.segments ? result.segments->parameters[index] : SegmentsError{};
-      row.push_back(cell_of(error.extrapolated));
-      row.push_back(cell_of(error.error));
-      for (const IntervalKind& kind : kinds) {
-        const auto ends = kind.ends(result.intervals, index);
-        row.push_back(ends ? cell_of(ends->first) : std::string());
-        row.push_back(ends ? cell_of(ends->second) : std::string());
-      }
-      row.emplace_back(name_of(p->verdict));
+      for (const Column& column : columns) row.push_back(column.cell(result, index));
     }
     const std::vector<double> costs = sorted_costs(result);
     row.push_back(fitted && !costs.empty() ? cell_of(costs.front()) : std::string());
@@ -124,7 +167,8 @@ void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> rec
 void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> records) {
   put_row(out, {"fit", "target", "abscissa", "abscissa_unit", "ordinate", "ordinate_unit",
                 "samples", "weight", "broke_at", "broke_half_interval", "level", "noise",
-                "noise_is", "misfit_share [1]", "runs_probability [1]", "break_strain [1]"});
+                "noise_is", "degrees_of_freedom [1]", "misfit_share [1]", "runs_probability [1]",
+                "break_strain [1]"});
   for (const SceneFitRecord& record : records) {
     const bool there = record.result.parts.size() == record.targets.size();
     for (std::size_t i = 0; i < record.targets.size(); ++i) {
@@ -141,11 +185,12 @@ void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> 
       row.push_back(target.broke ? cell_of(target.broke->half_interval) : std::string());
       if (there) {
         const ScenePartFit& part = record.result.parts[i];
-        row.insert(row.end(), {word_of(part.level), cell_of(part.noise),
-                               target.noise ? "given" : "estimated", cell_of(part.misfit_share),
-                               cell_of(part.runs_probability), cell_of(part.break_strain)});
+        row.insert(row.end(),
+                   {word_of(part.level), cell_of(part.noise), target.noise ? "given" : "estimated",
+                    cell_of(part.degrees_of_freedom), cell_of(part.misfit_share),
+                    cell_of(part.runs_probability), cell_of(part.break_strain)});
       } else {
-        row.insert(row.end(), 6, std::string());
+        row.insert(row.end(), 7, std::string());
       }
       put_row(out, row);
     }

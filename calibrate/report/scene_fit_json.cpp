@@ -39,6 +39,7 @@ Json parameter_of(const SceneParameter& p) {
           {"noise_error", number(p.noise_error)},
           {"sampling_error", number(p.sampling_error)},
           {"misfit_error", number(p.misfit_error)},
+          {"degrees_of_freedom", number(p.degrees_of_freedom)},
           {"start", number(p.start)},
           {"bounds", {number(p.lower), number(p.upper)}},
           {"unit", si_unit(p.dimension)},
@@ -69,6 +70,7 @@ Json target_of(const SceneTarget& target, double weight, const ScenePartFit* par
           {"level", part == nullptr ? Json(nullptr) : Json(word_of(part->level))},
           {"cost", of_part(&ScenePartFit::cost)},
           {"noise", of_part(&ScenePartFit::noise)},
+          {"degrees_of_freedom", of_part(&ScenePartFit::degrees_of_freedom)},
           {"misfit_share", of_part(&ScenePartFit::misfit_share)},
           {"runs_probability", of_part(&ScenePartFit::runs_probability)},
           {"break_strain", of_part(&ScenePartFit::break_strain)}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -59,6 +60,22 @@ std::string header(const SceneFitRecord& record, const Ink& ink) {
                                                  static_cast<double>(result.segment_iterations)));
 }
 
+/// Targets of a joint fit differ in how well their noise is known, and so do the parameters.
+std::string noise_text(const SceneFitResult& result) {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const SceneParameter& p : result.parameters) {
+    least = std::min(least, p.degrees_of_freedom);
+    most = std::max(most, p.degrees_of_freedom);
+  }
+  if (std::isinf(least)) return "of the noise that the targets state";
+  std::string degrees = significant(least, 3);
+  if (significant(most, 3) != degrees) {
+    degrees = std::isinf(most) ? fmt::format("at least {}", degrees)
+                               : fmt::format("{} to {}", degrees, significant(most, 3));
+  }
+  return fmt::format("of noise that the residuals say, {} degrees of freedom", degrees);
+}
+
 std::string parameters_text(const SceneFitResult& result, const ReportOptions& options,
                             const Ink& ink) {
   if (result.parameters.empty()) return {};
@@ -75,11 +92,7 @@ std::string parameters_text(const SceneFitResult& result, const ReportOptions& o
   }
   std::string text = '\n' + ink.heading("Parameters\n") + table.text(2, kWidth);
   if (!fitted) return text;
-  return text + entry("errors", std::isfinite(result.degrees_of_freedom)
-                                    ? fmt::format("of noise that the residuals say, {} degrees of "
-                                                  "freedom",
-                                                  significant(result.degrees_of_freedom, 3))
-                                    : "of the noise that the targets state");
+  return text + entry("errors", noise_text(result));
 }
 
 /// "0.0290 ± 0.0005 m".

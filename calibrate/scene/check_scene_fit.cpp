@@ -56,6 +56,15 @@ void check_prior(const Parameter& p) {
   }
 }
 
+}  // namespace
+
+bool are_of_one_kind(const SceneTarget& a, const SceneTarget& b) {
+  return a.kind == b.kind && a.driven == b.driven && a.abscissa_probe == b.abscissa_probe &&
+         a.ordinate_probe == b.ordinate_probe && a.ordinate_is == b.ordinate_is;
+}
+
+namespace {
+
 void check_intervals(const SceneIntervalOptions& how, std::span<const ScenePart> parts) {
   const auto check_count = [](std::string_view field, int count) {
     const bool enough = count >= kFewestResamples && count <= kMostResamples;
@@ -69,8 +78,17 @@ void check_intervals(const SceneIntervalOptions& how, std::span<const ScenePart>
     require(static_cast<std::size_t>(how.block) <= part.target.ordinate.size(), "bootstrap_block",
             how.block, fmt::format("must be no more than the samples of {}", part.target.name));
   }
-  require(how.specimens == 0 || parts.size() > 1, "bootstrap_specimens", how.specimens,
+  if (how.specimens == 0) return;
+  require(parts.size() > 1, "bootstrap_specimens", how.specimens,
           "needs several targets that share the parameters");
+  for (const ScenePart& part : parts) {
+    const auto alike = std::ranges::count_if(
+        parts, [&](const ScenePart& other) { return are_of_one_kind(part.target, other.target); });
+    require(alike > 1, "bootstrap_specimens", how.specimens,
+            fmt::format("needs several targets of each kind, and {} is the only one that measures "
+                        "its probe over its abscissa",
+                        part.target.name));
+  }
 }
 
 void check_target(const SceneTarget& target) {

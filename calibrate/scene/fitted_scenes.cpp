@@ -8,13 +8,8 @@
 namespace plastica::calibrate {
 
 FittedScenes::FittedScenes(SceneProblem& problem, const SceneFitOptions& options,
-                           const LeastSquares& best, SceneErrors& errors, double degrees_of_freedom)
-    : problem_(problem),
-      options_(options),
-      alone_(options),
-      best_(best),
-      errors_(errors),
-      degrees_of_freedom_(degrees_of_freedom) {
+                           const LeastSquares& best, SceneErrors& errors)
+    : problem_(problem), options_(options), alone_(options), best_(best), errors_(errors) {
   alone_.threads = 1;
   std::size_t coordinate = 0;
   for (const Parameter& p : options.parameters) {
@@ -24,18 +19,20 @@ FittedScenes::FittedScenes(SceneProblem& problem, const SceneFitOptions& options
     free.is_break = calibrate::is_break(p);
     if (free.is_break) {
       free.limit = errors.break_limit(p);
+      free.gradient = free.limit.slope;
     } else {
       free.coordinate = coordinate++;
+      free.gradient = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(best.x.size()));
+      free.gradient[static_cast<Eigen::Index>(free.coordinate)] = 1.0;
     }
+    free.degrees_of_freedom = errors.degrees_of_freedom(free.gradient);
     free_.push_back(std::move(free));
   }
 }
 
 std::unique_ptr<SceneProblem> FittedScenes::copy() const {
   auto problem = std::make_unique<SceneProblem>(problem_.parts(), alone_);
-  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
-    problem->set_scale(part, problem_.scale(part));
-  }
+  problem->set_noise(problem_.noise());
   return problem;
 }
 

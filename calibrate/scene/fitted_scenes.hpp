@@ -15,22 +15,22 @@ class FittedScenes {
  public:
   /// @param problem  with the scales of the fit
   /// @param best  the solution, with its residuals over these scales
-  /// @param degrees_of_freedom  of the noise; infinite if it is known
   /// All must outlive this.
   FittedScenes(SceneProblem& problem, const SceneFitOptions& options, const LeastSquares& best,
-               SceneErrors& errors, double degrees_of_freedom);
+               SceneErrors& errors);
 
   const SceneProblem& problem() const { return problem_; }
   const SceneFitOptions& options() const { return options_; }
   const LeastSquares& best() const { return best_; }
   const SceneErrors& errors() const { return errors_; }
-  double degrees_of_freedom() const { return degrees_of_freedom_; }
 
   struct FreeParameter {
     const Parameter* parameter = nullptr;
     bool is_break = false;
-    std::size_t coordinate = 0;  ///< of one that is searched
-    BreakLimit limit;            ///< of a break
+    std::size_t coordinate = 0;       ///< of one that is searched
+    BreakLimit limit;                 ///< of a break
+    Eigen::VectorXd gradient;         ///< of the coordinate or limit, by the coordinates (n)
+    double degrees_of_freedom = 0.0;  ///< of the noise in it
   };
   /// The free ones, in the order of the options.
   const std::vector<FreeParameter>& free() const { return free_; }
@@ -45,7 +45,6 @@ class FittedScenes {
   SceneFitOptions alone_;
   const LeastSquares& best_;
   SceneErrors& errors_;
-  double degrees_of_freedom_;
   std::vector<FreeParameter> free_;
 };
 
@@ -61,13 +60,14 @@ std::vector<SceneProfile> profile_scenes(const FittedScenes& fitted, RunCounters
 
 /// Intervals from searches of residuals drawn anew, from the fitted parameters on.
 ///
-/// Each part's own residuals are drawn, so that each keeps its noise; a prior's mean is drawn from
+/// Each part's own residuals are drawn, so that each keeps its noise, of which one that has too few
+/// (PartNoise::pooled) is drawn as normal; a prior's mean is drawn from
 /// the normal distribution about the fitted value that it stands for; a break is anywhere between
 /// its samples. Scales and the shares of several breaks stay as they were fitted.
 SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, RunCounters& counters);
 
-/// The same of targets drawn anew: a part counts as often as it is drawn. For targets that are
-/// specimens of one kind and share their parameters.
+/// The same of targets drawn anew: a part counts as often as it is drawn. Of each kind of test
+/// (are_of_one_kind) as many are drawn as there are, so that no resample is without one.
 SceneBootstrap bootstrap_specimens(const FittedScenes& fitted, RunCounters& counters);
 
 /// All that the options ask for; `warnings` gets what a reader must not overlook.

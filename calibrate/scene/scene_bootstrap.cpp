@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 
+#include "calibrate/scene/check_scene_fit.hpp"
 #include "calibrate/scene/fitted_scenes.hpp"
 #include "plastica/base/parallel_for.hpp"
 
@@ -38,6 +39,22 @@ std::vector<double> values_of(const FittedScenes& fitted, SceneProblem& problem,
     values.push_back(std::clamp(sum / total, *free.parameter->lower, *free.parameter->upper));
   }
   return values;
+}
+
+/// The parts of each kind of test: a resample has as many of each as there are.
+std::vector<std::vector<std::size_t>> kinds_of(std::span<const ScenePart> parts) {
+  std::vector<std::vector<std::size_t>> kinds;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const auto kind = std::ranges::find_if(kinds, [&](const std::vector<std::size_t>& each) {
+      return are_of_one_kind(parts[each.front()].target, parts[part].target);
+    });
+    if (kind == kinds.end()) {
+      kinds.push_back({part});
+    } else {
+      kind->push_back(part);
+    }
+  }
+  return kinds;
 }
 
 SceneBootstrap bootstrap(const FittedScenes& fitted, int resamples, std::uint64_t seed,
@@ -93,10 +110,6 @@ SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, RunCounters& coun
   const SceneProblem& problem = fitted.problem();
   const std::vector<double>& residual = fitted.best().residual;
   const std::size_t parts = problem.parts().size();
-  // Parameters take from the samples' residuals what priors do not give.
-  const std::size_t priors = residual.size() - problem.samples();
-  const auto taken = static_cast<double>(fitted.best().x.size() - priors);
-  const double inflation = 1.0 / std::sqrt(1.0 - taken / static_cast<double>(problem.samples()));
   const auto block = static_cast<std::size_t>(fitted.options().intervals.block);
   const Draw draw = [&](Draws& draws) {
     Resample resample;
@@ -104,9 +117,18 @@ SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, RunCounters& coun
     resample.count.assign(parts, 1.0);
     for (std::size_t part = 0; part < parts; ++part) {
       const std::size_t samples = problem.parts()[part].target.ordinate.size();
-      const std::vector<double> drawn =
-          drawn_residuals(std::span(residual).subspan(problem.first_residual(part), samples),
-                          inflation, block, draws);
+      const PartNoise& noise = problem.noise()[part];
+      std::vector<double> drawn;
+      if (noise.pooled) {
+        // Its own residuals say nothing of its noise.
+        const double deviation = std::sqrt(problem.parts()[part].weight);
+        for (std::size_t i = 0; i < samples; ++i) drawn.push_back(deviation * draws.normal());
+      } else {
+        // Parameters took their part of them.
+        const double inflation = std::sqrt(static_cast<double>(samples) / noise.degrees_left);
+        drawn = drawn_residuals(std::span(residual).subspan(problem.first_residual(part), samples),
+                                inflation, block, draws);
+      }
       resample.shift.insert(resample.shift.end(), drawn.begin(), drawn.end());
       resample.place.push_back(draws.even());
     }
@@ -123,6 +145,7 @@ SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, RunCounters& coun
 
 SceneBootstrap bootstrap_specimens(const FittedScenes& fitted, RunCounters& counters) {
   const SceneProblem& problem = fitted.problem();
+  const std::vector<std::vector<std::size_t>> kinds = kinds_of(problem.parts());
   const std::size_t all = fitted.best().residual.size();
   const std::size_t parts = problem.parts().size();
   const Draw draw = [&](Draws& draws) {
@@ -131,7 +154,11 @@ SceneBootstrap bootstrap_specimens(const FittedScenes& fitted, RunCounters& coun
     resample.place.assign(parts, 0.5);
     resample.shift.assign(all, 0.0);
     resample.factor.assign(all, 1.0);
-    for (std::size_t i = 0; i < parts; ++i) resample.count[draws.below(parts)] += 1.0;
+    for (const std::vector<std::size_t>& kind : kinds) {
+      for (std::size_t i = 0; i < kind.size(); ++i) {
+        resample.count[kind[draws.below(kind.size())]] += 1.0;
+      }
+    }
     for (std::size_t part = 0; part < parts; ++part) {
       const std::size_t samples = problem.parts()[part].target.ordinate.size();
       std::fill_n(

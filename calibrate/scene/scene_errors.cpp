@@ -20,9 +20,6 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// Of the central differences at the solution, in scaled parameters: fibres that yield one after
 /// the other, and Newton's tolerance, are smooth over it.
 constexpr double kErrorStep = 1e-4;
-/// Of the normal matrix scaled to a unit diagonal: what lies along an eigenvector below this is
-/// seen by no curve.
-constexpr double kUnseen = 1e-12;
 
 /// Drops coordinates that only combinations determine: the largest part of each unseen one.
 void drop_unseen(const MatrixXd& normal, std::vector<Index>& kept) {
@@ -95,6 +92,7 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
   covariance_ = inverse_ = correlated_covariance_ = MatrixXd::Constant(n, n, kNan);
   if (n == 0) return;
   slopes_ = residual_slopes(problem_.squares(), x_, residual, kErrorStep);
+  seen_ = SeenSlopes(slopes_, at_bound_);
   // Rows over the noise, times the root of their weight.
   const Eigen::Map<const Slopes> j(slopes_.data(), static_cast<Index>(problem_.squares().residuals),
                                    n);
@@ -111,6 +109,14 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
   const MatrixXd b = weighted(kept, kept);
   covariance_(kept, kept) = inverse * b * inverse;
   inverse_(kept, kept) = inverse;
+  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
+    const auto rows =
+        j.middleRows(static_cast<Index>(problem_.first_residual(part)),
+                     static_cast<Index>(problem_.parts()[part].target.ordinate.size()));
+    const MatrixXd scores = problem_.parts()[part].weight * rows.transpose() * rows;
+    by_part_.push_back(MatrixXd::Constant(n, n, kNan));
+    by_part_.back()(kept, kept) = inverse * scores(kept, kept) * inverse;
+  }
   const MatrixXd correlated = correlated_scores(slopes_, residual)(kept, kept);
   correlated_covariance_(kept, kept) = inverse * correlated * inverse;
 }
@@ -133,34 +139,38 @@ MatrixXd SceneErrors::correlated_scores(std::span<const double> slopes,
   return sum;
 }
 
+double SceneErrors::degrees_of_freedom(const VectorXd& gradient) const {
+  const double variance = joint_moment(covariance_, gradient, gradient);
+  // What no curve determines has the freedom of all.
+  if (!(variance > 0.0)) return calibrate::degrees_of_freedom(problem_.noise());
+  // Who is pooled has one estimate with the others that are.
+  double pooled = 0.0, pooled_degrees = 0.0, squares = 0.0;
+  for (std::size_t part = 0; part < by_part_.size(); ++part) {
+    const PartNoise& noise = problem_.noise()[part];
+    const double own = joint_moment(by_part_[part], gradient, gradient);
+    if (noise.pooled) {
+      pooled += own;
+      pooled_degrees = noise.degrees_of_freedom;
+    } else if (own > 0.0) {
+      squares += own * own / noise.degrees_of_freedom;
+    }
+  }
+  if (pooled > 0.0) squares += pooled * pooled / pooled_degrees;
+  return variance * variance / squares;
+}
+
 std::vector<double> SceneErrors::fitted_errors(std::size_t part) const {
   const std::size_t samples = problem_.parts()[part].target.ordinate.size();
   std::vector<double> errors(samples, 0.0);
-  const auto n = static_cast<Index>(x_.size());
-  if (n == 0) return errors;
-  const Eigen::Map<const Slopes> j(slopes_.data(), static_cast<Index>(problem_.squares().residuals),
-                                   n);
-  std::vector<Index> moves;
-  for (Index k = 0; k < n; ++k) {
-    if (!at_bound_[static_cast<std::size_t>(k)] && j.col(k).squaredNorm() > 0.0) moves.push_back(k);
-  }
-  if (moves.empty()) return errors;
+  if (seen_.slopes().cols() == 0) return errors;
   // What no curve sees moves none of them: the inverse over the directions that are seen.
-  const MatrixXd seen = j(Eigen::all, moves);
-  const MatrixXd normal = seen.transpose() * seen;
-  const VectorXd size = normal.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(size.asDiagonal() * normal *
-                                                       size.asDiagonal());
-  VectorXd stiffness = solver.eigenvalues();
-  for (double& value : stiffness) value = value > kUnseen ? 1.0 / value : 0.0;
-  const MatrixXd inverse = size.asDiagonal() * solver.eigenvectors() * stiffness.asDiagonal() *
-                           solver.eigenvectors().transpose() * size.asDiagonal();
+  const MatrixXd& j = seen_.slopes();
   const MatrixXd covariance =
-      inverse * (seen.transpose() * weights().asDiagonal() * seen) * inverse;
+      seen_.inverse() * (j.transpose() * weights().asDiagonal() * j) * seen_.inverse();
   const double unit = problem_.scale(part) / std::sqrt(problem_.parts()[part].weight);
   const auto first = static_cast<Index>(problem_.first_residual(part));
   for (std::size_t i = 0; i < samples; ++i) {
-    const VectorXd row = seen.row(first + static_cast<Index>(i));
+    const VectorXd row = j.row(first + static_cast<Index>(i));
     errors[i] = unit * std::sqrt(std::max(row.dot(covariance * row), 0.0));
   }
   return errors;

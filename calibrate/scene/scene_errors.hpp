@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calibrate/scene/scene_problem.hpp"
+#include "calibrate/scene/seen_slopes.hpp"
 
 namespace plastica::calibrate {
 
@@ -40,6 +41,7 @@ class SceneErrors {
   /// @param residual  there, over the scales
   SceneErrors(SceneProblem& problem, std::span<const double> x, std::span<const double> residual);
 
+  const SeenSlopes& seen() const { return seen_; }
   bool at_bound(std::size_t i) const { return at_bound_[i]; }
   /// Covariance of the coordinates; NaN in rows and columns that are not determined (n x n).
   const Eigen::MatrixXd& covariance() const { return covariance_; }
@@ -47,6 +49,12 @@ class SceneErrors {
   const Eigen::MatrixXd& correlated_covariance() const { return correlated_covariance_; }
   /// The inverse of J^T W J, likewise: the covariance if all weights are 1 (n x n).
   const Eigen::MatrixXd& inverse() const { return inverse_; }
+  /// Of the noise in a function of the coordinates, by Welch and Satterthwaite: (sum of v)^2 over
+  /// the sum of v^2/d, with v what the noise of each estimate puts into the variance and d its
+  /// degrees of freedom. Infinite where all noise is known.
+  /// Source: Satterthwaite, Biometrics Bull. 2 (1946) 110.
+  /// @param gradient  by the coordinates (n)
+  double degrees_of_freedom(const Eigen::VectorXd& gradient) const;
   /// Standard errors of a part's fitted ordinates, by what its curves determine [SI] (n_samples).
   std::vector<double> fitted_errors(std::size_t part) const;
 
@@ -67,7 +75,9 @@ class SceneErrors {
   std::vector<bool> at_bound_;
   Eigen::MatrixXd covariance_, inverse_;
   Eigen::MatrixXd correlated_covariance_;
-  std::vector<double> slopes_;  ///< of the residuals (m x n), row by row
+  std::vector<Eigen::MatrixXd> by_part_;  ///< what each part's noise puts into the covariance
+  std::vector<double> slopes_;            ///< of the residuals (m x n), row by row
+  SeenSlopes seen_;
   std::vector<std::vector<SceneCurve>> neighbours_;
 };
 

@@ -66,10 +66,7 @@ class SceneFit {
   void explain() {
     result_.status = FitStatus::Fitted;
     result_.outcome = search_.best().outcome;
-    const auto n = static_cast<double>(problem_.parameters().size());
-    result_.degrees_of_freedom = search_.knows_noise()
-                                     ? std::numeric_limits<double>::infinity()
-                                     : static_cast<double>(problem_.squares().residuals) - n;
+    result_.degrees_of_freedom = degrees_of_freedom(problem_.noise());
     for (std::size_t part = 0; part < parts_.size(); ++part) add_part(part);
     const auto curves = problem_.curves(search_.best().x, 1);
     for (std::size_t part = 0; part < parts_.size(); ++part) {
@@ -97,8 +94,7 @@ class SceneFit {
       add_warning(result_.parameters[i], segments_of(i), result_.warnings);
     }
     for (const ScenePartFit& part : result_.parts) add_warning(part, result_.warnings);
-    const FittedScenes fitted(problem_, options_, search_.best(), errors,
-                              result_.degrees_of_freedom);
+    const FittedScenes fitted(problem_, options_, search_.best(), errors);
     result_.intervals = find_intervals(fitted, counters_, result_.warnings);
   }
 
@@ -155,7 +151,16 @@ class SceneFit {
     part.level = problem_.model(index).level();
     part.samples = target.ordinate.size();
     part.cost = search_.cost_of(index);
-    part.noise = target.noise.value_or(search_.noise_left(index));
+    const PartNoise& noise = problem_.noise()[index];
+    part.noise = noise.pooled ? noise.deviation : target.noise.value_or(search_.noise_left(index));
+    part.degrees_of_freedom = noise.degrees_of_freedom;
+    if (noise.pooled) {
+      result_.warnings.push_back(
+          fmt::format("{}: its {} samples leave {:.2g} degrees of freedom to its noise, too few to "
+                      "weigh it by: it is given the share of the largest value that all targets "
+                      "have, {:.3g} (SI); state it (noise) if it is known",
+                      target.name, part.samples, noise.degrees_left, part.noise));
+    }
     const double largest = largest_size(target.ordinate);
     const double rms = std::sqrt(part.cost / static_cast<double>(part.samples));
     part.misfit_share = largest > 0.0 ? rms / largest : 0.0;
@@ -205,6 +210,7 @@ class SceneFit {
         slope[static_cast<Eigen::Index>(next)] = std::abs(searched.slope(next, fitted.value));
         ++next;
       }
+      fitted.degrees_of_freedom = errors.degrees_of_freedom(slope);
       const auto error = [&](const Eigen::MatrixXd& c) {
         return fitted.at_bound ? kNan : std::sqrt(joint_moment(c, slope, slope));
       };
@@ -223,7 +229,7 @@ class SceneFit {
       const double reach = std::isnan(fitted.noise_error)
                                ? kNan
                                : theory::half_interval(options_.confidence, fitted.noise_error,
-                                                       result_.degrees_of_freedom, halves);
+                                                       fitted.degrees_of_freedom, halves);
       fitted.interval_low = fitted.value - reach;
       fitted.interval_high = fitted.value + reach;
       // Both count by one over the square of their standard deviations.

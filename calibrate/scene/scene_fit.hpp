@@ -72,6 +72,9 @@ struct SceneParameter {
   /// Of the confidence of the options: Student's; a break's is that of the noise and of its place
   /// between two samples together (theory::half_interval). NaN where there is no standard error.
   double interval_low = 0.0, interval_high = 0.0;
+  /// Of the noise in the standard error, after Welch and Satterthwaite: those of the targets that
+  /// determine it. Infinite where they state their noise.
+  double degrees_of_freedom = 0.0;
   bool at_bound = false;
   Verdict verdict = Verdict::NotIdentified;
   /// The number behind the word: standard error over value; of a bound the bound [SI]; of sampling
@@ -86,9 +89,10 @@ struct ScenePartFit {
   std::size_t samples = 0;
   double cost = 0.0;  ///< sum of the squared residuals [SI^2]
   /// Standard deviation of the ordinate that errors stand on, and that parts are weighted by: the
-  /// target's, else sqrt(cost/(n_samples (1 - (n - n_priors)/n_all samples))) [SI].
+  /// target's, else by its residuals (part_noise.hpp) [SI].
   double noise = 0.0;
-  double misfit_share = 0.0;  ///< rms residual over the largest measured ordinate [1]
+  double degrees_of_freedom = 0.0;  ///< of this; infinite where the target states it
+  double misfit_share = 0.0;        ///< rms residual over the largest measured ordinate [1]
   /// Wald and Wolfowitz: probability of as few runs of residuals of one sign, if they were
   /// independent, or of so few of one sign [1]; NaN for fewer than 20. Small where the model
   /// cannot follow.
@@ -136,7 +140,9 @@ struct SceneFitResult {
 ///
 /// Parts are weighted by their noise: sum over parts of weight/noise^2 sum r_i^2. Where a target
 /// states none, each part's ordinate range stands for it at first; then the parts' residuals say
-/// it, and the fit is repeated, four times at most, until it changes by less than 5 %.
+/// it, each with the degrees of freedom that the fit leaves to the part, and the fit is repeated,
+/// four times at most, until it changes by less than 5 %. A part with fewer than five of these has
+/// the noise that all parts have in common, as a share of the largest ordinate.
 ///
 /// Errors are those of Gauss and Newton: C = A^-1 B A^-1 with A = J^T W J, B = J^T W^2 J, J the
 /// residuals' slopes over the noise by central differences and W the given weights (for weights

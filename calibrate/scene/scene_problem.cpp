@@ -34,7 +34,7 @@ SceneProblem::SceneProblem(std::span<const ScenePart> parts, const SceneFitOptio
     : parts_(parts),
       options_(options),
       parameters_(options.parameters, parts.front().setup),
-      scale_(parts.size(), 1.0) {
+      noise_(parts.size()) {
   for (const ScenePart& part : parts) {
     models_.emplace_back(with_fixed(part.setup, options), part.target, parameters_.fields());
     first_.push_back(squares_.residuals);
@@ -160,7 +160,7 @@ void SceneProblem::add_priors(std::span<const double> x, std::span<double> resid
 void SceneProblem::add_residuals(std::size_t part, const SceneCurve& curve,
                                  std::span<double> residuals) const {
   const std::vector<double>& measured = parts_[part].target.ordinate;
-  const double factor = std::sqrt(parts_[part].weight) / scale_[part];
+  const double factor = std::sqrt(parts_[part].weight) / scale(part);
   for (std::size_t i = 0; i < measured.size(); ++i) {
     residuals[first_[part] + i] = factor * (curve.ordinate[i] - measured[i]);
   }

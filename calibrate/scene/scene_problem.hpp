@@ -5,9 +5,11 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "calibrate/fit/least_squares.hpp"
+#include "calibrate/scene/part_noise.hpp"
 #include "calibrate/scene/scene_fit.hpp"
 #include "calibrate/scene/scene_model.hpp"
 #include "calibrate/scene/scene_parameters.hpp"
@@ -54,9 +56,10 @@ class SceneProblem {
 
   /// Where a part's residuals begin.
   std::size_t first_residual(std::size_t part) const { return first_[part]; }
-  /// What a part's residuals are divided by [SI], at first 1.
-  double scale(std::size_t part) const { return scale_[part]; }
-  void set_scale(std::size_t part, double scale) { scale_[part] = scale; }
+  /// What the parts' residuals are divided by, at first 1 (n_parts).
+  const std::vector<PartNoise>& noise() const { return noise_; }
+  void set_noise(std::vector<PartNoise> noise) { noise_ = std::move(noise); }
+  double scale(std::size_t part) const { return noise_[part].deviation; }  ///< [SI]
 
   /// The curves of all parts at several points, run in parallel; what was run there lately is not
   /// run again.
@@ -93,7 +96,7 @@ class SceneProblem {
   SceneParameters parameters_;
   std::vector<SceneModel> models_;
   std::vector<std::size_t> first_;
-  std::vector<double> scale_;
+  std::vector<PartNoise> noise_;
   std::vector<std::size_t> priors_;  ///< parameters that have one
   LeastSquaresProblem squares_;
   static constexpr std::size_t kMostKnown = 64;

@@ -46,10 +46,7 @@ class ParameterProfile {
   ParameterProfile(const FittedScenes& fitted, const FittedScenes::FreeParameter& free)
       : fitted_(fitted), free_(free) {
     factor_ = theory::student_t_quantile(0.5 + 0.5 * fitted.options().confidence,
-                                         fitted.degrees_of_freedom());
-    const auto n = static_cast<Index>(fitted.best().x.size());
-    gradient_ = free.is_break ? free.limit.slope : VectorXd(VectorXd::Zero(n));
-    if (!free.is_break) gradient_[static_cast<Index>(free.coordinate)] = 1.0;
+                                         free.degrees_of_freedom);
     best_.x = fitted.best().x;
     best_.cost = fitted.best().cost;
     best_.value = free.is_break ? free.limit.value : best_.x[free.coordinate];
@@ -57,7 +54,7 @@ class ParameterProfile {
   }
 
   /// Whether there is anything to follow: a limit may not depend on what is searched.
-  bool depends() const { return std::isfinite(best_.value) && gradient_.squaredNorm() > 0.0; }
+  bool depends() const { return std::isfinite(best_.value) && free_.gradient.squaredNorm() > 0.0; }
 
   ProfileSide side(SceneProblem& problem, bool up) const {
     ProfileOptions how;
@@ -83,17 +80,18 @@ class ParameterProfile {
   /// Of given weights the covariance is not the inverse of the squares' curvature: there the
   /// threshold is stretched as the squared error is.
   void set_scale() {
-    const double error2 = joint_moment(fitted_.errors().covariance(), gradient_, gradient_);
-    const double inverse2 = joint_moment(fitted_.errors().inverse(), gradient_, gradient_);
+    const VectorXd& gradient = free_.gradient;
+    const double error2 = joint_moment(fitted_.errors().covariance(), gradient, gradient);
+    const double inverse2 = joint_moment(fitted_.errors().inverse(), gradient, gradient);
     if (std::isfinite(error2) && error2 > 0.0) {
       ratio_ = error2 / inverse2;
       best_.step = factor_ * std::sqrt(error2);
-      VectorXd along(gradient_.size());
+      VectorXd along(gradient.size());
       for (Index i = 0; i < along.size(); ++i) {
         along[i] = 0.0;
         for (Index j = 0; j < along.size(); ++j) {
-          const double term = gradient_[j] != 0.0 ? fitted_.errors().inverse()(i, j) : 0.0;
-          if (std::isfinite(term)) along[i] += term * gradient_[j] / inverse2;
+          const double term = gradient[j] != 0.0 ? fitted_.errors().inverse()(i, j) : 0.0;
+          if (std::isfinite(term)) along[i] += term * gradient[j] / inverse2;
         }
       }
       best_.along.assign(values_of(along).begin(), values_of(along).end());
@@ -118,7 +116,7 @@ class ParameterProfile {
     const double off = end - best_.value;
     const double reach =
         theory::half_interval(fitted_.options().confidence, std::abs(off) / factor_,
-                              fitted_.degrees_of_freedom(), free_.limit.halves);
+                              free_.degrees_of_freedom, free_.limit.halves);
     const double to = best_.value + side * reach;
     const double held = std::clamp(to, *free_.parameter->lower, *free_.parameter->upper);
     if (held != to) why = ProfileEnd::Bound;
@@ -138,18 +136,17 @@ class ParameterProfile {
   const FittedScenes::FreeParameter& free_;
   double factor_ = 1.0;
   double ratio_ = 1.0;
-  VectorXd gradient_;
   ProfileStart best_;
 };
 
 /// Of a break that nothing searched moves: its sampling alone.
 SceneProfile unmoved(const FittedScenes& fitted, const FittedScenes::FreeParameter& free) {
   SceneProfile profile;
-  const double factor = theory::student_t_quantile(0.5 + 0.5 * fitted.options().confidence,
-                                                   fitted.degrees_of_freedom());
+  const double factor =
+      theory::student_t_quantile(0.5 + 0.5 * fitted.options().confidence, free.degrees_of_freedom);
   profile.threshold = factor * factor;
   const double reach = theory::half_interval(fitted.options().confidence, 0.0,
-                                             fitted.degrees_of_freedom(), free.limit.halves);
+                                             free.degrees_of_freedom, free.limit.halves);
   const bool there = free.is_break && std::isfinite(free.limit.value);
   profile.low = there ? std::max(free.limit.value - reach, *free.parameter->lower) : kNan;
   profile.high = there ? std::min(free.limit.value + reach, *free.parameter->upper) : kNan;

@@ -9,6 +9,8 @@
 
 #include "calibrate/fit/choose_starts.hpp"
 #include "calibrate/fit/least_squares_search.hpp"
+#include "calibrate/scene/part_noise.hpp"
+#include "calibrate/scene/scene_errors.hpp"
 #include "plastica/theory/sampling.hpp"
 
 namespace plastica::calibrate {
@@ -45,21 +47,17 @@ std::vector<std::size_t> ranked(const std::vector<SearchRecord>& records) {
 
 }  // namespace
 
-double largest_size(std::span<const double> values) {
-  double largest = 0.0;
-  for (const double v : values) largest = std::max(largest, std::abs(v));
-  return largest;
-}
-
 SceneSearch::SceneSearch(SceneProblem& problem, const SceneFitOptions& options)
     : problem_(problem), options_(options) {
   const std::span<const ScenePart> parts = problem.parts();
   knows_noise_ = std::all_of(parts.begin(), parts.end(),
                              [](const ScenePart& part) { return part.target.noise; });
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const double range = largest_size(parts[i].target.ordinate);
-    problem.set_scale(i, parts[i].target.noise.value_or(range > 0.0 ? range : 1.0));
+  std::vector<PartNoise> noise;
+  for (const ScenePart& part : parts) {
+    const double range = largest_size(part.target.ordinate);
+    noise.push_back({.deviation = part.target.noise.value_or(range > 0.0 ? range : 1.0)});
   }
+  problem.set_noise(std::move(noise));
 }
 
 void SceneSearch::run() {
@@ -266,37 +264,48 @@ double SceneSearch::cost_of(std::size_t part) const {
   return sum * scale * scale / problem_.parts()[part].weight;
 }
 
+std::vector<double> SceneSearch::costs() const {
+  std::vector<double> all;
+  for (std::size_t part = 0; part < problem_.parts().size(); ++part) all.push_back(cost_of(part));
+  return all;
+}
+
 double SceneSearch::noise_left(std::size_t part) const {
-  const auto samples = static_cast<double>(problem_.parts()[part].target.ordinate.size());
-  // A prior gives what a parameter takes.
-  const std::size_t priors = problem_.squares().residuals - problem_.samples();
-  const auto taken = static_cast<double>(problem_.parameters().size() - priors) /
-                     static_cast<double>(problem_.samples());
-  return std::sqrt(cost_of(part) / (samples * (1.0 - taken)));
+  return std::sqrt(cost_of(part) / degrees_left_[part]);
+}
+
+/// Residuals and cost over another noise. @return largest change of a scale [1]
+double SceneSearch::rescale(std::vector<PartNoise> noise) {
+  double change = 0.0;
+  for (std::size_t part = 0; part < noise.size(); ++part) {
+    const double before = problem_.scale(part);
+    // Without any residual its range goes on to weight it.
+    double& deviation = noise[part].deviation;
+    if (!(deviation > 1e-12 * before)) deviation = before;
+    const double factor = before / deviation;
+    if (factor == 1.0) continue;
+    change = std::max(change, std::abs(factor - 1.0));
+    const std::size_t first = problem_.first_residual(part);
+    for (std::size_t i = 0; i < problem_.parts()[part].target.ordinate.size(); ++i) {
+      best_.residual[first + i] *= factor;
+    }
+  }
+  problem_.set_noise(std::move(noise));
+  best_.cost = 0.0;
+  for (const double r : best_.residual) best_.cost += r * r;
+  return change;
 }
 
 /// Weights parts by the noise that they turn out to have.
 void SceneSearch::settle_noise() {
-  for (int round = 0; !knows_noise_; ++round) {
-    double change = 0.0;
-    for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
-      if (problem_.parts()[part].target.noise) continue;
-      // Without any residual its range goes on to weight it.
-      const double noise = noise_left(part);
-      if (!(noise > 1e-12 * problem_.scale(part))) continue;
-      const double factor = problem_.scale(part) / noise;
-      change = std::max(change, std::abs(factor - 1.0));
-      const std::size_t first = problem_.first_residual(part);
-      for (std::size_t i = 0; i < problem_.parts()[part].target.ordinate.size(); ++i) {
-        best_.residual[first + i] *= factor;
-      }
-      problem_.set_scale(part, noise);
-    }
-    best_.cost = 0.0;
-    for (const double r : best_.residual) best_.cost += r * r;
+  for (int round = 0;; ++round) {
+    const SceneErrors errors(problem_, best_.x, best_.residual);
+    degrees_left_ = degrees_left(problem_, errors.seen());
+    const double change =
+        rescale(noise_of_parts(problem_, costs(), degrees_left_, problem_.noise()));
     const bool alone =
         problem_.parts().size() == 1 && problem_.squares().residuals == problem_.samples();
-    if (alone || change < kSameNoise || round == kMostRounds) return;
+    if (knows_noise_ || alone || change < kSameNoise || round == kMostRounds) return;
     const std::string stage = "weights " + std::to_string(round);
     LeastSquares again = search_from(stage, {best_.x}, options_.evaluations).front().found;
     if (again.outcome != LeastSquaresOutcome::NoStart) best_ = std::move(again);

@@ -37,7 +37,7 @@ class SceneSearch {
   bool knows_noise() const { return knows_noise_; }
   /// Sum of the squares of a part at the best point, without its weight and scale [SI^2].
   double cost_of(std::size_t part) const;
-  /// What the residuals of a part say of its noise: each has its share of the parameters [SI].
+  /// What the residuals of a part say of its noise, whatever the target states [SI].
   double noise_left(std::size_t part) const;
 
   /// Why the start's own scene gave no curve, and whether it was its abscissa's probe that turned.
@@ -58,18 +58,18 @@ class SceneSearch {
   void polish(std::vector<SearchRecord>& records);
   void search();
   void settle_noise();
+  std::vector<double> costs() const;
+  double rescale(std::vector<PartNoise> noise);
   void tell(std::string_view stage, std::size_t done, std::size_t total) const;
 
   SceneProblem& problem_;
   const SceneFitOptions& options_;
   bool knows_noise_ = false;
+  std::vector<double> degrees_left_;  ///< by the residuals of each part
   LeastSquares best_;
   std::vector<SceneStart> starts_;
   std::string first_reason_;
   bool start_turns_ = false;
 };
-
-/// The largest absolute value; 0 of none.
-double largest_size(std::span<const double> values);
 
 }  // namespace plastica::calibrate

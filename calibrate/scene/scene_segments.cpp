@@ -56,9 +56,7 @@ std::vector<ScenePart> divided_parts(std::span<const ScenePart> parts, Division 
 
 /// The solution of a repetition, from that of the fit.
 LeastSquares solved(SceneProblem& problem, const DividedFit& fit) {
-  for (std::size_t part = 0; part < problem.parts().size(); ++part) {
-    problem.set_scale(part, fit.problem.scale(part));
-  }
+  problem.set_noise(fit.problem.noise());
   LeastSquaresProblem squares = problem.squares();
   squares.start.assign(fit.x.begin(), fit.x.end());
   LeastSquaresOptions how;

@@ -77,6 +77,7 @@ constexpr auto kSceneParameterColumns = [](auto& columns) {
   columns("misfit_error", "", PLASTICA_MEMBER(parameter.misfit_error));
   columns("interval_low", "", PLASTICA_MEMBER(parameter.interval_low));
   columns("interval_high", "", PLASTICA_MEMBER(parameter.interval_high));
+  columns("degrees_of_freedom", "1", PLASTICA_MEMBER(parameter.degrees_of_freedom));
   columns("at_bound", "", PLASTICA_MEMBER(parameter.at_bound));
   columns("verdict", "", PLASTICA_MEMBER(parameter.verdict));
   columns("verdict_number", "", PLASTICA_MEMBER(parameter.verdict_number));
@@ -105,6 +106,7 @@ constexpr auto kScenePartColumns = [](auto& columns) {
     part("samples", "1", PLASTICA_MEMBER(samples));
     part("cost", "", PLASTICA_MEMBER(cost));
     part("noise", "", PLASTICA_MEMBER(noise));
+    part("degrees_of_freedom", "1", PLASTICA_MEMBER(degrees_of_freedom));
     part("misfit_share", "1", PLASTICA_MEMBER(misfit_share));
     part("runs_probability", "1", PLASTICA_MEMBER(runs_probability));
     part("break_strain", "1", PLASTICA_MEMBER(break_strain));

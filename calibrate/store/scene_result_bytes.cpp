@@ -14,7 +14,7 @@ constexpr const char* kSource = "a record of a fit through scenes";
 void code(auto& coder, A<SceneParameter> auto& p) {
   coder(p.path, p.dimension, p.value, p.start, p.lower, p.upper, p.standard_error, p.interval_low,
         p.interval_high, p.at_bound, p.verdict, p.verdict_number, p.noise_error, p.sampling_error,
-        p.misfit_error);
+        p.misfit_error, p.degrees_of_freedom);
 }
 
 void code(auto& coder, A<SegmentsError> auto& e) {
@@ -30,7 +30,7 @@ void code(auto& coder, A<SceneSegments> auto& s) {
 
 void code(auto& coder, A<ScenePartFit> auto& p) {
   coder(p.name, p.level, p.samples, p.cost, p.noise, p.misfit_share, p.runs_probability, p.fitted,
-        p.fitted_error, p.break_strain);
+        p.fitted_error, p.break_strain, p.degrees_of_freedom);
 }
 
 void code(auto& coder, A<SceneStart> auto& s) {

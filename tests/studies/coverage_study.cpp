@@ -181,5 +181,83 @@ TEST(Coverage, IntervalsHoldTheTruthAsOftenAsTheySay) {
   }
 }
 
+/// A target with so many samples up to a strain, and noise.
+struct Tested {
+  int samples = 0;
+  double strain = 1.0, noise = 0.0;
+};
+
+/// Targets of unlike size and noise that share the parameters.
+struct Joint {
+  const char* name;
+  std::vector<Tested> targets;
+};
+
+SceneTarget measured(const Tested& tested, const Bilinear& truth, std::uint64_t seed,
+                     std::uint64_t index) {
+  Draws draws(seed, index);
+  SceneTarget target =
+      bilinear_target("target " + std::to_string(index),
+                      std::vector<double>(static_cast<std::size_t>(tested.samples)));
+  for (std::size_t i = 0; i < target.abscissa.size(); ++i) {
+    target.abscissa[i] *= tested.strain;
+    target.ordinate[i] =
+        testing::bilinear_stress(truth, target.abscissa[i]) + tested.noise * draws.normal();
+  }
+  return target;
+}
+
+TEST(Coverage, JointFitsHoldTheTruthWhoeverDeterminesIt) {
+  const std::size_t seeds = is_full() ? 1000 : 40;
+  constexpr Bilinear kTruth;
+  const double truth[] = {testing::kBilinearModulus, kTruth.yield_stress, kTruth.tangent_modulus};
+  // The first target of the first case does not yield: who has 12 samples determines Y and H.
+  const Joint cases[] = {{"1000 elastic and 12", {{1000, 0.08, 0.005}, {12, 1.0, 0.005}}},
+                         {"100 and 12", {{100, 1.0, 0.005}, {12, 1.0, 0.001}}},
+                         {"100 and 4", {{100, 1.0, 0.005}, {4, 1.0, 0.005}}}};
+  SceneFitOptions options;
+  options.starts = 1;
+  options.parameters = yield_and_tangent();
+  options.parameters.insert(options.parameters.begin(),
+                            testing::bounded("youngs_modulus", 0.5, 5.0));
+  options.intervals = {.profile = true};
+  for (const Joint& joint : cases) {
+    std::vector<Held> held(3 * seeds);
+    parallel_for(seeds, {}, [&](std::size_t seed, int) {
+      std::vector<ScenePart> parts;
+      for (std::size_t t = 0; t < joint.targets.size(); ++t) {
+        parts.push_back({bilinear_coupon(), measured(joint.targets[t], kTruth, 5000 + seed, t)});
+      }
+      const SceneFitResult result = fit_scenes(parts, options);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto holds = [&](double low, double high) {
+          return low <= truth[k] && truth[k] <= high;
+        };
+        const SceneParameter& p = result.parameters.at(k);
+        const SceneProfile& profile = result.intervals.profiles.at(k);
+        held[3 * seed + k].covariance = holds(p.interval_low, p.interval_high);
+        held[3 * seed + k].profile = holds(profile.low, profile.high);
+      }
+    });
+    const char* names[] = {"E", "Y", "H"};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto share = [&](bool Held::*kind) {
+        double count = 0.0;
+        for (std::size_t seed = 0; seed < seeds; ++seed) {
+          count += held[3 * seed + k].*kind ? 1.0 : 0.0;
+        }
+        return count / static_cast<double>(seeds);
+      };
+      const double covariance = share(&Held::covariance), profile = share(&Held::profile);
+      std::printf("%s, %s: covariance %.1f %%, profile %.1f %% of %zu seeds\n", joint.name,
+                  names[k], 100.0 * covariance, 100.0 * profile, seeds);
+      for (const double held_by : {covariance, profile}) {
+        EXPECT_GE(held_by, is_full() ? 0.93 : 33.0 / 40.0);
+        EXPECT_LE(held_by, is_full() ? 0.97 : 1.0);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace plastica::calibrate

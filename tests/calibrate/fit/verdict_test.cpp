@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -63,16 +64,37 @@ TEST(Verdict, IsSegmentsWhereTheyMatterMoreThanNoiseAndSampling) {
 }
 
 TEST(Verdict, CountsRunsAsWaldAndWolfowitz) {
-  // 20 of each sign. In two blocks there are 2 runs: mean 21, variance 20*19/39, z = -5.93.
+  // 20 of each sign in two blocks: 2 of the 40!/(20! 20!) orders.
   std::vector<double> blocks(40, 1.0);
   for (std::size_t i = 20; i < 40; ++i) blocks[i] = -1.0;
-  EXPECT_NEAR(runs_probability(blocks), 1.5e-9, 0.2e-9);
+  EXPECT_NEAR(runs_probability(blocks) / (2.0 / 137846528820.0), 1.0, 1e-9);
   std::vector<double> to_and_fro(40, 1.0);
   for (std::size_t i = 0; i < 40; i += 2) to_and_fro[i] = -1.0;
-  EXPECT_GT(runs_probability(to_and_fro), 0.999);
-  // Hardly any of one sign: z = (0.5 - 20)/sqrt(10).
-  EXPECT_NEAR(runs_probability(std::vector<double>(40, 1.0)), 7e-10, 1e-10);
+  EXPECT_NEAR(runs_probability(to_and_fro), 1.0, 1e-9);
   EXPECT_TRUE(std::isnan(runs_probability(std::vector<double>(19, 1.0))));
+}
+
+TEST(Verdict, CountsRunsAsAllOrdersDo) {
+  // 10 and 11 of the signs, with 7 runs: counted over all orders.
+  std::vector<double> residual(21, -1.0);
+  for (const std::size_t i : {0U, 1U, 2U, 6U, 7U, 8U, 12U, 13U, 14U, 15U}) residual[i] = 1.0;
+  int fewer = 0, all = 0;
+  for (unsigned signs = 0; signs < 1U << 21U; ++signs) {
+    if (std::popcount(signs) != 10) continue;
+    ++all;
+    fewer += std::popcount((signs ^ (signs >> 1U)) & 0xfffffU) + 1 <= 6 ? 1 : 0;
+  }
+  EXPECT_NEAR(runs_probability(residual), static_cast<double>(fewer) / all, 1e-9);
+}
+
+TEST(Verdict, CountsFewOfOneSignAndTheirRuns) {
+  // None of the other sign: twice what 2 of 2^40 orders are.
+  EXPECT_NEAR(runs_probability(std::vector<double>(40, 1.0)) / std::ldexp(4.0, -40), 1.0, 1e-9);
+  // Nine of 29 in one block: 21 of C(29, 9) orders have so few runs, of which 2 have two.
+  std::vector<double> block(29, 1.0);
+  for (std::size_t i = 10; i < 19; ++i) block[i] = -1.0;
+  const double orders = 10015005.0;
+  EXPECT_NEAR(runs_probability(block) / (2.0 * (2.0 + 19.0 + 8.0) / orders), 1.0, 1e-9);
 }
 
 TEST(Verdict, IsThePriorsWhereThatSaysMoreThanTheCurves) {

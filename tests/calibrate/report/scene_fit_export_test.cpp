@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -98,19 +99,29 @@ TEST(SceneFitCsv, HasARowPerFitWithAllParametersThatAnyHas) {
   const SegmentsError record_of_a =
       lone_scene_record("a", 2e11, 3e8).result.segments->parameters[0];
   ASSERT_EQ(rows.size(), 4U);
-  for (const auto& row : rows) EXPECT_EQ(row.size(), 3U + 3U * 7U + 5U);
-  EXPECT_EQ(rows[0][3], "material.youngs_modulus [Pa]");
-  EXPECT_EQ(rows[0][7], "material.youngs_modulus.extrapolated [Pa]");
-  EXPECT_EQ(rows[0][15], "material.yield_stress.segments_error [Pa]");
-  EXPECT_EQ(rows[0][18], "material.break_strain.stderr [1]");
-  EXPECT_EQ(rows[1][3], "200000000000");
-  EXPECT_EQ(std::stod(rows[1][7]), record_of_a.extrapolated);
-  EXPECT_EQ(std::stod(rows[1][8]), record_of_a.error);
-  EXPECT_EQ(rows[1][9], "identified");
-  EXPECT_EQ(rows[1][17], "");
-  EXPECT_EQ(rows[2][18], "0.0004");
-  EXPECT_EQ(rows[2][21], "") << "not known";
-  EXPECT_EQ(rows[2][24], "49.1");
+  constexpr std::size_t kEach = 12;
+  for (const auto& row : rows) EXPECT_EQ(row.size(), 3U + 3U * kEach + 5U);
+  const auto column = [&](const std::string& title) {
+    return static_cast<std::size_t>(std::ranges::find(rows[0], title) - rows[0].begin());
+  };
+  const std::size_t modulus = column("material.youngs_modulus [Pa]");
+  ASSERT_EQ(modulus, 3U);
+  EXPECT_EQ(rows[1][modulus], "200000000000");
+  EXPECT_EQ(std::stod(rows[1].at(column("material.youngs_modulus.extrapolated [Pa]"))),
+            record_of_a.extrapolated);
+  EXPECT_EQ(std::stod(rows[1].at(column("material.youngs_modulus.segments_error [Pa]"))),
+            record_of_a.error);
+  EXPECT_EQ(rows[1].at(column("material.youngs_modulus.degrees_of_freedom [1]")), "28.8");
+  EXPECT_EQ(rows[1].at(column("material.youngs_modulus.verdict")), "identified");
+  EXPECT_EQ(rows[1].at(column("material.break_strain [1]")), "");
+  EXPECT_EQ(rows[1].at(column("material.break_strain.verdict")), "");
+  EXPECT_EQ(rows[2].at(column("material.break_strain.stderr [1]")), "0.0004");
+  EXPECT_EQ(rows[2].at(column("material.break_strain.noise_error [1]")), "0.0001");
+  EXPECT_EQ(rows[2].at(column("material.break_strain.sampling_error [1]")), "0.00039");
+  EXPECT_EQ(rows[2].at(column("material.break_strain.misfit_error [1]")), "0.0002");
+  EXPECT_EQ(rows[2].at(column("material.break_strain.verdict_number")), "0.018");
+  EXPECT_EQ(rows[2].at(column("material.break_strain.extrapolated [1]")), "") << "not known";
+  EXPECT_EQ(rows[2].at(column("cost [1]")), "49.1");
   EXPECT_EQ(rows[3][1], "failed");
   EXPECT_EQ(rows[3][3], "");
 }
@@ -122,9 +133,10 @@ TEST(SceneFitCsv, HasARowPerTarget) {
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
   EXPECT_EQ(rows[1], (std::vector<std::string>{"b", "bent", "support 2", "m", "force", "N", "30",
                                                "1", "0.0605", "0.0005", "planar", "5", "estimated",
-                                               "0.0083", "0.41", "0.021"}));
+                                               "28.8", "0.0083", "0.41", "0.021"}));
   EXPECT_EQ(rows[2][12], "given");
-  EXPECT_EQ(rows[2][14], "");
+  EXPECT_EQ(rows[2][13], "") << "known";
+  EXPECT_EQ(rows[2][15], "");
   EXPECT_EQ(rows[3][10], "");
 }
 

@@ -70,6 +70,8 @@ TEST(SceneIntervalsReport, WritesColumnsOfThoseThatAnyFitHas) {
                        "material.youngs_modulus.segments_error [Pa],"
                        "material.youngs_modulus.profile_low [Pa],"
                        "material.youngs_modulus.profile_high [Pa],"
+                       "material.youngs_modulus.profile_low_end,"
+                       "material.youngs_modulus.profile_high_end,"
                        "material.youngs_modulus.bootstrap_low [Pa],"
                        "material.youngs_modulus.bootstrap_high [Pa],"
                        "material.youngs_modulus.verdict"))
@@ -82,6 +84,7 @@ TEST(SceneIntervalsReport, WritesColumnsOfThoseThatAnyFitHas) {
   ASSERT_EQ(cells.size(), 3U);
   EXPECT_EQ(cells[1], cells[0]);
   EXPECT_EQ(cells[2], cells[0]);
+  EXPECT_TRUE(contains(out.str(), ",crossed,bound,")) << out.str();
   write_scene_fits_csv(bare, std::vector{scene_record()});
   EXPECT_FALSE(contains(bare.str(), "profile"));
 }

@@ -62,6 +62,7 @@ inline SceneFitRecord scene_record(const std::string& name = "both", double modu
     part.level = p == 0 ? Level::Planar : Level::Twist;
     part.samples = p == 0 ? 30 : 20;
     part.noise = p == 0 ? 5.0 : 3.0;
+    part.degrees_of_freedom = p == 0 ? 28.8 : std::numeric_limits<double>::infinity();
     part.misfit_share = p == 0 ? 0.0083 : 0.012;
     part.runs_probability = p == 0 ? 0.41 : std::numeric_limits<double>::quiet_NaN();
     part.break_strain = p == 0 ? 0.021 : std::numeric_limits<double>::quiet_NaN();
@@ -84,6 +85,7 @@ inline SceneFitRecord scene_record(const std::string& name = "both", double modu
   r.parameters[2].noise_error = 1e-4;
   r.parameters[2].sampling_error = 3.9e-4;
   r.parameters[2].misfit_error = 2e-4;
+  for (SceneParameter& parameter : r.parameters) parameter.degrees_of_freedom = 28.8;
   r.correlation = {1.0, -0.42, 0.1, -0.42, 1.0, 0.2, 0.1, 0.2, 1.0};
   r.degrees_of_freedom = 28.8;
   r.outcome = LeastSquaresOutcome::StepReached;

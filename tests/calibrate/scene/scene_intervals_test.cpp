@@ -203,6 +203,33 @@ TEST(SceneIntervals, OfSpecimensAreTheirScatter) {
   EXPECT_GT(specimens.high, 0.15 + 1.5 * scatter);
 }
 
+/// Two coupons whose yield stresses differ, and two alike whose stress has another name.
+std::vector<ScenePart> two_kinds() {
+  std::vector<ScenePart> parts;
+  for (const double yield : {0.14, 0.16, 0.15, 0.15}) {
+    parts.push_back({bilinear_coupon(), noisy_bilinear({.yield_stress = yield}, 1e-6, 11, 40)});
+    parts.back().target.name = "coupon " + std::to_string(parts.size());
+    parts.back().target.noise = 0.005;
+    if (parts.size() < 3) continue;
+    parts.back().setup.scene.probes[0].name = "true stress";
+    parts.back().target.ordinate_probe = "true stress";
+  }
+  return parts;
+}
+
+TEST(SceneIntervals, OfSpecimensDrawAsManyOfEachKindAsThereAre) {
+  SceneFitOptions options = yield_options();
+  options.intervals.specimens = 100;
+  const SceneFitResult result = fit_scenes(two_kinds(), options);
+  const std::vector<double>& values = result.intervals.specimens.values;
+  ASSERT_EQ(values.size(), 200U);
+  // The alike ones count two in all: only how often either of the others is drawn matters.
+  for (std::size_t b = 0; b < 100; ++b) {
+    const double yield = values[2 * b];
+    EXPECT_NEAR(yield, 0.15 + 0.005 * std::round((yield - 0.15) / 0.005), 2e-4);
+  }
+}
+
 TEST(SceneIntervals, OfTheFittedCurveAreThoseOfALine) {
   // Stress = E strain: the curve's error is strain sigma/sqrt(sum strain^2).
   SceneFitOptions options;
@@ -237,6 +264,13 @@ TEST(SceneIntervals, RefuseWhatCannotBeDrawn) {
             "bootstrap_block = 31: must be no more than the samples of bilinear");
   EXPECT_EQ(refusal({.specimens = 100}),
             "bootstrap_specimens = 100: needs several targets that share the parameters");
+  SceneFitOptions options = yield_options();
+  options.intervals.specimens = 100;
+  std::vector<ScenePart> parts = two_kinds();
+  parts.pop_back();
+  EXPECT_EQ(message_of([&] { fit_scenes(parts, options); }),
+            "bootstrap_specimens = 100: needs several targets of each kind, and coupon 3 is the "
+            "only one that measures its probe over its abscissa");
 }
 
 }  // namespace

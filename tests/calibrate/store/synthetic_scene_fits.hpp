@@ -22,12 +22,12 @@ inline auto members(const SceneTarget& v) {
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
 }
 inline auto members(const SceneParameter& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
 }
 inline auto members(const ScenePartFit& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k);
 }
 inline auto members(const SceneStart& v) {
   const auto& [a, b, c, d, e] = v;
@@ -94,18 +94,20 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
   SceneFitResult r;
   r.status = FitStatus::Fitted;
   r.reason = "none";
-  r.parameters = {{"material.youngs_modulus", Dimension::Stress, 205e9, 200e9, 50e9, 500e9, 1.2e9,
-                   1.2e9, 0.0, 0.3e9, 202.6e9, 207.4e9, false, Verdict::Identified, 1.2 / 205.0},
-                  {"material.yield_stress", Dimension::Stress, 380e6, 300e6, 100e6, 380e6, kNan,
-                   kNan, 1.0, kNan, kNan, kNan, true, Verdict::AtBound, 380e6},
-                  {"material.break_strain", Dimension::Strain, 0.021, 0.05, 1e-4, 1.0, 4e-4, 1e-4,
-                   3.87e-4, 2e-5, 0.0202, 0.0218, false, Verdict::LimitedBySampling, 0.018}};
+  r.parameters = {
+      {"material.youngs_modulus", Dimension::Stress, 205e9, 200e9, 50e9, 500e9, 1.2e9, 1.2e9, 0.0,
+       0.3e9, 202.6e9, 207.4e9, 6.5, false, Verdict::Identified, 1.2 / 205.0},
+      {"material.yield_stress", Dimension::Stress, 380e6, 300e6, 100e6, 380e6, kNan, kNan, 1.0,
+       kNan, kNan, kNan, 7.0, true, Verdict::AtBound, 380e6},
+      {"material.break_strain", Dimension::Strain, 0.021, 0.05, 1e-4, 1.0, 4e-4, 1e-4, 3.87e-4,
+       2e-5, 0.0202, 0.0218, 5.0, false, Verdict::LimitedBySampling, 0.018}};
   r.correlation = {1.0, kNan, -0.97, kNan, 1.0, kNan, -0.97, kNan, 1.0};
   r.parts = {{bent.name,
               Level::Planar,
               5,
               12.0,
               1.5,
+              3.5,
               0.008,
               kNan,
               {0.0, 96.0, 189.0, 211.0, 119.0},
@@ -116,6 +118,7 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
               3,
               0.02,
               0.1,
+              std::numeric_limits<double>::infinity(),
               0.02,
               0.004,
               {0.0, 5.1, 5.9},

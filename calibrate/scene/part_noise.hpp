@@ -1,0 +1,40 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace plastica::calibrate {
+
+class SceneProblem;
+
+/// What a fit takes the noise of one target to be.
+struct PartNoise {
+  double deviation = 1.0;  ///< its residuals are divided by this [SI], > 0
+  /// Of the estimate; infinite where the target states its noise.
+  double degrees_of_freedom = std::numeric_limits<double>::infinity();
+  double degrees_left = 0.0;  ///< that the fit leaves to the part's own residuals
+  /// Whether it is the share of the largest ordinate that all targets have in common.
+  bool pooled = false;
+};
+
+/// The noise of each part by what its residuals say, or as its target states it.
+///
+/// sqrt(cost_p/d_p) with the degrees of freedom d_p. A part with fewer than five (unless it is the
+/// only one) has no noise of its own to be weighed by, and could be met by chance and take all the
+/// weight: its noise is the share of the largest ordinate that the residuals of all parts have,
+/// each over its own.
+/// @param costs  sums of the squared residuals of the parts, without weights and scales [SI^2]
+/// @param degrees  degrees_left
+/// @param before  what was taken before: who is pooled remains so
+std::vector<PartNoise> noise_of_parts(const SceneProblem& problem, std::span<const double> costs,
+                                      std::span<const double> degrees,
+                                      std::span<const PartNoise> before);
+
+/// Degrees of freedom of all noise that is estimated; infinite if all targets state theirs.
+double degrees_of_freedom(std::span<const PartNoise> noise);
+
+/// The largest absolute value; 0 of none.
+double largest_size(std::span<const double> values);
+
+}  // namespace plastica::calibrate
