@@ -158,7 +158,10 @@ void check_break_levels(const SceneProblem& problem, const SceneFitOptions& opti
     if (p.role != ParameterRole::Free || !is_break(p)) continue;
     bool any = false;
     for (std::size_t i = 0; i < problem.parts().size(); ++i) {
-      any = any || breaks_by(p, problem.model(i), problem.parts()[i]);
+      if (!breaks_by(p, problem.model(i), problem.parts()[i])) continue;
+      any = true;
+      if (problem.model(i).takes_a_limit()) continue;
+      refuse(p, "", "cannot be fitted: regions of other materials cover the whole beam");
     }
     if (any) continue;
     throw InputError(p.where, p.field->path, "",

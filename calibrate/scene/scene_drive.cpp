@@ -133,4 +133,28 @@ Setup driven_setup(const Setup& setup, const SceneTarget& target) {
   return followed;
 }
 
+std::optional<Setup> gone_on(const Setup& setup, int times) {
+  const Scene& scene = setup.scene;
+  const SolverOptions& solver = setup.solver;
+  const bool by_load = solver.control == PathControl::Auto || solver.control == PathControl::Load;
+  if (solver.analysis == Analysis::Dynamics || scene.is_coupon() || !by_load) return std::nullopt;
+  const bool heavy = scene.gravity != std::array<double, 3>{};
+  if (heavy && scene.gravity_history.is_ramp()) return std::nullopt;
+  bool any = false;
+  double end = heavy ? scene.gravity_history.end() : 0.0;
+  const auto take = [&](const History& history) {
+    any = any || history.is_ramp();
+    end = std::max(end, history.end());
+  };
+  for (const Support& support : scene.supports) {
+    if (support.moves()) take(support.history);
+  }
+  for (const Load& load : scene.loads) take(load.history);
+  if (!any) return std::nullopt;
+  Setup longer = setup;
+  longer.solver.duration = times * (solver.duration > 0.0 ? solver.duration : end);
+  longer.solver.steps = times * solver.steps;
+  return longer;
+}
+
 }  // namespace plastica::calibrate

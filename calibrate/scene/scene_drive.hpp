@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "calibrate/scene/scene_target.hpp"
 #include "plastica/base/quantity.hpp"
 #include "plastica/model/field.hpp"
@@ -19,5 +21,12 @@ Dimension abscissa_dimension(const Scene& scene, const SceneTarget& target,
 /// measured/(factor x size). All else that acts must be there from the first (history constant).
 /// @throws InputError where the scene cannot follow
 Setup driven_setup(const Setup& setup, const SceneTarget& target);
+
+/// The setup whose path goes on to so many times its end: ramps go on along their lines, all other
+/// histories hold what they end with. Samples are where they were, and as far apart beyond.
+/// @param times  > 1
+/// @return none if nothing would go on: in dynamics, where displacement or arc length leads, with
+///         no ramp, or with a gravity that grows, which no test goes beyond
+std::optional<Setup> gone_on(const Setup& setup, int times);
 
 }  // namespace plastica::calibrate

@@ -8,7 +8,7 @@
 
 #include "calibrate/scene/scene_drive.hpp"
 #include "calibrate/scene/set_everywhere.hpp"
-#include "plastica/run/batch.hpp"
+#include "plastica/run/chain_model.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -48,6 +48,20 @@ void take_limits_off(Scene& scene) {
   scene.break_limit_z.reset();
 }
 
+/// Which joints take a limit of the scene's material. A joint has that of the segment after it.
+std::vector<bool> joints_of_the_limit(const Setup& setup, const ChainModel& chain) {
+  const Field& field = find_field(chain.level == Level::Twist ? "material.break_shear_strain"
+                                                              : "material.break_strain");
+  std::vector<bool> parts{true};
+  for (const Region& region : setup.scene.regions) {
+    parts.push_back(has_the_scenes(setup, field, region));
+  }
+  std::vector<bool> joints;
+  for (const std::size_t part : chain.part_of_segment) joints.push_back(parts[part]);
+  joints.push_back(joints.back());
+  return joints;
+}
+
 void check_kind(const Scene& scene, const SceneTarget& target) {
   if (scene.is_coupon() == (target.kind == Abscissa::Strain)) return;
   if (scene.is_coupon()) {
@@ -56,6 +70,10 @@ void check_kind(const Scene& scene, const SceneTarget& target) {
   }
   throw InputError(target.abscissa_where, "abscissa.drive", "strain",
                    "needs a coupon: a scene with drive.strain");
+}
+
+std::string how_it_ended(Status status) {
+  return fmt::format("the scene ended {}: {}", name_of(status), advice(status));
 }
 
 SceneCurve failed(std::string reason) {
@@ -90,6 +108,7 @@ SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
   }
   ordinate_probe_ =
       probe_index(scene, target.ordinate_probe, "ordinate.probe", target.ordinate_where);
+  const Setup limited = setup_;
   take_limits_off(scene);
   if (scene.is_coupon()) {
     const bool net = scene.break_measure == BreakMeasure::Net;
@@ -106,12 +125,15 @@ SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
     for (const Field* field : fields_) paths.emplace_back(field->path);
   }
   model_ = prepare(scene, setup_.solver, paths);
+  if (model_.chain) counts_ = joints_of_the_limit(limited, *model_.chain);
+  if (target.kind == Abscissa::Probe) longer_setup_ = gone_on(setup_, kMostTimes);
+  if (longer_setup_) longer_ = prepare(longer_setup_->scene, longer_setup_->solver, paths);
 }
 
-Setup SceneModel::setup_at(std::span<const double> values) const {
-  Setup setup = setup_;
+Setup SceneModel::setup_at(const Setup& base, std::span<const double> values) const {
+  Setup setup = base;
   for (std::size_t i = 0; i < fields_.size(); ++i)
-    set_everywhere(setup_, *fields_[i], values[i], setup);
+    set_everywhere(base, *fields_[i], values[i], setup);
   return setup;
 }
 
@@ -120,37 +142,79 @@ std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::siz
   BatchOptions how;
   how.threads = threads;
   how.stop = stop;
+  std::vector<SceneCurve> curves = run(false, values, count, how);
+  if (longer_) go_on(values, how, curves);
+  return curves;
+}
+
+bool SceneModel::takes_a_limit() const {
+  return !model_.chain || std::ranges::find(counts_, true) != counts_.end();
+}
+
+/// Runs those again whose path ends early.
+void SceneModel::go_on(std::span<const double> values, const BatchOptions& how,
+                       std::vector<SceneCurve>& curves) const {
+  std::vector<std::size_t> early;
+  std::vector<double> their_values;
+  const std::size_t n = fields_.size();
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (!curves[i].ends_early) continue;
+    early.push_back(i);
+    const std::span<const double> at = values.subspan(i * n, n);
+    their_values.insert(their_values.end(), at.begin(), at.end());
+  }
+  if (early.empty()) return;
+  std::vector<SceneCurve> longer = run(true, their_values, early.size(), how);
+  for (std::size_t k = 0; k < early.size(); ++k) {
+    SceneCurve& curve = curves[early[k]];
+    longer[k].segment_iterations += curve.segment_iterations;
+    if (!longer[k].usable) {
+      longer[k].reason += fmt::format(" (its ramps going on to {} times their ends)", kMostTimes);
+    }
+    curve = std::move(longer[k]);
+  }
+}
+
+std::vector<SceneCurve> SceneModel::run(bool longer, std::span<const double> values,
+                                        std::size_t count, const BatchOptions& how) const {
+  const Setup& setup = longer ? *longer_setup_ : setup_;
+  const Model& model = longer ? *longer_ : model_;
   std::vector<SceneCurve> curves(count);
   if (prepared_) {
-    const std::vector<Response> responses = run_batch(model_, values, count, how);
-    for (std::size_t i = 0; i < count; ++i) curves[i] = curve_of(responses[i]);
+    const std::vector<Response> responses = run_batch(model, values, count, how);
+    for (std::size_t i = 0; i < count; ++i) curves[i] = curve_of(responses[i], longer);
     return curves;
   }
   const std::size_t n = fields_.size();
   run_batch(
       count,
       [&](std::size_t i) {
-        const Setup setup = setup_at(values.subspan(i * n, n));
-        return BatchCase{std::to_string(i), setup.scene, setup.solver};
+        const Setup at = setup_at(setup, values.subspan(i * n, n));
+        return BatchCase{std::to_string(i), at.scene, at.solver};
       },
       [&](std::size_t i, BatchRow&& row) {
-        curves[i] = row.reason.empty() ? curve_of(row.response) : failed(row.reason);
+        curves[i] = row.reason.empty() ? curve_of(row.response, longer) : failed(row.reason);
       },
       how);
   return curves;
 }
 
-SceneCurve SceneModel::curve_of(const Response& response) const {
+SceneCurve SceneModel::curve_of(const Response& response, bool longer) const {
   SceneCurve curve;
+  curve.went_on = longer;
   curve.segment_iterations =
       static_cast<std::int64_t>(setup_.scene.beam.segments) * response.counters.iterations;
-  if (!usable(response.status)) {
-    curve.reason =
-        fmt::format("the scene ended {}: {}", name_of(response.status), advice(response.status));
+  // A longer path may fail beyond what was measured.
+  const bool whole = usable(response.status);
+  if (!whole && !(longer && response.status == Status::NotConverged)) {
+    curve.reason = how_it_ended(response.status);
     return curve;
   }
   std::vector<double> path;
-  if (!place(response, path, curve)) return curve;
+  if (!place(response, path, curve)) {
+    if (!whole) curve.reason = how_it_ended(response.status);
+    return curve;
+  }
   curve.usable = true;
   set_ordinate(response, path, curve);
   set_strain(response, path, curve);
@@ -194,6 +258,9 @@ bool SceneModel::place(const Response& response, std::vector<double>& path,
   if (target_.broke) most = std::max(most, target_.broke->at);
   const double slack = kRounding * std::max(std::abs(least), std::abs(most));
   if (samples >= 2 && path.front() <= least + slack && path.back() >= most - slack) return true;
+  // A limit load, or a path that begins late, is no better for going on.
+  curve.ends_early =
+      response.status == Status::Completed && samples >= 2 && path.front() <= least + slack;
   curve.reason =
       fmt::format("the path goes from {:g} to {:g}, and was measured from {:g} to {:g}",
                   samples > 0 ? path.front() : 0.0, samples > 0 ? path.back() : 0.0, least, most);
@@ -223,10 +290,14 @@ void SceneModel::set_ordinate(const Response& response, const std::vector<double
 
 double SceneModel::strain_of(const Response& response, std::size_t sample) const {
   if (setup_.scene.is_coupon()) return std::fabs(response.probes[strain_probe_][sample]);
-  const auto joints = static_cast<std::ptrdiff_t>(response.chain.joints);
-  const auto first =
-      response.chain.plastic_strain.begin() + static_cast<std::ptrdiff_t>(sample) * joints;
-  return *std::max_element(first, first + joints);
+  const std::size_t joints = response.chain.joints;
+  double largest = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t j = 0; j < joints; ++j) {
+    if (counts_[j]) {
+      largest = std::fmax(largest, response.chain.plastic_strain[sample * joints + j]);
+    }
+  }
+  return largest;
 }
 
 /// Between samples on a straight line.

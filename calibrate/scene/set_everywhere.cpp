@@ -12,11 +12,26 @@ Setup setup_of(const Material& material) {
   return setup;
 }
 
-bool has_the_scenes(const Setup& original, const Field& field, const Region& region) {
-  return field.material && field.get(setup_of(region.material)) == field.get(original);
+bool is_the_scenes_material(const Setup& setup, const Setup& of_region) {
+  return std::ranges::all_of(fields(), [&](const Field& field) {
+    return !field.path.starts_with("material.") || field.get(of_region) == field.get(setup);
+  });
+}
+
+bool is_unset_limit(const Field& field, const Setup& setup) {
+  const bool limit = field.material == MaterialField::BreakStrain ||
+                     field.material == MaterialField::BreakShearStrain;
+  return limit && std::holds_alternative<std::monostate>(field.get(setup));
 }
 
 }  // namespace
+
+bool has_the_scenes(const Setup& setup, const Field& field, const Region& region) {
+  if (!field.material) return false;
+  const Setup of_region = setup_of(region.material);
+  if (field.get(of_region) != field.get(setup)) return false;
+  return !is_unset_limit(field, setup) || is_the_scenes_material(setup, of_region);
+}
 
 void set_everywhere(const Setup& original, const Field& field, double value, Setup& setup) {
   for (std::size_t i = 0; i < original.scene.regions.size(); ++i) {

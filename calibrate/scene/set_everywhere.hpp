@@ -4,8 +4,12 @@
 
 namespace plastica::calibrate {
 
-/// Sets a number of a setup; one of the material also in those regions of the beam that had the
-/// scene's: a region that differs in its section alone has a copy of the material.
+/// Whether a region of the beam has a number of the scene's material, as a copy: one that differs
+/// in its section alone has all of them. No break limit at all is shared by the same material only:
+/// another one never breaks.
+bool has_the_scenes(const Setup& setup, const Field& field, const Region& region);
+
+/// Sets a number of a setup; one of the material also in those regions that had the scene's.
 /// @param original  the setup before any number was set
 void set_everywhere(const Setup& original, const Field& field, double value, Setup& setup);
 

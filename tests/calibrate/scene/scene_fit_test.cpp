@@ -192,12 +192,12 @@ TEST(SceneFit, SaysThatAMachineCountsTheOtherWay) {
 TEST(SceneFit, FailsWithAReasonWhereThePathEndsTooEarly) {
   const plastica::Setup setup = bend_test(5);
   SceneTarget target = measured(setup);
-  target.broke->at = 0.09;
+  target.broke->at = 0.39;
   const SceneFitResult fit = fit_scene(setup, target, {.parameters = all_three(), .starts = 1});
   EXPECT_EQ(fit.status, FitStatus::Failed);
   EXPECT_EQ(fit.reason,
-            "the scene gives no curve from the start values: the path goes from 0 to 0.08, and was "
-            "measured from 0 to 0.09");
+            "the scene gives no curve from the start values: the path goes from 0 to 0.32, and was "
+            "measured from 0 to 0.39 (its ramps going on to 4 times their ends)");
   EXPECT_EQ(fit.runs, 1);
   EXPECT_EQ(fit.failed_runs, 1);
 }
