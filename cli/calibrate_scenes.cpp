@@ -17,6 +17,7 @@
 #include "calibrate/report/scene_fit_text.hpp"
 #include "calibrate/store/journaled_scene_fits.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
+#include "cli/dry_run.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
@@ -50,6 +51,7 @@ void print_dry_run(const SceneFitFile& file, const std::string& output) {
              file.options.starts, file.options.starts == 1 ? "search" : "searches");
   const bool screens = file.options.starts > 1 && file.options.screen > 0;
   fmt::print("{}\n", screens ? fmt::format(" after {} screened points", file.options.screen) : "");
+  if (file.options.segments_error) print_repetitions(file.cases);
 }
 
 /// What the command line asks for, whatever the file says.

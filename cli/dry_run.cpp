@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "calibrate/fit/parameter_set.hpp"
+#include "calibrate/scene/redivide.hpp"
+#include "plastica/base/check.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -37,7 +39,34 @@ void print_parameters(const Target& target, const FitOptions& options) {
   }
 }
 
+/// "16 segments", or "none with half (why not)".
+std::string repetition(const calibrate::ScenePart& part, calibrate::Division division) {
+  try {
+    return fmt::format("{} segments", calibrate::redivided(part, division).scene.beam.segments);
+  } catch (const InputError& error) {
+    const bool half = division == calibrate::Division::Half;
+    return fmt::format("none with {} ({})", half ? "half" : "twice", error.what());
+  }
+}
+
 }  // namespace
+
+void print_repetitions(std::span<const calibrate::SceneFitCase> fits) {
+  std::string beams;
+  for (const calibrate::SceneFitCase& fit : fits) {
+    for (const calibrate::ScenePart& part : fit.parts) {
+      if (part.setup.scene.is_coupon()) continue;
+      beams += fmt::format("  {}: {} and {}\n", part.target.name,
+                           repetition(part, calibrate::Division::Half),
+                           repetition(part, calibrate::Division::Twice));
+    }
+  }
+  if (beams.empty()) return;
+  fmt::print(
+      "then again with half and with twice the segments, for their error: a search each from the "
+      "fitted values,\nhalf and twice the work a run (fit.segments_error = false: neither)\n{}",
+      beams);
+}
 
 void print_dry_run(std::span<const Target> targets, const FitOptions& options,
                    const std::string& output) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "calibrate/fit/options.hpp"
+#include "calibrate/scene/scene_fit_record.hpp"
 #include "calibrate/target/target.hpp"
 
 namespace plastica::cli {
@@ -11,5 +12,9 @@ namespace plastica::cli {
 /// Says what a fit would do: targets, their state, parameters with start and bounds, level, memory.
 void print_dry_run(std::span<const calibrate::Target> targets, const calibrate::FitOptions& options,
                    const std::string& output);
+
+/// Says how fits through scenes are repeated with half and with twice the segments, for the error
+/// that these make, and why a beam cannot be; nothing if all are coupons.
+void print_repetitions(std::span<const calibrate::SceneFitCase> fits);
 
 }  // namespace plastica::cli

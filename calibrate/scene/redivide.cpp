@@ -97,6 +97,20 @@ Setup redivided(const Setup& setup, Division division) {
   return made;
 }
 
+Setup redivided(const ScenePart& part, Division division) {
+  const SceneTarget& target = part.target;
+  for (const Probe& probe : part.setup.scene.probes) {
+    const bool over = target.kind == Abscissa::Probe && probe.name == target.abscissa_probe;
+    if (!over && probe.name != target.ordinate_probe) continue;
+    if (probe.quantity != ProbeQuantity::Angle && probe.quantity != ProbeQuantity::PlasticAngle) {
+      continue;
+    }
+    throw InputError({}, "probe", probe.name,
+                     "is the angle of one joint, which follows its length");
+  }
+  return redivided(part.setup, division);
+}
+
 double order_of_joints(const Scene& scene) {
   return chain::resolved_end_rule(scene) == EndRule::Equal ? 1.0 : 2.0;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "calibrate/scene/scene_fit.hpp"
 #include "plastica/model/field.hpp"
 
 namespace plastica::calibrate {
@@ -12,6 +13,11 @@ enum class Division { Half, Twice };
 /// @throws InputError if that cannot be: a number of segments that is odd or below 4, a place that
 ///         would fall within a segment, lengths given for each joint
 Setup redivided(const Setup& setup, Division division);
+
+/// The same of a part of a fit.
+/// @throws InputError also if its target was measured as the angle of one joint, which follows the
+///         joint's length
+Setup redivided(const ScenePart& part, Division division);
 
 /// Order in the segments' length at which the joints of a chain answer as a continuous beam does:
 /// 2, or 1 where a welded end leaves a joint out.

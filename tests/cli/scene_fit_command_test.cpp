@@ -130,6 +130,24 @@ TEST(SceneFitCommand, SaysWhatWouldRun) {
   EXPECT_FALSE(place.has("fit.h5"));
 }
 
+TEST(SceneFitCommand, SaysHowTheErrorOfTheSegmentsWouldBeFound) {
+  const Workplace place;
+  write_bars(place);
+  const auto plan = [&] { return place.run({"calibrate", "fit.toml", "--dry-run"}).out; };
+  EXPECT_TRUE(plan().ends_with(
+      "then again with half and with twice the segments, for their error: a search each from the "
+      "fitted values,\nhalf and twice the work a run (fit.segments_error = false: neither)\n"
+      "  a: 3 segments and 12 segments\n  b: 3 segments and 12 segments\n"))
+      << plan();
+  place.write("bar.toml", changed(kScene, "segments = 6", "segments = 7"));
+  EXPECT_NE(plan().find("  a: none with half (beam.segments = 7: cannot be halved: it is no even "
+                        "number) and 14 segments\n"),
+            std::string::npos)
+      << plan();
+  place.write("fit.toml", changed(kFit, "[fit]\n", "[fit]\nsegments_error = false\n"));
+  EXPECT_EQ(plan().find("then again"), std::string::npos) << plan();
+}
+
 TEST(SceneFitCommand, DoesNotPromiseWhatCannotRun) {
   const Workplace place;
   write_bars(place);
