@@ -45,13 +45,13 @@ double strain_at_break(const SceneCurve& curve, double place) {
   return strain.before + place * (strain.after - strain.before);
 }
 
-SceneIntervals find_intervals(const FittedScenes& fitted, RunCounters& counters,
+SceneIntervals find_intervals(const FittedScenes& fitted, SceneWork& work,
                               std::vector<std::string>& warnings) {
   const SceneIntervalOptions& how = fitted.options().intervals;
   SceneIntervals intervals;
-  if (how.profile) intervals.profiles = profile_scenes(fitted, counters);
-  if (how.bootstrap > 0) intervals.residuals = bootstrap_residuals(fitted, counters);
-  if (how.specimens > 0) intervals.specimens = bootstrap_specimens(fitted, counters);
+  if (how.profile) intervals.profiles = profile_scenes(fitted, work);
+  if (how.bootstrap > 0) intervals.residuals = bootstrap_residuals(fitted, work);
+  if (how.specimens > 0) intervals.specimens = bootstrap_specimens(fitted, work);
   for (std::size_t i = 0; i < intervals.profiles.size(); ++i) {
     constexpr double kLower = 0.01;
     const SceneProfile& profile = intervals.profiles[i];

@@ -7,6 +7,7 @@
 
 #include "calibrate/scene/scene_errors.hpp"
 #include "calibrate/scene/scene_problem.hpp"
+#include "calibrate/scene/scene_work.hpp"
 
 namespace plastica::calibrate {
 
@@ -55,8 +56,7 @@ double strain_at_break(const SceneCurve& curve, double place);
 /// Likelihood intervals of the free parameters, in their order. Points of a break's are those of
 /// its value where the targets broke in the middle of their sampling intervals; its ends have the
 /// sampling's share in them (theory::half_interval).
-/// @param counters  takes the runs that it makes
-std::vector<SceneProfile> profile_scenes(const FittedScenes& fitted, RunCounters& counters);
+std::vector<SceneProfile> profile_scenes(const FittedScenes& fitted, SceneWork& work);
 
 /// Intervals from searches of residuals drawn anew, from the fitted parameters on.
 ///
@@ -64,14 +64,14 @@ std::vector<SceneProfile> profile_scenes(const FittedScenes& fitted, RunCounters
 /// (PartNoise::pooled) is drawn as normal; a prior's mean is drawn from
 /// the normal distribution about the fitted value that it stands for; a break is anywhere between
 /// its samples. Scales and the shares of several breaks stay as they were fitted.
-SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, RunCounters& counters);
+SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, SceneWork& work);
 
 /// The same of targets drawn anew: a part counts as often as it is drawn. Of each kind of test
 /// (are_of_one_kind) as many are drawn as there are, so that no resample is without one.
-SceneBootstrap bootstrap_specimens(const FittedScenes& fitted, RunCounters& counters);
+SceneBootstrap bootstrap_specimens(const FittedScenes& fitted, SceneWork& work);
 
 /// All that the options ask for; `warnings` gets what a reader must not overlook.
-SceneIntervals find_intervals(const FittedScenes& fitted, RunCounters& counters,
+SceneIntervals find_intervals(const FittedScenes& fitted, SceneWork& work,
                               std::vector<std::string>& warnings);
 
 }  // namespace plastica::calibrate

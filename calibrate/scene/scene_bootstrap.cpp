@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string_view>
+#include <utility>
 
 #include "calibrate/scene/check_scene_fit.hpp"
 #include "calibrate/scene/fitted_scenes.hpp"
-#include "plastica/base/parallel_for.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -57,34 +58,39 @@ std::vector<std::vector<std::size_t>> kinds_of(std::span<const ScenePart> parts)
   return kinds;
 }
 
-SceneBootstrap bootstrap(const FittedScenes& fitted, int resamples, std::uint64_t seed,
-                         const Draw& draw, RunCounters& counters) {
+SceneBootstrap bootstrap(const FittedScenes& fitted, std::string_view stage, int resamples,
+                         std::uint64_t seed, const Draw& draw, SceneWork& work) {
   // So many have one problem, which knows the curves that all of them begin with. How many share
   // one must not depend on the threads: the runs are counted.
   constexpr std::size_t kTogether = 8;
   const auto count = static_cast<std::size_t>(resamples);
   const std::size_t groups = (count + kTogether - 1) / kTogether;
-  std::vector<std::vector<double>> values(count);
-  std::vector<RunCounters> made(groups);
   LeastSquaresOptions how;
   how.max_evaluations = fitted.options().evaluations;
   how.x_tolerance = fitted.options().tolerance;
   how.cost_tolerance =
       1e-8;  // a ten-thousandth of a standard error, or a thousandth of few samples
-  parallel_for(groups, {fitted.options().threads}, [&](std::size_t group, int) {
+  const auto group_of = [&](std::size_t group) {
     const auto problem = fitted.copy();
+    PieceRecord made;
     for (std::size_t b = group * kTogether; b < std::min(count, (group + 1) * kTogether); ++b) {
       Draws draws(seed, b);
       const Resample resample = draw(draws);
       LeastSquaresProblem squares = changed(problem->squares(), resample.factor, resample.shift);
       squares.start = fitted.best().x;
       const LeastSquares found = minimize_squares(squares, how);
-      if (found.outcome == LeastSquaresOutcome::NoStart) continue;
-      values[b] = values_of(fitted, *problem, found.x, resample);
+      const bool none = found.outcome == LeastSquaresOutcome::NoStart;
+      made.rows.push_back(none ? std::vector<double>()
+                               : values_of(fitted, *problem, found.x, resample));
     }
-    made[group] = problem->counters();
-  });
-  for (const RunCounters& one : made) counters.add(one);
+    made.runs = problem->counters();
+    return made;
+  };
+  const SceneWork::Stage all{stage, groups, fitted.options().threads, count};
+  std::vector<std::vector<double>> values;
+  for (PieceRecord& made : work.make(all, group_of)) {
+    for (std::vector<double>& row : made.rows) values.push_back(std::move(row));
+  }
   SceneBootstrap result;
   result.resamples = resamples;
   const std::size_t n = fitted.free().size();
@@ -106,7 +112,7 @@ SceneBootstrap bootstrap(const FittedScenes& fitted, int resamples, std::uint64_
 
 }  // namespace
 
-SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, RunCounters& counters) {
+SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, SceneWork& work) {
   const SceneProblem& problem = fitted.problem();
   const std::vector<double>& residual = fitted.best().residual;
   const std::size_t parts = problem.parts().size();
@@ -137,13 +143,13 @@ SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, RunCounters& coun
     for (std::size_t i = 0; i < residual.size(); ++i) resample.shift[i] -= residual[i];
     return resample;
   };
-  SceneBootstrap result = bootstrap(fitted, fitted.options().intervals.bootstrap,
-                                    fitted.options().seed, draw, counters);
+  SceneBootstrap result = bootstrap(fitted, "bootstrap", fitted.options().intervals.bootstrap,
+                                    fitted.options().seed, draw, work);
   result.block = fitted.options().intervals.block;
   return result;
 }
 
-SceneBootstrap bootstrap_specimens(const FittedScenes& fitted, RunCounters& counters) {
+SceneBootstrap bootstrap_specimens(const FittedScenes& fitted, SceneWork& work) {
   const SceneProblem& problem = fitted.problem();
   const std::vector<std::vector<std::size_t>> kinds = kinds_of(problem.parts());
   const std::size_t all = fitted.best().residual.size();
@@ -168,8 +174,8 @@ SceneBootstrap bootstrap_specimens(const FittedScenes& fitted, RunCounters& coun
     return resample;
   };
   // Other draws than those of the residuals.
-  return bootstrap(fitted, fitted.options().intervals.specimens, ~fitted.options().seed, draw,
-                   counters);
+  return bootstrap(fitted, "bootstrap of specimens", fitted.options().intervals.specimens,
+                   ~fitted.options().seed, draw, work);
 }
 
 }  // namespace plastica::calibrate

@@ -16,6 +16,7 @@
 #include "calibrate/scene/scene_search.hpp"
 #include "calibrate/scene/scene_segments.hpp"
 #include "calibrate/scene/scene_verdict.hpp"
+#include "calibrate/scene/scene_work.hpp"
 #include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {
@@ -26,7 +27,11 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 class SceneFit {
  public:
   SceneFit(std::span<const ScenePart> parts, const SceneFitOptions& options)
-      : parts_(parts), options_(options), problem_(parts, options), search_(problem_, options) {
+      : parts_(parts),
+        options_(options),
+        problem_(parts, options),
+        search_(problem_, options),
+        work_(problem_, options.hooks) {
     check_break_levels(problem_, options);
     if (problem_.samples() <= problem_.parameters().size()) {
       throw InputError({}, "target", parts.front().target.name,
@@ -48,10 +53,11 @@ class SceneFit {
       }
       result_.reason = "the scene gives no curve from the start values: " + search_.first_reason();
     }
-    counters_.add(problem_.counters());
-    result_.runs = counters_.runs;
-    result_.failed_runs = counters_.failed;
-    result_.segment_iterations = counters_.segment_iterations;
+    RunCounters counters = problem_.counters();
+    counters.add(work_.counters());
+    result_.runs = counters.runs;
+    result_.failed_runs = counters.failed;
+    result_.segment_iterations = counters.segment_iterations;
     return std::move(result_);
   }
 
@@ -95,12 +101,12 @@ class SceneFit {
     }
     for (const ScenePartFit& part : result_.parts) add_warning(part, result_.warnings);
     const FittedScenes fitted(problem_, options_, search_.best(), errors);
-    result_.intervals = find_intervals(fitted, counters_, result_.warnings);
+    result_.intervals = find_intervals(fitted, work_, result_.warnings);
   }
 
   void add_segments() {
     result_.segments =
-        divide_anew({problem_, options_, search_.best().x, result_.parameters, shares_}, counters_);
+        divide_anew({problem_, options_, search_.best().x, result_.parameters, shares_}, work_);
     if (!result_.segments) return;
     const auto unknown = [](const SegmentsError& e) { return e.trend == SegmentsTrend::Unknown; };
     const SceneSegments& made = *result_.segments;
@@ -261,10 +267,10 @@ class SceneFit {
   const SceneFitOptions& options_;
   SceneProblem problem_;
   SceneSearch search_;
+  SceneWork work_;                           ///< after the search
   std::vector<double> halves_;               ///< of the sampling intervals of parameters [SI]
   std::vector<double> prior_shares_;         ///< in what is known of the parameters (n_free)
   std::vector<std::vector<double>> shares_;  ///< of the parts in a break limit, by parameter
-  RunCounters counters_;                     ///< of what has problems of its own
   SceneFitResult result_;
 };
 

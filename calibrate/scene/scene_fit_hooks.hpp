@@ -13,8 +13,10 @@ namespace plastica::calibrate {
 
 /// How far a fit has come.
 struct SceneFitProgress {
-  std::string_view stage;  ///< "screen", "search" or "polish", or what follows the search
-  int done = 0;            ///< searches of the stage that have ended
+  /// "screen", "search" or "polish", or what follows the search: "weights 0", "segments",
+  /// "profile", "bootstrap", "bootstrap of specimens".
+  std::string_view stage;
+  int done = 0;  ///< pieces of the stage that have ended, such as searches
   int total = 0;
   int runs = 0;  ///< of scenes, since the fit began
 };
@@ -23,7 +25,7 @@ struct SceneFitProgress {
 struct SceneFitHooks {
   /// Once true, no further run is begun, and the fit ends by `FitInterrupted`. May be null.
   const std::atomic<bool>* stop = nullptr;
-  /// Called between batches of runs, in the thread that fits. May be empty.
+  /// Called between batches of runs, by one thread at a time. May be empty.
   std::function<void(const SceneFitProgress&)> progress{};
   /// What an earlier, interrupted fit of the same input kept by this name; null if nothing. May be
   /// empty, as `keep` may.

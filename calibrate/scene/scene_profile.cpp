@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "calibrate/scene/fitted_scenes.hpp"
-#include "plastica/base/parallel_for.hpp"
 #include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {
@@ -139,6 +138,28 @@ class ParameterProfile {
   ProfileStart best_;
 };
 
+/// A row for each point, value, cost and coordinates, and one for the end.
+PieceRecord record_of(const ProfileSide& side) {
+  PieceRecord record;
+  for (const ProfilePoint& point : side.points) {
+    record.rows.push_back({point.value, point.cost});
+    record.rows.back().insert(record.rows.back().end(), point.x.begin(), point.x.end());
+  }
+  record.rows.push_back({side.end, static_cast<double>(side.why)});
+  return record;
+}
+
+ProfileSide side_from(const PieceRecord& record) {
+  ProfileSide side;
+  side.end = record.rows.back()[0];
+  side.why = static_cast<ProfileEnd>(static_cast<int>(record.rows.back()[1]));
+  for (std::size_t i = 0; i + 1 < record.rows.size(); ++i) {
+    const std::vector<double>& row = record.rows[i];
+    side.points.push_back({row[0], row[1], {row.begin() + 2, row.end()}});
+  }
+  return side;
+}
+
 /// Of a break that nothing searched moves: its sampling alone.
 SceneProfile unmoved(const FittedScenes& fitted, const FittedScenes::FreeParameter& free) {
   SceneProfile profile;
@@ -156,24 +177,23 @@ SceneProfile unmoved(const FittedScenes& fitted, const FittedScenes::FreeParamet
 
 }  // namespace
 
-std::vector<SceneProfile> profile_scenes(const FittedScenes& fitted, RunCounters& counters) {
+std::vector<SceneProfile> profile_scenes(const FittedScenes& fitted, SceneWork& work) {
   std::vector<ParameterProfile> parameters;
   for (const auto& free : fitted.free()) parameters.emplace_back(fitted, free);
-  std::vector<ProfileSide> sides(2 * parameters.size());
-  std::vector<RunCounters> made(sides.size());
-  parallel_for(sides.size(), {fitted.options().threads}, [&](std::size_t i, int) {
+  const SceneWork::Stage stage{"profile", 2 * parameters.size(), fitted.options().threads};
+  const std::vector<PieceRecord> made = work.make(stage, [&](std::size_t i) {
     const ParameterProfile& parameter = parameters[i / 2];
-    if (!parameter.depends()) return;
+    if (!parameter.depends()) return PieceRecord();
     const auto problem = fitted.copy();
-    sides[i] = parameter.side(*problem, i % 2 == 1);
-    made[i] = problem->counters();
+    PieceRecord side = record_of(parameter.side(*problem, i % 2 == 1));
+    side.runs = problem->counters();
+    return side;
   });
-  for (const RunCounters& one : made) counters.add(one);
   std::vector<SceneProfile> profiles;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    profiles.push_back(parameters[i].depends()
-                           ? parameters[i].profile(sides[2 * i], sides[2 * i + 1])
-                           : unmoved(fitted, fitted.free()[i]));
+    profiles.push_back(parameters[i].depends() ? parameters[i].profile(side_from(made[2 * i]),
+                                                                       side_from(made[2 * i + 1]))
+                                               : unmoved(fitted, fitted.free()[i]));
   }
   return profiles;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include "calibrate/scene/redivide.hpp"
@@ -19,11 +20,9 @@ std::string_view word_of(Division division) {
   return division == Division::Half ? "half" : "twice";
 }
 
-/// A repetition with another number of segments.
-struct Repetition {
-  std::vector<double> values;  ///< of the parameters [SI], NaN at a bound (n_free)
-  std::string why_not;         ///< one sentence if there is none
-};
+/// A repetition with another number of segments: a row of the parameters' values [SI], NaN at a
+/// bound (n_free), or none and one sentence why.
+using Repetition = PieceRecord;
 
 /// Refuses a target that the angle of one joint was measured for: it follows the joint's length.
 void check_probes(const ScenePart& part) {
@@ -83,40 +82,43 @@ double break_value(const std::vector<std::vector<SceneCurve>>& curves,
   return value > parameter.lower && value < parameter.upper ? value : kNan;
 }
 
-Repetition repeated(const DividedFit& fit, Division division, RunCounters& counters) {
+Repetition repeated(const DividedFit& fit, Division division) {
   const std::vector<ScenePart> parts = divided_parts(fit.problem.parts(), division);
   SceneProblem problem(parts, fit.options);
   const LeastSquares found = solved(problem, fit);
   Repetition made;
   if (found.outcome == LeastSquaresOutcome::NoStart) {
-    made.why_not = "the scene gives no curve: " + problem.reason();
+    made.text = "the scene gives no curve: " + problem.reason();
   } else if (found.outcome == LeastSquaresOutcome::EvaluationsReached) {
-    made.why_not = "the search ended at its evaluations";
+    made.text = "the search ended at its evaluations";
   } else {
     const auto curves = problem.curves(found.x, 1);
     std::size_t next = 0;
+    std::vector<double>& values = made.rows.emplace_back();
     for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
       const bool searched = fit.shares[i].empty();
-      made.values.push_back(searched ? searched_value(problem, next, found.x[next])
-                                     : break_value(curves, fit.shares[i], fit.parameters[i]));
+      values.push_back(searched ? searched_value(problem, next, found.x[next])
+                                : break_value(curves, fit.shares[i], fit.parameters[i]));
       next += searched ? 1 : 0;
     }
   }
-  counters.add(problem.counters());
+  made.runs = problem.counters();
   return made;
 }
 
-Repetition attempted(const DividedFit& fit, Division division, RunCounters& counters) {
+Repetition attempted(const DividedFit& fit, Division division) {
   try {
-    return repeated(fit, division, counters);
+    return repeated(fit, division);
   } catch (const InputError& error) {
-    return {{}, error.what()};
+    Repetition none;
+    none.text = error.what();
+    return none;
   }
 }
 
 }  // namespace
 
-std::optional<SceneSegments> divide_anew(const DividedFit& fit, RunCounters& counters) {
+std::optional<SceneSegments> divide_anew(const DividedFit& fit, SceneWork& work) {
   const std::span<const ScenePart> parts = fit.problem.parts();
   SceneSegments segments;
   double order = 0.0;
@@ -127,24 +129,26 @@ std::optional<SceneSegments> divide_anew(const DividedFit& fit, RunCounters& cou
     order = order == 0.0 ? own : std::min(order, own);
   }
   if (segments.segments == 0) return std::nullopt;
-  const Repetition half = attempted(fit, Division::Half, counters);
-  const Repetition twice = attempted(fit, Division::Twice, counters);
-  for (const auto& [made, division] :
-       {std::pair{&half, Division::Half}, std::pair{&twice, Division::Twice}}) {
-    if (made->why_not.empty()) continue;
+  // One after the other: each has all threads for its own runs.
+  constexpr Division kDivisions[] = {Division::Half, Division::Twice};
+  const std::vector<Repetition> made =
+      work.make({"segments", std::size(kDivisions)},
+                [&](std::size_t i) { return attempted(fit, kDivisions[i]); });
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    if (!made[i].rows.empty()) continue;
     segments.note +=
         fmt::format("{}no fit with {} the segments: {}", segments.note.empty() ? "" : "; ",
-                    word_of(division), made->why_not);
+                    word_of(kDivisions[i]), made[i].text);
   }
   for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
     const SceneParameter& parameter = fit.parameters[i];
-    const auto value = [&](const Repetition& made) {
-      return made.values.empty() ? kNan : made.values[i];
+    const auto value = [&](const Repetition& one) {
+      return one.rows.empty() ? kNan : one.rows.front()[i];
     };
     // What no curve determines may be anything.
     const bool known = !parameter.at_bound && std::isfinite(parameter.standard_error);
     segments.parameters.push_back(
-        known ? segments_error(value(half), parameter.value, value(twice), order)
+        known ? segments_error(value(made[0]), parameter.value, value(made[1]), order)
               : SegmentsError{});
   }
   return segments;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calibrate/scene/scene_problem.hpp"
+#include "calibrate/scene/scene_work.hpp"
 #include "calibrate/scene/segments_error.hpp"
 
 namespace plastica::calibrate {
@@ -22,8 +23,7 @@ struct DividedFit {
 
 /// Repeats a fit with half and with twice the segments of all its chains, from its solution, with
 /// its weights and scales. A repetition that cannot be made is left out and said so.
-/// @param counters  the runs are added
 /// @return empty if all parts are coupons, which have no segments
-std::optional<SceneSegments> divide_anew(const DividedFit& fit, RunCounters& counters);
+std::optional<SceneSegments> divide_anew(const DividedFit& fit, SceneWork& work);
 
 }  // namespace plastica::calibrate

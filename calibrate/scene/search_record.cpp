@@ -73,4 +73,24 @@ ScreenRecord screen_record_from(std::span<const std::byte> bytes) {
   return record;
 }
 
+std::vector<std::byte> bytes_of(const PieceRecord& record) {
+  io::ByteWriter to;
+  to.put(kSearchRecordVersion).put(std::uint64_t{record.rows.size()});
+  for (const std::vector<double>& row : record.rows) to.put(row);
+  to.put(record.text);
+  put(to, record.runs);
+  return to.take();
+}
+
+PieceRecord piece_record_from(std::span<const std::byte> bytes) {
+  io::ByteReader from = open(bytes);
+  PieceRecord record;
+  const auto rows = from.get<std::uint64_t>();
+  for (std::uint64_t i = 0; i < rows; ++i) record.rows.push_back(from.get<std::vector<double>>());
+  record.text = from.get<std::string>();
+  record.runs = counters_from(from);
+  from.expect_end();
+  return record;
+}
+
 }  // namespace plastica::calibrate

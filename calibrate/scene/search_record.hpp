@@ -24,13 +24,22 @@ struct ScreenRecord {
   RunCounters runs;
 };
 
+/// A finished piece of what follows the search, as numbers whose meaning its maker knows.
+struct PieceRecord {
+  std::vector<std::vector<double>> rows;
+  std::string text;
+  RunCounters runs;
+};
+
 /// Bumped whenever the bytes of these change.
-inline constexpr std::uint32_t kSearchRecordVersion = 1;
+inline constexpr std::uint32_t kSearchRecordVersion = 2;
 
 std::vector<std::byte> bytes_of(const SearchRecord& record);
 std::vector<std::byte> bytes_of(const ScreenRecord& record);
+std::vector<std::byte> bytes_of(const PieceRecord& record);
 /// @throws io::StorageError if the bytes are no such record
 SearchRecord search_record_from(std::span<const std::byte> bytes);
 ScreenRecord screen_record_from(std::span<const std::byte> bytes);
+PieceRecord piece_record_from(std::span<const std::byte> bytes);
 
 }  // namespace plastica::calibrate

@@ -10,7 +10,7 @@
 #include "plastica/io/storage_error.hpp"
 #include "tests/calibrate/scene/bent_bar.hpp"
 
-/// The search from several starts, and what survives its interruption.
+/// The search from several starts, and what survives an interruption of it or of what follows.
 
 namespace plastica::calibrate {
 namespace {
@@ -154,6 +154,47 @@ TEST(SceneSearch, GoesOnFromWhatWasFinishedToTheSameBits) {
   const SceneFitResult resumed = fit_scene(setup, target, options);
   EXPECT_FALSE(last.contains("screen"));
   expect_same(resumed, whole);
+}
+
+TEST(SceneSearch, GoesOnFromWhatFollowedItToTheSameBits) {
+  const plastica::Setup setup = bend_test(4);
+  SceneFitOptions options{.parameters = stiffness_and_yield(), .starts = 1};
+  options.intervals = {.profile = true, .bootstrap = 24};
+  SceneTarget target = measured(setup);
+  for (std::size_t i = 0; i < target.ordinate.size(); ++i) {
+    target.ordinate[i] += i % 3 == 0 ? 4.0 : -2.0;
+  }
+  const SceneFitResult whole = fit_scene(setup, target, options);
+  std::atomic<bool> stop{false};
+  Kept kept;
+  for (const std::string stage : {"segments", "profile", "bootstrap"}) {
+    Kept more = kept;
+    stop = false;
+    options.hooks = hooks_of(kept, more);
+    options.hooks.stop = &stop;
+    int runs = 0;
+    options.hooks.progress = [&](const SceneFitProgress& progress) {
+      EXPECT_GE(progress.runs, runs);
+      runs = progress.runs;
+      if (progress.stage == stage && progress.done > 0) stop = true;
+    };
+    EXPECT_THROW(fit_scene(setup, target, options), FitInterrupted) << stage;
+    EXPECT_TRUE(more.contains(stage + " 0"));
+    kept = std::move(more);
+  }
+  EXPECT_EQ(kept.contains("bootstrap 2"), false);
+  Kept last;
+  options.hooks = hooks_of(kept, last);
+  const SceneFitResult resumed = fit_scene(setup, target, options);
+  EXPECT_FALSE(last.contains("profile 3"));
+  EXPECT_TRUE(last.contains("bootstrap 2"));
+  expect_same(resumed, whole);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(resumed.segments->parameters[i].error, whole.segments->parameters[i].error);
+    EXPECT_EQ(resumed.intervals.profiles[i].rise, whole.intervals.profiles[i].rise);
+    EXPECT_EQ(resumed.intervals.profiles[i].low, whole.intervals.profiles[i].low);
+  }
+  EXPECT_EQ(resumed.intervals.residuals.values, whole.intervals.residuals.values);
 }
 
 TEST(SceneSearch, RefusesToGoOnFromWhatIsNoRecord) {
