@@ -95,6 +95,7 @@ class SceneFit {
     for (std::size_t part = 0; part < parts_.size(); ++part) {
       warn_of_noise(part);
       warn_of_sign(part);
+      warn_of_path(part, curves[part][0]);
     }
     for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
       add_warning(result_.parameters[i], segments_of(i), result_.warnings);
@@ -148,6 +149,15 @@ class SceneFit {
         "{}: the scene's curve runs against the measured one; if the machine counts the other way, "
         "ordinate.factor = {:g} turns it",
         target.name, -target.ordinate_factor));
+  }
+
+  /// A scene that stops short of what was measured, even with the fitted values.
+  void warn_of_path(std::size_t part, const SceneCurve& fitted) {
+    if (!fitted.went_on) return;
+    result_.warnings.push_back(
+        fmt::format("{}: with the fitted values the scene's path ends before the measured one; it "
+                    "was compared where the ramps go on beyond the scene's end",
+                    parts_[part].target.name));
   }
 
   void add_part(std::size_t index) {

@@ -24,27 +24,12 @@ std::string_view word_of(Division division) {
 /// bound (n_free), or none and one sentence why.
 using Repetition = PieceRecord;
 
-/// Refuses a target that the angle of one joint was measured for: it follows the joint's length.
-void check_probes(const ScenePart& part) {
-  const SceneTarget& target = part.target;
-  for (const Probe& probe : part.setup.scene.probes) {
-    const bool over = target.kind == Abscissa::Probe && probe.name == target.abscissa_probe;
-    if (!over && probe.name != target.ordinate_probe) continue;
-    if (probe.quantity != ProbeQuantity::Angle && probe.quantity != ProbeQuantity::PlasticAngle) {
-      continue;
-    }
-    throw InputError({}, "probe", probe.name,
-                     "is the angle of one joint, which follows its length");
-  }
-}
-
 std::vector<ScenePart> divided_parts(std::span<const ScenePart> parts, Division division) {
   std::vector<ScenePart> made(parts.begin(), parts.end());
   for (ScenePart& part : made) {
     if (part.setup.scene.is_coupon()) continue;
     try {
-      check_probes(part);
-      part.setup = redivided(part.setup, division);
+      part.setup = redivided(part, division);
     } catch (const InputError& error) {
       if (parts.size() == 1) throw;
       throw InputError({}, part.target.name + ": " + error.field(), error.value(), error.rule());

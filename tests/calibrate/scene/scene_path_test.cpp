@@ -81,6 +81,9 @@ TEST(ScenePath, DoesNotStopASearchThatBeginsTooSoft) {
   ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
   EXPECT_NEAR(fit.parameters[0].value, 250e9, 250e9 * 1e-6);
   EXPECT_EQ(fit.failed_runs, 0);
+  EXPECT_EQ(fit.warnings.at(0),
+            "pushed: with the fitted values the scene's path ends before the measured one; it was "
+            "compared where the ramps go on beyond the scene's end");
 }
 
 TEST(ScenePath, CountsAlsoWhereItFailsBeyondWhatWasMeasured) {
