@@ -134,9 +134,21 @@ void check_scene_fit(std::span<const ScenePart> parts, const SceneFitOptions& op
         break;
       case ParameterRole::Tied: check_tie(p, options.parameters); break;
     }
-    if (p.role == ParameterRole::Free && is_break(p) && !any_broke) {
+    const bool of_the_break = is_break(p) || is_hinge_length(p);
+    if (p.role == ParameterRole::Free && of_the_break && !any_broke) {
       refuse(p, "", "cannot be fitted: the target does not say where it broke");
     }
+  }
+  const auto is_free = [&](auto&& which) {
+    return std::ranges::any_of(options.parameters, [&](const Parameter& p) {
+      return p.role == ParameterRole::Free && which(p);
+    });
+  };
+  if (is_free(is_hinge_length) &&
+      is_free([](const Parameter& p) { return p.field->material == MaterialField::BreakStrain; })) {
+    throw InputError({}, "rules.hinge_length", "",
+                     "cannot be fitted beside material.break_strain: a break tells only what both "
+                     "make together");
   }
   if (!any_free) throw InputError({}, "fit.parameters", "", "at least one must be free");
   require(options.evaluations >= 1, "evaluations", options.evaluations, "must be at least 1");

@@ -11,12 +11,12 @@ namespace {
 /// Fewer say too little of a noise to weigh a part by it.
 constexpr double kFewest = 5.0;
 
+}  // namespace
+
 double size_of(const ScenePart& part) {
   const double largest = largest_size(part.target.ordinate);
   return largest > 0.0 ? largest : 1.0;
 }
-
-}  // namespace
 
 double largest_size(std::span<const double> values) {
   double largest = 0.0;

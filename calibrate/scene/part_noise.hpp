@@ -7,6 +7,7 @@
 namespace plastica::calibrate {
 
 class SceneProblem;
+struct ScenePart;
 
 /// What a fit takes the noise of one target to be.
 struct PartNoise {
@@ -36,5 +37,8 @@ double degrees_of_freedom(std::span<const PartNoise> noise);
 
 /// The largest absolute value; 0 of none.
 double largest_size(std::span<const double> values);
+
+/// A part's largest ordinate [SI], 1 if all are 0.
+double size_of(const ScenePart& part);
 
 }  // namespace plastica::calibrate

@@ -34,7 +34,9 @@ struct SceneFitOptions {
   /// `material.break_shear_strain` of a twisted one) is not searched but set, within its bounds, to
   /// the permanent strain that the fitted model has where the target broke (see misfit.hpp), half
   /// way between that at its last whole sample and at its first broken one. No
-  /// other may be tied to it, nor may it have a prior.
+  /// other may be tied to it, nor may it have a prior. The hinge length (`rules.hinge_length`),
+  /// which curves do not depend on, is fitted to the break in its place, where the break strain is
+  /// known and hinges do not harden (a hardening one spreads as far as its joint).
   std::vector<Parameter> parameters;
   int evaluations = 200;    ///< largest number of points of a search, >= 1
   double tolerance = 1e-9;  ///< a step that moves no scaled parameter by more is the last [1], > 0

@@ -11,6 +11,8 @@ bool is_break(const Parameter& p) {
          p.field->material == MaterialField::BreakShearStrain;
 }
 
+bool is_hinge_length(const Parameter& p) { return p.field->path == "rules.hinge_length"; }
+
 SceneParameters::SceneParameters(std::span<const Parameter> parameters, const Setup& setup) {
   for (const Parameter& p : parameters) {
     if (p.role != ParameterRole::Free || is_break(p)) continue;

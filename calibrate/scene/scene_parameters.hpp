@@ -12,6 +12,9 @@ namespace plastica::calibrate {
 /// Whether a parameter is a limit, which is not searched but set.
 bool is_break(const Parameter& p);
 
+/// Whether a parameter is the hinge length, which the curve does not depend on, but the break does.
+bool is_hinge_length(const Parameter& p);
+
 /// The parameters of a fit through scenes, and the coordinates in which they are searched:
 /// ln(value/start), or the distance from the start over the width of the bounds.
 class SceneParameters {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "calibrate/scene/set_everywhere.hpp"
 #include "plastica/base/parallel_for.hpp"
@@ -48,11 +49,48 @@ SceneProblem::SceneProblem(std::span<const ScenePart> parts, const SceneFitOptio
     priors_.push_back(i);
     ++squares_.residuals;
   }
+  if (std::ranges::any_of(options.parameters, [](const Parameter& p) {
+        return p.role == ParameterRole::Free && is_hinge_length(p);
+      })) {
+    add_known_breaks();
+  }
   squares_.evaluate = [this](std::span<const double> points, std::span<double> residuals,
                              std::span<bool> found) { set_residuals(points, residuals, found); };
 }
 
-std::size_t SceneProblem::samples() const { return squares_.residuals - priors_.size(); }
+std::size_t SceneProblem::samples() const {
+  return squares_.residuals - priors_.size() - known_breaks_.size();
+}
+
+void SceneProblem::add_known_breaks() {
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    const bool bends = models_[part].level() == Level::Planar;
+    const Setup setup = with_fixed(parts_[part].setup, options_);
+    const std::optional<double>& strain = setup.scene.material.break_strain;
+    if (parts_[part].target.broke && bends && strain) known_breaks_.push_back({part, *strain});
+  }
+  squares_.residuals += known_breaks_.size();
+  if (!known_breaks_.empty()) return;
+  throw InputError({}, "rules.hinge_length", "",
+                   "is fitted to where a beam in bending broke, by a break strain that its scene "
+                   "has or that is fixed");
+}
+
+bool SceneProblem::add_breaks(const std::vector<std::vector<SceneCurve>>& curves, std::size_t point,
+                              std::span<double> residuals) const {
+  constexpr double kLeast = 1e-3;
+  std::size_t next = samples() + priors_.size();
+  for (const KnownBreak& known : known_breaks_) {
+    const StrainAtBreak& strain = curves[known.part][point].strain;
+    if (std::isnan(strain.at) || std::isnan(strain.before)) return false;
+    const double half =
+        std::isnan(strain.after) ? strain.at - strain.before : 0.5 * (strain.after - strain.before);
+    const double deviation = std::max(half / std::sqrt(3.0), kLeast * strain.at);
+    if (!(deviation > 0.0)) return false;
+    residuals[next++] = (strain.at - known.strain) / deviation;
+  }
+  return true;
+}
 
 std::vector<double> SceneProblem::point(std::span<const double> points, std::size_t index) const {
   const std::span<const double> x = points.subspan(index * parameters_.size(), parameters_.size());
@@ -142,6 +180,10 @@ std::vector<PointRun> SceneProblem::compare(const std::vector<std::vector<SceneC
         here.turned = curve.turns;
       }
       if (here.found) add_residuals(part, curve, to);
+    }
+    if (here.found && !add_breaks(curves, i, to)) {
+      here.found = false;
+      here.reason = "the scene does not yield up to where the target broke";
     }
     add_priors(points.subspan(i * n, n), to);
   }

@@ -39,6 +39,10 @@ struct PointRun {
 
 /// The sum of squares of a fit through scenes: for each part sqrt(weight) (model - measured)/scale
 /// at its samples, one part after the other, then (value - mean)/standard deviation of each prior.
+/// Where the hinge length is free, the break strain is known, and each part that broke in bending
+/// has a residual more: what its permanent strain is off at the break, over the standard deviation
+/// of a break that is anywhere within its sampling interval, or 0.1 % of the strain if that is
+/// more.
 class SceneProblem {
  public:
   /// @param parts, options  checked; must outlive this
@@ -90,6 +94,10 @@ class SceneProblem {
   std::vector<std::vector<SceneCurve>> run(const std::vector<std::vector<double>>& points);
   std::vector<double> point(std::span<const double> points, std::size_t index) const;
   void add_priors(std::span<const double> x, std::span<double> residuals) const;
+  void add_known_breaks();
+  /// @return whether the path gets to the break of every part
+  bool add_breaks(const std::vector<std::vector<SceneCurve>>& curves, std::size_t point,
+                  std::span<double> residuals) const;
 
   std::span<const ScenePart> parts_;
   const SceneFitOptions& options_;
@@ -98,6 +106,11 @@ class SceneProblem {
   std::vector<std::size_t> first_;
   std::vector<PartNoise> noise_;
   std::vector<std::size_t> priors_;  ///< parameters that have one
+  struct KnownBreak {
+    std::size_t part = 0;
+    double strain = 0.0;
+  };
+  std::vector<KnownBreak> known_breaks_;
   LeastSquaresProblem squares_;
   static constexpr std::size_t kMostKnown = 64;
   std::map<std::vector<double>, std::vector<SceneCurve>> known_;  ///< curves of the parts by point

@@ -54,8 +54,7 @@ SceneSearch::SceneSearch(SceneProblem& problem, const SceneFitOptions& options)
                              [](const ScenePart& part) { return part.target.noise; });
   std::vector<PartNoise> noise;
   for (const ScenePart& part : parts) {
-    const double range = largest_size(part.target.ordinate);
-    noise.push_back({.deviation = part.target.noise.value_or(range > 0.0 ? range : 1.0)});
+    noise.push_back({.deviation = part.target.noise.value_or(size_of(part))});
   }
   problem.set_noise(std::move(noise));
 }
@@ -279,9 +278,12 @@ double SceneSearch::rescale(std::vector<PartNoise> noise) {
   double change = 0.0;
   for (std::size_t part = 0; part < noise.size(); ++part) {
     const double before = problem_.scale(part);
-    // Without any residual its range goes on to weight it.
+    // No scene is solved better than this, which keeps an exact curve from all the weight.
+    constexpr double kLeast = 1e-9;
     double& deviation = noise[part].deviation;
-    if (!(deviation > 1e-12 * before)) deviation = before;
+    if (!problem_.parts()[part].target.noise) {
+      deviation = std::max(deviation, kLeast * size_of(problem_.parts()[part]));
+    }
     const double factor = before / deviation;
     if (factor == 1.0) continue;
     change = std::max(change, std::abs(factor - 1.0));

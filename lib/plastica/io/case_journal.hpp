@@ -37,7 +37,7 @@ class CaseJournal {
   /// @throws StorageError if it cannot be read or written, or another run has it
   CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::string_view noun);
   ~CaseJournal();
-  CaseJournal(CaseJournal&&) noexcept = default;
+  CaseJournal(CaseJournal&&) = delete;
   CaseJournal& operator=(CaseJournal&&) = delete;
 
   /// What an earlier run has stored of a case; null if nothing.

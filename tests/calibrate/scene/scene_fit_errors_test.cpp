@@ -56,6 +56,25 @@ TEST(SceneFitErrors, NameTheParameterThatIsWrong) {
             "material.break_strain: cannot be fitted: the target does not say where it broke");
   EXPECT_EQ(refusal([](Input& in) { in.setup.solver.level = Level::Spatial; }),
             "material.break_strain: is fitted where the beam bends in a plane (solver.level)");
+  const auto with_hinge = [](Input& in) {
+    in.options.parameters.push_back(free_parameter("rules.hinge_length", 1e-3, 0.1));
+  };
+  EXPECT_EQ(refusal(with_hinge),
+            "rules.hinge_length: cannot be fitted beside material.break_strain: a break tells only "
+            "what both make together");
+  const auto hinge_alone = [](Input& in) {
+    in.options.parameters = {free_parameter("rules.hinge_length", 1e-3, 0.1)};
+    in.setup.scene.material.break_strain.reset();
+  };
+  EXPECT_EQ(
+      refusal(hinge_alone),
+      "rules.hinge_length: is fitted to where a beam in bending broke, by a break strain that "
+      "its scene has or that is fixed");
+  EXPECT_EQ(refusal([&](Input& in) {
+              hinge_alone(in);
+              in.target.broke.reset();
+            }),
+            "rules.hinge_length: cannot be fitted: the target does not say where it broke");
 }
 
 TEST(SceneFitErrors, NameWhatIsWrongWithTargetAndOptions) {
