@@ -55,8 +55,10 @@ calibrate::FitFile read_inputs(const CalibrateArguments& arguments) {
   return calibrate::read_fit_file(*toml);
 }
 
-void write_json(const std::string& path, std::span<const calibrate::FitRecord> records) {
-  io::write_text_file(path, calibrate::json_summary(records) + "\n");
+void write_json(const std::string& path, std::span<const calibrate::FitRecord> records,
+                const calibrate::FitOptions& fit) {
+  const calibrate::SpecimenDraws draws{fit.intervals.specimens, fit.seed, fit.confidence};
+  io::write_text_file(path, calibrate::json_summary(records, 2, draws) + "\n");
 }
 
 /// @param records  put into another order where laws are compared
@@ -64,6 +66,8 @@ void print_report(std::vector<calibrate::FitRecord>& records, const calibrate::F
   calibrate::ReportOptions options;
   options.color = isatty(STDOUT_FILENO) != 0;
   options.confidence = fit.confidence;
+  options.specimen_resamples = fit.intervals.specimens;
+  options.seed = fit.seed;
   fmt::print("{}", calibrate::laws_report(records, options));
   if (calibrate::compares_laws(records)) fmt::print("\n");
   const auto shown = std::span(records).first(calibrate::advised_first(records));
@@ -79,12 +83,9 @@ bool has_scenes(const CalibrateArguments& arguments) {
 
 int calibrate_files(const CalibrateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
-  if (!arguments.interval_option.empty()) {
-    throw InputError({}, arguments.interval_option, "",
-                     "is for fits through scenes: targets that name one");
-  }
   const std::string output = output_of(arguments);
   calibrate::FitFile file = read_inputs(arguments);
+  set_intervals(arguments, file.options.intervals);
   if (!arguments.laws.empty()) file.options.laws = calibrate::laws_of(arguments.laws, "--laws");
   if (!arguments.dry_run) check_outputs(file, output, arguments.json, arguments.force);
   std::vector<calibrate::Target> targets = calibrate::import_all(file);
@@ -125,7 +126,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   calibrate::write_fit_store(output, contents);
   batch.finish();
-  if (!arguments.json.empty()) write_json(arguments.json, contents.records);
+  if (!arguments.json.empty()) write_json(arguments.json, contents.records, file.options);
   if (!arguments.quiet) {
     print_report(contents.records, file.options);
     fmt::print(stderr, "wrote {}\n", output);
@@ -165,7 +166,7 @@ void add_bare_options(CLI::App& sub, calibrate::BareFiles& bare) {
       ->group(group);
 }
 
-constexpr const char* kIntervalGroup = "Intervals of fits through scenes";
+constexpr const char* kIntervalGroup = "Intervals beside those of the covariance";
 
 void add_interval_options(CLI::App& sub, CalibrateArguments& arguments) {
   const std::string group = kIntervalGroup;
@@ -178,8 +179,10 @@ void add_interval_options(CLI::App& sub, CalibrateArguments& arguments) {
                  "neighbouring residuals that are drawn together")
       ->check(CLI::Range(1, calibrate::kMostResamples))
       ->group(group);
-  sub.add_option("--bootstrap-specimens", arguments.bootstrap_specimens,
-                 "resamples of the targets that share the parameters")
+  sub.add_option(
+         "--bootstrap-specimens", arguments.bootstrap_specimens,
+         "resamples of the specimens: of targets that share the parameters of a fit through "
+         "scenes; of the fits of a group, for their mean")
       ->check(CLI::Range(0, calibrate::kMostResamples))
       ->group(group);
 }
@@ -216,13 +219,12 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
   sub->footer(
       "Examples:\n"
       "  plastica calibrate fit.toml -o fit.h5 --json fit.json\n"
-      "  plastica calibrate bend.toml --profile --bootstrap 400\n"
+      "  plastica calibrate fit.toml --profile --bootstrap 400\n"
       "  plastica calibrate a.csv b.csv --strain Strain --stress Stress:MPa "
       "--fix youngs_modulus=\"200 GPa\"");
   arguments->command_line = command_line;
   sub->callback([&action, arguments, sub] {
     arguments->bare_option = first_given(*sub, kBareGroup);
-    arguments->interval_option = first_given(*sub, kIntervalGroup);
     action = [arguments] {
       return has_scenes(*arguments) ? calibrate_scenes(*arguments) : calibrate_files(*arguments);
     };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "calibrate/config/bare_files.hpp"
+#include "calibrate/fit/intervals.hpp"
 
 namespace plastica::cli {
 
@@ -24,9 +25,8 @@ struct CalibrateArguments {
   bool quiet = false;
   calibrate::BareFiles bare;
   std::string bare_option;  ///< first of the options for curves without a fit file that was given
-  bool profile = false;     ///< and these replace what a fit file through scenes says
+  bool profile = false;     ///< and these replace what a fit file says
   std::optional<int> bootstrap, bootstrap_block, bootstrap_specimens;
-  std::string interval_option;  ///< first of these that was given
   std::string command_line;
 };
 
@@ -35,6 +35,15 @@ inline std::string output_of(const CalibrateArguments& arguments) {
   if (!arguments.output.empty()) return arguments.output;
   const std::filesystem::path first(arguments.inputs.front());
   return (arguments.inputs.size() == 1 ? first.stem().string() : "fit") + ".h5";
+}
+
+/// What the command line asks for, whatever the file says.
+inline void set_intervals(const CalibrateArguments& arguments,
+                          calibrate::IntervalOptions& intervals) {
+  intervals.profile = intervals.profile || arguments.profile;
+  intervals.bootstrap = arguments.bootstrap.value_or(intervals.bootstrap);
+  intervals.block = arguments.bootstrap_block.value_or(intervals.block);
+  intervals.specimens = arguments.bootstrap_specimens.value_or(intervals.specimens);
 }
 
 /// Says on stderr what a batch has found in its journal.

@@ -54,15 +54,6 @@ void print_dry_run(const SceneFitFile& file, const std::string& output) {
   if (file.options.segments_error) print_repetitions(file.cases);
 }
 
-/// What the command line asks for, whatever the file says.
-void set_intervals(const CalibrateArguments& arguments,
-                   calibrate::SceneIntervalOptions& intervals) {
-  intervals.profile = intervals.profile || arguments.profile;
-  intervals.bootstrap = arguments.bootstrap.value_or(intervals.bootstrap);
-  intervals.block = arguments.bootstrap_block.value_or(intervals.block);
-  intervals.specimens = arguments.bootstrap_specimens.value_or(intervals.specimens);
-}
-
 SceneFitRecord record_of(SceneFitCase&& one, calibrate::SceneFitResult&& result) {
   SceneFitRecord record;
   record.name = std::move(one.name);

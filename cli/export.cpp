@@ -106,7 +106,11 @@ std::string text_of_scene(const ExportArguments& arguments) {
 std::string text_of_fits(const ExportArguments& arguments) {
   const std::string what = what_of(arguments, {"specimens", "curves"});
   const calibrate::FitStoreContents contents = calibrate::read_fit_store(arguments.file);
-  if (arguments.to == "json") return calibrate::json_summary(contents.records) + '\n';
+  if (arguments.to == "json") {
+    const calibrate::FitOptions& fit = contents.options;
+    const calibrate::SpecimenDraws draws{fit.intervals.specimens, fit.seed, fit.confidence};
+    return calibrate::json_summary(contents.records, 2, draws) + '\n';
+  }
   std::ostringstream out;
   if (what == "curves") {
     calibrate::write_curves_csv(out, contents.records);

@@ -57,6 +57,8 @@ int show_fits(const ShowArguments& arguments) {
   calibrate::ReportOptions options;
   options.color = isatty(STDOUT_FILENO) != 0;
   options.confidence = contents.options.confidence;
+  options.specimen_resamples = contents.options.intervals.specimens;
+  options.seed = contents.options.seed;
   if (!arguments.which.empty()) {
     const auto& record = find_record(contents.records, arguments.which, arguments.file);
     fmt::print("{}", calibrate::fit_report(record, options));

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "calibrate/config/read_intervals.hpp"
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/fit/optimizer.hpp"
 #include "plastica/io/scene_file.hpp"
@@ -111,6 +112,7 @@ FitOptions read_fit_options(const TomlTable& root) {
       throw value->error("must be above 0 % and below 100 %");
     }
   }
+  read_intervals(*fit, options.intervals);
   if (const auto value = fit->find("laws")) options.laws = read_laws(*value);
   read_stopping(*fit, options.stopping);
   options.parameters = read_parameters(*fit);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "calibrate/config/read_csv_options.hpp"
+#include "calibrate/config/read_intervals.hpp"
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/config/target_files.hpp"
 #include "calibrate/scene/scene_model.hpp"
@@ -139,18 +140,7 @@ class Reader {
     if (const auto segments = fit.find("segments_error")) {
       options.segments_error = segments->boolean();
     }
-    SceneIntervalOptions& intervals = options.intervals;
-    if (const auto profile = fit.find("profile")) intervals.profile = profile->boolean();
-    const auto resamples = [&](std::string_view key, int& value) {
-      const auto found = fit.find(key);
-      if (!found) return;
-      value = static_cast<int>(found->integer(0, kMostResamples));
-      if (value == 0 || value >= kFewestResamples) return;
-      throw found->error(fmt::format("must be 0, for none, or at least {}", kFewestResamples));
-    };
-    resamples("bootstrap", intervals.bootstrap);
-    resamples("bootstrap_specimens", intervals.specimens);
-    whole("bootstrap_block", 1, kMostResamples, intervals.block);
+    read_intervals(fit, options.intervals);
     if (const auto tolerance = fit.find("tolerance")) {
       options.tolerance = tolerance->number_within(0.0, 1.0, false);
     }

@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "calibrate/fit/compare_laws.hpp"
+#include "calibrate/fit/fit_intervals.hpp"
 #include "calibrate/fit/fit_law.hpp"
 #include "calibrate/fit/given_weights.hpp"
 #include "calibrate/fit/minimize_misfit.hpp"
@@ -86,6 +87,7 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
       const bool held = r.is_break && (p.at_lower || p.at_upper);
       if (p.identified && !held) {
         p.standard_error = u.standard_error[k];
+        p.noise_error = u.noise_error[k];
         p.interval_low = p.value - u.half_interval[k];
         p.interval_high = p.value + u.half_interval[k];
       }
@@ -112,6 +114,7 @@ void add_tied_errors(const ParameterSet& set, FitResult& result) {
     if (!base.standard_error) continue;
     const double half = std::fabs(r.factor) * (*base.interval_high - base.value);
     tied.standard_error = std::fabs(r.factor) * *base.standard_error;
+    tied.noise_error = std::fabs(r.factor) * *base.noise_error;
     tied.interval_low = tied.value - half;
     tied.interval_high = tied.value + half;
   }
@@ -227,6 +230,7 @@ void check_options(const FitOptions& options) {
             "must be above 0 Pa");
   }
   check_weights(options);
+  check_intervals(options.intervals);
 }
 
 }  // namespace
@@ -272,6 +276,7 @@ FitResult fit_target(const Target& target, const FitOptions& options) {
   add_warnings(target, result);
   warn_of_held_break(target, set, misfit.break_factor(), details.permanent, result);
   add_fitted_curve(target, options, result);
+  add_intervals(target, options, result);
   return result;
 }
 
@@ -293,8 +298,12 @@ std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<cons
   parallel_for(cases.size(), {batch.threads, batch.stop}, [&](std::size_t i, int) {
     const Target& target = targets[cases[i].target];
     try {
-      results[i] =
-          cases[i].law ? fit_law(target, options, *cases[i].law) : fit_target(target, options);
+      if (cases[i].law) {
+        results[i] = fit_law(target, options, *cases[i].law);
+        add_intervals(target, options_of(*cases[i].law, options, target.loading), results[i]);
+      } else {
+        results[i] = fit_target(target, options);
+      }
     } catch (const InputError& error) {
       // The options were checked above: this one target does not go with them.
       results[i].status = FitStatus::Failed;

@@ -50,6 +50,7 @@ FitOptions options_of(Law law, const FitOptions& options, Loading loading) {
 
 FitResult fit_law(const Target& target, const FitOptions& options, Law law) {
   FitOptions own = options_of(law, options, target.loading);
+  own.intervals = {};  // of the fit that is kept alone: `fit_cases` adds them
   FitResult result = fit_target(target, own);
   Law simpler = law;
   if (result.status != FitStatus::Fitted || !has_simpler(law, simpler)) return result;

@@ -143,6 +143,19 @@ double Misfit::search_cost(std::span<const double> active, std::span<double> gra
   return std::isfinite(stress) ? stress + break_cost(likely_limit(), {}, false) : stress;
 }
 
+bool Misfit::residuals(std::span<const double> active, std::span<double> residual) {
+  if (!set_values(active) || !run_model(false)) return false;
+  const double* stress = response_.probes[0].data();
+  for (std::size_t s = 0; s < samples_; ++s) {
+    residual[s] = stress[s] - target_.corrected.stress[s];
+  }
+  return true;
+}
+
+double Misfit::break_residual() const {
+  return std::sqrt(break_scale_) * (response_.permanent_strain - likely_limit());
+}
+
 double Misfit::evaluate(std::span<const double> active, std::span<double> gradient,
                         bool with_break) {
   const double infinite = std::numeric_limits<double>::infinity();

@@ -49,6 +49,17 @@ class Misfit {
   /// else as `cost`.
   double search_cost(std::span<const double> active, std::span<double> gradient);
 
+  /// Model stress - measured stress of all whole samples [Pa] (n_samples); the break parameter's
+  /// value does not count. @return false if the model cannot be run
+  bool residuals(std::span<const double> active, std::span<double> residual);
+
+  /// w_i over their sum (n_samples): the search's cost is sum w_i r_i^2 + `break_residual`^2.
+  std::span<const double> weights() const { return weight_; }
+
+  /// What the break term adds to the search's cost at the last evaluation, as a residual [Pa]: 0
+  /// within the likely limits.
+  double break_residual() const;
+
   /// Whether the last evaluation ran the model: one at the point before it does not.
   bool was_run() const { return was_run_; }
 

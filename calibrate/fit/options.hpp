@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "calibrate/fit/intervals.hpp"
 #include "calibrate/fit/law.hpp"
 #include "calibrate/fit/parameter.hpp"
 #include "plastica/model/field.hpp"
@@ -60,8 +61,9 @@ struct FitOptions {
   StoppingRules stopping;
   /// Laws to be compared, see fit_law.hpp; empty: the material's own alone.
   std::vector<Law> laws;
-  std::uint64_t seed = 1;    ///< each target's own seed is made from this and the target's name
-  double confidence = 0.95;  ///< of the intervals, within (0, 1)
+  std::uint64_t seed = 1;       ///< each target's own seed is made from this and the target's name
+  double confidence = 0.95;     ///< of the intervals, within (0, 1)
+  IntervalOptions intervals{};  ///< besides those of the covariance
 };
 
 }  // namespace plastica::calibrate

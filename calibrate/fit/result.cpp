@@ -20,4 +20,12 @@ const FittedParameter& FitResult::parameter(std::string_view name) const {
   throw std::out_of_range("no parameter " + std::string(name));
 }
 
+std::vector<const FittedParameter*> FitResult::free_parameters() const {
+  std::vector<const FittedParameter*> free;
+  for (const FittedParameter& parameter : parameters) {
+    if (parameter.role == ParameterRole::Free) free.push_back(&parameter);
+  }
+  return free;
+}
+
 }  // namespace plastica::calibrate

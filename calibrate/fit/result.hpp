@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "calibrate/fit/intervals.hpp"
 #include "calibrate/fit/law.hpp"
 #include "calibrate/fit/parameter.hpp"
 #include "calibrate/fit/verdict.hpp"
@@ -38,6 +39,8 @@ struct FittedParameter {
   bool logarithmic = false;
   /// Standard error; empty for fixed parameters and for those that the curve does not determine.
   std::optional<double> standard_error;
+  /// The part of it that is the noise's: a break's has its place between two samples beside it.
+  std::optional<double> noise_error;
   std::optional<double> interval_low;  ///< confidence interval
   std::optional<double> interval_high;
   bool at_lower = false;
@@ -87,11 +90,14 @@ struct FitResult {
   std::uint64_t seed = 0;
   std::vector<OptimizerStage> stages;
   Trace trace;
-  Curve fitted;  ///< the model at the corrected samples, and at the break if there is one
+  FitIntervals intervals;  ///< of the free parameters, in their order: those that were asked for
+  Curve fitted;            ///< the model at the corrected samples, and at the break if there is one
   std::vector<std::string> warnings;
 
   /// The parameter of a name. @throws std::out_of_range
   const FittedParameter& parameter(std::string_view name) const;
+  /// The free ones, in their order: the rows of `intervals` (n_free).
+  std::vector<const FittedParameter*> free_parameters() const;
   std::size_t evaluations() const { return trace.costs.size(); }
 };
 

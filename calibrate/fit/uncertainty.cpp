@@ -22,6 +22,9 @@ constexpr double kRankTolerance = 1e-12;
 struct StressPart {
   std::vector<std::size_t> columns;  ///< active indices that are identified
   MatrixXd covariance;               ///< of those, SI
+  MatrixXd inverse, weighted;        ///< A^-1 and J^T W^2 J of those, over the sizes of both
+  std::vector<double> size;          ///< of the active parameters, SI (n)
+  double variance = 0.0;             ///< of the noise [Pa^2]
   double degrees_of_freedom = 1.0;
 };
 
@@ -100,7 +103,8 @@ StressPart stress_part(const Misfit::Details& d, std::span<const double> active,
                        const FitOptions& options) {
   StressPart part;
   const std::size_t n = active.size();
-  std::vector<double> size(n);
+  std::vector<double>& size = part.size;
+  size.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     size[i] = active[i] != 0.0 ? std::fabs(active[i]) : 1.0;
     if (!parameters.all()[parameters.active()[i]].is_break) part.columns.push_back(i);
@@ -118,20 +122,21 @@ StressPart stress_part(const Misfit::Details& d, std::span<const double> active,
     counted += 1.0;
   }
   part.degrees_of_freedom = std::max(1.0, counted - static_cast<double>(m));
-  if (m == 0) return part;
-  const MatrixXd inverse = normal.a.ldlt().solve(MatrixXd::Identity(m, m));
-  double variance = squares / part.degrees_of_freedom;
+  part.variance = squares / part.degrees_of_freedom;
   if (options.objective == Objective::LeastSquares && options.noise) {
-    variance = *options.noise * *options.noise;
+    part.variance = *options.noise * *options.noise;
     part.degrees_of_freedom = std::numeric_limits<double>::infinity();
   }
-  const MatrixXd c = variance * inverse * normal.b * inverse;
+  if (m == 0) return part;
+  part.inverse = normal.a.ldlt().solve(MatrixXd::Identity(m, m));
+  const MatrixXd c = part.variance * part.inverse * normal.b * part.inverse;
   for (Eigen::Index i = 0; i < m; ++i) {
     for (Eigen::Index j = 0; j < m; ++j) {
       part.covariance(i, j) = c(i, j) * size[part.columns[static_cast<std::size_t>(i)]] *
                               size[part.columns[static_cast<std::size_t>(j)]];
     }
   }
+  part.weighted = normal.b;
   return part;
 }
 
@@ -181,7 +186,11 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     u.noise_error[i] = std::sqrt(variance);
     u.sampling[i] = half;
     u.standard_error[i] = std::sqrt(variance + half * half / 3.0);
-    u.half_interval[i] = quantile * std::sqrt(variance) + half;
+    u.half_interval[i] = quantile * u.noise_error[i];
+    if (half > 0.0) {
+      u.half_interval[i] = theory::half_interval(options.confidence, u.noise_error[i],
+                                                 part.degrees_of_freedom, {&half, 1});
+    }
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
@@ -191,7 +200,30 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
       u.correlation[i * n + j] = i == j ? 1.0 : product > 0.0 ? c / product : 0.0;
     }
   }
+  u.noise = std::sqrt(part.variance);
+  u.degrees_of_freedom = part.degrees_of_freedom;
   return u;
+}
+
+Spread spread_of(const Misfit::Details& details, std::span<const double> active,
+                 const ParameterSet& parameters, const Target& target, const FitOptions& options) {
+  const StressPart part = stress_part(details, active, parameters, target, options);
+  const std::size_t n = active.size();
+  Spread all;
+  all.inverse.assign(n * n, kNan);
+  all.spread.assign(n * n, kNan);
+  if (part.columns.empty()) return all;
+  const MatrixXd spread = part.inverse * part.weighted * part.inverse;
+  for (std::size_t i = 0; i < part.columns.size(); ++i) {
+    for (std::size_t j = 0; j < part.columns.size(); ++j) {
+      const std::size_t a = part.columns[i], b = part.columns[j];
+      const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
+      const double unit = part.size[a] * part.size[b];
+      all.inverse[a * n + b] = unit * part.inverse(row, column);
+      all.spread[a * n + b] = unit * spread(row, column);
+    }
+  }
+  return all;
 }
 
 }  // namespace plastica::calibrate

@@ -24,7 +24,8 @@ namespace plastica::calibrate {
 /// small: the report says so beside them.
 /// A break strain adds its sampling interval: its variance is that of the model's permanent strain
 /// at the break (through C) plus h^2/3 of a break that lies anywhere within +-h; its confidence
-/// interval is the one of the model widened by h on both sides.
+/// interval is that of the sum of both errors (theory::half_interval), 0.95 h where there is no
+/// noise.
 ///
 /// Not identified is a parameter whose column of J vanishes (its share of the misfit is below
 /// 1e-12 of the largest stress for a relative change of one), or which takes part in a
@@ -37,11 +38,22 @@ struct Uncertainty {
   std::vector<double> sampling;       ///< half a break's sampling interval, SI (n); 0 of all others
   std::vector<double> half_interval;  ///< half width of the confidence interval, SI (n); NaN if not
   std::vector<double> correlation;    ///< (n x n); NaN in rows and columns not identified
+  double noise = 0.0;                 ///< s [Pa]
+  double degrees_of_freedom = 1.0;    ///< of s; infinite if it is given
 };
 
 /// @param active  solution, SI (n)
 Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> active,
                         const ParameterSet& parameters, const Target& target,
                         const FitOptions& options, double break_factor);
+
+/// What C is made of, without the noise; NaN in rows and columns of breaks and of what is not
+/// identified, SI (n x n).
+struct Spread {
+  std::vector<double> inverse;  ///< A^-1, with the weights of the details
+  std::vector<double> spread;   ///< A^-1 (J^T W^2 J) A^-1
+};
+Spread spread_of(const Misfit::Details& details, std::span<const double> active,
+                 const ParameterSet& parameters, const Target& target, const FitOptions& options);
 
 }  // namespace plastica::calibrate

@@ -13,6 +13,7 @@
 #include "calibrate/report/csv_cells.hpp"
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/law_choice.hpp"
+#include "calibrate/report/shown_intervals.hpp"
 #include "calibrate/report/summary.hpp"
 #include "plastica/report/format.hpp"
 
@@ -46,6 +47,21 @@ const FittedParameter* find_parameter(const FitRecord& record, std::string_view 
   return nullptr;
 }
 
+std::vector<IntervalColumn> columns_of(std::span<const FitRecord> records) {
+  std::vector<const FitIntervals*> all;
+  for (const FitRecord& record : records) all.push_back(&record.result.intervals);
+  return interval_columns(all);
+}
+
+/// A cell of a parameter's intervals; empty for one that is not free.
+std::string cell_of(const IntervalColumn& column, const FitResult& result,
+                    const FittedParameter* parameter) {
+  const auto free = result.free_parameters();
+  const auto found = std::ranges::find(free, parameter);
+  if (found == free.end()) return {};
+  return column.cell(result.intervals, static_cast<std::size_t>(found - free.begin()));
+}
+
 /// One line of the curves; the columns are those of write_curves_csv.
 void put_sample(std::ostream& out, const std::string& name, double strain,
                 std::optional<double> measured, std::optional<double> fitted) {
@@ -64,6 +80,7 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
     }
     return names;
   });
+  const std::vector<IntervalColumn> intervals = columns_of(records);
   std::vector<std::string> header = {"name",    "law",     "file",   "test",
                                      "measure", "loading", "status", "reason"};
   for (const std::string& key : keys) header.push_back("group." + key);
@@ -73,8 +90,13 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
   for (const std::string& name : parameters) {
     const FittedParameter* example = nullptr;
     for (std::size_t i = 0; example == nullptr; ++i) example = find_parameter(records[i], name);
+    const std::string_view unit = si_unit(example->dimension);
     for (const char* what : {"", ".stderr", ".low", ".high"}) {
-      header.push_back(fmt::format("fit.{}{} [{}]", name, what, si_unit(example->dimension)));
+      header.push_back(fmt::format("fit.{}{} [{}]", name, what, unit));
+    }
+    for (const IntervalColumn& column : intervals) {
+      header.push_back(fmt::format("fit.{}{}", name, column.name));
+      if (column.has_unit) header.back() += fmt::format(" [{}]", unit);
     }
     header.push_back(fmt::format("fit.{}.verdict", name));
     header.push_back(fmt::format("fit.{}.verdict_number", name));
@@ -114,6 +136,9 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
       row.push_back(there ? cell_of(parameter->standard_error) : std::string());
       row.push_back(there ? cell_of(parameter->interval_low) : std::string());
       row.push_back(there ? cell_of(parameter->interval_high) : std::string());
+      for (const IntervalColumn& column : intervals) {
+        row.push_back(cell_of(column, result, parameter));
+      }
       const bool judged = there && parameter->judgement;
       row.emplace_back(judged ? name_of(parameter->judgement->verdict) : "");
       row.push_back(judged ? cell_of(parameter->judgement->number) : std::string());

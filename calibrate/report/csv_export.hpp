@@ -8,7 +8,8 @@
 namespace plastica::calibrate {
 
 /// A table with a row per specimen: name, file, status, reason, groups, characteristics and, per
-/// parameter, value, standard error and interval. SI, units in the header as "rp02 [Pa]", quoted
+/// parameter, value, standard error and interval, those of profile and bootstrap where any specimen
+/// has them. SI, units in the header as "rp02 [Pa]", quoted
 /// after RFC 4180 with line feeds; what a specimen does not have is an empty cell. Numbers have
 /// all their digits.
 void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records);

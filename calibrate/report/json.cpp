@@ -11,6 +11,7 @@
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/json_values.hpp"
 #include "calibrate/report/law_choice.hpp"
+#include "calibrate/report/shown_intervals.hpp"
 #include "calibrate/report/summary.hpp"
 
 namespace plastica::calibrate {
@@ -120,35 +121,39 @@ Json fit_of(const FitRecord& record) {
   for (const std::string& warning : result.warnings) warnings.push_back(warning);
   Json properties = Json::object();
   for (const auto& [name, value] : target.properties) properties[name] = number(value);
-  return {{"name", target.name},
-          {"law", name_of(result.law)},
-          {"status", word_of(result.status)},
-          {"reason", text_or_null(reason_of(record))},
-          {"characteristics", characteristics_of(target.characteristics)},
-          {"parameters", std::move(parameters)},
-          {"objective", if_fitted(result.cost)},
-          {"evaluations", result.evaluations()},
-          {"misfit_rms", if_fitted(result.misfit_rms)},
-          {"misfit_share", if_fitted(result.misfit_share)},
-          {"runs_probability", if_fitted(result.runs_probability)},
-          {"autocorrelation", if_fitted(result.autocorrelation)},
-          {"effective_samples", if_fitted(result.effective_samples)},
-          {"misfit", fitted ? text_or_null(result.misfit_word) : Json(nullptr)},
-          {"break_strain_total", number(result.break_strain_total)},
-          {"correlation", correlation_of(result)},
-          {"stages", stages_of(result)},
-          {"seed", result.seed},
-          {"samples", result.samples},
-          {"file", target.file},
-          {"test", word_of(target.test)},
-          {"measure", word_of(target.measure)},
-          {"loading", word_of(target.loading)},
-          {"target_status", word_of(target.status)},
-          {"group", pairs(target.group)},
-          {"properties", std::move(properties)},
-          {"repairs", repairs_of(target)},
-          {"corrections", corrections_of(target)},
-          {"warnings", std::move(warnings)}};
+  Json fit = {{"name", target.name},
+              {"law", name_of(result.law)},
+              {"status", word_of(result.status)},
+              {"reason", text_or_null(reason_of(record))},
+              {"characteristics", characteristics_of(target.characteristics)},
+              {"parameters", std::move(parameters)},
+              {"objective", if_fitted(result.cost)},
+              {"evaluations", result.evaluations()},
+              {"misfit_rms", if_fitted(result.misfit_rms)},
+              {"misfit_share", if_fitted(result.misfit_share)},
+              {"runs_probability", if_fitted(result.runs_probability)},
+              {"autocorrelation", if_fitted(result.autocorrelation)},
+              {"effective_samples", if_fitted(result.effective_samples)},
+              {"misfit", fitted ? text_or_null(result.misfit_word) : Json(nullptr)},
+              {"break_strain_total", number(result.break_strain_total)},
+              {"correlation", correlation_of(result)},
+              {"stages", stages_of(result)},
+              {"seed", result.seed},
+              {"samples", result.samples},
+              {"file", target.file},
+              {"test", word_of(target.test)},
+              {"measure", word_of(target.measure)},
+              {"loading", word_of(target.loading)},
+              {"target_status", word_of(target.status)},
+              {"group", pairs(target.group)},
+              {"properties", std::move(properties)},
+              {"repairs", repairs_of(target)},
+              {"corrections", corrections_of(target)},
+              {"warnings", std::move(warnings)}};
+  const FitIntervals& intervals = result.intervals;
+  const bool any = !intervals.profiles.empty() || intervals.residuals.resamples > 0;
+  if (any) fit["intervals"] = intervals_json(shown_intervals(record));
+  return fit;
 }
 
 Json statistics_of(const std::vector<GroupStatistic>& all) {
@@ -157,6 +162,10 @@ Json statistics_of(const std::vector<GroupStatistic>& all) {
     object[entry.name] = {{"n", entry.statistic.n},
                           {"mean", number(entry.statistic.mean)},
                           {"standard_deviation", number(entry.statistic.standard_deviation)}};
+    if (!entry.mean_interval) continue;
+    object[entry.name]["mean_stderr"] = number(entry.mean_interval->standard_error);
+    object[entry.name]["mean_interval"] = {number(entry.mean_interval->low),
+                                           number(entry.mean_interval->high)};
   }
   return object;
 }
@@ -200,14 +209,15 @@ Json comparisons_of(std::span<const FitRecord> records) {
 
 }  // namespace
 
-std::string json_summary(std::span<const FitRecord> records, int indent) {
+std::string json_summary(std::span<const FitRecord> records, int indent,
+                         const SpecimenDraws& draws) {
   Json fits = Json::array();
   for (const FitRecord& record : records) fits.push_back(fit_of(record));
   // Groups and counts are those of the law that is advised.
   std::vector<FitRecord> advised(records.begin(), records.end());
   const std::span<const FitRecord> shown = std::span(advised).first(advised_first(advised));
   Json groups = Json::array();
-  for (const GroupSummary& group : summarize_groups(shown)) {
+  for (const GroupSummary& group : summarize_groups(shown, draws)) {
     groups.push_back({{"group", pairs(group.group)},
                       {"fitted", group.fitted},
                       {"rejected", group.rejected},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "calibrate/report/interval_figures.hpp"
 #include "calibrate/report/plot_kinds.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/report/picture.hpp"
@@ -12,10 +13,12 @@ namespace {
 
 using report::PlotScript;
 
-constexpr std::array<PlotKind, 3> kKinds = {{
+constexpr std::array<PlotKind, 5> kKinds = {{
     {"curve", "one specimen: measured and fitted curve, yield and break (choose it with --case)"},
     {"overview", "all curves by group, with their mean, the fits and the breaks"},
     {"parameters", "the fitted parameters of all specimens by group"},
+    {"profile", "rise of the least cost over each parameter, of a fit with profiles (--case)"},
+    {"bootstrap", "resampled values of the parameters and of pairs (--case)"},
 }};
 
 const FitRecord& find_specimen(std::span<const FitRecord> records, const std::string& name) {
@@ -40,11 +43,19 @@ PlotScript make(std::span<const FitRecord> records, const PlotRequest& request) 
     const FitRecord& record = find_specimen(records, request.specimen);
     return terminal ? report::curve_terminal(record) : report::curve_plot(record);
   }
+  if (what == "profile" || what == "bootstrap") {
+    const auto shown = report::shown_intervals(find_specimen(records, request.specimen));
+    const auto figure =
+        what == "profile" ? report::profile_figure(shown) : report::bootstrap_figure(shown);
+    return terminal ? plastica::report::figure_terminal(figure)
+                    : plastica::report::figure_page(figure);
+  }
   if (what != "overview" && what != "parameters") {
-    throw InputError({}, "--what", what, "must be curve, overview or parameters");
+    throw InputError({}, "--what", what,
+                     "must be curve, overview, parameters, profile or bootstrap");
   }
   if (!request.specimen.empty()) {
-    throw InputError({}, "--case", request.specimen, "goes with the picture 'curve' only");
+    throw InputError({}, "--case", request.specimen, "goes with pictures of one specimen only");
   }
   if (what == "overview") {
     return terminal ? report::overview_terminal(records) : report::overview_plot(records);

@@ -15,13 +15,14 @@ struct PlotKind {
   std::string_view doc;   ///< one line for `--list`
 };
 
-/// All pictures: "curve", "overview", "parameters".
+/// All pictures: "curve", "overview", "parameters", "profile", "bootstrap".
 std::span<const PlotKind> plot_kinds();
 
 /// Which picture, of what, and where to.
 struct PlotRequest {
   std::string what = {};  ///< name of a kind; empty: a curve for one specimen, else the overview
-  std::string specimen = {};  ///< name of the target for a curve; empty: the first
+  /// Name of the target, for a picture of one specimen; empty: the first.
+  std::string specimen = {};
   /// A path that ends in .svg, .png, .pdf, or .gp for the script with its data; "-" for a picture
   /// of characters on standard output.
   std::string output = {};

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/scene_fit_bands.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
-#include "calibrate/report/scene_interval_figures.hpp"
 #include "calibrate/report/scene_population.hpp"
 #include "plastica/base/check.hpp"
 

@@ -11,17 +11,12 @@
 #include "calibrate/report/json_values.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/scene_population.hpp"
+#include "calibrate/report/shown_intervals.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 using namespace report;
-Json numbers(std::span<const double> values) {
-  Json all = Json::array();
-  for (const double value : values) all.push_back(number(value));
-  return all;
-}
-
 /// Rows of a square matrix; empty if it is none.
 Json matrix(std::span<const double> values, std::size_t n) {
   Json rows = Json::array();
@@ -101,38 +96,6 @@ Json segments_of(const SceneFitResult& result) {
           {"parameters", std::move(parameters)}};
 }
 
-Json bootstrap_of(const SceneBootstrap& bootstrap, const SceneFitResult& result) {
-  if (bootstrap.resamples == 0) return nullptr;
-  Json intervals = Json::object();
-  for (std::size_t i = 0; i < bootstrap.intervals.size(); ++i) {
-    const BootstrapInterval& interval = bootstrap.intervals[i];
-    intervals[short_name(result.parameters.at(i).path)] = {
-        {"stderr", number(interval.standard_error)},
-        {"interval", {number(interval.low), number(interval.high)}}};
-  }
-  return {{"resamples", bootstrap.resamples},
-          {"failed", bootstrap.failed},
-          {"block", bootstrap.block},
-          {"parameters", std::move(intervals)}};
-}
-
-/// Null where they were not asked for.
-Json intervals_of(const SceneFitResult& result) {
-  Json profiles = nullptr;
-  for (std::size_t i = 0; i < result.intervals.profiles.size(); ++i) {
-    const SceneProfile& profile = result.intervals.profiles[i];
-    profiles[short_name(result.parameters.at(i).path)] = {
-        {"interval", {number(profile.low), number(profile.high)}},
-        {"ends", {name_of(profile.low_end), name_of(profile.high_end)}},
-        {"threshold", number(profile.threshold)},
-        {"value", numbers(profile.value)},
-        {"rise", numbers(profile.rise)}};
-  }
-  return {{"profile", std::move(profiles)},
-          {"bootstrap", bootstrap_of(result.intervals.residuals, result)},
-          {"bootstrap_specimens", bootstrap_of(result.intervals.specimens, result)}};
-}
-
 Json fit_of(const SceneFitRecord& record) {
   const SceneFitResult& result = record.result;
   Json parameters = Json::object();
@@ -156,7 +119,7 @@ Json fit_of(const SceneFitRecord& record) {
           {"status", word_of(result.status)},
           {"reason", text_or_null(result.reason)},
           {"parameters", std::move(parameters)},
-          {"intervals", intervals_of(result)},
+          {"intervals", intervals_json(shown_intervals(record))},
           {"correlation", matrix(result.correlation, result.parameters.size())},
           {"degrees_of_freedom", number(result.degrees_of_freedom)},
           {"segments", segments_of(result)},

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/interval_figures.hpp"
 #include "calibrate/report/scene_fit_figures.hpp"
-#include "calibrate/report/scene_interval_figures.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/report/picture.hpp"
 
@@ -61,8 +61,8 @@ PlotScript make(std::span<const SceneFitRecord> records, const PlotRequest& requ
   const SceneFitRecord& record = find_fit(records, request.specimen);
   if (what == "correlation") return report::correlation_plot(record, terminal);
   if (what == "segments") return drawn(report::segments_figure(record));
-  if (what == "profile") return drawn(report::profile_figure(record));
-  if (what == "bootstrap") return drawn(report::bootstrap_figure(record));
+  if (what == "profile") return drawn(report::profile_figure(report::shown_intervals(record)));
+  if (what == "bootstrap") return drawn(report::bootstrap_figure(report::shown_intervals(record)));
   if (what == "starts") return drawn(report::starts_figure(record));
   if (what == "residuals") return drawn(report::residuals_figure(record));
   return drawn(report::fit_figure(record, terminal));

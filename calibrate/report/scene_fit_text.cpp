@@ -9,6 +9,7 @@
 
 #include "calibrate/report/scene_errors_text.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
+#include "calibrate/report/shown_intervals.hpp"
 #include "plastica/report/ink.hpp"
 #include "plastica/report/table.hpp"
 
@@ -161,9 +162,9 @@ std::string correlations_text(const SceneFitResult& result, const Ink& ink) {
 std::string scene_fit_report(const SceneFitRecord& record, const ReportOptions& options) {
   const Ink ink(options.color);
   std::string text = header(record, ink) + parameters_text(record.result, options, ink) +
-                     scene_intervals_text(record.result, options) + errors_text(record, ink) +
-                     segments_text(record, ink) + targets_text(record, ink) +
-                     correlations_text(record.result, ink);
+                     intervals_text(shown_intervals(record.result), options) +
+                     errors_text(record, ink) + segments_text(record, ink) +
+                     targets_text(record, ink) + correlations_text(record.result, ink);
   std::string warnings;
   for (const std::string& warning : record.result.warnings) {
     warnings += wrapped("  ! ", printable(warning), kWidth);

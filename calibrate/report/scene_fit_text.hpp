@@ -14,10 +14,6 @@ namespace plastica::calibrate {
 /// line end. Of the options colour and confidence count.
 std::string scene_fit_report(const SceneFitRecord& record, const ReportOptions& options = {});
 
-/// Its section of intervals: those of covariance, profile and bootstrap side by side; empty if only
-/// the covariance has any.
-std::string scene_intervals_text(const SceneFitResult& result, const ReportOptions& options = {});
-
 /// The report of a file: of a single fit its whole report; of several a table over fits, the
 /// population (see scene_population.hpp), every fit that failed and why. The last line is
 /// `fitted N, failed N`.

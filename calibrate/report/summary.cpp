@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace plastica::calibrate {
 namespace {
@@ -64,14 +65,17 @@ struct Collector {
     auto entry = std::find_if(entries.begin(), entries.end(),
                               [&](const Entry& e) { return e.result.name == name; });
     if (entry == entries.end()) {
-      entry = entries.insert(entries.end(), Entry{{std::string(name), dimension, {}}, {}});
+      entry = entries.insert(entries.end(), Entry{{std::string(name), dimension, {}, {}}, {}});
     }
     entry->values.push_back(value);
   }
 
-  std::vector<GroupStatistic> statistics() && {
+  std::vector<GroupStatistic> statistics(const SpecimenDraws& draws = {}) && {
     std::vector<GroupStatistic> all;
     for (Entry& entry : entries) {
+      if (draws.resamples > 0 && entry.values.size() > 1) {
+        entry.result.mean_interval = mean_interval(entry.values, draws);
+      }
       entry.result.statistic = statistic_of(std::move(entry.values));
       all.push_back(std::move(entry.result));
     }
@@ -79,8 +83,8 @@ struct Collector {
   }
 };
 
-GroupSummary summarize(std::span<const FitRecord> records,
-                       const std::vector<std::size_t>& members) {
+GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std::size_t>& members,
+                       const SpecimenDraws& draws) {
   GroupSummary summary;
   summary.group = records[members.front()].target.group;
   Collector characteristics;
@@ -105,7 +109,7 @@ GroupSummary summarize(std::span<const FitRecord> records,
     }
   }
   summary.characteristics = std::move(characteristics).statistics();
-  summary.parameters = std::move(parameters).statistics();
+  summary.parameters = std::move(parameters).statistics(draws);
   return summary;
 }
 
@@ -128,6 +132,19 @@ Statistic statistic_of(std::vector<double> values) {
   }
   statistic.standard_deviation = std::sqrt(squares / (n - 1.0));
   return statistic;
+}
+
+BootstrapInterval mean_interval(std::vector<double> values, const SpecimenDraws& how) {
+  std::sort(values.begin(), values.end());
+  std::vector<double> means;
+  for (int b = 0; b < how.resamples; ++b) {
+    // Other draws than those of the residuals.
+    Draws draws(~how.seed, static_cast<std::uint64_t>(b));
+    double sum = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) sum += values[draws.below(values.size())];
+    means.push_back(sum / static_cast<double>(values.size()));
+  }
+  return bootstrap_interval(std::move(means), how.confidence);
 }
 
 std::span<const CharacteristicEntry> characteristic_entries() { return kEntries; }
@@ -161,10 +178,11 @@ std::vector<std::vector<std::size_t>> group_indices(std::span<const FitRecord> r
   return all;
 }
 
-std::vector<GroupSummary> summarize_groups(std::span<const FitRecord> records) {
+std::vector<GroupSummary> summarize_groups(std::span<const FitRecord> records,
+                                           const SpecimenDraws& draws) {
   std::vector<GroupSummary> all;
   for (const std::vector<std::size_t>& members : group_indices(records)) {
-    all.push_back(summarize(records, members));
+    all.push_back(summarize(records, members, draws));
   }
   return all;
 }

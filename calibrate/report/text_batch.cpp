@@ -9,6 +9,7 @@
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/summary.hpp"
 #include "calibrate/report/text.hpp"
+#include "calibrate/report/text_groups.hpp"
 #include "plastica/report/ink.hpp"
 #include "plastica/report/table.hpp"
 
@@ -125,17 +126,6 @@ std::string parameter_cell(const FittedParameter* parameter, const DisplayUnit& 
   return with_error(value, *parameter->standard_error / unit.scale);
 }
 
-/// "Rp0.2", or "Rp" where the specimens have different offsets.
-std::string proof_label(std::span<const FitRecord> records) {
-  std::optional<double> offset;
-  for (const FitRecord& record : records) {
-    const std::optional<double>& here = record.target.characteristics.offset;
-    if (here && offset && *here != *offset) return "Rp";
-    if (here) offset = here;
-  }
-  return "Rp" + brief(100.0 * offset.value_or(0.002));
-}
-
 /// What the reader has to know of the parameters' columns: measure and kind of strain.
 std::string meaning_of_columns(std::span<const FitRecord> records,
                                const std::vector<ShownParameter>& parameters, bool total) {
@@ -233,64 +223,6 @@ std::string specimens_text(std::span<const FitRecord> records, const ReportOptio
     legend += (legend.empty() ? "" : "; ") + fmt::format("{} {}", flag.letter, flag.meaning);
   }
   if (!legend.empty()) text += wrapped("  ", legend, kWidth);
-  return text;
-}
-
-std::string label_of(std::string_view name, const std::string& proof) {
-  for (const CharacteristicEntry& entry : characteristic_entries()) {
-    if (entry.name == name) return name == "rp02" ? proof : std::string(entry.label);
-  }
-  return printable(name);
-}
-
-void add_statistic(Table& table, const GroupStatistic& entry, const std::string& label) {
-  const bool modulus = entry.name.find("modulus") != std::string::npos;
-  const DisplayUnit unit = display_unit(entry.dimension, entry.statistic.mean, modulus);
-  const Statistic& statistic = entry.statistic;
-  const double mean = statistic.mean / unit.scale;
-  std::string middle = significant(mean);
-  std::string deviation = "-";
-  if (statistic.standard_deviation) {
-    const double scatter = *statistic.standard_deviation / unit.scale;
-    deviation = significant(scatter, 3);
-    if (std::fabs(mean) < 1e7 && std::fabs(mean) > 1e-4) {
-      // With as many decimals as the scatter says something of.
-      const int decimals = scatter > 0.0 ? decimals_for(mean, scatter, 3) : 3;
-      middle = fmt::format("{:.{}f}", mean, decimals);
-      deviation = fmt::format("{:.{}f}", scatter, decimals);
-    }
-  }
-  table.add({label, std::to_string(statistic.n), middle, deviation, std::string(unit.name)});
-}
-
-std::string groups_text(std::span<const FitRecord> records, const ReportOptions& options,
-                        const Ink& ink) {
-  const std::vector<GroupSummary> groups = summarize_groups(records);
-  const std::string proof = proof_label(records);
-  const std::size_t shown =
-      options.groups_shown == 0 ? groups.size() : std::min(groups.size(), options.groups_shown);
-  std::string text;
-  for (std::size_t g = 0; g < shown; ++g) {
-    const GroupSummary& group = groups[g];
-    text +=
-        '\n' + ink.heading(wrapped("",
-                                   fmt::format("Group {}: {}", printable(group_label(group.group)),
-                                               counted(group.specimens(), "specimen")),
-                                   kWidth));
-    Table table(
-        {{"", Table::Align::Left}, {"n"}, {"mean"}, {"std. dev."}, {"", Table::Align::Left}});
-    for (const GroupStatistic& entry : group.characteristics) {
-      add_statistic(table, entry, label_of(entry.name, proof));
-    }
-    if (!group.parameters.empty()) table.add_line("fitted");
-    for (const GroupStatistic& entry : group.parameters) {
-      add_statistic(table, entry, printable(entry.name));
-    }
-    if (table.rows() > 0) text += table.text(2, kWidth);
-  }
-  if (shown < groups.size()) {
-    text += fmt::format("\n… {} left out …\n", counted(groups.size() - shown, "group"));
-  }
   return text;
 }
 

@@ -6,6 +6,7 @@
 
 #include "calibrate/report/advice.hpp"
 #include "calibrate/report/format.hpp"
+#include "calibrate/report/shown_intervals.hpp"
 #include "calibrate/report/summary.hpp"
 #include "calibrate/report/text.hpp"
 #include "plastica/report/ink.hpp"
@@ -286,10 +287,10 @@ std::string fit_text(const FitRecord& record, const Ink& ink) {
 
 std::string fit_report(const FitRecord& record, const ReportOptions& options) {
   const Ink ink(options.color);
-  std::string text = header(record, ink) + mending(record.target, ink) +
-                     characteristics_text(record.target, ink) +
-                     parameters_text(record, options, ink) + correlations_text(record.result, ink) +
-                     fit_text(record, ink);
+  std::string text =
+      header(record, ink) + mending(record.target, ink) + characteristics_text(record.target, ink) +
+      parameters_text(record, options, ink) + intervals_text(shown_intervals(record), options) +
+      correlations_text(record.result, ink) + fit_text(record, ink);
   std::string remarks;
   for (const std::vector<std::string>* list : {&record.target.warnings, &record.result.warnings}) {
     for (const std::string& warning : *list) remarks += wrapped("  ! ", printable(warning), kWidth);

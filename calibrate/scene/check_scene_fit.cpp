@@ -65,15 +65,8 @@ bool are_of_one_kind(const SceneTarget& a, const SceneTarget& b) {
 
 namespace {
 
-void check_intervals(const SceneIntervalOptions& how, std::span<const ScenePart> parts) {
-  const auto check_count = [](std::string_view field, int count) {
-    const bool enough = count >= kFewestResamples && count <= kMostResamples;
-    require(count == 0 || enough, field, count,
-            fmt::format("must be 0, for none, or {} to {}", kFewestResamples, kMostResamples));
-  };
-  check_count("bootstrap", how.bootstrap);
-  check_count("bootstrap_specimens", how.specimens);
-  require(how.block >= 1, "bootstrap_block", how.block, "must be at least 1");
+void check_intervals(const IntervalOptions& how, std::span<const ScenePart> parts) {
+  check_intervals(how);
   for (const ScenePart& part : parts) {
     require(static_cast<std::size_t>(how.block) <= part.target.ordinate.size(), "bootstrap_block",
             how.block, fmt::format("must be no more than the samples of {}", part.target.name));

@@ -1,7 +1,5 @@
 #include "calibrate/scene/fitted_scenes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -52,26 +50,9 @@ SceneIntervals find_intervals(const FittedScenes& fitted, SceneWork& work,
   if (how.profile) intervals.profiles = profile_scenes(fitted, work);
   if (how.bootstrap > 0) intervals.residuals = bootstrap_residuals(fitted, work);
   if (how.specimens > 0) intervals.specimens = bootstrap_specimens(fitted, work);
-  for (std::size_t i = 0; i < intervals.profiles.size(); ++i) {
-    constexpr double kLower = 0.01;
-    const SceneProfile& profile = intervals.profiles[i];
-    double least = 0.0;
-    for (const double rise : profile.rise) least = std::min(least, rise);
-    if (least >= -kLower * profile.threshold) continue;
-    warnings.push_back(fmt::format(
-        "the profile of {} found a lower cost than the search, by {:.2g}: search again from more "
-        "starts (fit.starts)",
-        fitted.free()[i].parameter->field->path, -least));
-  }
-  for (const SceneBootstrap* bootstrap : {&intervals.residuals, &intervals.specimens}) {
-    constexpr double kMany = 0.05;
-    if (bootstrap->failed <= kMany * bootstrap->resamples) continue;
-    warnings.push_back(
-        fmt::format("{} of {} searches of the {} bootstrap failed: its intervals "
-                    "are those of the others",
-                    bootstrap->failed, bootstrap->resamples,
-                    bootstrap == &intervals.residuals ? "residual" : "specimen"));
-  }
+  std::vector<std::string> names;
+  for (const auto& free : fitted.free()) names.emplace_back(free.parameter->field->path);
+  add_warnings(intervals, names, "search again from more starts (fit.starts)", warnings);
   return intervals;
 }
 

@@ -43,6 +43,8 @@ std::uint64_t digest_of(const FitOptions& options) {
   writer.put(std::uint64_t{options.laws.size()});
   for (const Law law : options.laws) writer.put(law);
   writer.put(options.seed).put(options.confidence);
+  writer.put(options.intervals.profile).put(options.intervals.bootstrap);
+  writer.put(options.intervals.block);
   return io::Digest().bytes(writer.bytes()).value();
 }
 

@@ -2,6 +2,7 @@
 
 #include "calibrate/store/columns.hpp"
 #include "calibrate/store/fit_store.hpp"
+#include "calibrate/store/interval_store.hpp"
 #include "calibrate/store/layout.hpp"
 #include "calibrate/store/stored_options.hpp"
 
@@ -96,6 +97,24 @@ class StoreReader {
     for (std::size_t i = 0; i < records_.size(); ++i) {
       const auto row = rows.row(i);
       records_[i].result.correlation.assign(row.begin(), row.end());
+    }
+  }
+
+  void intervals() {
+    std::vector<FitIntervals*> all;
+    for (FitRecord& record : records_) all.push_back(&record.result.intervals);
+    store::read_intervals(root_, all);
+    for (const FitRecord& record : records_) {
+      const std::size_t free = record.result.free_parameters().size();
+      const FitIntervals& own = record.result.intervals;
+      if (!own.profiles.empty() && own.profiles.size() != free) {
+        refuse("profiles/fit", "does not name a fit once a free parameter");
+      }
+      const bool whole = own.residuals.intervals.size() == free &&
+                         (free == 0 || own.residuals.values.size() % free == 0);
+      if (own.residuals.resamples > 0 && !whole) {
+        refuse("bootstraps/low", "does not have a number a free parameter");
+      }
     }
   }
 

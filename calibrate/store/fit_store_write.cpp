@@ -7,6 +7,7 @@
 
 #include "calibrate/store/columns.hpp"
 #include "calibrate/store/fit_store.hpp"
+#include "calibrate/store/interval_store.hpp"
 #include "calibrate/store/layout.hpp"
 #include "calibrate/store/stored_options.hpp"
 
@@ -119,6 +120,22 @@ class StoreWriter {
     io::Ragged<double> rows;
     for (const FitRecord* record : records_) rows.push_back(record->result.correlation);
     root_.write_ragged("correlation", rows, {"1", store::kDeflate});
+  }
+
+  void intervals() {
+    std::vector<store::StoredIntervals> all;
+    for (const FitRecord* record : records_) {
+      store::StoredIntervals& one = all.emplace_back();
+      one.intervals = &record->result.intervals;
+      for (const FittedParameter* p : record->result.free_parameters()) {
+        one.paths.push_back(p->path);
+      }
+      const std::size_t profiles = one.intervals->profiles.size();
+      if (profiles != 0 && profiles != one.paths.size()) {
+        refuse(record->target.name, "has not a profile a free parameter");
+      }
+    }
+    store::write_intervals(root_, all);
   }
 
   void evaluations() {

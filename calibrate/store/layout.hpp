@@ -64,6 +64,7 @@ constexpr auto parameter_columns(std::string_view units) {
   return [units](auto& columns) {
     columns("value", units, PLASTICA_MEMBER(value));
     columns("standard_error", units, PLASTICA_MEMBER(standard_error));
+    columns("noise_error", units, PLASTICA_MEMBER(noise_error));
     columns("interval_low", units, PLASTICA_MEMBER(interval_low));
     columns("interval_high", units, PLASTICA_MEMBER(interval_high));
     columns("start", units, PLASTICA_MEMBER(start));
@@ -90,6 +91,7 @@ void walk_records(Store& store) {
   store.parameters();
   store.moved();
   store.correlation();
+  store.intervals();
 
   store.curve("curves/raw", PLASTICA_MEMBER(target.raw));
   store.curve("curves/corrected", PLASTICA_MEMBER(target.corrected));

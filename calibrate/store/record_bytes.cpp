@@ -3,6 +3,7 @@
 #include <string>
 
 #include "calibrate/store/coders.hpp"
+#include "calibrate/store/interval_bytes.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -48,7 +49,8 @@ void code(auto& coder, A<Target> auto& t) {
 
 void code(auto& coder, A<FittedParameter> auto& p) {
   coder(p.name, p.path, p.dimension, p.role, p.value, p.start, p.lower, p.upper, p.logarithmic,
-        p.standard_error, p.interval_low, p.interval_high, p.at_lower, p.at_upper, p.identified);
+        p.standard_error, p.noise_error, p.interval_low, p.interval_high, p.at_lower, p.at_upper,
+        p.identified);
   coder.maybe(p.judgement, [](auto& to, auto& j) { to(j.verdict, j.number); });
 }
 
@@ -61,6 +63,7 @@ void code(auto& coder, A<FitResult> auto& r) {
     to(stage.algorithm, stage.outcome, stage.evaluations, stage.cost);
   });
   coder(r.trace.active, r.trace.values, r.trace.costs);
+  store::code_intervals(coder, r.intervals);
   code(coder, r.fitted);
   coder(r.warnings);
 }

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "calibrate/store/columns.hpp"
+#include "calibrate/store/interval_store.hpp"
 #include "calibrate/store/scene_fit_rows.hpp"
-#include "calibrate/store/scene_interval_store.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -295,6 +295,17 @@ class Reader {
   std::vector<SceneFitRecord>& records_;
 };
 
+std::vector<store::StoredIntervals> intervals_of(
+    const std::vector<const SceneFitRecord*>& records) {
+  std::vector<store::StoredIntervals> all;
+  for (const SceneFitRecord* record : records) {
+    store::StoredIntervals& one = all.emplace_back();
+    one.intervals = &record->result.intervals;
+    for (const SceneParameter& p : record->result.parameters) one.paths.push_back(p.path);
+  }
+  return all;
+}
+
 }  // namespace
 
 void write_scene_fit_store(const std::string& path, const SceneFitContents& contents) {
@@ -307,7 +318,7 @@ void write_scene_fit_store(const std::string& path, const SceneFitContents& cont
   for (const SceneFitRecord* record : records) correlation.push_back(record->result.correlation);
   root.write_ragged("correlation", correlation, {"1", store::kDeflate});
   write_tables(root, rows_of(records));
-  store::write_intervals(root, records);
+  store::write_intervals(root, intervals_of(records));
   root.write("options/confidence", contents.confidence, {"1"});
   io::write_inputs(root, contents.inputs);
   io::write_meta(root, contents.meta);
@@ -327,7 +338,9 @@ SceneFitContents read_scene_fit_store(const std::string& path) {
   reader.parts();
   reader.starts();
   reader.warnings();
-  store::read_intervals(root, contents.records);
+  std::vector<FitIntervals*> intervals;
+  for (SceneFitRecord& record : contents.records) intervals.push_back(&record.result.intervals);
+  store::read_intervals(root, intervals);
   contents.confidence = root.read_scalar<double>("options/confidence");
   contents.inputs = io::read_inputs(root);
   contents.meta = io::read_meta(root);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "calibrate/store/coders.hpp"
+#include "calibrate/store/interval_bytes.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -37,17 +38,6 @@ void code(auto& coder, A<SceneStart> auto& s) {
   coder(s.from, s.to, s.cost, s.outcome, s.evaluations);
 }
 
-void code(auto& coder, A<SceneProfile> auto& p) {
-  coder(p.low, p.high, p.low_end, p.high_end, p.threshold, p.value, p.rise, p.searched);
-}
-
-void code(auto& coder, A<BootstrapInterval> auto& i) { coder(i.standard_error, i.low, i.high); }
-
-void code(auto& coder, A<SceneBootstrap> auto& b) {
-  coder(b.resamples, b.failed, b.block, b.values);
-  coder.each(b.intervals, [](auto& to, auto& each) { code(to, each); });
-}
-
 void code(auto& coder, A<SceneFitResult> auto& r) {
   const auto item = [](auto& to, auto& each) { code(to, each); };
   coder(r.status, r.reason);
@@ -58,9 +48,7 @@ void code(auto& coder, A<SceneFitResult> auto& r) {
   coder.each(r.starts, item);
   coder.maybe(r.segments, item);
   coder(r.outcome, r.runs, r.failed_runs, r.segment_iterations, r.warnings);
-  coder.each(r.intervals.profiles, item);
-  code(coder, r.intervals.residuals);
-  code(coder, r.intervals.specimens);
+  store::code_intervals(coder, r.intervals);
 }
 
 /// Not inlined, for the same reason as in record_bytes.cpp.

@@ -133,6 +133,11 @@ void write_options(io::Hdf5Group& group, const FitOptions& options) {
   group.write_texts("laws", laws);
   group.write("seed", options.seed);
   group.write("confidence", options.confidence, {"1"});
+  const IntervalOptions& intervals = options.intervals;
+  group.write("profile", std::int64_t{intervals.profile});
+  group.write("bootstrap", std::int64_t{intervals.bootstrap});
+  group.write("bootstrap_block", std::int64_t{intervals.block});
+  group.write("bootstrap_specimens", std::int64_t{intervals.specimens});
   io::Hdf5Group parameters = group.group("parameters");
   write_parameters(parameters, options.parameters);
   io::write_setup(group, options.setup);
@@ -156,6 +161,11 @@ FitOptions read_options(const io::Hdf5Group& group) {
   options.laws = laws_of(group.read_texts("laws"), group.path() + "/laws", {group.file(), 0});
   options.seed = group.read_scalar<std::uint64_t>("seed");
   options.confidence = group.read_scalar<double>("confidence");
+  const auto whole = [&](std::string_view name) {
+    return static_cast<int>(group.read_scalar<std::int64_t>(name));
+  };
+  options.intervals = {whole("profile") != 0, whole("bootstrap"), whole("bootstrap_block"),
+                       whole("bootstrap_specimens")};
   options.parameters = read_parameters(group.open_group("parameters"));
   io::read_setup(group, options.setup);
   return options;

@@ -70,9 +70,10 @@ TEST(BadRequest, OfAResultIsRefusedInOneLine) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> requests = {
       {{"show", "x.h5", "--case", "b"}, "x.h5: --case = b: must be a specimen of the file: a"},
       {{"plot", "x.h5", "--case", "b"}, "--case = b: is not a specimen of this file; it has a"},
-      {{"plot", "x.h5", "--what", "pie"}, "--what = pie: must be curve, overview or parameters"},
+      {{"plot", "x.h5", "--what", "pie"},
+       "--what = pie: must be curve, overview, parameters, profile or bootstrap"},
       {{"plot", "x.h5", "--what", "overview", "--case", "a"},
-       "--case = a: goes with the picture 'curve' only"},
+       "--case = a: goes with pictures of one specimen only"},
       {{"plot", "x.h5", "-o", "x.gif"},
        "--output = x.gif: must end in .svg, .png, .pdf or .gp, or be -"},
       {{"plot", "x.h5", "-o", "none/x.svg"},

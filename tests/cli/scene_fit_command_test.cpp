@@ -74,10 +74,6 @@ TEST(SceneFitCommand, FindsTheIntervalsThatAreAskedFor) {
     EXPECT_EQ(drawn.code, 0) << drawn.err;
   }
   EXPECT_NE(place.read("profile.gp").find("least cost"), std::string::npos);
-  const CommandResult curves = place.run({"calibrate", "a.csv", "--profile"});
-  EXPECT_EQ(curves.code, 2);
-  EXPECT_NE(curves.err.find("--profile: is for fits through scenes"), std::string::npos)
-      << curves.err;
 }
 
 TEST(SceneFitCommand, FitsTheShippedBendTest) {

@@ -112,6 +112,63 @@ std::vector<double> averaged(const std::vector<double>& below, double reach) {
   return mean;
 }
 
+/// Student's t, normal from kNormalDegrees on.
+class StudentT {
+ public:
+  explicit StudentT(double nu) : nu_(nu), normal_(nu > kNormalDegrees) {
+    if (normal_) return;
+    int sign = 0;
+    log_front_ = lgamma_r(0.5 * (nu + 1.0), &sign) - lgamma_r(0.5 * nu, &sign) -
+                 0.5 * std::log(nu * std::numbers::pi);
+  }
+
+  /// Probability beyond t.
+  double tail(double t) const {
+    if (normal_) return normal_cdf(-t);
+    const double beyond = student_t_tail(std::abs(t), nu_);
+    return t < 0.0 ? 1.0 - beyond : beyond;
+  }
+
+  /// The integral of the tail from t on, nu > 1: its slope is -tail, since that of the density f is
+  /// -(nu + 1) t f/(nu + t^2).
+  double beyond(double t, double tail) const {
+    if (normal_) {
+      return std::exp(-0.5 * t * t) * std::numbers::inv_sqrtpi / std::numbers::sqrt2 - t * tail;
+    }
+    const double density = std::exp(log_front_ - 0.5 * (nu_ + 1.0) * std::log1p(t * t / nu_));
+    return (nu_ + t * t) / (nu_ - 1.0) * density - t * tail;
+  }
+
+ private:
+  double nu_;
+  bool normal_;
+  double log_front_ = 0.0;
+};
+
+/// The half interval of one even error beside t, nu > 1. The probability of a value beyond q is
+/// s (B((q - h)/s) - B((q + h)/s))/2h with B as `beyond`: convex in q, so that Newton's steps come
+/// to the root from one side.
+/// @param alone  that of t by itself
+double half_interval_of_both(double confidence, double scale, const StudentT& student, double half,
+                             double alone) {
+  // What one of both is beside the other does not matter then: its part is of second order.
+  constexpr double kNothing = 1e-7;
+  if (alone <= kNothing * half) return confidence * half;
+  if (half <= kNothing * alone) return alone;
+  const double wanted = 0.5 - 0.5 * confidence;
+  double q = std::hypot(alone, confidence * half);
+  for (int i = 0; i < 60; ++i) {
+    const double near = (q - half) / scale, far = (q + half) / scale;
+    const double tail_near = student.tail(near), tail_far = student.tail(far);
+    const double beyond =
+        scale / (2.0 * half) * (student.beyond(near, tail_near) - student.beyond(far, tail_far));
+    const double step = (beyond - wanted) * 2.0 * half / (tail_near - tail_far);
+    q += step;
+    if (std::abs(step) <= 1e-12 * q) break;
+  }
+  return q;
+}
+
 }  // namespace
 
 double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
@@ -158,6 +215,9 @@ double half_interval(double confidence, double scale, double degrees_of_freedom,
   double sum = 0.0;
   for (const double h : halves) sum += h;
   if (!(sum > 0.0)) return alone;
+  if (halves.size() == 1 && degrees_of_freedom > 1.0) {
+    return half_interval_of_both(confidence, scale, StudentT(degrees_of_freedom), sum, alone);
+  }
   // q lies below alone + sum; its probability is made of values up to a sum beyond.
   const double end = alone + 2.0 * sum;
   constexpr int kSide = 4000;

@@ -26,8 +26,9 @@ double student_t_quantile(double probability, double degrees_of_freedom);
 
 /// The q within which (|x| <= q) an error x = scale t + sum h_k u_k lies with the given confidence:
 /// t a Student t variable, u_k even within -1 … 1, all independent. So is a measured value of which
-/// noise is one part and the distance between samples the other. To 5e-4 of q + sum h_k, by the
-/// averages of the distribution function over 2 h_k, one after the other.
+/// noise is one part and the distance between samples the other. With one h and more than one
+/// degree of freedom to 1e-9, by the integral of the distribution function; else to 5e-4 of q + sum
+/// h_k, by its averages over 2 h_k on a grid, one after the other.
 /// @param confidence          within (0, 1)
 /// @param scale               >= 0
 /// @param degrees_of_freedom  of t, > 0; infinity: normal

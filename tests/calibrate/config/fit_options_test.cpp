@@ -25,6 +25,18 @@ std::string parameter_error(const std::string& line) {
   return error_of("[fit.parameters]\n" + line + "\n");
 }
 
+TEST(FitOptionsFile, AsksForIntervals) {
+  const FitOptions options = read(
+      "[fit]\nprofile = true\nbootstrap = 400\nbootstrap_block = 5\nbootstrap_specimens = 100\n");
+  EXPECT_TRUE(options.intervals.profile);
+  EXPECT_EQ(options.intervals.bootstrap, 400);
+  EXPECT_EQ(options.intervals.block, 5);
+  EXPECT_EQ(options.intervals.specimens, 100);
+  EXPECT_EQ(error_of("[fit]\nbootstrap = 19\n"),
+            "f.toml:2: fit.bootstrap = 19: must be 0, for none, or at least 20");
+  EXPECT_FALSE(read("[fit]\n").intervals.profile);
+}
+
 TEST(FitOptionsFile, HasTheLibrarysDefaultsIfItIsEmpty) {
   const FitOptions options = read("");
   const FitOptions defaults;

@@ -281,8 +281,9 @@ TEST(Uncertainty, BreakStrainCarriesItsSamplingInterval) {
   const FittedParameter& sharp = exact.parameter("break_strain");
   EXPECT_NEAR(sharp.value, 0.0203 - 300e6 / 200e9, tolerance(1e-9));
   EXPECT_NEAR(*sharp.standard_error, 0.0003 / std::sqrt(3.0), tolerance(1e-9));
-  EXPECT_NEAR(*sharp.interval_high - sharp.value, 0.0003, tolerance(1e-9));
-  EXPECT_NEAR(sharp.value - *sharp.interval_low, 0.0003, tolerance(1e-9));
+  // Evenly likely within h, 95 % of the breaks lie within 0.95 h.
+  EXPECT_NEAR(*sharp.interval_high - sharp.value, 0.95 * 0.0003, tolerance(1e-9));
+  EXPECT_NEAR(sharp.value - *sharp.interval_low, 0.95 * 0.0003, tolerance(1e-9));
 
   // With noise the model's p = strain - Y/E adds its own variance.
   const FitResult noisy = fitted(6e6, Deformation::Tension);
@@ -296,9 +297,18 @@ TEST(Uncertainty, BreakStrainCarriesItsSamplingInterval) {
   const double sampling = 0.0003 * 0.0003 / 3.0;
   const FittedParameter& blurred = noisy.parameter("break_strain");
   EXPECT_NEAR(*blurred.standard_error, std::sqrt(variance + sampling), tolerance(1e-12));
-  EXPECT_NEAR(*blurred.interval_high - blurred.value,
-              theory::student_t_quantile(0.975, 79.0) * std::sqrt(variance) + 0.0003,
-              tolerance(1e-10));
+  EXPECT_NEAR(*blurred.noise_error, std::sqrt(variance), tolerance(1e-12));
+  // The error is s t + h u, t Student's with 79 degrees of freedom and u even within -1 … 1: the
+  // probability of less than q is the mean of Student's over (q - h)/s … (q + h)/s.
+  const double s = std::sqrt(variance);
+  const double q = *blurred.interval_high - blurred.value;
+  double below = 0.0;
+  constexpr int kPoints = 20000;
+  for (int i = 0; i < kPoints; ++i) {
+    const double u = (2.0 * i + 1.0) / kPoints - 1.0;
+    below += theory::student_t_cdf((q - 0.0003 * u) / s, 79.0) / kPoints;
+  }
+  EXPECT_NEAR(below, 0.975, tolerance(1e-8));
 
   // A strain of tension is smaller than that of torsion by sqrt(3), and so is its error.
   const FitResult torsion = fitted(0.0, Deformation::Torsion);

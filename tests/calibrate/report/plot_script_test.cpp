@@ -121,15 +121,15 @@ TEST(PlotScript, ForATerminalLetsNoTextOfAUserLeaveItsQuotes) {
 TEST(PlotScript, SaysWhatThereIsToDraw) {
   const std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b")};
   EXPECT_EQ(message_of(records, {.what = "pie"}),
-            "--what = pie: must be curve, overview or parameters");
+            "--what = pie: must be curve, overview, parameters, profile or bootstrap");
   EXPECT_EQ(message_of(records, {.specimen = "c"}),
             "--case = c: is not a specimen of this file; it has a, b");
   EXPECT_EQ(message_of(records, {.what = "overview", .specimen = "a"}),
-            "--case = a: goes with the picture 'curve' only");
+            "--case = a: goes with pictures of one specimen only");
   EXPECT_EQ(message_of({}, {}), "plot: there is no specimen to draw");
   EXPECT_EQ(message_of({rejected_record("a", "x")}, {.what = "parameters"}),
             "--what = parameters: there is no fitted specimen");
-  ASSERT_EQ(plot_kinds().size(), 3U);
+  ASSERT_EQ(plot_kinds().size(), 5U);
   EXPECT_EQ(plot_kinds()[0].name, "curve");
 }
 

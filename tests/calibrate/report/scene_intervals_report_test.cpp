@@ -35,7 +35,7 @@ TEST(SceneIntervalsReport, PutsAllIntervalsSideBySide) {
   EXPECT_TRUE(contains(text, "profile")) << text;
   EXPECT_TRUE(contains(text, "bootstrap, residuals")) << text;
   EXPECT_TRUE(contains(text, "202.0 … 209.0")) << text;
-  EXPECT_TRUE(contains(text, "375 … bound")) << text;
+  EXPECT_TRUE(contains(text, "375.0 … bound")) << text;
   EXPECT_TRUE(contains(text, "open … open")) << text;
   EXPECT_TRUE(contains(text,
                        "profile: where the least cost has risen by 4.00; bound: it has not, up "

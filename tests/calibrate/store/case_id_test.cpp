@@ -88,6 +88,9 @@ TEST(OptionsDigest, ChangesWithEveryOption) {
       [](FitOptions& o) { o.stopping.cost_tolerance = 1e-3; },
       [](FitOptions& o) { o.seed = 2; },
       [](FitOptions& o) { o.confidence = 0.9; },
+      [](FitOptions& o) { o.intervals.profile = true; },
+      [](FitOptions& o) { o.intervals.bootstrap = 40; },
+      [](FitOptions& o) { o.intervals.block = 3; },
   };
   std::set<std::uint64_t> digests{digest_of(ideal_options())};
   for (const Change& change : changes) {

@@ -89,6 +89,7 @@ TEST(FitStore, GivesBackTheOptions) {
   o.stopping = {1, 2, 3e-9, 4e-9};
   o.seed = 0xffffffffffffffffU;
   o.confidence = 0.9;
+  o.intervals = {true, 40, 3, 50};
   o.parameters[0].role = ParameterRole::Fixed;
   o.parameters[0].value = 2e11;
   o.parameters[1].lower = 1e6;
@@ -117,6 +118,10 @@ TEST(FitStore, GivesBackTheOptions) {
   EXPECT_EQ(read.stopping.cost_tolerance, 4e-9);
   EXPECT_EQ(read.seed, o.seed);
   EXPECT_EQ(read.confidence, o.confidence);
+  EXPECT_TRUE(read.intervals.profile);
+  EXPECT_EQ(read.intervals.bootstrap, 40);
+  EXPECT_EQ(read.intervals.block, 3);
+  EXPECT_EQ(read.intervals.specimens, 50);
   ASSERT_EQ(read.parameters.size(), o.parameters.size());
   for (std::size_t i = 0; i < o.parameters.size(); ++i) {
     const Parameter& p = read.parameters[i];
@@ -186,7 +191,16 @@ TEST(FitStore, GivesEveryRealColumnAUnitOrSaysThatItIsMixed) {
                                        "/options/parameters/upper",
                                        "/parameters/youngs_modulus/verdict_number",
                                        "/parameters/yield_stress/verdict_number",
-                                       "/parameters/break_strain/verdict_number"};
+                                       "/parameters/break_strain/verdict_number",
+                                       "/profiles/low",
+                                       "/profiles/high",
+                                       "/profiles/value/values",
+                                       "/profiles/rise/values",
+                                       "/profiles/searched/values",
+                                       "/bootstraps/values/values",
+                                       "/bootstraps/standard_error/values",
+                                       "/bootstraps/low/values",
+                                       "/bootstraps/high/values"};
   std::vector<std::string> without;
   for (const auto& [path, text] : objects_of(folder.file("a.h5"))) {
     if (file.root().kind(path) != io::Hdf5Kind::Real) continue;

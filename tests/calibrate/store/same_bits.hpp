@@ -43,8 +43,8 @@ inline auto members(const Judgement& v) {
   return std::tie(a, b);
 }
 inline auto members(const FittedParameter& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
 }
 inline auto members(const OptimizerStage& v) {
   const auto& [a, b, c, d] = v;
@@ -54,9 +54,25 @@ inline auto members(const Trace& v) {
   const auto& [a, b, c] = v;
   return std::tie(a, b, c);
 }
+inline auto members(const LikelihoodProfile& v) {
+  const auto& [a, b, c, d, e, f, g, h] = v;
+  return std::tie(a, b, c, d, e, f, g, h);
+}
+inline auto members(const BootstrapInterval& v) {
+  const auto& [a, b, c] = v;
+  return std::tie(a, b, c);
+}
+inline auto members(const BootstrapResult& v) {
+  const auto& [a, b, c, d, e] = v;
+  return std::tie(a, b, c, d, e);
+}
+inline auto members(const FitIntervals& v) {
+  const auto& [a, b, c] = v;
+  return std::tie(a, b, c);
+}
 inline auto members(const FitResult& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t);
 }
 inline auto members(const FitRecord& v) {
   const auto& [a, b] = v;

@@ -104,6 +104,7 @@ inline FitRecord filled_record(const std::string& name) {
     r.parameters.push_back(p);
   }
   r.parameters[1].standard_error = 0.25;
+  r.parameters[1].noise_error = 0.24;
   r.parameters[1].interval_low = 0.5;
   r.parameters[1].interval_high = 1.5;
   r.correlation = {1.0, kNan, kNan, 1.0};
@@ -120,6 +121,23 @@ inline FitRecord filled_record(const std::string& name) {
   r.seed = 0xfedcba9876543210U;
   r.stages = {{"GN_CRS2_LM", "maxeval-reached", 60, 2e10}, {"LD_SLSQP", "xtol-reached", 9, 1e10}};
   r.trace = {{0, 2}, {1.0, 2.0, 3.0, 4.0, kNan, -0.0}, {5.0, INFINITY, 7.0}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    LikelihoodProfile& profile = r.intervals.profiles.emplace_back();
+    profile.low = i == 1 ? kNan : 0.5 * static_cast<double>(i);
+    profile.high = 3.0 + static_cast<double>(i);
+    profile.low_end = ProfileEnd::Crossed;
+    profile.high_end = i == 2 ? ProfileEnd::Bound : ProfileEnd::NoCurves;
+    profile.threshold = 3.94;
+    if (i == 1) continue;
+    profile.value = {0.5, 1.0, 3.0};
+    profile.rise = {3.9, 0.0, 4.1};
+    profile.searched = {0.5, 2.0, 1.0, 2.1, 3.0, 2.2};
+  }
+  r.intervals.residuals = {20,
+                           18,
+                           3,
+                           {1.0, 2.0, 3.0, 4.0, 5.0, 6.0},
+                           {{0.1, 0.5, 1.5}, {kNan, kNan, kNan}, {0.3, 2.0, 4.0}}};
   r.fitted = t.corrected;
   r.warnings = {"yield_stress is at its upper bound"};
   return record;

@@ -33,22 +33,6 @@ inline auto members(const SceneStart& v) {
   const auto& [a, b, c, d, e] = v;
   return std::tie(a, b, c, d, e);
 }
-inline auto members(const SceneProfile& v) {
-  const auto& [a, b, c, d, e, f, g, h] = v;
-  return std::tie(a, b, c, d, e, f, g, h);
-}
-inline auto members(const BootstrapInterval& v) {
-  const auto& [a, b, c] = v;
-  return std::tie(a, b, c);
-}
-inline auto members(const SceneBootstrap& v) {
-  const auto& [a, b, c, d, e] = v;
-  return std::tie(a, b, c, d, e);
-}
-inline auto members(const SceneIntervals& v) {
-  const auto& [a, b, c] = v;
-  return std::tie(a, b, c);
-}
 inline auto members(const SegmentsError& v) {
   const auto& [a, b, c, d, e, f, g, h, i, j] = v;
   return std::tie(a, b, c, d, e, f, g, h, i, j);

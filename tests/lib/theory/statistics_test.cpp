@@ -106,7 +106,26 @@ TEST(HalfInterval, OfNormalAndEvenErrorHoldsItsConfidence) {
     const std::vector<double> halves{h};
     const double q = half_interval(0.95, 1.0, kInfinity, halves);
     const double below = (integral(q + h) - integral(q - h)) / (2.0 * h);
-    EXPECT_NEAR(below, 0.975, 5e-4) << h;
+    EXPECT_NEAR(below, 0.975, 1e-9) << h;
+  }
+}
+
+TEST(HalfInterval, OfStudentsAndEvenErrorHoldsItsConfidence) {
+  // Two degrees of freedom: cdf 1/2 + t/(2 sqrt(2 + t^2)), whose integral is (t + sqrt(2 + t^2))/2.
+  const auto integral = [](double t) { return 0.5 * (t + std::sqrt(2.0 + t * t)); };
+  for (const double scale : {1e-9, 0.01, 1.0, 30.0}) {
+    const std::vector<double> halves{2.0};
+    const double q = half_interval(0.95, scale, 2.0, halves);
+    const double below = scale / 4.0 * (integral((q + 2.0) / scale) - integral((q - 2.0) / scale));
+    EXPECT_NEAR(below, 0.975, 1e-8) << scale;
+  }
+}
+
+TEST(HalfInterval, IsTheSameByItsFormulaAndOnTheGrid) {
+  for (const double nu : {1.5, 7.0, 98.0, 1e3, 1e5}) {
+    const std::vector<double> one{0.7}, on_the_grid{0.7, 0.0};
+    EXPECT_NEAR(half_interval(0.99, 0.4, nu, one), half_interval(0.99, 0.4, nu, on_the_grid), 2e-3)
+        << nu;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "calibrate/report/scene_interval_figures.hpp"
+#include "calibrate/report/interval_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 
 #include "calibrate/report/scene_fit_words.hpp"
 #include "plastica/base/check.hpp"
-#include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate::report {
 namespace {
@@ -24,14 +23,12 @@ using plastica::report::Stroke;
 using Points = std::vector<std::vector<double>>;
 
 constexpr std::size_t kMostPanels = 12;
-constexpr std::string_view kNarrowBand = "#9CC4DE";
-constexpr std::string_view kWideBand = "#DDEBF4";
 /// How far above the threshold a profile is shown.
 constexpr double kRoom = 1.6;
 
 /// The profile between its points: the root of the rise, with the sign of the side, as a straight
 /// line, so that a parabola is one.
-Points curve_of(const SceneProfile& profile, double best, double scale) {
+Points curve_of(const LikelihoodProfile& profile, double best, double scale) {
   constexpr int kBetween = 20;
   const auto root = [&](std::size_t i) {
     return std::copysign(std::sqrt(std::max(profile.rise[i], 0.0)), profile.value[i] - best);
@@ -48,7 +45,7 @@ Points curve_of(const SceneProfile& profile, double best, double scale) {
   return points;
 }
 
-FigurePanel profile_panel(const SceneParameter& p, const SceneProfile& profile) {
+FigurePanel profile_panel(const ShownParameter& p, const LikelihoodProfile& profile) {
   const DisplayUnit unit = report::display_unit(p);
   FigurePanel panel;
   panel.title = fmt::format("{} [{}]", short_name(p.path), unit.name);
@@ -95,7 +92,7 @@ FigurePanel profile_panel(const SceneParameter& p, const SceneProfile& profile) 
 }
 
 /// A column of a bootstrap.
-std::vector<double> column_of(const SceneBootstrap& bootstrap, std::size_t i, std::size_t n) {
+std::vector<double> column_of(const BootstrapResult& bootstrap, std::size_t i, std::size_t n) {
   std::vector<double> values;
   for (std::size_t row = 0; row + n <= bootstrap.values.size(); row += n) {
     values.push_back(bootstrap.values[row + i]);
@@ -122,7 +119,7 @@ Points histogram_of(const std::vector<double>& values, double& width) {
   return steps;
 }
 
-FigurePanel histogram_panel(const SceneParameter& p, const BootstrapInterval& interval,
+FigurePanel histogram_panel(const ShownParameter& p, const BootstrapInterval& interval,
                             const std::vector<double>& values) {
   const DisplayUnit unit = report::display_unit(p);
   FigurePanel panel;
@@ -157,8 +154,8 @@ FigurePanel histogram_panel(const SceneParameter& p, const BootstrapInterval& in
   return panel;
 }
 
-FigurePanel pair_panel(const SceneParameter& a, const std::vector<double>& a_values,
-                       const SceneParameter& b, const std::vector<double>& b_values) {
+FigurePanel pair_panel(const ShownParameter& a, const std::vector<double>& a_values,
+                       const ShownParameter& b, const std::vector<double>& b_values) {
   const DisplayUnit a_unit = report::display_unit(a), b_unit = report::display_unit(b);
   FigurePanel panel;
   // The label of an upright axis would lie on the panel beside it: its numbers are long.
@@ -186,83 +183,47 @@ FigurePanel pair_panel(const SceneParameter& a, const std::vector<double>& a_val
 
 }  // namespace
 
-Figure profile_figure(const SceneFitRecord& record) {
-  const SceneFitResult& result = record.result;
+Figure profile_figure(const ShownIntervals& shown) {
+  const FitIntervals& all = *shown.intervals;
   Figure figure;
-  figure.title = record.name + ": profile likelihood";
-  for (std::size_t i = 0; i < result.intervals.profiles.size(); ++i) {
-    const SceneProfile& profile = result.intervals.profiles[i];
+  figure.title = shown.name + ": profile likelihood";
+  for (std::size_t i = 0; i < all.profiles.size(); ++i) {
+    const LikelihoodProfile& profile = all.profiles[i];
     if (profile.value.size() < 2 || figure.panels.size() == kMostPanels) continue;
-    figure.panels.push_back(profile_panel(result.parameters.at(i), profile));
+    figure.panels.push_back(profile_panel(shown.parameters.at(i), profile));
   }
   if (figure.panels.empty()) {
     throw InputError({}, "--what", "profile",
-                     record.name + " has no profile: calibrate with --profile");
+                     shown.name + " has no profile: calibrate with --profile");
   }
   return figure;
 }
 
-Figure bootstrap_figure(const SceneFitRecord& record) {
-  const SceneFitResult& result = record.result;
-  const bool of_residuals = result.intervals.residuals.resamples > 0;
-  const SceneBootstrap& bootstrap =
-      of_residuals ? result.intervals.residuals : result.intervals.specimens;
-  const std::size_t n = result.parameters.size();
+Figure bootstrap_figure(const ShownIntervals& shown) {
+  const FitIntervals& all = *shown.intervals;
+  const bool of_residuals = all.residuals.resamples > 0;
+  const BootstrapResult& bootstrap = of_residuals ? all.residuals : all.specimens;
+  const std::size_t n = shown.parameters.size();
   if (n == 0 || bootstrap.values.size() < 2 * n || bootstrap.intervals.size() != n) {
     throw InputError({}, "--what", "bootstrap",
-                     record.name + " has no bootstrap: calibrate with --bootstrap 400");
+                     shown.name + " has no bootstrap: calibrate with --bootstrap 400");
   }
   std::vector<std::vector<double>> columns;
   for (std::size_t i = 0; i < n; ++i) columns.push_back(column_of(bootstrap, i, n));
   Figure figure;
-  figure.title = fmt::format("{}: {} resamples of the {}", record.name, columns[0].size(),
+  figure.title = fmt::format("{}: {} resamples of the {}", shown.name, columns[0].size(),
                              of_residuals ? "residuals" : "specimens");
   for (std::size_t i = 0; i < n && figure.panels.size() < kMostPanels; ++i) {
     figure.panels.push_back(
-        histogram_panel(result.parameters[i], bootstrap.intervals[i], columns[i]));
+        histogram_panel(shown.parameters[i], bootstrap.intervals[i], columns[i]));
   }
   for (std::size_t a = 0; a < n; ++a) {
     for (std::size_t b = a + 1; b < n && figure.panels.size() < kMostPanels; ++b) {
       figure.panels.push_back(
-          pair_panel(result.parameters[a], columns[a], result.parameters[b], columns[b]));
+          pair_panel(shown.parameters[a], columns[a], shown.parameters[b], columns[b]));
     }
   }
   return figure;
-}
-
-std::vector<FigureCurve> bands_of(const SceneTarget& target, const ScenePartFit& part,
-                                  double degrees_of_freedom, const DisplayUnit& x_unit,
-                                  const DisplayUnit& y_unit) {
-  std::vector<FigureCurve> bands;
-  if (part.fitted.empty() || part.fitted_error.size() != part.fitted.size() ||
-      part.fitted.size() != target.abscissa.size() || !(degrees_of_freedom > 0.0)) {
-    return bands;
-  }
-  const double factor = theory::student_t_quantile(0.975, degrees_of_freedom);
-  const bool grows = std::ranges::is_sorted(target.abscissa);
-  for (const bool of_sample : {true, false}) {
-    const char* name = of_sample ? "95 % of new samples" : "95 % of the curve";
-    const std::string_view color = of_sample ? kWideBand : kNarrowBand;
-    Points area, low, high;
-    for (std::size_t i = 0; i < part.fitted.size(); ++i) {
-      const double noise = of_sample ? part.noise : 0.0;
-      const double reach = factor * std::hypot(part.fitted_error[i], noise);
-      const double x = target.abscissa[i] / x_unit.scale;
-      const double least = (part.fitted[i] - reach) / y_unit.scale;
-      const double most = (part.fitted[i] + reach) / y_unit.scale;
-      if (!std::isfinite(least)) continue;
-      area.push_back({x, least, most});
-      low.push_back({x, least});
-      high.push_back({x, most});
-    }
-    if (grows) {
-      bands.push_back({std::move(area), name, color, Stroke::Area});
-    } else {
-      bands.push_back({std::move(low), name, color, Stroke::Line});
-      bands.push_back({std::move(high), name, color, Stroke::Line});
-    }
-  }
-  return bands;
 }
 
 }  // namespace plastica::calibrate::report

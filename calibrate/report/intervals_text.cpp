@@ -5,22 +5,21 @@
 
 #include <fmt/format.h>
 
-#include "calibrate/report/scene_fit_text.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
+#include "calibrate/report/shown_intervals.hpp"
 #include "plastica/report/ink.hpp"
 #include "plastica/report/table.hpp"
 
-namespace plastica::calibrate {
+namespace plastica::calibrate::report {
 namespace {
 
-using namespace report;
 using plastica::report::Ink;
 using plastica::report::kWidth;
 using plastica::report::Table;
 using Align = Table::Align;
 
 /// An end, or why there is none.
-std::string end_text(const SceneParameter& p, const DisplayUnit& unit, double end, double width,
+std::string end_text(const ShownParameter& p, const DisplayUnit& unit, double end, double width,
                      ProfileEnd why) {
   switch (why) {
     case ProfileEnd::Crossed: break;
@@ -34,23 +33,27 @@ std::string end_text(const SceneParameter& p, const DisplayUnit& unit, double en
   return fmt::format("{:.{}f}", value, decimals_for(p.value / unit.scale, error));
 }
 
-std::string range_text(const SceneParameter& p, const DisplayUnit& unit, double low, double high,
+std::string range_text(const ShownParameter& p, const DisplayUnit& unit, double low, double high,
                        ProfileEnd low_end = ProfileEnd::Crossed,
                        ProfileEnd high_end = ProfileEnd::Crossed) {
   if (!std::isfinite(low) || !std::isfinite(high)) return "-";
-  return end_text(p, unit, low, high - low, low_end) + " … " +
-         end_text(p, unit, high, high - low, high_end);
+  // Digits are those of the side that ends.
+  double width = high - low;
+  if (low_end != ProfileEnd::Crossed) width = 2.0 * (high - p.value);
+  if (high_end != ProfileEnd::Crossed) width = 2.0 * (p.value - low);
+  return end_text(p, unit, low, width, low_end) + " … " + end_text(p, unit, high, width, high_end);
 }
 
-std::string profile_text(const SceneParameter& p, const DisplayUnit& unit,
-                         const SceneProfile& profile) {
+std::string profile_text(const ShownParameter& p, const DisplayUnit& unit,
+                         const LikelihoodProfile& profile) {
+  if (!std::isfinite(profile.low) || !std::isfinite(profile.high)) return "-";
   const bool flat =
       profile.low_end != ProfileEnd::Crossed && profile.high_end != ProfileEnd::Crossed;
   if (flat) return "open … open";
   return range_text(p, unit, profile.low, profile.high, profile.low_end, profile.high_end);
 }
 
-std::string bootstrap_note(std::string_view of, const SceneBootstrap& bootstrap) {
+std::string bootstrap_note(std::string_view of, const BootstrapResult& bootstrap) {
   std::string text =
       fmt::format("{}: percentiles of {}", of,
                   counted(static_cast<std::size_t>(bootstrap.resamples), "resample"));
@@ -61,14 +64,14 @@ std::string bootstrap_note(std::string_view of, const SceneBootstrap& bootstrap)
 
 }  // namespace
 
-std::string scene_intervals_text(const SceneFitResult& result, const ReportOptions& options) {
-  const SceneIntervals& all = result.intervals;
-  const std::size_t n = result.parameters.size();
+std::string intervals_text(const ShownIntervals& shown, const ReportOptions& options) {
+  const FitIntervals& all = *shown.intervals;
+  const std::size_t n = shown.parameters.size();
   const bool profiled = all.profiles.size() == n && n > 0;
   std::vector<Table::Column> columns = {
       {"", Align::Left}, {"", Align::Left}, {"covariance", Align::Range}};
   if (profiled) columns.push_back({"profile", Align::Range});
-  std::vector<const SceneBootstrap*> bootstraps;
+  std::vector<const BootstrapResult*> bootstraps;
   for (const auto& [name, bootstrap] :
        {std::pair{"residuals", &all.residuals}, std::pair{"specimens", &all.specimens}}) {
     if (bootstrap->resamples == 0 || bootstrap->intervals.size() != n) continue;
@@ -78,12 +81,12 @@ std::string scene_intervals_text(const SceneFitResult& result, const ReportOptio
   if (!profiled && bootstraps.empty()) return {};
   Table table(std::move(columns));
   for (std::size_t i = 0; i < n; ++i) {
-    const SceneParameter& p = result.parameters[i];
+    const ShownParameter& p = shown.parameters[i];
     const DisplayUnit unit = report::display_unit(p);
     std::vector<std::string> cells = {short_name(p.path), std::string(unit.name),
-                                      range_text(p, unit, p.interval_low, p.interval_high)};
+                                      range_text(p, unit, p.low, p.high)};
     if (profiled) cells.push_back(profile_text(p, unit, all.profiles[i]));
-    for (const SceneBootstrap* bootstrap : bootstraps) {
+    for (const BootstrapResult* bootstrap : bootstraps) {
       const BootstrapInterval& interval = bootstrap->intervals[i];
       cells.push_back(range_text(p, unit, interval.low, interval.high));
     }
@@ -95,7 +98,7 @@ std::string scene_intervals_text(const SceneFitResult& result, const ReportOptio
       table.text(2, kWidth);
   if (profiled) {
     const auto ends = [&](ProfileEnd why) {
-      return std::ranges::any_of(all.profiles, [&](const SceneProfile& profile) {
+      return std::ranges::any_of(all.profiles, [&](const LikelihoodProfile& profile) {
         return profile.low_end == why || profile.high_end == why;
       });
     };
@@ -106,7 +109,7 @@ std::string scene_intervals_text(const SceneFitResult& result, const ReportOptio
     if (ends(ProfileEnd::NoCurves)) note += "; open: beyond there are no curves";
     text += wrapped("  ", note, kWidth);
   }
-  for (const SceneBootstrap* bootstrap : bootstraps) {
+  for (const BootstrapResult* bootstrap : bootstraps) {
     text += wrapped(
         "  ", bootstrap_note(bootstrap == &all.residuals ? "residuals" : "specimens", *bootstrap),
         kWidth);
@@ -114,4 +117,4 @@ std::string scene_intervals_text(const SceneFitResult& result, const ReportOptio
   return text;
 }
 
-}  // namespace plastica::calibrate
+}  // namespace plastica::calibrate::report

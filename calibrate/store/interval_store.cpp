@@ -1,4 +1,4 @@
-#include "calibrate/store/scene_interval_store.hpp"
+#include "calibrate/store/interval_store.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -15,13 +15,13 @@ constexpr io::DatasetOptions kPlain{{}, kDeflate};
 struct ProfileRow {
   std::uint64_t fit = 0;
   std::string parameter;
-  SceneProfile profile;
+  LikelihoodProfile profile;
 };
 
 struct BootstrapRow {
   std::uint64_t fit = 0;
   std::string of;  ///< "residuals" or "specimens"
-  SceneBootstrap bootstrap;
+  BootstrapResult bootstrap;
 };
 
 #define PLASTICA_MEMBER(member) \
@@ -179,18 +179,16 @@ void read_bootstrap_lists(const io::Hdf5Group& group, std::vector<BootstrapRow>&
 
 }  // namespace
 
-void write_intervals(io::Hdf5Group& root, const std::vector<const SceneFitRecord*>& records) {
+void write_intervals(io::Hdf5Group& root, const std::vector<StoredIntervals>& fits) {
   std::vector<ProfileRow> profiles;
   std::vector<BootstrapRow> bootstraps;
-  for (std::uint64_t i = 0; i < records.size(); ++i) {
-    const SceneFitResult& result = records[i]->result;
-    for (std::size_t k = 0; k < result.intervals.profiles.size(); ++k) {
-      profiles.push_back({i, result.parameters.at(k).path, result.intervals.profiles[k]});
+  for (std::uint64_t i = 0; i < fits.size(); ++i) {
+    const FitIntervals& all = *fits[i].intervals;
+    for (std::size_t k = 0; k < all.profiles.size(); ++k) {
+      profiles.push_back({i, fits[i].paths.at(k), all.profiles[k]});
     }
-    const SceneBootstrap& residuals = result.intervals.residuals;
-    const SceneBootstrap& specimens = result.intervals.specimens;
-    if (residuals.resamples > 0) bootstraps.push_back({i, "residuals", residuals});
-    if (specimens.resamples > 0) bootstraps.push_back({i, "specimens", specimens});
+    if (all.residuals.resamples > 0) bootstraps.push_back({i, "residuals", all.residuals});
+    if (all.specimens.resamples > 0) bootstraps.push_back({i, "specimens", all.specimens});
   }
   io::Hdf5Group group = write_rows(root, "profiles", profiles, kProfileColumns);
   ListWriter<ProfileRow> lists(group, profiles);
@@ -199,19 +197,19 @@ void write_intervals(io::Hdf5Group& root, const std::vector<const SceneFitRecord
   write_bootstrap_lists(of_bootstraps, bootstraps);
 }
 
-void read_intervals(const io::Hdf5Group& root, std::vector<SceneFitRecord>& records) {
+void read_intervals(const io::Hdf5Group& root, const std::vector<FitIntervals*>& fits) {
   const io::Hdf5Group group = root.open_group("profiles");
-  auto profiles = read_rows<ProfileRow>(group, records.size(), kProfileColumns);
+  auto profiles = read_rows<ProfileRow>(group, fits.size(), kProfileColumns);
   ListReader<ProfileRow> lists(group, profiles);
   kProfileLists(lists);
   for (ProfileRow& row : profiles) {
-    records[row.fit].result.intervals.profiles.push_back(std::move(row.profile));
+    fits[row.fit]->profiles.push_back(std::move(row.profile));
   }
   const io::Hdf5Group of_bootstraps = root.open_group("bootstraps");
-  auto bootstraps = read_rows<BootstrapRow>(of_bootstraps, records.size(), kBootstrapColumns);
+  auto bootstraps = read_rows<BootstrapRow>(of_bootstraps, fits.size(), kBootstrapColumns);
   read_bootstrap_lists(of_bootstraps, bootstraps);
   for (BootstrapRow& row : bootstraps) {
-    SceneIntervals& intervals = records[row.fit].result.intervals;
+    FitIntervals& intervals = *fits[row.fit];
     if (row.of != "residuals" && row.of != "specimens") {
       throw InputError({root.file(), 0}, "/bootstraps/of", row.of,
                        "must be residuals or specimens");

@@ -3,19 +3,11 @@
 #include <vector>
 
 #include "calibrate/report/format.hpp"
-#include "calibrate/report/scene_fit_figures.hpp"
+#include "calibrate/scene/scene_fit_record.hpp"
+#include "plastica/report/scene_figure.hpp"
 
-/// Pictures of the intervals of a fit through scenes; not installed.
+/// Confidence bands in pictures of fits through scenes; not installed.
 namespace plastica::calibrate::report {
-
-/// A panel per parameter: the rise of the least cost over its value, the parabola of the covariance
-/// beside it, the threshold, the interval's ends marked. @throws InputError if it has no profile
-Figure profile_figure(const SceneFitRecord& record);
-
-/// A panel per parameter: how the resamples' values lie, and the normal curve of the covariance
-/// beside them, the percentiles marked; then a panel per pair. Of the residuals if they were drawn,
-/// else of the specimens. @throws InputError if there is no bootstrap
-Figure bootstrap_figure(const SceneFitRecord& record);
 
 /// Bands of 95 %, at each sample by itself: of the fitted curve by the covariance, and of a new
 /// sample by the noise, too. Areas where the abscissa only grows, else lines.

@@ -1,0 +1,119 @@
+#include "calibrate/report/shown_intervals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "calibrate/report/csv_cells.hpp"
+#include "calibrate/report/scene_fit_words.hpp"
+
+namespace plastica::calibrate::report {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+Json bootstrap_of(const BootstrapResult& bootstrap, const ShownIntervals& shown) {
+  if (bootstrap.resamples == 0) return nullptr;
+  Json intervals = Json::object();
+  for (std::size_t i = 0; i < bootstrap.intervals.size(); ++i) {
+    const BootstrapInterval& interval = bootstrap.intervals[i];
+    intervals[short_name(shown.parameters.at(i).path)] = {
+        {"stderr", number(interval.standard_error)},
+        {"interval", {number(interval.low), number(interval.high)}}};
+  }
+  return {{"resamples", bootstrap.resamples},
+          {"failed", bootstrap.failed},
+          {"block", bootstrap.block},
+          {"parameters", std::move(intervals)}};
+}
+
+template <double LikelihoodProfile::*member>
+std::string of_profile(const FitIntervals& all, std::size_t i) {
+  return i < all.profiles.size() ? cell_of(all.profiles[i].*member) : std::string();
+}
+
+template <ProfileEnd LikelihoodProfile::*member>
+std::string end_of_profile(const FitIntervals& all, std::size_t i) {
+  return i < all.profiles.size() ? std::string(name_of(all.profiles[i].*member)) : std::string();
+}
+
+template <double BootstrapInterval::*member>
+std::string of_bootstrap(const FitIntervals& all, std::size_t i) {
+  const auto& intervals = all.residuals.intervals;
+  return i < intervals.size() ? cell_of(intervals[i].*member) : std::string();
+}
+
+bool has_profiles(const FitIntervals& all) { return !all.profiles.empty(); }
+bool has_bootstrap(const FitIntervals& all) { return all.residuals.resamples > 0; }
+
+constexpr IntervalColumn kColumns[] = {
+    {".profile_low", true, has_profiles, of_profile<&LikelihoodProfile::low>},
+    {".profile_high", true, has_profiles, of_profile<&LikelihoodProfile::high>},
+    {".profile_low_end", false, has_profiles, end_of_profile<&LikelihoodProfile::low_end>},
+    {".profile_high_end", false, has_profiles, end_of_profile<&LikelihoodProfile::high_end>},
+    {".bootstrap_low", true, has_bootstrap, of_bootstrap<&BootstrapInterval::low>},
+    {".bootstrap_high", true, has_bootstrap, of_bootstrap<&BootstrapInterval::high>}};
+
+}  // namespace
+
+ShownIntervals shown_intervals(const FitRecord& record) {
+  ShownIntervals shown;
+  shown.name = record.target.name;
+  shown.intervals = &record.result.intervals;
+  for (const FittedParameter* p : record.result.free_parameters()) {
+    shown.parameters.push_back({p->path, p->dimension, p->value, p->noise_error.value_or(kNan),
+                                p->standard_error.value_or(kNan), p->interval_low.value_or(kNan),
+                                p->interval_high.value_or(kNan)});
+  }
+  return shown;
+}
+
+ShownIntervals shown_intervals(const SceneFitResult& result) {
+  ShownIntervals shown;
+  shown.intervals = &result.intervals;
+  for (const SceneParameter& p : result.parameters) {
+    shown.parameters.push_back({p.path, p.dimension, p.value, p.noise_error, p.standard_error,
+                                p.interval_low, p.interval_high});
+  }
+  return shown;
+}
+
+ShownIntervals shown_intervals(const SceneFitRecord& record) {
+  ShownIntervals shown = shown_intervals(record.result);
+  shown.name = record.name;
+  return shown;
+}
+
+DisplayUnit display_unit(const ShownParameter& parameter) {
+  return display_unit_of(parameter.path, parameter.dimension, parameter.value);
+}
+
+Json intervals_json(const ShownIntervals& shown) {
+  const FitIntervals& all = *shown.intervals;
+  Json profiles = nullptr;
+  for (std::size_t i = 0; i < all.profiles.size(); ++i) {
+    const LikelihoodProfile& profile = all.profiles[i];
+    profiles[short_name(shown.parameters.at(i).path)] = {
+        {"interval", {number(profile.low), number(profile.high)}},
+        {"ends", {name_of(profile.low_end), name_of(profile.high_end)}},
+        {"threshold", number(profile.threshold)},
+        {"value", numbers(profile.value)},
+        {"rise", numbers(profile.rise)}};
+  }
+  return {{"profile", std::move(profiles)},
+          {"bootstrap", bootstrap_of(all.residuals, shown)},
+          {"bootstrap_specimens", bootstrap_of(all.specimens, shown)}};
+}
+
+std::vector<IntervalColumn> interval_columns(std::span<const FitIntervals* const> fits) {
+  std::vector<IntervalColumn> columns;
+  for (const IntervalColumn& column : kColumns) {
+    const bool any =
+        std::ranges::any_of(fits, [&](const FitIntervals* fit) { return column.there(*fit); });
+    if (any) columns.push_back(column);
+  }
+  return columns;
+}
+
+}  // namespace plastica::calibrate::report

@@ -1,0 +1,124 @@
+#include "calibrate/report/text_groups.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "calibrate/report/format.hpp"
+#include "calibrate/report/summary.hpp"
+#include "plastica/report/table.hpp"
+
+namespace plastica::calibrate::report {
+namespace {
+
+using plastica::report::Ink;
+using plastica::report::kWidth;
+using plastica::report::Table;
+
+std::string label_of(std::string_view name, const std::string& proof) {
+  for (const CharacteristicEntry& entry : characteristic_entries()) {
+    if (entry.name == name) return name == "rp02" ? proof : std::string(entry.label);
+  }
+  return printable(name);
+}
+
+/// "301.2 … 304.5"; empty without one.
+std::string mean_interval_text(const GroupStatistic& entry, const DisplayUnit& unit) {
+  if (!entry.mean_interval) return {};
+  const double low = entry.mean_interval->low / unit.scale;
+  const double high = entry.mean_interval->high / unit.scale;
+  const double error = 0.25 * (high - low);
+  if (!(error >= 1e-6) || std::max(std::fabs(low), std::fabs(high)) >= 1e7) {
+    return significant(low) + " … " + significant(high);
+  }
+  const int decimals = decimals_for(entry.statistic.mean / unit.scale, error);
+  return fmt::format("{:.{}f} … {:.{}f}", low, decimals, high, decimals);
+}
+
+/// @param draws  whether the table has a column for the intervals of means
+void add_statistic(Table& table, const GroupStatistic& entry, const std::string& label,
+                   bool draws) {
+  const bool modulus = entry.name.find("modulus") != std::string::npos;
+  const DisplayUnit unit = display_unit(entry.dimension, entry.statistic.mean, modulus);
+  const Statistic& statistic = entry.statistic;
+  const double mean = statistic.mean / unit.scale;
+  std::string middle = significant(mean);
+  std::string deviation = "-";
+  if (statistic.standard_deviation) {
+    const double scatter = *statistic.standard_deviation / unit.scale;
+    deviation = significant(scatter, 3);
+    if (std::fabs(mean) < 1e7 && std::fabs(mean) > 1e-4) {
+      // With as many decimals as the scatter says something of.
+      const int decimals = scatter > 0.0 ? decimals_for(mean, scatter, 3) : 3;
+      middle = fmt::format("{:.{}f}", mean, decimals);
+      deviation = fmt::format("{:.{}f}", scatter, decimals);
+    }
+  }
+  std::vector<std::string> cells = {label, std::to_string(statistic.n), middle, deviation,
+                                    std::string(unit.name)};
+  if (draws) cells.push_back(mean_interval_text(entry, unit));
+  table.add(std::move(cells));
+}
+
+}  // namespace
+
+std::string proof_label(std::span<const FitRecord> records) {
+  std::optional<double> offset;
+  for (const FitRecord& record : records) {
+    const std::optional<double>& here = record.target.characteristics.offset;
+    if (here && offset && *here != *offset) return "Rp";
+    if (here) offset = here;
+  }
+  return "Rp" + brief(100.0 * offset.value_or(0.002));
+}
+
+std::string groups_text(std::span<const FitRecord> records, const ReportOptions& options,
+                        const Ink& ink) {
+  const SpecimenDraws draws{options.specimen_resamples, options.seed, options.confidence};
+  const std::vector<GroupSummary> groups = summarize_groups(records, draws);
+  const bool drawn = draws.resamples > 0;
+  const std::string proof = proof_label(records);
+  const std::size_t shown =
+      options.groups_shown == 0 ? groups.size() : std::min(groups.size(), options.groups_shown);
+  std::string text;
+  for (std::size_t g = 0; g < shown; ++g) {
+    const GroupSummary& group = groups[g];
+    text +=
+        '\n' + ink.heading(wrapped("",
+                                   fmt::format("Group {}: {}", printable(group_label(group.group)),
+                                               counted(group.specimens(), "specimen")),
+                                   kWidth));
+    std::vector<Table::Column> columns = {
+        {"", Table::Align::Left}, {"n"}, {"mean"}, {"std. dev."}, {"", Table::Align::Left}};
+    if (drawn) {
+      columns.push_back(
+          {fmt::format("{:.4g} % of the mean", 100.0 * options.confidence), Table::Align::Range});
+    }
+    Table table(std::move(columns));
+    for (const GroupStatistic& entry : group.characteristics) {
+      add_statistic(table, entry, label_of(entry.name, proof), drawn);
+    }
+    if (!group.parameters.empty()) table.add_line("fitted");
+    for (const GroupStatistic& entry : group.parameters) {
+      add_statistic(table, entry, printable(entry.name), drawn);
+    }
+    if (table.rows() > 0) text += table.text(2, kWidth);
+  }
+  if (drawn && !groups.empty()) {
+    text += wrapped("  ",
+                    fmt::format("of the mean: percentiles of {} of the specimens of a group",
+                                counted(static_cast<std::size_t>(draws.resamples), "resample")),
+                    kWidth);
+  }
+  if (shown < groups.size()) {
+    text += fmt::format("\n… {} left out …\n", counted(groups.size() - shown, "group"));
+  }
+  return text;
+}
+
+}  // namespace plastica::calibrate::report

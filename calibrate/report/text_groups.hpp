@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "calibrate/report/text.hpp"
+#include "plastica/report/ink.hpp"
+
+/// The groups of a batch in its report; not installed.
+namespace plastica::calibrate::report {
+
+/// "Rp0.2", or "Rp" where the specimens have different offsets.
+std::string proof_label(std::span<const FitRecord> records);
+
+/// Mean and deviation of the characteristics and parameters of each group, the intervals of the
+/// parameters' means if specimens are drawn anew.
+std::string groups_text(std::span<const FitRecord> records, const ReportOptions& options,
+                        const plastica::report::Ink& ink);
+
+}  // namespace plastica::calibrate::report
