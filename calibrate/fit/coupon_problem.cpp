@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "calibrate/fit/shown_yield.hpp"
+
 namespace plastica::calibrate {
 namespace {
 
@@ -39,6 +41,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
     free_.push_back(free);
   }
   details_ = misfit_.details(active_);
+  hide_unseen_yield(misfit_, set_, active_, options, details_);
   uncertainty_ = uncertainty(details_, active_, set_, target, options, misfit_.break_factor());
   spread_ = spread_of(details_, active_, set_, target, options);
   noise_ = std::max(uncertainty_.noise, kLeastNoise * std::sqrt(misfit_.cost_unit()));

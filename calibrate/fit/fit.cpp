@@ -14,6 +14,7 @@
 #include "calibrate/fit/minimize_misfit.hpp"
 #include "calibrate/fit/misfit.hpp"
 #include "calibrate/fit/optimizer.hpp"
+#include "calibrate/fit/shown_yield.hpp"
 #include "calibrate/fit/uncertainty.hpp"
 #include "plastica/base/parallel_for.hpp"
 
@@ -265,7 +266,8 @@ FitResult fit_target(const Target& target, const FitOptions& options) {
     return result;
   }
   result.status = FitStatus::Fitted;
-  const Misfit::Details details = misfit.details(solution.active);
+  Misfit::Details details = misfit.details(solution.active);
+  hide_unseen_yield(misfit, set, solution.active, options, details);
   result.cost = details.stress_cost + details.break_cost;
   const Uncertainty u =
       uncertainty(details, solution.active, set, target, options, misfit.break_factor());

@@ -54,8 +54,8 @@ std::vector<IntervalColumn> columns_of(std::span<const FitRecord> records) {
 }
 
 /// A cell of a parameter's intervals; empty for one that is not free.
-std::string cell_of(const IntervalColumn& column, const FitResult& result,
-                    const FittedParameter* parameter) {
+std::string interval_cell(const IntervalColumn& column, const FitResult& result,
+                          const FittedParameter* parameter) {
   const auto free = result.free_parameters();
   const auto found = std::ranges::find(free, parameter);
   if (found == free.end()) return {};
@@ -137,7 +137,7 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
       row.push_back(there ? cell_of(parameter->interval_low) : std::string());
       row.push_back(there ? cell_of(parameter->interval_high) : std::string());
       for (const IntervalColumn& column : intervals) {
-        row.push_back(cell_of(column, result, parameter));
+        row.push_back(interval_cell(column, result, parameter));
       }
       const bool judged = there && parameter->judgement;
       row.emplace_back(judged ? name_of(parameter->judgement->verdict) : "");

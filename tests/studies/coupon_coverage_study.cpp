@@ -1,0 +1,106 @@
+// Honest intervals of coupon fits: ideally plastic bars with noise that break anywhere between two
+// samples. Intervals of 95 % of E, yield stress and break strain hold the truth as often as they
+// say, whichever way they are found. PLASTICA_STUDY=full runs 1 000 seeds, =sample the first 40.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "calibrate/fit/bootstrap.hpp"
+#include "calibrate/fit/fit.hpp"
+#include "plastica/base/parallel_for.hpp"
+#include "tests/calibrate/fit/targets.hpp"
+
+namespace plastica::testing {
+namespace {
+
+bool is_full() {
+  const char* study = std::getenv("PLASTICA_STUDY");
+  return study != nullptr && std::string(study) == "full";
+}
+
+constexpr double kYoung = 200e9, kYield = 300e6, kBreak = 0.018;
+
+/// A bar with so many whole samples from 0 on, evenly apart, that breaks at kBreak.
+Target broken_bar(std::size_t samples, double noise, std::uint64_t seed) {
+  Draws draws(seed, 0);
+  const double breaks_at = kBreak + kYield / kYoung;
+  const double step = breaks_at / (static_cast<double>(samples) - 1.0 + draws.even());
+  std::vector<double> strain(samples), stress(samples);
+  for (std::size_t i = 0; i < samples; ++i) {
+    strain[i] = step * static_cast<double>(i);
+    stress[i] = std::min(kYoung * strain[i], kYield) + noise * draws.normal();
+  }
+  Target target = target_of(std::move(strain), std::move(stress));
+  target.name = "seed-" + std::to_string(seed);
+  break_at(target, target.corrected.strain.back() + step, kBreak);
+  return target;
+}
+
+struct Case {
+  const char* name;
+  Objective objective;
+  std::size_t samples;
+  double noise;
+};
+
+/// How many intervals of a parameter hold its truth.
+struct Held {
+  int covariance = 0, profile = 0, bootstrap = 0;
+};
+
+TEST(CouponCoverage, IntervalsHoldTheTruthAsOftenAsTheySay) {
+  const std::size_t seeds = is_full() ? 1000 : 40;
+  const double truth[] = {kYoung, kYield, kBreak};
+  const char* names[] = {"E", "yield stress", "break strain"};
+  const Case cases[] = {
+      {"1000 samples, 1 %, along the strain path", Objective::StrainPath, 1000, 3e6},
+      {"300 samples, 1 %, least squares", Objective::LeastSquares, 300, 3e6},
+      {"60 samples, 0.5 %, least squares", Objective::LeastSquares, 60, 1.5e6}};
+  for (const Case& each : cases) {
+    FitOptions options = fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress"),
+                                 free_parameter("break_strain")});
+    options.objective = each.objective;
+    options.intervals = {.profile = true, .bootstrap = is_full() ? 400 : 200};
+    std::vector<FitResult> results(seeds);
+    parallel_for(seeds, {}, [&](std::size_t seed, int) {
+      results[seed] = fit_target(broken_bar(each.samples, each.noise, 1000 + seed), options);
+    });
+    Held held[3];
+    for (const FitResult& result : results) {
+      ASSERT_EQ(result.status, FitStatus::Fitted) << result.reason;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto holds = [&](double low, double high) {
+          return low <= truth[k] && truth[k] <= high ? 1 : 0;
+        };
+        const FittedParameter& p = result.parameters[k];
+        const LikelihoodProfile& profile = result.intervals.profiles.at(k);
+        const BootstrapInterval& bootstrap = result.intervals.residuals.intervals.at(k);
+        held[k].covariance += holds(*p.interval_low, *p.interval_high);
+        held[k].profile += holds(profile.low, profile.high);
+        held[k].bootstrap += holds(bootstrap.low, bootstrap.high);
+      }
+    }
+    // Of 40 seeds 33 hold it or more with a probability of 99.6 %.
+    const double low = is_full() ? 0.93 : 33.0 / 40.0, high = is_full() ? 0.97 : 1.0;
+    const double wider = is_full() ? 0.01 : 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto share = [&](int count) { return count / static_cast<double>(seeds); };
+      const double of[] = {share(held[k].covariance), share(held[k].profile),
+                           share(held[k].bootstrap)};
+      std::printf("%s: %s: covariance %.1f %%, profile %.1f %%, bootstrap %.1f %% of %zu seeds\n",
+                  each.name, names[k], 100.0 * of[0], 100.0 * of[1], 100.0 * of[2], seeds);
+      for (int kind = 0; kind < 3; ++kind) {
+        EXPECT_GE(of[kind], low - (kind == 2 ? wider : 0.0)) << each.name << ", " << names[k];
+        EXPECT_LE(of[kind], high + (kind == 2 ? wider : 0.0)) << each.name << ", " << names[k];
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace plastica::testing
