@@ -83,7 +83,10 @@ class Profiler {
       to = std::clamp(open, free_.fitted->lower, free_.fitted->upper);
       if (to != open) why = ProfileEnd::Bound;
     } else {
-      to = problem_.value(*free_.coordinate, end);
+      // The bound itself, where coordinates have rounded it.
+      const FittedParameter& p = *free_.fitted;
+      to = why == ProfileEnd::Bound ? (up ? p.upper : p.lower)
+                                    : problem_.value(*free_.coordinate, end);
     }
     (up ? profile_.high : profile_.low) = to;
     (up ? profile_.high_end : profile_.low_end) = why;

@@ -99,7 +99,7 @@ std::string intervals_text(const ShownIntervals& shown, const ReportOptions& opt
   if (profiled) {
     const auto ends = [&](ProfileEnd why) {
       return std::ranges::any_of(all.profiles, [&](const LikelihoodProfile& profile) {
-        return profile.low_end == why || profile.high_end == why;
+        return std::isfinite(profile.low) && (profile.low_end == why || profile.high_end == why);
       });
     };
     std::string note = fmt::format("profile: where the least cost has risen by {}",

@@ -17,14 +17,15 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// SYNTHETIC: E strain up to the yield stress, with a noise of 0.8 % of E strain's unit from a
-/// sine, as coarse as that of ../shared/data/synthetic-bilinear/linear.csv.
+/// SYNTHETIC: 1.5 strain up to the yield stress, then with the slope of the tangent, in MPa, 100
+/// samples of strain 0 to 1 and a roughness of cosines: as ../shared/data/synthetic-bilinear. The
+/// last sample is the largest of a straight line.
 std::string bilinear_curve(double yield, double tangent, double noise) {
   std::string text = "strain,stress\n";
   for (int i = 0; i < 100; ++i) {
     const double e = i / 99.0, first = yield / 1.5;
     const double stress = e < first ? 1.5 * e : yield + tangent * (e - first);
-    text += fmt::format("{:.17g},{:.17g}\n", e, stress + noise * std::sin(12.9898 * (i + 1)));
+    text += fmt::format("{:.17g},{:.17g}\n", e, stress + noise * std::cos(12.9898 * (99 - i)));
   }
   return text;
 }
@@ -92,7 +93,7 @@ TEST(FitVerdicts, SayThatABoundBites) {
   place.write("fit.toml", bilinear_fit("{ bounds = [\"0.01 MPa\", \"0.09 MPa\"] }"));
   std::string out;
   const Json fit = calibrated(place, out, {"--profile"});
-  EXPECT_TRUE(says(line_of(out, "yield_stress"), "at bound, upper 90 kPa")) << out;
+  EXPECT_TRUE(says(line_of(out, "yield_stress"), "at bound, upper 0.09 MPa")) << out;
   EXPECT_TRUE(says(out, "! yield_stress is at its upper bound")) << out;
   const Json& yield = fit.at("parameters").at("yield_stress");
   EXPECT_EQ(yield.at("verdict"), "at bound");
@@ -105,7 +106,15 @@ TEST(FitVerdicts, SayThatABoundBites) {
 
 TEST(FitVerdicts, SayThatTheSamplingLimitsABreak) {
   const Workplace place;
-  place.write("a.csv", broken_curve(350.0, 0, 0.1));  // the break lies within 0.1 % of strain
+  // 200 GPa, 350 MPa: finely sampled up to 0.3 %, then every 0.1 %; it breaks between 2.1 and 2.2
+  // %.
+  std::string curve = "Strain (%),Stress (MPa)\n";
+  for (int i = 0; i < 36; ++i) {
+    const double strain = i < 15 ? 0.02 * i : 0.3 + 0.1 * (i - 15);
+    const double stress = std::min(2000.0 * strain, 350.0) + 0.2 * ((i * 37) % 11 - 5);
+    curve += fmt::format("{:.2f},{:.2f}\n", strain, strain < 2.15 ? stress : 0.0);
+  }
+  place.write("a.csv", curve);
   place.write("fit.toml", fit_file("\"a.csv\""));
   std::string out;
   const Json fit = calibrated(place, out, {"--profile", "--bootstrap", "400"});
