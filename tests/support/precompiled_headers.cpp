@@ -1,0 +1,1 @@
+// A program without tests: what it precompiles serves all that have some.
