@@ -205,7 +205,8 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
                   "result file (HDF5); default: the input's name with .h5, here");
   sub->add_option("--json", arguments->json, "also write the summary for scripts");
   sub->add_option("--laws", arguments->laws,
-                  "fit each of these and compare: ideal, linear, voce, chaboche; ideal,linear,voce")
+                  "fit each of these and compare: ideal, linear, voce, chaboche; of curves and "
+                  "through scenes")
       ->delimiter(',')
       ->allow_extra_args(false);
   sub->add_option("--threads", arguments->threads, "0: as many as the machine has")
@@ -219,6 +220,7 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
   sub->footer(
       "Examples:\n"
       "  plastica calibrate fit.toml -o fit.h5 --json fit.json\n"
+      "  plastica calibrate curve.csv --laws ideal,linear,voce\n"
       "  plastica calibrate fit.toml --profile --bootstrap 400\n"
       "  plastica calibrate a.csv b.csv --strain Strain --stress Stress:MPa "
       "--fix youngs_modulus=\"200 GPa\"");

@@ -1,7 +1,6 @@
 #include "cli/calibrate_scenes.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,8 +12,10 @@
 
 #include "calibrate/config/scene_fit_file.hpp"
 #include "calibrate/fit/optimizer.hpp"
+#include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/scene_fit_json.hpp"
 #include "calibrate/report/scene_fit_text.hpp"
+#include "calibrate/scene/scene_laws.hpp"
 #include "calibrate/store/journaled_scene_fits.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
 #include "cli/dry_run.hpp"
@@ -34,8 +35,10 @@ using calibrate::SceneFitFile;
 using calibrate::SceneFitRecord;
 
 void print_dry_run(const SceneFitFile& file, const std::string& output) {
-  fmt::print("{} {} of {} targets, written to {}\n", file.cases.size(),
-             file.cases.size() == 1 ? "fit" : "fits",
+  const std::size_t laws = std::max<std::size_t>(1, file.options.laws.size());
+  const std::size_t fits = file.cases.size() * laws;
+  fmt::print("{} {}{} of {} targets, written to {}\n", fits, fits == 1 ? "fit" : "fits",
+             laws > 1 ? fmt::format(" by {} laws", laws) : "",
              std::accumulate(
                  file.cases.begin(), file.cases.end(), std::size_t{0},
                  [](std::size_t sum, const SceneFitCase& one) { return sum + one.parts.size(); }),
@@ -54,37 +57,37 @@ void print_dry_run(const SceneFitFile& file, const std::string& output) {
   if (file.options.segments_error) print_repetitions(file.cases);
 }
 
-SceneFitRecord record_of(SceneFitCase&& one, calibrate::SceneFitResult&& result) {
-  SceneFitRecord record;
-  record.name = std::move(one.name);
-  for (calibrate::ScenePart& part : one.parts) {
-    record.targets.push_back(std::move(part.target));
-    record.weights.push_back(part.weight);
+/// Tells bad input of any fit before the first one runs.
+void check(const SceneFitFile& file) {
+  for (const SceneFitCase& one : file.cases) {
+    if (file.options.laws.empty()) calibrate::check_scenes(one.parts, file.options);
+    for (const calibrate::Law law : file.options.laws) {
+      calibrate::check_scenes(calibrate::parts_of(law, one.parts),
+                              calibrate::options_of(law, file.options, one.parts));
+    }
   }
-  record.result = std::move(result);
-  return record;
 }
 
-void print_report(std::span<const SceneFitRecord> records, double confidence) {
+/// @param records  put into another order where laws are compared
+void print_report(std::vector<SceneFitRecord>& records, double confidence) {
   calibrate::ReportOptions options;
   options.color = isatty(STDOUT_FILENO) != 0;
   options.confidence = confidence;
-  fmt::print("{}", calibrate::scene_fits_report(records, options));
+  fmt::print("{}", calibrate::laws_report(records, options));
+  if (calibrate::compares_laws(records)) fmt::print("\n");
+  const auto shown = std::span(records).first(calibrate::advised_first(records));
+  fmt::print("{}", calibrate::scene_fits_report(shown, options));
 }
 
 }  // namespace
 
 int calibrate_scenes(const CalibrateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
-  if (!arguments.laws.empty()) {
-    throw InputError({}, "--laws", fmt::format("{}", fmt::join(arguments.laws, ",")),
-                     "is for curves of coupons; a fit through scenes has the laws of its scenes");
-  }
   const std::string output = output_of(arguments);
   SceneFitFile file = calibrate::read_scene_fit_file(arguments.inputs.front());
   set_intervals(arguments, file.options.intervals);
-  // Bad input of any fit is told before the first one runs.
-  for (const SceneFitCase& one : file.cases) calibrate::check_scenes(one.parts, file.options);
+  if (!arguments.laws.empty()) file.options.laws = calibrate::laws_of(arguments.laws, "--laws");
+  check(file);
   if (arguments.dry_run) {
     print_dry_run(file, output);
     return kDone;
@@ -97,7 +100,8 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   how.journal = {io::journal_path(output), arguments.resume, arguments.force};
   how.threads = arguments.threads;
   how.stop = &interrupt.flag();
-  ProgressBar bar("fitting", file.cases.size(), arguments.quiet);
+  ProgressBar bar("fitting", file.cases.size() * std::max<std::size_t>(1, file.options.laws.size()),
+                  arguments.quiet);
   // A lone fit has a line of its own.
   const bool several = file.cases.size() > 1;
   how.progress = [&bar, several](const calibrate::BatchProgress& progress) {
@@ -119,7 +123,8 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
     return kInterrupted;
   }
   for (std::size_t i = 0; i < results.size(); ++i) {
-    contents.records.push_back(record_of(std::move(file.cases[i]), std::move(results[i])));
+    contents.records.push_back(record_of(file.cases[batch.fits()[i].of], std::move(results[i])));
+    contents.records.back().seconds = batch.seconds()[i];
   }
   contents.confidence = file.options.confidence;
   contents.inputs = std::move(file.inputs);
@@ -136,10 +141,13 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
     print_report(contents.records, contents.confidence);
     fmt::print(stderr, "wrote {}\n", output);
   }
-  const bool all = std::all_of(contents.records.begin(), contents.records.end(),
-                               [](const SceneFitRecord& record) {
-                                 return record.result.status == calibrate::FitStatus::Fitted;
-                               });
+  // Where laws are compared, one of them suffices.
+  const auto fitted = [](const SceneFitRecord* record) {
+    return record->result.status == calibrate::FitStatus::Fitted;
+  };
+  const bool all = std::ranges::all_of(
+      calibrate::by_target(contents.records),
+      [&](const auto& records) { return std::ranges::any_of(records, fitted); });
   return all ? kDone : kNotAcceptable;
 }
 

@@ -24,28 +24,35 @@ const Record& find(std::span<const Record> records, const NameOf& name_of, std::
                    fmt::format("must be a {} of the file: {}", what, names));
 }
 
-}  // namespace
+const std::string& name_of(const calibrate::FitRecord& record) { return record.target.name; }
+const std::string& name_of(const calibrate::SceneFitRecord& record) { return record.name; }
 
-const calibrate::FitRecord& find_record(std::span<const calibrate::FitRecord> records,
-                                        const std::string& specimen, const std::string& file) {
+/// By its label, or by its name: the law that is advised for it.
+template <typename Record>
+const Record& find_law(std::span<const Record> records, std::string_view what,
+                       const std::string& wanted, const std::string& file) {
   const bool compared = calibrate::compares_laws(records);
-  for (const calibrate::LawRecords& target : calibrate::by_target(records)) {
-    if (!compared || target.front()->target.name != specimen) continue;
+  for (const auto& target : calibrate::by_target(records)) {
+    if (!compared || name_of(*target.front()) != wanted) continue;
     const calibrate::LawComparison laws = calibrate::compare_laws(target);
     const calibrate::Law best = laws.laws[laws.advised.value_or(0)].fit.law;
     return **std::ranges::find_if(target,
                                   [&](const auto* record) { return record->result.law == best; });
   }
-  const auto name = [&](const calibrate::FitRecord& record) {
-    return calibrate::label_of(record, compared);
-  };
-  return find(records, name, "specimen", specimen, file);
+  const auto name = [&](const Record& record) { return calibrate::label_of(record, compared); };
+  return find(records, name, what, wanted, file);
+}
+
+}  // namespace
+
+const calibrate::FitRecord& find_record(std::span<const calibrate::FitRecord> records,
+                                        const std::string& specimen, const std::string& file) {
+  return find_law(records, "specimen", specimen, file);
 }
 
 const calibrate::SceneFitRecord& find_record(std::span<const calibrate::SceneFitRecord> records,
                                              const std::string& fit, const std::string& file) {
-  const auto name = [](const calibrate::SceneFitRecord& record) { return record.name; };
-  return find(records, name, "fit", fit, file);
+  return find_law(records, "fit", fit, file);
 }
 
 }  // namespace plastica::cli

@@ -83,7 +83,7 @@ int show_fits(const ShowArguments& arguments) {
 }
 
 int show_scene_fits(const ShowArguments& arguments) {
-  const auto contents = calibrate::read_scene_fit_store(arguments.file);
+  auto contents = calibrate::read_scene_fit_store(arguments.file);
   calibrate::ReportOptions options;
   options.color = isatty(STDOUT_FILENO) != 0;
   options.confidence = contents.confidence;
@@ -100,7 +100,11 @@ int show_scene_fits(const ShowArguments& arguments) {
       }
     }
   }
-  fmt::print("{}", calibrate::scene_fits_report(contents.records, options));
+  fmt::print("{}", calibrate::laws_report(contents.records, options));
+  if (calibrate::compares_laws(contents.records)) fmt::print("\n");
+  const auto advised =
+      std::span(contents.records).first(calibrate::advised_first(contents.records));
+  fmt::print("{}", calibrate::scene_fits_report(advised, options));
   return kDone;
 }
 

@@ -75,6 +75,8 @@ void read_objective(const TomlTable& fit, FitOptions& options) {
   }
 }
 
+}  // namespace
+
 std::vector<Law> read_laws(const TomlValue& value) {
   std::vector<Law> laws;
   const std::vector<TomlValue> items = value.array();
@@ -87,8 +89,6 @@ std::vector<Law> read_laws(const TomlValue& value) {
   std::ranges::sort(laws);
   return laws;
 }
-
-}  // namespace
 
 FitOptions read_fit_options(const TomlTable& root) {
   FitOptions options;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "calibrate/config/read_csv_options.hpp"
+#include "calibrate/config/read_fit_options.hpp"
 #include "calibrate/config/read_intervals.hpp"
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/config/target_files.hpp"
@@ -133,6 +134,7 @@ class Reader {
     whole("evaluations", 1, kMostEvaluations, options.evaluations);
     whole("starts", 1, kMostStarts, options.starts);
     whole("screen", 0, kMostScreened, options.screen);
+    if (const auto laws = fit.find("laws")) options.laws = read_laws(*laws);
     if (const auto seed = fit.find("seed")) {
       options.seed =
           static_cast<std::uint64_t>(seed->integer(0, std::numeric_limits<std::int64_t>::max()));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/format.hpp"
+#include "calibrate/scene/scene_laws.hpp"
 #include "calibrate/scene/set_everywhere.hpp"
 
 namespace plastica::calibrate {
@@ -109,7 +110,8 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
   if (record.result.status != FitStatus::Fitted) {
     throw InputError({}, "--case", record.name, "has no fit: " + record.result.reason);
   }
-  FittedSetup fitted{setup, {"fitted to " + record.name}};
+  // The numbers of a law hold with that law.
+  FittedSetup fitted{setup_of(record.result.law, setup), {"fitted to " + record.name}};
   for (const SceneParameter& parameter : record.result.parameters) {
     if (parameter.verdict == Verdict::NotIdentified) {
       fitted.notes.push_back(

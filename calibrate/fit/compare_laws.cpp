@@ -109,7 +109,46 @@ std::string advice_of(const std::vector<ComparedLaw>& laws, std::size_t advised)
   return text;
 }
 
+/// Adds one target's fit of a law to that of others.
+void add(LawFit&& fit, LawFit& sum) {
+  const auto append = [](auto&& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
+  append(fit.curves, sum.curves);
+  append(fit.parameters, sum.parameters);
+  append(fit.verdicts, sum.verdicts);
+  sum.evaluations += fit.evaluations;
+  sum.runs += fit.runs;
+  sum.seconds = sum.fitted ? sum.seconds + fit.seconds : fit.seconds;
+  sum.misfit_share = std::max(sum.misfit_share, fit.misfit_share);
+  sum.lacks_fit = sum.lacks_fit || fit.lacks_fit;
+  sum.fitted = true;
+}
+
 }  // namespace
+
+LawComparison compare_laws_over(std::vector<std::vector<LawFit>> targets) {
+  std::vector<LawFit> sums;
+  const bool any_whole = std::ranges::any_of(targets, [](const std::vector<LawFit>& fits) {
+    return std::ranges::all_of(fits, &LawFit::fitted);
+  });
+  std::vector<Law> failed_somewhere;
+  for (const std::vector<LawFit>& fits : targets) {
+    for (const LawFit& fit : fits) {
+      if (!fit.fitted) failed_somewhere.push_back(fit.law);
+      if (std::ranges::find(sums, fit.law, &LawFit::law) == sums.end()) {
+        sums.emplace_back().law = fit.law;
+      }
+    }
+  }
+  for (std::vector<LawFit>& fits : targets) {
+    if (any_whole && !std::ranges::all_of(fits, &LawFit::fitted)) continue;
+    for (LawFit& fit : fits) {
+      const bool failed = std::ranges::find(failed_somewhere, fit.law) != failed_somewhere.end();
+      if (!any_whole && failed) continue;
+      add(std::move(fit), *std::ranges::find(sums, fit.law, &LawFit::law));
+    }
+  }
+  return compare_laws(std::move(sums));
+}
 
 LawComparison compare_laws(std::vector<LawFit> fits) {
   LawComparison comparison;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,16 +30,21 @@ struct LawFit {
   /// Free ones that shape the curves (k); not break strains.
   std::vector<std::string> parameters;
   std::vector<Verdict> verdicts;  ///< of these
-  std::size_t evaluations = 0;    ///< what the search cost
-  double misfit_share = 0.0;      ///< rms over the largest measured value [1]
-  bool lacks_fit = false;         ///< whether it does not describe a curve: `lacks_fit` below
+  std::size_t evaluations = 0;    ///< of the search, and of those that gave it its starts
+  std::size_t runs = 0;           ///< of scenes in the search; 0: a coupon
+  /// Time that the fit took [s]; NaN: not known.
+  double seconds = std::numeric_limits<double>::quiet_NaN();
+  double misfit_share = 0.0;  ///< rms over the largest measured value [1]
+  bool lacks_fit = false;     ///< whether it does not describe a curve: `lacks_fit` below
 };
 
 /// A law among others, all fitted to the same curves.
 ///
-/// With independent normal residuals of unknown size the likelihood's maximum leaves, but for what
-/// all laws have alike, -2 ln L = sum over the curves of n ln s^2, s^2 the mean square of the
-/// residuals (n s^2/noise^2 where the noise is known), and
+/// Independent normal residuals r of standard deviation s have
+///   -2 ln L = sum over the curves of (sum r^2/s^2 + n ln(2 pi s^2)).
+/// Where s is not known it is a parameter as any other; L is greatest at the mean square of the
+/// residuals, s^2 = sum r^2/n, and n ln s^2 is left, but for what all laws have alike. Where s is
+/// stated it is the same for all laws, and sum r^2/s^2 = n (mean square)/s^2 is left: chi^2. Then
 ///   AIC = -2 ln L + 2 K,  AICc = AIC + 2 K (K + 1)/(N - K - 1),  BIC = -2 ln L + K ln N
 /// with K the law's parameters and one for each unknown noise, N the sum of n.
 ///
@@ -68,6 +74,12 @@ struct LawComparison {
 /// those within 2 of it the one with the fewest parameters (a smaller difference is "not worth more
 /// than a bare mention", Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773).
 LawComparison compare_laws(std::vector<LawFit> fits);
+
+/// The laws over several targets, as if each target had the law's parameters of its own: sums of
+/// the targets that every law was fitted to; where there is none, of the laws that were fitted to
+/// every target.
+/// @param targets  the fits of each, a law each, the same laws
+LawComparison compare_laws_over(std::vector<std::vector<LawFit>> targets);
 
 /// (sum w)^2/sum w^2.
 double effective_samples(std::span<const double> weight);

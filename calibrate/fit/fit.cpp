@@ -49,6 +49,7 @@ void describe_misfit(const Misfit::Details& details, const Target& target,
   result.runs_probability = runs_probability(residual);
   result.autocorrelation = autocorrelation(residual);
   result.effective_samples = effective_samples(details.weight);
+  result.noise = options.noise;
   std::string lack =
       lack_of_fit(phrase_of(result.law), result.misfit_share, result.runs_probability,
                   laws_to_try(result.law, target.loading, options.laws));

@@ -12,21 +12,32 @@ namespace {
 
 /// A cost above the simpler law's by more than this share of it is not the least.
 constexpr double kNoBetter = 1e-6;
+/// A stress, modulus or rate of this share of the least usual one has no effect that shows.
+constexpr double kNothing = 1e-6;
 
-/// Lets a search begin where a simpler law's ended; what the law has beyond that one
-/// begins where it always does.
-void start_from(const FitResult& simpler, FitOptions& options) {
+/// Lets a search begin where a simpler law's ended; what the law has beyond that one begins where
+/// it always does, or where it has next to no effect.
+/// @param own  a fit of the law itself, for the bounds that it had
+void start_from(const FitResult& simpler, const FitResult& own, bool no_effect,
+                FitOptions& options) {
   for (Parameter& p : options.parameters) {
     if (p.role != ParameterRole::Free) continue;
-    for (const FittedParameter& found : simpler.parameters) {
-      if (found.path != p.field->path) continue;
+    const auto found = std::ranges::find(simpler.parameters, p.field->path, &FittedParameter::path);
+    if (found != simpler.parameters.end()) {
       p.value =
-          std::clamp(found.value, p.lower.value_or(found.value), p.upper.value_or(found.value));
+          std::clamp(found->value, p.lower.value_or(found->value), p.upper.value_or(found->value));
+    } else if (no_effect) {
+      const auto mine = std::ranges::find(own.parameters, p.field->path, &FittedParameter::path);
+      if (mine == own.parameters.end()) continue;
+      // A bound that nobody gave gives way to a start beyond it.
+      const double lower = p.lower.value_or(kNothing * mine->lower);
+      if (const auto least = least_effect(p, lower, mine->upper)) p.value = least;
     }
   }
 }
 
-/// The work of a first search stands before that of a second one of the same parameters.
+/// The work of one search stands before that of another one of the same parameters, whose result
+/// it is.
 void put_before(FitResult&& first, FitResult& second) {
   first.stages.insert(first.stages.end(), second.stages.begin(), second.stages.end());
   second.stages = std::move(first.stages);
@@ -55,16 +66,22 @@ FitResult fit_law(const Target& target, const FitOptions& options, Law law) {
   Law simpler = law;
   if (result.status != FitStatus::Fitted || !has_simpler(law, simpler)) return result;
   const FitResult below = fit_law(target, options, simpler);
-  if (below.status != FitStatus::Fitted || result.cost <= below.cost * (1.0 + kNoBetter)) {
-    return result;
+  result.simpler_evaluations = below.evaluations() + below.simpler_evaluations;
+  if (below.status != FitStatus::Fitted) return result;
+  const auto worse = [&] { return result.cost > below.cost * (1.0 + kNoBetter); };
+  for (const bool no_effect : {false, true}) {
+    if (!worse()) return result;
+    start_from(below, result, no_effect, own);
+    FitResult again = fit_target(target, own);
+    again.simpler_evaluations = result.simpler_evaluations;
+    if (again.status == FitStatus::Fitted && again.cost < result.cost) {
+      put_before(std::move(result), again);
+      result = std::move(again);
+    } else if (again.trace.active == result.trace.active) {
+      put_before(std::move(again), result);
+    }
   }
-  start_from(below, own);
-  FitResult again = fit_target(target, own);
-  if (again.status == FitStatus::Fitted && again.cost < result.cost) {
-    put_before(std::move(result), again);
-    result = std::move(again);
-  }
-  if (result.cost > below.cost * (1.0 + kNoBetter)) {
+  if (worse()) {
     result.warnings.push_back(
         fmt::format("{} ends with a larger misfit than {}, which it contains: its search has not "
                     "found its best",

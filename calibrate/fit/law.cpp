@@ -148,6 +148,29 @@ Hardening hardening_of(Law law, const Hardening& given) {
   return hardening;
 }
 
+std::optional<double> least_effect(const Parameter& parameter, double lower, double upper) {
+  if (!parameter.field->material) return std::nullopt;
+  switch (*parameter.field->material) {
+    case MaterialField::TangentModulus:
+    case MaterialField::SaturationStress:
+    case MaterialField::SaturationRate:
+    case MaterialField::BackModulus1:
+    case MaterialField::BackModulus2:
+    case MaterialField::BackModulus3: return lower;
+    case MaterialField::BackRate1:
+    case MaterialField::BackRate2:
+    case MaterialField::BackRate3: return upper;
+    default: return std::nullopt;
+  }
+}
+
+bool contains(Law law, Law simpler) {
+  for (Law below = law; has_simpler(below, below);) {
+    if (below == simpler) return true;
+  }
+  return false;
+}
+
 bool has_simpler(Law law, Law& simpler) {
   simpler = law == Law::Chaboche ? Law::Voce : Law::Ideal;
   return law != Law::Ideal;

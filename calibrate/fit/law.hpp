@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,6 +50,14 @@ std::vector<Parameter> parameters_of(Law law, Loading loading, std::span<const P
 /// A material's hardening, turned into a law: back-stresses that the law does not have are taken
 /// off.
 Hardening hardening_of(Law law, const Hardening& given);
+
+/// Where, between two bounds, a hardening parameter has the least effect: a stress or modulus at
+/// the lower one, the rate of a back-stress, which caps it, at the upper one, that of Voce at the
+/// lower one. Empty for others.
+std::optional<double> least_effect(const Parameter& parameter, double lower, double upper);
+
+/// Whether a law can do all that another one does: all contain ideal plasticity, Chaboche Voce.
+bool contains(Law law, Law simpler);
 
 /// The simpler law that a law contains. @return false for ideal plasticity, which contains none
 bool has_simpler(Law law, Law& simpler);

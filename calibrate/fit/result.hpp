@@ -83,9 +83,12 @@ struct FitResult {
   /// Probability of so few runs of one sign, if the residuals were noise (verdict.hpp); NaN for
   /// fewer than 20.
   double runs_probability = std::numeric_limits<double>::quiet_NaN();
-  double autocorrelation = 0.0;              ///< of neighbouring residuals (compare_laws.hpp) [1]
-  double effective_samples = 0.0;            ///< by their weights (compare_laws.hpp) [1]
-  std::size_t samples = 0;                   ///< that entered the fit
+  double autocorrelation = 0.0;    ///< of neighbouring residuals (compare_laws.hpp) [1]
+  double effective_samples = 0.0;  ///< by their weights (compare_laws.hpp) [1]
+  std::size_t samples = 0;         ///< that entered the fit
+  std::optional<double> noise;     ///< that was stated, of the stress [Pa]; empty: none was
+  /// Of fits of the simpler laws that this one contains, whose values were tried as starts.
+  std::size_t simpler_evaluations = 0;
   std::optional<double> break_strain_total;  ///< total strain at which the fitted model breaks [1]
   std::uint64_t seed = 0;
   std::vector<OptimizerStage> stages;

@@ -11,6 +11,7 @@
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/json_values.hpp"
 #include "calibrate/report/law_choice.hpp"
+#include "calibrate/report/law_json.hpp"
 #include "calibrate/report/shown_intervals.hpp"
 #include "calibrate/report/summary.hpp"
 
@@ -129,6 +130,7 @@ Json fit_of(const FitRecord& record) {
               {"parameters", std::move(parameters)},
               {"objective", if_fitted(result.cost)},
               {"evaluations", result.evaluations()},
+              {"simpler_evaluations", result.simpler_evaluations},
               {"misfit_rms", if_fitted(result.misfit_rms)},
               {"misfit_share", if_fitted(result.misfit_share)},
               {"runs_probability", if_fitted(result.runs_probability)},
@@ -138,6 +140,7 @@ Json fit_of(const FitRecord& record) {
               {"break_strain_total", number(result.break_strain_total)},
               {"correlation", correlation_of(result)},
               {"stages", stages_of(result)},
+              {"noise", number(result.noise)},
               {"seed", result.seed},
               {"samples", result.samples},
               {"file", target.file},
@@ -170,43 +173,6 @@ Json statistics_of(const std::vector<GroupStatistic>& all) {
   return object;
 }
 
-/// Laws beside each other, the best first.
-Json comparison_of(const LawComparison& comparison) {
-  Json laws = Json::array();
-  for (const ComparedLaw& law : comparison.laws) {
-    Json counts = Json::object();
-    for (const Verdict verdict : law.fit.verdicts) {
-      Json& count = counts[std::string(name_of(verdict))];
-      count = count.is_null() ? 1 : count.get<int>() + 1;
-    }
-    laws.push_back({{"law", name_of(law.fit.law)},
-                    {"fitted", law.fit.fitted},
-                    {"parameters", law.fit.parameters.size()},
-                    {"misfit_share", number(law.fit.misfit_share)},
-                    {"aic", number(law.aic)},
-                    {"aicc", number(law.aicc)},
-                    {"bic", number(law.bic)},
-                    {"verdicts", std::move(counts)},
-                    {"evaluations", law.fit.evaluations}});
-  }
-  return {
-      {"samples", number(comparison.samples)},
-      {"laws", std::move(laws)},
-      {"advised",
-       comparison.advised ? Json(name_of(comparison.laws[*comparison.advised].fit.law)) : Json()},
-      {"advice", text_or_null(comparison.advice)}};
-}
-
-Json comparisons_of(std::span<const FitRecord> records) {
-  Json targets = Json::array();
-  for (const LawRecords& target : by_target(records)) {
-    Json one = comparison_of(compare_laws(target));
-    one["name"] = target.front()->target.name;
-    targets.push_back(std::move(one));
-  }
-  return {{"targets", std::move(targets)}, {"all", comparison_of(compare_laws(records))}};
-}
-
 }  // namespace
 
 std::string json_summary(std::span<const FitRecord> records, int indent,
@@ -231,7 +197,7 @@ std::string json_summary(std::span<const FitRecord> records, int indent,
       {"groups", std::move(groups)},
       {"counts",
        {{"fitted", counts.fitted}, {"rejected", counts.rejected}, {"failed", counts.failed}}}};
-  if (compares_laws(records)) all["laws"] = comparisons_of(records);
+  if (compares_laws(records)) all["laws"] = laws_json(records);
   return all.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -2,6 +2,12 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "calibrate/scene/scene_laws.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -18,38 +24,32 @@ LawFit law_fit_of(const FitRecord& record) {
                                        : largest_magnitude(record.target.corrected.stress),
                         .samples = result.effective_samples,
                         .autocorrelation = result.autocorrelation,
-                        .noise = {}});
+                        .noise = result.noise});
   for (const FittedParameter& p : result.parameters) {
     const bool limit = p.name == "break_strain" || p.name == "break_shear_strain";
     if (p.role != ParameterRole::Free || limit || !p.judgement) continue;
     fit.parameters.push_back(p.name);
     fit.verdicts.push_back(p.judgement->verdict);
   }
-  fit.evaluations = result.evaluations();
+  fit.evaluations = result.evaluations() + result.simpler_evaluations;
   fit.misfit_share = result.misfit_share;
   fit.lacks_fit = lacks_fit(result.misfit_share, result.runs_probability);
   return fit;
 }
 
-/// Adds one target's fit of a law to that of others.
-void add(LawFit&& fit, LawFit& sum) {
-  const auto append = [](auto&& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
-  append(fit.curves, sum.curves);
-  append(fit.parameters, sum.parameters);
-  append(fit.verdicts, sum.verdicts);
-  sum.evaluations += fit.evaluations;
-  sum.misfit_share = std::max(sum.misfit_share, fit.misfit_share);
-  sum.lacks_fit = sum.lacks_fit || fit.lacks_fit;
-}
+const std::string& name_of(const FitRecord& record) { return record.target.name; }
+const std::string& name_of(const SceneFitRecord& record) { return record.name; }
 
-}  // namespace
+template <typename Record>
+using Records = std::vector<const Record*>;
 
-std::vector<LawRecords> by_target(std::span<const FitRecord> records) {
-  std::vector<LawRecords> targets;
-  for (const FitRecord& record : records) {
+template <typename Record>
+std::vector<Records<Record>> targets_of(std::span<const Record> records) {
+  std::vector<Records<Record>> targets;
+  for (const Record& record : records) {
     // Neighbours as a rule: look at the last target first.
-    const auto same = [&](const LawRecords& target) {
-      return target.front()->target.name == record.target.name;
+    const auto same = [&](const Records<Record>& target) {
+      return name_of(*target.front()) == name_of(record);
     };
     const auto found = std::find_if(targets.rbegin(), targets.rend(), same);
     if (found == targets.rend()) {
@@ -61,63 +61,98 @@ std::vector<LawRecords> by_target(std::span<const FitRecord> records) {
   return targets;
 }
 
-bool compares_laws(std::span<const FitRecord> records) {
+template <typename Record>
+bool has_laws(std::span<const Record> records) {
   // All targets have the same laws.
   return std::ranges::any_of(
       records.subspan(std::min<std::size_t>(records.size(), 1)),
-      [&](const FitRecord& record) { return record.target.name == records.front().target.name; });
+      [&](const Record& record) { return name_of(record) == name_of(records.front()); });
 }
 
-LawComparison compare_laws(const LawRecords& records) {
+template <typename Record>
+std::vector<LawFit> law_fits(const Records<Record>& records) {
   std::vector<LawFit> fits;
-  for (const FitRecord* record : records) fits.push_back(law_fit_of(*record));
-  return compare_laws(std::move(fits));
+  for (const Record* record : records) fits.push_back(law_fit_of(*record));
+  return fits;
 }
 
-LawComparison compare_laws(std::span<const FitRecord> records) {
-  std::vector<LawFit> sums;
-  const auto targets = by_target(records);
-  const auto fitted = [](const FitRecord* record) {
-    return record->result.status == FitStatus::Fitted;
-  };
-  const bool any_whole = std::ranges::any_of(
-      targets, [&](const LawRecords& target) { return std::ranges::all_of(target, fitted); });
-  const auto failed_somewhere = [&](Law law) {
-    return std::ranges::any_of(records, [&](const FitRecord& record) {
-      return record.result.law == law && !fitted(&record);
-    });
-  };
-  for (const LawRecords& target : targets) {
-    std::vector<LawFit> fits;
-    for (const FitRecord* record : target) fits.push_back(law_fit_of(*record));
-    for (const LawFit& fit : fits) {
-      const auto same = [&](const LawFit& sum) { return sum.law == fit.law; };
-      if (std::ranges::none_of(sums, same)) sums.emplace_back().law = fit.law;
-    }
-    if (any_whole && !std::ranges::all_of(fits, &LawFit::fitted)) continue;
-    for (LawFit& fit : fits) {
-      if (!any_whole && failed_somewhere(fit.law)) continue;
-      LawFit& sum = *std::ranges::find(sums, fit.law, &LawFit::law);
-      sum.fitted = true;
-      add(std::move(fit), sum);
-    }
-  }
-  return compare_laws(std::move(sums));
+template <typename Record>
+LawComparison compare_all(std::span<const Record> records) {
+  std::vector<std::vector<LawFit>> targets;
+  for (const auto& target : targets_of(records)) targets.push_back(law_fits(target));
+  return compare_laws_over(std::move(targets));
 }
 
-std::size_t advised_first(std::vector<FitRecord>& records) {
-  if (!compares_laws(records)) return records.size();
-  const LawComparison all = compare_laws(std::span<const FitRecord>(records));
-  if (all.laws.empty()) return 0;
-  const Law law = all.laws[all.advised.value_or(0)].fit.law;
+template <typename Record>
+std::size_t to_the_front(std::vector<Record>& records) {
+  const std::span<const Record> all(records);
+  if (!has_laws(all)) return records.size();
+  const LawComparison laws = compare_all(all);
+  if (laws.laws.empty()) return 0;
+  const Law law = laws.laws[laws.advised.value_or(0)].fit.law;
   const auto rest = std::stable_partition(records.begin(), records.end(),
-                                          [&](const FitRecord& r) { return r.result.law == law; });
+                                          [&](const Record& r) { return r.result.law == law; });
   return static_cast<std::size_t>(rest - records.begin());
 }
 
-std::string label_of(const FitRecord& record, bool compared) {
-  return compared ? record.target.name + ':' + std::string(name_of(record.result.law))
-                  : record.target.name;
+template <typename Record>
+std::vector<Record> select(std::span<const Record> records, const std::string& law) {
+  std::vector<Record> chosen(records.begin(), records.end());
+  if (law.empty()) {
+    chosen.resize(to_the_front(chosen));
+    return chosen;
+  }
+  std::erase_if(chosen, [&](const Record& r) { return calibrate::name_of(r.result.law) != law; });
+  if (!chosen.empty()) return chosen;
+  std::vector<std::string> names;
+  for (const Record& record : records) {
+    const std::string name(calibrate::name_of(record.result.law));
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  throw InputError({}, "--law", law,
+                   fmt::format("is no law of this file; it has {}", fmt::join(names, ", ")));
+}
+
+template <typename Record>
+std::string label(const Record& record, bool compared) {
+  return compared ? name_of(record) + ':' + std::string(calibrate::name_of(record.result.law))
+                  : name_of(record);
+}
+
+}  // namespace
+
+std::vector<LawRecords> by_target(std::span<const FitRecord> records) {
+  return targets_of(records);
+}
+std::vector<SceneLawRecords> by_target(std::span<const SceneFitRecord> records) {
+  return targets_of(records);
+}
+
+bool compares_laws(std::span<const FitRecord> records) { return has_laws(records); }
+bool compares_laws(std::span<const SceneFitRecord> records) { return has_laws(records); }
+
+LawComparison compare_laws(const LawRecords& records) { return compare_laws(law_fits(records)); }
+LawComparison compare_laws(const SceneLawRecords& records) {
+  return compare_laws(law_fits(records));
+}
+
+LawComparison compare_laws(std::span<const FitRecord> records) { return compare_all(records); }
+LawComparison compare_laws(std::span<const SceneFitRecord> records) { return compare_all(records); }
+
+std::size_t advised_first(std::vector<FitRecord>& records) { return to_the_front(records); }
+std::size_t advised_first(std::vector<SceneFitRecord>& records) { return to_the_front(records); }
+
+std::vector<FitRecord> of_law(std::span<const FitRecord> records, const std::string& law) {
+  return select(records, law);
+}
+std::vector<SceneFitRecord> of_law(std::span<const SceneFitRecord> records,
+                                   const std::string& law) {
+  return select(records, law);
+}
+
+std::string label_of(const FitRecord& record, bool compared) { return label(record, compared); }
+std::string label_of(const SceneFitRecord& record, bool compared) {
+  return label(record, compared);
 }
 
 }  // namespace plastica::calibrate

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/csv_cells.hpp"
+#include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 
 namespace plastica::calibrate {
@@ -132,19 +133,20 @@ std::string title_of(const Column& column, const std::string& path, Dimension di
 void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> records) {
   const auto paths = all_paths(records);
   const std::vector<Column> columns = columns_of(records);
-  std::vector<std::string> header = {"name", "status", "reason"};
+  std::vector<std::string> header = {"name", "law", "status", "reason"};
   for (const auto& [path, dimension] : paths) {
     for (const Column& column : columns) header.push_back(title_of(column, path, dimension));
   }
-  for (const char* last : {"cost [1]", "degrees_of_freedom [1]", "starts", "runs", "failed_runs"}) {
+  for (const char* last :
+       {"cost [1]", "degrees_of_freedom [1]", "starts", "runs", "search_runs", "failed_runs"}) {
     header.emplace_back(last);
   }
   put_row(out, header);
   for (const SceneFitRecord& record : records) {
     const SceneFitResult& result = record.result;
     const bool fitted = result.status == FitStatus::Fitted;
-    std::vector<std::string> row = {record.name, std::string(word_of(result.status)),
-                                    result.reason};
+    std::vector<std::string> row = {record.name, std::string(name_of(result.law)),
+                                    std::string(word_of(result.status)), result.reason};
     for (const auto& [path, dimension] : paths) {
       const auto p = std::ranges::find(result.parameters, path, &SceneParameter::path);
       if (p == result.parameters.end() || !fitted) {
@@ -159,6 +161,7 @@ void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> rec
     row.push_back(fitted ? cell_of(result.degrees_of_freedom) : std::string());
     row.push_back(std::to_string(result.starts.size()));
     row.push_back(std::to_string(result.runs));
+    row.push_back(std::to_string(result.search_runs));
     row.push_back(std::to_string(result.failed_runs));
     put_row(out, row);
   }
@@ -169,11 +172,12 @@ void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> 
                 "samples", "weight", "broke_at", "broke_half_interval", "level", "noise",
                 "noise_is", "degrees_of_freedom [1]", "misfit_share [1]", "runs_probability [1]",
                 "break_strain [1]"});
+  const bool compared = compares_laws(records);
   for (const SceneFitRecord& record : records) {
     const bool there = record.result.parts.size() == record.targets.size();
     for (std::size_t i = 0; i < record.targets.size(); ++i) {
       const SceneTarget& target = record.targets[i];
-      std::vector<std::string> row = {record.name,
+      std::vector<std::string> row = {label_of(record, compared),
                                       target.name,
                                       abscissa_text(target),
                                       std::string(si_unit(target.abscissa_is)),
@@ -199,6 +203,7 @@ void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> 
 
 void write_scene_fit_curves_csv(std::ostream& out, std::span<const SceneFitRecord> records) {
   out << "fit,target,abscissa,abscissa_unit,measured,fitted,fitted_error,ordinate_unit\n";
+  const bool compared = compares_laws(records);
   for (const SceneFitRecord& record : records) {
     const bool there = record.result.parts.size() == record.targets.size();
     for (std::size_t i = 0; i < record.targets.size(); ++i) {
@@ -207,7 +212,7 @@ void write_scene_fit_curves_csv(std::ostream& out, std::span<const SceneFitRecor
       const std::vector<double>& fitted = there ? record.result.parts[i].fitted : kNone;
       const std::vector<double>& error = there ? record.result.parts[i].fitted_error : kNone;
       for (std::size_t k = 0; k < target.abscissa.size(); ++k) {
-        put_row(out, {record.name, target.name, cell_of(target.abscissa[k]),
+        put_row(out, {label_of(record, compared), target.name, cell_of(target.abscissa[k]),
                       std::string(si_unit(target.abscissa_is)), cell_of(target.ordinate[k]),
                       k < fitted.size() ? cell_of(fitted[k]) : std::string(),
                       k < error.size() ? cell_of(error[k]) : std::string(),

@@ -11,9 +11,12 @@ namespace plastica::calibrate {
 /// row, in a column of their own; quoted after RFC 4180 with line feeds; what is missing is an
 /// empty cell. Numbers have all their digits.
 
-/// A row per fit: name, status, reason and, per parameter, value, standard error, interval, value
-/// extrapolated in the segments, half interval that they leave, intervals of profile and bootstrap
-/// where any fit has them, and verdict; cost of the best search, runs.
+/// Where laws are compared a fit is called by its name and law, "bend:voce", in the tables that
+/// have no column of laws.
+
+/// A row per fit: name, law, status, reason and, per parameter, value, standard error, interval,
+/// value extrapolated in the segments, half interval that they leave, intervals of profile and
+/// bootstrap where any fit has them, and verdict; cost of the best search, runs.
 void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> records);
 
 /// A row per target: what it was measured over, and how well its fit follows it.

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "calibrate/report/json_values.hpp"
+#include "calibrate/report/law_choice.hpp"
+#include "calibrate/report/law_json.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/scene_population.hpp"
 #include "calibrate/report/shown_intervals.hpp"
@@ -115,7 +117,10 @@ Json fit_of(const SceneFitRecord& record) {
                       {"outcome", name_of(start.outcome)},
                       {"evaluations", start.evaluations}});
   }
+  int evaluations = 0;
+  for (const SceneStart& start : result.starts) evaluations += start.evaluations;
   return {{"name", record.name},
+          {"law", name_of(result.law)},
           {"status", word_of(result.status)},
           {"reason", text_or_null(result.reason)},
           {"parameters", std::move(parameters)},
@@ -126,7 +131,9 @@ Json fit_of(const SceneFitRecord& record) {
           {"targets", std::move(targets)},
           {"starts", std::move(starts)},
           {"outcome", name_of(result.outcome)},
+          {"evaluations", evaluations},
           {"runs", result.runs},
+          {"search_runs", result.search_runs},
           {"failed_runs", result.failed_runs},
           {"segment_iterations", result.segment_iterations},
           {"warnings", result.warnings}};
@@ -162,11 +169,14 @@ std::string scene_fits_json(std::span<const SceneFitRecord> records, double conf
                             int indent) {
   Json fits = Json::array();
   for (const SceneFitRecord& record : records) fits.push_back(fit_of(record));
-  const auto fitted = std::ranges::count(records, FitStatus::Fitted,
+  // Population and counts are those of the law that is advised.
+  const std::vector<SceneFitRecord> shown = of_law(records, "");
+  const auto fitted = std::ranges::count(shown, FitStatus::Fitted,
                                          [](const SceneFitRecord& r) { return r.result.status; });
-  const Json all = {{"fits", std::move(fits)},
-                    {"population", population_of(records, confidence)},
-                    {"counts", {{"fitted", fitted}, {"failed", std::ssize(records) - fitted}}}};
+  Json all = {{"fits", std::move(fits)},
+              {"population", population_of(shown, confidence)},
+              {"counts", {{"fitted", fitted}, {"failed", std::ssize(shown) - fitted}}}};
+  if (compares_laws(records)) all["laws"] = laws_json(records);
   return all.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -29,49 +29,88 @@ std::string entry(std::string_view label, std::string_view text) {
   return wrapped(fmt::format("  {:<10}", label), text, kWidth);
 }
 
-const FittedParameter* find(const FitRecord& record, std::string_view name) {
-  const auto& all = record.result.parameters;
-  const auto found = std::ranges::find(all, name, &FittedParameter::name);
-  return found == all.end() ? nullptr : &*found;
+/// What the table shows of a parameter.
+struct LawParameter {
+  std::string path;
+  Dimension dimension = Dimension::None;
+  double value = 0.0;
+  double error = 0.0;  ///< NaN: none
+  bool shown = true;
+
+  std::string name() const { return printable(path.substr(path.rfind('.') + 1)); }
+};
+
+std::vector<LawParameter> parameters_of(const FitRecord& record) {
+  std::vector<LawParameter> all;
+  for (const FittedParameter& p : record.result.parameters) {
+    all.push_back({p.path, p.dimension, p.value,
+                   p.standard_error.value_or(std::numeric_limits<double>::quiet_NaN()),
+                   p.standard_error || p.identified});
+  }
+  return all;
 }
 
+std::vector<LawParameter> parameters_of(const SceneFitRecord& record) {
+  std::vector<LawParameter> all;
+  for (const SceneParameter& p : record.result.parameters) {
+    all.push_back(
+        {p.path, p.dimension, p.value, p.standard_error, p.verdict != Verdict::NotIdentified});
+  }
+  return all;
+}
+
+const std::string& name_of(const FitRecord& record) { return record.target.name; }
+const std::string& name_of(const SceneFitRecord& record) { return record.name; }
+
+std::size_t samples_of(const FitRecord& record) { return record.result.samples; }
+std::size_t samples_of(const SceneFitRecord& record) {
+  std::size_t samples = 0;
+  for (const ScenePartFit& part : record.result.parts) samples += part.samples;
+  return samples;
+}
+
+template <typename Record>
+using Records = std::vector<const Record*>;
+
 /// The records in the order of a comparison.
-LawRecords ranked(const LawRecords& records, const LawComparison& comparison) {
-  LawRecords sorted;
+template <typename Record>
+Records<Record> ranked(const Records<Record>& records, const LawComparison& comparison) {
+  Records<Record> sorted;
   for (const ComparedLaw& law : comparison.laws) {
     sorted.push_back(*std::ranges::find_if(
-        records, [&](const FitRecord* record) { return record->result.law == law.fit.law; }));
+        records, [&](const Record* record) { return record->result.law == law.fit.law; }));
   }
   return sorted;
 }
 
-void add_parameters(const LawRecords& records, Table& table) {
-  std::vector<std::string> names;
-  for (const FitRecord* record : records) {
-    for (const FittedParameter& p : record->result.parameters) {
-      if (std::ranges::find(names, p.name) == names.end()) names.push_back(p.name);
+std::string cell_of(const LawParameter& p, const DisplayUnit& unit) {
+  if (!p.shown) return "-";
+  if (std::isfinite(p.error)) return with_error(p.value / unit.scale, p.error / unit.scale);
+  return significant(p.value / unit.scale);
+}
+
+template <typename Record>
+void add_parameters(const Records<Record>& records, Table& table) {
+  std::vector<std::vector<LawParameter>> all;
+  std::vector<LawParameter> largest;
+  for (const Record* record : records) {
+    all.push_back(parameters_of(*record));
+    for (const LawParameter& p : all.back()) {
+      const auto found = std::ranges::find(largest, p.path, &LawParameter::path);
+      if (found == largest.end()) {
+        largest.push_back(p);
+      } else if (std::fabs(p.value) > std::fabs(found->value)) {
+        found->value = p.value;
+      }
     }
   }
-  for (const std::string& name : names) {
-    FittedParameter typical;
-    for (const FitRecord* record : records) {
-      const FittedParameter* p = find(*record, name);
-      if (p == nullptr) continue;
-      const double size = std::max(std::fabs(typical.value), std::fabs(p->value));
-      typical = *p;
-      typical.value = size;
-    }
-    const DisplayUnit unit = display_unit(typical);
-    std::vector<std::string> cells{printable(name), std::string(unit.name)};
-    for (const FitRecord* record : records) {
-      const FittedParameter* p = find(*record, name);
-      std::string cell = "-";
-      if (p != nullptr && p->standard_error) {
-        cell = with_error(p->value / unit.scale, *p->standard_error / unit.scale);
-      } else if (p != nullptr && p->identified) {
-        cell = significant(p->value / unit.scale);
-      }
-      cells.push_back(std::move(cell));
+  for (const LawParameter& typical : largest) {
+    const DisplayUnit unit =
+        display_unit_of(typical.path, typical.dimension, std::fabs(typical.value));
+    std::vector<std::string> cells{typical.name(), std::string(unit.name)};
+    for (const std::vector<LawParameter>& of_law : all) {
+      const auto found = std::ranges::find(of_law, typical.path, &LawParameter::path);
+      cells.push_back(found == of_law.end() ? "-" : cell_of(*found, unit));
     }
     table.add(std::move(cells));
   }
@@ -99,69 +138,128 @@ void add_criterion(Table& table, std::string_view label, const LawComparison& co
   });
 }
 
-std::string verdicts_of(const LawFit& fit, Verdict verdict) {
-  return std::to_string(std::ranges::count(fit.verdicts, verdict));
+double rms_of(const ComparedLaw& law, std::size_t curve) {
+  return std::sqrt(law.fit.curves[curve].mean_square);
 }
 
-void add_comparison(const LawRecords& records, const LawComparison& comparison, Table& table) {
+/// In the unit of the largest of a curve.
+DisplayUnit unit_of(const LawComparison& comparison, Dimension dimension) {
+  double most = 0.0;
+  for (const ComparedLaw& law : comparison.laws) {
+    if (law.fit.fitted) most = std::max(most, rms_of(law, 0));
+  }
+  return display_unit(dimension, most);
+}
+
+void add_rms(Table& table, const LawComparison& comparison, const DisplayUnit& unit) {
+  add_row(table, "misfit, rms", unit.name, comparison,
+          [&](const ComparedLaw& law) { return significant(rms_of(law, 0) / unit.scale, 4); });
+}
+
+void add_misfit(const Records<FitRecord>& /*records*/, const LawComparison& comparison,
+                Table& table) {
+  const DisplayUnit unit = unit_of(comparison, Dimension::Stress);
+  add_rms(table, comparison, unit);
+  add_row(table, "  its square f", fmt::format("{}²", unit.name), comparison,
+          [&](const ComparedLaw& law) {
+            const double rms = rms_of(law, 0) / unit.scale;
+            return significant(rms * rms, 5);
+          });
+  add_row(table, "  of the largest stress", "%", comparison,
+          [](const ComparedLaw& law) { return significant(100.0 * law.fit.misfit_share, 2); });
+}
+
+/// Several targets have a share each, one has its size, too.
+void add_misfit(const Records<SceneFitRecord>& records, const LawComparison& comparison,
+                Table& table) {
+  const std::vector<SceneTarget>& targets = records.front()->targets;
+  if (targets.size() == 1) {
+    add_rms(table, comparison, unit_of(comparison, targets.front().ordinate_is));
+  }
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    add_row(table,
+            targets.size() == 1 ? "  of the largest value"
+                                : fmt::format("misfit of {}", printable(targets[i].name)),
+            "%", comparison, [&](const ComparedLaw& law) {
+              const double largest = law.fit.curves[i].largest;
+              return largest > 0.0 ? significant(100.0 * rms_of(law, i) / largest, 2)
+                                   : std::string("-");
+            });
+  }
+}
+
+template <typename Record>
+void add_comparison(const Records<Record>& records, const LawComparison& comparison, Table& table) {
   table.add_line("");
   add_row(table, "parameters", "", comparison,
           [](const ComparedLaw& law) { return std::to_string(law.fit.parameters.size()); });
-  for (const Verdict verdict : {Verdict::Identified, Verdict::Weak, Verdict::NotIdentified,
-                                Verdict::AtBound, Verdict::LimitedBySampling}) {
-    const bool any = std::ranges::any_of(comparison.laws, [&](const ComparedLaw& law) {
-      return std::ranges::find(law.fit.verdicts, verdict) != law.fit.verdicts.end();
-    });
-    if (!any) continue;
-    add_row(table, fmt::format("  {}", name_of(verdict)), "", comparison,
-            [&](const ComparedLaw& law) { return verdicts_of(law.fit, verdict); });
+  for (const Verdict verdict :
+       {Verdict::Identified, Verdict::Weak, Verdict::NotIdentified, Verdict::AtBound,
+        Verdict::LimitedBySampling, Verdict::LimitedBySegments, Verdict::FromPrior}) {
+    const auto count = [&](const ComparedLaw& law) {
+      return std::ranges::count(law.fit.verdicts, verdict);
+    };
+    if (std::ranges::none_of(comparison.laws, [&](const auto& law) { return count(law) > 0; })) {
+      continue;
+    }
+    add_row(table, fmt::format("  {}", calibrate::name_of(verdict)), "", comparison,
+            [&](const ComparedLaw& law) { return std::to_string(count(law)); });
   }
-  double most = 0.0;
-  for (const FitRecord* record : records) most = std::max(most, record->result.misfit_rms);
-  const DisplayUnit unit = display_unit(Dimension::Stress, most);
-  const auto rms_of = [&](const ComparedLaw& law) {
-    return std::sqrt(law.fit.curves.front().mean_square) / unit.scale;
-  };
-  add_row(table, "misfit, rms", unit.name, comparison,
-          [&](const ComparedLaw& law) { return significant(rms_of(law), 4); });
-  add_row(table, "  its square f", fmt::format("{}²", unit.name), comparison,
-          [&](const ComparedLaw& law) { return significant(rms_of(law) * rms_of(law), 5); });
-  add_row(table, "  of the largest stress", "%", comparison,
-          [](const ComparedLaw& law) { return significant(100.0 * law.fit.misfit_share, 2); });
+  add_misfit(records, comparison, table);
   add_criterion(table, "AIC above the least", comparison,
                 [](const ComparedLaw& law) { return law.aic; });
   add_criterion(table, "AICc", comparison, [](const ComparedLaw& law) { return law.aicc; });
   add_criterion(table, "BIC", comparison, [](const ComparedLaw& law) { return law.bic; });
   add_row(table, "evaluations", "", comparison,
           [](const ComparedLaw& law) { return std::to_string(law.fit.evaluations); });
+  const auto any = [&](const auto& has) { return std::ranges::any_of(comparison.laws, has); };
+  if (any([](const ComparedLaw& law) { return law.fit.runs > 0; })) {
+    add_row(table, "runs of scenes", "", comparison,
+            [](const ComparedLaw& law) { return std::to_string(law.fit.runs); });
+  }
+  if (any([](const ComparedLaw& law) { return std::isfinite(law.fit.seconds); })) {
+    add_row(table, "time", "s", comparison, [](const ComparedLaw& law) {
+      return std::isfinite(law.fit.seconds) ? significant(law.fit.seconds, 2) : std::string("-");
+    });
+  }
 }
 
-std::string target_text(const LawRecords& records, const Ink& ink) {
+template <typename Record>
+std::string target_text(const Records<Record>& records, const Ink& ink) {
   const LawComparison comparison = compare_laws(records);
-  const LawRecords sorted = ranked(records, comparison);
+  const Records<Record> sorted = ranked(records, comparison);
   std::vector<Table::Column> columns{{"", Align::Left}, {"", Align::Left}};
   for (const ComparedLaw& law : comparison.laws) {
-    columns.push_back({std::string(name_of(law.fit.law)), Align::Right});
+    columns.push_back({std::string(calibrate::name_of(law.fit.law)), Align::Right});
   }
   Table table(std::move(columns));
   add_parameters(sorted, table);
   add_comparison(sorted, comparison, table);
-  const Target& target = records.front()->target;
-  std::string text = ink.heading(fmt::format("Laws for {}, by BIC\n", printable(target.name))) +
-                     table.text(2, kWidth);
+  std::string text =
+      ink.heading(fmt::format("Laws for {}, by BIC\n", printable(name_of(*records.front())))) +
+      table.text(2, kWidth);
   if (!comparison.advised) return text;
   text += entry("samples",
                 fmt::format("{}, worth {} to AIC and BIC: weights and neighbours alike",
-                            sorted.front()->result.samples, significant(comparison.samples, 3)));
+                            samples_of(*sorted.front()), significant(comparison.samples, 3)));
   return text + entry("advised", comparison.advice);
 }
 
+double share_of(const FitRecord& record) { return record.result.misfit_share; }
+double share_of(const SceneFitRecord& record) {
+  double most = 0.0;
+  for (const ScenePartFit& part : record.result.parts) most = std::max(most, part.misfit_share);
+  return most;
+}
+
 /// A row each: misfit by law, and the law that is advised for that target.
-std::string targets_text(const std::vector<LawRecords>& targets, const ReportOptions& options,
+template <typename Record>
+std::string targets_text(const std::vector<Records<Record>>& targets, const ReportOptions& options,
                          const Ink& ink) {
   std::vector<Table::Column> columns{{"specimen", Align::Left}};
-  for (const FitRecord* record : targets.front()) {
-    columns.push_back({std::string(name_of(record->result.law)), Align::Right, "% of largest"});
+  for (const Record* record : targets.front()) {
+    columns.push_back(
+        {std::string(calibrate::name_of(record->result.law)), Align::Right, "% of largest"});
   }
   columns.push_back({"advised", Align::Left});
   Table table(std::move(columns));
@@ -169,14 +267,15 @@ std::string targets_text(const std::vector<LawRecords>& targets, const ReportOpt
                                 ? targets.size()
                                 : std::min(targets.size(), options.specimens_shown);
   for (std::size_t t = 0; t < shown; ++t) {
-    std::vector<std::string> cells{printable(targets[t].front()->target.name)};
-    for (const FitRecord* record : targets[t]) {
+    std::vector<std::string> cells{printable(name_of(*targets[t].front()))};
+    for (const Record* record : targets[t]) {
       const bool fitted = record->result.status == FitStatus::Fitted;
-      cells.push_back(fitted ? significant(100.0 * record->result.misfit_share, 2) : "-");
+      cells.push_back(fitted ? significant(100.0 * share_of(*record), 2) : "-");
     }
     const LawComparison comparison = compare_laws(targets[t]);
-    cells.emplace_back(comparison.advised ? name_of(comparison.laws[*comparison.advised].fit.law)
-                                          : "-");
+    cells.emplace_back(comparison.advised
+                           ? calibrate::name_of(comparison.laws[*comparison.advised].fit.law)
+                           : "-");
     table.add(std::move(cells));
   }
   if (shown < targets.size()) {
@@ -185,15 +284,14 @@ std::string targets_text(const std::vector<LawRecords>& targets, const ReportOpt
   return ink.heading("Misfit by law\n") + table.text(2, kWidth);
 }
 
-}  // namespace
-
-std::string laws_report(std::span<const FitRecord> records, const ReportOptions& options) {
+template <typename Record>
+std::string report_of(std::span<const Record> records, const ReportOptions& options) {
   if (!compares_laws(records)) return {};
   const Ink ink(options.color);
-  const std::vector<LawRecords> targets = by_target(records);
+  const std::vector<Records<Record>> targets = by_target(records);
   std::string text;
   if (targets.size() <= kMostTables) {
-    for (const LawRecords& target : targets) {
+    for (const Records<Record>& target : targets) {
       text += (text.empty() ? "" : "\n") + target_text(target, ink);
     }
   } else {
@@ -203,6 +301,16 @@ std::string laws_report(std::span<const FitRecord> records, const ReportOptions&
   const LawComparison all = compare_laws(records);
   if (all.advised) text += entry("for all", all.advice);
   return text;
+}
+
+}  // namespace
+
+std::string laws_report(std::span<const FitRecord> records, const ReportOptions& options) {
+  return report_of(records, options);
+}
+
+std::string laws_report(std::span<const SceneFitRecord> records, const ReportOptions& options) {
+  return report_of(records, options);
 }
 
 }  // namespace plastica::calibrate

@@ -12,6 +12,7 @@
 #include "calibrate/scene/check_scene_fit.hpp"
 #include "calibrate/scene/fitted_scenes.hpp"
 #include "calibrate/scene/scene_errors.hpp"
+#include "calibrate/scene/scene_laws.hpp"
 #include "calibrate/scene/scene_problem.hpp"
 #include "calibrate/scene/scene_search.hpp"
 #include "calibrate/scene/scene_segments.hpp"
@@ -32,6 +33,7 @@ class SceneFit {
         problem_(parts, options),
         search_(problem_, options),
         work_(problem_, options.hooks) {
+    result_.law = law_of(parts.front().setup.scene.material.hardening, options.parameters);
     check_break_levels(problem_, options);
     if (problem_.samples() <= problem_.parameters().size()) {
       throw InputError({}, "target", parts.front().target.name,
@@ -41,6 +43,7 @@ class SceneFit {
 
   SceneFitResult run() {
     search_.run();
+    result_.search_runs = problem_.counters().runs;
     result_.starts = search_.starts();
     if (search_.found()) {
       explain();
@@ -100,7 +103,10 @@ class SceneFit {
     for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
       add_warning(result_.parameters[i], segments_of(i), result_.warnings);
     }
-    for (const ScenePartFit& part : result_.parts) add_warning(part, result_.warnings);
+    const std::string next = laws_to_try(result_.law, loading_of(parts_), options_.laws);
+    for (const ScenePartFit& part : result_.parts) {
+      add_warning(part, result_.law, next, result_.warnings);
+    }
     const FittedScenes fitted(problem_, options_, search_.best(), errors);
     result_.intervals = find_intervals(fitted, work_, result_.warnings);
   }

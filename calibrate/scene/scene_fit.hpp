@@ -5,8 +5,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "calibrate/fit/law.hpp"
 #include "calibrate/fit/least_squares.hpp"
 #include "calibrate/fit/parameter.hpp"
 #include "calibrate/fit/result.hpp"
@@ -24,6 +26,9 @@ struct ScenePart {
   SceneTarget target;
   double weight = 1.0;  ///< of its squares, beside those of other parts, > 0
 };
+
+/// Values of some free parameters that a search is to begin from [SI].
+using SceneStartPoint = std::vector<std::pair<const Field*, double>>;
 
 /// What a fit through scenes may move, and how long it searches.
 struct SceneFitOptions {
@@ -47,6 +52,10 @@ struct SceneFitOptions {
   /// Searches, side by side: the first from the given start; the best counts, >= 1. 1: no global
   /// stage. After a screening each takes some six steps, and the two best go on to their ends.
   int starts = 10;
+  /// Starts besides these; what a point does not name begins at its start.
+  std::vector<SceneStartPoint> further_starts{};
+  /// Laws that are compared (scene_laws.hpp); `fit_scenes` has that of the scenes.
+  std::vector<Law> laws{};
   std::uint64_t seed = 1;    ///< of the points' scrambling, and of resamples
   double confidence = 0.95;  ///< of the intervals, within (0, 1)
   /// Whether the fit is repeated with half and with twice the segments, to say what they do to it.
@@ -127,12 +136,14 @@ struct SceneFitResult {
   std::vector<SceneStart> starts;   ///< in their order
   LeastSquaresOutcome outcome = LeastSquaresOutcome::NoStart;  ///< of the best search
   int runs = 0;                         ///< of scenes, those of differences and errors included
-  int failed_runs = 0;                  ///< of these, without a curve over the measured abscissa
+  int search_runs = 0;                  ///< of these, what the search took
+  int failed_runs = 0;                  ///< of all, without a curve over the measured abscissa
   std::int64_t segment_iterations = 0;  ///< of all runs
   /// Where the options ask for it and a target was measured on a beam, no coupon.
   std::optional<SceneSegments> segments;
   std::vector<std::string> warnings;
   SceneIntervals intervals;  ///< those that were asked for
+  Law law = Law::Ideal;      ///< of the first target's material
 
   /// The parameter of a path, or of its last part. @throws std::out_of_range
   const SceneParameter& parameter(std::string_view name) const;

@@ -30,6 +30,13 @@ void add_to(io::Digest& digest, const SceneFitOptions& options) {
   digest.integer(static_cast<std::uint64_t>(options.evaluations)).real(options.tolerance);
   digest.integer(static_cast<std::uint64_t>(options.starts)).integer(options.seed);
   digest.integer(static_cast<std::uint64_t>(options.screen));
+  digest.integer(options.further_starts.size());
+  for (const SceneStartPoint& start : options.further_starts) {
+    digest.integer(start.size());
+    for (const auto& [field, value] : start) digest.text(field->path).real(value);
+  }
+  digest.integer(options.laws.size());
+  for (const Law law : options.laws) digest.text(name_of(law));
   digest.real(options.confidence).integer(options.segments_error ? 1 : 0);
   const SceneIntervalOptions& intervals = options.intervals;
   digest.integer(intervals.profile ? 1 : 0);

@@ -62,6 +62,17 @@ double SceneParameters::slope(std::size_t i, double value) const {
   return s.logarithmic ? value : *s.parameter->upper - *s.parameter->lower;
 }
 
+std::vector<double> SceneParameters::point_at(const SceneStartPoint& values) const {
+  std::vector<double> x(size(), 0.0);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Parameter& p = parameter(i);
+    for (const auto& [field, value] : values) {
+      if (field == p.field) x[i] = coordinate(i, std::clamp(value, *p.lower, *p.upper));
+    }
+  }
+  return x;
+}
+
 std::vector<double> SceneParameters::values(std::span<const double> x) const {
   std::vector<double> values;
   values.reserve(fields_.size());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calibrate/fit/parameter.hpp"
+#include "calibrate/scene/scene_fit.hpp"
 #include "plastica/model/field.hpp"
 
 namespace plastica::calibrate {
@@ -32,6 +33,8 @@ class SceneParameters {
   double coordinate(std::size_t i, double value) const;
   double value(std::size_t i, double coordinate) const;  ///< within the bounds [SI]
   double slope(std::size_t i, double value) const;       ///< d value / d coordinate
+  /// The point that has these values, held within the bounds, and else the start (n).
+  std::vector<double> point_at(const SceneStartPoint& values) const;
 
   /// Fields that a scene is run with: those searched, then those tied to them (n_fields).
   const std::vector<const Field*>& fields() const { return fields_; }

@@ -227,6 +227,9 @@ void SceneSearch::polish(std::vector<SearchRecord>& records) {
 void SceneSearch::search() {
   const std::size_t n = problem_.squares().start.size();
   Points starts{problem_.squares().start};
+  for (const SceneStartPoint& further : options_.further_starts) {
+    starts.push_back(problem_.parameters().point_at(further));
+  }
   const bool several = n > 0 && options_.starts > 1;
   const bool screens = several && options_.screen > 0;
   if (several) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "calibrate/fit/compare_laws.hpp"
+
 namespace plastica::calibrate {
 
 namespace {
@@ -53,14 +55,11 @@ void add_warning(const SceneParameter& p, const SegmentsError& segments,
   if (!warning.empty()) warnings.push_back(std::move(warning));
 }
 
-void add_warning(const ScenePartFit& part, std::vector<std::string>& warnings) {
-  if (part.runs_probability < kFewRuns) {
-    warnings.push_back(
-        fmt::format("{}: the residuals lie in long runs of one sign (misfit {:.2g} % of the "
-                    "largest value): they "
-                    "are no noise, and standard errors are too small",
-                    part.name, 100.0 * part.misfit_share));
-  }
+void add_warning(const ScenePartFit& part, Law law, std::string_view try_next,
+                 std::vector<std::string>& warnings) {
+  const std::string lack =
+      lack_of_fit(phrase_of(law), part.misfit_share, part.runs_probability, try_next);
+  if (!lack.empty()) warnings.push_back(part.name + ": " + lack);
 }
 
 }  // namespace plastica::calibrate

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "calibrate/fit/verdict.hpp"
@@ -16,6 +17,8 @@ void judge(double half, const SegmentsError& segments, double prior, SceneParame
 /// Says what a reader must not overlook.
 void add_warning(const SceneParameter& parameter, const SegmentsError& segments,
                  std::vector<std::string>& warnings);
-void add_warning(const ScenePartFit& part, std::vector<std::string>& warnings);
+/// @param try_next  laws, as `laws_to_try` gives them
+void add_warning(const ScenePartFit& part, Law law, std::string_view try_next,
+                 std::vector<std::string>& warnings);
 
 }  // namespace plastica::calibrate

@@ -1,11 +1,17 @@
 #include "calibrate/store/journaled_scene_fits.hpp"
 
-#include <mutex>
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "calibrate/scene/scene_fit_digest.hpp"
+#include "calibrate/scene/scene_laws.hpp"
 #include "calibrate/scene/search_record.hpp"
 #include "calibrate/store/scene_result_bytes.hpp"
 #include "plastica/base/parallel_for.hpp"
@@ -36,6 +42,13 @@ std::string part_of(const std::string& id, std::string_view name) {
   return id + "/" + std::string(name);
 }
 
+/// What each of several laws is told.
+SceneFitOptions without_extras(SceneFitOptions options) {
+  options.segments_error = false;
+  options.intervals = {};
+  return options;
+}
+
 }  // namespace
 
 JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
@@ -46,74 +59,184 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
       how_(std::move(how)),
       within_(std::move(within)),
       journal_(how_.journal, journal_kind(), "fits and parts of fits") {
-  std::size_t done_with = 0;  // parts of finished fits
-  for (const SceneFitCase& one : cases) {
-    ids_.push_back(id_of(one, options));
-    const std::size_t parts = journal_.found_under(part_of(ids_.back(), ""));
-    const bool whole = journal_.find(ids_.back()) != nullptr;
-    if (whole) ++taken_;
-    (whole ? done_with : parts_) += parts;
+  for (std::size_t of = 0; of < cases.size(); ++of) {
+    const SceneFitCase& one = cases[of];
+    if (options.laws.empty()) {
+      fits_.push_back({of, std::nullopt});
+      ids_.push_back(id_of(one, options));
+    }
+    for (const Law law : options.laws) {
+      fits_.push_back({of, law});
+      SceneFitCase named = one;
+      named.name = fmt::format("{}:{}", one.name, name_of(law));
+      ids_.push_back(id_of(named, without_extras(options)));
+      if (makes_whole()) whole_ids_.push_back(id_of(named, options) + " whole");
+    }
   }
-  outdated_ = journal_.found() - taken_ - parts_ - done_with;
+  std::size_t of_use = 0;
+  for (const std::vector<std::string>* ids : {&ids_, &whole_ids_}) {
+    for (const std::string& id : *ids) {
+      const std::size_t parts = journal_.found_under(part_of(id, ""));
+      const bool whole = journal_.find(id) != nullptr;
+      if (whole && ids == &ids_) ++taken_;
+      if (!whole) parts_ += parts;
+      of_use += parts + (whole ? 1 : 0);
+    }
+  }
+  outdated_ = journal_.found() - of_use;
+  results_.resize(fits_.size());
+  seconds_.assign(fits_.size(), std::numeric_limits<double>::quiet_NaN());
+  kept_.resize(fits_.size());
+}
+
+/// Whether the advised law gets more than the others have.
+bool JournaledSceneFits::makes_whole() const {
+  const auto& intervals = options_.intervals;
+  const bool any = options_.segments_error || intervals.profile || intervals.bootstrap > 0 ||
+                   intervals.specimens > 0;
+  return any && !options_.laws.empty();
+}
+
+void JournaledSceneFits::take_from_journal() {
+  for (std::size_t i = 0; i < fits_.size(); ++i) {
+    const std::vector<std::byte>* bytes = journal_.find(ids_[i]);
+    if (bytes == nullptr) continue;
+    results_[i] = scene_result_from_bytes(*bytes);
+    ++progress_.done;
+    if (results_[i]->status == FitStatus::Failed) ++progress_.failed;
+  }
+  if (how_.progress) how_.progress(progress_);
+}
+
+void JournaledSceneFits::take(std::size_t index, bool whole, SceneFitResult&& result) {
+  journal_.keep(whole ? whole_ids_[index] : ids_[index], bytes_of(result));
+  const bool failed = result.status == FitStatus::Failed;
+  results_[index] = std::move(result);
+  const std::lock_guard lock(mutex_);
+  if (whole) {
+    ++wholes_;
+    return;
+  }
+  ++progress_.done;
+  if (failed) ++progress_.failed;
+  if (how_.progress) how_.progress(progress_);
+}
+
+/// Fits one law of a case whose simpler laws have been fitted.
+SceneFitResult JournaledSceneFits::fit_law(std::size_t index, bool whole,
+                                           SceneFitOptions options) const {
+  const Fit& one = fits_[index];
+  const std::vector<ScenePart>& given = cases_[one.of].parts;
+  const std::vector<ScenePart> parts = parts_of(*one.law, given);
+  options = options_of(*one.law, whole ? options : without_extras(options), given);
+  const std::size_t first = first_fit(one.of);
+  const auto for_simpler = [&](const auto& each) {
+    for (std::size_t k = first; k < index; ++k) {
+      const bool fitted = results_[k] && results_[k]->status == FitStatus::Fitted;
+      if (fitted && contains(*one.law, *fits_[k].law)) each(*results_[k]);
+    }
+  };
+  for_simpler([&](const SceneFitResult& simpler) { start_from(simpler, options); });
+  SceneFitResult result = fit_scenes(parts, options);
+  for_simpler([&](const SceneFitResult& simpler) { compare_with(simpler, parts, result); });
+  return result;
 }
 
 /// @return nothing if it was stopped
-std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, SceneFitOptions options) {
-  const std::string& id = ids_[index];
+std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, bool whole) {
+  const std::string& id = whole ? whole_ids_[index] : ids_[index];
+  SceneFitOptions options = options_;
+  options.threads = threads_;
   options.hooks = {};
   options.hooks.stop = how_.stop;
-  options.hooks.find = [&](const std::string& name) { return journal_.find(part_of(id, name)); };
+  options.hooks.find = [&](const std::string& name) -> const std::vector<std::byte>* {
+    const auto kept = kept_[index].find(name);
+    if (kept != kept_[index].end()) return &kept->second;
+    const std::vector<std::byte>* found = journal_.find(part_of(id, name));
+    return found != nullptr ? found : journal_.find(part_of(ids_[index], name));
+  };
   options.hooks.keep = [&](const std::string& name, std::span<const std::byte> bytes) {
+    if (makes_whole()) kept_[index][name].assign(bytes.begin(), bytes.end());
     journal_.keep(part_of(id, name), bytes);
   };
   const bool alone = cases_.size() == 1;
   if (alone) options.hooks.progress = within_;
   try {
-    return fit_scenes(cases_[index].parts, options);
+    return fits_[index].law ? fit_law(index, whole, std::move(options))
+                            : fit_scenes(cases_[fits_[index].of].parts, options);
   } catch (const FitInterrupted&) {
     return std::nullopt;
   } catch (const InputError& error) {
     if (alone) throw;
     SceneFitResult failed;
+    const Material& material = cases_[fits_[index].of].parts.front().setup.scene.material;
+    failed.law = fits_[index].law.value_or(law_of(material.hardening, options_.parameters));
     failed.reason = error.what();
     return failed;
   }
 }
 
-std::vector<SceneFitResult> JournaledSceneFits::run() {
-  std::vector<SceneFitResult> results(cases_.size());
-  BatchProgress progress{.taken = taken_, .total = cases_.size()};
-  std::vector<std::size_t> missing;
-  const auto count = [&](const SceneFitResult& result) {
-    ++progress.done;
-    if (result.status == FitStatus::Failed) ++progress.failed;
-  };
-  for (std::size_t i = 0; i < cases_.size(); ++i) {
-    const std::vector<std::byte>* bytes = journal_.find(ids_[i]);
-    if (bytes == nullptr) {
-      missing.push_back(i);
-      continue;
+/// @param whole  the advised law, which is to get what is made of it alone; empty: what is missing
+void JournaledSceneFits::fit_side_by_side(const std::vector<std::size_t>& of,
+                                          std::optional<Law> whole) {
+  const bool several = of.size() > 1;
+  threads_ = several ? 1 : how_.threads;
+  parallel_for(of.size(), {several ? how_.threads : 1, how_.stop}, [&](std::size_t k, int) {
+    for (std::size_t i = first_fit(of[k]); i < first_fit(of[k] + 1); ++i) {
+      if (whole ? fits_[i].law != whole : results_[i].has_value()) continue;
+      const auto begin = std::chrono::steady_clock::now();
+      std::optional<SceneFitResult> result = fit(i, whole.has_value());
+      if (!result) return;
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+      if (!whole) seconds_[i] = took.count();
+      take(i, whole.has_value(), std::move(*result));
     }
-    results[i] = scene_result_from_bytes(*bytes);
-    count(results[i]);
+  });
+}
+
+/// The law that is advised for all cases; if none is, the first.
+Law JournaledSceneFits::advised() const {
+  std::vector<std::vector<LawFit>> targets(cases_.size());
+  for (std::size_t i = 0; i < fits_.size(); ++i) {
+    const SceneFitRecord record = record_of(cases_[fits_[i].of], *results_[i]);
+    targets[fits_[i].of].push_back(law_fit_of(record));
   }
-  if (how_.progress) how_.progress(progress);
-  SceneFitOptions options = options_;
-  options.threads = missing.size() > 1 ? 1 : how_.threads;
-  std::mutex mutex;
-  parallel_for(missing.size(), {missing.size() > 1 ? how_.threads : 1, how_.stop},
-               [&](std::size_t k, int) {
-                 const std::size_t i = missing[k];
-                 std::optional<SceneFitResult> result = fit(i, options);
-                 if (!result) return;
-                 results[i] = std::move(*result);
-                 journal_.keep(ids_[i], bytes_of(results[i]));
-                 const std::lock_guard lock(mutex);
-                 count(results[i]);
-                 if (how_.progress) how_.progress(progress);
-               });
-  complete_ = progress.done == cases_.size();
+  const LawComparison laws = compare_laws_over(std::move(targets));
+  return laws.advised ? laws.laws[*laws.advised].fit.law : options_.laws.front();
+}
+
+std::vector<SceneFitResult> JournaledSceneFits::run() {
+  progress_ = {.taken = taken_, .total = fits_.size()};
+  take_from_journal();
+  std::vector<std::size_t> missing;
+  for (std::size_t of = 0; of < cases_.size(); ++of) {
+    const auto begin = results_.begin() + static_cast<std::ptrdiff_t>(first_fit(of));
+    const auto end = results_.begin() + static_cast<std::ptrdiff_t>(first_fit(of + 1));
+    if (!std::all_of(begin, end, [](const auto& r) { return r.has_value(); }))
+      missing.push_back(of);
+  }
+  fit_side_by_side(missing, std::nullopt);
+  if (makes_whole() && progress_.done == fits_.size()) {
+    const Law law = advised();
+    std::vector<std::size_t> unfinished;
+    for (std::size_t i = 0; i < fits_.size(); ++i) {
+      if (fits_[i].law != law) continue;
+      const std::vector<std::byte>* bytes = journal_.find(whole_ids_[i]);
+      if (bytes != nullptr) results_[i] = scene_result_from_bytes(*bytes);
+      if (bytes != nullptr || results_[i]->status == FitStatus::Failed) {
+        ++wholes_;
+      } else {
+        unfinished.push_back(fits_[i].of);
+      }
+    }
+    fit_side_by_side(unfinished, law);
+  }
+  complete_ = progress_.done == progress_.total && (!makes_whole() || wholes_ == cases_.size());
   if (!complete_) journal_.sync();
+  std::vector<SceneFitResult> results;
+  for (std::optional<SceneFitResult>& result : results_) {
+    results.push_back(result ? std::move(*result) : SceneFitResult{});
+  }
   return results;
 }
 

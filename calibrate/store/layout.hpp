@@ -46,6 +46,8 @@ constexpr auto kFitColumns = [](auto& columns) {
   columns("target_reason", "", PLASTICA_MEMBER(target.reason));
   columns("samples", "1", PLASTICA_MEMBER(result.samples));
   columns("seed", "", PLASTICA_MEMBER(result.seed));
+  columns("noise", "Pa", PLASTICA_MEMBER(result.noise));
+  columns("simpler_evaluations", "1", PLASTICA_MEMBER(result.simpler_evaluations));
   const auto fitted = [](const FitRecord& r) { return r.result.status == FitStatus::Fitted; };
   columns.only(fitted, [](auto& only) {
     only("cost", "Pa^2", PLASTICA_MEMBER(result.cost));

@@ -58,7 +58,8 @@ void code(auto& coder, A<FitResult> auto& r) {
   coder(r.status, r.reason, r.law);
   coder.each(r.parameters, [](auto& to, auto& parameter) { code(to, parameter); });
   coder(r.correlation, r.cost, r.misfit_rms, r.misfit_share, r.misfit_word, r.samples,
-        r.break_strain_total, r.seed, r.runs_probability, r.autocorrelation, r.effective_samples);
+        r.break_strain_total, r.seed, r.runs_probability, r.autocorrelation, r.effective_samples,
+        r.noise, r.simpler_evaluations);
   coder.each(r.stages, [](auto& to, auto& stage) {
     to(stage.algorithm, stage.outcome, stage.evaluations, stage.cost);
   });

@@ -50,11 +50,13 @@ struct SceneRows {
 
 constexpr auto kSceneFitColumns = [](auto& columns) {
   columns("name", "", PLASTICA_MEMBER(name));
+  columns("law", "", PLASTICA_MEMBER(result.law));
   columns("status", "", PLASTICA_MEMBER(result.status));
   columns("reason", "", PLASTICA_MEMBER(result.reason));
   columns("degrees_of_freedom", "1", PLASTICA_MEMBER(result.degrees_of_freedom));
   columns("outcome", "", PLASTICA_MEMBER(result.outcome));
   columns("runs", "1", PLASTICA_MEMBER(result.runs));
+  columns("search_runs", "1", PLASTICA_MEMBER(result.search_runs));
   columns("failed_runs", "1", PLASTICA_MEMBER(result.failed_runs));
   columns("segment_iterations", "1", PLASTICA_MEMBER(result.segment_iterations));
   columns.part("divided", PLASTICA_MEMBER(result.segments), [](auto& part) {

@@ -53,10 +53,12 @@ std::vector<Row*> pointers_to(std::span<Row> rows) {
   return pointers;
 }
 
-/// Pointers to the records, sorted by name and checked.
+/// Pointers to the records, sorted by name and law and checked.
 std::vector<const SceneFitRecord*> by_name(const std::vector<SceneFitRecord>& records) {
   std::vector<const SceneFitRecord*> sorted = pointers_to(std::span(records));
-  const auto name = [](const SceneFitRecord* record) -> const std::string& { return record->name; };
+  const auto name = [](const SceneFitRecord* record) {
+    return std::pair<std::string_view, Law>(record->name, record->result.law);
+  };
   std::ranges::sort(sorted, std::less<>(), name);
   const auto twice = std::ranges::adjacent_find(sorted, std::equal_to<>(), name);
   if (twice != sorted.end()) refuse(**twice, "is the name of two fits");
@@ -322,6 +324,9 @@ void write_scene_fit_store(const std::string& path, const SceneFitContents& cont
   root.write("options/confidence", contents.confidence, {"1"});
   io::write_inputs(root, contents.inputs);
   io::write_meta(root, contents.meta);
+  std::vector<double> seconds;
+  for (const SceneFitRecord* record : records) seconds.push_back(record->seconds);
+  root.write("meta/fit_seconds", seconds, {"s"});
   file.commit();
 }
 
@@ -344,6 +349,12 @@ SceneFitContents read_scene_fit_store(const std::string& path) {
   contents.confidence = root.read_scalar<double>("options/confidence");
   contents.inputs = io::read_inputs(root);
   contents.meta = io::read_meta(root);
+  const std::vector<double> seconds = root.read<double>("meta/fit_seconds");
+  if (seconds.size() != contents.records.size()) {
+    throw InputError({path, 0}, "/meta/fit_seconds", std::to_string(seconds.size()),
+                     "must have a row for each fit");
+  }
+  for (std::size_t i = 0; i < seconds.size(); ++i) contents.records[i].seconds = seconds[i];
   return contents;
 }
 

@@ -11,7 +11,7 @@ namespace plastica::calibrate {
 
 /// The attributes `schema` and `version` of a result file's root.
 inline constexpr std::string_view kSceneFitSchema = "plastica/scene-fits";
-inline constexpr int kSceneFitVersion = 3;
+inline constexpr int kSceneFitVersion = 4;
 
 /// What a file of fits through scenes holds.
 struct SceneFitContents {
@@ -22,17 +22,18 @@ struct SceneFitContents {
 };
 
 /// Writes a result file (HDF5; layout: data/README.md). The records are stored in the order of
-/// their names, so that the same contents give the same bytes outside /meta whatever the order in
-/// which they come; targets keep theirs. The file appears under its name when it is whole; what is
-/// there already is replaced.
+/// their names and laws, so that the same contents give the same bytes outside /meta whatever the
+/// order in which they come; targets keep theirs. The file appears under its name when it is whole;
+/// what is there already is replaced.
 ///
-/// The records must have names of their own, a weight for each target, either no parts or one for
-/// each target and under its name, ordinates and fitted values (or none) for each abscissa.
+/// The records must have names of their own, or laws of their own beside the same name, a weight
+/// for each target, either no parts or one for each target and under its name, ordinates and fitted
+/// values (or none) for each abscissa.
 /// @throws io::StorageError if it cannot be written; std::logic_error if the records are not so
 void write_scene_fit_store(const std::string& path, const SceneFitContents& contents);
 
-/// Reads a result file: every field of every record, bit by bit, in the order of the names. A
-/// noise that is a NaN comes back empty.
+/// Reads a result file: every field of every record, bit by bit, in the order of the names
+/// and laws. A noise that is a NaN comes back empty.
 /// @throws InputError if it is no such file, of another version, or not whole
 SceneFitContents read_scene_fit_store(const std::string& path);
 

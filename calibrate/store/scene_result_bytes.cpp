@@ -49,6 +49,7 @@ void code(auto& coder, A<SceneFitResult> auto& r) {
   coder.maybe(r.segments, item);
   coder(r.outcome, r.runs, r.failed_runs, r.segment_iterations, r.warnings);
   store::code_intervals(coder, r.intervals);
+  coder(r.law, r.search_runs);
 }
 
 /// Not inlined, for the same reason as in record_bytes.cpp.

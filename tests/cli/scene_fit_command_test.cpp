@@ -153,15 +153,54 @@ TEST(SceneFitCommand, DoesNotPromiseWhatCannotRun) {
   EXPECT_EQ(result.err, "plastica: target = b: has no more samples than the fit has parameters\n");
 }
 
-TEST(SceneFitCommand, RefusesToCompareLaws) {
+TEST(SceneFitCommand, ComparesLaws) {
   const Workplace place;
   write_bars(place);
-  const CommandResult result = place.run({"calibrate", "fit.toml", "--laws", "ideal,linear"});
-  EXPECT_EQ(result.code, 2);
-  EXPECT_EQ(
-      result.err,
-      "plastica: --laws = ideal,linear: is for curves of coupons; a fit through scenes has the "
-      "laws of its scenes\n");
+  const CommandResult result = place.run(
+      {"calibrate", "fit.toml", "--laws", "ideal,linear", "--json", "fit.json", "-o", "fit.h5"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  for (const char* said : {"Laws for a, by BIC", "Laws for b, by BIC", "runs of scenes", "for all",
+                           "fitted 2, failed 0"}) {
+    EXPECT_NE(result.out.find(said), std::string::npos) << said << result.out;
+  }
+  const auto json = nlohmann::json::parse(place.read("fit.json"));
+  ASSERT_EQ(json.at("fits").size(), 4U);
+  EXPECT_EQ(json.at("fits").at(1).at("name"), "a");
+  EXPECT_EQ(json.at("fits").at(1).at("law"), "linear");
+  // The bars stay elastic.
+  EXPECT_EQ(json.at("laws").at("all").at("advised"), "ideal");
+  EXPECT_EQ(json.at("counts").at("fitted"), 2);
+  EXPECT_FALSE(json.at("fits").at(0).at("segments").is_null());
+  EXPECT_TRUE(json.at("fits").at(1).at("segments").is_null()) << "of the advised law alone";
+  EXPECT_EQ(place.run({"show", "fit.h5"}).out, result.out);
+  const CommandResult one = place.run({"show", "fit.h5", "--case", "b:linear"});
+  EXPECT_NE(one.out.find("tangent_modulus"), std::string::npos) << one.out << one.err;
+  const CommandResult advised = place.run({"show", "fit.h5", "--case", "b"});
+  EXPECT_EQ(advised.out.find("tangent_modulus"), std::string::npos) << advised.out;
+  const CommandResult table = place.run({"export", "fit.h5"});
+  EXPECT_TRUE(table.out.starts_with("name,law,status")) << table.out;
+  const CommandResult curves = place.run({"export", "fit.h5", "--what", "curves"});
+  EXPECT_NE(curves.out.find("\nb:linear,b,"), std::string::npos) << curves.out;
+}
+
+TEST(SceneFitCommand, RefusesLawsThatItCannotCompare) {
+  const Workplace place;
+  write_bars(place);
+  const auto said = [&](const std::string& laws) {
+    const CommandResult result = place.run({"calibrate", "fit.toml", "--laws", laws});
+    EXPECT_EQ(result.code, 2) << laws;
+    return result.err;
+  };
+  EXPECT_EQ(said("ideal,ludwik"),
+            "plastica: --laws = ludwik: is no law; there are ideal, linear, voce, chaboche\n");
+  EXPECT_EQ(said("linear,linear"), "plastica: --laws = linear: is named twice\n");
+  EXPECT_EQ(said("ideal,chaboche"),
+            "plastica: target = a: has no more samples than the fit has parameters\n");
+  EXPECT_FALSE(place.has("fit.h5"));
+  place.write("fit.toml", changed(kFit, "shared = false", "laws = ['ideal', 'ideal']"));
+  const CommandResult twice = place.run({"calibrate", "fit.toml"});
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_EQ(twice.err, "plastica: fit.toml:2: fit.laws[1] = ideal: is named twice\n");
 }
 
 TEST(SceneFitCommand, HasTheSameBytesOnEveryNumberOfThreads) {

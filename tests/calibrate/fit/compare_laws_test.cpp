@@ -44,6 +44,16 @@ TEST(CompareLaws, CountsAKnownNoiseAsNoParameter) {
   EXPECT_NEAR(compare_laws({fit}).laws[0].aic, 100.0 + 4.0, 1e-9);
 }
 
+TEST(CompareLaws, HasNothingAgainstASimplerLawWithinAKnownNoise) {
+  // Half the misfit would be worth 100 ln 4 of an unknown noise.
+  LawFit ideal = fit_of(Law::Ideal, 0.1, 2);
+  LawFit linear = fit_of(Law::Linear, 0.05, 3);
+  ideal.curves[0].noise = linear.curves[0].noise = 1.0;
+  const LawComparison c = compare_laws({ideal, linear});
+  EXPECT_EQ(c.laws[*c.advised].fit.law, Law::Ideal);
+  EXPECT_NEAR(c.laws[1].bic - c.laws[0].bic, std::log(100.0) - 100.0 * (0.01 - 0.0025), 1e-9);
+}
+
 TEST(CompareLaws, TakesNeighboursAlikeForFewerSamples) {
   LawFit ideal = fit_of(Law::Ideal, 0.1, 2);
   LawFit linear = fit_of(Law::Linear, 0.05, 3);
@@ -68,6 +78,25 @@ TEST(CompareLaws, AdvisesTheSimplerOfTwoAlikeAndSaysWhy) {
             "linear: simpler than voce, whose BIC is lower by 1 only; voce gains nothing: its "
             "misfit is 3.9 %, that of linear 4 %; chaboche gains nothing: 2 of its parameters are "
             "weak");
+}
+
+TEST(CompareLaws, AddsUpTheTargetsThatEveryLawWasFittedTo) {
+  LawFit failed;
+  failed.law = Law::Linear;
+  LawFit timed = fit_of(Law::Ideal, 0.1, 2);
+  timed.seconds = 2.0;
+  timed.runs = 7;
+  timed.evaluations = 5;
+  const LawComparison c = compare_laws_over({{timed, fit_of(Law::Linear, 0.05, 3)},
+                                             {fit_of(Law::Ideal, 1e-4, 2), failed},
+                                             {timed, fit_of(Law::Linear, 0.05, 3)}});
+  ASSERT_EQ(c.laws.size(), 2U);
+  EXPECT_EQ(c.laws[0].fit.law, Law::Linear);
+  EXPECT_EQ(c.laws[1].fit.curves.size(), 2U);
+  EXPECT_EQ(c.laws[1].fit.parameters.size(), 4U);
+  EXPECT_EQ(c.laws[1].fit.seconds, 4.0);
+  EXPECT_EQ(c.laws[1].fit.runs, 14U);
+  EXPECT_EQ(c.laws[1].fit.evaluations, 10U);
 }
 
 TEST(CompareLaws, TakesExactFitsAsEqual) {

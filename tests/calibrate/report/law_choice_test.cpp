@@ -2,11 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
+#include <string>
+
 #include "tests/calibrate/report/records.hpp"
+#include "tests/calibrate/report/scene_records.hpp"
+#include "tests/support/message.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
+using plastica::testing::message_of;
 using testing::failed_record;
 using testing::fitted_record;
 
@@ -37,6 +43,58 @@ TEST(LawChoice, GoesOnWithoutALawThatFailed) {
                                  fit_of(Law::Voce, 1e6)};
   EXPECT_EQ(advised_first(records), 1U);
   EXPECT_EQ(records.front().result.law, Law::Voce);
+}
+
+TEST(LawChoice, HoldsResidualsAgainstAStatedNoise) {
+  std::vector<FitRecord> records{fit_of(Law::Ideal, 2e6), fit_of(Law::Linear, 1e6)};
+  std::vector<FittedParameter>& parameters = records[1].result.parameters;
+  parameters.push_back(parameters[1]);
+  parameters.back().name = "tangent_modulus";
+  EXPECT_EQ(compare_laws(std::span<const FitRecord>(records)).laws[0].fit.law, Law::Linear);
+  for (FitRecord& record : records) record.result.noise = 50e6;
+  const LawComparison laws = compare_laws(std::span<const FitRecord>(records));
+  EXPECT_EQ(laws.laws[0].fit.law, Law::Ideal);
+}
+
+TEST(LawChoice, CountsTheWorkForStarts) {
+  std::vector<FitRecord> records{fit_of(Law::Ideal, 2e6), fit_of(Law::Linear, 1e6)};
+  records[1].result.simpler_evaluations = 58;
+  const LawComparison laws = compare_laws(std::span<const FitRecord>(records));
+  EXPECT_EQ(laws.laws[0].fit.evaluations, 200U);
+}
+
+TEST(LawChoice, TakesTheAdvisedLawWhereNoneIsNamed) {
+  const std::vector<FitRecord> records{fit_of(Law::Ideal, 9e6), fit_of(Law::Linear, 1e6)};
+  ASSERT_EQ(of_law(records, "").size(), 1U);
+  EXPECT_EQ(of_law(records, "").front().result.law, Law::Linear);
+  EXPECT_EQ(of_law(records, "ideal").front().result.law, Law::Ideal);
+  EXPECT_EQ(message_of([&] { (void)of_law(records, "voce"); }),
+            "--law = voce: is no law of this file; it has ideal, linear");
+}
+
+SceneFitRecord scene_fit_of(Law law, double cost) {
+  SceneFitRecord record = testing::lone_scene_record("bar", 205e9, 380e6);
+  record.result.law = law;
+  record.result.parts[0].cost = cost;
+  return record;
+}
+
+TEST(LawChoice, IsTheSameThroughScenes) {
+  std::vector<SceneFitRecord> records{scene_fit_of(Law::Ideal, 900.0),
+                                      scene_fit_of(Law::Voce, 9.0)};
+  EXPECT_TRUE(compares_laws(std::span<const SceneFitRecord>(records)));
+  EXPECT_EQ(label_of(records[0], true), "bar:ideal");
+  EXPECT_EQ(advised_first(records), 1U);
+  EXPECT_EQ(records.front().result.law, Law::Voce);
+  records.front().result.search_runs = 61;
+  records.front().seconds = 1.5;
+  const std::string text = laws_report(std::span<const SceneFitRecord>(records));
+  EXPECT_TRUE(text.starts_with("Laws for bar, by BIC\n")) << text;
+  for (const char* said : {"misfit, rms", "  N ", "of the largest value", "runs of scenes", " 61",
+                           "time", "1.5", "advised   voce: BIC lower by"}) {
+    EXPECT_NE(text.find(said), std::string::npos) << said << '\n' << text;
+  }
+  EXPECT_EQ(laws_report(std::span<const SceneFitRecord>(records).first(1)), "");
 }
 
 TEST(LawChoice, SumsTheTargetsThatAllLawsHaveFitted) {

@@ -71,8 +71,8 @@ inline auto members(const FitIntervals& v) {
   return std::tie(a, b, c);
 }
 inline auto members(const FitResult& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, w] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, w);
 }
 inline auto members(const FitRecord& v) {
   const auto& [a, b] = v;

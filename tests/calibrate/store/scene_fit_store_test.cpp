@@ -81,6 +81,19 @@ TEST_F(SceneFitStore, HoldsNoFitsAtAll) {
   EXPECT_TRUE(round_trip(contents_of({})).records.empty());
 }
 
+TEST_F(SceneFitStore, HoldsLawsBesideEachOtherInTheirOrder) {
+  std::vector<SceneFitRecord> records{filled_scene_record("a"), filled_scene_record("a")};
+  records[0].result.law = Law::Voce;
+  records[1].result.law = Law::Ideal;
+  records[1].seconds = 0.5;
+  const std::vector<SceneFitRecord> read = round_trip(contents_of(records)).records;
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_TRUE(same_bits(read[0], records[1]));
+  EXPECT_TRUE(same_bits(read[1], records[0]));
+  records[1].result.law = Law::Voce;
+  EXPECT_THROW(round_trip(contents_of(records)), std::logic_error) << "two fits of one law";
+}
+
 TEST_F(SceneFitStore, GivesBackConfidenceInputsAndMeta) {
   const auto contents = contents_of({});
   const auto read = round_trip(contents);
@@ -163,7 +176,7 @@ TEST_F(SceneFitStore, NamesAFileOfAnotherSchemaOrVersion) {
   EXPECT_EQ(write("plastica/fits", 1),
             path_ + ": schema = plastica/fits: must be plastica/scene-fits");
   EXPECT_EQ(write("plastica/scene-fits", kSceneFitVersion + 1),
-            path_ + ": version = 4: must be 3, which this Plastica reads");
+            path_ + ": version = 5: must be 4, which this Plastica reads");
   EXPECT_NE(write("plastica/scene-fits", kSceneFitVersion).find("/fits/name"), std::string::npos);
 }
 

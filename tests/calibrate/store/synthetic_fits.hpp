@@ -116,6 +116,8 @@ inline FitRecord filled_record(const std::string& name) {
   r.runs_probability = 0.31;
   r.autocorrelation = -0.2;
   r.effective_samples = 6.4;
+  r.noise = 2e6;
+  r.simpler_evaluations = 44;
   r.samples = 7;
   r.break_strain_total = 0.0201;
   r.seed = 0xfedcba9876543210U;

@@ -42,12 +42,12 @@ inline auto members(const SceneSegments& v) {
   return std::tie(a, b, c);
 }
 inline auto members(const SceneFitResult& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
 }
 inline auto members(const SceneFitRecord& v) {
-  const auto& [a, b, c, d] = v;
-  return std::tie(a, b, c, d);
+  const auto& [a, b, c, d, e] = v;
+  return std::tie(a, b, c, d, e);
 }
 
 /// SYNTHETIC: two targets, three parameters, three starts; no field has its default.
@@ -148,7 +148,9 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
   r.intervals.specimens = {
       20, 20, 1, {}, {{kNan, kNan, kNan}, {kNan, kNan, kNan}, {kNan, kNan, kNan}}};
   r.warnings = {"the break is two samples wide", "", "ß"};
-  return {name, {bent, twisted}, {1.0, 0.25}, r};
+  r.law = Law::Linear;
+  r.search_runs = 101;
+  return {name, {bent, twisted}, {1.0, 0.25}, r, 1.25};
 }
 
 /// A fit that could not be made.
