@@ -45,7 +45,8 @@ INSTANTIATE_TEST_SUITE_P(
              {"calibrate", "fit.toml", "--fix", "youngs_modulus=200 GPa"},
              "--fix: is for curves without a fit file; this is what fit.toml says"),
         line("UnknownKindToInit", {"init", "sweeps"},
-             "kind: sweeps not in {fit,scene-fit,scene,coupon,sweep,check} (see plastica init --help)"),
+             "kind: sweeps not in {fit,scene-fit,scene,coupon,sweep,check} (see plastica init "
+             "--help)"),
         line("InitOverAFitFile", {"init", "fit"},
              "init = ./fit.toml: exists already; --force overwrites it"),
         line("InitInMissingFolder", {"init", "scene", "-d", "none"},

@@ -200,7 +200,7 @@ TEST(SceneFitCommand, RefusesLawsThatItCannotCompare) {
   place.write("fit.toml", changed(kFit, "shared = false", "laws = ['ideal', 'ideal']"));
   const CommandResult twice = place.run({"calibrate", "fit.toml"});
   EXPECT_EQ(twice.code, 2);
-  EXPECT_EQ(twice.err, "plastica: fit.toml:2: fit.laws[1] = ideal: is named twice\n");
+  EXPECT_EQ(twice.err, "plastica: fit.toml:2: fit.laws[2] = ideal: is named twice\n");
 }
 
 TEST(SceneFitCommand, HasTheSameBytesOnEveryNumberOfThreads) {
