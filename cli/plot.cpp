@@ -67,6 +67,7 @@ void check_options(ResultKind kind, const PlotArguments& arguments) {
   using enum ResultKind;
   const std::array options{
       ResultOption{"--case", !arguments.request.specimen.empty(), {Fits, SceneFits, Sweep}},
+      ResultOption{"--law", !arguments.request.law.empty(), {Fits, SceneFits}},
       ResultOption{"--joint", arguments.joint.has_value(), {Scene}},
       ResultOption{"--probe", !arguments.probe.empty(), {Scene}},
       ResultOption{"--time", !arguments.time.empty(), {Scene}},
@@ -149,6 +150,8 @@ void add_plot(CLI::App& app, Action& action) {
   sub->add_option("--what", arguments->request.what, "which picture, see --list");
   sub->add_option("--case", arguments->request.specimen,
                   "specimen of a curve; of a sweep an id, or \"AXIS = VALUE, AXIS = VALUE\"");
+  sub->add_option("--law", arguments->request.law,
+                  "of a file that compares laws: whose fits; default: the advised one's");
   sub->add_option("--joint", arguments->joint, "of the picture \"joint\" of a scene");
   sub->add_option("--probe", arguments->probe,
                   "of the pictures \"load\", \"history\" and \"spectrum\" of a scene");

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "calibrate/report/interval_figures.hpp"
+#include "calibrate/report/law_choice.hpp"
+#include "calibrate/report/laws_figure.hpp"
 #include "calibrate/report/plot_kinds.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/report/picture.hpp"
@@ -13,12 +15,13 @@ namespace {
 
 using report::PlotScript;
 
-constexpr std::array<PlotKind, 5> kKinds = {{
+constexpr std::array<PlotKind, 6> kKinds = {{
     {"curve", "one specimen: measured and fitted curve, yield and break (choose it with --case)"},
     {"overview", "all curves by group, with their mean, the fits and the breaks"},
     {"parameters", "the fitted parameters of all specimens by group"},
     {"profile", "rise of the least cost over each parameter, of a fit with profiles (--case)"},
     {"bootstrap", "resampled values of the parameters and of pairs (--case)"},
+    {"laws", "what each law of a comparison makes of one specimen, and how far off it is (--case)"},
 }};
 
 const FitRecord& find_specimen(std::span<const FitRecord> records, const std::string& name) {
@@ -34,9 +37,16 @@ const FitRecord& find_specimen(std::span<const FitRecord> records, const std::st
   throw InputError({}, "--case", name, "is not a specimen of this file; it has " + names);
 }
 
-PlotScript make(std::span<const FitRecord> records, const PlotRequest& request) {
-  if (records.empty()) throw InputError({}, "plot", request.what, "there is no specimen to draw");
+PlotScript make(std::span<const FitRecord> all, const PlotRequest& request) {
+  if (all.empty()) throw InputError({}, "plot", request.what, "there is no specimen to draw");
   std::string what = request.what;
+  if (what == "laws") {
+    report::refuse_law(request);
+    const auto figure = report::laws_figure(all, request.specimen);
+    return request.output == "-" ? plastica::report::figure_terminal(figure)
+                                 : plastica::report::figure_page(figure);
+  }
+  const std::vector<FitRecord> records = of_law(all, request.law);
   if (what.empty()) what = records.size() == 1 || !request.specimen.empty() ? "curve" : "overview";
   const bool terminal = request.output == "-";
   if (what == "curve") {
@@ -52,7 +62,7 @@ PlotScript make(std::span<const FitRecord> records, const PlotRequest& request) 
   }
   if (what != "overview" && what != "parameters") {
     throw InputError({}, "--what", what,
-                     "must be curve, overview, parameters, profile or bootstrap");
+                     "must be curve, overview, parameters, profile, bootstrap or laws");
   }
   if (!request.specimen.empty()) {
     throw InputError({}, "--case", request.specimen, "goes with pictures of one specimen only");

@@ -15,7 +15,7 @@ struct PlotKind {
   std::string_view doc;   ///< one line for `--list`
 };
 
-/// All pictures: "curve", "overview", "parameters", "profile", "bootstrap".
+/// All pictures: "curve", "overview", "parameters", "profile", "bootstrap", "laws".
 std::span<const PlotKind> plot_kinds();
 
 /// Which picture, of what, and where to.
@@ -23,6 +23,9 @@ struct PlotRequest {
   std::string what = {};  ///< name of a kind; empty: a curve for one specimen, else the overview
   /// Name of the target, for a picture of one specimen; empty: the first.
   std::string specimen = {};
+  /// Of a file that compares laws: whose fits are drawn; empty: those of the law that is advised.
+  /// The picture "laws" draws all.
+  std::string law = {};
   /// A path that ends in .svg, .png, .pdf, or .gp for the script with its data; "-" for a picture
   /// of characters on standard output.
   std::string output = {};

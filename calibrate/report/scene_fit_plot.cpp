@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/interval_figures.hpp"
+#include "calibrate/report/law_choice.hpp"
+#include "calibrate/report/laws_figure.hpp"
 #include "calibrate/report/scene_fit_figures.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/report/picture.hpp"
@@ -16,7 +18,7 @@ namespace {
 using report::Figure;
 using report::PlotScript;
 
-constexpr std::array<PlotKind, 8> kKinds = {{
+constexpr std::array<PlotKind, 9> kKinds = {{
     {"fit", "one fit: curves of each target, bands of 95 %, the break (choose it with --case)"},
     {"residuals", "measured minus fitted of each target, and the noise (--case)"},
     {"starts", "what the searches found, in rising order of their costs (--case)"},
@@ -24,6 +26,7 @@ constexpr std::array<PlotKind, 8> kKinds = {{
     {"segments", "values over the length of the segments, and where they lead (--case)"},
     {"profile", "rise of the least cost over each parameter, of a fit with profiles (--case)"},
     {"bootstrap", "resampled values of the parameters and of pairs (--case)"},
+    {"laws", "what each law of a comparison makes of the targets, and how far off it is (--case)"},
     {"population", "values and intervals of all fits, with mean and deviation of the specimens"},
 }};
 
@@ -39,19 +42,25 @@ const SceneFitRecord& find_fit(std::span<const SceneFitRecord> records, const st
   throw InputError({}, "--case", name, "is not a fit of this file; it has " + names);
 }
 
-PlotScript make(std::span<const SceneFitRecord> records, const PlotRequest& request) {
-  if (records.empty()) throw InputError({}, "plot", request.what, "there is no fit to draw");
+PlotScript make(std::span<const SceneFitRecord> all, const PlotRequest& request) {
+  if (all.empty()) throw InputError({}, "plot", request.what, "there is no fit to draw");
   const std::string what = request.what.empty() ? std::string(kKinds[0].name) : request.what;
   if (std::ranges::find(kKinds, what, &PlotKind::name) == kKinds.end()) {
     throw InputError(
         {}, "--what", what,
-        "must be fit, residuals, starts, correlation, segments, profile, bootstrap or population");
+        "must be fit, residuals, starts, correlation, segments, profile, bootstrap, laws or "
+        "population");
   }
   const bool terminal = request.output == "-";
   const auto drawn = [&](const Figure& figure) {
     return terminal ? plastica::report::figure_terminal(figure)
                     : plastica::report::figure_page(figure);
   };
+  if (what == "laws") {
+    report::refuse_law(request);
+    return drawn(report::laws_figure(all, request.specimen));
+  }
+  const std::vector<SceneFitRecord> records = of_law(all, request.law);
   if (what == "population") {
     if (!request.specimen.empty()) {
       throw InputError({}, "--case", request.specimen, "does not go with the picture 'population'");

@@ -177,6 +177,8 @@ TEST(SceneFitCommand, ComparesLaws) {
   EXPECT_NE(one.out.find("tangent_modulus"), std::string::npos) << one.out << one.err;
   const CommandResult advised = place.run({"show", "fit.h5", "--case", "b"});
   EXPECT_EQ(advised.out.find("tangent_modulus"), std::string::npos) << advised.out;
+  EXPECT_EQ(place.run({"plot", "fit.h5", "--what", "laws", "-o", "laws.gp"}).code, 0);
+  EXPECT_NE(place.read("laws.gp").find("title 'linear, "), std::string::npos);
   const CommandResult table = place.run({"export", "fit.h5"});
   EXPECT_TRUE(table.out.starts_with("name,law,status")) << table.out;
   const CommandResult curves = place.run({"export", "fit.h5", "--what", "curves"});
