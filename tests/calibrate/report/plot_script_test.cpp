@@ -129,7 +129,7 @@ TEST(PlotScript, SaysWhatThereIsToDraw) {
   EXPECT_EQ(message_of({}, {}), "plot: there is no specimen to draw");
   EXPECT_EQ(message_of({rejected_record("a", "x")}, {.what = "parameters"}),
             "--what = parameters: there is no fitted specimen");
-  ASSERT_EQ(plot_kinds().size(), 5U);
+  ASSERT_EQ(plot_kinds().size(), 6U);
   EXPECT_EQ(plot_kinds()[0].name, "curve");
 }
 

@@ -111,7 +111,7 @@ TEST(SceneFitPlot, RefusesWhatThereIsNot) {
   };
   EXPECT_EQ(message({.what = "pie"}),
             "--what = pie: must be fit, residuals, starts, correlation, segments, profile, "
-            "bootstrap or population");
+            "bootstrap, laws or population");
   EXPECT_EQ(message({.specimen = "x"}), "--case = x: is not a fit of this file; it has a, f");
   EXPECT_EQ(message({.what = "population", .specimen = "a"}),
             "--case = a: does not go with the picture 'population'");
@@ -131,8 +131,11 @@ TEST(SceneFitPlot, LetsNoTextOfAUserLeaveItsQuotes) {
   record.targets[0].name = "x'y\nplot 1";
   record.targets[0].ordinate_probe = "p'q";
   record.result.intervals = testing::record_with_intervals().result.intervals;
+  SceneFitRecord other = record;
+  other.result.law = Law::Voce;
   for (const PlotKind& kind : scene_fit_plot_kinds()) {
-    const std::string script = script_of(record, std::string(kind.name));
+    const std::string script =
+        scene_fit_plot_script(std::vector{record, other}, {.what = std::string(kind.name)});
     EXPECT_FALSE(contains(script, "\nsystem(")) << kind.name;
     EXPECT_FALSE(contains(script, "\nplot 1")) << kind.name;
     EXPECT_FALSE(contains(script, "p'q")) << kind.name;
