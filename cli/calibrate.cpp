@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -89,6 +90,10 @@ int calibrate_files(const CalibrateArguments& arguments) {
   if (!arguments.laws.empty()) file.options.laws = calibrate::laws_of(arguments.laws, "--laws");
   if (!arguments.dry_run) check_outputs(file, output, arguments.json, arguments.force);
   std::vector<calibrate::Target> targets = calibrate::import_all(file);
+  if (file.options.intervals.specimens > 0 && targets.size() < 2) {
+    throw InputError({}, "bootstrap_specimens", std::to_string(file.options.intervals.specimens),
+                     "needs several specimens, for the mean of their parameters");
+  }
   if (arguments.dry_run) {
     print_dry_run(targets, file.options, output);
     return kDone;
@@ -129,6 +134,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   if (!arguments.json.empty()) write_json(arguments.json, contents.records, file.options);
   if (!arguments.quiet) {
     print_report(contents.records, file.options);
+    std::fflush(stdout);  // one file may take both
     fmt::print(stderr, "wrote {}\n", output);
   }
   // Where laws are compared, one of them suffices.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -139,6 +140,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   }
   if (!arguments.quiet) {
     print_report(contents.records, contents.confidence);
+    std::fflush(stdout);  // one file may take both
     fmt::print(stderr, "wrote {}\n", output);
   }
   // Where laws are compared, one of them suffices.

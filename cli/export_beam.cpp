@@ -102,7 +102,12 @@ BeamSource scene_fitted_beam(const BeamRequest& request) {
   const auto contents = calibrate::read_scene_fit_store(request.file);
   const calibrate::SceneFitRecord& record = record_of(request, contents.records);
   const auto stored = calibrate::read_stored_scenes(contents.inputs);
-  const bool from_file = !request.scene.empty() && std::filesystem::exists(request.scene);
+  // A stored scene goes before a file of its name: it is what was fitted.
+  const bool is_stored =
+      stored && std::ranges::find(stored->scenes, request.scene, &calibrate::StoredScene::name) !=
+                    stored->scenes.end();
+  const bool from_file =
+      !request.scene.empty() && !is_stored && std::filesystem::is_regular_file(request.scene);
   if (from_file || !stored) {
     auto fitted = calibrate::fitted_setup(setup_of(request), record);
     fitted.notes.emplace_back("What the fit held fixed or tied is the scene's.");

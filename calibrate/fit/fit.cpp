@@ -21,6 +21,18 @@
 namespace plastica::calibrate {
 namespace {
 
+/// The options with the bounds that a fit had: a start may have widened them.
+FitOptions within(const FitResult& result, FitOptions options) {
+  for (Parameter& p : options.parameters) {
+    for (const FittedParameter& fitted : result.parameters) {
+      if (p.role != ParameterRole::Free || fitted.path != p.field->path) continue;
+      p.lower = fitted.lower;
+      p.upper = fitted.upper;
+    }
+  }
+  return options;
+}
+
 /// A seed of the target's own, so that its fit does not depend on its place in a batch (FNV-1a).
 std::uint64_t seed_of(const std::string& name, std::uint64_t seed) {
   std::uint64_t hash = 14695981039346656037ULL ^ seed;
@@ -303,7 +315,9 @@ std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<cons
     try {
       if (cases[i].law) {
         results[i] = fit_law(target, options, *cases[i].law);
-        add_intervals(target, options_of(*cases[i].law, options, target.loading), results[i]);
+        add_intervals(target,
+                      within(results[i], options_of(*cases[i].law, options, target.loading)),
+                      results[i]);
       } else {
         results[i] = fit_target(target, options);
       }

@@ -156,7 +156,7 @@ std::optional<double> least_effect(const Parameter& parameter, double lower, dou
     case MaterialField::SaturationRate:
     case MaterialField::BackModulus1:
     case MaterialField::BackModulus2:
-    case MaterialField::BackModulus3: return lower;
+    case MaterialField::BackModulus3: return std::clamp(0.0, lower, upper);
     case MaterialField::BackRate1:
     case MaterialField::BackRate2:
     case MaterialField::BackRate3: return upper;

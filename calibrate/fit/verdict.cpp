@@ -9,10 +9,11 @@
 namespace plastica::calibrate {
 namespace {
 
-/// ln of n over k; of none, minus infinity.
+/// ln of n over k; of none, minus infinity. (lgamma writes a global; fits run on several threads.)
 double log_choices(int n, int k) {
   if (k < 0 || k > n) return -std::numeric_limits<double>::infinity();
-  return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
+  int sign = 1;
+  return lgamma_r(n + 1.0, &sign) - lgamma_r(k + 1.0, &sign) - lgamma_r(n - k + 1.0, &sign);
 }
 
 /// Of all orders of so many of each sign the share with no more runs: of 2 k runs there are k of

@@ -209,18 +209,27 @@ Figure bootstrap_figure(const ShownIntervals& shown) {
                      shown.name + " has no bootstrap: calibrate with --bootstrap 400");
   }
   std::vector<std::vector<double>> columns;
-  for (std::size_t i = 0; i < n; ++i) columns.push_back(column_of(bootstrap, i, n));
+  std::vector<std::size_t> drawn;  // what the curve does not determine has no interval
+  for (std::size_t i = 0; i < n; ++i) {
+    columns.push_back(column_of(bootstrap, i, n));
+    if (std::isfinite(bootstrap.intervals[i].low)) drawn.push_back(i);
+  }
+  if (drawn.empty()) {
+    throw InputError({}, "--what", "bootstrap", shown.name + " identifies no parameter");
+  }
   Figure figure;
   figure.title = fmt::format("{}: {} resamples of the {}", shown.name, columns[0].size(),
                              of_residuals ? "residuals" : "specimens");
-  for (std::size_t i = 0; i < n && figure.panels.size() < kMostPanels; ++i) {
+  for (const std::size_t i : drawn) {
+    if (figure.panels.size() == kMostPanels) break;
     figure.panels.push_back(
         histogram_panel(shown.parameters[i], bootstrap.intervals[i], columns[i]));
   }
-  for (std::size_t a = 0; a < n; ++a) {
-    for (std::size_t b = a + 1; b < n && figure.panels.size() < kMostPanels; ++b) {
+  for (std::size_t a = 0; a < drawn.size(); ++a) {
+    for (std::size_t b = a + 1; b < drawn.size() && figure.panels.size() < kMostPanels; ++b) {
+      const std::size_t i = drawn[a], k = drawn[b];
       figure.panels.push_back(
-          pair_panel(shown.parameters[a], columns[a], shown.parameters[b], columns[b]));
+          pair_panel(shown.parameters[i], columns[i], shown.parameters[k], columns[k]));
     }
   }
   return figure;

@@ -161,7 +161,13 @@ std::vector<FittedParameter> free_parameters(std::span<const FitRecord> records)
   for (const FitRecord& record : records) {
     if (!is_fitted(record)) continue;
     for (const FittedParameter& parameter : record.result.parameters) {
-      if (parameter.role == ParameterRole::Free) shown.push_back(parameter);
+      // One that no curve determines has no point.
+      const bool seen = std::ranges::any_of(records, [&](const FitRecord& each) {
+        const FittedParameter* found =
+            is_fitted(each) ? find_parameter(each.result, parameter.name) : nullptr;
+        return found != nullptr && found->identified;
+      });
+      if (parameter.role == ParameterRole::Free && seen) shown.push_back(parameter);
     }
     break;
   }

@@ -50,7 +50,8 @@ struct GroupCurves {
 };
 GroupCurves curves_of(std::span<const FitRecord> records, const std::vector<std::size_t>& members);
 
-/// The free parameters of the first fitted specimen. @throws InputError if nothing was fitted
+/// The free parameters of the first fitted specimen that any specimen determines.
+/// @throws InputError if nothing was fitted
 std::vector<FittedParameter> free_parameters(std::span<const FitRecord> records);
 
 /// One parameter over the groups, group g above g + 1, in the unit in which it is shown: rows of

@@ -19,14 +19,13 @@ constexpr std::string_view kWideBand = "#DDEBF4";
 }  // namespace
 
 std::vector<FigureCurve> bands_of(const SceneTarget& target, const ScenePartFit& part,
-                                  double degrees_of_freedom, const DisplayUnit& x_unit,
-                                  const DisplayUnit& y_unit) {
+                                  const DisplayUnit& x_unit, const DisplayUnit& y_unit) {
   std::vector<FigureCurve> bands;
   if (part.fitted.empty() || part.fitted_error.size() != part.fitted.size() ||
-      part.fitted.size() != target.abscissa.size() || !(degrees_of_freedom > 0.0)) {
+      part.fitted.size() != target.abscissa.size() || !(part.degrees_of_freedom > 0.0)) {
     return bands;
   }
-  const double factor = theory::student_t_quantile(0.975, degrees_of_freedom);
+  const double factor = theory::student_t_quantile(0.975, part.degrees_of_freedom);
   const bool grows = std::ranges::is_sorted(target.abscissa);
   for (const bool of_sample : {true, false}) {
     const char* name = of_sample ? "95 % of new samples" : "95 % of the curve";

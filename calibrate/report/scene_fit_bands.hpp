@@ -14,7 +14,6 @@ namespace plastica::calibrate::report {
 /// @param part  has errors of its fitted ordinates; none: no bands
 std::vector<plastica::report::FigureCurve> bands_of(const SceneTarget& target,
                                                     const ScenePartFit& part,
-                                                    double degrees_of_freedom,
                                                     const DisplayUnit& x_unit,
                                                     const DisplayUnit& y_unit);
 

@@ -110,8 +110,7 @@ Figure fit_figure(const SceneFitRecord& record, bool terminal) {
     panel.y_label = label(printable(target.ordinate_probe), y_unit);
     const bool few = target.abscissa.size() <= 400;
     if (has_parts(record) && !terminal) {
-      panel.curves = bands_of(target, record.result.parts[t], record.result.degrees_of_freedom,
-                              x_unit, y_unit);
+      panel.curves = bands_of(target, record.result.parts[t], x_unit, y_unit);
     }
     panel.curves.push_back({points_of(target.abscissa, x_unit, target.ordinate, y_unit), "measured",
                             few ? kDark : kGrey, few ? Stroke::Points : Stroke::Line, 6});

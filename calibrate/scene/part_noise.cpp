@@ -6,13 +6,6 @@
 #include "calibrate/scene/scene_problem.hpp"
 
 namespace plastica::calibrate {
-namespace {
-
-/// Fewer say too little of a noise to weigh a part by it.
-constexpr double kFewest = 5.0;
-
-}  // namespace
-
 double size_of(const ScenePart& part) {
   const double largest = largest_size(part.target.ordinate);
   return largest > 0.0 ? largest : 1.0;
@@ -43,7 +36,7 @@ std::vector<PartNoise> noise_of_parts(const SceneProblem& problem, std::span<con
       continue;
     }
     const bool lone = parts.size() == 1;
-    made.pooled = before[part].pooled || (!lone && degrees[part] < kFewest);
+    made.pooled = before[part].pooled || (!lone && degrees[part] < kFewestDegrees);
     made.degrees_of_freedom = made.pooled ? all : degrees[part];
     made.deviation = made.pooled ? size_of(parts[part]) * std::sqrt(shares / all)
                                  : std::sqrt(costs[part] / degrees[part]);

@@ -9,6 +9,9 @@ namespace plastica::calibrate {
 class SceneProblem;
 struct ScenePart;
 
+/// Fewer degrees of freedom say too little of a noise to weigh a part by it.
+inline constexpr double kFewestDegrees = 5.0;
+
 /// What a fit takes the noise of one target to be.
 struct PartNoise {
   double deviation = 1.0;  ///< its residuals are divided by this [SI], > 0
@@ -17,6 +20,9 @@ struct PartNoise {
   double degrees_left = 0.0;  ///< that the fit leaves to the part's own residuals
   /// Whether it is the share of the largest ordinate that all targets have in common.
   bool pooled = false;
+
+  /// Whether the part's own residuals say too little of it.
+  bool is_from_elsewhere() const { return pooled || degrees_left < kFewestDegrees; }
 };
 
 /// The noise of each part by what its residuals say, or as its target states it.

@@ -125,7 +125,7 @@ SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, SceneWork& work) 
       const std::size_t samples = problem.parts()[part].target.ordinate.size();
       const PartNoise& noise = problem.noise()[part];
       std::vector<double> drawn;
-      if (noise.pooled) {
+      if (noise.is_from_elsewhere()) {
         // Its own residuals say nothing of its noise.
         const double deviation = std::sqrt(problem.parts()[part].weight);
         for (std::size_t i = 0; i < samples; ++i) drawn.push_back(deviation * draws.normal());
@@ -138,7 +138,14 @@ SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, SceneWork& work) 
       resample.shift.insert(resample.shift.end(), drawn.begin(), drawn.end());
       resample.place.push_back(draws.even());
     }
-    while (resample.shift.size() < residual.size()) resample.shift.push_back(draws.normal());
+    const std::size_t breaks = problem.known_breaks().size();
+    while (resample.shift.size() < residual.size() - breaks) {
+      resample.shift.push_back(draws.normal());
+    }
+    // A break is anywhere in its interval.
+    while (resample.shift.size() < residual.size()) {
+      resample.shift.push_back(std::sqrt(3.0) * (2.0 * draws.even() - 1.0));
+    }
     // A drawn target is the fitted curve and what was drawn.
     for (std::size_t i = 0; i < residual.size(); ++i) resample.shift[i] -= residual[i];
     return resample;
@@ -170,6 +177,10 @@ SceneBootstrap bootstrap_specimens(const FittedScenes& fitted, SceneWork& work) 
       std::fill_n(
           resample.factor.begin() + static_cast<std::ptrdiff_t>(problem.first_residual(part)),
           samples, std::sqrt(resample.count[part]));
+    }
+    const auto breaks = problem.known_breaks();
+    for (std::size_t k = 0; k < breaks.size(); ++k) {
+      resample.factor[all - breaks.size() + k] = std::sqrt(resample.count[breaks[k].part]);
     }
     return resample;
   };

@@ -131,7 +131,7 @@ class SceneFit {
   void warn_of_noise(std::size_t part) {
     constexpr double kFactor = 2.0;
     const auto& given = parts_[part].target.noise;
-    if (!given) return;
+    if (!given || problem_.noise()[part].is_from_elsewhere()) return;
     const double left = search_.noise_left(part);
     if (left < kFactor * *given && left > *given / kFactor) return;
     result_.warnings.push_back(

@@ -30,7 +30,8 @@ struct SceneFitHooks {
   /// What an earlier, interrupted fit of the same input kept by this name; null if nothing. May be
   /// empty, as `keep` may.
   std::function<const std::vector<std::byte>*(const std::string& name)> find{};
-  /// Called with each piece of work that is finished.
+  /// Called with each piece of work that is finished, by one thread at a time, and not beside
+  /// `find`.
   std::function<void(const std::string& name, std::span<const std::byte> bytes)> keep{};
 
   bool stopped() const { return stop != nullptr && stop->load(); }

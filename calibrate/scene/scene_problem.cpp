@@ -26,7 +26,7 @@ Setup with_fixed(const Setup& setup, const SceneFitOptions& options) {
 }
 
 RunCounters counters_of(const SceneCurve& curve) {
-  return {1, curve.usable ? 0 : 1, curve.segment_iterations};
+  return {curve.went_on ? 2 : 1, curve.usable ? 0 : 1, curve.segment_iterations};
 }
 
 }  // namespace
@@ -67,7 +67,8 @@ void SceneProblem::add_known_breaks() {
     const bool bends = models_[part].level() == Level::Planar;
     const Setup setup = with_fixed(parts_[part].setup, options_);
     const std::optional<double>& strain = setup.scene.material.break_strain;
-    if (parts_[part].target.broke && bends && strain) known_breaks_.push_back({part, *strain});
+    const bool breaks = bends && models_[part].takes_a_limit();
+    if (parts_[part].target.broke && breaks && strain) known_breaks_.push_back({part, *strain});
   }
   squares_.residuals += known_breaks_.size();
   if (!known_breaks_.empty()) return;
@@ -99,12 +100,19 @@ std::vector<double> SceneProblem::point(std::span<const double> points, std::siz
 
 std::vector<std::vector<SceneCurve>> SceneProblem::curves(std::span<const double> points,
                                                           std::size_t count) {
-  if (known_.size() > kMostKnown) known_.clear();
-  std::vector<std::vector<double>> missing;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<double> x = point(points, i);
-    const bool known = known_.contains(x) || std::ranges::find(missing, x) != missing.end();
-    if (!known) missing.push_back(x);
+  const auto find_missing = [&] {
+    std::vector<std::vector<double>> missing;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::vector<double> x = point(points, i);
+      const bool known = known_.contains(x) || std::ranges::find(missing, x) != missing.end();
+      if (!known) missing.push_back(x);
+    }
+    return missing;
+  };
+  std::vector<std::vector<double>> missing = find_missing();
+  if (!missing.empty() && known_.size() > kMostKnown) {
+    known_.clear();
+    missing = find_missing();
   }
   std::vector<std::vector<SceneCurve>> found = run(missing);
   for (std::size_t i = 0; i < missing.size(); ++i) {

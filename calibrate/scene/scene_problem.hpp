@@ -60,6 +60,14 @@ class SceneProblem {
 
   /// Where a part's residuals begin.
   std::size_t first_residual(std::size_t part) const { return first_[part]; }
+  /// A break whose strain is known.
+  struct KnownBreak {
+    std::size_t part = 0;
+    double strain = 0.0;
+  };
+  /// Those that a free hinge length is fitted to: the last residuals, one each.
+  std::span<const KnownBreak> known_breaks() const { return known_breaks_; }
+
   /// What the parts' residuals are divided by, at first 1 (n_parts).
   const std::vector<PartNoise>& noise() const { return noise_; }
   void set_noise(std::vector<PartNoise> noise) { noise_ = std::move(noise); }
@@ -106,10 +114,6 @@ class SceneProblem {
   std::vector<std::size_t> first_;
   std::vector<PartNoise> noise_;
   std::vector<std::size_t> priors_;  ///< parameters that have one
-  struct KnownBreak {
-    std::size_t part = 0;
-    double strain = 0.0;
-  };
   std::vector<KnownBreak> known_breaks_;
   LeastSquaresProblem squares_;
   static constexpr std::size_t kMostKnown = 64;

@@ -17,15 +17,29 @@ std::vector<PieceRecord> SceneWork::make(const Stage& stage,
                                          const std::function<PieceRecord(std::size_t)>& piece) {
   std::vector<PieceRecord> made(stage.pieces);
   if (made.empty()) return made;
-  tell(stage, 0);
-  std::mutex mutex;
+  const auto name_of = [&](std::size_t i) {
+    return std::string(stage.name) + " " + std::to_string(i);
+  };
+  // What is kept is looked up before anything is added to it.
   std::size_t done = 0;
-  parallel_for(made.size(), {stage.threads}, [&](std::size_t i, int) {
-    const std::string name = std::string(stage.name) + " " + std::to_string(i);
-    const std::vector<std::byte>* kept = hooks_.find ? hooks_.find(name) : nullptr;
-    made[i] = kept != nullptr ? piece_record_from(*kept) : piece(i);
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    const std::vector<std::byte>* kept = hooks_.find ? hooks_.find(name_of(i)) : nullptr;
+    if (kept == nullptr) {
+      missing.push_back(i);
+      continue;
+    }
+    made[i] = piece_record_from(*kept);
+    counters_.add(made[i].runs);
+    ++done;
+  }
+  tell(stage, done);
+  std::mutex mutex;
+  parallel_for(missing.size(), {stage.threads}, [&](std::size_t k, int) {
+    const std::size_t i = missing[k];
+    made[i] = piece(i);
     const std::lock_guard lock(mutex);
-    if (kept == nullptr && hooks_.keep) hooks_.keep(name, bytes_of(made[i]));
+    if (hooks_.keep) hooks_.keep(name_of(i), bytes_of(made[i]));
     counters_.add(made[i].runs);
     tell(stage, ++done);
   });

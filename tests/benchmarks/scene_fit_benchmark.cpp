@@ -78,5 +78,22 @@ void screened_points(benchmark::State& state) {
 
 BENCHMARK(screened_points)->ArgName("lanes")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
+/// A point and its forward differences: 1, 3 and 8 points at once, for 0, 2 and 7 parameters.
+void slopes(benchmark::State& state) {
+  const auto count = static_cast<std::size_t>(state.range(0));
+  const ScenePart part = bent_bar(Lanes::On);
+  const SceneModel model(
+      part.setup, part.target,
+      {&find_field("material.youngs_modulus"), &find_field("material.yield_stress")});
+  std::vector<double> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    points.push_back(205e9 + 1e6 * static_cast<double>(i));
+    points.push_back(380e6 + 1e3 * static_cast<double>(i));
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(model.run(points, count, 1));
+}
+
+BENCHMARK(slopes)->ArgName("points")->Arg(1)->Arg(3)->Arg(8)->Unit(benchmark::kMillisecond);
+
 }  // namespace
 }  // namespace plastica::calibrate

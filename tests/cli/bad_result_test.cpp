@@ -71,7 +71,7 @@ TEST(BadRequest, OfAResultIsRefusedInOneLine) {
       {{"show", "x.h5", "--case", "b"}, "x.h5: --case = b: must be a specimen of the file: a"},
       {{"plot", "x.h5", "--case", "b"}, "--case = b: is not a specimen of this file; it has a"},
       {{"plot", "x.h5", "--what", "pie"},
-       "--what = pie: must be curve, overview, parameters, profile or bootstrap"},
+       "--what = pie: must be curve, overview, parameters, profile, bootstrap or laws"},
       {{"plot", "x.h5", "--what", "overview", "--case", "a"},
        "--case = a: goes with pictures of one specimen only"},
       {{"plot", "x.h5", "-o", "x.gif"},

@@ -129,6 +129,11 @@ TEST_F(ExportSceneFit, TakesOneOfSeveralScenesByItsName) {
   EXPECT_EQ(one.err, "");
   EXPECT_EQ(parse_csv(one.out).joints.size(), 4U);
   EXPECT_NE(one.out.find("fitted with 4 segments"), std::string::npos);
+  // It is what was fitted, whatever stands in a file of its name by now.
+  place_.write("long.toml", kBar);
+  EXPECT_EQ(beam({"--what", "beam", "--scene", "long.toml"}).out, one.out);
+  const CommandResult file = beam({"--what", "beam", "--scene", "./long.toml"});
+  EXPECT_EQ(parse_csv(file.out).joints.size(), 6U);
 }
 
 TEST_F(ExportSceneFit, CannotChooseBetweenScenesOfOneName) {

@@ -215,7 +215,9 @@ double half_interval(double confidence, double scale, double degrees_of_freedom,
   double sum = 0.0;
   for (const double h : halves) sum += h;
   if (!(sum > 0.0)) return alone;
-  if (halves.size() == 1 && degrees_of_freedom > 1.0) {
+  // Towards one degree the closed form is a difference of large numbers.
+  constexpr double kFewDegrees = 1.1;
+  if (halves.size() == 1 && degrees_of_freedom > kFewDegrees) {
     return half_interval_of_both(confidence, scale, StudentT(degrees_of_freedom), sum, alone);
   }
   // q lies below alone + sum; its probability is made of values up to a sum beyond.

@@ -75,7 +75,7 @@ TEST(Verdict, CountsRunsAsWaldAndWolfowitz) {
 }
 
 TEST(Verdict, CountsRunsAsAllOrdersDo) {
-  // 10 and 11 of the signs, with 7 runs: counted over all orders.
+  // 10 and 11 of the signs, with 6 runs: counted over all orders.
   std::vector<double> residual(21, -1.0);
   for (const std::size_t i : {0U, 1U, 2U, 6U, 7U, 8U, 12U, 13U, 14U, 15U}) residual[i] = 1.0;
   int fewer = 0, all = 0;

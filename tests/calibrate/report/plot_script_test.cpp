@@ -53,6 +53,17 @@ TEST(PlotScript, OfManySpecimensHasAPanelPerGroupAndTheMean) {
   EXPECT_TRUE(contains(script, "unset multiplot"));
 }
 
+TEST(PlotScript, OfParametersLeavesOutWhatNoCurveDetermines) {
+  FitRecord record = fitted_record("a");
+  ASSERT_TRUE(contains(plot_script(std::vector{record}, {.what = "parameters"}), "break_strain"));
+  for (FittedParameter& parameter : record.result.parameters) {
+    if (parameter.name == "break_strain") parameter.identified = false;
+  }
+  const std::string script = plot_script(std::vector{record}, {.what = "parameters"});
+  EXPECT_FALSE(contains(script, "break_strain"));
+  EXPECT_TRUE(contains(script, "yield_stress"));
+}
+
 TEST(PlotScript, OfParametersHasAPanelForEachFreeOne) {
   std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b", 290e6)};
   for (FitRecord& record : records) {

@@ -115,12 +115,23 @@ TEST(SceneIntervalsReport, DrawsBootstraps) {
       "--what = bootstrap: both has no bootstrap: calibrate with --bootstrap 400");
 }
 
+TEST(SceneIntervalsReport, DrawsNoBootstrapOfWhatIsNotIdentified) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  SceneFitRecord record = record_with_intervals();
+  record.result.intervals.residuals.intervals[2] = {kNan, kNan, kNan};
+  const std::string script = scene_fit_plot_script(std::vector{record}, {.what = "bootstrap"});
+  EXPECT_FALSE(contains(script, "nan"));
+  EXPECT_FALSE(contains(script, "break_strain"));
+}
+
 TEST(SceneIntervalsReport, DrawsBandsWhereTheCurveHasErrors) {
   SceneFitRecord record = lone_scene_record("a", 2e11, 3e8);
   record.targets[0].abscissa = {0.25, 0.5};
   record.targets[0].ordinate = {10.0, 20.0};
   record.result.parts[0].fitted = {12.0, 19.0};
-  record.result.degrees_of_freedom = std::numeric_limits<double>::infinity();
+  for (ScenePartFit& part : record.result.parts) {
+    part.degrees_of_freedom = std::numeric_limits<double>::infinity();
+  }
   const auto script_of = [&] { return scene_fit_plot_script(std::vector{record}, {}); };
   EXPECT_FALSE(contains(script_of(), "of the curve"));
   record.result.parts[0].fitted_error = {1.0, 2.0};

@@ -137,6 +137,10 @@ TEST(HalfInterval, OfOneDegreeOfFreedomHoldsItsConfidence) {
   const std::vector<double> halves{4.0};
   const double q = half_interval(0.95, 1.0, 1.0, halves);
   EXPECT_NEAR((integral(q + 4.0) - integral(q - 4.0)) / 8.0, 0.975, 5e-4);
+  // Degrees of freedom come out of a sum: rounding changes nothing.
+  for (const double nu : {std::nextafter(1.0, 2.0), 1.0 + 1e-9, 1.0 - 1e-12}) {
+    EXPECT_NEAR(half_interval(0.95, 1.0, nu, halves), q, 1e-3 * q) << nu - 1.0;
+  }
 }
 
 }  // namespace
