@@ -119,6 +119,17 @@ std::string label(const Record& record, bool compared) {
                   : name_of(record);
 }
 
+template <typename Record>
+void split(std::span<const Record> records, std::string& name, std::string& law) {
+  if (!has_laws(records)) return;
+  for (const Record& record : records) {
+    if (label(record, true) != name) continue;
+    law = calibrate::name_of(record.result.law);
+    name = name_of(record);
+    return;
+  }
+}
+
 }  // namespace
 
 std::vector<LawRecords> by_target(std::span<const FitRecord> records) {
@@ -148,6 +159,13 @@ std::vector<FitRecord> of_law(std::span<const FitRecord> records, const std::str
 std::vector<SceneFitRecord> of_law(std::span<const SceneFitRecord> records,
                                    const std::string& law) {
   return select(records, law);
+}
+
+void split_label(std::span<const FitRecord> records, std::string& name, std::string& law) {
+  split(records, name, law);
+}
+void split_label(std::span<const SceneFitRecord> records, std::string& name, std::string& law) {
+  split(records, name, law);
 }
 
 std::string label_of(const FitRecord& record, bool compared) { return label(record, compared); }

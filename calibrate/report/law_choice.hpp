@@ -44,6 +44,11 @@ std::size_t advised_first(std::vector<SceneFitRecord>& records);
 std::vector<FitRecord> of_law(std::span<const FitRecord> records, const std::string& law);
 std::vector<SceneFitRecord> of_law(std::span<const SceneFitRecord> records, const std::string& law);
 
+/// Splits a case "s355:voce" of a file that compares laws into name and law; leaves others as they
+/// are.
+void split_label(std::span<const FitRecord> records, std::string& name, std::string& law);
+void split_label(std::span<const SceneFitRecord> records, std::string& name, std::string& law);
+
 /// What a record is called in a file that compares laws: "s355:voce", else "s355".
 std::string label_of(const FitRecord& record, bool compared);
 std::string label_of(const SceneFitRecord& record, bool compared);

@@ -37,7 +37,7 @@ const FitRecord& find_specimen(std::span<const FitRecord> records, const std::st
   throw InputError({}, "--case", name, "is not a specimen of this file; it has " + names);
 }
 
-PlotScript make(std::span<const FitRecord> all, const PlotRequest& request) {
+PlotScript make(std::span<const FitRecord> all, PlotRequest request) {
   if (all.empty()) throw InputError({}, "plot", request.what, "there is no specimen to draw");
   std::string what = request.what;
   if (what == "laws") {
@@ -46,15 +46,22 @@ PlotScript make(std::span<const FitRecord> all, const PlotRequest& request) {
     return request.output == "-" ? plastica::report::figure_terminal(figure)
                                  : plastica::report::figure_page(figure);
   }
+  split_label(all, request.specimen, request.law);
   const std::vector<FitRecord> records = of_law(all, request.law);
+  const auto specimen = [&] {
+    FitRecord record = find_specimen(records, request.specimen);
+    record.target.name = label_of(record, compares_laws(all));
+    return record;
+  };
   if (what.empty()) what = records.size() == 1 || !request.specimen.empty() ? "curve" : "overview";
   const bool terminal = request.output == "-";
   if (what == "curve") {
-    const FitRecord& record = find_specimen(records, request.specimen);
+    const FitRecord record = specimen();
     return terminal ? report::curve_terminal(record) : report::curve_plot(record);
   }
   if (what == "profile" || what == "bootstrap") {
-    const auto shown = report::shown_intervals(find_specimen(records, request.specimen));
+    const FitRecord record = specimen();
+    const auto shown = report::shown_intervals(record);
     const auto figure =
         what == "profile" ? report::profile_figure(shown) : report::bootstrap_figure(shown);
     return terminal ? plastica::report::figure_terminal(figure)

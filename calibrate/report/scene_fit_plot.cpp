@@ -42,7 +42,7 @@ const SceneFitRecord& find_fit(std::span<const SceneFitRecord> records, const st
   throw InputError({}, "--case", name, "is not a fit of this file; it has " + names);
 }
 
-PlotScript make(std::span<const SceneFitRecord> all, const PlotRequest& request) {
+PlotScript make(std::span<const SceneFitRecord> all, PlotRequest request) {
   if (all.empty()) throw InputError({}, "plot", request.what, "there is no fit to draw");
   const std::string what = request.what.empty() ? std::string(kKinds[0].name) : request.what;
   if (std::ranges::find(kKinds, what, &PlotKind::name) == kKinds.end()) {
@@ -60,6 +60,7 @@ PlotScript make(std::span<const SceneFitRecord> all, const PlotRequest& request)
     report::refuse_law(request);
     return drawn(report::laws_figure(all, request.specimen));
   }
+  split_label(all, request.specimen, request.law);
   const std::vector<SceneFitRecord> records = of_law(all, request.law);
   if (what == "population") {
     if (!request.specimen.empty()) {
@@ -67,7 +68,8 @@ PlotScript make(std::span<const SceneFitRecord> all, const PlotRequest& request)
     }
     return drawn(report::population_figure(records));
   }
-  const SceneFitRecord& record = find_fit(records, request.specimen);
+  SceneFitRecord record = find_fit(records, request.specimen);
+  record.name = label_of(record, compares_laws(all));
   if (what == "correlation") return report::correlation_plot(record, terminal);
   if (what == "segments") return drawn(report::segments_figure(record));
   if (what == "profile") return drawn(report::profile_figure(report::shown_intervals(record)));

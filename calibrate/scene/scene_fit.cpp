@@ -107,6 +107,7 @@ class SceneFit {
     for (const ScenePartFit& part : result_.parts) {
       add_warning(part, result_.law, next, result_.warnings);
     }
+    warn_of_specimens(parts_, result_.parts, result_.warnings);
     const FittedScenes fitted(problem_, options_, search_.best(), errors);
     result_.intervals = find_intervals(fitted, work_, result_.warnings);
   }

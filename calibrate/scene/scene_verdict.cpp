@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "calibrate/fit/compare_laws.hpp"
+#include "calibrate/scene/check_scene_fit.hpp"
 
 namespace plastica::calibrate {
 
@@ -60,6 +61,24 @@ void add_warning(const ScenePartFit& part, Law law, std::string_view try_next,
   const std::string lack =
       lack_of_fit(phrase_of(law), part.misfit_share, part.runs_probability, try_next);
   if (!lack.empty()) warnings.push_back(part.name + ": " + lack);
+}
+
+void warn_of_specimens(std::span<const ScenePart> targets, std::span<const ScenePartFit> parts,
+                       std::vector<std::string>& warnings) {
+  constexpr double kFar = 3.0;
+  for (std::size_t a = 0; a < parts.size(); ++a) {
+    for (std::size_t b = 0; b < parts.size(); ++b) {
+      const bool alike = are_of_one_kind(targets[a].target, targets[b].target);
+      if (!alike || !(parts[b].misfit_share > kFar * parts[a].misfit_share)) continue;
+      if (!lacks_fit(parts[b].misfit_share, parts[b].runs_probability)) continue;
+      warnings.push_back(fmt::format(
+          "{} is met far less closely than {}, which measured the same: if these are specimens "
+          "that "
+          "differ, shared = false fits each by itself; the errors above know nothing of it",
+          parts[b].name, parts[a].name));
+      return;
+    }
+  }
 }
 
 }  // namespace plastica::calibrate

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,5 +21,11 @@ void add_warning(const SceneParameter& parameter, const SegmentsError& segments,
 /// @param try_next  laws, as `laws_to_try` gives them
 void add_warning(const ScenePartFit& part, Law law, std::string_view try_next,
                  std::vector<std::string>& warnings);
+
+/// Of a fit that several targets share: that some of a kind are met far less closely than another,
+/// as where specimens differ.
+/// @param parts  what the fit made of them (n_parts)
+void warn_of_specimens(std::span<const ScenePart> targets, std::span<const ScenePartFit> parts,
+                       std::vector<std::string>& warnings);
 
 }  // namespace plastica::calibrate

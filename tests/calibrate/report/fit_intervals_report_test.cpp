@@ -128,8 +128,17 @@ TEST(FitIntervalsReport, DrawsThem) {
   const std::string profile = plot_script(records, {.what = "profile"});
   EXPECT_TRUE(contains(profile, "set title 'youngs_modulus [GPa]'"));
   EXPECT_TRUE(contains(profile, "set arrow from 69.1, graph 0"));
+  // The others have no interval.
   const std::string bootstrap = plot_script(records, {.what = "bootstrap", .specimen = "bar-01"});
-  EXPECT_TRUE(contains(bootstrap, "set title 'yield_stress [MPa] over youngs_modulus'"));
+  EXPECT_TRUE(contains(bootstrap, "youngs_modulus [GPa]"));
+  EXPECT_FALSE(contains(bootstrap, "yield_stress [MPa]"));
+  EXPECT_FALSE(contains(bootstrap, "nan"));
+  std::vector all{with_intervals()};
+  for (BootstrapInterval& interval : all[0].result.intervals.residuals.intervals) {
+    interval = {1e6, 200e6, 300e6};
+  }
+  EXPECT_TRUE(contains(plot_script(all, {.what = "bootstrap"}),
+                       "set title 'yield_stress [MPa] over youngs_modulus'"));
   EXPECT_EQ(message_of([] { plot_script(std::vector{fitted_record()}, {.what = "profile"}); }),
             "--what = profile: bar-01 has no profile: calibrate with --profile");
   EXPECT_EQ(message_of([] { plot_script(std::vector{fitted_record()}, {.what = "bootstrap"}); }),

@@ -62,12 +62,19 @@ TEST(LawsPlot, ShowsEachTargetOfAFitThroughScenes) {
 
 TEST(LawsPlot, DrawsOtherPicturesOfTheAdvisedLawOrOfTheOneThatIsNamed) {
   const std::vector<FitRecord> records = two_laws();
-  const std::string advised = plot_script(records, {});
-  EXPECT_EQ(advised, plot_script(std::vector{records[1]}, {}));
-  EXPECT_EQ(plot_script(records, {.law = "ideal"}), plot_script(std::vector{records[0]}, {}));
+  // The same curves; the name says the law.
+  std::vector<FitRecord> linear{records[1]}, ideal{records[0]};
+  linear[0].target.name = "a:linear";
+  ideal[0].target.name = "a:ideal";
+  EXPECT_EQ(plot_script(records, {}), plot_script(linear, {}));
+  EXPECT_EQ(plot_script(records, {.law = "ideal"}), plot_script(ideal, {}));
+  EXPECT_EQ(plot_script(records, {.specimen = "a:ideal"}), plot_script(ideal, {}));
   const std::vector<SceneFitRecord> scenes = two_scene_laws();
-  EXPECT_EQ(scene_fit_plot_script(scenes, {.law = "voce"}),
-            scene_fit_plot_script(std::vector{scenes[1]}, {}));
+  std::vector<SceneFitRecord> voce{scenes[1]};
+  voce[0].name = "bar:voce";
+  EXPECT_EQ(scene_fit_plot_script(scenes, {.law = "voce"}), scene_fit_plot_script(voce, {}));
+  EXPECT_EQ(scene_fit_plot_script(scenes, {.specimen = "bar:voce"}),
+            scene_fit_plot_script(voce, {}));
 }
 
 TEST(LawsPlot, RefusesWhatAFileHasNot) {

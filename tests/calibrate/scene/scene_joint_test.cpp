@@ -173,6 +173,21 @@ TEST(SceneJointFit, SaysThatTargetsDisagreeOnTheBreak) {
   EXPECT_FALSE(disagrees(fit_scenes(parts, options)));
 }
 
+TEST(SceneJointFit, SaysThatSpecimensDiffer) {
+  const auto differ = [](const std::vector<ScenePart>& parts) {
+    const SceneFitResult fit = fit_scenes(
+        parts, {.parameters = stiffness_and_yield(), .starts = 1, .segments_error = false});
+    return std::ranges::any_of(fit.warnings, [](const std::string& line) {
+      return line.find("is met far less closely than") != std::string::npos;
+    });
+  };
+  std::vector<ScenePart> parts{bent(6, 1.0, 11), bent(6, 1.0, 12), bent(6, 1.0, 13)};
+  EXPECT_FALSE(differ(parts));
+  make_curve(parts[0], {205e9, 370e6}, 1.0, 11);
+  make_curve(parts[2], {205e9, 400e6}, 1.0, 13);
+  EXPECT_TRUE(differ(parts));
+}
+
 TEST(SceneJointFit, ReachesRegionsThatHaveTheScenesMaterial) {
   // The bar in two halves of one section is the bar.
   ScenePart part = bent(6, 1.0, 3);
