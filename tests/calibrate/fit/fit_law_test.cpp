@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
 #include <string>
 #include <vector>
 
 #include "calibrate/fit/fit.hpp"
+#include "tests/calibrate/fit/hardening_targets.hpp"
 #include "tests/calibrate/fit/targets.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/tolerance.hpp"
@@ -80,21 +80,6 @@ TEST(Law, IsOfferedTheNextOnesInTheRow) {
   EXPECT_EQ(laws_to_try(Law::Ideal, monotonic, tried), "");
 }
 
-/// A bar with Voce hardening, stretched to 5 %, with a noise of 1 MPa.
-Target voce_target() {
-  FitOptions truth;
-  Material& material = truth.setup.scene.material;
-  material.youngs_modulus = 200e9;
-  material.yield_stress = 300e6;
-  material.hardening.law = HardeningLaw::VoceChaboche;
-  material.hardening.saturation_stress = 150e6;
-  material.hardening.saturation_rate = 60.0;
-  Target target = target_like(truth, Deformation::Tension, ramp(200, 0.05));
-  Noise noise(7);
-  for (double& stress : target.corrected.stress) stress += noise(1e6);
-  return target;
-}
-
 TEST(FitLaw, FindsTheLawThatMadeTheCurve) {
   FitOptions options = modulus_and_yield();
   options.laws = {Law::Ideal, Law::Linear, Law::Voce};
@@ -127,29 +112,6 @@ TEST(FitLaw, IsNoWorseThanTheSimplerLawThatItContains) {
     EXPECT_LE(result.cost, simpler.cost * (1.0 + 1e-6)) << name_of(law);
     EXPECT_EQ(result.simpler_evaluations, simpler.evaluations() + simpler.simpler_evaluations);
     EXPECT_EQ(result.trace.values.size(), result.evaluations() * result.trace.active.size());
-  }
-}
-
-/// A bar that softens: hardening of any kind makes it worse.
-Target softening_target() {
-  Target target = voce_target();
-  for (std::size_t i = 0; i < target.corrected.size(); ++i) {
-    const double strain = target.corrected.strain[i];
-    target.corrected.stress[i] = std::min(200e9 * strain, 300e6 - 2e9 * strain);
-  }
-  return target;
-}
-
-TEST(FitLaw, HasNoEffectOfItsOwnWhereAnyWouldBeWorse) {
-  const FitOptions options = modulus_and_yield();
-  const Target target = softening_target();
-  const FitResult ideal = fit_law(target, options, Law::Ideal);
-  for (const Law law : {Law::Linear, Law::Voce, Law::Chaboche}) {
-    const FitResult result = fit_law(target, options, law);
-    EXPECT_LE(result.cost, ideal.cost * (1.0 + 1e-6)) << name_of(law);
-    for (const std::string& warning : result.warnings) {
-      EXPECT_EQ(warning.find("larger misfit"), std::string::npos) << warning;
-    }
   }
 }
 
