@@ -1,10 +1,6 @@
 # With the headers of others precompiled a test compiles in two thirds of the time. A compiler cache
 # saves more, and does not know such headers.
-set(precompiled ${PROJECT_IS_TOP_LEVEL})
-if(CMAKE_CXX_COMPILER_LAUNCHER)
-  set(precompiled OFF)
-endif()
-option(PLASTICA_PRECOMPILED_HEADERS "Precompile what sources include of others" ${precompiled})
+option(PLASTICA_PRECOMPILED_HEADERS "Precompile what sources include of others" OFF)
 
 # plastica_precompile(TARGET HEADERS…): each source of the target begins with these, if the option is
 # on. It still includes what it uses: other builds have no such headers.
