@@ -1,5 +1,6 @@
 #include "calibrate/engine/fitted_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -124,8 +125,14 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
         shown(parameter.path, parameter.dimension, parameter.value, parameter.standard_error),
         name_of(parameter.verdict)));
   }
+  // A comparison leaves those of other laws out, and searches what was tied to them.
+  const auto own = parameters_of(record.result.law, Loading::Cyclic, parameters, parameters);
   for (const Parameter& held : parameters) {
-    if (held.role == ParameterRole::Free) continue;
+    const bool of_the_law = std::ranges::find(own, held.field, &Parameter::field) != own.end();
+    const bool searched =
+        std::ranges::find(record.result.parameters, held.field->path, &SceneParameter::path) !=
+        record.result.parameters.end();
+    if (!of_the_law || searched || held.role == ParameterRole::Free) continue;
     const std::string path(held.field->path);
     const auto value = held_value(held, record, parameters);
     if (!value) {

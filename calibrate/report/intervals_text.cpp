@@ -102,8 +102,13 @@ std::string intervals_text(const ShownIntervals& shown, const ReportOptions& opt
         return std::isfinite(profile.low) && (profile.low_end == why || profile.high_end == why);
       });
     };
-    std::string note = fmt::format("profile: where the least cost has risen by {}",
-                                   significant(all.profiles.front().threshold, 3));
+    // Student's t of each parameter's own degrees of freedom.
+    const auto [least, most] = std::ranges::minmax(all.profiles, {}, &LikelihoodProfile::threshold);
+    std::string rise = significant(least.threshold, 3);
+    if (const std::string other = significant(most.threshold, 3); other != rise) {
+      rise += " to " + other;
+    }
+    std::string note = "profile: where the least cost has risen by " + rise;
     if (ends(ProfileEnd::Bound)) note += "; bound: it has not, up to the parameter's bound";
     if (ends(ProfileEnd::Open)) note += "; open: it has not, as far as it was followed";
     if (ends(ProfileEnd::NoCurves)) note += "; open: beyond there are no curves";

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <stdexcept>
 #include <utility>
 
 #include "calibrate/scene/scene_model.hpp"
+#include "tests/calibrate/scene/way_over.hpp"
+#include "tests/support/normal.hpp"
 
 namespace plastica::studies {
 namespace {
@@ -14,6 +15,8 @@ namespace {
 using calibrate::Abscissa;
 using calibrate::Parameter;
 using calibrate::ScenePart;
+using testing::Normal;
+using testing::way_over;
 
 constexpr double kFactor = 30.0;
 constexpr double kNoise = 0.005;
@@ -44,31 +47,6 @@ Setup bent_bar(int segments) {
   scene.probes = {{"force", ProbeQuantity::Reaction, Place::end(), Component::Y}};
   return setup;
 }
-
-/// From one turning point over the next to the last, in even steps.
-std::vector<double> way_over(const std::vector<double>& turning_points, int steps) {
-  std::vector<double> way;
-  double from = 0.0;
-  for (const double to : turning_points) {
-    for (int i = 1; i <= steps; ++i) way.push_back(from + (to - from) * i / steps);
-    from = to;
-  }
-  return way;
-}
-
-/// Standard normal numbers, the same on every machine.
-class Normal {
- public:
-  explicit Normal(std::uint64_t seed) : random_(seed) {}
-  double draw() {
-    constexpr double kTurn = 6.283185307179586;
-    return std::sqrt(-2.0 * std::log(1.0 - uniform())) * std::cos(kTurn * uniform());
-  }
-
- private:
-  double uniform() { return static_cast<double>(random_() >> 11U) * 0x1p-53; }
-  std::mt19937_64 random_;
-};
 
 double value_of(const Setup& setup, const Field& field) {
   return std::get<double>(field.get(setup));

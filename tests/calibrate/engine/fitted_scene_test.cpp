@@ -181,6 +181,28 @@ TEST(FittedSetup, HasWhatTheFitHeldToo) {
             "solver.damping_time is tied to what is not identified: the scene's own stays");
 }
 
+TEST(FittedSetup, LeavesOutWhatAnotherLawOfAComparisonHeld) {
+  auto record = scene_fit(calibrate::Verdict::Identified);
+  record.result.law = calibrate::Law::Voce;
+  std::vector<calibrate::Parameter> held(2);
+  held[0].field = &find_field("backstress_modulus_1");
+  held[0].role = ParameterRole::Fixed;
+  held[0].value = 20e9;
+  // Tied to it, so that the fit without it has searched this.
+  held[1].field = &find_field("yield_stress");
+  held[1].role = ParameterRole::Tied;
+  held[1].tied_to = held[0].field;
+  held[1].factor = 0.01;
+  const auto fitted = fitted_setup({rich_scene(), {}}, record, held);
+  EXPECT_EQ(fitted.setup.scene.material.hardening.backstress_modulus[0], 0.0);
+  EXPECT_EQ(fitted.setup.scene.material.yield_stress, 310e6);
+  EXPECT_EQ(fitted.notes.size(), 3U);
+  record.result.law = calibrate::Law::Chaboche;
+  EXPECT_EQ(fitted_setup({rich_scene(), {}}, record, held)
+                .setup.scene.material.hardening.backstress_modulus[0],
+            20e9);
+}
+
 TEST(FittedSetup, NeedsAFit) {
   auto record = scene_fit(calibrate::Verdict::Identified);
   record.result.status = calibrate::FitStatus::Failed;

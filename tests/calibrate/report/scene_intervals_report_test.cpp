@@ -89,6 +89,13 @@ TEST(SceneIntervalsReport, WritesColumnsOfThoseThatAnyFitHas) {
   EXPECT_FALSE(contains(bare.str(), "profile"));
 }
 
+TEST(SceneIntervalsReport, SaysTheThresholdsOfAllParameters) {
+  SceneFitRecord record = record_with_intervals();
+  EXPECT_TRUE(contains(scene_fit_report(record), "risen by 4.00;"));
+  record.result.intervals.profiles[1].threshold = 5.0;
+  EXPECT_TRUE(contains(scene_fit_report(record), "risen by 4.00 to 5.00;"));
+}
+
 TEST(SceneIntervalsReport, DrawsProfiles) {
   const std::string script =
       scene_fit_plot_script(std::vector{record_with_intervals()}, {.what = "profile"});

@@ -2,11 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <random>
 #include <string>
 
 #include "calibrate/scene/scene_fit.hpp"
 #include "tests/calibrate/scene/bent_bar.hpp"
+#include "tests/support/normal.hpp"
 
 // What noise and segments do to the parameters of a fit through a beam.
 
@@ -16,21 +16,8 @@ namespace {
 using testing::all_three;
 using testing::bend_test;
 using testing::measured;
+using testing::Normal;
 using testing::Truth;
-
-/// Standard normal numbers, the same on every machine.
-class Normal {
- public:
-  explicit Normal(std::uint64_t seed) : random_(seed) {}
-  double draw() {
-    constexpr double kTurn = 6.283185307179586;
-    return std::sqrt(-2.0 * std::log(1.0 - uniform())) * std::cos(kTurn * uniform());
-  }
-
- private:
-  double uniform() { return static_cast<double>(random_() >> 11U) * 0x1p-53; }
-  std::mt19937_64 random_;
-};
 
 TEST(SceneFitReference, GivesErrorsThatTheNoiseOfFiftyCurvesHas) {
   constexpr int kCurves = 50;

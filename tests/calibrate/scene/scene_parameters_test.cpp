@@ -9,11 +9,14 @@
 
 #include "calibrate/scene/scene_fit.hpp"
 #include "tests/calibrate/scene/bent_bar.hpp"
+#include "tests/calibrate/scene/way_over.hpp"
 
 /// Each kind of parameter that a fit through a scene may move, fitted back from the scene's own
 /// curve without noise, from starts that are a fifth off.
 namespace plastica::calibrate {
 namespace {
+
+using testing::way_over;
 
 struct Fitted {
   std::string field;
@@ -31,17 +34,6 @@ struct Problem {
 };
 
 void PrintTo(const Problem& problem, std::ostream* to) { *to << problem.name; }
-
-/// From one turning point over the next to the last, in even steps.
-std::vector<double> way_over(const std::vector<double>& turning_points, int steps) {
-  std::vector<double> way;
-  double from = 0.0;
-  for (const double to : turning_points) {
-    for (int i = 1; i <= steps; ++i) way.push_back(from + (to - from) * i / steps);
-    from = to;
-  }
-  return way;
-}
 
 /// A bar of 400 x 20 x 20 mm, clamped at its start.
 plastica::Setup bar() {
