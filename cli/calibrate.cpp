@@ -26,6 +26,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
+#include "cli/tell.hpp"
 #include "plastica/io/text_file.hpp"
 
 namespace plastica::cli {
@@ -57,9 +58,9 @@ calibrate::FitFile read_inputs(const CalibrateArguments& arguments) {
 }
 
 void write_json(const std::string& path, std::span<const calibrate::FitRecord> records,
-                const calibrate::FitOptions& fit) {
+                const calibrate::FitOptions& fit, io::Overwrite overwrite) {
   const calibrate::SpecimenDraws draws{fit.intervals.specimens, fit.seed, fit.confidence};
-  io::write_text_file(path, calibrate::json_summary(records, 2, draws) + "\n");
+  io::write_text_file(path, calibrate::json_summary(records, 2, draws) + "\n", overwrite);
 }
 
 /// @param records  put into another order where laws are compared
@@ -105,7 +106,8 @@ int calibrate_files(const CalibrateArguments& arguments) {
   contents.meta.versions.emplace_back("nlopt", calibrate::nlopt_version());
   const InterruptGuard interrupt;
   calibrate::JournaledOptions how;
-  how.journal = {io::journal_path(output), arguments.resume, arguments.force};
+  how.journal = {io::journal_path(output), arguments.resume, arguments.force,
+                 contents.meta.instruction_set};
   how.threads = arguments.threads;
   how.stop = &interrupt.flag();
   const std::size_t fits = targets.size() * std::max<std::size_t>(1, file.options.laws.size());
@@ -118,7 +120,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   std::vector<calibrate::FitResult> results = batch.run();
   bar.clear();
   if (!batch.complete()) {
-    fmt::print(stderr, "plastica: interrupted; what is finished is kept: --resume goes on\n");
+    tell("plastica: interrupted; what is finished is kept: --resume goes on\n");
     return kInterrupted;
   }
 
@@ -129,13 +131,15 @@ int calibrate_files(const CalibrateArguments& arguments) {
   contents.meta.resumptions = batch.resumptions();
   contents.meta.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  calibrate::write_fit_store(output, contents);
+  const io::Overwrite overwrite = io::overwrite_if(arguments.force);
+  calibrate::write_fit_store(output, contents, overwrite);
   batch.finish();
-  if (!arguments.json.empty()) write_json(arguments.json, contents.records, file.options);
+  if (!arguments.json.empty())
+    write_json(arguments.json, contents.records, file.options, overwrite);
   if (!arguments.quiet) {
     print_report(contents.records, file.options);
     std::fflush(stdout);  // one file may take both
-    fmt::print(stderr, "wrote {}\n", output);
+    tell("wrote {}\n", output);
   }
   // Where laws are compared, one of them suffices.
   const auto fitted = [](const calibrate::FitRecord* record) {

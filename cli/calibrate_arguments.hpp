@@ -10,6 +10,7 @@
 
 #include "calibrate/config/bare_files.hpp"
 #include "calibrate/fit/intervals.hpp"
+#include "cli/tell.hpp"
 
 namespace plastica::cli {
 
@@ -50,14 +51,16 @@ inline void set_intervals(const CalibrateArguments& arguments,
 template <class Batch>
 void tell_of_journal(const Batch& batch, bool quiet) {
   if (batch.dropped_bytes() > 0) {
-    fmt::print(stderr, "plastica: dropped {} bytes of an unfinished record from the journal\n",
-               batch.dropped_bytes());
+    tell("plastica: dropped {} bytes of an unfinished record from the journal\n",
+         batch.dropped_bytes());
   }
   if (!quiet && batch.taken() > 0) {
-    fmt::print(stderr, "{} fits taken from the journal\n", batch.taken());
+    tell("{} fits taken from the journal\n", batch.taken());
   }
   if (!quiet && batch.outdated() > 0) {
-    fmt::print(stderr, "{} fits of the journal are outdated and run again\n", batch.outdated());
+    const std::string& other = batch.other_instruction_set();
+    tell("{} fits of the journal are {} and run again\n", batch.outdated(),
+         other.empty() ? "outdated" : "of the instruction set " + other);
   }
 }
 

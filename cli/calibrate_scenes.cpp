@@ -25,6 +25,7 @@
 #include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
 #include "cli/search_progress.hpp"
+#include "cli/tell.hpp"
 #include "plastica/io/text_file.hpp"
 #include "plastica/run/simulate.hpp"
 
@@ -38,23 +39,23 @@ using calibrate::SceneFitRecord;
 void print_dry_run(const SceneFitFile& file, const std::string& output) {
   const std::size_t laws = std::max<std::size_t>(1, file.options.laws.size());
   const std::size_t fits = file.cases.size() * laws;
-  fmt::print("{} {}{} of {} targets, written to {}\n", fits, fits == 1 ? "fit" : "fits",
-             laws > 1 ? fmt::format(" by {} laws", laws) : "",
-             std::accumulate(
-                 file.cases.begin(), file.cases.end(), std::size_t{0},
-                 [](std::size_t sum, const SceneFitCase& one) { return sum + one.parts.size(); }),
-             output);
+  say("{} {}{} of {} targets, written to {}\n", fits, fits == 1 ? "fit" : "fits",
+      laws > 1 ? fmt::format(" by {} laws", laws) : "",
+      std::accumulate(
+          file.cases.begin(), file.cases.end(), std::size_t{0},
+          [](std::size_t sum, const SceneFitCase& one) { return sum + one.parts.size(); }),
+      output);
   for (const SceneFitCase& one : file.cases) {
     for (const calibrate::ScenePart& part : one.parts) {
       const Model model = prepare(part.setup.scene, part.setup.solver);
-      fmt::print("{}: {} samples, {} segments, {}\n", part.target.name, part.target.ordinate.size(),
-                 part.setup.scene.beam.segments, model.level_reason);
+      say("{}: {} samples, {} segments, {}\n", part.target.name, part.target.ordinate.size(),
+          part.setup.scene.beam.segments, model.level_reason);
     }
   }
-  fmt::print("up to {} points of each search, {} {} a fit", file.options.evaluations,
-             file.options.starts, file.options.starts == 1 ? "search" : "searches");
+  say("up to {} points of each search, {} {} a fit", file.options.evaluations, file.options.starts,
+      file.options.starts == 1 ? "search" : "searches");
   const bool screens = file.options.starts > 1 && file.options.screen > 0;
-  fmt::print("{}\n", screens ? fmt::format(" after {} screened points", file.options.screen) : "");
+  say("{}\n", screens ? fmt::format(" after {} screened points", file.options.screen) : "");
   if (file.options.segments_error) print_repetitions(file.cases);
 }
 
@@ -98,7 +99,8 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   contents.meta = io::begin_meta(arguments.command_line, arguments.threads);
   const InterruptGuard interrupt;
   calibrate::JournaledOptions how;
-  how.journal = {io::journal_path(output), arguments.resume, arguments.force};
+  how.journal = {io::journal_path(output), arguments.resume, arguments.force,
+                 contents.meta.instruction_set};
   how.threads = arguments.threads;
   how.stop = &interrupt.flag();
   ProgressBar bar("fitting", file.cases.size() * std::max<std::size_t>(1, file.options.laws.size()),
@@ -114,13 +116,13 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
       [&search](const calibrate::SceneFitProgress& progress) { search.update(progress); });
   tell_of_journal(batch, arguments.quiet);
   if (!arguments.quiet && batch.parts() > 0) {
-    fmt::print(stderr, "{} finished parts of fits taken from the journal\n", batch.parts());
+    tell("{} finished parts of fits taken from the journal\n", batch.parts());
   }
   std::vector<calibrate::SceneFitResult> results = batch.run();
   bar.clear();
   search.clear();
   if (!batch.complete()) {
-    fmt::print(stderr, "plastica: interrupted; what is finished is kept: --resume goes on\n");
+    tell("plastica: interrupted; what is finished is kept: --resume goes on\n");
     return kInterrupted;
   }
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -132,16 +134,18 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   contents.meta.resumptions = batch.resumptions();
   contents.meta.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  calibrate::write_scene_fit_store(output, contents);
+  const io::Overwrite overwrite = io::overwrite_if(arguments.force);
+  calibrate::write_scene_fit_store(output, contents, overwrite);
   batch.finish();
   if (!arguments.json.empty()) {
     io::write_text_file(arguments.json,
-                        calibrate::scene_fits_json(contents.records, contents.confidence) + "\n");
+                        calibrate::scene_fits_json(contents.records, contents.confidence) + "\n",
+                        overwrite);
   }
   if (!arguments.quiet) {
     print_report(contents.records, contents.confidence);
     std::fflush(stdout);  // one file may take both
-    fmt::print(stderr, "wrote {}\n", output);
+    tell("wrote {}\n", output);
   }
   // Where laws are compared, one of them suffices.
   const auto fitted = [](const SceneFitRecord* record) {

@@ -12,6 +12,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/run_files.hpp"
+#include "cli/tell.hpp"
 #include "plastica/io/result_file.hpp"
 #include "plastica/io/text_file.hpp"
 #include "plastica/report/format.hpp"
@@ -32,16 +33,12 @@ struct CheckArguments {
 
 int print_dry_run(const std::vector<sweeps::CheckFile>& files) {
   for (const sweeps::CheckFile& file : files) {
-    fmt::print("{}: {} about {} with {}\n", file.path, report::counted(file.claims.size(), "claim"),
-               report::counted(file.sweeps.size(), "sweep"),
-               report::counted(sweeps::cases_of(file), "case"));
+    say("{}: {} about {} with {}\n", file.path, report::counted(file.claims.size(), "claim"),
+        report::counted(file.sweeps.size(), "sweep"),
+        report::counted(sweeps::cases_of(file), "case"));
   }
-  fmt::print("nothing was run\n");
+  say("nothing was run\n");
   return kDone;
-}
-
-void write_junit(const std::string& path, const std::vector<sweeps::CheckedFile>& checked) {
-  io::write_text_file(path, sweeps::junit_xml(checked));
 }
 
 /// Runs one file. @return whether it was run to its end
@@ -82,9 +79,12 @@ int check(const CheckArguments& arguments) {
   for (sweeps::CheckFile& file : files) {
     complete = complete && run_file(std::move(file), arguments, interrupt.flag(), checked);
   }
-  if (!arguments.junit.empty()) write_junit(arguments.junit, checked);
+  if (!arguments.junit.empty()) {
+    io::write_text_file(arguments.junit, sweeps::junit_xml(checked),
+                        io::overwrite_if(arguments.force));
+  }
   if (!complete) {
-    fmt::print(stderr, "plastica: interrupted\n");
+    tell("plastica: interrupted\n");
     return kInterrupted;
   }
   fmt::print("{}", sweeps::check_summary(checked));

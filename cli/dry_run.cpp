@@ -7,6 +7,7 @@
 
 #include "calibrate/fit/parameter_set.hpp"
 #include "calibrate/scene/redivide.hpp"
+#include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::cli {
@@ -26,16 +27,16 @@ std::size_t memory_of(const Target& target, const FitOptions& options) {
 
 void print_parameters(const Target& target, const FitOptions& options) {
   const calibrate::ParameterSet set(target, options);
-  fmt::print("parameters of {} (SI):\n", target.name);
+  say("parameters of {} (SI):\n", target.name);
   for (const calibrate::ResolvedParameter& p : set.all()) {
     std::string_view role = "fixed";
     if (p.role == calibrate::ParameterRole::Free) role = p.idle ? "free, not determined" : "free";
     if (p.role == calibrate::ParameterRole::Tied) role = "tied";
-    fmt::print("  {:<36} {:<6} start {:<12.6g}", p.field->path, role, p.start);
+    say("  {:<36} {:<6} start {:<12.6g}", p.field->path, role, p.start);
     if (p.role == calibrate::ParameterRole::Free) {
-      fmt::print(" bounds {:.6g} … {:.6g}{}", p.lower, p.upper, p.logarithmic ? ", log" : "");
+      say(" bounds {:.6g} … {:.6g}{}", p.lower, p.upper, p.logarithmic ? ", log" : "");
     }
-    fmt::print("\n");
+    say("\n");
   }
 }
 
@@ -62,8 +63,7 @@ void print_repetitions(std::span<const calibrate::SceneFitCase> fits) {
     }
   }
   if (beams.empty()) return;
-  fmt::print(
-      "then again with half and with twice the segments, for their error: a search each from the "
+  say("then again with half and with twice the segments, for their error: a search each from the "
       "fitted values,\nhalf and twice the work a run (fit.segments_error = false: neither)\n{}",
       beams);
 }
@@ -75,18 +75,17 @@ void print_dry_run(std::span<const Target> targets, const FitOptions& options,
   for (const Target& target : targets) {
     ready += target.status == TargetStatus::Ready ? 1 : 0;
     bytes += memory_of(target, options);
-    fmt::print("{:<32} {:>6} samples  {}\n", target.name, target.corrected.size(),
-               target.status == TargetStatus::Ready ? "ready" : target.reason);
+    say("{:<32} {:>6} samples  {}\n", target.name, target.corrected.size(),
+        target.status == TargetStatus::Ready ? "ready" : target.reason);
   }
   const auto first = std::find_if(targets.begin(), targets.end(), [](const Target& target) {
     return target.status == TargetStatus::Ready;
   });
   if (first != targets.end()) print_parameters(*first, options);
-  fmt::print("{} target{}, {} to fit, algorithm {}, about {:.1f} MB\n", targets.size(),
-             targets.size() == 1 ? "" : "s", ready, options.algorithm,
-             static_cast<double>(bytes) / 1e6);
-  fmt::print("level coupon: a strain history drives all joints alike: one stands for all\n");
-  fmt::print("nothing was run; the result would be {}\n", output);
+  say("{} target{}, {} to fit, algorithm {}, about {:.1f} MB\n", targets.size(),
+      targets.size() == 1 ? "" : "s", ready, options.algorithm, static_cast<double>(bytes) / 1e6);
+  say("level coupon: a strain history drives all joints alike: one stands for all\n");
+  say("nothing was run; the result would be {}\n", output);
 }
 
 }  // namespace plastica::cli

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -25,7 +24,7 @@
 #include "cli/run_files.hpp"
 #include "plastica/io/nearest_word.hpp"
 #include "plastica/io/scene_store.hpp"
-#include "plastica/io/storage_error.hpp"
+#include "plastica/io/text_file.hpp"
 #include "plastica/report/scene_csv.hpp"
 #include "plastica/report/scene_json.hpp"
 #include "sweeps/report/csv.hpp"
@@ -193,10 +192,7 @@ int run_export(const ExportArguments& arguments) {
     std::cout << text;
     return kDone;
   }
-  std::ofstream out(arguments.output, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw io::StorageError(arguments.output, "cannot be written");
+  io::write_text_file(arguments.output, text, io::overwrite_if(arguments.force));
   return kDone;
 }
 

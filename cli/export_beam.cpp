@@ -12,6 +12,7 @@
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
 #include "cli/find_record.hpp"
+#include "cli/tell.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/scene_store.hpp"
 
@@ -133,7 +134,7 @@ void tell_of_segments(const BeamRequest& request, BeamSource& source) {
   if (std::ranges::find(fitted, now) != fitted.end()) return;
   source.notes.push_back(
       fmt::format("the fit was made with {}, this beam has {}: the numbers may be off", with, now));
-  fmt::print(stderr, "warning: {}: {}\n", request.file, source.notes.back());
+  tell("warning: {}: {}\n", request.file, source.notes.back());
 }
 
 /// The scene of a result, which stores what every support holds, even a pillar, as if it were
@@ -164,7 +165,7 @@ std::string beam_text(const BeamRequest& request, ResultKind kind) {
   const auto format = static_cast<calibrate::EngineFormat>(
       std::find(words.begin(), words.end(), request.to) - words.begin());
   for (const std::string& note : calibrate::engine_notes(beam, format)) {
-    fmt::print(stderr, "note: {}\n", note);
+    tell("note: {}\n", note);
   }
   beam.notes.insert(beam.notes.begin(), source.notes.begin(), source.notes.end());
   return calibrate::engine_text(beam, format);

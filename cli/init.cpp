@@ -8,7 +8,9 @@
 #include "calibrate/config/templates.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
+#include "plastica/io/result_file.hpp"
 #include "plastica/io/text_file.hpp"
 #include "sweeps/plan/templates.hpp"
 
@@ -43,6 +45,7 @@ int init(const InitArguments& arguments) {
   for (const auto& file : files) {
     const auto path = folder / file.name;
     // A check brings the sweep that it is about, which may be there as it was begun.
+    io::check_output_path(path.string(), true);
     const bool exists = std::filesystem::exists(path);
     if (exists && !arguments.force && io::read_text_file(path.string()) != file.text) {
       throw InputError({}, "init", path.string(), "exists already; --force overwrites it");
@@ -51,10 +54,9 @@ int init(const InitArguments& arguments) {
   for (const auto& file : files) {
     const auto path = folder / file.name;
     io::write_text_file(path.string(), file.text);
-    fmt::print("wrote {}\n", path.string());
+    say("wrote {}\n", path.string());
   }
-  fmt::print("next: plastica {} {}\n", command_of(arguments.kind),
-             (folder / files.front().name).string());
+  say("next: plastica {} {}\n", command_of(arguments.kind), (folder / files.front().name).string());
   return kDone;
 }
 

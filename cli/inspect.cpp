@@ -8,6 +8,7 @@
 #include "calibrate/target/import.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/tell.hpp"
 #include "plastica/io/csv.hpp"
 
 namespace plastica::cli {
@@ -24,35 +25,33 @@ std::string_view name_of_separator(char separator) {
 
 void print_columns(const io::CsvTable& table) {
   constexpr std::size_t kShown = 20;
-  fmt::print("  {:<4} {:<28} {:<8} {:<16} {:<16}\n", "no.", "column", "unit", "first", "last");
+  say("  {:<4} {:<28} {:<8} {:<16} {:<16}\n", "no.", "column", "unit", "first", "last");
   for (std::size_t c = 0; c < table.columns() && c < kShown; ++c) {
-    fmt::print("  {:<4} {:<28} {:<8} {:<16} {:<16}\n", c + 1, table.names()[c], table.units()[c],
-               table.cell(0, c), table.cell(table.rows() - 1, c));
+    say("  {:<4} {:<28} {:<8} {:<16} {:<16}\n", c + 1, table.names()[c], table.units()[c],
+        table.cell(0, c), table.cell(table.rows() - 1, c));
   }
-  if (table.columns() > kShown) fmt::print("  … {} columns in all\n", table.columns());
+  if (table.columns() > kShown) say("  … {} columns in all\n", table.columns());
 }
 
 /// What an import by the guessed columns would repair and correct.
 void print_specimens(const calibrate::TargetSource& source) {
   for (const calibrate::Target& target : calibrate::import_targets(source)) {
-    fmt::print("\n{}: {} of {} samples, {}\n", target.name, target.corrected.size(),
-               target.raw.size(),
-               target.status == calibrate::TargetStatus::Ready ? "ready to fit" : target.reason);
-    for (const auto& repair : target.repairs) fmt::print("  repair      {}\n", repair.text);
+    say("\n{}: {} of {} samples, {}\n", target.name, target.corrected.size(), target.raw.size(),
+        target.status == calibrate::TargetStatus::Ready ? "ready to fit" : target.reason);
+    for (const auto& repair : target.repairs) say("  repair      {}\n", repair.text);
     for (const auto& correction : target.corrections) {
-      fmt::print("  correction  {}: {}{}\n", correction.kind, correction.applied ? "" : "no, ",
-                 correction.text);
+      say("  correction  {}: {}{}\n", correction.kind, correction.applied ? "" : "no, ",
+          correction.text);
     }
-    for (const auto& warning : target.warnings) fmt::print("  warning     {}\n", warning);
+    for (const auto& warning : target.warnings) say("  warning     {}\n", warning);
   }
 }
 
 void inspect_file(const std::string& path) {
   const io::CsvTable table = io::CsvTable::read(path);
-  fmt::print("{}: {} rows, {} columns, separated by {}, decimal {}\n", path, table.rows(),
-             table.columns(), name_of_separator(table.separator()),
-             table.decimal() == ',' ? "comma" : "point");
-  for (const std::string& line : table.preamble()) fmt::print("  metadata: {}\n", line);
+  say("{}: {} rows, {} columns, separated by {}, decimal {}\n", path, table.rows(), table.columns(),
+      name_of_separator(table.separator()), table.decimal() == ',' ? "comma" : "point");
+  for (const std::string& line : table.preamble()) say("  metadata: {}\n", line);
   print_columns(table);
 
   calibrate::TargetSource source = calibrate::guess_source(table);
@@ -61,13 +60,12 @@ void inspect_file(const std::string& path) {
   const bool stress = source.stress || (source.force && source.area);
   if (strain && stress) {
     print_specimens(source);
-    fmt::print("\nto paste into a fit file:\n\n");
+    say("\nto paste into a fit file:\n\n");
   } else {
-    fmt::print(
-        "\nto paste into a fit file; say what is missing (strain, or elongation and "
+    say("\nto paste into a fit file; say what is missing (strain, or elongation and "
         "gauge_length; stress, or force and area):\n\n");
   }
-  fmt::print("{}", calibrate::target_text(source));
+  say("{}", calibrate::target_text(source));
 }
 
 }  // namespace
@@ -81,7 +79,7 @@ void add_inspect(CLI::App& app, Action& action) {
   sub->callback([&action, files] {
     action = [files] {
       for (std::size_t i = 0; i < files->size(); ++i) {
-        if (i > 0) fmt::print("\n");
+        if (i > 0) say("\n");
         inspect_file((*files)[i]);
       }
       return static_cast<int>(kDone);

@@ -11,6 +11,7 @@
 
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/base/version.hpp"
 #include "plastica/io/nearest_word.hpp"
@@ -54,7 +55,7 @@ void add_commands(CLI::App& app, const std::string& command_line, Action& action
 int complain(std::string what, int code) {
   // One line, whatever a file is called.
   std::replace(what.begin(), what.end(), '\n', ' ');
-  fmt::print(stderr, "plastica: {}\n", what);
+  plastica::cli::tell("plastica: {}\n", what);
   return code;
 }
 
@@ -109,6 +110,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  plastica::cli::open_closed_streams();
   try {
     return run(argc, argv);
   } catch (const plastica::InputError& error) {

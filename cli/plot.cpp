@@ -15,6 +15,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
+#include "cli/tell.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/report/scene_plot.hpp"
 #include "sweeps/report/plot.hpp"
@@ -81,7 +82,7 @@ void draw_scenes(const PlotArguments& arguments) {
   std::vector<io::SceneRecord> records;
   for (const std::string& file : arguments.files) records.push_back(io::read_scene_store(file));
   report::ScenePlotRequest request{arguments.request.what, arguments.joint, arguments.probe,
-                                   arguments.request.output};
+                                   arguments.request.output, arguments.request.overwrite};
   request.time = seconds_of("--time", arguments.time);
   request.film_frames = arguments.film_frames;
   request.film_from = seconds_of("--from", arguments.film_from);
@@ -97,9 +98,10 @@ void refuse_second_file(const PlotArguments& arguments, std::string_view why) {
 void draw_sweep(const PlotArguments& arguments) {
   refuse_second_file(arguments, "a sweep is drawn of one file");
   const auto record = sweeps::read_sweep_store(arguments.files.front());
-  sweeps::draw_sweep_plot(
-      record, {arguments.request.what, arguments.request.specimen, arguments.request.output},
-      std::cout);
+  sweeps::draw_sweep_plot(record,
+                          {arguments.request.what, arguments.request.specimen,
+                           arguments.request.output, arguments.request.overwrite},
+                          std::cout);
 }
 
 void draw_fits(const PlotArguments& arguments) {
@@ -132,7 +134,7 @@ int plot(const PlotArguments& arguments) {
     case ResultKind::Scene: draw_scenes(arguments); break;
     case ResultKind::Sweep: draw_sweep(arguments); break;
   }
-  if (output != "-") fmt::print("wrote {}\n", output);
+  if (output != "-") say("wrote {}\n", output);
   return kDone;
 }
 
@@ -167,6 +169,7 @@ void add_plot(CLI::App& app, Action& action) {
   sub->footer("Example: plastica plot fit.h5 -o fit.svg");
   sub->callback([&action, arguments] {
     if (arguments->files.empty() && !arguments->list) throw CLI::RequiredError("files");
+    arguments->request.overwrite = io::overwrite_if(arguments->force);
     action = [arguments] { return plot(*arguments); };
   });
 }

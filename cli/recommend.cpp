@@ -10,6 +10,7 @@
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/run_files.hpp"
+#include "cli/tell.hpp"
 #include "plastica/io/result_file.hpp"
 #include "plastica/io/text_file.hpp"
 #include "plastica/io/units.hpp"
@@ -79,9 +80,9 @@ sweeps::Wish wish_of(const RecommendArguments& arguments, sweeps::CostKind cost)
   return wish;
 }
 
-void write_scene(const std::string& path, const std::string& text) {
-  io::write_text_file(path, text);
-  fmt::print(stderr, "wrote {}\n", path);
+void write_scene(const std::string& path, const std::string& text, bool force) {
+  io::write_text_file(path, text, io::overwrite_if(force));
+  tell("wrote {}\n", path);
 }
 
 int recommend(const RecommendArguments& arguments) {
@@ -97,8 +98,8 @@ int recommend(const RecommendArguments& arguments) {
     refuse_input(option, path, arguments.file);
     io::check_output_path(path, arguments.force);
   }
-  if (!arguments.next.empty() && arguments.next == arguments.output) {
-    throw InputError({}, "--next", arguments.next, "is the output, too");
+  if (!arguments.next.empty() && !arguments.output.empty()) {
+    refuse_own_files("--next", arguments.next, arguments.output);
   }
   sweeps::check_settings(record);
   const auto points = sweeps::trade_points(record, cost);
@@ -106,10 +107,11 @@ int recommend(const RecommendArguments& arguments) {
                                             ? sweeps::recommend_for_error(points, *wish.within)
                                             : sweeps::recommend_for_budget(points, *wish.budget);
   if (choice.chosen && !arguments.output.empty()) {
-    write_scene(arguments.output, sweeps::scene_with_setting(record, *choice.chosen));
+    write_scene(arguments.output, sweeps::scene_with_setting(record, *choice.chosen),
+                arguments.force);
   }
   if (choice.next && !arguments.next.empty()) {
-    write_scene(arguments.next, sweeps::scene_with_setting(record, *choice.next));
+    write_scene(arguments.next, sweeps::scene_with_setting(record, *choice.next), arguments.force);
   }
   fmt::print("{}", sweeps::recommendation_text(record, cost, wish, choice));
   if (!choice.chosen) return kNotAcceptable;

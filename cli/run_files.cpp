@@ -9,6 +9,9 @@
 #include <string_view>
 
 #include "plastica/base/check.hpp"
+#include "plastica/io/case_journal.hpp"
+#include "plastica/io/durable_file.hpp"
+#include "plastica/io/output_file.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::cli {
@@ -56,6 +59,21 @@ void refuse_input(std::string_view option, const std::string& output, const std:
   throw InputError({}, option, output, "is a file that this run reads");
 }
 
+void refuse_own_files(std::string_view option, const std::string& path, const std::string& output) {
+  // Neither need be there yet: their folders are compared as they are on the disk.
+  const auto place = [](const std::string& file) {
+    std::error_code ignored;
+    const fs::path whole = fs::path(file).lexically_normal();
+    return fs::weakly_canonical(io::folder_of(whole.string()), ignored) / whole.filename();
+  };
+  const auto refuse = [&](const std::string& other, std::string_view rule) {
+    if (place(path) == place(other)) throw InputError({}, option, path, rule);
+  };
+  refuse(output, "is the result file, too");
+  refuse(io::journal_path(output), "is where the journal of the run goes");
+  refuse(io::lock_path(output), "is where the lock of the result file goes");
+}
+
 void refuse_option(bool given, std::string_view option, std::string_view rule) {
   if (given) throw InputError({}, option, "", rule);
 }
@@ -79,9 +97,7 @@ void check_outputs(std::span<const std::string> read, const std::string& output,
   io::check_output_path(output, force);
   if (json.empty()) return;
   check("--json", json);
-  if (fs::path(json).lexically_normal() == fs::path(output).lexically_normal()) {
-    throw InputError({}, "--json", json, "is the result file, too");
-  }
+  refuse_own_files("--json", json, output);
   io::check_output_path(json, force);
 }
 

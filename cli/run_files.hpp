@@ -18,6 +18,10 @@ std::vector<io::InputText> input_texts(const calibrate::FitFile& file);
 /// Refuses to write over a file that is read, whatever is forced. @throws InputError
 void refuse_input(std::string_view option, const std::string& output, const std::string& input);
 
+/// Refuses an output that is another output of the same run, or in the way of its journal or lock,
+/// whatever is forced. @throws InputError
+void refuse_own_files(std::string_view option, const std::string& path, const std::string& output);
+
 /// Refuses an option that does not go with the others. @throws InputError
 /// @param given  whether the command line has the option
 void refuse_option(bool given, std::string_view option, std::string_view rule);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -17,6 +18,8 @@
 #include "cli/motion_progress.hpp"
 #include "cli/response_bytes.hpp"
 #include "cli/run_files.hpp"
+#include "cli/tell.hpp"
+#include "plastica/io/output_file.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/io/text_file.hpp"
 #include "plastica/model/scene_warnings.hpp"
@@ -60,11 +63,7 @@ void check_outputs(const SimulateArguments& arguments) {
   }
   if (arguments.json.empty()) return;
   check("--json", arguments.json);
-  namespace fs = std::filesystem;
-  if (fs::path(arguments.json).lexically_normal() ==
-      fs::path(arguments.output).lexically_normal()) {
-    throw InputError({}, "--json", arguments.json, "is the result file, too");
-  }
+  if (arguments.output != "-") refuse_own_files("--json", arguments.json, arguments.output);
 }
 
 /// The scheme and the step of a motion, and how many it will take at least.
@@ -86,39 +85,40 @@ int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const 
   const Response response = make_response(model);
   const std::size_t samples = model.chain ? response.chain.time.size() : model.drive.size();
   // The reason begins with the level's name.
-  fmt::print("{}: level {}\n", arguments.file, model.level_reason);
+  say("{}: level {}\n", arguments.file, model.level_reason);
   if (model.chain) {
-    fmt::print("{}, {}, {}, ", report::counted(response.chain.joints - 1, "segment"),
-               report::counted(setup.scene.supports.size(), "support"),
-               report::counted(setup.scene.loads.size(), "load"));
+    say("{}, {}, {}, ", report::counted(response.chain.joints - 1, "segment"),
+        report::counted(setup.scene.supports.size(), "support"),
+        report::counted(setup.scene.loads.size(), "load"));
   }
-  fmt::print("{}, ", report::counted(samples, "sample"));
+  say("{}, ", report::counted(samples, "sample"));
   if (model.chain && response.chain.frame_sample.size() < samples) {
-    fmt::print("{}, ", report::counted(response.chain.frame_sample.size(), "frame"));
+    say("{}, ", report::counted(response.chain.frame_sample.size(), "frame"));
   }
-  fmt::print("{}, about {:.1f} MB\n", report::counted(model.probes.size(), "probe"),
-             static_cast<double>(response_bytes(response)) / 1e6);
+  say("{}, about {:.1f} MB\n", report::counted(model.probes.size(), "probe"),
+      static_cast<double>(response_bytes(response)) / 1e6);
   if (is_motion(model)) {
-    fmt::print("{}{}", motion_label(setup, *model.chain), frequency_line(model, setup));
+    say("{}{}", motion_label(setup, *model.chain), frequency_line(model, setup));
   }
   for (const std::string& warning : scene_warnings(setup.scene, setup.solver)) {
-    fmt::print("warning: {}\n", warning);
+    say("warning: {}\n", warning);
   }
-  fmt::print("nothing was run; the result would be {}\n",
-             arguments.output == "-" ? "a table on the terminal" : arguments.output);
+  say("nothing was run; the result would be {}\n",
+      arguments.output == "-" ? "a table on the terminal" : arguments.output);
   return kDone;
 }
 
-void write_result(const std::string& output, const io::SceneRecord& record) {
+void write_result(const std::string& output, const io::SceneRecord& record,
+                  io::Overwrite overwrite) {
   if (output == "-") {
     report::write_probes_csv(std::cout, record);
     std::cout.flush();
   } else if (ending_of(output) == ".h5") {
-    io::write_scene_store(output, record);
+    io::write_scene_store(output, record, overwrite);
   } else {
     std::ostringstream table;
     report::write_probes_csv(table, record);
-    io::write_text_file(output, table.str());
+    io::write_text_file(output, table.str(), overwrite);
   }
 }
 
@@ -138,13 +138,12 @@ int exit_code_of(const Response& response, const std::string& output) {
   const Status status = response.status;
   if (usable(status)) return kDone;
   if (status == Status::Interrupted) {
-    fmt::print(stderr,
-               "plastica: interrupted at {:.5g} s: {} holds what was computed up to there\n",
-               response.chain.time.empty() ? 0.0 : response.chain.time.back(),
-               output == "-" ? "the table" : output);
+    tell("plastica: interrupted at {:.5g} s: {} holds what was computed up to there\n",
+         response.chain.time.empty() ? 0.0 : response.chain.time.back(),
+         output == "-" ? "the table" : output);
     return kInterrupted;
   }
-  fmt::print(stderr, "plastica: {}: {}\n", name_of(status), advice(status));
+  tell("plastica: {}: {}\n", name_of(status), advice(status));
   return kNotAcceptable;
 }
 
@@ -155,6 +154,8 @@ int simulate_file(const SimulateArguments& arguments) {
   const Model model = prepare(file.setup.scene, file.setup.solver);
   if (arguments.dry_run) return print_dry_run(arguments, file.setup, model);
   check_outputs(arguments);
+  std::optional<io::OutputLock> lock;
+  if (arguments.output != "-") lock.emplace(arguments.output);
   io::RunMeta meta = io::begin_meta(arguments.command_line, 1);
   meta.instruction_set = name_of(resolved(file.setup.solver.isa));
   Response response = make_response(model);
@@ -168,14 +169,23 @@ int simulate_file(const SimulateArguments& arguments) {
   meta.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   record.meta = std::move(meta);
 
-  write_result(arguments.output, record);
-  if (!arguments.json.empty()) io::write_text_file(arguments.json, report::scene_json(record));
+  const io::Overwrite overwrite = io::overwrite_if(arguments.force);
+  write_result(arguments.output, record, overwrite);
+  if (!arguments.json.empty()) {
+    io::write_text_file(arguments.json, report::scene_json(record), overwrite);
+  }
   if (!arguments.quiet) {
     // A table on the standard output is left alone: it goes on to another program.
     const bool table = arguments.output == "-";
     const bool color = isatty(table ? STDERR_FILENO : STDOUT_FILENO) != 0;
-    fmt::print(table ? stderr : stdout, "{}", report::scene_report(record, color));
-    if (!table) fmt::print(stderr, "wrote {}\n", arguments.output);
+    const std::string report = report::scene_report(record, color);
+    if (table) {
+      std::fputs(report.c_str(), stderr);
+    } else {
+      fmt::print("{}", report);
+      std::fflush(stdout);  // one file may take both
+      tell("wrote {}\n", arguments.output);
+    }
   }
   return exit_code_of(record.response, arguments.output);
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -13,6 +12,8 @@
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
+#include "cli/run_files.hpp"
+#include "cli/tell.hpp"
 #include "plastica/io/result_file.hpp"
 #include "plastica/io/text_file.hpp"
 #include "plastica/report/picture.hpp"
@@ -32,14 +33,17 @@ struct StabilityArguments {
   bool quiet = false;
 };
 
-void write_file(const std::string& path, const std::string& text) {
-  io::write_text_file(path, text);
-  fmt::print(stderr, "wrote {}\n", path);
+void write_file(const std::string& path, const std::string& text, io::Overwrite overwrite) {
+  io::write_text_file(path, text, overwrite);
+  tell("wrote {}\n", path);
 }
 
 int run_study(const StabilityArguments& arguments) {
   for (const std::string& path : {arguments.output, arguments.map}) {
     if (!path.empty()) io::check_output_path(path, arguments.force);
+  }
+  if (!arguments.output.empty() && !arguments.map.empty()) {
+    refuse_own_files("--map", arguments.map, arguments.output);
   }
   const InterruptGuard interrupt;
   stability::StabilityOptions options = arguments.options;
@@ -58,14 +62,15 @@ int run_study(const StabilityArguments& arguments) {
                      "is in the name of no point");
   }
   // What was walked is kept, whether all was or not.
-  if (!arguments.output.empty()) write_file(arguments.output, stability::rows_csv(rows));
+  const io::Overwrite overwrite = io::overwrite_if(arguments.force);
+  if (!arguments.output.empty()) write_file(arguments.output, stability::rows_csv(rows), overwrite);
   if (!arguments.map.empty()) {
-    report::draw_picture(stability::stability_map(rows), arguments.map, std::cout);
-    fmt::print(stderr, "wrote {}\n", arguments.map);
+    report::draw_picture(stability::stability_map(rows), arguments.map, std::cout, overwrite);
+    tell("wrote {}\n", arguments.map);
   }
   if (!arguments.quiet) fmt::print("{}", stability::summary_text(rows));
   if (interrupt.flag()) {
-    fmt::print(stderr, "plastica: interrupted after {} points\n", rows.size());
+    tell("plastica: interrupted after {} points\n", rows.size());
     return kInterrupted;
   }
   const bool any_silent = std::any_of(rows.begin(), rows.end(), [](const auto& row) {

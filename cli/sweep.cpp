@@ -16,6 +16,7 @@
 #include "cli/progress_bar.hpp"
 #include "cli/response_bytes.hpp"
 #include "cli/run_files.hpp"
+#include "cli/tell.hpp"
 #include "plastica/io/text_file.hpp"
 #include "plastica/report/format.hpp"
 #include "plastica/run/simulate.hpp"
@@ -63,9 +64,7 @@ void check_outputs(const SweepArguments& arguments, const std::string& output,
   refuse_inputs("--output", output, sweep);
   if (!arguments.json.empty()) {
     refuse_inputs("--json", arguments.json, sweep);
-    if (fs::path(arguments.json).lexically_normal() == fs::path(output).lexically_normal()) {
-      throw InputError({}, "--json", arguments.json, "is the result file, too");
-    }
+    refuse_own_files("--json", arguments.json, output);
     io::check_output_path(arguments.json, arguments.force);
   }
   io::check_output_path(output, arguments.force || goes_on);
@@ -82,36 +81,31 @@ sweeps::EarlierResults results_before(const SweepArguments& arguments, const std
 
 int print_dry_run(const sweeps::Sweep& sweep, const std::string& output) {
   const sweeps::CaseTable cases(sweep);
-  fmt::print("{}: {} of {}\n", sweep.path, report::counted(cases.size(), "case"), sweep.scene.path);
+  say("{}: {} of {}\n", sweep.path, report::counted(cases.size(), "case"), sweep.scene.path);
   for (const sweeps::Axis& axis : sweep.axes) {
-    fmt::print("  {}: {}, {} … {}\n", axis.field->path,
-               report::counted(axis.values.size(), "value"),
-               sweeps::value_text(*axis.field, axis.values.front()),
-               sweeps::value_text(*axis.field, axis.values.back()));
+    say("  {}: {}, {} … {}\n", axis.field->path, report::counted(axis.values.size(), "value"),
+        sweeps::value_text(*axis.field, axis.values.front()),
+        sweeps::value_text(*axis.field, axis.values.back()));
   }
   const Setup last = cases.setup(cases.size() - 1);
   const Model model = prepare(last.scene, last.solver);
-  fmt::print("  last case: level {}; its run takes about {:.2f} MB\n", model.level_reason,
-             static_cast<double>(response_bytes(make_response(model))) / 1e6);
-  fmt::print("  compared: {}{}{}\n", sweep.quantity.name,
-             sweep.against.kind == sweeps::AgainstKind::Nothing ? "" : " against ",
-             sweeps::words_of(sweep.against));
-  fmt::print("nothing was run; the result would be {}\n", output);
+  say("  last case: level {}; its run takes about {:.2f} MB\n", model.level_reason,
+      static_cast<double>(response_bytes(make_response(model))) / 1e6);
+  say("  compared: {}{}{}\n", sweep.quantity.name,
+      sweep.against.kind == sweeps::AgainstKind::Nothing ? "" : " against ",
+      sweeps::words_of(sweep.against));
+  say("nothing was run; the result would be {}\n", output);
   return kDone;
 }
 
 void tell_of_journal(const sweeps::SweepRun& run, bool quiet) {
   if (run.journal()->dropped_bytes() > 0) {
-    fmt::print(stderr, "plastica: dropped {} bytes of an unfinished record from the journal\n",
-               run.journal()->dropped_bytes());
+    tell("plastica: dropped {} bytes of an unfinished record from the journal\n",
+         run.journal()->dropped_bytes());
   }
   if (!quiet && run.taken() > 0) {
-    fmt::print(stderr, "{} taken from an earlier run\n", report::counted(run.taken(), "case"));
+    tell("{} taken from an earlier run\n", report::counted(run.taken(), "case"));
   }
-}
-
-void write_json(const std::string& path, const sweeps::SweepRecord& record) {
-  io::write_text_file(path, sweeps::sweep_json(record));
 }
 
 int sweep_file(const SweepArguments& arguments) {
@@ -128,7 +122,7 @@ int sweep_file(const SweepArguments& arguments) {
   const InterruptGuard interrupt;
   sweeps::SweepRunOptions how;
   how.journal = {io::journal_path(output), arguments.resume || arguments.rerun_failed,
-                 arguments.force};
+                 arguments.force, meta.instruction_set};
   how.earlier = results_before(arguments, output);
   how.rerun_failed = arguments.rerun_failed;
   how.threads = arguments.threads;
@@ -142,7 +136,7 @@ int sweep_file(const SweepArguments& arguments) {
   std::vector<sweeps::CaseResult> results = run.run();
   bar.clear();
   if (!run.complete()) {
-    fmt::print(stderr, "plastica: interrupted; what is finished is kept: --resume goes on\n");
+    tell("plastica: interrupted; what is finished is kept: --resume goes on\n");
     return kInterrupted;
   }
 
@@ -152,12 +146,16 @@ int sweep_file(const SweepArguments& arguments) {
   record.meta.resumptions = run.journal()->resumptions();
   record.meta.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  sweeps::write_sweep_store(output, record);
+  const bool goes_on = arguments.resume || arguments.rerun_failed;
+  sweeps::write_sweep_store(output, record, io::overwrite_if(arguments.force || goes_on));
   run.finish();
-  if (!arguments.json.empty()) write_json(arguments.json, record);
+  if (!arguments.json.empty()) {
+    io::write_text_file(arguments.json, sweeps::sweep_json(record),
+                        io::overwrite_if(arguments.force));
+  }
   if (!arguments.quiet) {
     fmt::print("{}", sweeps::sweep_report(record));
-    fmt::print(stderr, "wrote {}\n", output);
+    tell("wrote {}\n", output);
   }
   const bool any = std::any_of(record.results.begin(), record.results.end(),
                                [](const auto& result) { return usable(result.status); });

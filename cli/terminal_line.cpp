@@ -23,7 +23,7 @@ void TerminalLine::draw(const std::string& text) {
   if (!shown_) return;
   last_ = steady_clock::now();
   drawn_ = true;
-  fmt::print(stderr, "\r{}\033[K", text);
+  std::fputs(fmt::format("\r{}\033[K", text).c_str(), stderr);
   std::fflush(stderr);
 }
 

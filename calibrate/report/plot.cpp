@@ -91,7 +91,8 @@ std::string plot_script(std::span<const FitRecord> records, const PlotRequest& r
 void draw_plot(std::span<const FitRecord> records, const PlotRequest& request,
                std::ostream& standard_output) {
   plastica::report::check_picture_output(request.output);
-  plastica::report::draw_picture(make(records, request), request.output, standard_output);
+  plastica::report::draw_picture(make(records, request), request.output, standard_output,
+                                 request.overwrite);
 }
 
 }  // namespace plastica::calibrate

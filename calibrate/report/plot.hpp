@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "calibrate/fit/result.hpp"
+#include "plastica/io/output_file.hpp"
 
 namespace plastica::calibrate {
 
@@ -29,6 +30,7 @@ struct PlotRequest {
   /// A path that ends in .svg, .png, .pdf, or .gp for the script with its data; "-" for a picture
   /// of characters on standard output.
   std::string output = {};
+  io::Overwrite overwrite = io::Overwrite::Allowed;
 };
 
 /// The picture as a gnuplot script with its data, without terminal and output.

@@ -20,20 +20,23 @@ struct FitStoreContents {
   std::vector<io::InputText> inputs;  ///< the fit file, tables
   /// What the fits were told. Where in a file a parameter stood (`Parameter::where`) is not stored.
   FitOptions options;
+  /// Of `run_id`: the same for two runs of the same bits. Empty in files of older versions.
+  std::string run;
   io::RunMeta meta;
 };
 
 /// Writes a result file (HDF5; layout: data/README.md). The records are stored in the order of
 /// their targets' names and laws, so that the same contents give the same bytes outside /meta
-/// whatever the order in which they come. The file appears under its name when it is whole; what is
-/// there already is replaced.
+/// whatever the order in which they come. The file appears under its name when it is whole, in
+/// place of what is there if that is allowed.
 ///
 /// The records must have names of their own, or laws of their own beside the same name; curves with
 /// as many stresses as strains; and either no parameters or those of the options (of their law), in
 /// their order. A fit that is not Fitted has no cost and
 /// no misfit.
 /// @throws io::StorageError if it cannot be written; std::logic_error if the records are not so
-void write_fit_store(const std::string& path, const FitStoreContents& contents);
+void write_fit_store(const std::string& path, const FitStoreContents& contents,
+                     io::Overwrite overwrite = io::Overwrite::Allowed);
 
 /// Reads a result file: every field of every record, bit by bit, in the order of the names. An
 /// optional that holds a NaN comes back empty.

@@ -206,9 +206,10 @@ std::vector<const FitRecord*> by_name(const std::vector<FitRecord>& records) {
 
 }  // namespace
 
-void write_fit_store(const std::string& path, const FitStoreContents& contents) {
+void write_fit_store(const std::string& path, const FitStoreContents& contents,
+                     io::Overwrite overwrite) {
   std::vector<const FitRecord*> records = by_name(contents.records);
-  io::Hdf5File file = io::Hdf5File::create(path);
+  io::Hdf5File file = io::Hdf5File::create(path, overwrite);
   io::Hdf5Group& root = file.root();
   io::write_schema(root, kFitStoreSchema, kFitStoreVersion);
   StoreWriter writer(root, std::move(records), contents.options);

@@ -1,5 +1,6 @@
 #include "calibrate/store/journaled_batch.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string_view>
 #include <unordered_set>
@@ -29,6 +30,21 @@ void check_names(std::span<const Target> targets) {
   }
 }
 
+/// Who each case is.
+std::vector<std::string> ids_of(std::span<const Target> targets, const FitOptions& options,
+                                std::span<const FitCase> cases, int threads) {
+  std::vector<std::string> ids(cases.size());
+  const std::uint64_t options_digest = digest_of(options);
+  parallel_for(cases.size(), {threads, nullptr}, [&](std::size_t i, int) {
+    const FitCase& one = cases[i];
+    const std::uint64_t digest =
+        one.law ? io::Digest().integer(options_digest).text(name_of(*one.law)).value()
+                : options_digest;
+    ids[i] = case_id(targets[one.target], digest);
+  });
+  return ids;
+}
+
 /// The policy, once targets and options are known to be good: bad ones leave a journal as it is.
 io::JournalPolicy checked(const io::JournalPolicy& policy, std::span<const Target> targets,
                           const FitOptions& options) {
@@ -39,23 +55,23 @@ io::JournalPolicy checked(const io::JournalPolicy& policy, std::span<const Targe
 
 }  // namespace
 
+std::string run_id(std::span<const Target> targets, const FitOptions& options) {
+  std::vector<std::string> ids = ids_of(targets, options, cases_of(targets.size(), options), 0);
+  std::sort(ids.begin(), ids.end());
+  io::Digest digest;
+  for (const std::string& id : ids) digest.text(id);
+  return io::hexadecimal(digest.value());
+}
+
 JournaledBatch::JournaledBatch(std::span<const Target> targets, const FitOptions& options,
                                JournaledOptions how)
     : targets_(targets),
       options_(options),
       how_(std::move(how)),
       cases_(cases_of(targets.size(), options)),
-      ids_(cases_.size()),
+      ids_(ids_of(targets, options, cases_, how_.threads)),
       results_(cases_.size()),
       journal_(checked(how_.journal, targets, options), journal_kind(), "fits") {
-  const std::uint64_t options_digest = digest_of(options);
-  parallel_for(cases_.size(), {how_.threads, nullptr}, [&](std::size_t i, int) {
-    const FitCase& one = cases_[i];
-    const std::uint64_t digest =
-        one.law ? io::Digest().integer(options_digest).text(name_of(*one.law)).value()
-                : options_digest;
-    ids_[i] = case_id(targets[one.target], digest);
-  });
   take_from_journal();
 }
 

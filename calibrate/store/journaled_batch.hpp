@@ -35,6 +35,10 @@ struct JournaledOptions {
   std::function<void(const BatchProgress&)> progress{};
 };
 
+/// Says what a run computes: a digest of its targets, options, library version and instruction set.
+/// Two runs with the same have the same results, bit by bit.
+std::string run_id(std::span<const Target> targets, const FitOptions& options);
+
 /// Fits a batch and survives its interruption: each finished fit goes to a journal, and a later
 /// run takes from it all those fits whose target, options, library version and instruction set are
 /// still the same. The results have the same bits as those of a run without interruption.
@@ -65,6 +69,9 @@ class JournaledBatch {
   std::size_t outdated() const { return outdated_; }
   /// Bytes at the journal's end that were dropped: a record torn by a crash. 0: none.
   std::uint64_t dropped_bytes() const { return journal_.dropped_bytes(); }
+
+  /// See `io::CaseJournal`.
+  const std::string& other_instruction_set() const { return journal_.other_instruction_set(); }
 
   /// How often this batch was interrupted and resumed, this time included.
   int resumptions() const { return journal_.resumptions(); }

@@ -37,6 +37,8 @@ class JournaledSceneFits {
   std::size_t parts() const { return parts_; }        ///< finished parts of others that it had
   std::size_t outdated() const { return outdated_; }  ///< and those of no use
   std::uint64_t dropped_bytes() const { return journal_.dropped_bytes(); }
+  /// See `io::CaseJournal`.
+  const std::string& other_instruction_set() const { return journal_.other_instruction_set(); }
   int resumptions() const { return journal_.resumptions(); }
 
   /// Whose fit a result is.

@@ -310,9 +310,10 @@ std::vector<store::StoredIntervals> intervals_of(
 
 }  // namespace
 
-void write_scene_fit_store(const std::string& path, const SceneFitContents& contents) {
+void write_scene_fit_store(const std::string& path, const SceneFitContents& contents,
+                           io::Overwrite overwrite) {
   const std::vector<const SceneFitRecord*> records = by_name(contents.records);
-  io::Hdf5File file = io::Hdf5File::create(path);
+  io::Hdf5File file = io::Hdf5File::create(path, overwrite);
   io::Hdf5Group& root = file.root();
   io::write_schema(root, kSceneFitSchema, kSceneFitVersion);
   write_rows(root, "fits", records, store::kSceneFitColumns);

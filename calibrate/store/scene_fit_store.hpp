@@ -18,19 +18,22 @@ struct SceneFitContents {
   std::vector<SceneFitRecord> records;
   double confidence = 0.95;           ///< of the intervals, within (0, 1)
   std::vector<io::InputText> inputs;  ///< the fit file, its scenes, tables
+  /// Of `run_id`: the same for two runs of the same bits. Empty in files of older versions.
+  std::string run{};
   io::RunMeta meta;
 };
 
 /// Writes a result file (HDF5; layout: data/README.md). The records are stored in the order of
 /// their names and laws, so that the same contents give the same bytes outside /meta whatever the
-/// order in which they come; targets keep theirs. The file appears under its name when it is whole;
-/// what is there already is replaced.
+/// order in which they come; targets keep theirs. The file appears under its name when it is whole,
+/// in place of what is there if that is allowed.
 ///
 /// The records must have names of their own, or laws of their own beside the same name, a weight
 /// for each target, either no parts or one for each target and under its name, ordinates and fitted
 /// values (or none) for each abscissa.
 /// @throws io::StorageError if it cannot be written; std::logic_error if the records are not so
-void write_scene_fit_store(const std::string& path, const SceneFitContents& contents);
+void write_scene_fit_store(const std::string& path, const SceneFitContents& contents,
+                           io::Overwrite overwrite = io::Overwrite::Allowed);
 
 /// Reads a result file: every field of every record, bit by bit, in the order of the names
 /// and laws. A noise that is a NaN comes back empty.

@@ -93,7 +93,7 @@ std::string sweep_plot_script(const SweepRecord& record, const SweepPlotRequest&
 void draw_sweep_plot(const SweepRecord& record, const SweepPlotRequest& request,
                      std::ostream& standard_output) {
   report::check_picture_output(request.output);
-  report::draw_picture(make(record, request), request.output, standard_output);
+  report::draw_picture(make(record, request), request.output, standard_output, request.overwrite);
 }
 
 }  // namespace plastica::sweeps

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "plastica/io/output_file.hpp"
 #include "sweeps/store/sweep_record.hpp"
 
 namespace plastica::sweeps {
@@ -26,6 +27,7 @@ struct SweepPlotRequest {
   std::string what = {};    ///< name of a kind; empty: the first that the sweep has
   std::string cases = {};   ///< as for `select_cases`; empty: all
   std::string output = {};  ///< as for `report::draw_picture`
+  io::Overwrite overwrite = io::Overwrite::Allowed;
 };
 
 /// The picture as a gnuplot script with its data, without terminal and output.

@@ -44,9 +44,13 @@ SweepRun::SweepRun(const Sweep& sweep, SweepRunOptions options)
   take_earlier();
   const std::size_t there = options_.earlier.size() + (journal_ ? journal_->found() : 0);
   if (there > 0 && taken_ == 0 && !options_.rerun_failed && !options_.journal.force) {
+    const std::string other = journal_ ? journal_->other_instruction_set() : std::string();
     throw InputError({options_.journal.path, 0}, "", "",
-                     "and its output hold no case of this sweep: name another output, or use "
-                     "--force to start afresh");
+                     "and its output hold no case of this sweep: " +
+                         (other.empty() ? std::string("name another output")
+                                        : "they were run with --isa " + other +
+                                              ": go on with that, name another output") +
+                         ", or use --force to start afresh");
   }
 }
 

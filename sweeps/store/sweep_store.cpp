@@ -208,8 +208,9 @@ void read_head(const Hdf5Group& root, SweepRecord& record) {
 
 }  // namespace
 
-void write_sweep_store(const std::string& path, const SweepRecord& record) {
-  io::Hdf5File file = io::Hdf5File::create(path);
+void write_sweep_store(const std::string& path, const SweepRecord& record,
+                       io::Overwrite overwrite) {
+  io::Hdf5File file = io::Hdf5File::create(path, overwrite);
   Hdf5Group& root = file.root();
   io::write_schema(root, kSweepSchema, kSweepVersion);
   write_head(root, record);

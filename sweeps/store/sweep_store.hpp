@@ -13,10 +13,11 @@ inline constexpr std::string_view kSweepSchema = "plastica/sweep";
 inline constexpr int kSweepVersion = 1;
 
 /// Writes the result file of a sweep (HDF5; layout: data/README.md). The same record gives the
-/// same bytes outside /meta. The file appears under its name when it is whole; what is there
-/// already is replaced.
+/// same bytes outside /meta. The file appears under its name when it is whole,
+/// in place of what is there if that is allowed.
 /// @throws io::StorageError if it cannot be written
-void write_sweep_store(const std::string& path, const SweepRecord& record);
+void write_sweep_store(const std::string& path, const SweepRecord& record,
+                       io::Overwrite overwrite = io::Overwrite::Allowed);
 
 /// Reads such a file, every number bit by bit.
 /// @throws InputError if it is no such file, of another version, or not whole

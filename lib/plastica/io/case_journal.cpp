@@ -9,17 +9,35 @@
 namespace plastica::io {
 namespace {
 
-/// Id of the empty record that each resumption leaves in the journal; no case has it.
-constexpr std::string_view kResumption = "resumption";
+// Ids of records that are no cases; no case has them.
 
-/// Takes the marks of resumptions out of a journal's records and counts them.
-int take_resumptions(std::vector<JournalRecord>& records) {
-  const auto is_mark = [](const JournalRecord& record) { return record.id == kResumption; };
-  return static_cast<int>(std::erase_if(records, is_mark));
+/// An empty record that each resumption leaves in the journal.
+constexpr std::string_view kResumption = "resumption";
+/// The name of the instruction set of the run that began the journal.
+constexpr std::string_view kInstructionSet = "instruction set";
+
+/// What a journal says of its run beside the cases.
+struct Marks {
+  int resumptions = 0;
+  std::string instruction_set{};  ///< empty in journals of older versions
+};
+
+/// Takes the marks out of a journal's records.
+Marks take_marks(std::vector<JournalRecord>& records) {
+  Marks marks;
+  std::erase_if(records, [&marks](const JournalRecord& record) {
+    if (record.id == kResumption) ++marks.resumptions;
+    if (record.id == kInstructionSet) {
+      marks.instruction_set.assign(reinterpret_cast<const char*>(record.payload.data()),
+                                   record.payload.size());
+    }
+    return record.id == kResumption || record.id == kInstructionSet;
+  });
+  return marks;
 }
 
 /// Whether to go on from a journal that was found; else it is to be written afresh.
-/// @throws InputError if it may not be overwritten
+/// @throws InputError if it may not be overwritten; StorageError if another run has it
 bool shall_go_on(const JournalContent& found, const JournalPolicy& policy, std::string_view noun) {
   const auto refuse = [&](std::string_view rule) {
     throw InputError({policy.path, 0}, "", "", rule);
@@ -36,6 +54,7 @@ bool shall_go_on(const JournalContent& found, const JournalPolicy& policy, std::
             "is the journal of an interrupted run of another version: use --force to start afresh");
       }
       return false;
+    case JournalState::InUse: throw StorageError(policy.path, "is in use by another run");
     case JournalState::Usable: break;
   }
   if (policy.resume) return true;
@@ -52,17 +71,23 @@ std::string journal_path(const std::string& output) { return output + ".journal"
 
 CaseJournal::CaseJournal(const JournalPolicy& policy, std::uint64_t kind, std::string_view noun) {
   JournalContent content = read_journal(policy.path, kind);
-  const int resumptions = take_resumptions(content.records);
+  const Marks marks = take_marks(content.records);
   if (!shall_go_on(content, policy, noun)) {
     journal_.emplace(Journal::create(policy.path, kind));
+    if (!policy.instruction_set.empty()) {
+      journal_->append(kInstructionSet, std::as_bytes(std::span(policy.instruction_set)));
+    }
     return;
   }
   dropped_bytes_ = content.dropped_bytes;
   journal_.emplace(Journal::resume(policy.path, kind, content));
   if (content.records.empty()) return;
+  if (marks.instruction_set != policy.instruction_set) {
+    other_instruction_set_ = marks.instruction_set;
+  }
   empty_ = false;
   journal_->append(kResumption, {});
-  resumptions_ = resumptions + 1;
+  resumptions_ = marks.resumptions + 1;
   // A case that stands there twice was run again on purpose.
   for (JournalRecord& record : content.records) {
     found_.insert_or_assign(std::move(record.id), std::move(record.payload));

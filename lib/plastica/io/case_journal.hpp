@@ -22,6 +22,8 @@ struct JournalPolicy {
   std::string path{};   ///< of the journal, see `journal_path`
   bool resume = false;  ///< go on from it; start afresh where there is none
   bool force = false;   ///< start afresh, over it
+  /// Name of the one that the run computes with, to be told from that of an earlier run.
+  std::string instruction_set{};
 };
 
 /// The finished cases of a batch that survives its interruption: those that an earlier run has left
@@ -48,6 +50,9 @@ class CaseJournal {
   std::size_t found_under(std::string_view beginning) const;
   /// Bytes at the journal's end that were dropped: a record torn by a crash. 0: none.
   std::uint64_t dropped_bytes() const { return dropped_bytes_; }
+  /// The instruction set of the run that began the journal, if it was another one; else empty. The
+  /// cases whose bits depend on it are then not those of this run.
+  const std::string& other_instruction_set() const { return other_instruction_set_; }
   /// How often the batch was interrupted and resumed, this time included.
   int resumptions() const { return resumptions_; }
 
@@ -62,6 +67,7 @@ class CaseJournal {
   std::unordered_map<std::string, std::vector<std::byte>> found_;
   std::optional<Journal> journal_;
   std::uint64_t dropped_bytes_ = 0;
+  std::string other_instruction_set_;
   int resumptions_ = 0;
   std::atomic<bool> empty_ = true;
 };

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <string_view>
@@ -29,13 +28,6 @@ void sync_to_disk(const std::string& path) {
     errno = error;
     throw StorageError(path, system_error("cannot be forced to the disk"));
   }
-}
-
-void move_into_place(const std::string& from, const std::string& to) {
-  if (std::rename(from.c_str(), to.c_str()) != 0) {
-    throw StorageError(to, system_error("cannot be replaced"));
-  }
-  sync_to_disk(folder_of(to));
 }
 
 std::string folder_of(const std::string& path) {

@@ -3,6 +3,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "plastica/base/check.hpp"
+#include "plastica/io/output_file.hpp"
 #include "plastica/io/storage_error.hpp"
 
 namespace plastica::io {
@@ -180,13 +182,14 @@ class Hdf5Group {
   std::string path_;
 };
 
-/// An HDF5 file. The same content, written in the same order, gives the same bytes.
+/// An HDF5 file behind a digest of its bytes (see content_digest.hpp). The same content, written in
+/// the same order, gives the same bytes.
 class Hdf5File {
  public:
-  /// Begins a new file. It is written as `PATH.part` and appears under its own name, in place of
-  /// what was there, when it is committed. @throws StorageError
-  static Hdf5File create(const std::string& path);
-  /// Opens a file for reading.
+  /// Begins a new file. It appears under its name when it is committed (see `OutputFile`).
+  /// @throws StorageError
+  static Hdf5File create(const std::string& path, Overwrite overwrite = Overwrite::Allowed);
+  /// Opens a file for reading, once it is known to be as it was written.
   /// @throws InputError if there is none, or it is no HDF5 file, or a damaged one
   static Hdf5File open(const std::string& path);
 
@@ -200,18 +203,16 @@ class Hdf5File {
   Hdf5Group& root() { return root_; }
   const Hdf5Group& root() const { return root_; }
 
-  /// Writes everything to the disk and moves the file into place; then it is closed.
-  /// @throws StorageError, after which the unfinished file is gone and an older one untouched
+  /// Writes everything and the digest to the disk and moves the file into place; then it is closed.
+  /// @throws StorageError as `OutputFile::commit`; an older file is untouched
   void commit();
 
  private:
-  Hdf5File(Hdf5Handle file, Hdf5Group root, std::string path, std::string part);
-  void discard() noexcept;
+  Hdf5File(Hdf5Handle file, Hdf5Group root, std::optional<OutputFile> output);
 
+  std::optional<OutputFile> output_;  // of a new file; declared first: HDF5 closes before it goes
   Hdf5Handle file_;
   Hdf5Group root_;
-  std::string path_;
-  std::string part_;  // empty: nothing to commit or to remove
 };
 
 }  // namespace plastica::io

@@ -1,21 +1,12 @@
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <stdexcept>
 #include <utility>
 
-#include "plastica/io/durable_file.hpp"
+#include "plastica/io/content_digest.hpp"
 #include "plastica/io/hdf5.hpp"
 #include "plastica/io/hdf5_handle.hpp"
 
 namespace plastica::io {
 namespace {
-
-std::string system_error(std::string_view action) {
-  return std::string(action) + ": " + std::strerror(errno);
-}
 
 /// HDF5 prints its errors by itself unless told otherwise. At the program's end it closes once more
 /// what is open, and crashes on a file that a full disk kept it from closing; ours are closed by
@@ -65,48 +56,34 @@ Hdf5Handle& Hdf5Handle::operator=(Hdf5Handle&& other) noexcept {
   return *this;
 }
 
-Hdf5File::Hdf5File(Hdf5Handle file, Hdf5Group root, std::string path, std::string part)
-    : file_(std::move(file)),
-      root_(std::move(root)),
-      path_(std::move(path)),
-      part_(std::move(part)) {}
+Hdf5File::Hdf5File(Hdf5Handle file, Hdf5Group root, std::optional<OutputFile> output)
+    : output_(std::move(output)), file_(std::move(file)), root_(std::move(root)) {}
 
 Hdf5File::Hdf5File(Hdf5File&& other) noexcept
-    : file_(std::move(other.file_)),
-      root_(std::move(other.root_)),
-      path_(std::move(other.path_)),
-      part_(std::exchange(other.part_, {})) {}
+    : output_(std::exchange(other.output_, std::nullopt)),
+      file_(std::move(other.file_)),
+      root_(std::move(other.root_)) {}
 
-Hdf5File Hdf5File::create(const std::string& path) {
+Hdf5File Hdf5File::create(const std::string& path, Overwrite overwrite) {
   keep_quiet();
-  const std::string part = path + ".part";
-  // The system's words for a folder that is missing or closed are plainer than HDF5's.
-  const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) throw StorageError(path, system_error("cannot be written"));
-  ::close(descriptor);
+  OutputFile output(path, overwrite);
 
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE));
+  H5Pset_userblock(creation.get(), kContentOffset);
   H5Pset_obj_track_times(creation.get(), false);
   H5Pset_link_creation_order(creation.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS));
   // Closing the file closes all that is open in it, so that commit leaves nothing half written.
   H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
-  Hdf5Handle file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()));
-  if (file.get() < 0) {
-    const std::string reason = "cannot be written: " + h5::innermost_error();
-    ::unlink(part.c_str());
-    throw StorageError(path, reason);
-  }
+  Hdf5Handle file(H5Fcreate(output.part().c_str(), H5F_ACC_TRUNC, creation.get(), access.get()));
+  if (file.get() < 0) throw StorageError(path, "cannot be written: " + h5::innermost_error());
   Hdf5Group root(opened_root(file, path), path, "/");
-  return {std::move(file), std::move(root), path, part};
+  return {std::move(file), std::move(root), std::move(output)};
 }
 
 Hdf5File Hdf5File::open(const std::string& path) {
   keep_quiet();
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw InputError({path, 0}, "", "", system_error("cannot be read"));
-  ::close(descriptor);
-  if (H5Fis_hdf5(path.c_str()) <= 0) throw InputError({path, 0}, "", "", "is not an HDF5 file");
+  check_content_digest(path);
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
   Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()));
@@ -114,37 +91,25 @@ Hdf5File Hdf5File::open(const std::string& path) {
     throw InputError({path, 0}, "", "", "is damaged: " + h5::innermost_error());
   }
   Hdf5Group root(opened_root(file, path), path, "/");
-  return {std::move(file), std::move(root), path, {}};
+  return {std::move(file), std::move(root), std::nullopt};
 }
 
 Hdf5File::~Hdf5File() {
   root_.handle_ = {};
   file_ = {};
-  discard();
-}
-
-void Hdf5File::discard() noexcept {
-  if (!part_.empty()) ::unlink(part_.c_str());
-  part_.clear();
 }
 
 void Hdf5File::commit() {
-  if (part_.empty()) throw std::logic_error("Hdf5File::commit: nothing to commit");
+  if (!output_) throw std::logic_error("Hdf5File::commit: nothing to commit");
+  OutputFile output = *std::exchange(output_, std::nullopt);
   root_.handle_ = {};
   if (H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) < 0 || H5Fclose(file_.release()) < 0) {
     const std::string reason = "cannot be written: " + h5::innermost_error();
     file_ = {};
-    discard();
-    throw StorageError(path_, reason);
+    throw StorageError(output.path(), reason);
   }
-  try {
-    sync_to_disk(part_);
-    move_into_place(part_, path_);
-  } catch (...) {
-    discard();
-    throw;
-  }
-  part_.clear();
+  write_content_digest(output.descriptor(), output.path());
+  output.commit();
 }
 
 namespace h5 {

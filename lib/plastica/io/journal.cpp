@@ -13,9 +13,11 @@
 #include <stdexcept>
 #include <thread>
 
+#include "plastica/base/check.hpp"
 #include "plastica/io/bytes.hpp"
 #include "plastica/io/digest.hpp"
 #include "plastica/io/durable_file.hpp"
+#include "plastica/io/output_file.hpp"
 
 namespace plastica::io {
 namespace {
@@ -24,6 +26,7 @@ constexpr std::string_view kMagic = "PLASTJNL";
 constexpr std::uint64_t kVersion = 1;
 constexpr std::size_t kHeaderBytes = 24;
 constexpr std::size_t kRecordHeadBytes = 24;
+constexpr const char* kInUse = "is in use by another run";
 
 [[noreturn]] void fail(const std::string& path, const std::string& action) {
   throw StorageError(path, action + ": " + std::strerror(errno));
@@ -71,12 +74,22 @@ std::uint64_t checksum_of(std::string_view id, std::span<const std::byte> payloa
       .value();
 }
 
-/// All bytes of a file. @return false if there is none
-bool read_all(const std::string& path, std::vector<std::byte>& bytes) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+/// All bytes of a file.
+/// @return Absent if there is none; InUse if another run has it, and then nothing is read
+JournalState read_all(const std::string& path, std::vector<std::byte>& bytes) {
+  if (const std::string special = special_file(path); !special.empty()) {
+    throw InputError({path, 0}, "", "",
+                     "is " + special +
+                         " in the place of the journal: move it, or name another output");
+  }
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (file.get() < 0) {
-    if (errno == ENOENT) return false;
+    if (errno == ENOENT) return JournalState::Absent;
     fail(path, "cannot be read");
+  }
+  // Given back when the file is closed, before it is opened for writing.
+  if (::flock(file.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    return JournalState::InUse;
   }
   constexpr std::size_t kBlock = std::size_t{1} << 18U;
   std::size_t size = 0;
@@ -89,7 +102,7 @@ bool read_all(const std::string& path, std::vector<std::byte>& bytes) {
     if (count == 0) break;
   }
   bytes.resize(size);
-  return true;
+  return JournalState::Usable;
 }
 
 }  // namespace
@@ -97,7 +110,8 @@ bool read_all(const std::string& path, std::vector<std::byte>& bytes) {
 JournalContent read_journal(const std::string& path, std::uint64_t run_digest) {
   JournalContent content;
   std::vector<std::byte> bytes;
-  if (!read_all(path, bytes)) return content;
+  content.state = read_all(path, bytes);
+  if (content.state != JournalState::Usable) return content;
 
   const std::size_t magic_bytes = std::min(bytes.size(), kMagic.size());
   if (std::memcmp(bytes.data(), kMagic.data(), magic_bytes) != 0) {
@@ -105,6 +119,7 @@ JournalContent read_journal(const std::string& path, std::uint64_t run_digest) {
     return content;
   }
   if (bytes.size() < kHeaderBytes) {
+    content.state = JournalState::Absent;
     content.dropped_bytes = bytes.size();
     return content;
   }
@@ -152,12 +167,13 @@ class Journal::Writer {
   Writer(const std::string& path, std::uint64_t run_digest, std::uint64_t keep,
          const std::uint64_t* expected_bytes, std::chrono::milliseconds sync_interval)
       : path_(path),
-        file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666)),
+        file_(::open(path.c_str(),
+                     O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666)),
         sync_interval_(sync_interval) {
     if (file_.get() < 0) fail(path_, "cannot be written");
-    if (::flock(file_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      throw StorageError(path_, "is in use by another run");
-    }
+    const bool locked = ::flock(file_.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+    // A run that has just ended has removed it between our opening and locking it.
+    if (!locked || !is_named(file_.get(), path_)) throw StorageError(path_, kInUse);
     struct stat status {};
     if (::fstat(file_.get(), &status) != 0) fail(path_, "cannot be written");
     if (expected_bytes != nullptr &&
@@ -218,8 +234,13 @@ class Journal::Writer {
   }
 
   void remove() {
+    // While it is locked: afterwards another run may have begun a journal under this name.
+    const bool ours = is_named(file_.get(), path_);
+    const bool removed = !ours || ::unlink(path_.c_str()) == 0;
+    const int error = errno;
     close();
-    if (::unlink(path_.c_str()) != 0) fail(path_, "cannot be removed");
+    errno = error;
+    if (!removed) fail(path_, "cannot be removed");
   }
 
  private:

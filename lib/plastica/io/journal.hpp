@@ -26,6 +26,7 @@ enum class JournalState {
   OtherRun,      ///< a journal of a run with other settings or inputs
   OtherVersion,  ///< a journal of another version of the format
   NotAJournal,   ///< some other file
+  InUse,         ///< a journal that another run is writing
 };
 
 /// A journal as it was found.
@@ -39,7 +40,8 @@ struct JournalContent {
 
 /// Reads a journal up to its first record that is torn or damaged.
 /// @param run_digest  identifies what is computed: settings and inputs
-/// @throws StorageError if the file is there but cannot be read
+/// @throws InputError if a link, folder, pipe or device stands there; StorageError if the file is
+///         there but cannot be read
 JournalContent read_journal(const std::string& path, std::uint64_t run_digest);
 
 /// An append-only file of finished cases beside an output, which survives `kill -9` at any byte.
@@ -77,7 +79,8 @@ class Journal {
   /// Whether all records have been forced to the disk.
   bool synced() const;
 
-  /// Closes and deletes the file: its content has gone into the output. No record may follow.
+  /// Deletes the file, if it is still there, and closes it: its content has gone into the output.
+  /// No record may follow.
   /// @throws StorageError
   void remove();
 

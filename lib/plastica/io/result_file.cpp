@@ -1,12 +1,14 @@
 #include "plastica/io/result_file.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <ctime>
-#include <filesystem>
 #include <limits>
 
 #include "plastica/base/instruction_set.hpp"
@@ -14,6 +16,7 @@
 #include "plastica/base/status.hpp"
 #include "plastica/base/version.hpp"
 #include "plastica/io/durable_file.hpp"
+#include "plastica/io/output_file.hpp"
 
 namespace plastica::io {
 namespace {
@@ -46,15 +49,24 @@ RunMeta begin_meta(std::string command_line, int threads) {
 }
 
 void check_output_path(const std::string& path, bool force) {
-  namespace fs = std::filesystem;
   const auto refuse = [&](const std::string& rule) { throw InputError({path, 0}, "", "", rule); };
   if (path.empty()) throw InputError({}, "output", "", "must name a file");
-  std::error_code ignored;
   const std::string folder = folder_of(path);
-  if (!fs::exists(folder, ignored)) refuse("cannot be written: there is no folder " + folder);
-  if (!fs::is_directory(folder, ignored)) refuse("cannot be written: " + folder + " is no folder");
-  if (fs::is_directory(path, ignored)) refuse("cannot be written: it is a folder");
-  if (fs::exists(path, ignored) && !force) refuse("exists already: use --force to overwrite it");
+  struct stat status {};
+  if (::stat(folder.c_str(), &status) != 0) {
+    refuse(errno == ENOENT ? "cannot be written: there is no folder " + folder
+                           : "cannot be written: " + folder + ": " + std::strerror(errno));
+  }
+  if (!S_ISDIR(status.st_mode)) refuse("cannot be written: " + folder + " is no folder");
+  if (const std::string why = no_output_reason(path); !why.empty()) refuse(why);
+  constexpr std::size_t kLongestName = 247;  // NAME_MAX of Linux less ".journal"
+  if (path.size() - (path.rfind('/') + 1) > kLongestName) {
+    refuse("has too long a name: at most " + std::to_string(kLongestName) +
+           " bytes, so that a journal fits beside it");
+  }
+  if (::lstat(path.c_str(), &status) == 0 && !force) {
+    refuse("exists already: use --force to overwrite it");
+  }
   if (::access(folder.c_str(), W_OK | X_OK) != 0) {
     refuse("cannot be written: the folder " + folder + " is closed to writing");
   }

@@ -75,8 +75,8 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
   return record;
 }
 
-void write_scene_store(const std::string& path, const SceneRecord& record) {
-  Hdf5File file = Hdf5File::create(path);
+void write_scene_store(const std::string& path, const SceneRecord& record, Overwrite overwrite) {
+  Hdf5File file = Hdf5File::create(path, overwrite);
   Hdf5Group& root = file.root();
   write_schema(root, kSceneSchema, kSceneVersion);
   SceneWriter writer(root);

@@ -35,11 +35,12 @@ struct SceneRecord {
 SceneRecord make_scene_record(const SceneFile& file, const Model& model, Response response);
 
 /// Writes the result file of a scene (HDF5; layout: data/README.md). The same record gives the
-/// same bytes outside /meta. The file appears under its name when it is whole; what is there
-/// already is replaced.
+/// same bytes outside /meta. The file appears under its name when it is whole,
+/// in place of what is there if that is allowed.
 /// @param record  from `make_scene_record`
 /// @throws StorageError if it cannot be written
-void write_scene_store(const std::string& path, const SceneRecord& record);
+void write_scene_store(const std::string& path, const SceneRecord& record,
+                       Overwrite overwrite = Overwrite::Allowed);
 
 /// Reads such a file, every number bit by bit.
 /// @throws InputError if it is no such file, of another version, or not whole

@@ -14,11 +14,10 @@ std::string read_text_file(const std::string& path) {
   return text;
 }
 
-void write_text_file(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw StorageError(path, "cannot be written");
+void write_text_file(const std::string& path, const std::string& text, Overwrite overwrite) {
+  OutputFile file(path, overwrite);
+  file.write(text);
+  file.commit();
 }
 
 }  // namespace plastica::io

@@ -1,17 +1,15 @@
 #include "plastica/report/picture.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <ostream>
 
 #include <fmt/format.h>
 
 #include "plastica/base/check.hpp"
-#include "plastica/io/durable_file.hpp"
 #include "plastica/io/gnuplot.hpp"
 #include "plastica/io/storage_error.hpp"
+#include "plastica/io/text_file.hpp"
 
 namespace plastica::report {
 namespace {
@@ -59,33 +57,19 @@ std::string without_blank_ends(std::string_view picture) {
   return text;
 }
 
-/// Writes beside the file and moves it into place, so that no half picture is left behind.
-void write_file(const std::string& path, std::string_view content) {
-  const std::string beside = path + ".part";
-  std::ofstream out(beside, std::ios::binary | std::ios::trunc);
-  out.write(content.data(), static_cast<std::streamsize>(content.size()));
-  out.close();
-  try {
-    if (!out) throw io::StorageError(path, "cannot be written");
-    io::move_into_place(beside, path);
-  } catch (const io::StorageError&) {
-    std::remove(beside.c_str());
-    throw;
-  }
-}
-
 }  // namespace
 
 void check_picture_output(const std::string& output) { terminal_of(output, {}); }
 
 void draw_picture(const PlotScript& script, const std::string& output,
-                  std::ostream& standard_output) {
+                  std::ostream& standard_output, io::Overwrite overwrite) {
   const std::string terminal = terminal_of(output, script);
   if (terminal.empty()) {
-    write_file(
+    io::write_text_file(
         output,
         "# Draw it with: gnuplot -p FILE, or: gnuplot -e \"set term svg\" FILE > FILE.svg\n" +
-            script.text());
+            script.text(),
+        overwrite);
     return;
   }
   const std::string picture = io::run_gnuplot(terminal + script.text());
@@ -93,7 +77,7 @@ void draw_picture(const PlotScript& script, const std::string& output,
     standard_output << without_blank_ends(picture);
     if (!standard_output.flush()) throw io::StorageError("standard output", "cannot be written");
   } else {
-    write_file(output, picture);
+    io::write_text_file(output, picture, overwrite);
   }
 }
 

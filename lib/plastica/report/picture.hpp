@@ -3,6 +3,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "plastica/io/output_file.hpp"
 #include "plastica/report/plot_script.hpp"
 
 namespace plastica::report {
@@ -17,6 +18,6 @@ void check_picture_output(const std::string& output);
 /// @throws InputError for an output of another kind; MachineError if gnuplot is missing or fails,
 ///         or the file cannot be written
 void draw_picture(const PlotScript& script, const std::string& output,
-                  std::ostream& standard_output);
+                  std::ostream& standard_output, io::Overwrite overwrite = io::Overwrite::Allowed);
 
 }  // namespace plastica::report

@@ -128,7 +128,7 @@ std::string scene_plot_script(std::span<const io::SceneRecord> records,
 void draw_scene_plot(std::span<const io::SceneRecord> records, const ScenePlotRequest& request,
                      std::ostream& standard_output) {
   check_picture_output(request.output);
-  draw_picture(make(records, request), request.output, standard_output);
+  draw_picture(make(records, request), request.output, standard_output, request.overwrite);
 }
 
 }  // namespace plastica::report

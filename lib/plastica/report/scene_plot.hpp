@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "plastica/io/output_file.hpp"
 #include "plastica/io/scene_store.hpp"
 
 namespace plastica::report {
@@ -29,7 +30,8 @@ struct ScenePlotRequest {
   std::optional<int> joint = {};  ///< of the picture "joint"; empty: that of the largest strain
   /// Of the pictures "load", "history" and "spectrum"; empty: the first displacement.
   std::string probe = {};
-  std::string output = {};               ///< as for `draw_picture`
+  std::string output = {};  ///< as for `draw_picture`
+  io::Overwrite overwrite = io::Overwrite::Allowed;
   std::optional<double> time = {};       ///< of "shape" and "moment" [s]; empty: the last frame
   std::optional<int> film_frames = {};   ///< of "film", >= 1; empty: 8
   std::optional<double> film_from = {};  ///< of "film" [s]; empty: the beginning

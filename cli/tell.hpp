@@ -1,0 +1,34 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+namespace plastica::cli {
+
+/// Writes lines to the standard error, as `report::printable` shows them. What the user cannot be
+/// told (the stream is closed or full) must not end a run whose result is complete: nothing is
+/// thrown.
+void tell(const std::string& lines) noexcept;
+
+template <typename... Arguments>
+void tell(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+  tell(fmt::format(format, std::forward<Arguments>(arguments)...));
+}
+
+/// Writes lines to the standard output, as `report::printable` shows them: for text that has names
+/// of the user in it.
+void say(const std::string& lines);
+
+template <typename... Arguments>
+void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+  say(fmt::format(format, std::forward<Arguments>(arguments)...));
+}
+
+/// Gives the standard streams that the caller has closed something to stand on. Otherwise the
+/// first files that a run opens would take their numbers, and what is meant for the terminal would
+/// go into them. Writing to a standard output that was closed fails, as it should.
+void open_closed_streams();
+
+}  // namespace plastica::cli

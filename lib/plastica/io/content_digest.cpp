@@ -1,0 +1,152 @@
+#include "plastica/io/content_digest.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "plastica/base/check.hpp"
+#include "plastica/io/digest.hpp"
+#include "plastica/io/storage_error.hpp"
+
+namespace plastica::io {
+namespace {
+
+constexpr std::string_view kHdf5Signature = "\211HDF\r\n\032\n";
+constexpr std::string_view kTitle = "Plastica result; HDF5 from byte 512 on\n";
+
+/// The block in front of a content.
+std::string block_of(std::uint64_t bytes, std::uint64_t digest) {
+  std::string block(kTitle);
+  block += "bytes " + std::to_string(bytes) + "\n";
+  block += "digest " + hexadecimal(digest) + "\n";
+  block.resize(kContentOffset, '\0');
+  return block;
+}
+
+/// Reads until the buffer is full or the file ends. @return the bytes read; -1 for an error
+ssize_t read_at(int descriptor, std::span<std::byte> buffer, std::size_t offset) {
+  std::size_t filled = 0;
+  while (filled < buffer.size()) {
+    const ssize_t got = ::pread(descriptor, buffer.data() + filled, buffer.size() - filled,
+                                static_cast<off_t>(offset + filled));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return -1;
+    if (got == 0) break;
+    filled += static_cast<std::size_t>(got);
+  }
+  return static_cast<ssize_t>(filled);
+}
+
+struct Content {
+  std::uint64_t bytes = 0;
+  Digest digest{};
+};
+
+/// Reads all that stands behind the block. @return false for an error; `errno` says which
+bool read_content(int descriptor, Content& content) {
+  std::vector<std::byte> buffer(std::size_t{1} << 20U);
+  while (true) {
+    const ssize_t got = read_at(descriptor, buffer, kContentOffset + content.bytes);
+    if (got < 0) return false;
+    if (got == 0) return true;
+    content.digest.bytes(std::span(buffer).first(static_cast<std::size_t>(got)));
+    content.bytes += static_cast<std::uint64_t>(got);
+  }
+}
+
+/// A file that is closed at the end of the scope.
+class OpenFile {
+ public:
+  explicit OpenFile(const std::string& path)
+      : descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
+  ~OpenFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+/// The number behind "bytes " in a block; 0 if there is none.
+std::uint64_t bytes_said(std::string_view block) {
+  std::uint64_t bytes = 0;
+  block.remove_prefix(kTitle.size());
+  constexpr std::string_view kBefore = "bytes ";
+  if (!block.starts_with(kBefore)) return 0;
+  for (const char c : block.substr(kBefore.size(), 18)) {
+    if (c < '0' || c > '9') break;
+    bytes = 10 * bytes + static_cast<std::uint64_t>(c - '0');
+  }
+  return bytes;
+}
+
+}  // namespace
+
+void write_content_digest(int descriptor, const std::string& path) {
+  const auto fail = [&](const char* action) {
+    throw StorageError(path, std::string(action) + ": " + std::strerror(errno));
+  };
+  Content content;
+  if (!read_content(descriptor, content)) fail("cannot be read back");
+  const std::string block = block_of(content.bytes, content.digest.value());
+  std::size_t done = 0;
+  while (done < block.size()) {
+    const ssize_t written =
+        ::pwrite(descriptor, block.data() + done, block.size() - done, static_cast<off_t>(done));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail("cannot be written");
+    done += static_cast<std::size_t>(written);
+  }
+}
+
+bool check_content_digest(const std::string& path) {
+  const auto refuse = [&](const std::string& rule) { throw InputError({path, 0}, "", "", rule); };
+  const auto refuse_unread = [&] {
+    refuse(std::string("cannot be read: ") + std::strerror(errno));
+  };
+  const OpenFile file(path);
+  struct stat status {};
+  if (file.descriptor() < 0 || ::fstat(file.descriptor(), &status) != 0) refuse_unread();
+  if (S_ISDIR(status.st_mode)) refuse("cannot be read: it is a folder");
+  if (!S_ISREG(status.st_mode)) refuse("is no regular file");
+
+  std::array<std::byte, kContentOffset> buffer{};
+  const ssize_t got = read_at(file.descriptor(), buffer, 0);
+  if (got < 0) refuse_unread();
+  const std::string_view block(reinterpret_cast<const char*>(buffer.data()),
+                               static_cast<std::size_t>(got));
+  if (block.starts_with(kHdf5Signature)) return false;
+  if (!block.starts_with(kTitle)) {
+    std::array<std::byte, kHdf5Signature.size()> behind{};
+    const bool hdf5 =
+        read_at(file.descriptor(), behind, kContentOffset) == ssize_t(behind.size()) &&
+        std::memcmp(behind.data(), kHdf5Signature.data(), behind.size()) == 0;
+    refuse(hdf5 ? "is damaged: what stands in front of its HDF5 part is not what Plastica writes"
+                : "is not an HDF5 file");
+  }
+  Content content;
+  if (!read_content(file.descriptor(), content)) refuse_unread();
+  const std::uint64_t said = bytes_said(block);
+  if (content.bytes < said) {
+    refuse("is cut off: of " + std::to_string(kContentOffset + said) + " bytes " +
+           std::to_string(kContentOffset + content.bytes) + " are left");
+  }
+  if (block != block_of(content.bytes, content.digest.value())) {
+    refuse("is damaged, or was changed by another program: it differs from its digest");
+  }
+  return true;
+}
+
+}  // namespace plastica::io
