@@ -83,13 +83,34 @@ bool has_scenes(const CalibrateArguments& arguments) {
          arguments.bare_option.empty() && calibrate::names_scenes(arguments.inputs.front());
 }
 
+/// Writes what is asked for beside the result file and prints the report.
+int report(const CalibrateArguments& arguments, calibrate::FitStoreContents& contents) {
+  if (!arguments.json.empty()) {
+    write_json(arguments.json, contents.records, contents.options,
+               io::overwrite_if(arguments.force));
+  }
+  if (!arguments.quiet) {
+    print_report(contents.records, contents.options);
+    std::fflush(stdout);  // one file may take both
+  }
+  // Where laws are compared, one of them suffices.
+  const auto fitted = [](const calibrate::FitRecord* record) {
+    return record->result.status == calibrate::FitStatus::Fitted;
+  };
+  const bool all = std::ranges::all_of(
+      calibrate::by_target(contents.records),
+      [&](const auto& records) { return std::ranges::any_of(records, fitted); });
+  return all ? kDone : kNotAcceptable;
+}
+
 int calibrate_files(const CalibrateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string output = output_of(arguments);
   calibrate::FitFile file = read_inputs(arguments);
   set_intervals(arguments, file.options.intervals);
   if (!arguments.laws.empty()) file.options.laws = calibrate::laws_of(arguments.laws, "--laws");
-  if (!arguments.dry_run) check_outputs(file, output, arguments.json, arguments.force);
+  const bool found = finds_output(arguments.resume, arguments.force, output);
+  if (!arguments.dry_run) check_outputs(file, output, arguments.json, arguments.force, found);
   std::vector<calibrate::Target> targets = calibrate::import_all(file);
   if (file.options.intervals.specimens > 0 && targets.size() < 2) {
     throw InputError({}, "bootstrap_specimens", std::to_string(file.options.intervals.specimens),
@@ -116,6 +137,13 @@ int calibrate_files(const CalibrateArguments& arguments) {
     bar.update(progress.done, progress.failed + progress.rejected, progress.taken);
   };
   calibrate::JournaledBatch batch(targets, file.options, how);
+  if (found) {
+    contents = calibrate::read_fit_store(output);
+    refuse_other_output(output, batch.run_id(), contents.run);
+    batch.discard();
+    tell("{} is complete: nothing is left to do\n", output);
+    return report(arguments, contents);
+  }
   tell_of_journal(batch, arguments.quiet);
   std::vector<calibrate::FitResult> results = batch.run();
   bar.clear();
@@ -128,27 +156,15 @@ int calibrate_files(const CalibrateArguments& arguments) {
     contents.records.push_back({targets[batch.cases()[i].target], std::move(results[i])});
   }
   contents.options = file.options;
+  contents.run = batch.run_id();
   contents.meta.resumptions = batch.resumptions();
   contents.meta.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const io::Overwrite overwrite = io::overwrite_if(arguments.force);
-  calibrate::write_fit_store(output, contents, overwrite);
+  calibrate::write_fit_store(output, contents, io::overwrite_if(arguments.force));
   batch.finish();
-  if (!arguments.json.empty())
-    write_json(arguments.json, contents.records, file.options, overwrite);
-  if (!arguments.quiet) {
-    print_report(contents.records, file.options);
-    std::fflush(stdout);  // one file may take both
-    tell("wrote {}\n", output);
-  }
-  // Where laws are compared, one of them suffices.
-  const auto fitted = [](const calibrate::FitRecord* record) {
-    return record->result.status == calibrate::FitStatus::Fitted;
-  };
-  const bool all = std::ranges::all_of(
-      calibrate::by_target(contents.records),
-      [&](const auto& records) { return std::ranges::any_of(records, fitted); });
-  return all ? kDone : kNotAcceptable;
+  const int code = report(arguments, contents);
+  if (!arguments.quiet) tell("wrote {}\n", output);
+  return code;
 }
 
 constexpr const char* kBareGroup = "Curves without a fit file";

@@ -81,6 +81,27 @@ void print_report(std::vector<SceneFitRecord>& records, double confidence) {
   fmt::print("{}", calibrate::scene_fits_report(shown, options));
 }
 
+/// Writes what is asked for beside the result file and prints the report.
+int report(const CalibrateArguments& arguments, calibrate::SceneFitContents& contents) {
+  if (!arguments.json.empty()) {
+    io::write_text_file(arguments.json,
+                        calibrate::scene_fits_json(contents.records, contents.confidence) + "\n",
+                        io::overwrite_if(arguments.force));
+  }
+  if (!arguments.quiet) {
+    print_report(contents.records, contents.confidence);
+    std::fflush(stdout);  // one file may take both
+  }
+  // Where laws are compared, one of them suffices.
+  const auto fitted = [](const SceneFitRecord* record) {
+    return record->result.status == calibrate::FitStatus::Fitted;
+  };
+  const bool all = std::ranges::all_of(
+      calibrate::by_target(contents.records),
+      [&](const auto& records) { return std::ranges::any_of(records, fitted); });
+  return all ? kDone : kNotAcceptable;
+}
+
 }  // namespace
 
 int calibrate_scenes(const CalibrateArguments& arguments) {
@@ -94,7 +115,8 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
     print_dry_run(file, output);
     return kDone;
   }
-  check_outputs(file.read_files, output, arguments.json, arguments.force);
+  const bool found = finds_output(arguments.resume, arguments.force, output);
+  check_outputs(file.read_files, output, arguments.json, arguments.force, found);
   calibrate::SceneFitContents contents;
   contents.meta = io::begin_meta(arguments.command_line, arguments.threads);
   const InterruptGuard interrupt;
@@ -114,6 +136,13 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   calibrate::JournaledSceneFits batch(
       file.cases, file.options, how,
       [&search](const calibrate::SceneFitProgress& progress) { search.update(progress); });
+  if (found) {
+    contents = calibrate::read_scene_fit_store(output);
+    refuse_other_output(output, batch.run_id(), contents.run);
+    batch.discard();
+    tell("{} is complete: nothing is left to do\n", output);
+    return report(arguments, contents);
+  }
   tell_of_journal(batch, arguments.quiet);
   if (!arguments.quiet && batch.parts() > 0) {
     tell("{} finished parts of fits taken from the journal\n", batch.parts());
@@ -134,27 +163,12 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   contents.meta.resumptions = batch.resumptions();
   contents.meta.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const io::Overwrite overwrite = io::overwrite_if(arguments.force);
-  calibrate::write_scene_fit_store(output, contents, overwrite);
+  contents.run = batch.run_id();
+  calibrate::write_scene_fit_store(output, contents, io::overwrite_if(arguments.force));
   batch.finish();
-  if (!arguments.json.empty()) {
-    io::write_text_file(arguments.json,
-                        calibrate::scene_fits_json(contents.records, contents.confidence) + "\n",
-                        overwrite);
-  }
-  if (!arguments.quiet) {
-    print_report(contents.records, contents.confidence);
-    std::fflush(stdout);  // one file may take both
-    tell("wrote {}\n", output);
-  }
-  // Where laws are compared, one of them suffices.
-  const auto fitted = [](const SceneFitRecord* record) {
-    return record->result.status == calibrate::FitStatus::Fitted;
-  };
-  const bool all = std::ranges::all_of(
-      calibrate::by_target(contents.records),
-      [&](const auto& records) { return std::ranges::any_of(records, fitted); });
-  return all ? kDone : kNotAcceptable;
+  const int code = report(arguments, contents);
+  if (!arguments.quiet) tell("wrote {}\n", output);
+  return code;
 }
 
 }  // namespace plastica::cli

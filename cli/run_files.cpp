@@ -83,18 +83,31 @@ std::optional<double> seconds_of(std::string_view option, const std::string& tex
   return io::parse_quantity(text, Dimension::Time, {}, option);
 }
 
+bool finds_output(bool resume, bool force, const std::string& output) {
+  std::error_code ignored;
+  return resume && !force && fs::is_regular_file(output, ignored);
+}
+
+void refuse_other_output(const std::string& output, const std::string& run,
+                         const std::string& found) {
+  if (run == found) return;
+  throw InputError({output, 0}, "", "",
+                   "exists already, and is of other curves, options or another version: use "
+                   "--force to overwrite it");
+}
+
 void check_outputs(const calibrate::FitFile& file, const std::string& output,
-                   const std::string& json, bool force) {
-  check_outputs(files_read(file), output, json, force);
+                   const std::string& json, bool force, bool found) {
+  check_outputs(files_read(file), output, json, force, found);
 }
 
 void check_outputs(std::span<const std::string> read, const std::string& output,
-                   const std::string& json, bool force) {
+                   const std::string& json, bool force, bool found) {
   const auto check = [&](std::string_view option, const std::string& path) {
     for (const std::string& input : read) refuse_input(option, path, input);
   };
   check("--output", output);
-  io::check_output_path(output, force);
+  io::check_output_path(output, force || found);
   if (json.empty()) return;
   check("--json", json);
   refuse_own_files("--json", json, output);

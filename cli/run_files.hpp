@@ -30,14 +30,25 @@ void refuse_option(bool given, std::string_view option, std::string_view rule);
 /// InputError
 std::optional<double> seconds_of(std::string_view option, const std::string& text);
 
+/// Whether a run that is to go on finds an output, which may be its own, complete.
+bool finds_output(bool resume, bool force, const std::string& output);
+
+/// Refuses an output that a run found and that another run has made.
+/// @param run    `run_id` of this run
+/// @param found  of the output
+/// @throws InputError
+void refuse_other_output(const std::string& output, const std::string& run,
+                         const std::string& found);
+
 /// Checks where the result and the summary are to go, before anything is computed. Not even
 /// `force` lets a run write over what it reads.
 /// @param json  empty: none is asked for
+/// @param found  the output may be there, since it is looked at before it is written
 /// @throws InputError
 void check_outputs(const calibrate::FitFile& file, const std::string& output,
-                   const std::string& json, bool force);
+                   const std::string& json, bool force, bool found = false);
 /// @param read  the files that the run reads
 void check_outputs(std::span<const std::string> read, const std::string& output,
-                   const std::string& json, bool force);
+                   const std::string& json, bool force, bool found = false);
 
 }  // namespace plastica::cli

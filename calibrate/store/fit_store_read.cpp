@@ -180,6 +180,7 @@ FitStoreContents read_fit_store(const std::string& path) {
   const io::Hdf5Group& root = file.root();
   io::check_schema(root, kFitStoreSchema, kFitStoreVersion);
   FitStoreContents contents;
+  contents.run = io::read_run_id(root);
   contents.options = store::read_options(root.open_group("options"));
   contents.records.resize(root.read_texts("fits/name").size());
   StoreReader reader(root, contents.records, contents.options);

@@ -212,6 +212,7 @@ void write_fit_store(const std::string& path, const FitStoreContents& contents,
   io::Hdf5File file = io::Hdf5File::create(path, overwrite);
   io::Hdf5Group& root = file.root();
   io::write_schema(root, kFitStoreSchema, kFitStoreVersion);
+  io::write_run_id(root, contents.run);
   StoreWriter writer(root, std::move(records), contents.options);
   store::walk_records(writer);
   io::Hdf5Group options = root.group("options");

@@ -55,14 +55,6 @@ io::JournalPolicy checked(const io::JournalPolicy& policy, std::span<const Targe
 
 }  // namespace
 
-std::string run_id(std::span<const Target> targets, const FitOptions& options) {
-  std::vector<std::string> ids = ids_of(targets, options, cases_of(targets.size(), options), 0);
-  std::sort(ids.begin(), ids.end());
-  io::Digest digest;
-  for (const std::string& id : ids) digest.text(id);
-  return io::hexadecimal(digest.value());
-}
-
 JournaledBatch::JournaledBatch(std::span<const Target> targets, const FitOptions& options,
                                JournaledOptions how)
     : targets_(targets),
@@ -93,6 +85,14 @@ void JournaledBatch::count(const FitResult& result, BatchProgress& progress) con
 
 void JournaledBatch::keep(std::size_t index, const FitResult& result) {
   journal_.keep(ids_[index], bytes_of(result));
+}
+
+std::string JournaledBatch::run_id() const {
+  io::Digest digest;
+  // What is drawn for a group's mean is no part of a fit.
+  digest.integer(static_cast<std::uint64_t>(options_.intervals.specimens));
+  for (const std::string& id : ids_) digest.text(id);
+  return io::hexadecimal(digest.value());
 }
 
 std::vector<FitResult> JournaledBatch::run() {

@@ -35,10 +35,6 @@ struct JournaledOptions {
   std::function<void(const BatchProgress&)> progress{};
 };
 
-/// Says what a run computes: a digest of its targets, options, library version and instruction set.
-/// Two runs with the same have the same results, bit by bit.
-std::string run_id(std::span<const Target> targets, const FitOptions& options);
-
 /// Fits a batch and survives its interruption: each finished fit goes to a journal, and a later
 /// run takes from it all those fits whose target, options, library version and instruction set are
 /// still the same. The results have the same bits as those of a run without interruption.
@@ -70,6 +66,9 @@ class JournaledBatch {
   /// Bytes at the journal's end that were dropped: a record torn by a crash. 0: none.
   std::uint64_t dropped_bytes() const { return journal_.dropped_bytes(); }
 
+  /// Says what the run computes: a digest of its targets, options, library version and instruction
+  /// set. Two runs with the same have the same results, bit by bit.
+  std::string run_id() const;
   /// See `io::CaseJournal`.
   const std::string& other_instruction_set() const { return journal_.other_instruction_set(); }
 
@@ -86,6 +85,9 @@ class JournaledBatch {
   /// Deletes the journal, once the results of a complete run are stored elsewhere.
   /// @throws io::StorageError
   void finish();
+  /// Deletes the journal, since an output has the results of the same run already.
+  /// @throws io::StorageError
+  void discard() { journal_.finish(); }
 
  private:
   void take_from_journal();

@@ -97,6 +97,15 @@ bool JournaledSceneFits::makes_whole() const {
   return any && !options_.laws.empty();
 }
 
+std::string JournaledSceneFits::run_id() const {
+  io::Digest digest;
+  for (const std::vector<std::string>* ids : {&ids_, &whole_ids_}) {
+    digest.integer(ids->size());
+    for (const std::string& id : *ids) digest.text(id);
+  }
+  return io::hexadecimal(digest.value());
+}
+
 void JournaledSceneFits::take_from_journal() {
   for (std::size_t i = 0; i < fits_.size(); ++i) {
     const std::vector<std::byte>* bytes = journal_.find(ids_[i]);

@@ -41,6 +41,10 @@ class JournaledSceneFits {
   const std::string& other_instruction_set() const { return journal_.other_instruction_set(); }
   int resumptions() const { return journal_.resumptions(); }
 
+  /// Says what the run computes: a digest of its cases, options and library version. Two runs with
+  /// the same have the same results, bit by bit.
+  std::string run_id() const;
+
   /// Whose fit a result is.
   struct Fit {
     std::size_t of = 0;      ///< case
@@ -59,6 +63,9 @@ class JournaledSceneFits {
   bool complete() const { return complete_; }
   /// Deletes the journal, once the results of a complete run are stored elsewhere.
   void finish();
+  /// Deletes the journal, since an output has the results of the same run already.
+  /// @throws io::StorageError
+  void discard() { journal_.finish(); }
 
  private:
   /// What a fit's searches have kept, by their names.

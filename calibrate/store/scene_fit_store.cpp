@@ -316,6 +316,7 @@ void write_scene_fit_store(const std::string& path, const SceneFitContents& cont
   io::Hdf5File file = io::Hdf5File::create(path, overwrite);
   io::Hdf5Group& root = file.root();
   io::write_schema(root, kSceneFitSchema, kSceneFitVersion);
+  io::write_run_id(root, contents.run);
   write_rows(root, "fits", records, store::kSceneFitColumns);
   io::Ragged<double> correlation;
   for (const SceneFitRecord* record : records) correlation.push_back(record->result.correlation);
@@ -336,6 +337,7 @@ SceneFitContents read_scene_fit_store(const std::string& path) {
   const io::Hdf5Group& root = file.root();
   io::check_schema(root, kSceneFitSchema, kSceneFitVersion);
   SceneFitContents contents;
+  contents.run = io::read_run_id(root);
   contents.records.resize(root.read_texts("fits/name").size());
   Reader reader(root, contents.records);
   reader.fits();

@@ -78,9 +78,9 @@ std::uint64_t checksum_of(std::string_view id, std::span<const std::byte> payloa
 /// @return Absent if there is none; InUse if another run has it, and then nothing is read
 JournalState read_all(const std::string& path, std::vector<std::byte>& bytes) {
   if (const std::string special = special_file(path); !special.empty()) {
-    throw InputError({path, 0}, "", "",
-                     "is " + special +
-                         " in the place of the journal: move it, or name another output");
+    throw InputError(
+        {path, 0}, "", "",
+        "is " + special + " in the place of the journal: move it, or name another output");
   }
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (file.get() < 0) {

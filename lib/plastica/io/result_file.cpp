@@ -114,6 +114,14 @@ void check_schema(const Hdf5Group& root, std::string_view schema, int version) {
   }
 }
 
+void write_run_id(Hdf5Group& root, const std::string& id) {
+  if (!id.empty()) root.set_attribute(".", "run", id);
+}
+
+std::string read_run_id(const Hdf5Group& root) {
+  return root.has_attribute(".", "run") ? root.text_attribute(".", "run") : std::string();
+}
+
 void write_inputs(Hdf5Group& root, const std::vector<InputText>& inputs) {
   std::vector<std::string> names;
   std::vector<std::string> texts;

@@ -55,6 +55,11 @@ void write_schema(Hdf5Group& root, std::string_view schema, int version);
 /// @throws InputError if the file has another schema, or another version of it
 void check_schema(const Hdf5Group& root, std::string_view schema, int version);
 
+/// The attribute `run`: who the run is, the same for two runs of the same bits. Nothing is written
+/// of an empty one, as nothing is there in files of older versions.
+void write_run_id(Hdf5Group& root, const std::string& id);
+std::string read_run_id(const Hdf5Group& root);
+
 void write_inputs(Hdf5Group& root, const std::vector<InputText>& inputs);
 std::vector<InputText> read_inputs(const Hdf5Group& root);
 

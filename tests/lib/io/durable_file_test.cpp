@@ -8,24 +8,12 @@
 namespace plastica::io {
 namespace {
 
-TEST(DurableFile, MovesAFileOverAnOlderOne) {
+TEST(DurableFile, NamesTheFileThatCannotBeSynced) {
   const ScratchFolder folder;
-  const std::string from = folder.write("a.part", "new");
-  const std::string to = folder.write("a", "old");
-  sync_to_disk(from);
-  move_into_place(from, to);
-  EXPECT_EQ(content_of(to), "new");
-  EXPECT_FALSE(std::filesystem::exists(from));
-}
-
-TEST(DurableFile, NamesTheFileThatCannotBeMovedOrSynced) {
-  const ScratchFolder folder;
-  const std::string from = folder.write("a.part", "new");
-  const std::string to = folder.file("none/a");
-  EXPECT_EQ(message_of<StorageError>([&] { move_into_place(from, to); }),
-            to + ": cannot be replaced: No such file or directory");
-  EXPECT_EQ(message_of<StorageError>([&] { sync_to_disk(to); }),
-            to + ": cannot be opened: No such file or directory");
+  sync_to_disk(folder.write("a", "new"));
+  const std::string none = folder.file("none/a");
+  EXPECT_EQ(message_of<StorageError>([&] { sync_to_disk(none); }),
+            none + ": cannot be opened: No such file or directory");
 }
 
 TEST(DurableFile, KnowsTheFolderOfABareName) {

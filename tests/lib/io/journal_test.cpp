@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
+#include <memory>
 #include <thread>
 
 #include "plastica/io/bytes.hpp"
@@ -210,8 +213,34 @@ TEST(JournalErrors, AFolderThatIsNotThereIsNamed) {
   const std::string path = folder.file("none/j");
   EXPECT_EQ(message_of<StorageError>([&] { Journal::create(path, kRun); }),
             path + ": cannot be written: No such file or directory");
-  EXPECT_EQ(message_of<StorageError>([&] { read_journal(folder.file(""), kRun); }),
-            folder.file("") + ": cannot be read: Is a directory");
+}
+
+TEST(JournalErrors, WhatIsNoFileInItsPlaceIsNamed) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("j");
+  const auto said = [&] { return message_of<InputError>([&] { read_journal(path, kRun); }); };
+  const std::string rule = " in the place of the journal: move it, or name another output";
+  std::filesystem::create_directory(path);
+  EXPECT_EQ(said(), path + ": is a folder" + rule);
+  std::filesystem::remove(path);
+  std::filesystem::create_symlink(folder.write("target", "theirs"), path);
+  EXPECT_EQ(said(), path + ": is a link" + rule);
+  std::filesystem::remove(path);
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  EXPECT_EQ(said(), path + ": is a named pipe" + rule);
+  EXPECT_EQ(content_of(folder.file("target")), "theirs");
+}
+
+TEST(JournalErrors, OneThatIsRemovedLeavesTheNextRunsAlone) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("j");
+  Journal first = Journal::create(path, kRun);
+  std::filesystem::remove(path);
+  Journal second = Journal::create(path, kRun);
+  first.remove();
+  EXPECT_TRUE(std::filesystem::exists(path));
+  second.remove();
+  EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 TEST(JournalErrors, AJournalInUseIsNotTaken) {
@@ -221,7 +250,7 @@ TEST(JournalErrors, AJournalInUseIsNotTaken) {
   journal.append("a", {});
   EXPECT_EQ(message_of<StorageError>([&] { Journal::create(path, kRun); }),
             path + ": is in use by another run");
-  EXPECT_EQ(read_journal(path, kRun).records.size(), 1U);
+  EXPECT_EQ(read_journal(path, kRun).state, JournalState::InUse);
 }
 
 TEST(JournalErrors, AJournalThatGrewSinceItWasReadIsNotResumed) {
@@ -237,8 +266,8 @@ TEST(JournalErrors, AJournalThatGrewSinceItWasReadIsNotResumed) {
 TEST(JournalErrors, AFullDiskIsReportedAndLeavesTheJournalReadable) {
   const ScratchFolder folder;
   const std::string path = folder.file("j");
-  Journal journal = Journal::create(path, kRun);
-  journal.append(id_of(0), payload_of(0));
+  auto journal = std::make_unique<Journal>(Journal::create(path, kRun));
+  journal->append(id_of(0), payload_of(0));
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -246,11 +275,12 @@ TEST(JournalErrors, AFullDiskIsReportedAndLeavesTheJournalReadable) {
   small.rlim_cur = 100;
   setrlimit(RLIMIT_FSIZE, &small);
   const std::string message =
-      message_of<StorageError>([&] { journal.append("big", std::vector<std::byte>(1000)); });
+      message_of<StorageError>([&] { journal->append("big", std::vector<std::byte>(1000)); });
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, old_handler);
   EXPECT_EQ(message, path + ": cannot be written: File too large");
-  journal.append(id_of(1), payload_of(1));
+  journal->append(id_of(1), payload_of(1));
+  journal.reset();
   const JournalContent content = read_journal(path, kRun);
   EXPECT_EQ(content.dropped_bytes, 0U);
   expect_cases(content, 2);

@@ -1,0 +1,93 @@
+#include "plastica/io/content_digest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "plastica/io/hdf5.hpp"
+#include "tests/lib/io/message_of.hpp"
+#include "tests/lib/io/scratch_folder.hpp"
+
+namespace plastica::io {
+namespace {
+
+constexpr std::string_view kSignature = "\211HDF\r\n\032\n";
+
+class ContentDigest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    Hdf5File file = Hdf5File::create(path_);
+    file.root().write("x", std::vector<double>{1.0, -2.0, 3.0});
+    file.root().set_attribute(".", "schema", "plastica/test");
+    file.commit();
+    bytes_ = content_of(path_);
+  }
+
+  /// What opening says of these bytes; empty if they are taken.
+  std::string on_opening(const std::string& bytes) const {
+    folder_.write("a.h5", bytes);
+    try {
+      Hdf5File::open(path_);
+    } catch (const InputError& error) {
+      return error.rule();
+    }
+    return "";
+  }
+
+  ScratchFolder folder_;
+  std::string path_ = folder_.file("a.h5");
+  std::string bytes_;
+};
+
+TEST_F(ContentDigest, StandsInFrontAsText) {
+  EXPECT_TRUE(bytes_.starts_with("Plastica result; HDF5 from byte 512 on\nbytes ")) << bytes_;
+  EXPECT_EQ(bytes_.substr(kContentOffset, kSignature.size()), kSignature);
+  EXPECT_TRUE(check_content_digest(path_));
+  EXPECT_EQ(on_opening(bytes_), "");
+}
+
+TEST_F(ContentDigest, FindsEveryBitThatIsFlipped) {
+  // All bits of the block, and 2 000 of the rest.
+  std::mt19937_64 random(1);
+  for (std::size_t i = 0; i < 2 * 8 * 100 + 2000; ++i) {
+    const bool front = i < 8 * 100;
+    const std::size_t bit = front ? i : 8 * 100 + random() % (8 * (bytes_.size() - 100));
+    std::string damaged = bytes_;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+    folder_.write("a.h5", damaged);
+    EXPECT_THROW(check_content_digest(path_), InputError) << "bit " << bit;
+  }
+}
+
+TEST_F(ContentDigest, FindsWhatIsCutOffAddedOrSwapped) {
+  EXPECT_EQ(on_opening(bytes_.substr(0, bytes_.size() - 1)),
+            "is cut off: of " + std::to_string(bytes_.size()) + " bytes " +
+                std::to_string(bytes_.size() - 1) + " are left");
+  constexpr std::string_view kDiffers =
+      "is damaged, or was changed by another program: it differs from its digest";
+  EXPECT_EQ(on_opening(bytes_ + "x"), kDiffers);
+  std::string swapped = bytes_;
+  std::swap_ranges(swapped.begin() + 512, swapped.begin() + 520, swapped.begin() + 600);
+  EXPECT_EQ(on_opening(swapped), kDiffers);
+  std::string other_front = bytes_;
+  other_front[3] = 'X';
+  EXPECT_EQ(on_opening(other_front),
+            "is damaged: what stands in front of its HDF5 part is not what Plastica writes");
+  EXPECT_EQ(on_opening("text"), "is not an HDF5 file");
+  EXPECT_EQ(on_opening(""), "is not an HDF5 file");
+}
+
+TEST_F(ContentDigest, IsNotAskedOfFilesWithoutABlock) {
+  EXPECT_EQ(on_opening(bytes_.substr(kContentOffset)), "");
+  EXPECT_FALSE(check_content_digest(path_));
+}
+
+TEST_F(ContentDigest, IsOfRegularFiles) {
+  EXPECT_EQ(message_of<InputError>([] { check_content_digest("/dev/zero"); }),
+            "/dev/zero: is no regular file");
+  EXPECT_EQ(message_of<InputError>([] { check_content_digest("/tmp"); }),
+            "/tmp: cannot be read: it is a folder");
+}
+
+}  // namespace
+}  // namespace plastica::io
