@@ -53,7 +53,7 @@ struct Content {
 
 /// Reads all that stands behind the block. @return false for an error; `errno` says which
 bool read_content(int descriptor, Content& content) {
-  std::vector<std::byte> buffer(std::size_t{1} << 20U);
+  std::vector<std::byte> buffer(std::size_t{1} << 16U);
   while (true) {
     const ssize_t got = read_at(descriptor, buffer, kContentOffset + content.bytes);
     if (got < 0) return false;

@@ -56,6 +56,7 @@ int rename_to_free_name(const std::string& from, const std::string& to) {
 
 OutputFile::OutputFile(std::string path, Overwrite overwrite)
     : path_(std::move(path)), overwrite_(overwrite) {
+  if (const std::string why = no_output_reason(path_); !why.empty()) throw StorageError(path_, why);
   descriptor_ = open_fresh(path_, part_);
   if (descriptor_ < 0) {
     part_.clear();

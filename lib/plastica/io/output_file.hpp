@@ -22,7 +22,8 @@ inline Overwrite overwrite_if(bool allowed) {
 /// on to the new one.
 class OutputFile {
  public:
-  /// Opens the fresh file. @throws StorageError if the folder does not take it
+  /// Opens the fresh file.
+  /// @throws StorageError if the folder does not take it, or a link, pipe or device stands there
   OutputFile(std::string path, Overwrite overwrite);
   /// Removes the fresh file, unless it was committed or has to be kept.
   ~OutputFile();

@@ -51,7 +51,7 @@ TEST_F(Hdf5Errors, ACutOffFileIsSaidToBeDamaged) {
   const std::string whole = content_of(path_);
   const std::string cut = folder_.write("cut.h5", whole.substr(0, whole.size() / 2));
   const std::string message = message_of<InputError>([&] { Hdf5File::open(cut); });
-  EXPECT_TRUE(message.starts_with(cut + ": is damaged: truncated file: ")) << message;
+  EXPECT_TRUE(message.starts_with(cut + ": is cut off: ")) << message;
 }
 
 TEST_F(Hdf5Errors, WhatIsNotThereIsNamed) {

@@ -11,6 +11,7 @@
 #include <memory>
 #include <thread>
 
+#include "plastica/base/check.hpp"
 #include "plastica/io/bytes.hpp"
 #include "tests/lib/io/message_of.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
