@@ -7,7 +7,9 @@
 
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
+#include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
+#include "plastica/io/content_digest.hpp"
 #include "plastica/io/result_file.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "sweeps/store/sweep_store.hpp"
@@ -33,7 +35,16 @@ const KindWords& words_of(ResultKind kind) { return kWords[static_cast<std::size
 
 }  // namespace
 
+void tell_without_digest(const std::string& path) {
+  if (io::check_content_digest(path)) return;
+  tell(
+      "warning: {}: has no digest (an older version or another program wrote it), so that damage "
+      "cannot be seen\n",
+      path);
+}
+
 ResultKind kind_of_result(const std::string& path) {
+  tell_without_digest(path);
   const std::string schema = io::schema_of(path);
   for (std::size_t k = 0; k < kWords.size(); ++k) {
     if (kWords[k].schema == schema) return static_cast<ResultKind>(k);

@@ -15,6 +15,7 @@
 #include "cli/isa_option.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/response_bytes.hpp"
+#include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
 #include "plastica/io/text_file.hpp"
@@ -76,6 +77,7 @@ void check_outputs(const SweepArguments& arguments, const std::string& output,
 sweeps::EarlierResults results_before(const SweepArguments& arguments, const std::string& output) {
   const bool goes_on = arguments.resume || arguments.rerun_failed;
   if (!goes_on || !fs::exists(output)) return {};
+  tell_without_digest(output);
   return sweeps::earlier_results(output);
 }
 

@@ -1,16 +1,60 @@
 #include "plastica/base/parallel_for.hpp"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <exception>
+#include <latch>
 #include <limits>
 #include <mutex>
+#include <string>
+#include <system_error>
 #include <thread>
-#ifdef PLASTICA_THREADS_STD
 #include <vector>
-#endif
+
+#include "plastica/base/machine_error.hpp"
 
 namespace plastica {
 namespace {
+
+/// A thread needs less than 24 KiB for what the library does; the rest is for callers.
+constexpr std::size_t kStackBytes = 128 * 1024;
+
+/// Whether the calling thread's stack is large enough. An overflow would end the program.
+bool has_room() {
+  pthread_attr_t attributes;
+  if (pthread_getattr_np(pthread_self(), &attributes) != 0) return true;
+  std::size_t bytes = kStackBytes;
+  pthread_attr_getstacksize(&attributes, &bytes);
+  pthread_attr_destroy(&attributes);
+  return bytes >= kStackBytes;
+}
+
+[[noreturn]] void refuse_threads(int threads, const std::system_error& error) {
+  throw MachineError("cannot make " + std::to_string(threads) +
+                     " threads: " + error.code().message() + "; give fewer (--threads)");
+}
+
+#ifndef PLASTICA_THREADS_STD
+/// Makes as many threads as OpenMP is about to add to those that it keeps for the calling thread,
+/// and lets them go: OpenMP ends the program where it cannot make one.
+void try_threads(int threads) {
+  thread_local int kept = 1;  // as in OpenMP, which counts for each calling thread, too
+  if (threads <= kept) return;
+  std::latch all_made(1);
+  std::vector<std::jthread> tried;
+  try {
+    for (; static_cast<int>(tried.size()) < threads - kept;) {
+      tried.emplace_back([&all_made] { all_made.wait(); });
+    }
+  } catch (const std::system_error& error) {
+    all_made.count_down();
+    refuse_threads(threads, error);
+  }
+  all_made.count_down();
+  kept = threads;
+}
+#endif
 
 /// Hands out indices and keeps the exception of the smallest one.
 class Queue {
@@ -18,6 +62,15 @@ class Queue {
   Queue(std::size_t count, const std::atomic<bool>* stop) : count_(count), stop_(stop) {}
 
   void work(int worker, const std::function<void(std::size_t, int)>& body) {
+    // The caller's own stack has carried it so far.
+    if (worker > 0 && !has_room()) {
+      const std::lock_guard lock(mutex_);
+      failed_index_ = 0;
+      error_ = std::make_exception_ptr(
+          MachineError("the stacks of threads are too small: set OMP_STACKSIZE, or ulimit -s, to " +
+                       std::to_string(kStackBytes / 1024) + "k or more"));
+      failed_ = true;
+    }
     while (!failed_ && !(stop_ != nullptr && *stop_)) {
       const std::size_t index = next_++;
       if (index >= count_) return;
@@ -64,12 +117,17 @@ void parallel_for(std::size_t count, const ParallelOptions& options,
 #ifdef PLASTICA_THREADS_STD
   // ThreadSanitizer does not know GCC's OpenMP runtime; it does know these.
   std::vector<std::jthread> workers;
-  for (int worker = 1; worker < threads; ++worker) {
-    workers.emplace_back([&queue, &body, worker] { queue.work(worker, body); });
+  try {
+    for (int worker = 1; worker < threads; ++worker) {
+      workers.emplace_back([&queue, &body, worker] { queue.work(worker, body); });
+    }
+  } catch (const std::system_error& error) {
+    refuse_threads(threads, error);
   }
   queue.work(0, body);
   workers.clear();
 #else
+  try_threads(threads);
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
   for (int worker = 0; worker < threads; ++worker) queue.work(worker, body);
 #endif

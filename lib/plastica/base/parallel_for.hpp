@@ -21,6 +21,8 @@ int resolved_threads(int threads);
 /// Indices are handed out in order, one at a time, to whichever worker is free; worker numbers
 /// (0 … threads-1) let a body keep one workspace a thread. A body that throws stops the handing
 /// out; of all exceptions thrown, the one of the smallest index leaves this function, whole.
+/// @throws MachineError if the system does not make so many threads, or their stacks (of
+///         OMP_STACKSIZE) are too small
 void parallel_for(std::size_t count, const ParallelOptions& options,
                   const std::function<void(std::size_t index, int worker)>& body);
 

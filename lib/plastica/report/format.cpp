@@ -1,6 +1,7 @@
 #include "plastica/report/format.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 
@@ -96,8 +97,17 @@ std::string counted(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-std::string csv_cell(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+std::string csv_cell(std::string_view name) {
+  std::string text(name);
+  // A spreadsheet takes these for the beginning of a formula.
+  constexpr std::string_view kFormula = "=+-@\t\r";
+  double value = 0.0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool number = read.ptr == text.data() + text.size();
+  if (text.size() > 1 && kFormula.find(text.front()) != std::string_view::npos && !number) {
+    text.insert(0, 1, '\'');
+  }
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string cell = "\"";
   for (const char c : text) {
     if (c == '"') cell += '"';

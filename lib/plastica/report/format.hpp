@@ -34,8 +34,9 @@ std::string quantity(std::string_view number, std::string_view unit);
 /// "1 sample", "3 samples".
 std::string counted(std::size_t count, std::string_view noun);
 
-/// A text as a cell of CSV: in quotes where it holds a comma, a quote or a line's end (RFC 4180).
-std::string csv_cell(std::string_view text);
+/// A name as a cell of CSV: in quotes where it holds a comma, a quote or a line's end (RFC 4180);
+/// with an apostrophe in front where a spreadsheet would take it for a formula ("=2+3", "@sum").
+std::string csv_cell(std::string_view name);
 
 /// Text of a user as one printable line: control characters become blanks, bytes that are not
 /// UTF-8 become question marks.
