@@ -92,6 +92,8 @@ std::string JournaledBatch::run_id() const {
   // What is drawn for a group's mean is no part of a fit.
   digest.integer(static_cast<std::uint64_t>(options_.intervals.specimens));
   for (const std::string& id : ids_) digest.text(id);
+  // Samples that were dropped decide nothing, but stand in the result.
+  for (const Target& target : targets_) digest.reals(target.raw.strain).reals(target.raw.stress);
   return io::hexadecimal(digest.value());
 }
 

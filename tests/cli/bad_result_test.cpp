@@ -51,8 +51,8 @@ TEST(BadResult, OfAnotherProgramIsRefused) {
 
 TEST(BadResult, ThatIsTruncatedIsRefused) {
   const std::string whole = result();
-  expect_no_result(whole.substr(0, whole.size() / 2), "x.h5: is damaged: …");
-  expect_no_result(whole.substr(0, whole.size() - 1), "x.h5: is damaged: …");
+  expect_no_result(whole.substr(0, whole.size() / 2), "x.h5: is cut off: …");
+  expect_no_result(whole.substr(0, whole.size() - 1), "x.h5: is cut off: …");
 }
 
 TEST(BadResult, OfAnotherSchemaIsRefused) {

@@ -154,7 +154,7 @@ TEST_F(Faults, ThreadsThatCannotBeMadeOrHaveNoRoomAreTold) {
   place_.write("sweep.toml",
                "scene = 'scene.toml'\n[[axis]]\nfield = 'beam.segments'\nvalues = "
                "[4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19]\n"
-               "[error]\nof = 'tip'\n");
+               "[error]\nprobe = 'tip'\n");
   const std::string sweep = "$P sweep sweep.toml -o a.h5 --quiet --force --threads ";
   const CommandResult plain = shell(sweep + "16");
   ASSERT_EQ(plain.code, 0) << plain.err;
