@@ -22,6 +22,9 @@ std::vector<std::string> target_files(const io::TomlTable& table, const std::str
   std::vector<std::string> files;
   std::map<std::string, int> lines;
   for (const TomlValue& pattern : patterns_of(table.at("files"))) {
+    if (const std::string rule = too_many_braces(pattern.string()); !rule.empty()) {
+      throw pattern.error(rule);
+    }
     const std::vector<std::string> found = find_files(folder, pattern.string());
     if (found.empty()) {
       throw pattern.error("matches no file" + (folder.empty() ? "" : " in " + folder));

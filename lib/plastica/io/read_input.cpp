@@ -92,6 +92,13 @@ bool is_file(const std::filesystem::path& path) {
   return std::filesystem::is_regular_file(path, ignored);
 }
 
+bool is_broken_link(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto type = std::filesystem::status(path, error).type();
+  const bool leads_nowhere = type == std::filesystem::file_type::not_found || error;
+  return leads_nowhere && std::filesystem::is_symlink(path, error);
+}
+
 std::string why_no_file(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);

@@ -32,6 +32,9 @@ bool is_utf8(std::string_view text);
 /// Whether a path leads to a regular file; what cannot be looked at is none.
 bool is_file(const std::filesystem::path& path);
 
+/// Whether a path is a link that leads nowhere, or back to itself.
+bool is_broken_link(const std::filesystem::path& path);
+
 /// What to say behind "is not a file" of a path that is none: ": Too many levels of symbolic
 /// links"; empty where nothing is there.
 std::string why_no_file(const std::filesystem::path& path);
