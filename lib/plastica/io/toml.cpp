@@ -32,9 +32,6 @@ InputError parse_failure(const toml::parse_error& error, std::string_view text,
   std::string why(error.description());
   constexpr std::string_view kPreface = "Error while parsing ";
   if (why.starts_with(kPreface)) why = why.substr(kPreface.size());
-  for (char& c : why) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  }
   const auto position = error.source().begin;
   std::string_view line = trimmed(TomlLines(without_byte_order_mark(text)).line(position.line));
   // What is not UTF-8 is not shown: the message must be text.
