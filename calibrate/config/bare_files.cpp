@@ -235,7 +235,7 @@ FitFile fit_of_bare_files(const BareFiles& bare) {
   for (std::string& file : unreadable) blocks.front().second.files.push_back(std::move(file));
   for (const auto& [columns, source] : blocks) text += "\n" + target_text(source);
   if (!io::is_utf8(text)) {
-    throw InputError({}, "", "", "options must be UTF-8 text; this line has other bytes");
+    throw InputError({}, "", "", "an option is not UTF-8 text");
   }
   try {
     return parse_fit_file(std::move(text), "");

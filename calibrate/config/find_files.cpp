@@ -58,7 +58,7 @@ std::string too_many_braces(std::string_view pattern) {
     }
     if (open.back().done + open.back().so_far > kMaxPatterns) {
       return "stands for more than " + std::to_string(kMaxPatterns) +
-             " patterns, so many do its braces make; give a list of patterns";
+             " patterns by its braces; give a list of patterns";
     }
   }
   return {};

@@ -19,7 +19,7 @@ std::string shown(std::string_view whole, std::size_t longest) {
   }
   std::string text(whole.substr(0, size));
   for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = ' ';
+    if ((static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7F') c = ' ';
   }
   if (size < whole.size()) text += "...";
   return text;
