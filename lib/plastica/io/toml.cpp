@@ -10,8 +10,8 @@
 
 #include "plastica/io/nearest_word.hpp"
 #include "plastica/io/read_input.hpp"
-#include "plastica/io/toml_depth.hpp"
 #include "plastica/io/toml_lines.hpp"
+#include "plastica/io/toml_scan.hpp"
 #include "plastica/io/toml_tree.hpp"
 #include "plastica/io/units.hpp"
 
@@ -245,7 +245,7 @@ TomlDocument TomlDocument::read(const std::string& path) {
 TomlDocument TomlDocument::parse(std::string text, std::string name) {
   refuse_binary(text, name);
   const std::string_view body = without_byte_order_mark(text);
-  check_toml_depth(body, name);
+  scan_toml(body, name);
   try {
     TomlTable root(toml_tree(body, name));
     return {std::move(text), std::move(name), std::move(root)};

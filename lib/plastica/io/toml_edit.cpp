@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "plastica/io/toml.hpp"
-#include "plastica/io/toml_depth.hpp"
 #include "plastica/io/toml_layout.hpp"
 #include "plastica/io/toml_lines.hpp"
+#include "plastica/io/toml_scan.hpp"
 
 namespace plastica::io {
 namespace {
@@ -107,7 +107,7 @@ std::string checked_value(std::string_view value, std::string_view path) {
   }
   const std::string line = "x = " + std::string(value);
   try {
-    check_toml_depth(line, "");
+    scan_toml(line, "");
     const toml::table table = toml::parse(line);
     const toml::node* node = table.get("x");
     if (table.size() == 1 && node != nullptr && TomlLines(line).piece(node->source()) == value) {

@@ -47,7 +47,7 @@ struct TomlTree {
 };
 
 /// Parses a text into a tree; the node at its top holds the tree.
-/// @param text  without byte order mark, not nested deeper than check_toml_depth() allows
+/// @param text  without byte order mark, not nested deeper than scan_toml() allows
 /// @throws toml::parse_error if it is not TOML
 std::shared_ptr<TomlNode> toml_tree(std::string_view text, const std::string& file);
 

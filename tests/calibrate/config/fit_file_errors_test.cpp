@@ -47,6 +47,9 @@ TEST_F(FitFileErrors, AFitWithoutTargetsIsRefused) {
 TEST_F(FitFileErrors, FilesThatMatchNothingAreRefused) {
   EXPECT_EQ(error("[[target]]\nfiles = ['a.csv', '*.tsv']\n"),
             "f.toml:2: target[1].files[2] = *.tsv: matches no file in FOLDER");
+  std::filesystem::create_directory(folder_ / "deep");
+  EXPECT_EQ(error("[[target]]\nfiles = 'deep'\n"),
+            "f.toml:2: target[1].files = deep: matches no file in FOLDER: it is a folder");
 }
 
 TEST_F(FitFileErrors, BracesThatStandForTooManyPatternsAreRefused) {

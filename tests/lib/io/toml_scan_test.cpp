@@ -1,4 +1,4 @@
-#include "plastica/io/toml_depth.hpp"
+#include "plastica/io/toml_scan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ void expect_read(const std::string& text) {
   EXPECT_NO_THROW(TomlDocument::parse(text, "f.toml")) << text.substr(0, 100);
 }
 
-TEST(TomlDepth, AKeyOfManyNamesIsRefusedWithItsLine) {
+TEST(TomlScan, AKeyOfManyNamesIsRefusedWithItsLine) {
   expect_read(names(64) + " = 1\n");
   expect_refused("# .\nb = 1\n" + names(65) + " = 1\n", 3);
   expect_refused(names(100'000) + " = 1\n", 1);
@@ -44,21 +44,21 @@ TEST(TomlDepth, AKeyOfManyNamesIsRefusedWithItsLine) {
             "f.toml:2: " + names(40) + "....: is nested in more than 64 tables and lists");
 }
 
-TEST(TomlDepth, AHeaderOfManyNamesIsRefused) {
+TEST(TomlScan, AHeaderOfManyNamesIsRefused) {
   expect_read("[" + names(63) + "]\nb = 1\n");
   expect_refused("\n[" + names(65) + "]\n", 2);
   expect_refused("[[" + names(100'000) + "]]\n", 1);
   expect_refused("[[" + names(64) + "]]\n", 1);
 }
 
-TEST(TomlDepth, BracketsAreCounted) {
+TEST(TomlScan, BracketsAreCounted) {
   expect_read("a = " + repeated("[", 63) + repeated("]", 63) + "\n");
   expect_refused("a = " + repeated("[", 64) + repeated("]", 64) + "\n", 1);
   expect_refused("a = " + repeated("[\n", 100'000), 64);
   expect_refused("a = " + repeated("{a = ", 64) + "1" + repeated("}", 64) + "\n", 1);
 }
 
-TEST(TomlDepth, HeaderKeyAndBracketsAddUp) {
+TEST(TomlScan, HeaderKeyAndBracketsAddUp) {
   const std::string inside = "{" + names(20) + " = [{" + names(20) + " = 1}]}";
   expect_read("[" + names(10) + "]\n" + names(10) + " = " + inside + "\n");
   expect_refused("[" + names(12) + "]\n" + names(10) + " = " + inside + "\n", 2);
@@ -69,7 +69,7 @@ TEST(TomlDepth, HeaderKeyAndBracketsAddUp) {
   expect_read(many + "]\n");
 }
 
-TEST(TomlDepth, StringsAndCommentsAreText) {
+TEST(TomlScan, StringsAndCommentsAreText) {
   const std::string dots = repeated(".[{", 100);
   expect_read("# " + dots + "\na = \"" + dots + "\\\"" + dots + "\" # " + dots + "\n");
   expect_read("a = '" + dots + "\\'\nb = 1\n");
@@ -84,15 +84,48 @@ TEST(TomlDepth, StringsAndCommentsAreText) {
   expect_refused("a = \"\"\nb = ''\n" + names(65) + " = 1\n", 3);
 }
 
-TEST(TomlDepth, WhatIsNotTomlIsLeftToTheParser) {
+TEST(TomlScan, CharactersOutsideOfQuotesAreAscii) {
+  const auto error = [](const std::string& text) {
+    return message_of([&] { TomlDocument::parse(text, "f.toml"); });
+  };
+  const std::string rule =
+      "'\u00b5' outside of quotes; words and quantities stand in quotes, \"355 MPa\"";
+  EXPECT_EQ(error("\u00b5m = 1\n"), "f.toml:1: \u00b5m = 1: is not TOML (column 1): " + rule);
+  EXPECT_EQ(error("[\u00b5]\n"), "f.toml:1: [\u00b5]: is not TOML (column 2): " + rule);
+  EXPECT_EQ(error("\na = {\u00b5 = 1}\n"),
+            "f.toml:2: a = {\u00b5 = 1}: is not TOML (column 6): " + rule);
+  EXPECT_EQ(error("# \u00b5\n a = '\u00b5' \u00b5m\n"),
+            "f.toml:2: a = '\u00b5' \u00b5m: is not TOML (column 10): " + rule);
+  EXPECT_EQ(error("a = 1 \xFF\n").find('\xFF'), std::string::npos);
+}
+
+TEST(TomlScan, ABracketIsClosedByItsOwnKind) {
+  EXPECT_EQ(message_of([] { TomlDocument::parse("a = [\n1}\n", "f.toml"); }),
+            "f.toml:2: 1}: is not TOML (column 2): '}' cannot close '['");
+  EXPECT_EQ(message_of([] { TomlDocument::parse("a = {b = 1]\n", "f.toml"); }),
+            "f.toml:1: a = {b = 1]: is not TOML (column 11): ']' cannot close '{'");
+}
+
+TEST(TomlScan, AHeaderNeedsAName) {
+  for (const char* header : {"[", "[]", "[ .a]", "[#]", "[[", "[[]]", "[[\t]]", "[[.]]", "[ \n]"}) {
+    EXPECT_NE(message_of([&] {
+                TomlDocument::parse(header, "f.toml");
+              }).find("): a header needs a name in its brackets"),
+              std::string::npos)
+        << header;
+  }
+  expect_read("[ \t'a']\n[[ b]]\n[[-]]\n");
+}
+
+TEST(TomlScan, WhatIsNotTomlIsLeftToTheParser) {
   for (const char* text : {"a = \"x\nb = 1\n", "]\n", "}}]\n", "a = [\n", "[a\n[b\n", "= = =\n",
                            "a = '''", "\"\"\"", "\\", "a = \"\\"}) {
-    EXPECT_NO_THROW(check_toml_depth(text, "f.toml")) << text;
+    EXPECT_NO_THROW(scan_toml(text, "f.toml")) << text;
     EXPECT_NE(message_of([&] { TomlDocument::parse(text, "f.toml"); }), "no error") << text;
   }
 }
 
-TEST(TomlDepth, AnEditedTextAndItsValueAreCheckedToo) {
+TEST(TomlScan, AnEditedTextAndItsValueAreCheckedToo) {
   EXPECT_NE(message_of([] { set_toml_value(names(70) + " = 1\n", "b", "1"); }).find("64 tables"),
             std::string::npos);
   const std::string deep = repeated("[", 100'000) + repeated("]", 100'000);
