@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <utility>
 
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/config/write_target.hpp"
 #include "plastica/io/csv.hpp"
+#include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::calibrate {
@@ -209,12 +209,16 @@ FitFile fit_of_bare_files(const BareFiles& bare) {
   std::vector<std::string> unreadable;
   std::optional<InputError> first_error;
   for (const std::string& file : bare.files) {
+    // The fit file that is stored with the results must be UTF-8.
+    if (!io::is_utf8(file)) {
+      throw InputError({file, 0}, "", "", "has a name that is not UTF-8 text; rename it");
+    }
     TargetSource source = given;
     std::optional<io::CsvTable> table;
     try {
       table.emplace(io::CsvTable::read(file, source.csv));
     } catch (const InputError& error) {
-      if (!std::filesystem::is_regular_file(file)) throw;
+      if (!io::is_file(file)) throw;
       if (!first_error) first_error = error;
       unreadable.push_back(file);
       continue;
@@ -230,6 +234,9 @@ FitFile fit_of_bare_files(const BareFiles& bare) {
   // Their import rejects them, with the reason, and no specimen beside them.
   for (std::string& file : unreadable) blocks.front().second.files.push_back(std::move(file));
   for (const auto& [columns, source] : blocks) text += "\n" + target_text(source);
+  if (!io::is_utf8(text)) {
+    throw InputError({}, "", "", "an option is not UTF-8 text");
+  }
   try {
     return parse_fit_file(std::move(text), "");
   } catch (const InputError& error) {

@@ -1,13 +1,13 @@
 #include "calibrate/config/fit_file.hpp"
 
 #include <filesystem>
-#include <set>
 #include <utility>
 
 #include "calibrate/config/read_fit_options.hpp"
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/config/read_target.hpp"
 #include "calibrate/config/target_files.hpp"
+#include "calibrate/config/unique_names.hpp"
 #include "plastica/io/toml.hpp"
 
 namespace plastica::calibrate {
@@ -74,13 +74,10 @@ FitFile read_fit_file(const std::string& path) {
 
 std::vector<Target> import_all(const FitFile& file) {
   std::vector<Target> targets;
-  std::set<std::string> names;
+  UniqueNames names;
   for (const TargetBlock& block : file.targets) {
     for (Target& target : import_targets(block.source, block.options)) {
-      const std::string name = target.name;
-      for (int use = 2; !names.insert(target.name).second; ++use) {
-        target.name = name + "#" + std::to_string(use);
-      }
+      target.name = names.add(target.name);
       targets.push_back(std::move(target));
     }
   }

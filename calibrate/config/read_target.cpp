@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "calibrate/config/read_csv_options.hpp"
+#include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::calibrate {
@@ -60,8 +61,9 @@ TableSource read_table(const TomlValue& value, const std::string& folder) {
   const TomlTable table = value.table();
   const TomlValue file = table.at("file");
   const auto path = std::filesystem::path(folder) / file.string();
-  if (!std::filesystem::is_regular_file(path)) {
-    throw file.error("is not a file" + (folder.empty() ? "" : " in " + folder));
+  if (!io::is_file(path)) {
+    throw file.error("is not a file" + (folder.empty() ? "" : " in " + folder) +
+                     io::why_no_file(path));
   }
   TableSource source;
   source.file = path.lexically_normal().string();

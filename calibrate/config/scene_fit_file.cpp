@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "calibrate/config/read_csv_options.hpp"
@@ -15,7 +14,9 @@
 #include "calibrate/config/read_intervals.hpp"
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/config/target_files.hpp"
+#include "calibrate/config/unique_names.hpp"
 #include "calibrate/scene/scene_model.hpp"
+#include "plastica/io/read_input.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/text_file.hpp"
 
@@ -162,7 +163,7 @@ class Reader {
       source.file = path;
       part.target = read_scene_target(source, part.setup.scene, std::move(part.target));
       file_.read_files.push_back(path);
-      part.target.name = unique(part.target.name);
+      part.target.name = names_.add(part.target.name);
       if (!together || file_.cases.empty()) {
         const std::string stem = std::filesystem::path(file_.path).stem().string();
         file_.cases.push_back({together ? stem : part.target.name, {}});
@@ -170,14 +171,6 @@ class Reader {
       file_.cases.back().parts.push_back(std::move(part));
     }
     table.check_unused();
-  }
-
-  std::string unique(const std::string& name) {
-    std::string found = name;
-    for (int use = 2; !names_.insert(found).second; ++use) {
-      found = name + "#" + std::to_string(use);
-    }
-    return found;
   }
 
   TargetTable read_table(const TomlTable& table) {
@@ -213,8 +206,9 @@ class Reader {
 
   Setup read_scene(const TomlValue& value) {
     const auto path = std::filesystem::path(folder_) / value.string();
-    if (!std::filesystem::is_regular_file(path)) {
-      throw value.error("is not a file" + (folder_.empty() ? "" : " in " + folder_));
+    if (!io::is_file(path)) {
+      throw value.error("is not a file" + (folder_.empty() ? "" : " in " + folder_) +
+                        io::why_no_file(path));
     }
     const std::string file = path.lexically_normal().string();
     io::SceneFile scene = io::read_scene_file(file);
@@ -224,7 +218,7 @@ class Reader {
 
   TomlTable root_;
   std::string folder_;
-  std::set<std::string> names_;
+  UniqueNames names_;
   SceneFitFile file_;
 };
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "calibrate/config/find_files.hpp"
+#include "plastica/io/read_input.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -22,9 +23,14 @@ std::vector<std::string> target_files(const io::TomlTable& table, const std::str
   std::vector<std::string> files;
   std::map<std::string, int> lines;
   for (const TomlValue& pattern : patterns_of(table.at("files"))) {
+    if (const std::string rule = too_many_braces(pattern.string()); !rule.empty()) {
+      throw pattern.error(rule);
+    }
     const std::vector<std::string> found = find_files(folder, pattern.string());
     if (found.empty()) {
-      throw pattern.error("matches no file" + (folder.empty() ? "" : " in " + folder));
+      const auto path = std::filesystem::path(folder) / pattern.string();
+      throw pattern.error("matches no file" + (folder.empty() ? "" : " in " + folder) +
+                          io::why_no_file(path));
     }
     for (const std::string& file : found) {
       files.push_back(std::filesystem::path(file).lexically_normal().string());

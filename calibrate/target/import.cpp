@@ -8,23 +8,15 @@
 #include <string_view>
 #include <utility>
 
+#include "calibrate/target/column_pattern.hpp"
 #include "calibrate/target/make.hpp"
+#include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 using io::CsvTable;
-
-bool matches(std::string_view pattern, std::string_view name) {
-  const std::size_t star = pattern.find('*');
-  if (star == std::string_view::npos) return pattern == name;
-  if (name.substr(0, star) != pattern.substr(0, star) || name.size() < star) return false;
-  for (std::size_t skip = star; skip <= name.size(); ++skip) {
-    if (matches(pattern.substr(star + 1), name.substr(skip))) return true;
-  }
-  return false;
-}
 
 /// The checked block: strain and stress columns and what they are divided by.
 struct Plan {
@@ -162,7 +154,7 @@ std::vector<std::size_t> stress_columns(const CsvTable& table, const ColumnSourc
   }
   std::vector<std::size_t> columns;
   for (std::size_t i = 0; i < table.columns(); ++i) {
-    if (matches(asked.column, table.names()[i])) columns.push_back(i);
+    if (matches_column(asked.column, table.names()[i])) columns.push_back(i);
   }
   if (columns.empty()) {
     throw InputError(asked.where, field, asked.column, "matches no column of " + table.file());
@@ -271,8 +263,10 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
   std::optional<InputError> lacking;  // the first file without the columns
   bool any_has_columns = false;
   for (const std::string& file : source.files) {
-    if (!std::filesystem::is_regular_file(file)) {
-      throw InputError(source.where, "files", file, "is not a file that can be read");
+    // A link that leads nowhere is one bad file among others: its reading says why.
+    if (!io::is_file(file) && !io::is_broken_link(file)) {
+      throw InputError(source.where, "files", file,
+                       "is not a file that can be read" + io::why_no_file(file));
     }
     Target first;
     first.file = file;

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <map>
 
+#include "plastica/io/read_input.hpp"
 #include "plastica/io/toml.hpp"
 #include "sweeps/check/claim.hpp"
 #include "sweeps/compare/comparison.hpp"
@@ -15,8 +16,8 @@ using io::TomlValue;
 
 std::string sweep_path(const TomlValue& name, const std::string& check_path) {
   const auto path = std::filesystem::path(check_path).parent_path() / name.string();
-  if (!std::filesystem::is_regular_file(path)) {
-    throw name.error("is not a file in the folder of " + check_path);
+  if (!io::is_file(path)) {
+    throw name.error("is not a file in the folder of " + check_path + io::why_no_file(path));
   }
   return path.lexically_normal().string();
 }

@@ -6,7 +6,7 @@
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/scene/scene_fit_digest.hpp"
 #include "plastica/io/digest.hpp"
-#include "plastica/io/text_file.hpp"
+#include "plastica/io/read_input.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -56,11 +56,11 @@ FitPlan read_fit_plan(const TomlTable& fit, const std::string& path, const Scene
   FitPlan plan;
   const TomlValue name = fit.at("target");
   const auto file = std::filesystem::path(path).parent_path() / name.string();
-  if (!std::filesystem::is_regular_file(file)) {
-    throw name.error("is not a file in the folder of " + path);
+  if (!io::is_file(file)) {
+    throw name.error("is not a file in the folder of " + path + io::why_no_file(file));
   }
   plan.file = file.lexically_normal().string();
-  plan.text = io::read_text_file(plan.file);
+  plan.text = io::read_input(plan.file, io::kMaxTableBytes);
   const Side abscissa = read_side(fit, "abscissa");
   const Side ordinate = read_side(fit, "ordinate");
   calibrate::SceneTarget wanted;

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "plastica/io/csv_column.hpp"
-#include "plastica/io/text_file.hpp"
+#include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
 #include "sweeps/plan/derived_fields.hpp"
 #include "sweeps/plan/read_axes.hpp"
@@ -103,8 +103,8 @@ void read_curve(const TomlTable& table, const TomlValue& value, const std::strin
     throw value.error("is a curve over time: it goes with a probe");
   }
   const auto path = std::filesystem::path(sweep.path).parent_path() / file;
-  if (!std::filesystem::is_regular_file(path)) {
-    throw value.error("is not a file in the folder of " + sweep.path);
+  if (!io::is_file(path)) {
+    throw value.error("is not a file in the folder of " + sweep.path + io::why_no_file(path));
   }
   const io::CsvTable csv = io::CsvTable::read(path.string());
   const TomlValue columns = table.at("columns");
@@ -127,7 +127,8 @@ void read_curve(const TomlTable& table, const TomlValue& value, const std::strin
     throw names[0].error("must rise from row to row");
   }
   sweep.against.name = file;
-  sweep.inputs.push_back({path.filename().string(), io::read_text_file(path.string())});
+  sweep.inputs.push_back(
+      {path.filename().string(), io::read_input(path.string(), io::kMaxTableBytes)});
 }
 
 void read_against(const TomlTable& table, Sweep& sweep) {

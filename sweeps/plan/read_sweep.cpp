@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "plastica/io/read_input.hpp"
 #include "plastica/io/toml.hpp"
 #include "sweeps/plan/derived_fields.hpp"
 #include "sweeps/plan/read_axes.hpp"
@@ -36,8 +37,8 @@ void read_settings(const TomlTable& table, const std::string& prefix, Sweep& swe
 io::SceneFile read_scene(const TomlTable& root, const std::string& sweep_path) {
   const TomlValue name = root.at("scene");
   const auto path = std::filesystem::path(sweep_path).parent_path() / name.string();
-  if (!std::filesystem::is_regular_file(path)) {
-    throw name.error("is not a file in the folder of " + sweep_path);
+  if (!io::is_file(path)) {
+    throw name.error("is not a file in the folder of " + sweep_path + io::why_no_file(path));
   }
   return io::read_scene_file(path.lexically_normal().string());
 }

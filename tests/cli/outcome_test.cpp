@@ -85,6 +85,7 @@ void expect_one_rejected(const std::vector<std::string>& arguments, const std::s
 TEST(Outcome, OfABadSpecimenAmongGoodOnesIsOne) {
   const std::vector<std::string> fit = {"calibrate", "fit.toml"};
   expect_one_rejected(fit, "", "b-curve.csv: is empty");
+  expect_one_rejected(fit, "\"", "b-curve.csv:1: has a quote that is not closed");
   expect_one_rejected(fit, std::string("\0\1\2", 3), "b-curve.csv:1: is not text");
   expect_one_rejected(fit, "Strain (%),Stress (MPa)\n", "b-curve.csv: holds no data row");
   expect_one_rejected(fit, "Strain (%),Stress (MPa)\n0,1\n1\n2,3\n", "b-curve.csv:3: has 1 cell");
@@ -95,6 +96,7 @@ TEST(Outcome, OfABadSpecimenAmongGoodOnesIsOne) {
 TEST(Outcome, OfABadFileAmongBareCurvesIsOne) {
   const std::vector<std::string> bare = {"calibrate", "a-curve.csv", "b-curve.csv", "c-curve.csv"};
   expect_one_rejected(bare, "", "b-curve.csv: is empty");
+  expect_one_rejected(bare, "\"", "b-curve.csv:1: has a quote that is not closed");
   expect_one_rejected(bare, "Strain (%),Stress (MPa)\n0,1\n1,high\n",
                       "b-curve.csv:3: Stress = high");
 }

@@ -3,14 +3,25 @@
 namespace plastica {
 namespace {
 
-/// Values come from files of any kind: a long or multi-line one must not break the one-line rule.
-std::string shown(std::string_view value) {
-  constexpr std::size_t kLongest = 80;
-  std::string text(value.substr(0, kLongest));
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+constexpr std::size_t kLongestFile = 4096;
+constexpr std::size_t kLongestField = 200;
+constexpr std::size_t kLongestValue = 80;
+constexpr std::size_t kLongestRule = 2000;
+
+/// What users wrote, and what quotes it, comes from files of any kind: a long or multi-line text
+/// must not break the one-line rule.
+std::string shown(std::string_view whole, std::size_t longest) {
+  std::size_t size = whole.size();
+  if (size > longest) {
+    size = longest;
+    // Not within a character of UTF-8.
+    while (size > 0 && (static_cast<unsigned char>(whole[size]) & 0xC0U) == 0x80U) --size;
   }
-  if (value.size() > kLongest) text += "...";
+  std::string text(whole.substr(0, size));
+  for (char& c : text) {
+    if ((static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7F') c = ' ';
+  }
+  if (size < whole.size()) text += "...";
   return text;
 }
 
@@ -18,18 +29,18 @@ std::string message(const SourceLocation& where, std::string_view field, std::st
                     std::string_view rule) {
   std::string text;
   if (!where.file.empty()) {
-    text += where.file;
+    text += shown(where.file, kLongestFile);
     if (where.line > 0) text += ":" + std::to_string(where.line);
     text += ": ";
   }
   if (!field.empty()) {
-    text += field;
-    if (!value.empty()) text += " = " + shown(value);
+    text += shown(field, kLongestField);
+    if (!value.empty()) text += " = " + shown(value, kLongestValue);
     text += ": ";
   } else if (!value.empty()) {
-    text += shown(value) + ": ";
+    text += shown(value, kLongestValue) + ": ";
   }
-  text += rule;
+  text += shown(rule, kLongestRule);
   return text;
 }
 

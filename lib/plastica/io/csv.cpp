@@ -1,14 +1,11 @@
 #include "plastica/io/csv.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 
 #include "plastica/io/csv_layout.hpp"
 #include "plastica/io/csv_text.hpp"
+#include "plastica/io/read_input.hpp"
 
 namespace plastica::io {
 namespace {
@@ -19,24 +16,6 @@ using csv_text::Line;
 
 std::string count_of_cells(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " cell" : " cells");
-}
-
-std::string bytes_of(const std::string& path) {
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-  const auto refuse = [&] {
-    throw InputError({path, 0}, "", "", std::string("cannot be read: ") + std::strerror(errno));
-  };
-  if (!file) refuse();
-  std::string bytes;
-  std::vector<char> block(std::size_t{1} << 18U);
-  while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
-    bytes.append(block.data(), count);
-  }
-  if (std::ferror(file.get()) != 0) refuse();
-  return bytes;
 }
 
 /// Makes one quote of each doubled one of a quoted cell, in place.
@@ -56,7 +35,7 @@ std::string_view unescaped(std::string_view cell, std::vector<char>& text) {
 }  // namespace
 
 CsvTable CsvTable::read(const std::string& path, const CsvOptions& options) {
-  return parse(bytes_of(path), path, options);
+  return parse(read_input(path, kMaxTableBytes), path, options);
 }
 
 CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptions& options) {

@@ -180,6 +180,10 @@ class Finder {
       // Text only: the first row of the usual width is the header.
       std::size_t first = 0;
       while (first < lines_.size() && cells_of(first).size() != dialect_.width) ++first;
+      // The usual width is that of a line that can be cut into cells: there is no such line.
+      if (first == lines_.size()) {
+        throw InputError({file_, lines_[0].number}, "", "", "has a quote that is not closed");
+      }
       return options_.header ? first : first + 1;
     }
     for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -218,11 +222,13 @@ class Finder {
       return kind_of(cell) == CellKind::Number;
     });
     if (cells.size() == dialect_.width && numbers > 1) refuse_text_in(line);
+    std::size_t checked = line + 1;  // below a header, and found to be without text
     for (std::size_t above = line; above-- > 0;) {
       if (!is_header(above) || cells_of(above).size() != dialect_.width) continue;
-      for (std::size_t broken = above + 1; broken <= line; ++broken) {
+      for (std::size_t broken = above + 1; broken < checked; ++broken) {
         if (!is_unit_row(broken)) refuse_text_in(broken);
       }
+      checked = above + 1;
     }
   }
 

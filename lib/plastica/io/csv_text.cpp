@@ -7,34 +7,11 @@
 #include <cstdlib>
 #include <limits>
 
-#include "plastica/base/check.hpp"
+#include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::io::csv_text {
 namespace {
-
-bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i]);
-    std::size_t length = 1;
-    if (lead >= 0x80) {
-      if (lead >= 0xC2 && lead < 0xE0)
-        length = 2;
-      else if (lead >= 0xE0 && lead < 0xF0)
-        length = 3;
-      else if (lead >= 0xF0 && lead < 0xF5)
-        length = 4;
-      else
-        return false;
-    }
-    if (i + length > text.size()) return false;
-    for (std::size_t k = 1; k < length; ++k) {
-      if ((static_cast<unsigned char>(text[i + k]) & 0xC0U) != 0x80U) return false;
-    }
-    i += length;
-  }
-  return true;
-}
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
@@ -54,14 +31,8 @@ std::string_view inside(std::string_view text, char open, char close) {
 }  // namespace
 
 std::vector<char> decoded(std::string_view bytes, const std::string& file) {
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
-    throw InputError({file, 0}, "", "", "is UTF-16 text; save it as UTF-8");
-  }
+  refuse_binary(bytes, file);
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  if (const std::size_t zero = bytes.find('\0'); zero != std::string_view::npos) {
-    const auto line = 1 + std::count(bytes.begin(), bytes.begin() + std::ptrdiff_t(zero), '\n');
-    throw InputError({file, static_cast<int>(line)}, "", "", "is not text (it has a zero byte)");
-  }
   if (is_utf8(bytes)) return {bytes.begin(), bytes.end()};
   std::vector<char> text;
   text.reserve(bytes.size() + bytes.size() / 16);

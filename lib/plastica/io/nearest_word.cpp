@@ -36,6 +36,9 @@ std::optional<std::string> nearest_word(std::string_view typed,
   std::optional<std::string> nearest;
   std::size_t smallest = typed.size() / 3 + 1;
   for (const std::string& word : words) {
+    // Each letter more or less counts: what differs more in length need not be compared.
+    const std::size_t longer = std::max(typed.size(), word.size());
+    if (longer - std::min(typed.size(), word.size()) > smallest) continue;
     const std::size_t distance = edit_distance(typed, word);
     if (distance < smallest || (distance == smallest && !nearest && distance < typed.size())) {
       nearest = word;

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "plastica/io/csv_column.hpp"
+#include "plastica/io/read_input.hpp"
 
 namespace plastica::io {
 namespace {
@@ -19,8 +20,8 @@ std::vector<double> tabled_strain(const TomlTable& table, const std::string& fil
   const TomlValue column = table.at("column");
   const auto unit = table.find("unit");
   const auto path = std::filesystem::path(file).parent_path() / name.string();
-  if (!std::filesystem::is_regular_file(path)) {
-    throw name.error("is not a file in the folder of " + file);
+  if (!is_file(path)) {
+    throw name.error("is not a file in the folder of " + file + why_no_file(path));
   }
   const CsvTable csv = CsvTable::read(path.string());
   NamedColumn source;

@@ -4,119 +4,22 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "plastica/io/nearest_word.hpp"
+#include "plastica/io/read_input.hpp"
 #include "plastica/io/toml_lines.hpp"
+#include "plastica/io/toml_scan.hpp"
+#include "plastica/io/toml_tree.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::io {
 
-/// A value with all that an error line needs; toml++'s own tree does not outlive the parsing.
-struct TomlNode {
-  enum class Kind { Table, Array, String, Integer, Float, Boolean, Date };
-
-  Kind kind = Kind::Table;
-  std::shared_ptr<const std::string> file;
-  int line = 0;
-  std::string key;
-  std::string written;  // empty for tables with a header
-  std::string string;
-  double number = 0.0;
-  std::int64_t integer = 0;
-  bool boolean = false;
-  std::vector<std::shared_ptr<TomlNode>> items;                            // of an array
-  std::vector<std::pair<std::string, std::shared_ptr<TomlNode>>> entries;  // of a table
-  std::vector<std::string> known;                                          // keys asked for
-};
-
 namespace {
 
 using Kind = TomlNode::Kind;
-
-std::string joined(const std::string& table, std::string_view name) {
-  return table.empty() ? std::string(name) : table + "." + std::string(name);
-}
-
-/// Makes our tree out of toml++'s.
-class Builder {
- public:
-  Builder(std::string_view text, std::string_view file)
-      : lines_(text), file_(std::make_shared<const std::string>(file)) {}
-
-  std::shared_ptr<TomlNode> build(const toml::node& from, std::string key, std::size_t line) const {
-    auto node = std::make_shared<TomlNode>();
-    node->file = file_;
-    node->line = static_cast<int>(line);
-    node->key = std::move(key);
-    const std::string_view piece = lines_.piece(from.source());
-    if (const auto* table = from.as_table()) {
-      node->kind = Kind::Table;
-      if (table->is_inline()) node->written = piece;
-      fill(*node, *table);
-    } else if (const auto* array = from.as_array()) {
-      node->kind = Kind::Array;
-      if (!array->is_array_of_tables() || piece.starts_with("[{")) node->written = piece;
-      std::size_t number = 0;
-      for (const toml::node& item : *array) {
-        node->items.push_back(
-            build(item, node->key + "[" + std::to_string(++number) + "]", line_of(item)));
-      }
-    } else {
-      node->written = piece;
-      fill_scalar(*node, from);
-    }
-    return node;
-  }
-
- private:
-  static std::size_t line_of(const toml::node& node) { return node.source().begin.line; }
-
-  void fill(TomlNode& node, const toml::table& table) const {
-    struct Entry {
-      toml::source_position position;
-      const toml::key* key;
-      const toml::node* value;
-    };
-    std::vector<Entry> entries;
-    for (const auto& [key, value] : table) entries.push_back({key.source().begin, &key, &value});
-    std::stable_sort(entries.begin(), entries.end(),
-                     [](const Entry& a, const Entry& b) { return a.position < b.position; });
-    for (const Entry& entry : entries) {
-      const std::string name(entry.key->str());
-      node.entries.emplace_back(name,
-                                build(*entry.value, joined(node.key, name), entry.position.line));
-    }
-  }
-
-  static void fill_scalar(TomlNode& node, const toml::node& from) {
-    node.kind = Kind::Date;
-    if (const auto* string = from.as_string()) {
-      node.kind = Kind::String;
-      node.string = string->get();
-    } else if (const auto* integer = from.as_integer()) {
-      node.kind = Kind::Integer;
-      node.integer = integer->get();
-      node.number = static_cast<double>(node.integer);
-    } else if (const auto* number = from.as_floating_point()) {
-      node.kind = Kind::Float;
-      node.number = number->get();
-    } else if (const auto* boolean = from.as_boolean()) {
-      node.kind = Kind::Boolean;
-      node.boolean = boolean->get();
-    }
-  }
-
-  TomlLines lines_;
-  std::shared_ptr<const std::string> file_;
-};
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
@@ -129,9 +32,6 @@ InputError parse_failure(const toml::parse_error& error, std::string_view text,
   std::string why(error.description());
   constexpr std::string_view kPreface = "Error while parsing ";
   if (why.starts_with(kPreface)) why = why.substr(kPreface.size());
-  for (char& c : why) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  }
   const auto position = error.source().begin;
   std::string_view line = trimmed(TomlLines(without_byte_order_mark(text)).line(position.line));
   // What is not UTF-8 is not shown: the message must be text.
@@ -145,8 +45,8 @@ InputError parse_failure(const toml::parse_error& error, std::string_view text,
 
 SourceLocation location(const TomlNode& node) { return {*node.file, node.line}; }
 
-InputError wrong_kind(const TomlNode& node, std::string_view wanted) {
-  return {location(node), node.key, node.written, "must be " + std::string(wanted)};
+InputError wrong_kind(TomlNode& node, std::string_view wanted) {
+  return {location(node), shown_of(node).key, node.written, "must be " + std::string(wanted)};
 }
 
 std::string text_of(double value) {
@@ -155,42 +55,36 @@ std::string text_of(double value) {
   return {text.data(), end.ptr};
 }
 
-std::shared_ptr<TomlNode> entry_of(const TomlNode& table, std::string_view name) {
-  for (const auto& [key, node] : table.entries) {
-    if (key == name) return node;
-  }
-  return nullptr;
+/// A node of the tree that another one holds.
+std::shared_ptr<TomlNode> held_by(const std::shared_ptr<TomlNode>& holder, TomlNode* node) {
+  return {holder, node};
 }
 
-bool knows(const TomlNode& table, std::string_view name) {
-  return std::find(table.known.begin(), table.known.end(), name) != table.known.end();
-}
-
-void check_known(const TomlNode& node) {
-  for (const auto& item : node.items) check_known(*item);
-  for (const auto& [name, value] : node.entries) {
-    if (knows(node, name)) {
-      check_known(*value);
+void check_known(TomlNode& node) {
+  for (TomlNode* item : node.items) {
+    if (node.kind == Kind::Array || item->is_known) {
+      check_known(*item);
       continue;
     }
+    const std::string& key = shown_of(node).key;
     std::string rule = "is not a key";
-    if (!node.key.empty()) rule += " of " + node.key;
-    if (const auto nearest = nearest_word(name, node.known)) {
+    if (!key.empty()) rule += " of " + key;
+    if (const auto nearest = nearest_word(item->name, node.known)) {
       rule += "; did you mean " + *nearest + "?";
     } else if (!node.known.empty()) {
       rule += "; its keys are ";
       for (const std::string& known : node.known)
         rule += (&known == node.known.data() ? "" : ", ") + known;
     }
-    throw InputError(location(*value), value->key, value->written, rule);
+    throw InputError(location(*item), shown_of(*item).key, item->written, rule);
   }
 }
 
 }  // namespace
 
-const std::string& TomlValue::key() const { return node_->key; }
+const std::string& TomlValue::key() const { return shown_of(*node_).key; }
 SourceLocation TomlValue::where() const { return location(*node_); }
-const std::string& TomlValue::written() const { return node_->written; }
+const std::string& TomlValue::written() const { return shown_of(*node_).written; }
 
 bool TomlValue::is_string() const { return node_->kind == Kind::String; }
 bool TomlValue::is_number() const {
@@ -214,8 +108,8 @@ bool TomlValue::boolean() const {
 
 double TomlValue::number() const {
   if (!is_number()) throw wrong_kind(*node_, "a number without quotes");
-  if (!std::isfinite(node_->number)) throw wrong_kind(*node_, "a finite number");
-  return node_->number;
+  if (!std::isfinite(node_->real)) throw wrong_kind(*node_, "a finite number");
+  return node_->real;
 }
 
 std::int64_t TomlValue::integer(std::int64_t low, std::int64_t high) const {
@@ -263,7 +157,7 @@ std::vector<TomlValue> TomlValue::array() const {
   if (!is_array()) throw wrong_kind(*node_, "a list in brackets");
   std::vector<TomlValue> values;
   values.reserve(node_->items.size());
-  for (const auto& item : node_->items) values.emplace_back(item);
+  for (TomlNode* item : node_->items) values.emplace_back(held_by(node_, item));
   return values;
 }
 
@@ -283,37 +177,42 @@ TomlTable TomlValue::table() const {
 }
 
 InputError TomlValue::error(std::string_view rule) const {
-  return {where(), key(), is_string() ? node_->string : written(), rule};
+  return {where(), key(), is_string() ? std::string_view(node_->string) : node_->written, rule};
 }
 
-const std::string& TomlTable::key() const { return node_->key; }
+const std::string& TomlTable::key() const { return shown_of(*node_).key; }
 SourceLocation TomlTable::where() const { return location(*node_); }
 
 std::vector<std::string> TomlTable::keys() const {
   std::vector<std::string> names;
-  for (const auto& entry : node_->entries) names.push_back(entry.first);
+  names.reserve(node_->items.size());
+  for (const TomlNode* item : node_->items) names.push_back(item->name);
   return names;
 }
 
 bool TomlTable::contains(std::string_view name) const { return entry_of(*node_, name) != nullptr; }
 
 std::optional<TomlValue> TomlTable::find(std::string_view name) const {
-  if (!knows(*node_, name)) node_->known.emplace_back(name);
-  const auto node = entry_of(*node_, name);
-  if (!node) return std::nullopt;
-  return TomlValue(node);
+  TomlNode* entry = entry_of(*node_, name);
+  std::vector<std::string>& known = node_->known;
+  const bool is_known = entry != nullptr
+                            ? std::exchange(entry->is_known, true)
+                            : std::find(known.begin(), known.end(), name) != known.end();
+  if (!is_known) known.emplace_back(name);
+  if (entry == nullptr) return std::nullopt;
+  return TomlValue(held_by(node_, entry));
 }
 
 TomlValue TomlTable::at(std::string_view name) const {
   if (const auto value = find(name)) return *value;
   std::string rule = "is missing";
   const std::vector<std::string> wanted{std::string(name)};
-  for (const auto& [key, value] : node_->entries) {
-    if (knows(*node_, key) || !nearest_word(key, wanted)) continue;
-    rule += "; is it \"" + key + "\" on line " + std::to_string(value->line) + "?";
+  for (const TomlNode* item : node_->items) {
+    if (item->is_known || !nearest_word(item->name, wanted)) continue;
+    rule += "; is it \"" + item->name + "\" on line " + std::to_string(item->line) + "?";
     break;
   }
-  throw InputError(where(), joined(key(), name), "", rule);
+  throw InputError(where(), joined_key(key(), name), "", rule);
 }
 
 std::optional<TomlTable> TomlTable::find_table(std::string_view name) const {
@@ -340,21 +239,15 @@ std::vector<TomlTable> TomlTable::find_tables(std::string_view name) const {
 void TomlTable::check_unused() const { check_known(*node_); }
 
 TomlDocument TomlDocument::read(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const int code = errno;
-  const bool folder = std::filesystem::is_directory(path);
-  if (!file.is_open() || folder) {
-    throw InputError({path, 0}, "", "",
-                     std::string("cannot be read: ") + std::strerror(folder ? EISDIR : code));
-  }
-  return parse(std::string(std::istreambuf_iterator<char>(file), {}), path);
+  return parse(read_input(path, kMaxTomlBytes), path);
 }
 
 TomlDocument TomlDocument::parse(std::string text, std::string name) {
+  refuse_binary(text, name);
+  const std::string_view body = without_byte_order_mark(text);
+  scan_toml(body, name);
   try {
-    const std::string_view body = without_byte_order_mark(text);
-    const toml::table table = toml::parse(body, std::string_view(name));
-    TomlTable root(Builder(body, name).build(table, "", 1));
+    TomlTable root(toml_tree(body, name));
     return {std::move(text), std::move(name), std::move(root)};
   } catch (const toml::parse_error& error) {
     throw parse_failure(error, text, name);

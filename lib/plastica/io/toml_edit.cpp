@@ -9,6 +9,7 @@
 #include "plastica/io/toml.hpp"
 #include "plastica/io/toml_layout.hpp"
 #include "plastica/io/toml_lines.hpp"
+#include "plastica/io/toml_scan.hpp"
 
 namespace plastica::io {
 namespace {
@@ -106,12 +107,14 @@ std::string checked_value(std::string_view value, std::string_view path) {
   }
   const std::string line = "x = " + std::string(value);
   try {
+    scan_toml(line, "");
     const toml::table table = toml::parse(line);
     const toml::node* node = table.get("x");
     if (table.size() == 1 && node != nullptr && TomlLines(line).piece(node->source()) == value) {
       return std::string(value);
     }
   } catch (const toml::parse_error&) {  // as any other that is no value
+  } catch (const InputError&) {
   }
   throw InputError({}, path, value, "is not a TOML value");
 }

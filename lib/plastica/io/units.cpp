@@ -73,6 +73,22 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kSpelling
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
+/// Whether a number in a text is zero. As a factor it makes no unit, and udunits2 loses the memory
+/// of the word that follows it.
+bool has_zero(std::string_view text) {
+  while (!text.empty()) {
+    if (!is_digit(text[0]) && text[0] != '.') {
+      text.remove_prefix(1);
+      continue;
+    }
+    double value = 1.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && value == 0.0) return true;
+    text.remove_prefix(std::max<std::size_t>(static_cast<std::size_t>(end - text.data()), 1));
+  }
+  return false;
+}
+
 /// A unit in the spelling of udunits2.
 std::string respelled(std::string_view unit) {
   std::string text;
@@ -160,6 +176,7 @@ class UnitTable {
     const bool starts_with_number =
         !unit.empty() && (is_digit(unit[0]) || unit[0] == '.' || unit[0] == '+' || unit[0] == '-');
     if (unit.empty() || (starts_with_number && unit.substr(0, 2) != "1/")) return nullptr;
+    if (has_zero(unit)) return nullptr;
     return Unit(ut_parse(system(), respelled(unit).c_str(), UT_UTF8));
   }
 

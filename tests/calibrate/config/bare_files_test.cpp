@@ -128,6 +128,14 @@ TEST_F(BareFilesTest, RefusesNoFileAndFilesThatAreNotThere) {
             "target[1].files[2] = named.csv: matches named.csv, which line 7 has already");
 }
 
+TEST_F(BareFilesTest, RefusesANameThatIsNotUtf8) {
+  write("caf\xE9.csv", "Strain (%),Stress (MPa)\n0,0\n1,100\n2,110\n");
+  EXPECT_EQ(error(of({"named.csv", "caf\xE9.csv"})),
+            "caf\xE9.csv: has a name that is not UTF-8 text; rename it");
+  EXPECT_EQ(error_with([](BareFiles& bare) { bare.strain = "\xE9:%"; }),
+            "an option is not UTF-8 text");
+}
+
 TEST_F(BareFilesTest, RefusesColumnsThatItCannotGuess) {
   EXPECT_EQ(error(of({"plain.csv"})),
             "plain.csv: --strain: no column is known for the strain; it has a, b: give --strain");

@@ -45,6 +45,35 @@ TEST_F(FindFiles, KnowsQuestionMarksSetsAndBraces) {
   EXPECT_EQ(names("deep*/*.csv"), (Names{"deep.csv/d.csv"}));
 }
 
+TEST_F(FindFiles, GivesLinksThatLeadNowhereSoThatTheyAreMissed) {
+  std::filesystem::create_symlink("none", folder_ / "e.csv");
+  std::filesystem::create_symlink("f.csv", folder_ / "f.csv");
+  std::filesystem::create_symlink("a.csv", folder_ / "g.csv");
+  std::filesystem::create_symlink("deep.csv", folder_ / "h.csv");
+  std::vector<std::string> found = find_files(folder_.string(), "[e-h].csv");
+  for (std::string& file : found) file = std::filesystem::path(file).filename().string();
+  EXPECT_EQ(found, (Names{"e.csv", "f.csv", "g.csv"}));
+}
+
+TEST_F(FindFiles, RefusesBracesThatStandForTooMany) {
+  std::string pairs;
+  for (int i = 0; i < 13; ++i) pairs += "{a,b}";
+  EXPECT_EQ(too_many_braces(pairs), "");
+  EXPECT_NE(too_many_braces(pairs + "{a,b}").find("more than 10000 patterns"), std::string::npos);
+  EXPECT_EQ(too_many_braces(pairs + "\\{a,b}"), "");
+  EXPECT_EQ(too_many_braces(pairs + ",,,{a}"), "");
+  std::string alternatives = "a";
+  for (int i = 1; i < 100; ++i) alternatives += ",a";
+  const std::string hundred = "{" + alternatives + "}";
+  EXPECT_EQ(too_many_braces(hundred + hundred), "");
+  EXPECT_NE(too_many_braces(hundred + hundred + "{a,b}"), "");
+  EXPECT_NE(too_many_braces("{" + hundred + hundred + ",b}"), "");
+  EXPECT_EQ(too_many_braces("{" + hundred + "," + hundred + "}"), "");
+  EXPECT_NE(too_many_braces(std::string(200, '{') + std::string(200, '}')).find("100 braces"),
+            std::string::npos);
+  EXPECT_EQ(too_many_braces("}}},{"), "");
+}
+
 TEST_F(FindFiles, GivesNothingIfNothingMatches) { EXPECT_TRUE(names("*.tsv").empty()); }
 
 TEST_F(FindFiles, MatchesAnyNameToTheLetter) {

@@ -47,6 +47,24 @@ TEST_F(FitFileErrors, AFitWithoutTargetsIsRefused) {
 TEST_F(FitFileErrors, FilesThatMatchNothingAreRefused) {
   EXPECT_EQ(error("[[target]]\nfiles = ['a.csv', '*.tsv']\n"),
             "f.toml:2: target[1].files[2] = *.tsv: matches no file in FOLDER");
+  std::filesystem::create_directory(folder_ / "deep");
+  EXPECT_EQ(error("[[target]]\nfiles = 'deep'\n"),
+            "f.toml:2: target[1].files = deep: matches no file in FOLDER: it is a folder");
+}
+
+TEST_F(FitFileErrors, BracesThatStandForTooManyPatternsAreRefused) {
+  std::string braces;
+  for (int i = 0; i < 15; ++i) braces += "{a,b}";
+  EXPECT_EQ(error("[[target]]\nfiles = ['a.csv', '" + braces + "']\n"),
+            "f.toml:2: target[1].files[2] = " + braces +
+                ": stands for more than 10000 patterns by its braces; give a list of patterns");
+}
+
+TEST_F(FitFileErrors, ALinkToItselfIsNoTable) {
+  std::filesystem::create_symlink("loop.csv", folder_ / "loop.csv");
+  EXPECT_EQ(with("table = { file = 'loop.csv', key = 'id' }"),
+            "f.toml:5: target[1].table.file = loop.csv: is not a file in FOLDER: Too many levels "
+            "of symbolic links");
 }
 
 TEST_F(FitFileErrors, AFileThatMatchesTwiceIsRefused) {

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "calibrate/target/import.hpp"
 #include "plastica/base/check.hpp"
@@ -81,6 +84,31 @@ TEST(ImportErrors, NameTheLineAndFieldOfWhatIsNotThere) {
   bad.table->key = "id";
   bad.group = {"nowhere"};
   expect_error(bad, 3, "group", "");
+}
+
+TEST(ImportErrors, ABadFileIsRejectedWithItsReasonAndEndsNoBatch) {
+  const CurveFiles files("bad");
+  std::filesystem::create_symlink("loop.csv", files.path("loop.csv"));
+  std::filesystem::create_symlink("none.csv", files.path("dangling.csv"));
+  const std::vector<std::pair<std::string, std::string>> bad{
+      {files.write("quote.csv", "\""), ":1: has a quote that is not closed"},
+      {files.write("quotes.csv", "\n\"a\n\"b"), ":2: has a quote that is not closed"},
+      {files.write("empty.csv", ""), ": is empty"},
+      {files.write("zero.csv", std::string(100, '\0')), ":1: is not text (it has a zero byte)"},
+      {files.write("wide.csv", "\xFF\xFE"), ": is UTF-16 text; save it as UTF-8"},
+      {files.path("loop.csv"), ": cannot be read: Too many levels of symbolic links"},
+      {files.path("dangling.csv"), ": cannot be read: No such file or directory"}};
+  std::vector<std::string> names{files.write_curve("a.csv", 1.0, 1e-6)};
+  for (const auto& [file, reason] : bad) names.push_back(file);
+  names.push_back(files.write_curve("z.csv", 1.0, 1e-6));
+  const std::vector<Target> targets = import_targets(CurveFiles::source(names));
+  ASSERT_EQ(targets.size(), bad.size() + 2);
+  EXPECT_EQ(targets.front().status, TargetStatus::Ready);
+  EXPECT_EQ(targets.back().status, TargetStatus::Ready);
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    EXPECT_EQ(targets[i + 1].status, TargetStatus::Rejected);
+    EXPECT_EQ(targets[i + 1].reason, bad[i].first + bad[i].second);
+  }
 }
 
 TEST(ImportErrors, AStressWithoutAnyUnitIsOneOfTheBlock) {

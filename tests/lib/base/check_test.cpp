@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "plastica/base/quantity.hpp"
 #include "plastica/base/status.hpp"
 #include "plastica/base/version.hpp"
@@ -27,6 +29,21 @@ TEST(InputError, StaysOneShortLineForAnyValue) {
   const std::string text = error.what();
   EXPECT_EQ(text.find('\n'), std::string::npos);
   EXPECT_LT(text.size(), 120U);
+}
+
+TEST(InputError, StaysOneLineWhateverAFileAKeyOrARuleHolds) {
+  const std::string odd = "a\x1B[2J\n" + std::string(100'000, 'b');
+  const std::string text = InputError({odd, 1}, odd, "x", odd).what();
+  EXPECT_EQ(text.find_first_of("\n\x1B"), std::string::npos);
+  EXPECT_LT(text.size(), 7000U);
+}
+
+TEST(InputError, CutsAValueBetweenItsCharacters) {
+  std::string value(79, 'a');
+  EXPECT_STREQ(InputError({}, "", value + "\u20ac\u20ac", "is odd").what(),
+               (value + "...: is odd").c_str());
+  EXPECT_STREQ(InputError({}, "", value + "b\u20ac", "is odd").what(),
+               (value + "b...: is odd").c_str());
 }
 
 TEST(Status, TellsWhatIsUsableAndWhatToDo) {

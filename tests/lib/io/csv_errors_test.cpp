@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <string>
+
 #include "plastica/io/csv.hpp"
 #include "tests/lib/io/message_of.hpp"
 
@@ -52,6 +55,23 @@ TEST(CsvErrors, AHeaderOfAnotherWidthIsNamed) {
             "curve.csv:2: has 2 cells, the header on line 1 has 3");
   EXPECT_EQ(parse_error("a,b\n1,2,3\n3,4,3\n5,6,3\n"),
             "curve.csv:2: has 3 cells, the header on line 1 has 2");
+}
+
+TEST(CsvErrors, ATextWithoutAnyClosedQuoteIsRefusedWithItsFirstLine) {
+  for (const CsvOptions& options : {CsvOptions{}, CsvOptions{.header = 0}}) {
+    EXPECT_EQ(parse_error("\n\"", options), "curve.csv:2: has a quote that is not closed");
+  }
+  EXPECT_EQ(parse_error("\"a\n\"1,2\n\"3\n"), "curve.csv:1: has a quote that is not closed");
+}
+
+TEST(CsvErrors, ManyRowsOfNothingAboveABrokenOneAreReadInLinearTime) {
+  std::string text;
+  for (int i = 0; i < 20'000; ++i) text += "NA,NA\n";
+  text += "5\n1,2\n3,4\n";
+  for (int i = 0; i < 20'000; ++i) text += "5,6\n";
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(CsvTable::parse(text, "curve.csv").number(0, 0), 1.0);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
 }
 
 TEST(CsvErrors, AQuoteThatIsNotClosedIsNamedWithItsLine) {

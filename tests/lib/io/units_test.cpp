@@ -175,7 +175,8 @@ TEST(Units, AreToldFromOtherWords) {
   for (const char* unit : {"MPa", "%", "kN", "N/mm²", "mm", "degC", "1/s", "microstrain"}) {
     EXPECT_TRUE(is_unit(unit)) << unit;
   }
-  for (const char* word : {"", "true", "2", "5 mm", "a", "corrected", "left"}) {
+  for (const char* word :
+       {"", "true", "2", "5 mm", "a", "corrected", "left", "m 0x", "0 m", "m 0.0"}) {
     EXPECT_FALSE(is_unit(word)) << word;
   }
 }
