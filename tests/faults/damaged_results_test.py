@@ -90,7 +90,10 @@ class Trial:
             shutil.copy(pathlib.Path(source, "plain-" + file), folder / "x.h5")
             with h5py.File(folder / "x.h5", "r+") as opened:
                 name, apply = mutations(opened, path)[number]
-                apply(opened)
+                try:
+                    apply(opened)
+                except Exception as error:
+                    return kind, name, path, "crashed", f"the mutation itself: {error}"
             outcome, why = self.run_all(folder, requests)
         return kind, name, path, outcome, why
 

@@ -68,9 +68,9 @@ def huge(path):
         if item.shape == ():
             replaced(file, path, shape=(), dtype="S2147483000" if is_text(item) else "V2147483000")
             return
-        shape = (2**33,) + item.shape[1:]
+        inside = tuple(max(extent, 1) for extent in item.shape[1:])
         dtype = "S8" if is_text(item) else item.dtype
-        replaced(file, path, shape=shape, dtype=dtype, chunks=(64,) + item.shape[1:])
+        replaced(file, path, shape=(2**33,) + inside, dtype=dtype, chunks=(64,) + inside)
     return apply
 
 
