@@ -100,9 +100,8 @@ class Reader {
       rows[s].start.to = numbers(to.row(s));
       SceneFitResult& result = records_[rows[s].fit].result;
       const SceneStart& start = rows[s].start;
-      const std::size_t n = result.parameters.size();
-      if (n > 0 && (start.from.size() != n || (!start.to.empty() && start.to.size() != n))) {
-        refuse("starts/from", "must have a value for each parameter of a fit");
+      if (!start.to.empty() && start.to.size() != start.from.size()) {
+        refuse("starts/to", "must have a value for each parameter that is searched");
       }
       result.starts.push_back(std::move(rows[s].start));
     }
