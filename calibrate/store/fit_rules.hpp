@@ -63,7 +63,7 @@ inline constexpr std::array kSceneFitRules{
     io::anything("segments/error"),
     io::may_lack("curves/fitted"),
     io::may_lack("curves/fitted_error"),
-    io::anything("starts/cost"),
+    io::ValueRule{"starts/cost", io::kNotNegative, io::Order::Any, true, true},
     io::may_lack("starts/to/values"),
     io::ValueRule{"options/confidence", kBelowOne},
     io::ValueRule{"meta/fit_seconds", io::kNotNegative, io::Order::Any, true},

@@ -72,6 +72,11 @@ class StoreReader {
         p.role = parameter.role;
       }
     }
+    for (const FitRecord& record : records_) {
+      if (record.result.status == FitStatus::Fitted && record.result.parameters.empty()) {
+        refuse("parameters/present", "must hold for each fit that was made");
+      }
+    }
     for (const Parameter& parameter : parameters_of(options_.laws, options_.parameters)) {
       std::vector<FittedParameter*> rows;
       for (FitRecord& record : records_) {

@@ -85,6 +85,10 @@ class Reader {
     for (const SceneFitRecord& record : records_) {
       const std::size_t made = record.result.parts.size();
       if (record.targets.empty()) refuse("parts/fit", "must name each fit");
+      const bool found = record.result.status == FitStatus::Fitted;
+      if (found && (made == 0 || record.result.parameters.empty())) {
+        refuse("parts/present", "must hold for each fit that was made");
+      }
       if (made != 0 && made != record.targets.size()) {
         refuse("parts/present", "must be the same for all targets of a fit");
       }

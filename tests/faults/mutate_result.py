@@ -9,6 +9,7 @@ file that is open for writing). The names:
   filter                        stored with a filter that we never write
   virtual, external             values that stand in another file
   link, soft                    a link out of the file, or elsewhere in it
+  no rows                       all tables of the file empty
   reversed                      the elements from the last to the first
   one VALUE, all VALUE          the middle element, or all
   @NAME …                       of the attribute NAME: removed, another type, another value
@@ -211,13 +212,23 @@ def of_group(path):
     yield "soft", linked(path, soft=True)
 
 
+def without_rows(file):
+    """All tables empty, in agreement with each other."""
+    for path in paths(file):
+        item = file[path]
+        if not isinstance(item, h5py.Dataset) or item.shape == () or path.startswith("options/"):
+            continue
+        rows = 1 if path.endswith("offsets") and path.count("/") else 0
+        with_data(path, lambda data, rows=rows: data[:rows])(file)
+
+
 def mutations(file, path):
     """What can be done to the object at a path of an open file, as (name, function)."""
     item = file[path]
     if isinstance(item, h5py.Dataset):
         made = of_dataset(path, item)
     else:
-        made = of_group(path) if path != "/" else ()
+        made = of_group(path) if path != "/" else [("no rows", without_rows)]
     return [*made, *of_attributes(path, item)]
 
 
