@@ -54,7 +54,7 @@ FigurePanel panel_of(const SceneParameter& parameter, const SegmentsError& error
                                  std::pair{0.5, error.at_twice}}) {
     if (std::isfinite(value)) fits.points.push_back({h, value / unit.scale});
   }
-  const double longest = fits.points.front()[0];
+  const double longest = fits.points.empty() ? 1.0 : fits.points.front()[0];
   if (std::isfinite(error.order)) panel.curves.push_back(power_of(error, longest, unit.scale));
   if (std::isfinite(parameter.interval_low) && std::isfinite(parameter.interval_high)) {
     panel.curves.push_back(

@@ -13,7 +13,7 @@
 #include "calibrate/fit/options.hpp"
 #include "calibrate/fit/result.hpp"
 #include "calibrate/scene/scene_fit.hpp"
-#include "plastica/io/hdf5.hpp"
+#include "plastica/io/value_rule.hpp"
 
 /// Tables of a result file: a group with one dataset a column and an element a row; not installed.
 ///
@@ -177,11 +177,14 @@ class ColumnWriter {
   std::vector<const Row*> rows_;
 };
 
+/// @tparam Row  a null row is missing: what the file has there does not count
 template <typename Row>
 class ColumnReader {
  public:
-  ColumnReader(const io::Hdf5Group& group, std::vector<Row*> rows)
-      : group_(group), rows_(std::move(rows)) {}
+  /// @param rules  of the file's kind
+  ColumnReader(const io::Hdf5Group& group, std::vector<Row*> rows,
+               std::span<const io::ValueRule> rules)
+      : group_(group), rows_(std::move(rows)), rules_(rules) {}
 
   template <typename Member>
   void operator()(std::string_view name, std::string_view /*units*/, const Member& member) {
@@ -193,6 +196,7 @@ class ColumnReader {
       }
     } else {
       const auto values = checked(name, group_.template read<Stored<Value>>(name));
+      check_present<Value>(name, values);
       for (std::size_t i = 0; i < rows_.size(); ++i) {
         if (rows_[i] != nullptr) set(member(*rows_[i]), values[i]);
       }
@@ -203,17 +207,18 @@ class ColumnReader {
   void part(std::string_view name, const Member& member, const Columns& columns) {
     using Part = typename std::remove_cvref_t<decltype(member(*rows_[0]))>::value_type;
     const auto present = checked(name, group_.template read<std::uint8_t>(name));
+    check_present<bool>(name, present);
     std::vector<Part*> parts(rows_.size(), nullptr);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       if (present[i] != 0 && rows_[i] != nullptr) parts[i] = &member(*rows_[i]).emplace();
     }
-    ColumnReader<Part> reader(group_, std::move(parts));
+    ColumnReader<Part> reader(group_, std::move(parts), rules_);
     columns(reader);
   }
 
   template <typename Condition, typename Columns>
   void only(const Condition& condition, const Columns& columns) {
-    ColumnReader reader(group_, rows_);
+    ColumnReader reader(group_, rows_, rules_);
     for (Row*& row : reader.rows_) {
       if (!condition(*row)) row = nullptr;
     }
@@ -221,6 +226,18 @@ class ColumnReader {
   }
 
  private:
+  /// Whether the numbers of the rows that are there are as the rules want them.
+  template <typename Value, typename Number>
+  void check_present(std::string_view name, const std::vector<Number>& values) const {
+    using Member = std::conditional_t<std::is_integral_v<Value>, Value, double>;
+    io::ValueRule rule = io::rule_of(rules_, io::path_from_root(group_, name));
+    if constexpr (std::is_same_v<Value, std::optional<double>>) rule.may_lack = true;
+    std::vector<Number> present;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (rows_[i] != nullptr) present.push_back(values[i]);
+    }
+    io::check_numbers<Member>(group_, name, present, rule);
+  }
   template <typename Values>
   Values checked(std::string_view name, Values values) const {
     if (values.size() == rows_.size()) return values;
@@ -252,6 +269,7 @@ class ColumnReader {
 
   const io::Hdf5Group& group_;
   std::vector<Row*> rows_;
+  std::span<const io::ValueRule> rules_;
 };
 
 }  // namespace plastica::calibrate::store

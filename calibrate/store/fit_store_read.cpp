@@ -1,6 +1,11 @@
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <string_view>
+#include <utility>
 
 #include "calibrate/store/columns.hpp"
+#include "calibrate/store/fit_rules.hpp"
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/interval_store.hpp"
 #include "calibrate/store/layout.hpp"
@@ -42,8 +47,8 @@ class StoreReader {
   template <typename Member>
   void curve(const std::string& path, const Member& member) {
     const auto offsets = root_.read<std::uint64_t>(path + "/offsets");
-    const auto strain = root_.read<double>(path + "/strain");
-    const auto stress = root_.read<double>(path + "/stress");
+    const auto strain = numbers(path + "/strain");
+    const auto stress = numbers(path + "/stress");
     check_offsets(path, offsets, strain.size());
     check_offsets(path, offsets, stress.size());
     for (std::size_t i = 0; i < records_.size(); ++i) {
@@ -53,7 +58,7 @@ class StoreReader {
   }
 
   void parameters() {
-    const auto present = root_.read<std::uint8_t>("parameters/present");
+    const auto present = io::read_numbers<std::uint8_t>(root_, "parameters/present", kRules);
     if (present.size() != records_.size()) {
       refuse("parameters/present", "does not have a row for each fit");
     }
@@ -65,6 +70,11 @@ class StoreReader {
         p.path = parameter.field->path;
         p.dimension = parameter.field->dimension;
         p.role = parameter.role;
+      }
+    }
+    for (const FitRecord& record : records_) {
+      if (record.result.status == FitStatus::Fitted && record.result.parameters.empty()) {
+        refuse("parameters/present", "must hold for each fit that was made");
       }
     }
     for (const Parameter& parameter : parameters_of(options_.laws, options_.parameters)) {
@@ -82,20 +92,26 @@ class StoreReader {
     const auto rows = root_.read_ragged<std::uint64_t>("moved");
     check_offsets("moved", rows.offsets, rows.values.size());
     for (std::size_t i = 0; i < records_.size(); ++i) {
-      for (const std::uint64_t index : rows.row(i)) {
-        if (index >= store::parameters_of(records_[i], options_).size()) {
-          refuse("moved", "names a parameter that is not in the file");
-        }
+      const auto row = rows.row(i);
+      const bool rises = std::ranges::adjacent_find(row, std::greater_equal<>()) == row.end();
+      const std::size_t parameters = store::parameters_of(records_[i], options_).size();
+      if (!rises || (!row.empty() && row.back() >= parameters)) {
+        refuse("moved", "must be parameters of the fit, in their order");
+      }
+      for (const std::uint64_t index : row) {
         records_[i].result.trace.active.push_back(static_cast<std::uint32_t>(index));
       }
     }
   }
 
   void correlation() {
-    const auto rows = root_.read_ragged<double>("correlation");
-    check_offsets("correlation", rows.offsets, rows.values.size());
+    const auto rows = io::read_lists(root_, "correlation", records_.size(), kRules);
     for (std::size_t i = 0; i < records_.size(); ++i) {
       const auto row = rows.row(i);
+      const std::size_t moved = records_[i].result.trace.active.size();
+      if (!row.empty() && row.size() != moved * moved) {
+        refuse("correlation", "must have a row and a column for each parameter that moved");
+      }
       records_[i].result.correlation.assign(row.begin(), row.end());
     }
   }
@@ -105,38 +121,30 @@ class StoreReader {
     for (FitRecord& record : records_) all.push_back(&record.result.intervals);
     store::read_intervals(root_, all);
     for (const FitRecord& record : records_) {
-      const std::size_t free = record.result.free_parameters().size();
-      const FitIntervals& own = record.result.intervals;
-      if (!own.profiles.empty() && own.profiles.size() != free) {
-        refuse("profiles/fit", "does not name a fit once a free parameter");
-      }
-      const bool whole = own.residuals.intervals.size() == free &&
-                         (free == 0 || own.residuals.values.size() % free == 0);
-      if (own.residuals.resamples > 0 && !whole) {
-        refuse("bootstraps/low", "does not have a number a free parameter");
-      }
+      store::check_intervals(root_, record.result.intervals,
+                             record.result.free_parameters().size());
     }
   }
 
   void evaluations() {
     const auto offsets = root_.read<std::uint64_t>("evaluations/offsets");
-    const auto costs = root_.read<double>("evaluations/cost");
-    const auto values = root_.read<double>("evaluations/values");
-    const auto shape = root_.shape("evaluations/values");
+    const auto costs = numbers("evaluations/cost");
     check_offsets("evaluations", offsets, costs.size());
-    if (shape.size() != 2 || values.size() != costs.size() * shape[1]) {
-      refuse("evaluations/values", "does not have a row for each cost");
-    }
+    const std::array shape{costs.size(), io::Hdf5Group::kAnyExtent};
+    const auto values = root_.read_array<double>("evaluations/values", shape);
+    io::check_values(root_, "evaluations/values", values,
+                     io::rule_of(kRules, "evaluations/values"));
+    const std::size_t columns = root_.shape("evaluations/values")[1];
     for (std::size_t i = 0; i < records_.size(); ++i) {
       Trace& trace = records_[i].result.trace;
       const std::size_t width = trace.active.size();
-      if (width > shape[1]) {
+      if (width > columns) {
         refuse("evaluations/values", "has fewer columns than a fit moves parameters");
       }
       trace.costs = cut(costs, offsets[i], offsets[i + 1]);
       trace.values.reserve(trace.costs.size() * width);
       for (std::size_t k = offsets[i]; k < offsets[i + 1]; ++k) {
-        const auto row = values.begin() + static_cast<std::ptrdiff_t>(k * shape[1]);
+        const auto row = values.begin() + static_cast<std::ptrdiff_t>(k * columns);
         const auto end = row + static_cast<std::ptrdiff_t>(width);
         trace.values.insert(trace.values.end(), row, end);
       }
@@ -144,8 +152,14 @@ class StoreReader {
   }
 
  private:
+  static constexpr std::span<const io::ValueRule> kRules{store::kFitRules};
+
   [[noreturn]] void refuse(const std::string& path, const std::string& rule) const {
-    throw InputError({root_.file(), 0}, "/" + path, "", rule);
+    io::refuse_value(root_, path, "", rule);
+  }
+
+  std::vector<double> numbers(const std::string& path) const {
+    return io::read_numbers<double>(root_, path, kRules);
   }
 
   void check_offsets(const std::string& path, const std::vector<std::uint64_t>& offsets,
@@ -164,7 +178,7 @@ class StoreReader {
   template <typename Row, typename Columns>
   void read_columns(const std::string& path, std::vector<Row*> rows, const Columns& columns) {
     const io::Hdf5Group group = root_.open_group(path);
-    store::ColumnReader<Row> reader(group, std::move(rows));
+    store::ColumnReader<Row> reader(group, std::move(rows), kRules);
     columns(reader);
   }
 
@@ -172,6 +186,17 @@ class StoreReader {
   std::vector<FitRecord>& records_;
   const FitOptions& options_;
 };
+
+/// Reports find the fits of a target beside each other, and a fit by its name and law.
+void check_order(const io::Hdf5Group& root, const std::vector<FitRecord>& records) {
+  const auto follows = [](const FitRecord& a, const FitRecord& b) {
+    return std::pair(std::string_view(a.target.name), a.result.law) >=
+           std::pair(std::string_view(b.target.name), b.result.law);
+  };
+  if (std::ranges::adjacent_find(records, follows) != records.end()) {
+    io::refuse_value(root, "fits/name", "", "must rise, or be the same with a law that rises");
+  }
+}
 
 }  // namespace
 
@@ -185,6 +210,7 @@ FitStoreContents read_fit_store(const std::string& path) {
   contents.records.resize(root.read_texts("fits/name").size());
   StoreReader reader(root, contents.records, contents.options);
   store::walk_records(reader);
+  check_order(root, contents.records);
   contents.inputs = io::read_inputs(root);
   contents.meta = io::read_meta(root);
   return contents;

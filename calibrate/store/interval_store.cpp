@@ -6,6 +6,7 @@
 #include <string>
 
 #include "calibrate/store/columns.hpp"
+#include "calibrate/store/fit_rules.hpp"
 
 namespace plastica::calibrate::store {
 namespace {
@@ -81,14 +82,7 @@ class ListReader {
 
   template <typename List>
   void operator()(const std::string& name, const List& list) {
-    const io::Ragged<double> all = group_.read_ragged<double>(name);
-    const std::vector<std::uint64_t>& offsets = all.offsets;
-    const bool whole = offsets.size() == rows_.size() + 1 && offsets.front() == 0 &&
-                       offsets.back() == all.values.size() && std::ranges::is_sorted(offsets);
-    if (!whole) {
-      throw InputError({group_.file(), 0}, group_.path() + "/" + name, "",
-                       "has offsets that do not fit its values");
-    }
+    const auto all = io::read_lists(group_, name, rows_.size(), kIntervalRules);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       const std::span<const double> row = all.row(i);
       list(rows_[i]).assign(row.begin(), row.end());
@@ -107,15 +101,18 @@ std::vector<Row*> pointers_to(std::span<Row> rows) {
   return pointers;
 }
 
+/// Whether values are rows of a table of so many columns, or so many rows of any.
+bool is_table(const std::vector<double>& values, std::size_t extent) {
+  return extent == 0 ? values.empty() : values.size() % extent == 0;
+}
+
 template <typename Row, typename Columns>
 std::vector<Row> read_rows(const io::Hdf5Group& group, std::size_t fits, const Columns& columns) {
   std::vector<Row> rows(group.read<std::uint64_t>("fit").size());
-  ColumnReader<Row> reader(group, pointers_to(std::span(rows)));
+  ColumnReader<Row> reader(group, pointers_to(std::span(rows)), kIntervalRules);
   columns(reader);
   for (const Row& row : rows) {
-    if (row.fit < fits) continue;
-    throw InputError({group.file(), 0}, group.path() + "/fit", "",
-                     "names a fit that is not in the file");
+    if (row.fit >= fits) io::refuse_value(group, "fit", "", "names a fit that is not in the file");
   }
   return rows;
 }
@@ -167,8 +164,7 @@ void read_bootstrap_lists(const io::Hdf5Group& group, std::vector<BootstrapRow>&
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Lists& of = lists[i];
     if (of.errors.size() != of.low.size() || of.low.size() != of.high.size()) {
-      throw InputError({group.file(), 0}, group.path() + "/low", "",
-                       "must have as many numbers as high and standard_error");
+      io::refuse_value(group, "low", "", "must have as many numbers as high and standard_error");
     }
     for (std::size_t k = 0; k < of.low.size(); ++k) {
       rows[i].bootstrap.intervals.push_back({of.errors[k], of.low[k], of.high[k]});
@@ -203,6 +199,11 @@ void read_intervals(const io::Hdf5Group& root, const std::vector<FitIntervals*>&
   ListReader<ProfileRow> lists(group, profiles);
   kProfileLists(lists);
   for (ProfileRow& row : profiles) {
+    const LikelihoodProfile& profile = row.profile;
+    if (profile.rise.size() != profile.value.size() ||
+        !is_table(profile.searched, profile.value.size())) {
+      io::refuse_value(group, "searched", "", "must have a rise and a row for each value");
+    }
     fits[row.fit]->profiles.push_back(std::move(row.profile));
   }
   const io::Hdf5Group of_bootstraps = root.open_group("bootstraps");
@@ -211,10 +212,30 @@ void read_intervals(const io::Hdf5Group& root, const std::vector<FitIntervals*>&
   for (BootstrapRow& row : bootstraps) {
     FitIntervals& intervals = *fits[row.fit];
     if (row.of != "residuals" && row.of != "specimens") {
-      throw InputError({root.file(), 0}, "/bootstraps/of", row.of,
-                       "must be residuals or specimens");
+      io::refuse_value(of_bootstraps, "of", row.of, "must be residuals or specimens");
     }
-    (row.of == "residuals" ? intervals.residuals : intervals.specimens) = std::move(row.bootstrap);
+    BootstrapResult& own = row.of == "residuals" ? intervals.residuals : intervals.specimens;
+    if (own.resamples > 0) io::refuse_value(of_bootstraps, "fit", "", "names a fit twice");
+    if (row.bootstrap.failed > row.bootstrap.resamples || row.bootstrap.resamples == 0) {
+      io::refuse_value(of_bootstraps, "failed", std::to_string(row.bootstrap.failed),
+                       "must be no more than the resamples");
+    }
+    own = std::move(row.bootstrap);
+  }
+}
+
+void check_intervals(const io::Hdf5Group& root, const FitIntervals& intervals, std::size_t free) {
+  if (!intervals.profiles.empty() && intervals.profiles.size() != free) {
+    io::refuse_value(root, "profiles/fit", "", "does not name a fit once a free parameter");
+  }
+  for (const BootstrapResult* of : {&intervals.residuals, &intervals.specimens}) {
+    if (of->resamples == 0) continue;
+    if (of->intervals.size() != free || !is_table(of->values, free)) {
+      io::refuse_value(root, "bootstraps/low", "", "does not have a number a free parameter");
+    }
+    if (free > 0 && of->values.size() / free > static_cast<std::size_t>(of->resamples)) {
+      io::refuse_value(root, "bootstraps/values", "", "has more rows than resamples");
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,10 @@ void write_intervals(io::Hdf5Group& root, const std::vector<StoredIntervals>& fi
 /// @param fits  of the file, in its order: those to be filled
 /// @throws InputError if a table is not whole
 void read_intervals(const io::Hdf5Group& root, const std::vector<FitIntervals*>& fits);
+
+/// Whether what was read is of a fit's free parameters.
+/// @param free  how many the fit has
+/// @throws InputError if not
+void check_intervals(const io::Hdf5Group& root, const FitIntervals& intervals, std::size_t free);
 
 }  // namespace plastica::calibrate::store

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "calibrate/store/columns.hpp"
+#include "calibrate/store/fit_rules.hpp"
 #include "plastica/io/result_file.hpp"
 
 namespace plastica::calibrate::store {
@@ -63,7 +64,7 @@ std::vector<Parameter> read_parameters(const io::Hdf5Group& group) {
   std::vector<ParameterRow*> pointers;
   pointers.reserve(rows.size());
   for (ParameterRow& row : rows) pointers.push_back(&row);
-  ColumnReader<ParameterRow> columns(group, std::move(pointers));
+  ColumnReader<ParameterRow> columns(group, std::move(pointers), kOptionRules);
   kParameterColumns(columns);
   const SourceLocation where{group.file(), 0};
   std::vector<Parameter> parameters;
@@ -77,7 +78,10 @@ std::vector<Parameter> read_parameters(const io::Hdf5Group& group) {
     p.scale = row.scale;
     if (!row.tied_to.empty()) p.tied_to = &find_field(row.tied_to, where);
     p.factor = row.factor;
+    p.where = where;
   }
+  check_parameters(parameters);
+  for (Parameter& p : parameters) p.where = {};  // is not stored
   return parameters;
 }
 
@@ -101,7 +105,7 @@ std::vector<WeightStep> read_weights(const io::Hdf5Group& group) {
   std::vector<WeightStep*> rows;
   rows.reserve(weights.size());
   for (WeightStep& step : weights) rows.push_back(&step);
-  ColumnReader<WeightStep> columns(group, std::move(rows));
+  ColumnReader<WeightStep> columns(group, std::move(rows), kOptionRules);
   kWeightColumns(columns);
   return weights;
 }
@@ -146,26 +150,23 @@ void write_options(io::Hdf5Group& group, const FitOptions& options) {
 FitOptions read_options(const io::Hdf5Group& group) {
   FitOptions options;
   options.objective = enumerator_of<Objective>(group, "objective", group.read_text("objective"));
-  const auto noise = group.read_scalar<double>("noise");
-  if (!std::isnan(noise)) options.noise = noise;
-  options.weights = read_weights(group.open_group("weights"));
-  options.break_weight = group.read_scalar<double>("break_weight");
-  options.algorithm = group.read_text("algorithm");
-  StoppingRules& stopping = options.stopping;
-  stopping.global_evaluations =
-      static_cast<int>(group.read_scalar<std::int64_t>("global_evaluations"));
-  stopping.local_evaluations =
-      static_cast<int>(group.read_scalar<std::int64_t>("local_evaluations"));
-  stopping.parameter_tolerance = group.read_scalar<double>("parameter_tolerance");
-  stopping.cost_tolerance = group.read_scalar<double>("cost_tolerance");
-  options.laws = laws_of(group.read_texts("laws"), group.path() + "/laws", {group.file(), 0});
-  options.seed = group.read_scalar<std::uint64_t>("seed");
-  options.confidence = group.read_scalar<double>("confidence");
-  const auto whole = [&](std::string_view name) {
-    return static_cast<int>(group.read_scalar<std::int64_t>(name));
+  const auto real = [&](std::string_view name) {
+    return io::read_number<double>(group, name, kOptionRules);
   };
-  options.intervals = {whole("profile") != 0, whole("bootstrap"), whole("bootstrap_block"),
-                       whole("bootstrap_specimens")};
+  const auto count = [&](std::string_view name) {
+    return io::read_number<int>(group, name, kOptionRules);
+  };
+  if (const double noise = real("noise"); !std::isnan(noise)) options.noise = noise;
+  options.weights = read_weights(group.open_group("weights"));
+  options.break_weight = real("break_weight");
+  options.algorithm = group.read_text("algorithm");
+  options.stopping = {count("global_evaluations"), count("local_evaluations"),
+                      real("parameter_tolerance"), real("cost_tolerance")};
+  options.laws = laws_of(group.read_texts("laws"), group.path() + "/laws", {group.file(), 0});
+  options.seed = io::read_number<std::uint64_t>(group, "seed", kOptionRules);
+  options.confidence = real("confidence");
+  options.intervals = {count("profile") != 0, count("bootstrap"), count("bootstrap_block"),
+                       count("bootstrap_specimens")};
   options.parameters = read_parameters(group.open_group("parameters"));
   io::read_setup(group, options.setup);
   return options;

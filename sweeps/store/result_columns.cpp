@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "sweeps/store/sweep_layout.hpp"
+#include "sweeps/store/sweep_rules.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -80,6 +81,10 @@ class Reader {
     } else {
       using Stored = std::conditional_t<std::is_integral_v<Value>, std::int64_t, double>;
       const auto values = checked(name, group_.read<Stored>(name));
+      using Wanted = std::conditional_t<std::is_integral_v<Value>, Value, double>;
+      io::ValueRule rule = io::rule_of(kSweepRules, "cases/" + name);
+      if constexpr (std::is_same_v<Value, std::optional<double>>) rule.may_lack = true;
+      io::check_numbers<Wanted>(group_, name, values, rule);
       for (std::size_t i = 0; i < values.size(); ++i) set(results_[i].*member, values[i]);
     }
   }
@@ -161,19 +166,26 @@ void read_results(const Hdf5Group& root, SweepRecord& record) {
   const Hdf5Group cases = root.open_group("cases");
   Reader reader(cases, record.results);
   walk(reader, record.quantity.unit);
-  const auto seconds = root.read<double>("meta/case_seconds");
+  for (const CaseResult& result : record.results) {
+    if (result.segments > 0 && result.iterations > kMaxWork / result.segments) {
+      io::refuse_value(cases, "iterations", std::to_string(result.iterations),
+                       "must be fewer for so many segments");
+    }
+  }
+  const auto seconds = io::read_numbers<double>(root, "meta/case_seconds", kSweepRules);
   if (seconds.size() != record.cases()) {
     throw InputError({root.file(), 0}, "/meta/case_seconds", std::to_string(seconds.size()),
                      "must have as many rows as there are ids");
   }
   for (std::size_t i = 0; i < seconds.size(); ++i) record.results[i].seconds = seconds[i];
   if (!record.quantity.is_curve()) return;
-  const auto time = root.read_ragged<double>("curves/time");
-  const auto value = root.read_ragged<double>("curves/value");
-  if (time.rows() != record.cases() || value.rows() != record.cases()) {
-    throw InputError({root.file(), 0}, "/curves", "", "must have as many rows as there are ids");
+  const auto time = io::read_lists(root, "curves/time", record.cases(), kSweepRules);
+  const auto value = io::read_lists(root, "curves/value", record.cases(), kSweepRules);
+  if (time.offsets != value.offsets) {
+    io::refuse_value(root, "curves/value", "", "must have a value for each time");
   }
   for (std::size_t i = 0; i < record.cases(); ++i) {
+    io::check_values(root, "curves/time/values", time.row(i), {{}, {}, io::Order::Rises});
     record.results[i].time = row_of(time, i);
     record.results[i].curve = row_of(value, i);
   }

@@ -1,11 +1,14 @@
 #include "sweeps/store/sweep_store.hpp"
 
+#include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "plastica/io/hdf5.hpp"
 #include "sweeps/plan/derived_fields.hpp"
 #include "sweeps/store/sweep_layout.hpp"
+#include "sweeps/store/sweep_rules.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -75,7 +78,7 @@ std::vector<Axis> read_axes(const Hdf5Group& root) {
     if (axis.field->kind == FieldKind::Choice) {
       for (std::string& word : group.read_texts("values")) axis.values.emplace_back(word);
     } else {
-      for (const double number : group.read<double>("values")) {
+      for (const double number : io::read_numbers<double>(group, "values", kSweepRules)) {
         axis.values.push_back(number == number ? FieldValue(number) : FieldValue());
       }
     }
@@ -93,11 +96,8 @@ void write_position(Hdf5Group& root, const SweepRecord& record) {
 
 void read_position(const Hdf5Group& root, SweepRecord& record) {
   if (record.axes.empty()) return;
-  const auto position = root.read<std::uint64_t>("cases/position");
-  if (position.size() != record.cases() * record.axes.size()) {
-    throw InputError({root.file(), 0}, "/cases/position", std::to_string(position.size()),
-                     "must have a number for each case and axis");
-  }
+  const std::array shape{record.cases(), record.axes.size()};
+  const auto position = root.read_array<std::uint64_t>("cases/position", shape);
   for (std::size_t k = 0; k < position.size(); ++k) {
     const std::size_t axis = k % record.axes.size();
     if (position[k] >= record.axes[axis].values.size()) {
@@ -128,11 +128,12 @@ void write_comparison(Hdf5Group& root, const SweepRecord& record) {
 
 void read_comparison(const Hdf5Group& root, SweepRecord& record) {
   Comparison& comparison = record.comparison;
-  comparison.reference = optionals_of(root.read<double>("cases/reference"));
-  comparison.error = optionals_of(root.read<double>("cases/error"));
+  comparison.reference =
+      optionals_of(io::read_numbers<double>(root, "cases/reference", kSweepRules));
+  comparison.error = optionals_of(io::read_numbers<double>(root, "cases/error", kSweepRules));
   comparison.reason = root.read_texts("cases/error_reason");
   const auto cases = root.read_ragged<std::uint64_t>("groups/cases");
-  const auto sizes = root.read_ragged<double>("groups/size");
+  const auto sizes = io::read_lists(root, "groups/size", cases.rows(), kSweepRules);
   const auto labels = root.read_texts("groups/label");
   const auto refuse = [&](const std::string& what) {
     throw InputError({root.file(), 0}, what, "", "does not go with the number of cases");
@@ -141,9 +142,10 @@ void read_comparison(const Hdf5Group& root, SweepRecord& record) {
       comparison.reason.size() != record.cases()) {
     refuse("/cases/error");
   }
-  if (sizes.rows() != cases.rows() || labels.size() != cases.rows()) refuse("/groups");
+  if (sizes.offsets != cases.offsets || labels.size() != cases.rows()) refuse("/groups");
   for (std::size_t g = 0; g < cases.rows(); ++g) {
     RefinementGroup group{labels[g], {}, {}};
+    if (cases.row(g).empty()) refuse("/groups/cases");
     for (const std::uint64_t index : cases.row(g)) {
       if (index >= record.cases()) refuse("/groups/cases");
       group.cases.push_back(index);
@@ -187,19 +189,28 @@ void read_head(const Hdf5Group& root, SweepRecord& record) {
   record.name = head.text_attribute(".", "name");
   record.scene_name = head.text_attribute(".", "scene");
   const auto word = [&](const std::string& name) { return head.text_attribute(".", name); };
-  const auto number = [&](const std::string& name) { return head.integer_attribute(".", name); };
+  const auto number = [&](const std::string& name) {
+    const std::int64_t value = head.integer_attribute(".", name);
+    if (value >= 0 && value <= std::numeric_limits<int>::max()) return static_cast<int>(value);
+    throw InputError({root.file(), 0}, "/sweep/" + name, std::to_string(value),
+                     "must be a number from 0 on");
+  };
   quantity.kind = enumerator_at<QuantityKind>(kQuantityKinds, word("quantity_kind"), root.file());
   quantity.take = enumerator_at<Take>(kTakes, word("take"), root.file());
   quantity.probe = static_cast<std::size_t>(number("probe"));
-  quantity.mode = static_cast<int>(number("mode"));
+  quantity.mode = number("mode");
   quantity.parameter = word("parameter");
   quantity.name = word("quantity");
   quantity.unit = word("unit");
   quantity.dimension = dimension_of(word("dimension"), root.file());
   record.against = word("against");
-  record.timed_runs = static_cast<int>(number("timed_runs"));
+  record.timed_runs = number("timed_runs");
   if (head.has_attribute(".", "error_scale")) {
     record.error_scale = head.real_attribute(".", "error_scale");
+    if (!(*record.error_scale > 0.0) || std::isinf(*record.error_scale)) {
+      throw InputError({root.file(), 0}, "/sweep/error_scale", std::to_string(*record.error_scale),
+                       "must be above 0");
+    }
   }
   if (head.has_attribute(".", "refined_axis")) {
     record.refined = static_cast<std::size_t>(number("refined_axis"));

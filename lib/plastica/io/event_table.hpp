@@ -35,7 +35,7 @@ inline EventTable event_table(const std::vector<ChainBreak>& events) {
   return table;
 }
 
-/// Rows of events that the table does not have are left out.
+/// @param table  all of whose rows are of an event that it has
 inline std::vector<ChainBreak> events_of(const EventTable& table) {
   std::vector<ChainBreak> events;
   for (std::size_t e = 0; e < table.time.size(); ++e) {

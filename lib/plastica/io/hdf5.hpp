@@ -85,7 +85,10 @@ class Hdf5Handle {
 ///
 /// Writing creates the groups on the way and throws StorageError when it fails, or when there is
 /// something at the path already. Reading throws InputError when the path, the type or the shape
-/// is not as asked, since the file is the user's; StorageError when the machine fails.
+/// is not as asked, since the file is the user's; StorageError when the machine fails. What leads
+/// out of the file (links of any kind but hard ones, external and virtual datasets), what is stored
+/// with filters that we do not write, and what claims more values than the file can hold is refused
+/// before it is followed or allocated.
 /// HDF5 is not reentrant: all files must be used from one thread at a time.
 class Hdf5Group {
  public:
@@ -128,12 +131,18 @@ class Hdf5Group {
   void write_text(std::string_view path, const std::string& text);
   void write_texts(std::string_view path, std::span<const std::string> texts);
 
+  /// Of a shape: any extent.
+  static constexpr std::size_t kAnyExtent = ~std::size_t{0};
+
   template <Hdf5Number T>
   T read_scalar(std::string_view path) const;
-  /// All elements of a dataset of any shape, row by row. An integer may be read as a real number,
-  /// not the reverse.
+  /// A one-dimensional array. An integer may be read as a real number or as a wider one of the same
+  /// sign, not the reverse.
   template <Hdf5Number T>
   std::vector<T> read(std::string_view path) const;
+  /// An array of the extents that are given, the last index running fastest.
+  template <Hdf5Number T>
+  std::vector<T> read_array(std::string_view path, std::span<const std::size_t> shape) const;
   /// Extents of a dataset; empty for a scalar.
   std::vector<std::size_t> shape(std::string_view path) const;
   template <Hdf5Number T>
@@ -166,6 +175,10 @@ class Hdf5Group {
       : handle_(std::move(handle)), file_(std::move(file)), path_(std::move(path)) {}
 
   std::string full_path(std::string_view path) const;
+  bool has_links(const std::string& full) const;
+  void require_shape(std::string_view path, std::span<const std::size_t> wanted) const;
+  std::vector<std::string> read_text_array(std::string_view path,
+                                           std::span<const std::size_t> shape) const;
   Hdf5Handle open_object(std::string_view path) const;
   Hdf5Handle open_dataset(std::string_view path) const;
   Hdf5Handle open_attribute(std::string_view path, const std::string& name) const;
@@ -175,6 +188,7 @@ class Hdf5Group {
   void write_attribute(std::string_view path, const std::string& name, std::int64_t type,
                        const void* value, std::int64_t space);
   [[noreturn]] void fail(std::string_view action, std::string_view path) const;
+  [[noreturn]] void fail_to_read(std::string_view path, const std::string& attribute = {}) const;
   [[noreturn]] void refuse(std::string_view path, std::string_view rule) const;
 
   Hdf5Handle handle_;

@@ -1,22 +1,13 @@
 #include <algorithm>
+#include <array>
+#include <new>
 
 #include "plastica/io/hdf5.hpp"
+#include "plastica/io/hdf5_check.hpp"
 #include "plastica/io/hdf5_handle.hpp"
 
 namespace plastica::io {
 namespace {
-
-/// Whether each link of an absolute path is there; HDF5 asks them one by one.
-bool links_exist(std::int64_t location, const std::string& full) {
-  for (std::size_t slash = full.find('/', 1);; slash = full.find('/', slash + 1)) {
-    const std::string upto = full.substr(0, slash);
-    if (upto != "/" && H5Lexists(location, upto.c_str(), H5P_DEFAULT) <= 0) {
-      H5Eclear2(H5E_DEFAULT);
-      return false;
-    }
-    if (slash == std::string::npos) return true;
-  }
-}
 
 std::size_t count_of(const Hdf5Handle& space) {
   const hssize_t count = H5Sget_simple_extent_npoints(space.get());
@@ -58,11 +49,30 @@ void Hdf5Group::refuse(std::string_view path, std::string_view rule) const {
   throw InputError({file_, 0}, full_path(path), "", rule);
 }
 
+bool Hdf5Group::has_links(const std::string& full) const {
+  for (std::size_t slash = full.find('/', 1);; slash = full.find('/', slash + 1)) {
+    const std::string upto = full.substr(0, slash);
+    if (upto != "/") {
+      const h5::Link link = h5::link_at(handle_, upto);
+      if (link == h5::Link::None) return false;
+      if (link == h5::Link::Elsewhere) refuse(upto, "is a link elsewhere: results have none");
+    }
+    if (slash == std::string::npos) return true;
+  }
+}
+
+void Hdf5Group::fail_to_read(std::string_view path, const std::string& attribute) const {
+  const std::string why = h5::innermost_error();
+  // What the file says was read, and HDF5 can make nothing of it; only memory is the machine's.
+  if (why.find("memory allocation") != std::string::npos) throw std::bad_alloc();
+  refuse(path, (attribute.empty() ? "" : "attribute " + attribute + " ") + "is damaged: " + why);
+}
+
 Hdf5Kind Hdf5Group::kind(std::string_view path) const {
   const std::string full = full_path(path);
-  if (!links_exist(handle_.get(), full)) return Hdf5Kind::None;
+  if (!has_links(full)) return Hdf5Kind::None;
   const Hdf5Handle object(H5Oopen(handle_.get(), full.c_str(), H5P_DEFAULT));
-  if (object.get() < 0) fail("open", full);
+  if (object.get() < 0) fail_to_read(full);
   const H5I_type_t sort = H5Iget_type(object.get());
   if (sort == H5I_GROUP) return Hdf5Kind::Group;
   if (sort != H5I_DATASET) return Hdf5Kind::Other;
@@ -79,21 +89,22 @@ Hdf5Group Hdf5Group::open_group(std::string_view path) const {
   const std::string full = full_path(path);
   if (kind(full) != Hdf5Kind::Group) refuse(full, "is not a group of this file");
   Hdf5Handle opened(H5Gopen2(handle_.get(), full.c_str(), H5P_DEFAULT));
-  if (opened.get() < 0) fail("open", full);
+  if (opened.get() < 0) fail_to_read(full);
   return {std::move(opened), file_, full};
 }
 
 Hdf5Handle Hdf5Group::open_object(std::string_view path) const {
   const std::string full = full_path(path);
-  if (!links_exist(handle_.get(), full)) refuse(full, "is not in this file");
+  if (!has_links(full)) refuse(full, "is not in this file");
   Hdf5Handle object(H5Oopen(handle_.get(), full.c_str(), H5P_DEFAULT));
-  if (object.get() < 0) fail("open", full);
+  if (object.get() < 0) fail_to_read(full);
   return object;
 }
 
 Hdf5Handle Hdf5Group::open_dataset(std::string_view path) const {
   Hdf5Handle object = open_object(path);
   if (H5Iget_type(object.get()) != H5I_DATASET) refuse(path, "is not a dataset");
+  if (const std::string why = h5::refusal_of_dataset(object); !why.empty()) refuse(path, why);
   return object;
 }
 
@@ -109,7 +120,7 @@ std::vector<std::string> Hdf5Group::children() const {
     return 0;
   };
   if (H5Literate(handle_.get(), index, H5_ITER_INC, nullptr, take, &names) < 0) {
-    fail("list", path_);
+    fail_to_read(path_);
   }
   return names;
 }
@@ -123,26 +134,51 @@ std::vector<std::size_t> Hdf5Group::shape(std::string_view path) const {
   return {extents.begin(), extents.end()};
 }
 
+void Hdf5Group::require_shape(std::string_view path, std::span<const std::size_t> wanted) const {
+  const std::vector<std::size_t> extents = shape(path);
+  const auto fits = [](std::size_t extent, std::size_t want) {
+    return want == kAnyExtent || extent == want;
+  };
+  if (std::ranges::equal(extents, wanted, fits)) return;
+  if (wanted.empty()) refuse(path, "is not a single value");
+  std::string words;
+  for (const std::size_t extent : wanted) {
+    words += words.empty() ? "" : " x ";
+    words += extent == kAnyExtent ? "n" : std::to_string(extent);
+  }
+  refuse(path, "must have the extents " + words);
+}
+
 template <Hdf5Number T>
-std::vector<T> Hdf5Group::read(std::string_view path) const {
+std::vector<T> Hdf5Group::read_array(std::string_view path,
+                                     std::span<const std::size_t> shape) const {
   const Hdf5Handle dataset = open_dataset(path);
   const Hdf5Handle type(H5Dget_type(dataset.get()));
   const H5T_class_t sort = H5Tget_class(type.get());
   if (sort != H5T_INTEGER && sort != H5T_FLOAT) refuse(path, "does not hold numbers");
-  if (std::is_integral_v<T> && sort == H5T_FLOAT) refuse(path, "does not hold integers");
+  if constexpr (std::is_integral_v<T>) {
+    if (sort == H5T_FLOAT) refuse(path, "does not hold integers");
+    const std::string why = h5::refusal_of_integers(type, sizeof(T), std::is_signed_v<T>);
+    if (!why.empty()) refuse(path, why);
+  }
+  require_shape(path, shape);
   const Hdf5Handle space(H5Dget_space(dataset.get()));
   std::vector<T> values(count_of(space));
   if (!values.empty() && H5Dread(dataset.get(), h5::memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
                                  values.data()) < 0) {
-    fail("read", path);
+    fail_to_read(path);
   }
   return values;
 }
 
 template <Hdf5Number T>
+std::vector<T> Hdf5Group::read(std::string_view path) const {
+  return read_array<T>(path, std::array{kAnyExtent});
+}
+
+template <Hdf5Number T>
 T Hdf5Group::read_scalar(std::string_view path) const {
-  if (!shape(path).empty()) refuse(path, "is not a single value");
-  return read<T>(path).at(0);
+  return read_array<T>(path, {}).at(0);
 }
 
 template <Hdf5Number T>
@@ -158,22 +194,27 @@ Ragged<T> Hdf5Group::read_ragged(std::string_view path) const {
   return rows;
 }
 
-std::vector<std::string> Hdf5Group::read_texts(std::string_view path) const {
+std::vector<std::string> Hdf5Group::read_text_array(std::string_view path,
+                                                    std::span<const std::size_t> shape) const {
   const Hdf5Handle dataset = open_dataset(path);
   const Hdf5Handle type(H5Dget_type(dataset.get()));
   if (H5Tget_class(type.get()) != H5T_STRING) refuse(path, "does not hold text");
+  require_shape(path, shape);
   const Hdf5Handle space(H5Dget_space(dataset.get()));
   std::vector<std::string> texts;
   const auto read = [&](hid_t memory, void* out) {
     return H5Dread(dataset.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, out) >= 0;
   };
-  if (!read_strings(type, space, read, texts)) fail("read", path);
+  if (!read_strings(type, space, read, texts)) fail_to_read(path);
   return texts;
 }
 
+std::vector<std::string> Hdf5Group::read_texts(std::string_view path) const {
+  return read_text_array(path, std::array{kAnyExtent});
+}
+
 std::string Hdf5Group::read_text(std::string_view path) const {
-  if (!shape(path).empty()) refuse(path, "is not a single value");
-  return read_texts(path).at(0);
+  return std::move(read_text_array(path, {}).at(0));
 }
 
 bool Hdf5Group::has_attribute(std::string_view path, const std::string& name) const {
@@ -185,7 +226,10 @@ Hdf5Handle Hdf5Group::open_attribute(std::string_view path, const std::string& n
   const Hdf5Handle object = open_object(path);
   if (H5Aexists(object.get(), name.c_str()) <= 0) refuse(path, "has no attribute " + name);
   Hdf5Handle attribute(H5Aopen(object.get(), name.c_str(), H5P_DEFAULT));
-  if (attribute.get() < 0) fail("open attribute " + name + " of", path);
+  if (attribute.get() < 0) fail_to_read(path, name);
+  if (const std::string why = h5::refusal_of_attribute(attribute); !why.empty()) {
+    refuse(path, "attribute " + name + " " + why);
+  }
   return attribute;
 }
 
@@ -199,7 +243,7 @@ std::vector<std::string> Hdf5Group::texts_attribute(std::string_view path,
   const auto read = [&](hid_t memory, void* out) {
     return H5Aread(attribute.get(), memory, out) >= 0;
   };
-  if (!read_strings(type, space, read, texts)) fail("read attribute " + name + " of", path);
+  if (!read_strings(type, space, read, texts)) fail_to_read(path, name);
   return texts;
 }
 
@@ -219,7 +263,7 @@ double Hdf5Group::real_attribute(std::string_view path, const std::string& name)
     refuse(path, "attribute " + name + " is not a single number");
   }
   if (H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, &value) < 0) {
-    fail("read attribute " + name + " of", path);
+    fail_to_read(path, name);
   }
   return value;
 }
@@ -232,15 +276,20 @@ std::int64_t Hdf5Group::integer_attribute(std::string_view path, const std::stri
   if (H5Tget_class(type.get()) != H5T_INTEGER || count_of(space) != 1) {
     refuse(path, "attribute " + name + " is not a single integer");
   }
+  if (const std::string why = h5::refusal_of_integers(type, sizeof(value), true); !why.empty()) {
+    refuse(path, "attribute " + name + " " + why);
+  }
   if (H5Aread(attribute.get(), H5T_NATIVE_INT64, &value) < 0) {
-    fail("read attribute " + name + " of", path);
+    fail_to_read(path, name);
   }
   return value;
 }
 
-#define PLASTICA_INSTANTIATE(T)                                       \
-  template T Hdf5Group::read_scalar<T>(std::string_view) const;       \
-  template std::vector<T> Hdf5Group::read<T>(std::string_view) const; \
+#define PLASTICA_INSTANTIATE(T)                                                                    \
+  template T Hdf5Group::read_scalar<T>(std::string_view) const;                                    \
+  template std::vector<T> Hdf5Group::read<T>(std::string_view) const;                              \
+  template std::vector<T> Hdf5Group::read_array<T>(std::string_view, std::span<const std::size_t>) \
+      const;                                                                                       \
   template Ragged<T> Hdf5Group::read_ragged<T>(std::string_view) const
 PLASTICA_INSTANTIATE(double);
 PLASTICA_INSTANTIATE(float);

@@ -1,14 +1,19 @@
 #include "plastica/io/region_store.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "plastica/io/value_rule.hpp"
 #include "plastica/model/field.hpp"
 
 namespace plastica::io {
 namespace {
+
+constexpr std::array kRegionRules{ValueRule{"regions/from", kShare},
+                                  ValueRule{"regions/to", kShare}};
 
 bool is_of_region(const Field& field) {
   return field.path.starts_with("material.") || field.path.starts_with("section.");
@@ -71,8 +76,9 @@ void write_regions(Hdf5Group& group, const std::vector<Region>& regions) {
 }
 
 std::vector<Region> read_regions(const Hdf5Group& group) {
-  const auto from = group.read<double>("from");
-  const auto to = checked(group, "to", group.read<double>("to"), from.size());
+  const auto from = read_numbers<double>(group, "from", kRegionRules);
+  const auto to =
+      checked(group, "to", read_numbers<double>(group, "to", kRegionRules), from.size());
   const auto names =
       checked(group, "material/name", group.read_texts("material/name"), from.size());
   std::vector<Setup> setups(from.size());

@@ -17,6 +17,7 @@
 #include "plastica/base/version.hpp"
 #include "plastica/io/durable_file.hpp"
 #include "plastica/io/output_file.hpp"
+#include "plastica/io/value_rule.hpp"
 
 namespace plastica::io {
 namespace {
@@ -163,12 +164,13 @@ RunMeta read_meta(const Hdf5Group& root) {
   const Hdf5Group group = root.open_group("meta");
   RunMeta meta;
   meta.start_time = group.read_text("start_time");
-  meta.seconds = group.read_scalar<double>("seconds");
+  constexpr std::array kRules{ValueRule{"meta/seconds", kNotNegative}};
+  meta.seconds = read_number<double>(group, "seconds", kRules);
   meta.host = group.read_text("host");
-  meta.threads = static_cast<int>(group.read_scalar<std::int64_t>("threads"));
+  meta.threads = read_number<int>(group, "threads", kRules);
   meta.instruction_set = group.read_text("instruction_set");
   meta.command_line = group.read_text("command_line");
-  meta.resumptions = static_cast<int>(group.read_scalar<std::int64_t>("resumptions"));
+  meta.resumptions = read_number<int>(group, "resumptions", kRules);
   const Hdf5Group versions = group.open_group("versions");
   for (const std::string& name : versions.children()) {
     meta.versions.emplace_back(name, versions.read_text(name));

@@ -55,7 +55,8 @@ void walk_actions(Store& store, Scene& scene) {
 
   store.numbers("gravity/acceleration", scene.gravity, "m/s^2");
   store.array("gravity/history_time", scene.gravity_history.time, {}, "s");
-  store.array("gravity/history_factor", scene.gravity_history.factor, {}, "1");
+  store.array("gravity/history_factor", scene.gravity_history.factor,
+              {scene.gravity_history.time.size()}, "1");
 
   auto& motions = scene.initial_motions;
   store.column("initial_motions/from", motions, PLASTICA_MEMBER(from.fraction), "1");
@@ -165,7 +166,10 @@ void walk_events(Store& store, Chain& chain) {
   store.column("events/pieces/event", pieces, PLASTICA_MEMBER(event), "");
   store.column("events/pieces/first", pieces, PLASTICA_MEMBER(piece.first), "");
   store.column("events/pieces/last", pieces, PLASTICA_MEMBER(piece.last), "");
-  if constexpr (!std::is_const_v<Chain>) chain.events = events_of(table);
+  if constexpr (!std::is_const_v<Chain>) {
+    store.check_events(table);
+    chain.events = events_of(table);
+  }
 }
 
 /// Walks through all that a file holds but /options/setup, /regions, /inputs and /meta.

@@ -6,6 +6,7 @@
 #include "plastica/io/region_store.hpp"
 #include "plastica/io/scene_layout.hpp"
 #include "plastica/io/scene_reader.hpp"
+#include "plastica/io/scene_rules.hpp"
 #include "plastica/io/scene_writer.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/scene_warnings.hpp"
@@ -99,14 +100,13 @@ SceneRecord read_scene_store(const std::string& path) {
   read_setup(root.open_group("options"), record.setup);
   SceneReader reader(root);
   scene_layout::walk(reader, record);
-  reader.check_samples(record);
-  reader.check_events(record);
   record.setup.scene.regions = read_regions(root.open_group("regions"));
   record.response.chain.joints = record.outline.ends.size();
   record.response.chain.supports = record.setup.scene.supports.size();
   record.inputs = read_inputs(root);
   record.meta = read_meta(root);
-  record.response.seconds = root.read_scalar<double>("meta/run_seconds");
+  reader.number("meta/run_seconds", record.response.seconds, "s");
+  check_agreement(root, record);
   return record;
 }
 

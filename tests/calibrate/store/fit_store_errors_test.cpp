@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 
@@ -60,6 +62,30 @@ TEST_F(FitStoreErrors, AMovedParameterThatTheOptionsDoNotHaveIsRefused) {
 TEST_F(FitStoreErrors, ACostOfAFitThatGaveNoneIsRefused) {
   contents_.records[0].result.status = FitStatus::Failed;
   expect_refused(contents_);
+}
+
+TEST_F(FitStoreErrors, NumbersThatNoFitHasAreRefusedOnReading) {
+  const auto refusal = [&](const auto& spoil) {
+    FitStoreContents contents = contents_;
+    spoil(contents);
+    write_fit_store(path_, contents);
+    const std::string message = reading(path_);
+    return message.substr(std::min(message.size(), path_.size() + 2));
+  };
+  using Contents = FitStoreContents;
+  EXPECT_EQ(
+      refusal([](Contents& c) { c.records[1].result.parameters[0].value = NAN; }).substr(0, 12),
+      "/parameters/");
+  EXPECT_EQ(refusal([](Contents& c) { c.records[1].result.fitted.stress[0] = INFINITY; }),
+            "/curves/fitted/stress = inf: must be finite");
+  EXPECT_EQ(refusal([](Contents& c) { c.records[0].result.stages[0].evaluations = -1; }),
+            "/stages/evaluations = -1: must be from 0 to 2147483647");
+  EXPECT_EQ(refusal([](Contents& c) { c.records[0].result.correlation.pop_back(); }),
+            "/correlation: must have a row and a column for each parameter that moved");
+  EXPECT_EQ(refusal([](Contents& c) { c.options.confidence = 1.0; }),
+            "/options/confidence = 1.000000: must be above 0 and below 1");
+  EXPECT_EQ(refusal([](Contents& c) { c.options.stopping.local_evaluations = -1; }),
+            "/options/local_evaluations = -1: must be from 0 to 2147483647");
 }
 
 TEST_F(FitStoreErrors, AFileThatIsNotThereIsNamed) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "calibrate/fit/fit.hpp"
@@ -248,7 +249,8 @@ TEST(FitStore, LeavesTheUnusedColumnsOfEvaluationsEmpty) {
   write_fit_store(folder.file("a.h5"), contents_of(mixed_records()));
   const io::Hdf5File file = io::Hdf5File::open(folder.file("a.h5"));
   EXPECT_EQ(file.root().shape("evaluations/values"), (std::vector<std::size_t>{7, 2}));
-  const auto values = file.root().read<double>("evaluations/values");
+  const auto values =
+      file.root().read_array<double>("evaluations/values", std::array<std::size_t, 2>{7, 2});
   EXPECT_EQ(values[6], 2.0);  // the failed fit, which moves one parameter
   EXPECT_TRUE(std::isnan(values[7]));
 }

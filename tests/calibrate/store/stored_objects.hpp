@@ -8,6 +8,22 @@
 
 namespace plastica::calibrate {
 
+/// Calls with an empty value of the integers that a dataset holds.
+template <typename Use>
+void with_integer_type(const io::Hdf5Group& group, const std::string& name, const Use& use) {
+  const auto holds = [&](auto none) {
+    try {
+      group.read_array<decltype(none)>(name, group.shape(name));
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
+  };
+  if (holds(std::uint8_t{})) return use(std::uint8_t{});
+  if (holds(std::uint64_t{})) return use(std::uint64_t{});
+  use(std::int64_t{});
+}
+
 /// Everything in a group but /meta: path → kind, shape, units and values, as text.
 inline void describe(const io::Hdf5Group& group, std::map<std::string, std::string>& objects) {
   for (const std::string& name : group.children()) {
@@ -21,14 +37,20 @@ inline void describe(const io::Hdf5Group& group, std::map<std::string, std::stri
     }
     for (const std::size_t extent : group.shape(name)) text += std::to_string(extent) + ",";
     if (group.kind(name) == io::Hdf5Kind::Text) {
+      if (group.shape(name).empty()) {
+        text += group.read_text(name);
+        continue;
+      }
       for (const std::string& value : group.read_texts(name)) text += value + "|";
     } else if (group.kind(name) == io::Hdf5Kind::Real) {
-      const auto values = group.read<double>(name);
+      const auto values = group.read_array<double>(name, group.shape(name));
       text.append(reinterpret_cast<const char*>(values.data()), 8 * values.size());
     } else {
-      for (const std::uint64_t value : group.read<std::uint64_t>(name)) {
-        text += std::to_string(value) + "|";
-      }
+      with_integer_type(group, name, [&](auto none) {
+        for (const auto value : group.read_array<decltype(none)>(name, group.shape(name))) {
+          text += std::to_string(value) + "|";
+        }
+      });
     }
   }
 }
@@ -68,11 +90,13 @@ inline void copy_but(const io::Hdf5Group& from, io::Hdf5Group& to, const std::st
         }
         break;
       default:
-        if (from.shape(name).empty()) {
-          to.write(name, from.read_scalar<std::int64_t>(name));
-        } else {
-          to.write(name, from.read<std::int64_t>(name));
-        }
+        with_integer_type(from, name, [&](auto none) {
+          if (from.shape(name).empty()) {
+            to.write(name, from.read_scalar<decltype(none)>(name));
+          } else {
+            to.write(name, from.read<decltype(none)>(name));
+          }
+        });
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 
 #include "plastica/io/hdf5.hpp"
@@ -78,6 +79,22 @@ TEST_F(Hdf5Errors, AnotherTypeOrShapeIsNamed) {
             path_ + ": /t: is not a single value");
   EXPECT_EQ(on_reading([](const Hdf5Group& root) { root.read_ragged<double>("rows"); }),
             path_ + ": /rows: has offsets that do not fit its values");
+}
+
+TEST_F(Hdf5Errors, AnotherShapeIsNamed) {
+  const std::array<std::size_t, 1> three{3};
+  const std::array<std::size_t, 2> table{Hdf5Group::kAnyExtent, 2};
+  EXPECT_EQ(on_reading([&](const Hdf5Group& root) { root.read_array<double>("x", three); }),
+            path_ + ": /x: must have the extents 3");
+  EXPECT_EQ(on_reading([&](const Hdf5Group& root) { root.read_array<double>("x", table); }),
+            path_ + ": /x: must have the extents n x 2");
+}
+
+TEST_F(Hdf5Errors, IntegersThatHdf5WouldChangeAreRefused) {
+  EXPECT_EQ(on_reading([](const Hdf5Group& root) { root.read<std::int64_t>("rows/offsets"); }),
+            path_ + ": /rows/offsets: does not hold signed integers of 64 bits");
+  EXPECT_EQ(on_reading([](const Hdf5Group& root) { root.read<std::uint8_t>("rows/offsets"); }),
+            path_ + ": /rows/offsets: does not hold unsigned integers of 8 bits");
 }
 
 TEST_F(Hdf5Errors, AnAttributeOfAnotherTypeIsNamed) {

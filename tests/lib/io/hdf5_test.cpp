@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -92,9 +93,10 @@ TEST(Hdf5, GivesBackTablesAndRaggedRows) {
   EXPECT_LT(std::filesystem::file_size(path), 90000U * 8U / 2U);
   const Hdf5File file = Hdf5File::open(path);
   EXPECT_EQ(file.root().shape("flat"), (std::vector<std::size_t>{2, 3}));
-  EXPECT_EQ(file.root().read<double>("flat"), ramp(6));
+  EXPECT_EQ(file.root().read_array<double>("flat", std::array<std::size_t, 2>{2, 3}), ramp(6));
   EXPECT_EQ(file.root().shape("packed"), (std::vector<std::size_t>{30000, 3}));
-  EXPECT_EQ(file.root().read<double>("packed"), ramp(90000));
+  const std::array<std::size_t, 2> any_rows{Hdf5Group::kAnyExtent, 3};
+  EXPECT_EQ(file.root().read_array<double>("packed", any_rows), ramp(90000));
   const Ragged<double> rows = file.root().read_ragged<double>("history");
   ASSERT_EQ(rows.rows(), 3U);
   EXPECT_EQ(rows.row(0).size(), 2U);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include "tests/lib/io/scratch_folder.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/motion_record.hpp"
@@ -315,11 +317,68 @@ TEST_F(SceneStore, WhoseFramesOrEventsAreNotOfTheBeamIsRefused) {
   EXPECT_EQ(refusal([](ChainHistory& chain) { chain.frame_sample[2] = 11; }),
             path_ + ": /path/frame_sample: must rise and be samples of the file");
   EXPECT_EQ(refusal([](ChainHistory& chain) { chain.frame_sample[1] = 0; }),
-            path_ + ": /path/frame_sample: must rise and be samples of the file");
+            path_ + ": /path/frame_sample: must rise from each to the next");
   EXPECT_EQ(refusal([](ChainHistory& chain) { chain.events[1].joints[0].joint = 5; }),
             path_ + ": /events/joints/joint: must be a joint of the beam");
   EXPECT_EQ(refusal([](ChainHistory& chain) { chain.events[0].pieces[1].last = 4; }),
             path_ + ": /events/pieces: must be ranges of the beam's segments");
+}
+
+/// What is said of a record that is written as it should not be.
+class DamagedScene : public SceneStore {
+ protected:
+  template <class Spoil>
+  std::string refusal(SceneRecord record, const Spoil& spoil) const {
+    spoil(record);
+    write_scene_store(path_, record);
+    const std::string message = message_of([&] { read_scene_store(path_); });
+    return message.substr(std::min(message.size(), path_.size() + 2));
+  }
+};
+
+TEST_F(DamagedScene, OfACouponWithFewerStrainsThanSamplesIsRefused) {
+  EXPECT_EQ(refusal(record_of(coupon_text()),
+                    [](SceneRecord& record) { record.setup.scene.drive.strain.resize(1); }),
+            "/drive/strain: must have a strain for each sample");
+  EXPECT_EQ(refusal(record_of(coupon_text()),
+                    [](SceneRecord& record) { record.setup.scene.drive.strain.clear(); }),
+            "/drive/strain: must be there for a coupon, and not for a beam");
+  EXPECT_EQ(refusal(record_of(coupon_text()),
+                    [](SceneRecord& record) { record.response.event->sample = 1U << 20U; }),
+            "/coupon_break/sample: must be a sample of the drive");
+}
+
+TEST_F(DamagedScene, WhoseBeamIsNoneIsRefused) {
+  const SceneRecord beam = record_of(cantilever_text());
+  EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.outline.ends[1] = 0.0; }),
+            "/beam/ends: must rise from each to the next");
+  EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.outline.ends[4] = 0.9; }),
+            "/beam/ends: must begin with 0, end with 1");
+  EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.outline.width[0] = 0.0; }),
+            "/beam/width = 0.000000: must be above 0");
+  EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.outline.node[3] = NAN; }),
+            "/beam/node = nan: must be finite");
+  EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.setup.scene.beam.segments = 5; }),
+            "/beam/width: must have a row for each of beam.segments");
+  EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.level = Level::Coupon; }),
+            "/scene/level: must be coupon for a coupon alone");
+}
+
+TEST_F(DamagedScene, WhoseNumbersAreOutOfTheirRangeIsRefused) {
+  const SceneRecord beam = record_of(cantilever_text());
+  EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.response.chain.moment[4] = INFINITY; }),
+            "/joints/moment = inf: must be finite");
+  EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.response.chain.iterations[2] = -1; }),
+            "/path/iterations = -1: must be from 0 to 2147483647");
+  EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.outline.round[2] = 2; }),
+            "/beam/round = 2: must be 0 or 1");
+  EXPECT_EQ(refusal(beam,
+                    [](SceneRecord& record) {
+                      record.setup.scene.probes[0].at = {1.5, {}};
+                    }),
+            "/probes/at = 1.500000: must be from 0 to 1");
+  EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.response.chain.time[0] = 9.0; }),
+            "/path/time: must not fall");
 }
 
 }  // namespace

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "sweeps/report/text.hpp"
 #include "sweeps/run/result_bytes.hpp"
+#include "sweeps/store/sweep_rules.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
 #include "tests/support/message.hpp"
 #include "tests/sweeps/run_record.hpp"
@@ -74,6 +78,28 @@ TEST_F(SweepStoreTest, GivesEarlierResultsById) {
   const EarlierResults earlier = earlier_results(path_);
   ASSERT_EQ(earlier.size(), 2U);
   EXPECT_EQ(bytes_of(earlier.at(record.ids[1])), bytes_of(record.results[1]));
+}
+
+TEST_F(SweepStoreTest, RefusesResultsThatNoSweepHas) {
+  const SweepRecord whole = record_of(kAxes + kTipError);
+  const auto refusal = [&](const auto& spoil) {
+    SweepRecord record = whole;
+    spoil(record);
+    const std::string message = plastica::testing::message_of([&] { read_back(record); });
+    return message.substr(std::min(message.size(), path_.size() + 2));
+  };
+  EXPECT_EQ(refusal([](SweepRecord& record) { record.results[3].segments = -1; }),
+            "/cases/segments = -1: must be from 0 to 9007199254740992");
+  EXPECT_EQ(refusal([](SweepRecord& record) { record.results[3].iterations = kMaxWork / 2; }),
+            "/cases/iterations = 4503599627370496: must be fewer for so many segments");
+  EXPECT_EQ(refusal([](SweepRecord& record) { record.results[3].value = INFINITY; }),
+            "/cases/value = inf: must be finite");
+  EXPECT_EQ(refusal([](SweepRecord& record) { record.groups[1].size[0] = 0.0; }),
+            "/groups/size/values = 0.000000: must be above 0");
+  EXPECT_EQ(refusal([](SweepRecord& record) { record.groups[1].size.pop_back(); }),
+            "/groups: does not go with the number of cases");
+  EXPECT_EQ(refusal([](SweepRecord& record) { record.timed_runs = -1; }),
+            "/sweep/timed_runs = -1: must be a number from 0 on");
 }
 
 TEST_F(SweepStoreTest, RefusesAFileThatIsNone) {

@@ -14,7 +14,6 @@
 namespace plastica::calibrate {
 namespace {
 
-using store::ColumnReader;
 using store::ColumnWriter;
 using store::SceneRows;
 
@@ -165,138 +164,6 @@ void write_tables(io::Hdf5Group& root, const SceneRows& rows) {
   write_rows(root, "warnings", rows.warnings, store::kSceneWarningColumns);
 }
 
-/// Fills records from a file, of which it knows how many there are.
-class Reader {
- public:
-  Reader(const io::Hdf5Group& root, std::vector<SceneFitRecord>& records)
-      : root_(root), records_(records) {}
-
-  void fits() {
-    read_columns("fits", pointers_to(std::span(records_)), store::kSceneFitColumns);
-    const auto correlation = ragged("correlation", records_.size());
-    for (std::size_t i = 0; i < records_.size(); ++i) {
-      records_[i].result.correlation = numbers(correlation.row(i));
-    }
-  }
-
-  void parameters() {
-    for (auto& row : table<store::SceneParameterRow>("parameters", store::kSceneParameterColumns)) {
-      records_[row.fit].result.parameters.push_back(std::move(row.parameter));
-    }
-  }
-
-  void segments() {
-    for (auto& row : table<store::SceneSegmentsRow>("segments", store::kSceneSegmentsColumns)) {
-      auto& made = records_[row.fit].result.segments;
-      if (!made) refuse("segments/fit", "names a fit that was not divided anew");
-      made->parameters.push_back(row.error);
-    }
-    for (const SceneFitRecord& record : records_) {
-      const SceneFitResult& result = record.result;
-      if (result.segments && result.segments->parameters.size() != result.parameters.size()) {
-        refuse("segments/fit", "must have a row for each parameter of a fit");
-      }
-    }
-  }
-
-  void parts() {
-    auto rows = table<store::ScenePartRow>("parts", store::kScenePartColumns);
-    const io::Ragged<double> abscissa = curve("abscissa", rows.size());
-    const io::Ragged<double> ordinate = curve("ordinate", rows.size());
-    const io::Ragged<double> fitted = curve("fitted", rows.size());
-    const io::Ragged<double> error = curve("fitted_error", rows.size());
-    for (std::size_t p = 0; p < rows.size(); ++p) {
-      store::ScenePartRow& row = rows[p];
-      SceneFitRecord& record = records_[row.fit];
-      row.target.abscissa = numbers(abscissa.row(p));
-      row.target.ordinate = numbers(ordinate.row(p));
-      if (row.made) {
-        row.made->name = row.target.name;
-        if (row.has_curve) {
-          row.made->fitted = numbers(fitted.row(p));
-          row.made->fitted_error = numbers(error.row(p));
-        }
-        record.result.parts.push_back(std::move(*row.made));
-      }
-      record.targets.push_back(std::move(row.target));
-      record.weights.push_back(row.weight);
-    }
-    for (const SceneFitRecord& record : records_) {
-      const std::size_t made = record.result.parts.size();
-      if (made != 0 && made != record.targets.size()) {
-        refuse("parts/present", "must be the same for all targets of a fit");
-      }
-    }
-  }
-
-  void starts() {
-    auto rows = table<store::SceneStartRow>("starts", store::kSceneStartColumns);
-    const auto from = ragged("starts/from", rows.size());
-    const auto to = ragged("starts/to", rows.size());
-    for (std::size_t s = 0; s < rows.size(); ++s) {
-      rows[s].start.from = numbers(from.row(s));
-      rows[s].start.to = numbers(to.row(s));
-      records_[rows[s].fit].result.starts.push_back(std::move(rows[s].start));
-    }
-  }
-
-  void warnings() {
-    for (auto& row : table<store::SceneWarningRow>("warnings", store::kSceneWarningColumns)) {
-      records_[row.fit].result.warnings.push_back(std::move(row.text));
-    }
-  }
-
- private:
-  [[noreturn]] void refuse(const std::string& path, const std::string& rule) const {
-    throw InputError({root_.file(), 0}, "/" + path, "", rule);
-  }
-
-  template <typename Row, typename Columns>
-  void read_columns(const std::string& path, std::vector<Row*> rows, const Columns& columns) const {
-    const io::Hdf5Group group = root_.open_group(path);
-    ColumnReader<Row> reader(group, std::move(rows));
-    columns(reader);
-  }
-
-  template <typename Row, typename Columns>
-  std::vector<Row> table(const std::string& path, const Columns& columns) const {
-    std::vector<Row> rows(root_.read<std::uint64_t>(path + "/fit").size());
-    read_columns(path, pointers_to(std::span(rows)), columns);
-    for (const Row& row : rows) {
-      if (row.fit >= records_.size()) refuse(path + "/fit", "names a fit that is not in the file");
-    }
-    return rows;
-  }
-
-  void check_rows(const std::string& path, const io::Ragged<double>& rows, std::size_t n) const {
-    const std::vector<std::uint64_t>& offsets = rows.offsets;
-    const bool whole = offsets.size() == n + 1 && offsets.front() == 0 &&
-                       offsets.back() == rows.values.size() && std::ranges::is_sorted(offsets);
-    if (!whole) refuse(path, "has offsets that do not fit its values");
-  }
-
-  io::Ragged<double> ragged(const std::string& path, std::size_t n) const {
-    io::Ragged<double> rows = root_.read_ragged<double>(path);
-    check_rows(path, rows, n);
-    return rows;
-  }
-
-  io::Ragged<double> curve(const std::string& name, std::size_t n) const {
-    io::Ragged<double> rows;
-    rows.values = root_.read<double>("curves/" + name);
-    rows.offsets = root_.read<std::uint64_t>("curves/offsets");
-    check_rows("curves/" + name, rows, n);
-    return rows;
-  }
-
-  static std::vector<double> numbers(std::span<const double> row) {
-    return {row.begin(), row.end()};
-  }
-
-  const io::Hdf5Group& root_;
-  std::vector<SceneFitRecord>& records_;
-};
-
 std::vector<store::StoredIntervals> intervals_of(
     const std::vector<const SceneFitRecord*>& records) {
   std::vector<store::StoredIntervals> all;
@@ -330,35 +197,6 @@ void write_scene_fit_store(const std::string& path, const SceneFitContents& cont
   for (const SceneFitRecord* record : records) seconds.push_back(record->seconds);
   root.write("meta/fit_seconds", seconds, {"s"});
   file.commit();
-}
-
-SceneFitContents read_scene_fit_store(const std::string& path) {
-  const io::Hdf5File file = io::Hdf5File::open(path);
-  const io::Hdf5Group& root = file.root();
-  io::check_schema(root, kSceneFitSchema, kSceneFitVersion);
-  SceneFitContents contents;
-  contents.run = io::read_run_id(root);
-  contents.records.resize(root.read_texts("fits/name").size());
-  Reader reader(root, contents.records);
-  reader.fits();
-  reader.parameters();
-  reader.segments();
-  reader.parts();
-  reader.starts();
-  reader.warnings();
-  std::vector<FitIntervals*> intervals;
-  for (SceneFitRecord& record : contents.records) intervals.push_back(&record.result.intervals);
-  store::read_intervals(root, intervals);
-  contents.confidence = root.read_scalar<double>("options/confidence");
-  contents.inputs = io::read_inputs(root);
-  contents.meta = io::read_meta(root);
-  const std::vector<double> seconds = root.read<double>("meta/fit_seconds");
-  if (seconds.size() != contents.records.size()) {
-    throw InputError({path, 0}, "/meta/fit_seconds", std::to_string(seconds.size()),
-                     "must have a row for each fit");
-  }
-  for (std::size_t i = 0; i < seconds.size(); ++i) contents.records[i].seconds = seconds[i];
-  return contents;
 }
 
 }  // namespace plastica::calibrate

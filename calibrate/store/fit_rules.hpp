@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+
+#include "plastica/io/value_rule.hpp"
+
+/// What files of fits must hold beyond types and shapes: the numbers that are not just finite, or
+/// not negative; not installed. What is optional may be missing (NaN) anyway.
+namespace plastica::calibrate::store {
+
+inline constexpr Range kBelowOne{0.0, 1.0, true, true};
+
+inline constexpr std::array kFitRules{
+    io::anything("fits/seed"),
+    io::may_lack("fits/misfit_share"),
+    io::may_lack("fits/runs_probability"),
+    io::may_lack("fits/autocorrelation"),
+    io::anything("fits/effective_samples"),
+    io::anything("parameters/*/lower"),
+    io::anything("parameters/*/upper"),
+    io::anything("parameters/*/standard_error"),
+    io::anything("parameters/*/noise_error"),
+    io::anything("parameters/*/interval_low"),
+    io::anything("parameters/*/interval_high"),
+    io::anything("parameters/*/verdict_number"),
+    io::may_lack("correlation/values"),
+    io::anything("curves/raw/strain"),
+    io::anything("curves/raw/stress"),
+    io::anything("evaluations/cost"),
+    io::may_lack("evaluations/values"),
+    io::may_lack("properties/value"),
+    io::may_lack("corrections/amount"),
+    io::anything("stages/cost"),
+};
+
+inline constexpr std::array kSceneFitRules{
+    io::anything("fits/degrees_of_freedom"),
+    io::may_lack("correlation/values"),
+    io::anything("parameters/standard_error"),
+    io::anything("parameters/noise_error"),
+    io::anything("parameters/sampling_error"),
+    io::anything("parameters/misfit_error"),
+    io::anything("parameters/interval_low"),
+    io::anything("parameters/interval_high"),
+    io::anything("parameters/degrees_of_freedom"),
+    io::anything("parameters/verdict_number"),
+    io::ValueRule{"parts/break_half_interval", io::kNotNegative},
+    io::ValueRule{"parts/weight", io::kNotNegative},
+    io::anything("parts/cost"),
+    io::anything("parts/noise"),
+    io::anything("parts/degrees_of_freedom"),
+    io::may_lack("parts/misfit_share"),
+    io::may_lack("parts/runs_probability"),
+    io::may_lack("parts/break_strain"),
+    io::may_lack("segments/at_half"),
+    io::may_lack("segments/at_own"),
+    io::may_lack("segments/at_twice"),
+    io::anything("segments/observed_order"),
+    io::anything("segments/order"),
+    io::anything("segments/safety_factor"),
+    io::may_lack("segments/extrapolated"),
+    io::anything("segments/extrapolated_error"),
+    io::anything("segments/error"),
+    io::may_lack("curves/fitted"),
+    io::may_lack("curves/fitted_error"),
+    io::ValueRule{"starts/cost", io::kNotNegative, io::Order::Any, true, true},
+    io::may_lack("starts/to/values"),
+    io::ValueRule{"options/confidence", kBelowOne},
+    io::ValueRule{"meta/fit_seconds", io::kNotNegative, io::Order::Any, true},
+};
+
+/// Of the tables that both kinds have.
+inline constexpr std::array kIntervalRules{
+    io::anything("profiles/low"),
+    io::anything("profiles/high"),
+    io::anything("profiles/threshold"),
+    io::anything("profiles/rise/values"),
+    io::may_lack("profiles/searched/values"),
+    io::may_lack("bootstraps/values/values"),
+    io::anything("bootstraps/standard_error/values"),
+    io::anything("bootstraps/low/values"),
+    io::anything("bootstraps/high/values"),
+};
+
+inline constexpr std::array kOptionRules{
+    io::ValueRule{"options/noise", io::kAboveZero, io::Order::Any, true},
+    io::ValueRule{"options/weights/from", io::kNotNegative, io::Order::RisesStrictly},
+    io::ValueRule{"options/weights/weight", io::kNotNegative},
+    io::ValueRule{"options/break_weight", io::kNotNegative},
+    io::ValueRule{"options/parameter_tolerance", io::kNotNegative},
+    io::ValueRule{"options/cost_tolerance", io::kNotNegative},
+    io::ValueRule{"options/confidence", kBelowOne},
+    io::anything("options/seed"),
+};
+
+}  // namespace plastica::calibrate::store

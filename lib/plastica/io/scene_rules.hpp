@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+
+#include "plastica/io/scene_store.hpp"
+#include "plastica/io/value_rule.hpp"
+
+/// What the file of a simulated scene must hold beyond types and shapes, which its layout says
+/// (scene_layout.hpp); not installed.
+namespace plastica::io {
+
+/// The numbers that are not just finite, or not negative.
+inline constexpr std::array kSceneRules{
+    ValueRule{"supports/at", kShare},
+    ValueRule{"supports/gap", kNotNegative},
+    ValueRule{"supports/restitution", kShare},
+    ValueRule{"supports/stiffness", kNotNegative},
+    ValueRule{"supports/rotational_stiffness", kNotNegative},
+    ValueRule{"loads/at", kShare},
+    ValueRule{"loads/to", kShare, Order::Any, true},
+    ValueRule{"gravity/history_time", kNotNegative, Order::RisesStrictly},
+    ValueRule{"initial_motions/from", kShare},
+    ValueRule{"initial_motions/to", kShare},
+    ValueRule{"initial_motions/about", kShare},
+    ValueRule{"cuts/at", kShare},
+    ValueRule{"cuts/time", kNotNegative},
+    ValueRule{"options/beam/segment_shares", kAboveZero},
+    ValueRule{"options/beam/joint_lengths", kAboveZero},
+    ValueRule{"options/control/at", kShare, Order::Any, true},
+    ValueRule{"beam/ends", kShare, Order::RisesStrictly},
+    ValueRule{"beam/joint_length", kAboveZero},
+    ValueRule{"beam/width", kAboveZero},
+    ValueRule{"beam/height", kAboveZero},
+    ValueRule{"beam/modulus", kAboveZero},
+    ValueRule{"beam/strain_per_angle", kAboveZero},
+    ValueRule{"probes/at", kShare},
+    ValueRule{"path/time", kNotNegative, Order::Rises},
+    ValueRule{"path/frame_sample", {}, Order::RisesStrictly},
+    ValueRule{"events/time", kNotNegative, Order::Rises},
+    ValueRule{"outcome/ledger_error", kNotNegative},
+    ValueRule{"meta/run_seconds", kNotNegative},
+};
+
+/// Whether all that was read goes together: samples, frames, joints, segments, events.
+/// @throws InputError that names what does not
+void check_agreement(const Hdf5Group& root, const SceneRecord& record);
+
+}  // namespace plastica::io
