@@ -138,7 +138,7 @@ Setup SceneModel::setup_at(const Setup& base, std::span<const double> values) co
 }
 
 std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::size_t count,
-                                        int threads, const std::atomic<bool>* stop) const {
+                                        int threads, StopFlag stop) const {
   BatchOptions how;
   how.threads = threads;
   how.stop = stop;

@@ -1,11 +1,17 @@
 #include "sweeps/run/sweep_run.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <mutex>
+#include <numeric>
 #include <utility>
 
+#include "calibrate/fit/fit_interrupted.hpp"
+#include "plastica/base/machine_memory.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/io/digest.hpp"
 #include "plastica/run/batch.hpp"
+#include "plastica/run/response_size.hpp"
 #include "sweeps/run/measure.hpp"
 #include "sweeps/run/result_bytes.hpp"
 
@@ -76,8 +82,30 @@ void SweepRun::take(std::size_t index, CaseResult result) {
   if (told_) told_(progress_);
 }
 
+/// The largest of them may meet.
+void SweepRun::check_memory_of(const std::vector<std::size_t>& missing) const {
+  std::vector<std::size_t> bytes(missing.size());
+  const std::size_t machine = machine_memory();
+  parallel_for(missing.size(), {options_.threads, nullptr}, [&](std::size_t k, int) {
+    const Setup setup = cases_.setup(missing[k]);
+    check_memory(setup.scene, setup.solver, machine);
+    bytes[k] = response_size(setup.scene, setup.solver).needed_bytes();
+  });
+  const auto threads =
+      static_cast<std::size_t>(resolved_threads(threads_of(sweep_, options_.threads)));
+  std::sort(bytes.begin(), bytes.end(), std::greater<>());
+  bytes.resize(std::min(bytes.size(), threads));
+  const std::size_t together = std::accumulate(bytes.begin(), bytes.end(), std::size_t{0});
+  if (together <= machine) return;
+  throw InputError({sweep_.path, 0}, "threads", std::to_string(threads),
+                   "so many of the largest cases take " + bytes_text(together) +
+                       " of memory, and the machine has " + bytes_text(machine) +
+                       ": run fewer side by side (--threads)");
+}
+
 void SweepRun::run_missing(const std::vector<std::size_t>& missing) {
   const int threads = threads_of(sweep_, options_.threads);
+  check_memory_of(missing);
   if (is_simulated(sweep_.quantity)) {
     const auto make = [&](std::size_t k) {
       Setup setup = cases_.setup(missing[k]);
@@ -94,7 +122,9 @@ void SweepRun::run_missing(const std::vector<std::size_t>& missing) {
   parallel_for(missing.size(), {threads, options_.stop}, [&](std::size_t k, int) {
     CaseResult result;
     try {
-      result = measure(sweep_, cases_.setup(missing[k]));
+      result = measure(sweep_, cases_.setup(missing[k]), options_.stop);
+    } catch (const calibrate::FitInterrupted&) {
+      return;
     } catch (const InputError& error) {
       result = rejected(error.what());
     }

@@ -28,7 +28,8 @@ class LanePool {
   /// Takes a case in.
   /// @param one  of `has_lanes`
   /// @return cases that are to be run now: a shape of which there are enough, or, where very many
-  ///         cases wait, the shape that waits longest
+  ///         cases wait, the shape that waits longest, or, where they take much memory, that of the
+  ///         case
   std::optional<LaneCases> add(WaitingCase&& one);
 
   /// Gives back all that wait.
@@ -36,8 +37,10 @@ class LanePool {
 
  private:
   static constexpr std::size_t kMostShapes = 64;
+  static constexpr std::size_t kMostBytes = std::size_t{1} << 28;
 
   std::vector<LaneCases> shapes_;  ///< none of them empty
+  std::size_t bytes_ = 0;          ///< that all who wait take
 };
 
 /// Runs cases of one shape together; should that throw, each by itself, so that one case's failure
