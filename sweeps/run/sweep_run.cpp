@@ -1,9 +1,6 @@
 #include "sweeps/run/sweep_run.hpp"
 
-#include <algorithm>
-#include <functional>
 #include <mutex>
-#include <numeric>
 #include <utility>
 
 #include "calibrate/fit/fit_interrupted.hpp"
@@ -91,16 +88,7 @@ void SweepRun::check_memory_of(const std::vector<std::size_t>& missing) const {
     check_memory(setup.scene, setup.solver, machine);
     bytes[k] = response_size(setup.scene, setup.solver).needed_bytes();
   });
-  const auto threads =
-      static_cast<std::size_t>(resolved_threads(threads_of(sweep_, options_.threads)));
-  std::sort(bytes.begin(), bytes.end(), std::greater<>());
-  bytes.resize(std::min(bytes.size(), threads));
-  const std::size_t together = std::accumulate(bytes.begin(), bytes.end(), std::size_t{0});
-  if (together <= machine) return;
-  throw InputError({sweep_.path, 0}, "threads", std::to_string(threads),
-                   "so many of the largest cases take " + bytes_text(together) +
-                       " of memory, and the machine has " + bytes_text(machine) +
-                       ": run fewer side by side (--threads)");
+  check_memory(std::move(bytes), resolved_threads(threads_of(sweep_, options_.threads)), machine);
 }
 
 void SweepRun::run_missing(const std::vector<std::size_t>& missing) {

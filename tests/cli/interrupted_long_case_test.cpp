@@ -90,7 +90,8 @@ TEST_F(InterruptedLongCase, OfSimulateAtRestWritesNothing) {
 
 TEST_F(InterruptedLongCase, OfSimulateInMotionWritesWhatThereIs) {
   place_.write("beam.toml", long_motion());
-  place_.write("articulated.toml", long_motion("scheme = 'articulated_midpoint'\n"));
+  place_.write("articulated.toml",
+               long_motion("scheme = 'articulated_midpoint'\n[rules]\nyield_model = 'elastic'\n"));
   for (const std::string name : {"beam", "articulated"}) {
     const CommandResult result = interrupt({"simulate", name + ".toml", "-o", name + ".h5"});
     EXPECT_NE(result.err.find("plastica: interrupted at "), std::string::npos) << result.err;
@@ -129,12 +130,13 @@ TEST_F(InterruptedLongCase, OfASweepIsRunByResume) {
 }
 
 TEST_F(InterruptedLongCase, OfAFitThroughAScene) {
-  place_.write("bar.toml", beam(20000, "steps = 1000"));
+  place_.write("bar.toml", beam(300, "steps = 1000\n[rules]\nyield_model = 'fibre'"));
   std::string curve = "Way (mm),Force (N)\n";
   for (int i = 1; i <= 400; ++i) {
     curve += fmt::format("{},{}\n", 0.25 * i, 600.0 * std::tanh(i / 200.0));
   }
   place_.write("curve.csv", curve);
+  // A run of some seconds, of which a fit takes dozens.
   std::string scene = place_.read("bar.toml");
   scene.replace(scene.find("[[load]]"), scene.find("[[probe]]") - scene.find("[[load]]"),
                 "[[support]]\nat = \"end\"\nkind = \"roller\"\nhold = [\"y\"]\n"
@@ -159,7 +161,7 @@ ordinate = { probe = "force", column = "Force", factor = -1 }
 TEST_F(InterruptedLongCase, OfAFitOfACurve) {
   place_.write("curve.csv", broken_curve(350.0, 0, 0.0005));
   place_.write("fit.toml", fit_file("'curve.csv'",
-                                    "algorithm = 'crs'\nstop = { global_evaluations = 100000000, "
+                                    "algorithm = 'isres'\nstop = { global_evaluations = 100000000, "
                                     "parameter_tolerance = 0, cost_tolerance = 0 }"));
   const CommandResult result = interrupt({"calibrate", "fit.toml", "-o", "out.h5"});
   EXPECT_EQ(result.err, "plastica: interrupted; what is finished is kept: --resume goes on\n");

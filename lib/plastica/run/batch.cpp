@@ -190,57 +190,73 @@ void run_batch(std::size_t cases, const std::function<BatchCase(std::size_t)>& m
                [&](std::size_t k, int) { run_lane_cases(std::move(left[k]), hand_over); });
 }
 
-std::vector<Response> run_batch(const Model& model, std::span<const double> values,
-                                std::size_t cases, const BatchOptions& options) {
+void run_batch(const Model& model, std::span<const double> values, std::size_t cases,
+               const std::function<void(std::size_t, Response&&)>& take,
+               const BatchOptions& options) {
   const std::size_t width = model.parameters.size();
   if (values.size() != cases * width) {
     throw InputError({}, "values", std::to_string(values.size()),
                      "must hold one value a parameter for each case");
   }
-  std::vector<Response> responses(cases);
+  const int threads = resolved_threads(options.threads);
+  const std::size_t bytes = response_size(model).needed_bytes();
+  check_memory(std::vector<std::size_t>(cases, bytes), threads);
   Progress progress(options);
-  const auto values_of = [&](std::size_t i) { return values.subspan(i * width, width); };
+  std::mutex taking;
   Workspace hooks;
   hooks.stop = options.stop;
-  const auto finished = [&](std::size_t i) {
-    if (responses[i].status == Status::Interrupted) {
-      responses[i] = {};
-    } else {
-      progress.one_more();
+  const auto finished = [&](std::size_t i, Response&& response) {
+    if (response.status == Status::Interrupted) return;
+    {
+      const std::lock_guard lock(taking);
+      take(i, std::move(response));
     }
+    progress.one_more();
   };
+  const auto values_of = [&](std::size_t i) { return values.subspan(i * width, width); };
   if (model.chain && has_lanes(*model.chain)) {
-    const std::size_t together = lane_width(*model.chain, cases, resolved_threads(options.threads));
-    std::vector<std::unique_ptr<LaneProgram>> programs(
-        static_cast<std::size_t>(resolved_threads(options.threads)));
+    const std::size_t together = std::min(lane_width(*model.chain, cases, threads),
+                                          std::max(std::size_t{1}, kMostLaneBytes / bytes));
+    std::vector<std::unique_ptr<LaneProgram>> programs(static_cast<std::size_t>(threads));
     parallel_for((cases + together - 1) / together, {options.threads, options.stop},
                  [&](std::size_t group, int worker) {
-                   std::vector<MaterialValues<double>> materials(together);
+                   const std::size_t first = group * together;
+                   const std::size_t count = std::min(cases - first, together);
+                   std::vector<MaterialValues<double>> materials(count);
+                   std::vector<Response> responses(count);
                    std::vector<LaneCase> lanes;
-                   const std::size_t end = std::min(cases, (group + 1) * together);
-                   for (std::size_t i = group * together; i < end; ++i) {
-                     responses[i] = make_response(model);
-                     MaterialValues<double>& material = materials[i - group * together];
-                     if (!take_parameters(model, values_of(i), material)) {
-                       responses[i].status = Status::InvalidParameter;
+                   for (std::size_t k = 0; k < count; ++k) {
+                     responses[k] = make_response(model);
+                     if (!take_parameters(model, values_of(first + k), materials[k])) {
+                       responses[k].status = Status::InvalidParameter;
                        continue;
                      }
-                     lanes.push_back({model.chain.get(), &material, &hooks, &responses[i]});
+                     lanes.push_back({model.chain.get(), &materials[k], &hooks, &responses[k]});
                    }
                    auto& program = programs[static_cast<std::size_t>(worker)];
                    if (!program) program = make_lane_program(*model.chain);
                    if (!lanes.empty()) program->run(lanes);
-                   for (std::size_t i = group * together; i < end; ++i) finished(i);
+                   for (std::size_t k = 0; k < count; ++k) {
+                     finished(first + k, std::move(responses[k]));
+                   }
                  });
-    return responses;
+    return;
   }
   parallel_for(cases, {options.threads, options.stop}, [&](std::size_t i, int) {
-    responses[i] = make_response(model);
+    Response response = make_response(model);
     Workspace workspace = make_workspace(model);
     workspace.stop = options.stop;
-    run(model, values_of(i), workspace, responses[i]);
-    finished(i);
+    run(model, values_of(i), workspace, response);
+    finished(i, std::move(response));
   });
+}
+
+std::vector<Response> run_batch(const Model& model, std::span<const double> values,
+                                std::size_t cases, const BatchOptions& options) {
+  std::vector<Response> responses(cases);
+  run_batch(
+      model, values, cases,
+      [&](std::size_t i, Response&& response) { responses[i] = std::move(response); }, options);
   return responses;
 }
 

@@ -59,6 +59,15 @@ void run_batch(std::size_t cases, const std::function<BatchCase(std::size_t)>& m
                const std::function<void(std::size_t, BatchRow&&)>& take,
                const BatchOptions& options = {});
 
+/// Runs one model with many sets of parameter values, and hands each response over when it is
+/// there, so that memory does not grow with their number.
+/// @param values  (n_cases x n_parameters), row by row, SI
+/// @param take  called with each response, one call at a time, from any thread
+/// @throws InputError if what runs side by side does not fit into the machine's memory
+void run_batch(const Model& model, std::span<const double> values, std::size_t cases,
+               const std::function<void(std::size_t, Response&&)>& take,
+               const BatchOptions& options = {});
+
 /// Runs one model with many sets of parameter values.
 /// @param values  (n_cases x n_parameters), row by row, SI
 /// @return the responses (n_cases); empty ones, NotRun, of cases that were not begun

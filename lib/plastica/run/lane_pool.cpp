@@ -57,7 +57,7 @@ std::optional<LaneCases> LanePool::add(WaitingCase&& one) {
   bytes_ += bytes_of(one);
   shape->push_back(std::move(one));
   if (shape->size() < lane_width(*shape->front().model->chain)) {
-    if (shapes_.size() <= kMostShapes && bytes_ <= kMostBytes) return {};
+    if (shapes_.size() <= kMostShapes && bytes_ <= kMostLaneBytes) return {};
     if (shapes_.size() > kMostShapes) shape = shapes_.begin();
   }
   LaneCases ready = std::move(*shape);

@@ -22,6 +22,10 @@ struct WaitingCase {
 /// Cases of one shape (`same_lanes`), no more than are stepped together.
 using LaneCases = std::vector<WaitingCase>;
 
+/// Cases that wait for each other, or run together, take no more memory than this, unless it is one
+/// [bytes].
+inline constexpr std::size_t kMostLaneBytes = std::size_t{1} << 28;
+
 /// Collects cases of lane programs until there are enough of a shape; one a thread.
 class LanePool {
  public:
@@ -37,7 +41,6 @@ class LanePool {
 
  private:
   static constexpr std::size_t kMostShapes = 64;
-  static constexpr std::size_t kMostBytes = std::size_t{1} << 28;
 
   std::vector<LaneCases> shapes_;  ///< none of them empty
   std::size_t bytes_ = 0;          ///< that all who wait take

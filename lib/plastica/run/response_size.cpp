@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <numeric>
 #include <string_view>
 
 #include "plastica/model/check_value.hpp"
@@ -69,6 +71,17 @@ void check_memory(const Scene& scene, const SolverOptions& options, std::size_t 
                    too_much + ": " + std::to_string(size.samples) + " samples, the shape of " +
                        std::to_string(size.frames) +
                        " kept; fewer segments, solver.steps or solver.frames take less");
+}
+
+void check_memory(std::vector<std::size_t> needed, int threads, std::size_t memory) {
+  std::sort(needed.begin(), needed.end(), std::greater<>());
+  needed.resize(std::min(needed.size(), count_of(threads)));
+  const std::size_t together = std::accumulate(needed.begin(), needed.end(), std::size_t{0});
+  if (together <= memory) return;
+  throw InputError({}, "threads", std::to_string(threads),
+                   "so many of the largest cases take " + bytes_text(together) +
+                       " of memory, and the machine has " + bytes_text(memory) +
+                       ": run fewer side by side, or smaller ones");
 }
 
 std::string bytes_text(std::size_t bytes) {

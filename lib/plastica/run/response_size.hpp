@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "plastica/base/machine_memory.hpp"
 #include "plastica/run/model.hpp"
@@ -35,6 +36,12 @@ ResponseSize response_size(const Model& model);
 /// @param memory  that there is [bytes]
 /// @throws InputError with what it takes, what there is, and which fields make it so much
 void check_memory(const Scene& scene, const SolverOptions& options,
+                  std::size_t memory = machine_memory());
+
+/// Refuses cases of which as many as there are threads do not fit into memory side by side.
+/// @param needed  `needed_bytes` of all of them [bytes] (n_cases)
+/// @throws InputError
+void check_memory(std::vector<std::size_t> needed, int threads,
                   std::size_t memory = machine_memory());
 
 /// "3.36 GB", in units of 1000.

@@ -116,6 +116,20 @@ TEST(CheckMemory, RefusesWhatDoesNotFitAndSaysWhatHelps) {
                InputError);
 }
 
+TEST(CheckMemory, AddsUpTheLargestThatMayMeet) {
+  EXPECT_NO_THROW(check_memory({3, 50, 7, 40}, 2, 90));
+  EXPECT_NO_THROW(check_memory({3, 50, 7, 40}, 8, 100));
+  EXPECT_NO_THROW(check_memory({}, 4, 0));
+  try {
+    check_memory({3'000'000, 50'000'000, 7'000'000, 40'000'000}, 2, 89'000'000);
+    FAIL() << "90 MB in 89 MB";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "threads = 2: so many of the largest cases take 90 MB of memory, and the machine has "
+              "89 MB: run fewer side by side, or smaller ones");
+  }
+}
+
 TEST(CheckMemory, HasTheMachinesWhereNoneIsGiven) {
   EXPECT_GT(machine_memory(), std::size_t{1} << 26);
   Scene scene = of_level(Level::Planar);
