@@ -9,7 +9,7 @@ enum ExitCode : int {
   kBadInput = 2,       ///< one line on stderr says what is wrong with the input
   kMachineFailed = 3,  ///< disk, memory, a missing program
   kInterrupted =
-      130,  ///< Ctrl-C; what was finished is kept: fits for --resume, a motion in its file
+      130,  ///< Ctrl-C, SIGTERM; what was finished is kept: fits for --resume, a motion in its file
 };
 
 }  // namespace plastica::cli

@@ -16,7 +16,6 @@
 #include "cli/interrupt.hpp"
 #include "cli/isa_option.hpp"
 #include "cli/motion_progress.hpp"
-#include "cli/response_bytes.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
 #include "plastica/io/output_file.hpp"
@@ -28,6 +27,7 @@
 #include "plastica/report/scene_json.hpp"
 #include "plastica/report/scene_text.hpp"
 #include "plastica/run/chain_model.hpp"
+#include "plastica/run/response_size.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica::cli {
@@ -82,26 +82,30 @@ bool is_motion(const Model& model) {
 }
 
 int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const Model& model) {
-  const Response response = make_response(model);
-  const std::size_t samples = model.chain ? response.chain.time.size() : model.drive.size();
+  const ResponseSize size = response_size(model);
   // The reason begins with the level's name.
   say("{}: level {}\n", arguments.file, model.level_reason);
   if (model.chain) {
-    say("{}, {}, {}, ", report::counted(response.chain.joints - 1, "segment"),
+    say("{}, {}, {}, ", report::counted(size.segments, "segment"),
         report::counted(setup.scene.supports.size(), "support"),
         report::counted(setup.scene.loads.size(), "load"));
   }
-  say("{}, ", report::counted(samples, "sample"));
-  if (model.chain && response.chain.frame_sample.size() < samples) {
-    say("{}, ", report::counted(response.chain.frame_sample.size(), "frame"));
+  say("{}, ", report::counted(size.samples, "sample"));
+  if (model.chain && size.frames < size.samples) {
+    say("{}, ", report::counted(size.frames, "frame"));
   }
   say("{}, about {:.1f} MB\n", report::counted(model.probes.size(), "probe"),
-      static_cast<double>(response_bytes(response)) / 1e6);
+      static_cast<double>(size.bytes()) / 1e6);
   if (is_motion(model)) {
     say("{}{}", motion_label(setup, *model.chain), frequency_line(model, setup));
   }
   for (const std::string& warning : scene_warnings(setup.scene, setup.solver)) {
     say("warning: {}\n", warning);
+  }
+  try {
+    check_memory(setup.scene, setup.solver);
+  } catch (const InputError& error) {
+    say("a run is refused: {}\n", error.what());
   }
   say("nothing was run; the result would be {}\n",
       arguments.output == "-" ? "a table on the terminal" : arguments.output);
@@ -122,16 +126,21 @@ void write_result(const std::string& output, const io::SceneRecord& record,
   }
 }
 
-/// Runs a motion so that Ctrl-C ends it in order, and tells how far it is.
-void run_motion(const Model& model, bool quiet, Workspace& workspace, Response& response) {
+/// Runs so that Ctrl-C ends it in order, and tells how far a motion is.
+void run_scene(const Model& model, bool quiet, Response& response) {
   const InterruptGuard interrupt;
+  Workspace workspace = make_workspace(model);
+  workspace.stop = &interrupt.flag();
+  if (!is_motion(model)) {
+    run(model, {}, workspace, response);
+    return;
+  }
   MotionProgress progress(model.chain->stops.back(), quiet);
   workspace.on_progress = [&](double time) {
     progress.update(time);
-    return !interrupt.flag();
+    return true;
   };
   run(model, {}, workspace, response);
-  workspace.on_progress = {};
 }
 
 int exit_code_of(const Response& response, const std::string& output) {
@@ -151,6 +160,7 @@ int simulate_file(const SimulateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   io::SceneFile file = io::read_scene_file(arguments.file);
   take_isa(arguments.isa, file.setup.solver);
+  if (!arguments.dry_run) check_memory(file.setup.scene, file.setup.solver);
   const Model model = prepare(file.setup.scene, file.setup.solver);
   if (arguments.dry_run) return print_dry_run(arguments, file.setup, model);
   check_outputs(arguments);
@@ -159,11 +169,10 @@ int simulate_file(const SimulateArguments& arguments) {
   io::RunMeta meta = io::begin_meta(arguments.command_line, 1);
   meta.instruction_set = name_of(resolved(file.setup.solver.isa));
   Response response = make_response(model);
-  Workspace workspace = make_workspace(model);
-  if (is_motion(model)) {
-    run_motion(model, arguments.quiet, workspace, response);
-  } else {
-    run(model, {}, workspace, response);
+  run_scene(model, arguments.quiet, response);
+  if (response.status == Status::Interrupted && !is_motion(model)) {
+    fmt::print(stderr, "plastica: interrupted; nothing is written of a path\n");
+    return kInterrupted;
   }
   io::SceneRecord record = io::make_scene_record(file, model, std::move(response));
   meta.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -14,12 +14,12 @@
 #include "cli/interrupt.hpp"
 #include "cli/isa_option.hpp"
 #include "cli/progress_bar.hpp"
-#include "cli/response_bytes.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
 #include "plastica/io/text_file.hpp"
 #include "plastica/report/format.hpp"
+#include "plastica/run/response_size.hpp"
 #include "plastica/run/simulate.hpp"
 #include "sweeps/report/json.hpp"
 #include "sweeps/report/text.hpp"
@@ -92,7 +92,7 @@ int print_dry_run(const sweeps::Sweep& sweep, const std::string& output) {
   const Setup last = cases.setup(cases.size() - 1);
   const Model model = prepare(last.scene, last.solver);
   say("  last case: level {}; its run takes about {:.2f} MB\n", model.level_reason,
-      static_cast<double>(response_bytes(make_response(model))) / 1e6);
+      static_cast<double>(response_size(model).bytes()) / 1e6);
   say("  compared: {}{}{}\n", sweep.quantity.name,
       sweep.against.kind == sweeps::AgainstKind::Nothing ? "" : " against ",
       sweeps::words_of(sweep.against));

@@ -201,10 +201,10 @@ class BeamReader {
     const chain::PartForm& part = body_.parts[model_.part_of_segment[segment]];
     const double limit = detail::watched_joint(model_.scene, model_.layout, part, node).limit[axis];
     if (!std::isfinite(limit)) return kNever;
-    std::vector<JointAngles> angles(model_.layout.size() + 1);
     const auto strain = [&](double angle) {
-      angles[node][axis] = angle;
-      return body_.watch.strain(angles, node);
+      JointAngles alone{};
+      alone[axis] = angle;
+      return body_.watch.lone_strain(alone, node);
     };
     // Strains are linear in the angle, but for the report's sine, which goes no further than pi.
     const double straight = limit / strain(1.0);

@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "calibrate/fit/compare_laws.hpp"
+#include "calibrate/fit/fit_interrupted.hpp"
 #include "calibrate/fit/fit_intervals.hpp"
 #include "calibrate/fit/fit_law.hpp"
 #include "calibrate/fit/given_weights.hpp"
@@ -305,7 +306,9 @@ std::vector<FitCase> cases_of(std::size_t targets, const FitOptions& options) {
 }
 
 std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<const FitCase> cases,
-                                 const FitOptions& options, const BatchFitOptions& batch) {
+                                 const FitOptions& given, const BatchFitOptions& batch) {
+  FitOptions options = given;
+  if (batch.stop != nullptr) options.stop = batch.stop;
   check_options(options);
   std::vector<FitResult> results(cases.size());
   for (FitResult& result : results) result.reason = "not run";
@@ -321,6 +324,10 @@ std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<cons
       } else {
         results[i] = fit_target(target, options);
       }
+    } catch (const FitInterrupted&) {
+      results[i] = {};
+      results[i].reason = "not run";
+      return;
     } catch (const InputError& error) {
       // The options were checked above: this one target does not go with them.
       results[i].status = FitStatus::Failed;

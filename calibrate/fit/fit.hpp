@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -15,14 +14,16 @@ namespace plastica::calibrate {
 
 /// Fits one target, with the law of the options' material. Never throws for what a curve is like:
 /// that is a status of the result.
+/// @throws FitInterrupted once the options' `stop` is raised
 /// @throws InputError if the options themselves are bad (parameters that no coupon has, an unknown
 ///         algorithm, bounds out of range)
 FitResult fit_target(const Target& target, const FitOptions& options);
 
 struct BatchFitOptions {
   int threads = 0;  ///< 0: as many as the machine has
-  /// Once true, no further fit is begun; those under way are finished. May be null.
-  const std::atomic<bool>* stop = nullptr;
+  /// Once raised, no further fit is begun, and those under way end at their next evaluation and
+  /// count as not begun. May be null.
+  StopFlag stop = nullptr;
   /// Called after each fit with its index, one call at a time, from any thread: journal, progress.
   std::function<void(std::size_t index, const FitResult& result)> finished;
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "calibrate/fit/coupon_intervals.hpp"
+#include "calibrate/fit/fit_interrupted.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -46,6 +47,8 @@ void add_intervals(const Target& target, const FitOptions& options, FitResult& r
   std::vector<std::string> warnings;
   try {
     result.intervals = found_intervals(target, options, result, warnings);
+  } catch (const FitInterrupted&) {
+    throw;
   } catch (const std::exception& error) {
     // The fit stands.
     warnings.push_back(fmt::format("there is no profile and no bootstrap: {}", error.what()));

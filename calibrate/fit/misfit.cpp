@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "calibrate/fit/fit_interrupted.hpp"
 #include "calibrate/fit/given_weights.hpp"
 #include "calibrate/fit/weighted_squares.hpp"
 
@@ -55,7 +56,10 @@ Scene unbroken_scene(const Target& target, const FitOptions& options) {
 }  // namespace
 
 Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterSet& parameters)
-    : target_(target), parameters_(parameters), samples_(target.corrected.size()) {
+    : target_(target),
+      parameters_(parameters),
+      stop_(options.stop),
+      samples_(target.corrected.size()) {
   raw_weight_ = sample_weights(target.corrected.strain, options);
   const double sum = std::accumulate(raw_weight_.begin(), raw_weight_.end(), 0.0);
   weight_ = raw_weight_;
@@ -174,6 +178,7 @@ double Misfit::evaluate(std::span<const double> active, std::span<double> gradie
 bool Misfit::run_model(bool with_slopes) {
   was_run_ = run_values_ != model_values_ || (with_slopes && !run_slopes_);
   if (was_run_) {
+    if (is_raised(stop_)) throw FitInterrupted();
     run_values_ = model_values_;
     run_slopes_ = with_slopes;
     if (with_slopes) {

@@ -41,6 +41,8 @@ class Misfit {
   /// How many samples enter the cost: those of weight above 0.
   std::size_t samples() const;
 
+  // What runs the model throws FitInterrupted once the options' `stop` is raised.
+
   /// Cost at values of the active parameters [SI] (n_active); with their derivatives in
   /// `gradient` (n_active) if it is not empty. Infinite where the model cannot be run.
   double cost(std::span<const double> active, std::span<double> gradient);
@@ -110,6 +112,7 @@ class Misfit {
 
   const Target& target_;
   const ParameterSet& parameters_;
+  StopFlag stop_;
   std::size_t samples_ = 0;
   std::vector<double> weight_;  ///< over their sum (n_samples)
   std::vector<double> raw_weight_;

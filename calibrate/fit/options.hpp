@@ -8,6 +8,7 @@
 #include "calibrate/fit/intervals.hpp"
 #include "calibrate/fit/law.hpp"
 #include "calibrate/fit/parameter.hpp"
+#include "plastica/base/stop_flag.hpp"
 #include "plastica/model/field.hpp"
 
 namespace plastica::calibrate {
@@ -64,6 +65,9 @@ struct FitOptions {
   std::uint64_t seed = 1;       ///< each target's own seed is made from this and the target's name
   double confidence = 0.95;     ///< of the intervals, within (0, 1)
   IntervalOptions intervals{};  ///< besides those of the covariance
+  /// Once raised, no further evaluation is begun, and the fit ends by `FitInterrupted`. May be
+  /// null.
+  StopFlag stop = nullptr;
 };
 
 }  // namespace plastica::calibrate

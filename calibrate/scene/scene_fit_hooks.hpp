@@ -1,13 +1,14 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
-#include <exception>
 #include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "calibrate/fit/fit_interrupted.hpp"
+#include "plastica/base/stop_flag.hpp"
 
 namespace plastica::calibrate {
 
@@ -23,8 +24,9 @@ struct SceneFitProgress {
 
 /// What those who run a fit have to do with it. None of it changes a bit of the result.
 struct SceneFitHooks {
-  /// Once true, no further run is begun, and the fit ends by `FitInterrupted`. May be null.
-  const std::atomic<bool>* stop = nullptr;
+  /// Once raised, no further run is begun, one under way ends within a step of its own, and the fit
+  /// ends by `FitInterrupted`. May be null.
+  StopFlag stop = nullptr;
   /// Called between batches of runs, by one thread at a time. May be empty.
   std::function<void(const SceneFitProgress&)> progress{};
   /// What an earlier, interrupted fit of the same input kept by this name; null if nothing. May be
@@ -34,13 +36,7 @@ struct SceneFitHooks {
   /// `find`.
   std::function<void(const std::string& name, std::span<const std::byte> bytes)> keep{};
 
-  bool stopped() const { return stop != nullptr && stop->load(); }
-};
-
-/// A fit was stopped before its end, as asked for.
-class FitInterrupted : public std::exception {
- public:
-  const char* what() const noexcept override { return "the fit was interrupted"; }
+  bool stopped() const { return is_raised(stop); }
 };
 
 }  // namespace plastica::calibrate

@@ -138,7 +138,7 @@ Setup SceneModel::setup_at(const Setup& base, std::span<const double> values) co
 }
 
 std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::size_t count,
-                                        int threads, const std::atomic<bool>* stop) const {
+                                        int threads, StopFlag stop) const {
   BatchOptions how;
   how.threads = threads;
   how.stop = stop;
@@ -181,8 +181,9 @@ std::vector<SceneCurve> SceneModel::run(bool longer, std::span<const double> val
   const Model& model = longer ? *longer_ : model_;
   std::vector<SceneCurve> curves(count);
   if (prepared_) {
-    const std::vector<Response> responses = run_batch(model, values, count, how);
-    for (std::size_t i = 0; i < count; ++i) curves[i] = curve_of(responses[i], longer);
+    run_batch(
+        model, values, count,
+        [&](std::size_t i, Response&& response) { curves[i] = curve_of(response, longer); }, how);
     return curves;
   }
   const std::size_t n = fields_.size();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -59,9 +58,11 @@ class SceneModel {
   /// Runs the scene at several points, in parallel, with the same bits in every company.
   /// @param values  of the fields [SI] (count x n_fields), row by row
   /// @param threads  0: as many as the machine has
-  /// @param stop  once true, no further run is begun; may be null
+  /// @param stop  once raised, no further run is begun, and what is not finished has no curve; may
+  /// be
+  ///              null
   std::vector<SceneCurve> run(std::span<const double> values, std::size_t count, int threads = 1,
-                              const std::atomic<bool>* stop = nullptr) const;
+                              StopFlag stop = nullptr) const;
 
   Level level() const { return model_.level; }
   /// Whether any joint takes a limit of the scene's material: not if regions of others cover it

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -29,8 +28,9 @@ struct BatchProgress {
 struct JournaledOptions {
   io::JournalPolicy journal{};
   int threads = 0;  ///< 0: as many as the machine has
-  /// Once true, no further fit is begun; those under way are finished. May be null.
-  const std::atomic<bool>* stop = nullptr;
+  /// Once raised, no further fit is begun, and those under way end soon and count as not begun. May
+  /// be null.
+  StopFlag stop = nullptr;
   /// Called once before the first fit and after each, one call at a time, from any thread.
   std::function<void(const BatchProgress&)> progress{};
 };

@@ -15,7 +15,7 @@ namespace plastica::calibrate {
 
 /// Fits cases through scenes and survives its interruption, as `JournaledBatch` does for curves.
 /// Several cases are fitted side by side, a lone one has its scenes run side by side. The searches
-/// of a fit that have ended are kept, too, and a stop is heeded between its batches of runs.
+/// of a fit that have ended are kept, too, and a stop is heeded between the steps of its runs.
 ///
 /// Where the options name laws, each case is fitted by each of them, simpler ones first: their best
 /// points are starts of those that contain them. Each law has its search, errors and verdicts. What

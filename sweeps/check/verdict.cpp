@@ -233,7 +233,7 @@ std::vector<ClaimVerdict> run_check(const CheckFile& file, const CheckOptions& o
     how.stop = options.stop;
     how.most_seconds = std::numeric_limits<double>::infinity();  // no verdict hangs on the machine
     const auto rows = stability::run_stability(how);
-    if (options.stop != nullptr && *options.stop) return {};
+    if (is_raised(options.stop)) return {};
     verdicts.push_back(judge(claim, rows));
   }
   return verdicts;

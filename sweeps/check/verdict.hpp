@@ -1,12 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "plastica/base/stop_flag.hpp"
 #include "sweeps/check/claim.hpp"
 #include "sweeps/store/sweep_record.hpp"
 
@@ -27,8 +27,9 @@ ClaimVerdict judge(const Claim& claim, const SweepRecord& record);
 
 struct CheckOptions {
   int threads = 0;  ///< 0: as many as the machine has
-  /// Once true, no further case is begun. May be null.
-  const std::atomic<bool>* stop = nullptr;
+  /// Once raised, no further case is begun, and those under way end within a step of theirs. May be
+  /// null.
+  StopFlag stop = nullptr;
   /// Called after each case, one call at a time, with the number of those that are done.
   std::function<void(std::size_t done)> progress{};
 };

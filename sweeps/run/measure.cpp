@@ -43,10 +43,12 @@ CaseResult frequency(const Sweep& sweep, const Setup& setup) {
   return result;
 }
 
-CaseResult fit(const Sweep& sweep, const Setup& setup) {
+CaseResult fit(const Sweep& sweep, const Setup& setup, StopFlag stop) {
   CaseResult result;
   result.level = prepare(setup.scene, setup.solver).level;
-  const auto fitted = calibrate::fit_scene(setup, sweep.fit->target, sweep.fit->options);
+  calibrate::SceneFitOptions options = sweep.fit->options;
+  options.hooks.stop = stop;
+  const auto fitted = calibrate::fit_scene(setup, sweep.fit->target, options);
   result.segments = setup.scene.beam.segments;
   result.iterations = fitted.segment_iterations / result.segments;
   if (fitted.status != calibrate::FitStatus::Fitted) {
@@ -64,10 +66,10 @@ CaseResult fit(const Sweep& sweep, const Setup& setup) {
 
 }  // namespace
 
-CaseResult measure(const Sweep& sweep, const Setup& setup) {
+CaseResult measure(const Sweep& sweep, const Setup& setup, StopFlag stop) {
   const auto begin = std::chrono::steady_clock::now();
   CaseResult result =
-      sweep.quantity.kind == QuantityKind::Fit ? fit(sweep, setup) : frequency(sweep, setup);
+      sweep.quantity.kind == QuantityKind::Fit ? fit(sweep, setup, stop) : frequency(sweep, setup);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   result.seconds = took.count();
   return result;

@@ -12,8 +12,10 @@ bool is_simulated(const Quantity& quantity);
 /// What a batch gave for a case.
 CaseResult result_of(const BatchRow& row, const Quantity& quantity);
 
-/// The result of a case whose quantity is not simulated. @throws InputError for a rejected case
-CaseResult measure(const Sweep& sweep, const Setup& setup);
+/// The result of a case whose quantity is not simulated.
+/// @param stop  once raised, a fit ends; may be null
+/// @throws InputError for a rejected case, calibrate::FitInterrupted for a stopped one
+CaseResult measure(const Sweep& sweep, const Setup& setup, StopFlag stop = nullptr);
 
 /// The result of a case that was rejected.
 CaseResult rejected(std::string reason);

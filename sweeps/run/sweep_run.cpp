@@ -3,9 +3,12 @@
 #include <mutex>
 #include <utility>
 
+#include "calibrate/fit/fit_interrupted.hpp"
+#include "plastica/base/machine_memory.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/io/digest.hpp"
 #include "plastica/run/batch.hpp"
+#include "plastica/run/response_size.hpp"
 #include "sweeps/run/measure.hpp"
 #include "sweeps/run/result_bytes.hpp"
 
@@ -80,8 +83,21 @@ void SweepRun::take(std::size_t index, CaseResult result) {
   if (told_) told_(progress_);
 }
 
+/// The largest of them may meet.
+void SweepRun::check_memory_of(const std::vector<std::size_t>& missing) const {
+  std::vector<std::size_t> bytes(missing.size());
+  const std::size_t machine = machine_memory();
+  parallel_for(missing.size(), {options_.threads, nullptr}, [&](std::size_t k, int) {
+    const Setup setup = cases_.setup(missing[k]);
+    check_memory(setup.scene, setup.solver, machine);
+    bytes[k] = response_size(setup.scene, setup.solver).needed_bytes();
+  });
+  check_memory(std::move(bytes), resolved_threads(threads_of(sweep_, options_.threads)), machine);
+}
+
 void SweepRun::run_missing(const std::vector<std::size_t>& missing) {
   const int threads = threads_of(sweep_, options_.threads);
+  check_memory_of(missing);
   if (is_simulated(sweep_.quantity)) {
     const auto make = [&](std::size_t k) {
       Setup setup = cases_.setup(missing[k]);
@@ -98,7 +114,9 @@ void SweepRun::run_missing(const std::vector<std::size_t>& missing) {
   parallel_for(missing.size(), {threads, options_.stop}, [&](std::size_t k, int) {
     CaseResult result;
     try {
-      result = measure(sweep_, cases_.setup(missing[k]));
+      result = measure(sweep_, cases_.setup(missing[k]), options_.stop);
+    } catch (const calibrate::FitInterrupted&) {
+      return;
     } catch (const InputError& error) {
       result = rejected(error.what());
     }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -9,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "plastica/base/stop_flag.hpp"
 #include "plastica/io/case_journal.hpp"
 #include "sweeps/plan/sweep.hpp"
 #include "sweeps/run/case_result.hpp"
@@ -31,8 +31,9 @@ struct SweepRunOptions {
   EarlierResults earlier{};     ///< of the output that is to be replaced
   bool rerun_failed = false;    ///< take no failed case from journal or earlier results
   int threads = 0;              ///< 0: as many as the machine has; one if cases are timed
-  /// Once true, no further case is begun; those under way are finished. May be null.
-  const std::atomic<bool>* stop = nullptr;
+  /// Once raised, no further case is begun, and those under way end within a step of theirs and
+  /// count as not begun. May be null.
+  StopFlag stop = nullptr;
 };
 
 /// Runs the cases of a sweep, each once, and survives interruption: every finished case goes to a
@@ -58,7 +59,8 @@ class SweepRun {
   void on_progress(std::function<void(const SweepProgress&)> told) { told_ = std::move(told); }
 
   /// Runs what is missing. Result i is that of case i, NotRun for one that was not begun. To be
-  /// called once. @throws io::StorageError if the journal cannot be written
+  /// called once. @throws io::StorageError if the journal cannot be written; InputError if cases
+  /// that may run side by side do not fit into the machine's memory
   std::vector<CaseResult> run();
   /// Whether `run` has results of all cases.
   bool complete() const { return complete_; }
@@ -69,6 +71,7 @@ class SweepRun {
   void take(std::size_t index, CaseResult result);
   void take_earlier();
   void run_missing(const std::vector<std::size_t>& missing);
+  void check_memory_of(const std::vector<std::size_t>& missing) const;
 
   const Sweep& sweep_;
   SweepRunOptions options_;

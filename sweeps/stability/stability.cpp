@@ -73,7 +73,12 @@ void run_point(const StabilityPoint& point, const StabilityOptions& options, Sta
       taken += point.knobs.segments;
       return taken < most && seconds_since(began) < options.most_seconds;
     };
+    workspace.stop = options.stop;
     run(model, {}, workspace, response);
+    if (response.status == Status::Interrupted && is_raised(options.stop)) {
+      row.begun = false;
+      return;
+    }
     row.verdict = judge(made.setup, response, made.expected);
     row.status = response.status;
     row.ledger_error = response.ledger_error;
@@ -104,6 +109,7 @@ std::vector<StabilityRow> run_stability(const StabilityOptions& options) {
                [&](std::size_t i, int /*worker*/) {
                  run_point(points[order[i]], options, rows[order[i]]);
                  const std::lock_guard lock(mutex);
+                 if (!rows[order[i]].begun) return;
                  ++finished;
                  if (options.progress) options.progress(rows[order[i]], finished, points.size());
                });

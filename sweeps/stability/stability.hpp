@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "plastica/base/status.hpp"
+#include "plastica/base/stop_flag.hpp"
 #include "plastica/model/motion.hpp"
 #include "plastica/model/rules.hpp"
 #include "sweeps/stability/verdict.hpp"
@@ -50,8 +50,10 @@ struct StabilityOptions {
   double least_segment_steps = 2e5;
   /// A point that takes longer ends as failed, "interrupted" [s].
   double most_seconds = 60.0;
-  int threads = 0;                          ///< 0: as many as the machine has
-  const std::atomic<bool>* stop = nullptr;  ///< once true, no further point is begun; may be null
+  int threads = 0;  ///< 0: as many as the machine has
+  /// Once raised, no further point is begun, and those under way end within a step and count as not
+  /// begun. May be null.
+  StopFlag stop = nullptr;
   /// Told after each point, with how many of how many are done; from any thread, one call at a
   /// time.
   std::function<void(const StabilityRow& row, std::size_t finished, std::size_t all)> progress{};

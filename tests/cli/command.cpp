@@ -56,6 +56,16 @@ void RunningCommand::send(int signal) const {
   if (::kill(process_, signal) != 0) fail(errno, "kill");
 }
 
+bool RunningCommand::catches(int signal) const {
+  std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+  const std::string key = "SigCgt:";
+  for (std::string line; std::getline(status, line);) {
+    if (!line.starts_with(key)) continue;
+    return (std::stoull(line.substr(key.size()), nullptr, 16) >> (signal - 1) & 1U) != 0;
+  }
+  return false;
+}
+
 bool RunningCommand::runs() {
   if (!ended_) ended_ = ::waitpid(process_, &status_, WNOHANG) == process_;
   return !ended_;

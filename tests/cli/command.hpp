@@ -26,6 +26,8 @@ class RunningCommand {
   RunningCommand& operator=(const RunningCommand&) = delete;
 
   void send(int signal) const;
+  /// Whether it has set a handler for a signal.
+  bool catches(int signal) const;
   /// Whether it still runs, so that its end has not been seen.
   bool runs();
   /// Waits for its end.

@@ -16,7 +16,7 @@ enum class Status {
   LimitLoad,         ///< there is no equilibrium beyond (see `Response::limit`); valid up to there
   Mechanism,         ///< the supports leave the beam free to move; nothing was computed
   HeldTwice,         ///< a support holds a motion that is held already; nothing was computed
-  Interrupted,       ///< `Workspace::on_progress` said stop; valid up to there
+  Interrupted,       ///< stopped from outside (see `Workspace`); valid up to there
   NotConverged,      ///< no equilibrium was found, nor shown to be none; valid up to there
 };
 

@@ -9,6 +9,7 @@
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/run/lane_pool.hpp"
 #include "plastica/run/parameters.hpp"
+#include "plastica/run/response_size.hpp"
 
 namespace plastica {
 namespace {
@@ -49,11 +50,12 @@ void guarded(BatchRow& row, const Work& work) {
   }
 }
 
-void run_alone(const BatchCase& one, const Model& model, BatchRow& row) {
+void run_alone(const BatchCase& one, const Model& model, StopFlag stop, BatchRow& row) {
   Workspace workspace = make_workspace(model);
   workspace.on_break = one.on_break;
+  workspace.stop = stop;
   double seconds = timed_run(model, workspace, row.response);
-  for (int i = 0; i < one.timed_runs; ++i) {
+  for (int i = 0; i < one.timed_runs && row.response.status != Status::Interrupted; ++i) {
     const double again = timed_run(model, workspace, row.response);
     seconds = i == 0 ? again : std::min(seconds, again);  // the first run warms up
   }
@@ -63,19 +65,22 @@ void run_alone(const BatchCase& one, const Model& model, BatchRow& row) {
 using Take = std::function<void(std::size_t index, BatchRow&& row)>;
 
 /// Lays out a case, and runs it or lets it wait in the pool for others of its shape.
-void run_or_wait(std::size_t index, const BatchCase& one, LanePool& pool, const Take& take) {
+void run_or_wait(std::size_t index, const BatchCase& one, StopFlag stop, LanePool& pool,
+                 const Take& take) {
   WaitingCase waiting;
   waiting.index = index;
   BatchRow& row = waiting.row;
   row.id = one.id;
   waiting.hooks.on_break = one.on_break;
+  waiting.hooks.stop = stop;
   bool waits = false;
   guarded(row, [&] {
+    check_memory(one.scene, one.options);
     waiting.model = std::make_unique<Model>(prepare(one.scene, one.options));
     row.level = waiting.model->level;
     row.response = make_response(*waiting.model);
     waits = waiting.model->chain && has_lanes(*waiting.model->chain) && one.timed_runs == 0;
-    if (!waits) run_alone(one, *waiting.model, row);
+    if (!waits) run_alone(one, *waiting.model, stop, row);
   });
   if (!waits) {
     take(index, std::move(row));
@@ -130,10 +135,11 @@ BatchRow run_case(const BatchCase& one) {
   BatchRow row;
   row.id = one.id;
   guarded(row, [&] {
+    check_memory(one.scene, one.options);
     const Model model = prepare(one.scene, one.options);
     row.level = model.level;
     row.response = make_response(model);
-    run_alone(one, model, row);
+    run_alone(one, model, nullptr, row);
   });
   return row;
 }
@@ -153,6 +159,8 @@ void run_batch(std::size_t cases, const std::function<BatchCase(std::size_t)>& m
   Progress progress(options);
   std::mutex taking;
   const Take hand_over = [&](std::size_t i, BatchRow&& row) {
+    // Nothing but the batch's own flag interrupts a case.
+    if (row.response.status == Status::Interrupted) return;
     {
       const std::lock_guard lock(taking);
       take(i, std::move(row));
@@ -171,59 +179,84 @@ void run_batch(std::size_t cases, const std::function<BatchCase(std::size_t)>& m
       rejected.reason = error.what();
     }
     if (one) {
-      run_or_wait(i, *one, pools[static_cast<std::size_t>(worker)], hand_over);
+      run_or_wait(i, *one, options.stop, pools[static_cast<std::size_t>(worker)], hand_over);
     } else {
       hand_over(i, std::move(rejected));
     }
   });
-  if (options.stop != nullptr && *options.stop) return;
+  if (is_raised(options.stop)) return;
   std::vector<LaneCases> left = left_over(pools);
   parallel_for(left.size(), how,
                [&](std::size_t k, int) { run_lane_cases(std::move(left[k]), hand_over); });
 }
 
-std::vector<Response> run_batch(const Model& model, std::span<const double> values,
-                                std::size_t cases, const BatchOptions& options) {
+void run_batch(const Model& model, std::span<const double> values, std::size_t cases,
+               const std::function<void(std::size_t, Response&&)>& take,
+               const BatchOptions& options) {
   const std::size_t width = model.parameters.size();
   if (values.size() != cases * width) {
     throw InputError({}, "values", std::to_string(values.size()),
                      "must hold one value a parameter for each case");
   }
-  std::vector<Response> responses(cases);
+  const int threads = resolved_threads(options.threads);
+  const std::size_t bytes = response_size(model).needed_bytes();
+  check_memory(std::vector<std::size_t>(cases, bytes), threads);
   Progress progress(options);
+  std::mutex taking;
+  Workspace hooks;
+  hooks.stop = options.stop;
+  const auto finished = [&](std::size_t i, Response&& response) {
+    if (response.status == Status::Interrupted) return;
+    {
+      const std::lock_guard lock(taking);
+      take(i, std::move(response));
+    }
+    progress.one_more();
+  };
   const auto values_of = [&](std::size_t i) { return values.subspan(i * width, width); };
   if (model.chain && has_lanes(*model.chain)) {
-    const std::size_t together = lane_width(*model.chain, cases, resolved_threads(options.threads));
-    const Workspace hooks;
-    std::vector<std::unique_ptr<LaneProgram>> programs(
-        static_cast<std::size_t>(resolved_threads(options.threads)));
+    const std::size_t together = std::min(lane_width(*model.chain, cases, threads),
+                                          std::max(std::size_t{1}, kMostLaneBytes / bytes));
+    std::vector<std::unique_ptr<LaneProgram>> programs(static_cast<std::size_t>(threads));
     parallel_for((cases + together - 1) / together, {options.threads, options.stop},
                  [&](std::size_t group, int worker) {
-                   std::vector<MaterialValues<double>> materials(together);
+                   const std::size_t first = group * together;
+                   const std::size_t count = std::min(cases - first, together);
+                   std::vector<MaterialValues<double>> materials(count);
+                   std::vector<Response> responses(count);
                    std::vector<LaneCase> lanes;
-                   const std::size_t end = std::min(cases, (group + 1) * together);
-                   for (std::size_t i = group * together; i < end; ++i) {
-                     responses[i] = make_response(model);
-                     MaterialValues<double>& material = materials[i - group * together];
-                     if (!take_parameters(model, values_of(i), material)) {
-                       responses[i].status = Status::InvalidParameter;
+                   for (std::size_t k = 0; k < count; ++k) {
+                     responses[k] = make_response(model);
+                     if (!take_parameters(model, values_of(first + k), materials[k])) {
+                       responses[k].status = Status::InvalidParameter;
                        continue;
                      }
-                     lanes.push_back({model.chain.get(), &material, &hooks, &responses[i]});
+                     lanes.push_back({model.chain.get(), &materials[k], &hooks, &responses[k]});
                    }
                    auto& program = programs[static_cast<std::size_t>(worker)];
                    if (!program) program = make_lane_program(*model.chain);
                    if (!lanes.empty()) program->run(lanes);
-                   for (std::size_t i = group * together; i < end; ++i) progress.one_more();
+                   for (std::size_t k = 0; k < count; ++k) {
+                     finished(first + k, std::move(responses[k]));
+                   }
                  });
-    return responses;
+    return;
   }
   parallel_for(cases, {options.threads, options.stop}, [&](std::size_t i, int) {
-    responses[i] = make_response(model);
+    Response response = make_response(model);
     Workspace workspace = make_workspace(model);
-    run(model, values_of(i), workspace, responses[i]);
-    progress.one_more();
+    workspace.stop = options.stop;
+    run(model, values_of(i), workspace, response);
+    finished(i, std::move(response));
   });
+}
+
+std::vector<Response> run_batch(const Model& model, std::span<const double> values,
+                                std::size_t cases, const BatchOptions& options) {
+  std::vector<Response> responses(cases);
+  run_batch(
+      model, values, cases,
+      [&](std::size_t i, Response&& response) { responses[i] = std::move(response); }, options);
   return responses;
 }
 

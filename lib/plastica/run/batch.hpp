@@ -1,12 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "plastica/base/stop_flag.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica {
@@ -34,8 +34,9 @@ struct BatchRow {
 
 struct BatchOptions {
   int threads = 0;  ///< 0: as many as the machine has
-  /// Once true, no further case is begun. May be null.
-  const std::atomic<bool>* stop = nullptr;
+  /// Once raised, no further case is begun, and those under way end within a step of theirs and
+  /// count as not begun. May be null.
+  StopFlag stop = nullptr;
   /// Called after each case with the number finished, from any thread, one call at a time.
   std::function<void(std::size_t finished)> progress{};
 };
@@ -50,16 +51,26 @@ std::vector<BatchRow> run_batch(std::span<const BatchCase> cases, const BatchOpt
 /// memory does not grow with their number. Motions of articulated schemes, and paths at rest under
 /// load control, wait, laid out, for others of their shape (as many segments, motions with the same
 /// steps and histories, paths with supports and loads at the same segments), at most 64 shapes a
-/// thread; a batch that is stopped drops them.
+/// thread, and no more of them than take a quarter of a gigabyte; a batch that is stopped drops
+/// them. A case that the machine has no memory for is rejected (see `check_memory`).
 /// @param make  called in the thread that runs the case. @throws InputError for a rejected case
 /// @param take  called with each row, one call at a time, from any thread
 void run_batch(std::size_t cases, const std::function<BatchCase(std::size_t)>& make,
                const std::function<void(std::size_t, BatchRow&&)>& take,
                const BatchOptions& options = {});
 
+/// Runs one model with many sets of parameter values, and hands each response over when it is
+/// there, so that memory does not grow with their number.
+/// @param values  (n_cases x n_parameters), row by row, SI
+/// @param take  called with each response, one call at a time, from any thread
+/// @throws InputError if what runs side by side does not fit into the machine's memory
+void run_batch(const Model& model, std::span<const double> values, std::size_t cases,
+               const std::function<void(std::size_t, Response&&)>& take,
+               const BatchOptions& options = {});
+
 /// Runs one model with many sets of parameter values.
 /// @param values  (n_cases x n_parameters), row by row, SI
-/// @return the responses (n_cases)
+/// @return the responses (n_cases); empty ones, NotRun, of cases that were not begun
 std::vector<Response> run_batch(const Model& model, std::span<const double> values,
                                 std::size_t cases, const BatchOptions& options = {});
 

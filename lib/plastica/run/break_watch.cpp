@@ -17,6 +17,11 @@ constexpr std::array<BreakCause, 4> kCauses{BreakCause::BendingX, BreakCause::Be
 /// How large a strain is against its limit.
 double use_of(double strain, double limit) { return std::isinf(limit) ? 0.0 : strain / limit; }
 
+JointAngles times(double factor, JointAngles angles) {
+  for (double& angle : angles) angle *= factor;
+  return angles;
+}
+
 }  // namespace
 
 Spreading spreading_of(const Scene& scene) {
@@ -47,41 +52,46 @@ BreakWatch::BreakWatch(const Scene& scene, std::vector<WatchedJoint> joints)
       scene.section.shape == SectionShape::Circle || scene.section.shape == SectionShape::RoundTube;
   const double depth = round ? 2.0 * scene.section.radius : scene.section.height;
   hinge_length_ = scene.hinge_length.value_or(report_ ? 0.0 : depth);
+  covered_.resize(joints_.size());
   for (const WatchedJoint& joint : joints_) {
     for (const double limit : joint.limit) active_ = active_ || std::isfinite(limit);
   }
 }
 
-JointAngles BreakWatch::hinge_angles(const std::vector<JointAngles>& angles,
-                                     std::size_t joint) const {
-  const double length = joints_[joint].length;
-  if (hinge_length_ == 0.0) return angles[joint];
-  if (spreading_ != Spreading::Hardens && length < hinge_length_) return windowed(angles, joint);
-  if (spreading_ == Spreading::Gathers) return gathered(angles, joint);
-  JointAngles spread = angles[joint];
-  for (double& angle : spread) angle *= hinge_length_ / length;
-  return spread;
+double BreakWatch::Window::covers(const WatchedJoint& joint) const {
+  return (std::min(high, joint.end) - std::max(low, joint.begin)) / (joint.end - joint.begin);
 }
 
-JointAngles BreakWatch::windowed(const std::vector<JointAngles>& angles, std::size_t joint) const {
+BreakWatch::Window BreakWatch::window_of(std::size_t joint) const {
   const double beam = joints_.back().end;
   const double middle = 0.5 * (joints_[joint].begin + joints_[joint].end);
   const double low = std::max(0.0, std::min(middle - 0.5 * hinge_length_, beam - hinge_length_));
-  const double high = low + hinge_length_;
-  JointAngles sum{};
+  return {low, low + hinge_length_};
+}
+
+JointAngles BreakWatch::hinge_angles(const std::vector<JointAngles>& angles, std::size_t joint) {
+  if (hinge_length_ == 0.0) return angles[joint];
+  if (has_window(joint)) return windowed(angles, joint);
+  if (spreading_ == Spreading::Gathers) return gathered(angles, joint);
+  return times(hinge_length_ / joints_[joint].length, angles[joint]);
+}
+
+JointAngles BreakWatch::windowed(const std::vector<JointAngles>& angles, std::size_t joint) {
+  const Window window = window_of(joint);
+  std::size_t& first = window_first_;
+  std::size_t& end = window_end_;
+  while (first + 1 < joints_.size() && joints_[first].end <= window.low) ++first;
+  end = std::max(end, first + 1);
+  while (end < joints_.size() && joints_[end].begin < window.high) ++end;
+  // All but the first and the last are covered whole.
+  const std::size_t last = end - 1;
+  JointAngles sum = covered_.over(first + 1, std::max(first + 1, last));
   const auto add = [&](std::size_t j) {
-    const WatchedJoint& other = joints_[j];
-    const double covered = std::min(high, other.end) - std::max(low, other.begin);
-    if (covered <= 0.0) return false;
-    const double share = covered / (other.end - other.begin);
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += share * angles[j][k];
-    return true;
+    const JointAngles part = times(window.covers(joints_[j]), angles[j]);
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += part[k];
   };
-  add(joint);
-  for (std::size_t j = joint; j-- > 0 && add(j);) {
-  }
-  for (std::size_t j = joint + 1; j < joints_.size() && add(j); ++j) {
-  }
+  add(first);
+  if (last > first) add(last);
   return sum;
 }
 
@@ -103,12 +113,9 @@ JointAngles BreakWatch::gathered(const std::vector<JointAngles>& angles, std::si
   return theta;
 }
 
-std::array<double, 4> BreakWatch::strains(const std::vector<JointAngles>& angles,
-                                          std::size_t joint) const {
-  const WatchedJoint& at = joints_[joint];
-  const JointAngles theta = hinge_angles(angles, joint);
+BreakWatch::Strains BreakWatch::strains_of(const JointAngles& theta, const WatchedJoint& at) const {
   const double length = hinge_length_ == 0.0 ? at.length : hinge_length_;
-  std::array<double, 4> strain{};
+  Strains strain{};
   if (report_) {
     const auto bending = [&](double angle, double depth) {
       // Never an accumulated angle in the sine.
@@ -130,22 +137,29 @@ std::array<double, 4> BreakWatch::strains(const std::vector<JointAngles>& angles
   return strain;
 }
 
-double BreakWatch::excess(const std::vector<JointAngles>& angles) const {
-  double largest = 0.0;
+template <class Use>
+void BreakWatch::for_each_joint(const std::vector<JointAngles>& angles, const Use& use) {
+  covered_.begin(angles);
+  window_first_ = window_end_ = 0;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const auto strain = strains(angles, j);
-    for (std::size_t k = 0; k < 4; ++k) {
+    use(j, strains_of(hinge_angles(angles, j), joints_[j]));
+  }
+}
+
+double BreakWatch::excess(const std::vector<JointAngles>& angles) {
+  double largest = 0.0;
+  for_each_joint(angles, [&](std::size_t j, const Strains& strain) {
+    for (std::size_t k = 0; k < strain.size(); ++k) {
       largest = std::max(largest, use_of(strain[k], joints_[j].limit[k]));
     }
-  }
+  });
   return largest - 1.0;
 }
 
-double BreakWatch::strain(const std::vector<JointAngles>& angles, std::size_t joint) const {
-  const auto strain = strains(angles, joint);
+double BreakWatch::nearest_limit(const Strains& strain, std::size_t joint) const {
   const auto& limit = joints_[joint].limit;
   std::size_t nearest = 0;
-  for (std::size_t k = 1; k < 4; ++k) {
+  for (std::size_t k = 1; k < strain.size(); ++k) {
     const double use = use_of(strain[k], limit[k]);
     const double before = use_of(strain[nearest], limit[nearest]);
     if (use > before || (use == before && strain[k] > strain[nearest])) nearest = k;
@@ -153,17 +167,31 @@ double BreakWatch::strain(const std::vector<JointAngles>& angles, std::size_t jo
   return strain[nearest];
 }
 
-std::vector<BrokenJoint> BreakWatch::broken(const std::vector<JointAngles>& angles) const {
+void BreakWatch::set_strains(const std::vector<JointAngles>& angles, std::vector<double>& strain) {
+  for_each_joint(angles,
+                 [&](std::size_t j, const Strains& all) { strain[j] = nearest_limit(all, j); });
+}
+
+double BreakWatch::lone_strain(const JointAngles& angle, std::size_t joint) const {
+  JointAngles theta = angle;
+  if (hinge_length_ != 0.0 && has_window(joint)) {
+    theta = times(window_of(joint).covers(joints_[joint]), angle);
+  } else if (hinge_length_ != 0.0 && spreading_ != Spreading::Gathers) {
+    theta = times(hinge_length_ / joints_[joint].length, angle);
+  }
+  return nearest_limit(strains_of(theta, joints_[joint]), joint);
+}
+
+std::vector<BrokenJoint> BreakWatch::broken(const std::vector<JointAngles>& angles) {
   std::vector<BrokenJoint> joints;
   if (excess(angles) <= 0.0) return joints;
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const auto strain = strains(angles, j);
+  for_each_joint(angles, [&](std::size_t j, const Strains& strain) {
     const auto& limit = joints_[j].limit;
     std::size_t worst = 0;
-    for (std::size_t k = 1; k < 4; ++k) {
+    for (std::size_t k = 1; k < strain.size(); ++k) {
       if (use_of(strain[k], limit[k]) > use_of(strain[worst], limit[worst])) worst = k;
     }
-    if (use_of(strain[worst], limit[worst]) <= 1.0 - kBreakTolerance) continue;
+    if (use_of(strain[worst], limit[worst]) <= 1.0 - kBreakTolerance) return;
     BrokenJoint broken;
     broken.joint = static_cast<int>(j);
     broken.cause = kCauses[worst];
@@ -171,7 +199,7 @@ std::vector<BrokenJoint> BreakWatch::broken(const std::vector<JointAngles>& angl
     broken.limit = limit[worst];
     broken.angle = angles[j];
     joints.push_back(broken);
-  }
+  });
   return joints;
 }
 

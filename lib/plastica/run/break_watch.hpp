@@ -7,6 +7,7 @@
 #include "plastica/chain/layout.hpp"
 #include "plastica/model/scene.hpp"
 #include "plastica/run/response.hpp"
+#include "plastica/run/sliding_sum.hpp"
 
 namespace plastica {
 
@@ -49,8 +50,7 @@ Spreading spreading_of(const Scene& scene);
 /// - Hardens: Theta = theta_p L_p/l. The curvature theta_p/l converges with the segments by itself,
 ///   at the clamp of a cantilever too; a mean over L_p would make fine chains stronger than coarse.
 /// - else, l < L_p: the sum over a window of length L_p around the joint, moved into the beam at
-/// its
-///   ends, a joint counting with the share of its length that the window covers.
+///   its ends, a joint counting with the share of its length that the window covers.
 /// - else, Saturates: Theta = theta_p L_p/l.
 /// - else, Gathers: what the neighbours turn as well is spread, what the joint turns beyond them
 ///   gathers in the hinge: Theta = theta_n L_p/l + (theta_p - theta_n), theta_n the larger of the
@@ -66,26 +66,51 @@ class BreakWatch {
   double hinge_length() const { return hinge_length_; }
   std::size_t size() const { return joints_.size(); }
 
-  /// Largest strain over its limit minus 1, of all joints; negative: nothing breaks.
-  /// @param angles  in the break measure, net or accumulated (joints)
-  double excess(const std::vector<JointAngles>& angles) const;
+  // Each takes the angles of all joints, in the break measure, net or accumulated (joints), and
+  // costs as much as there are joints, however many a hinge length holds.
 
-  /// The strain of a joint that is nearest to its limit; the largest of all where there is none.
-  double strain(const std::vector<JointAngles>& angles, std::size_t joint) const;
+  /// Largest strain over its limit minus 1, of all joints; negative: nothing breaks.
+  double excess(const std::vector<JointAngles>& angles);
+
+  /// Of each joint the strain that is nearest to its limit; the largest of all where there is none.
+  /// @param strain  [1] (joints)
+  void set_strains(const std::vector<JointAngles>& angles, std::vector<double>& strain);
+
+  /// The same of a joint that turns alone, all others straight.
+  double lone_strain(const JointAngles& angle, std::size_t joint) const;
 
   /// All joints over their limit, with cause, strain and limit; where one is, also those that are
   /// below it by less than `kBreakTolerance`.
-  std::vector<BrokenJoint> broken(const std::vector<JointAngles>& angles) const;
+  std::vector<BrokenJoint> broken(const std::vector<JointAngles>& angles);
 
  private:
   /// Strains of bending about x, about y, torsion and of bending about both.
-  std::array<double, 4> strains(const std::vector<JointAngles>& angles, std::size_t joint) const;
-  /// Theta of a joint.
-  JointAngles hinge_angles(const std::vector<JointAngles>& angles, std::size_t joint) const;
-  JointAngles windowed(const std::vector<JointAngles>& angles, std::size_t joint) const;
+  using Strains = std::array<double, 4>;
+
+  /// Calls `use` with each joint and its strains, in their order.
+  template <class Use>
+  void for_each_joint(const std::vector<JointAngles>& angles, const Use& use);
+  Strains strains_of(const JointAngles& theta, const WatchedJoint& at) const;
+  double nearest_limit(const Strains& strain, std::size_t joint) const;
+  /// Whether Theta is a sum over a window.
+  bool has_window(std::size_t joint) const {
+    return spreading_ != Spreading::Hardens && joints_[joint].length < hinge_length_;
+  }
+  /// A part of the beam [m].
+  struct Window {
+    double low = 0.0, high = 0.0;
+    /// The share of a joint's length that it covers, if it touches it.
+    double covers(const WatchedJoint& joint) const;
+  };
+  Window window_of(std::size_t joint) const;
+  /// Theta of a joint; to be called for one after the other.
+  JointAngles hinge_angles(const std::vector<JointAngles>& angles, std::size_t joint);
+  JointAngles windowed(const std::vector<JointAngles>& angles, std::size_t joint);
   JointAngles gathered(const std::vector<JointAngles>& angles, std::size_t joint) const;
 
   std::vector<WatchedJoint> joints_;
+  SlidingSum covered_;                             ///< of joints that windows cover whole
+  std::size_t window_first_ = 0, window_end_ = 0;  ///< joints that the window touches
   double hinge_length_ = 0.0;
   Spreading spreading_ = Spreading::Gathers;
   bool report_ = false;

@@ -33,7 +33,7 @@ class ChainBody {
   /// Permanent angles as the break measure takes them (joints).
   const std::vector<JointAngles>& measured(const NodeStrains& strains) const;
   /// All joints over their limit now, with moment, angle and dissipation.
-  std::vector<BrokenJoint> broken() const;
+  std::vector<BrokenJoint> broken();
   /// What is known of a joint that broke or is cut.
   void describe(BrokenJoint& broken) const;
 

@@ -120,9 +120,7 @@ void ChainBody<L, kElastic>::accept_strains() {
   if (model.scene.yield_model == YieldModel::Elastic) return;
   std::swap(strains.permanent, trial.permanent);
   std::swap(strains.accumulated, trial.accumulated);
-  for (std::size_t i = 0; i < strains.strain.size(); ++i) {
-    strains.strain[i] = watch.strain(measured(strains), i);
-  }
+  watch.set_strains(measured(strains), strains.strain);
 }
 
 template <class L, bool kElastic>
@@ -135,7 +133,7 @@ void ChainBody<L, kElastic>::describe(BrokenJoint& broken) const {
 }
 
 template <class L, bool kElastic>
-std::vector<BrokenJoint> ChainBody<L, kElastic>::broken() const {
+std::vector<BrokenJoint> ChainBody<L, kElastic>::broken() {
   std::vector<BrokenJoint> all = watch.broken(measured(strains));
   for (BrokenJoint& joint : all) describe(joint);
   return all;

@@ -93,6 +93,7 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
                                    options_, work);
     joints_of_step_ = body_.joints.get();
   }
+  step_->stop_by(hooks.stop);
   set_initial_motion(body_, initial_motion_);
   response.status =
       step_->start(initial_motion_) ? walk(*step_, hooks, response) : Status::HeldTwice;
@@ -130,6 +131,10 @@ Status ChainMotionRunner<L, kElastic>::go_to(double stop, StepSize& size, Step& 
     response.counters.iterations += step.iterations();
     if (taken && options_.step_error > 0.0) {
       taken = size.judge(step.error() / body_.model.scene.beam.length);
+    }
+    if (is_raised(hooks.stop)) {
+      step.restore();
+      return Status::Interrupted;
     }
     if (!taken) {
       ++response.counters.cutbacks;

@@ -198,7 +198,7 @@ void ChainRecord<L, kElastic>::prepare(const ChainModel& model, const chain::Vie
   }
   placement_.resize(n);
   support_force_.resize(model.scene.supports.size());
-  size_shape(model, 1, shape_);
+  size_shape(response_size(model), 1, shape_);
   probes_read_shape_ = std::any_of(model.scene.probes.begin(), model.scene.probes.end(),
                                    [](const Probe& probe) { return is_of_joint(probe.quantity); });
   probes_read_chain_ =
@@ -310,10 +310,10 @@ void ChainRecord<L, kElastic>::set_shape(const Work& w, const Joints& joints,
 
 template <class L, bool kElastic>
 void ChainRecord<L, kElastic>::keep_shape(std::size_t frame, ChainHistory& history) const {
-  for (const auto values : kShapeValues) {
-    const std::vector<double>& from = shape_.*values;
+  for (const ShapeValue& value : kShapeValues) {
+    const std::vector<double>& from = shape_.*value.values;
     std::copy(from.begin(), from.end(),
-              (history.*values).begin() + static_cast<std::ptrdiff_t>(frame * from.size()));
+              (history.*value.values).begin() + static_cast<std::ptrdiff_t>(frame * from.size()));
   }
 }
 

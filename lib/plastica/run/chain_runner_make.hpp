@@ -63,6 +63,7 @@ bool ChainRunner<L, kElastic>::begin(const MaterialValues<double>& material, con
   material_ = material;
   response_ = &response;
   hooks_ = &hooks;
+  options_.newton.stop = hooks.stop;
   // Who is told of each step is told of it once.
   body_.record.shapes_on_demand(!hooks.on_progress);
   return begin_path();
@@ -91,13 +92,13 @@ void ChainRunner<L, kElastic>::walk_on() {
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::finish() {
   Response& response = *response_;
-  if (body_.record.lacks_last_shape(response)) {
+  if (body_.record.lacks_last_shape(response) && !is_raised(hooks_->stop)) {
     // It has ended early. That is rare, and the path is the same once more.
     body_.record.shapes_on_demand(false);
     if (begin_path()) walk_on();
   }
   response.status = walker_->status();
-  body_.record.end_frames(response);
+  if (!body_.record.lacks_last_shape(response)) body_.record.end_frames(response);
   response.counters = walker_->counters();
   response.limit = walker_->limit();
   if (response.limit) {

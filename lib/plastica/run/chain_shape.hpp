@@ -4,30 +4,39 @@
 #include <cstddef>
 #include <vector>
 
-#include "plastica/run/chain_model.hpp"
 #include "plastica/run/response.hpp"
+#include "plastica/run/response_size.hpp"
 
 namespace plastica {
 
+/// One array of a frame, and how many numbers it has.
+struct ShapeValue {
+  std::vector<double> ChainHistory::*values;
+  std::size_t of_joint = 0, of_segment = 0, of_support = 0;
+
+  std::size_t count(const ResponseSize& size) const {
+    return of_joint * (size.segments + 1) + of_segment * size.segments + of_support * size.supports;
+  }
+};
+
 /// What a frame of a chain's history consists of.
-inline constexpr std::array<std::vector<double> ChainHistory::*, 9> kShapeValues{
-    &ChainHistory::position,       &ChainHistory::moment,        &ChainHistory::force,
-    &ChainHistory::angle,          &ChainHistory::plastic_angle, &ChainHistory::rotation,
-    &ChainHistory::plastic_strain, &ChainHistory::stress,        &ChainHistory::reaction};
+inline constexpr std::array<ShapeValue, 9> kShapeValues{{{&ChainHistory::position, 3},
+                                                         {&ChainHistory::moment, 3},
+                                                         {&ChainHistory::force, 3},
+                                                         {&ChainHistory::angle, 3},
+                                                         {&ChainHistory::plastic_angle, 3},
+                                                         {&ChainHistory::rotation, 0, 3},
+                                                         {&ChainHistory::plastic_strain, 1},
+                                                         {&ChainHistory::stress, 1},
+                                                         {&ChainHistory::reaction, 0, 0, 6}}};
 
 /// Makes room for so many frames, with zeros.
-inline void size_shape(const ChainModel& model, std::size_t frames, ChainHistory& history) {
-  history.joints = model.layout.size() + 1;
-  history.supports = model.scene.supports.size();
-  const std::size_t joints = frames * history.joints;
-  for (std::vector<double>* values : {&history.position, &history.moment, &history.force,
-                                      &history.angle, &history.plastic_angle}) {
-    values->assign(3 * joints, 0.0);
+inline void size_shape(const ResponseSize& size, std::size_t frames, ChainHistory& history) {
+  history.joints = size.segments + 1;
+  history.supports = size.supports;
+  for (const ShapeValue& value : kShapeValues) {
+    (history.*value.values).assign(frames * value.count(size), 0.0);
   }
-  history.rotation.assign(3 * frames * model.layout.size(), 0.0);
-  history.plastic_strain.assign(joints, 0.0);
-  history.stress.assign(joints, 0.0);
-  history.reaction.assign(6 * frames * history.supports, 0.0);
 }
 
 }  // namespace plastica

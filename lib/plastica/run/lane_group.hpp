@@ -118,20 +118,32 @@ class LaneGroup final : public LaneProgram {
     });
   }
 
-  /// Takes even steps from a time on.
+  /// Takes even steps from a time on; fewer if all are stopped meanwhile.
   void march(Memory& memory, lanes::StepKernel<Beam> kernel, double from, double step,
-             std::size_t steps, bool aimed) const {
+             std::size_t steps, bool aimed) {
     const Beam beam = memory.beam(counts_loads_);
     memory.reset_extremes();
-    if (!loads_change_) {
-      kernel(beam, step, steps, aimed);
-      return;
+    const std::size_t at_once = std::max(std::size_t{1}, kStepsOfSegments / memory.numbers());
+    for (std::size_t done = 0; done < steps && !stopped(); done += at_once) {
+      const std::size_t end = std::min(steps, done + at_once);
+      if (!loads_change_) {
+        kernel(beam, step, end - done, aimed || done > 0);
+        continue;
+      }
+      for (std::size_t k = done; k < end; ++k) {
+        const double begin = from + static_cast<double>(k) * step;
+        set_loads(memory, begin, begin + step);
+        kernel(beam, step, 1, aimed || k > 0);
+      }
     }
-    for (std::size_t k = 0; k < steps; ++k) {
-      const double begin = from + static_cast<double>(k) * step;
-      set_loads(memory, begin, begin + step);
-      kernel(beam, step, 1, aimed || k > 0);
-    }
+  }
+
+  /// Whether all that run were stopped from outside.
+  bool stopped() {
+    const auto all = scenarios();
+    return std::none_of(all.begin(), all.end(), [](const Scenario& s) {
+      return s.running() && !is_raised(s.hooks().stop);
+    });
   }
 
   /// Goes to a stop, so many steps at a time that a failure does not cost much and that those who
@@ -153,6 +165,11 @@ class LaneGroup final : public LaneProgram {
             static_cast<std::size_t>(steps), step == last_step_);
       looked_ = false;
       last_step_ = step;
+      for (std::size_t lane = 0; lane < count_; ++lane) {
+        if (scenarios_[lane].running() && is_raised(scenarios_[lane].hooks().stop)) {
+          stop(lane, Status::Interrupted);
+        }
+      }
       look();
       for (std::size_t lane = 0; lane < count_; ++lane) {
         if (scenarios_[lane].running()) judge(lane, step, steps);
@@ -172,7 +189,9 @@ class LaneGroup final : public LaneProgram {
       counters.steps += static_cast<int>(steps);
       return;
     }
-    if (!retry(lane, step, steps)) stop(lane, Status::NotConverged);
+    if (retry(lane, step, steps)) return;
+    const bool stopped = is_raised(scenarios_[lane].hooks().stop);
+    stop(lane, stopped ? Status::Interrupted : Status::NotConverged);
   }
 
   void tell(std::size_t lane) {
@@ -233,7 +252,7 @@ class LaneGroup final : public LaneProgram {
     if (alone_lane_ != lane) alone_.set(std::span<const Scenario>(&scenario, 1), 1);
     alone_lane_ = lane;
     if (!loads_change_) set_loads(alone_, time_, time_);
-    for (double cut = 2.0; 1.0 / cut >= shortest; cut *= 2.0) {
+    for (double cut = 2.0; 1.0 / cut >= shortest && !is_raised(scenario.hooks().stop); cut *= 2.0) {
       ++scenario.response().counters.cutbacks;
       alone_.copy_lane(0, *before_, lane);
       if (!march_alone(lane, step / cut, steps * cut)) continue;
@@ -256,6 +275,7 @@ class LaneGroup final : public LaneProgram {
       march(alone_, kernels_.one, time_ + done * step, step, static_cast<std::size_t>(now),
             done > 0.0);
       scenarios_[lane].response().counters.iterations += static_cast<int>(now);
+      if (is_raised(scenarios_[lane].hooks().stop)) return false;
       if (!alone_.is_finite(0) || !turns_little(alone_, 0, step)) return false;
     }
     return true;
@@ -263,6 +283,8 @@ class LaneGroup final : public LaneProgram {
 
   /// Steps between two looks.
   static constexpr double kSteps = 256.0;
+  /// Steps times segments times lanes between two looks at whether to stop: some 20 ms.
+  static constexpr std::size_t kStepsOfSegments = std::size_t{1} << 20;
   /// Steps are cut back to no less than this part, whatever `smallest_step` allows: what is not
   /// stable then will not be.
   static constexpr double kShortest = 1.0 / 1024.0;

@@ -43,6 +43,9 @@ class LaneMemory {
     }
   }
 
+  /// Segments of all lanes.
+  std::size_t numbers() const { return segments_ * width_; }
+
   /// Takes the factors of all loads.
   /// @param factor  of a history's number
   template <class Factor>

@@ -5,6 +5,8 @@
 #include <exception>
 #include <utility>
 
+#include "plastica/run/response_size.hpp"
+
 namespace plastica {
 namespace {
 
@@ -19,11 +21,14 @@ void run_together(LaneCases& cases) {
   share_seconds(thread_seconds() - begin, lanes);
 }
 
+std::size_t bytes_of(const WaitingCase& one) { return response_size(*one.model).needed_bytes(); }
+
 void run_by_itself(WaitingCase& one) {
   try {
     one.row.response = make_response(*one.model);
     Workspace workspace = make_workspace(*one.model);
     workspace.on_break = one.hooks.on_break;
+    workspace.stop = one.hooks.stop;
     run(*one.model, {}, workspace, one.row.response);
   } catch (const std::exception& error) {
     // Out of memory, or a defect: the other cases go on.
@@ -49,17 +54,22 @@ std::optional<LaneCases> LanePool::add(WaitingCase&& one) {
     shapes_.emplace_back();
     shape = shapes_.end() - 1;
   }
+  bytes_ += bytes_of(one);
   shape->push_back(std::move(one));
   if (shape->size() < lane_width(*shape->front().model->chain)) {
-    if (shapes_.size() <= kMostShapes) return {};
-    shape = shapes_.begin();
+    if (shapes_.size() <= kMostShapes && bytes_ <= kMostLaneBytes) return {};
+    if (shapes_.size() > kMostShapes) shape = shapes_.begin();
   }
   LaneCases ready = std::move(*shape);
+  for (const WaitingCase& each : ready) bytes_ -= bytes_of(each);
   shapes_.erase(shape);
   return ready;
 }
 
-std::vector<LaneCases> LanePool::release() { return std::exchange(shapes_, {}); }
+std::vector<LaneCases> LanePool::release() {
+  bytes_ = 0;
+  return std::exchange(shapes_, {});
+}
 
 void run_lane_cases(LaneCases&& cases,
                     const std::function<void(std::size_t index, BatchRow&& row)>& take) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "plastica/base/stop_flag.hpp"
 #include "plastica/coupon/shape.hpp"
 #include "plastica/model/field.hpp"
 #include "plastica/model/material_field.hpp"
@@ -41,6 +42,10 @@ struct Workspace {
   /// Of a path or motion: told the time after each step [s], may be empty. Returning false ends
   /// the run with Status::Interrupted.
   std::function<bool(double time)> on_progress;
+  /// Once raised, by any thread, a path or motion ends before its next step with
+  /// Status::Interrupted. May be null. A path that it ends has no shape of its last sample where
+  /// fewer frames than samples are kept.
+  StopFlag stop = nullptr;
 };
 
 }  // namespace plastica

@@ -47,6 +47,11 @@ void PathLanes<L>::fill(int lane) {
   while (!one.seeks && !waiting_.empty()) {
     const LaneCase& next = waiting_.front();
     waiting_ = waiting_.subspan(1);
+    if (is_raised(next.hooks->stop)) {
+      next.response->samples = 0;
+      next.response->status = Status::Interrupted;
+      continue;
+    }
     one.seeks = begin(lane, next);
   }
   if (one.seeks) begin_seeking(lane);
@@ -122,8 +127,8 @@ void PathLanes<L>::judge(int lane, double imbalance) {
   Lane& one = lanes_[static_cast<std::size_t>(lane)];
   const solve::NewtonOptions& options = one.runner->newton();
   one.converged = imbalance <= options.tolerance;
-  one.found =
-      !solve::may_improve(imbalance, options.tolerance) || one.iteration == options.most_iterations;
+  one.found = !solve::may_improve(imbalance, options.tolerance) ||
+              one.iteration == options.most_iterations || is_raised(options.stop);
   if (!one.found) {
     ++one.iteration;
     return;

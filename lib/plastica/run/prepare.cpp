@@ -7,6 +7,7 @@
 #include "plastica/run/chain_laws.hpp"
 #include "plastica/run/chain_run.hpp"
 #include "plastica/run/chain_shape.hpp"
+#include "plastica/run/response_size.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica {
@@ -65,15 +66,13 @@ void set_stops(ChainModel& chain) {
       if (std::abs(stop - cut.time) < 1e-9 * duration) cut.time = stop;
     }
   }
-  chain.samples = static_cast<std::size_t>(steps) + 1;
+  chain.samples = response_size(chain).samples;
 }
 
 /// The samples whose shape is kept: all, or so many evenly spaced ones and the first.
 void set_frames(ChainModel& chain) {
   const auto steps = static_cast<std::size_t>(chain.options.steps);
-  const std::size_t frames = chain.options.frames == 0
-                                 ? steps
-                                 : std::min(steps, static_cast<std::size_t>(chain.options.frames));
+  const std::size_t frames = response_size(chain).frames - 1;
   for (std::size_t k = 0; k <= frames; ++k) chain.frame_sample.push_back(k * steps / frames);
 }
 
@@ -96,14 +95,14 @@ std::shared_ptr<const ChainModel> prepare_chain(const Scene& scene, const Solver
   return chain;
 }
 
-void size_chain(const ChainModel& chain, Response& response) {
+void size_chain(const ChainModel& chain, const ResponseSize& size, Response& response) {
   ChainHistory& history = response.chain;
-  history.time.assign(chain.samples, 0.0);
-  history.factor.assign(chain.samples, 0.0);
-  history.energy.assign(chain.samples, {});
-  history.iterations.assign(chain.samples, 0);
+  history.time.assign(size.samples, 0.0);
+  history.factor.assign(size.samples, 0.0);
+  history.energy.assign(size.samples, {});
+  history.iterations.assign(size.samples, 0);
   history.frame_sample = chain.frame_sample;
-  size_shape(chain, chain.frame_sample.size(), history);
+  size_shape(size, size.frames, history);
 }
 
 }  // namespace
@@ -151,9 +150,9 @@ Model prepare(const Scene& scene, const SolverOptions& options,
 
 Response make_response(const Model& model) {
   Response response;
-  const std::size_t samples = model.chain ? model.chain->samples : model.drive.size();
-  response.probes.assign(model.probes.size(), std::vector<double>(samples));
-  if (model.chain) size_chain(*model.chain, response);
+  const ResponseSize size = response_size(model);
+  response.probes.assign(size.probes, std::vector<double>(size.samples));
+  if (model.chain) size_chain(*model.chain, size, response);
   return response;
 }
 
@@ -170,6 +169,7 @@ Workspace make_workspace(const Model& model) {
 }
 
 Response simulate(const Scene& scene, const SolverOptions& options, const BreakListener& on_break) {
+  check_memory(scene, options);
   const Model model = prepare(scene, options);
   Response response = make_response(model);
   Workspace workspace = make_workspace(model);

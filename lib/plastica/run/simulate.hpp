@@ -35,7 +35,7 @@ void run_sensitivity(const Model& model, ParameterValues values, Workspace& work
 
 /// `prepare` and `run` in a row, for a scene that is run once.
 /// @param on_break  decides at each break of a motion what is cut; may be empty
-/// @throws InputError as `prepare`
+/// @throws InputError as `prepare` and `check_memory`
 Response simulate(const Scene& scene, const SolverOptions& options = {},
                   const BreakListener& on_break = {});
 

@@ -60,6 +60,9 @@ class MotionStep {
     no_motion_.follows = 0.0;
   }
 
+  /// No further iteration is begun once a flag is raised; what is tried then has no solution.
+  void stop_by(StopFlag stop) { newton_.stop = stop; }
+
   /// Begins at time 0 with velocities that joints and supports need not allow yet.
   /// @return false if a support holds what others hold already
   bool start(const Motions& motion) {

@@ -60,7 +60,10 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     }
     // A value that is there gets its derivatives from one more step.
     const bool polishes = (kCarriesDerivatives<S> || options.polishes) && !any(going) && !polished;
-    if ((!any(going) && !polishes) || iteration == options.most_iterations) break;
+    if ((!any(going) && !polishes) || iteration == options.most_iterations ||
+        is_raised(options.stop)) {
+      break;
+    }
     polished = polishes;
     detail::solve_imbalance(chain, condition, w);
     for (std::size_t k = 0; k < chain.closures.size(); ++k) detail::solve_closure(chain, k, w);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "plastica/base/stop_flag.hpp"
 #include "plastica/chain/joint_laws.hpp"
 #include "plastica/chain/recursion.hpp"
 #include "plastica/solve/small_system.hpp"
@@ -133,6 +134,8 @@ struct NewtonOptions {
   bool polishes = false;
   /// Gives up when the imbalance has not fallen to a tenth in so many iterations; 0: never.
   int patience = 0;
+  /// Once raised, no further iteration is begun: what is not converged then stays so.
+  StopFlag stop = nullptr;
 };
 
 /// How an equilibrium was sought. @tparam S a lane has its own answer

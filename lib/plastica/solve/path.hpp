@@ -91,7 +91,7 @@ class PathWalker {
   enum class Trial {
     Accepted,
     Failed,
-    Ended,  ///< accepted, and the path ends there: see `ended`
+    Ended,  ///< the path ends here: see `ended`
   };
 
   /// Relative stiffness below which the supports leave the beam free to move.
@@ -166,11 +166,18 @@ class PathWalker {
     return judge(outcome.converged, outcome.iterations, shortest);
   }
 
+  /// Whether the path ends here because it was stopped from outside.
+  bool stopped() {
+    interrupted_ = interrupted_ || is_raised(options_.newton.stop);
+    return interrupted_;
+  }
+
   /// Takes an equilibrium that has been sought, if it is near enough.
   Trial judge(bool converged, int iterations, bool shortest) {
     factored_ = solved_ = false;
     counters_.iterations += iterations;
     iterations_ = iterations;
+    if (stopped()) return Trial::Ended;
     if (!converged) return Trial::Failed;
     if (largest_turn() > options_.largest_turn) return Trial::Failed;
     const double slope = watches_slope_ && observer_.yields() ? relative_slope() : 1.0;
@@ -322,7 +329,7 @@ class PathWalker {
   bool shortest_ = false;  ///< which cannot be cut back
   Status status_ = Status::NotRun;
   int iterations_ = 0;
-  bool interrupted_ = false;  ///< the observer does not want to go on
+  bool interrupted_ = false;  ///< the observer does not want to go on, or the path was stopped
   bool factored_ = false;     ///< `w_` holds the tangent at the committed unknowns
   bool solved_ = false;       ///< and all columns
 

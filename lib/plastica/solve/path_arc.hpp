@@ -175,7 +175,7 @@ typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::cross_by_arc(do
     const double least = observer_.yields() ? kLimitSlope * first_slope : 0.0;
     if (secant_time_ <= least * size_of(secant_)) {
       if (observer_.yields() || farthest_turn() <= kFarTurn) bracket_limit(highest);
-      return Trial::Failed;
+      return stopped() ? Trial::Ended : Trial::Failed;
     }
   }
   return Trial::Failed;
@@ -193,6 +193,7 @@ void PathWalker<L, kElastic>::bracket_limit(double highest) {
     factored_ = solved_ = false;
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
     counters_.iterations += outcome.iterations;
+    if (stopped()) return;
     if (outcome.converged && largest_turn() <= options_.largest_turn) continue;
     limit.above = time;
     break;

@@ -9,6 +9,7 @@ template <class L, bool kElastic>
 Status PathWalker<L, kElastic>::find_first() {
   const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
   counters_.iterations += outcome.iterations;
+  if (stopped()) return Status::Interrupted;
   if (!(w_.recursion.least_pivot() > kMechanism)) return Status::Mechanism;
   if (holds_twice()) return Status::HeldTwice;
   if (!outcome.converged) return finite(outcome) ? Status::NotConverged : Status::NonFinite;
