@@ -104,6 +104,10 @@ class Scan {
 
   /// Skips a string with its quotes; one that is not closed ends with its line or the text.
   void skip_string(char quote) {
+    if (at_ > 0 &&
+        std::string_view(" \t\r\n.=,[{").find(text_[at_ - 1]) == std::string_view::npos) {
+      refuse(no_toml(at_) + "a quote amid a word");
+    }
     const std::string_view rest = text_.substr(at_);
     const bool of_lines = rest.size() > 2 && rest[1] == quote && rest[2] == quote;
     at_ += of_lines ? 3 : 1;

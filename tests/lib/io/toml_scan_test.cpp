@@ -106,6 +106,12 @@ TEST(TomlScan, ABracketIsClosedByItsOwnKind) {
             "f.toml:1: a = {b = 1]: is not TOML (column 11): ']' cannot close '{'");
 }
 
+TEST(TomlScan, NoStringBeginsAmidAWord) {
+  EXPECT_EQ(message_of([] { TomlDocument::parse("a = 1'\u00b5'\n", "f.toml"); }),
+            "f.toml:1: a = 1'\u00b5': is not TOML (column 6): a quote amid a word");
+  expect_read("'a'.\"b\"=['x','''y''',\"z\",{\"c\"=\"\"}]\n\"d\"='1'\n[\"e\"]\n");
+}
+
 TEST(TomlScan, AHeaderNeedsAName) {
   for (const char* header : {"[", "[]", "[ .a]", "[#]", "[[", "[[]]", "[[\t]]", "[[.]]", "[ \n]"}) {
     EXPECT_NE(message_of([&] {
