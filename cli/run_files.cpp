@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 #include "plastica/base/check.hpp"
 #include "plastica/io/case_journal.hpp"
 #include "plastica/io/durable_file.hpp"
 #include "plastica/io/output_file.hpp"
+#include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
 
 namespace plastica::cli {
@@ -45,10 +44,8 @@ std::vector<io::InputText> input_texts(const calibrate::FitFile& file) {
       file.path.empty() ? "command-line.toml" : fs::path(file.path).filename().string();
   std::vector<io::InputText> texts{{name, file.text}};
   for (const std::string& table : tables_of(file)) {
-    std::ifstream in(table, std::ios::binary);
-    if (!in) throw InputError({table, 0}, "", "", "cannot be read");
     texts.push_back(
-        {fs::path(table).filename().string(), {std::istreambuf_iterator<char>(in), {}}});
+        {fs::path(table).filename().string(), io::read_input(table, io::kMaxTableBytes)});
   }
   return texts;
 }

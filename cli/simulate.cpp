@@ -171,7 +171,7 @@ int simulate_file(const SimulateArguments& arguments) {
   Response response = make_response(model);
   run_scene(model, arguments.quiet, response);
   if (response.status == Status::Interrupted && !is_motion(model)) {
-    fmt::print(stderr, "plastica: interrupted; nothing is written of a path\n");
+    tell("plastica: interrupted; nothing is written of a path\n");
     return kInterrupted;
   }
   io::SceneRecord record = io::make_scene_record(file, model, std::move(response));
