@@ -73,7 +73,7 @@ inline constexpr std::array kSceneFitRules{
 inline constexpr std::array kIntervalRules{
     io::anything("profiles/low"),
     io::anything("profiles/high"),
-    io::anything("profiles/threshold"),
+    io::may_lack("profiles/threshold"),
     io::anything("profiles/rise/values"),
     io::may_lack("profiles/searched/values"),
     io::may_lack("bootstraps/values/values"),

@@ -208,8 +208,8 @@ void read_head(const Hdf5Group& root, SweepRecord& record) {
   if (head.has_attribute(".", "error_scale")) {
     record.error_scale = head.real_attribute(".", "error_scale");
     if (!(*record.error_scale > 0.0) || std::isinf(*record.error_scale)) {
-      throw InputError({root.file(), 0}, "/sweep/error_scale", std::to_string(*record.error_scale),
-                       "must be above 0");
+      throw InputError({root.file(), 0}, "/sweep/error_scale",
+                       model_detail::number_text(*record.error_scale), "must be above 0");
     }
   }
   if (head.has_attribute(".", "refined_axis")) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Gives the command result files in which one thing is not as it should be.
 
-damaged_results_test.py COMMAND [--sample N] [--seed S] [--kind KIND …] [--only TEXT]
-                        [--keep FOLDER] [--jobs N] [--sanitized]
+damaged_results_test.py COMMAND [--sample N] [--seed S] [--requests N] [--kind KIND …]
+                        [--only TEXT] [--log FILE] [--jobs N] [--sanitized]
 
 Of each kind of result a small file is made with the command itself and mutated (mutate_result.py),
 one thing at a time. Each copy is given to all commands that read such a file. They may read it
@@ -29,6 +29,7 @@ from mutate_result import mutations, paths, plain_copy
 from small_results import SmallResults
 
 SECONDS = 20
+SECONDS_SANITIZED = 200
 BYTES = 2 * 2**30
 CODES = {0: "read", 1: "read", 2: "refused", 3: "machine"}
 # What all files of a schema have alike is mutated in the first of them alone.
@@ -43,11 +44,12 @@ def limited():
 def outcome_of(command, folder, sanitized):
     """One of OUTCOMES, and why."""
     environment = os.environ | {"OMP_NUM_THREADS": "1"}
+    seconds = SECONDS_SANITIZED if sanitized else SECONDS
     try:
-        done = subprocess.run(command, cwd=folder, capture_output=True, timeout=SECONDS,
+        done = subprocess.run(command, cwd=folder, capture_output=True, timeout=seconds,
                               preexec_fn=None if sanitized else limited, env=environment)
     except subprocess.TimeoutExpired:
-        return "crashed", f"takes more than {SECONDS} s"
+        return "crashed", f"takes more than {seconds} s"
     errors = [line for line in done.stderr.decode(errors="replace").splitlines()
               if line.startswith("plastica: ") and "warning" not in line]
     if done.returncode not in CODES:
@@ -166,7 +168,7 @@ def parsed():
     parser.add_argument("--only", default="", help="of what has this in its path or mutation")
     parser.add_argument("--log", help="a line for each mutant")
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--sanitized", action="store_true", help="no limit of the memory")
+    parser.add_argument("--sanitized", action="store_true", help="more time, any memory")
     return parser.parse_args()
 
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "plastica/io/hdf5.hpp"
+#include "plastica/model/check_value.hpp"
 #include "plastica/model/field.hpp"
 
 /// What the numbers of a dataset must be beyond their type and shape; not installed.
@@ -84,7 +85,7 @@ inline void check_values(const Hdf5Group& group, std::string_view path,
                          std::span<const double> values, const ValueRule& rule) {
   for (const double value : values) {
     if (!keeps(rule, value)) {
-      refuse_value(group, path, std::to_string(value), rule.range.rule());
+      refuse_value(group, path, model_detail::number_text(value), rule.range.rule());
     }
   }
   const bool strict = rule.order == Order::RisesStrictly;

@@ -355,7 +355,7 @@ TEST_F(DamagedScene, WhoseBeamIsNoneIsRefused) {
   EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.outline.ends[4] = 0.9; }),
             "/beam/ends: must begin with 0, end with 1");
   EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.outline.width[0] = 0.0; }),
-            "/beam/width = 0.000000: must be above 0");
+            "/beam/width = 0: must be above 0");
   EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.outline.node[3] = NAN; }),
             "/beam/node = nan: must be finite");
   EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.setup.scene.beam.segments = 5; }),
@@ -376,7 +376,7 @@ TEST_F(DamagedScene, WhoseNumbersAreOutOfTheirRangeIsRefused) {
                     [](SceneRecord& record) {
                       record.setup.scene.probes[0].at = {1.5, {}};
                     }),
-            "/probes/at = 1.500000: must be from 0 to 1");
+            "/probes/at = 1.5: must be from 0 to 1");
   EXPECT_EQ(refusal(beam, [](SceneRecord& record) { record.response.chain.time[0] = 9.0; }),
             "/path/time: must not fall");
 }
