@@ -20,9 +20,9 @@ struct FitStoreContents {
   std::vector<io::InputText> inputs;  ///< the fit file, tables
   /// What the fits were told. Where in a file a parameter stood (`Parameter::where`) is not stored.
   FitOptions options;
-  /// Of `run_id`: the same for two runs of the same bits. Empty in files of older versions.
-  std::string run;
   io::RunMeta meta;
+  /// Of `run_id`: the same for two runs of the same bits. Empty in files of older versions.
+  std::string run{};
 };
 
 /// Writes a result file (HDF5; layout: data/README.md). The records are stored in the order of

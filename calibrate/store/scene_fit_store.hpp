@@ -18,9 +18,9 @@ struct SceneFitContents {
   std::vector<SceneFitRecord> records;
   double confidence = 0.95;           ///< of the intervals, within (0, 1)
   std::vector<io::InputText> inputs;  ///< the fit file, its scenes, tables
+  io::RunMeta meta;
   /// Of `run_id`: the same for two runs of the same bits. Empty in files of older versions.
   std::string run{};
-  io::RunMeta meta;
 };
 
 /// Writes a result file (HDF5; layout: data/README.md). The records are stored in the order of
