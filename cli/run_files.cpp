@@ -66,7 +66,7 @@ void refuse_own_files(std::string_view option, const std::string& path, const st
   const auto refuse = [&](const std::string& other, std::string_view rule) {
     if (place(path) == place(other)) throw InputError({}, option, path, rule);
   };
-  refuse(output, "is the result file, too");
+  refuse(output, "is the output, too");
   refuse(io::journal_path(output), "is where the journal of the run goes");
   refuse(io::lock_path(output), "is where the lock of the result file goes");
 }

@@ -91,9 +91,15 @@ std::string JournaledBatch::run_id() const {
   io::Digest digest;
   // What is drawn for a group's mean is no part of a fit.
   digest.integer(static_cast<std::uint64_t>(options_.intervals.specimens));
-  for (const std::string& id : ids_) digest.text(id);
+  std::vector<std::string> ids = ids_;
   // Samples that were dropped decide nothing, but stand in the result.
-  for (const Target& target : targets_) digest.reals(target.raw.strain).reals(target.raw.stress);
+  for (const Target& target : targets_) {
+    io::Digest raw;
+    raw.reals(target.raw.strain).reals(target.raw.stress);
+    ids.push_back(target.name + ' ' + io::hexadecimal(raw.value()));
+  }
+  std::sort(ids.begin(), ids.end());  // as results are stored: in whatever order they come
+  for (const std::string& id : ids) digest.text(id);
   return io::hexadecimal(digest.value());
 }
 

@@ -99,10 +99,10 @@ bool JournaledSceneFits::makes_whole() const {
 
 std::string JournaledSceneFits::run_id() const {
   io::Digest digest;
-  for (const std::vector<std::string>* ids : {&ids_, &whole_ids_}) {
-    digest.integer(ids->size());
-    for (const std::string& id : *ids) digest.text(id);
-  }
+  std::vector<std::string> ids = ids_;
+  ids.insert(ids.end(), whole_ids_.begin(), whole_ids_.end());
+  std::sort(ids.begin(), ids.end());  // as results are stored: in whatever order they come
+  for (const std::string& id : ids) digest.text(id);
   return io::hexadecimal(digest.value());
 }
 

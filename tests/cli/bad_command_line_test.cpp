@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
         line("SummaryOverTheCurve", {"calibrate", "fit.toml", "--json", "a.csv"},
              "--json = a.csv: is a file that this run reads"),
         line("SummaryOverTheOutput", {"calibrate", "fit.toml", "-o", "x", "--json", "./x"},
-             "--json = ./x: is the result file, too"),
+             "--json = ./x: is the output, too"),
         line("SummaryInMissingFolder", {"calibrate", "fit.toml", "--json", "none/fit.json"},
              "none/fit.json: cannot be written: there is no folder none")),
     name_of_case);

@@ -100,7 +100,7 @@ TEST_F(Faults, AnOutputThatIsNoFileOfItsOwnIsRefused) {
   refused({"calibrate", "fit.toml", "-o", "b.h5", "--json", "b.h5.journal"},
           "--json = b.h5.journal: is where the journal of the run goes");
   refused({"calibrate", "fit.toml", "-o", "b.h5", "--json", "b.h5"},
-          "--json = b.h5: is the result file, too");
+          "--json = b.h5: is the output, too");
   EXPECT_EQ(place_.read("a.h5"), bytes);
   EXPECT_FALSE(place_.has("b.h5"));
 }

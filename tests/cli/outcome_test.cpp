@@ -144,15 +144,10 @@ TEST(Outcome, OfAJournalThatCannotGrowIsThree) {
   expect_machine_failure(place.run({"calibrate", "fit.toml", "--quiet"}), "fit.h5.journal: ");
 }
 
-TEST(Outcome, OfAFullDeviceIsThree) {
+TEST(Outcome, OfAFullStandardOutputIsThree) {
   const Workplace place;
   write_good_curves(place);
-  expect_machine_failure(
-      place.run({"calibrate", "fit.toml", "--quiet", "--force", "--json", "/dev/full"}),
-      "/dev/full: ");
-  EXPECT_TRUE(place.has("fit.h5"));
-  expect_machine_failure(place.run({"export", "fit.h5", "--force", "-o", "/dev/full"}),
-                         "/dev/full: cannot be written");
+  ASSERT_EQ(place.run({"calibrate", "fit.toml", "--quiet"}).code, 0);
   for (const char* command : {"show fit.h5", "export fit.h5", "fields", "inspect a-curve.csv"}) {
     SCOPED_TRACE(command);
     const std::string line = std::string("exec \"$0\" ") + command + " >/dev/full";

@@ -85,8 +85,8 @@ class InterruptedSceneFit : public ::testing::Test {
 };
 
 TEST_F(InterruptedSceneFit, GoesOnFromItsFinishedSearchesToTheSameBits) {
-  constexpr std::uintmax_t kHeader = 24;
-  const CommandResult killed = interrupt(SIGKILL, kHeader, false);
+  constexpr std::uintmax_t kBegun = 100;  // header and the name of the instruction set
+  const CommandResult killed = interrupt(SIGKILL, kBegun, false);
   ASSERT_EQ(killed.code, 128 + SIGKILL) << "it ended before it could be killed";
   const CommandResult again = place_.run({"calibrate", "fit.toml", "-o", "out.h5"});
   EXPECT_EQ(again.code, 2);

@@ -152,7 +152,7 @@ TEST(BadSceneRequest, IsRefusedInOneLine) {
       {{"simulate", "beam.toml", "-o", "y.h5", "--json", "beam.toml", "--force"},
        "--json = beam.toml: is a file that this run reads"},
       {{"simulate", "beam.toml", "-o", "y.csv", "--json", "./y.csv"},
-       "--json = ./y.csv: is the result file, too"},
+       "--json = ./y.csv: is the output, too"},
       {{"simulate", "beam.toml", "-o", "none/y.h5"},
        "none/y.h5: cannot be written: there is no folder none"}};
   for (const auto& [arguments, line] : requests) {

@@ -102,7 +102,7 @@ TEST_F(SweepResult, RefusesRequestsInOneLine) {
       {{"plot", "x.h5", "x.h5"}, "plot = x.h5: must not be there: a sweep is drawn of one file"},
       {{"plot", "x.h5", "--joint", "1"}, "--joint: is for simulated scenes; this is a sweep"},
       {{"sweep", "sweep.toml", "-o", "y.h5", "--json", "./y.h5"},
-       "--json = ./y.h5: is the result file, too"},
+       "--json = ./y.h5: is the output, too"},
       {{"sweep", "sweep.toml", "-o", "y.h5", "--json", "cantilever.toml", "--force"},
        "--json = cantilever.toml: is a file that this run reads"},
       {{"sweep", "sweep.toml", "-o", "cantilever.toml", "--force"},

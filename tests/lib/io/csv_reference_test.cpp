@@ -20,7 +20,8 @@ TEST(CsvReference, ReadsEverySharedLaboratoryFile) {
     const CsvTable table = CsvTable::read(entry.path().string());
     EXPECT_GE(table.rows(), 3U) << entry.path();
     EXPECT_GE(table.columns(), 2U) << entry.path();
-    EXPECT_FALSE(table.names()[0].empty()) << entry.path();
+    const bool headerless = entry.path().filename() == "headerless.csv";
+    EXPECT_EQ(table.names()[0].empty(), headerless) << entry.path();
     EXPECT_FALSE(table.torn_last_row()) << entry.path();
     ++files;
   }
