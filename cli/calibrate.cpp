@@ -87,7 +87,7 @@ bool has_scenes(const CalibrateArguments& arguments) {
 int report(const CalibrateArguments& arguments, calibrate::FitStoreContents& contents) {
   if (!arguments.json.empty()) {
     write_json(arguments.json, contents.records, contents.options,
-               io::overwrite_if(arguments.force));
+               io::overwrite_if(arguments.force || arguments.resume));
   }
   if (!arguments.quiet) {
     print_report(contents.records, contents.options);
@@ -139,16 +139,16 @@ int calibrate_files(const CalibrateArguments& arguments) {
   calibrate::JournaledBatch batch(targets, file.options, how);
   if (found) {
     contents = calibrate::read_fit_store(output);
-    refuse_other_output(output, batch.run_id(), contents.run);
-    batch.discard();
-    tell("{} is complete: nothing is left to do\n", output);
+    take_complete_output(output, contents.run, batch);
     return report(arguments, contents);
   }
+  // Another run may have had the journal until now, and have written the output.
+  io::check_output_path(output, arguments.force);
   tell_of_journal(batch, arguments.quiet);
   std::vector<calibrate::FitResult> results = batch.run();
   bar.clear();
   if (!batch.complete()) {
-    tell("plastica: interrupted; what is finished is kept: --resume goes on\n");
+    tell_interrupted(output);
     return kInterrupted;
   }
 

@@ -86,7 +86,7 @@ int report(const CalibrateArguments& arguments, calibrate::SceneFitContents& con
   if (!arguments.json.empty()) {
     io::write_text_file(arguments.json,
                         calibrate::scene_fits_json(contents.records, contents.confidence) + "\n",
-                        io::overwrite_if(arguments.force));
+                        io::overwrite_if(arguments.force || arguments.resume));
   }
   if (!arguments.quiet) {
     print_report(contents.records, contents.confidence);
@@ -138,11 +138,11 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
       [&search](const calibrate::SceneFitProgress& progress) { search.update(progress); });
   if (found) {
     contents = calibrate::read_scene_fit_store(output);
-    refuse_other_output(output, batch.run_id(), contents.run);
-    batch.discard();
-    tell("{} is complete: nothing is left to do\n", output);
+    take_complete_output(output, contents.run, batch);
     return report(arguments, contents);
   }
+  // Another run may have had the journal until now, and have written the output.
+  io::check_output_path(output, arguments.force);
   tell_of_journal(batch, arguments.quiet);
   if (!arguments.quiet && batch.parts() > 0) {
     tell("{} finished parts of fits taken from the journal\n", batch.parts());
@@ -151,7 +151,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   bar.clear();
   search.clear();
   if (!batch.complete()) {
-    tell("plastica: interrupted; what is finished is kept: --resume goes on\n");
+    tell_interrupted(output);
     return kInterrupted;
   }
   for (std::size_t i = 0; i < results.size(); ++i) {

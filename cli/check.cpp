@@ -68,8 +68,13 @@ int check(const CheckArguments& arguments) {
   for (const std::string& path : arguments.files) files.push_back(sweeps::read_check_file(path));
   if (arguments.dry_run) return print_dry_run(files);
   if (!arguments.junit.empty()) {
-    for (const std::string& path : arguments.files) {
-      refuse_input("--junit", arguments.junit, path);
+    for (const sweeps::CheckFile& file : files) {
+      refuse_input("--junit", arguments.junit, file.path);
+      for (const sweeps::Sweep& sweep : file.sweeps) {
+        refuse_input("--junit", arguments.junit, sweep.path);
+        refuse_input("--junit", arguments.junit, sweep.scene.path);
+        refuse_input("--junit", arguments.junit, sweep.against.name);
+      }
     }
     io::check_output_path(arguments.junit, arguments.force);
   }

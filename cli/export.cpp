@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -22,6 +21,7 @@
 #include "cli/export_beam.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
+#include "cli/tell.hpp"
 #include "plastica/io/nearest_word.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/io/text_file.hpp"
@@ -189,7 +189,7 @@ int run_export(const ExportArguments& arguments) {
   }
   const std::string text = text_of(arguments);
   if (arguments.output == "-") {
-    std::cout << text;
+    put(text);
     return kDone;
   }
   io::write_text_file(arguments.output, text, io::overwrite_if(arguments.force));

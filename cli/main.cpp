@@ -101,7 +101,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    if (error.get_exit_code() == 0) return finish_output(app.exit(error));  // --help, --version
     return complain(rule_of(app, error, argc > 1 ? argv[1] : ""), plastica::cli::kBadInput);
   }
   return finish_output(action());

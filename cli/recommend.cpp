@@ -87,7 +87,7 @@ void write_scene(const std::string& path, const std::string& text, bool force) {
 }
 
 int recommend(const RecommendArguments& arguments) {
-  tell_without_digest(arguments.file);
+  check_without_digest(arguments.file);
   const sweeps::SweepRecord record = sweeps::read_sweep_store(arguments.file);
   const sweeps::CostKind cost = cost_kind(arguments, record);
   const sweeps::Wish wish = wish_of(arguments, cost);

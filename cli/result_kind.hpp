@@ -11,9 +11,10 @@ namespace plastica::cli {
 /// What a result file holds.
 enum class ResultKind { Fits, Scene, Sweep, SceneFits };
 
-/// Says on the standard error where a result file has no digest, so that damage cannot be seen.
+/// Says on the standard error where a result file has no digest, so that damage cannot be seen, and
+/// makes sure that reading it ends.
 /// @throws InputError if it cannot be read or is damaged
-void tell_without_digest(const std::string& path);
+void check_without_digest(const std::string& path);
 
 /// Tells where it has no digest, too. @throws InputError if it holds none of them
 ResultKind kind_of_result(const std::string& path);

@@ -85,12 +85,20 @@ bool finds_output(bool resume, bool force, const std::string& output) {
   return resume && !force && fs::is_regular_file(output, ignored);
 }
 
-void refuse_other_output(const std::string& output, const std::string& run,
-                         const std::string& found) {
-  if (run == found) return;
-  throw InputError({output, 0}, "", "",
-                   "exists already, and is of other curves, options or another version: use "
-                   "--force to overwrite it");
+void refuse_other_output(const std::string& output, bool journal_is_ours) {
+  throw InputError(
+      {output, 0}, "", "",
+      journal_is_ours
+          ? "exists already and is of another run, while its journal is of this one: use --resume "
+            "--force to go on and overwrite it"
+          : "exists already, and is of other curves, options, version or instruction set: use "
+            "--force to overwrite it");
+}
+
+void tell_interrupted(const std::string& output) {
+  std::error_code ignored;
+  tell("plastica: interrupted; what is finished is kept: --resume{} goes on\n",
+       fs::exists(output, ignored) ? " --force" : "");
 }
 
 void check_outputs(const calibrate::FitFile& file, const std::string& output,
@@ -108,7 +116,8 @@ void check_outputs(std::span<const std::string> read, const std::string& output,
   if (json.empty()) return;
   check("--json", json);
   refuse_own_files("--json", json, output);
-  io::check_output_path(json, force);
+  // What is made of an output that is there may be replaced by the same.
+  io::check_output_path(json, force || found);
 }
 
 }  // namespace plastica::cli

@@ -8,6 +8,7 @@
 
 #include "calibrate/config/fit_file.hpp"
 #include "calibrate/store/fit_store.hpp"
+#include "cli/tell.hpp"
 
 namespace plastica::cli {
 
@@ -33,12 +34,29 @@ std::optional<double> seconds_of(std::string_view option, const std::string& tex
 /// Whether a run that is to go on finds an output, which may be its own, complete.
 bool finds_output(bool resume, bool force, const std::string& output);
 
-/// Refuses an output that a run found and that another run has made.
-/// @param run    `run_id` of this run
-/// @param found  of the output
-/// @throws InputError
-void refuse_other_output(const std::string& output, const std::string& run,
-                         const std::string& found);
+/// Refuses an output that another run has made.
+/// @param journal_is_ours  whether the journal has fits of this run
+[[noreturn]] void refuse_other_output(const std::string& output, bool journal_is_ours);
+
+/// Looks at an output that a run found: it is this run's, complete, or refused. Its journal goes,
+/// unless it has fits of another run.
+/// @param batch  has `run_id`, `taken` and `outdated` fits of its journal, and `discard`
+/// @param found  `run_id` of the output
+/// @throws InputError if another run has made the output
+template <class Batch>
+void take_complete_output(const std::string& output, const std::string& found, Batch& batch) {
+  if (batch.run_id() != found) refuse_other_output(output, batch.taken() > 0);
+  tell("{} is complete: nothing is left to do\n", output);
+  if (batch.outdated() == 0) {
+    batch.discard();
+  } else {
+    tell("its journal has {} fits of another run, and is kept\n", batch.outdated());
+  }
+}
+
+/// Says that a run was interrupted, and what goes on with it.
+/// @param output  is replaced then, if it is there
+void tell_interrupted(const std::string& output);
 
 /// Checks where the result and the summary are to go, before anything is computed. Not even
 /// `force` lets a run write over what it reads.

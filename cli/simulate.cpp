@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -115,8 +114,10 @@ int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const 
 void write_result(const std::string& output, const io::SceneRecord& record,
                   io::Overwrite overwrite) {
   if (output == "-") {
-    report::write_probes_csv(std::cout, record);
-    std::cout.flush();
+    std::ostringstream table;
+    report::write_probes_csv(table, record);
+    put(table.str());
+    std::fflush(stdout);
   } else if (ending_of(output) == ".h5") {
     io::write_scene_store(output, record, overwrite);
   } else {
@@ -126,11 +127,10 @@ void write_result(const std::string& output, const io::SceneRecord& record,
   }
 }
 
-/// Runs so that Ctrl-C ends it in order, and tells how far a motion is.
-void run_scene(const Model& model, bool quiet, Response& response) {
-  const InterruptGuard interrupt;
+/// Runs until it is stopped, and tells how far a motion is.
+void run_scene(const Model& model, StopFlag stop, bool quiet, Response& response) {
   Workspace workspace = make_workspace(model);
-  workspace.stop = &interrupt.flag();
+  workspace.stop = stop;
   if (!is_motion(model)) {
     run(model, {}, workspace, response);
     return;
@@ -164,12 +164,17 @@ int simulate_file(const SimulateArguments& arguments) {
   const Model model = prepare(file.setup.scene, file.setup.solver);
   if (arguments.dry_run) return print_dry_run(arguments, file.setup, model);
   check_outputs(arguments);
+  // To the end: what has been computed is written, whenever Ctrl-C comes.
+  const InterruptGuard interrupt;
   std::optional<io::OutputLock> lock;
-  if (arguments.output != "-") lock.emplace(arguments.output);
+  if (arguments.output != "-") {
+    lock.emplace(arguments.output);
+    io::check_output_path(arguments.output, arguments.force);  // another run has had the lock
+  }
   io::RunMeta meta = io::begin_meta(arguments.command_line, 1);
   meta.instruction_set = name_of(resolved(file.setup.solver.isa));
   Response response = make_response(model);
-  run_scene(model, arguments.quiet, response);
+  run_scene(model, &interrupt.flag(), arguments.quiet, response);
   if (response.status == Status::Interrupted && !is_motion(model)) {
     tell("plastica: interrupted; nothing is written of a path\n");
     return kInterrupted;

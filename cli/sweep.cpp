@@ -66,7 +66,7 @@ void check_outputs(const SweepArguments& arguments, const std::string& output,
   if (!arguments.json.empty()) {
     refuse_inputs("--json", arguments.json, sweep);
     refuse_own_files("--json", arguments.json, output);
-    io::check_output_path(arguments.json, arguments.force);
+    io::check_output_path(arguments.json, arguments.force || goes_on);
   }
   io::check_output_path(output, arguments.force || goes_on);
   if (arguments.rerun_failed && !fs::exists(output) && !fs::exists(io::journal_path(output))) {
@@ -77,7 +77,7 @@ void check_outputs(const SweepArguments& arguments, const std::string& output,
 sweeps::EarlierResults results_before(const SweepArguments& arguments, const std::string& output) {
   const bool goes_on = arguments.resume || arguments.rerun_failed;
   if (!goes_on || !fs::exists(output)) return {};
-  tell_without_digest(output);
+  check_without_digest(output);
   return sweeps::earlier_results(output);
 }
 
@@ -130,6 +130,8 @@ int sweep_file(const SweepArguments& arguments) {
   how.threads = arguments.threads;
   how.stop = &interrupt.flag();
   sweeps::SweepRun run(sweep, std::move(how));
+  // Another run may have had the journal until now, and have written the output.
+  io::check_output_path(output, arguments.force || arguments.resume || arguments.rerun_failed);
   tell_of_journal(run, arguments.quiet);
   ProgressBar bar("sweeping", run.cases().size(), arguments.quiet);
   run.on_progress([&bar](const sweeps::SweepProgress& progress) {
@@ -153,7 +155,7 @@ int sweep_file(const SweepArguments& arguments) {
   run.finish();
   if (!arguments.json.empty()) {
     io::write_text_file(arguments.json, sweeps::sweep_json(record),
-                        io::overwrite_if(arguments.force));
+                        io::overwrite_if(arguments.force || goes_on));
   }
   if (!arguments.quiet) {
     fmt::print("{}", sweeps::sweep_report(record));

@@ -38,6 +38,14 @@ void tell(const std::string& lines) noexcept {
 
 void say(const std::string& lines) { fmt::print("{}", shown(lines)); }
 
+void put(const std::string& text) {
+  if (::isatty(STDOUT_FILENO) != 0) {
+    say(text);
+  } else {
+    fmt::print("{}", text);
+  }
+}
+
 void open_closed_streams() {
   // open() gives the lowest number that is free. Opened the wrong way round, so that reading what
   // was closed, or writing to it, fails; but for the standard error, which nobody misses.

@@ -26,6 +26,10 @@ void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
   say(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
+/// Writes a table or a text for programs to the standard output: as it is, but harmless where that
+/// is a terminal.
+void put(const std::string& text);
+
 /// Gives the standard streams that the caller has closed something to stand on. Otherwise the
 /// first files that a run opens would take their numbers, and what is meant for the terminal would
 /// go into them. Writing to a standard output that was closed fails, as it should.

@@ -49,7 +49,7 @@ SweepRun::SweepRun(const Sweep& sweep, SweepRunOptions options)
   if (there > 0 && taken_ == 0 && !options_.rerun_failed && !options_.journal.force) {
     const std::string other = journal_ ? journal_->other_instruction_set() : std::string();
     throw InputError({options_.journal.path, 0}, "", "",
-                     "and its output hold no case of this sweep: " +
+                     "has no case of this sweep, nor has its output: " +
                          (other.empty() ? std::string("name another output")
                                         : "they were run with --isa " + other +
                                               ": go on with that, name another output") +

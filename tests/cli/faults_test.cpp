@@ -5,7 +5,7 @@
 
 #include <csignal>
 #include <filesystem>
-#include <regex>
+#include <random>
 #include <thread>
 
 #include "tests/cli/command.hpp"
@@ -148,6 +148,16 @@ TEST_F(Faults, AFlippedBitIsSeenWhereverAResultIsRead) {
   const CommandResult ended = place_.run({"show", "a.h5"});
   EXPECT_EQ(ended.code, 0);
   EXPECT_NE(ended.err.find("warning: a.h5: has no digest"), std::string::npos) << ended.err;
+
+  // Damaged, such a file may be read, but ends no command.
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 30; ++i) {
+    std::string damaged = bytes.substr(512);
+    char& byte = damaged[random() % damaged.size()];
+    byte = static_cast<char>(byte ^ (1 << (random() % 8)));
+    place_.write("b.h5", damaged);
+    EXPECT_LE(place_.run({"show", "b.h5"}).code, 3) << i;
+  }
 }
 
 TEST_F(Faults, ThreadsThatCannotBeMadeOrHaveNoRoomAreTold) {
@@ -163,11 +173,14 @@ TEST_F(Faults, ThreadsThatCannotBeMadeOrHaveNoRoomAreTold) {
   EXPECT_EQ(small.err,
             "plastica: the stacks of threads are too small: set OMP_STACKSIZE, or ulimit "
             "-s, to 128k or more\n");
+  const CommandResult large = shell("ulimit -v 4000000; OMP_STACKSIZE=1G " + sweep + "16");
+  EXPECT_EQ(large.code, 3);
+  EXPECT_EQ(lines_of(large.err), 1U) << large.err;
   const CommandResult few = shell("ulimit -s 65536; ulimit -v 700000; " + sweep + "16");
   EXPECT_EQ(few.code, 3);
   EXPECT_EQ(few.err,
-            "plastica: cannot make 16 threads: Resource temporarily unavailable; give "
-            "fewer (--threads)\n");
+            "plastica: cannot make 16 threads: Resource temporarily unavailable; give fewer "
+            "(--threads), or smaller stacks\n");
 }
 
 TEST_F(Faults, AFitThatIsCompleteIsSaidToBeSo) {
@@ -182,6 +195,12 @@ TEST_F(Faults, AFitThatIsCompleteIsSaidToBeSo) {
   EXPECT_EQ(place_.read("a.h5"), bytes);
   EXPECT_FALSE(place_.has("a.h5.journal"));
 
+  // What is made of it may be asked for again, too.
+  std::vector<std::string> with_summary = go_on;
+  with_summary.insert(with_summary.end(), {"--json", "a.json"});
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(place_.run(with_summary).code, 0);
+  EXPECT_TRUE(place_.has("a.json"));
+
   // Not if anything is another.
   std::string curve = place_.read("example-curve.csv");
   curve.replace(curve.rfind('.') + 1, 1, curve[curve.rfind('.') + 1] == '7' ? "8" : "7");
@@ -192,6 +211,47 @@ TEST_F(Faults, AFitThatIsCompleteIsSaidToBeSo) {
             "plastica: a.h5: exists already, and is of other curves, options or another "
             "version: use --force to overwrite it\n");
   EXPECT_EQ(place_.read("a.h5"), bytes);
+}
+
+TEST_F(Faults, ACompleteOutputDoesNotCostTheJournalOfAnotherRun) {
+  place_.write("b.csv", place_.read("example-curve.csv"));
+  const std::vector<std::string> files{"calibrate", "example-curve.csv", "b.csv", "-o", "a.h5"};
+  const auto with = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), files.begin(), files.end());
+    return options;
+  };
+  ASSERT_EQ(place_.run(with({})).code, 0);
+  RunningCommand other = place_.start(with({"--bootstrap", "100000", "--force", "--threads", "1"}));
+  // One fit is kept, the other under way.
+  const auto journal = place_.path("a.h5.journal");
+  std::error_code absent;
+  while (other.runs() && (!fs::exists(journal) || fs::file_size(journal, absent) < 10000)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  other.send(SIGINT);
+  const CommandResult stopped = other.wait();
+  ASSERT_EQ(stopped.code, 130) << stopped.err;
+  EXPECT_EQ(stopped.err,
+            "plastica: interrupted; what is finished is kept: --resume --force goes on\n");
+  const CommandResult refused = place_.run(with({"--bootstrap", "100000", "--resume"}));
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("use --resume --force to go on"), std::string::npos) << refused.err;
+  const CommandResult complete = place_.run(with({"--resume"}));
+  EXPECT_EQ(complete.code, 0);
+  EXPECT_EQ(complete.err,
+            "a.h5 is complete: nothing is left to do\n"
+            "its journal has 1 fits of another run, and is kept\n");
+  EXPECT_GT(fs::file_size(journal), 10000U);
+}
+
+TEST_F(Faults, ACheckDoesNotWriteOverWhatItReads) {
+  ASSERT_EQ(place_.run({"init", "check"}).code, 0);
+  for (const char* name : {"check.toml", "sweep.toml", "cantilever.toml"}) {
+    const std::string text = place_.read(name);
+    const CommandResult ended = place_.run({"check", "check.toml", "--junit", name, "--force"});
+    EXPECT_EQ(ended.code, 2) << name;
+    EXPECT_EQ(place_.read(name), text) << name;
+  }
 }
 
 TEST_F(Faults, WhatStandsInTheJournalsPlaceIsSaid) {

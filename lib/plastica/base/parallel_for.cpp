@@ -3,6 +3,8 @@
 #include <pthread.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <latch>
 #include <limits>
@@ -30,29 +32,62 @@ bool has_room() {
   return bytes >= kStackBytes;
 }
 
-[[noreturn]] void refuse_threads(int threads, const std::system_error& error) {
-  throw MachineError("cannot make " + std::to_string(threads) +
-                     " threads: " + error.code().message() + "; give fewer (--threads)");
+[[noreturn]] void refuse_threads(int threads, int error) {
+  throw MachineError("cannot make " + std::to_string(threads) + " threads: " +
+                     std::strerror(error) + "; give fewer (--threads), or smaller stacks");
 }
 
 #ifndef PLASTICA_THREADS_STD
-/// Makes as many threads as OpenMP is about to add to those that it keeps for the calling thread,
+/// The stack that OpenMP gives to its threads: OMP_STACKSIZE, a number of B, K (where it says no
+/// unit), M or G; 0 for the system's. Source: OpenMP 5.0, 6.7.
+std::size_t openmp_stack_bytes() {
+  const char* text = std::getenv("OMP_STACKSIZE");
+  if (text == nullptr) text = std::getenv("GOMP_STACKSIZE");
+  if (text == nullptr) return 0;
+  char* end = nullptr;
+  const unsigned long long number = std::strtoull(text, &end, 10);
+  while (*end == ' ') ++end;
+  switch (*end) {
+    case 'b':
+    case 'B': return number;
+    case 'm':
+    case 'M': return number << 20U;
+    case 'g':
+    case 'G': return number << 30U;
+    default: return number << 10U;
+  }
+}
+
+void* wait_for(void* latch) {
+  static_cast<std::latch*>(latch)->wait();
+  return nullptr;
+}
+
+/// Makes as many threads as OpenMP may have to add to those that it keeps for the calling thread,
 /// and lets them go: OpenMP ends the program where it cannot make one.
 void try_threads(int threads) {
-  thread_local int kept = 1;  // as in OpenMP, which counts for each calling thread, too
-  if (threads <= kept) return;
-  std::latch all_made(1);
-  std::vector<std::jthread> tried;
-  try {
-    for (; static_cast<int>(tried.size()) < threads - kept;) {
-      tried.emplace_back([&all_made] { all_made.wait(); });
+  thread_local int kept = 1;  // OpenMP keeps those of the last team, for each calling thread
+  if (threads > kept) {
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    // A size that the system refuses is not taken by OpenMP either.
+    if (const std::size_t bytes = openmp_stack_bytes(); bytes > 0) {
+      pthread_attr_setstacksize(&attributes, bytes);
     }
-  } catch (const std::system_error& error) {
+    std::latch all_made(1);
+    std::vector<pthread_t> tried(static_cast<std::size_t>(threads - kept));
+    std::size_t made = 0;
+    int error = 0;
+    while (made < tried.size() && error == 0) {
+      error = pthread_create(&tried[made], &attributes, wait_for, &all_made);
+      if (error == 0) ++made;
+    }
     all_made.count_down();
-    refuse_threads(threads, error);
+    for (std::size_t i = 0; i < made; ++i) pthread_join(tried[i], nullptr);
+    pthread_attr_destroy(&attributes);
+    if (error != 0) refuse_threads(threads, error);
   }
-  all_made.count_down();
-  kept = threads;
+  if (threads > 1) kept = threads;
 }
 #endif
 
@@ -122,7 +157,7 @@ void parallel_for(std::size_t count, const ParallelOptions& options,
       workers.emplace_back([&queue, &body, worker] { queue.work(worker, body); });
     }
   } catch (const std::system_error& error) {
-    refuse_threads(threads, error);
+    refuse_threads(threads, error.code().value());
   }
   queue.work(0, body);
   workers.clear();

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <utility>
 
+#include "plastica/base/check.hpp"
 #include "plastica/io/durable_file.hpp"
 
 namespace plastica::io {
@@ -106,7 +107,7 @@ void OutputFile::move_into_place() {
                     : std::rename(part_.c_str(), path_.c_str()) != 0 ? errno
                                                                      : 0;
   if (error == EEXIST) keep_part("has appeared since the run began, and is left as it is");
-  if (error != 0) keep_part(std::string("cannot be replaced: ") + std::strerror(error));
+  if (error != 0) keep_part(std::string("cannot be moved into place: ") + std::strerror(error));
 }
 
 void OutputFile::keep_part(const std::string& why) {
@@ -148,29 +149,35 @@ bool is_named(int descriptor, const std::string& path) {
 std::string lock_path(const std::string& output) { return output + ".lock"; }
 
 OutputLock::OutputLock(const std::string& output) : path_(lock_path(output)) {
-  // Who had the lock before may have removed the file between our opening and locking it.
-  while (descriptor_ < 0) {
-    if (const std::string why = no_output_reason(path_); !why.empty()) {
-      throw StorageError(path_, why);
-    }
+  const auto refuse = [&](const std::string& what) {
+    throw InputError({path_, 0}, "", "",
+                     "is " + what + " in the place of the lock: move it, or name another output");
+  };
+  if (const std::string special = special_file(path_); !special.empty()) refuse(special);
+  // Who had the lock before may have removed the file between our opening and locking it; not
+  // over and over.
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries && descriptor_ < 0; ++i) {
     const int file =
         ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
     if (file < 0) fail(path_, "cannot be written", errno);
-    if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      ::close(file);
-      throw StorageError(output, "is in use by another run");
-    }
-    if (is_named(file, path_)) {
+    struct stat status {};
+    const bool taken = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    const bool ours = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_size == 0;
+    if (!taken && ours && is_named(file, path_)) {
       descriptor_ = file;
-    } else {
-      ::close(file);
+      return;
     }
+    ::close(file);
+    if (taken) break;
+    if (!ours) refuse("a file of another kind");
   }
+  throw StorageError(output, "is in use by another run");
 }
 
 OutputLock::~OutputLock() {
-  // Removed while it is locked: nobody else can have taken it by then.
-  ::unlink(path_.c_str());
+  // While it is locked, and only if it is still ours.
+  if (is_named(descriptor_, path_)) ::unlink(path_.c_str());
   ::close(descriptor_);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "plastica/base/check.hpp"
+#include "plastica/base/utf8.hpp"
 
 namespace plastica::io {
 namespace {
@@ -65,24 +66,10 @@ void refuse_binary(std::string_view bytes, const std::string& file) {
 }
 
 bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i]);
-    std::size_t length = 1;
-    if (lead >= 0x80) {
-      if (lead >= 0xC2 && lead < 0xE0)
-        length = 2;
-      else if (lead >= 0xE0 && lead < 0xF0)
-        length = 3;
-      else if (lead >= 0xF0 && lead < 0xF5)
-        length = 4;
-      else
-        return false;
-    }
-    if (i + length > text.size()) return false;
-    for (std::size_t k = 1; k < length; ++k) {
-      if ((static_cast<unsigned char>(text[i + k]) & 0xC0U) != 0x80U) return false;
-    }
-    i += length;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
   }
   return true;
 }

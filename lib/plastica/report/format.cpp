@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "plastica/base/utf8.hpp"
+
 namespace plastica::report {
 namespace {
 
@@ -16,25 +18,6 @@ int exponent_of(double value) {
 }
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
-
-/// Bytes of the UTF-8 sequence that begins the text; 0 if it is none (RFC 3629, table 3-7 of
-/// Unicode: no overlong forms, no surrogates, nothing beyond U+10FFFF).
-std::size_t sequence_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80U) return 1;
-  std::size_t length = 0;
-  if (lead >= 0xC2U && lead <= 0xDFU) length = 2;
-  if (lead >= 0xE0U && lead <= 0xEFU) length = 3;
-  if (lead >= 0xF0U && lead <= 0xF4U) length = 4;
-  if (length == 0 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if (!continues(text[i])) return 0;
-  }
-  if ((lead == 0xE0U && byte(1) < 0xA0U) || (lead == 0xEDU && byte(1) > 0x9FU)) return 0;
-  if ((lead == 0xF0U && byte(1) < 0x90U) || (lead == 0xF4U && byte(1) > 0x8FU)) return 0;
-  return length;
-}
 
 /// Position behind the first `count` code points.
 std::size_t behind(std::string_view text, std::size_t count) {
@@ -107,7 +90,7 @@ std::string csv_cell(std::string_view name) {
   if (text.size() > 1 && kFormula.find(text.front()) != std::string_view::npos && !number) {
     text.insert(0, 1, '\'');
   }
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  if (text.find_first_of(",;\t\"\r\n") == std::string::npos) return text;
   std::string cell = "\"";
   for (const char c : text) {
     if (c == '"') cell += '"';
@@ -119,7 +102,7 @@ std::string csv_cell(std::string_view name) {
 std::string printable(std::string_view text) {
   std::string line;
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = sequence_length(text.substr(at));
+    const std::size_t length = utf8_length(text.substr(at));
     const auto byte = static_cast<unsigned char>(text[at]);
     const auto next = length == 2 ? static_cast<unsigned char>(text[at + 1]) : 0U;
     if (length == 0) {

@@ -92,12 +92,15 @@ void ChainRunner<L, kElastic>::walk_on() {
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::finish() {
   Response& response = *response_;
-  if (body_.record.lacks_last_shape(response) && !is_raised(hooks_->stop)) {
+  bool cut_short = false;
+  if (body_.record.lacks_last_shape(response)) {
     // It has ended early. That is rare, and the path is the same once more.
+    cut_short = is_raised(hooks_->stop);
     body_.record.shapes_on_demand(false);
-    if (begin_path()) walk_on();
+    if (!cut_short && begin_path()) walk_on();
   }
-  response.status = walker_->status();
+  // Without its last shape a path is not handed over as one that has come to its end.
+  response.status = cut_short ? Status::Interrupted : walker_->status();
   if (!body_.record.lacks_last_shape(response)) body_.record.end_frames(response);
   response.counters = walker_->counters();
   response.limit = walker_->limit();

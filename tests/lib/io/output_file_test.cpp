@@ -7,6 +7,7 @@
 
 #include <filesystem>
 
+#include "plastica/base/check.hpp"
 #include "plastica/io/text_file.hpp"
 #include "tests/lib/io/message_of.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
@@ -152,8 +153,24 @@ TEST(OutputLock, IsNoLink) {
   const ScratchFolder folder;
   const std::string target = folder.write("target", "theirs");
   fs::create_symlink(target, folder.file("a.h5.lock"));
-  EXPECT_THROW(OutputLock(folder.file("a.h5")), StorageError);
+  EXPECT_THROW(OutputLock(folder.file("a.h5")), InputError);
   EXPECT_EQ(content_of(target), "theirs");
+}
+
+TEST(OutputLock, IsNoFileOfAnother) {
+  const ScratchFolder folder;
+  const std::string mine = folder.write("a.h5.lock", "mine");
+  EXPECT_EQ(message_of<InputError>([&] { const OutputLock lock(folder.file("a.h5")); }),
+            mine +
+                ": is a file of another kind in the place of the lock: move it, or name another "
+                "output");
+  EXPECT_EQ(content_of(mine), "mine");
+  {
+    const OutputLock lock(folder.file("b.h5"));
+    fs::remove(folder.file("b.h5.lock"));
+    folder.write("b.h5.lock", "mine, too");
+  }
+  EXPECT_EQ(content_of(folder.file("b.h5.lock")), "mine, too");
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ TEST_F(SweepRunTest, LeavesTheWorkOfAnotherSweepAlone) {
               SweepRun(other, {.journal = {journal_, true}});
             }),
             journal_ +
-                ": and its output hold no case of this sweep: name another output, or use "
+                ": has no case of this sweep, nor has its output: name another output, or use "
                 "--force to start afresh");
   EXPECT_EQ(SweepRun(sweep_, {.journal = {journal_, true}}).taken(), 3U);
 }
