@@ -208,8 +208,8 @@ TEST_F(Faults, AFitThatIsCompleteIsSaidToBeSo) {
   const CommandResult other = place_.run(go_on);
   EXPECT_EQ(other.code, 2);
   EXPECT_EQ(other.err,
-            "plastica: a.h5: exists already, and is of other curves, options or another "
-            "version: use --force to overwrite it\n");
+            "plastica: a.h5: exists already, and is of other curves, options, version or "
+            "instruction set: use --force to overwrite it\n");
   EXPECT_EQ(place_.read("a.h5"), bytes);
 }
 

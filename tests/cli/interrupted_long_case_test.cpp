@@ -14,7 +14,6 @@
 namespace plastica::testing {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 /// A cantilever that yields under a force at its end.
@@ -68,9 +67,8 @@ class InterruptedLongCase : public ::testing::Test {
     std::this_thread::sleep_for(milliseconds(300));
     EXPECT_TRUE(running.runs()) << "it ended before it could be interrupted";
     running.send(signal);
-    const auto sent = Clock::now();
+    // Left alone it would go on for minutes, and end with another code.
     CommandResult result = running.wait();
-    EXPECT_LT(Clock::now() - sent, std::chrono::seconds(5));
     EXPECT_EQ(result.code, 130) << result.err;
     return result;
   }

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <functional>
 #include <string>
 
@@ -17,37 +16,22 @@ std::string numbered(std::size_t count, const std::function<std::string(std::siz
   return text;
 }
 
-double seconds_of(const std::function<void()>& action) {
-  const auto start = std::chrono::steady_clock::now();
-  action();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Expects that twice as much takes about twice as long: four times would be quadratic. Short
-/// times, which say nothing, are left alone.
-void expect_linear(const std::function<std::string(std::size_t)>& text_of,
-                   const std::function<void(const std::string&)>& read) {
-  constexpr std::size_t kSmall = 2000;
-  const auto time = [&](std::size_t count) {
-    const std::string text = text_of(count);
-    double least = 1e9;
-    for (int i = 0; i < 2; ++i) least = std::min(least, seconds_of([&] { read(text); }));
-    return least;
-  };
-  const double small = time(kSmall);
-  const double large = time(4 * kSmall);
-  EXPECT_LT(large, 10.0 * small + 0.02) << small << " s for " << kSmall;
+/// Reads texts of a few parts and of many. What grows with the square of their number takes minutes
+/// for the many, and the test's time limit ends it.
+void expect_read(const std::function<std::string(std::size_t)>& text_of,
+                 const std::function<void(const std::string&)>& read) {
+  for (const std::size_t count : {2500, 40'000}) EXPECT_NO_THROW(read(text_of(count))) << count;
 }
 
 void parse(const std::string& text) { TomlDocument::parse(text, "f.toml"); }
 
-TEST(TomlSize, ALongLineOfValuesTakesLinearTime) {
+TEST(TomlSize, ALongLineOfValuesIsRead) {
   const auto values = [](std::size_t n) {
     return numbered(n, [](std::size_t) { return "0.125, "; }) + "]\n";
   };
-  expect_linear([&](std::size_t n) { return "a = [" + values(n); }, parse);
-  expect_linear([&](std::size_t n) { return "a = [\"\u00b5\", " + values(n); }, parse);
-  expect_linear(
+  expect_read([&](std::size_t n) { return "a = [" + values(n); }, parse);
+  expect_read([&](std::size_t n) { return "a = [\"\u00b5\", " + values(n); }, parse);
+  expect_read(
       [](std::size_t n) {
         return "a = [" + numbered(n, [](std::size_t) { return "[1, 2], "; }) + "]\n";
       },
@@ -55,7 +39,7 @@ TEST(TomlSize, ALongLineOfValuesTakesLinearTime) {
 }
 
 TEST(TomlSize, KeysAreFoundInATableOfMany) {
-  expect_linear(
+  expect_read(
       [](std::size_t n) {
         return numbered(n, [](std::size_t i) { return "k" + std::to_string(i) + " = 1\n"; });
       },
@@ -68,7 +52,7 @@ TEST(TomlSize, KeysAreFoundInATableOfMany) {
 
 TEST(TomlSize, ALongNameIsNotRepeatedForEachKeyBelowIt) {
   const std::string name(10'000, 'x');
-  expect_linear(
+  expect_read(
       [&](std::size_t n) {
         return "[" + name + "]\n" +
                numbered(n, [](std::size_t i) { return "k" + std::to_string(i) + " = 1\n"; });
@@ -80,12 +64,12 @@ TEST(TomlSize, ManyTablesAreReadAndEdited) {
   const auto tables = [](std::size_t n) {
     return numbered(n, [](std::size_t i) { return "[[t]]\nx = " + std::to_string(i) + "\n"; });
   };
-  expect_linear(tables, [](const std::string& text) {
+  expect_read(tables, [](const std::string& text) {
     const TomlTable root = TomlDocument::parse(text, "f.toml").root();
     for (const TomlTable& table : root.find_tables("t")) (void)table.at("x").number();
     root.check_unused();
   });
-  expect_linear(tables, [](const std::string& text) { set_toml_value(text, "t[2000].y", "1"); });
+  expect_read(tables, [](const std::string& text) { set_toml_value(text, "t[2000].y", "1"); });
 }
 
 TEST(TomlSize, ColumnsOfALongLineAreThoseOfItsCharacters) {
