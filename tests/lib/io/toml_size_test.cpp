@@ -20,7 +20,8 @@ std::string numbered(std::size_t count, const std::function<std::string(std::siz
 /// for the many, and the test's time limit ends it.
 void expect_read(const std::function<std::string(std::size_t)>& text_of,
                  const std::function<void(const std::string&)>& read) {
-  for (const std::size_t count : {2500, 40'000}) EXPECT_NO_THROW(read(text_of(count))) << count;
+  for (const std::size_t count : {std::size_t{2500}, std::size_t{40'000}})
+    EXPECT_NO_THROW(read(text_of(count))) << count;
 }
 
 void parse(const std::string& text) { TomlDocument::parse(text, "f.toml"); }
@@ -76,7 +77,8 @@ TEST(TomlSize, ColumnsOfALongLineAreThoseOfItsCharacters) {
   // Characters of one to four bytes, at and around every multiple of 64.
   std::string list;
   for (int i = 0; i < 300; ++i) {
-    list += (i == 0 ? "" : ", ") + std::string("'") + std::string(i % 7, 'x') +
+    list += (i == 0 ? "" : ", ") + std::string("'") +
+            std::string(static_cast<std::size_t>(i % 7), 'x') +
             (i % 3 == 0   ? "\u00e9"
              : i % 3 == 1 ? "\u20ac"
                           : "\U0001F600") +
