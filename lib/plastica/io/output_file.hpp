@@ -68,8 +68,7 @@ bool is_named(int descriptor, const std::string& path);
 class OutputLock {
  public:
   /// @throws StorageError if another run has it, or the folder does not take the file; InputError
-  /// if
-  ///         something stands in its place that is no lock (a lock is empty)
+  ///         if something stands in its place that is no lock (a lock is empty)
   explicit OutputLock(const std::string& output);
   ~OutputLock();
   OutputLock(OutputLock&&) = delete;
