@@ -24,7 +24,6 @@ struct Facts {
   const SolverOptions& options;
   LevelChoice level;
   std::vector<double> ends;
-  double longest_segment = 0.0;  // [m]
 };
 
 bool bends_about_x(const LevelChoice& level) {
@@ -61,20 +60,6 @@ std::vector<double> inner_joint_shares(const Facts& facts) {
   return shares;
 }
 
-/// The tip deflection of a cantilever under a tip force that is divided as the beam, over the
-/// exact one, P L^3/(3 E I): a joint at s turns by P (L - s) l/(E I) and moves the tip by that
-/// times L - s, so the ratio is 3 sum l (1 - s)^2 with lengths over L. Equal segments and a half
-/// joint at the clamp give 1 + 1/(2 N^2); a welded first segment, 1 - 3/(2 N) + 1/(2 N^2).
-double cantilever_ratio(const Facts& facts) {
-  double sum = model_detail::has_half_joints(facts.scene) ? facts.ends[1] / 2.0 : 0.0;
-  const std::vector<double> shares = inner_joint_shares(facts);
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const double arm = 1.0 - facts.ends[i + 1];
-    sum += shares[i] * arm * arm;
-  }
-  return 3.0 * sum;
-}
-
 /// Shear's share of the tip deflection of a cantilever under a tip force: with
 /// phi = 3 E I/(kappa G A L^2), phi/(1 + phi). Source: Timoshenko's beam.
 double shear_share(const Scene& scene, bool about_x) {
@@ -101,24 +86,6 @@ std::optional<std::string> short_beam(const Facts& facts) {
          figure(100.0 * shear_share(facts.scene, about_x)) +
          " % of a cantilever's tip deflection (Timoshenko); solver.translation = \"elastic\" has "
          "it";
-}
-
-std::optional<std::string> long_segments(const Facts& facts) {
-  if (facts.level.level == Level::Twist) return std::nullopt;
-  const auto [width, height] = sides(facts.scene.section);
-  double smallest = std::min(width, height);
-  for (const Region& region : facts.scene.regions) {
-    const auto [region_width, region_height] = sides(region.section);
-    smallest = std::min({smallest, region_width, region_height});
-  }
-  if (facts.longest_segment <= smallest) return std::nullopt;
-  const EndRule rule = facts.scene.end_rule;
-  const bool welded_equal = rule == EndRule::Equal ||
-                            (rule == EndRule::Auto && !model_detail::has_half_joints(facts.scene));
-  return "segments of " + figure(facts.longest_segment) + " m are longer than the section's " +
-         figure(smallest) + " m (the report's rule of thumb); a cantilever so divided is " +
-         figure(100.0 * (cantilever_ratio(facts) - 1.0)) + " % off at its tip under a tip force" +
-         (welded_equal ? ", which falls as 1/N" : ", which falls as 1/N^2");
 }
 
 bool can_break(const Scene& scene) {
@@ -269,13 +236,9 @@ std::optional<std::string> cut_corners(const Facts& facts) {
 
 std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions& options) {
   if (scene.is_coupon()) return {};
-  Facts facts{scene, options, choose_level(scene, options), segment_ends(scene)};
-  for (std::size_t i = 1; i < facts.ends.size(); ++i) {
-    facts.longest_segment =
-        std::max(facts.longest_segment, (facts.ends[i] - facts.ends[i - 1]) * scene.beam.length);
-  }
+  const Facts facts{scene, options, choose_level(scene, options), segment_ends(scene)};
   std::vector<std::string> warnings;
-  for (const auto find : {short_beam, long_segments, hinge, cap, per_axis, cut_corners}) {
+  for (const auto find : {short_beam, hinge, cap, per_axis, cut_corners}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (options.analysis == Analysis::Dynamics) {

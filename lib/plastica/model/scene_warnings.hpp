@@ -11,7 +11,6 @@ namespace plastica {
 /// empty for a coupon.
 /// - A beam shorter than ten times its depth: the share of shear in a cantilever's deflection
 ///   (Timoshenko), unless joints shear.
-/// - Segments longer than the section is deep or wide: what a cantilever so divided is off by.
 /// - A break limit with joints longer than the hinge length, or without a hinge length.
 /// - An ideal joint that is bent and released: what its cap leaves out.
 /// - Components clipped one by one where the beam bends about both axes.
