@@ -8,6 +8,7 @@
 #include "calibrate/config/read_target.hpp"
 #include "calibrate/config/target_files.hpp"
 #include "calibrate/config/unique_names.hpp"
+#include "plastica/io/scene_file.hpp"
 #include "plastica/io/toml.hpp"
 
 namespace plastica::calibrate {
@@ -63,6 +64,7 @@ FitFile parse_fit_file(std::string text, const std::string& path) {
   const TomlTable& root = document.root();
   const std::string folder = std::filesystem::path(path).parent_path().string();
   FitFile file{path, document.text(), read_fit_options(root), {}};
+  io::refuse_rules_of_chains(root);
   file.targets = read_targets(root, folder, file.options.parameters);
   root.check_unused();
   return file;

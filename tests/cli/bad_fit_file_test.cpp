@@ -89,6 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
                "2: fit.break_weight = inf: must be a finite number"),
         change("NegativeEvaluations", kObjective, "stop = { local_evaluations = -5 }",
                "2: fit.stop.local_evaluations = -5: must be a whole number from 1 to 1000000000"),
+        change("HingeOfAChain", "[fit]", "rules.hinge_length = '1 m'\n[fit]",
+               "1: rules.hinge_length = 1 m: is of chains: a coupon has no hinge"),
         change("UnknownMaterial", "[fit]", "material = 'S356'\n[fit]",
                "1: material = S356: must be one of S235, S275, S355, …")),
     name_of_case);

@@ -81,6 +81,14 @@ INSTANTIATE_TEST_SUITE_P(
         change("GravityOnACoupon", "[material]", "[gravity]\ny = '-9.81 m/s^2'\n[material]",
                "1: gravity: does not go with [drive]: a scene is a chain with supports and loads, "
                "or a coupon with a drive"),
+        change("YieldModelOfAChain", "[drive]", "[rules]\nyield_model = 'interaction'\n[drive]",
+               "11: rules.yield_model = interaction: is of chains: a coupon has one stress "
+               "component"),
+        change("BreakLimitOfAChain", "[drive]", "[rules]\nbreak_limit_z = '3 %'\n[drive]",
+               "11: rules.break_limit_z = 3 %: is of chains: a coupon breaks at "
+               "material.break_strain or material.break_shear_strain"),
+        change("HingeOfAChain", "[drive]", "[rules]\nhinge_length = '0 m'\n[drive]",
+               "11: rules.hinge_length = 0 m: is of chains: a coupon has no hinge"),
         change("CurvedCoupon", "segments = 10", "shape = 'arc'\narc_angle = '90 deg'",
                "9: beam.shape: must be straight in a scene with a drive"),
         change("ProbeTwice", "'stress'", "'strain'",

@@ -9,6 +9,7 @@
 #include "plastica/io/read_chain.hpp"
 #include "plastica/io/read_drive.hpp"
 #include "plastica/io/read_fields.hpp"
+#include "plastica/model/check_parts.hpp"
 
 namespace plastica::io {
 namespace {
@@ -28,6 +29,7 @@ bool is_coupon(const TomlTable& root, const SolverOptions& solver) {
                      "does not go with [drive]: a scene is a chain with supports and loads, or a "
                      "coupon with a drive");
   }
+  if (coupon) refuse_rules_of_chains(root);
   return coupon;
 }
 
@@ -47,6 +49,15 @@ void read_chain(const TomlTable& root, Setup& setup) {
 }
 
 }  // namespace
+
+void refuse_rules_of_chains(const TomlTable& root) {
+  const auto rules = root.find_table("rules");
+  if (!rules) return;
+  for (const auto& [path, why] : model_detail::chain_rules()) {
+    const std::string_view key = path.substr(path.find('.') + 1);
+    if (rules->contains(key)) throw rules->at(key).error(why);
+  }
+}
 
 void read_setup(const TomlTable& root, Setup& setup) {
   const auto material = part_of_beam(root, "material");

@@ -26,14 +26,15 @@ struct SceneFile {
 ///     { table = "path.csv", column = "Strain", unit = "%" }      a column, relative to the file,
 ///     { turning_points = ["2 %", "-1 %"], points_between = 50 }  straight ways from 0 over these
 ///   (50 samples between two turning points by default);
+/// - [rules] has neither `yield_model`, `break_limit_x`, `_y`, `_z` nor `hinge_length`;
 /// - [[probe]] with `kind` (see `ProbeQuantity`) and `name`, the kind by default; the stress if
 /// there
 ///   is none.
 ///
 /// Without, it is a chain, with [[support]] unless `solver.analysis` is "dynamics". Vectors are
 /// lists of x, y and z in world axes; directions are "x", "-y" or such a list. Places are "start",
-/// "end", a whole number (the outer end of that segment; 0 is the start) or a fraction of the
-/// length (0.25, "25 %").
+/// "end", { segment = 3 } (the outer end of that segment, from 1) or a fraction of the length
+/// (0.25, "25 %"); whole numbers above 0 are refused.
 /// - [beam]: `segment_lengths`, lengths or shares of the length; `joint_lengths`; with `shape =
 ///   "arc"` `arc_angle` and `arc_towards`, with `shape = "polyline"` `points`. `length` may be left
 ///   out where points or segment lengths say it, `segments` where segment lengths do.
@@ -47,9 +48,10 @@ struct SceneFile {
 /// - [[initial_motion]], dynamics: `velocity`, and `spin` through `about` (0.5 by default), of the
 ///   segments between `from` and `to`, the whole beam by default.
 /// - [[cut]], dynamics: `at`, `time`.
-/// - Histories are "ramp" (the default), "constant", { cycles = 3 } (from 0 three times over 1 and
-///   -1, then to 0), { turning_points = [1, -1, 0.5] } (from 0, one each second), or { time =
-///   ["0 s", "2 s"], factor = [0, 1] }.
+/// - Histories are "ramp" (the default: 0 at time 0, 1 at 1 s, and on), "constant", { cycles = 3 }
+///   (from 0 three times over 1 and -1, then to 0), { turning_points = [1, -1, 0.5] } (from 0, one
+///   each second), or { time = ["0 s", "2 s"], factor = [0, 1] }; tables hold their last factor
+///   after their end.
 /// - [[probe]]: `name`, `kind`, `at` ("end" by default), `component` ("x", "y", "z", "size"; by
 ///   default y of displacements, velocities, momenta and forces, x of all that is about an axis),
 ///   `energy` of kind "energy".
@@ -58,6 +60,10 @@ struct SceneFile {
 SceneFile read_scene_file(const std::string& path);
 /// @param name  stands for the file in errors; its folder is where relative paths begin
 SceneFile parse_scene_file(std::string text, std::string name);
+
+/// Refuses keys of [rules] that a coupon has no use for: the yield model, break limits and the
+/// hinge length are of chains. @throws InputError that names the first
+void refuse_rules_of_chains(const TomlTable& root);
 
 /// Reads the tables [material], [section], [beam], [rules] and [solver] of any file into a setup;
 /// what the file does not say stays as it is. A new field needs no change here.

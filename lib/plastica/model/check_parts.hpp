@@ -14,7 +14,7 @@ namespace plastica::model_detail {
 /// "support[2].at" of ("support", 1, ".at").
 std::string item_name(std::string_view list, std::size_t index, std::string_view key = {});
 
-/// A place as messages show it: "start", "end", 12 (a segment), 0.25.
+/// A place as messages show it: "start", "end", { segment = 12 }, 0.25.
 std::string place_text(const Place& place);
 
 /// A place on a beam of so many segments.
@@ -42,6 +42,16 @@ void check_cuts(const Scene& scene, const LevelChoice& level);
 
 /// What articulated schemes cannot do.
 void check_articulated(const Scene& scene, const SolverOptions& options, const LevelChoice& level);
+
+/// A field of [rules] that a coupon has no use for, and why.
+struct ChainRule {
+  std::string_view path;
+  std::string_view why;
+};
+std::span<const ChainRule> chain_rules();
+
+/// Rules of chains that the scene of a coupon sets.
+void check_coupon_rules(const Scene& scene);
 
 /// Rules of a chain that contradict each other.
 void check_rules(const Scene& scene);

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "plastica/base/check.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
+#include "plastica/model/field.hpp"
 
 namespace plastica::model_detail {
 namespace {
@@ -121,6 +123,30 @@ double last_time(const Scene& scene) {
   }
   const bool heavy = scene.gravity != std::array<double, 3>{};
   return heavy ? std::max(last, scene.gravity_history.end()) : last;
+}
+
+std::span<const ChainRule> chain_rules() {
+  constexpr std::string_view kLimit =
+      "is of chains: a coupon breaks at material.break_strain or material.break_shear_strain";
+  static constexpr std::array kRules{
+      ChainRule{"rules.yield_model", "is of chains: a coupon has one stress component"},
+      ChainRule{"rules.break_limit_x", kLimit}, ChainRule{"rules.break_limit_y", kLimit},
+      ChainRule{"rules.break_limit_z", kLimit},
+      ChainRule{"rules.hinge_length", "is of chains: a coupon has no hinge"}};
+  return kRules;
+}
+
+void check_coupon_rules(const Scene& scene) {
+  const Setup plain;
+  const Setup setup{scene, {}};
+  for (const ChainRule& rule : chain_rules()) {
+    const Field& field = find_field(rule.path);
+    const FieldValue value = field.get(setup);
+    if (value == field.get(plain)) continue;
+    const auto* word = std::get_if<std::string>(&value);
+    const auto* number = std::get_if<double>(&value);
+    throw refusal(rule.path, word != nullptr ? *word : number_text(*number), rule.why);
+  }
 }
 
 void check_rules(const Scene& scene) {

@@ -54,6 +54,7 @@ void check_coupon(const Scene& scene, const SolverOptions& options) {
                      "does not go with supports, loads, regions, gravity, initial motions or cuts: "
                      "a scene is a coupon or a chain");
   }
+  model_detail::check_coupon_rules(scene);
   if (options.analysis == Analysis::Dynamics) {
     throw InputError({}, "solver.analysis", "dynamics",
                      "must be statics in a scene with a drive, which is at rest at each strain");

@@ -95,6 +95,28 @@ std::shared_ptr<const ChainModel> prepare_chain(const Scene& scene, const Solver
   return chain;
 }
 
+/// Refuses material numbers that a prepared chain does not read: what breaks and what is derived is
+/// laid out with the scene.
+void check_chain_parameter(const Field& field, const Material& material) {
+  std::string_view why;
+  switch (*field.material) {
+    case MaterialField::BreakStrain:
+    case MaterialField::BreakShearStrain:
+      why = "cannot be a parameter of a chain, whose break limits are those of its scene";
+      break;
+    case MaterialField::ShearModulus:
+      if (!material.shear_modulus) why = "must be set in the scene to be a parameter of a chain";
+      break;
+    case MaterialField::ShearYieldStress:
+      if (!material.shear_yield_stress) {
+        why = "must be set in the scene to be a parameter of a chain";
+      }
+      break;
+    default: break;
+  }
+  if (!why.empty()) throw InputError({}, field.path, "", why);
+}
+
 void size_chain(const ChainModel& chain, const ResponseSize& size, Response& response) {
   ChainHistory& history = response.chain;
   history.time.assign(size.samples, 0.0);
@@ -129,8 +151,11 @@ Model prepare(const Scene& scene, const SolverOptions& options,
   for (const std::string& path : parameters) {
     const Field& field = find_field(path);
     if (!field.material) {
-      throw InputError({}, field.path, "", "cannot be a parameter of a coupon");
+      throw InputError(
+          {}, field.path, "",
+          model.chain ? "cannot be a parameter of a chain" : "cannot be a parameter of a coupon");
     }
+    if (model.chain) check_chain_parameter(field, scene.material);
     if (std::find(model.parameters.begin(), model.parameters.end(), &field) !=
         model.parameters.end()) {
       throw InputError({}, field.path, "", "is a parameter twice");

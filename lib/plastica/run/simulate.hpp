@@ -9,7 +9,9 @@
 namespace plastica {
 
 /// Checks a scene, chooses its level and lays out a model, once.
-/// @param parameters  paths of the fields that each `run` sets; others keep the scene's value
+/// @param parameters  paths of the fields that each `run` sets; others keep the scene's value. Of a
+///                    chain, break strains are none, and shear values only where the scene sets
+///                    them
 /// @throws InputError naming the field that is out of range, does not fit, or cannot be a
 ///         parameter at this level
 Model prepare(const Scene& scene, const SolverOptions& options = {},

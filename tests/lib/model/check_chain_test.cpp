@@ -99,12 +99,19 @@ TEST(CheckChain, RefusesARegionThatIsEmptyOrUnsound) {
     });
   };
   EXPECT_EQ(region({0.5, {}}, Place::end(), 0.1), "no error");
-  EXPECT_EQ(region({0.5, {}}, {0.0, 4}, 0.1), "region[1].to = 4: must lie beyond from = 0.5");
+  EXPECT_EQ(region({0.5, {}}, {0.0, 4}, 0.1),
+            "region[1].to = { segment = 4 }: must lie beyond from = 0.5");
   EXPECT_EQ(region({0.0, 9}, Place::end(), 0.1),
-            "region[1].from = 9: must be the number of a segment, 0 (the start) to 8; a fraction "
-            "of the length has a point");
+            "region[1].from = { segment = 9 }: must be a segment from 1 to 8, or 0 for the start");
   EXPECT_EQ(region(Place::start(), Place::end(), 0.0),
             "region[1].section.width = 0: must be positive and finite");
+}
+
+TEST(CheckActions, RefuseALineOfOnePoint) {
+  EXPECT_EQ(error_of([](Scene& s) {
+              s.loads[0].history = {{0.0}, {1.0}, true};
+            }),
+            "load[1].history = 1 times: must be at least 2 to go on along a line after the last");
 }
 
 TEST(CheckActions, RefuseLoadsThatAreNone) {
@@ -234,8 +241,8 @@ TEST(CheckSolver, RefusesAPathThatCannotBeFollowed) {
   EXPECT_EQ(error_of([](Scene&, SolverOptions& o) {
               o.control_at = Place{0.0, 9};
             }),
-            "solver.control_at = 9: must be the number of a segment, 0 (the start) to 8; a "
-            "fraction of the length has a point");
+            "solver.control_at = { segment = 9 }: must be a segment from 1 to 8, or 0 for the "
+            "start");
   EXPECT_EQ(error_of([](Scene& s, SolverOptions&) { s.loads[0].history = History::constant(); }),
             "solver.duration = 0: must be above 0 where every history is constant");
   EXPECT_EQ(error_of([](Scene& s, SolverOptions& o) {
@@ -262,7 +269,8 @@ TEST(CheckProbes, RefuseWhatTheChainDoesNotHave) {
             "probe[1].at = 1.1: must be a fraction of the length, 0 to 1");
   EXPECT_EQ(probe(ProbeQuantity::Reaction, Place::start()), "no error");
   EXPECT_EQ(probe(ProbeQuantity::Reaction, Place::end()), "probe[1].at = end: has no support");
-  EXPECT_EQ(probe(ProbeQuantity::ReactionMoment, {0.0, 3}), "probe[1].at = 3: has no support");
+  EXPECT_EQ(probe(ProbeQuantity::ReactionMoment, {0.0, 3}),
+            "probe[1].at = { segment = 3 }: has no support");
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "tests/support/chain_scene.hpp"
+#include "tests/support/message.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/tolerance.hpp"
 
@@ -207,6 +210,57 @@ TEST(Prepare, RefusesParametersThatACouponCannotMove) {
   EXPECT_EQ(error_of({"yield_stress", "material.yield_stress"}),
             "material.yield_stress: is a parameter twice");
   EXPECT_EQ(error_of({"yield_stress"}), "");
+}
+
+TEST(Prepare, RefusesParametersThatAChainWouldIgnore) {
+  const auto error = [](const std::string& path, const std::function<void(Scene&)>& set = {}) {
+    Scene scene = testing::cantilever_scene(4);
+    scene.loads.push_back({.force = {0.0, -1.0, 0.0}});
+    if (set) set(scene);
+    return testing::message_of([&] { prepare(scene, {}, std::vector{path}); });
+  };
+  const std::string unset = ": must be set in the scene to be a parameter of a chain";
+  const std::string limit =
+      ": cannot be a parameter of a chain, whose break limits are those of its scene";
+  for (const std::string path : {"material.break_strain", "material.break_shear_strain"}) {
+    EXPECT_EQ(error(path), path + limit);
+    EXPECT_EQ(error(path, [](Scene& s) { s.material.break_strain = 0.1; }), path + limit);
+  }
+  EXPECT_EQ(error("material.shear_modulus"), "material.shear_modulus" + unset);
+  EXPECT_EQ(error("material.shear_modulus", [](Scene& s) { s.material.shear_modulus = 77e9; }),
+            "no error");
+  EXPECT_EQ(error("material.shear_yield_stress"), "material.shear_yield_stress" + unset);
+  EXPECT_EQ(
+      error("material.shear_yield_stress", [](Scene& s) { s.material.shear_yield_stress = 1e8; }),
+      "no error");
+  EXPECT_EQ(error("material.youngs_modulus"), "no error");
+  EXPECT_EQ(error("beam.length"), "beam.length: cannot be a parameter of a chain");
+}
+
+/// A parameter that is taken does something: a shaft turns by T (L - l/2)/(G J) with either G.
+TEST(Prepare, TakesTheShearModulusThatAChainsSceneSets) {
+  Scene scene = testing::cantilever_scene(4);
+  scene.material.shear_modulus = 77e9;
+  scene.loads.push_back({.moment = {0.0, 0.0, 1.0}});
+  testing::add_probe(scene, ProbeQuantity::Rotation, Place::end(), Component::Z);
+  const Model model = prepare(scene, {}, std::vector<std::string>{"material.shear_modulus"});
+  const double twist = testing::last_of(run_with(model, {77e9}), 0);
+  EXPECT_NEAR(testing::last_of(run_with(model, {38.5e9}), 0) / twist, 2.0, tolerance(1e-9));
+}
+
+TEST(Prepare, RefusesRulesOfChainsInACoupon) {
+  const auto error = [](const std::function<void(Scene&)>& set) {
+    Scene scene = coupon_scene(Deformation::Tension, {0.05});
+    set(scene);
+    return testing::message_of([&] { prepare(scene); });
+  };
+  EXPECT_EQ(error([](Scene& s) { s.yield_model = YieldModel::Elastic; }),
+            "rules.yield_model = elastic: is of chains: a coupon has one stress component");
+  EXPECT_EQ(error([](Scene& s) { s.break_limit_x = 0.25; }),
+            "rules.break_limit_x = 0.25: is of chains: a coupon breaks at material.break_strain or "
+            "material.break_shear_strain");
+  EXPECT_EQ(error([](Scene& s) { s.hinge_length = 0.0; }),
+            "rules.hinge_length = 0: is of chains: a coupon has no hinge");
 }
 
 TEST(Prepare, SaysWhyItChoseTheLevel) {
