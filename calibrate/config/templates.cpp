@@ -155,8 +155,8 @@ constexpr std::string_view kScene =
 # Runs as it is. `plastica fields` lists the keys with unit, range and default.
 # `#` begins a comment. Quantities stand in quotes with their unit: "355 MPa", "0.2 %".
 # z runs along the beam, the width along x, the height along y; vectors are [x, y, z].
-# A place on the beam is "start", "end", the number of a segment (its outer end; 0 is the start),
-# or a fraction of the length: 0.25, "25 %".
+# A place on the beam is "start", "end", { segment = 3 } (the outer end of that segment), or a
+# fraction of the length: 0.25, "25 %".
 
 name = "a cantilever, bent beyond first yield and released"
 
@@ -198,7 +198,7 @@ history = { turning_points = [1, 0] }
 # history = "ramp"                # 0 at time 0, 1 at time 1, and on
 # history = "constant"            # 1 from the first
 # history = { cycles = 3 }        # three times over 1 and -1, then 0
-# history = { time = ["0 s", "2 s"], factor = [0, 1] }
+# history = { time = ["0 s", "2 s"], factor = [0, 1] }      # holds its last factor, as all tables
 
 [[probe]]
 name = "tip"

@@ -153,13 +153,23 @@ INSTANTIATE_TEST_SUITE_P(
                "12: support[1].kind = 'clamped': must be one of \"clamp\", \"pin\", \"roller\", "
                "\"guide\", \"elastic\", \"pillar\""),
         change("AtAnUnknownPlace", "'start'", "'middle'",
-               "11: support[1].at = middle: must be \"start\", \"end\", the number of a segment "
-               "(its outer end), or a fraction of the length: 0.25, \"25 %\""),
+               "11: support[1].at = middle: must be \"start\", \"end\", { segment = 3 } (its outer "
+               "end), or a fraction of the length: 0.25, \"25 %\""),
         change("BeyondTheEnd", "at = 0.5", "at = 1.5",
                "14: support[2].at = 1.5: must be a fraction of the length, 0 to 1"),
-        change("BehindTheLastSegment", "at = 0.5", "at = 9",
-               "14: support[2].at = 9: must be the number of a segment, 0 (the start) to 8; a "
-               "fraction of the length has a point"),
+        change("BehindTheLastSegment", "at = 0.5", "at = { segment = 9 }",
+               "14: support[2].at = { segment = 9 }: must be a segment from 1 to 8, or 0 for the "
+               "start"),
+        change("AtAWholeNumber", "at = 0.5", "at = 1",
+               "14: support[2].at = 1: is neither a segment nor a fraction: write { segment = 1 } "
+               "for the outer end of that segment, or a fraction of the length with a point, 0.25 "
+               "(the end is 1.0 or \"end\")"),
+        change("AtAWholeNumberBelowZero", "at = 0.5", "at = -1",
+               "14: support[2].at = -1: must be a fraction of the length, 0 to 1"),
+        change("AtASegmentThatIsAFraction", "at = 0.5", "at = { segment = 1.5 }",
+               "14: support[2].at.segment = 1.5: must be a whole number from 0 to 2147483647"),
+        change("AtATableWithoutASegment", "at = 0.5", "at = { joint = 1 }",
+               "14: support[2].at.segment: is missing"),
         change("InsideOfASegment", "at = 'start'\nkind", "at = 0.3\nkind",
                "11: support[1].at = 0.3: a clamp that holds rotation (rx) must be at a segment's "
                "end; the nearest are 0.25 and 0.375"),
@@ -192,8 +202,8 @@ INSTANTIATE_TEST_SUITE_P(
             "28: support[3].gap = -0.001: must be finite and not negative"),
         add("PillarThatHolds", "[[support]]\nat = 'end'\nkind = 'pillar'\nhold = ['x']\n",
             "28: support[3].hold: a pillar only pushes; what holds is another support"),
-        add("InAPlaceThatIsTaken", "[[support]]\nat = 4\nkind = 'roller'\n",
-            "26: support[3].at = 4: support[2] holds y at the same place"),
+        add("InAPlaceThatIsTaken", "[[support]]\nat = { segment = 4 }\nkind = 'roller'\n",
+            "26: support[3].at = { segment = 4 }: support[2] holds y at the same place"),
         change("ThatMovesWhatItDoesNotHold", "stiffness = ['0 N/m', '1 kN/m', '0 N/m']",
                "hold = ['y']\ntranslation = ['0 mm', '0 mm', '5 mm']",
                "17: support[2].translation = 0.005: moves z, which the support does not hold"),
@@ -323,9 +333,9 @@ INSTANTIATE_TEST_SUITE_P(
                "9: solver.tolerance = 0: must be above 0 and below 1"),
         change("TurnWithoutUnit", "steps = 10", "largest_turn = 0.1",
                "9: solver.largest_turn = 0.1: an angle needs a unit (examples: rad, deg)"),
-        change("WatchOffTheBeam", "steps = 10", "control_at = 12",
-               "9: solver.control_at = 12: must be the number of a segment, 0 (the start) to 8; a "
-               "fraction of the length has a point"),
+        change("WatchOffTheBeam", "steps = 10", "control_at = { segment = 12 }",
+               "9: solver.control_at = { segment = 12 }: must be a segment from 1 to 8, or 0 for "
+               "the start"),
         change("WatchOfLoadControl", "steps = 10", "control = 'load'\ncontrol_at = 'end'",
                "10: solver.control_at = end: is of no use with load control"),
         change("TwistOfABentBeam", "steps = 10", "level = 'twist'",

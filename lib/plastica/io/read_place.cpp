@@ -17,15 +17,21 @@ History cycles(std::int64_t count) {
 }  // namespace
 
 Place read_place(const TomlValue& value) {
-  if (value.is_whole()) {
-    return {0.0, static_cast<int>(value.integer(0, std::numeric_limits<int>::max()))};
+  if (value.is_whole() && value.number() > 0.0) {
+    throw value.error("is neither a segment nor a fraction: write { segment = " + value.written() +
+                      " } for the outer end of that segment, or a fraction of the length with a "
+                      "point, 0.25 (the end is 1.0 or \"end\")");
   }
   if (value.is_number()) return {value.number(), {}};
+  if (value.is_table()) {
+    const TomlValue segment = value.table().at("segment");
+    return {0.0, static_cast<int>(segment.integer(0, std::numeric_limits<int>::max()))};
+  }
   if (!value.is_string() || (value.string() != "start" && value.string() != "end" &&
                              value.string().find('%') == std::string::npos)) {
     throw value.error(
-        "must be \"start\", \"end\", the number of a segment (its outer end), or a fraction of "
-        "the length: 0.25, \"25 %\"");
+        "must be \"start\", \"end\", { segment = 3 } (its outer end), or a fraction of the length: "
+        "0.25, \"25 %\"");
   }
   if (value.string() == "start") return Place::start();
   if (value.string() == "end") return Place::end();

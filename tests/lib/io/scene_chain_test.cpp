@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "plastica/io/scene_file.hpp"
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/model/choose_level.hpp"
 #include "tests/support/message.hpp"
 
@@ -45,7 +46,7 @@ TEST(ChainScene, ReadsTheExampleOfACantilever) {
   ASSERT_EQ(scene.loads.size(), 1U);
   EXPECT_EQ(scene.loads[0].force, (Vector{0.0, -100.0, 0.0}));
   EXPECT_EQ(scene.loads[0].at.fraction, 1.0);
-  EXPECT_TRUE(scene.loads[0].history.is_ramp());
+  EXPECT_EQ(scene.loads[0].history, History::ramp());
   ASSERT_EQ(scene.probes.size(), 1U);
   EXPECT_EQ(scene.probes[0].name, "tip");
   EXPECT_EQ(scene.probes[0].quantity, ProbeQuantity::Displacement);
@@ -80,12 +81,19 @@ TEST(ChainScene, TakesPlacesByNameNumberAndFraction) {
   EXPECT_EQ(place("1.0").fraction, 1.0);
   EXPECT_EQ(place("'25 %'").fraction, 0.25);
   EXPECT_EQ(place("0.25").segment, std::nullopt);
-  EXPECT_EQ(place("3").segment, 3);
-  EXPECT_EQ(place("10").segment, 10);
+  EXPECT_EQ(place("'100 %'").fraction, 1.0);
+  EXPECT_EQ(place("{ segment = 3 }").segment, 3);
+  EXPECT_EQ(place("{ segment = 10 }").segment, 10);
+  for (const std::string start : {"0", "0.0", "{ segment = 0 }", "'start'"}) {
+    const Scene scene = scene_of("[[support]]\nat = " + start + "\nkind = 'clamp'\n" + kForce);
+    EXPECT_EQ(share_of(scene.supports[0].at, segment_ends(scene)), 0.0) << start;
+  }
 }
 
 TEST(ChainScene, ReadsHistories) {
-  EXPECT_TRUE(history_of("'ramp'").is_ramp());
+  EXPECT_EQ(history_of("'ramp'"), History::ramp());
+  EXPECT_FALSE(history_of("{ turning_points = [1] }").continues);
+  EXPECT_FALSE(history_of("{ time = ['0 s', '1 s'], factor = [0, 1] }").continues);
   const History turning = history_of("{ turning_points = [1, -1, 0.5] }");
   EXPECT_EQ(turning.time, (std::vector<double>{0.0, 1.0, 2.0, 3.0}));
   EXPECT_EQ(turning.factor, (std::vector<double>{0.0, 1.0, -1.0, 0.5}));
@@ -103,11 +111,12 @@ TEST(ChainScene, ReadsHistories) {
 
 TEST(ChainScene, ReadsEveryKindOfSupport) {
   const Scene scene = with(
-      "[[support]]\nat = 2\nkind = 'roller'\nhold = ['y']\n"
+      "[[support]]\nat = { segment = 2 }\nkind = 'roller'\nhold = ['y']\n"
       "translation = ['0 m', '5 mm', '0 m']\nhistory = { turning_points = [2] }\n"
-      "[[support]]\nat = 3\nkind = 'pin'\n"
-      "[[support]]\nat = 4\nkind = 'guide'\nrotation = ['90 deg', '0 rad', '0 rad']\n"
-      "[[support]]\nat = 5\nkind = 'elastic'\nstiffness = ['0 N/m', '2 kN/mm', '0 N/m']\n"
+      "[[support]]\nat = { segment = 3 }\nkind = 'pin'\n"
+      "[[support]]\nat = { segment = 4 }\nkind = 'guide'\nrotation = ['90 deg', '0 rad', '0 rad']\n"
+      "[[support]]\nat = { segment = 5 }\nkind = 'elastic'\nstiffness = ['0 N/m', '2 kN/mm', '0 "
+      "N/m']\n"
       "rotational_stiffness = ['3 N m/rad', '0 N m/rad', '0 N m/rad']\n"
       "[[support]]\nat = 6.5e-1\nkind = 'pillar'\nnormal = [0, -3, 4]\ngap = '2 mm'\n");
   ASSERT_EQ(scene.supports.size(), 6U);
@@ -124,7 +133,7 @@ TEST(ChainScene, ReadsEveryKindOfSupport) {
 
 TEST(ChainScene, TakesDirectionsByName) {
   const auto normal = [](const std::string& word) {
-    return with("[[support]]\nat = 5\nkind = 'pillar'\nnormal = '" + word + "'\n")
+    return with("[[support]]\nat = { segment = 5 }\nkind = 'pillar'\nnormal = '" + word + "'\n")
         .supports.at(1)
         .normal;
   };
@@ -153,7 +162,7 @@ TEST(ChainScene, ReadsGravityAsAListOrATable) {
   const Vector down{0.0, -9.81, 0.0};
   const Scene list = scene_of("gravity = ['0 m/s^2', '-9.81 m/s^2', '0 m/s^2']\n" + kClamp);
   EXPECT_EQ(list.gravity, down);
-  EXPECT_TRUE(list.gravity_history.is_ramp());
+  EXPECT_EQ(list.gravity_history, History::ramp());
   const Scene table =
       scene_of(kClamp + kForce + "[gravity]\ny = '-9.81 m/s^2'\nhistory = 'constant'\n");
   EXPECT_EQ(table.gravity, down);
@@ -196,7 +205,7 @@ TEST(ChainScene, ReadsRegionsOnTopOfTheBeam) {
   const Scene scene = scene_of(
       "[beam]\nmaterial = 'S355'\nsection = { width = '20 mm', height = '30 mm' }\n"
       "[[region]]\nfrom = 0.5\nto = 'end'\nsection.height = '10 mm'\n"
-      "[[region]]\nfrom = 2\nto = 4\nmaterial = 'S235'\n" +
+      "[[region]]\nfrom = { segment = 2 }\nto = { segment = 4 }\nmaterial = 'S235'\n" +
       kClamp + kForce);
   ASSERT_EQ(scene.regions.size(), 2U);
   EXPECT_EQ(scene.regions[0].from.fraction, 0.5);

@@ -23,8 +23,7 @@ TEST(CheckSupports, RefusePlacesOffTheBeam) {
   EXPECT_EQ(error_of([](Scene& s) {
               add_support(s, {0.0, -1}, SupportKind::Roller);
             }),
-            "support[2].at = -1: must be the number of a segment, 0 (the start) to 8; a fraction "
-            "of the length has a point");
+            "support[2].at = { segment = -1 }: must be a segment from 1 to 8, or 0 for the start");
 }
 
 TEST(CheckSupports, HoldRotationsAtSegmentEndsAlone) {
@@ -114,7 +113,7 @@ TEST(CheckSupports, ShareAPlaceIfEachTakesFreedomsOfItsOwn) {
       error_of([](Scene& s) {
         add_support(s, {0.0, 0}, SupportKind::Roller);
       }),
-      "support[2].at = 0: support[1] holds the start, too: one support takes all that is held "
+      "support[2].at = start: support[1] holds the start, too: one support takes all that is held "
       "there");
   EXPECT_EQ(error_of([](Scene& s) {
               s.supports[0].hold = HeldFreedoms{false, false, true, true, true, true};
@@ -131,7 +130,7 @@ TEST(CheckSupports, ShareAPlaceIfEachTakesFreedomsOfItsOwn) {
   };
   EXPECT_EQ(at_the_end({false, true}, {true}), "no error");
   EXPECT_EQ(at_the_end({false, true}, {true, true}),
-            "support[3].at = 8: support[2] holds y at the same place");
+            "support[3].at = { segment = 8 }: support[2] holds y at the same place");
   const auto pillars = [](double second) {
     return error_of([&](Scene& s) {
       add_support(s, Place::end(), SupportKind::Pillar);

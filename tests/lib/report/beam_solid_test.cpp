@@ -88,7 +88,7 @@ TEST(BeamSolid, DrawsTheNearestFacesLast) {
 TEST(BeamSolid, DrawsManySegmentsInGroups) {
   std::string text = cantilever_text();
   text.replace(text.find("segments = 4"), 12, "segments = 1000");
-  text.replace(text.find("at = 4"), 6, "at = \"end\"");
+  text.replace(text.find("at = { segment = 4 }"), 20, "at = \"end\"");
   const io::SceneRecord record = record_of(text);
   const BeamSolid solid = beam_solid(BeamPose(record, kUndeformed), kSide, 1.0);
   EXPECT_LE(solid.faces.size(), 300U);

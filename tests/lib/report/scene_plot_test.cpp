@@ -46,7 +46,7 @@ TEST(ScenePlot, ColoursTheShapeByPlasticStrain) {
 TEST(ScenePlot, LaysMomentsOfSeveralFilesOverEachOther) {
   std::string fine = cantilever_text();
   fine.replace(fine.find("segments = 4"), 12, "segments = 8");
-  fine.replace(fine.find("at = 4"), 6, "at = \"end\"");
+  fine.replace(fine.find("at = { segment = 4 }"), 20, "at = \"end\"");
   const std::vector<io::SceneRecord> records{record_of(cantilever_text()), record_of(fine)};
   const std::string script = script_of(records, {"moment", {}, {}, {}});
   EXPECT_TRUE(has(script, "'4 segments'") && has(script, "'8 segments'")) << script;
