@@ -18,8 +18,7 @@ double size_of(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
 
 bool is_constant(const History& history) {
   const auto& f = history.factor;
-  return std::adjacent_find(f.begin(), f.end(), std::not_equal_to<>()) == f.end() &&
-         !history.is_ramp();
+  return std::adjacent_find(f.begin(), f.end(), std::not_equal_to<>()) == f.end();
 }
 
 /// One history of a scene and what it scales.
@@ -139,11 +138,11 @@ std::optional<Setup> gone_on(const Setup& setup, int times) {
   const bool by_load = solver.control == PathControl::Auto || solver.control == PathControl::Load;
   if (solver.analysis == Analysis::Dynamics || scene.is_coupon() || !by_load) return std::nullopt;
   const bool heavy = scene.gravity != std::array<double, 3>{};
-  if (heavy && scene.gravity_history.is_ramp()) return std::nullopt;
+  if (heavy && scene.gravity_history.continues) return std::nullopt;
   bool any = false;
   double end = heavy ? scene.gravity_history.end() : 0.0;
   const auto take = [&](const History& history) {
-    any = any || history.is_ramp();
+    any = any || history.continues;
     end = std::max(end, history.end());
   };
   for (const Support& support : scene.supports) {

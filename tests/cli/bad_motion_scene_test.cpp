@@ -15,7 +15,7 @@ constexpr const char* kScene =
     "damping_time = '1 ms'\n"                                                 // 9
     "[[initial_motion]]\n"                                                    // 10
     "from = 'start'\n"                                                        // 11
-    "to = 4\n"                                                                // 12
+    "to = { segment = 4 }\n"                                                  // 12
     "velocity = ['0 m/s', '10 m/s', '0 m/s']\n"                               // 13
     "spin = ['1 rad/s', '0 rad/s', '0 rad/s']\n"                              // 14
     "about = 0.5\n"                                                           // 15
@@ -102,13 +102,17 @@ INSTANTIATE_TEST_SUITE_P(
         change("AboutAPointWithoutSpin", "spin = ['1 rad/s', '0 rad/s', '0 rad/s']\n", "",
                "14: initial_motion[1].about = 0.5: has no spin to go through it"),
         change("ThatRunsBack", "'start'", "0.75",
-               "12: initial_motion[1].to = 4: must lie beyond from = 0.75"),
-        change("OfNoSegment", "to = 4", "to = 0.05",
+               "12: initial_motion[1].to = { segment = 4 }: must lie beyond from = 0.75"),
+        change("OfNoSegment", "to = { segment = 4 }", "to = 0.05",
                "12: initial_motion[1].to = 0.05: leaves no segment's middle between from = start "
                "and itself, so nothing would move"),
-        change("OffTheBeam", "to = 4", "to = 9",
-               "12: initial_motion[1].to = 9: must be the number of a segment, 0 (the start) to 8; "
-               "a fraction of the length has a point"),
+        change(
+            "OffTheBeam", "to = { segment = 4 }", "to = { segment = 9 }",
+            "12: initial_motion[1].to = { segment = 9 }: must be a segment from 1 to 8, or 0 for "
+            "the start"),
+        change("ToAWholeNumber", "to = { segment = 4 }", "to = 4",
+               "12: initial_motion[1].to = 4: is neither a segment nor a fraction: write "
+               "{ segment = 4 } for the outer end of that segment, …"),
         change("AboutAPointOffTheBeam", "about = 0.5", "about = 1.5",
                "15: initial_motion[1].about = 1.5: must be a fraction of the length, 0 to 1"),
         change("InOneNumber", "['0 m/s', '10 m/s', '0 m/s']", "'10 m/s'",
@@ -144,8 +148,10 @@ INSTANTIATE_TEST_SUITE_P(
         change("OfAFreeEnd", "at = 0.5\n", "at = 'start'\n",
                "17: cut[1].at = start: is nearest to the beam's start, where no joint is: no "
                "support holds its rotation"),
-        change("OfTheSameJoint", "[[support]]", "[[cut]]\nat = 4\ntime = '2 s'\n[[support]]",
-               "20: cut[2].at = 4: cut[1] cuts the nearest joint, that at segment end 4, too")),
+        change("OfTheSameJoint", "[[support]]",
+               "[[cut]]\nat = { segment = 4 }\ntime = '2 s'\n[[support]]",
+               "20: cut[2].at = { segment = 4 }: cut[1] cuts the nearest joint, that at segment "
+               "end 4, too")),
     name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(

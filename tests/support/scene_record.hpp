@@ -25,7 +25,7 @@ steps = 5
 at = "start"
 kind = "clamp"
 [[load]]
-at = 4
+at = { segment = 4 }
 force = ["0 N", ")" +
          force + R"(", "0 N"]
 [[probe]]

@@ -35,7 +35,7 @@ class Feeder {
   }
 
   void put(const Place& place) { all(place.fraction, place.segment); }
-  void put(const History& history) { all(history.time, history.factor); }
+  void put(const History& history) { all(history.time, history.factor, history.continues); }
   void put(const Hardening& h) {
     all(h.law, h.tangent_modulus, h.kinematic_share, h.saturation_stress, h.saturation_rate,
         h.backstress_modulus, h.backstress_rate);

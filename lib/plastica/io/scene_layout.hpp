@@ -57,6 +57,7 @@ void walk_actions(Store& store, Scene& scene) {
   store.array("gravity/history_time", scene.gravity_history.time, {}, "s");
   store.array("gravity/history_factor", scene.gravity_history.factor,
               {scene.gravity_history.time.size()}, "1");
+  store.goes_on("gravity/history_continues", scene.gravity_history);
 
   auto& motions = scene.initial_motions;
   store.column("initial_motions/from", motions, PLASTICA_MEMBER(from.fraction), "1");

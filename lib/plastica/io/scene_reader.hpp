@@ -114,6 +114,18 @@ class SceneReader {
       check_values(root_, path + "/factor", f, {});
       rows[i].history = {{t.begin(), t.end()}, {f.begin(), f.end()}};
     }
+    const std::string continues = path + "/continues";
+    const bool says = root_.exists(continues);
+    std::vector<Stored<bool>> values;
+    if (says) values = values_of<bool>(continues, {rows.size()});
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].history.continues = says ? values[i] != 0 : went_on(rows[i].history);
+      check_line(continues, rows[i].history);
+    }
+  }
+  void goes_on(std::string_view path, History& history) {
+    history.continues = root_.exists(path) ? values_of<bool>(path, {})[0] != 0 : went_on(history);
+    check_line(path, history);
   }
   void probe_values(SceneRecord& record) {
     const std::size_t probes = record.setup.scene.probes.size();
@@ -142,6 +154,17 @@ class SceneReader {
  private:
   static inline const Shape kRow{Hdf5Group::kAnyExtent};
   static constexpr ValueRule kTimes{{}, kNotNegative, Order::RisesStrictly};
+
+  /// Whether a history went on after its end when files did not say: one from 0 to 1 in a second.
+  static bool went_on(const History& history) {
+    const std::vector<double> from_0_to_1{0.0, 1.0};
+    return history.time == from_0_to_1 && history.factor == from_0_to_1;
+  }
+
+  void check_line(std::string_view path, const History& history) const {
+    if (!history.continues || history.time.size() > 1) return;
+    refuse_value(root_, path, "1", "needs two times at least, which make the line");
+  }
 
   /// The numbers of a dataset, of a shape and as `kSceneRules` want them.
   template <class T>

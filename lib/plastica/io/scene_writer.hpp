@@ -102,12 +102,18 @@ class SceneWriter {
   void histories(const std::string& path, const std::vector<Row>& rows) {
     Ragged<double> time;
     Ragged<double> factor;
+    std::vector<std::uint8_t> continues;
     for (const Row& row : rows) {
       time.push_back(row.history.time);
       factor.push_back(row.history.factor);
+      continues.push_back(row.history.continues ? 1 : 0);
     }
     root_.write_ragged(path + "/time", time, {"s"});
     root_.write_ragged(path + "/factor", factor, {"1"});
+    root_.write(path + "/continues", continues);
+  }
+  void goes_on(std::string_view path, const History& history) {
+    root_.write(path, static_cast<std::uint8_t>(history.continues ? 1 : 0));
   }
   void probe_values(const SceneRecord& record) {
     const Scene& scene = record.setup.scene;

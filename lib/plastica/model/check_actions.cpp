@@ -29,6 +29,10 @@ void check_history(const History& history, const std::string& field) {
     require(history.time[i] > history.time[i - 1], {}, field + ".time", history.time[i],
             "must rise from one to the next");
   }
+  if (history.continues && history.time.size() < 2) {
+    throw InputError({}, field, std::to_string(history.time.size()) + " times",
+                     "must be at least 2 to go on along a line after the last");
+  }
 }
 
 /// "the twist rz" of the first held rotation, "ry".

@@ -117,16 +117,18 @@ std::string item_name(std::string_view list, std::size_t index, std::string_view
 }
 
 std::string place_text(const Place& place) {
-  if (place.segment) return std::to_string(*place.segment);
-  if (place.fraction == 0.0) return "start";
+  if (place.segment && *place.segment != 0) {
+    return "{ segment = " + std::to_string(*place.segment) + " }";
+  }
+  if (place.segment || place.fraction == 0.0) return "start";
   return place.fraction == 1.0 ? "end" : number_text(place.fraction);
 }
 
 void check_place(const Place& place, int segments, std::string_view field) {
   if (place.segment && (*place.segment < 0 || *place.segment > segments)) {
-    throw InputError({}, field, std::to_string(*place.segment),
-                     "must be the number of a segment, 0 (the start) to " +
-                         std::to_string(segments) + "; a fraction of the length has a point");
+    throw InputError(
+        {}, field, place_text(place),
+        "must be a segment from 1 to " + std::to_string(segments) + ", or 0 for the start");
   }
   require(place.segment || (place.fraction >= 0.0 && place.fraction <= 1.0), {}, field,
           place.fraction, "must be a fraction of the length, 0 to 1");

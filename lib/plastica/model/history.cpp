@@ -8,7 +8,7 @@ namespace {
 
 /// The piece that `time` lies in, by its first point: the last piece that begins at or before it.
 std::size_t piece_of(const History& history, double time) {
-  const auto after = std::upper_bound(history.time.begin(), history.time.end(), time);
+  const auto after = std::upper_bound(history.time.begin(), history.time.end() - 1, time);
   return after == history.time.begin() ? 0
                                        : static_cast<std::size_t>(after - history.time.begin()) - 1;
 }
@@ -29,24 +29,15 @@ History History::turning_points(const std::vector<double>& factors) {
   return history;
 }
 
-bool History::is_ramp() const {
-  const auto from_0_to_1 = [](const std::vector<double>& v) {
-    return v.size() == 2 && v[0] == 0.0 && v[1] == 1.0;
-  };
-  return from_0_to_1(time) && from_0_to_1(factor);
-}
-
 double History::at(double when) const {
-  if (is_ramp()) return when;
-  if (when <= time.front()) return factor.front();
-  if (when >= time.back()) return factor.back();
+  if (when <= time.front() && !continues) return factor.front();
+  if (when >= time.back() && !continues) return factor.back();
   const std::size_t piece = piece_of(*this, when);
   return factor[piece] + slope_of(*this, piece) * (when - time[piece]);
 }
 
 double History::slope_at(double when) const {
-  if (is_ramp()) return 1.0;
-  if (when < time.front() || when >= time.back()) return 0.0;
+  if ((when < time.front() || when >= time.back()) && !continues) return 0.0;
   return slope_of(*this, piece_of(*this, when));
 }
 

@@ -15,7 +15,7 @@ struct Load {
   std::array<double, 3> force{};   ///< [N], spread: [N/m]
   std::array<double, 3> moment{};  ///< [N m], spread: [N m/m]
   bool follows = false;            ///< turns with the segment that it acts on (a follower load)
-  History history{};
+  History history = History::ramp();
 };
 
 }  // namespace plastica

@@ -170,7 +170,7 @@ std::optional<std::string> ringing(const Facts& facts) {
 std::optional<std::string> growing_gravity(const Facts& facts) {
   const auto& g = facts.scene.gravity;
   const double size = std::hypot(g[0], g[1], g[2]);
-  if (size == 0.0 || !facts.scene.gravity_history.is_ramp()) return std::nullopt;
+  if (size == 0.0 || !facts.scene.gravity_history.continues) return std::nullopt;
   return "gravity follows a ramp: it grows by " + figure(size) + " m/s^2 in each second, to " +
          figure(size * facts.duration) +
          " m/s^2 at the end; history = \"constant\" has it from the first";

@@ -31,7 +31,7 @@ struct Scene {
   std::vector<Support> supports{};
   std::vector<Load> loads{};
   std::array<double, 3> gravity{};  ///< acceleration in world axes [m/s^2]
-  History gravity_history{};
+  History gravity_history = History::ramp();
   std::vector<InitialMotion> initial_motions{};  ///< dynamics
   std::vector<Cut> cuts{};                       ///< dynamics
   std::vector<Probe> probes{{"stress", ProbeQuantity::Stress}};

@@ -46,7 +46,7 @@ struct Support {
   /// in rotation [rad], as a rotation vector.
   std::array<double, 3> translation{};
   std::array<double, 3> rotation{};
-  History history{};
+  History history = History::ramp();
 
   HeldFreedoms held() const;  ///< `hold`, or what the kind holds
   bool moves() const;         ///< whether any motion is prescribed

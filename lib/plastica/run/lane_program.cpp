@@ -11,16 +11,11 @@
 namespace plastica {
 namespace {
 
-bool same_history(const History& a, const History& b) {
-  return a.time == b.time && a.factor == b.factor;
-}
-
 /// Loads in the same order follow the same histories.
 bool same_histories(const Scene& a, const Scene& b) {
-  return same_history(a.gravity_history, b.gravity_history) &&
-         std::equal(
-             a.loads.begin(), a.loads.end(), b.loads.begin(), b.loads.end(),
-             [](const Load& x, const Load& y) { return same_history(x.history, y.history); });
+  return a.gravity_history == b.gravity_history &&
+         std::equal(a.loads.begin(), a.loads.end(), b.loads.begin(), b.loads.end(),
+                    [](const Load& x, const Load& y) { return x.history == y.history; });
 }
 
 /// As chain/build.hpp asks.

@@ -77,9 +77,9 @@ bool PathWalker<L, kElastic>::go_on(Trial trial) {
 template <class L, bool kElastic>
 bool PathWalker<L, kElastic>::is_corner(double time) const {
   for (const History& history : chain_.histories) {
-    if (history.is_ramp()) continue;
-    for (const double corner : history.time) {
-      if (std::fabs(corner - time) < 1e-9 * options_.stops.back()) return true;
+    const auto end = history.time.end() - (history.continues ? 1 : 0);
+    for (auto corner = history.time.begin(); corner != end; ++corner) {
+      if (std::fabs(*corner - time) < 1e-9 * options_.stops.back()) return true;
     }
   }
   return false;

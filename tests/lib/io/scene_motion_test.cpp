@@ -48,12 +48,13 @@ TEST(SceneInTime, NeedsNoSupports) {
 }
 
 TEST(SceneInTime, ReadsInitialMotions) {
-  const auto motions = read(kVelocity +
-                            "[[initial_motion]]\nfrom = 2\nto = '75 %'\nabout = 'start'\n"
-                            "velocity = ['1 m/s', '2 m/s', '3 mm/s']\n"
-                            "spin = ['180 deg/s', '0 rad/s', '5 rad/s']\n"
-                            "[[initial_motion]]\nspin = ['1 rad/s', '0 rad/s', '0 rad/s']\n")
-                           .scene.initial_motions;
+  const auto motions =
+      read(kVelocity +
+           "[[initial_motion]]\nfrom = { segment = 2 }\nto = '75 %'\nabout = 'start'\n"
+           "velocity = ['1 m/s', '2 m/s', '3 mm/s']\n"
+           "spin = ['180 deg/s', '0 rad/s', '5 rad/s']\n"
+           "[[initial_motion]]\nspin = ['1 rad/s', '0 rad/s', '0 rad/s']\n")
+          .scene.initial_motions;
   ASSERT_EQ(motions.size(), 3U);
   EXPECT_EQ(motions[0].from.fraction, 0.0);
   EXPECT_EQ(motions[0].to.fraction, 1.0);
@@ -72,7 +73,7 @@ TEST(SceneInTime, ReadsInitialMotions) {
 TEST(SceneInTime, ReadsCutsAndWhatABreakDoes) {
   const Scene scene = read("[rules]\non_break = 'cut_worst'\n" + kClamp + kGravity +
                            "[[cut]]\nat = 0.5\ntime = '250 ms'\n"
-                           "[[cut]]\nat = 3\ntime = '0 s'\n")
+                           "[[cut]]\nat = { segment = 3 }\ntime = '0 s'\n")
                           .scene;
   EXPECT_EQ(scene.on_break, BreakPolicy::CutWorst);
   ASSERT_EQ(scene.cuts.size(), 2U);
@@ -98,7 +99,7 @@ TEST(SceneInTime, ReadsProbesOfMotionsAndAllEnergies) {
   };
   EXPECT_EQ(probe("kind = 'velocity'").quantity, ProbeQuantity::Velocity);
   EXPECT_EQ(probe("kind = 'velocity'").component, Component::Y);
-  EXPECT_EQ(probe("kind = 'velocity'\nat = 2").at.segment, 2);
+  EXPECT_EQ(probe("kind = 'velocity'\nat = { segment = 2 }").at.segment, 2);
   EXPECT_EQ(probe("kind = 'spin'").component, Component::X);
   EXPECT_EQ(probe("kind = 'momentum'").component, Component::Y);
   EXPECT_EQ(probe("kind = 'angular_momentum'").component, Component::X);

@@ -132,6 +132,7 @@ gap = "1 m"
   EXPECT_TRUE(scene.loads[1].follows && !scene.loads[0].follows);
   EXPECT_EQ(scene.loads[1].history.time, (std::vector<double>{0.0, 2.0, 3.0}));
   EXPECT_EQ(scene.loads[1].history.factor, (std::vector<double>{0.0, 1.0, 0.5}));
+  EXPECT_TRUE(scene.loads[0].history.continues && !scene.loads[1].history.continues);
   ASSERT_EQ(scene.supports.size(), 2U);
   EXPECT_EQ(scene.supports[0].kind, SupportKind::Clamp);
   EXPECT_EQ(scene.supports[0].held(), (HeldFreedoms{true, true, true, true, true, true}));

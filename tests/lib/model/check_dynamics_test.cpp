@@ -228,7 +228,7 @@ TEST(CheckInitialMotion, RefusesWhatMovesNothing) {
               m.from = {0.5, {}};
               m.to = {0.0, 4};
             }),
-            "initial_motion[1].to = 4: must lie beyond from = 0.5");
+            "initial_motion[1].to = { segment = 4 }: must lie beyond from = 0.5");
   EXPECT_EQ(error_of_initial_motion([](InitialMotion& m) {
               m.from = {0.5, {}};
               m.to = {0.56, {}};
@@ -254,8 +254,8 @@ TEST(CheckInitialMotion, RefusesPlacesOffTheBeamAndWhatIsNotFinite) {
   EXPECT_EQ(error_of_initial_motion([](InitialMotion& m) {
               m.about = {0.0, 9};
             }),
-            "initial_motion[1].about = 9: must be the number of a segment, 0 (the start) to 8; a "
-            "fraction of the length has a point");
+            "initial_motion[1].about = { segment = 9 }: must be a segment from 1 to 8, or 0 for "
+            "the start");
   EXPECT_EQ(error_of_initial_motion([](InitialMotion& m) { m.velocity[2] = kNan; }),
             "initial_motion[1].velocity = nan: must be finite");
   EXPECT_EQ(error_of_initial_motion([](InitialMotion& m) { m.spin[0] = kNan; }),
@@ -264,8 +264,9 @@ TEST(CheckInitialMotion, RefusesPlacesOffTheBeamAndWhatIsNotFinite) {
 
 TEST(CheckCuts, TakeTheNearestJoint) {
   EXPECT_EQ(error_of_cuts({{0.5, {}}, {0.0, 3}, {0.01, {}}}), "no error");
-  EXPECT_EQ(error_of_cuts({{0.5, {}}, {0.0, 4}}),
-            "cut[2].at = 4: cut[1] cuts the nearest joint, that at segment end 4, too");
+  EXPECT_EQ(
+      error_of_cuts({{0.5, {}}, {0.0, 4}}),
+      "cut[2].at = { segment = 4 }: cut[1] cuts the nearest joint, that at segment end 4, too");
   EXPECT_EQ(error_of_cuts({{0.48, {}}, {0.55, {}}}),
             "cut[2].at = 0.55: cut[1] cuts the nearest joint, that at segment end 4, too");
   EXPECT_EQ(error_of_cuts({{1.5, {}}}),
