@@ -103,7 +103,7 @@ struct Biaxial {
   using Pair = Vec<S, 2>;
 
   Uniaxial normal;  ///< under normal stress alone
-  S ratio;          ///< r: yield stress over shear yield stress [1]
+  S per_ratio;      ///< 1/r: shear yield stress over yield stress [1]
   Pair stiffness;   ///< E, r^2 G [Pa]
   Pair compliance;  ///< one over them [1/Pa]
 
@@ -139,9 +139,6 @@ class BiaxialReturn {
     at(constant<S>(0));
   }
 
-  /// Whether the trial stress is beyond the surface.
-  mask_t<S> yields() const { return size_ > constant<S>(1); }
-
   /// Newton's method on 1/|b/a| = 1, concave and rising for ideal plasticity, so that it comes from
   /// below and cannot leave; a bracket keeps it there for the others.
   void solve(const mask_t<S>& yields) {
@@ -154,7 +151,10 @@ class BiaxialReturn {
     S high = constant<S>(1.5) * most * max(law_.compliance[0], law_.compliance[1]);
     const S enough = constant<S>(kIsDouble<S> ? 1e-7 : 1e-3);
     auto active = yields;
-    S p = zero;
+    // Where the root is at the latest if both stiffnesses are the larger one, without hardening of
+    // the increment: from there Newton's method has two or three steps to go.
+    S p = select(yields, first_guess(), zero);
+    at(p);
     for (int step = 0; step < kMostReturnSteps; ++step) {
       low = select(size_ > one, p, low);
       high = select(size_ < one, p, high);
@@ -189,7 +189,7 @@ class BiaxialReturn {
       for (std::size_t m = 0; m < 2; ++m) slope(k, m) = -law_.stiffness[k] * along * weight[m];
       slope(k, k) += law_.stiffness[k] * (one - p_ * law_.stiffness[k] / a_[k]);
     }
-    const S inverse = one / law_.ratio;
+    const S inverse = law_.per_ratio;
     now.stress = {{stress[0], stress[1] * inverse}};
     now.tangent(0, 0) = slope(0, 0);
     now.tangent(0, 1) = slope(0, 1) * inverse;
@@ -208,6 +208,14 @@ class BiaxialReturn {
   }
 
  private:
+  /// Radial return with the larger stiffness and the slope of the begin: for ideal plasticity not
+  /// beyond the root, as all a_k are at most R + K p.
+  S first_guess() const {
+    S square = constant<S>(0);
+    for (std::size_t k = 0; k < 2; ++k) square += a_[k] * n_[k] * a_[k] * n_[k];
+    return (sqrt(square) - radius_) / max(a_slope_[0], a_slope_[1]);
+  }
+
   /// Everything at a p.
   void at(const S& p) {
     using plastica::exp;
@@ -277,14 +285,27 @@ template <class S, class Uniaxial>
 inline BiaxialResponse<S, typename Biaxial<S, Uniaxial>::State> respond(
     const Biaxial<S, Uniaxial>& law, const typename Biaxial<S, Uniaxial>::State& before,
     const Vec<S, 2>& strain) {
-  const S inverse = constant<S>(1) / law.ratio;
+  const S& inverse = law.per_ratio;
   const Vec<S, 2> trial{{law.stiffness[0] * (strain[0] - before.plastic[0]),
                          law.stiffness[1] * (strain[1] * inverse - before.plastic[1])}};
-  detail::BiaxialReturn<S, Uniaxial> back(law, before, trial);
-  const auto yields = back.yields();
-  if (any(yields)) back.solve(yields);
+  Vec<S, 2> relative = trial;
+  for (const Vec<S, 2>& back : before.back) relative -= back;
+  const S radius = detail::radius(law.normal, before.accumulated, constant<S>(0)).value;
+  const auto yields = dot(relative, relative) > radius * radius;
   BiaxialResponse<S, typename Biaxial<S, Uniaxial>::State> now;
-  back.finish(yields, now);
+  if (any(yields)) {
+    detail::BiaxialReturn<S, Uniaxial> back(law, before, trial);
+    back.solve(yields);
+    back.finish(yields, now);
+    return now;
+  }
+  now.stress = {{trial[0], trial[1] * inverse}};
+  now.tangent(0, 0) = law.stiffness[0];
+  now.tangent(1, 1) = law.stiffness[1] * inverse * inverse;
+  now.elastic_energy = constant<S>(0.5) * (trial[0] * trial[0] * law.compliance[0] +
+                                           trial[1] * trial[1] * law.compliance[1]);
+  now.plastic_work = constant<S>(0);
+  now.state = before;
   return now;
 }
 
@@ -294,8 +315,9 @@ inline Biaxial<S, Uniaxial> biaxial_law(const UniaxialMaterial<S>& normal,
                                         const UniaxialMaterial<S>& shear) {
   Biaxial<S, Uniaxial> law;
   law.normal = uniaxial_law<Uniaxial>(normal);
-  law.ratio = normal.yield / shear.yield;
-  law.stiffness = {{normal.stiffness, law.ratio * law.ratio * shear.stiffness}};
+  const S ratio = normal.yield / shear.yield;
+  law.per_ratio = constant<S>(1) / ratio;
+  law.stiffness = {{normal.stiffness, ratio * ratio * shear.stiffness}};
   for (std::size_t k = 0; k < 2; ++k) law.compliance[k] = constant<S>(1) / law.stiffness[k];
   return law;
 }

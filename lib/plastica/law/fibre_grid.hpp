@@ -125,7 +125,7 @@ inline SectionResponse<S> respond(const FibreGrid<S, Uniaxial>& law,
                                   const typename FibreGrid<S, Uniaxial>::State* before,
                                   typename FibreGrid<S, Uniaxial>::State* after,
                                   const SectionStrain<S>& strain) {
-  const S enough = constant<S>(kIsDouble<S> ? 1e-12 : 1e-5);
+  const S enough = constant<S>(kIsDouble<S> ? 1e-10 : 1e-5);
   const std::size_t last = law.layout->area.size();
   Vec<S, 2> base = before[last].plastic;
   Vec<S, 2> beta = base;
