@@ -85,13 +85,13 @@ struct Limit {
 };
 
 Limit limit_of(const Section& section, double twist_over_curvature, std::size_t axis = kBendingX,
-               int fibres = 20) {
+               int fibres = 12) {
   const SectionProperties p = section_properties(section, 0.3);
   Joint joint(section, metal(), FibrePlane::Both, fibres);
   SectionForce<double> force;
-  for (int i = 1; i <= 30; ++i) {
+  for (int i = 1; i <= 12; ++i) {
     SectionStrain<double> strain;
-    strain[axis] = 50.0 * i;
+    strain[axis] = 125.0 * i;
     strain[kTorsion] = twist_over_curvature * strain[axis];
     force = joint(strain).force;
   }
@@ -103,7 +103,7 @@ Limit limit_of(const Section& section, double twist_over_curvature, std::size_t 
 
 TEST(FibreGrid, OfAThinTubeYieldsByBendingWithTorsionOnTheCircle) {
   // Its shear flow is the same all around, so each point carries Y sqrt(1 - t^2): exact.
-  for (double ratio = 0.1; ratio < 20.0; ratio *= 1.5) {
+  for (double ratio = 0.1; ratio < 20.0; ratio *= 2.5) {
     const Limit limit = limit_of(thin_tube(), ratio);
     EXPECT_NEAR(limit.size(), 1.0, 0.005) << ratio;
   }
@@ -113,7 +113,7 @@ TEST(FibreGrid, OfACircleYieldsBetweenBothBoundsOfTheLimit) {
   // m^2 + t^2 = 1 is a lower bound (the stress everywhere Y sqrt(1 - t^2) and t tau_y). Plane
   // sections that turn as a whole give an upper one, with s = twist/(sqrt(3) curvature):
   // m = 1/4 integral of sin^2/r and t = s/(2 pi) integral of 1/r, r = sqrt(sin^2 + s^2).
-  for (double ratio = 0.2; ratio < 20.0; ratio *= 1.5) {
+  for (double ratio = 0.2; ratio < 20.0; ratio *= 2.0) {
     const double s = ratio / std::sqrt(3.0);
     Limit upper{};
     constexpr int kPoints = 4000;
@@ -123,7 +123,7 @@ TEST(FibreGrid, OfACircleYieldsBetweenBothBoundsOfTheLimit) {
       upper.m += 0.25 * sine * sine / r * 2.0 * pi / kPoints;
       upper.t += s / r / kPoints;
     }
-    const Limit limit = limit_of(circle(), ratio, kBendingX, 40);
+    const Limit limit = limit_of(circle(), ratio, kBendingX, 16);
     EXPECT_GT(limit.size(), 1.0 - 0.002) << ratio;
     EXPECT_LT(limit.size(), 1.01) << ratio;
     // Work on this ratio of strains is no more than the upper bound's.
@@ -136,7 +136,7 @@ TEST(FibreGrid, OfACircleYieldsBetweenBothBoundsOfTheLimit) {
 TEST(FibreGrid, OfARectangleYieldsOutsideOfTheLowerBoundAndInsideOfPlaneSections) {
   for (const Section& section : {rectangle(0.1, 0.1), rectangle(0.05, 0.1), rectangle(0.02, 0.1)}) {
     for (const std::size_t axis : {kBendingX, kBendingY}) {
-      for (double ratio = 0.2; ratio < 10.0; ratio *= 2.0) {
+      for (double ratio = 0.4; ratio < 7.0; ratio *= 2.0) {
         const Limit limit = limit_of(section, ratio, axis);
         EXPECT_GT(limit.size(), 1.0 - 1e-3) << ratio;
         // The strong way of a flat one is the worst.
