@@ -37,10 +37,33 @@ std::vector<double> divided(const std::vector<double>& shares, Division division
   return made;
 }
 
-/// Moves places to the new segments.
+/// The same division without anything on the beam.
+std::vector<double> bare_ends(const Scene& scene) {
+  Scene bare;
+  bare.beam.segments = scene.beam.segments;
+  bare.beam.segment_shares = scene.beam.segment_shares;
+  return segment_ends(bare);
+}
+
+/// The segments' shares of the length where they are not even; empty where they are, or where the
+/// rule Half, which does not go with shares, divides the beam anew.
+std::vector<double> uneven_shares(const Scene& scene) {
+  if (scene.end_rule == EndRule::Half) return {};
+  if (!scene.beam.segment_shares.empty()) return scene.beam.segment_shares;
+  const std::vector<double> ends = segment_ends(scene);
+  if (ends == bare_ends(scene)) return {};
+  std::vector<double> shares;
+  for (std::size_t i = 1; i < ends.size(); ++i) shares.push_back(ends[i] - ends[i - 1]);
+  return shares;
+}
+
+/// Moves places to the new segments, whose ends are among the old ones or the other way round:
+/// else the values of three divisions would not lie on one curve of N.
 class Places {
  public:
-  Places(const Scene& from, const Scene& to) : from_(segment_ends(from)), to_(segment_ends(to)) {}
+  Places(const Scene& from, const Scene& to)
+      : from_(segment_ends(from)),
+        to_(to.end_rule == EndRule::Half ? segment_ends(to) : bare_ends(to)) {}
 
   void move(Place& place) const { place = {share_of(place, from_), {}}; }
 
@@ -92,7 +115,7 @@ Setup redivided(const Setup& setup, Division division) {
   }
   Setup made = setup;
   made.scene.beam.segments = divided(original, division);
-  made.scene.beam.segment_shares = divided(original.beam.segment_shares, division);
+  made.scene.beam.segment_shares = divided(uneven_shares(original), division);
   move_places(original, made);
   return made;
 }

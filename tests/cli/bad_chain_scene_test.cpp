@@ -170,9 +170,14 @@ INSTANTIATE_TEST_SUITE_P(
                "14: support[2].at.segment = 1.5: must be a whole number from 0 to 2147483647"),
         change("AtATableWithoutASegment", "at = 0.5", "at = { joint = 1 }",
                "14: support[2].at.segment: is missing"),
-        change("InsideOfASegment", "at = 'start'\nkind", "at = 0.3\nkind",
-               "11: support[1].at = 0.3: a clamp that holds rotation (rx) must be at a segment's "
-               "end; the nearest are 0.25 and 0.375"),
+        change(
+            "MoreStretchesThanSegments", "segments = 8", "segments = 1",
+            "3: beam.segments = 1: must be at least 2, since segments end at support[2].at = 0.5"),
+        change("RegionWithinASegmentOfGivenLength", "[beam]\nlength = '4 m'\nsegments = 8",
+               "region = [{ from = 0.3, to = 'end', material = 'S235' }]\n"
+               "[beam]\nlength = '4 m'\nsegment_lengths = ['1 m', '2 m', '1 m']",
+               "1: region[1].from = 0.3: must be where a segment ends, which beam.segment_lengths "
+               "sets; the nearest ends are 0.25 and 0.75"),
         change("ThatHoldsAWord", "'clamp'", "'clamp'\nhold = ['y', 'pitch']",
                "13: support[1].hold[2] = 'pitch': must be one of \"x\", \"y\", \"z\", \"rx\", "
                "\"ry\", \"rz\""),

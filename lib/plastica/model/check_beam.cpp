@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <span>
+#include <string_view>
 
 #include "plastica/base/check.hpp"
 #include "plastica/model/beam_axis.hpp"
@@ -110,6 +113,52 @@ void check_regions(const Scene& scene) {
   }
 }
 
+/// The names of places, the first few of many.
+std::string names_of(std::span<const NodePlace> places) {
+  constexpr std::size_t kMost = 4;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(kMost, places.size()); ++i) {
+    const NodePlace& place = places[i];
+    const bool last = i + 1 == places.size();
+    if (i > 0) names += last ? " and " : ", ";
+    names += item_name(place.list, place.index, place.key) + " = " + number_text(place.fraction);
+  }
+  if (places.size() > kMost) names += " and " + std::to_string(places.size() - kMost) + " more";
+  return names;
+}
+
+/// Segments end where regions, supports, loads and corners are.
+void check_division(const Scene& scene) {
+  if (scene.beam.segment_shares.empty() && scene.beam.joint_lengths.empty()) {
+    const std::vector<double> needed = needed_ends(scene);
+    const std::size_t fewest = needed.size() - 1;
+    if (static_cast<std::size_t>(scene.beam.segments) >= fewest) return;
+    std::vector<NodePlace> inner;
+    for (std::size_t i = 1; i < fewest; ++i) {
+      for (const NodePlace& place : node_places(scene)) {
+        if (place.fraction != needed[i]) continue;
+        inner.push_back(place);
+        break;
+      }
+    }
+    throw InputError({}, "beam.segments", std::to_string(scene.beam.segments),
+                     "must be at least " + std::to_string(fewest) + ", since segments end at " +
+                         names_of(inner));
+  }
+  const std::vector<double> ends = segment_ends(scene);
+  for (const NodePlace& place : node_places(scene)) {
+    if (place.list != std::string_view("region") || segment_end_at({place.fraction, {}}, ends)) {
+      continue;
+    }
+    const auto after = std::upper_bound(ends.begin(), ends.end(), place.fraction);
+    throw InputError({}, item_name(place.list, place.index, place.key), number_text(place.fraction),
+                     "must be where a segment ends, which beam." +
+                         std::string(scene.beam.segment_shares.empty() ? "joint" : "segment") +
+                         "_lengths sets; the nearest ends are " + number_text(*(after - 1)) +
+                         " and " + number_text(*after));
+  }
+}
+
 }  // namespace
 
 std::string item_name(std::string_view list, std::size_t index, std::string_view key) {
@@ -143,6 +192,7 @@ void check_beam(const Scene& scene) {
   check_lengths(scene.beam);
   if (scene.beam.shape == BeamShape::Arc) check_arc(scene.beam);
   if (scene.beam.shape == BeamShape::Polyline) check_polyline(scene.beam);
+  check_division(scene);
   check_regions(scene);
 }
 

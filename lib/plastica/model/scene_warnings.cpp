@@ -227,6 +227,20 @@ std::optional<std::string> per_axis(const Facts& facts) {
          beyond + " more than the section, with torsion still more; \"interaction\" does not";
 }
 
+/// Supports and loads inside of segments whose lengths the scene sets.
+std::optional<std::string> inner_places(const Facts& facts) {
+  for (const NodePlace& place : node_places(facts.scene)) {
+    const bool acts =
+        place.list == std::string_view("support") || place.list == std::string_view("load");
+    if (!acts || segment_end_at({place.fraction, {}}, facts.ends)) continue;
+    return model_detail::item_name(place.list, place.index, place.key) + " = " +
+           figure(place.fraction) +
+           " lies inside of a segment, which is rigid; without segment_lengths and joint_lengths a "
+           "segment ends there";
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> cut_corners(const Facts& facts) {
   const Beam& beam = facts.scene.beam;
   if (beam.shape != BeamShape::Polyline) return std::nullopt;
@@ -250,7 +264,8 @@ std::optional<std::string> cut_corners(const Facts& facts) {
   }
   if (deepest == 0.0) return std::nullopt;
   return "a corner of beam.points lies inside of a segment, which is straight and misses it by " +
-         figure(deepest) + " m; segment_lengths can end segments at the corners";
+         figure(deepest) +
+         " m; without segment_lengths and joint_lengths segments end at the corners";
 }
 
 }  // namespace
@@ -259,7 +274,7 @@ std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions&
   if (scene.is_coupon()) return {};
   const Facts facts{scene, options, choose_level(scene, options), segment_ends(scene)};
   std::vector<std::string> warnings;
-  for (const auto find : {short_beam, hinge, cap, per_axis, cut_corners}) {
+  for (const auto find : {short_beam, hinge, cap, per_axis, inner_places, cut_corners}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (options.analysis == Analysis::Dynamics) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -32,6 +33,71 @@ TEST(SegmentEnds, HalveTheEndSegmentsByTheRuleHalf) {
   EXPECT_EQ(segment_ends(scene_of(5, EndRule::Half)),
             (std::vector<double>{0.0, 0.125, 0.375, 0.625, 0.875, 1.0}));
   EXPECT_EQ(segment_ends(scene_of(2, EndRule::Half)), (std::vector<double>{0.0, 0.5, 1.0}));
+}
+
+TEST(SegmentEnds, AreEvenWhereThatEndsThemAtAllPlaces) {
+  Scene scene = scene_of(10);
+  scene.regions.push_back({.from = {0.3, {}}, .to = {0.7, {}}});
+  scene.loads.push_back({.at = {1.0 / 2.0, {}}});
+  scene.supports.push_back({.at = {0.1 + 0.2, {}}});
+  EXPECT_EQ(segment_ends(scene), segment_ends(scene_of(10)));
+  // A segment's number says where it is, whatever its length.
+  scene.loads.push_back({.at = {0.0, 3}});
+  EXPECT_EQ(segment_ends(scene), segment_ends(scene_of(10)));
+}
+
+void expect_ends(const Scene& scene, const std::vector<double>& expected) {
+  const std::vector<double> ends = segment_ends(scene);
+  ASSERT_EQ(ends.size(), expected.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) EXPECT_NEAR(ends[i], expected[i], kRounding) << i;
+}
+
+TEST(SegmentEnds, FallOnRegionsSupportsLoadsAndCorners) {
+  Scene scene = scene_of(5);
+  scene.regions.push_back({.from = {0.0, {}}, .to = {0.04, {}}});
+  expect_ends(scene, {0.0, 0.04, 0.28, 0.52, 0.76, 1.0});
+  scene.regions.clear();
+  scene.supports.push_back({.at = {0.3, {}}});
+  scene.loads.push_back({.at = {0.7, {}}, .to = Place{0.9, {}}});
+  // Stretches of 0.3, 0.4, 0.2, 0.1: the fifth segment halves the longest.
+  expect_ends(scene, {0.0, 0.3, 0.5, 0.7, 0.9, 1.0});
+  EXPECT_EQ(segment_end_at({0.7, {}}, segment_ends(scene)), 3);
+  Scene bent = scene_of(3);
+  bent.beam.shape = BeamShape::Polyline;
+  bent.beam.points = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.75}, {0.0, 0.25, 0.75}};
+  expect_ends(bent, {0.0, 0.375, 0.75, 1.0});
+}
+
+TEST(SegmentEnds, AreAsShortAtMostAsTheDealAllows) {
+  // No other deal of N segments to three stretches has a shorter longest segment.
+  for (const double a : {0.013, 0.211, 0.449, 0.62}) {
+    for (int segments = 3; segments < 40; ++segments) {
+      Scene scene = scene_of(segments);
+      const double b = a + 0.31;
+      scene.regions.push_back({.from = {a, {}}, .to = {b, {}}});
+      const std::vector<double> ends = segment_ends(scene);
+      ASSERT_EQ(ends.size(), static_cast<std::size_t>(segments) + 1);
+      double longest = 0.0;
+      for (std::size_t i = 1; i < ends.size(); ++i) {
+        EXPECT_GT(ends[i], ends[i - 1]);
+        longest = std::max(longest, ends[i] - ends[i - 1]);
+      }
+      double best = 1.0;
+      for (int i = 1; i < segments; ++i) {
+        for (int j = 1; i + j < segments; ++j) {
+          best = std::min(best, std::max({a / i, (b - a) / j, (1.0 - b) / (segments - i - j)}));
+        }
+      }
+      EXPECT_NEAR(longest, best, 4.0 * kRounding) << a << ' ' << segments;
+    }
+  }
+}
+
+TEST(SegmentEnds, HalveTheEndSegmentsOfUnevenOnesToo) {
+  Scene scene = scene_of(6, EndRule::Half);
+  scene.loads.push_back({.at = {0.3, {}}});
+  // 2 and 4: 0.1, 0.2 | 0.2, 0.2, 0.2, 0.1.
+  expect_ends(scene, {0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0});
 }
 
 TEST(Places, AreFoundByNumberAndByFraction) {

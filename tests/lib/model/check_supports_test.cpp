@@ -28,16 +28,24 @@ TEST(CheckSupports, RefusePlacesOffTheBeam) {
 
 TEST(CheckSupports, HoldRotationsAtSegmentEndsAlone) {
   EXPECT_EQ(error_of([](Scene& s) {
+              s.beam.segment_shares.assign(8, 0.125);
               add_support(s, {0.3, {}}, SupportKind::Clamp);
             }),
             "support[2].at = 0.3: a clamp that holds rotation (rx) must be at a segment's end; the "
             "nearest are 0.25 and 0.375");
   EXPECT_EQ(error_of([](Scene& s) {
+              s.beam.segment_shares.assign(8, 0.125);
               add_support(s, {0.3, {}}, SupportKind::Pin);
             }),
             "support[2].at = 0.3: a pin that holds rotation (rz) must be at a segment's end; the "
             "nearest are 0.25 and 0.375");
-  EXPECT_EQ(error_of([](Scene& s) { add_support(s, {0.3, {}}, SupportKind::Roller); }), "no error");
+  EXPECT_EQ(error_of([](Scene& s) {
+              s.beam.segment_shares.assign(8, 0.125);
+              add_support(s, {0.3, {}}, SupportKind::Roller);
+            }),
+            "no error");
+  // A segment ends at a support unless the scene sets the lengths.
+  EXPECT_EQ(error_of([](Scene& s) { add_support(s, {0.3, {}}, SupportKind::Clamp); }), "no error");
   EXPECT_EQ(error_of([](Scene& s) {
               add_support(s, {0.375, {}}, SupportKind::Clamp);
             }),

@@ -176,8 +176,25 @@ TEST(SceneWarnings, SayWhenAPolylineHasACornerInsideOfASegment) {
     };
   };
   EXPECT_FALSE(has(warnings_of(bent(0.5)), "corner"));
+  EXPECT_FALSE(has(warnings_of(bent(0.51)), "corner"));  // a segment ends there
   // A right angle in the middle of a 20 mm segment is 10/sqrt(2) mm off its chord.
-  EXPECT_TRUE(has(warnings_of(bent(0.51)), "misses it by 0.00707 m"));
+  EXPECT_TRUE(has(warnings_of([&](Scene& s) {
+                    bent(0.51)(s);
+                    s.beam.segment_shares.assign(50, 0.02);
+                  }),
+                  "misses it by 0.00707 m"));
+}
+
+TEST(SceneWarnings, SayWhatActsInsideOfASegmentThatTheSceneMeasures) {
+  const auto loaded = [](bool lengths) {
+    return [lengths](Scene& s) {
+      s.beam.segments = 10;
+      if (lengths) s.beam.segment_shares.assign(10, 0.1);
+      s.loads.push_back({.at = {0.35, {}}, .force = {0.0, 1.0, 0.0}});
+    };
+  };
+  EXPECT_FALSE(has(warnings_of(loaded(false)), "inside of a segment"));
+  EXPECT_TRUE(has(warnings_of(loaded(true)), "at = 0.35 lies inside of a segment"));
 }
 
 }  // namespace
