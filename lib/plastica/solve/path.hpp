@@ -29,6 +29,19 @@ inline constexpr double kLimitWidth = 1e-4;
 /// on the path that it should follow: the beam is too coarse to show a limit.
 inline constexpr double kFarTurn = 1.2;
 
+/// A segment may turn in a step by this times what a joint may: small turns of many joints add up
+/// to another equilibrium.
+inline constexpr double kSegmentTurns = 5.0;
+
+/// A step whose turns per unit of time grow by more than this is looked at closely.
+inline constexpr double kGrowth = 2.5;
+
+/// A step that turns by more than this times what its tangents give has left the path.
+inline constexpr double kJump = 3.0;
+
+/// Turns below this tell nothing of the path [rad].
+inline constexpr double kNoTurn = 1e-6;
+
 /// Follows an equilibrium path: README.md.
 template <class L, bool kElastic>
 class PathWalker {
@@ -49,7 +62,9 @@ class PathWalker {
         w_(work),
         committed_(committed),
         previous_(previous),
-        observer_(observer) {}
+        observer_(observer),
+        has_pillars_(std::any_of(chain.closures.begin(), chain.closures.end(),
+                                 [](const auto& closure) { return closure.one_sided; })) {}
 
   // A walk comes in pieces, cut where an equilibrium at a given time is sought, so that several
   // beams may seek theirs side by side.
@@ -64,6 +79,7 @@ class PathWalker {
   /// Takes what was found, which is in `work`, and goes on to the next.
   /// @param factored  whether `work` holds the tangent, too
   bool take(bool converged, int iterations, bool factored) {
+    holds_tangent_ = factored;
     const Trial trial = judge(converged, iterations, shortest_);
     factored_ = factored_ && factored;
     return go_on(trial);
@@ -121,6 +137,7 @@ class PathWalker {
     at_ = control_.value(w_.placement);
     // Where nothing has flowed the laws are as they were in the last iteration.
     factored_ = !observer_.yields();
+    rate_before_ = time_ > previous_time_ ? turned_ / (time_ - previous_time_) : 0.0;
     ++counters_.steps;
     interrupted_ = !observer_.accept(w_);
   }
@@ -148,21 +165,20 @@ class PathWalker {
     return false;
   }
 
-  double largest_turn() const {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < chain_.size(); ++i) {
-      for (std::size_t k = 0; k < L::kRotations; ++k) {
-        const double turn = w_.q.angle[i][k] - committed_.angle[i][k];
-        largest = std::max(largest, std::fabs(turn));
-      }
-    }
-    return largest;
-  }
+  /// How the last step has turned the segments: path_continuity.hpp.
+  template <class TurnOf, class Visit>
+  void for_each_turn(const TurnOf& turn, const Visit& visit) const;
+  template <class TurnOf>
+  double size_of_turns(const TurnOf& turn) const;
+  bool turns_too_far() const;
+  double turning_rate();
+  bool points_on();
 
   /// Seeks an equilibrium from the unknowns in `w_` and takes it, if it is near enough.
   template <class Condition>
   Trial attempt(const Condition& condition, bool shortest) {
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_, condition);
+    holds_tangent_ = true;
     return judge(outcome.converged, outcome.iterations, shortest);
   }
 
@@ -179,7 +195,7 @@ class PathWalker {
     iterations_ = iterations;
     if (stopped()) return Trial::Ended;
     if (!converged) return Trial::Failed;
-    if (largest_turn() > options_.largest_turn) return Trial::Failed;
+    if (turns_too_far() || !points_on()) return Trial::Failed;
     const double slope = watches_slope_ && observer_.yields() ? relative_slope() : 1.0;
     flat_ = slope < kLimitSlope;
     // A bend of the path is looked at closely: from far off a limit that the beam escapes by
@@ -202,6 +218,7 @@ class PathWalker {
   /// Where to seek the equilibrium at a time from.
   void aim(double time) {
     restore();
+    at_time_ = true;
     if (goes_on_) {
       extrapolate((time - time_) / (time_ - previous_time_));
     } else {
@@ -225,6 +242,13 @@ class PathWalker {
     solve_rates(at_time);
     detail::combine_columns(chain_, at_time, w_);
     solved_ = false;
+    rate_before_ = size_of_turns([&](std::size_t i) {
+                     typename L::Spin turn;
+                     for (std::size_t k = 0; k < L::kRotations; ++k)
+                       turn[k] = w_.columns[0].joint[i][k];
+                     return turn;
+                   }) /
+                   (time - time_);
     detail::take_step(chain_, at_time, false, w_);
   }
 
@@ -264,6 +288,7 @@ class PathWalker {
 
   /// The equilibrium without loads.
   Status find_first();
+  NewtonOutcome<S> load_gradually();
   bool begin_control();
   bool end(Status status) {
     status_ = status;
@@ -340,6 +365,11 @@ class PathWalker {
   Value secant_{};
   double secant_time_ = 0.0, secant_length_ = 1.0;
   bool has_secant_ = false;
+  bool has_pillars_ = false;
+  bool at_time_ = false;        ///< whether the trial was sought at a given time
+  bool holds_tangent_ = false;  ///< whether `w_` holds the tangent of the trial
+  double turned_ = 0.0;         ///< by the trial, of all segments: see `size_of_turns`
+  double rate_before_ = 0.0;    ///< likewise, in a unit of time before it, or where it begins
   Value at_{};                  ///< the control point at the last step
   bool watches_slope_ = false;  ///< load control: see `attempt`
   bool flat_ = false;
@@ -350,4 +380,5 @@ class PathWalker {
 }  // namespace plastica::solve
 
 #include "plastica/solve/path_arc.hpp"
+#include "plastica/solve/path_continuity.hpp"
 #include "plastica/solve/path_load.hpp"
