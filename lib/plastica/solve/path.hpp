@@ -12,35 +12,9 @@
 #include "plastica/solve/control_point.hpp"
 #include "plastica/solve/newton.hpp"
 #include "plastica/solve/path_options.hpp"
+#include "plastica/solve/stability_count.hpp"
 
 namespace plastica::solve {
-
-/// Below this share of the first slope of time over the control point's way, and downwards, a path
-/// carries no more load.
-inline constexpr double kLimitSlope = 1e-3;
-
-/// A path whose slope falls to less than this part of the step before bends.
-inline constexpr double kBend = 0.1;
-
-/// A limit load is bracketed within this share of it.
-inline constexpr double kLimitWidth = 1e-4;
-
-/// Where nothing yields and a joint has turned further than this [rad], an arc may have come back
-/// on the path that it should follow: the beam is too coarse to show a limit.
-inline constexpr double kFarTurn = 1.2;
-
-/// A segment may turn in a step by this times what a joint may: small turns of many joints add up
-/// to another equilibrium.
-inline constexpr double kSegmentTurns = 5.0;
-
-/// A step whose turns per unit of time grow by more than this is looked at closely.
-inline constexpr double kGrowth = 2.5;
-
-/// A step that turns by more than this times what its tangents give has left the path.
-inline constexpr double kJump = 3.0;
-
-/// Turns below this tell nothing of the path [rad].
-inline constexpr double kNoTurn = 1e-6;
 
 /// Follows an equilibrium path: README.md.
 template <class L, bool kElastic>
@@ -63,6 +37,7 @@ class PathWalker {
         committed_(committed),
         previous_(previous),
         observer_(observer),
+        conservative_(is_conservative(chain)),
         has_pillars_(std::any_of(chain.closures.begin(), chain.closures.end(),
                                  [](const auto& closure) { return closure.one_sided; })) {}
 
@@ -78,8 +53,10 @@ class PathWalker {
 
   /// Takes what was found, which is in `work`, and goes on to the next.
   /// @param factored  whether `work` holds the tangent, too
-  bool take(bool converged, int iterations, bool factored) {
+  /// @param ways      `unstable_ways`, if that was asked for; else below 0
+  bool take(bool converged, int iterations, bool factored, double ways = -1.0) {
     holds_tangent_ = factored;
+    found_ways_ = ways;
     const Trial trial = judge(converged, iterations, shortest_);
     factored_ = factored_ && factored;
     return go_on(trial);
@@ -98,10 +75,15 @@ class PathWalker {
   }
 
   /// How the path has ended.
-  Status status() const { return status_; }
+  Status status() const {
+    const bool at_end = status_ == Status::Completed || status_ == Status::Broken;
+    return at_end && unstable_ ? Status::Unstable : status_;
+  }
 
   const PathCounters& counters() const { return counters_; }
   const std::optional<LimitLoad>& limit() const { return limit_; }
+  /// With times in the place of factors.
+  const CriticalPoints& critical() const { return critical_; }
 
  private:
   enum class Trial {
@@ -129,6 +111,10 @@ class PathWalker {
   }
 
   void accept() {
+    if (trial_ways_ >= 0 && ways_ >= 0 && trial_ways_ != ways_) note_critical();
+    ways_ = trial_ways_;
+    // Arcs go over unstable equilibria on purpose: what counts is where they end.
+    unstable_ = ways_ > 0 || (unstable_ && options_.control != PathControl::ArcLength);
     laws_.commit();
     std::swap(previous_, committed_);
     committed_ = w_.q;
@@ -174,11 +160,19 @@ class PathWalker {
   double turning_rate();
   bool points_on();
 
+  /// Whether the equilibria are stable: path_stability.hpp.
+  void factor_tangent();
+  int count_ways();
+  bool may_change_ways(bool shortest);
+  void note_critical();
+
   /// Seeks an equilibrium from the unknowns in `w_` and takes it, if it is near enough.
   template <class Condition>
   Trial attempt(const Condition& condition, bool shortest) {
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_, condition);
     holds_tangent_ = true;
+    found_ways_ = -1.0;
+    condition_ = condition(w_);
     return judge(outcome.converged, outcome.iterations, shortest);
   }
 
@@ -195,7 +189,7 @@ class PathWalker {
     iterations_ = iterations;
     if (stopped()) return Trial::Ended;
     if (!converged) return Trial::Failed;
-    if (turns_too_far() || !points_on()) return Trial::Failed;
+    if (turns_too_far() || !points_on() || !may_change_ways(shortest)) return Trial::Failed;
     const double slope = watches_slope_ && observer_.yields() ? relative_slope() : 1.0;
     flat_ = slope < kLimitSlope;
     // A bend of the path is looked at closely: from far off a limit that the beam escapes by
@@ -219,6 +213,7 @@ class PathWalker {
   void aim(double time) {
     restore();
     at_time_ = true;
+    condition_ = {};
     if (goes_on_) {
       extrapolate((time - time_) / (time_ - previous_time_));
     } else {
@@ -365,7 +360,14 @@ class PathWalker {
   Value secant_{};
   double secant_time_ = 0.0, secant_length_ = 1.0;
   bool has_secant_ = false;
+  bool conservative_ = true;
   bool has_pillars_ = false;
+  CriticalPoints critical_{};
+  PathCondition<L> condition_{};  ///< of the trial
+  double found_ways_ = -1.0;      ///< see `take`
+  int ways_ = -1;                 ///< unstable ones of the last step; -1: not counted
+  int trial_ways_ = -1;
+  bool unstable_ = false;
   bool at_time_ = false;        ///< whether the trial was sought at a given time
   bool holds_tangent_ = false;  ///< whether `w_` holds the tangent of the trial
   double turned_ = 0.0;         ///< by the trial, of all segments: see `size_of_turns`
@@ -382,3 +384,4 @@ class PathWalker {
 #include "plastica/solve/path_arc.hpp"
 #include "plastica/solve/path_continuity.hpp"
 #include "plastica/solve/path_load.hpp"
+#include "plastica/solve/path_stability.hpp"

@@ -19,6 +19,8 @@ Status PathWalker<L, kElastic>::find_first() {
   if (!(w_.recursion.least_pivot() > kMechanism)) return Status::Mechanism;
   if (holds_twice()) return Status::HeldTwice;
   if (!outcome.converged) return finite(outcome) ? Status::NotConverged : Status::NonFinite;
+  at_time_ = holds_tangent_ = true;
+  trial_ways_ = count_ways();
   if (observer_.judge(w_, true) == Verdict::End) return end_broken();
   accept();
   observer_.record(w_);
@@ -114,16 +116,10 @@ bool PathWalker<L, kElastic>::go_on(Trial trial) {
   return seek();
 }
 
-/// Whether a load or motion changes its rate at a time: what comes then is no continuation.
+/// What comes after a corner of a load or motion is no continuation.
 template <class L, bool kElastic>
 bool PathWalker<L, kElastic>::is_corner(double time) const {
-  for (const History& history : chain_.histories) {
-    const auto end = history.time.end() - (history.continues ? 1 : 0);
-    for (auto corner = history.time.begin(); corner != end; ++corner) {
-      if (std::fabs(*corner - time) < 1e-9 * options_.stops.back()) return true;
-    }
-  }
-  return false;
+  return solve::is_corner(chain_, time, 1e-9 * options_.stops.back());
 }
 
 }  // namespace plastica::solve
