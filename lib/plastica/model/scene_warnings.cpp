@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
@@ -268,13 +269,32 @@ std::optional<std::string> cut_corners(const Facts& facts) {
          " m; without segment_lengths and joint_lengths segments end at the corners";
 }
 
+/// Loads whose work depends on the path: the tangent at an equilibrium is not symmetric.
+std::optional<std::string> no_potential(const Facts& facts) {
+  if (facts.options.analysis == Analysis::Dynamics) return {};
+  if (facts.level.level != Level::Planar && facts.level.level != Level::Spatial) return {};
+  const auto& loads = facts.scene.loads;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const auto& moment = loads[i].moment;
+    const bool turns = facts.level.level == Level::Spatial &&
+                       (moment[0] != 0.0 || moment[1] != 0.0 || moment[2] != 0.0);
+    if (!loads[i].follows && !turns) continue;
+    return "load[" + std::to_string(i + 1) + "]" +
+           (loads[i].follows ? ".follows" : ".moment, of a fixed axis in space,") +
+           " has no potential: where equilibria become unstable is only told if an odd number of "
+           "ways opens at once; pairs of them, and flutter, are not seen";
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions& options) {
   if (scene.is_coupon()) return {};
   const Facts facts{scene, options, choose_level(scene, options), segment_ends(scene)};
   std::vector<std::string> warnings;
-  for (const auto find : {short_beam, hinge, cap, per_axis, inner_places, cut_corners}) {
+  for (const auto find :
+       {short_beam, hinge, cap, per_axis, inner_places, cut_corners, no_potential}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (options.analysis == Analysis::Dynamics) {

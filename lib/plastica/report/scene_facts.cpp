@@ -76,15 +76,17 @@ std::string motion_line(const io::SceneRecord& record) {
   return events.empty() ? line : line + ": " + events;
 }
 
-/// "unstable: it bifurcates at factor 0.25, at factor 0.5 out of its plane".
+/// "unstable: it bifurcates at factor 0.25 out of its plane, and 2 times more up to factor 0.5".
 std::string unstable_line(const Response& response) {
   std::string line = "unstable";
   if (!response.critical) return line + ": the path ends at an equilibrium that is not stable";
   const CriticalPoints& critical = *response.critical;
-  for (std::size_t i = 0; i < critical.factor.size(); ++i) {
-    line +=
-        fmt::format("{} factor {:.5g}{}", i == 0 ? ": it bifurcates at" : ", at",
-                    critical.factor[i], critical.out_of_plane[i] != 0 ? " out of its plane" : "");
+  line += fmt::format(": it bifurcates at factor {:.5g}{}", critical.factor.front(),
+                      critical.out_of_plane.front() != 0 ? " out of its plane" : "");
+  const std::size_t more = critical.factor.size() - 1;
+  if (more > 0) {
+    line += fmt::format(", and {} more up to factor {:.5g}", counted(more, "time"),
+                        critical.factor.back());
   }
   return line;
 }

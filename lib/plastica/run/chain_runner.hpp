@@ -67,6 +67,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   bool leaves_plane_ = false;           ///< seen in a path that did not ask
   bool has_yielded_ = false;
   int ways_beside_ = 0;     ///< as known last
+  double looked_at_ = 0.0;  ///< time of the last look out of the plane
   double last_time_ = 0.0;  ///< of the last step
   MaterialValues<double> beside_material_{};
   PlanarEquilibrium seen_;

@@ -82,6 +82,7 @@ bool ChainRunner<L, kElastic>::begin_path() {
   response_->critical.reset();
   has_yielded_ = leaves_plane_ = false;
   ways_beside_ = 0;
+  looked_at_ = 0.0;
   body_.record.begin_frames(*response_);
   solve::PathObserver<L, kElastic>& observer = *this;
   walker_.emplace(body_.build.chain, *body_.joints, options_, control_, body_.work, committed_,

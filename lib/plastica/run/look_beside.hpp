@@ -59,7 +59,11 @@ void ChainRunner<L, kElastic>::see(const chain::Coordinates<L>& q, double time) 
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::look_beside(const chain::Coordinates<L>& q, double time) {
   if constexpr (L::kTranslations == 2) {
-    if (asks_beside_ || leaves_plane_ || has_yielded_ || !has_space_beside()) return;
+    // At time 0 little acts; what acts is there later, too.
+    const bool known =
+        asks_beside_ || leaves_plane_ || has_yielded_ || !(time > looked_at_ || time < looked_at_);
+    if (known || !has_space_beside()) return;
+    looked_at_ = time;
     see(q, time);
     leaves_plane_ = beside_->ways(seen_) > 0;
   }

@@ -215,6 +215,7 @@ void differentiate(const Model& model, ParameterValues values, Response& respons
 void run_chain(const Model& model, ParameterValues values, Workspace& workspace,
                Response& response) {
   response.samples = 0;
+  response.critical.reset();
   MaterialValues<double> material;
   if (!take_parameters(model, values, material)) {
     response.status = Status::InvalidParameter;

@@ -217,6 +217,18 @@ void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
     wrench.moment = L::moment(L::turn(w.placement.frame[spring.segment], spring.arm), wrench.force);
     add_scaled(constant<S>(1), wrench, w.right.wrench[spring.segment]);
   }
+  for (const auto& joint : chain.ground_joints) {
+    // The ground turns against the segment, which the joint's law resists.
+    const auto axes = L::axes(chain::ground_joint_axes(joint, w.placement));
+    const typename L::Spin turn = transposed_times(axes, slope(joint.history) * joint.motion);
+    typename L::Spin moment;
+    for (std::size_t i = 0; i < L::kRotations; ++i) {
+      for (std::size_t k = 0; k < L::kRotations; ++k) {
+        moment[i] += w.joints.tangent[joint.joint](i, k) * turn[k];
+      }
+    }
+    w.right.wrench[joint.segment].moment += axes * moment;
+  }
   for (std::size_t k = 0; k < chain.closures.size(); ++k) {
     const auto& closure = chain.closures[k];
     const S pull = stiffness_of<S>(chain, closure) * slope(closure.history) * closure.motion;

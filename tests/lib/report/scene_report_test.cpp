@@ -113,6 +113,22 @@ TEST(SceneReport, IsNowhereWiderThanAHundredColumns) {
   }
 }
 
+TEST(SceneReport, SaysWhereAPathBifurcates) {
+  // A column under 14 kN, twice pi^2/4 E I/L^2 = 6909 N; a square one, so in two ways at once.
+  const io::SceneRecord record = record_of(cantilever_text("0 N", R"([[load]]
+at = "end"
+force = ["0 N", "0 N", "-14 kN"]
+)"));
+  const std::string text = scene_report(record);
+  EXPECT_TRUE(text.starts_with("beam: unstable: it bifurcates at factor 0.4")) << text;
+  const auto json = nlohmann::json::parse(scene_json(record));
+  EXPECT_EQ(json.at("status"), "unstable");
+  const auto& point = json.at("critical_points").at(0);
+  EXPECT_NEAR(point.at("factor"), 6909.0 / 14000.0, 0.02 * 0.5);  // of four segments
+  EXPECT_EQ(point.at("unstable_ways"), 2);
+  EXPECT_EQ(point.at("mode").size(), 15U);
+}
+
 TEST(SceneJson, GivesWhatTheReportSaysInSi) {
   const auto json = nlohmann::json::parse(scene_json(broken()));
   EXPECT_EQ(json.at("status"), "broken");

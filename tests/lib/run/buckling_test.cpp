@@ -144,6 +144,32 @@ TEST(Buckling, IsFoundInSpaceAsInThePlane) {
   }
 }
 
+TEST(Buckling, OfATwistedShaftIsFoundAtGreenhillsTorque) {
+  // Clamped at both ends, of which one slides: T L/EI = 8.986819, tan(x/2) = x/2 (Timoshenko &
+  // Gere, Theory of Elastic Stability, 2.21). The torque comes from the turn of the end.
+  for (const int steps : {10, 40}) {
+    double error[2];
+    int k = 0;
+    for (const int segments : {16, 64}) {
+      Scene scene = testing::chain_scene(segments);
+      scene.section.shape = SectionShape::Circle;
+      scene.section.radius = 0.01;
+      const SectionProperties properties = testing::properties_of(scene);
+      const double e = scene.material.youngs_modulus;
+      const double g = e / (2.0 * (1.0 + scene.material.poisson_ratio));
+      const double twist =
+          8.986818915818128 * e * properties.second_moment_x / (g * properties.torsion_constant);
+      scene.supports.push_back({.at = Place::start(), .kind = SupportKind::Clamp});
+      hold_by_sliding_clamp(scene);
+      scene.supports.back().rotation = {0.0, 0.0, kBeyond * twist};
+      error[k++] =
+          std::fabs(first_bifurcation(scene, {.level = Level::Spatial, .steps = steps}) - 1.0);
+    }
+    EXPECT_LE(error[1], 0.002);
+    EXPECT_GE(std::log(error[0] / error[1]) / std::log(4.0), 1.9);
+  }
+}
+
 TEST(Buckling, OfAPinnedChainIsThatOfItsSegments) {
   // N equal segments on joints of E I/l: P_m = 2 E I/l^2 (1 - cos(m pi/N)), exactly.
   constexpr int kSegments = 12;

@@ -1,0 +1,39 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "plastica/io/scene_store.hpp"
+#include "tests/lib/io/scratch_folder.hpp"
+#include "tests/support/scene_record.hpp"
+
+namespace plastica::io {
+namespace {
+
+using plastica::testing::cantilever_text;
+using plastica::testing::record_of;
+
+TEST(CriticalPointsStore, ReadsTheBifurcationsOfAPathBack) {
+  // Twice the load under which the column buckles, pi^2/4 E I/L^2 = 6.9 kN.
+  const SceneRecord record = record_of(cantilever_text("0 N", R"([[load]]
+at = "end"
+force = ["0 N", "0 N", "-14 kN"]
+)"));
+  EXPECT_EQ(record.response.status, Status::Unstable);
+  ASSERT_TRUE(record.response.critical);
+  EXPECT_EQ(record.response.critical->mode.size(), record.response.critical->factor.size() * 5 * 3);
+  const ScratchFolder folder;
+  const std::string path = folder.file("out.h5");
+  write_scene_store(path, record);
+  const SceneRecord read = read_scene_store(path);
+  EXPECT_EQ(read.response.status, Status::Unstable);
+  ASSERT_TRUE(read.response.critical);
+  EXPECT_EQ(read.response.critical->factor, record.response.critical->factor);
+  EXPECT_EQ(read.response.critical->below, record.response.critical->below);
+  EXPECT_EQ(read.response.critical->above, record.response.critical->above);
+  EXPECT_EQ(read.response.critical->unstable_ways, record.response.critical->unstable_ways);
+  EXPECT_EQ(read.response.critical->out_of_plane, record.response.critical->out_of_plane);
+  EXPECT_EQ(read.response.critical->mode, record.response.critical->mode);
+}
+
+}  // namespace
+}  // namespace plastica::io
