@@ -51,11 +51,11 @@ double ChainRecord<L, kElastic>::joint_value(const Probe& probe, const NodeStrai
   const std::size_t joint = joint_of_node_[node];
   const chain::PartForm& part = part_of(joint);
   const SectionProperties& p = part.properties;
-  const double length = build_->joints[joint].length;
+  const auto& length = (*numbers_)[joint].length;
   // Strain of the extreme fibre per angle of the joint.
-  const Space lever{{p.second_moment_x / p.section_modulus_x / length,
-                     p.second_moment_y / p.section_modulus_y / length,
-                     p.torsion_constant / p.torsion_modulus / length}};
+  const Space lever{{p.second_moment_x / p.section_modulus_x / length[law::kBendingX],
+                     p.second_moment_y / p.section_modulus_y / length[law::kBendingY],
+                     p.torsion_constant / p.torsion_modulus / length[law::kTorsion]}};
   const auto strain = [&](const Space& angle) {
     const Space of_axis{{lever[0] * angle[0], lever[1] * angle[1], lever[2] * angle[2]}};
     if (probe.component != Component::Size) return detail::component_of(of_axis, probe.component);

@@ -71,11 +71,10 @@ class Rest {
     std::vector<MaterialValues<double>> materials;
     materials.reserve(parts.size());
     for (const auto& part : parts) materials.push_back(material_values(*part.material));
-    const auto laws =
-        make_joints<L, kElastic>(model.scene, parts, materials,
-                                 chain::joint_numbers(model.layout, model.part_of_segment,
-                                                      build_.joints, parts, materials, view),
-                                 view, model.options.fibres);
+    const auto laws = make_joints<L, kElastic>(
+        model.scene, parts, materials,
+        chain::joint_numbers(model.part_of_segment, build_.joints, parts, materials, view), view,
+        model.options.fibres);
     laws->evaluate(rest_.angles, rest_.q.shift, rest_.joints);
     chain::gather_forces(
         build_.chain, rest_.q, rest_.placement, rest_.stage, rest_.joints,
