@@ -32,9 +32,10 @@ class Builder {
   static constexpr std::size_t kR = L::kRotations;
   static constexpr double kSamePlace = 1e-9;  ///< of the length
 
+  /// @param shifts  whether joints stretch and shear
   Builder(const Scene& scene, const Layout& layout, const View<L>& view,
-          RotaryInertia rotary = RotaryInertia::On)
-      : scene_(scene), layout_(layout), view_(view), rotary_(rotary) {}
+          RotaryInertia rotary = RotaryInertia::On, bool shifts = false)
+      : scene_(scene), layout_(layout), view_(view), rotary_(rotary), shifts_(shifts) {}
 
   Build<L> build() {
     Chain<L>& chain = build_.chain;
@@ -44,6 +45,7 @@ class Builder {
     chain.inertias = segment_inertias(scene_, layout_, view_, rotary_);
     chain.root.position = view_.point(layout_.node[0]);
     chain.root.ground = view_.frame(layout_.joint_frame[0]);
+    set_shifts();
     place_undeformed();
     for (std::size_t s = 0; s < scene_.supports.size(); ++s) add_support(s);
     for (const Load& load : scene_.loads) add_load(load);
@@ -70,6 +72,16 @@ class Builder {
       segment.outer = view_.frame(back * layout_.joint_frame[i + 1]);
       build_.chain.segments.push_back(segment);
       build_.joints.push_back(joint_plan(scene_, layout_, i));
+    }
+  }
+
+  void set_shifts() {
+    for (const Support& support : scene_.supports) {
+      if (layout_.size() > 1 || share_of(support.at, layout_.ends) != 0.0) continue;
+      const auto held = view_.translations(support.held());
+      build_.chain.root.shifts =
+          build_.chain.root.shifts ||
+          std::all_of(held.begin(), held.begin() + kT, [](bool h) { return h; });
     }
   }
 
@@ -227,11 +239,17 @@ class Builder {
     spring.arm = view_.point(point.arm);
     const std::size_t beyond = point.segment + 1;
     const bool joins = beyond < layout_.size() && share == layout_.ends[beyond];
+    const double part = joins && shifts_ ? 0.5 : 1.0;
     const auto stiffness = view_.translations(six(support.stiffness, {}));
-    for (std::size_t k = 0; k < kT; ++k) spring.stiffness[k] = constant<S>(stiffness[k]);
+    for (std::size_t k = 0; k < kT; ++k) spring.stiffness[k] = constant<S>(part * stiffness[k]);
     spring.rest = undeformed_point(point);
     spring.motion = view_.point(vector(support.translation));
     build_.chain.springs.push_back(spring);
+    if (part < 1.0) {
+      spring.segment = beyond;
+      spring.arm = {};
+      build_.chain.springs.push_back(spring);
+    }
     const auto turning = view_.rotations(six({}, support.rotational_stiffness));
     if (std::none_of(turning.begin(), turning.begin() + kR, [](double k) { return k > 0.0; })) {
       return;
@@ -278,7 +296,7 @@ class Builder {
     const bool at_joint =
         beyond < layout_.size() && std::abs(share - layout_.ends[beyond]) < kSamePlace;
     const bool turns = load.moment != std::array<double, 3>{};
-    if (!at_joint || !turns) {
+    if (!at_joint || (!turns && !shifts_)) {
       add_point_load(load, history, point, 1.0);
       return;
     }
@@ -293,9 +311,14 @@ class Builder {
     };
     Load outer = load;
     outer.moment = outer_part(load.moment, share_before.turning);
+    // A force does so where the joint stretches and shears.
     outer.force = {};
+    if (shifts_) outer.force = outer_part(load.force, share_before.shifting);
     Load inner = load;
-    for (std::size_t k = 0; k < 3; ++k) inner.moment[k] -= outer.moment[k];
+    for (std::size_t k = 0; k < 3; ++k) {
+      inner.moment[k] -= outer.moment[k];
+      inner.force[k] -= outer.force[k];
+    }
     add_point_load(inner, history, point, 1.0);
     add_point_load(outer, history, {beyond, {}}, 1.0);
   }
@@ -350,6 +373,7 @@ class Builder {
   const Layout& layout_;
   View<L> view_;
   RotaryInertia rotary_;
+  bool shifts_;
   Placement<L> undeformed_;
   Build<L> build_;
   bool root_is_held_ = false;

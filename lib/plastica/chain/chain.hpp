@@ -100,6 +100,10 @@ struct Root {
   std::size_t history = 0;
   std::array<bool, 3> held{};    ///< translations that the ground holds (kTranslations used)
   std::array<bool, 3> welded{};  ///< rotations that joint 0 does not let go (kRotations used)
+  /// Whether joint 0 stretches and shears where joints do: only if it is the one joint of all and
+  /// all translations are held. Else the joints next to both ends have the ends' halves, so that
+  /// start and end are alike; and beside a free translation a shift would be the same motion twice.
+  bool shifts = false;
   std::optional<std::size_t> support{};  ///< of the scene, if one is at the start
 };
 

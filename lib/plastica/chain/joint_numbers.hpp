@@ -105,6 +105,7 @@ std::vector<SectionJoint<L>> joint_numbers(
     const std::size_t a = part_of_segment[plan.segment_a];
     const std::size_t b = part_of_segment[plan.segment_b];
     SectionJoint<L> joint;
+    joint.stretches = plan.stretches;
     joint.law = owns_joint(a, b, yield, stiffness, view) ? a : b;
     // The length of the owner's part that has the compliance of both.
     const auto in_a_row = [&](std::size_t k, const S& own, const S& of_a, const S& of_b) {

@@ -16,12 +16,13 @@ struct JointPlan {
   std::array<double, 4> before{};  ///< what of it lies in segment a, if that is not b [m]
   std::array<bool, 3> acting{};    ///< rotations of the level that the section resists
   std::array<double, 3> spring{};  ///< beside it, of a rotational spring [N m/rad]
+  bool stretches = false;          ///< where joints do: whether this one stretches and shears
   std::size_t segment_a = 0;       ///< the segments whose sections it joins
   std::size_t segment_b = 0;
 };
 
 /// The tributary lengths of the joint at the inner end of a segment.
-inline JointPlan joint_plan(const Scene& /*scene*/, const Layout& layout, std::size_t i) {
+inline JointPlan joint_plan(const Scene& scene, const Layout& layout, std::size_t i) {
   const std::size_t n = layout.size();
   const bool first = i == 1;
   const bool last = i + 1 == n;
@@ -29,6 +30,7 @@ inline JointPlan joint_plan(const Scene& /*scene*/, const Layout& layout, std::s
   joint.segment_a = i == 0 ? 0 : i - 1;
   joint.segment_b = i;
   joint.acting.fill(i > 0);
+  joint.stretches = i > 0;
   joint.length.fill(layout.joint_length[i]);
   if (i > 0) joint.before.fill(layout.length_before[i]);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -36,6 +38,14 @@ inline JointPlan joint_plan(const Scene& /*scene*/, const Layout& layout, std::s
     if (first) joint.before[k] += layout.bare_half[0][k];
     if (last) joint.length[k] += layout.bare_half[1][k];
   }
+  // The halves at both ends, which no joint at the end stretches and shears.
+  const EndRule rule = resolved_end_rule(scene);
+  const bool whole = rule == EndRule::Half || rule == EndRule::ThreeHalves;
+  if (first && !whole) {
+    joint.length[3] += 0.5 * layout.segment_length.front();
+    joint.before[3] += 0.5 * layout.segment_length.front();
+  }
+  if (last && !whole) joint.length[3] += 0.5 * layout.segment_length.back();
   return joint;
 }
 

@@ -58,6 +58,7 @@ template <class L>
 struct SectionJoint {
   using S = typename L::Scalar;
   std::size_t law = 0;     ///< which of the laws
+  bool stretches = false;  ///< where joints do: whether this one stretches and shears
   /// Tributary length l as each component of the section's strain sees it [m]: one length, but
   /// where two sections meet.
   law::SectionStrain<S> length;

@@ -49,7 +49,8 @@ inline WatchedJoint watched_joint(const Scene& scene, const chain::Layout& layou
 template <class L, bool kElastic>
 ChainBody<L, kElastic>::ChainBody(const ChainModel& of, const chain::View<L>& seen)
     : model(of), view(seen), parts(chain::part_forms(of.scene, !kOneForce<L, kElastic>)) {
-  build = chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia).build();
+  build = chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia, kElastic)
+              .build();
   work.resize(build.chain);
   record.prepare(model, view, build, parts);
   const std::size_t nodes = model.layout.size() + 1;
