@@ -93,8 +93,15 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::point_value(
   if (probe.quantity == ProbeQuantity::Rotation) return rotation(w, point.segment);
   const auto undeformed =
       model_->layout.segment_frame[point.segment] * point.arm + model_->layout.node[point.segment];
-  return in_space(w.placement.point(point.segment, view_.point(point.arm)) -
-                  view_.point(undeformed));
+  typename L::Point now = w.placement.point(point.segment, view_.point(point.arm));
+  if constexpr (kElastic) {
+    // At a joint that has stretched and sheared, the middle of the gap.
+    const std::size_t beyond = point.segment + 1;
+    const bool joins = beyond < build_->chain.size() && !w.q.open[beyond] &&
+                       segment_end_at(probe.at, model_->layout.ends) == static_cast<int>(beyond);
+    if (joins) now = constant<S>(0.5) * (now + w.placement.position[beyond]);
+  }
+  return in_space(now - view_.point(undeformed));
 }
 
 /// Velocity or spin of a point, or the momentum of all.

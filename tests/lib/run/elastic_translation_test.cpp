@@ -71,6 +71,19 @@ TEST(ElasticTranslation, StretchesABarByItsOwnWeight) {
   EXPECT_NEAR(value_of(scene) / exact, 1.0, tolerance(1e-9));
 }
 
+TEST(ElasticTranslation, MovesAPointWithinByTheMeanOfBothSidesOfItsJoint) {
+  // Half way down 3/4 of the elongation by its own weight, of order two.
+  expect_order_two(
+      [](int segments) {
+        Scene scene = cantilever_scene(segments);
+        scene.gravity = {0.0, 0.0, 1e4};
+        add_probe(scene, ProbeQuantity::Displacement, {0.5, {}}, Component::Z);
+        const double exact = scene.material.density * 1e4 / (2.0 * scene.material.youngs_modulus);
+        return value_of(scene) / (0.75 * exact) - 1.0;
+      },
+      2.0);
+}
+
 TEST(ElasticTranslation, StretchesAStretchedBarByALoadWithin) {
   // The bar is pulled up to the load alone; its joint takes both sides' forces over their lengths.
   for (const int segments : {4, 10, 13}) {
