@@ -207,7 +207,6 @@ std::optional<std::string> check_caps(const Setup& setup, const Shape& shape) {
                       shear * section.plastic_torsion_modulus}
               : Space{yield * section.section_modulus_x, yield * section.section_modulus_y,
                       shear * section.torsion_modulus};
-  // Fibres do not see torsion: it is an ideal component of its own.
   double worst = 0.0;
   for (std::size_t i = 0; i <= shape.segments(); ++i) {
     const Space moment = shape.moment(i);

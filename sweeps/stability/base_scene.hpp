@@ -29,6 +29,11 @@ struct Knobs {
   double spin = 10.0;            ///< [rad/s]
   double reversal = 50.0;        ///< steps after which a load that is reversed turns round [1]
   double scheme = 2.0;           ///< number of `Scheme`
+  double path_steps = 20.0;      ///< of a path
+  double flexibility = 10.0;     ///< P L^2/(E I) [1]
+  double critical = 0.8;         ///< load over the critical one [1]
+  double axial = 0.5;            ///< axial force over what the section carries [1]
+  double place = 0.5;            ///< where a part of another section begins, over L [1]
 };
 
 /// A run and what is known of it.
@@ -56,5 +61,6 @@ std::vector<BaseScene> twist_scenes();
 std::vector<BaseScene> planar_path_scenes();
 std::vector<BaseScene> planar_motion_scenes();
 std::vector<BaseScene> spatial_scenes();
+std::vector<BaseScene> critical_scenes();
 
 }  // namespace plastica::sweeps::stability

@@ -128,6 +128,9 @@ Verdict judge(const Setup& setup, const Response& response, const Expectation& e
     return {Inaccurate, "the ledger does not close by " + percent(response.ledger_error)};
   }
   if (const auto wrong = audit(setup, response)) return {Silent, *wrong};
+  if (expected.unstable && response.status == Status::Completed) {
+    return {Silent, "an unstable equilibrium"};
+  }
   if (expected.breaks && response.status != Status::Broken) return {Silent, "did not break"};
   if (ledger.made > kAccurate * ledger.size) {
     return missed(setup,

@@ -59,6 +59,9 @@ struct Expectation {
   /// Whether an elastic beam may lose its equilibrium: its loads are not conservative, or it snaps.
   bool may_turn = false;
   bool breaks = false;  ///< whether the run must end broken
+  /// Whether the equilibrium that an even path leads to is unstable, so that the run must not pass
+  /// it off as completed.
+  bool unstable = false;
 };
 
 /// What a reference may be missed by against the continuum, and what of the energy a scheme may

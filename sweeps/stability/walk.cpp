@@ -53,6 +53,15 @@ std::vector<Axis> make_axes() {
       {"steps", "1", &Knobs::steps, decades(1, 7)},
       {"reversal", "1", &Knobs::reversal, {1, 2, 3, 5, 10, 20}},
       {"scheme", "1", &Knobs::scheme, {0, 1, 2, 3}},
+      {"path steps", "1", &Knobs::path_steps, {1, 2, 5, 10, 50, 100}},
+      {"flexibility", "1", &Knobs::flexibility, {1, 100, 500, 1e3, 2e3, 5e3, 1e4}},
+      {"critical", "1", &Knobs::critical, {0.5, 1.1, 1.2, 1.5, 2, 3, 5}},
+      {"axial", "1", &Knobs::axial, {0, 0.1, 0.25, 0.4, 0.6, 0.75, 0.9, 0.95, 1.05, 1.5, 2}},
+      {"place",
+       "1",
+       &Knobs::place,
+       {0.0214, 0.0265, 0.1649, 0.234, 0.2449, 0.268, 0.285, 0.3413, 0.6777, 0.704, 0.7313, 0.8502,
+        0.8719, 0.9559, 0.9766, 0.9898}},
   };
 }
 
@@ -110,7 +119,7 @@ std::span<const BaseScene> base_scenes() {
   static const std::vector<BaseScene> kScenes = [] {
     std::vector<BaseScene> all;
     for (auto scenes : {coupon_scenes(), twist_scenes(), planar_path_scenes(),
-                        planar_motion_scenes(), spatial_scenes()}) {
+                        planar_motion_scenes(), spatial_scenes(), critical_scenes()}) {
       for (BaseScene& scene : scenes) all.push_back(std::move(scene));
     }
     return all;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plastica/chain/lane_fields.hpp"
-#include "plastica/law/fibre.hpp"
+#include "plastica/law/fibre_grid.hpp"
 #include "plastica/law/interaction.hpp"
 #include "plastica/solve/lane_newton.hpp"
 #include "tests/support/chain.hpp"
@@ -200,12 +200,18 @@ void fibre20(benchmark::State& state, const chain::View<L>& view, Reach reach) {
   Section section = cantilever(1, {}).section;
   section.height = 0.03;
   const auto plane = L::kRotations == 1 ? law::FibrePlane::AboutX : law::FibrePlane::Both;
-  law::FibreLayout layout;
-  bend_evenly<law::FibreSection<double, Ideal>>(
-      state, view, reach, [&](const law::SectionForm& form) {
-        layout = law::fibre_layout(section, form, plane, 20);
-        return law::fibre_section<Ideal>(layout, form, steel());
-      });
+  const auto layout = law::fibre_layout(section, section_properties(section, 0.3), plane, 20);
+  if constexpr (L::kRotations == 1) {
+    bend_evenly<law::FibreSection<double, Ideal>>(
+        state, view, reach, [&](const law::SectionForm& form) {
+          return law::fibre_section<Ideal>(layout, form, steel());
+        });
+  } else {
+    bend_evenly<law::FibreGrid<double, Ideal>>(
+        state, view, reach, [&](const law::SectionForm& form) {
+          return law::fibre_grid<Ideal>(layout, form, steel());
+        });
+  }
   state.counters["fibres"] = static_cast<double>(layout.area.size());
 }
 

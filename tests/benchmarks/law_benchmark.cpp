@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "plastica/law/fibre.hpp"
+#include "plastica/law/fibre_grid.hpp"
 #include "plastica/law/interaction.hpp"
 #include "plastica/law/per_axis.hpp"
 
@@ -114,12 +114,22 @@ void fibre(benchmark::State& state, FibrePlane plane, HardeningLaw hardening, Pa
   const Section section = section_of(SectionShape::Rectangle);
   const SectionForm form = section_form(section, section_properties(section, 0.3), material,
                                         YieldCap::FirstYield, Formulas::Mechanics);
-  const FibreLayout layout = fibre_layout(section, form, plane, fibres);
+  const FibreLayout layout = fibre_layout(section, section_properties(section, 0.3), plane, fibres);
+  const auto bend = [&](const auto& law) {
+    std::vector<typename std::remove_cvref_t<decltype(law)>::State> before(layout.states());
+    auto after = before;
+    run(state, path_of(path, form, material), [&](const auto& strain) {
+      const auto now = respond(law, before.data(), after.data(), strain);
+      std::swap(before, after);
+      return now;
+    });
+  };
   with_law_type<double>(hardening, [&]<class Law>(std::type_identity<Law>) {
-    const auto law = fibre_section<Law>(layout, form, material_values(material));
-    std::vector<typename Law::State> joint(layout.states());
-    run(state, path_of(path, form, material),
-        [&](const auto& strain) { return respond(law, joint.data(), joint.data(), strain); });
+    if (plane == FibrePlane::Both) {
+      bend(fibre_grid<Law>(layout, form, material_values(material)));
+    } else {
+      bend(fibre_section<Law>(layout, form, material_values(material)));
+    }
   });
 }
 

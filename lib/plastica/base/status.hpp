@@ -18,6 +18,8 @@ enum class Status {
   HeldTwice,         ///< a support holds a motion that is held already; nothing was computed
   Interrupted,       ///< stopped from outside (see `Workspace`); valid up to there
   NotConverged,      ///< no equilibrium was found, nor shown to be none; valid up to there
+  Unstable,          ///< went to the end over equilibria that are not stable, which a beam would
+                     ///< leave at the least push (see `Response::critical`)
 };
 
 /// One word for tables and files: "completed", "broken", …

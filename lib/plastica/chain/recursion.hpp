@@ -77,6 +77,9 @@ class Recursion {
   /// Of all eliminated freedoms, the least stiffness there was, relative to what stiffens closures;
   /// about 0: the beam can move freely.
   const S& least_pivot() const { return least_pivot_; }
+  /// Pivots of the factored tangent, inverted: recursion_pivots.hpp.
+  template <class Visit>
+  void for_each_pivot(const Chain<L>& chain, const Visit& visit) const;
   /// The force that the free translations of the root lack.
   const typename L::Point& root_balance() const { return root_balance_; }
   /// What the pieces lack: force and moment at the start of each.
@@ -211,3 +214,4 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
 
 #include "plastica/chain/recursion_ends.hpp"
 #include "plastica/chain/recursion_joint.hpp"
+#include "plastica/chain/recursion_pivots.hpp"

@@ -126,7 +126,7 @@ void walk_chain(Store& store, Chain& chain, std::size_t joints, std::size_t supp
 }
 
 template <class Store, class Response>
-void walk_outcome(Store& store, Response& response) {
+void walk_outcome(Store& store, Response& response, std::size_t joints) {
   store.word("outcome/status", response.status, status_words());
   store.number("outcome/samples", response.samples, "1");
   store.number("outcome/permanent_strain", response.permanent_strain, "1");
@@ -137,6 +137,15 @@ void walk_outcome(Store& store, Response& response) {
   store.part("limit_load", response.limit, [&](auto& limit) {
     store.number("limit_load/below", limit.below, "1");
     store.number("limit_load/above", limit.above, "1");
+  });
+  store.part("critical_points", response.critical, [&](auto& critical) {
+    store.array("critical_points/factor", critical.factor, {}, "1");
+    const std::size_t points = critical.factor.size();
+    store.array("critical_points/below", critical.below, {points}, "1");
+    store.array("critical_points/above", critical.above, {points}, "1");
+    store.array("critical_points/unstable_ways", critical.unstable_ways, {points}, "1");
+    store.array("critical_points/out_of_plane", critical.out_of_plane, {points}, "");
+    store.array("critical_points/mode", critical.mode, {points, joints, 3}, "1");
   });
   store.part("coupon_break", response.event, [&](auto& event) {
     store.number("coupon_break/sample", event.sample, "1");
@@ -196,7 +205,7 @@ void walk(Store& store, Record& record) {
   store.words("probes/energy", probes, PLASTICA_MEMBER(energy), kEnergyKinds);
   store.probe_values(record);
 
-  walk_outcome(store, record.response);
+  walk_outcome(store, record.response, record.outline.ends.size());
   walk_events(store, record.response.chain);
   walk_chain(store, record.response.chain, record.outline.ends.size(), scene.supports.size());
 }

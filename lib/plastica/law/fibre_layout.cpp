@@ -5,6 +5,10 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <vector>
+
+#include "plastica/law/shear_levers.hpp"
+#include "plastica/model/torsion.hpp"
 
 namespace plastica::law {
 namespace {
@@ -121,12 +125,13 @@ void add_layers(const Section& s, bool about_x, int intervals, FibreLayout& layo
 }
 
 /// Gauss points of a rectangle's cells, without those in the hole.
-void add_grid(const Section& s, int intervals, FibreLayout& layout) {
+/// @param quarter  whether x, y > 0 stands for all, with four times the area
+void add_grid(const Section& s, int intervals, bool quarter, FibreLayout& layout) {
   const Sides sides = sides_of(s, true);
   const std::vector<double> y = boundaries(sides.depth, sides.inner_depth, intervals);
   const std::vector<double> x = boundaries(sides.breadth, sides.inner_breadth, intervals);
-  for (std::size_t i = 0; i + 1 < y.size(); ++i) {
-    for (std::size_t j = 0; j + 1 < x.size(); ++j) {
+  for (std::size_t i = quarter ? y.size() / 2 : 0; i + 1 < y.size(); ++i) {
+    for (std::size_t j = quarter ? x.size() / 2 : 0; j + 1 < x.size(); ++j) {
       if (std::fabs(y[i] + y[i + 1]) < sides.inner_depth &&
           std::fabs(x[j] + x[j + 1]) < sides.inner_breadth) {
         continue;
@@ -135,7 +140,7 @@ void add_grid(const Section& s, int intervals, FibreLayout& layout) {
         for (const Point& side : gauss_points(strip(1.0, x[j], x[j + 1]))) {
           layout.depth.push_back(up.position);
           layout.across.push_back(side.position);
-          layout.area.push_back(up.weight * side.weight);
+          layout.area.push_back((quarter ? 4.0 : 1.0) * up.weight * side.weight);
         }
       }
     }
@@ -168,32 +173,112 @@ void add_polar(const Section& s, int intervals, FibreLayout& layout) {
       layout.depth.push_back(ring.position * std::sin(angle));
       layout.across.push_back(ring.position * std::cos(angle));
       layout.area.push_back(ring.weight / sectors);
+      layout.lever.push_back(ring.position);
     }
   }
 }
 
+/// Saint-Venant's shear per twist of each fibre of a grid [m].
+std::vector<double> elastic_shear(const Section& s, const FibreLayout& layout) {
+  std::vector<std::array<double, 2>> points;
+  for (std::size_t i = 0; i < layout.area.size(); ++i) {
+    points.push_back({layout.across[i], layout.depth[i]});
+  }
+  if (s.shape == SectionShape::RectangularTube) {
+    return box_shear({s.width, s.height, s.inner_width, s.inner_height}, points);
+  }
+  std::vector<double> shear;
+  shear.reserve(points.size());
+  for (const auto& [x, y] : points) shear.push_back(saint_venant_shear(s.width, s.height, x, y));
+  return shear;
+}
+
+void set_levers(const Section& s, const SectionProperties& p, FibreLayout& layout) {
+  layout.lever = shear_levers(layout.area, elastic_shear(s, layout),
+                              {p.torsion_constant, p.torsion_modulus, p.plastic_torsion_modulus});
+}
+
+/// lever h with h = f - c_0 - c_1 lever/longest, such that sum A lever^2 h = 0 and sum A lever h =
+/// 0.
+std::vector<double> balanced(const FibreLayout& layout, const std::vector<double>& f) {
+  const double longest = *std::max_element(layout.lever.begin(), layout.lever.end());
+  // Moments of lever/longest: `sum[k]` of its power k + 1, and `rest[k]` with f.
+  std::array<double, 3> sum{};
+  std::array<double, 2> rest{};
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    double power = layout.area[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      power *= layout.lever[i] / longest;
+      sum[k] += power;
+      if (k < 2) rest[k] += power * f[i];
+    }
+  }
+  const double det = sum[0] * sum[2] - sum[1] * sum[1];
+  // Where all levers are alike both conditions are one.
+  const bool alike = det < 1e-9 * sum[0] * sum[2];
+  const double c0 = alike ? rest[0] / sum[0] : (rest[0] * sum[2] - rest[1] * sum[1]) / det;
+  const double c1 = alike ? 0.0 : (rest[1] * sum[0] - rest[0] * sum[1]) / det;
+  std::vector<double> warp;
+  warp.reserve(f.size());
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    warp.push_back(layout.lever[i] * (f[i] - c0 - c1 * layout.lever[i] / longest));
+  }
+  return warp;
+}
+
+/// Cosine and sine of twice the angle of each fibre, seen in a section drawn to a square.
+void set_warping(const Section& s, FibreLayout& layout) {
+  const double width = is_round(s) ? 1.0 : s.width;
+  const double height = is_round(s) ? 1.0 : s.height;
+  std::vector<double> cosine;
+  std::vector<double> sine;
+  for (std::size_t i = 0; i < layout.area.size(); ++i) {
+    const double x = layout.across[i] / width;
+    const double y = layout.depth[i] / height;
+    const double square = x * x + y * y;
+    cosine.push_back((x * x - y * y) / square);
+    sine.push_back(2.0 * x * y / square);
+  }
+  layout.warp = {balanced(layout, cosine), balanced(layout, sine)};
+}
+
+/// What twists: rings of a round section, a quarter of another, by symmetry.
+void add_torsion(const Section& s, const SectionProperties& p, int intervals, FibreLayout& layout) {
+  if (is_round(s)) {
+    for (const Point& ring : rings_of(s, intervals)) {
+      layout.lever.push_back(ring.position);
+      layout.area.push_back(ring.weight);
+    }
+    return;
+  }
+  add_grid(s, intervals, true, layout);
+  set_levers(s, p, layout);
+  layout.depth.clear();
+  layout.across.clear();
+}
+
 }  // namespace
 
-FibreLayout fibre_layout(const Section& section, const SectionForm& form, FibrePlane plane,
-                         int fibres) {
+FibreLayout fibre_layout(const Section& section, const SectionProperties& properties,
+                         FibrePlane plane, int fibres) {
   const int intervals = 2 * std::max((fibres + 3) / 4, 1);
   FibreLayout layout;
   layout.plane = plane;
-  if (plane != FibrePlane::Both) {
-    add_layers(section, plane == FibrePlane::AboutX, intervals, layout);
-  } else if (is_round(section)) {
-    add_polar(section, intervals, layout);
-  } else {
-    add_grid(section, intervals, layout);
-  }
-  if (is_round(section)) {
-    for (const Point& ring : rings_of(section, intervals)) {
-      layout.ring_radius.push_back(ring.position);
-      layout.ring_area.push_back(ring.weight);
-    }
-  } else {
-    layout.ring_radius = {form.lever[kTorsion]};
-    layout.ring_area = {form.modulus[kTorsion] / form.lever[kTorsion]};
+  switch (plane) {
+    case FibrePlane::AboutX:
+    case FibrePlane::AboutY:
+      add_layers(section, plane == FibrePlane::AboutX, intervals, layout);
+      break;
+    case FibrePlane::Torsion: add_torsion(section, properties, intervals, layout); break;
+    case FibrePlane::Both:
+      if (is_round(section)) {
+        add_polar(section, intervals, layout);
+      } else {
+        add_grid(section, intervals, false, layout);
+        set_levers(section, properties, layout);
+      }
+      set_warping(section, layout);
+      break;
   }
   return layout;
 }

@@ -36,7 +36,35 @@ class QuarterSection {
         x_(graded_lines(box.inner_width / 2.0, box.width / 2.0, elements)),
         y_(graded_lines(box.inner_height / 2.0, box.height / 2.0, elements)) {}
 
-  BoxTorsion solve() const {
+  BoxTorsion torsion() const {
+    const Solution found = solve();
+    return {.constant = found.constant, .modulus = found.constant / largest_stress(found.phi)};
+  }
+
+  struct Solution {
+    Eigen::VectorXd phi;    ///< (unknowns)
+    double constant = 0.0;  ///< J [m^4]
+  };
+
+  /// Slope of phi at a point of the wall.
+  double slope_at(const Eigen::VectorXd& phi, const std::array<double, 2>& point) const {
+    const double x = std::fabs(point[0]);
+    const double y = std::fabs(point[1]);
+    const std::size_t i = interval(x_, x);
+    const std::size_t j = interval(y_, y);
+    const Element e = element(i, j);
+    const double dx = x_[i + 1] - x_[i];
+    const double dy = y_[j + 1] - y_[j];
+    const double u = (x - x_[i]) / dx;
+    const double v = (y - y_[j]) / dy;
+    std::array<double, 4> corner{};
+    for (std::size_t p = 0; p < 4; ++p) corner[p] = value(phi, e.unknown[p]);
+    const double by_x = ((corner[1] - corner[0]) * (1.0 - v) + (corner[3] - corner[2]) * v) / dx;
+    const double by_y = ((corner[2] - corner[0]) * (1.0 - u) + (corner[3] - corner[1]) * u) / dy;
+    return std::hypot(by_x, by_y);
+  }
+
+  Solution solve() const {
     const Eigen::Index n = unknowns();
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd load = Eigen::VectorXd::Zero(n);
@@ -56,10 +84,10 @@ class QuarterSection {
     if (factors.info() != Eigen::Success) {
       throw std::runtime_error("torsion of a rectangular tube: the factorization failed");
     }
-    const Eigen::VectorXd phi = factors.solve(load);
+    Solution found{factors.solve(load)};
     // J = 2 integral(phi) over the whole section, four quarters; the load is 2 integral(N_i).
-    const double J = 4.0 * load.dot(phi);
-    return {.constant = J, .modulus = J / largest_stress(phi)};
+    found.constant = 4.0 * load.dot(found.phi);
+    return found;
   }
 
  private:
@@ -70,6 +98,15 @@ class QuarterSection {
     std::array<std::array<double, 4>, 4> stiffness{};
     double load = 0.0;  ///< the same for each corner
   };
+
+  static double value(const Eigen::VectorXd& phi, Eigen::Index unknown) {
+    return unknown < 0 ? 0.0 : phi[unknown];
+  }
+
+  static std::size_t interval(const std::vector<double>& lines, double at) {
+    const auto after = std::upper_bound(lines.begin() + 1, lines.end() - 1, at);
+    return static_cast<std::size_t>(after - lines.begin()) - 1;
+  }
 
   /// Unknowns are numbered densely: 0 for the hole, then the nodes beside it (i <= n, j > n), then
   /// those beyond (i > n), without the outer lines i = 2n and j = 2n where phi = 0.
@@ -140,16 +177,28 @@ class QuarterSection {
   std::vector<double> y_;
 };
 
+/// Elements over each of hole and wall, of the coarser grid.
+constexpr int kElements = 20;
+
 double extrapolated(double coarse, double fine) { return fine + (fine - coarse) / 3.0; }
 
 }  // namespace
 
 BoxTorsion box_torsion(const BoxDimensions& box) {
-  constexpr int kElements = 20;
-  const BoxTorsion coarse = QuarterSection(box, kElements).solve();
-  const BoxTorsion fine = QuarterSection(box, 2 * kElements).solve();
+  const BoxTorsion coarse = QuarterSection(box, kElements).torsion();
+  const BoxTorsion fine = QuarterSection(box, 2 * kElements).torsion();
   return {.constant = extrapolated(coarse.constant, fine.constant),
           .modulus = extrapolated(coarse.modulus, fine.modulus)};
+}
+
+std::vector<double> box_shear(const BoxDimensions& box,
+                              const std::vector<std::array<double, 2>>& points) {
+  const QuarterSection section(box, kElements);
+  const Eigen::VectorXd phi = section.solve().phi;
+  std::vector<double> shear;
+  shear.reserve(points.size());
+  for (const auto& point : points) shear.push_back(section.slope_at(phi, point));
+  return shear;
 }
 
 BoxTorsion bredt_box(const BoxDimensions& box) {

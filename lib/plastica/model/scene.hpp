@@ -90,7 +90,7 @@ struct SolverOptions {
   /// dynamics at least 1e-11 is taken, since forces are differences of positions there; with float
   /// at least 2e-5 everywhere, after six iterations 5e-4 (170 and 4200 units of its rounding).
   double tolerance = 1e-10;
-  /// A step may turn no joint by more than this [rad], > 0; else it is cut back.
+  /// A step may turn no joint by more (statics: no segment by five times) [rad], > 0; or is cut.
   double largest_turn = 0.2;
   /// Steps are cut back to no less than this part of a recorded step, in dynamics of `time_step`
   /// [1], > 0.

@@ -71,6 +71,30 @@ double saint_venant_perimeter_stress(double ratio, bool long_side, double positi
   return (long_side ? 1.0 - stress : stress) / long_side_stress(ratio);
 }
 
+double saint_venant_shear(double width, double height, double x, double y) {
+  // phi = a^2 - s^2 - (32 a^2/pi^3) sum +-cos(n pi s/2a) cosh(n pi t/2a)/(n^3 cosh(n pi b/2a)),
+  // with s along the shorter side 2a and t along the longer one 2b.
+  const double a = 0.5 * std::min(width, height);
+  const double b = 0.5 * std::max(width, height);
+  const double s = width <= height ? x : y;
+  const double t = std::fabs(width <= height ? y : x);
+  constexpr int kMostTerms = 4001;
+  double by_s = 0.0;
+  double by_t = 0.0;
+  for (int n = 1; n <= kMostTerms; n += 2) {
+    const double k = n * pi / (2.0 * a);
+    const double left = std::exp(k * (t - b)) / (n * n);
+    if (left < 1e-10) break;
+    const double sign = (n / 2) % 2 == 0 ? 1.0 : -1.0;
+    const double mirrored = std::exp(-2.0 * k * t);
+    const double part = sign * left / (1.0 + std::exp(-2.0 * k * b));
+    by_s += part * (1.0 + mirrored) * std::sin(k * s);
+    by_t += part * (1.0 - mirrored) * std::cos(k * s);
+  }
+  const double scale = 16.0 * a / (pi * pi);
+  return std::hypot(scale * by_s - 2.0 * s, scale * by_t);
+}
+
 double sand_heap_modulus_rectangle(double width, double height) {
   const double c = std::max(width, height);
   const double s = std::min(width, height);

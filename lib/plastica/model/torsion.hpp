@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 namespace plastica {
 
 /// beta of J = beta c s^3, the torsion constant of a rectangle with sides c >= s.
@@ -26,6 +29,13 @@ double saint_venant_eta(double ratio);
 /// @param long_side  whether the point is on a long side or on a short one
 /// @param position   distance from the middle of the side over half its length [1], 0..1
 double saint_venant_perimeter_stress(double ratio, bool long_side, double position);
+
+/// Shear stress at a point of a rectangle over G theta [m], theta the twist per length: the slope
+/// of Prandtl's stress function. Within 1e-7 of the largest, but for points nearer to the end of
+/// the longer dimension than 1e-3 of the section. Source: as saint_venant_beta.
+/// @param width, height  sides in either order [m]
+/// @param x, y           from the middle, along the width and along the height [m]
+double saint_venant_shear(double width, double height, double x, double y);
 
 /// T_p/tau_y [m^3] of a rectangle: twice the volume of Nadai's sand heap, s^2 (3c - s)/6.
 /// @param width, height  sides in either order [m]
@@ -55,6 +65,14 @@ struct BoxTorsion {
 /// extrapolation; the circulation condition is the natural one of the constant over the hole.
 /// Within 0.01 % (against grids three times as fine) for walls from 1e-4 to 0.5 of a side.
 BoxTorsion box_torsion(const BoxDimensions& box);
+
+/// Shear stress over G theta [m] at points of the wall of a rectangular tube, from the
+/// finite elements of `box_torsion`, which are coarser than it (1 %, more at the sharp corners of
+/// the hole, where it is infinite).
+/// @param points  (x, y) from the middle [m]
+/// @return a number per point
+std::vector<double> box_shear(const BoxDimensions& box,
+                              const std::vector<std::array<double, 2>>& points);
 
 /// J and W_t of a rectangular tube by Bredt's thin-wall formulas on the middle lines.
 BoxTorsion bredt_box(const BoxDimensions& box);

@@ -76,6 +76,19 @@ std::string motion_line(const io::SceneRecord& record) {
   return events.empty() ? line : line + ": " + events;
 }
 
+/// "unstable: it bifurcates at factor 0.25, at factor 0.5 out of its plane".
+std::string unstable_line(const Response& response) {
+  std::string line = "unstable";
+  if (!response.critical) return line + ": the path ends at an equilibrium that is not stable";
+  const CriticalPoints& critical = *response.critical;
+  for (std::size_t i = 0; i < critical.factor.size(); ++i) {
+    line +=
+        fmt::format("{} factor {:.5g}{}", i == 0 ? ": it bifurcates at" : ", at",
+                    critical.factor[i], critical.out_of_plane[i] != 0 ? " out of its plane" : "");
+  }
+  return line;
+}
+
 }  // namespace
 
 bool is_motion(const io::SceneRecord& record) {
@@ -110,6 +123,7 @@ std::string outcome_line(const io::SceneRecord& record) {
     return fmt::format("limit load: no equilibrium beyond factor {:.5g} (none found at {:.5g})",
                        response.limit->below, response.limit->above);
   }
+  if (response.status == Status::Unstable) return unstable_line(response);
   if (response.event) {
     return fmt::format("broken at sample {}, strain {:.6g}, permanent strain {:.6g}",
                        response.event->sample, response.event->strain,

@@ -32,6 +32,24 @@ Json limit_of(const Response& response) {
   return {{"below", number(response.limit->below)}, {"above", number(response.limit->above)}};
 }
 
+Json critical_points_of(const Response& response) {
+  Json points = Json::array();
+  if (!response.critical) return points;
+  const CriticalPoints& critical = *response.critical;
+  const std::size_t count = critical.factor.size();
+  const std::size_t numbers_each = critical.mode.size() / count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto mode = std::span(critical.mode).subspan(i * numbers_each, numbers_each);
+    points.push_back({{"factor", number(critical.factor[i])},
+                      {"below", number(critical.below[i])},
+                      {"above", number(critical.above[i])},
+                      {"unstable_ways", critical.unstable_ways[i]},
+                      {"out_of_plane", critical.out_of_plane[i] != 0},
+                      {"mode", numbers(mode)}});
+  }
+  return points;
+}
+
 Json coupon_break_of(const Response& response) {
   if (!response.event) return nullptr;
   const BreakEvent& event = *response.event;
@@ -195,6 +213,7 @@ std::string scene_json(const io::SceneRecord& record) {
                     {"frames", frames_of(record)},
                     {"permanent_strain", number(response.permanent_strain)},
                     {"limit_load", limit_of(response)},
+                    {"critical_points", critical_points_of(response)},
                     {"coupon_break", coupon_break_of(response)},
                     {"events", events_of(record)},
                     {"probes", probes_of(record)},

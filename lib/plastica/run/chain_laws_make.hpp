@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "plastica/law/fibre.hpp"
+#include "plastica/law/fibre_grid.hpp"
 #include "plastica/law/per_axis.hpp"
 #include "plastica/run/chain_laws.hpp"
 #include "plastica/run/surface_law.hpp"
@@ -71,10 +71,12 @@ struct JointsMaker {
     return made;
   }
 
-  /// What a fibre section of the level bends about; a twisted one does not bend.
+  /// What a fibre section sees at the level.
   law::FibrePlane fibre_plane() const {
     if constexpr (L::kRotations == 3) {
       return law::FibrePlane::Both;
+    } else if constexpr (std::is_same_v<L, chain::Twist<S>>) {
+      return law::FibrePlane::Torsion;
     } else {
       const bool about_y = view.section_axes().rotation(0) == law::kBendingY;
       return about_y ? law::FibrePlane::AboutY : law::FibrePlane::AboutX;
@@ -85,13 +87,22 @@ struct JointsMaker {
   Made fibre() {
     auto layouts = std::make_shared<std::vector<law::FibreLayout>>();
     for (const chain::PartForm& part : parts) {
-      layouts->push_back(law::fibre_layout(*part.section, part.form, fibre_plane(), fibres));
+      layouts->push_back(law::fibre_layout(*part.section, part.properties, fibre_plane(), fibres));
     }
-    std::vector<law::FibreSection<S, Uniaxial>> laws;
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-      laws.push_back(law::fibre_section<Uniaxial>((*layouts)[p], parts[p].form, materials[p]));
+    const auto all = [&](const auto& make_law) {
+      std::vector<std::remove_cvref_t<decltype(make_law(std::size_t{}))>> laws;
+      for (std::size_t p = 0; p < parts.size(); ++p) laws.push_back(make_law(p));
+      return make(std::move(laws), layouts);
+    };
+    if constexpr (L::kRotations == 3) {
+      return all([&](std::size_t p) {
+        return law::fibre_grid<Uniaxial>((*layouts)[p], parts[p].form, materials[p]);
+      });
+    } else {
+      return all([&](std::size_t p) {
+        return law::fibre_section<Uniaxial>((*layouts)[p], parts[p].form, materials[p]);
+      });
     }
-    return make(std::move(laws), layouts);
   }
 
   /// Float has ideal plasticity alone (`check_precision`): each other law would be compiled again

@@ -103,7 +103,7 @@ class ChainRecord {
 
   /// Moment of a node's joint about its x, y, z [N m]: of its section and of a spring beside it.
   Space moment(const Joints& joints, const Work& w, std::size_t node) const;
-  /// The factor that responses show: of the first load, or motion, or of gravity.
+  /// The factor that responses show: of the first load, motion or gravity that changes in time.
   double factor_at(double time) const;
 
   /// Force and moment of a support on the beam.
@@ -235,11 +235,19 @@ std::array<double, 3> ChainRecord<L, kElastic>::permanent_angle(const Joints& jo
 template <class L, bool kElastic>
 double ChainRecord<L, kElastic>::factor_at(double time) const {
   const Scene& scene = model_->scene;
-  if (!scene.loads.empty()) return scene.loads.front().history.at(time);
+  const History* first = nullptr;
+  const History* changing = nullptr;
+  const auto take = [&](const History& history) {
+    if (first == nullptr) first = &history;
+    // Beside a dead weight that stays, a factor tells nothing of what grows.
+    if (changing == nullptr && history.factor.size() > 1) changing = &history;
+  };
+  for (const Load& load : scene.loads) take(load.history);
   for (const Support& support : scene.supports) {
-    if (support.moves()) return support.history.at(time);
+    if (support.moves()) take(support.history);
   }
-  return scene.gravity_history.at(time);
+  if (first == nullptr || scene.gravity != std::array<double, 3>{}) take(scene.gravity_history);
+  return (changing != nullptr ? changing : first)->at(time);
 }
 
 template <class L, bool kElastic>

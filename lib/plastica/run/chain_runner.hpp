@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "plastica/run/chain_body.hpp"
+#include "plastica/run/out_of_plane.hpp"
 #include "plastica/solve/path.hpp"
 
 namespace plastica {
@@ -22,8 +23,8 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   /// @return whether an equilibrium is sought at the time in `body().work`, from the unknowns there
   bool begin(const MaterialValues<double>& material, const Workspace& hooks, Response& response);
   /// See PathWalker::take.
-  bool take(bool converged, int iterations, bool factored) {
-    return walker_->take(converged, iterations, factored);
+  bool take(bool converged, int iterations, bool factored, double ways) {
+    return walker_->take(converged, iterations, factored, ways);
   }
   /// Seeks the equilibrium, and all that follow, alone.
   void walk_on();
@@ -41,10 +42,17 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   solve::Verdict judge(const Work& w, bool shortest) override;
   bool accept(const Work& w) override;
   bool record(const Work& w) override;
+  int ways_beside(const Work& w) override;
+  double log_determinant_beside(const Work& w) override;
+  void note_mode(bool out_of_plane, Work& w, std::vector<double>& mode) override;
 
   bool begin_path();
   void set_path_options();
   void note_break(const Work& w);
+  // Out of the plane of a planar chain: look_beside.hpp.
+  bool has_space_beside();
+  void see(const chain::Coordinates<L>& q, double time);
+  void look_beside(const chain::Coordinates<L>& q, double time);
 
   ChainBody<L, kElastic> body_;
   solve::PathOptions options_;
@@ -54,6 +62,14 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   MaterialValues<double> material_{};
   const Workspace* hooks_ = nullptr;  ///< while a path is walked
   std::optional<solve::PathWalker<L, kElastic>> walker_;
+  std::unique_ptr<OutOfPlane> beside_;  ///< of a planar chain, made when first asked for
+  bool asks_beside_ = false;            ///< at each step, to tell where the plane is left
+  bool leaves_plane_ = false;           ///< seen in a path that did not ask
+  bool has_yielded_ = false;
+  int ways_beside_ = 0;     ///< as known last
+  double last_time_ = 0.0;  ///< of the last step
+  MaterialValues<double> beside_material_{};
+  PlanarEquilibrium seen_;
 };
 
 // Those that lanes need, too (chain_runner_*.cpp).

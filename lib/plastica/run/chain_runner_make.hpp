@@ -6,6 +6,7 @@
 #include "plastica/run/break_policy.hpp"
 #include "plastica/run/chain_motion.hpp"
 #include "plastica/run/chain_runner.hpp"
+#include "plastica/run/look_beside.hpp"
 
 /// Defines `ChainRunner`, and which program a scene of one level has.
 namespace plastica {
@@ -65,6 +66,7 @@ bool ChainRunner<L, kElastic>::begin(const MaterialValues<double>& material, con
   hooks_ = &hooks;
   options_.newton.stop = hooks.stop;
   // Who is told of each step is told of it once.
+  asks_beside_ = static_cast<bool>(hooks.on_progress);
   body_.record.shapes_on_demand(!hooks.on_progress);
   return begin_path();
 }
@@ -77,6 +79,9 @@ bool ChainRunner<L, kElastic>::begin_path() {
   response_->samples = 0;
   response_->ledger_error = 0.0;
   response_->chain.events.clear();
+  response_->critical.reset();
+  has_yielded_ = leaves_plane_ = false;
+  ways_beside_ = 0;
   body_.record.begin_frames(*response_);
   solve::PathObserver<L, kElastic>& observer = *this;
   walker_.emplace(body_.build.chain, *body_.joints, options_, control_, body_.work, committed_,
@@ -93,12 +98,19 @@ template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::finish() {
   Response& response = *response_;
   bool cut_short = false;
+  if (response.samples > 0) look_beside(committed_, last_time_);
+  if (leaves_plane_ && !is_raised(hooks_->stop)) {
+    // The path once more, with an eye on where that begins.
+    asks_beside_ = true;
+    if (begin_path()) walk_on();
+  }
   if (body_.record.lacks_last_shape(response)) {
     // It has ended early. That is rare, and the path is the same once more.
     cut_short = is_raised(hooks_->stop);
     body_.record.shapes_on_demand(false);
     if (!cut_short && begin_path()) walk_on();
   }
+  asks_beside_ = false;
   // Without its last shape a path is not handed over as one that has come to its end.
   response.status = cut_short ? Status::Interrupted : walker_->status();
   if (!body_.record.lacks_last_shape(response)) body_.record.end_frames(response);
@@ -107,6 +119,13 @@ void ChainRunner<L, kElastic>::finish() {
   if (response.limit) {
     response.limit->below = body_.record.factor_at(response.limit->below);
     response.limit->above = body_.record.factor_at(response.limit->above);
+  }
+  if (!walker_->critical().empty()) {
+    response.critical = walker_->critical();
+    for (auto* times :
+         {&response.critical->factor, &response.critical->below, &response.critical->above}) {
+      for (double& time : *times) time = body_.record.factor_at(time);
+    }
   }
   const auto& strain = body_.strains.strain;
   response.permanent_strain = *std::max_element(strain.begin(), strain.end());
@@ -142,6 +161,8 @@ template <class L, bool kElastic>
 bool ChainRunner<L, kElastic>::accept(const Work& w) {
   body_.accept_strains();
   body_.record.add_work(w);
+  has_yielded_ = has_yielded_ || yields();
+  last_time_ = w.time;
   const bool first = response_->chain.events.empty() && body_.watch.active();
   if (first && body_.watch.excess(body_.measured(body_.strains)) > 0.0) note_break(w);
   return !hooks_->on_progress || hooks_->on_progress(w.time);
@@ -163,6 +184,8 @@ bool ChainRunner<L, kElastic>::record(const Work& w) {
   body_.record.write(w, *body_.joints, body_.strains, response_->samples, *response_);
   response_->chain.iterations[response_->samples] = walker_->counters().iterations;
   ++response_->samples;
+  if (solve::is_corner(body_.build.chain, w.time, 1e-9 * options_.stops.back()))
+    look_beside(w.q, w.time);
   return response_->samples < body_.model.samples;
 }
 

@@ -53,6 +53,7 @@ class PathLanes final : public LaneProgram {
     bool converged = false;  ///< which of both
     bool placed = false;     ///< the segments' places were read, and no more is needed
     int iteration = 0;
+    double ways = -1.0;  ///< see `PathWalker::take`
   };
 
   bool any_seeks() const {
@@ -62,6 +63,7 @@ class PathLanes final : public LaneProgram {
   bool begin(int lane, const LaneCase& one);
   void begin_seeking(int lane);
   void judge(int lane, double imbalance);
+  void count_ways();
   void take_found(int lane);
 
   /// Calls `use` with the joints of a runner as what they are.

@@ -30,6 +30,7 @@ void PathLanes<L>::run(std::span<const LaneCase> cases) {
       judge(lane, imbalance[static_cast<std::size_t>(lane)]);
       all_found = all_found && one.found;
     }
+    count_ways();
     if (!all_found) newton_->step();
     for (int lane = 0; lane < solve::kPathLanes; ++lane) {
       if (lanes_[static_cast<std::size_t>(lane)].found) take_found(lane);
@@ -150,6 +151,18 @@ void PathLanes<L>::judge(int lane, double imbalance) {
   with_joints(*one.runner, [&](auto& joints) { joints.visit_trial(trial, kVisitState); });
 }
 
+/// In all lanes, if any has found an equilibrium.
+template <class L>
+void PathLanes<L>::count_ways() {
+  const bool asked = std::any_of(lanes_.begin(), lanes_.end(), [](const Lane& lane) {
+    return lane.seeks && lane.found && lane.converged;
+  });
+  if (!asked) return;
+  std::array<double, solve::kPathLanes> ways{};
+  newton_->count_ways(ways.data());
+  for (std::size_t i = 0; i < lanes_.size(); ++i) lanes_[i].ways = ways[i];
+}
+
 template <class L>
 void PathLanes<L>::take_found(int lane) {
   Lane& one = lanes_[static_cast<std::size_t>(lane)];
@@ -162,7 +175,7 @@ void PathLanes<L>::take_found(int lane) {
     work.recursion.sum(body.build.chain, work.q, work.placement, work.stage, work.joints,
                        work.outer_forces, work.transmitted);
   }
-  const bool goes_on = one.runner->take(one.converged, one.iteration, false);
+  const bool goes_on = one.runner->take(one.converged, one.iteration, false, one.ways);
   one.seeks = false;
   if (goes_on && (any_seeks() || !waiting_.empty())) {
     one.seeks = true;

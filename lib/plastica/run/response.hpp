@@ -125,6 +125,8 @@ struct Response {
   ChainHistory chain;  ///< of a chain; empty for a coupon
   PathCounters counters;
   std::optional<LimitLoad> limit;
+  /// Of a path in statics; none where it came by no bifurcation.
+  std::optional<CriticalPoints> critical;
   /// `plastica::ledger_error` of a motion [1]; above `kLedgerTolerance` the motion is not to be
   /// trusted, whatever its status.
   double ledger_error = 0.0;

@@ -31,6 +31,9 @@ class LaneNewton {
   /// Places the chains, asks their laws and factors them.
   /// @param imbalance  relative, of each lane (kPathLanes)
   virtual void evaluate(double* imbalance) = 0;
+  /// Counts the ways in which the chains that were placed last are unstable: see `unstable_ways`.
+  /// @param ways  of each lane (kPathLanes)
+  virtual void count_ways(double* ways) = 0;
   /// Takes the step of Newton's method that follows, in all lanes.
   virtual void step() = 0;
 

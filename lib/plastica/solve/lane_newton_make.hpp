@@ -7,6 +7,7 @@
 #include "plastica/chain/lane_fields.hpp"
 #include "plastica/solve/lane_newton.hpp"
 #include "plastica/solve/newton_step.hpp"
+#include "plastica/solve/stability_count.hpp"
 
 /// Defines the iterations in lanes for the instruction set that a file is compiled for.
 namespace plastica::solve {
@@ -77,6 +78,10 @@ class LaneNewtonOf final : public LaneNewton {
     work_.recursion.factor(chain_, work_.q, work_.placement, work_.stage, work_.joints,
                            work_.outer_forces, work_.transmitted);
     detail::relative_imbalance(chain_, work_).store(imbalance);
+  }
+
+  void count_ways(double* ways) override {
+    unstable_ways(chain_, PathCondition<L>{}, false, work_).store(ways);
   }
 
   void step() override {

@@ -63,20 +63,28 @@ bool closures_meet(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& 
 }
 
 /// Places the chain, asks its laws and sums its forces at the current unknowns.
-template <class L, bool kElastic>
+/// @param factor_at  the factor of a load's history, by its number
+template <class L, bool kElastic, class FactorAt>
 void assemble(const chain::Chain<L>& chain, chain::JointLaws<L, kElastic>& laws,
-              NewtonWork<L, kElastic>& w) {
+              const FactorAt& factor_at, NewtonWork<L, kElastic>& w) {
   chain::place<kElastic>(chain, w.q, w.time, w.placement);
   for (std::size_t i = 0; i < chain.size(); ++i) w.angles[i] = w.q.angle[i];
   for (const auto& joint : chain.ground_joints) {
     w.angles[joint.joint] = chain::ground_joint_angle(chain, joint, w.placement, w.time);
   }
   laws.evaluate(w.angles, w.q.shift, w.joints);
-  chain::gather_forces(
-      chain, w.q, w.placement, w.stage, w.joints,
-      [&](std::size_t history) { return chain.histories[history].at(w.time); }, w.outer_forces);
+  chain::gather_forces(chain, w.q, w.placement, w.stage, w.joints, factor_at, w.outer_forces);
   set_closures(chain, w);
 }
+
+/// The same at the time of `w`.
+template <class L, bool kElastic>
+void assemble(const chain::Chain<L>& chain, chain::JointLaws<L, kElastic>& laws,
+              NewtonWork<L, kElastic>& w) {
+  assemble(
+      chain, laws, [&](std::size_t history) { return chain.histories[history].at(w.time); }, w);
+}
+
 /// The largest imbalance of a joint and the largest gap, relative to their scales.
 template <class L, bool kElastic>
 typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {

@@ -12,22 +12,9 @@
 #include "plastica/solve/control_point.hpp"
 #include "plastica/solve/newton.hpp"
 #include "plastica/solve/path_options.hpp"
+#include "plastica/solve/stability_count.hpp"
 
 namespace plastica::solve {
-
-/// Below this share of the first slope of time over the control point's way, and downwards, a path
-/// carries no more load.
-inline constexpr double kLimitSlope = 1e-3;
-
-/// A path whose slope falls to less than this part of the step before bends.
-inline constexpr double kBend = 0.1;
-
-/// A limit load is bracketed within this share of it.
-inline constexpr double kLimitWidth = 1e-4;
-
-/// Where nothing yields and a joint has turned further than this [rad], an arc may have come back
-/// on the path that it should follow: the beam is too coarse to show a limit.
-inline constexpr double kFarTurn = 1.2;
 
 /// Follows an equilibrium path: README.md.
 template <class L, bool kElastic>
@@ -49,7 +36,10 @@ class PathWalker {
         w_(work),
         committed_(committed),
         previous_(previous),
-        observer_(observer) {}
+        observer_(observer),
+        conservative_(is_conservative(chain)),
+        has_pillars_(std::any_of(chain.closures.begin(), chain.closures.end(),
+                                 [](const auto& closure) { return closure.one_sided; })) {}
 
   // A walk comes in pieces, cut where an equilibrium at a given time is sought, so that several
   // beams may seek theirs side by side.
@@ -63,7 +53,10 @@ class PathWalker {
 
   /// Takes what was found, which is in `work`, and goes on to the next.
   /// @param factored  whether `work` holds the tangent, too
-  bool take(bool converged, int iterations, bool factored) {
+  /// @param ways      `unstable_ways`, if that was asked for; else below 0
+  bool take(bool converged, int iterations, bool factored, double ways = -1.0) {
+    holds_tangent_ = factored;
+    found_ways_ = ways;
     const Trial trial = judge(converged, iterations, shortest_);
     factored_ = factored_ && factored;
     return go_on(trial);
@@ -82,10 +75,15 @@ class PathWalker {
   }
 
   /// How the path has ended.
-  Status status() const { return status_; }
+  Status status() const {
+    const bool at_end = status_ == Status::Completed || status_ == Status::Broken;
+    return at_end && unstable_ ? Status::Unstable : status_;
+  }
 
   const PathCounters& counters() const { return counters_; }
   const std::optional<LimitLoad>& limit() const { return limit_; }
+  /// With times in the place of factors.
+  const CriticalPoints& critical() const { return critical_; }
 
  private:
   enum class Trial {
@@ -113,6 +111,10 @@ class PathWalker {
   }
 
   void accept() {
+    if (trial_ways_ >= 0 && ways_ >= 0 && trial_ways_ != ways_) note_critical();
+    ways_ = trial_ways_;
+    // Arcs go over unstable equilibria on purpose: what counts is where they end.
+    unstable_ = ways_ > 0 || (unstable_ && options_.control != PathControl::ArcLength);
     laws_.commit();
     std::swap(previous_, committed_);
     committed_ = w_.q;
@@ -121,6 +123,7 @@ class PathWalker {
     at_ = control_.value(w_.placement);
     // Where nothing has flowed the laws are as they were in the last iteration.
     factored_ = !observer_.yields();
+    rate_before_ = time_ > previous_time_ ? turned_ / (time_ - previous_time_) : 0.0;
     ++counters_.steps;
     interrupted_ = !observer_.accept(w_);
   }
@@ -148,21 +151,28 @@ class PathWalker {
     return false;
   }
 
-  double largest_turn() const {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < chain_.size(); ++i) {
-      for (std::size_t k = 0; k < L::kRotations; ++k) {
-        const double turn = w_.q.angle[i][k] - committed_.angle[i][k];
-        largest = std::max(largest, std::fabs(turn));
-      }
-    }
-    return largest;
-  }
+  /// How the last step has turned the segments: path_continuity.hpp.
+  template <class TurnOf, class Visit>
+  void for_each_turn(const TurnOf& turn, const Visit& visit) const;
+  template <class TurnOf>
+  double size_of_turns(const TurnOf& turn) const;
+  bool turns_too_far() const;
+  double turning_rate();
+  bool points_on();
+
+  /// Whether the equilibria are stable: path_stability.hpp.
+  void factor_tangent();
+  int count_ways();
+  bool may_change_ways(bool shortest);
+  void note_critical();
 
   /// Seeks an equilibrium from the unknowns in `w_` and takes it, if it is near enough.
   template <class Condition>
   Trial attempt(const Condition& condition, bool shortest) {
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_, condition);
+    holds_tangent_ = true;
+    found_ways_ = -1.0;
+    condition_ = condition(w_);
     return judge(outcome.converged, outcome.iterations, shortest);
   }
 
@@ -179,7 +189,7 @@ class PathWalker {
     iterations_ = iterations;
     if (stopped()) return Trial::Ended;
     if (!converged) return Trial::Failed;
-    if (largest_turn() > options_.largest_turn) return Trial::Failed;
+    if (turns_too_far() || !points_on() || !may_change_ways(shortest)) return Trial::Failed;
     const double slope = watches_slope_ && observer_.yields() ? relative_slope() : 1.0;
     flat_ = slope < kLimitSlope;
     // A bend of the path is looked at closely: from far off a limit that the beam escapes by
@@ -202,6 +212,8 @@ class PathWalker {
   /// Where to seek the equilibrium at a time from.
   void aim(double time) {
     restore();
+    at_time_ = true;
+    condition_ = {};
     if (goes_on_) {
       extrapolate((time - time_) / (time_ - previous_time_));
     } else {
@@ -225,6 +237,13 @@ class PathWalker {
     solve_rates(at_time);
     detail::combine_columns(chain_, at_time, w_);
     solved_ = false;
+    rate_before_ = size_of_turns([&](std::size_t i) {
+                     typename L::Spin turn;
+                     for (std::size_t k = 0; k < L::kRotations; ++k)
+                       turn[k] = w_.columns[0].joint[i][k];
+                     return turn;
+                   }) /
+                   (time - time_);
     detail::take_step(chain_, at_time, false, w_);
   }
 
@@ -264,6 +283,7 @@ class PathWalker {
 
   /// The equilibrium without loads.
   Status find_first();
+  NewtonOutcome<S> load_gradually();
   bool begin_control();
   bool end(Status status) {
     status_ = status;
@@ -340,6 +360,18 @@ class PathWalker {
   Value secant_{};
   double secant_time_ = 0.0, secant_length_ = 1.0;
   bool has_secant_ = false;
+  bool conservative_ = true;
+  bool has_pillars_ = false;
+  CriticalPoints critical_{};
+  PathCondition<L> condition_{};  ///< of the trial
+  double found_ways_ = -1.0;      ///< see `take`
+  int ways_ = -1;                 ///< unstable ones of the last step; -1: not counted
+  int trial_ways_ = -1;
+  bool unstable_ = false;
+  bool at_time_ = false;        ///< whether the trial was sought at a given time
+  bool holds_tangent_ = false;  ///< whether `w_` holds the tangent of the trial
+  double turned_ = 0.0;         ///< by the trial, of all segments: see `size_of_turns`
+  double rate_before_ = 0.0;    ///< likewise, in a unit of time before it, or where it begins
   Value at_{};                  ///< the control point at the last step
   bool watches_slope_ = false;  ///< load control: see `attempt`
   bool flat_ = false;
@@ -350,4 +382,6 @@ class PathWalker {
 }  // namespace plastica::solve
 
 #include "plastica/solve/path_arc.hpp"
+#include "plastica/solve/path_continuity.hpp"
 #include "plastica/solve/path_load.hpp"
+#include "plastica/solve/path_stability.hpp"

@@ -91,6 +91,7 @@ typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::advance_arc() {
     const Arc arc = next_arc(arc_length_);
     const Value from = arc.from;
     const double from_time = time_;
+    at_time_ = false;
     if (has_secant_) extrapolate(arc_length_ / secant_length_);
     const bool shortest = arc_length_ <= smallest_arc_;
     const Trial trial = attempt([&](const Work& w) { return condition_of(arc, w); }, shortest);
@@ -194,7 +195,7 @@ void PathWalker<L, kElastic>::bracket_limit(double highest) {
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
     counters_.iterations += outcome.iterations;
     if (stopped()) return;
-    if (outcome.converged && largest_turn() <= options_.largest_turn) continue;
+    if (outcome.converged && !turns_too_far()) continue;
     limit.above = time;
     break;
   }
@@ -222,6 +223,7 @@ Status PathWalker<L, kElastic>::walk_displacement() {
       const double next = std::min(target, reached + step);
       const bool shortest = next - reached <= options_.smallest_step * even;
       restore();
+      at_time_ = false;
       if (goes_on_) extrapolate((next - reached) / last);
       const Trial trial = attempt(
           [&](const Work& w) {

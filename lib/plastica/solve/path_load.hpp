@@ -7,16 +7,59 @@ namespace plastica::solve {
 
 template <class L, bool kElastic>
 Status PathWalker<L, kElastic>::find_first() {
-  const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
+  auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
   counters_.iterations += outcome.iterations;
   if (stopped()) return Status::Interrupted;
+  const bool is_mechanism = !(w_.recursion.least_pivot() > kMechanism);
+  if (!is_mechanism && (!outcome.converged || turns_too_far())) {
+    // What acts at time 0 already bends the beam far.
+    outcome = load_gradually();
+    if (stopped()) return Status::Interrupted;
+  }
   if (!(w_.recursion.least_pivot() > kMechanism)) return Status::Mechanism;
   if (holds_twice()) return Status::HeldTwice;
   if (!outcome.converged) return finite(outcome) ? Status::NotConverged : Status::NonFinite;
+  at_time_ = holds_tangent_ = true;
+  trial_ways_ = count_ways();
   if (observer_.judge(w_, true) == Verdict::End) return end_broken();
   accept();
   observer_.record(w_);
   return interrupted_ ? Status::Interrupted : Status::Completed;
+}
+
+/// The first equilibrium, by steps of the loads that act at time 0 that turn no segment too far.
+template <class L, bool kElastic>
+NewtonOutcome<typename L::Scalar> PathWalker<L, kElastic>::load_gradually() {
+  NewtonOutcome<S> outcome;
+  const double most = 1.0 / 16.0;
+  double part = 0.0;
+  double step = most;
+  while (part < 1.0) {
+    const double next = std::min(1.0, part + step);
+    restore();
+    const auto factor_at = [&](std::size_t history) {
+      return next * chain_.histories[history].at(w_.time);
+    };
+    outcome = equilibrate(
+        chain_, [&](Work& w) { detail::assemble(chain_, laws_, factor_at, w); }, options_.newton,
+        w_, [](const Work&) { return PathCondition<L>{}; });
+    counters_.iterations += outcome.iterations;
+    if (stopped()) break;
+    if (outcome.converged && !turns_too_far()) {
+      part = next;
+      step = std::min(2.0 * step, most);
+      if (part < 1.0) laws_.commit();
+      committed_ = w_.q;
+      continue;
+    }
+    ++counters_.cutbacks;
+    step *= 0.5;
+    if (step < options_.smallest_step) {
+      outcome.converged = false;
+      break;
+    }
+  }
+  return outcome;
 }
 
 template <class L, bool kElastic>
@@ -73,16 +116,10 @@ bool PathWalker<L, kElastic>::go_on(Trial trial) {
   return seek();
 }
 
-/// Whether a load or motion changes its rate at a time: what comes then is no continuation.
+/// What comes after a corner of a load or motion is no continuation.
 template <class L, bool kElastic>
 bool PathWalker<L, kElastic>::is_corner(double time) const {
-  for (const History& history : chain_.histories) {
-    const auto end = history.time.end() - (history.continues ? 1 : 0);
-    for (auto corner = history.time.begin(); corner != end; ++corner) {
-      if (std::fabs(*corner - time) < 1e-9 * options_.stops.back()) return true;
-    }
-  }
-  return false;
+  return solve::is_corner(chain_, time, 1e-9 * options_.stops.back());
 }
 
 }  // namespace plastica::solve

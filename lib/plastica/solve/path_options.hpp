@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "plastica/model/rules.hpp"
@@ -8,6 +10,38 @@
 #include "plastica/solve/path_result.hpp"
 
 namespace plastica::solve {
+
+/// Below this share of the first slope of time over the control point's way, and downwards, a path
+/// carries no more load.
+inline constexpr double kLimitSlope = 1e-3;
+
+/// A path whose slope falls to less than this part of the step before bends.
+inline constexpr double kBend = 0.1;
+
+/// A limit load is bracketed within this share of it.
+inline constexpr double kLimitWidth = 1e-4;
+
+/// Where nothing yields and a joint has turned further than this [rad], an arc may have come back
+/// on the path that it should follow: the beam is too coarse to show a limit.
+inline constexpr double kFarTurn = 1.2;
+
+/// A bifurcation is bracketed within this share of the time, and then told by the determinant.
+inline constexpr double kCriticalWidth = 1e-3;
+/// As many are looked for.
+inline constexpr std::size_t kMostCritical = 16;
+
+/// A segment may turn in a step by this times what a joint may: small turns of many joints add up
+/// to another equilibrium.
+inline constexpr double kSegmentTurns = 5.0;
+
+/// A step whose turns per unit of time grow by more than this is looked at closely.
+inline constexpr double kGrowth = 2.5;
+
+/// A step that turns by more than this times what its tangents give has left the path.
+inline constexpr double kJump = 3.0;
+
+/// Turns below this tell nothing of the path [rad].
+inline constexpr double kNoTurn = 1e-6;
 
 /// How a path is to be followed.
 struct PathOptions {
@@ -23,6 +57,18 @@ struct PathOptions {
   /// Displacement control: where the control point is taken, from where it starts.
   std::array<double, 3> control_motion{};
 };
+
+/// Whether a load or motion changes its rate at a time.
+template <class L>
+bool is_corner(const chain::Chain<L>& chain, double time, double tolerance) {
+  for (const History& history : chain.histories) {
+    const auto end = history.time.end() - (history.continues ? 1 : 0);
+    for (auto corner = history.time.begin(); corner != end; ++corner) {
+      if (std::fabs(*corner - time) < tolerance) return true;
+    }
+  }
+  return false;
+}
 
 /// What an observer says of a converged step.
 enum class Verdict {
@@ -43,6 +89,13 @@ class PathObserver {
   /// After a step was accepted and its state committed.
   /// @return whether to go on; if not, the path is interrupted
   virtual bool accept(const NewtonWork<L, kElastic>& w) = 0;
+  /// Unstable ways that the chain itself does not have: out of its plane.
+  virtual int ways_beside(const NewtonWork<L, kElastic>& /*w*/) { return 0; }
+  /// Of their determinant; see `log_determinant`.
+  virtual double log_determinant_beside(const NewtonWork<L, kElastic>& /*w*/) { return 0.0; }
+  /// Keeps the mode of a bifurcation just beyond the equilibrium in `w`, which holds the tangent.
+  virtual void note_mode(bool /*out_of_plane*/, NewtonWork<L, kElastic>& /*w*/,
+                         std::vector<double>& /*mode*/) {}
   /// @return whether there is room for more
   virtual bool record(const NewtonWork<L, kElastic>& w) = 0;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 namespace plastica {
 
 /// How a path was walked.
@@ -13,6 +15,21 @@ struct PathCounters {
 struct LimitLoad {
   double below = 0.0;  ///< equilibrium was found here
   double above = 0.0;  ///< and none here
+};
+
+/// The bifurcations that a path has come by, in the order of time: where the number of ways in
+/// which the equilibrium would be left at the least push changes, while the path goes on (at a
+/// limit load it does not).
+struct CriticalPoints {
+  std::vector<double> factor;      ///< of the first load's history [1] (n)
+  std::vector<double> below;       ///< the factors that it lies between [1] (n)
+  std::vector<double> above;       ///< (n)
+  std::vector<int> unstable_ways;  ///< beyond it; 0: stable (n)
+  std::vector<int> out_of_plane;   ///< 1: it leaves the plane of a planar level (n)
+  /// Translations of the joints in the mode, world axes, the largest being 1 (n x n_joints x 3).
+  std::vector<double> mode;
+
+  bool empty() const { return factor.empty(); }
 };
 
 }  // namespace plastica

@@ -139,6 +139,18 @@ TEST(SceneWarnings, TakeALoadBackThatGrowsForOneThatDoesNotLetGo) {
   EXPECT_TRUE(with(History::turning_points({1.0, -2.0})));
 }
 
+TEST(SceneWarnings, SayThatPerAxisCapsLeaveOutTorsionBesideBending) {
+  const auto of = [](YieldModel model, double torque) {
+    return warnings_of([&](Scene& s) {
+      s.yield_model = model;
+      s.loads[0].moment = {0.0, 0.0, torque};
+    });
+  };
+  EXPECT_TRUE(has(of(YieldModel::PerAxis, 1.0), "bending and torsion"));
+  EXPECT_FALSE(has(of(YieldModel::PerAxis, 0.0), "bending and torsion"));
+  EXPECT_FALSE(has(of(YieldModel::Interaction, 1.0), "bending and torsion"));
+}
+
 TEST(SceneWarnings, SayHowFarPerAxisCapsExceedTheSection) {
   const auto skew = [](SectionShape shape, YieldCap cap) {
     return [=](Scene& s) {

@@ -30,6 +30,47 @@ TEST(Torsion, StripHasOneThirdOfItsLength) {
   EXPECT_NEAR(saint_venant_alpha(1e6), 1.0 / 3.0, 1e-6);
 }
 
+TEST(Torsion, ShearOfARectangleIsLargestInTheMiddleOfItsLongSides) {
+  for (const double ratio : {1.0, 1.5, 3.0, 10.0}) {
+    SCOPED_TRACE(ratio);
+    const double largest = saint_venant_beta(ratio) / saint_venant_alpha(ratio);
+    EXPECT_NEAR(saint_venant_shear(1.0, ratio, 0.5, 0.0), largest, 1e-6);
+    EXPECT_NEAR(saint_venant_shear(ratio, 1.0, 0.0, -0.5), largest, 1e-6);
+    EXPECT_NEAR(saint_venant_shear(1.0, ratio, 0.0, 0.0), 0.0, 1e-12);
+    // In the middle of the short sides, eta times that.
+    EXPECT_NEAR(saint_venant_shear(1.0, ratio, 0.0, 0.5 * ratio), largest * saint_venant_eta(ratio),
+                1e-3 * largest);
+  }
+}
+
+TEST(Torsion, ShearOfARectangleStoresTheEnergyOfItsTorsionConstant) {
+  // J theta^2 = integral of the squared shear (midpoints, second order).
+  const double ratio = 1.5;
+  constexpr int kPoints = 100;
+  double sum = 0.0;
+  for (int i = 0; i < kPoints; ++i) {
+    for (int j = 0; j < kPoints; ++j) {
+      const double shear = saint_venant_shear(1.0, ratio, (i + 0.5) / kPoints - 0.5,
+                                              ratio * ((j + 0.5) / kPoints - 0.5));
+      sum += shear * shear * ratio / (kPoints * kPoints);
+    }
+  }
+  EXPECT_NEAR(sum, saint_venant_beta(ratio) * ratio, 1e-4);
+}
+
+TEST(BoxTorsion, ShearOfAThinWallIsBredts) {
+  // Flow 2 A_m/(circumference/t) over the wall of each side; through the wall it changes by 2 t.
+  // Bredt's is off by wall over side.
+  const BoxDimensions box{1.0, 0.6, 0.98, 0.57};
+  const double side = 0.99 * 0.585;
+  const double flow = 2.0 * side / (2.0 * 0.99 / 0.015 + 2.0 * 0.585 / 0.01);
+  const auto shear = box_shear(box, {{0.3, 0.2925}, {-0.3, -0.2925}, {0.495, 0.1}, {-0.495, 0.1}});
+  EXPECT_NEAR(shear[0], flow / 0.015, 0.02 * flow / 0.015);
+  EXPECT_NEAR(shear[2], flow / 0.01, 0.02 * flow / 0.01);
+  EXPECT_EQ(shear[0], shear[1]);
+  EXPECT_EQ(shear[2], shear[3]);
+}
+
 TEST(BoxTorsion, ThinWallTendsToBredt) {
   for (const double wall : {1e-2, 1e-3, 1e-4}) {
     SCOPED_TRACE(wall);

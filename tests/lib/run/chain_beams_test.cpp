@@ -87,6 +87,21 @@ TEST(ChainBeams, YieldFirstWhereAPartIsWeak) {
   EXPECT_NEAR(response.limit->below, 0.4, tolerance(2e-4));
 }
 
+TEST(ChainBeams, SayALimitAsTheFactorOfWhatGrowsBesideADeadLoad) {
+  // A tip force that is there from the first, a moment that grows to twice what then yields.
+  Scene scene = cantilever_scene(20);
+  scene.material.youngs_modulus *= 1e3;
+  scene.yield_model = YieldModel::PerAxis;
+  const double moment = testing::yield_moment_of(scene);
+  scene.loads.push_back({.force = {0.0, -0.25 * moment, 0.0}, .history = History::constant()});
+  scene.loads.push_back({.moment = {1.5 * moment, 0.0, 0.0}});
+  const Response response = simulate(scene);
+  ASSERT_EQ(response.status, Status::LimitLoad);
+  EXPECT_NEAR(response.limit->below, 0.5, tolerance(2e-4));
+  EXPECT_NEAR(response.chain.factor[response.samples - 1],
+              response.chain.time[response.samples - 1], 1e-12);
+}
+
 /// Segments whose lengths grow evenly to three times the first.
 std::vector<double> growing(int segments) {
   std::vector<double> shares;

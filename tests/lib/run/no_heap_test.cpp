@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "plastica/law/fibre.hpp"
+#include "plastica/law/fibre_grid.hpp"
 #include "plastica/law/interaction.hpp"
 #include "plastica/law/per_axis.hpp"
 #include "tests/lib/law/gauge_of.hpp"
@@ -164,16 +164,19 @@ TEST(Heap, IsNotUsedBySectionLaws) {
     const auto yield = law::testing::yield_strain(form, material);
     const law::SectionStrain<double> strain{
         {2.0 * yield[0], -yield[1], 1.5 * yield[2], 0.3 * yield[3]}};
-    const auto layout = law::fibre_layout(surface.section, form, law::FibrePlane::Both, 8);
-    const auto fibres = law::fibre_section<Law>(layout, form, values);
-    std::vector<Law::State> states(layout.states());
+    const auto layout = law::fibre_layout(surface.section, section_properties(surface.section, 0.3),
+                                          law::FibrePlane::Both, 8);
+    const auto fibres = law::fibre_grid<Law>(layout, form, values);
+    using Fibres = law::FibreGrid<double, Law>;
+    const std::vector<Fibres::State> virgin(layout.states());
+    std::vector<Fibres::State> states(layout.states());
     const auto per_axis = law::per_axis_section<Law>(form, values);
     law::PerAxisSection<double, Law>::State on_axis;
     law::with_gauge<double>(law::testing::gauge_form_of(surface), [&](const auto& gauge) {
       const auto interaction = law::interaction_section<Law>(form, gauge, values);
       typename std::remove_cvref_t<decltype(interaction)>::State together;
       const std::size_t before = allocations;
-      double work = respond(fibres, states.data(), states.data(), strain).plastic_work;
+      double work = respond(fibres, virgin.data(), states.data(), strain).plastic_work;
       work += respond(per_axis, on_axis, on_axis, strain).plastic_work;
       work += respond(interaction, together, together, strain).plastic_work;
       EXPECT_EQ(allocations, before);

@@ -89,7 +89,8 @@ TEST(Path, PassesTheLimitPointsOfASnappingArch) {
   options.control = PathControl::ArcLength;
   options.steps = 60;
   const Response response = simulate(scene, options);
-  EXPECT_TRUE(usable(response.status)) << name_of(response.status);
+  // It comes to the load asked for on its way back, where no arch would stay.
+  EXPECT_EQ(response.status, Status::Unstable) << name_of(response.status);
   const auto& factor = response.probes[1];
   const auto end = factor.begin() + static_cast<std::ptrdiff_t>(response.samples);
   // Up to the top, down by a third at least, and up again beyond the first top.

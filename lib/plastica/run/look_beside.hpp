@@ -1,0 +1,107 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "plastica/run/chain_runner.hpp"
+#include "plastica/solve/buckling_mode.hpp"
+
+/// What a planar chain's runner asks of the space around it, and the modes of its bifurcations.
+namespace plastica {
+namespace detail {
+
+template <class V>
+std::array<double, 3> doubles(const V& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
+
+/// A planar chain's unknowns as space sees them.
+template <class L>
+void see_in_space(const chain::Chain<L>& chain, const chain::View<L>& view,
+                  const chain::Coordinates<L>& q, double time,
+                  const std::vector<mask_t<typename L::Scalar>>& closed, PlanarEquilibrium& at) {
+  at.time = time;
+  at.angle.clear();
+  at.shift.clear();
+  at.held.clear();
+  for (const auto& angle : q.angle) at.angle.push_back(doubles(view.spin_in_space(angle)));
+  for (const auto& shift : q.shift) at.shift.push_back(doubles(view.point_in_space(shift)));
+  at.root = doubles(view.point_in_space(q.root));
+  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+    const auto& closure = chain.closures[k];
+    at.held.push_back({closure.support, doubles(view.point_in_space(closure.direction)),
+                       doubles(view.spin_in_space(closure.axis)),
+                       static_cast<double>(q.multiplier[k]), closed[k]});
+  }
+}
+
+}  // namespace detail
+
+template <class L, bool kElastic>
+bool ChainRunner<L, kElastic>::has_space_beside() {
+  if constexpr (L::kTranslations != 2) {
+    return false;
+  } else {
+    if (!beside_ || beside_material_ != material_) {
+      beside_ = make_out_of_plane(body_.model, material_);
+      beside_material_ = material_;
+    }
+    return beside_->applies();
+  }
+}
+
+template <class L, bool kElastic>
+void ChainRunner<L, kElastic>::see(const chain::Coordinates<L>& q, double time) {
+  detail::see_in_space(body_.build.chain, body_.view, q, time, body_.work.closed, seen_);
+}
+
+/// Looks whether the plane is left at an equilibrium. What has yielded has no elastic tangent.
+template <class L, bool kElastic>
+void ChainRunner<L, kElastic>::look_beside(const chain::Coordinates<L>& q, double time) {
+  if constexpr (L::kTranslations == 2) {
+    if (asks_beside_ || leaves_plane_ || has_yielded_ || !has_space_beside()) return;
+    see(q, time);
+    leaves_plane_ = beside_->ways(seen_) > 0;
+  }
+}
+
+template <class L, bool kElastic>
+int ChainRunner<L, kElastic>::ways_beside(const Work& w) {
+  if constexpr (L::kTranslations == 2) {
+    // Once it has yielded, what was known stays.
+    if (!asks_beside_ || has_yielded_ || yields() || !has_space_beside()) return ways_beside_;
+    see(w.q, w.time);
+    ways_beside_ = beside_->ways(seen_);
+    return ways_beside_;
+  } else {
+    return 0;
+  }
+}
+
+template <class L, bool kElastic>
+double ChainRunner<L, kElastic>::log_determinant_beside(const Work& w) {
+  if constexpr (L::kTranslations == 2) {
+    if (!asks_beside_ || has_yielded_ || yields() || !has_space_beside()) return 0.0;
+    see(w.q, w.time);
+    return beside_->log_determinant(seen_);
+  } else {
+    return 0.0;
+  }
+}
+
+template <class L, bool kElastic>
+void ChainRunner<L, kElastic>::note_mode(bool out_of_plane, Work& w, std::vector<double>& mode) {
+  if constexpr (L::kTranslations == 2) {
+    if (out_of_plane) {
+      see(w.q, w.time);
+      beside_->add_mode(seen_, mode);
+      return;
+    }
+  }
+  for (const auto& way : solve::buckling_mode(body_.build.chain, w)) {
+    const auto in_space = detail::doubles(body_.view.point_in_space(way));
+    mode.insert(mode.end(), in_space.begin(), in_space.end());
+  }
+}
+
+}  // namespace plastica

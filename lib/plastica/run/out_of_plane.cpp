@@ -1,0 +1,181 @@
+#include "plastica/run/out_of_plane.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plastica/chain/build.hpp"
+#include "plastica/run/chain_laws.hpp"
+#include "plastica/solve/buckling_mode.hpp"
+#include "plastica/solve/newton.hpp"
+#include "plastica/solve/stability_count.hpp"
+
+namespace plastica {
+namespace {
+
+using chain::Spatial;
+
+/// Relative stiffness below which supports leave the beam free; as of paths.
+constexpr double kFree = 1e-11;
+
+template <bool kElastic>
+class SpatialTangent final : public OutOfPlane {
+ public:
+  using L = Spatial<double>;
+
+  SpatialTangent(const ChainModel& model, const MaterialValues<double>& material)
+      : scene_(model.scene), normal_(1 - model.across) {
+    scene_.yield_model = YieldModel::Elastic;
+    build_ = chain::Builder<L>(scene_, model.layout, view_, model.options.rotary_inertia, kElastic)
+                 .build();
+    set_joints(model, material);
+    work_.resize(build_.chain);
+    conservative_ = solve::is_conservative(build_.chain);
+    applies_ = holds_at_rest();
+    if (!applies_) {
+      // A start that is held in the plane alone is taken as held against twist, as by a fork.
+      build_.chain.root.welded[2] = true;
+      applies_ = holds_at_rest();
+    }
+  }
+
+  bool applies() const override { return applies_; }
+
+  int ways(const PlanarEquilibrium& at) override {
+    factor(at);
+    int count = 0;
+    for_each_pivot([&](double pivot) { count += pivot < 0.0 ? 1 : 0; });
+    for (std::size_t k = 0; k < build_.chain.closures.size(); ++k) {
+      if (work_.closed[k] && leaves_plane(build_.chain.closures[k])) --count;
+    }
+    return conservative_ ? count : std::abs(count) % 2;
+  }
+
+  double log_determinant(const PlanarEquilibrium& at) override {
+    factor(at);
+    double sum = 0.0;
+    std::size_t visited = 0;
+    const std::size_t of_joints = joint_pivots();
+    for_each_pivot([&](double pivot) {
+      const double size = pivot < 0.0 || pivot > 0.0 ? std::log(std::fabs(pivot)) : 0.0;
+      // Those of the joints are pivots of inverses.
+      sum += visited++ < of_joints ? -size : size;
+    });
+    return sum;
+  }
+
+  void add_mode(const PlanarEquilibrium& at, std::vector<double>& mode) override {
+    factor(at);
+    for (const auto& way : solve::buckling_mode(build_.chain, work_)) {
+      mode.insert(mode.end(), way.at.begin(), way.at.end());
+    }
+  }
+
+ private:
+  static constexpr std::size_t kJ = chain::kFreedoms<L, kElastic>;
+
+  void set_joints(const ChainModel& model, const MaterialValues<double>& material) {
+    const auto parts = chain::part_forms(scene_, !kOneForce<L, kElastic>);
+    std::vector<MaterialValues<double>> materials;
+    materials.reserve(parts.size());
+    for (const auto& part : parts) materials.push_back(material_values(*part.material));
+    materials[0] = material;
+    joints_ = make_joints<L, kElastic>(
+        scene_, parts, materials,
+        chain::joint_numbers(model.part_of_segment, build_.joints, parts, materials, view_), view_,
+        model.options.fibres);
+    double bending = 0.0;
+    for (const auto& joint : joints_->joints()) {
+      for (std::size_t k = 0; k < 3; ++k) bending = std::max(bending, joint.stiffness[k]);
+    }
+    const double length = build_.chain.length;
+    build_.chain.closure_stiffness = 100.0 * bending / (length * length * length);
+    build_.chain.closure_turning_stiffness = 100.0 * bending / length;
+  }
+
+  bool holds_at_rest() {
+    work_.time = 0.0;
+    solve::detail::assemble(
+        build_.chain, *joints_, [](std::size_t /*history*/) { return 0.0; }, work_);
+    factor_assembled();
+    return work_.recursion.least_pivot() > kFree;
+  }
+
+  void factor(const PlanarEquilibrium& at) {
+    work_.time = at.time;
+    for (std::size_t i = 0; i < at.angle.size(); ++i) {
+      work_.q.angle[i].at = at.angle[i];
+      if (!at.shift.empty()) work_.q.shift[i].at = at.shift[i];
+    }
+    work_.q.root.at = at.root;
+    auto& closures = build_.chain.closures;
+    for (std::size_t k = 0; k < closures.size(); ++k) {
+      work_.q.multiplier[k] = 0.0;
+      for (const PlanarEquilibrium::Held& held : at.held) {
+        const bool same = held.support == closures[k].support &&
+                          held.direction == closures[k].direction.at &&
+                          held.axis == closures[k].axis.at;
+        if (!same) continue;
+        work_.q.multiplier[k] = held.multiplier;
+        work_.q.released_closure[k] = !held.closed;
+      }
+      work_.closed[k] = !work_.q.released_closure[k];
+    }
+    solve::detail::assemble(build_.chain, *joints_, work_);
+    factor_assembled();
+  }
+
+  void factor_assembled() {
+    work_.recursion.factor(build_.chain, work_.q, work_.placement, work_.stage, work_.joints,
+                           work_.outer_forces, work_.transmitted);
+  }
+
+  /// Whether a closure holds a motion out of the plane.
+  bool leaves_plane(const chain::Closure<L>& closure) const {
+    if (closure.turning) return std::fabs(closure.axis[normal_]) < 0.5;
+    return std::fabs(closure.direction[normal_]) > 0.5;
+  }
+
+  /// Joint freedoms and translations of the start out of the plane, all but those that are held.
+  std::size_t joint_pivots() const { return build_.chain.size() * (kElastic ? 3 : 2) + 1; }
+
+  /// Visits the pivots of the freedoms out of the plane: in joints, the spins about the axes that
+  /// lie in it, and the shift along its normal.
+  template <class Visit>
+  void for_each_pivot(const Visit& visit) {
+    std::size_t index = 0;
+    const std::size_t joints = build_.chain.size() * kJ;
+    work_.recursion.for_each_pivot(build_.chain, [&](double pivot) {
+      const std::size_t k = index < joints ? index % kJ : index - joints;
+      const bool spin = index < joints && k < 3;
+      const std::size_t axis = spin || index >= joints ? k : k - 3;
+      ++index;
+      if (spin == (axis != normal_)) visit(pivot);
+    });
+    std::size_t closure = 0;
+    const solve::PathCondition<L> at_time;
+    solve::detail::for_each_closure_pivot(build_.chain, at_time, false, work_, [&](double pivot) {
+      if (leaves_plane(build_.chain.closures[closure++])) visit(pivot);
+    });
+  }
+
+  Scene scene_;
+  chain::View<L> view_{};
+  std::size_t normal_;
+  chain::Build<L> build_;
+  std::unique_ptr<chain::SectionJointsBase<L, kElastic>> joints_;
+  solve::NewtonWork<L, kElastic> work_;
+  bool conservative_ = true;
+  bool applies_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<OutOfPlane> make_out_of_plane(const ChainModel& model,
+                                              const MaterialValues<double>& material) {
+  if (model.options.translation == JointTranslation::Elastic) {
+    return std::make_unique<SpatialTangent<true>>(model, material);
+  }
+  return std::make_unique<SpatialTangent<false>>(model, material);
+}
+
+}  // namespace plastica

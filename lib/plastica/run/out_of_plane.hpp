@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "plastica/model/material_field.hpp"
+#include "plastica/run/chain_model.hpp"
+
+namespace plastica {
+
+/// An equilibrium of a planar chain, as space sees it.
+struct PlanarEquilibrium {
+  struct Held {
+    std::size_t support = 0;
+    std::array<double, 3> direction{};  ///< zero where it holds a rotation
+    std::array<double, 3> axis{};
+    double multiplier = 0.0;
+    bool closed = true;
+  };
+  double time = 0.0;
+  std::vector<std::array<double, 3>> angle;  ///< rotation vectors of the joints (N)
+  std::vector<std::array<double, 3>> shift;  ///< of elastic joints, in their axes (N), or empty
+  std::array<double, 3> root{};              ///< free translation of the start [m]
+  std::vector<Held> held;                    ///< closures
+};
+
+/// Whether a planar chain would leave its plane: the elastic spatial tangent about its equilibria,
+/// of which only the freedoms out of the plane are looked at; at a planar state they go with
+/// none of the others. README.md, Stability.
+class OutOfPlane {
+ public:
+  virtual ~OutOfPlane() = default;
+  /// Whether the supports hold the beam out of its plane at all.
+  virtual bool applies() const = 0;
+  /// In how many ways the plane would be left.
+  virtual int ways(const PlanarEquilibrium& at) = 0;
+  /// Logarithm of the determinant that changes its sign with them, up to a constant.
+  virtual double log_determinant(const PlanarEquilibrium& at) = 0;
+  /// Appends the mode in which it would be left just there: translations of the joints, the
+  /// largest being 1 (n_joints x 3).
+  virtual void add_mode(const PlanarEquilibrium& at, std::vector<double>& mode) = 0;
+};
+
+/// @param model     of a planar level, which outlives what is made
+/// @param material  of the scene's own part
+std::unique_ptr<OutOfPlane> make_out_of_plane(const ChainModel& model,
+                                              const MaterialValues<double>& material);
+
+}  // namespace plastica

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "plastica/solve/path.hpp"
+#include "plastica/solve/stability_count.hpp"
+
+/// Where a path loses its stability: README.md, Stability.
+namespace plastica::solve {
+
+template <class L, bool kElastic>
+void PathWalker<L, kElastic>::factor_tangent() {
+  detail::assemble(chain_, laws_, w_);
+  if (condition_.active) detail::stiffen_condition(chain_, condition_, w_);
+  w_.recursion.factor(chain_, w_.q, w_.placement, w_.stage, w_.joints, w_.outer_forces,
+                      w_.transmitted);
+}
+
+/// The unstable ways of the trial; -1 where they are not asked for.
+template <class L, bool kElastic>
+int PathWalker<L, kElastic>::count_ways() {
+  if constexpr (L::kTranslations == 0) return 0;  // the joints' own stiffness is all there is
+  double count = found_ways_;
+  found_ways_ = -1.0;
+  if (!at_time_ && options_.control != PathControl::Displacement) return -1;
+  if (!(count >= 0.0)) {
+    if (!holds_tangent_) factor_tangent();
+    holds_tangent_ = true;
+    const bool holds = options_.control == PathControl::Displacement;
+    count = static_cast<double>(unstable_ways(chain_, condition_, holds, w_));
+  }
+  if (!conservative_) return std::abs(static_cast<int>(count)) % 2;
+  return static_cast<int>(count) + observer_.ways_beside(w_);
+}
+
+/// Whether a step that changes the number of unstable ways is short enough to be taken.
+template <class L, bool kElastic>
+bool PathWalker<L, kElastic>::may_change_ways(bool shortest) {
+  trial_ways_ = count_ways();
+  if (trial_ways_ == ways_ || trial_ways_ < 0 || ways_ < 0 || shortest) return true;
+  if (critical_.factor.size() >= kMostCritical) return true;
+  return std::fabs(w_.time - time_) <= kCriticalWidth * std::fabs(w_.time);
+}
+
+/// Notes the time at which the determinant is zero in a step that changes the unstable ways: it
+/// goes along a straight line in so short a step.
+template <class L, bool kElastic>
+void PathWalker<L, kElastic>::note_critical() {
+  if (critical_.factor.size() >= kMostCritical) return;
+  const bool holds = options_.control == PathControl::Displacement;
+  const auto logarithm = [&] {
+    return log_determinant(chain_, condition_, holds, w_) + observer_.log_determinant_beside(w_);
+  };
+  if (!holds_tangent_) factor_tangent();
+  const double end = logarithm();
+  const int beside = observer_.ways_beside(w_);
+  const double trial_time = w_.time;
+  previous_ = w_.q;  // which accepting drops
+  restore();
+  factor_tangent();
+  const double begin = logarithm();
+  const bool out_of_plane = observer_.ways_beside(w_) != beside;
+  // As many factors of the determinant as ways change their signs, at one place.
+  const double changes = std::abs(trial_ways_ - ways_);
+  const double share = 1.0 / (1.0 + std::exp((end - begin) / changes));
+  critical_.below.push_back(std::min(time_, trial_time));
+  critical_.above.push_back(std::max(time_, trial_time));
+  critical_.factor.push_back(time_ + share * (trial_time - time_));
+  critical_.unstable_ways.push_back(trial_ways_);
+  critical_.out_of_plane.push_back(out_of_plane ? 1 : 0);
+  observer_.note_mode(out_of_plane, w_, critical_.mode);
+  w_.q = previous_;
+  w_.time = trial_time;
+  factor_tangent();
+  holds_tangent_ = true;
+}
+
+}  // namespace plastica::solve
