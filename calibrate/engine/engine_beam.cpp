@@ -43,7 +43,7 @@ class BeamReader {
     beam_.formulas = scene.formulas;
     beam_.yield_model = scene.yield_model;
     beam_.yield_cap = scene.yield_cap;
-    beam_.hinge_length = body_.watch.hinge_length();
+    beam_.hinge_length = body_.watch.hinge_length(0);
     beam_.break_length = break_length();
     beam_.breaks = body_.watch.active() && scene.yield_model != YieldModel::Elastic;
     add_parts();
@@ -104,7 +104,7 @@ class BeamReader {
     } else {
       joint.holds = root.held;
     }
-    set_law(body_.joints->joints()[i], body_.build.joints[i].length, i, joint);
+    set_law(body_.joints->joints()[i], body_.build.joints[i].length[0], i, joint);
     for (std::size_t k = 0; k < 3; ++k) {
       if (i == 0 && root.welded[k]) joint.turning[k] = JointHold::Rigid;
     }
@@ -147,8 +147,7 @@ class BeamReader {
       half.half_joint = true;
       half.child = ground.segment;
       half.axes = axes_of(ground.ground.axes);
-      const std::size_t node = ground.segment + (is_first ? 1 : 0);
-      set_law(body_.joints->joints()[ground.joint], plan.length, node, half);
+      set_law(body_.joints->joints()[ground.joint], plan.length[0], ground.node, half);
       beam_.joints.push_back(std::move(half));
       is_first = false;
     }
@@ -191,15 +190,13 @@ class BeamReader {
         joint.hardened_stiffness[k] = joint.stiffness[k] * uniaxial.plastic_modulus /
                                       (uniaxial.stiffness + uniaxial.plastic_modulus);
       }
-      if (beam_.breaks) joint.break_angle[k] = break_angle(node, k);
+      if (beam_.breaks) joint.break_angle[k] = break_angle(part, node, k);
     }
   }
 
   /// The permanent angle of one joint about one axis, all others straight, at which it breaks.
-  double break_angle(std::size_t node, std::size_t axis) const {
-    const std::size_t segment = std::min(node, model_.layout.size() - 1);
-    const chain::PartForm& part = body_.parts[model_.part_of_segment[segment]];
-    const double limit = detail::watched_joint(model_.scene, model_.layout, part, node).limit[axis];
+  double break_angle(const chain::PartForm& part, std::size_t node, std::size_t axis) const {
+    const double limit = detail::break_limits(model_.scene, part)[axis];
     if (!std::isfinite(limit)) return kNever;
     const auto strain = [&](double angle) {
       JointAngles alone{};

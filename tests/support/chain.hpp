@@ -41,8 +41,7 @@ struct SolvedChain {
     build = chain::Builder<L>(scene, layout, view).build();
     const std::vector<std::size_t> part_of_segment(layout.size(), 0);
     const std::vector<MaterialValues<S>> materials{material};
-    auto numbers =
-        chain::joint_numbers(layout, part_of_segment, build.joints, parts, materials, view);
+    auto numbers = chain::joint_numbers(part_of_segment, build.joints, parts, materials, view);
     const S stiffness = numbers[0].stiffness[0];
     const S length = constant<S>(scene.beam.length);
     build.chain.closure_stiffness = constant<S>(100) * stiffness / (length * length * length);

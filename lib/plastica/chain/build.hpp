@@ -8,21 +8,13 @@
 #include <vector>
 
 #include "plastica/chain/inertia.hpp"
+#include "plastica/chain/joint_plan.hpp"
 #include "plastica/chain/layout.hpp"
 #include "plastica/chain/placement.hpp"
 #include "plastica/chain/view.hpp"
 #include "plastica/model/beam_axis.hpp"
 
 namespace plastica::chain {
-
-/// What a joint stands for; its law and numbers follow from the parts of the beam beside it.
-struct JointPlan {
-  double length = 1.0;             ///< tributary [m]
-  std::array<bool, 3> acting{};    ///< rotations of the level that the section resists
-  std::array<double, 3> spring{};  ///< beside it, of a rotational spring [N m/rad]
-  std::size_t segment_a = 0;       ///< the segments whose sections it joins
-  std::size_t segment_b = 0;
-};
 
 /// A chain and what its joints are.
 template <class L>
@@ -40,9 +32,10 @@ class Builder {
   static constexpr std::size_t kR = L::kRotations;
   static constexpr double kSamePlace = 1e-9;  ///< of the length
 
+  /// @param shifts  whether joints stretch and shear
   Builder(const Scene& scene, const Layout& layout, const View<L>& view,
-          RotaryInertia rotary = RotaryInertia::On)
-      : scene_(scene), layout_(layout), view_(view), rotary_(rotary) {}
+          RotaryInertia rotary = RotaryInertia::On, bool shifts = false)
+      : scene_(scene), layout_(layout), view_(view), rotary_(rotary), shifts_(shifts) {}
 
   Build<L> build() {
     Chain<L>& chain = build_.chain;
@@ -52,6 +45,7 @@ class Builder {
     chain.inertias = segment_inertias(scene_, layout_, view_, rotary_);
     chain.root.position = view_.point(layout_.node[0]);
     chain.root.ground = view_.frame(layout_.joint_frame[0]);
+    set_shifts();
     place_undeformed();
     for (std::size_t s = 0; s < scene_.supports.size(); ++s) add_support(s);
     for (const Load& load : scene_.loads) add_load(load);
@@ -77,13 +71,24 @@ class Builder {
       segment.inner = view_.frame(back * layout_.joint_frame[i]);
       segment.outer = view_.frame(back * layout_.joint_frame[i + 1]);
       build_.chain.segments.push_back(segment);
-      JointPlan joint;
-      joint.length = layout_.joint_length[i];
-      joint.segment_a = i == 0 ? 0 : i - 1;
-      joint.segment_b = i;
-      joint.acting.fill(i > 0);
-      build_.joints.push_back(joint);
+      build_.joints.push_back(joint_plan(scene_, layout_, i));
     }
+  }
+
+  void set_shifts() {
+    for (const Support& support : scene_.supports) {
+      if (layout_.size() > 1 || share_of(support.at, layout_.ends) != 0.0) continue;
+      const auto held = view_.translations(support.held());
+      build_.chain.root.shifts =
+          build_.chain.root.shifts ||
+          std::all_of(held.begin(), held.begin() + kT, [](bool h) { return h; });
+    }
+  }
+
+  /// The segment end at the point, if it is one.
+  std::size_t node_of(const SegmentPoint& point, double share) const {
+    if (share == layout_.ends[point.segment + 1]) return point.segment + 1;
+    return share == layout_.ends[point.segment] ? point.segment : kInside;
   }
 
   void place_undeformed() {
@@ -106,7 +111,7 @@ class Builder {
       if (holds || !root_is_held_) add_root(support, index, history);
       root_is_held_ = root_is_held_ || holds;
     } else {
-      add_held_point(support, index, history, segment_point(layout_, share));
+      add_held_point(support, index, history, share);
     }
     if (support.kind == SupportKind::Pillar) add_pillar(support, index, share);
     if (support.kind == SupportKind::Elastic) add_springs(support, index, history, share);
@@ -128,12 +133,14 @@ class Builder {
   }
 
   void add_held_point(const Support& support, std::size_t index, std::size_t history,
-                      const SegmentPoint& point) {
+                      double share) {
+    const SegmentPoint point = segment_point(layout_, share);
     const auto translation = view_.point(vector(support.translation));
     const auto held = view_.translations(support.held());
     for (std::size_t k = 0; k < kT; ++k) {
       if (!held[k]) continue;
       Closure<L> closure = closure_at(index, point);
+      closure.node = node_of(point, share);
       closure.history = history;
       closure.direction = unit_vector<typename L::Point>(k);
       closure.target = undeformed_point(point)[k];
@@ -156,7 +163,7 @@ class Builder {
       if (half) {
         add_ground_joint(index, history, segment, outer, held, rotation);
       } else {
-        weld_segment(index, history, segment, held, rotation);
+        weld_segment(index, history, segment, outer, held, rotation);
       }
     };
     add(point.segment, true);
@@ -173,6 +180,7 @@ class Builder {
     GroundJoint<L> joint;
     joint.support = support;
     joint.segment = segment;
+    joint.node = outer ? segment + 1 : segment;
     joint.history = history;
     joint.joint = build_.joints.size();
     joint.local = outer ? shape.outer : shape.inner;
@@ -180,19 +188,27 @@ class Builder {
     joint.motion = rotation;
     build_.chain.ground_joints.push_back(joint);
     JointPlan plan;
-    plan.length = 0.5 * layout_.segment_length[segment];
+    const bool at_end = joint.node == layout_.size();
+    plan.length.fill(at_end ? layout_.joint_length.back() : 0.5 * layout_.segment_length[segment]);
+    // The one joint of an end segment whose other end is bare.
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (outer && segment == 0) plan.length[k] += layout_.bare_half[0][k];
+      if (!outer && segment + 1 == layout_.size()) plan.length[k] += layout_.bare_half[1][k];
+    }
+    if (outer) plan.before = plan.length;
     plan.acting = held;
     plan.segment_a = plan.segment_b = segment;
     build_.joints.push_back(plan);
   }
 
-  void weld_segment(std::size_t support, std::size_t history, std::size_t segment,
+  void weld_segment(std::size_t support, std::size_t history, std::size_t segment, bool outer,
                     const std::array<bool, 3>& held, const typename L::Spin& rotation) {
     for (std::size_t k = 0; k < kR; ++k) {
       if (!held[k]) continue;
       Closure<L> closure;
       closure.support = support;
       closure.segment = segment;
+      closure.node = outer ? segment + 1 : segment;
       closure.history = history;
       closure.turning = true;
       closure.axis = unit_vector<typename L::Spin>(k);
@@ -205,6 +221,7 @@ class Builder {
   void add_pillar(const Support& support, std::size_t index, double share) {
     const SegmentPoint point = segment_point(layout_, share);
     Closure<L> closure = closure_at(index, point);
+    closure.node = node_of(point, share);
     closure.one_sided = true;
     closure.direction = view_.point(vector(support.normal));
     closure.history = support.moves() ? add_history(support.history) : 0;
@@ -220,11 +237,19 @@ class Builder {
     spring.segment = point.segment;
     spring.history = history;
     spring.arm = view_.point(point.arm);
+    const std::size_t beyond = point.segment + 1;
+    const bool joins = beyond < layout_.size() && share == layout_.ends[beyond];
+    const double part = joins && shifts_ ? 0.5 : 1.0;
     const auto stiffness = view_.translations(six(support.stiffness, {}));
-    for (std::size_t k = 0; k < kT; ++k) spring.stiffness[k] = constant<S>(stiffness[k]);
+    for (std::size_t k = 0; k < kT; ++k) spring.stiffness[k] = constant<S>(part * stiffness[k]);
     spring.rest = undeformed_point(point);
     spring.motion = view_.point(vector(support.translation));
     build_.chain.springs.push_back(spring);
+    if (part < 1.0) {
+      spring.segment = beyond;
+      spring.arm = {};
+      build_.chain.springs.push_back(spring);
+    }
     const auto turning = view_.rotations(six({}, support.rotational_stiffness));
     if (std::none_of(turning.begin(), turning.begin() + kR, [](double k) { return k > 0.0; })) {
       return;
@@ -233,8 +258,15 @@ class Builder {
       build_.joints[0].spring = turning;
       return;
     }
-    add_ground_joint(index, history, point.segment, true, {}, view_.spin(vector(support.rotation)));
-    build_.joints.back().spring = turning;
+    const auto motion = view_.spin(vector(support.rotation));
+    const auto add = [&](std::size_t segment, bool outer) {
+      add_ground_joint(index, history, segment, outer, {}, motion);
+      build_.joints.back().spring = turning;
+      for (double& k : build_.joints.back().spring) k *= joins ? 0.5 : 1.0;
+    };
+    add(point.segment, true);
+    // As a moment does: half on each segment, for the joint between turns with both.
+    if (joins) add(beyond, false);
   }
 
   void add_load(const Load& load) {
@@ -254,23 +286,41 @@ class Builder {
     }
   }
 
-  /// A moment at a joint acts on both segments, half on each: the joint between then turns as the
-  /// beam does on both sides, and the chain keeps its order 2.
+  /// A moment at a joint acts on both segments: the joint between, which has the curvatures of
+  /// both sides over its lengths in both, then turns as the beam does, and the chain keeps its
+  /// order 2. With M before and M - M_0 behind a joint of compliances a and b it turns by
+  /// a M + b (M - M_0), so it passes on M - M_0 b/(a + b).
   void add_single_load(const Load& load, std::size_t history, double share) {
     const SegmentPoint point = segment_point(layout_, share);
     const std::size_t beyond = point.segment + 1;
     const bool at_joint =
         beyond < layout_.size() && std::abs(share - layout_.ends[beyond]) < kSamePlace;
     const bool turns = load.moment != std::array<double, 3>{};
-    if (!at_joint || !turns) {
+    if (!at_joint || (!turns && !shifts_)) {
       add_point_load(load, history, point, 1.0);
       return;
     }
-    Load half = load;
-    for (double& component : half.moment) component *= 0.5;
-    add_point_load(half, history, point, 1.0);
-    half.force = {};
-    add_point_load(half, history, {beyond, {}}, 1.0);
+    const ComplianceBefore share_before = compliance_before(scene_, layout_, beyond);
+    const auto outer_part = [&](const std::array<double, 3>& whole,
+                                const std::array<double, 3>& shares) {
+      const auto& frame = layout_.joint_frame[beyond];
+      if (shares[0] == shares[1] && shares[1] == shares[2]) return (shares[0] * vector(whole)).at;
+      Vec<double, 3> own = transpose(frame) * vector(whole);
+      for (std::size_t k = 0; k < 3; ++k) own[k] *= shares[k];
+      return (frame * own).at;
+    };
+    Load outer = load;
+    outer.moment = outer_part(load.moment, share_before.turning);
+    // A force does so where the joint stretches and shears.
+    outer.force = {};
+    if (shifts_) outer.force = outer_part(load.force, share_before.shifting);
+    Load inner = load;
+    for (std::size_t k = 0; k < 3; ++k) {
+      inner.moment[k] -= outer.moment[k];
+      inner.force[k] -= outer.force[k];
+    }
+    add_point_load(inner, history, point, 1.0);
+    add_point_load(outer, history, {beyond, {}}, 1.0);
   }
 
   void add_point_load(const Load& load, std::size_t history, const SegmentPoint& point,
@@ -323,6 +373,7 @@ class Builder {
   const Layout& layout_;
   View<L> view_;
   RotaryInertia rotary_;
+  bool shifts_;
   Placement<L> undeformed_;
   Build<L> build_;
   bool root_is_held_ = false;

@@ -43,12 +43,16 @@ struct SegmentLoad {
   bool follows = false;
 };
 
+/// The node of what is inside of a segment.
+inline constexpr std::size_t kInside = static_cast<std::size_t>(-1);
+
 /// A rigid constraint of one freedom of a point: direction . x = target, kept by a multiplier,
 /// which is the force along the direction. Turning closures hold the spin about an axis, for welds.
 template <class L>
 struct Closure {
   std::size_t support = 0;  ///< of the scene
   std::size_t segment = 0;
+  std::size_t node = kInside;  ///< the segment end that it holds, if it holds one
   std::size_t history = 0;
   typename L::Point arm;
   typename L::Point direction;  ///< unit vector; zero for a turning closure
@@ -78,6 +82,7 @@ template <class L>
 struct GroundJoint {
   std::size_t support = 0;
   std::size_t segment = 0;
+  std::size_t node = 0;  ///< the end of the segment at which it is
   std::size_t history = 0;
   std::size_t joint = 0;     ///< number of its law: N, N + 1, …
   typename L::Frame local;   ///< of its axes, as seen from the segment
@@ -95,6 +100,10 @@ struct Root {
   std::size_t history = 0;
   std::array<bool, 3> held{};    ///< translations that the ground holds (kTranslations used)
   std::array<bool, 3> welded{};  ///< rotations that joint 0 does not let go (kRotations used)
+  /// Whether joint 0 stretches and shears where joints do: only if it is the one joint of all and
+  /// all translations are held. Else the joints next to both ends have the ends' halves, so that
+  /// start and end are alike; and beside a free translation a shift would be the same motion twice.
+  bool shifts = false;
   std::optional<std::size_t> support{};  ///< of the scene, if one is at the start
 };
 

@@ -59,16 +59,50 @@ void set_joint_lengths(const Scene& scene, Layout& layout) {
   const auto& length = layout.segment_length;
   auto& joint = layout.joint_length;
   joint.assign(n + 1, 0.0);
+  auto& before = layout.length_before;
+  before.assign(n + 1, 0.0);
   joint.front() = 0.5 * length.front();
-  joint.back() = 0.5 * length.back();
-  for (std::size_t i = 1; i < n; ++i) joint[i] = 0.5 * (length[i - 1] + length[i]);
+  joint.back() = before.back() = 0.5 * length.back();
+  for (std::size_t i = 1; i < n; ++i) {
+    joint[i] = 0.5 * (length[i - 1] + length[i]);
+    before[i] = 0.5 * length[i - 1];
+  }
   const EndRule rule = resolved_end_rule(scene);
   if (n > 1 && (rule == EndRule::Half || rule == EndRule::ThreeHalves)) {
     joint[1] += 0.5 * length.front();
+    before[1] += 0.5 * length.front();
     joint[n - 1] += 0.5 * length.back();
   }
   if (!scene.beam.joint_lengths.empty()) {
-    std::copy(scene.beam.joint_lengths.begin(), scene.beam.joint_lengths.end(), joint.begin() + 1);
+    for (std::size_t i = 1; i < n; ++i) {
+      before[i] *= scene.beam.joint_lengths[i - 1] / joint[i];
+      joint[i] = scene.beam.joint_lengths[i - 1];
+    }
+  }
+}
+
+/// See `Layout::bare_half`.
+void set_bare_halves(const Scene& scene, Layout& layout) {
+  if (resolved_end_rule(scene) != EndRule::HalfJoint || !scene.beam.joint_lengths.empty()) return;
+  constexpr std::array<double, 3> kNothing{};
+  for (std::size_t e = 0; e < 2; ++e) {
+    const double share = layout.ends[e == 0 ? 0 : layout.size()];
+    bool turned = false;
+    std::array<bool, 3> held{};
+    for (const Load& load : scene.loads) {
+      const bool here = !load.to && share_of(load.at, layout.ends) == share;
+      turned = turned || (here && load.moment != kNothing);
+    }
+    for (const Support& support : scene.supports) {
+      if (share_of(support.at, layout.ends) != share) continue;
+      turned = turned || support.rotational_stiffness != kNothing;
+      const HeldFreedoms holds = support.held();
+      for (std::size_t k = 0; k < 3; ++k) held[k] = held[k] || holds[3 + k];
+    }
+    const double segment = e == 0 ? layout.segment_length.front() : layout.segment_length.back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      layout.bare_half[e][k] = turned && !held[k] ? 0.5 * segment : 0.0;
+    }
   }
 }
 
@@ -91,6 +125,7 @@ Layout make_layout(const Scene& scene) {
   }
   place_frames(scene.beam, layout);
   set_joint_lengths(scene, layout);
+  set_bare_halves(scene, layout);
   return layout;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -21,6 +22,12 @@ struct Layout {
   std::vector<Mat<double, 3, 3>> joint_frame;
   std::vector<double> segment_length;  ///< along the axis [m] (N)
   std::vector<double> joint_length;    ///< tributary lengths l [m] (N + 1)
+  /// What of these lies in the segment before the node [m] (N + 1).
+  std::vector<double> length_before;
+  /// Half of the segment at the start, and at the end, where a moment or a rotational spring acts
+  /// on it and nothing holds its rotation: no joint at the end strains it, so the next one does.
+  /// For bending about x, about y and twist [m]; 0 where there is no need.
+  std::array<std::array<double, 3>, 2> bare_half{};
 
   std::size_t size() const { return segment_length.size(); }
 };
@@ -33,7 +40,8 @@ struct SegmentPoint {
 
 /// Lays out a scene that has passed `check_scene`. Tributary lengths are (L_a + L_b)/2 or as the
 /// scene gives them; half the end segment at the ends, where a half joint may be; with
-/// EndRule::Half and ThreeHalves the end segments belong whole to their only joint.
+/// EndRule::Half and ThreeHalves the end segments belong whole to their only joint. With half
+/// joints, and no lengths given, the joint next to an end also has what `bare_half` says.
 Layout make_layout(const Scene& scene);
 
 /// The rule that EndRule::Auto stands for.

@@ -140,8 +140,8 @@ class Recursion {
   static void add_turning(const Stage<L>& stage, const typename L::Point& shift,
                           const Placement<L>& at, const Spins& near, const Wrench<L>& w,
                           std::size_t i, Mat<S, kJ, kR>& v_spin, Mat<S, kJ, kJ>& d);
-  static Mat<S, kJ, kJ> inverse_welded(const Mat<S, kJ, kJ>& d, const Spins& near,
-                                       const Spins& to_joint, const std::array<bool, 3>& welded);
+  static Mat<S, kJ, kJ> inverse_held(const Mat<S, kJ, kJ>& d, const Spins& near,
+                                     const Spins& to_joint, const Root<L>& root);
   static void carry(const typename L::Point& arm, const typename L::Point& work_arm,
                     Impedance<L>& a);
   static JointVector in_freedoms(const Joint& joint, const Wrench<L>& b);

@@ -48,8 +48,10 @@ void Recursion<L, kElastic>::set_balance(const Chain<L>& chain, const Stage<L>& 
   for (std::size_t k = 0; k < kR; ++k) joint.lacks[k] = in_world[k];
   if constexpr (kElastic) {
     const typename L::Point force = transposed_times(joint.works.along, w.force);
+    const bool shifts = i > 0 || chain.root.shifts;
     for (std::size_t k = 0; k < kT; ++k) {
-      joint.lacks[kR + k] = balance_[i][kR + k] = law[kR + k] - force[k];
+      const S off = shifts ? law[kR + k] - force[k] : constant<S>(0);
+      joint.lacks[kR + k] = balance_[i][kR + k] = off;
     }
   }
 }
@@ -103,10 +105,10 @@ void Recursion<L, kElastic>::eliminate(const Chain<L>& chain, const Stage<L>& st
     add(joint.u_spin, 0, kR, follows * joint.moves.along);
   }
   const auto& welded = chain.root.welded;
-  const bool welds = i == 0 && std::find(welded.begin(), welded.end(), true) != welded.end();
-  if (welds) {
+  const bool welds = std::find(welded.begin(), welded.end(), true) != welded.end();
+  if (i == 0 && (welds || (kElastic && !chain.root.shifts))) {
     joint.inverse =
-        inverse_welded(d, joint.near, stage.half_way ? stage.to_joint[0] : back, welded);
+        inverse_held(d, joint.near, stage.half_way ? stage.to_joint[0] : back, chain.root);
   } else {
     joint.inverse = inverse(d);
   }
@@ -152,19 +154,20 @@ void Recursion<L, kElastic>::add_turning(const Stage<L>& stage, const typename L
   }
 }
 
-/// A welded freedom of the joint's own axes does not move.
+/// A welded freedom of the joint's own axes does not move, nor a shift of joint 0 that is not let
+/// go.
 template <class L, bool kElastic>
 Mat<typename L::Scalar, Recursion<L, kElastic>::kJ, Recursion<L, kElastic>::kJ>
-Recursion<L, kElastic>::inverse_welded(const Mat<S, kJ, kJ>& d, const Spins& near,
-                                       const Spins& to_joint, const std::array<bool, 3>& welded) {
+Recursion<L, kElastic>::inverse_held(const Mat<S, kJ, kJ>& d, const Spins& near,
+                                     const Spins& to_joint, const Root<L>& root) {
   auto rows = identity<S, kJ>();
   auto columns = identity<S, kJ>();
   put(rows, 0, 0, to_joint);
   put(columns, 0, 0, near);
   Mat<S, kJ, kJ> own = rows * d * columns;
   const auto clear = [&](const S& diagonal) {
-    for (std::size_t k = 0; k < kR; ++k) {
-      if (!welded[k]) continue;
+    for (std::size_t k = 0; k < kJ; ++k) {
+      if (k < kR ? !root.welded[k] : root.shifts) continue;
       for (std::size_t i = 0; i < kJ; ++i) own(k, i) = own(i, k) = constant<S>(0);
       own(k, k) = diagonal;
     }

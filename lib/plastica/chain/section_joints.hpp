@@ -57,7 +57,8 @@ struct SectionAxes<Spatial<S>> {
 template <class L>
 struct SectionJoint {
   using S = typename L::Scalar;
-  std::size_t law = 0;  ///< which of the laws
+  std::size_t law = 0;     ///< which of the laws
+  bool stretches = false;  ///< where joints do: whether this one stretches and shears
   /// Tributary length l as each component of the section's strain sees it [m]: one length, but
   /// where two sections meet.
   law::SectionStrain<S> length;
@@ -127,6 +128,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     }
     before_.resize(states);
     after_.resize(states);
+    find_uneven();
   }
   /// @param kept  what laws with many states point to
   SectionJoints(SectionAxes<L> axes, std::vector<Law> laws, std::vector<SectionJoint<L>> joints,
@@ -149,6 +151,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
 
   void commit() override {
     before_ = after_;
+    uneven_before_ = uneven_after_;
     for (std::size_t j = 0; j < joints_.size(); ++j) plastic_[j] = plastic_[j] + work_[j];
   }
 
@@ -167,6 +170,13 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     v.size(elastic_);
     v.size(work_);
     v.size(plastic_);
+    v.size(excess_);
+    v.size(uneven_before_);
+    v.size(uneven_after_);
+    for (std::size_t j = 0; j < excess_.size(); ++j) {
+      for (S& number : excess_[j].at) v.number(number);
+      for (S& number : joints_[j].stiffness.at) v.number(number);
+    }
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       SectionJoint<L>& joint = joints_[j];
       v.index(joint.law);
@@ -182,6 +192,9 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   template <class V, class VisitState>
   void visit_states(V& v, const VisitState& visit_state) {
     for (typename Law::State& state : before_) visit_state(v, state, axes_.rotation(0), kR);
+    for (auto& flow : uneven_before_) {
+      for (std::size_t k = 0; k < kR; ++k) v.number(flow[axes_.rotation(k)]);
+    }
   }
   /// The same of what the last trial has found: energies and, where the law can yield, forces, work
   /// and states.
@@ -194,12 +207,16 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
         v.number(work_[j]);
         visit_state(v, after_[j], axes_.rotation(0), kR);
       }
+      for (auto& flow : uneven_after_) {
+        for (std::size_t k = 0; k < kR; ++k) v.number(flow[axes_.rotation(k)]);
+      }
     }
   }
 
   void reset() override {
     std::fill(before_.begin(), before_.end(), typename Law::State{});
     std::fill(plastic_.begin(), plastic_.end(), constant<S>(0));
+    std::fill(uneven_before_.begin(), uneven_before_.end(), law::SectionStrain<S>{});
   }
 
  private:
@@ -287,6 +304,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     const S energy_length = joint.length[First];
     elastic_[j] = energy_length * now.elastic_energy;
     work_[j] = energy_length * now.plastic_work;
+    if (!excess_.empty()) add_uneven<First>(j, strain, now);
 
     typename L::Spin moment;
     Mat<S, kR, kR> slope;
@@ -317,6 +335,51 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     if constexpr (kElastic) {
       add_shifts<First>(shift, now, to_angle, j, force, tangent);
     }
+  }
+
+  /// Whether joints have components of another length than the first one.
+  void find_uneven() {
+    std::vector<law::SectionStrain<S>> excess(joints_.size());
+    bool uneven = false;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const auto& length = joints_[j].length;
+      const auto add = [&](std::size_t axis) {
+        excess[j][axis] = length[axis] - length[axes_.rotation(0)];
+        uneven = uneven || any(abs(excess[j][axis]) > constant<S>(0));
+      };
+      for (std::size_t k = 1; k < kR; ++k) add(axes_.rotation(k));
+      if constexpr (kElastic) add(kAxial);
+    }
+    if (!uneven) return;
+    excess_ = std::move(excess);
+    uneven_before_.resize(joints_.size());
+    uneven_after_.resize(joints_.size());
+  }
+
+  /// What a law says is per length of the first component. A component that is d longer stores
+  /// d F^2/2K more and dissipates d F dp more, p = strain - F/K its permanent part. In a step that
+  /// flows by dp with the slope H = dF/dp = K T/(K - T) the mean of F is F - H dp/2, exactly for
+  /// ideal plasticity and linear hardening.
+  template <std::size_t First>
+  void add_uneven(std::size_t j, const law::SectionStrain<S>& strain,
+                  const law::SectionResponse<S>& now) {
+    const S half = constant<S>(0.5);
+    const auto add = [&](std::size_t k) {
+      const S& stiffness = joints_[j].stiffness[k];
+      const S& force = now.force[k];
+      elastic_[j] = elastic_[j] + excess_[j][k] * half * force * force / stiffness;
+      if constexpr (!std::is_empty_v<typename Law::State>) {
+        const S permanent = strain[k] - force / stiffness;
+        const S flow = permanent - uneven_before_[j][k];
+        const S tangent = now.tangent(k, k);
+        const S harder =
+            stiffness * tangent / max(stiffness - tangent, constant<S>(1e-6) * stiffness);
+        work_[j] = work_[j] + excess_[j][k] * (force - half * harder * flow) * flow;
+        uneven_after_[j][k] = permanent;
+      }
+    };
+    for (std::size_t k = 1; k < kR; ++k) add(First + k);
+    if constexpr (kElastic) add(kAxial);
   }
 
   template <std::size_t First>
@@ -355,6 +418,9 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   [[no_unique_address]] std::conditional_t<kManyStates, ManyStates, OneState> states_;
   std::vector<Scale> scales_;                        ///< (joints)
   std::vector<typename Law::State> before_, after_;  ///< (states of all joints)
+  /// Where any component has another length than the first: by how much [m], and the permanent
+  /// strains, committed and of the last trial (joints); else empty.
+  std::vector<law::SectionStrain<S>> excess_, uneven_before_, uneven_after_;
 };
 
 }  // namespace plastica::chain

@@ -12,6 +12,37 @@ bool is_round(const Section& section) {
   return section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
 }
 
+/// What the joints of a level stand for; an end without a joint, what the segment there does.
+template <class L>
+void add_joints(const ChainModel& model, const std::vector<chain::PartForm>& parts,
+                const chain::View<L>& view, BeamOutline& outline) {
+  const chain::Layout& layout = model.layout;
+  const std::size_t n = layout.size();
+  const chain::Build<L> build =
+      chain::Builder<L>(model.scene, layout, view, model.options.rotary_inertia).build();
+  std::vector<MaterialValues<double>> materials;
+  materials.reserve(parts.size());
+  for (const chain::PartForm& part : parts) materials.push_back(material_values(*part.material));
+  const auto joints =
+      chain::joint_numbers(model.part_of_segment, build.joints, parts, materials, view);
+  std::vector<const chain::SectionJoint<L>*> at(n + 1, nullptr);
+  for (std::size_t i = 0; i < n; ++i) at[i] = &joints[i];
+  for (const auto& ground : build.chain.ground_joints) {
+    if (ground.node == n) at[n] = &joints[ground.joint];
+  }
+  const std::size_t first = view.section_axes().rotation(0);
+  for (std::size_t i = 0; i <= n; ++i) {
+    const std::size_t part = at[i] ? at[i]->law : model.part_of_segment[n - 1];
+    const law::SectionForm& form = parts[part].form;
+    outline.joint_length.push_back(at[i] ? at[i]->length[first] : layout.joint_length[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double length = at[i] ? at[i]->length[axis] : layout.joint_length[i];
+      outline.modulus.push_back(form.modulus[axis]);
+      outline.strain_per_angle.push_back(form.lever[axis] / length);
+    }
+  }
+}
+
 }  // namespace
 
 BeamOutline beam_outline(const Model& model) {
@@ -22,7 +53,6 @@ BeamOutline beam_outline(const Model& model) {
   const std::vector<chain::PartForm> parts = chain::part_forms(chain.scene);
   const std::size_t n = layout.size();
   outline.ends = layout.ends;
-  outline.joint_length = layout.joint_length;
   for (const auto& node : layout.node) {
     outline.node.insert(outline.node.end(), node.at.begin(), node.at.end());
   }
@@ -37,13 +67,12 @@ BeamOutline beam_outline(const Model& model) {
     outline.height.push_back(2.0 * part.properties.outer_distance_x);
     outline.round.push_back(is_round(*part.section) ? 1 : 0);
   }
-  for (std::size_t i = 0; i <= n; ++i) {
-    // A joint has the section of the segment behind it, the last one that of the last segment.
-    const law::SectionForm& form = parts[chain.part_of_segment[std::min(i, n - 1)]].form;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      outline.modulus.push_back(form.modulus[axis]);
-      outline.strain_per_angle.push_back(form.lever[axis] / layout.joint_length[i]);
-    }
+  switch (chain.level) {
+    case Level::Twist: add_joints<chain::Twist<double>>(chain, parts, {}, outline); break;
+    case Level::Planar:
+      add_joints<chain::Planar<double>>(chain, parts, {chain.across}, outline);
+      break;
+    default: add_joints<chain::Spatial<double>>(chain, parts, {}, outline);
   }
   return outline;
 }

@@ -48,10 +48,11 @@ BreakWatch::BreakWatch(const Scene& scene, std::vector<WatchedJoint> joints)
       spreading_(spreading_of(scene)),
       report_(scene.formulas == Formulas::Report),
       accumulated_(scene.break_measure == BreakMeasure::Accumulated) {
-  const bool round =
-      scene.section.shape == SectionShape::Circle || scene.section.shape == SectionShape::RoundTube;
-  const double depth = round ? 2.0 * scene.section.radius : scene.section.height;
-  hinge_length_ = scene.hinge_length.value_or(report_ ? 0.0 : depth);
+  for (const WatchedJoint& joint : joints_) {
+    hinge_.push_back(scene.hinge_length.value_or(report_ ? 0.0 : joint.height));
+    same_hinges_ = same_hinges_ && hinge_.back() == hinge_.front();
+    scales_ = scales_ || joint.scale != std::array<double, 3>{1.0, 1.0, 1.0};
+  }
   covered_.resize(joints_.size());
   for (const WatchedJoint& joint : joints_) {
     for (const double limit : joint.limit) active_ = active_ || std::isfinite(limit);
@@ -65,15 +66,31 @@ double BreakWatch::Window::covers(const WatchedJoint& joint) const {
 BreakWatch::Window BreakWatch::window_of(std::size_t joint) const {
   const double beam = joints_.back().end;
   const double middle = 0.5 * (joints_[joint].begin + joints_[joint].end);
-  const double low = std::max(0.0, std::min(middle - 0.5 * hinge_length_, beam - hinge_length_));
-  return {low, low + hinge_length_};
+  const double length = hinge_[joint];
+  const double low = std::max(0.0, std::min(middle - 0.5 * length, beam - length));
+  return {low, low + length};
 }
 
 JointAngles BreakWatch::hinge_angles(const std::vector<JointAngles>& angles, std::size_t joint) {
-  if (hinge_length_ == 0.0) return angles[joint];
-  if (has_window(joint)) return windowed(angles, joint);
+  if (hinge_[joint] == 0.0) return angles[joint];
+  if (has_window(joint)) return same_hinges_ ? windowed(angles, joint) : lone_window(angles, joint);
   if (spreading_ == Spreading::Gathers) return gathered(angles, joint);
-  return times(hinge_length_ / joints_[joint].length, angles[joint]);
+  return times(hinge_[joint] / joints_[joint].length, angles[joint]);
+}
+
+JointAngles BreakWatch::lone_window(const std::vector<JointAngles>& angles,
+                                    std::size_t joint) const {
+  const Window window = window_of(joint);
+  const auto first =
+      std::upper_bound(joints_.begin(), joints_.end(), window.low,
+                       [](double low, const WatchedJoint& watched) { return low < watched.end; });
+  JointAngles sum{};
+  for (auto at = first; at != joints_.end() && at->begin < window.high; ++at) {
+    const auto j = static_cast<std::size_t>(at - joints_.begin());
+    const double share = std::clamp(window.covers(*at), 0.0, 1.0);
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += share * angles[j][k];
+  }
+  return sum;
 }
 
 JointAngles BreakWatch::windowed(const std::vector<JointAngles>& angles, std::size_t joint) {
@@ -108,13 +125,14 @@ JointAngles BreakWatch::gathered(const std::vector<JointAngles>& angles, std::si
     if (joint > 0) look_at(joint - 1);
     if (joint + 1 < joints_.size()) look_at(joint + 1);
     shared = std::copysign(std::min(shared, std::fabs(own)), own);
-    theta[k] = shared * hinge_length_ / length + (own - shared);
+    theta[k] = shared * hinge_[joint] / length + (own - shared);
   }
   return theta;
 }
 
-BreakWatch::Strains BreakWatch::strains_of(const JointAngles& theta, const WatchedJoint& at) const {
-  const double length = hinge_length_ == 0.0 ? at.length : hinge_length_;
+BreakWatch::Strains BreakWatch::strains_of(const JointAngles& theta, std::size_t joint) const {
+  const WatchedJoint& at = joints_[joint];
+  const double length = hinge_[joint] == 0.0 ? at.length : hinge_[joint];
   Strains strain{};
   if (report_) {
     const auto bending = [&](double angle, double depth) {
@@ -139,11 +157,16 @@ BreakWatch::Strains BreakWatch::strains_of(const JointAngles& theta, const Watch
 
 template <class Use>
 void BreakWatch::for_each_joint(const std::vector<JointAngles>& angles, const Use& use) {
-  covered_.begin(angles);
-  window_first_ = window_end_ = 0;
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    use(j, strains_of(hinge_angles(angles, j), joints_[j]));
+  if (scales_) {
+    scaled_ = angles;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      for (std::size_t k = 0; k < 3; ++k) scaled_[j][k] *= joints_[j].scale[k];
+    }
   }
+  const std::vector<JointAngles>& all = scales_ ? scaled_ : angles;
+  covered_.begin(all);
+  window_first_ = window_end_ = 0;
+  for (std::size_t j = 0; j < joints_.size(); ++j) use(j, strains_of(hinge_angles(all, j), j));
 }
 
 double BreakWatch::excess(const std::vector<JointAngles>& angles) {
@@ -174,12 +197,13 @@ void BreakWatch::set_strains(const std::vector<JointAngles>& angles, std::vector
 
 double BreakWatch::lone_strain(const JointAngles& angle, std::size_t joint) const {
   JointAngles theta = angle;
-  if (hinge_length_ != 0.0 && has_window(joint)) {
-    theta = times(window_of(joint).covers(joints_[joint]), angle);
-  } else if (hinge_length_ != 0.0 && spreading_ != Spreading::Gathers) {
-    theta = times(hinge_length_ / joints_[joint].length, angle);
+  for (std::size_t k = 0; k < 3; ++k) theta[k] *= joints_[joint].scale[k];
+  if (hinge_[joint] != 0.0 && has_window(joint)) {
+    theta = times(window_of(joint).covers(joints_[joint]), theta);
+  } else if (hinge_[joint] != 0.0 && spreading_ != Spreading::Gathers) {
+    theta = times(hinge_[joint] / joints_[joint].length, theta);
   }
-  return nearest_limit(strains_of(theta, joints_[joint]), joint);
+  return nearest_limit(strains_of(theta, joint), joint);
 }
 
 std::vector<BrokenJoint> BreakWatch::broken(const std::vector<JointAngles>& angles) {

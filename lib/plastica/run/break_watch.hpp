@@ -24,9 +24,11 @@ struct WatchedJoint {
   double share = 0.0;  ///< where it is, of the beam's length [1]
   double begin = 0.0;  ///< the part of the axis that it stands for [m]
   double end = 0.0;
-  double length = 1.0;       ///< tributary l [m]
+  double length = 1.0;  ///< tributary l [m]
+  /// Of bending about x, about y, torsion: l over the component's own tributary length [1].
+  std::array<double, 3> scale{1.0, 1.0, 1.0};
   double width = 0.0;        ///< b [m]; of a round section its diameter
-  double height = 0.0;       ///< h [m]
+  double height = 0.0;       ///< h [m]; the hinge length, if the scene gives none
   double shear_lever = 0.0;  ///< J/W_t [m]
   bool round = false;
   /// Limits of bending about x, about y, torsion, and of bending about both [1]; infinite: none.
@@ -63,7 +65,8 @@ class BreakWatch {
   BreakWatch(const Scene& scene, std::vector<WatchedJoint> joints);
 
   bool active() const { return active_; }
-  double hinge_length() const { return hinge_length_; }
+  /// L_p of a joint: of the scene, or the depth of the joint's section [m].
+  double hinge_length(std::size_t joint) const { return hinge_[joint]; }
   std::size_t size() const { return joints_.size(); }
 
   // Each takes the angles of all joints, in the break measure, net or accumulated (joints), and
@@ -90,11 +93,11 @@ class BreakWatch {
   /// Calls `use` with each joint and its strains, in their order.
   template <class Use>
   void for_each_joint(const std::vector<JointAngles>& angles, const Use& use);
-  Strains strains_of(const JointAngles& theta, const WatchedJoint& at) const;
+  Strains strains_of(const JointAngles& theta, std::size_t joint) const;
   double nearest_limit(const Strains& strain, std::size_t joint) const;
   /// Whether Theta is a sum over a window.
   bool has_window(std::size_t joint) const {
-    return spreading_ != Spreading::Hardens && joints_[joint].length < hinge_length_;
+    return spreading_ != Spreading::Hardens && joints_[joint].length < hinge_[joint];
   }
   /// A part of the beam [m].
   struct Window {
@@ -106,12 +109,17 @@ class BreakWatch {
   /// Theta of a joint; to be called for one after the other.
   JointAngles hinge_angles(const std::vector<JointAngles>& angles, std::size_t joint);
   JointAngles windowed(const std::vector<JointAngles>& angles, std::size_t joint);
+  /// The sum over a window by itself, where the next one may begin before it.
+  JointAngles lone_window(const std::vector<JointAngles>& angles, std::size_t joint) const;
   JointAngles gathered(const std::vector<JointAngles>& angles, std::size_t joint) const;
 
   std::vector<WatchedJoint> joints_;
   SlidingSum covered_;                             ///< of joints that windows cover whole
   std::size_t window_first_ = 0, window_end_ = 0;  ///< joints that the window touches
-  double hinge_length_ = 0.0;
+  std::vector<double> hinge_;                      ///< L_p (joints)
+  bool same_hinges_ = true;
+  bool scales_ = false;  ///< whether any component has a length of its own
+  std::vector<JointAngles> scaled_;
   Spreading spreading_ = Spreading::Gathers;
   bool report_ = false;
   bool accumulated_ = false;

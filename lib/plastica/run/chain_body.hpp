@@ -50,6 +50,7 @@ class ChainBody {
 
  private:
   void set_material(const MaterialValues<double>& material);
+  void set_watch();
   void set_closure_stiffness();
 
   MaterialValues<double> material_{};  ///< that the joints have

@@ -13,6 +13,20 @@ namespace detail {
 
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
+/// Limits of bending about x, about y, torsion, and of bending about both of a part's joints [1].
+inline std::array<double, 4> break_limits(const Scene& scene, const chain::PartForm& part) {
+  const double bending = part.material->break_strain.value_or(kNoLimit);
+  const bool report = scene.formulas == Formulas::Report;
+  const double shear = report ? part.material->break_shear_strain.value_or(bending)
+                              : resolved_break_shear_strain(*part.material).value_or(kNoLimit);
+  std::array<double, 4> limit{scene.break_limit_x.value_or(bending),
+                              scene.break_limit_y.value_or(bending),
+                              scene.break_limit_z.value_or(shear), kNoLimit};
+  if (!report && !scene.break_limit_x && !scene.break_limit_y) limit[3] = bending;
+  return limit;
+}
+
+/// What is watched at a node of a part that owns it, with the half segments on both sides.
 inline WatchedJoint watched_joint(const Scene& scene, const chain::Layout& layout,
                                   const chain::PartForm& part, std::size_t node) {
   const std::size_t n = layout.size();
@@ -26,13 +40,7 @@ inline WatchedJoint watched_joint(const Scene& scene, const chain::Layout& layou
   joint.width = 2.0 * part.properties.outer_distance_y;
   joint.height = 2.0 * part.properties.outer_distance_x;
   joint.shear_lever = part.properties.torsion_constant / part.properties.torsion_modulus;
-  const double bending = part.material->break_strain.value_or(kNoLimit);
-  const bool report = scene.formulas == Formulas::Report;
-  const double shear = report ? part.material->break_shear_strain.value_or(bending)
-                              : resolved_break_shear_strain(*part.material).value_or(kNoLimit);
-  joint.limit = {scene.break_limit_x.value_or(bending), scene.break_limit_y.value_or(bending),
-                 scene.break_limit_z.value_or(shear), kNoLimit};
-  if (!report && !scene.break_limit_x && !scene.break_limit_y) joint.limit[3] = bending;
+  joint.limit = break_limits(scene, part);
   return joint;
 }
 
@@ -41,17 +49,11 @@ inline WatchedJoint watched_joint(const Scene& scene, const chain::Layout& layou
 template <class L, bool kElastic>
 ChainBody<L, kElastic>::ChainBody(const ChainModel& of, const chain::View<L>& seen)
     : model(of), view(seen), parts(chain::part_forms(of.scene, !kOneForce<L, kElastic>)) {
-  build = chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia).build();
+  build = chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia, kElastic)
+              .build();
   work.resize(build.chain);
   record.prepare(model, view, build, parts);
   const std::size_t nodes = model.layout.size() + 1;
-  std::vector<WatchedJoint> watched;
-  for (std::size_t i = 0; i < nodes; ++i) {
-    const std::size_t segment = std::min(i, nodes - 2);
-    watched.push_back(
-        detail::watched_joint(model.scene, model.layout, parts[model.part_of_segment[segment]], i));
-  }
-  watch = BreakWatch(model.scene, std::move(watched));
   strains.reset(nodes);
   trial.reset(nodes);
 }
@@ -62,6 +64,40 @@ void ChainBody<L, kElastic>::reset(const MaterialValues<double>& material) {
   work.resize(build.chain);
   record.reset();
   strains.reset(strains.strain.size());
+}
+
+/// What breaks the joints of nodes, each with the numbers of the part that owns it.
+template <class L, bool kElastic>
+void ChainBody<L, kElastic>::set_watch() {
+  const chain::Layout& layout = model.layout;
+  const std::size_t n = layout.size();
+  const std::size_t first = view.section_axes().rotation(0);
+  std::vector<WatchedJoint> watched;
+  for (std::size_t i = 0; i <= n; ++i) {
+    const std::size_t joint = record.joint_of_node(i);
+    if (joint == ChainRecord<L, kElastic>::kNone) {
+      const std::size_t part = model.part_of_segment[std::min(i, n - 1)];
+      watched.push_back(detail::watched_joint(model.scene, layout, parts[part], i));
+      continue;
+    }
+    const chain::SectionJoint<L>& numbers = joints->joints()[joint];
+    const chain::JointPlan& plan = build.joints[joint];
+    WatchedJoint one = detail::watched_joint(model.scene, layout, parts[numbers.law], i);
+    one.length = static_cast<double>(numbers.length[first]);
+    for (std::size_t k = 0; k < L::kRotations; ++k) {
+      const std::size_t axis = view.section_axes().rotation(k);
+      one.scale[axis] = one.length / static_cast<double>(numbers.length[axis]);
+    }
+    // With what it takes over of an end; between unlike parts, of its owner alone.
+    if (i == 1) one.begin -= layout.bare_half[0][first];
+    if (i + 1 == n) one.end += layout.bare_half[1][first];
+    const std::size_t part_a = model.part_of_segment[plan.segment_a];
+    const std::size_t part_b = model.part_of_segment[plan.segment_b];
+    const double at = layout.ends[i] * model.scene.beam.length;
+    if (part_a != part_b) (numbers.law == part_a ? one.end : one.begin) = at;
+    watched.push_back(one);
+  }
+  watch = BreakWatch(model.scene, std::move(watched));
 }
 
 /// A hundred times the stiffness of the beam's tip, of its largest section.
@@ -88,11 +124,14 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
     const MaterialValues<double> values = p == 0 ? material : material_values(*parts[p].material);
     for (std::size_t i = 0; i < kMaterialFields; ++i) materials[p][i] = constant<S>(values[i]);
   }
-  joints = make_joints<L, kElastic>(model.scene, parts, materials,
-                                    chain::joint_numbers(model.layout, model.part_of_segment,
-                                                         build.joints, parts, materials, view),
-                                    view, model.options.fibres);
+  joints = make_joints<L, kElastic>(
+      model.scene, parts, materials,
+      chain::joint_numbers(model.part_of_segment, build.joints, parts, materials, view), view,
+      model.options.fibres);
   material_ = material;
+  record.set_joints(*joints);
+  // Which part owns a joint between two follows from the material.
+  if (watch.size() == 0 || parts.size() > 1) set_watch();
   set_closure_stiffness();
 }
 

@@ -51,11 +51,11 @@ double ChainRecord<L, kElastic>::joint_value(const Probe& probe, const NodeStrai
   const std::size_t joint = joint_of_node_[node];
   const chain::PartForm& part = part_of(joint);
   const SectionProperties& p = part.properties;
-  const double length = build_->joints[joint].length;
+  const auto& length = (*numbers_)[joint].length;
   // Strain of the extreme fibre per angle of the joint.
-  const Space lever{{p.second_moment_x / p.section_modulus_x / length,
-                     p.second_moment_y / p.section_modulus_y / length,
-                     p.torsion_constant / p.torsion_modulus / length}};
+  const Space lever{{p.second_moment_x / p.section_modulus_x / length[law::kBendingX],
+                     p.second_moment_y / p.section_modulus_y / length[law::kBendingY],
+                     p.torsion_constant / p.torsion_modulus / length[law::kTorsion]}};
   const auto strain = [&](const Space& angle) {
     const Space of_axis{{lever[0] * angle[0], lever[1] * angle[1], lever[2] * angle[2]}};
     if (probe.component != Component::Size) return detail::component_of(of_axis, probe.component);
@@ -93,8 +93,15 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::point_value(
   if (probe.quantity == ProbeQuantity::Rotation) return rotation(w, point.segment);
   const auto undeformed =
       model_->layout.segment_frame[point.segment] * point.arm + model_->layout.node[point.segment];
-  return in_space(w.placement.point(point.segment, view_.point(point.arm)) -
-                  view_.point(undeformed));
+  typename L::Point now = w.placement.point(point.segment, view_.point(point.arm));
+  if constexpr (kElastic) {
+    // At a joint that has stretched and sheared, the middle of the gap.
+    const std::size_t beyond = point.segment + 1;
+    const bool joins = beyond < build_->chain.size() && !w.q.open[beyond] &&
+                       segment_end_at(probe.at, model_->layout.ends) == static_cast<int>(beyond);
+    if (joins) now = constant<S>(0.5) * (now + w.placement.position[beyond]);
+  }
+  return in_space(now - view_.point(undeformed));
 }
 
 /// Velocity or spin of a point, or the momentum of all.

@@ -50,6 +50,8 @@ class ChainRecord {
 
   /// Forgets the path so far.
   void reset();
+  /// The numbers of the joints with the material that runs; they outlive the record's use.
+  void set_joints(const Joints& joints) { numbers_ = &joints.joints(); }
 
   /// The joint of the law at a node: that of the chain, or to the ground at the end; or none.
   std::size_t joint_of_node(std::size_t node) const { return joint_of_node_[node]; }
@@ -155,8 +157,9 @@ class ChainRecord {
       if (build_->chain.root.welded[k]) moment[k] = in_joint[k];
     }
   }
+  /// The part that owns a joint.
   const chain::PartForm& part_of(std::size_t joint) const {
-    return (*parts_)[model_->part_of_segment[build_->joints[joint].segment_b]];
+    return (*parts_)[(*numbers_)[joint].law];
   }
   double largest_stress(std::size_t joint, const Space& moment) const;
 
@@ -164,6 +167,7 @@ class ChainRecord {
   chain::View<L> view_{};
   const chain::Build<L>* build_ = nullptr;
   const std::vector<chain::PartForm>* parts_ = nullptr;
+  const std::vector<chain::SectionJoint<L>>* numbers_ = nullptr;
   std::vector<std::size_t> joint_of_node_;
   // Where the work was last summed:
   chain::Placement<L> placement_;
@@ -194,7 +198,7 @@ void ChainRecord<L, kElastic>::prepare(const ChainModel& model, const chain::Vie
   joint_of_node_.assign(n + 1, kNone);
   for (std::size_t i = 0; i < n; ++i) joint_of_node_[i] = i;
   for (const auto& joint : build.chain.ground_joints) {
-    if (joint.segment + 1 == n) joint_of_node_[n] = joint.joint;
+    if (joint.node == n) joint_of_node_[n] = joint.joint;
   }
   placement_.resize(n);
   support_force_.resize(model.scene.supports.size());

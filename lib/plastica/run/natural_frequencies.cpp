@@ -42,7 +42,8 @@ class Rest {
   static constexpr Index kR = L::kRotations;
 
   Rest(const ChainModel& model, const chain::View<L>& view)
-      : build_(chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia)
+      : build_(chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia,
+                                 kElastic)
                    .build()),
         length_(model.scene.beam.length) {
     for (History& history : build_.chain.histories) history = {{0.0}, {0.0}};
@@ -56,6 +57,7 @@ class Rest {
     ChainAtRest chain;
     chain.length = length_;
     chain.elastic = kElastic;
+    chain.start_shifts = kElastic && root.shifts;
     chain.held.assign(root.held.begin(), root.held.begin() + kT);
     chain.welded.assign(root.welded.begin(), root.welded.begin() + kR);
     for (std::size_t i = 0; i < build_.chain.size(); ++i) chain.segments.push_back(segment(i));
@@ -71,11 +73,10 @@ class Rest {
     std::vector<MaterialValues<double>> materials;
     materials.reserve(parts.size());
     for (const auto& part : parts) materials.push_back(material_values(*part.material));
-    const auto laws =
-        make_joints<L, kElastic>(model.scene, parts, materials,
-                                 chain::joint_numbers(model.layout, model.part_of_segment,
-                                                      build_.joints, parts, materials, view),
-                                 view, model.options.fibres);
+    const auto laws = make_joints<L, kElastic>(
+        model.scene, parts, materials,
+        chain::joint_numbers(model.part_of_segment, build_.joints, parts, materials, view), view,
+        model.options.fibres);
     laws->evaluate(rest_.angles, rest_.q.shift, rest_.joints);
     chain::gather_forces(
         build_.chain, rest_.q, rest_.placement, rest_.stage, rest_.joints,

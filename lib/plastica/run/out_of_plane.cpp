@@ -25,7 +25,8 @@ class SpatialTangent final : public OutOfPlane {
   SpatialTangent(const ChainModel& model, const MaterialValues<double>& material)
       : scene_(model.scene), normal_(1 - model.across) {
     scene_.yield_model = YieldModel::Elastic;
-    build_ = chain::Builder<L>(scene_, model.layout, view_, model.options.rotary_inertia).build();
+    build_ = chain::Builder<L>(scene_, model.layout, view_, model.options.rotary_inertia, kElastic)
+                 .build();
     set_joints(model, material);
     work_.resize(build_.chain);
     conservative_ = solve::is_conservative(build_.chain);
@@ -78,10 +79,10 @@ class SpatialTangent final : public OutOfPlane {
     materials.reserve(parts.size());
     for (const auto& part : parts) materials.push_back(material_values(*part.material));
     materials[0] = material;
-    joints_ = make_joints<L, kElastic>(scene_, parts, materials,
-                                       chain::joint_numbers(model.layout, model.part_of_segment,
-                                                            build_.joints, parts, materials, view_),
-                                       view_, model.options.fibres);
+    joints_ = make_joints<L, kElastic>(
+        scene_, parts, materials,
+        chain::joint_numbers(model.part_of_segment, build_.joints, parts, materials, view_), view_,
+        model.options.fibres);
     double bending = 0.0;
     for (const auto& joint : joints_->joints()) {
       for (std::size_t k = 0; k < 3; ++k) bending = std::max(bending, joint.stiffness[k]);

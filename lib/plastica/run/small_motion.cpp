@@ -105,41 +105,21 @@ class Motions {
     coordinates_ += axes.cols();
   }
 
-  /// Joint 0 gives what the ground does not hold. Translations of the start that are free have no
-  /// mass of their own: beside an elastic shift they make it so much softer.
+  /// Joint 0 gives what the ground does not hold.
   void free_root(MatrixXd& axes, MatrixXd& stiffness) const {
     std::vector<Index> kept = unset(chain_.welded);
-    for (Index k = rotations_; k < axes.cols(); ++k) kept.push_back(k);
+    for (Index k = rotations_; chain_.start_shifts && k < axes.cols(); ++k) kept.push_back(k);
     axes = MatrixXd(axes(Eigen::all, kept));
     stiffness = MatrixXd(stiffness(kept, kept));
     const std::vector<Index> free = unset(chain_.held);
     if (free.empty()) return;
     const MatrixXd identity = MatrixXd::Identity(all_, all_);
     const MatrixXd translations = chain_.length * identity(Eigen::all, free);
-    if (chain_.elastic) {
-      soften(stiffness, MatrixXd(axes.transpose() * translations));
-      return;
-    }
     const Index rotations = axes.cols();
     const Index all = rotations + translations.cols();
     axes.conservativeResize(Eigen::NoChange, all);
     axes.rightCols(translations.cols()) = translations;
     stiffness.conservativeResizeLike(MatrixXd::Zero(all, all));
-  }
-
-  /// Takes from joint 0 what it has against free translations, given in its axes: these are
-  /// orthogonal and of the beam's length.
-  void soften(MatrixXd& stiffness, const MatrixXd& translations) const {
-    const MatrixXd slack = translations / (chain_.length * chain_.length);
-    const MatrixXd against = stiffness * slack;
-    const MatrixXd between = slack.transpose() * against;
-    const VectorXd before = stiffness.diagonal();
-    stiffness -= against * MatrixXd(between.ldlt().solve(MatrixXd(against.transpose())));
-    for (Index k = 0; k < stiffness.rows(); ++k) {
-      if (stiffness(k, k) > kNothing * before(k)) continue;  // else it is rounding
-      stiffness.row(k).setZero();
-      stiffness.col(k).setZero();
-    }
   }
 
   /// Mass about the inner joint: P^T m P + R J R^T, P the motion of the center of mass.

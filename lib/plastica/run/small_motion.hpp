@@ -31,10 +31,11 @@ struct HeldDirection {
 
 /// A chain in its undeformed shape.
 struct ChainAtRest {
-  double length = 0.0;       ///< of the beam [m]
-  bool elastic = false;      ///< whether joints let translations go as well
-  std::vector<bool> held;    ///< translations of the start that the ground holds (T)
-  std::vector<bool> welded;  ///< rotations of the start that joint 0 does not let go (R)
+  double length = 0.0;        ///< of the beam [m]
+  bool elastic = false;       ///< whether joints let translations go as well
+  std::vector<bool> held;     ///< translations of the start that the ground holds (T)
+  bool start_shifts = false;  ///< whether joint 0 does so, too
+  std::vector<bool> welded;   ///< rotations of the start that joint 0 does not let go (R)
   std::vector<SegmentAtRest> segments;
   std::vector<HeldDirection> directions;
 };

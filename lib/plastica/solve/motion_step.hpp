@@ -144,14 +144,13 @@ class MotionStep {
     }
     for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
       const auto& ground = chain_.ground_joints[g];
-      if (ground.segment + 1 != n || w_.q.released_ground_joint[g]) continue;
+      if (ground.node != n || w_.q.released_ground_joint[g]) continue;
       w_.q.released_ground_joint[g] = true;
       flows_.fracture += joints_.elastic_energy()[ground.joint];
     }
     for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
       const auto& closure = chain_.closures[k];
-      const bool at_end = closure.segment + 1 == n && !closure.one_sided;
-      if (at_end) w_.q.released_closure[k] = true;
+      if (closure.node == n && !closure.one_sided) w_.q.released_closure[k] = true;
     }
   }
 

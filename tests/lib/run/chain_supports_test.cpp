@@ -42,10 +42,10 @@ TEST(ChainSupports, ShareTheLoadWithASpringByTheirStiffness) {
 }
 
 TEST(ChainSupports, TurnASpringOfRotation) {
-  // The last segment turns as the joints up to the middle of it: by M (L - l/2)/EI.
+  // The end turns by M L/EI without the spring.
   constexpr int kSegments = 10;
   Scene scene = cantilever_scene(kSegments);
-  const double beam = bending_stiffness_of(scene) / (1.0 - 0.5 / kSegments);  // [N m/rad]
+  const double beam = bending_stiffness_of(scene);  // [N m/rad]
   scene.loads.push_back({.moment = {kForce, 0.0, 0.0}});
   scene.supports.push_back({.at = Place::end(),
                             .kind = SupportKind::Elastic,

@@ -177,6 +177,24 @@ TEST(PathLanes, HaveTheBitsOfLoneBeamsInSpace) {
   expect_lanes_like_alone([](std::size_t i) { return askew(i, YieldModel::PerAxis); });
 }
 
+/// With a thin and soft region, whose end is elsewhere in each case.
+Scene with_region(Scene scene, std::size_t i) {
+  Region region{
+      {0.13 + 0.011 * static_cast<double>(i), {}}, {0.7, {}}, scene.section, scene.material};
+  region.section.height *= 0.85;
+  region.section.width *= 1.1;
+  region.material.youngs_modulus *= 0.7;
+  scene.regions.push_back(region);
+  return scene;
+}
+
+TEST(PathLanes, HaveTheBitsOfLoneBeamsWhoseRegionsEndElsewhere) {
+  expect_lanes_like_alone(
+      [](std::size_t i) { return with_region(bent(i, YieldModel::PerAxis), i); });
+  expect_lanes_like_alone(
+      [](std::size_t i) { return with_region(askew(i, YieldModel::PerAxis), i); });
+}
+
 TEST(PathLanes, LeaveTheOthersAloneWhenOneEnds) {
   std::vector<BatchCase> cases = eleven(
       [](std::size_t i) {

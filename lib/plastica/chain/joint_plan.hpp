@@ -1,0 +1,93 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "plastica/chain/inertia.hpp"
+#include "plastica/chain/layout.hpp"
+
+namespace plastica::chain {
+
+/// What a joint stands for; its law and numbers follow from the parts of the beam beside it.
+struct JointPlan {
+  /// Tributary length of bending about x and y, twist, and stretch with shear [m].
+  std::array<double, 4> length{};
+  std::array<double, 4> before{};  ///< what of it lies in segment a, if that is not b [m]
+  std::array<bool, 3> acting{};    ///< rotations of the level that the section resists
+  std::array<double, 3> spring{};  ///< beside it, of a rotational spring [N m/rad]
+  bool stretches = false;          ///< where joints do: whether this one stretches and shears
+  std::size_t segment_a = 0;       ///< the segments whose sections it joins
+  std::size_t segment_b = 0;
+};
+
+/// The tributary lengths of the joint at the inner end of a segment.
+inline JointPlan joint_plan(const Scene& scene, const Layout& layout, std::size_t i) {
+  const std::size_t n = layout.size();
+  const bool first = i == 1;
+  const bool last = i + 1 == n;
+  JointPlan joint;
+  joint.segment_a = i == 0 ? 0 : i - 1;
+  joint.segment_b = i;
+  joint.acting.fill(i > 0);
+  joint.stretches = i > 0;
+  joint.length.fill(layout.joint_length[i]);
+  if (i > 0) joint.before.fill(layout.length_before[i]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (first) joint.length[k] += layout.bare_half[0][k];
+    if (first) joint.before[k] += layout.bare_half[0][k];
+    if (last) joint.length[k] += layout.bare_half[1][k];
+  }
+  // The halves at both ends, which no joint at the end stretches and shears.
+  const EndRule rule = resolved_end_rule(scene);
+  const bool whole = rule == EndRule::Half || rule == EndRule::ThreeHalves;
+  if (first && !whole) {
+    joint.length[3] += 0.5 * layout.segment_length.front();
+    joint.before[3] += 0.5 * layout.segment_length.front();
+  }
+  if (last && !whole) joint.length[3] += 0.5 * layout.segment_length.back();
+  return joint;
+}
+
+/// What of a joint's compliance is that of its length in the segment before [1]; of the scene's own
+/// materials, whatever is fitted.
+struct ComplianceBefore {
+  std::array<double, 3> turning{};   ///< bending about x, about y, and twist
+  std::array<double, 3> shifting{};  ///< shear along x, along y, and stretch
+};
+
+inline ComplianceBefore compliance_before(const Scene& scene, const Layout& layout,
+                                          std::size_t node) {
+  const JointPlan plan = joint_plan(scene, layout, node);
+  const auto stiffness = [&](std::size_t number) -> std::array<double, 6> {
+    const Section& section = number == 0 ? scene.section : scene.regions[number - 1].section;
+    const Material& material = number == 0 ? scene.material : scene.regions[number - 1].material;
+    const SectionProperties p = section_properties(section, material.poisson_ratio);
+    const double young = material.youngs_modulus;
+    const double shear = resolved_shear_modulus(material);
+    return {young * p.second_moment_x,
+            young * p.second_moment_y,
+            shear * p.torsion_constant,
+            shear * p.shear_coefficient_x * p.area,
+            shear * p.shear_coefficient_y * p.area,
+            young * p.area};
+  };
+  const std::size_t part_a = part_of_segment(scene, layout, node - 1);
+  const std::size_t part_b = part_of_segment(scene, layout, node);
+  std::array<double, 6> a{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+  std::array<double, 6> b = a;
+  if (part_a != part_b) {
+    a = stiffness(part_a);
+    b = stiffness(part_b);
+  }
+  ComplianceBefore share;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const std::size_t length = std::min<std::size_t>(k, 3);
+    const double before = plan.before[length] / a[k];
+    const double behind = (plan.length[length] - plan.before[length]) / b[k];
+    (k < 3 ? share.turning[k] : share.shifting[k - 3]) = before / (before + behind);
+  }
+  return share;
+}
+
+}  // namespace plastica::chain
