@@ -43,7 +43,7 @@ ChainBody<L, kElastic>::ChainBody(const ChainModel& of, const chain::View<L>& se
     : model(of), view(seen), parts(chain::part_forms(of.scene, !kOneForce<L, kElastic>)) {
   build = chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia).build();
   work.resize(build.chain);
-  record.prepare(model, view, build, parts);
+  record.prepare(model, view, build, parts, watch);
   const std::size_t nodes = model.layout.size() + 1;
   std::vector<WatchedJoint> watched;
   for (std::size_t i = 0; i < nodes; ++i) {
