@@ -15,6 +15,7 @@ std::string_view name_of(Status status) {
     case Status::HeldTwice: return "held-twice";
     case Status::NotConverged: return "not-converged";
     case Status::Interrupted: return "interrupted";
+    case Status::NotBalanced: return "not-balanced";
   }
   return "unknown";
 }
@@ -30,6 +31,7 @@ std::string_view advice(Status status) {
       return "let one of the supports slide along the beam, or set solver.translation = elastic";
     case Status::NotConverged: return "take more steps, or control = arc_length";
     case Status::Interrupted: return "run it again";
+    case Status::NotBalanced: return "take smaller steps, or scheme = energy_momentum";
     case Status::Completed:
     case Status::Broken:
     case Status::LimitLoad: return "";

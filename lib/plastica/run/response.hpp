@@ -81,7 +81,7 @@ struct Energies {
 /// |residual|, or what the scheme has made if that is more (none should make any).
 double ledger_error(std::span<const Energies> samples);
 
-/// A ledger that is off by more than this share of its largest entry is not to be trusted.
+/// A motion whose energy or momentum is off by more than this share is not to be trusted.
 inline constexpr double kLedgerTolerance = 0.01;
 
 /// What a chain records at each sample. Joint 0 is at the start, joint N at the end: a joint of a
@@ -107,7 +107,9 @@ struct ChainHistory {
   std::vector<double> rotation;
   /// By frame and joint (n_frames x n_joints):
   std::vector<double> plastic_strain;  ///< the break measure: the largest of the joint's axes [1]
-  std::vector<double> stress;  ///< of the extreme fibre, M_x/W_x + M_y/W_y as signs add [Pa]
+  /// Largest of bending over the section [Pa], >= 0: |M_x|/W_x + |M_y|/W_y, that of a corner; of a
+  /// round section the root of the sum of their squares. Axial force and torque are not in it.
+  std::vector<double> stress;
   /// By frame and support (n_frames x n_supports x 6): force [N] and moment [N m] on the beam.
   std::vector<double> reaction;
   std::vector<ChainBreak> events{};  ///< in the order of time
@@ -125,13 +127,31 @@ struct Response {
   ChainHistory chain;  ///< of a chain; empty for a coupon
   PathCounters counters;
   std::optional<LimitLoad> limit;
-  /// `plastica::ledger_error` of a motion [1]; above `kLedgerTolerance` the motion is not to be
-  /// trusted, whatever its status.
+  /// `plastica::ledger_error` of a motion [1]; above `kLedgerTolerance` its status is
+  /// `NotBalanced`.
   double ledger_error = 0.0;
+  /// Of a motion: what the momentum of pieces that no support holds has changed by beyond the
+  /// impulses of their loads, at most, over the largest sum of the segments' momenta so far; the
+  /// same of the angular momentum about their mass centres (see chain/README.md) [1]. Above
+  /// `kLedgerTolerance` the status is `NotBalanced`.
+  double momentum_error = 0.0;
+  /// The shortest and the longest step that a motion has taken [s]; 0: none.
+  double shortest_step = 0.0, longest_step = 0.0;
+
+  bool balances() const {
+    return ledger_error <= kLedgerTolerance && momentum_error <= kLedgerTolerance;
+  }
   /// Wall time of the run; of a batch's case CPU time of its thread. What ran in lanes has its
   /// share, by iterations and samples, of the time of all that ran beside it [s].
   double seconds = 0.0;
 };
+
+/// Before a run: nothing is known of its motion.
+void clear_motion(Response& response);
+/// Notes the length of a step that a motion has taken [s].
+void note_step(double step, Response& response);
+/// After a motion: the status of one that ended as it should, but does not balance.
+void judge_balance(Response& response);
 
 /// Derivatives of a response by the model's parameters; sized by `make_sensitivity`.
 struct Sensitivity {
