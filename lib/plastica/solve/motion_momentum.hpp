@@ -46,6 +46,9 @@ void MotionStep<L, kElastic>::balance_piece(std::size_t first, std::size_t end,
   if (newton_.one_solve && rule_.half_way) {
     add_momentum(inertias, w_.placement, start, {h * lacks.force, h * lacks.moment}, first, end,
                  motion_now_);
+    // What was left over has done no work then: the inertia of the step has less to take up.
+    flows_.numerical += dot(lacks.force, w_.placement.position[first] - begin_.position[first]) +
+                        dot(lacks.moment, step_[first].spin);
   }
   const PieceMotion<L> after = piece_motion(inertias, w_.placement, motion_now_, first, end);
 
