@@ -31,9 +31,10 @@ constexpr const char* kFooter =
     "  plastica sweep sweep.toml -o sweep.h5   vary a scene: what accuracy costs\n"
     "  plastica recommend sweep.h5 --within \"1 %\"\n"
     "  plastica check check.toml               hold convergence against claims, for CI\n"
-    "Exit codes: 0 done, 1 a target has no usable fit, a scene no equilibrium, or a claim does "
-    "not\n"
-    "hold, 2 bad input, 3 the machine failed, 130 interrupted by Ctrl-C (what was finished is "
+    "Exit codes: 0 done, 1 a target has no usable fit, a scene no equilibrium or balance, or a "
+    "claim\n"
+    "does not hold, 2 bad input, 3 the machine failed, 130 interrupted by Ctrl-C (what was "
+    "finished is "
     "kept).\n"
     "`plastica COMMAND --help` says more.";
 

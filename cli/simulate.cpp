@@ -26,6 +26,7 @@
 #include "plastica/report/scene_json.hpp"
 #include "plastica/report/scene_text.hpp"
 #include "plastica/run/chain_model.hpp"
+#include "plastica/run/path_stops.hpp"
 #include "plastica/run/response_size.hpp"
 #include "plastica/run/simulate.hpp"
 
@@ -69,11 +70,16 @@ void check_outputs(const SimulateArguments& arguments) {
 std::string motion_label(const Setup& setup, const ChainModel& chain) {
   const SolverOptions& solver = setup.solver;
   const bool adaptive = solver.step_error > 0.0;
-  return fmt::format("{}, {} s in {}{:.0f} steps of {}{} s\n",
+  const FixedSteps fixed = fixed_steps({chain.stops, chain.recorded}, solver.time_step);
+  // What ran and why is the same in the report: scene_motion_text.cpp.
+  const bool cut = !adaptive && fixed.longest < solver.time_step * (1.0 - 1e-9);
+  return fmt::format("{}, {} s in {}{:.0f} steps of {}{:.5g} s{}\n",
                      std::get<std::string>(find_field("solver.scheme").get(setup)),
-                     chain.stops.back(), adaptive ? "at least " : "",
-                     std::ceil(chain.stops.back() / solver.time_step * (1.0 - 1e-9)),
-                     adaptive ? "at most " : "", solver.time_step);
+                     chain.stops.back(), adaptive ? "at least " : "", fixed.count,
+                     adaptive ? "at most " : "", fixed.longest,
+                     cut ? fmt::format(" ({} s cut to samples that are {:.5g} s apart)",
+                                       solver.time_step, fixed.samples)
+                         : std::string());
 }
 
 bool is_motion(const Model& model) {

@@ -6,6 +6,7 @@
 #include "plastica/io/digest.hpp"
 #include "plastica/io/scene_digest.hpp"
 #include "plastica/model/check_value.hpp"
+#include "plastica/run/path_stops.hpp"
 #include "sweeps/plan/read_axes.hpp"
 #include "sweeps/plan/sweep.hpp"
 
@@ -64,8 +65,10 @@ Setup CaseTable::setup(std::size_t index) const {
 }
 
 std::string CaseTable::id(std::size_t index) const {
+  Setup of_case = setup(index);
+  of_case.solver.time_step = taken_time_step(of_case.scene, of_case.solver);
   return io::hexadecimal(
-      io::Digest().integer(common_digest_).integer(io::scene_digest(setup(index))).value());
+      io::Digest().integer(common_digest_).integer(io::scene_digest(of_case)).value());
 }
 
 std::string value_text(const Field& field, const FieldValue& value) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
@@ -155,6 +156,24 @@ CaseBlock block_of(const SweepRecord& record, const RefinementGroup& group,
   return block;
 }
 
+/// "; the same run as case 3" of a case that comes to what an earlier one does.
+std::string same_run_text(const SweepRecord& record, std::size_t index) {
+  // Of many cases a table shows the first ones.
+  constexpr std::size_t kMostSearched = 10'000;
+  const auto end = record.ids.begin() + static_cast<std::ptrdiff_t>(std::min(index, kMostSearched));
+  const auto first = std::find(record.ids.begin(), end, record.ids[index]);
+  if (first == end) return {};
+  const auto number = static_cast<std::size_t>(first - record.ids.begin());
+  std::string text = fmt::format("; the same run as case {}", number + 1);
+  for (std::size_t a = 0; a < record.axes.size(); ++a) {
+    if (record.axes[a].field->path != "solver.time_step") continue;
+    if (record.at(index, a) != record.at(number, a)) {
+      text += " (steps are cut to the samples)";
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 CaseRows case_rows(const SweepRecord& record, std::size_t most_cases) {
@@ -192,11 +211,12 @@ std::vector<std::string> head_lines(const SweepRecord& record) {
 
 std::string remark_of(const SweepRecord& record, std::size_t index) {
   const CaseResult& result = record.results[index];
+  const std::string same = same_run_text(record, index);
   if (!usable(result.status)) {
     std::string text(name_of(result.status));
     if (result.last_time > 0.0) text += fmt::format(" at {:.4g} s", result.last_time);
     if (!result.reason.empty()) text += ": " + result.reason;
-    return text;
+    return text + same;
   }
   std::string text = result.status == Status::Completed ? "" : std::string(name_of(result.status));
   const std::string& why = result.reason.empty() ? record.comparison.reason[index] : result.reason;
@@ -205,7 +225,7 @@ std::string remark_of(const SweepRecord& record, std::size_t index) {
     text += fmt::format("{}ledger open by {} %", text.empty() ? "" : ", ",
                         percent_text(result.ledger_error));
   }
-  return text;
+  return text.empty() && !same.empty() ? same.substr(2) : text + same;
 }
 
 std::string level_word(Level level) {

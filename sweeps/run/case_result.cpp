@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "plastica/report/format.hpp"
 #include "plastica/theory/spectrum.hpp"
 
 namespace plastica::sweeps {
@@ -78,7 +79,7 @@ void measure_probe(const Response& response, const Quantity& quantity, CaseResul
   const std::span<const double> values(all.data(), response.samples);
   if (values.empty()) return;
   result.last_value = values.back();
-  if (!usable(response.status)) return;
+  if (!is_whole(response.status)) return;
   const std::vector<double> time = times_of(response);
   if (quantity.is_curve()) {
     result.time = time;
@@ -88,6 +89,13 @@ void measure_probe(const Response& response, const Quantity& quantity, CaseResul
   const Measured measured = take_of(quantity.take, time, values);
   result.value = measured.value;
   result.reason = measured.reason;
+}
+
+std::string imbalance_of(const Response& response) {
+  const bool energy = !(response.ledger_error <= kLedgerTolerance);
+  const double wrong = energy ? response.ledger_error : response.momentum_error;
+  return std::string(energy ? "energy" : "momentum") + " off by " +
+         report::significant(100.0 * wrong, 3) + " %: " + std::string(advice(response.status));
 }
 
 }  // namespace
@@ -123,12 +131,16 @@ CaseResult result_of(const Response& response, Level level, const Quantity& quan
   }
   if (quantity.kind == QuantityKind::Probe) {
     measure_probe(response, quantity, result);
-  } else if (usable(response.status)) {
+  } else if (is_whole(response.status)) {
     const Measured measured = quantity_of(response, quantity);
     result.value = measured.value;
     result.reason = measured.reason;
   }
-  if (!usable(response.status)) result.reason = advice(response.status);
+  if (response.status == Status::NotBalanced) {
+    result.reason = imbalance_of(response);
+  } else if (!usable(response.status)) {
+    result.reason = advice(response.status);
+  }
   return result;
 }
 

@@ -114,7 +114,7 @@ std::optional<Verdict> check_limit(const Setup& setup, const Response& response,
 }  // namespace
 
 Verdict judge(const Setup& setup, const Response& response, const Expectation& expected) {
-  if (!usable(response.status)) return {Failed, std::string(name_of(response.status))};
+  if (!is_whole(response.status)) return {Failed, std::string(name_of(response.status))};
   if (response.samples == 0) return {Silent, "no sample"};
   if (!is_finite(setup, response)) return {Silent, "a number is not finite"};
 
@@ -126,6 +126,9 @@ Verdict judge(const Setup& setup, const Response& response, const Expectation& e
                               " of the energy, as the ledger states"};
     }
     return {Inaccurate, "the ledger does not close by " + percent(response.ledger_error)};
+  }
+  if (moves && response.momentum_error > kLedgerTolerance) {
+    return {Inaccurate, "momentum is off by " + percent(response.momentum_error)};
   }
   if (const auto wrong = audit(setup, response)) return {Silent, *wrong};
   if (expected.unstable && response.status == Status::Completed) {

@@ -191,5 +191,48 @@ TEST_F(MotionResult, OfAnInterruptedRunIsWhatWasComputed) {
   EXPECT_EQ(place_.run({"plot", "beam.h5", "--what", "history"}).code, 0);
 }
 
+TEST_F(MotionResult, OfAMotionThatDoesNotBalanceIsKeptAndNoSuccess) {
+  place_.write("spin.toml", R"([beam]
+length = "1 m"
+section = { shape = "rectangle", width = "20 mm", height = "20 mm" }
+segments = 8
+[rules]
+yield_model = "elastic"
+[solver]
+analysis = "dynamics"
+scheme = "linearly_implicit_euler"
+duration = "50 ms"
+steps = 10
+time_step = "0.1 ms"
+[[initial_motion]]
+about = 0.5
+spin = ["180 rad/s", "0 rad/s", "0 rad/s"]
+[[probe]]
+name = "momentum"
+kind = "angular_momentum"
+component = "x"
+)");
+  const CommandResult result =
+      place_.run({"simulate", "spin.toml", "-o", "spin.h5", "--json", "spin.json"});
+  EXPECT_EQ(result.code, 1) << result.err;
+  EXPECT_TRUE(has(result.out, "spin: not-balanced")) << result.out;
+  const auto json = nlohmann::json::parse(place_.read("spin.json"));
+  EXPECT_EQ(json.at("status"), "not-balanced");
+  EXPECT_EQ(json.at("samples"), 11);
+  EXPECT_GT(json.at("energies").at("momentum_error"), 0.01);
+  const CommandResult shown = place_.run({"show", "spin.h5"});
+  EXPECT_TRUE(has(shown.out, "not-balanced")) << shown.out << shown.err;
+}
+
+TEST_F(MotionResult, SaysWhichStepsRanAndWillRun) {
+  place_.write("beam.toml",
+               motion_text("time_step = '50 ms'\nduration = '0.5 s'\nsteps = 250\nframes = 10"));
+  const CommandResult dry = place_.run({"simulate", "beam.toml", "--dry-run"});
+  EXPECT_TRUE(has(dry.out, "250 steps of 0.002 s (0.05 s cut to samples that are 0.002 s apart)"))
+      << dry.out;
+  const CommandResult run = place_.run({"simulate", "beam.toml", "-o", "beam.h5"});
+  EXPECT_TRUE(has(run.out, "2 ms, fixed: 50 ms are cut to the samples, 2 ms apart")) << run.out;
+}
+
 }  // namespace
 }  // namespace plastica::testing

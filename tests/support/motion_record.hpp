@@ -71,6 +71,8 @@ energy = "kinetic"
   response.samples = made.samples;
   response.counters = {static_cast<int>(10 * made.samples), static_cast<int>(23 * made.samples), 4};
   response.ledger_error = 3e-4;
+  response.momentum_error = 2e-5;
+  response.shortest_step = response.longest_step = record.setup.solver.time_step;
   const double first_break = made.breaks ? 0.4 * made.duration : 2.0 * made.duration;
   const double second_break = made.breaks ? 0.7 * made.duration : 2.0 * made.duration;
   const std::size_t hinge = n / 2;

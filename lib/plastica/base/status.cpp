@@ -16,6 +16,7 @@ std::string_view name_of(Status status) {
     case Status::NotConverged: return "not-converged";
     case Status::Interrupted: return "interrupted";
     case Status::Unstable: return "unstable";
+    case Status::NotBalanced: return "not-balanced";
   }
   return "unknown";
 }
@@ -34,6 +35,7 @@ std::string_view advice(Status status) {
     case Status::Unstable:
       return "stay below the critical factor, hold the beam where it gives way, or add the "
              "imperfection that it has, at a level that holds it";
+    case Status::NotBalanced: return "take smaller steps, or scheme = energy_momentum";
     case Status::Completed:
     case Status::Broken:
     case Status::LimitLoad: return "";

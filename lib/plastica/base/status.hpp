@@ -20,6 +20,8 @@ enum class Status {
   NotConverged,      ///< no equilibrium was found, nor shown to be none; valid up to there
   Unstable,          ///< went to the end over equilibria that are not stable, which a beam would
                      ///< leave at the least push (see `Response::critical`)
+  NotBalanced,       ///< a motion went to its end, but its energy or momentum is off by more than
+                     ///< 1 % (`Response::ledger_error`, `momentum_error`): whole, not to be trusted
 };
 
 /// One word for tables and files: "completed", "broken", …
@@ -29,6 +31,10 @@ std::string_view name_of(Status status);
 constexpr bool usable(Status status) {
   return status == Status::Completed || status == Status::Broken || status == Status::LimitLoad;
 }
+
+/// Whether a run went to its end, so that all of its samples are there: those of `NotBalanced`,
+/// too.
+constexpr bool is_whole(Status status) { return usable(status) || status == Status::NotBalanced; }
 
 /// What to change when a run ended this way; empty where nothing needs to change.
 std::string_view advice(Status status);

@@ -85,7 +85,7 @@ std::string schema_of(const std::string& path) {
 std::span<const std::string_view> status_words() {
   static const std::vector<std::string_view> words = [] {
     std::vector<std::string_view> all;
-    for (int i = 0; i <= static_cast<int>(Status::Unstable); ++i) {
+    for (int i = 0; i <= static_cast<int>(Status::NotBalanced); ++i) {
       all.push_back(name_of(static_cast<Status>(i)));
     }
     return all;

@@ -131,6 +131,9 @@ void walk_outcome(Store& store, Response& response, std::size_t joints) {
   store.number("outcome/samples", response.samples, "1");
   store.number("outcome/permanent_strain", response.permanent_strain, "1");
   store.number("outcome/ledger_error", response.ledger_error, "1");
+  store.number_since("outcome/momentum_error", response.momentum_error, "1");
+  store.number_since("outcome/shortest_step", response.shortest_step, "s");
+  store.number_since("outcome/longest_step", response.longest_step, "s");
   store.number("outcome/steps", response.counters.steps, "1");
   store.number("outcome/iterations", response.counters.iterations, "1");
   store.number("outcome/cutbacks", response.counters.cutbacks, "1");

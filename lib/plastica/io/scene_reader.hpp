@@ -34,6 +34,11 @@ class SceneReader {
   void number(std::string_view path, T& value, std::string_view /*units*/) {
     value = static_cast<T>(values_of<T>(path, {})[0]);
   }
+  /// One that files of older versions do not have: it stays as it is.
+  template <class T>
+  void number_since(std::string_view path, T& value, std::string_view units) {
+    if (root_.exists(path)) number(path, value, units);
+  }
   void numbers(std::string_view path, std::array<double, 3>& values, std::string_view /*units*/) {
     const auto read = values_of<double>(path, {3});
     std::copy(read.begin(), read.end(), values.begin());

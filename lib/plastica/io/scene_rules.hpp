@@ -38,6 +38,9 @@ inline constexpr std::array kSceneRules{
     ValueRule{"path/frame_sample", {}, Order::RisesStrictly},
     ValueRule{"events/time", kNotNegative, Order::Rises},
     ValueRule{"outcome/ledger_error", kNotNegative},
+    ValueRule{"outcome/momentum_error", kNotNegative},
+    ValueRule{"outcome/shortest_step", kNotNegative},
+    ValueRule{"outcome/longest_step", kNotNegative},
     ValueRule{"meta/run_seconds", kNotNegative},
 };
 

@@ -1,6 +1,7 @@
 #include "plastica/io/scene_store.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "plastica/io/region_store.hpp"
@@ -35,6 +36,14 @@ void keep_valid_samples(Response& response) {
   }
 }
 
+/// Whether joints have done plastic work, beyond rounding.
+bool has_yielded(const Response& response) {
+  const auto& energy = response.chain.energy;
+  if (response.samples == 0 || energy.size() < response.samples) return false;
+  const Energies& last = energy[response.samples - 1];
+  return last.plastic > 1e-9 * std::max(std::fabs(last.external), last.elastic);
+}
+
 }  // namespace
 
 std::span<const std::string_view> scene_layout::choices_of(std::string_view field) {
@@ -47,6 +56,11 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
   record.level = model.level;
   record.level_reason = model.level_reason;
   record.warnings = scene_warnings(file.setup.scene, file.setup.solver);
+  if (has_yielded(response)) {
+    if (auto warning = first_yield_warning(file.setup.scene, file.setup.solver)) {
+      record.warnings.push_back(std::move(*warning));
+    }
+  }
   record.outline = beam_outline(model);
   record.inputs = {{std::filesystem::path(file.path).filename().string(), file.text}};
   keep_valid_samples(response);

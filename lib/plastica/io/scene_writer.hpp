@@ -31,6 +31,10 @@ class SceneWriter {
   void number(std::string_view path, T value, std::string_view units) {
     root_.write(path, static_cast<Stored<T>>(value), {units});
   }
+  template <class T>
+  void number_since(std::string_view path, T value, std::string_view units) {
+    number(path, value, units);
+  }
   void numbers(std::string_view path, const std::array<double, 3>& values, std::string_view units) {
     root_.write(path, std::span<const double>(values), {units});
   }

@@ -167,6 +167,21 @@ std::optional<std::string> ringing(const Facts& facts) {
          " s do not follow; \"generalized_alpha\" or solver.damping takes that out";
 }
 
+/// Newton's impact makes the touched point's speed -e times that before, by an impulse that the
+/// joints pass on without a moment: what bounces with it is of the size of a segment.
+std::optional<std::string> local_restitution(const Facts& facts) {
+  const auto& supports = facts.scene.supports;
+  const auto set = std::find_if(supports.begin(), supports.end(),
+                                [](const Support& support) { return support.restitution > 0.0; });
+  if (set == supports.end()) return std::nullopt;
+  return item_name("support", static_cast<std::size_t>(set - supports.begin()), ".restitution") +
+         " = " + figure(set->restitution) +
+         " is that of the touched point, which has about the mass of a segment, 1/" +
+         std::to_string(facts.scene.beam.segments) +
+         " of the beam: the finer the chain, the less it says of how the beam bounces, which "
+         "its bending decides";
+}
+
 std::optional<std::string> growing_gravity(const Facts& facts) {
   const auto& g = facts.scene.gravity;
   const double size = std::hypot(g[0], g[1], g[2]);
@@ -217,8 +232,8 @@ std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions
   facts.step = std::min(options.time_step, facts.duration / options.steps);
   if (options.step_error == 0.0) facts.first = first_frequency(scene, level);
   std::vector<std::string> warnings;
-  for (const auto find :
-       {coarse_steps, first_order, undamped_alpha, ringing, growing_gravity, late_cut}) {
+  for (const auto find : {coarse_steps, first_order, undamped_alpha, ringing, local_restitution,
+                          growing_gravity, late_cut}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   return warnings;

@@ -5,16 +5,28 @@
 namespace plastica {
 
 std::span<const std::string_view> probe_kinds() {
-  static constexpr std::array<std::string_view, 20> kWords{"strain",         "stress",
-                                                           "plastic_strain", "accumulated_strain",
-                                                           "load",           "dissipation",
-                                                           "displacement",   "rotation",
-                                                           "reaction",       "reaction_moment",
-                                                           "moment",         "angle",
-                                                           "plastic_angle",  "force",
-                                                           "load_factor",    "energy",
-                                                           "velocity",       "spin",
-                                                           "momentum",       "angular_momentum"};
+  static constexpr std::array<std::string_view, 22> kWords{"strain",
+                                                           "stress",
+                                                           "plastic_strain",
+                                                           "accumulated_strain",
+                                                           "load",
+                                                           "dissipation",
+                                                           "displacement",
+                                                           "rotation",
+                                                           "reaction",
+                                                           "reaction_moment",
+                                                           "moment",
+                                                           "angle",
+                                                           "plastic_angle",
+                                                           "force",
+                                                           "load_factor",
+                                                           "energy",
+                                                           "velocity",
+                                                           "spin",
+                                                           "momentum",
+                                                           "angular_momentum",
+                                                           "local_plastic_strain",
+                                                           "local_accumulated_strain"};
   return kWords;
 }
 
@@ -22,7 +34,9 @@ Dimension dimension_of(ProbeQuantity quantity, Deformation deformation) {
   switch (quantity) {
     case ProbeQuantity::Strain:
     case ProbeQuantity::PlasticStrain:
-    case ProbeQuantity::AccumulatedStrain: return Dimension::Strain;
+    case ProbeQuantity::AccumulatedStrain:
+    case ProbeQuantity::LocalPlasticStrain:
+    case ProbeQuantity::LocalAccumulatedStrain: return Dimension::Strain;
     case ProbeQuantity::Stress: return Dimension::Stress;
     case ProbeQuantity::Load:
       return deformation == Deformation::Tension ? Dimension::Force : Dimension::Moment;

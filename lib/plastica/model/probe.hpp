@@ -13,26 +13,29 @@ namespace plastica {
 
 /// What a probe records at each sample of the drive, or at each step of a path.
 enum class ProbeQuantity {
-  Strain,             ///< of the extreme fibre [1]; of a coupon, as driven
-  Stress,             ///< of the extreme fibre [Pa]
-  PlasticStrain,      ///< permanent strain, with sign [1]
-  AccumulatedStrain,  ///< sum of |d plastic strain| [1]
-  Load,               ///< force [N], bending moment or torque [N m]; coupon only
-  Dissipation,        ///< plastic work per volume at the extreme fibre [J/m^3 = Pa]; coupon only
-  Displacement,       ///< of a point, in world axes [m]
-  Rotation,           ///< of a point's segment, as a rotation vector in world axes [rad]
-  Reaction,           ///< force of the support at a place on the beam [N]
-  ReactionMoment,     ///< moment of the support at a place on the beam [N m]
-  Moment,             ///< of a joint, in the joint's axes: bending, z: torque [N m]
-  Angle,              ///< of a joint, from its undeformed state [rad]
-  PlasticAngle,       ///< permanent part of a joint's angle [rad]
-  Force,              ///< section force at a joint, in its axes: shear, z: axial [N]
-  LoadFactor,         ///< the factor of the first load's history, or of the first motion's [1]
-  Energy,             ///< of the whole beam, see `EnergyKind` [J]
-  Velocity,           ///< of a point, in world axes; dynamics only [m/s]
-  Spin,               ///< of a point's segment, about world axes; dynamics only [rad/s]
-  Momentum,           ///< of the whole beam, in world axes; dynamics only [N s]
-  AngularMomentum,    ///< of the whole beam about the world's origin; dynamics only [N m s]
+  Strain,              ///< of the extreme fibre [1]; of a coupon, as driven
+  Stress,              ///< of the extreme fibre [Pa]
+  PlasticStrain,       ///< permanent strain, with sign; of a chain with the hinge length, as it
+                       ///< breaks (see BreakWatch) [1]
+  AccumulatedStrain,   ///< the same of the sum of |d permanent rotation| [1]
+  Load,                ///< force [N], bending moment or torque [N m]; coupon only
+  Dissipation,         ///< plastic work per volume at the extreme fibre [J/m^3 = Pa]; coupon only
+  Displacement,        ///< of a point, in world axes [m]
+  Rotation,            ///< of a point's segment, as a rotation vector in world axes [rad]
+  Reaction,            ///< force of the support at a place on the beam [N]
+  ReactionMoment,      ///< moment of the support at a place on the beam [N m]
+  Moment,              ///< of a joint, in the joint's axes: bending, z: torque [N m]
+  Angle,               ///< of a joint, from its undeformed state [rad]
+  PlasticAngle,        ///< permanent part of a joint's angle [rad]
+  Force,               ///< section force at a joint, in its axes: shear, z: axial [N]
+  LoadFactor,          ///< the factor of the first load's history, or of the first motion's [1]
+  Energy,              ///< of the whole beam, see `EnergyKind` [J]
+  Velocity,            ///< of a point, in world axes; dynamics only [m/s]
+  Spin,                ///< of a point's segment, about world axes; dynamics only [rad/s]
+  Momentum,            ///< of the whole beam, in world axes; dynamics only [N s]
+  AngularMomentum,     ///< of the whole beam about the world's origin; dynamics only [N m s]
+  LocalPlasticStrain,  ///< permanent strain over a joint's own length, with sign; chain only [1]
+  LocalAccumulatedStrain,  ///< sum of its |changes|; chain only [1]
 };
 
 /// The words of files for what a probe records, in the order of ProbeQuantity.
@@ -45,6 +48,8 @@ constexpr bool is_of_joint(ProbeQuantity quantity) {
     case ProbeQuantity::Stress:
     case ProbeQuantity::PlasticStrain:
     case ProbeQuantity::AccumulatedStrain:
+    case ProbeQuantity::LocalPlasticStrain:
+    case ProbeQuantity::LocalAccumulatedStrain:
     case ProbeQuantity::Moment:
     case ProbeQuantity::Angle:
     case ProbeQuantity::PlasticAngle:

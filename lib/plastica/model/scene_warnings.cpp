@@ -12,6 +12,7 @@
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
 #include "plastica/model/choose_level.hpp"
+#include "plastica/model/local_buckling.hpp"
 #include "plastica/model/motion_warnings.hpp"
 
 namespace plastica {
@@ -151,18 +152,24 @@ bool scene_lets_go(const Scene& scene) {
          (scene.gravity != std::array<double, 3>{} && lets_go(scene.gravity_history));
 }
 
+/// Fully plastic moment (or torque) over that at first yield, of the scene's own section.
+double shape_factor(const Scene& scene, const LevelChoice& level) {
+  const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
+  if (bends_about_x(level)) {
+    return section.plastic_section_modulus_x / section.section_modulus_x;
+  }
+  if (bends_about_y(level)) {
+    return section.plastic_section_modulus_y / section.section_modulus_y;
+  }
+  return section.plastic_torsion_modulus / section.torsion_modulus;
+}
+
 std::optional<std::string> cap(const Facts& facts) {
   const Scene& scene = facts.scene;
   if (scene.yield_model == YieldModel::Elastic || !is_ideal(scene) || !scene_lets_go(scene)) {
     return std::nullopt;
   }
-  const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
-  double factor = section.plastic_torsion_modulus / section.torsion_modulus;
-  if (bends_about_x(facts.level)) {
-    factor = section.plastic_section_modulus_x / section.section_modulus_x;
-  } else if (bends_about_y(facts.level)) {
-    factor = section.plastic_section_modulus_y / section.section_modulus_y;
-  }
+  const double factor = shape_factor(scene, facts.level);
   const std::string fibres = facts.level.level == Level::Twist
                                  ? std::string()
                                  : "; rules.yield_model = \"fibre\" follows the section";
@@ -174,6 +181,45 @@ std::optional<std::string> cap(const Facts& facts) {
   return "the beam is loaded and let go: an ideal joint with the cap at first yield turns freely "
          "from there on, where the section carries up to " +
          figure(factor) + " times as much" + fibres;
+}
+
+std::string ratio(double value) {
+  return value < 100.0 ? figure(value) : std::to_string(std::lround(value));
+}
+
+/// What a tube's wall does before the section yields, or before its hinges have turned.
+std::optional<std::string> thin_wall(const Facts& facts) {
+  const Scene& scene = facts.scene;
+  if (scene.yield_model == YieldModel::Elastic || facts.level.level == Level::Twist) {
+    return std::nullopt;
+  }
+  const bool plastic =
+      scene.yield_cap == YieldCap::FullyPlastic || scene.yield_model == YieldModel::Fibre;
+  std::optional<std::string> warning;
+  int worst = plastic ? 1 : 2;
+  const auto look_at = [&](const Section& section, const Material& material,
+                           const std::string& where) {
+    const auto wall = model_detail::tube_wall(section, material, bends_about_x(facts.level),
+                                              bends_about_y(facts.level));
+    if (!wall || wall->section_class <= worst) return;
+    worst = wall->section_class;
+    constexpr std::array<std::string_view, 3> kEnds{
+        "reaches its plastic moment, but buckles as a hinge turns",
+        "buckles before its plastic moment, and as a hinge turns at first yield",
+        "buckles before first yield"};
+    const bool round = section.shape == SectionShape::RoundTube;
+    warning = "the wall of the tube" + where + " is thin, " + (round ? "d/t = " : "c/t = ") +
+              ratio(wall->slenderness) + " (beyond " + ratio(wall->limit) + ", class " +
+              std::to_string(worst) + " of EN 1993-1-1, table 5.2): it " +
+              std::string(kEnds[static_cast<std::size_t>(worst - 2)]) +
+              ", and the model does not know of local buckling";
+  };
+  look_at(scene.section, scene.material, "");
+  for (std::size_t i = 0; i < scene.regions.size(); ++i) {
+    look_at(scene.regions[i].section, scene.regions[i].material,
+            " of " + model_detail::item_name("region", i));
+  }
+  return warning;
 }
 
 /// Whether anything bends the beam about x, and about y.
@@ -289,12 +335,29 @@ std::optional<std::string> no_potential(const Facts& facts) {
 
 }  // namespace
 
+std::optional<std::string> first_yield_warning(const Scene& scene, const SolverOptions& options) {
+  if (scene.is_coupon() || scene.yield_model == YieldModel::Elastic || !is_ideal(scene) ||
+      scene.yield_cap != YieldCap::FirstYield || scene_lets_go(scene)) {
+    return std::nullopt;
+  }
+  const LevelChoice level = choose_level(scene, options);
+  const std::string fibres =
+      level.level == Level::Twist
+          ? std::string()
+          : ", \"fibre\" for rules.yield_model follows it from first yield on";
+  return "joints have yielded, and their caps are those of first yield: the section carries up "
+         "to " +
+         figure(shape_factor(scene, level)) +
+         " times as much, and so does a limit load; rules.yield_cap = \"fully_plastic\" has that" +
+         fibres;
+}
+
 std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions& options) {
   if (scene.is_coupon()) return {};
   const Facts facts{scene, options, choose_level(scene, options), segment_ends(scene)};
   std::vector<std::string> warnings;
   for (const auto find :
-       {short_beam, hinge, cap, per_axis, inner_places, cut_corners, no_potential}) {
+       {short_beam, hinge, cap, thin_wall, per_axis, inner_places, cut_corners, no_potential}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (options.analysis == Analysis::Dynamics) {

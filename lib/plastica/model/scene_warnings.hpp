@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace plastica {
 ///   (Timoshenko), unless joints shear.
 /// - A break limit with joints longer than the hinge length, or without a hinge length.
 /// - An ideal joint that is bent and released: what its cap leaves out.
+/// - A tube whose wall buckles before it yields, or before its hinges have turned (EN 1993-1-1).
 /// - Components clipped one by one where the beam bends about both axes.
 /// - A polyline with corners inside of segments.
 ///
@@ -21,8 +23,15 @@ namespace plastica {
 /// - A first-order scheme: what it takes of that frequency's amplitude in a period.
 /// - Generalized-alpha without any damping of its own.
 /// - A scheme that leaves an impact on a pillar ringing.
+/// - A restitution of an impact, which is that of the touched point.
 /// - Gravity that grows without end, and cuts that never come.
 /// @param scene, options  that check_scene accepts
 std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions& options);
+
+/// What the results of a beam whose joints have yielded leave out where ideal plasticity has the
+/// cap of first yield: the rest of the section. Of a scene that is let go `scene_warnings` tells
+/// it.
+/// @param scene, options  that check_scene accepts
+std::optional<std::string> first_yield_warning(const Scene& scene, const SolverOptions& options);
 
 }  // namespace plastica

@@ -8,6 +8,7 @@
 
 #include "plastica/report/format.hpp"
 #include "plastica/report/scene_frames.hpp"
+#include "plastica/run/path_stops.hpp"
 
 namespace plastica::report {
 namespace {
@@ -92,6 +93,17 @@ std::string unstable_line(const Response& response) {
 }
 
 }  // namespace
+
+std::string_view step_cut(const io::SceneRecord& record) {
+  const SolverOptions& solver = record.setup.solver;
+  const double longest = record.response.longest_step;
+  if (!is_motion(record) || solver.step_error > 0.0 || longest == 0.0 ||
+      longest >= solver.time_step * (1.0 - 1e-9)) {
+    return {};
+  }
+  const FixedSteps planned = fixed_steps(path_stops(record.setup.scene, solver), solver.time_step);
+  return planned.samples < solver.time_step ? "samples" : "division";
+}
 
 bool is_motion(const io::SceneRecord& record) {
   return record.level != Level::Coupon && record.setup.solver.analysis == Analysis::Dynamics;

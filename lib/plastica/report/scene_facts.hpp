@@ -54,6 +54,10 @@ bool is_idle(const io::SceneRecord& record, const LedgerEntry& entry);
 /// there is no energy.
 std::optional<double> residual_share(const io::SceneRecord& record);
 
+/// What keeps a motion's fixed steps shorter than `solver.time_step`: "samples", which are nearer
+/// to each other; "division", the way from one sample to the next into equal steps; or nothing.
+std::string_view step_cut(const io::SceneRecord& record);
+
 /// The word of a solver field that is a choice: "generalized_alpha" of "solver.scheme".
 std::string solver_word(const io::SceneRecord& record, std::string_view field);
 

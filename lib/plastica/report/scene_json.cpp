@@ -103,12 +103,42 @@ Json events_of(const io::SceneRecord& record) {
   return events;
 }
 
+Json material_of(const Material& material) {
+  return {{"name", material.name},
+          {"youngs_modulus", number(material.youngs_modulus)},
+          {"yield_stress", number(material.yield_stress)},
+          {"density", number(material.density)}};
+}
+
+/// The dimensions that the shape has [m].
+Json section_of(const io::SceneRecord& record) {
+  const Section& section = record.setup.scene.section;
+  Json all = {{"shape", solver_word(record, "section.shape")}};
+  const bool round =
+      section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
+  if (round) {
+    all["radius"] = number(section.radius);
+  } else {
+    all["width"] = number(section.width);
+    all["height"] = number(section.height);
+  }
+  if (section.shape == SectionShape::RoundTube) all["inner_radius"] = number(section.inner_radius);
+  if (section.shape == SectionShape::RectangularTube) {
+    all["inner_width"] = number(section.inner_width);
+    all["inner_height"] = number(section.inner_height);
+  }
+  return all;
+}
+
 /// How a motion is stepped; null for a path of equilibria and a coupon.
 Json motion_of(const io::SceneRecord& record) {
   if (!is_motion(record)) return nullptr;
   const SolverOptions& solver = record.setup.solver;
   return {{"scheme", solver_word(record, "solver.scheme")},
           {"time_step", number(solver.time_step)},
+          {"shortest_step", number(record.response.shortest_step)},
+          {"longest_step", number(record.response.longest_step)},
+          {"step_cut", step_cut(record)},
           {"step_error", number(solver.step_error)},
           {"rho_infinity", number(solver.rho_infinity)},
           {"damping", solver_word(record, "solver.damping")},
@@ -195,7 +225,8 @@ Json energies_of(const io::SceneRecord& record) {
   const auto share = residual_share(record);
   all["residual_share"] = share ? number(*share) : Json(nullptr);
   all["ledger_error"] = number(record.response.ledger_error);
-  all["closes"] = !(record.response.ledger_error > kLedgerTolerance);
+  all["momentum_error"] = number(record.response.momentum_error);
+  all["closes"] = record.response.balances();
   return all;
 }
 
@@ -208,6 +239,10 @@ std::string scene_json(const io::SceneRecord& record) {
                     {"status", name_of(response.status)},
                     {"level", level_word(record.level)},
                     {"level_reason", record.level_reason},
+                    {"material", material_of(record.setup.scene.material)},
+                    {"section", section_of(record)},
+                    {"yield_model", solver_word(record, "rules.yield_model")},
+                    {"yield_cap", solver_word(record, "rules.yield_cap")},
                     {"motion", motion_of(record)},
                     {"samples", response.samples},
                     {"frames", frames_of(record)},

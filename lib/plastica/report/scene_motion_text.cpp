@@ -12,6 +12,7 @@
 #include "plastica/report/scene_spectrum.hpp"
 #include "plastica/report/scene_words.hpp"
 #include "plastica/report/table.hpp"
+#include "plastica/run/path_stops.hpp"
 
 namespace plastica::report {
 namespace {
@@ -45,6 +46,29 @@ std::vector<EventRow> rows_of(const std::vector<ChainBreak>& events) {
 
 std::string more(std::size_t count, std::string_view noun) {
   return count <= kMostRows ? std::string() : fmt::format("  … {} in all\n", counted(count, noun));
+}
+
+/// The steps that a motion has taken, and why they are not those that were asked for.
+std::string step_text(const io::SceneRecord& record) {
+  const SolverOptions& solver = record.setup.solver;
+  const Response& response = record.response;
+  const auto text_of = [](double time) { return time_text(time, time); };
+  const std::string asked = text_of(solver.time_step);
+  if (response.longest_step == 0.0) return asked + " asked for; none was taken";
+  std::string taken = text_of(response.longest_step);
+  const bool varies = response.shortest_step < response.longest_step * (1.0 - 1e-6);
+  if (varies) taken = text_of(response.shortest_step) + " to " + taken;
+  if (solver.step_error > 0.0) {
+    return fmt::format("at most {}, as an error of {} of the length asks for; {} taken", asked,
+                       brief(solver.step_error), taken);
+  }
+  taken += varies ? ", shorter at contacts and corners and where longer ones had no solution"
+                  : ", fixed";
+  const std::string_view cut = step_cut(record);
+  if (cut.empty()) return taken;
+  const FixedSteps planned = fixed_steps(path_stops(record.setup.scene, solver), solver.time_step);
+  return fmt::format("{}: {} are cut to {}the samples, {} apart", taken, asked,
+                     cut == "samples" ? "" : "divide the way between ", text_of(planned.samples));
 }
 
 std::string joints_table(const io::SceneRecord& record, const std::vector<EventRow>& rows) {
@@ -132,12 +156,8 @@ std::string scheme_text(const io::SceneRecord& record) {
   if (solver.scheme == Scheme::GeneralizedAlpha) {
     scheme += fmt::format(", rho_infinity {}", brief(solver.rho_infinity));
   }
-  const std::string step = time_text(solver.time_step, solver.time_step);
   std::string text = entry("scheme", scheme);
-  text += entry("step", solver.step_error > 0.0
-                            ? fmt::format("at most {}, as an error of {} of the length asks for",
-                                          step, brief(solver.step_error))
-                            : step + ", fixed");
+  text += entry("step", step_text(record));
   if (solver.damping != Damping::None) {
     text += entry("damping", fmt::format("{}, {}", solver_word(record, "solver.damping"),
                                          time_text(solver.damping_time, solver.damping_time)));
@@ -171,6 +191,13 @@ std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
       fmt::format("not explained; at most {:.2g} % of the {}", 100.0 * *share,
                   is_motion(record) ? "largest" : "energy on the path"));
   std::string text = '\n' + ink.heading("Energies at the last sample\n") + table.text(2, kWidth);
+  const double momentum = record.response.momentum_error;
+  if (momentum > kLedgerTolerance) {
+    text +=
+        ink.bad(fmt::format("  the momentum of what flies freely is off by {:.2g} %: take smaller "
+                            "steps, or scheme = \"energy_momentum\"\n",
+                            100.0 * momentum));
+  }
   const double wrong = record.response.ledger_error;
   if (wrong > kLedgerTolerance) {
     const std::string percent = fmt::format("{:.2g} %", 100.0 * wrong);

@@ -12,6 +12,7 @@
 #include "plastica/report/scene_facts.hpp"
 #include "plastica/report/scene_frames.hpp"
 #include "plastica/report/scene_motion_text.hpp"
+#include "plastica/report/scene_setup_text.hpp"
 #include "plastica/report/scene_words.hpp"
 #include "plastica/report/table.hpp"
 
@@ -46,6 +47,7 @@ std::string head(const io::SceneRecord& record, const Ink& ink) {
   // The reason begins with the level's name.
   text += entry("level", record.level_reason);
   if (record.level != Level::Coupon) text += entry("beam", beam_label(record));
+  text += setup_text(record);
   text += scheme_text(record);
   std::string samples = std::to_string(response.samples);
   if (record.level != Level::Coupon && !keeps_all_frames(record)) {

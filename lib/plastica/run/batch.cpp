@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plastica/base/parallel_for.hpp"
+#include "plastica/run/guarded_cases.hpp"
 #include "plastica/run/lane_pool.hpp"
 #include "plastica/run/parameters.hpp"
 #include "plastica/run/response_size.hpp"
@@ -221,32 +222,41 @@ void run_batch(const Model& model, std::span<const double> values, std::size_t c
     parallel_for((cases + together - 1) / together, {options.threads, options.stop},
                  [&](std::size_t group, int worker) {
                    const std::size_t first = group * together;
-                   const std::size_t count = std::min(cases - first, together);
-                   std::vector<MaterialValues<double>> materials(count);
-                   std::vector<Response> responses(count);
-                   std::vector<LaneCase> lanes;
-                   for (std::size_t k = 0; k < count; ++k) {
-                     responses[k] = make_response(model);
-                     if (!take_parameters(model, values_of(first + k), materials[k])) {
-                       responses[k].status = Status::InvalidParameter;
-                       continue;
-                     }
-                     lanes.push_back({model.chain.get(), &materials[k], &hooks, &responses[k]});
-                   }
+                   std::vector<Response> responses(std::min(cases - first, together));
                    auto& program = programs[static_cast<std::size_t>(worker)];
-                   if (!program) program = make_lane_program(*model.chain);
-                   if (!lanes.empty()) program->run(lanes);
-                   for (std::size_t k = 0; k < count; ++k) {
+                   const auto run_lanes = [&](std::size_t from, std::span<Response> out) {
+                     const std::size_t count = out.size();
+                     std::vector<MaterialValues<double>> materials(count);
+                     std::vector<LaneCase> lanes;
+                     for (std::size_t k = 0; k < count; ++k) {
+                       out[k] = make_response(model);
+                       if (!take_parameters(model, values_of(from + k), materials[k])) {
+                         out[k].status = Status::InvalidParameter;
+                         continue;
+                       }
+                       lanes.push_back({model.chain.get(), &materials[k], &hooks, &out[k]});
+                     }
+                     if (lanes.empty()) return;
+                     // What an exception has left behind serves no other case.
+                     auto used = program ? std::move(program) : make_lane_program(*model.chain);
+                     used->run(lanes);
+                     program = std::move(used);
+                   };
+                   run_guarded(first, std::span(responses), run_lanes);
+                   for (std::size_t k = 0; k < responses.size(); ++k) {
                      finished(first + k, std::move(responses[k]));
                    }
                  });
     return;
   }
   parallel_for(cases, {options.threads, options.stop}, [&](std::size_t i, int) {
-    Response response = make_response(model);
-    Workspace workspace = make_workspace(model);
-    workspace.stop = options.stop;
-    run(model, values_of(i), workspace, response);
+    Response response;
+    run_guarded(i, std::span(&response, 1), [&](std::size_t from, std::span<Response> out) {
+      out[0] = make_response(model);
+      Workspace workspace = make_workspace(model);
+      workspace.stop = options.stop;
+      run(model, values_of(from), workspace, out[0]);
+    });
     finished(i, std::move(response));
   });
 }

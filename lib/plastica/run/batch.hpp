@@ -60,7 +60,8 @@ void run_batch(std::size_t cases, const std::function<BatchCase(std::size_t)>& m
                const BatchOptions& options = {});
 
 /// Runs one model with many sets of parameter values, and hands each response over when it is
-/// there, so that memory does not grow with their number.
+/// there, so that memory does not grow with their number. A case that cannot be run (memory does
+/// not suffice for it) has an empty response, NotRun, and the others go on.
 /// @param values  (n_cases x n_parameters), row by row, SI
 /// @param take  called with each response, one call at a time, from any thread
 /// @throws InputError if what runs side by side does not fit into the machine's memory
@@ -70,7 +71,7 @@ void run_batch(const Model& model, std::span<const double> values, std::size_t c
 
 /// Runs one model with many sets of parameter values.
 /// @param values  (n_cases x n_parameters), row by row, SI
-/// @return the responses (n_cases); empty ones, NotRun, of cases that were not begun
+/// @return the responses (n_cases); empty ones, NotRun, of cases that were not begun or cannot run
 std::vector<Response> run_batch(const Model& model, std::span<const double> values,
                                 std::size_t cases, const BatchOptions& options = {});
 

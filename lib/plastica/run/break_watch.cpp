@@ -195,6 +195,18 @@ void BreakWatch::set_strains(const std::vector<JointAngles>& angles, std::vector
                  [&](std::size_t j, const Strains& all) { strain[j] = nearest_limit(all, j); });
 }
 
+std::array<double, 4> BreakWatch::strains_at(const std::vector<JointAngles>& angles,
+                                             std::size_t joint) {
+  covered_.begin(angles);
+  window_first_ = window_end_ = 0;
+  JointAngles theta{};
+  for (std::size_t j = 0; j <= joint; ++j) theta = hinge_angles(angles, j);
+  Strains strain = strains_of(theta, joints_[joint]);
+  if (report_) strain[kBoth] = std::max(strain[0], strain[1]);
+  for (std::size_t k = 0; k < theta.size(); ++k) strain[k] = std::copysign(strain[k], theta[k]);
+  return strain;
+}
+
 double BreakWatch::lone_strain(const JointAngles& angle, std::size_t joint) const {
   JointAngles theta = angle;
   for (std::size_t k = 0; k < 3; ++k) theta[k] *= joints_[joint].scale[k];

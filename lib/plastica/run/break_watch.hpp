@@ -79,7 +79,12 @@ class BreakWatch {
   /// @param strain  [1] (joints)
   void set_strains(const std::vector<JointAngles>& angles, std::vector<double>& strain);
 
-  /// The same of a joint that turns alone, all others straight.
+  /// Strains of one joint: bending about x, about y, torsion, with the signs of the rotations that
+  /// its hinge takes; and of bending about both, in the report's formulas the larger of the two
+  /// [1].
+  std::array<double, 4> strains_at(const std::vector<JointAngles>& angles, std::size_t joint);
+
+  /// The strain nearest to its limit of a joint that turns alone, all others straight.
   double lone_strain(const JointAngles& angle, std::size_t joint) const;
 
   /// All joints over their limit, with cause, strain and limit; where one is, also those that are

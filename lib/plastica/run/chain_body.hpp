@@ -22,6 +22,8 @@ class ChainBody {
   using Joints = chain::SectionJointsBase<L, kElastic>;
 
   ChainBody(const ChainModel& model, const chain::View<L>& view);
+  ChainBody(const ChainBody&) = delete;  // the record looks at its neighbours
+  ChainBody& operator=(const ChainBody&) = delete;
 
   /// Back to the virgin beam, with a material of the scene's own part.
   void reset(const MaterialValues<double>& material);

@@ -52,7 +52,7 @@ ChainBody<L, kElastic>::ChainBody(const ChainModel& of, const chain::View<L>& se
   build = chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia, kElastic)
               .build();
   work.resize(build.chain);
-  record.prepare(model, view, build, parts);
+  record.prepare(model, view, build, parts, watch);
   const std::size_t nodes = model.layout.size() + 1;
   strains.reset(nodes);
   trial.reset(nodes);

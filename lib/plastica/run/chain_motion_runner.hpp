@@ -76,7 +76,7 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   watched_.assign(nodes, {});
   next_cut_ = 0;
   response.samples = 0;
-  response.ledger_error = 0.0;
+  clear_motion(response);
   response.counters = {};
   response.limit.reset();
   response.chain.events.clear();
@@ -100,6 +100,8 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   body_.record.end_motion();
   body_.record.end_frames(response);
   response.ledger_error = ledger_error(std::span(response.chain.energy).first(response.samples));
+  response.momentum_error = step_->momentum_error();
+  judge_balance(response);
   const auto& strain = body_.strains.strain;
   response.permanent_strain = *std::max_element(strain.begin(), strain.end());
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
@@ -143,7 +145,9 @@ Status ChainMotionRunner<L, kElastic>::go_to(double stop, StepSize& size, Step& 
       return Status::NotConverged;
     }
     body_.set_trial_strains();
+    const double begin = step.time();
     step.accept();
+    note_step(step.time() - begin, response);
     size.accepted();
     ++response.counters.steps;
     body_.accept_strains();

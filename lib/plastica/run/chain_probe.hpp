@@ -41,6 +41,13 @@ double ChainRecord<L, kElastic>::largest_stress(std::size_t joint, const Space& 
 }
 
 template <class L, bool kElastic>
+double ChainRecord<L, kElastic>::hinge_strain(const Probe& probe,
+                                              const std::vector<JointAngles>& angles) const {
+  const auto strain = watch_->strains_at(angles, node_at(probe.at));
+  return strain[static_cast<std::size_t>(probe.component)];
+}
+
+template <class L, bool kElastic>
 double ChainRecord<L, kElastic>::joint_value(const Probe& probe, const NodeStrains& strains) const {
   const ChainHistory& history = shape_;
   const std::size_t node = node_at(probe.at);
@@ -69,8 +76,10 @@ double ChainRecord<L, kElastic>::joint_value(const Probe& probe, const NodeStrai
       return detail::component_of(vector(history.plastic_angle), probe.component);
     case ProbeQuantity::Force: return detail::component_of(vector(history.force), probe.component);
     case ProbeQuantity::Strain: return strain(vector(history.angle));
-    case ProbeQuantity::PlasticStrain: return strain(vector(history.plastic_angle));
-    case ProbeQuantity::AccumulatedStrain: {
+    case ProbeQuantity::PlasticStrain: return hinge_strain(probe, strains.permanent);
+    case ProbeQuantity::AccumulatedStrain: return hinge_strain(probe, strains.accumulated);
+    case ProbeQuantity::LocalPlasticStrain: return strain(vector(history.plastic_angle));
+    case ProbeQuantity::LocalAccumulatedStrain: {
       const JointAngles& sum = strains.accumulated[node];
       return strain({{sum[0], sum[1], sum[2]}});
     }

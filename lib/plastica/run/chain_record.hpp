@@ -46,7 +46,7 @@ class ChainRecord {
   using Space = Vec<double, 3>;
 
   void prepare(const ChainModel& model, const chain::View<L>& view, const chain::Build<L>& build,
-               const std::vector<chain::PartForm>& parts);
+               const std::vector<chain::PartForm>& parts, BreakWatch& watch);
 
   /// Forgets the path so far.
   void reset();
@@ -123,6 +123,8 @@ class ChainRecord {
   double probe_value(const Probe& probe, const Work& w, const NodeStrains& strains,
                      const Response& response, std::size_t sample) const;
   double joint_value(const Probe& probe, const NodeStrains& strains) const;
+  /// In the break measure. @param angles  net or accumulated (nodes)
+  double hinge_strain(const Probe& probe, const std::vector<JointAngles>& angles) const;
   void set_shape(const Work& w, const Joints& joints, const NodeStrains& strains);
   void keep_shape(std::size_t frame, ChainHistory& history) const;
   Space point_value(const Probe& probe, const Work& w) const;
@@ -166,6 +168,7 @@ class ChainRecord {
   const ChainModel* model_ = nullptr;
   chain::View<L> view_{};
   const chain::Build<L>* build_ = nullptr;
+  BreakWatch* watch_ = nullptr;  ///< the measure of permanent strains
   const std::vector<chain::PartForm>* parts_ = nullptr;
   const std::vector<chain::SectionJoint<L>>* numbers_ = nullptr;
   std::vector<std::size_t> joint_of_node_;
@@ -189,8 +192,10 @@ class ChainRecord {
 template <class L, bool kElastic>
 void ChainRecord<L, kElastic>::prepare(const ChainModel& model, const chain::View<L>& view,
                                        const chain::Build<L>& build,
-                                       const std::vector<chain::PartForm>& parts) {
+                                       const std::vector<chain::PartForm>& parts,
+                                       BreakWatch& watch) {
   model_ = &model;
+  watch_ = &watch;
   view_ = view;
   build_ = &build;
   parts_ = &parts;

@@ -77,7 +77,7 @@ bool ChainRunner<L, kElastic>::begin_path() {
   committed_ = body_.work.q;
   previous_ = body_.work.q;
   response_->samples = 0;
-  response_->ledger_error = 0.0;
+  clear_motion(*response_);
   response_->chain.events.clear();
   response_->critical.reset();
   has_yielded_ = leaves_plane_ = false;

@@ -187,6 +187,7 @@ class LaneGroup final : public LaneProgram {
     // A number that is not finite leaves no energies that balance.
     if (turns_little(memory_, lane, step) && ledger_closes(memory_, lane, lane)) {
       counters.steps += static_cast<int>(steps);
+      note_step(step, scenarios_[lane].response());
       return;
     }
     if (retry(lane, step, steps)) return;
@@ -263,6 +264,7 @@ class LaneGroup final : public LaneProgram {
       looked_ = false;
       look();
       scenario.response().counters.steps += static_cast<int>(steps * cut);
+      note_step(step / cut, scenario.response());
       return true;
     }
     return false;

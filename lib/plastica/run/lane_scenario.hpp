@@ -34,7 +34,7 @@ class LaneScenario {
     body_->record.shapes_on_demand();
     Response& response = *one.response;
     response.samples = 0;
-    response.ledger_error = 0.0;
+    clear_motion(response);
     response.counters = {};
     response.limit.reset();
     response.chain.events.clear();
@@ -139,6 +139,7 @@ class LaneScenario {
     body_->record.end_motion();
     body_->record.end_frames(out);
     out.ledger_error = ledger_error(std::span(out.chain.energy).first(out.samples));
+    judge_balance(out);
     const auto& strain = body_->strains.strain;
     out.permanent_strain = *std::max_element(strain.begin(), strain.end());
     out.seconds = seconds;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plastica/run/chain_body.hpp"
+#include "plastica/run/path_stops.hpp"
 #include "plastica/solve/motion_options.hpp"
 #include "plastica/solve/segment_motion.hpp"
 
@@ -21,7 +22,11 @@ solve::MotionOptions motion_options(const ChainBody<L, kElastic>& body) {
   options.rho_infinity = solver.rho_infinity;
   options.damping = solver.damping;
   options.damping_time = solver.damping_time;
-  options.time_step = solver.time_step;
+  // Time steps that come to the same are the same run to the end, the smallest step included.
+  options.time_step =
+      solver.step_error > 0.0
+          ? solver.time_step
+          : fixed_steps({body.model.stops, body.model.recorded}, solver.time_step).longest;
   options.step_error = solver.step_error;
   options.smallest_step = solver.smallest_step;
   options.largest_turn = solver.largest_turn;

@@ -7,6 +7,7 @@
 #include "plastica/run/chain_laws.hpp"
 #include "plastica/run/chain_run.hpp"
 #include "plastica/run/chain_shape.hpp"
+#include "plastica/run/path_stops.hpp"
 #include "plastica/run/response_size.hpp"
 #include "plastica/run/simulate.hpp"
 
@@ -24,46 +25,14 @@ void set_cuts(ChainModel& chain) {
   });
 }
 
-/// The times at which steps of a path must end: the samples, evenly spaced, and the corners of
-/// histories.
 void set_stops(ChainModel& chain) {
-  const Scene& scene = chain.scene;
-  std::vector<double> corners;
-  const auto add = [&](const History& history) {
-    corners.insert(corners.end(), history.time.begin(), history.time.end());
-  };
-  for (const Load& load : scene.loads) add(load.history);
-  for (const Support& support : scene.supports) {
-    if (support.moves()) add(support.history);
-  }
-  if (scene.gravity != std::array<double, 3>{}) add(scene.gravity_history);
-  double duration = chain.options.duration;
-  if (duration == 0.0) {
-    duration = corners.empty() ? 0.0 : *std::max_element(corners.begin(), corners.end());
-  }
-  if (duration == 0.0) duration = 1.0;  // loads that are there from the beginning
-  for (const JointCut& cut : chain.cuts) corners.push_back(cut.time);
-
-  const int steps = chain.options.steps;
-  std::vector<std::pair<double, bool>> stops;
-  for (int k = 1; k <= steps; ++k) {
-    stops.emplace_back(k == steps ? duration : duration * k / steps, true);
-  }
-  for (const double corner : corners) {
-    const bool near = std::any_of(stops.begin(), stops.end(), [&](const auto& stop) {
-      return std::abs(stop.first - corner) < 1e-9 * duration;
-    });
-    if (corner > 0.0 && corner < duration && !near) stops.emplace_back(corner, false);
-  }
-  std::sort(stops.begin(), stops.end());
-  for (const auto& [time, recorded] : stops) {
-    chain.stops.push_back(time);
-    chain.recorded.push_back(recorded);
-  }
+  PathStops stops = path_stops(chain.scene, chain.options);
+  chain.stops = std::move(stops.time);
+  chain.recorded = std::move(stops.recorded);
   // A cut that rounding sets behind its stop would have to wait for the next one.
   for (JointCut& cut : chain.cuts) {
     for (const double stop : chain.stops) {
-      if (std::abs(stop - cut.time) < 1e-9 * duration) cut.time = stop;
+      if (std::abs(stop - cut.time) < 1e-9 * chain.stops.back()) cut.time = stop;
     }
   }
   chain.samples = response_size(chain).samples;

@@ -18,4 +18,20 @@ double ledger_error(std::span<const Energies> samples) {
   return largest > 0.0 ? wrong / largest : 0.0;
 }
 
+void clear_motion(Response& response) {
+  response.ledger_error = response.momentum_error = 0.0;
+  response.shortest_step = response.longest_step = 0.0;
+}
+
+void note_step(double step, Response& response) {
+  const bool first = response.longest_step == 0.0;
+  response.shortest_step = first ? step : std::min(response.shortest_step, step);
+  response.longest_step = std::max(response.longest_step, step);
+}
+
+void judge_balance(Response& response) {
+  const bool ended = response.status == Status::Completed || response.status == Status::Broken;
+  if (ended && !response.balances()) response.status = Status::NotBalanced;
+}
+
 }  // namespace plastica

@@ -54,7 +54,7 @@ struct Piece {
 /// All joints that broke, or were cut, at one time; statics end there.
 struct ChainBreak {
   double time = 0.0;    ///< [s]
-  double factor = 0.0;  ///< of the first load's history there [1]
+  double factor = 0.0;  ///< as `ChainHistory::factor` there [1]
   std::vector<BrokenJoint> joints{};
   std::vector<Piece> pieces{};  ///< of the beam after it, by rising segment
 };
@@ -81,7 +81,7 @@ struct Energies {
 /// |residual|, or what the scheme has made if that is more (none should make any).
 double ledger_error(std::span<const Energies> samples);
 
-/// A ledger that is off by more than this share of its largest entry is not to be trusted.
+/// A motion whose energy or momentum is off by more than this share is not to be trusted.
 inline constexpr double kLedgerTolerance = 0.01;
 
 /// What a chain records at each sample. Joint 0 is at the start, joint N at the end: a joint of a
@@ -90,7 +90,7 @@ struct ChainHistory {
   std::size_t joints = 0;  ///< N + 1
   std::size_t supports = 0;
   std::vector<double> time;      ///< [s] (n_samples)
-  std::vector<double> factor;    ///< of the first load, or of the first motion [1] (n_samples)
+  std::vector<double> factor;    ///< of the first load or motion that changes [1] (n_samples)
   std::vector<Energies> energy;  ///< (n_samples)
   std::vector<int> iterations;   ///< Newton iterations of all steps up to here (n_samples)
   /// Samples of which the shape is kept: frames, the first and the last among them; those beyond
@@ -107,7 +107,9 @@ struct ChainHistory {
   std::vector<double> rotation;
   /// By frame and joint (n_frames x n_joints):
   std::vector<double> plastic_strain;  ///< the break measure: the largest of the joint's axes [1]
-  std::vector<double> stress;  ///< of the extreme fibre, M_x/W_x + M_y/W_y as signs add [Pa]
+  /// Largest of bending over the section [Pa], >= 0: |M_x|/W_x + |M_y|/W_y, that of a corner; of a
+  /// round section the root of the sum of their squares. Axial force and torque are not in it.
+  std::vector<double> stress;
   /// By frame and support (n_frames x n_supports x 6): force [N] and moment [N m] on the beam.
   std::vector<double> reaction;
   std::vector<ChainBreak> events{};  ///< in the order of time
@@ -127,13 +129,31 @@ struct Response {
   std::optional<LimitLoad> limit;
   /// Of a path in statics; none where it came by no bifurcation.
   std::optional<CriticalPoints> critical;
-  /// `plastica::ledger_error` of a motion [1]; above `kLedgerTolerance` the motion is not to be
-  /// trusted, whatever its status.
+  /// `plastica::ledger_error` of a motion [1]; above `kLedgerTolerance` its status is
+  /// `NotBalanced`.
   double ledger_error = 0.0;
+  /// Of a motion: what the momentum of pieces that no support holds has changed by beyond the
+  /// impulses of their loads, at most, over the largest sum of the segments' momenta so far; the
+  /// same of the angular momentum about their mass centres (see chain/README.md) [1]. Above
+  /// `kLedgerTolerance` the status is `NotBalanced`.
+  double momentum_error = 0.0;
+  /// The shortest and the longest step that a motion has taken [s]; 0: none.
+  double shortest_step = 0.0, longest_step = 0.0;
+
+  bool balances() const {
+    return ledger_error <= kLedgerTolerance && momentum_error <= kLedgerTolerance;
+  }
   /// Wall time of the run; of a batch's case CPU time of its thread. What ran in lanes has its
   /// share, by iterations and samples, of the time of all that ran beside it [s].
   double seconds = 0.0;
 };
+
+/// Before a run: nothing is known of its motion.
+void clear_motion(Response& response);
+/// Notes the length of a step that a motion has taken [s].
+void note_step(double step, Response& response);
+/// After a motion: the status of one that ended as it should, but does not balance.
+void judge_balance(Response& response);
 
 /// Derivatives of a response by the model's parameters; sized by `make_sensitivity`.
 struct Sensitivity {

@@ -207,6 +207,7 @@ void MotionStep<L, kElastic>::restart() {
   chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
   evaluate_laws();
   joint_motion_.forget_damping();
+  for (MomentumError<L>& error : momentum_) error.knows_outside = false;
   chain::gather_forces(
       chain_, w_.q, w_.placement, chain::Stage<L>{}, w_.joints,
       [this](std::size_t history) { return chain_.histories[history].at(w_.time); },

@@ -9,6 +9,7 @@
 
 #include "plastica/solve/joint_motion.hpp"
 #include "plastica/solve/newton.hpp"
+#include "plastica/solve/piece_momentum.hpp"
 #include "plastica/solve/rates.hpp"
 
 namespace plastica::solve {
@@ -73,6 +74,7 @@ class MotionStep {
     multiplier_.assign(closures, constant<S>(0));
     root_wrench_.reset();
     flows_ = {};
+    momentum_.assign(chain_.size(), {});
     rests_ = 0;
     fastest_ = 0.0;
     h_ = h_before_ = time_ = 0.0;
@@ -116,6 +118,7 @@ class MotionStep {
   void accept() {
     joints_.commit();
     w_.settle_scales();
+    balance_momentum();
     add_flows();
     joint_motion_.commit(w_.angles, w_.q.shift);
     inertia_ = inertia_now_;
@@ -174,6 +177,8 @@ class MotionStep {
   double error() const;
   int iterations() const { return iterations_; }  ///< of the last attempt
   const EnergyFlows& flows() const { return flows_; }
+  /// See `Response::momentum_error`.
+  double momentum_error() const;
   const Motions& motions() const { return motion_; }
   /// Where the segments were before the last attempt.
   const Placement& begin() const { return begin_; }
@@ -222,6 +227,10 @@ class MotionStep {
   typename L::Spin ground_moment(std::size_t ground_joint) const;
   double ground_work();
   double inertia_work() const;
+  // motion_momentum.hpp
+  bool is_held(std::size_t first, std::size_t end) const;
+  void balance_momentum();
+  void balance_piece(std::size_t first, std::size_t end, const chain::Wrench<L>& lacks);
   // motion_impact.hpp
   double gap_of(std::size_t closure, const Placement& placement, double time) const;
   double free_share() const;
@@ -278,6 +287,7 @@ class MotionStep {
   std::vector<SegmentStep<L>> step_;
   std::vector<typename L::Spin> spins_;  ///< of joints, where damping asks for them
   EnergyFlows flows_;
+  std::vector<MomentumError<L>> momentum_;  ///< of the piece that begins with a segment (N)
 };
 
 }  // namespace plastica::solve
@@ -285,4 +295,5 @@ class MotionStep {
 #include "plastica/solve/motion_flows.hpp"
 #include "plastica/solve/motion_forces.hpp"
 #include "plastica/solve/motion_impact.hpp"
+#include "plastica/solve/motion_momentum.hpp"
 #include "plastica/solve/motion_predict.hpp"

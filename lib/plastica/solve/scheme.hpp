@@ -24,7 +24,8 @@ struct SchemeClaims {
 ///   Differential Equations II), one Newton iteration from where the velocities point to.
 /// - Linearly implicit midpoint: the energy-momentum step below, one such iteration. Its error is
 /// of
-///   third order in the step, so that second order is kept.
+///   third order in the step, so that second order is kept; what it leaves of a free piece's
+///   momentum is given back (piece_momentum.hpp).
 /// - Generalized-alpha (Chung & Hulbert, J. Appl. Mech. 60, 1993, 371) on the rotation group
 ///   (Bruls & Cardona, J. Comput. Nonlinear Dyn. 5, 2010, 031002), with Cayley's map; Newton's
 ///   method to its end.
@@ -37,7 +38,7 @@ struct SchemeClaims {
 constexpr SchemeClaims claims_of(Scheme scheme, double rho_infinity) {
   switch (scheme) {
     case Scheme::LinearlyImplicitEuler: return {1, EnergyBehaviour::Loses, false, false, true};
-    case Scheme::LinearlyImplicitMidpoint: return {2, EnergyBehaviour::Wanders, false, false, true};
+    case Scheme::LinearlyImplicitMidpoint: return {2, EnergyBehaviour::Wanders, true, false, true};
     case Scheme::GeneralizedAlpha: {
       const bool damps = rho_infinity < 1.0;  // else it is the trapezoidal rule
       return {2, damps ? EnergyBehaviour::Loses : EnergyBehaviour::Wanders, false, !damps, false};

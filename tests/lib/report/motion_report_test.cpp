@@ -58,12 +58,48 @@ TEST(MotionReport, TellsAdaptiveStepsAndDamping) {
   record.setup.solver.damping_time = 2e-5;
   const std::string text = scene_report(record);
   EXPECT_TRUE(has(text, "\n  scheme          energy_momentum\n")) << text;
-  EXPECT_TRUE(has(text,
-                  "  step            at most 1 ms, as an error of 1e-05 of the length asks "
-                  "for\n"))
+  EXPECT_TRUE(
+      has(text,
+          "  step            at most 1 ms, as an error of 1e-05 of the length asks for; 1 ms "
+          "taken\n"))
       << text;
   EXPECT_TRUE(has(text, "  damping         relaxation, 20 µs\n")) << text;
   EXPECT_FALSE(has(scene_report(record_of(cantilever_text())), "\n  scheme ")) << "statics";
+}
+
+TEST(MotionReport, TellsTheStepsThatRanAndWhatCutThem) {
+  io::SceneRecord record = motion_record();  // samples 1 ms apart
+  record.setup.solver.time_step = 0.05;
+  EXPECT_TRUE(has(scene_report(record),
+                  "  step            1 ms, fixed: 50 ms are cut to the samples, 1 ms apart\n"))
+      << scene_report(record);
+  const auto motion = [&] { return nlohmann::json::parse(scene_json(record)).at("motion"); };
+  EXPECT_EQ(motion().at("time_step"), 0.05);
+  EXPECT_EQ(motion().at("longest_step"), 1e-3);
+  EXPECT_EQ(motion().at("step_cut"), "samples");
+  record.setup.solver.time_step = 0.7e-3;
+  record.response.shortest_step = record.response.longest_step = 0.5e-3;
+  EXPECT_TRUE(has(scene_report(record),
+                  "  step            500 µs, fixed: 700 µs are cut to divide "
+                  "the way between the samples, 1 ms apart\n"))
+      << scene_report(record);
+  EXPECT_EQ(motion().at("step_cut"), "division");
+  record.setup.solver.time_step = 0.5e-3;
+  EXPECT_EQ(motion().at("step_cut"), "");
+}
+
+TEST(MotionReport, SaysThatMomentumIsOff) {
+  io::SceneRecord record = motion_record();
+  EXPECT_FALSE(has(scene_report(record), "the momentum of what flies"));
+  record.response.momentum_error = 0.12;
+  record.response.status = Status::NotBalanced;
+  const std::string text = scene_report(record);
+  EXPECT_TRUE(text.starts_with("beam: not-balanced")) << text;
+  EXPECT_TRUE(has(text, "\n  the momentum of what flies freely is off by 12 %: ")) << text;
+  const auto json = nlohmann::json::parse(scene_json(record));
+  EXPECT_EQ(json.at("status"), "not-balanced");
+  EXPECT_EQ(json.at("energies").at("momentum_error"), 0.12);
+  EXPECT_EQ(json.at("energies").at("closes"), false);
 }
 
 TEST(MotionReport, ListsTheJointsOfAllEventsAndThePiecesAfterTheLast) {

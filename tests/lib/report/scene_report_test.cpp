@@ -44,6 +44,52 @@ TEST(SceneReport, BeginsWithHowItEndedAndTheLevelWithItsReason) {
   EXPECT_TRUE(has(text, "  beam            1 m in 4 segments, 20 x 20 mm\n")) << text;
 }
 
+TEST(SceneReport, SaysWhatRanDefaultsIncluded) {
+  io::SceneRecord record = record_of(cantilever_text());
+  Scene& scene = record.setup.scene;
+  scene.material = Material{};
+  scene.section = Section{};
+  scene.supports[0] = {Place::start(), SupportKind::Clamp};
+  scene.supports.resize(1);
+  Support pillar{.at = {0.5, {}}, .kind = SupportKind::Pillar};
+  pillar.gap = 0.002;
+  pillar.restitution = 0.5;
+  scene.supports.push_back(pillar);
+  Load tip;
+  tip.force = {0.0, -500.0, 0.0};
+  tip.moment = {0.0, 0.0, 20.0};
+  tip.history = {{0.0, 1.0}, {0.0, 2.0}};
+  Load spread;
+  spread.at = Place::start();
+  spread.to = Place::end();
+  spread.force = {0.0, -10.0, 0.0};
+  scene.loads = {tip, spread};
+  scene.gravity = {0.0, -9.81, 0.0};
+  scene.gravity_history = History::constant();
+  record.response.chain.time.back() = 1.0;
+  const std::string text = scene_report(record);
+  for (const char* line :
+       {"\n  material        S355, E 210.0 GPa, yield stress 355.0 MPa\n",
+        "\n  section         rectangle, 100 x 100 mm\n",
+        "\n  supports        clamp at start; pillar at 0.5 (pushes y 1, gap 2.000 mm, restitution "
+        "0.5)\n",
+        "\n  loads           F_y -500 N, M_z 20 N m at end, up to 2 times that; F_y -10 N/m from "
+        "start "
+        "to end;\n                  g_y -9.81 m/s^2\n"}) {
+    EXPECT_TRUE(has(text, line)) << line << text;
+  }
+  scene.yield_model = YieldModel::Elastic;
+  EXPECT_TRUE(has(scene_report(record), "\n  yield           elastic: joints never yield\n"));
+  scene.yield_model = YieldModel::Interaction;
+  EXPECT_TRUE(has(scene_report(record),
+                  "\n  yield           interaction, cap first_yield, hardening ideal\n"));
+  const auto json = nlohmann::json::parse(scene_json(record));
+  EXPECT_EQ(json.at("material").at("youngs_modulus"), 210e9);
+  EXPECT_EQ(json.at("material").at("yield_stress"), 355e6);
+  EXPECT_EQ(json.at("section").at("shape"), "rectangle");
+  EXPECT_EQ(json.at("section").at("width"), 0.1);
+}
+
 TEST(SceneReport, NamesALimitLoadByItsBracket) {
   EXPECT_EQ(outcome_line(limited()),
             "limit load: no equilibrium beyond factor 1.4998 (none found at 1.5003)");

@@ -147,5 +147,35 @@ TEST(BreakOfAChain, ThatHardensConvergesUnderATipForce) {
   EXPECT_NEAR(std::log2(welded(40) / welded(80)), 1.0, testing::tolerance(0.05));
 }
 
+// Probe, picture and break are one quantity; only the strain over a joint's own length falls with
+// it.
+TEST(BreakOfAChain, IsReadByItsProbesAsTheLimitWhateverTheSegments) {
+  for (const BreakMeasure measure : {BreakMeasure::Net, BreakMeasure::Accumulated}) {
+    const bool net = measure == BreakMeasure::Net;
+    for (const int segments : {8, 16, 32, 64}) {
+      Scene scene = breaking_cantilever(segments);
+      scene.break_measure = measure;
+      scene.probes = {
+          {"hinge", net ? ProbeQuantity::PlasticStrain : ProbeQuantity::AccumulatedStrain,
+           Place::start(), Component::X},
+          {"local", net ? ProbeQuantity::LocalPlasticStrain : ProbeQuantity::LocalAccumulatedStrain,
+           Place::start(), Component::X}};
+      const Response response = break_by_tip_force(scene);
+      ASSERT_EQ(response.status, Status::Broken) << segments;
+      const double limit = *scene.material.break_strain;
+      const double hinge = std::fabs(response.probes[0][response.samples - 1]);
+      EXPECT_NEAR(hinge / limit, 1.0, testing::tolerance(kMet)) << segments;
+      const ChainHistory& chain = response.chain;
+      const double pictured = chain.plastic_strain[(response.samples - 1) * chain.joints];
+      EXPECT_DOUBLE_EQ(hinge, pictured) << segments;
+      EXPECT_DOUBLE_EQ(hinge, chain.events.front().joints.front().strain) << segments;
+      // The hinge's rotation is 2 x 0.1 rad; the clamp's joint stands for half a segment.
+      const double local = std::fabs(response.probes[1][response.samples - 1]);
+      EXPECT_NEAR(local / (limit * 0.05 * 2.0 * segments), 1.0, testing::tolerance(kMet))
+          << segments;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace plastica

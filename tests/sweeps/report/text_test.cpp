@@ -46,6 +46,19 @@ TEST(SweepReport, SaysWhereTheLedgerIsOpen) {
   EXPECT_TRUE(has(sweep_report(record), "ledger open by 2 %"));
 }
 
+TEST(SweepReport, SaysWhichCasesAreTheSameRun) {
+  const SweepRecord record = record_of(
+      "[[axis]]\nfield = 'solver.time_step'\nvalues = ['50 ms', '20 ms', '1 ms']\n"
+      "[set]\nsolver.analysis = 'dynamics'\nsolver.duration = '20 ms'\nsolver.steps = 10\n"
+      "[error]\nprobe = 'tip'\n");
+  EXPECT_EQ(record.ids[0], record.ids[1]);  // both take steps of 2 ms
+  EXPECT_NE(record.ids[0], record.ids[2]);
+  EXPECT_EQ(record.results[0].value, record.results[1].value);
+  const std::string text = sweep_report(record);
+  EXPECT_TRUE(has(text, "the same run as case 1 (steps are cut to the samples)")) << text;
+  EXPECT_FALSE(has(text, "the same run as case 2")) << text;
+}
+
 TEST(SweepReport, OfManyCasesThatNothingRefinesIsTheirSpread) {
   std::string values;
   for (int i = 0; i < 40; ++i) values += (i == 0 ? "'" : ", '") + std::to_string(200 + i) + " GPa'";

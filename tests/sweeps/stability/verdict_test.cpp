@@ -114,6 +114,12 @@ TEST(Verdict, CallsAMotionInaccurateThatSaysSo) {
   Bent made = flying(Scheme::EnergyMomentum);
   made.response.ledger_error = 0.02;
   EXPECT_EQ(class_of(made), Inaccurate);
+  made.response.status = Status::NotBalanced;
+  EXPECT_EQ(class_of(made), Inaccurate);
+  made = flying(Scheme::EnergyMomentum);
+  made.response.momentum_error = 0.02;
+  made.response.status = Status::NotBalanced;
+  EXPECT_EQ(class_of(made), Inaccurate);
   made = flying(Scheme::EnergyMomentum);
   Energies& last = made.response.chain.energy.back();
   last.numerical = 0.02 * last.external;

@@ -1,0 +1,176 @@
+#include "plastica/report/scene_setup_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "plastica/report/scene_facts.hpp"
+#include "plastica/report/scene_words.hpp"
+
+namespace plastica::report {
+namespace {
+
+constexpr std::size_t kMostListed = 4;  ///< of supports, loads and regions
+constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
+
+std::string in_mm(double length) { return fmt::format("{:.4g}", 1e3 * length); }
+
+std::string section_label(const Section& section) {
+  switch (section.shape) {
+    case SectionShape::Rectangle:
+      return fmt::format("rectangle, {} x {} mm", in_mm(section.width), in_mm(section.height));
+    case SectionShape::Circle: return fmt::format("circle, radius {} mm", in_mm(section.radius));
+    case SectionShape::RoundTube:
+      return fmt::format("round tube, radius {} mm, inside {} mm", in_mm(section.radius),
+                         in_mm(section.inner_radius));
+    case SectionShape::RectangularTube:
+      return fmt::format("rectangular tube, {} x {} mm, inside {} x {} mm", in_mm(section.width),
+                         in_mm(section.height), in_mm(section.inner_width),
+                         in_mm(section.inner_height));
+  }
+  return {};
+}
+
+std::string stress_label(double stress, bool modulus) {
+  const DisplayUnit unit = display_unit(Dimension::Stress, stress, modulus);
+  return quantity(significant(stress / unit.scale, 4), unit.name);
+}
+
+std::string material_label(const Material& material, bool yields) {
+  // A material of other numbers is not the default one, whose name it has if it has none.
+  const Material usual;
+  const bool named = !material.name.empty() && (material.name != usual.name ||
+                                                (material.youngs_modulus == usual.youngs_modulus &&
+                                                 material.yield_stress == usual.yield_stress));
+  std::string label = (named ? printable(material.name) + ", " : std::string()) + "E " +
+                      stress_label(material.youngs_modulus, true);
+  if (yields) label += ", yield stress " + stress_label(material.yield_stress, false);
+  return label;
+}
+
+std::string yield_label(const io::SceneRecord& record) {
+  const Scene& scene = record.setup.scene;
+  if (scene.yield_model == YieldModel::Elastic) return "elastic: joints never yield";
+  std::string label = solver_word(record, "rules.yield_model");
+  if (scene.yield_model != YieldModel::Fibre)
+    label += ", cap " + solver_word(record, "rules.yield_cap");
+  return label + ", hardening " + solver_word(record, "material.hardening.law");
+}
+
+/// "x 3, z -20": the parts of a vector that are not zero, with their unit.
+std::string parts_of(const std::array<double, 3>& v, std::string_view symbol,
+                     std::string_view unit) {
+  std::string text;
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    if (v[k] == 0.0) continue;
+    text +=
+        fmt::format("{}{}{} {} {}", text.empty() ? "" : ", ", symbol, kAxes[k], brief(v[k]), unit);
+  }
+  return text;
+}
+
+std::string joined(const std::string& a, const std::string& b) {
+  return a.empty() || b.empty() ? a + b : a + ", " + b;
+}
+
+/// How far a history goes beyond its load, if not to it.
+std::string history_label(const History& history, double end) {
+  double largest = std::fabs(history.at(end));
+  for (std::size_t i = 0; i < history.time.size(); ++i) {
+    if (history.time[i] <= end) largest = std::max(largest, std::fabs(history.factor[i]));
+  }
+  return std::fabs(largest - 1.0) < 1e-9 ? std::string()
+                                         : fmt::format(", up to {} times that", brief(largest));
+}
+
+std::string support_label(const Support& support, double end) {
+  std::string label =
+      fmt::format("{} at {}", support_kinds()[static_cast<std::size_t>(support.kind)],
+                  place_label(support.at.fraction));
+  std::string more;
+  if (support.kind == SupportKind::Elastic) {
+    more = joined(parts_of(support.stiffness, "k_", "N/m"),
+                  parts_of(support.rotational_stiffness, "k_r", "N m/rad"));
+  } else if (support.kind == SupportKind::Pillar) {
+    more = parts_of(support.normal, "pushes ", "");
+    while (!more.empty() && more.back() == ' ') more.pop_back();
+    if (support.gap != 0.0) more += ", gap " + shown(support.gap, Dimension::Length, 4);
+    if (support.restitution != 0.0) more += ", restitution " + brief(support.restitution);
+  } else {
+    HeldFreedoms of_kind = Support{{}, support.kind}.held();
+    if (support.held() != of_kind) {
+      std::string held;
+      for (std::size_t k = 0; k < 6; ++k) {
+        if (support.held()[k]) held += (held.empty() ? "" : " ") + std::string(freedom_names()[k]);
+      }
+      more = "holds " + (held.empty() ? "nothing" : held);
+    }
+  }
+  if (support.moves()) {
+    more = joined(more, "moves by " +
+                            joined(parts_of(support.translation, "", "m"),
+                                   parts_of(support.rotation, "r", "rad")) +
+                            history_label(support.history, end));
+  }
+  return more.empty() ? label : label + " (" + more + ')';
+}
+
+std::string load_label(const Load& load, double end) {
+  const bool spread = load.to.has_value();
+  std::string label = joined(parts_of(load.force, "F_", spread ? "N/m" : "N"),
+                             parts_of(load.moment, "M_", spread ? "N m/m" : "N m"));
+  if (label.empty()) label = "none";
+  label += spread ? fmt::format(" from {} to {}", place_label(load.at.fraction),
+                                place_label(load.to->fraction))
+                  : " at " + place_label(load.at.fraction);
+  if (load.follows) label += ", follows";
+  return label + history_label(load.history, end);
+}
+
+template <class Items, class Label>
+std::string listed(const Items& items, const Label& label) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(items.size(), kMostListed); ++i) {
+    text += (i == 0 ? "" : "; ") + label(items[i]);
+  }
+  if (items.size() > kMostListed) text += fmt::format("; … {} in all", items.size());
+  return text;
+}
+
+}  // namespace
+
+std::string setup_text(const io::SceneRecord& record) {
+  const Scene& scene = record.setup.scene;
+  const bool coupon = record.level == Level::Coupon;
+  const bool yields = coupon || scene.yield_model != YieldModel::Elastic;
+  const auto& time = record.response.chain.time;
+  const double end = time.empty() ? record.setup.solver.duration : time.back();
+  std::string text = entry("material", material_label(scene.material, yields));
+  text += entry("section", section_label(scene.section));
+  if (coupon) return text;
+  text += entry("yield", yield_label(record));
+  if (!scene.regions.empty()) {
+    text +=
+        entry("regions", listed(scene.regions, [&](const Region& region) {
+                return fmt::format("{} to {}: {}, {}", place_label(region.from.fraction),
+                                   place_label(region.to.fraction), section_label(region.section),
+                                   material_label(region.material, yields));
+              }));
+  }
+  const std::string supports =
+      listed(scene.supports, [&](const Support& support) { return support_label(support, end); });
+  text += entry("supports", supports.empty() ? "none" : supports);
+  std::string loads = listed(scene.loads, [&](const Load& load) { return load_label(load, end); });
+  const std::string gravity = parts_of(scene.gravity, "g_", "m/s^2");
+  if (!gravity.empty()) {
+    loads += (loads.empty() ? "" : "; ") + gravity + history_label(scene.gravity_history, end);
+  }
+  return text + entry("loads", loads.empty() ? "none" : loads);
+}
+
+}  // namespace plastica::report
