@@ -56,6 +56,7 @@ void Recursion<L, kElastic>::set_balance(const Chain<L>& chain, const Stage<L>& 
 
 /// Eliminates a joint: `a` becomes the impedance that it leaves of what is outside of it.
 template <class L, bool kElastic>
+template <bool kAxial>
 void Recursion<L, kElastic>::eliminate(const Chain<L>& chain, const Stage<L>& stage,
                                        const Mat<S, kJ, kJ>& tangent, const Coordinates<L>& q,
                                        const Placement<L>& at, const Wrench<L>& w, std::size_t i,
@@ -73,6 +74,7 @@ void Recursion<L, kElastic>::eliminate(const Chain<L>& chain, const Stage<L>& st
     v_spin = a.rr;
     v_shift = a.rt;
     d = spinning + a.rr;
+    if constexpr (kAxial) couple(i, a, v_spin, v_shift, d);
   } else {
     const Carrier& moves = joint.moves;
     const Mat<S, kT, kR> works = joint.works.by_spin;

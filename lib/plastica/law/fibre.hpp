@@ -28,6 +28,8 @@ struct FibreSection {
   Uniaxial shear;
   S other_stiffness;  ///< E I about the axis that the layers do not see [N m^2]
 
+  static constexpr bool kSeesAxial = true;
+
   /// Of one fibre or ring; a joint has an array of `layout->states()` of them.
   using State = typename Uniaxial::State;
 };

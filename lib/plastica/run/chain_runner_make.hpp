@@ -76,6 +76,7 @@ bool ChainRunner<L, kElastic>::begin_path() {
   previous_ = body_.work.q;
   response_->samples = 0;
   response_->ledger_error = 0.0;
+  response_->axial.reset();
   response_->chain.events.clear();
   body_.record.begin_frames(*response_);
   solve::PathObserver<L, kElastic>& observer = *this;
@@ -104,6 +105,7 @@ void ChainRunner<L, kElastic>::finish() {
   if (!body_.record.lacks_last_shape(response)) body_.record.end_frames(response);
   response.counters = walker_->counters();
   response.limit = walker_->limit();
+  body_.finish_axial(response);
   if (response.limit) {
     response.limit->below = body_.record.factor_at(response.limit->below);
     response.limit->above = body_.record.factor_at(response.limit->above);
@@ -141,6 +143,7 @@ solve::Verdict ChainRunner<L, kElastic>::judge(const Work& /*w*/, bool shortest)
 template <class L, bool kElastic>
 bool ChainRunner<L, kElastic>::accept(const Work& w) {
   body_.accept_strains();
+  body_.note_axial(false, *response_);
   body_.record.add_work(w);
   const bool first = response_->chain.events.empty() && body_.watch.active();
   if (first && body_.watch.excess(body_.measured(body_.strains)) > 0.0) note_break(w);

@@ -37,6 +37,7 @@ class LaneScenario {
     response.ledger_error = 0.0;
     response.counters = {};
     response.limit.reset();
+    response.axial.reset();
     response.chain.events.clear();
     body_->record.begin_frames(response);
     chain::place<false>(body_->build.chain, body_->work.q, 0.0, body_->work.placement);
