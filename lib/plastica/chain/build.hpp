@@ -183,6 +183,7 @@ class Builder {
     joint.node = outer ? segment + 1 : segment;
     joint.history = history;
     joint.joint = build_.joints.size();
+    joint.outer = outer;
     joint.local = outer ? shape.outer : shape.inner;
     joint.ground = L::then(undeformed_.frame[segment], joint.local);
     joint.motion = rotation;

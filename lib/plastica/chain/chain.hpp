@@ -85,6 +85,7 @@ struct GroundJoint {
   std::size_t node = 0;  ///< the end of the segment at which it is
   std::size_t history = 0;
   std::size_t joint = 0;     ///< number of its law: N, N + 1, …
+  bool outer = true;         ///< at the segment's outer end, or at its inner one
   typename L::Frame local;   ///< of its axes, as seen from the segment
   typename L::Frame ground;  ///< of its axes, undeformed
   typename L::Spin motion;   ///< turn of the ground, times the history [rad]

@@ -19,6 +19,12 @@ class JointLaws {
 
   virtual ~JointLaws() = default;
 
+  /// Whether moments depend on the axial force of joints that do not stretch: `forces.axial` then
+  /// says it.
+  bool sees_axial() const { return sees_axial_; }
+  /// Whether the last trial had more axial force than a section carries, whatever its moments.
+  bool overpulled() const { return overpulled_; }
+
   /// Forces and tangents of a trial, as they work on spins and shifts.
   /// @param angles  of all joints with a law (joints)
   /// @param shifts  of the joints of segments; empty for rigid joints (N)
@@ -28,6 +34,10 @@ class JointLaws {
 
   /// Makes the state of the last trial the committed one.
   virtual void commit() = 0;
+
+ protected:
+  bool sees_axial_ = false;
+  bool overpulled_ = false;
 };
 
 }  // namespace plastica::chain

@@ -21,7 +21,9 @@ struct PartForm {
 
 /// The parts of a scene: its own, then its regions.
 /// @param with_gauge  whether the level yields on one surface, if the scene's yield model has one
-inline std::vector<PartForm> part_forms(const Scene& scene, bool with_gauge = false) {
+/// @param plane       what the level bends about
+inline std::vector<PartForm> part_forms(const Scene& scene, bool with_gauge = false,
+                                        law::GaugePlane plane = law::GaugePlane::Both) {
   std::vector<PartForm> parts;
   const bool one_surface =
       scene.yield_model == YieldModel::Interaction || scene.yield_model == YieldModel::Conservative;
@@ -29,7 +31,8 @@ inline std::vector<PartForm> part_forms(const Scene& scene, bool with_gauge = fa
     PartForm part{&section, &material, section_properties(section, material.poisson_ratio), {}, {}};
     if (with_gauge && one_surface) {
       // Of a rectangle it takes milliseconds, and does not depend on the material: once a chain.
-      part.gauge = law::gauge_form(section, scene.yield_model, scene.yield_cap, scene.formulas);
+      part.gauge =
+          law::gauge_form(section, scene.yield_model, scene.yield_cap, scene.formulas, plane);
     }
     part.form =
         law::section_form(section, part.properties, material, scene.yield_cap, scene.formulas);
@@ -121,6 +124,9 @@ std::vector<SectionJoint<L>> joint_numbers(
       joint.acting[k] = constant<S>(plan.acting[k] ? 1.0 : 0.0);
       joint.spring[k] = constant<S>(plan.spring[k]);
     }
+    joint.axial_yield =
+        constant<S>(parts[joint.law].form.modulus[law::kAxial]) *
+        law::uniaxial_material(parts[joint.law].form.axis[law::kAxial], materials[joint.law]).yield;
     joint.shear_stiffness = shear[joint.law];
     if (a != b) {
       for (std::size_t k = 0; k < L::kTranslations; ++k) {

@@ -12,6 +12,7 @@ template <class L>
 struct OuterForces {
   std::vector<Wrench<L>> wrench;        ///< (N)
   std::vector<Impedance<L>> impedance;  ///< (N)
+  AxialForces<L> axial;                 ///< where laws see them, in statics
 
   void reset(std::size_t n) {
     wrench.assign(n, {});
@@ -169,15 +170,22 @@ void add_closures(const Chain<L>& chain, const Placement<L>& placement, const St
   }
 }
 
-/// All that acts on the segments but closures.
+/// What loads and springs do.
 /// @param factor_at  the factor of a history, by its number
+template <class L, class FactorAt>
+void gather_loads(const Chain<L>& chain, const Placement<L>& placement, const Stage<L>& stage,
+                  const FactorAt& factor_at, OuterForces<L>& outer_forces) {
+  outer_forces.reset(chain.size());
+  detail::add_loads(chain, stage.of(placement), factor_at, stage.share(), outer_forces);
+  detail::add_springs(chain, stage.of(placement), factor_at, stage.share(), outer_forces);
+}
+
+/// All that acts on the segments but closures.
 template <bool kElastic, class L, class FactorAt>
 void gather_forces(const Chain<L>& chain, const Coordinates<L>& q, const Placement<L>& placement,
                    const Stage<L>& stage, const JointForces<L, kElastic>& joints,
                    const FactorAt& factor_at, OuterForces<L>& outer_forces) {
-  outer_forces.reset(chain.size());
-  detail::add_loads(chain, stage.of(placement), factor_at, stage.share(), outer_forces);
-  detail::add_springs(chain, stage.of(placement), factor_at, stage.share(), outer_forces);
+  gather_loads(chain, placement, stage, factor_at, outer_forces);
   detail::add_ground_joints(chain, q, stage, placement, joints, outer_forces);
 }
 

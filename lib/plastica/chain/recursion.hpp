@@ -22,10 +22,16 @@ template <class L>
 struct RightSide {
   std::vector<Wrench<L>> wrench;  ///< (N)
   Motion<L> ground{};
+  /// What of it acts at the nodes of joint 0 and of joints to the ground; read where moments follow
+  /// axial forces (ground joints).
+  typename L::Point at_start{};
+  std::vector<typename L::Point> at_ground;
 
   void reset(std::size_t n) {
     wrench.assign(n, {});
     ground = {};
+    at_start = {};
+    at_ground.assign(at_ground.size(), {});
   }
 };
 
@@ -118,6 +124,21 @@ class Recursion {
     [[no_unique_address]] std::conditional_t<kElastic, Carrier, Rigid>
         works;  ///< P; S, but half way
   };
+  /// How the moment of a joint that does not stretch follows its axial force:
+  /// dm = by (along . df + turns_inner . d(inner spin) + turns_joint . d(joint's spin)).
+  struct AxialCoupling {
+    typename L::Spin by;  ///< world axes
+    typename L::Point along;
+    typename L::Spin turns_inner;
+    typename L::Spin turns_joint;
+  };
+  /// The same of a joint to the ground, whose moment acts on its segment.
+  struct GroundCoupling {
+    std::size_t segment = 0;
+    bool outer = true;
+    typename L::Spin by;
+    typename L::Point along;
+  };
   static constexpr std::size_t kFree = kR + kT;
   /// The start of a piece: its spin and shift are solved there, and nothing goes further in.
   struct PieceStart {
@@ -134,6 +155,9 @@ class Recursion {
                  std::size_t i);
   void set_balance(const Chain<L>& chain, const Stage<L>& stage, const JointVector& law,
                    const Wrench<L>& w, std::size_t i);
+  /// @tparam kAxial  whether its moment follows the axial force; apart, so that other chains do not
+  ///                 pay for it
+  template <bool kAxial>
   void eliminate(const Chain<L>& chain, const Stage<L>& stage, const Mat<S, kJ, kJ>& tangent,
                  const Coordinates<L>& q, const Placement<L>& at, const Wrench<L>& w, std::size_t i,
                  Impedance<L>& a);
@@ -142,6 +166,23 @@ class Recursion {
                           std::size_t i, Mat<S, kJ, kR>& v_spin, Mat<S, kJ, kJ>& d);
   static Mat<S, kJ, kJ> inverse_held(const Mat<S, kJ, kJ>& d, const Spins& near,
                                      const Spins& to_joint, const Root<L>& root);
+  // recursion_axial.hpp
+  void set_couplings(const Chain<L>& chain, const Placement<L>& placement,
+                     const JointForces<L, kElastic>& laws, const AxialForces<L>& axial);
+  [[gnu::noinline]] void add_with_axial(std::size_t segment, const Impedance<L>& own,
+                                        Impedance<L>& a) const;
+  [[gnu::noinline]] void eliminate_with_axial(const Chain<L>& chain, const Stage<L>& stage,
+                                              const Mat<S, kJ, kJ>& tangent,
+                                              const Coordinates<L>& q, const Placement<L>& at,
+                                              const Wrench<L>& w, std::size_t i, Impedance<L>& a);
+  void couple_ground_joints(std::size_t segment, bool outer_end, Impedance<L>& a) const;
+  void couple_ground_joints(std::size_t segment, bool outer_end, const RightSide<L>& right,
+                            Wrench<L>& b) const;
+  void couple(std::size_t i, const Impedance<L>& a, Mat<S, kJ, kR>& v_spin, Mat<S, kJ, kT>& v_shift,
+              Mat<S, kJ, kJ>& d) const;
+  [[gnu::noinline]] JointVector rest_with_axial(std::size_t i, const RightSide<L>& right,
+                                                Wrench<L>& b) const;
+
   static void carry(const typename L::Point& arm, const typename L::Point& work_arm,
                     Impedance<L>& a);
   static JointVector in_freedoms(const Joint& joint, const Wrench<L>& b);
@@ -168,6 +209,11 @@ class Recursion {
   Impedance<L> root_impedance_{};  ///< of the whole chain, about the start
   Mat<S, kT, kT> root_inverse_{};
   S least_pivot_{};
+  // Where moments follow axial forces:
+  bool follows_axial_ = false;
+  std::vector<AxialCoupling> couplings_;          ///< of rigid joints (N)
+  std::vector<GroundCoupling> ground_couplings_;  ///< (ground joints)
+  NodeForce<L> at_start_{};
 };
 
 template <class L, bool kElastic>
@@ -181,16 +227,26 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
   S softest = constant<S>(0);
   starts_.clear();
   const Placement<L>& at = stage.of(placement);
+  follows_axial_ = outer_forces.axial.acts();
+  if (follows_axial_) set_couplings(chain, placement, laws, outer_forces.axial);
   for (std::size_t i = chain.size(); i-- > 0;) {
     // What is outside of joint i: segment i and all beyond.
-    a += outer_forces.impedance[i];
+    if (follows_axial_) {
+      add_with_axial(i, outer_forces.impedance[i], a);
+    } else {
+      a += outer_forces.impedance[i];
+    }
     w = w + outer_forces.wrench[i];
     transmitted.outer[i] = w;
     Joint& joint = joints_[i];
     set_joint(q, placement, stage, i);
     set_balance(chain, stage, laws.force[i], w, i);
     const Impedance<L> whole = a;
-    eliminate(chain, stage, laws.tangent[i], q, at, w, i, a);
+    if (follows_axial_) {
+      eliminate_with_axial(chain, stage, laws.tangent[i], q, at, w, i, a);
+    } else {
+      eliminate<false>(chain, stage, laws.tangent[i], q, at, w, i, a);
+    }
     softest = largest_entry(joint.inverse, softest);
     if (any(q.open[i])) {
       factor_piece(i, q.open[i], whole, w, a, joint);
@@ -212,6 +268,7 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
 
 }  // namespace plastica::chain
 
+#include "plastica/chain/recursion_axial.hpp"
 #include "plastica/chain/recursion_ends.hpp"
 #include "plastica/chain/recursion_joint.hpp"
 #include "plastica/chain/recursion_pivots.hpp"

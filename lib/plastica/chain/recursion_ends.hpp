@@ -105,8 +105,13 @@ void Recursion<L, kElastic>::solve(const RightSide<L>& right, bool with_balance,
   auto start = starts_.begin();
   for (std::size_t i = n; i-- > 0;) {
     const Joint& joint = joints_[i];
-    b = b + right.wrench[i];
-    JointVector rest = in_freedoms(joint, b);
+    JointVector rest;
+    if (follows_axial_) {
+      rest = rest_with_axial(i, right, b);
+    } else {
+      b = b + right.wrench[i];
+      rest = in_freedoms(joint, b);
+    }
     if (with_balance) rest -= joint.lacks;
     // Between the two sweeps the solution holds D^-1 (P b - balance).
     const JointVector gives = joint.inverse * rest;

@@ -58,6 +58,7 @@ void Recursion<L, kElastic>::set_balance(const Chain<L>& chain, const Stage<L>& 
 
 /// Eliminates a joint: `a` becomes the impedance that it leaves of what is outside of it.
 template <class L, bool kElastic>
+template <bool kAxial>
 void Recursion<L, kElastic>::eliminate(const Chain<L>& chain, const Stage<L>& stage,
                                        const Mat<S, kJ, kJ>& tangent, const Coordinates<L>& q,
                                        const Placement<L>& at, const Wrench<L>& w, std::size_t i,
@@ -97,6 +98,7 @@ void Recursion<L, kElastic>::eliminate(const Chain<L>& chain, const Stage<L>& st
     put(d, kR, 0, block<kT, kR>(tangent, kR, 0) * back + along * u_tr);
     put(d, kR, kR, block<kT, kT>(tangent, kR, kR) + along * u_tt);
   }
+  if constexpr (kAxial) couple(i, a, v_spin, v_shift, d);
   add_turning(stage, kElastic ? q.shift[i] : typename L::Point{}, at, joint.near, w, i, v_spin, d);
   if constexpr (kElastic) {
     // The force acts on segment i - 1 where the shift has taken it.

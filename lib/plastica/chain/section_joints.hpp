@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plastica/chain/joint_laws.hpp"
+#include "plastica/law/axial_control.hpp"
 #include "plastica/law/section_response.hpp"
 
 namespace plastica::chain {
@@ -66,6 +67,7 @@ struct SectionJoint {
   typename L::Spin spring;            ///< stiffness beside the law [N m/rad]
   typename L::Point shear_stiffness;  ///< kappa G A of each shift across the beam [N]
   law::SectionForce<S> stiffness;     ///< EI_x, EI_y [N m^2], GJ [N m^2], EA [N]
+  S axial_yield{};                    ///< the axial force at which all of the section yields [N]
 };
 
 /// What the solver's observers read of a chain's joints, whatever their law.
@@ -129,6 +131,18 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     before_.resize(states);
     after_.resize(states);
     find_uneven();
+    if constexpr (kSeesAxial) {
+      this->sees_axial_ = true;
+      axial_before_.resize(joints_.size());
+      axial_after_.resize(joints_.size());
+      for (const SectionJoint<L>& joint : joints_) {
+        bool acts = false;
+        for (std::size_t k = 0; k < kR; ++k) {
+          acts = acts || any(joint.acting[k] > constant<S>(0));
+        }
+        acts_.push_back(acts);
+      }
+    }
   }
   /// @param kept  what laws with many states point to
   SectionJoints(SectionAxes<L> axes, std::vector<Law> laws, std::vector<SectionJoint<L>> joints,
@@ -140,6 +154,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
 
   void evaluate(std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts,
                 JointForces<L, kElastic>& forces) override {
+    if constexpr (kSeesAxial) this->overpulled_ = false;
     axes_.with_first([&](auto first) {
       for (std::size_t j = 0; j < joints_.size(); ++j) {
         const typename L::Point shift =
@@ -152,6 +167,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   void commit() override {
     before_ = after_;
     uneven_before_ = uneven_after_;
+    if constexpr (kSeesAxial) axial_before_ = axial_after_;
     for (std::size_t j = 0; j < joints_.size(); ++j) plastic_[j] = plastic_[j] + work_[j];
   }
 
@@ -215,6 +231,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
 
   void reset() override {
     std::fill(before_.begin(), before_.end(), typename Law::State{});
+    std::fill(axial_before_.begin(), axial_before_.end(), law::AxialState<S>{});
     std::fill(plastic_.begin(), plastic_.end(), constant<S>(0));
     std::fill(uneven_before_.begin(), uneven_before_.end(), law::SectionStrain<S>{});
   }
@@ -227,6 +244,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   using SectionJointsBase<L, kElastic>::plastic_;
 
   static constexpr bool kManyStates = requires(const Law& law) { law.layout->states(); };
+  static constexpr bool kSeesAxial = law::kSeesAxial<Law> && kT > 0;
 
   /// Where the states of each joint begin, of laws with many.
   struct ManyStates {
@@ -278,6 +296,28 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     }
   }
 
+  /// Whether a joint's axial force is given, and not its axial strain.
+  bool axial_is_given(std::size_t j, const JointForces<L, kElastic>& forces) const {
+    return !forces.axial.empty() && acts_[j] && !(kElastic && joints_[j].stretches);
+  }
+
+  /// The response under the axial force that is given.
+  /// @param by_axial  d(moment)/d(axial force) [m]
+  template <std::size_t First>
+  law::SectionResponse<S> respond_to_axial(std::size_t j, const law::SectionStrain<S>& strain,
+                                           const S& axial, typename L::Spin& by_axial) {
+    const SectionJoint<L>& joint = joints_[j];
+    double tolerance = 1e-13;
+    if constexpr (requires { Law::kForceTolerance; }) tolerance = Law::kForceTolerance;
+    const auto found = law::respond_to_force(
+        [&](const law::SectionStrain<S>& at) { return respond_to<law::AllComponents>(j, at); },
+        strain, axial, axial_before_[j], joint.stiffness[kAxial], joint.axial_yield, tolerance);
+    axial_after_[j] = found.after;
+    this->overpulled_ = this->overpulled_ || any(!found.carries);
+    for (std::size_t k = 0; k < kR; ++k) by_axial[k] = joint.acting[k] * found.by_force[First + k];
+    return found.section;
+  }
+
   /// Slope that a joint of an elastic stiffness per length keeps for Newton's method when its law
   /// has none: where all joints of a bar yield at once without hardening, their shares of a
   /// prescribed turn would be undetermined (with float, nothing but rounding). What has converged
@@ -299,7 +339,15 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     if constexpr (kElastic) {
       strain[kAxial] = shift[SectionAxes<L>::kAxialShift] * scale.per_length[kAxial];
     }
-    const law::SectionResponse<S> now = respond_to<law::Components<First, kR, kElastic>>(j, strain);
+    typename L::Spin by_axial;
+    const law::SectionResponse<S> now = [&] {
+      if constexpr (kSeesAxial) {
+        if (axial_is_given(j, forces)) {
+          return respond_to_axial<First>(j, strain, forces.axial[j], by_axial);
+        }
+      }
+      return respond_to<law::Components<First, kR, kElastic>>(j, strain);
+    }();
     force_[j] = now.force;
     const S energy_length = joint.length[First];
     elastic_[j] = energy_length * now.elastic_energy;
@@ -325,6 +373,9 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
       to_angle = inverse_tangent_map(angle, k);
       slope = (transpose(to_angle) * slope + moment_slope(angle, moment, k)) * to_angle;
       moment = transposed_times(to_angle, moment);
+    }
+    if constexpr (kSeesAxial) {
+      if (!forces.by_axial.empty()) forces.by_axial[j] = transposed_times(to_angle, by_axial);
     }
     Vec<S, kJ>& force = forces.force[j];
     Mat<S, kJ, kJ>& tangent = forces.tangent[j];
@@ -421,6 +472,9 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   /// Where any component has another length than the first: by how much [m], and the permanent
   /// strains, committed and of the last trial (joints); else empty.
   std::vector<law::SectionStrain<S>> excess_, uneven_before_, uneven_after_;
+  // Where the law sees the axial force:
+  std::vector<law::AxialState<S>> axial_before_, axial_after_;  ///< (joints)
+  std::vector<bool> acts_;  ///< whether a joint resists any rotation (joints)
 };
 
 }  // namespace plastica::chain

@@ -147,6 +147,49 @@ struct JointForces {
   using S = typename L::Scalar;
   std::vector<Vec<S, kJ>> force;        ///< (joints)
   std::vector<Mat<S, kJ, kJ>> tangent;  ///< (joints)
+  /// Given to laws that see it: axial force of each joint, of those that stretch not read [N];
+  /// empty: none is given (joints).
+  std::vector<S> axial;
+  /// Then: d(moment as it works on spins)/d(axial force) [m] (joints).
+  std::vector<typename L::Spin> by_axial;
+};
+
+/// A force at a node, and how it changes as the segment that it acts on moves by (shift, spin):
+/// d force = -tt shift - tr spin.
+template <class L>
+struct NodeForce {
+  using S = typename L::Scalar;
+  typename L::Point force;
+  Mat<S, L::kTranslations, L::kTranslations> tt;
+  Mat<S, L::kTranslations, L::kRotations> tr;
+};
+
+/// How the axial forces of joints that do not stretch, N = along . force, follow from equilibrium:
+/// axial.hpp.
+template <class L>
+struct AxialForces {
+  /// t: the joint's axis, half way between its sides, of unit length (joints).
+  std::vector<typename L::Point> along;
+  /// f: what is beyond the joint puts on it [N] (joints).
+  std::vector<typename L::Point> force;
+  /// f across t, over the length of the mean of both sides' axes: f . dt is that times the change
+  /// of the mean [N] (joints).
+  std::vector<typename L::Point> across;
+  NodeForce<L> at_start;                ///< what acts at the node of joint 0
+  std::vector<NodeForce<L>> at_ground;  ///< at that of each joint to the ground (ground joints)
+  /// Of joints to the ground: d(moment on the segment, in world axes)/d(axial force) [m]
+  /// (ground joints).
+  std::vector<typename L::Spin> ground_by_axial;
+
+  /// Whether moments follow them in the tangent.
+  bool acts() const { return !along.empty(); }
+  void resize(std::size_t joints, std::size_t ground_joints) {
+    along.resize(joints);
+    force.resize(joints);
+    across.resize(joints);
+    at_ground.resize(ground_joints);
+    ground_by_axial.resize(ground_joints);
+  }
 };
 
 }  // namespace plastica::chain

@@ -11,6 +11,7 @@
 #include "plastica/io/scene_writer.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/scene_warnings.hpp"
+#include "plastica/run/axial_warning.hpp"
 
 namespace plastica::io {
 namespace {
@@ -60,6 +61,9 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
     if (auto warning = first_yield_warning(file.setup.scene, file.setup.solver)) {
       record.warnings.push_back(std::move(*warning));
     }
+  }
+  if (std::string warning = axial_warning(file.setup.scene, response); !warning.empty()) {
+    record.warnings.push_back(std::move(warning));
   }
   record.outline = beam_outline(model);
   record.inputs = {{std::filesystem::path(file.path).filename().string(), file.text}};

@@ -25,6 +25,8 @@ struct FibreSection {
   const FibreLayout* layout;  ///< AboutX, AboutY or Torsion; lives at least as long
   Uniaxial fibre;             ///< under normal stress; of Torsion, under shear
 
+  static constexpr bool kSeesAxial = true;
+
   /// Of one fibre; a joint has an array of `layout->states()` of them.
   using State = typename Uniaxial::State;
 };

@@ -30,6 +30,11 @@ struct FibreGrid {
   Vec<S, 2> warp_cap;  ///< tau_y sum A |lever h| [N m]: what sum A lever h tau is small against
   Vec<S, 2> warp_stiffness;  ///< G sum A (lever h)^2 [N m^2]
 
+  static constexpr bool kSeesAxial = true;
+  /// To which forces are what they are, over the yielding section's, since beta is found to 1e-12
+  /// [1].
+  static constexpr double kForceTolerance = 1e-11;
+
   /// Of one fibre; a joint has an array of `layout->states()` of them, the last one with beta for
   /// its plastic strain.
   using State = typename Biaxial<S, Uniaxial>::State;
@@ -125,7 +130,7 @@ inline SectionResponse<S> respond(const FibreGrid<S, Uniaxial>& law,
                                   const typename FibreGrid<S, Uniaxial>::State* before,
                                   typename FibreGrid<S, Uniaxial>::State* after,
                                   const SectionStrain<S>& strain) {
-  const S enough = constant<S>(kIsDouble<S> ? 1e-10 : 1e-5);
+  const S enough = constant<S>(kIsDouble<S> ? 1e-12 : 1e-5);
   const std::size_t last = law.layout->area.size();
   Vec<S, 2> base = before[last].plastic;
   Vec<S, 2> beta = base;

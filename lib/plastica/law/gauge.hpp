@@ -110,17 +110,16 @@ struct FirstYieldGauge {
 /// Gamma^2 - h Gamma - Q = 0, for a the larger of the moments and b the other:
 ///   h = m_a + (1 - e) n,  Q = 3/4 m_b^2 + n m_b/10 + e n^2.
 /// - Without n: m_a + 3/4 m_b^2 = 1, exact for a rectangle (the neutral axis cuts the sides along
-///   b), with continuous first derivatives where the two moments change places. Round sections have
-///   only the resultant m_a.
+///   b), with continuous first derivatives where the two moments change places.
 /// - One moment: m = (1 - n)(1 + e n), exact with e = 1 for a rectangle; otherwise e is the largest
 ///   that is nowhere outside (`GaugeForm`).
 /// - The mixed term makes it safe for a rectangle with both moments and n (`GaugeForm`).
-template <class S, bool Round>
+template <class S>
 struct PlasticGauge {
   using Scalar = S;
-  static constexpr std::size_t kPieces = Round ? 1 : 2;
+  static constexpr std::size_t kPieces = 2;
   static constexpr bool kLinear = false;
-  static constexpr bool kRound = Round;
+  static constexpr bool kRound = false;
 
   S axial;  ///< e [1], 0..1
 
@@ -131,7 +130,7 @@ struct PlasticGauge {
     const S two = constant<S>(2);
     const S half = constant<S>(0.5);
     const S linear = one - axial;
-    const S mixed = constant<S>(Round ? 0.0 : 0.1);
+    const S mixed = constant<S>(0.1);
     const S n = u[kAxial];
     const S h = u[a] + linear * n;
     const S q = constant<S>(0.75) * u[b] * u[b] + mixed * n * u[b] + axial * n * n;
@@ -189,6 +188,78 @@ struct PlasticGauge {
              one, one, zero, one,  //
              kink, kink, one, zero}};
   }
+};
+
+/// Terms of the radius of `PlasticCurveGauge`.
+inline constexpr std::size_t kRadiusTerms = 10;
+
+/// A fully plastic section whose bending has one moment, be it that of its plane or the resultant
+/// of a round section: sqrt(Gamma^2 + t^2), as `PlasticGauge`, with the section's own curve m(n).
+///
+/// With w = m + n and p = n/w, Gamma = w R(p) is 1 on the curve if R = 1/(m + n) there. So with
+/// R a function of p alone Gamma is homogeneous, and
+///   Gamma_m = R - p R',  Gamma_n = R + (1 - p) R',  Gamma'' = R''/w (p, p - 1)(p, p - 1)^T:
+/// convex where R'' >= 0.
+template <class S>
+struct PlasticCurveGauge {
+  using Scalar = S;
+  static constexpr std::size_t kPieces = 1;
+  static constexpr bool kLinear = false;
+  static constexpr bool kRound = true;
+
+  std::array<S, kRadiusTerms> radius;  ///< R(p) = sum radius_k p^k
+
+  GaugePiece<S> piece(std::size_t /*k*/, const SectionForce<S>& u) const {
+    const S zero = constant<S>(0);
+    const S one = constant<S>(1);
+    // The tiny number keeps 0/0 away at the origin.
+    const S w = u[kBendingX] + u[kAxial];
+    const S p = u[kAxial] / (w + constant<S>(1e-30));
+    S r = zero, slope = zero, curve = zero;  // R, R', R''/2
+    for (std::size_t k = kRadiusTerms; k-- > 0;) {
+      curve = curve * p + slope;
+      slope = slope * p + r;
+      r = r * p + radius[k];
+    }
+    const S gamma = w * r;
+    SectionForce<S> by;
+    by[kBendingX] = r - p * slope;
+    by[kAxial] = r + (one - p) * slope;
+    SectionForce<S> across;
+    across[kBendingX] = p;
+    across[kAxial] = p - one;
+    GaugePiece<S> f;
+    f.value = constant<S>(0.5) * (gamma * gamma + u[kTorsion] * u[kTorsion]);
+    f.gradient = gamma * by;
+    f.gradient[kTorsion] = u[kTorsion];
+    f.hessian = outer(by, by) + (constant<S>(2) * r * curve) * outer(across, across);
+    f.hessian(kTorsion, kTorsion) = one;
+    return f;
+  }
+
+  /// The moment and torsion, without axial force, are a circle.
+  LinearPiece<S> linear_piece(const SectionForce<S>& u) const {
+    const S zero = constant<S>(0);
+    const S one = constant<S>(1);
+    const auto planar = static_cast<mask_t<S>>(u[kAxial] <= zero);
+    return {{{one, one, zero, zero}}, one, planar, {{one, one, one, beside_bending()}}};
+  }
+
+  /// See `kKink`.
+  SectionTangent<S> axis_curvature() const {
+    const S zero = constant<S>(0);
+    const S one = constant<S>(1);
+    const S kink = constant<S>(kKink);
+    const S n = beside_bending();
+    return {{zero, one, one, n,    //
+             one, zero, one, n,    //
+             one, one, zero, one,  //
+             kink, kink, one, zero}};
+  }
+
+ private:
+  /// Every curve begins with R' = -1: a small axial force takes no moment. Then Gamma_nn = R''.
+  S beside_bending() const { return constant<S>(2) * radius[2]; }
 };
 
 /// An entry of one of a gauge's arrays by its number.

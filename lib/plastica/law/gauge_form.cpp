@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include <Eigen/Dense>
+
 #include "plastica/model/torsion.hpp"
 
 namespace plastica::law {
@@ -96,8 +98,10 @@ void set_rectangle(const Section& section, GaugeForm& form) {
   form.tau_squared.back() = 0.0;
 }
 
+using Curve = std::vector<std::array<double, 2>>;  ///< (n, m), from n = 0 to 1, without both
+
 /// Largest e for which (1 - n)(1 + e n) is nowhere above the curve m(n) of `points`.
-double largest_axial(const std::vector<std::array<double, 2>>& points) {
+double largest_axial(const Curve& points) {
   double e = 1.0;
   for (const auto& [n, m] : points) {
     if (n > 1e-3 && n < 1.0 - 1e-3) e = std::min(e, (m / (1.0 - n) - 1.0) / n);
@@ -106,9 +110,10 @@ double largest_axial(const std::vector<std::array<double, 2>>& points) {
 }
 
 /// Neutral axis at R sin(a): m = (R^3 cos^3 a - c(r))/(R^3 - r^3), with the chord of the hole cut
-/// out; n from the area between the neutral axis and its mirror image.
-std::vector<std::array<double, 2>> round_curve(double R, double r) {
-  std::vector<std::array<double, 2>> points;
+/// out; n from the area between the neutral axis and its mirror image. More points near the edge,
+/// where both change fast.
+Curve round_curve(double R, double r) {
+  Curve points;
   const auto half_area = [](double radius, double y) {  // between the centre and y
     const double s = std::min(y / radius, 1.0);
     return radius * radius * (std::asin(s) + s * std::sqrt(1.0 - s * s));
@@ -117,7 +122,7 @@ std::vector<std::array<double, 2>> round_curve(double R, double r) {
     return std::pow(std::max(radius * radius - y * y, 0.0), 1.5);
   };
   for (int i = 1; i < 400; ++i) {
-    const double y = R * i / 400.0;
+    const double y = R * std::sin(0.5 * pi * i / 400.0);
     const double area = pi * (R * R - r * r);
     const double inner = r > 0.0 ? 2.0 * half_area(r, y) : 0.0;
     points.push_back({(2.0 * half_area(R, y) - inner) / area,
@@ -127,8 +132,8 @@ std::vector<std::array<double, 2>> round_curve(double R, double r) {
 }
 
 /// The same of a box that bends about x: its two webs and, beyond the hole, its whole width.
-std::vector<std::array<double, 2>> box_curve(double b, double h, double bi, double hi) {
-  std::vector<std::array<double, 2>> points;
+Curve box_curve(double b, double h, double bi, double hi) {
+  Curve points;
   const double area = b * h - bi * hi;
   const double plastic = (b * h * h - bi * hi * hi) / 4.0;
   for (int i = 1; i < 400; ++i) {
@@ -140,12 +145,98 @@ std::vector<std::array<double, 2>> box_curve(double b, double h, double bi, doub
   return points;
 }
 
+/// R(p) of `PlasticCurveGauge` for a curve: with value and slope of its ends, where m = 1 with no
+/// slope and m = k (1 - n), so that R(0) = R(1) = 1, R'(0) = -1, R'(1) = 1 - 1/k; between them by
+/// least squares of R over m, as errors of R are of m. Straight pieces of a curve (flanges) have
+/// R'' = 0, which a polynomial would undershoot: where it does, R'' is held at 0 by weights.
+std::array<double, kRadiusTerms> radius_terms(const Curve& curve) {
+  constexpr Eigen::Index kFree = kRadiusTerms - 4;
+  constexpr int kRounds = 20;
+  constexpr int kChecks = 200;
+  const auto [n_end, m_end] = curve.back();
+  const double end_slope = 1.0 - (1.0 - n_end) / m_end;
+  // Of p^2 (1 - p)^2 p^k, as terms of p.
+  const std::array<double, 3> bump{1.0, -2.0, 1.0};
+  std::array<double, kRadiusTerms> terms{};
+  // Hermite's cubic with R(0) = R(1) = 1: 1 - (p - 2 p^2 + p^3) + end_slope (p^3 - p^2).
+  terms[0] = 1.0;
+  terms[1] = -1.0;
+  terms[2] = 2.0 - end_slope;
+  terms[3] = end_slope - 1.0;
+  const std::array<double, kRadiusTerms> cubic = terms;
+  const auto value = [](const auto& of, double p) {
+    double sum = 0.0;
+    for (std::size_t k = of.size(); k-- > 0;) sum = sum * p + of[k];
+    return sum;
+  };
+  const auto second = [](double exponent, double p) {
+    return exponent < 2.0 ? 0.0 : exponent * (exponent - 1.0) * std::pow(p, exponent - 2.0);
+  };
+  const auto curvature = [&](const auto& of, double p) {
+    double sum = 0.0;
+    for (std::size_t k = 2; k < of.size(); ++k) sum += of[k] * second(static_cast<double>(k), p);
+    return sum;
+  };
+  const auto points = static_cast<Eigen::Index>(curve.size());
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(points + kChecks, kFree);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(points + kChecks);
+  for (Eigen::Index i = 0; i < points; ++i) {
+    const auto [n, m] = curve[static_cast<std::size_t>(i)];
+    const double p = n / (m + n);
+    const double weight = 1.0 / std::max(m, 0.02);
+    for (Eigen::Index k = 0; k < kFree; ++k) {
+      a(i, k) = weight * p * p * (1.0 - p) * (1.0 - p) * std::pow(p, static_cast<double>(k));
+    }
+    b(i) = weight * (1.0 / (m + n) - value(cubic, p));
+  }
+  std::array<double, kChecks> held{};
+  for (int round = 0; round < kRounds; ++round) {
+    const Eigen::VectorXd found = a.colPivHouseholderQr().solve(b);
+    terms = cubic;
+    for (Eigen::Index k = 0; k < kFree; ++k) {
+      for (std::size_t j = 0; j < bump.size(); ++j) {
+        terms[static_cast<std::size_t>(k) + 2 + j] += found(k) * bump[j];
+      }
+    }
+    bool convex = true;
+    for (int c = 0; c < kChecks; ++c) {
+      const double p = (c + 0.5) / kChecks;
+      if (curvature(terms, p) >= 0.0) continue;
+      convex = false;
+      double& weight = held[static_cast<std::size_t>(c)];
+      weight = weight == 0.0 ? 0.02 : 2.0 * weight;
+      const Eigen::Index row = points + c;
+      for (Eigen::Index k = 0; k < kFree; ++k) {
+        double sum = 0.0;
+        for (std::size_t j = 0; j < bump.size(); ++j) {
+          sum += bump[j] * second(static_cast<double>(k) + 2.0 + static_cast<double>(j), p);
+        }
+        a(row, k) = weight * sum;
+      }
+      b(row) = weight * (0.01 - curvature(cubic, p));
+    }
+    if (convex) break;
+  }
+  return terms;
+}
+
+/// The curve of a section that bends about one axis, or is round.
+Curve plastic_curve(const Section& s, GaugePlane plane) {
+  switch (s.shape) {
+    case SectionShape::Circle: return round_curve(s.radius, 0.0);
+    case SectionShape::RoundTube: return round_curve(s.radius, s.inner_radius);
+    default: break;
+  }
+  return plane == GaugePlane::AboutY ? box_curve(s.height, s.width, s.inner_height, s.inner_width)
+                                     : box_curve(s.width, s.height, s.inner_width, s.inner_height);
+}
+
 /// e of the section's fully plastic surface.
 double plastic_axial(const Section& s) {
   switch (s.shape) {
     case SectionShape::Rectangle: return 1.0;
-    case SectionShape::Circle: return largest_axial(round_curve(s.radius, 0.0));
-    case SectionShape::RoundTube: return largest_axial(round_curve(s.radius, s.inner_radius));
+    case SectionShape::Circle:
+    case SectionShape::RoundTube: return largest_axial(plastic_curve(s, GaugePlane::Both));
     case SectionShape::RectangularTube:
       return std::min(largest_axial(box_curve(s.width, s.height, s.inner_width, s.inner_height)),
                       largest_axial(box_curve(s.height, s.width, s.inner_height, s.inner_width)));
@@ -155,15 +246,22 @@ double plastic_axial(const Section& s) {
 
 }  // namespace
 
-GaugeForm gauge_form(const Section& section, YieldModel model, YieldCap cap, Formulas formulas) {
+GaugeForm gauge_form(const Section& section, YieldModel model, YieldCap cap, Formulas formulas,
+                     GaugePlane plane) {
   const bool round =
       section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
   GaugeForm form;
   if (model == YieldModel::Conservative) {
     form.kind = GaugeKind::Corner;
   } else if (cap == YieldCap::FullyPlastic && formulas == Formulas::Mechanics) {
-    form.kind = round ? GaugeKind::PlasticRound : GaugeKind::PlasticBlock;
-    form.axial = plastic_axial(section);
+    const bool box = section.shape == SectionShape::RectangularTube;
+    if (round || (box && plane != GaugePlane::Both)) {
+      form.kind = GaugeKind::PlasticCurve;
+      form.radius = radius_terms(plastic_curve(section, plane));
+    } else {
+      form.kind = GaugeKind::PlasticBlock;
+      form.axial = plastic_axial(section);
+    }
   } else if (round) {
     form.kind = GaugeKind::Round;
   } else if (section.shape == SectionShape::RectangularTube) {
@@ -172,6 +270,22 @@ GaugeForm gauge_form(const Section& section, YieldModel model, YieldCap cap, For
     set_rectangle(section, form);
   }
   return form;
+}
+
+double moment_left(const Section& section, YieldCap cap, Formulas formulas, double n) {
+  const bool plastic = cap == YieldCap::FullyPlastic && formulas == Formulas::Mechanics;
+  if (n >= 1.0) return 0.0;
+  if (!plastic) return 1.0 - n;
+  if (section.shape == SectionShape::Rectangle) return 1.0 - n * n;
+  std::array<double, 2> before{0.0, 1.0};
+  for (const auto& point : plastic_curve(section, GaugePlane::Both)) {
+    if (point[0] >= n) {
+      const double part = (n - before[0]) / (point[0] - before[0]);
+      return before[1] + part * (point[1] - before[1]);
+    }
+    before = point;
+  }
+  return before[1] * (1.0 - n) / (1.0 - before[0]);
 }
 
 }  // namespace plastica::law

@@ -29,6 +29,7 @@ namespace plastica::law {
 template <class S, class Gauge, class Uniaxial>
 struct InteractionSection {
   using Rule = HardeningRule<S, Uniaxial>;
+  static constexpr bool kSeesAxial = true;
 
   Gauge gauge;
   SectionForce<S> cap;         ///< [N m, N m, N m, N]

@@ -202,8 +202,9 @@ std::vector<Field> make_table() {
                                                       "what the strain history does"),
       choice<PLASTICA_REACH(scene.formulas)>("rules.formulas",
                                              "mechanics, or the report's formulas to the letter"),
-      choice<PLASTICA_REACH(scene.yield_model)>(
-          "rules.yield_model", "how the stresses of a chain's joint yield together"),
+      choice<PLASTICA_REACH(scene.yield_model)>("rules.yield_model",
+                                                "how the stresses of a chain's joint yield "
+                                                "together; per_axis leaves the axial force out"),
       choice<PLASTICA_REACH(scene.yield_cap)>("rules.yield_cap",
                                               "largest moment of an ideal joint"),
       choice<PLASTICA_REACH(scene.end_rule)>(

@@ -191,6 +191,14 @@ std::optional<std::string> growing_gravity(const Facts& facts) {
          " m/s^2 at the end; history = \"constant\" has it from the first";
 }
 
+std::optional<std::string> articulated_yield(const Facts& facts) {
+  if (!is_articulated(facts.options.scheme) || facts.scene.yield_model == YieldModel::Elastic) {
+    return std::nullopt;
+  }
+  return "articulated schemes leave the axial force out of yielding, and do not measure it; "
+         "rules.yield_model = \"interaction\" with another scheme sees it";
+}
+
 std::optional<std::string> late_cut(const Facts& facts) {
   for (std::size_t i = 0; i < facts.scene.cuts.size(); ++i) {
     const double time = facts.scene.cuts[i].time;
@@ -233,7 +241,7 @@ std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions
   if (options.step_error == 0.0) facts.first = first_frequency(scene, level);
   std::vector<std::string> warnings;
   for (const auto find : {coarse_steps, first_order, undamped_alpha, ringing, local_restitution,
-                          growing_gravity, late_cut}) {
+                          growing_gravity, late_cut, articulated_yield}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   return warnings;

@@ -34,6 +34,13 @@ class ChainBody {
   void accept_strains();
   /// Permanent angles as the break measure takes them (joints).
   const std::vector<JointAngles>& measured(const NodeStrains& strains) const;
+  /// Notes the axial force of joints that yield in the step just accepted, where the response has
+  /// to speak of it (`Response::axial`).
+  /// @param in_motion  whether `work` holds all forces of the step, inertia included; else they are
+  ///                   found from the unknowns
+  void note_axial(bool in_motion, Response& response);
+  /// After the run.
+  void finish_axial(Response& response) const;
   /// All joints over their limit now, with moment, angle and dissipation.
   std::vector<BrokenJoint> broken();
   /// What is known of a joint that broke or is cut.
@@ -55,7 +62,15 @@ class ChainBody {
   void set_watch();
   void set_closure_stiffness();
 
+  void find_axial_forces(bool in_motion);
+
   MaterialValues<double> material_{};  ///< that the joints have
+  // Of `note_axial`:
+  chain::Placement<L> axial_placement_;
+  chain::OuterForces<L> axial_outside_;
+  chain::AxialForces<L> axial_forces_;
+  std::vector<S> axial_;        ///< [N] (joints)
+  std::size_t axial_part_ = 0;  ///< whose section the noted joint has
 };
 
 }  // namespace plastica

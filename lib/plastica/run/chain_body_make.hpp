@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "plastica/chain/axial.hpp"
+#include "plastica/law/gauge_form.hpp"
 #include "plastica/run/chain_body.hpp"
 #include "plastica/run/chain_laws.hpp"
 
@@ -48,7 +50,9 @@ inline WatchedJoint watched_joint(const Scene& scene, const chain::Layout& layou
 
 template <class L, bool kElastic>
 ChainBody<L, kElastic>::ChainBody(const ChainModel& of, const chain::View<L>& seen)
-    : model(of), view(seen), parts(chain::part_forms(of.scene, !kOneForce<L, kElastic>)) {
+    : model(of),
+      view(seen),
+      parts(chain::part_forms(of.scene, !kOneForce<L, kElastic>, chain::gauge_plane<L>(seen))) {
   build = chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia, kElastic)
               .build();
   work.resize(build.chain);
@@ -160,6 +164,58 @@ void ChainBody<L, kElastic>::accept_strains() {
   std::swap(strains.permanent, trial.permanent);
   std::swap(strains.accumulated, trial.accumulated);
   watch.set_strains(measured(strains), strains.strain);
+}
+
+/// Lanes know neither the forces of a step nor the joints' axes.
+template <class L, bool kElastic>
+void ChainBody<L, kElastic>::find_axial_forces(bool in_motion) {
+  const auto factor_at = [&](std::size_t history) {
+    return build.chain.histories[history].at(work.time);
+  };
+  axial_placement_.resize(build.chain.size());
+  chain::place<kElastic>(build.chain, work.q, work.time, axial_placement_);
+  if (!in_motion) {
+    chain::gather_loads(build.chain, axial_placement_, chain::Stage<L>{}, factor_at,
+                        axial_outside_);
+    chain::add_closures(build.chain, axial_placement_, chain::Stage<L>{}, work.q, work.closed,
+                        axial_outside_);
+  }
+  chain::find_axial_forces(build.chain, work.q, axial_placement_, work.closed, work.time, factor_at,
+                           in_motion ? work.outer_forces.wrench : axial_outside_.wrench,
+                           axial_forces_, axial_);
+}
+
+template <class L, bool kElastic>
+void ChainBody<L, kElastic>::note_axial(bool in_motion, Response& response) {
+  if (L::kTranslations == 0 || model.scene.yield_model == YieldModel::Elastic) return;
+  const bool per_axis = model.scene.yield_model == YieldModel::PerAxis;
+  const auto& flows = joints->work_increment();
+  const auto yields = [&](std::size_t j) { return flows[j] > constant<S>(0); };
+  std::size_t j = 0;
+  while (j < flows.size() && !yields(j)) ++j;
+  if (j == flows.size()) return;
+  if (per_axis) find_axial_forces(in_motion);
+  const std::vector<S>& axial = per_axis ? axial_ : work.joints.axial;
+  for (; j < axial.size(); ++j) {
+    if (!yields(j)) continue;
+    const bool stretches = kElastic && joints->joints()[j].stretches;
+    const auto& joint = joints->joints()[j];
+    const double force = stretches ? joints->section_forces()[j][law::kAxial] : axial[j];
+    const double ratio = std::fabs(force) / static_cast<double>(joint.axial_yield);
+    const double least = per_axis ? 1e-3 : stretches ? detail::kNoLimit : 1.0;
+    if (ratio < std::max(least, response.axial ? response.axial->ratio : 0.0)) continue;
+    const chain::JointPlan& plan = build.joints[j];
+    const std::size_t node = j < build.chain.size() ? plan.segment_b : plan.segment_a + 1;
+    response.axial = AxialNote{ratio, model.layout.ends[node], 1.0};
+    axial_part_ = joint.law;
+  }
+}
+
+template <class L, bool kElastic>
+void ChainBody<L, kElastic>::finish_axial(Response& response) const {
+  if (!response.axial) return;
+  response.axial->left = law::moment_left(*parts[axial_part_].section, model.scene.yield_cap,
+                                          model.scene.formulas, response.axial->ratio);
 }
 
 template <class L, bool kElastic>

@@ -7,10 +7,11 @@
 
 namespace plastica {
 
-/// Whether a level has one force per section: then there is no interaction, for the closest point
-/// of any yield surface is the clipped force. Other levels need the parts' yield surfaces.
+/// Whether a level has one force per section, as twist does: then there is no interaction, for the
+/// closest point of any yield surface is the clipped force. Other levels need the parts' yield
+/// surfaces.
 template <class L, bool kElastic>
-inline constexpr bool kOneForce = L::kRotations == 1 && !kElastic;
+inline constexpr bool kOneForce = L::kTranslations == 0 && !kElastic;
 
 /// The joints of a chain with the law that its scene names; regions follow the same law with their
 /// own numbers.

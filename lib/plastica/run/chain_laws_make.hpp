@@ -61,6 +61,12 @@ struct JointsMaker {
           if constexpr (std::is_same_v<std::remove_cvref_t<decltype(gauge)>, Gauge>) {
             laws.push_back(
                 {law::interaction_section<Uniaxial>(parts[p].form, gauge, materials[p])});
+            if constexpr (L::kRotations == 1) {
+              // Round gauges have the compliance of the resultant: here that of the plane.
+              const std::size_t own = view.section_axes().rotation(0);
+              auto& compliance = laws.back().section.compliance;
+              compliance[law::kBendingX] = compliance[law::kBendingY] = compliance[own];
+            }
           } else {
             assert(false && "check_regions refuses it");
           }

@@ -79,6 +79,7 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   clear_motion(response);
   response.counters = {};
   response.limit.reset();
+  response.axial.reset();
   response.chain.events.clear();
   body_.record.begin_frames(response);
 
@@ -98,6 +99,7 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   response.status =
       step_->start(initial_motion_) ? walk(*step_, hooks, response) : Status::HeldTwice;
   body_.record.end_motion();
+  body_.finish_axial(response);
   body_.record.end_frames(response);
   response.ledger_error = ledger_error(std::span(response.chain.energy).first(response.samples));
   response.momentum_error = step_->momentum_error();
@@ -151,6 +153,7 @@ Status ChainMotionRunner<L, kElastic>::go_to(double stop, StepSize& size, Step& 
     size.accepted();
     ++response.counters.steps;
     body_.accept_strains();
+    body_.note_axial(true, response);
     break_joints(step, hooks.on_break, response);
     if (hooks.on_progress && !hooks.on_progress(step.time())) return Status::Interrupted;
   }

@@ -78,6 +78,7 @@ bool ChainRunner<L, kElastic>::begin_path() {
   previous_ = body_.work.q;
   response_->samples = 0;
   clear_motion(*response_);
+  response_->axial.reset();
   response_->chain.events.clear();
   response_->critical.reset();
   has_yielded_ = leaves_plane_ = false;
@@ -117,6 +118,7 @@ void ChainRunner<L, kElastic>::finish() {
   if (!body_.record.lacks_last_shape(response)) body_.record.end_frames(response);
   response.counters = walker_->counters();
   response.limit = walker_->limit();
+  body_.finish_axial(response);
   if (response.limit) {
     response.limit->below = body_.record.factor_at(response.limit->below);
     response.limit->above = body_.record.factor_at(response.limit->above);
@@ -161,6 +163,7 @@ solve::Verdict ChainRunner<L, kElastic>::judge(const Work& /*w*/, bool shortest)
 template <class L, bool kElastic>
 bool ChainRunner<L, kElastic>::accept(const Work& w) {
   body_.accept_strains();
+  body_.note_axial(false, *response_);
   body_.record.add_work(w);
   has_yielded_ = has_yielded_ || yields();
   last_time_ = w.time;

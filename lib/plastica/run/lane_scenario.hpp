@@ -37,6 +37,7 @@ class LaneScenario {
     clear_motion(response);
     response.counters = {};
     response.limit.reset();
+    response.axial.reset();
     response.chain.events.clear();
     body_->record.begin_frames(response);
     chain::place<false>(body_->build.chain, body_->work.q, 0.0, body_->work.placement);

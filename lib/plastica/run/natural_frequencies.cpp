@@ -69,7 +69,8 @@ class Rest {
 
  private:
   void evaluate_joints(const ChainModel& model, const chain::View<L>& view) {
-    const auto parts = chain::part_forms(model.scene, !kOneForce<L, kElastic>);
+    const auto parts =
+        chain::part_forms(model.scene, !kOneForce<L, kElastic>, chain::gauge_plane<L>(view));
     std::vector<MaterialValues<double>> materials;
     materials.reserve(parts.size());
     for (const auto& part : parts) materials.push_back(material_values(*part.material));

@@ -35,11 +35,8 @@ bool same_loads(const ChainModel& a, const ChainModel& b) {
 std::optional<solve::LaneLaw> lane_law(const ChainModel& model) {
   const YieldModel yields = model.scene.yield_model;
   if (yields == YieldModel::Elastic) return solve::LaneLaw::Elastic;
-  // In the plane a rigid joint has one moment, whose surfaces are all the same.
-  if (yields == YieldModel::Fibre ||
-      (yields != YieldModel::PerAxis && model.level == Level::Spatial)) {
-    return {};
-  }
+  // The other yield models see several forces at once, the axial one among them.
+  if (yields != YieldModel::PerAxis) return {};
   switch (model.scene.material.hardening.law) {
     case HardeningLaw::Ideal: return solve::LaneLaw::Ideal;
     case HardeningLaw::Linear: return solve::LaneLaw::Linear;

@@ -115,6 +115,13 @@ struct ChainHistory {
   std::vector<ChainBreak> events{};  ///< in the order of time
 };
 
+/// The largest axial force of a joint while it yielded.
+struct AxialNote {
+  double ratio = 0.0;  ///< |N| over N_p, at which all of the section yields [1]
+  double share = 0.0;  ///< where, of the beam's length [1]
+  double left = 1.0;   ///< moment that the section carries beside it, over that without [1]
+};
+
 /// What a run gives; sized by `make_response`, so that `run` does not allocate.
 struct Response {
   Status status = Status::NotRun;
@@ -129,6 +136,9 @@ struct Response {
   std::optional<LimitLoad> limit;
   /// Of a path in statics; none where it came by no bifurcation.
   std::optional<CriticalPoints> critical;
+  /// Set where joints yield on each axis by itself and do not see the axial force, and where it is
+  /// beyond N_p in joints that do not stretch; `axial_warning` puts it in words.
+  std::optional<AxialNote> axial;
   /// `plastica::ledger_error` of a motion [1]; above `kLedgerTolerance` its status is
   /// `NotBalanced`.
   double ledger_error = 0.0;

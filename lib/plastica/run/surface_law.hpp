@@ -14,6 +14,7 @@ template <class Section>
 struct SurfaceLaw {
   using S = std::remove_cvref_t<decltype(Section::cap[0])>;
   using State = typename Section::State;
+  static constexpr bool kSeesAxial = Section::kSeesAxial;
   Section section;
 };
 

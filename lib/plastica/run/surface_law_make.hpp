@@ -32,7 +32,7 @@ using SurfaceSection = law::InteractionSection<double, Gauge, Uniaxial>;
   PLASTICA_SURFACE_LAW(Uniaxial, law::FirstYieldGauge<double, law::kPerimeterPoints, false>); \
   PLASTICA_SURFACE_LAW(Uniaxial, law::FirstYieldGauge<double, 1, false>);                     \
   PLASTICA_SURFACE_LAW(Uniaxial, law::FirstYieldGauge<double, 1, true>);                      \
-  PLASTICA_SURFACE_LAW(Uniaxial, law::PlasticGauge<double, false>);                           \
-  PLASTICA_SURFACE_LAW(Uniaxial, law::PlasticGauge<double, true>)
+  PLASTICA_SURFACE_LAW(Uniaxial, law::PlasticGauge<double>);                                  \
+  PLASTICA_SURFACE_LAW(Uniaxial, law::PlasticCurveGauge<double>)
 
 }  // namespace plastica

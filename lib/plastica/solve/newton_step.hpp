@@ -5,6 +5,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "plastica/chain/axial.hpp"
 #include "plastica/solve/newton_work.hpp"
 
 /// The parts of one iteration of `equilibrate`.
@@ -62,6 +63,21 @@ bool closures_meet(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& 
   return true;
 }
 
+/// Of a placed chain whose laws see the axial force of rigid joints: that follows from all other
+/// forces, so the laws come last.
+template <class L, bool kElastic, class FactorAt>
+void assemble_with_axial(const chain::Chain<L>& chain, chain::JointLaws<L, kElastic>& laws,
+                         const FactorAt& factor_at, NewtonWork<L, kElastic>& w) {
+  chain::gather_loads(chain, w.placement, w.stage, factor_at, w.outer_forces);
+  set_closures(chain, w);
+  chain::find_axial_forces(chain, w.q, w.placement, w.closed, w.time, factor_at,
+                           w.outer_forces.wrench, w.outer_forces.axial, w.joints.axial);
+  w.joints.by_axial.resize(chain.joints());
+  w.right.at_ground.resize(chain.ground_joints.size());
+  laws.evaluate(w.angles, w.q.shift, w.joints);
+  chain::add_ground_joints_with_axial(chain, w.q, w.stage, w.placement, w.joints, w.outer_forces);
+}
+
 /// Places the chain, asks its laws and sums its forces at the current unknowns.
 /// @param factor_at  the factor of a load's history, by its number
 template <class L, bool kElastic, class FactorAt>
@@ -71,6 +87,11 @@ void assemble(const chain::Chain<L>& chain, chain::JointLaws<L, kElastic>& laws,
   for (std::size_t i = 0; i < chain.size(); ++i) w.angles[i] = w.q.angle[i];
   for (const auto& joint : chain.ground_joints) {
     w.angles[joint.joint] = chain::ground_joint_angle(chain, joint, w.placement, w.time);
+  }
+  const auto factor_at = [&](std::size_t history) { return chain.histories[history].at(w.time); };
+  if (L::kTranslations > 0 && laws.sees_axial()) {
+    assemble_with_axial(chain, laws, factor_at, w);
+    return;
   }
   laws.evaluate(w.angles, w.q.shift, w.joints);
   chain::gather_forces(chain, w.q, w.placement, w.stage, w.joints, factor_at, w.outer_forces);
@@ -187,12 +208,26 @@ void solve_imbalance(const chain::Chain<L>& chain, const PathCondition<L>& condi
   w.recursion.solve(w.right, true, w.columns[0]);
 }
 
+/// Notes where a force of the right-hand side acts on a node that joints to the ground see.
+template <class L, bool kElastic>
+void add_at_nodes(const chain::Chain<L>& chain, std::size_t segment, const typename L::Point& arm,
+                  const typename L::Point& force, NewtonWork<L, kElastic>& w) {
+  if (!w.outer_forces.axial.acts()) return;
+  if (chain::at_start(chain, segment, arm)) w.right.at_start += force;
+  for (std::size_t g = 0; g < chain.ground_joints.size(); ++g) {
+    if (chain::at_ground_joint(chain, chain.ground_joints[g], segment, arm)) {
+      w.right.at_ground[g] += force;
+    }
+  }
+}
+
 /// The column of a closure: what a unit force along it moves.
 template <class L, bool kElastic>
 void solve_closure(const chain::Chain<L>& chain, std::size_t k, NewtonWork<L, kElastic>& w) {
   const auto& closure = chain.closures[k];
   w.right.reset(chain.size());
   w.right.wrench[closure.segment] = acting_wrench(closure, w);
+  if (!closure.turning) add_at_nodes(chain, closure.segment, closure.arm, closure.direction, w);
   w.recursion.solve(w.right, false, w.columns[1 + k]);
 }
 
@@ -206,8 +241,9 @@ void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
   };
   w.right.reset(chain.size());
   for (const auto& load : chain.loads) {
-    add_scaled(slope(load.history), chain::unit_wrench(load, w.placement),
-               w.right.wrench[load.segment]);
+    const chain::Wrench<L> unit = chain::unit_wrench(load, w.placement);
+    add_scaled(slope(load.history), unit, w.right.wrench[load.segment]);
+    add_at_nodes(chain, load.segment, load.arm, slope(load.history) * unit.force, w);
   }
   for (const auto& spring : chain.springs) {
     chain::Wrench<L> wrench{};
@@ -216,6 +252,7 @@ void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
     }
     wrench.moment = L::moment(L::turn(w.placement.frame[spring.segment], spring.arm), wrench.force);
     add_scaled(constant<S>(1), wrench, w.right.wrench[spring.segment]);
+    add_at_nodes(chain, spring.segment, spring.arm, wrench.force, w);
   }
   for (const auto& joint : chain.ground_joints) {
     // The ground turns against the segment, which the joint's law resists.

@@ -96,6 +96,8 @@ class PathWalker {
   static constexpr double kMechanism = kIsDouble<S> ? 1e-11 : 1e-6;
   /// Share of the way that a closure's own stiffness would leave, below which it holds nothing.
   static constexpr double kHeldTwice = kIsDouble<S> ? 1e-8 : 1e-6;
+  /// The least way of the control point that is no rounding, over the beam's length.
+  static constexpr double kLeastWay = kIsDouble<S> ? 1e-13 : 1e-6;
   static constexpr double kTiny = std::numeric_limits<double>::min();
   static constexpr int kMostArcs = 400;
   /// How much longer than the first an arc may become: a way that bends sharply is long.
@@ -126,6 +128,14 @@ class PathWalker {
     rate_before_ = time_ > previous_time_ ? turned_ / (time_ - previous_time_) : 0.0;
     ++counters_.steps;
     interrupted_ = !observer_.accept(w_);
+  }
+
+  /// How a path ends that finds nothing more: where a section would have to carry more axial force
+  /// than it can, at a limit load.
+  Status end_lost() {
+    if (!overpulled_) return Status::NotConverged;
+    limit_ = LimitLoad{time_, w_.time};
+    return Status::LimitLoad;
   }
 
   Status end_broken() {
@@ -188,7 +198,8 @@ class PathWalker {
     counters_.iterations += iterations;
     iterations_ = iterations;
     if (stopped()) return Trial::Ended;
-    if (!converged) return Trial::Failed;
+    overpulled_ = converged && laws_.overpulled();
+    if (!converged || overpulled_) return Trial::Failed;
     if (turns_too_far() || !points_on() || !may_change_ways(shortest)) return Trial::Failed;
     const double slope = watches_slope_ && observer_.yields() ? relative_slope() : 1.0;
     flat_ = slope < kLimitSlope;
@@ -350,6 +361,7 @@ class PathWalker {
   Status status_ = Status::NotRun;
   int iterations_ = 0;
   bool interrupted_ = false;  ///< the observer does not want to go on, or the path was stopped
+  bool overpulled_ = false;   ///< the last trial was an equilibrium that no section carries
   bool factored_ = false;     ///< `w_` holds the tangent at the committed unknowns
   bool solved_ = false;       ///< and all columns
 
@@ -373,6 +385,7 @@ class PathWalker {
   double turned_ = 0.0;         ///< by the trial, of all segments: see `size_of_turns`
   double rate_before_ = 0.0;    ///< likewise, in a unit of time before it, or where it begins
   Value at_{};                  ///< the control point at the last step
+  bool has_scale_ = false;      ///< whether arcs have one: something moves
   bool watches_slope_ = false;  ///< load control: see `attempt`
   bool flat_ = false;
   double slope_ = 1.0;    ///< of the last step, see `relative_slope`

@@ -48,7 +48,9 @@ template <class L, bool kElastic>
 bool PathWalker<L, kElastic>::set_scales(const Value& rate) {
   span_ = options_.stops.back();
   way_ = size_of(rate) * span_;
-  if (!(way_ > 0.0) || !std::isfinite(way_)) return false;
+  // What only rounding moves has no scale: an axial load moves no straight beam.
+  const double unit = L::kTranslations > 0 ? static_cast<double>(chain_.length) : 1.0;
+  if (!(way_ > kLeastWay * unit) || !std::isfinite(way_)) return false;
   rate_ = rate;
   return true;
 }
@@ -141,12 +143,12 @@ Status PathWalker<L, kElastic>::walk_arc() {
   for (int k = 0; k < kMostArcs; ++k) {
     const Trial trial = advance_arc();
     if (trial == Trial::Ended) return ended();
-    if (trial == Trial::Failed) return Status::NotConverged;
+    if (trial == Trial::Failed) return end_lost();
     if (time_ >= end) {
       // The end itself, from the last point before it.
       const Trial last = attempt_time(end, true);
       if (last == Trial::Ended) return ended();
-      if (last == Trial::Failed) return Status::NotConverged;
+      if (last == Trial::Failed) return end_lost();
       observer_.record(w_);
       return Status::Completed;
     }
@@ -195,7 +197,7 @@ void PathWalker<L, kElastic>::bracket_limit(double highest) {
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
     counters_.iterations += outcome.iterations;
     if (stopped()) return;
-    if (outcome.converged && !turns_too_far()) continue;
+    if (outcome.converged && !laws_.overpulled() && !turns_too_far()) continue;
     limit.above = time;
     break;
   }
@@ -245,7 +247,7 @@ Status PathWalker<L, kElastic>::walk_displacement() {
         continue;
       }
       ++counters_.cutbacks;
-      if (shortest) return Status::NotConverged;
+      if (shortest) return end_lost();
       step = 0.5 * (next - reached);
     }
     if (!observer_.record(w_)) break;

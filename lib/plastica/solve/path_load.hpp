@@ -19,6 +19,7 @@ Status PathWalker<L, kElastic>::find_first() {
   if (!(w_.recursion.least_pivot() > kMechanism)) return Status::Mechanism;
   if (holds_twice()) return Status::HeldTwice;
   if (!outcome.converged) return finite(outcome) ? Status::NotConverged : Status::NonFinite;
+  if (laws_.overpulled()) return Status::NotConverged;
   at_time_ = holds_tangent_ = true;
   trial_ways_ = count_ways();
   if (observer_.judge(w_, true) == Verdict::End) return end_broken();
@@ -71,7 +72,7 @@ bool PathWalker<L, kElastic>::begin_control() {
     case PathControl::Auto:
     case PathControl::Load: break;
   }
-  watches_slope_ = begin_arcs();
+  watches_slope_ = has_scale_ = begin_arcs();
   return seek();
 }
 
@@ -97,6 +98,7 @@ bool PathWalker<L, kElastic>::go_on(Trial trial) {
       step_ = std::max(0.5 * length_, smallest());
       return seek();
     }
+    if (overpulled_) return end(end_lost());
     trial = cross_by_arc(options_.stops[stop_]);
   } else if (trial == Trial::Accepted) {
     goes_on_ = true;
@@ -110,7 +112,11 @@ bool PathWalker<L, kElastic>::go_on(Trial trial) {
   if (trial == Trial::Failed) return end(limit_ ? Status::LimitLoad : Status::NotConverged);
   while (!(time_ < options_.stops[stop_])) {
     if (options_.recorded[stop_]) observer_.record(w_);
-    if (is_corner(options_.stops[stop_])) goes_on_ = false;
+    if (is_corner(options_.stops[stop_])) {
+      goes_on_ = false;
+      // What begins to move the beam here gives arcs their scale.
+      if (!has_scale_) watches_slope_ = has_scale_ = begin_arcs();
+    }
     if (++stop_ == options_.stops.size()) return end(Status::Completed);
   }
   return seek();

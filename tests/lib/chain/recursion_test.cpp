@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "plastica/law/fibre.hpp"
+#include "plastica/law/interaction.hpp"
 #include "tests/support/chain.hpp"
 
 namespace plastica::chain {
@@ -43,12 +45,13 @@ Scene busy_scene() {
 
 /// The Newton step d of a state out of balance r solves r + (dr/dq) d = 0, closures included; so
 /// the difference of r over a small part of d is -r. That checks every term of the tangent.
-template <class L, bool kElastic>
-void expect_consistent_tangent(const View<L>& view) {
-  using Law = law::ElasticSection<double>;
-  const Scene scene = busy_scene();
+///
+/// @param make  a chain in its virgin state
+/// @param rest  what joints keep for Newton's method beside their laws, over a radian [N m]
+template <class L, bool kElastic, class Make>
+void expect_consistent_tangent_of(const Make& make, double rest = 0.0) {
   const auto state_at = [&](double part, auto&& read) {
-    SolvedChain<L, kElastic, Law> solved(scene, material_values(scene.material), view);
+    auto solved = make();
     auto& w = solved.work;
     w.time = 1.0;
     // Some state far from equilibrium, the same each time.
@@ -103,8 +106,110 @@ void expect_consistent_tangent(const View<L>& view) {
   for (const double r : at) scale = std::max(scale, std::fabs(r));
   for (std::size_t i = 0; i < at.size(); ++i) {
     // h^2 of the third derivative and rounding over h are both below 1e-9 of the scale.
-    EXPECT_NEAR((ahead[i] - behind[i]) / (2.0 * h), -at[i], 1e-8 * scale) << i;
+    EXPECT_NEAR((ahead[i] - behind[i]) / (2.0 * h), -at[i], 1e-8 * scale + rest) << i;
   }
+}
+
+template <class L, bool kElastic>
+void expect_consistent_tangent(const View<L>& view) {
+  const Scene scene = busy_scene();
+  expect_consistent_tangent_of<L, kElastic>([&] {
+    return SolvedChain<L, kElastic, law::ElasticSection<double>>(
+        scene, material_values(scene.material), view);
+  });
+}
+
+/// The same with joints that yield under moments and the axial force from equilibrium, half joints
+/// at a clamped end among them, whose node has a spring and a follower, too.
+Scene yielding_scene() {
+  Scene scene = busy_scene();
+  scene.material.yield_stress = 40e6;
+  scene.material.hardening.law = HardeningLaw::Linear;
+  scene.material.hardening.tangent_modulus = 20e9;
+  Support clamp;
+  clamp.at = Place::end();
+  clamp.kind = SupportKind::Clamp;
+  scene.supports.push_back(clamp);
+  Support spring;
+  spring.at = Place::end();
+  spring.kind = SupportKind::Elastic;
+  spring.stiffness = {100.0, 200.0, 300.0};
+  scene.supports.push_back(spring);
+  scene.loads.push_back({Place::end(), {}, {100.0, 80.0, 500.0}, {}, true, {}});
+  scene.loads.push_back({Place{0.0, {}}, {}, {100.0, 80.0, 500.0}, {}, false, {}});
+  return scene;
+}
+
+/// Reads how far the axial forces go.
+template <class Solved>
+void expect_axial_forces_matter(const Scene& scene, Solved solved) {
+  solve::NewtonOptions none;
+  none.most_iterations = 0;
+  solved.work.time = 1.0;
+  solve::equilibrate(solved.build.chain, *solved.joints, none, solved.work);
+  double largest = 0.0;
+  for (const double n : solved.work.joints.axial) largest = std::max(largest, std::fabs(n));
+  const double yield = scene.material.yield_stress * scene.section.width * scene.section.height;
+  EXPECT_GT(largest, 0.02 * yield);
+  EXPECT_LT(largest, 0.98 * yield);
+}
+
+template <class L, bool kElastic>
+void expect_consistent_tangent_of_surface(const View<L>& view) {
+  using Uniaxial = law::LinearHardening<double>;
+  using Gauge = law::PlasticGauge<double>;
+  Scene scene = yielding_scene();
+  scene.yield_cap = YieldCap::FullyPlastic;
+  const auto material = material_values(scene.material);
+  const auto make = [&] {
+    return SolvedChain<L, kElastic, law::InteractionSection<double, Gauge, Uniaxial>>(
+        scene, material, view, [&](const law::SectionForm& form) {
+          return law::interaction_section<Uniaxial>(form, Gauge{1.0}, material);
+        });
+  };
+  expect_axial_forces_matter(scene, make());
+  // 1e-9 of E I/l (SectionJoints): here it is seen, for joints yield and moments are small.
+  const double second_moment = std::pow(scene.section.width, 3) * scene.section.height / 12.0;
+  const double length = scene.beam.length / scene.beam.segments;
+  expect_consistent_tangent_of<L, kElastic>(
+      make, 1e-9 * scene.material.youngs_modulus * second_moment / length);
+}
+
+template <class L, bool kElastic>
+void expect_consistent_tangent_of_fibres(const View<L>& view, law::FibrePlane plane) {
+  using Uniaxial = law::LinearHardening<double>;
+  const Scene scene = yielding_scene();
+  const auto material = material_values(scene.material);
+  const auto properties = section_properties(scene.section, scene.material.poisson_ratio);
+  const auto form =
+      law::section_form(scene.section, properties, scene.material, scene.yield_cap, scene.formulas);
+  const law::FibreLayout layout = law::fibre_layout(scene.section, form, plane, 8);
+  const auto make = [&] {
+    return SolvedChain<L, kElastic, law::FibreSection<double, Uniaxial>>(
+        scene, material, view, [&](const law::SectionForm& of) {
+          return law::fibre_section<Uniaxial>(layout, of, material);
+        });
+  };
+  expect_axial_forces_matter(scene, make());
+  expect_consistent_tangent_of<L, kElastic>(make);
+}
+
+TEST(Recursion, HasTheConsistentTangentUnderAxialForceInThePlane) {
+  expect_consistent_tangent_of_surface<Planar<double>, false>(View<Planar<double>>{1});
+}
+TEST(Recursion, HasTheConsistentTangentUnderAxialForceInThePlaneOfFibres) {
+  expect_consistent_tangent_of_fibres<Planar<double>, false>(View<Planar<double>>{0},
+                                                             law::FibrePlane::AboutY);
+}
+TEST(Recursion, HasTheConsistentTangentUnderAxialForceAtTheGroundAlone) {
+  expect_consistent_tangent_of_fibres<Planar<double>, true>(View<Planar<double>>{1},
+                                                            law::FibrePlane::AboutX);
+}
+TEST(Recursion, HasTheConsistentTangentUnderAxialForceInSpace) {
+  expect_consistent_tangent_of_surface<Spatial<double>, false>({});
+}
+TEST(Recursion, HasTheConsistentTangentUnderAxialForceInSpaceOfFibres) {
+  expect_consistent_tangent_of_fibres<Spatial<double>, false>({}, law::FibrePlane::Both);
 }
 
 TEST(Recursion, HasTheConsistentTangentInTheYZPlane) {

@@ -1,0 +1,218 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "plastica/run/axial_warning.hpp"
+#include "tests/support/axial_limit.hpp"
+#include "tests/support/chain_scene.hpp"
+
+// The N-M limit of joints that do not stretch, through whole runs: a cantilever that is pulled and
+// then bent until it carries no more.
+
+namespace plastica {
+namespace {
+
+using testing::cantilever_scene;
+using testing::plastic_moment_left;
+using testing::properties_of;
+
+const Section kSquare{.width = 0.02, .height = 0.02};
+const Section kCircle{.shape = SectionShape::Circle, .radius = 0.01};
+const Section kTube{.shape = SectionShape::RoundTube, .radius = 0.01, .inner_radius = 0.0095};
+const Section kThickTube{.shape = SectionShape::RoundTube, .radius = 0.01, .inner_radius = 0.006};
+const Section kBox{.shape = SectionShape::RectangularTube,
+                   .width = 0.02,
+                   .height = 0.03,
+                   .inner_width = 0.018,
+                   .inner_height = 0.027};
+
+/// N over N_p, from none to nearly all.
+constexpr double kPulls[] = {0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 0.95};
+
+/// Its axial force is there from a tenth of the time on; the transverse force grows to 1.3 times
+/// what the section carries without the other. So stiff that N times the deflection is below 3e-4
+/// of the moment.
+Scene pulled(const Section& section, double n, YieldModel model, YieldCap cap) {
+  Scene scene = cantilever_scene(8);
+  scene.section = section;
+  scene.material.youngs_modulus = 1e16;
+  scene.yield_model = model;
+  scene.yield_cap = cap;
+  const SectionProperties p = properties_of(scene);
+  const double stress = scene.material.yield_stress;
+  const bool first_yield = model != YieldModel::Fibre && cap == YieldCap::FirstYield;
+  const double modulus = first_yield ? p.section_modulus_x : p.plastic_section_modulus_x;
+  scene.loads.push_back({.at = Place::end(),
+                         .force = {0.0, 1.3 * stress * modulus, 0.0},
+                         .history = {{0.0, 0.1, 1.0}, {0.0, 0.01, 1.0}}});
+  scene.loads.push_back({.at = Place::end(),
+                         .force = {0.0, 0.0, n * stress * p.area},
+                         .history = {{0.0, 0.1, 1.0}, {0.0, 1.0, 1.0}}});
+  return scene;
+}
+
+/// The moment at the clamp at the limit load, over that without axial force.
+double limit_of(const Scene& scene, Level level, JointTranslation translation) {
+  const Response response =
+      simulate(scene, {.level = level, .translation = translation, .steps = 40});
+  EXPECT_EQ(response.status, Status::LimitLoad) << name_of(response.status);
+  if (!response.limit) return 0.0;
+  return 1.3 * response.limit->below;
+}
+
+void expect_limit(const Section& section, YieldModel model, double allowed, Level level,
+                  JointTranslation translation = JointTranslation::Rigid) {
+  for (const double n : kPulls) {
+    const double exact = plastic_moment_left(section, n);
+    const Scene scene = pulled(section, n, model, YieldCap::FullyPlastic);
+    EXPECT_NEAR(limit_of(scene, level, translation) / exact, 1.0, allowed) << n;
+    // Compression takes as much, but for what the deflection adds.
+    Scene pushed = scene;
+    pushed.loads[1].force[2] *= -1.0;
+    EXPECT_NEAR(limit_of(pushed, level, translation) / exact, 1.0, allowed) << -n;
+  }
+}
+
+TEST(AxialLimit, OfARectangleIsOneLessTheSquare) {
+  for (const double n : kPulls) EXPECT_NEAR(plastic_moment_left(kSquare, n), 1.0 - n * n, 1e-4);
+  // What the deflection adds, and the bracket of the limit load: over what is left at n = 0.95.
+  expect_limit(kSquare, YieldModel::Interaction, 4e-3, Level::Planar);
+  expect_limit(kSquare, YieldModel::Interaction, 4e-3, Level::Spatial);
+}
+
+TEST(AxialLimit, OfRoundSectionsIsTheirsWithinAPercent) {
+  for (const Section& section : {kCircle, kTube, kThickTube}) {
+    expect_limit(section, YieldModel::Interaction, 0.01, Level::Planar);
+  }
+  expect_limit(kCircle, YieldModel::Interaction, 0.01, Level::Spatial);
+}
+
+TEST(AxialLimit, OfABoxInAPlaneIsItsOwnWithinAPercent) {
+  expect_limit(kBox, YieldModel::Interaction, 0.01, Level::Planar);
+}
+
+/// Fibres come to their limit slowly, and at a slope that counts as none: so the end is moved, to
+/// 60 times its deflection at first yield, and the moment at the clamp read.
+TEST(AxialLimit, OfFibresIsTheSectionsWithinAPercent) {
+  for (const Section& section : {kSquare, kCircle, kTube, kBox}) {
+    for (const double n : kPulls) {
+      Scene scene = pulled(section, n, YieldModel::Fibre, YieldCap::FirstYield);
+      scene.material.youngs_modulus = 1e18;
+      const SectionProperties p = properties_of(scene);
+      const double stress = scene.material.yield_stress;
+      Support hand{.at = Place::end(), .kind = SupportKind::Clamp};
+      hand.hold = HeldFreedoms{false, true, false, false, false, false};
+      hand.translation = {0.0, 60.0 * stress / (3e18 * p.outer_distance_x), 0.0};
+      hand.history = scene.loads[0].history;
+      scene.supports.push_back(hand);
+      scene.loads.erase(scene.loads.begin());
+      testing::add_probe(scene, ProbeQuantity::Moment, Place::start(), Component::X);
+      // The flanges of the box are a twentieth of its depth: forty fibres have two in each.
+      const int fibres = section.shape == SectionShape::RectangularTube ? 80 : 40;
+      const Response response =
+          testing::completed(scene, {.level = Level::Planar, .fibres = fibres, .steps = 40});
+      const double moment =
+          std::fabs(testing::last_of(response, 0)) / (stress * p.plastic_section_modulus_x);
+      EXPECT_NEAR(moment / plastic_moment_left(section, n), 1.0, 0.01) << n;
+    }
+  }
+}
+
+/// Elastic stresses of N and M add: |n| + |m| = 1, of every shape.
+TEST(AxialLimit, OfFirstYieldIsTheSumOfBoth) {
+  for (const Section& section : {kSquare, kCircle, kTube, kBox}) {
+    for (const double n : kPulls) {
+      const Scene scene = pulled(section, n, YieldModel::Interaction, YieldCap::FirstYield);
+      EXPECT_NEAR(limit_of(scene, Level::Planar, JointTranslation::Rigid) / (1.0 - n), 1.0, 6e-3)
+          << n;
+    }
+  }
+}
+
+/// The conservative surface is first yield, too.
+TEST(AxialLimit, IsThatOfTheConservativeSurface) {
+  const Scene scene = pulled(kSquare, 0.6, YieldModel::Conservative, YieldCap::FirstYield);
+  EXPECT_NEAR(limit_of(scene, Level::Planar, JointTranslation::Rigid), 0.4, 1e-3);
+  EXPECT_NEAR(limit_of(scene, Level::Spatial, JointTranslation::Rigid), 0.4, 1e-3);
+}
+
+/// Float has the same laws.
+TEST(AxialLimit, IsThatOfFloatAlike) {
+  const Scene scene = pulled(kSquare, 0.5, YieldModel::Interaction, YieldCap::FullyPlastic);
+  const Response response =
+      simulate(scene, {.level = Level::Planar, .precision = Precision::Float, .steps = 40});
+  ASSERT_TRUE(response.limit) << name_of(response.status);
+  EXPECT_NEAR(1.3 * response.limit->below, 0.75, 5e-3);
+}
+
+/// A bar that is pulled, alone: it has a limit load at N_p.
+TEST(AxialLimit, OfABarIsItsPlasticForce) {
+  for (const YieldModel model :
+       {YieldModel::Interaction, YieldModel::Conservative, YieldModel::Fibre}) {
+    for (const double pull : {1.05, 10.0, -1.05}) {
+      for (const Level level : {Level::Planar, Level::Spatial}) {
+        Scene scene = cantilever_scene(8);
+        scene.yield_model = model;
+        scene.loads.push_back(
+            {.at = Place::end(),
+             .force = {0.0, 0.0, pull * scene.material.yield_stress * properties_of(scene).area}});
+        // Compression alone would buckle it: shorter.
+        scene.beam.length = 0.05;
+        const Response response = simulate(scene, {.level = level, .steps = 20});
+        EXPECT_EQ(response.status, Status::LimitLoad) << name_of(response.status) << pull;
+        ASSERT_TRUE(response.limit);
+        EXPECT_NEAR(response.limit->below * std::fabs(pull), 1.0, 1e-4);
+        EXPECT_GE(response.limit->above * std::fabs(pull), 1.0 - 1e-5);
+      }
+    }
+  }
+}
+
+TEST(AxialLimit, IsNotMetBelowIt) {
+  Scene scene = cantilever_scene(8);
+  scene.yield_model = YieldModel::Interaction;
+  scene.loads.push_back(
+      {.at = Place::end(),
+       .force = {0.0, 0.0, 0.999 * scene.material.yield_stress * properties_of(scene).area}});
+  const Response response = testing::completed(scene);
+  EXPECT_FALSE(response.axial);
+}
+
+/// What per_axis leaves out is measured, and said.
+TEST(AxialWarning, SaysHowMuchPerAxisCarriesTooMuch) {
+  Scene scene = pulled(kSquare, 0.35, YieldModel::PerAxis, YieldCap::FullyPlastic);
+  const Response response = simulate(scene, {.level = Level::Planar, .steps = 40});
+  ASSERT_TRUE(response.axial);
+  EXPECT_NEAR(response.axial->ratio, 0.35, 1e-3);
+  EXPECT_EQ(response.axial->share, 0.0);
+  EXPECT_NEAR(response.axial->left, 1.0 - 0.35 * 0.35, 1e-3);
+  const std::string said = axial_warning(scene, response);
+  EXPECT_NE(said.find("0.35 N_p"), std::string::npos) << said;
+  EXPECT_NE(said.find("14 % more"), std::string::npos) << said;
+  scene.loads[1].force[2] *= 2.0;
+  scene.yield_cap = YieldCap::FirstYield;
+  const Response first = simulate(scene, {.level = Level::Spatial, .steps = 40});
+  ASSERT_TRUE(first.axial);
+  EXPECT_NEAR(first.axial->left, 0.3, 1e-3);
+  scene.yield_model = YieldModel::Interaction;
+  EXPECT_EQ(axial_warning(scene, simulate(scene, {.level = Level::Planar, .steps = 40})), "");
+}
+
+/// Hardening carries more than N_p; the bar lengthens, and the run says that it does not show it.
+TEST(AxialWarning, SaysThatABarLengthens) {
+  Scene scene = cantilever_scene(4);
+  scene.yield_model = YieldModel::Interaction;
+  scene.material.hardening.law = HardeningLaw::Linear;
+  scene.material.hardening.tangent_modulus = 2e9;
+  const double yield = scene.material.yield_stress * properties_of(scene).area;
+  scene.loads.push_back({.at = Place::end(), .force = {0.0, 0.0, 1.05 * yield}});
+  scene.loads.push_back({.at = Place::end(), .force = {0.0, 1.0, 0.0}});
+  const Response response = testing::completed(scene);
+  ASSERT_TRUE(response.axial);
+  EXPECT_NEAR(response.axial->ratio, 1.05, 1e-6);
+  EXPECT_NE(axial_warning(scene, response).find("elastic"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace plastica
