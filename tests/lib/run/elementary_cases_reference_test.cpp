@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/theory/beam_cases.hpp"
 #include "tests/support/chain_scene.hpp"
 #include "tests/support/tolerance.hpp"
@@ -50,10 +51,12 @@ Scene chain_of(const BeamCase& beam, int segments) {
 
 /// Largest difference of the chain's nodes from the closed form, over its largest deflection.
 double shape_error(const BeamCase& beam, int segments) {
-  const Response response = testing::completed(chain_of(beam, segments), {.steps = 1});
+  const Scene scene = chain_of(beam, segments);
+  const Response response = testing::completed(scene, {.steps = 1});
+  const std::vector<double> ends = segment_ends(scene);
   double off = 0.0, largest = 0.0;
   for (int k = 0; k <= segments; ++k) {
-    const double x = static_cast<double>(k) / segments;
+    const double x = ends[static_cast<std::size_t>(k)];
     const double exact = theory::beam_deflection(beam, x);
     const auto at = testing::last_position(response, static_cast<std::size_t>(k));
     off = std::max(off, std::abs(at[1] - exact));
@@ -67,8 +70,8 @@ struct Case {
   BeamCase beam;
 };
 
-/// Point loads in the middle act on a node if the number of segments is even, on the middle of a
-/// segment if it is odd.
+/// Point loads in the middle act on a node; if the number of segments is odd, the segments of both
+/// halves differ.
 std::vector<Case> cases() {
   const double EI = testing::bending_stiffness_of(testing::chain_scene(1));
   const double size = kSize * EI;
@@ -96,6 +99,12 @@ std::vector<Case> cases() {
           make("fixed, even load", BeamEnds::ClampedClamped, even)};
 }
 
+/// The order that is seen at least: under a moment at an end the end's half, strained half a
+/// segment off, adds a term of third order.
+double least_order(const BeamCase& beam) {
+  return beam.load.moment != 0.0 && beam.load.position == 1.0 ? 1.9 : 1.95;
+}
+
 TEST(ElementaryCasesRun, ConvergeToTheClosedFormWithOrderTwo) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
@@ -103,8 +112,8 @@ TEST(ElementaryCasesRun, ConvergeToTheClosedFormWithOrderTwo) {
     const double fine = shape_error(c.beam, 93);  // three times as many, odd again
     // The curve of a moment in the middle of a fixed beam has four bends: sixteen times the error.
     EXPECT_LE(fine, testing::tolerance(0.002));
-    if (coarse > 1e-9) {  // under an end moment the nodes lie on the parabola
-      EXPECT_GE(std::log(coarse / fine) / std::log(3.0), 1.95);
+    if (coarse > 1e-9) {
+      EXPECT_GE(std::log(coarse / fine) / std::log(3.0), least_order(c.beam));
     }
   }
 }
@@ -115,7 +124,7 @@ TEST(ElementaryCasesRun, KeepTheOrderWithPointLoadsOnAJoint) {
     const double coarse = shape_error(c.beam, 32);
     const double fine = shape_error(c.beam, 64);
     if (coarse > 1e-9) {
-      EXPECT_GE(std::log2(coarse / fine), 1.95);
+      EXPECT_GE(std::log2(coarse / fine), least_order(c.beam));
     }
   }
 }
@@ -124,7 +133,9 @@ TEST(ElementaryCasesRun, GiveTheReactionsAndMomentsOfTheClosedForm) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
     constexpr int kSegments = 93;
-    const Response response = testing::completed(chain_of(c.beam, kSegments), {.steps = 1});
+    const Scene scene = chain_of(c.beam, kSegments);
+    const Response response = testing::completed(scene, {.steps = 1});
+    const std::vector<double> ends = segment_ends(scene);
     const theory::BeamReactions exact = theory::beam_reactions(c.beam);
     const auto reaction = [&](std::size_t support, std::size_t k) {
       const ChainHistory& chain = response.chain;
@@ -140,7 +151,9 @@ TEST(ElementaryCasesRun, GiveTheReactionsAndMomentsOfTheClosedForm) {
     for (int k = 1; k < kSegments; ++k) {
       const std::size_t at =
           ((response.samples - 1) * response.chain.joints + static_cast<std::size_t>(k)) * 3;
-      const double x = static_cast<double>(k) / kSegments;
+      const double x = ends[static_cast<std::size_t>(k)];
+      // Where a moment acts the joint has the mean of both sides.
+      if (c.beam.load.moment != 0.0 && x == c.beam.load.position) continue;
       EXPECT_NEAR(std::abs(response.chain.moment.at(at)), std::abs(theory::beam_moment(c.beam, x)),
                   near)
           << k;
