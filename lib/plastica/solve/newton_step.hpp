@@ -88,7 +88,6 @@ void assemble(const chain::Chain<L>& chain, chain::JointLaws<L, kElastic>& laws,
   for (const auto& joint : chain.ground_joints) {
     w.angles[joint.joint] = chain::ground_joint_angle(chain, joint, w.placement, w.time);
   }
-  const auto factor_at = [&](std::size_t history) { return chain.histories[history].at(w.time); };
   if (L::kTranslations > 0 && laws.sees_axial()) {
     assemble_with_axial(chain, laws, factor_at, w);
     return;

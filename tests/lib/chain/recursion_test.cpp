@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "plastica/law/fibre.hpp"
+#include "plastica/law/fibre_grid.hpp"
 #include "plastica/law/interaction.hpp"
 #include "tests/support/chain.hpp"
 
@@ -181,15 +182,16 @@ void expect_consistent_tangent_of_fibres(const View<L>& view, law::FibrePlane pl
   const Scene scene = yielding_scene();
   const auto material = material_values(scene.material);
   const auto properties = section_properties(scene.section, scene.material.poisson_ratio);
-  const auto form =
-      law::section_form(scene.section, properties, scene.material, scene.yield_cap, scene.formulas);
-  const law::FibreLayout layout = law::fibre_layout(scene.section, form, plane, 8);
-  const auto make = [&] {
-    return SolvedChain<L, kElastic, law::FibreSection<double, Uniaxial>>(
-        scene, material, view, [&](const law::SectionForm& of) {
-          return law::fibre_section<Uniaxial>(layout, of, material);
-        });
+  const law::FibreLayout layout = law::fibre_layout(scene.section, properties, plane, 8);
+  const auto law_of = [&](const law::SectionForm& of) {
+    if constexpr (L::kRotations == 3) {
+      return law::fibre_grid<Uniaxial>(layout, of, material);
+    } else {
+      return law::fibre_section<Uniaxial>(layout, of, material);
+    }
   };
+  using Law = std::remove_cvref_t<decltype(law_of(law::SectionForm{}))>;
+  const auto make = [&] { return SolvedChain<L, kElastic, Law>(scene, material, view, law_of); };
   expect_axial_forces_matter(scene, make());
   expect_consistent_tangent_of<L, kElastic>(make);
 }
