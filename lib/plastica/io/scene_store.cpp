@@ -48,7 +48,8 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
   record.level = model.level;
   record.level_reason = model.level_reason;
   record.warnings = scene_warnings(file.setup.scene, file.setup.solver);
-  if (std::string warning = axial_warning(file.setup.scene, response); !warning.empty()) {
+  if (std::string warning = axial_warning(file.setup.scene, file.setup.solver, response);
+      !warning.empty()) {
     record.warnings.push_back(std::move(warning));
   }
   record.outline = beam_outline(model);

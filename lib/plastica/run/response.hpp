@@ -132,8 +132,9 @@ struct Response {
   ChainHistory chain;  ///< of a chain; empty for a coupon
   PathCounters counters;
   std::optional<LimitLoad> limit;
-  /// Set where joints yield on each axis by itself and do not see the axial force, and where it is
-  /// beyond N_p in joints that do not stretch; `axial_warning` puts it in words.
+  /// Set where joints yield that do not see the axial force (on each axis by itself; in motion,
+  /// those that do not stretch), and where it is beyond N_p in joints that do not stretch;
+  /// `axial_warning` puts it in words.
   std::optional<AxialNote> axial;
   /// `plastica::ledger_error` of a motion [1]; above `kLedgerTolerance` the motion is not to be
   /// trusted, whatever its status.
