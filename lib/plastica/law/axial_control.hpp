@@ -93,7 +93,9 @@ class AxialSearch {
       // The strain cannot be told from its neighbours any more.
       const S width = constant<S>(kDouble ? 1e-15 : 5e-7) * max(abs(e), unit_);
       const mask_t<S> narrow = between & (high - low <= width);
-      const mask_t<S> far = abs(e - before_.strain) > constant<S>(1);
+      // The step that goes this far may be the one that goes beyond the root.
+      const mask_t<S> crossed = between | (has_high & (miss_ > zero)) | (has_low & (miss_ < zero));
+      const mask_t<S> far = (abs(e - before_.strain) > constant<S>(1)) & !crossed;
       active = active & (abs(miss_) > enough_) & !narrow;
       lost = lost | (active & far);
       active = active & !far;

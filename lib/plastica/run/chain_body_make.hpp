@@ -194,15 +194,17 @@ void ChainBody<L, kElastic>::note_axial(bool in_motion, Response& response) {
   std::size_t j = 0;
   while (j < flows.size() && !yields(j)) ++j;
   if (j == flows.size()) return;
-  if (per_axis) find_axial_forces(in_motion);
-  const std::vector<S>& axial = per_axis ? axial_ : work.joints.axial;
+  const bool left_out = per_axis || in_motion;
+  if (left_out) find_axial_forces(in_motion);
+  const std::vector<S>& axial = left_out ? axial_ : work.joints.axial;
   for (; j < axial.size(); ++j) {
     if (!yields(j)) continue;
     const bool stretches = kElastic && joints->joints()[j].stretches;
     const auto& joint = joints->joints()[j];
     const double force = stretches ? joints->section_forces()[j][law::kAxial] : axial[j];
     const double ratio = std::fabs(force) / static_cast<double>(joint.axial_yield);
-    const double least = per_axis ? 1e-3 : stretches ? detail::kNoLimit : 1.0;
+    const bool seen = stretches && !per_axis;
+    const double least = seen ? detail::kNoLimit : left_out ? 1e-3 : 1.0;
     if (ratio < std::max(least, response.axial ? response.axial->ratio : 0.0)) continue;
     const chain::JointPlan& plan = build.joints[j];
     const std::size_t node = j < build.chain.size() ? plan.segment_b : plan.segment_a + 1;

@@ -136,8 +136,9 @@ struct Response {
   std::optional<LimitLoad> limit;
   /// Of a path in statics; none where it came by no bifurcation.
   std::optional<CriticalPoints> critical;
-  /// Set where joints yield on each axis by itself and do not see the axial force, and where it is
-  /// beyond N_p in joints that do not stretch; `axial_warning` puts it in words.
+  /// Set where joints yield that do not see the axial force (on each axis by itself; in motion,
+  /// those that do not stretch), and where it is beyond N_p in joints that do not stretch;
+  /// `axial_warning` puts it in words.
   std::optional<AxialNote> axial;
   /// `plastica::ledger_error` of a motion [1]; above `kLedgerTolerance` its status is
   /// `NotBalanced`.

@@ -17,16 +17,6 @@ void MotionStep<L, kElastic>::evaluate_laws() {
   joints_.evaluate(w_.angles, w_.q.shift, w_.joints);
 }
 
-/// The axial forces of the step that was taken, for the laws of the next one.
-template <class L, bool kElastic>
-void MotionStep<L, kElastic>::note_axial_forces() {
-  if (!sees_axial()) return;
-  chain::find_axial_forces(
-      chain_, w_.q, rule_.half_way ? w_.stage.placement : w_.placement, w_.closed, w_.time,
-      [this](std::size_t history) { return factor_at(history); }, w_.outer_forces.wrench, axial_,
-      w_.joints.axial);
-}
-
 /// The factor of a history where the forces act: half way, the mean of both ends.
 template <class L, bool kElastic>
 double MotionStep<L, kElastic>::factor_at(std::size_t history) const {

@@ -82,7 +82,6 @@ class MotionStep {
     w_.forgets = true;
     w_.time = 0.0;
     chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
-    if (sees_axial()) w_.joints.axial.assign(chain_.joints(), constant<S>(0));
     evaluate_laws();
     joint_motion_.begin(w_.angles, w_.q.shift, w_.joints);
     for (std::size_t g = 0; g < ground_moment_.size(); ++g) ground_moment_[g] = ground_moment(g);
@@ -118,7 +117,6 @@ class MotionStep {
   /// Takes the step that was tried.
   void accept() {
     joints_.commit();
-    note_axial_forces();
     w_.settle_scales();
     balance_momentum();
     add_flows();
@@ -217,8 +215,6 @@ class MotionStep {
   bool solve_from(bool predicted);
   void note_fastest();
   void evaluate_laws();
-  bool sees_axial() const { return L::kTranslations > 0 && joints_.sees_axial(); }
-  void note_axial_forces();
   void assemble();
   void set_stage();
   void set_joint_spins();
@@ -290,7 +286,6 @@ class MotionStep {
   std::vector<CenterForce<L>> inertia_now_;
   std::vector<SegmentStep<L>> step_;
   std::vector<typename L::Spin> spins_;  ///< of joints, where damping asks for them
-  chain::AxialForces<L> axial_;          ///< where laws see them: README.md, "Axial force"
   EnergyFlows flows_;
   std::vector<MomentumError<L>> momentum_;  ///< of the piece that begins with a segment (N)
 };

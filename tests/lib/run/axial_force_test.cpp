@@ -187,7 +187,7 @@ TEST(AxialWarning, SaysHowMuchPerAxisCarriesTooMuch) {
   EXPECT_NEAR(response.axial->ratio, 0.35, 1e-3);
   EXPECT_EQ(response.axial->share, 0.0);
   EXPECT_NEAR(response.axial->left, 1.0 - 0.35 * 0.35, 1e-3);
-  const std::string said = axial_warning(scene, response);
+  const std::string said = axial_warning(scene, {}, response);
   EXPECT_NE(said.find("0.35 N_p"), std::string::npos) << said;
   EXPECT_NE(said.find("14 % more"), std::string::npos) << said;
   scene.loads[1].force[2] *= 2.0;
@@ -196,7 +196,7 @@ TEST(AxialWarning, SaysHowMuchPerAxisCarriesTooMuch) {
   ASSERT_TRUE(first.axial);
   EXPECT_NEAR(first.axial->left, 0.3, 1e-3);
   scene.yield_model = YieldModel::Interaction;
-  EXPECT_EQ(axial_warning(scene, simulate(scene, {.level = Level::Planar, .steps = 40})), "");
+  EXPECT_EQ(axial_warning(scene, {}, simulate(scene, {.level = Level::Planar, .steps = 40})), "");
 }
 
 /// Hardening carries more than N_p; the bar lengthens, and the run says that it does not show it.
@@ -211,7 +211,7 @@ TEST(AxialWarning, SaysThatABarLengthens) {
   const Response response = testing::completed(scene);
   ASSERT_TRUE(response.axial);
   EXPECT_NEAR(response.axial->ratio, 1.05, 1e-6);
-  EXPECT_NE(axial_warning(scene, response).find("elastic"), std::string::npos);
+  EXPECT_NE(axial_warning(scene, {}, response).find("elastic"), std::string::npos);
 }
 
 }  // namespace
