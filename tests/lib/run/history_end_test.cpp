@@ -66,7 +66,8 @@ TEST(HistoryEnd, StopsAClampAtRestAndInMotion) {
   Scene scene = cantilever_scene(4);
   scene.supports[0].translation = {0.0, 0.1, 0.0};
   add_probe(scene, ProbeQuantity::Displacement, Place::start(), Component::Y);
-  SolverOptions motion = motion_options(Scheme::GeneralizedAlpha, 1e-2, 300);
+  // Whose energy balances, whatever the stop makes ring.
+  SolverOptions motion = motion_options(Scheme::EnergyMomentum, 1e-2, 300);
   motion.steps = kPath.steps;
   for (const SolverOptions& options : {kPath, motion}) {
     for (const History& history : kHeld) {
