@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "plastica/chain/joint_laws.hpp"
+#include "plastica/law/section_response.hpp"
+
+/// What a chain's joints are made of, and what is read of them, whatever their law.
+namespace plastica::chain {
+
+/// Where the freedoms of a level's joints stand among the strains of a section law (curvature
+/// about x, about y, twist, axial). A planar chain bends about one axis only.
+template <class L>
+struct SectionAxes;
+
+template <class S>
+struct SectionAxes<Twist<S>> {
+  static constexpr std::size_t kTwist = 2;
+  std::size_t rotation(std::size_t /*k*/) const { return kTwist; }
+  /// Calls `use` with the number of the first rotation's strain as a constant.
+  template <class Use>
+  void with_first(const Use& use) const {
+    use(std::integral_constant<std::size_t, kTwist>{});
+  }
+};
+
+template <class S>
+struct SectionAxes<Planar<S>> {
+  std::size_t bending = 0;  ///< 0: about x, 1: about y
+  std::size_t rotation(std::size_t /*k*/) const { return bending; }
+  template <class Use>
+  void with_first(const Use& use) const {
+    if (bending == 0) {
+      use(std::integral_constant<std::size_t, 0>{});
+    } else {
+      use(std::integral_constant<std::size_t, 1>{});
+    }
+  }
+  static constexpr std::size_t kAxialShift = 0;  ///< the shift along the beam
+};
+
+template <class S>
+struct SectionAxes<Spatial<S>> {
+  std::size_t rotation(std::size_t k) const { return k; }
+  template <class Use>
+  void with_first(const Use& use) const {
+    use(std::integral_constant<std::size_t, 0>{});
+  }
+  static constexpr std::size_t kAxialShift = 2;
+};
+
+/// What a joint is made of besides its law.
+template <class L>
+struct SectionJoint {
+  using S = typename L::Scalar;
+  std::size_t law = 0;     ///< which of the laws
+  bool stretches = false;  ///< where joints do: whether this one stretches and shears
+  /// Tributary length l as each component of the section's strain sees it [m]: one length, but
+  /// where two sections meet.
+  law::SectionStrain<S> length;
+  typename L::Spin acting;            ///< 1 where the law acts, 0 where the joint is free
+  typename L::Spin spring;            ///< stiffness beside the law [N m/rad]
+  typename L::Point shear_stiffness;  ///< kappa G A of each shift across the beam [N]
+  law::SectionForce<S> stiffness;     ///< EI_x, EI_y [N m^2], GJ [N m^2], EA [N]
+  S axial_yield{};                    ///< the axial force at which all of the section yields [N]
+};
+
+/// What the solver's observers read of a chain's joints, whatever their law.
+template <class L, bool kElastic>
+class SectionJointsBase : public JointLaws<L, kElastic> {
+ public:
+  using S = typename L::Scalar;
+
+  explicit SectionJointsBase(std::vector<SectionJoint<L>> joints)
+      : joints_(std::move(joints)),
+        force_(joints_.size()),
+        elastic_(joints_.size()),
+        work_(joints_.size()),
+        plastic_(joints_.size()) {}
+
+  const std::vector<SectionJoint<L>>& joints() const { return joints_; }
+  /// Section forces of the last trial (M_x, M_y, T, N) of each joint (joints).
+  const std::vector<law::SectionForce<S>>& section_forces() const { return force_; }
+  /// Elastic energy of each joint in the last trial [J] (joints).
+  const std::vector<S>& elastic_energy() const { return elastic_; }
+  /// Plastic work of each joint up to the last commit [J] (joints).
+  const std::vector<S>& plastic_work() const { return plastic_; }
+
+  /// Plastic work of each joint in the last trial alone [J] (joints).
+  const std::vector<S>& work_increment() const { return work_; }
+
+  /// Back to the virgin state.
+  virtual void reset() = 0;
+
+ protected:
+  std::vector<SectionJoint<L>> joints_;
+  std::vector<law::SectionForce<S>> force_;
+  std::vector<S> elastic_, work_, plastic_;
+};
+
+}  // namespace plastica::chain
