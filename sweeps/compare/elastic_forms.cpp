@@ -92,9 +92,16 @@ Values lumped_chain(const Setup& setup, const Quantity& quantity,
     one.load = part;
     return theory::beam_deflection(one, one.length);
   };
-  return {theory::tip_force_ratio(convention, count) * tip({load.position, load.force}) +
-          theory::tip_moment_ratio(convention, count) * tip({load.position, 0.0, load.moment}) +
-          theory::self_weight_ratio(convention, count) * tip({0.0, 0.0, 0.0, load.distributed})};
+  // With half joints and a moment at the tip the last joint, l from it, has the tip's l/2, too:
+  // l/2 M(l) l/EI more, over the whole deflections P L^3/3EI, M L^2/2EI and q L^4/8EI.
+  const bool bare = convention == theory::ChainConvention::HalfJoint && load.moment != 0.0;
+  const double l = bare ? 1.0 / count : 0.0;
+  return {(theory::tip_force_ratio(convention, count) + 1.5 * l * l * l) *
+              tip({load.position, load.force}) +
+          (theory::tip_moment_ratio(convention, count) + l * l) *
+              tip({load.position, 0.0, load.moment}) +
+          (theory::self_weight_ratio(convention, count) + 2.0 * l * l * l * l) *
+              tip({0.0, 0.0, 0.0, load.distributed})};
 }
 
 /// Elementary cases of a bent beam, small displacements.

@@ -88,7 +88,10 @@ StabilityCase roll(const Knobs& knobs) {
   const int n = whole(knobs.segments);
   const double turn = knobs.load * 2.0 * std::numbers::pi;
   if (turn < 2.0 * std::numbers::pi * n) {
-    const auto at = theory::polygon_node(n, turn, n);
+    // The last segment has the end's half turn, too: it lies along the end's tangent.
+    auto at = theory::polygon_node(n, turn, n - 1);
+    at[0] += std::cos(turn) / n;
+    at[1] += std::sin(turn) / n;
     const double size = b.L;
     made.expected.references.push_back(
         {.what = "tip across", .probe = y, .value = -at[1] * b.L, .size = size, .tolerance = 1e-7});
