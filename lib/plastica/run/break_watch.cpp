@@ -201,7 +201,7 @@ std::array<double, 4> BreakWatch::strains_at(const std::vector<JointAngles>& ang
   window_first_ = window_end_ = 0;
   JointAngles theta{};
   for (std::size_t j = 0; j <= joint; ++j) theta = hinge_angles(angles, j);
-  Strains strain = strains_of(theta, joints_[joint]);
+  Strains strain = strains_of(theta, joint);
   if (report_) strain[kBoth] = std::max(strain[0], strain[1]);
   for (std::size_t k = 0; k < theta.size(); ++k) strain[k] = std::copysign(strain[k], theta[k]);
   return strain;
