@@ -122,7 +122,9 @@ class PathWalker {
     committed_ = w_.q;
     previous_time_ = time_;
     time_ = w_.time;
-    at_ = control_.value(w_.placement);
+    const Value at = control_.value(w_.placement);
+    gone_ += size_of(at - at_);
+    at_ = at;
     // Where nothing has flowed the laws are as they were in the last iteration.
     factored_ = !observer_.yields();
     rate_before_ = time_ > previous_time_ ? turned_ / (time_ - previous_time_) : 0.0;
@@ -388,6 +390,7 @@ class PathWalker {
   bool has_scale_ = false;      ///< whether arcs have one: something moves
   bool watches_slope_ = false;  ///< load control: see `attempt`
   bool flat_ = false;
+  double gone_ = 0.0;     ///< the control point's way so far, all turns of it
   double slope_ = 1.0;    ///< of the last step, see `relative_slope`
   bool goes_on_ = false;  ///< whether the last step may be continued
 };

@@ -15,6 +15,7 @@ bool PathWalker<L, kElastic>::begin_arcs() {
   solve_rates(unit_time);
   if (options_.finds_control) find_control();
   at_ = control_.value(w_.placement);
+  if (counters_.steps <= 1) gone_ = 0.0;  // of another control point
   return set_scales(control_.rate(rate_of(control_.segment), w_.placement));
 }
 

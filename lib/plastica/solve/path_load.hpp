@@ -104,7 +104,9 @@ bool PathWalker<L, kElastic>::go_on(Trial trial) {
     goes_on_ = true;
     if (iterations_ <= 6) step_ = 2.0 * std::max(length_, step_);
     if (flat_) {
-      limit_ = LimitLoad{previous_time_, time_};
+      // What the load may still rise by: where it nears its limit at least as fast as one over the
+      // way gone, the slope times that way. (Of a rectangle's fibres, as one over its square.)
+      limit_ = LimitLoad{previous_time_, time_ + slope_ * span_ / way_ * gone_};
       return end(Status::LimitLoad);
     }
   }

@@ -14,7 +14,7 @@ struct PathCounters {
 /// The load factor between whose ends the last equilibrium lies [1]; set with Status::LimitLoad.
 struct LimitLoad {
   double below = 0.0;  ///< equilibrium was found here
-  double above = 0.0;  ///< and none here
+  double above = 0.0;  ///< and none here; of fibres, to where it may rise at most (chain/README.md)
 };
 
 /// The bifurcations that a path has come by, in the order of time: where the number of ways in

@@ -53,7 +53,9 @@ TEST(ElastoplasticRun, CantileverPathEndsAtTheLimitLoad) {
   ASSERT_TRUE(response.limit.has_value());
   EXPECT_NEAR(1.6 * response.limit->below / 1.5, 1.0, tolerance(0.005));
   EXPECT_NEAR(1.6 * response.limit->above / 1.5, 1.0, tolerance(0.005));
-  EXPECT_LE(response.limit->below, response.limit->above);
+  // Fibres near the limit without reaching it: the truth lies between both.
+  EXPECT_LE(1.6 * response.limit->below, 1.5);
+  EXPECT_GE(1.6 * response.limit->above, 1.5);
 }
 
 /// What the tip keeps after 1.2 P_y.
@@ -140,6 +142,7 @@ TEST(ElastoplasticRun, FiveFramesOfSupportReachTheirLimitLoads) {
     ASSERT_EQ(response.status, Status::LimitLoad) << name_of(response.status);
     EXPECT_NEAR(1.2 * response.limit->below, 1.0, tolerance(0.01));
     EXPECT_NEAR(1.2 * response.limit->above, 1.0, tolerance(0.01));
+    EXPECT_GE(1.2 * response.limit->above, 1.0);
   }
 }
 
