@@ -45,13 +45,6 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
       this->sees_axial_ = true;
       axial_before_.resize(joints_.size());
       axial_after_.resize(joints_.size());
-      for (const SectionJoint<L>& joint : joints_) {
-        bool acts = false;
-        for (std::size_t k = 0; k < kR; ++k) {
-          acts = acts || any(joint.acting[k] > constant<S>(0));
-        }
-        acts_.push_back(acts);
-      }
     }
   }
   /// @param kept  what laws with many states point to
@@ -208,7 +201,10 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
 
   /// Whether a joint's axial force is given, and not its axial strain.
   bool axial_is_given(std::size_t j, const JointForces<L, kElastic>& forces) const {
-    return !forces.axial.empty() && acts_[j] && !(kElastic && joints_[j].stretches);
+    if (forces.axial.empty() || (kElastic && joints_[j].stretches)) return false;
+    bool acts = false;
+    for (const S& acting : joints_[j].acting.at) acts = acts || any(acting > constant<S>(0));
+    return acts;
   }
 
   /// The response under the axial force that is given.
@@ -384,7 +380,6 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   std::vector<law::SectionStrain<S>> excess_, uneven_before_, uneven_after_;
   // Where the law sees the axial force:
   std::vector<law::AxialState<S>> axial_before_, axial_after_;  ///< (joints)
-  std::vector<bool> acts_;  ///< whether a joint resists any rotation (joints)
 };
 
 }  // namespace plastica::chain

@@ -151,17 +151,7 @@ class PathWalker {
 
   /// Whether a closure holds what the rigid segments and the other supports hold already: a unit
   /// force along it moves nothing.
-  bool holds_twice() {
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-      if (!w_.closed[k]) continue;
-      const auto& closure = chain_.closures[k];
-      detail::solve_closure(chain_, k, w_);
-      const S way = detail::power(chain::unit_wrench(closure, w_.placement),
-                                  w_.columns[1 + k].motion[closure.segment]);
-      if (!(way * detail::stiffness_of<S>(chain_, closure) > kHeldTwice)) return true;
-    }
-    return false;
-  }
+  bool holds_twice();
 
   /// How the last step has turned the segments: path_continuity.hpp.
   template <class TurnOf, class Visit>
@@ -218,6 +208,7 @@ class PathWalker {
       case Verdict::Accept: break;
     }
     accept();
+    gradual_ = slope_ < kGradual;
     slope_ = slope;
     return interrupted_ ? Trial::Ended : Trial::Accepted;
   }
@@ -259,6 +250,9 @@ class PathWalker {
                    (time - time_);
     detail::take_step(chain_, at_time, false, w_);
   }
+
+  /// What makes the columns those of a unit of time.
+  static PathCondition<L> unit_time() { return {true, 0, {}, constant<S>(1), constant<S>(-1)}; }
 
   /// All columns at the committed unknowns, and how much of each meets a condition on the time.
   void solve_rates(const PathCondition<L>& at_time) {
@@ -390,6 +384,7 @@ class PathWalker {
   bool has_scale_ = false;      ///< whether arcs have one: something moves
   bool watches_slope_ = false;  ///< load control: see `attempt`
   bool flat_ = false;
+  bool gradual_ = false;  ///< whether the step before was nearly flat, too
   double gone_ = 0.0;     ///< the control point's way so far, all turns of it
   double slope_ = 1.0;    ///< of the last step, see `relative_slope`
   bool goes_on_ = false;  ///< whether the last step may be continued

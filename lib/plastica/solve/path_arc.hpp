@@ -8,11 +8,7 @@ namespace plastica::solve {
 template <class L, bool kElastic>
 bool PathWalker<L, kElastic>::begin_arcs() {
   restore();
-  PathCondition<L> unit_time;
-  unit_time.active = true;
-  unit_time.time_slope = constant<S>(1);
-  unit_time.value = constant<S>(-1);
-  solve_rates(unit_time);
+  solve_rates(unit_time());
   if (options_.finds_control) find_control();
   at_ = control_.value(w_.placement);
   if (counters_.steps <= 1) gone_ = 0.0;  // of another control point

@@ -52,20 +52,17 @@ bool PathWalker<L, kElastic>::turns_too_far() const {
 /// Of the turns in a unit of time, along the tangent at the unknowns in `w_` [rad/s].
 template <class L, bool kElastic>
 double PathWalker<L, kElastic>::turning_rate() {
-  PathCondition<L> unit_time;
-  unit_time.active = true;
-  unit_time.time_slope = constant<S>(1);
-  unit_time.value = constant<S>(-1);
+  const PathCondition<L> condition = unit_time();
   if (!holds_tangent_) {
     detail::assemble(chain_, laws_, w_);
     w_.recursion.factor(chain_, w_.q, w_.placement, w_.stage, w_.joints, w_.outer_forces,
                         w_.transmitted);
     holds_tangent_ = true;
   }
-  detail::solve_imbalance(chain_, unit_time, w_);
+  detail::solve_imbalance(chain_, condition, w_);
   for (std::size_t k = 0; k < chain_.closures.size(); ++k) detail::solve_closure(chain_, k, w_);
-  detail::solve_time(chain_, unit_time, w_);
-  detail::join_columns(chain_, unit_time, w_);
+  detail::solve_time(chain_, condition, w_);
+  detail::join_columns(chain_, condition, w_);
   return size_of_turns([&](std::size_t i) {
     typename L::Spin turn;
     for (std::size_t k = 0; k < L::kRotations; ++k) {

@@ -6,6 +6,19 @@
 namespace plastica::solve {
 
 template <class L, bool kElastic>
+bool PathWalker<L, kElastic>::holds_twice() {
+  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+    if (!w_.closed[k]) continue;
+    const auto& closure = chain_.closures[k];
+    detail::solve_closure(chain_, k, w_);
+    const S way = detail::power(chain::unit_wrench(closure, w_.placement),
+                                w_.columns[1 + k].motion[closure.segment]);
+    if (!(way * detail::stiffness_of<S>(chain_, closure) > kHeldTwice)) return true;
+  }
+  return false;
+}
+
+template <class L, bool kElastic>
 Status PathWalker<L, kElastic>::find_first() {
   auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
   counters_.iterations += outcome.iterations;
@@ -106,7 +119,8 @@ bool PathWalker<L, kElastic>::go_on(Trial trial) {
     if (flat_) {
       // What the load may still rise by: where it nears its limit at least as fast as one over the
       // way gone, the slope times that way. (Of a rectangle's fibres, as one over its square.)
-      limit_ = LimitLoad{previous_time_, time_ + slope_ * span_ / way_ * gone_};
+      const double rises = gradual_ ? slope_ * span_ / way_ * gone_ : 0.0;
+      limit_ = LimitLoad{previous_time_, time_ + rises};
       return end(Status::LimitLoad);
     }
   }

@@ -18,6 +18,9 @@ inline constexpr double kLimitSlope = 1e-3;
 /// A path whose slope falls to less than this part of the step before bends.
 inline constexpr double kBend = 0.1;
 
+/// A path that comes to its limit from a slope below this nears it by and by, as fibres yield.
+inline constexpr double kGradual = 20.0 * kLimitSlope;
+
 /// A limit load is bracketed within this share of it.
 inline constexpr double kLimitWidth = 1e-4;
 

@@ -99,7 +99,7 @@ void expect_consistent_tangent_of(const Make& make, double rest = 0.0) {
     });
     return r;
   };
-  const double h = 1e-5;
+  const double h = 2e-6;
   const auto at = residual(0.0);
   const auto ahead = residual(h);
   const auto behind = residual(-h);

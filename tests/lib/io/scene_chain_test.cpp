@@ -260,8 +260,10 @@ TEST(ChainScene, NamesTheLineOfWhatTheSceneAsAWholeRefuses) {
   const auto error = [](const std::string& text) {
     return testing::message_of([&] { read(text); });
   };
-  EXPECT_EQ(error(kClamp + kForce + "[[support]]\nkind = 'clamp'\nat = 0.33\n"),
-            "s.toml:9: support[2].at = 0.33: a clamp that holds rotation (rx) must be at a "
+  // Without lengths of its own the beam would have a segment end there.
+  EXPECT_EQ(error("[beam]\nsegment_lengths = [0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n" +
+                  kClamp + kForce + "[[support]]\nkind = 'clamp'\nat = 0.33\n"),
+            "s.toml:11: support[2].at = 0.33: a clamp that holds rotation (rx) must be at a "
             "segment's end; the nearest are 0.3 and 0.4");
   EXPECT_EQ(error("[solver]\nlevel = 'twist'\n" + kClamp + kForce),
             "s.toml:2: solver.level = twist: load[1].force has a component along y, and twist is "
