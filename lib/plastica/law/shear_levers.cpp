@@ -7,8 +7,7 @@
 namespace plastica::law {
 namespace {
 
-/// Levers c g^m, none above the largest, whose squares sum up to J. They are in a falling order of
-/// g: those that are cut off are the first.
+/// Levers c g^m, none above the largest, whose squares times areas sum up to J.
 class Levers {
  public:
   Levers(const std::vector<double>& area, const std::vector<double>& shear,

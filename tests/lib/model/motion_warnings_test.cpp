@@ -171,6 +171,21 @@ TEST(MotionWarnings, SayThatGeneralizedAlphaMayGainEnergyWithoutDamping) {
   EXPECT_FALSE(has(warnings(1.0, Scheme::EnergyMomentum), "solver.rho_infinity"));
 }
 
+TEST(MotionWarnings, SayThatARestitutionIsThatOfTheTouchedPoint) {
+  const auto with = [](double restitution) {
+    return warnings_of([=](Scene& scene, SolverOptions& /*options*/) {
+      Support pillar;
+      pillar.at = Place::end();
+      pillar.kind = SupportKind::Pillar;
+      pillar.gap = 0.01;
+      pillar.restitution = restitution;
+      scene.supports.push_back(pillar);
+    });
+  };
+  EXPECT_TRUE(has(with(0.5), "support[2].restitution = 0.5 is that of the touched point"));
+  EXPECT_FALSE(has(with(0.0), "touched point"));
+}
+
 TEST(MotionWarnings, KnowWhatImplicitEulerDoesToAVibration) {
   // The scheme itself on x'' = -omega^2 x, over a period of 600 steps.
   const double omega = 2.0 * pi * first_frequency(cantilever(), {Level::Planar, {}, ""})->hertz;
