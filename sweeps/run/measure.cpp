@@ -35,9 +35,9 @@ CaseResult frequency(const Sweep& sweep, const Setup& setup) {
   CaseResult result;
   result.level = prepare(setup.scene, setup.solver).level;
   const int mode = sweep.quantity.mode;
-  const auto all = natural_frequencies(setup.scene, setup.solver, mode);
-  result.value = all[static_cast<std::size_t>(mode - 1)];
-  result.status = Status::Completed;
+  const LoadedFrequencies all = natural_frequencies(setup.scene, setup.solver, mode);
+  result.status = all.status;
+  if (!all.frequency.empty()) result.value = all.frequency[static_cast<std::size_t>(mode - 1)];
   result.segments = setup.scene.beam.segments;
   result.iterations = 1;
   return result;

@@ -51,6 +51,11 @@ class SceneReader {
     std::transform(read.begin(), read.end(), values.begin(),
                    [](Stored<T> value) { return static_cast<T>(value); });
   }
+  template <class T>
+  void array_since(std::string_view path, std::vector<T>& values, const Shape& shape,
+                   std::string_view units) {
+    if (root_.exists(path)) array(path, values, shape, units);
+  }
   template <class Row, class Member>
   void words(std::string_view path, std::vector<Row>& rows, const Member& member,
              std::span<const std::string_view> words) {

@@ -46,6 +46,12 @@ class SceneWriter {
     const Shape own{values.size()};
     root_.write_array<Stored<T>>(path, stored, shape.empty() ? own : shape, {units, kDeflate});
   }
+  /// Files of before lack it, and those in which it is empty.
+  template <class T>
+  void array_since(std::string_view path, const std::vector<T>& values, const Shape& shape,
+                   std::string_view units) {
+    if (!values.empty()) array(path, values, shape, units);
+  }
   template <class Row, class Member>
   void words(std::string_view path, const std::vector<Row>& rows, const Member& member,
              std::span<const std::string_view> words) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,6 +44,13 @@ void check_cuts(const Scene& scene, const LevelChoice& level);
 
 /// What articulated schemes cannot do.
 void check_articulated(const Scene& scene, const SolverOptions& options, const LevelChoice& level);
+
+/// The first load whose work depends on the path, so that the tangent at an equilibrium is not
+/// symmetric: it follows its segment, or is a moment of a fixed axis in space.
+std::optional<std::size_t> load_without_potential(const Scene& scene, const LevelChoice& level);
+
+/// What buckling factors and natural frequencies are asked of.
+void check_modes(const Scene& scene, const SolverOptions& options, const LevelChoice& level);
 
 /// A field of [rules] that a coupon has no use for, and why.
 struct ChainRule {

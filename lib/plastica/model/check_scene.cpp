@@ -96,6 +96,7 @@ void check_scene(const Scene& scene, const SolverOptions& options) {
   model_detail::check_precision(scene, options);
   model_detail::check_probes(scene, options.analysis);
   const LevelChoice level = choose_level(scene, options);
+  model_detail::check_modes(scene, options, level);
   if (scene.is_coupon()) return;
   model_detail::check_cuts(scene, level);
   model_detail::check_articulated(scene, options, level);

@@ -268,6 +268,12 @@ std::vector<Field> make_table() {
       number<PLASTICA_REACH(solver.damping_time)>("solver.damping_time", Time, kNotNegative,
                                                   "damped moment: this times the rate"),
       choice<PLASTICA_REACH(solver.control)>("solver.control", "how the path is followed"),
+      integer<PLASTICA_REACH(solver.buckling)>(
+          "solver.buckling", Range{0.0, 1000.0},
+          "statics: how many buckling factors and modes about the loaded state"),
+      integer<PLASTICA_REACH(solver.frequencies)>(
+          "solver.frequencies", Range{0.0, 1000.0},
+          "statics: how many natural frequencies and modes about the loaded state"),
       integer<PLASTICA_REACH(solver.most_iterations)>(
           "solver.most_iterations", Range{1.0, 1e4}, "Newton iterations before a step is cut back"),
       number<PLASTICA_REACH(solver.tolerance)>("solver.tolerance", None,

@@ -84,6 +84,10 @@ struct SolverOptions {
   /// Displacement control: where the control point is taken, in `steps` even parts [m]; of a
   /// twisted beam, z is its angle [rad].
   std::array<double, 3> control_motion{};
+  /// Statics: load factors at which the beam buckles, and natural frequencies, that are looked for
+  /// about the loaded state, >= 0 (`Response::buckling`, `Response::vibration`).
+  int buckling = 0;
+  int frequencies = 0;
   int most_iterations = 25;  ///< Newton iterations of a step before it is cut back, >= 1
   /// A step has converged when no joint is out of balance by more than this times the largest
   /// moment of the step, and no support is off by more than this times the length [1], > 0; in

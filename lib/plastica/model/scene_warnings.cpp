@@ -319,16 +319,20 @@ std::optional<std::string> cut_corners(const Facts& facts) {
 std::optional<std::string> no_potential(const Facts& facts) {
   if (facts.options.analysis == Analysis::Dynamics) return {};
   if (facts.level.level != Level::Planar && facts.level.level != Level::Spatial) return {};
-  const auto& loads = facts.scene.loads;
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    const auto& moment = loads[i].moment;
-    const bool turns = facts.level.level == Level::Spatial &&
-                       (moment[0] != 0.0 || moment[1] != 0.0 || moment[2] != 0.0);
-    if (!loads[i].follows && !turns) continue;
-    return "load[" + std::to_string(i + 1) + "]" +
-           (loads[i].follows ? ".follows" : ".moment, of a fixed axis in space,") +
+  const auto load = model_detail::load_without_potential(facts.scene, facts.level);
+  if (load) {
+    return model_detail::item_name("load", *load) +
+           (facts.scene.loads[*load].follows ? ".follows" : ".moment, of a fixed axis in space,") +
            " has no potential: where equilibria become unstable is only told if an odd number of "
            "ways opens at once; pairs of them, and flutter, are not seen";
+  }
+  if (facts.options.buckling > 0 && facts.level.level == Level::Planar) {
+    const LevelChoice in_space{.level = Level::Spatial, .reason = {}};
+    const auto turning = model_detail::load_without_potential(facts.scene, in_space);
+    if (turning) {
+      return model_detail::item_name("load", *turning) +
+             ".moment has no potential in space: solver.buckling sees the beam's plane alone";
+    }
   }
   return {};
 }

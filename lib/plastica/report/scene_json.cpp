@@ -29,25 +29,52 @@ Json level_word(Level level) {
 
 Json limit_of(const Response& response) {
   if (!response.limit) return nullptr;
-  return {{"below", number(response.limit->below)}, {"above", number(response.limit->above)}};
+  return {{"below", number(response.limit->below)},
+          {"above", number(response.limit->above)},
+          {"mode", numbers(response.limit->mode)}};
+}
+
+/// A list of modes, each with what else is known of it.
+template <class Describe>
+Json modes_of(std::span<const double> all, std::size_t count, const Describe& describe) {
+  Json modes = Json::array();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t each = all.size() / count;
+    Json mode = describe(i);
+    mode["mode"] = numbers(all.subspan(i * each, each));
+    modes.push_back(std::move(mode));
+  }
+  return modes;
 }
 
 Json critical_points_of(const Response& response) {
-  Json points = Json::array();
-  if (!response.critical) return points;
+  if (!response.critical) return Json::array();
   const CriticalPoints& critical = *response.critical;
-  const std::size_t count = critical.factor.size();
-  const std::size_t numbers_each = critical.mode.size() / count;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto mode = std::span(critical.mode).subspan(i * numbers_each, numbers_each);
-    points.push_back({{"factor", number(critical.factor[i])},
-                      {"below", number(critical.below[i])},
-                      {"above", number(critical.above[i])},
-                      {"unstable_ways", critical.unstable_ways[i]},
-                      {"out_of_plane", critical.out_of_plane[i] != 0},
-                      {"mode", numbers(mode)}});
-  }
-  return points;
+  return modes_of(critical.mode, critical.factor.size(), [&](std::size_t i) {
+    return Json{{"factor", number(critical.factor[i])},
+                {"below", number(critical.below[i])},
+                {"above", number(critical.above[i])},
+                {"unstable_ways", critical.unstable_ways[i]},
+                {"out_of_plane", critical.out_of_plane[i] != 0}};
+  });
+}
+
+Json buckling_of(const Response& response) {
+  if (!response.buckling) return nullptr;
+  const BucklingModes& modes = *response.buckling;
+  return {{"about", number(modes.about)},
+          {"modes", modes_of(modes.mode, modes.factor.size(), [&](std::size_t i) {
+             return Json{{"factor", number(modes.factor[i])},
+                         {"out_of_plane", modes.out_of_plane[i] != 0}};
+           })}};
+}
+
+Json vibration_of(const Response& response) {
+  if (!response.vibration) return nullptr;
+  const VibrationModes& modes = *response.vibration;
+  return modes_of(modes.mode, modes.frequency.size(), [&](std::size_t i) {
+    return Json{{"frequency", number(modes.frequency[i])}};
+  });
 }
 
 Json coupon_break_of(const Response& response) {
@@ -249,6 +276,8 @@ std::string scene_json(const io::SceneRecord& record) {
                     {"permanent_strain", number(response.permanent_strain)},
                     {"limit_load", limit_of(response)},
                     {"critical_points", critical_points_of(response)},
+                    {"buckling", buckling_of(response)},
+                    {"vibration", vibration_of(response)},
                     {"coupon_break", coupon_break_of(response)},
                     {"events", events_of(record)},
                     {"probes", probes_of(record)},

@@ -11,6 +11,7 @@
 #include "plastica/report/ink.hpp"
 #include "plastica/report/scene_facts.hpp"
 #include "plastica/report/scene_frames.hpp"
+#include "plastica/report/scene_mode_text.hpp"
 #include "plastica/report/scene_motion_text.hpp"
 #include "plastica/report/scene_setup_text.hpp"
 #include "plastica/report/scene_words.hpp"
@@ -176,7 +177,8 @@ std::string scene_report(const io::SceneRecord& record, bool color) {
   const Ink ink(color);
   return head(record, ink) + events_text(record, ink) + probe_text(record, ink) +
          peak_text(record, ink) + reaction_text(record, ink) + energy_text(record, ink) +
-         frequency_text(record, ink) + effort_text(record, ink) + warning_text(record, ink);
+         frequency_text(record, ink) + buckling_text(record, ink) + vibration_text(record, ink) +
+         effort_text(record, ink) + warning_text(record, ink);
 }
 
 }  // namespace plastica::report

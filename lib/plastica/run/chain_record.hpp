@@ -104,7 +104,8 @@ class ChainRecord {
   /// Moment of a node's joint about its x, y, z [N m]: of its section and of a spring beside it.
   Space moment(const Joints& joints, const Work& w, std::size_t node) const;
   /// The factor that responses show: of the first load, motion or gravity that changes in time.
-  double factor_at(double time) const;
+  double factor_at(double time) const { return shown_history().at(time); }
+  const History& shown_history() const;
 
   /// Force and moment of a support on the beam.
   std::array<double, 6> reaction(const Work& w, std::size_t support) const;
@@ -238,7 +239,7 @@ std::array<double, 3> ChainRecord<L, kElastic>::permanent_angle(const Joints& jo
 }
 
 template <class L, bool kElastic>
-double ChainRecord<L, kElastic>::factor_at(double time) const {
+const History& ChainRecord<L, kElastic>::shown_history() const {
   const Scene& scene = model_->scene;
   const History* first = nullptr;
   const History* changing = nullptr;
@@ -252,7 +253,7 @@ double ChainRecord<L, kElastic>::factor_at(double time) const {
     if (support.moves()) take(support.history);
   }
   if (first == nullptr || scene.gravity != std::array<double, 3>{}) take(scene.gravity_history);
-  return (changing != nullptr ? changing : first)->at(time);
+  return changing != nullptr ? *changing : *first;
 }
 
 template <class L, bool kElastic>

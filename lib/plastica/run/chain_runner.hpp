@@ -47,6 +47,8 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   void note_mode(bool out_of_plane, Work& w, std::vector<double>& mode) override;
 
   bool begin_path();
+  void find_modes();
+  void note_limit_mode(LimitLoad& limit);
   void set_path_options();
   void note_break(const Work& w);
   // Out of the plane of a planar chain: look_beside.hpp.
@@ -66,6 +68,10 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   bool asks_beside_ = false;            ///< at each step, to tell where the plane is left
   bool leaves_plane_ = false;           ///< seen in a path that did not ask
   bool has_yielded_ = false;
+  /// Where buckling is asked for: the last equilibrium that is known to be stable, and elastic.
+  chain::Coordinates<L> stable_;
+  double stable_time_ = 0.0;
+  bool has_stable_ = false;
   int ways_beside_ = 0;     ///< as known last
   double looked_at_ = 0.0;  ///< time of the last look out of the plane
   double last_time_ = 0.0;  ///< of the last step

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <utility>
 
 #include "plastica/run/break_policy.hpp"
+#include "plastica/run/chain_modes.hpp"
 #include "plastica/run/chain_motion.hpp"
 #include "plastica/run/chain_runner.hpp"
 #include "plastica/run/look_beside.hpp"
@@ -81,6 +84,9 @@ bool ChainRunner<L, kElastic>::begin_path() {
   response_->axial.reset();
   response_->chain.events.clear();
   response_->critical.reset();
+  response_->buckling.reset();
+  response_->vibration.reset();
+  has_stable_ = false;
   has_yielded_ = leaves_plane_ = false;
   ways_beside_ = 0;
   looked_at_ = 0.0;
@@ -112,6 +118,7 @@ void ChainRunner<L, kElastic>::finish() {
     body_.record.shapes_on_demand(false);
     if (!cut_short && begin_path()) walk_on();
   }
+  if (!is_raised(hooks_->stop)) find_modes();
   asks_beside_ = false;
   // Without its last shape a path is not handed over as one that has come to its end.
   response.status = cut_short ? Status::Interrupted : walker_->status();
@@ -122,6 +129,7 @@ void ChainRunner<L, kElastic>::finish() {
   if (response.limit) {
     response.limit->below = body_.record.factor_at(response.limit->below);
     response.limit->above = body_.record.factor_at(response.limit->above);
+    note_limit_mode(*response.limit);
   }
   if (!walker_->critical().empty()) {
     response.critical = walker_->critical();
@@ -132,6 +140,66 @@ void ChainRunner<L, kElastic>::finish() {
   }
   const auto& strain = body_.strains.strain;
   response.permanent_strain = *std::max_element(strain.begin(), strain.end());
+}
+
+/// At a limit point the path goes along its mode.
+template <class L, bool kElastic>
+void ChainRunner<L, kElastic>::note_limit_mode(LimitLoad& limit) {
+  if constexpr (L::kTranslations > 0) {
+    const auto& chain = body_.build.chain;
+    const std::size_t n = chain.size();
+    std::vector<typename L::Point> way(n + 1);
+    for (const auto& [q, share] : {std::pair{&committed_, 1.0}, std::pair{&previous_, -1.0}}) {
+      chain::place<kElastic>(chain, *q, last_time_, body_.work.placement);
+      const auto& placement = body_.work.placement;
+      for (std::size_t i = 0; i <= n; ++i) {
+        const auto at =
+            i < n ? placement.position[i] : placement.point(n - 1, chain.segments[n - 1].arm);
+        way[i] += constant<typename L::Scalar>(share) * at;
+      }
+    }
+    double largest = 0.0;
+    for (const auto& point : way) {
+      const auto in_space = detail::doubles(body_.view.point_in_space(point));
+      for (const double part : in_space) {
+        if (std::fabs(part) > std::fabs(largest)) largest = part;
+      }
+      limit.mode.insert(limit.mode.end(), in_space.begin(), in_space.end());
+    }
+    for (double& part : limit.mode) part = largest != 0.0 ? part / largest : 0.0;
+  }
+}
+
+/// What is asked for about the loaded state. Uses up the work, and the laws' history.
+template <class L, bool kElastic>
+void ChainRunner<L, kElastic>::find_modes() {
+  if constexpr (kIsDouble<typename L::Scalar>) {
+    const SolverOptions& solver = body_.model.options;
+    const Status status = walker_->status();
+    const bool stands =
+        status == Status::Completed || status == Status::LimitLoad || status == Status::Unstable;
+    if (solver.frequencies > 0 && stands) {
+      ChainModes<L, kElastic> modes(body_, committed_, last_time_, has_yielded_);
+      response_->vibration = modes.vibration(std::min(solver.frequencies, modes.freedoms()));
+    }
+    if (solver.buckling == 0) return;
+    if (!has_stable_ && stands && !has_yielded_) {
+      // Arcs do not count on their way.
+      stable_ = committed_;
+      stable_time_ = last_time_;
+      has_stable_ = true;
+    }
+    if (!has_stable_) return;
+    body_.joints->reset();
+    ChainModes<L, kElastic> modes(body_, stable_, stable_time_, false);
+    OutOfPlane* beside = nullptr;
+    if (has_space_beside()) {
+      see(stable_, stable_time_);
+      beside_->let_forces_grow(seen_);
+      beside = beside_.get();
+    }
+    response_->buckling = modes.buckling(solver.buckling, beside);
+  }
 }
 
 template <class L, bool kElastic>
@@ -167,6 +235,11 @@ bool ChainRunner<L, kElastic>::accept(const Work& w) {
   body_.record.add_work(w);
   has_yielded_ = has_yielded_ || yields();
   last_time_ = w.time;
+  if (body_.model.options.buckling > 0 && walker_->known_ways() == 0 && !has_yielded_) {
+    stable_ = w.q;
+    stable_time_ = w.time;
+    has_stable_ = true;
+  }
   const bool first = response_->chain.events.empty() && body_.watch.active();
   if (first && body_.watch.excess(body_.measured(body_.strains)) > 0.0) note_break(w);
   return !hooks_->on_progress || hooks_->on_progress(w.time);

@@ -15,6 +15,15 @@ std::array<double, 3> doubles(const V& v) {
   return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
+inline bool same_elasticity(const MaterialValues<double>& a, const MaterialValues<double>& b) {
+  const auto same = [&](MaterialField field) {
+    const auto k = static_cast<std::size_t>(field);
+    return a[k] == b[k];
+  };
+  return same(MaterialField::YoungsModulus) && same(MaterialField::PoissonRatio) &&
+         same(MaterialField::ShearModulus);
+}
+
 /// A planar chain's unknowns as space sees them.
 template <class L>
 void see_in_space(const chain::Chain<L>& chain, const chain::View<L>& view,
@@ -42,7 +51,8 @@ bool ChainRunner<L, kElastic>::has_space_beside() {
   if constexpr (L::kTranslations != 2) {
     return false;
   } else {
-    if (!beside_ || beside_material_ != material_) {
+    // What yields when does not matter to it, so that the runs of a fit share it.
+    if (!beside_ || !detail::same_elasticity(beside_material_, material_)) {
       beside_ = make_out_of_plane(body_.model, material_);
       beside_material_ = material_;
     }

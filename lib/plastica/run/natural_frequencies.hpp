@@ -6,8 +6,8 @@
 
 namespace plastica {
 
-/// The lowest natural frequencies of a beam: small undamped vibrations about its undeformed shape,
-/// rising [Hz] (count).
+/// The lowest natural frequencies of a beam on which nothing acts: small undamped vibrations about
+/// its undeformed shape, rising [Hz] (count).
 ///
 /// The chain is that of the scene's level, with the tangent of its joints' laws at rest, springs,
 /// half joints and welds, and the inertia that `solver.rotary_inertia` asks for. Supports hold
@@ -15,17 +15,28 @@ namespace plastica {
 /// are left out, and so is all that loads and gravity do to the stiffness. Ways to move that
 /// nothing resists (rigid-body motions of a free beam, hinges) have the frequency 0: that is said
 /// of every frequency below 1e-5 of what the softest joint or support and the mass that it moves
-/// make. It takes dense matrices of all freedoms: their number squared in memory and cubed in time.
+/// make. Found by counting negative pivots, in time proportional to segments and `count`.
 /// @param model  of a chain
 /// @param count  1 … `chain_freedoms`
 /// @throws InputError if the model is a coupon, or count is out of range
-std::vector<double> natural_frequencies(const Model& model, int count);
+std::vector<double> unloaded_frequencies(const Model& model, int count);
 
-/// The same of a scene, whether it is one of statics or of dynamics.
-/// @param options  level, translation, fibres and rotary_inertia are read
-/// @throws InputError as `prepare` of the scene in motion, and as above
-std::vector<double> natural_frequencies(const Scene& scene, const SolverOptions& options,
-                                        int count);
+/// What `natural_frequencies` gives.
+struct LoadedFrequencies {
+  Status status = Status::NotRun;  ///< of the path to the loaded state
+  std::vector<double> frequency;   ///< [Hz] (count), or none where that was not reached
+};
+
+/// The lowest natural frequencies of a beam about its loaded state: the end of a path of
+/// equilibria; of a motion, the equilibrium under what acts at its time 0. Where nothing acts,
+/// those of the unloaded beam. Forces take part in the stiffness, supports that touch hold, and
+/// joints that have yielded unload. Ways in which an unstable state would be left have the
+/// frequency 0.
+/// @param options  as for `simulate`
+/// @param count    1 … the ways in which the chain can move
+/// @throws InputError as `prepare`, and as above; where loads have no potential (they follow their
+///         segment, or in space are moments of a fixed axis)
+LoadedFrequencies natural_frequencies(const Scene& scene, const SolverOptions& options, int count);
 
 /// In how many independent ways a chain can move a little: its number of natural frequencies.
 /// @throws InputError if the model is a coupon

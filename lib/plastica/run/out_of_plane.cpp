@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "plastica/chain/build.hpp"
 #include "plastica/run/chain_laws.hpp"
 #include "plastica/solve/buckling_mode.hpp"
 #include "plastica/solve/newton.hpp"
+#include "plastica/solve/pencil.hpp"
 #include "plastica/solve/stability_count.hpp"
 
 namespace plastica {
@@ -42,12 +44,7 @@ class SpatialTangent final : public OutOfPlane {
 
   int ways(const PlanarEquilibrium& at) override {
     factor(at);
-    int count = 0;
-    for_each_pivot([&](double pivot) { count += pivot < 0.0 ? 1 : 0; });
-    for (std::size_t k = 0; k < build_.chain.closures.size(); ++k) {
-      if (work_.closed[k] && leaves_plane(build_.chain.closures[k])) --count;
-    }
-    return conservative_ ? count : std::abs(count) % 2;
+    return count_ways();
   }
 
   double log_determinant(const PlanarEquilibrium& at) override {
@@ -65,13 +62,52 @@ class SpatialTangent final : public OutOfPlane {
 
   void add_mode(const PlanarEquilibrium& at, std::vector<double>& mode) override {
     factor(at);
-    for (const auto& way : solve::buckling_mode(build_.chain, work_)) {
-      mode.insert(mode.end(), way.at.begin(), way.at.end());
-    }
+    append_mode(mode);
+  }
+
+  void let_forces_grow(const PlanarEquilibrium& at) override {
+    pencil_.reset();
+    assemble(at);
+    work_.time = solve::just_before(at.time);
+    pencil_.emplace(build_.chain, work_);
+    pencil_->let_forces_grow();
+  }
+
+  int ways_after(double time) override {
+    pencil_->factor(time);
+    return count_ways();
+  }
+
+  void add_mode_after(double time, std::vector<double>& mode) override {
+    pencil_->factor(time);
+    append_mode(mode);
   }
 
  private:
   static constexpr std::size_t kJ = chain::kFreedoms<L, kElastic>;
+
+  void append_mode(std::vector<double>& mode) {
+    // A mode in the plane may have the same load; at a planar state both stand apart.
+    const auto ways = solve::buckling_mode(build_.chain, work_);
+    double largest = 0.0;
+    for (const auto& way : ways) {
+      if (std::fabs(way[normal_]) > std::fabs(largest)) largest = way[normal_];
+    }
+    for (const auto& way : ways) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        mode.push_back(k == normal_ ? way[normal_] / largest : 0.0);
+      }
+    }
+  }
+
+  int count_ways() {
+    int count = 0;
+    for_each_pivot([&](double pivot) { count += pivot < 0.0 ? 1 : 0; });
+    for (std::size_t k = 0; k < build_.chain.closures.size(); ++k) {
+      if (work_.closed[k] && leaves_plane(build_.chain.closures[k])) --count;
+    }
+    return conservative_ ? count : std::abs(count) % 2;
+  }
 
   void set_joints(const ChainModel& model, const MaterialValues<double>& material) {
     const auto parts = chain::part_forms(scene_, !kOneForce<L, kElastic>);
@@ -101,6 +137,11 @@ class SpatialTangent final : public OutOfPlane {
   }
 
   void factor(const PlanarEquilibrium& at) {
+    assemble(at);
+    factor_assembled();
+  }
+
+  void assemble(const PlanarEquilibrium& at) {
     work_.time = at.time;
     for (std::size_t i = 0; i < at.angle.size(); ++i) {
       work_.q.angle[i].at = at.angle[i];
@@ -121,7 +162,6 @@ class SpatialTangent final : public OutOfPlane {
       work_.closed[k] = !work_.q.released_closure[k];
     }
     solve::detail::assemble(build_.chain, *joints_, work_);
-    factor_assembled();
   }
 
   void factor_assembled() {
@@ -164,6 +204,7 @@ class SpatialTangent final : public OutOfPlane {
   chain::Build<L> build_;
   std::unique_ptr<chain::SectionJointsBase<L, kElastic>> joints_;
   solve::NewtonWork<L, kElastic> work_;
+  std::optional<solve::Pencil<L, kElastic>> pencil_;
   bool conservative_ = true;
   bool applies_ = false;
 };

@@ -41,6 +41,13 @@ class OutOfPlane {
   /// Appends the mode in which it would be left just there: translations of the joints, the
   /// largest being 1 (n_joints x 3).
   virtual void add_mode(const PlanarEquilibrium& at, std::vector<double>& mode) = 0;
+
+  /// Takes an equilibrium as that from which all forces grow on at the same shape, as for
+  /// `solve::Pencil`.
+  virtual void let_forces_grow(const PlanarEquilibrium& at) = 0;
+  /// `ways`, and `add_mode`, a time later than that.
+  virtual int ways_after(double time) = 0;
+  virtual void add_mode_after(double time, std::vector<double>& mode) = 0;
 };
 
 /// @param model     of a planar level, which outlives what is made

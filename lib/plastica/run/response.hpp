@@ -136,6 +136,9 @@ struct Response {
   std::optional<LimitLoad> limit;
   /// Of a path in statics; none where it came by no bifurcation.
   std::optional<CriticalPoints> critical;
+  /// Of a path in statics, where `solver.buckling` and `solver.frequencies` ask for them.
+  std::optional<BucklingModes> buckling;
+  std::optional<VibrationModes> vibration;
   /// Set where joints yield that do not see the axial force (on each axis by itself; in motion,
   /// those that do not stretch), and where it is beyond N_p in joints that do not stretch;
   /// `axial_warning` puts it in words.

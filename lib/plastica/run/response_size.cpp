@@ -24,6 +24,7 @@ std::size_t ResponseSize::bytes() const {
   std::size_t numbers = probes * samples;
   if (segments == 0) return sizeof(double) * numbers;
   for (const ShapeValue& value : kShapeValues) numbers += frames * value.count(*this);
+  numbers += modes * 3 * (segments + 1);
   const std::size_t of_sample = 2 * sizeof(double) + sizeof(Energies) + sizeof(int);
   return sizeof(double) * numbers + samples * of_sample + frames * sizeof(std::size_t);
 }
@@ -42,6 +43,7 @@ ResponseSize response_size(const Scene& scene, const SolverOptions& options) {
   size.frames = 1 + (options.frames == 0 ? steps : std::min(steps, count_of(options.frames)));
   size.segments = count_of(scene.beam.segments);
   size.supports = scene.supports.size();
+  size.modes = count_of(options.buckling) + count_of(options.frequencies);
   return size;
 }
 

@@ -216,6 +216,8 @@ void run_chain(const Model& model, ParameterValues values, Workspace& workspace,
                Response& response) {
   response.samples = 0;
   response.critical.reset();
+  response.buckling.reset();
+  response.vibration.reset();
   MaterialValues<double> material;
   if (!take_parameters(model, values, material)) {
     response.status = Status::InvalidParameter;

@@ -8,15 +8,57 @@
 
 namespace plastica::solve {
 
-/// The mode that a factored tangent resists least: where the joints go, the largest translation
-/// being 1, by inverse iteration K x' = B x among the motions that the closures allow. B weighs
-/// translations by 1/length^2 and spins by 1. The eigenvalue sought is near zero, so that a few
-/// iterations leave nothing of the others.
-/// @param w  holds the tangent; its columns, small system and right side are used
-/// @return translations of the segments' inner joints and of the end (N + 1)
+namespace detail {
+
+/// What weighs motions in `softest_motion`: translations by 1/length^2, spins by 1.
+template <class L>
+typename L::Scalar weighed(const chain::Chain<L>& chain, const std::vector<chain::Motion<L>>& a,
+                           const std::vector<chain::Motion<L>>& b) {
+  using S = typename L::Scalar;
+  const S weight = constant<S>(1) / (chain.length * chain.length);
+  S sum = constant<S>(0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum = sum + weight * dot(a[i].shift, b[i].shift) + dot(a[i].spin, b[i].spin);
+  }
+  return sum;
+}
+
+/// Takes out what of a motion others have, and makes the largest spin 1.
+template <class L>
+void set_apart(const chain::Chain<L>& chain,
+               const std::vector<std::vector<chain::Motion<L>>>& others,
+               std::vector<chain::Motion<L>>& motion) {
+  using S = typename L::Scalar;
+  for (const auto& other : others) {
+    const S part = weighed(chain, other, motion) / weighed(chain, other, other);
+    for (std::size_t i = 0; i < motion.size(); ++i) {
+      motion[i].shift -= part * other[i].shift;
+      motion[i].spin -= part * other[i].spin;
+    }
+  }
+  S largest = constant<S>(0);
+  for (const auto& of_segment : motion) {
+    for (const S& spin : of_segment.spin.at) largest = larger_size(largest, spin);
+  }
+  const S scale = constant<S>(1) / largest;
+  for (auto& of_segment : motion) {
+    of_segment.shift = scale * of_segment.shift;
+    of_segment.spin = scale * of_segment.spin;
+  }
+}
+
+}  // namespace detail
+
+/// The motion of the segments that a factored tangent resists least, the largest spin being 1: by
+/// inverse iteration K x' = B x among the motions that the closures allow. B weighs translations by
+/// 1/length^2 and spins by 1. The eigenvalue sought is near zero, so that a few iterations leave
+/// nothing of the others.
+/// @param w       holds the tangent; its columns, small system and right side are used
+/// @param others  of an eigenvalue that is there more than once: those that are known already
 template <class L, bool kElastic>
-std::vector<typename L::Point> buckling_mode(const chain::Chain<L>& chain,
-                                             NewtonWork<L, kElastic>& w) {
+std::vector<chain::Motion<L>> softest_motion(
+    const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w,
+    const std::vector<std::vector<chain::Motion<L>>>& others = {}) {
   using S = typename L::Scalar;
   const std::size_t n = chain.size();
   const S weight = constant<S>(1) / (chain.length * chain.length);
@@ -41,7 +83,6 @@ std::vector<typename L::Point> buckling_mode(const chain::Chain<L>& chain,
     w.recursion.solve(w.right, false, w.columns[0]);
     for (std::size_t k = 0; k < chain.closures.size(); ++k) detail::solve_closure(chain, k, w);
     detail::join_columns(chain, at_time, w);
-    S largest = constant<S>(0);
     for (std::size_t i = 0; i < n; ++i) {
       motion[i] = w.columns[0].motion[i];
       for (std::size_t k = 0; k < chain.closures.size(); ++k) {
@@ -49,14 +90,20 @@ std::vector<typename L::Point> buckling_mode(const chain::Chain<L>& chain,
         motion[i].shift += share * w.columns[1 + k].motion[i].shift;
         motion[i].spin += share * w.columns[1 + k].motion[i].spin;
       }
-      for (const S& spin : motion[i].spin.at) largest = detail::larger_size(largest, spin);
     }
-    const S scale = constant<S>(1) / largest;
-    for (auto& of_segment : motion) {
-      of_segment.shift = scale * of_segment.shift;
-      of_segment.spin = scale * of_segment.spin;
-    }
+    detail::set_apart(chain, others, motion);
   }
+  return motion;
+}
+
+/// Translations of the segments' inner joints and of the end (N + 1), the largest being 1; zero
+/// where the motion has none but rounding.
+template <class L, bool kElastic>
+std::vector<typename L::Point> mode_of(const chain::Chain<L>& chain,
+                                       const std::vector<chain::Motion<L>>& motion,
+                                       const NewtonWork<L, kElastic>& w) {
+  using S = typename L::Scalar;
+  const std::size_t n = chain.size();
   std::vector<typename L::Point> mode(n + 1);
   S largest = constant<S>(0);
   for (std::size_t i = 0; i <= n; ++i) {
@@ -70,8 +117,18 @@ std::vector<typename L::Point> buckling_mode(const chain::Chain<L>& chain,
       if (abs(way) > abs(largest)) largest = way;
     }
   }
-  for (auto& way : mode) way = (constant<S>(1) / largest) * way;
+  // Beside a largest spin of 1.
+  const bool moves = abs(largest) > constant<S>(1e-6) * chain.length;
+  const S scale = moves ? constant<S>(1) / largest : constant<S>(0);
+  for (auto& way : mode) way = scale * way;
   return mode;
+}
+
+/// Both in a row.
+template <class L, bool kElastic>
+std::vector<typename L::Point> buckling_mode(const chain::Chain<L>& chain,
+                                             NewtonWork<L, kElastic>& w) {
+  return mode_of(chain, softest_motion(chain, w), w);
 }
 
 }  // namespace plastica::solve

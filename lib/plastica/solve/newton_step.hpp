@@ -321,6 +321,20 @@ void join_columns(const chain::Chain<L>& chain, const PathCondition<L>& conditio
   small.solve();
 }
 
+/// How a segment moves in a unit of time with the closures kept; after `join_columns`.
+template <class L, bool kElastic>
+chain::Motion<L> motion_in_time(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& w,
+                                std::size_t segment) {
+  using S = typename L::Scalar;
+  chain::Motion<L> rate = w.columns.back().motion[segment];
+  for (std::size_t j = 0; j < chain.closures.size(); ++j) {
+    const S weight = select(w.closed[j], w.small.b(j), constant<S>(0));
+    rate.shift += weight * w.columns[1 + j].motion[segment].shift;
+    rate.spin += weight * w.columns[1 + j].motion[segment].spin;
+  }
+  return rate;
+}
+
 /// Adds the columns to the first one by their weights.
 template <class L, bool kElastic>
 void combine_columns(const chain::Chain<L>& chain, const PathCondition<L>& condition,

@@ -80,6 +80,8 @@ class PathWalker {
     return at_end && unstable_ ? Status::Unstable : status_;
   }
 
+  /// In how many ways the last equilibrium would be left; -1: not known.
+  int known_ways() const { return ways_; }
   const PathCounters& counters() const { return counters_; }
   const std::optional<LimitLoad>& limit() const { return limit_; }
   /// With times in the place of factors.

@@ -17,13 +17,7 @@ bool PathWalker<L, kElastic>::begin_arcs() {
 
 template <class L, bool kElastic>
 chain::Motion<L> PathWalker<L, kElastic>::rate_of(std::size_t segment) const {
-  chain::Motion<L> rate = w_.columns.back().motion[segment];
-  for (std::size_t j = 0; j < chain_.closures.size(); ++j) {
-    const S weight = w_.closed[j] ? w_.small.b(j) : constant<S>(0);
-    rate.shift += weight * w_.columns[1 + j].motion[segment].shift;
-    rate.spin += weight * w_.columns[1 + j].motion[segment].spin;
-  }
-  return rate;
+  return detail::motion_in_time(chain_, w_, segment);
 }
 
 template <class L, bool kElastic>

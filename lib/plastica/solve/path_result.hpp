@@ -15,6 +15,9 @@ struct PathCounters {
 struct LimitLoad {
   double below = 0.0;  ///< equilibrium was found here
   double above = 0.0;  ///< and none here; of fibres, to where it may rise at most (chain/README.md)
+  /// The way in which the beam goes there: translations of the joints in the last step, world axes,
+  /// the largest being 1 (n_joints x 3); none of a beam that is only twisted.
+  std::vector<double> mode{};
 };
 
 /// The bifurcations that a path has come by, in the order of time: where the number of ways in
@@ -30,6 +33,24 @@ struct CriticalPoints {
   std::vector<double> mode;
 
   bool empty() const { return factor.empty(); }
+};
+
+/// Loads at which a beam buckles, from the tangent at one of its equilibria with all forces growing
+/// on at the same shape (solve/pencil.hpp).
+struct BucklingModes {
+  double about = 0.0;             ///< factor of the equilibrium, a stable one [1]
+  std::vector<double> factor;     ///< rising, above `about` [1] (n)
+  std::vector<int> out_of_plane;  ///< as of `CriticalPoints` (n)
+  std::vector<double> mode;       ///< likewise (n x n_joints x 3)
+};
+
+/// Small undamped vibrations about an equilibrium.
+struct VibrationModes {
+  std::vector<double>
+      frequency;  ///< rising; 0 where nothing resists, or the load pushes on [Hz] (n)
+  /// Translations of the joints, world axes, the largest being 1; 0 where sections turn about the
+  /// beam alone (n x n_joints x 3).
+  std::vector<double> mode;
 };
 
 }  // namespace plastica

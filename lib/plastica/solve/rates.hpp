@@ -36,15 +36,7 @@ template <class L, bool kElastic>
 void factor_inertia(const chain::Chain<L>& chain, const chain::Stage<L>& stage,
                     const chain::JointForces<L, kElastic>& laws, NewtonWork<L, kElastic>& w) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    const chain::Inertia<L>& inertia = chain.inertias[i];
-    const auto axes = L::axes(w.placement.frame[i]);
-    const auto by = L::spun_by(L::turn(w.placement.frame[i], inertia.center));
-    chain::Impedance<L>& a = w.outer_forces.impedance[i];
-    a = {};
-    for (std::size_t k = 0; k < L::kTranslations; ++k) a.tt(k, k) = inertia.mass;
-    a.tr = inertia.mass * by;
-    a.rt = transpose(a.tr);
-    a.rr = axes * inertia.turning * transpose(axes) + inertia.mass * (transpose(by) * by);
+    w.outer_forces.impedance[i] = inertia_impedance(chain.inertias[i], w.placement.frame[i]);
   }
   w.recursion.factor(chain, w.q, w.placement, stage, laws, w.outer_forces, w.impulses);
 }

@@ -99,6 +99,20 @@ CenterForce<L> inertia_force(const StepRule& rule, double h, const chain::Inerti
   return resists;
 }
 
+/// What a segment's inertia resists a unit acceleration of its inner joint and its spin by.
+template <class L>
+chain::Impedance<L> inertia_impedance(const chain::Inertia<L>& inertia,
+                                      const typename L::Frame& frame) {
+  const auto axes = L::axes(frame);
+  const auto by = L::spun_by(L::turn(frame, inertia.center));
+  chain::Impedance<L> a{};
+  for (std::size_t k = 0; k < L::kTranslations; ++k) a.tt(k, k) = inertia.mass;
+  a.tr = inertia.mass * by;
+  a.rt = transpose(a.tr);
+  a.rr = axes * inertia.turning * transpose(axes) + inertia.mass * (transpose(by) * by);
+  return a;
+}
+
 /// Minus the slope of the moment of `inertia_force` by the segment's spin at the end.
 /// @param spin  of the step, in the segment's axes
 template <class L>

@@ -20,6 +20,7 @@ class SmallSystem {
   std::size_t size() const { return n_; }
   S& a(std::size_t row, std::size_t column) { return a_[row * n_ + column]; }
   S& b(std::size_t row) { return b_[row]; }
+  const S& b(std::size_t row) const { return b_[row]; }
 
   /// Replaces b by the solution; `a` is used up.
   void solve() {

@@ -296,6 +296,11 @@ TEST(Buckling, OfAShallowArchIsItsLimitLoadInAnyNumberOfSteps) {
       if (!response.limit) continue;
       EXPECT_NEAR(beyond * response.limit->below, 1.0, 2e-4);
       EXPECT_GE(beyond * response.limit->above, 1.0 - 1e-6);
+      // The top goes down, and the end along its spring by as much as the bars turn: both by a/2.
+      const std::vector<double>& mode = response.limit->mode;
+      ASSERT_EQ(mode.size(), 9U);
+      EXPECT_NEAR(mode[4], 1.0, 1e-12);
+      EXPECT_NEAR(mode[5], 0.5 * mode[8], 1e-9);
     }
   }
 }

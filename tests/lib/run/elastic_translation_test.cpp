@@ -178,7 +178,9 @@ TEST(ElasticTranslation, VibratesAsATimoshenkoCantilever) {
         const double slender = 3.516 * std::sqrt(ei / (rho * p.area));
         SolverOptions options = elastic();
         options.level = Level::Planar;
-        const auto found = natural_frequencies(scene, options, 1);
+        options.analysis = Analysis::Dynamics;
+        options.duration = 1.0;
+        const auto found = unloaded_frequencies(prepare(scene, options), 1);
         return found.front() / exact.first_frequency(slender) - 1.0;
       },
       1.0, {8, 16, 64});

@@ -46,7 +46,7 @@ int expect_table(const Convention& convention, Level level, int modes_apart) {
     const int modes = std::isnan(table.at("freq2_ratio", row))   ? 1
                       : std::isnan(table.at("freq3_ratio", row)) ? 2
                                                                  : 3;
-    const auto found = natural_frequencies(scene, options, modes * modes_apart);
+    const auto found = unloaded_frequencies(prepare(scene, options), modes * modes_apart);
     for (int mode = 1; mode <= modes; ++mode) {
       const double continuum =
           circular_frequency(theory::BeamEnds::ClampedFree, mode, beam) / (2.0 * std::numbers::pi);

@@ -171,7 +171,7 @@ template <class L>
 double high_energy_left(Scheme scheme, double rho_infinity) {
   Scene scene = bar(true);
   scene.gravity = {0.0, -9.81, 0.0};
-  const double lowest = natural_frequencies(scene, {.level = Level::Planar}, 1)[0];
+  const double lowest = unloaded_frequencies(prepare(scene, {.level = Level::Planar}), 1)[0];
   const double step = 3.0 / (2.0 * pi * lowest);
   Swing<L> swing(scheme, rho_infinity, true, [](double place) {
     return std::array<double, 3>{1e-4 * std::cos(pi * (kSegments * place - 0.5)), 0.0, 0.0};

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "plastica/io/scene_store.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
@@ -12,7 +13,7 @@ namespace {
 using plastica::testing::cantilever_text;
 using plastica::testing::record_of;
 
-TEST(CriticalPointsStore, ReadsTheBifurcationsOfAPathBack) {
+TEST(ModeStore, ReadsTheBifurcationsOfAPathBack) {
   // Twice the load under which the column buckles, pi^2/4 E I/L^2 = 6.9 kN.
   const SceneRecord record = record_of(cantilever_text("0 N", R"([[load]]
 at = "end"
@@ -33,6 +34,30 @@ force = ["0 N", "0 N", "-14 kN"]
   EXPECT_EQ(read.response.critical->unstable_ways, record.response.critical->unstable_ways);
   EXPECT_EQ(read.response.critical->out_of_plane, record.response.critical->out_of_plane);
   EXPECT_EQ(read.response.critical->mode, record.response.critical->mode);
+}
+
+TEST(ModeStore, ReadsBucklingAndVibrationBack) {
+  SceneRecord record = record_of(cantilever_text("0 N", R"([[load]]
+at = "end"
+force = ["0 N", "0 N", "-1 kN"]
+)"));
+  EXPECT_FALSE(record.response.buckling || record.response.vibration);
+  const std::vector<double> modes(2 * 5 * 3, 0.25);
+  record.response.buckling = BucklingModes{1.0, {6.9, 60.0}, {0, 1}, modes};
+  record.response.vibration = VibrationModes{{1.5, 9.5}, modes};
+  record.response.limit = LimitLoad{0.5, 0.6, std::vector<double>(15, 0.5)};
+  const ScratchFolder folder;
+  const std::string path = folder.file("out.h5");
+  write_scene_store(path, record);
+  const SceneRecord read = read_scene_store(path);
+  ASSERT_TRUE(read.response.buckling && read.response.vibration && read.response.limit);
+  EXPECT_EQ(read.response.buckling->about, 1.0);
+  EXPECT_EQ(read.response.buckling->factor, record.response.buckling->factor);
+  EXPECT_EQ(read.response.buckling->out_of_plane, record.response.buckling->out_of_plane);
+  EXPECT_EQ(read.response.buckling->mode, modes);
+  EXPECT_EQ(read.response.vibration->frequency, record.response.vibration->frequency);
+  EXPECT_EQ(read.response.vibration->mode, modes);
+  EXPECT_EQ(read.response.limit->mode, record.response.limit->mode);
 }
 
 }  // namespace

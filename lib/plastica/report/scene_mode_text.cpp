@@ -1,0 +1,83 @@
+#include "plastica/report/scene_mode_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "plastica/report/format.hpp"
+#include "plastica/report/scene_facts.hpp"
+#include "plastica/report/table.hpp"
+
+namespace plastica::report {
+namespace {
+
+/// Where a mode goes most: the joint, as a share of the length, and the axis.
+struct Most {
+  double at = 0.0;
+  std::size_t axis = 0;
+  bool moves = false;  ///< else sections turn about the beam alone
+};
+
+Most most_of(const io::SceneRecord& record, std::span<const double> all, std::size_t mode) {
+  const auto& ends = record.outline.ends;
+  Most most;
+  double largest = 0.0;
+  for (std::size_t joint = 0; joint < ends.size(); ++joint) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double way = std::fabs(all[(mode * ends.size() + joint) * 3 + axis]);
+      // Of alike ones the first, whatever rounding says.
+      if (way <= largest * (1.0 + 1e-6)) continue;
+      largest = way;
+      most = {ends[joint], axis, true};
+    }
+  }
+  return most;
+}
+
+void add_row(const io::SceneRecord& record, std::span<const double> modes, std::size_t mode,
+             std::string value, Table& table) {
+  const Most most = most_of(record, modes, mode);
+  table.add({std::to_string(mode + 1), std::move(value),
+             most.moves ? std::string(1, "xyz"[most.axis]) : "twist",
+             most.moves ? place_label(most.at) : ""});
+}
+
+Table table_of(std::string value, std::string unit) {
+  return Table({{"mode", Table::Align::Right},
+                {std::move(value), Table::Align::Right, std::move(unit)},
+                {"goes along", Table::Align::Left},
+                {"most at", Table::Align::Right, "of length"}});
+}
+
+}  // namespace
+
+std::string buckling_text(const io::SceneRecord& record, const Ink& ink) {
+  if (record.setup.solver.buckling == 0) return {};
+  const Response& response = record.response;
+  std::string text = '\n' + ink.heading("Buckling");
+  if (!response.buckling) {
+    return text + "\n  none is told: no equilibrium on the path is stable and has not yielded\n";
+  }
+  const BucklingModes& modes = *response.buckling;
+  text += fmt::format(" about factor {:.5g}, all forces growing on at its shape\n", modes.about);
+  if (modes.factor.empty()) return text + "  it does not buckle, however far they grow\n";
+  Table table = table_of("factor", "1");
+  for (std::size_t k = 0; k < modes.factor.size(); ++k) {
+    add_row(record, modes.mode, k, fmt::format("{:.6g}", modes.factor[k]), table);
+  }
+  return text + table.text(2, kWidth);
+}
+
+std::string vibration_text(const io::SceneRecord& record, const Ink& ink) {
+  if (!record.response.vibration) return {};
+  const VibrationModes& modes = *record.response.vibration;
+  Table table = table_of("frequency", "Hz");
+  for (std::size_t k = 0; k < modes.frequency.size(); ++k) {
+    add_row(record, modes.mode, k, fmt::format("{:.6g}", modes.frequency[k]), table);
+  }
+  return '\n' + ink.heading("Natural frequencies about the loaded state\n") + table.text(2, kWidth);
+}
+
+}  // namespace plastica::report

@@ -1,0 +1,63 @@
+#include "plastica/solve/first_roots.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastica::solve {
+namespace {
+
+/// An x, and how many roots are not above it.
+struct Counted {
+  double x;
+  int passed;
+};
+
+class Bisection {
+ public:
+  Bisection(const std::function<int(double)>& passed, const RootSearch& search)
+      : passed_(passed), search_(search) {}
+
+  std::vector<double> roots() {
+    const Counted from{search_.from, passed_(search_.from)};
+    Counted to = from;
+    Counted below = from;
+    for (double reach = search_.reach; reach <= search_.most * search_.reach; reach *= 2.0) {
+      to = {search_.from + reach, passed_(search_.from + reach)};
+      if (to.passed - from.passed >= search_.count) break;
+      below = to;
+    }
+    split(from, below);
+    split(below, to);
+    return std::move(roots_);
+  }
+
+ private:
+  void split(const Counted& below, const Counted& above) {
+    const auto wanted = static_cast<std::size_t>(search_.count);
+    if (above.passed <= below.passed || roots_.size() >= wanted) return;
+    const double middle = 0.5 * (below.x + above.x);
+    const double width = search_.tolerance * std::max(std::fabs(below.x), std::fabs(above.x));
+    if (above.x - below.x <= width || middle <= below.x || middle >= above.x) {
+      const auto here = static_cast<std::size_t>(above.passed - below.passed);
+      roots_.insert(roots_.end(), std::min(here, wanted - roots_.size()), middle);
+      return;
+    }
+    // What rounding counts amiss beside a root stays between its neighbours.
+    const Counted at{middle, std::clamp(passed_(middle), below.passed, above.passed)};
+    split(below, at);
+    split(at, above);
+  }
+
+  const std::function<int(double)>& passed_;
+  const RootSearch& search_;
+  std::vector<double> roots_;
+};
+
+}  // namespace
+
+std::vector<double> first_roots(const std::function<int(double)>& passed,
+                                const RootSearch& search) {
+  return Bisection(passed, search).roots();
+}
+
+}  // namespace plastica::solve

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace plastica::solve {
+
+/// Where eigenvalues of a matrix that changes with x go through zero, by how many have done so.
+struct RootSearch {
+  double from = 0.0;         ///< roots are sought above
+  double reach = 1.0;        ///< first guess of how far, > 0
+  double most = 1e12;        ///< as far at most, in units of `reach`
+  int count = 1;             ///< how many roots
+  double tolerance = 1e-13;  ///< of a root [1]
+};
+
+/// The first roots above `from`, rising, each as often as it counts; fewer if there are no more.
+/// By bisection: no root is missed, however near another it lies (Wittrick & Williams, Q. J. Mech.
+/// Appl. Math. 24, 1971, 263).
+/// @param passed  how many eigenvalues have gone through zero up to x; must not fall
+std::vector<double> first_roots(const std::function<int(double x)>& passed,
+                                const RootSearch& search);
+
+}  // namespace plastica::solve

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <cstddef>
+
+#include "plastica/solve/newton_step.hpp"
+#include "plastica/solve/segment_motion.hpp"
+
+namespace plastica::solve {
+
+/// At a corner of a history, a time of the piece that ends there.
+inline double just_before(double time) { return (1.0 - 1e-12) * time; }
+
+/// The tangent of an equilibrium that changes with one number at the same shape: K(x) = K + x K'
+/// (chain/README.md, Buckling and vibration). Both parts are what acts on the segments, so that a
+/// factorization costs as much as one of K.
+template <class L, bool kElastic>
+class Pencil {
+ public:
+  using S = typename L::Scalar;
+
+  /// K' = 0 at first.
+  /// @param w  holds an assembled equilibrium, and in `joints.tangent` what its joints resist; both
+  ///           outlive the pencil, which factors in it
+  Pencil(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w)
+      : chain_(chain), w_(w), base_(w.outer_forces) {
+    rate_.reset(chain.size());
+  }
+  /// Leaves the forces as they were.
+  ~Pencil() { w_.outer_forces = base_; }
+  Pencil(const Pencil&) = delete;
+  Pencil& operator=(const Pencil&) = delete;
+
+  /// K' of all forces as they grow in a unit of time: of loads, and of the supports that hold
+  /// against them.
+  void let_forces_grow() {
+    set_rates();
+    const auto slope = [&](std::size_t history) {
+      return chain_.histories[history].slope_at(w_.time);
+    };
+    chain::detail::add_loads(chain_, w_.placement, slope, constant<S>(1), rate_);
+    for (const auto& spring : chain_.springs) {
+      const typename L::Point arm = L::turn(w_.placement.frame[spring.segment], spring.arm);
+      const chain::Motion<L> moves = rate_of(spring.segment);
+      typename L::Point force = constant<S>(slope(spring.history)) * spring.motion -
+                                (moves.shift + L::spun(moves.spin, arm));
+      for (std::size_t i = 0; i < L::kTranslations; ++i) force[i] = spring.stiffness[i] * force[i];
+      add_force(spring.segment, arm, force);
+    }
+    for (const auto& joint : chain_.ground_joints) {
+      const auto axes = L::axes(chain::ground_joint_axes(joint, w_.placement));
+      const auto tangent =
+          block<L::kRotations, L::kRotations>(w_.joints.tangent[joint.joint], 0, 0);
+      const typename L::Spin turn =
+          constant<S>(slope(joint.history)) * joint.motion - rate_of(joint.segment).spin;
+      const typename L::Spin moment = axes * (tangent * transposed_times(axes, turn));
+      rate_.wrench[joint.segment].moment += moment;
+      rate_.impedance[joint.segment].rr -= L::turned_by(moment);
+    }
+    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+      if (!w_.closed[k]) continue;
+      const chain::Closure<L>& closure = chain_.closures[k];
+      const S pull = w_.small.b(k);
+      if (closure.turning) {
+        rate_.wrench[closure.segment].moment += pull * closure.axis;
+      } else {
+        const typename L::Point arm = L::turn(w_.placement.frame[closure.segment], closure.arm);
+        add_force(closure.segment, arm, pull * closure.direction);
+      }
+    }
+  }
+
+  /// K' = -M, so that K(omega^2) is singular at natural frequencies.
+  void let_inertia_resist() {
+    for (std::size_t i = 0; i < chain_.size(); ++i) {
+      chain::Impedance<L> mass = inertia_impedance(chain_.inertias[i], w_.placement.frame[i]);
+      const S minus = constant<S>(-1);
+      chain::Impedance<L>& rate = rate_.impedance[i];
+      rate = {minus * mass.tt, minus * mass.tr, minus * mass.rt, minus * mass.rr};
+    }
+  }
+
+  /// Leaves the factored K(x) in `w`, for counts of its negative eigenvalues and modes.
+  void factor(double x) {
+    const S share = constant<S>(x);
+    chain::OuterForces<L>& sum = w_.outer_forces;
+    for (std::size_t i = 0; i < chain_.size(); ++i) {
+      const chain::Impedance<L>& rate = rate_.impedance[i];
+      sum.wrench[i] = base_.wrench[i] + chain::Wrench<L>{share * rate_.wrench[i].force,
+                                                         share * rate_.wrench[i].moment};
+      sum.impedance[i] = base_.impedance[i];
+      sum.impedance[i] += {share * rate.tt, share * rate.tr, share * rate.rt, share * rate.rr};
+    }
+    w_.recursion.factor(chain_, w_.q, w_.placement, w_.stage, w_.joints, sum, w_.transmitted);
+  }
+
+ private:
+  /// How the segments move, and the multipliers change (`w.small`), in a unit of time.
+  void set_rates() {
+    const PathCondition<L> unit_time{true, 0, {}, constant<S>(1), constant<S>(-1)};
+    factor(0.0);
+    w_.columns[0] = {};
+    w_.columns[0].resize(chain_.size());
+    for (S& gap : w_.gap) gap = constant<S>(0);
+    for (std::size_t k = 0; k < chain_.closures.size(); ++k) detail::solve_closure(chain_, k, w_);
+    detail::solve_time(chain_, unit_time, w_);
+    detail::join_columns(chain_, unit_time, w_);
+  }
+
+  chain::Motion<L> rate_of(std::size_t segment) const {
+    return detail::motion_in_time(chain_, w_, segment);
+  }
+
+  void add_force(std::size_t segment, const typename L::Point& arm,
+                 const typename L::Point& force) {
+    rate_.wrench[segment].force += force;
+    rate_.wrench[segment].moment += L::moment(arm, force);
+    rate_.impedance[segment].rr -= L::moment_by(arm, force);
+  }
+
+  const chain::Chain<L>& chain_;
+  NewtonWork<L, kElastic>& w_;
+  chain::OuterForces<L> base_;
+  chain::OuterForces<L> rate_;
+};
+
+}  // namespace plastica::solve
