@@ -82,10 +82,6 @@ std::string motion_label(const Setup& setup, const ChainModel& chain) {
                          : std::string());
 }
 
-bool is_motion(const Model& model) {
-  return model.chain && model.chain->options.analysis == Analysis::Dynamics;
-}
-
 int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const Model& model) {
   const ResponseSize size = response_size(model);
   // The reason begins with the level's name.
@@ -149,7 +145,7 @@ void run_scene(const Model& model, StopFlag stop, bool quiet, Response& response
   run(model, {}, workspace, response);
 }
 
-int exit_code_of(const Response& response, const std::string& output) {
+int exit_code_of(const Response& response, bool in_motion, const std::string& output) {
   const Status status = response.status;
   if (usable(status)) return kDone;
   if (status == Status::Interrupted) {
@@ -158,7 +154,7 @@ int exit_code_of(const Response& response, const std::string& output) {
          output == "-" ? "the table" : output);
     return kInterrupted;
   }
-  tell("plastica: {}: {}\n", name_of(status), advice(status));
+  tell("plastica: {}: {}\n", name_of(status), advice(status, in_motion));
   return kNotAcceptable;
 }
 
@@ -207,7 +203,7 @@ int simulate_file(const SimulateArguments& arguments) {
       tell("wrote {}\n", arguments.output);
     }
   }
-  return exit_code_of(record.response, arguments.output);
+  return exit_code_of(record.response, is_motion(model), arguments.output);
 }
 
 }  // namespace

@@ -72,8 +72,9 @@ void check_kind(const Scene& scene, const SceneTarget& target) {
                    "needs a coupon: a scene with drive.strain");
 }
 
-std::string how_it_ended(Status status) {
-  return fmt::format("the scene ended {}: {}", name_of(status), advice(status));
+std::string how_it_ended(Status status, const Setup& setup) {
+  const bool in_motion = setup.solver.analysis == Analysis::Dynamics;
+  return fmt::format("the scene ended {}: {}", name_of(status), advice(status, in_motion));
 }
 
 SceneCurve failed(std::string reason) {
@@ -208,12 +209,12 @@ SceneCurve SceneModel::curve_of(const Response& response, bool longer) const {
   // A longer path may fail beyond what was measured.
   const bool whole = usable(response.status);
   if (!whole && !(longer && response.status == Status::NotConverged)) {
-    curve.reason = how_it_ended(response.status);
+    curve.reason = how_it_ended(response.status, setup_);
     return curve;
   }
   std::vector<double> path;
   if (!place(response, path, curve)) {
-    if (!whole) curve.reason = how_it_ended(response.status);
+    if (!whole) curve.reason = how_it_ended(response.status, setup_);
     return curve;
   }
   curve.usable = true;

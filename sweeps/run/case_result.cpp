@@ -95,7 +95,8 @@ std::string imbalance_of(const Response& response) {
   const bool energy = !(response.ledger_error <= kLedgerTolerance);
   const double wrong = energy ? response.ledger_error : response.momentum_error;
   return std::string(energy ? "energy" : "momentum") + " off by " +
-         report::significant(100.0 * wrong, 3) + " %: " + std::string(advice(response.status));
+         report::significant(100.0 * wrong, 3) +
+         " %: " + std::string(advice(response.status, true));
 }
 
 }  // namespace
@@ -114,10 +115,11 @@ Measured take_of(Take take, std::span<const double> time, std::span<const double
   return {values.back(), {}};
 }
 
-CaseResult result_of(const Response& response, Level level, const Quantity& quantity) {
+CaseResult result_of_run(const BatchRow& row, const Quantity& quantity) {
+  const Response& response = row.response;
   CaseResult result;
   result.status = response.status;
-  result.level = level;
+  result.level = row.level;
   const bool is_chain = response.chain.joints > 0;
   result.segments = is_chain ? static_cast<std::int64_t>(response.chain.joints) - 1 : 1;
   result.iterations =
@@ -139,7 +141,7 @@ CaseResult result_of(const Response& response, Level level, const Quantity& quan
   if (response.status == Status::NotBalanced) {
     result.reason = imbalance_of(response);
   } else if (!usable(response.status)) {
-    result.reason = advice(response.status);
+    result.reason = advice(response.status, row.in_motion);
   }
   return result;
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "plastica/model/rules.hpp"
-#include "plastica/run/response.hpp"
+#include "plastica/run/batch.hpp"
 #include "sweeps/plan/quantity.hpp"
 
 namespace plastica::sweeps {
@@ -45,7 +45,7 @@ struct Measured {
 Measured take_of(Take take, std::span<const double> time, std::span<const double> values);
 
 /// What a run gave, for any quantity that a run has (not natural frequencies, not fits).
-/// @param level  that the run had
-CaseResult result_of(const Response& response, Level level, const Quantity& quantity);
+/// @param row  of a case that was run
+CaseResult result_of_run(const BatchRow& row, const Quantity& quantity);
 
 }  // namespace plastica::sweeps

@@ -26,7 +26,7 @@ CaseResult result_of(const BatchRow& row, const Quantity& quantity) {
     result.reason = row.reason;
     return result;
   }
-  return result_of(row.response, row.level, quantity);
+  return result_of_run(row, quantity);
 }
 
 namespace {

@@ -1,4 +1,4 @@
-"""What data/README.md says of the datasets of a result."""
+"""What data/README.md says of the datasets of a result, and of the keys of its summary."""
 
 import pathlib
 import re
@@ -30,3 +30,26 @@ def undocumented(file, readme):
     found = Undocumented(readme)
     file.visititems(found.visit)
     return found
+
+
+# Their keys are the names of a scene's probes.
+BY_PROBES = ("probes", "frequencies")
+
+
+def keys_of(value):
+    """All keys of a JSON value, but for names of probes."""
+    if isinstance(value, list):
+        return {key for item in value for key in keys_of(item)}
+    if not isinstance(value, dict):
+        return set()
+    keys = set(value)
+    for key, item in value.items():
+        for inner in item.values() if key in BY_PROBES else [item]:
+            keys |= keys_of(inner)
+    return keys
+
+
+def undocumented_keys(summary, readme):
+    """Keys of a scene's summary that the summary's own section does not say."""
+    text = pathlib.Path(readme).read_text().split("(JSON)\n")[1].split("\n## ")[0]
+    return sorted(keys_of(summary) - set(re.findall(r"`([a-z_]+)`", text)))

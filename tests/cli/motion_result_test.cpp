@@ -162,7 +162,9 @@ TEST_F(MotionResult, IsWrittenEvenWhereAStepCannotBeSolved) {
       "smallest_step = 0.9\nscheme = 'energy_momentum'");
   EXPECT_EQ(result.code, 1) << result.err;
   EXPECT_TRUE(result.out.starts_with("beam: not-converged after ")) << result.out;
-  EXPECT_TRUE(has(result.err, "wrote beam.h5\nplastica: not-converged: ")) << result.err;
+  EXPECT_TRUE(has(result.err, "wrote beam.h5\nplastica: not-converged: take smaller steps; "))
+      << result.err;
+  EXPECT_TRUE(has(result.out, "\n  advice          take smaller steps; ")) << result.out;
   EXPECT_EQ(place_.run({"show", "beam.h5"}).out, result.out);
 }
 

@@ -4,6 +4,7 @@
 read_result_test.py COMMAND README: runs the command on curves of its own, of which one is bad.
 """
 
+import json
 import pathlib
 import subprocess
 import sys
@@ -13,7 +14,7 @@ import unittest
 import h5py
 import numpy
 
-from documented import undocumented
+from documented import undocumented, undocumented_keys
 
 COMMAND, README = sys.argv[1:3]
 
@@ -204,9 +205,10 @@ class ReadScene(unittest.TestCase):
         cls.place = tempfile.TemporaryDirectory()
         folder = pathlib.Path(cls.place.name)
         (folder / "beam.toml").write_text(SCENE)
-        subprocess.run([COMMAND, "simulate", "beam.toml", "-o", "beam.h5"], cwd=folder, check=True,
-                       capture_output=True)
+        subprocess.run([COMMAND, "simulate", "beam.toml", "-o", "beam.h5", "--json", "beam.json"],
+                       cwd=folder, check=True, capture_output=True)
         cls.file = h5py.File(folder / "beam.h5")
+        cls.summary = json.loads((folder / "beam.json").read_text())
 
     @classmethod
     def tearDownClass(cls):
@@ -251,6 +253,7 @@ class ReadScene(unittest.TestCase):
         found = undocumented(self.file, README)
         self.assertGreater(found.seen, 70)
         self.assertEqual(found.names, [])
+        self.assertEqual(undocumented_keys(self.summary, README), [])
 
 
 MOTION = """[beam]

@@ -21,7 +21,7 @@ std::string_view name_of(Status status) {
   return "unknown";
 }
 
-std::string_view advice(Status status) {
+std::string_view advice(Status status, bool in_motion) {
   switch (status) {
     case Status::NotRun: return "call run";
     case Status::Rejected: return "mend the input that the reason names";
@@ -30,7 +30,11 @@ std::string_view advice(Status status) {
     case Status::Mechanism: return "the supports leave the beam free to move: hold more of it";
     case Status::HeldTwice:
       return "let one of the supports slide along the beam, or set solver.translation = elastic";
-    case Status::NotConverged: return "take more steps, or control = arc_length";
+    case Status::NotConverged:
+      // Generalized-alpha may end so at small steps, too: of what rings too little is taken.
+      return in_motion ? "take smaller steps; of generalized_alpha a lower rho_infinity, or scheme "
+                         "= energy_momentum"
+                       : "take more steps, or control = arc_length";
     case Status::Interrupted: return "run it again";
     case Status::Unstable:
       return "stay below the critical factor, hold the beam where it gives way, or add the "

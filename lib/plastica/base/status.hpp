@@ -37,6 +37,7 @@ constexpr bool usable(Status status) {
 constexpr bool is_whole(Status status) { return usable(status) || status == Status::NotBalanced; }
 
 /// What to change when a run ended this way; empty where nothing needs to change.
-std::string_view advice(Status status);
+/// @param in_motion  whether the run was one in time, and not a path of equilibria or a coupon
+std::string_view advice(Status status, bool in_motion);
 
 }  // namespace plastica

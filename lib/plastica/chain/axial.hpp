@@ -29,13 +29,19 @@ inline bool same_node(const Chain<L>& chain, const typename L::Point& a,
   return !any(dot(between, between) > limit);
 }
 
-/// The outer end of the segment of a joint to the ground; what the ground does at an inner end acts
-/// on the segment before.
+/// Whether a point of a segment is the end that a joint to the ground is at.
 template <class L>
 inline bool at_ground_joint(const Chain<L>& chain, const GroundJoint<L>& joint, std::size_t segment,
                             const typename L::Point& arm) {
-  return joint.outer && joint.segment == segment &&
-         same_node(chain, arm, chain.segments[segment].arm);
+  const typename L::Point end = joint.outer ? chain.segments[segment].arm : typename L::Point{};
+  return joint.segment == segment && same_node(chain, arm, end);
+}
+/// How what acts on the segment at its node counts in the axial force of a joint to the ground,
+/// which is that of the beam within: beyond an outer end it is added to what is beyond, at an inner
+/// end it is of what is beyond, and does not count.
+template <class S>
+inline S node_sign(bool outer) {
+  return constant<S>(outer ? 1 : -1);
 }
 template <class L>
 inline bool at_start(const Chain<L>& chain, std::size_t segment, const typename L::Point& arm) {
@@ -104,7 +110,8 @@ inline typename L::Point ground_joint_mean(const Chain<L>& chain, const GroundJo
 }
 
 /// Finds the axial force of each joint: of what is beyond it; of joint 0 and of joints to the
-/// ground that of the beam beside the node, so that start and end are alike.
+/// ground that of the beam beside the node, so that start and end are alike. (Loads and springs at
+/// an inner node act half on either segment: `Builder`.)
 /// @param wrench  on the segments: their forces count (N)
 /// @param forces  N of each joint [N] (joints)
 template <class L, class FactorAt>
@@ -129,7 +136,7 @@ void find_axial_forces(const Chain<L>& chain, const Coordinates<L>& q,
   for (std::size_t g = 0; g < chain.ground_joints.size(); ++g) {
     const GroundJoint<L>& joint = chain.ground_joints[g];
     const std::size_t next = joint.segment + (joint.outer ? 1 : 0);
-    axial.force[joint.joint] = axial.at_ground[g].force;
+    axial.force[joint.joint] = node_sign<S>(joint.outer) * axial.at_ground[g].force;
     if (next < chain.size()) axial.force[joint.joint] += axial.force[next];
     axial.along[joint.joint] = ground_joint_mean(chain, joint, placement, time);
   }
@@ -163,12 +170,13 @@ void add_ground_joints_with_axial(const Chain<L>& chain, const Coordinates<L>& q
         select(q.released_ground_joint[g], {}, L::axes(axes) * joints.by_axial[joint.joint]);
     axial.ground_by_axial[g] = by;
     const NodeForce<L>& node = axial.at_ground[g];
+    const S sign = node_sign<S>(joint.outer);
     const typename L::Point& along = axial.along[joint.joint];
     const typename L::Spin turns =
         L::moment(constant<S>(0.5) * L::turn(axes, e), axial.across[joint.joint]);
     Impedance<L>& impedance = outer_forces.impedance[joint.segment];
-    impedance.rt += outer(by, transposed_times(node.tt, along));
-    impedance.rr += outer(by, transposed_times(node.tr, along) - turns);
+    impedance.rt += outer(by, sign * transposed_times(node.tt, along));
+    impedance.rr += outer(by, sign * transposed_times(node.tr, along) - turns);
   }
 }
 

@@ -32,10 +32,16 @@ class Builder {
   static constexpr std::size_t kR = L::kRotations;
   static constexpr double kSamePlace = 1e-9;  ///< of the length
 
-  /// @param shifts  whether joints stretch and shear
+  /// @param shifts      whether joints stretch and shear
+  /// @param sees_axial  whether joints that do not stretch yield by their axial force, too
   Builder(const Scene& scene, const Layout& layout, const View<L>& view,
-          RotaryInertia rotary = RotaryInertia::On, bool shifts = false)
-      : scene_(scene), layout_(layout), view_(view), rotary_(rotary), shifts_(shifts) {}
+          RotaryInertia rotary = RotaryInertia::On, bool shifts = false, bool sees_axial = false)
+      : scene_(scene),
+        layout_(layout),
+        view_(view),
+        rotary_(rotary),
+        shifts_(shifts),
+        sees_axial_(sees_axial) {}
 
   Build<L> build() {
     Chain<L>& chain = build_.chain;
@@ -240,7 +246,7 @@ class Builder {
     spring.arm = view_.point(point.arm);
     const std::size_t beyond = point.segment + 1;
     const bool joins = beyond < layout_.size() && share == layout_.ends[beyond];
-    const double part = joins && shifts_ ? 0.5 : 1.0;
+    const double part = joins && (shifts_ || sees_axial_) ? 0.5 : 1.0;
     const auto stiffness = view_.translations(six(support.stiffness, {}));
     for (std::size_t k = 0; k < kT; ++k) spring.stiffness[k] = constant<S>(part * stiffness[k]);
     spring.rest = undeformed_point(point);
@@ -297,7 +303,9 @@ class Builder {
     const bool at_joint =
         beyond < layout_.size() && std::abs(share - layout_.ends[beyond]) < kSamePlace;
     const bool turns = load.moment != std::array<double, 3>{};
-    if (!at_joint || (!turns && !shifts_)) {
+    // A follower's direction is then the mean of both segments', that of the axis at the joint.
+    const bool halves = sees_axial_ || load.follows;
+    if (!at_joint || (!turns && !shifts_ && !halves)) {
       add_point_load(load, history, point, 1.0);
       return;
     }
@@ -312,9 +320,11 @@ class Builder {
     };
     Load outer = load;
     outer.moment = outer_part(load.moment, share_before.turning);
-    // A force does so where the joint stretches and shears.
-    outer.force = {};
-    if (shifts_) outer.force = outer_part(load.force, share_before.shifting);
+    // A force does so where the joint stretches and shears; where it has an axial force, or the
+    // load follows, half of it acts on each segment, so that start and end are alike.
+    const std::array<double, 3> none{};
+    const std::array<double, 3> half{0.5, 0.5, 0.5};
+    outer.force = outer_part(load.force, shifts_ ? share_before.shifting : halves ? half : none);
     Load inner = load;
     for (std::size_t k = 0; k < 3; ++k) {
       inner.moment[k] -= outer.moment[k];
@@ -375,6 +385,7 @@ class Builder {
   View<L> view_;
   RotaryInertia rotary_;
   bool shifts_;
+  bool sees_axial_;
   Placement<L> undeformed_;
   Build<L> build_;
   bool root_is_held_ = false;

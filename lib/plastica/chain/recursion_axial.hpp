@@ -40,7 +40,8 @@ void Recursion<L, kElastic>::couple_ground_joints(std::size_t segment, bool oute
   }
 }
 
-/// The same of a right-hand side; at an outer end with what acts at its node.
+/// The same of a right-hand side; at an outer end with what acts at its node, at an inner end
+/// without.
 template <class L, bool kElastic>
 void Recursion<L, kElastic>::couple_ground_joints(std::size_t segment, bool outer_end,
                                                   const RightSide<L>& right, Wrench<L>& b) const {
@@ -50,7 +51,7 @@ void Recursion<L, kElastic>::couple_ground_joints(std::size_t segment, bool oute
     if (ground.segment != segment || ground.outer != outer_end) continue;
     const typename L::Point node =
         g < right.at_ground.size() ? right.at_ground[g] : typename L::Point{};
-    moment += dot(ground.along, b.force + node) * ground.by;
+    moment += dot(ground.along, b.force + node_sign<S>(outer_end) * node) * ground.by;
   }
   b.moment += moment;
 }

@@ -170,9 +170,8 @@ std::optional<std::string> cap(const Facts& facts) {
     return std::nullopt;
   }
   const double factor = shape_factor(scene, facts.level);
-  const std::string fibres = facts.level.level == Level::Twist
-                                 ? std::string()
-                                 : "; rules.yield_model = \"fibre\" follows the section";
+  // Fibres know bending and torsion, so that this holds at every level.
+  const std::string fibres = "; rules.yield_model = \"fibre\" follows the section";
   if (scene.yield_cap == YieldCap::FullyPlastic) {
     return "the beam is loaded and let go: an ideal joint with the fully plastic cap is elastic up "
            "to " +
@@ -344,16 +343,11 @@ std::optional<std::string> first_yield_warning(const Scene& scene, const SolverO
       scene.yield_cap != YieldCap::FirstYield || scene_lets_go(scene)) {
     return std::nullopt;
   }
-  const LevelChoice level = choose_level(scene, options);
-  const std::string fibres =
-      level.level == Level::Twist
-          ? std::string()
-          : ", \"fibre\" for rules.yield_model follows it from first yield on";
   return "joints have yielded, and their caps are those of first yield: the section carries up "
          "to " +
-         figure(shape_factor(scene, level)) +
-         " times as much, and so does a limit load; rules.yield_cap = \"fully_plastic\" has that" +
-         fibres;
+         figure(shape_factor(scene, choose_level(scene, options))) +
+         " times as much, and so does a limit load; rules.yield_cap = \"fully_plastic\" has that, "
+         "\"fibre\" for rules.yield_model follows it from first yield on";
 }
 
 std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions& options) {

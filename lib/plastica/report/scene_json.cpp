@@ -1,6 +1,7 @@
 #include "plastica/report/scene_json.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -138,9 +139,9 @@ Json material_of(const Material& material) {
 }
 
 /// The dimensions that the shape has [m].
-Json section_of(const io::SceneRecord& record) {
-  const Section& section = record.setup.scene.section;
-  Json all = {{"shape", solver_word(record, "section.shape")}};
+Json section_of(const Section& section) {
+  const auto shapes = find_field_or_null("section.shape")->choices;
+  Json all = {{"shape", shapes[static_cast<std::size_t>(section.shape)]}};
   const bool round =
       section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
   if (round) {
@@ -155,6 +156,78 @@ Json section_of(const io::SceneRecord& record) {
     all["inner_height"] = number(section.inner_height);
   }
   return all;
+}
+
+Json history_of(const History& history) {
+  return {{"time", numbers(history.time)},
+          {"factor", numbers(history.factor)},
+          {"continues", history.continues}};
+}
+
+Json regions_of(const Scene& scene) {
+  Json all = Json::array();
+  for (const Region& region : scene.regions) {
+    all.push_back({{"from", region.from.fraction},
+                   {"to", region.to.fraction},
+                   {"section", section_of(region.section)},
+                   {"material", material_of(region.material)}});
+  }
+  return all;
+}
+
+/// What a support holds, what its kind alone has, and how it moves (null: not at all).
+Json support_of(const Support& support) {
+  Json holds = Json::array();
+  for (std::size_t k = 0; k < freedom_names().size(); ++k) {
+    if (support.held()[k]) holds.push_back(freedom_names()[k]);
+  }
+  Json all = {{"kind", support_kinds()[static_cast<std::size_t>(support.kind)]},
+              {"at", support.at.fraction},
+              {"holds", std::move(holds)}};
+  if (support.kind == SupportKind::Elastic) {
+    all["stiffness"] = numbers(support.stiffness);
+    all["rotational_stiffness"] = numbers(support.rotational_stiffness);
+  }
+  if (support.kind == SupportKind::Pillar) {
+    all["normal"] = numbers(support.normal);
+    all["gap"] = number(support.gap);
+    all["restitution"] = number(support.restitution);
+  }
+  all["motion"] = nullptr;
+  if (support.moves()) {
+    all["motion"] = {{"translation", numbers(support.translation)},
+                     {"rotation", numbers(support.rotation)},
+                     {"history", history_of(support.history)}};
+  }
+  return all;
+}
+
+Json supports_of(const Scene& scene) {
+  Json all = Json::array();
+  for (const Support& support : scene.supports) all.push_back(support_of(support));
+  return all;
+}
+
+/// Loads at a point, and per length (`to` is a place): their units say which.
+Json loads_of(const Scene& scene) {
+  Json all = Json::array();
+  for (const Load& load : scene.loads) {
+    const bool spread = load.to.has_value();
+    all.push_back({{"at", load.at.fraction},
+                   {"to", spread ? Json(load.to->fraction) : Json(nullptr)},
+                   {"force", numbers(load.force)},
+                   {"force_unit", spread ? "N/m" : "N"},
+                   {"moment", numbers(load.moment)},
+                   {"moment_unit", spread ? "N m/m" : "N m"},
+                   {"follows", load.follows},
+                   {"history", history_of(load.history)}});
+  }
+  return all;
+}
+
+Json gravity_of(const Scene& scene) {
+  if (scene.gravity == std::array<double, 3>{}) return nullptr;
+  return {{"acceleration", numbers(scene.gravity)}, {"history", history_of(scene.gravity_history)}};
 }
 
 /// How a motion is stepped; null for a path of equilibria and a coupon.
@@ -262,14 +335,19 @@ Json energies_of(const io::SceneRecord& record) {
 std::string scene_json(const io::SceneRecord& record) {
   const Response& response = record.response;
   const PathCounters& counters = response.counters;
-  const Json all = {{"name", record.setup.scene.name},
+  const Scene& scene = record.setup.scene;
+  const Json all = {{"name", scene.name},
                     {"status", name_of(response.status)},
                     {"level", level_word(record.level)},
                     {"level_reason", record.level_reason},
-                    {"material", material_of(record.setup.scene.material)},
-                    {"section", section_of(record)},
+                    {"material", material_of(scene.material)},
+                    {"section", section_of(scene.section)},
                     {"yield_model", solver_word(record, "rules.yield_model")},
                     {"yield_cap", solver_word(record, "rules.yield_cap")},
+                    {"regions", regions_of(scene)},
+                    {"supports", supports_of(scene)},
+                    {"loads", loads_of(scene)},
+                    {"gravity", gravity_of(scene)},
                     {"motion", motion_of(record)},
                     {"samples", response.samples},
                     {"frames", frames_of(record)},

@@ -44,7 +44,8 @@ std::string head(const io::SceneRecord& record, const Ink& ink) {
   const std::string line =
       wrapped("", printable(record.setup.scene.name) + ": " + outcome_line(record), kWidth);
   std::string text = usable(response.status) ? ink.heading(line) : ink.bad(line);
-  if (!advice(response.status).empty()) text += entry("advice", advice(response.status));
+  const std::string_view change = advice(response.status, is_motion(record));
+  if (!change.empty()) text += entry("advice", change);
   // The reason begins with the level's name.
   text += entry("level", record.level_reason);
   if (record.level != Level::Coupon) text += entry("beam", beam_label(record));

@@ -79,6 +79,7 @@ void run_or_wait(std::size_t index, const BatchCase& one, StopFlag stop, LanePoo
     check_memory(one.scene, one.options);
     waiting.model = std::make_unique<Model>(prepare(one.scene, one.options));
     row.level = waiting.model->level;
+    row.in_motion = is_motion(*waiting.model);
     row.response = make_response(*waiting.model);
     waits = waiting.model->chain && has_lanes(*waiting.model->chain) && one.timed_runs == 0;
     if (!waits) run_alone(one, *waiting.model, stop, row);
@@ -139,6 +140,7 @@ BatchRow run_case(const BatchCase& one) {
     check_memory(one.scene, one.options);
     const Model model = prepare(one.scene, one.options);
     row.level = model.level;
+    row.in_motion = is_motion(model);
     row.response = make_response(model);
     run_alone(one, model, nullptr, row);
   });

@@ -30,6 +30,7 @@ struct BatchRow {
   std::string reason;
   Response response;  ///< status Rejected for such a case, NotRun for one that was not begun
   Level level = Level::Auto;  ///< that was chosen; Auto for a rejected case
+  bool in_motion = false;     ///< whether it ran in time, see `is_motion`
 };
 
 struct BatchOptions {

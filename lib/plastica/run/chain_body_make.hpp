@@ -46,6 +46,13 @@ inline WatchedJoint watched_joint(const Scene& scene, const chain::Layout& layou
   return joint;
 }
 
+/// Whether joints of a path yield by their axial force, too; in motion they do not.
+inline bool sees_axial(const ChainModel& model) {
+  const YieldModel yields = model.scene.yield_model;
+  return model.options.analysis == Analysis::Statics && yields != YieldModel::Elastic &&
+         yields != YieldModel::PerAxis;
+}
+
 }  // namespace detail
 
 template <class L, bool kElastic>
@@ -53,7 +60,8 @@ ChainBody<L, kElastic>::ChainBody(const ChainModel& of, const chain::View<L>& se
     : model(of),
       view(seen),
       parts(chain::part_forms(of.scene, !kOneForce<L, kElastic>, chain::gauge_plane<L>(seen))) {
-  build = chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia, kElastic)
+  build = chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia, kElastic,
+                            detail::sees_axial(model))
               .build();
   work.resize(build.chain);
   record.prepare(model, view, build, parts, watch);

@@ -32,6 +32,9 @@ struct Model {
   BreakPolicy on_break = BreakPolicy::CutAll;
 };
 
+/// Whether it runs in time, and not along a path of equilibria or as a coupon.
+bool is_motion(const Model& model);
+
 /// Values of a model's parameters in SI, in the order of `Model::parameters` (n_parameters).
 using ParameterValues = std::span<const double>;
 

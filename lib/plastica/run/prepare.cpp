@@ -98,6 +98,10 @@ void size_chain(const ChainModel& chain, const ResponseSize& size, Response& res
 
 }  // namespace
 
+bool is_motion(const Model& model) {
+  return model.chain && model.chain->options.analysis == Analysis::Dynamics;
+}
+
 Model prepare(const Scene& scene, const SolverOptions& options,
               std::span<const std::string> parameters) {
   check_scene(scene, options);

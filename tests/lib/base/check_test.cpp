@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
 
 #include "plastica/base/quantity.hpp"
 #include "plastica/base/status.hpp"
@@ -52,8 +53,21 @@ TEST(Status, TellsWhatIsUsableAndWhatToDo) {
   for (const Status bad :
        {Status::NotRun, Status::Rejected, Status::InvalidParameter, Status::NonFinite}) {
     EXPECT_FALSE(usable(bad));
-    EXPECT_FALSE(advice(bad).empty());
+    EXPECT_FALSE(advice(bad, false).empty());
     EXPECT_FALSE(name_of(bad).empty());
+  }
+}
+
+TEST(Status, AdvisesWhatTheRunHas) {
+  const auto has = [](bool in_motion, std::string_view word) {
+    return advice(Status::NotConverged, in_motion).find(word) != std::string_view::npos;
+  };
+  EXPECT_TRUE(has(false, "arc_length"));  // of paths alone
+  EXPECT_FALSE(has(true, "arc_length"));
+  EXPECT_TRUE(has(true, "smaller steps"));
+  for (const std::string_view of_motions : {"rho_infinity", "scheme"}) {
+    EXPECT_TRUE(has(true, of_motions));
+    EXPECT_FALSE(has(false, of_motions));
   }
 }
 

@@ -121,7 +121,8 @@ void expect_consistent_tangent(const View<L>& view) {
 }
 
 /// The same with joints that yield under moments and the axial force from equilibrium, half joints
-/// at a clamped end among them, whose node has a spring and a follower, too.
+/// at a clamped end and on both sides of a guide among them, whose nodes have a spring and a
+/// follower, too.
 Scene yielding_scene() {
   Scene scene = busy_scene();
   scene.material.yield_stress = 40e6;
@@ -138,6 +139,10 @@ Scene yielding_scene() {
   scene.supports.push_back(spring);
   scene.loads.push_back({Place::end(), {}, {100.0, 80.0, 500.0}, {}, true, {}});
   scene.loads.push_back({Place{0.0, {}}, {}, {100.0, 80.0, 500.0}, {}, false, {}});
+  const Place guide{0.0, 6};  // of the busy scene
+  spring.at = guide;
+  scene.supports.push_back(spring);
+  scene.loads.push_back({guide, {}, {-120.0, 180.0, 800.0}, {}, true, {}});
   return scene;
 }
 

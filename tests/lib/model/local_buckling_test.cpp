@@ -139,5 +139,17 @@ TEST(FirstYield, IsWarnedOfWithTheShapeFactorWhereTheCapIsThatOfFirstYield) {
   EXPECT_EQ(warning(), "");
 }
 
+TEST(FirstYield, OfABeamThatTwistsIsThatOfItsTorqueWhichFibresFollow) {
+  Scene scene = testing::cantilever({0.0, 0.0, 0.0});
+  scene.loads[0].moment = {0.0, 0.0, 1.0};
+  scene.yield_model = YieldModel::Interaction;
+  scene.section.shape = SectionShape::Circle;
+  const std::string warning = first_yield_warning(scene, {}).value_or("");
+  EXPECT_NE(warning.find("up to 1.33 times"), std::string::npos) << warning;  // 4/3
+  EXPECT_NE(warning.find("\"fibre\" for rules.yield_model follows it from first yield on"),
+            std::string::npos)
+      << warning;
+}
+
 }  // namespace
 }  // namespace plastica

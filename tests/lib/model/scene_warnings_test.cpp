@@ -128,6 +128,21 @@ TEST(SceneWarnings, SayWhatACapDoesToABeamThatIsLetGo) {
   }
 }
 
+TEST(SceneWarnings, NameFibresToABeamThatIsLetGoWhetherItBendsOrTwists) {
+  const auto let_go = [](std::array<double, 3> force, double torque) {
+    return warnings_of([&](Scene& s) {
+      s.loads[0].force = force;
+      s.loads[0].moment = {0.0, 0.0, torque};
+      s.loads[0].history = History::turning_points({1.0, 0.0});
+      s.section.shape = SectionShape::Circle;
+    });
+  };
+  const std::string fibres = " times as much; rules.yield_model = \"fibre\" follows the section";
+  EXPECT_TRUE(has(let_go({0.0, 1.0, 0.0}, 0.0), "1.7" + fibres));   // 16/(3 pi)
+  EXPECT_TRUE(has(let_go({0.0, 0.0, 0.0}, 1.0), "1.33" + fibres));  // 4/3 of a circle's torque
+  EXPECT_TRUE(has(let_go({1.0, 1.0, 0.0}, 1.0), "1.7" + fibres));
+}
+
 TEST(SceneWarnings, TakeALoadBackThatGrowsForOneThatDoesNotLetGo) {
   const auto with = [](const History& history) {
     return has(warnings_of([&](Scene& s) { s.loads[0].history = history; }), "let go");

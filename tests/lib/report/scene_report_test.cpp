@@ -189,6 +189,57 @@ TEST(SceneJson, GivesWhatTheReportSaysInSi) {
   EXPECT_EQ(limit.at("above"), 1.50031);
 }
 
+TEST(SceneJson, SaysWhatHoldsAndWhatLoadsTheBeam) {
+  const io::SceneRecord record = record_of(cantilever_text("-0.1 kN", R"([[region]]
+from = 0.5
+to = "end"
+section = { shape = "circle", radius = "8 mm" }
+[[support]]
+at = 0.5
+kind = "elastic"
+stiffness = ["0 N/m", "2 N/mm", "0 N/m"]
+rotational_stiffness = ["3 N m/rad", "0 N m/rad", "0 N m/rad"]
+[[support]]
+at = "end"
+kind = "pillar"
+gap = "200 mm"
+translation = ["0 mm", "-5 mm", "0 mm"]
+history = { turning_points = [1, 0.5] }
+[[load]]
+at = "start"
+to = 0.5
+force = ["0 N/m", "-2 N/mm", "0 N/m"]
+follows = true
+history = "constant"
+[gravity]
+acceleration = ["0 m/s^2", "-9.81 m/s^2", "0 m/s^2"]
+)"));
+  const auto json = nlohmann::json::parse(scene_json(record));
+  EXPECT_EQ(json.at("regions"), nlohmann::json::parse(R"([
+    {"from": 0.5, "to": 1, "section": {"shape": "circle", "radius": 0.008},
+     "material": {"name": "S355", "youngs_modulus": 210e9, "yield_stress": 355e6,
+                  "density": 7850}}])"));
+  EXPECT_EQ(json.at("supports"), nlohmann::json::parse(R"([
+    {"kind": "clamp", "at": 0, "holds": ["x", "y", "z", "rx", "ry", "rz"], "motion": null},
+    {"kind": "elastic", "at": 0.5, "holds": [], "stiffness": [0, 2000, 0],
+     "rotational_stiffness": [3, 0, 0], "motion": null},
+    {"kind": "pillar", "at": 1, "holds": [], "normal": [0, 1, 0], "gap": 0.2, "restitution": 0,
+     "motion": {"translation": [0, -0.005, 0], "rotation": [0, 0, 0],
+                "history": {"time": [0, 1, 2], "factor": [0, 1, 0.5], "continues": false}}}])"));
+  EXPECT_EQ(json.at("loads"), nlohmann::json::parse(R"([
+    {"at": 1, "to": null, "force": [0, -100, 0], "force_unit": "N", "moment": [0, 0, 0],
+     "moment_unit": "N m", "follows": false,
+     "history": {"time": [0, 1], "factor": [0, 1], "continues": true}},
+    {"at": 0, "to": 0.5, "force": [0, -2000, 0], "force_unit": "N/m", "moment": [0, 0, 0],
+     "moment_unit": "N m/m", "follows": true,
+     "history": {"time": [0], "factor": [1], "continues": false}}])"));
+  EXPECT_EQ(json.at("gravity").at("acceleration"), nlohmann::json({0, -9.81, 0}));
+  EXPECT_EQ(json.at("gravity").at("history").at("continues"), true);
+  const auto coupon = nlohmann::json::parse(scene_json(record_of(coupon_text())));
+  EXPECT_TRUE(coupon.at("supports").empty() && coupon.at("loads").empty());
+  EXPECT_TRUE(coupon.at("gravity").is_null());
+}
+
 TEST(ProbeTable, HasARowPerSampleAndUnitsInTheHeader) {
   const io::SceneRecord record = record_of(cantilever_text());
   std::ostringstream out;

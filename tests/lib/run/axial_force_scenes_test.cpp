@@ -121,6 +121,37 @@ TEST(AxialForce, IsTheSameFromBothEnds) {
   expect_mirrored(Level::Spatial, YieldModel::Interaction);
 }
 
+/// A beam on two supports, of four stiff segments, is bent by a force across its middle and has one
+/// along it there, which one half of it carries: the joint between has half of it, whichever half
+/// that is. It yields first, at m = 1 - (n/2)^2; its neighbours have half of its moment.
+TEST(AxialForce, OfAJointIsTheMeanOfBothSidesWhereALoadActs) {
+  for (const bool back : {false, true}) {
+    for (const double n : {-0.5, 0.3, 0.6}) {
+      Scene scene = chain_scene(4);
+      scene.material.youngs_modulus = 1e16;
+      scene.yield_model = YieldModel::Interaction;
+      scene.yield_cap = YieldCap::FullyPlastic;
+      scene.supports.push_back(
+          {.at = back ? Place::end() : Place::start(), .kind = SupportKind::Pin});
+      scene.supports.push_back(
+          {.at = back ? Place::start() : Place::end(), .kind = SupportKind::Roller});
+      const SectionProperties p = properties_of(scene);
+      const double stress = scene.material.yield_stress;
+      scene.loads.push_back({.at = {0.5, {}},
+                             .force = {0.0, 1.3 * 4.0 * stress * p.plastic_section_modulus_x, 0.0},
+                             .history = {{0.0, 0.1, 1.0}, {0.0, 0.01, 1.0}}});
+      scene.loads.push_back({.at = {0.5, {}},
+                             .force = {0.0, 0.0, n * stress * p.area},
+                             .history = {{0.0, 0.1, 1.0}, {0.0, 1.0, 1.0}}});
+      for (const Level level : {Level::Planar, Level::Spatial}) {
+        const Response response = simulate(scene, {.level = level, .steps = 40});
+        ASSERT_EQ(response.status, Status::LimitLoad) << name_of(response.status);
+        EXPECT_NEAR(1.3 * response.limit->below, 1.0 - 0.25 * n * n, 1e-3) << n;
+      }
+    }
+  }
+}
+
 /// A motion leaves the axial force out, and says so: 1 - n^2 is left.
 TEST(AxialForce, OfAMotionIsLeftOutAndSaid) {
   for (const Scheme scheme : {Scheme::GeneralizedAlpha, Scheme::EnergyMomentum}) {

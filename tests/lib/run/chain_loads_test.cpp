@@ -49,6 +49,41 @@ TEST(ChainLoads, FollowerMomentRollsThePolygonInAPlaneOfSpace) {
   }
 }
 
+/// A cantilever under a moment of 2 EI/L at its tip and a force of 8 EI/L^2 across its middle that
+/// follows. With psi, the middle's slope less that at a distance s before it, psi'' = 8 cos(psi)
+/// and psi(0) = 0, psi'(0) = 2: classic Runge-Kutta gives the slope psi(1/2).
+TEST(ChainLoads, FollowerForceWithinTheBeamHasItsAxisDirectionWithOrderTwo) {
+  constexpr int kSteps = 2000;
+  constexpr double kStep = 0.5 / kSteps;
+  double psi = 0.0;
+  double rate = 2.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double a1 = 8.0 * std::cos(psi);
+    const double r2 = rate + 0.5 * kStep * a1;
+    const double a2 = 8.0 * std::cos(psi + 0.5 * kStep * rate);
+    const double r3 = rate + 0.5 * kStep * a2;
+    const double a3 = 8.0 * std::cos(psi + 0.5 * kStep * r2);
+    const double r4 = rate + kStep * a3;
+    const double a4 = 8.0 * std::cos(psi + kStep * r3);
+    psi += kStep / 6.0 * (rate + 2.0 * r2 + 2.0 * r3 + r4);
+    rate += kStep / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+  }
+  const double tip = psi + 0.5 * 2.0;  // beyond, the moment bends alone
+  const auto error = [&](int segments, Level level) {
+    Scene scene = cantilever_scene(segments);
+    const double stiffness = bending_stiffness_of(scene);
+    scene.loads.push_back({.at = {0.5, {}}, .force = {0.0, 8.0 * stiffness, 0.0}, .follows = true});
+    scene.loads.push_back({.moment = {-2.0 * stiffness, 0.0, 0.0}});
+    add_probe(scene, ProbeQuantity::Rotation, Place::end(), Component::X);
+    return std::fabs(std::fabs(last_of(completed(scene, {.level = level}), 0)) / tip - 1.0);
+  };
+  for (const Level level : {Level::Planar, Level::Spatial}) {
+    const double coarse = error(16, level);
+    EXPECT_LT(coarse, 1e-3);
+    EXPECT_NEAR(std::log2(coarse / error(64, level)) / 2.0, 2.0, tolerance(0.05));
+  }
+}
+
 TEST(ChainLoads, FollowerForceTurnsWithItsSegmentWhereADeadOneDoesNot) {
   // Along the tip's normal at every moment: the tip turns by more than the dead force turns it.
   Scene scene = cantilever_scene(16);

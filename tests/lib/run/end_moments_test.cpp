@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "tests/support/chain_scene.hpp"
 #include "tests/support/tolerance.hpp"
@@ -203,6 +204,51 @@ TEST(EndMoments, BreakWhereTheStrainSays) {
     for (const BrokenJoint& joint : event.joints) turned += joint.angle[0];
     EXPECT_EQ(event.joints.size(), static_cast<std::size_t>(segments)) << segments;
     EXPECT_NEAR(std::fabs(turned) * 0.5 * scene.section.height / 0.01, 1.0, tolerance(2e-3))
+        << segments;
+  }
+}
+
+/// The first bifurcation of a strip on forks, 100 mm x 0.1 mm, under equal moments at its ends
+/// about its strong axis, over pi sqrt(E I_y G J)/L, less one. The forks hold the twist, and the
+/// ends turn freely about the weak axis. In its plane the strip is a million times as stiff.
+/// Source: Prandtl (1899); Timoshenko & Gere, Theory of Elastic Stability, 6.2.
+double lateral_buckling_error(int segments, EndRule rule, Level level) {
+  constexpr double kBeyond = 1.6;
+  Scene scene = chain_scene(segments);
+  scene.end_rule = rule;
+  scene.section.width = 1e-4;
+  scene.section.height = 0.1;
+  scene.supports.push_back({.at = Place::start(), .kind = SupportKind::Pin});
+  scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Roller});
+  scene.supports[0].hold = HeldFreedoms{true, true, true, false, false, true};
+  scene.supports[1].hold = HeldFreedoms{true, true, false, false, false, true};
+  const SectionProperties p = testing::properties_of(scene);
+  const double moment =
+      std::numbers::pi * std::sqrt(scene.material.youngs_modulus * p.second_moment_y *
+                                   resolved_shear_modulus(scene.material) * p.torsion_constant);
+  scene.loads.push_back({.at = Place::start(), .moment = {-kBeyond * moment, 0.0, 0.0}});
+  scene.loads.push_back({.at = Place::end(), .moment = {kBeyond * moment, 0.0, 0.0}});
+  const Response response = simulate(scene, {.level = level, .steps = 10});
+  EXPECT_EQ(response.status, Status::Unstable) << name_of(response.status);
+  return response.critical ? response.critical->factor.front() * kBeyond - 1.0 : 0.0;
+}
+
+TEST(EndMoments, BuckleAStripOnForksSideways) {
+  for (const Level level : {Level::Planar, Level::Spatial}) {
+    expect_order_two(
+        [&](int segments) { return lateral_buckling_error(segments, EndRule::ThreeHalves, level); },
+        1.1);
+  }
+}
+
+// A fork's half joint is between the segment and the ground. The torque M u' of the moment, which
+// is largest at the ends, acts on the segment and goes past it: L/2N of the compliance against it
+// is left out at each end, and so, as M ~ 1/sqrt(compliance), 1/N of the moment too much carried:
+// int (M u')^2/GJ dz has 2/N less, u' = cos(pi z/L).
+TEST(EndMoments, ArePastTheHalfJointsOfForks) {
+  for (const int segments : {64, 256}) {
+    EXPECT_NEAR(segments * lateral_buckling_error(segments, EndRule::HalfJoint, Level::Planar), 1.0,
+                tolerance(3.0 / segments))
         << segments;
   }
 }

@@ -37,7 +37,7 @@ double error_of(std::string_view form, const plastica::Setup& setup, const Quant
   BatchCase one{"a", setup.scene, setup.solver};
   const BatchRow row = run_case(one);
   EXPECT_TRUE(usable(row.response.status)) << name_of(row.response.status) << row.reason;
-  const CaseResult result = result_of(row.response, row.level, quantity);
+  const CaseResult result = result_of_run(row, quantity);
   const double expected = find_closed_form(form).values(setup, quantity, result.time).front();
   EXPECT_TRUE(result.value.has_value()) << result.reason;
   return (result.value.value_or(0.0) - expected) / std::abs(expected);
@@ -313,7 +313,7 @@ TEST(ClosedForms, HoldAReleasedCantilever) {
   setup.solver.steps = 50;
   setup.solver.time_step = 1e-4;
   const BatchRow row = run_case({"a", setup.scene, setup.solver});
-  const CaseResult result = result_of(row.response, row.level, of_probe(Take::Curve));
+  const CaseResult result = result_of_run(row, of_probe(Take::Curve));
   const auto expected =
       find_closed_form("released_cantilever").values(setup, of_probe(Take::Curve), result.time);
   double largest = 0.0;

@@ -114,6 +114,18 @@ TEST_F(SweepRunTest, RunsCasesOfTheSameContentOnce) {
   EXPECT_EQ(results[1].segments, 8);
 }
 
+TEST_F(SweepRunTest, AdvisesForPathsAndMotionsWhatTheyHave) {
+  const Sweep sweep = cantilever_sweep(
+      "[set]\nsolver.steps = 1\nsolver.smallest_step = 1\nsolver.most_iterations = 1\n"
+      "solver.time_step = '50 ms'\n"
+      "[[axis]]\nfield = 'solver.analysis'\nvalues = ['statics', 'dynamics']\n" +
+      kTipError);
+  const auto results = SweepRun(sweep, {}).run();
+  for (const CaseResult& result : results) EXPECT_EQ(result.status, Status::NotConverged);
+  EXPECT_EQ(results[0].reason, "take more steps, or control = arc_length");
+  EXPECT_TRUE(results[1].reason.starts_with("take smaller steps; ")) << results[1].reason;
+}
+
 TEST_F(SweepRunTest, KeepsAFailedCaseAsARowAndRunsItAgainWhenAsked) {
   // A tolerance that two iterations cannot meet.
   const Sweep sweep = cantilever_sweep(
