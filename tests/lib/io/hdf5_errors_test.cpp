@@ -13,7 +13,7 @@
 namespace plastica::io {
 namespace {
 
-using Texts = std::vector<std::string>;
+using Strings = std::vector<std::string>;
 
 /// A file with one of each kind, for asking it the wrong things.
 class Hdf5Errors : public testing::Test {
@@ -21,13 +21,13 @@ class Hdf5Errors : public testing::Test {
   Hdf5Errors() : path_(folder_.file("a.h5")) {
     Hdf5File file = Hdf5File::create(path_);
     file.root().write("x", std::vector<double>{1.0, 2.0});
-    file.root().write_texts("t", Texts{"a", "b"});
+    file.root().write_texts("t", Strings{"a", "b"});
     file.root().group("g");
     file.root().write("rows/values", std::vector<double>{1.0});
     file.root().write("rows/offsets", std::vector<std::uint64_t>{0, 2});
     file.root().set_attribute("x", "units", "Pa");
     file.root().set_attribute("x", "scale", 0.5);
-    file.root().set_attribute("x", "names", Texts{"a", "b"});
+    file.root().set_attribute("x", "names", Strings{"a", "b"});
     file.commit();
   }
 
@@ -128,7 +128,7 @@ TEST_F(Hdf5Errors, TextThatHdf5WouldCutIsRefused) {
   const std::string text("a\0b", 3);
   EXPECT_EQ(message_of<StorageError>([&] { file.root().write_text("t", text); }),
             path_ + ": cannot write /t: the text has a zero byte");
-  EXPECT_EQ(message_of<StorageError>([&] { file.root().write_texts("t", Texts{text}); }),
+  EXPECT_EQ(message_of<StorageError>([&] { file.root().write_texts("t", Strings{text}); }),
             path_ + ": cannot write /t: the text has a zero byte");
   EXPECT_EQ(message_of<StorageError>([&] { file.root().set_attribute(".", "n", text); }),
             path_ + ": cannot write /@n: the text has a zero byte");
