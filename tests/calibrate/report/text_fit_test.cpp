@@ -22,7 +22,7 @@ using testing::parameter_of;
 using testing::rejected_record;
 
 /// Whether one of the lines is this one; the test fails with the whole text.
-::testing::AssertionResult has_line(const std::string& text, const std::string& wanted) {
+::testing::AssertionResult fit_has_line(const std::string& text, const std::string& wanted) {
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) {
     if (line == wanted) return ::testing::AssertionSuccess();
@@ -33,11 +33,11 @@ using testing::rejected_record;
 TEST(FitReport, BeginsWithWhatWasFitted) {
   const std::string text = fit_report(fitted_record());
   EXPECT_EQ(text.substr(0, text.find('\n')), "bar-01: fitted");
-  EXPECT_TRUE(has_line(text, "  file          targets/bar-01.csv"));
-  EXPECT_TRUE(has_line(text, "  test          tension, monotonic"));
-  EXPECT_TRUE(has_line(text, "  measure       engineering strain and stress"));
-  EXPECT_TRUE(has_line(text, "  samples       209 measured, 209 fitted"));
-  EXPECT_TRUE(has_line(text, "  group         temperature 20"));
+  EXPECT_TRUE(fit_has_line(text, "  file          targets/bar-01.csv"));
+  EXPECT_TRUE(fit_has_line(text, "  test          tension, monotonic"));
+  EXPECT_TRUE(fit_has_line(text, "  measure       engineering strain and stress"));
+  EXPECT_TRUE(fit_has_line(text, "  samples       209 measured, 209 fitted"));
+  EXPECT_TRUE(fit_has_line(text, "  group         temperature 20"));
 }
 
 TEST(FitReport, NamesRepairsAndCorrectionsWithTheirSizes) {
@@ -46,25 +46,27 @@ TEST(FitReport, NamesRepairsAndCorrectionsWithTheirSizes) {
   record.target.corrections.push_back({"preload-offset", true, 2.5e6, "Pa", "begins at 2.5 MPa"});
   const std::string text = fit_report(record);
   EXPECT_TRUE(
-      has_line(text, "  nan-rows          3 samples     rows without a number were left out"));
-  EXPECT_TRUE(has_line(
+      fit_has_line(text, "  nan-rows          3 samples     rows without a number were left out"));
+  EXPECT_TRUE(fit_has_line(
       text, "  toe               -0.021 %      the foot below 40 MPa is softer than the modulus"));
-  EXPECT_TRUE(has_line(text, "  preload-offset    not done      the curve begins at zero load"));
-  EXPECT_TRUE(has_line(text, "  preload-offset    +2.5 MPa      begins at 2.5 MPa"));
-  EXPECT_TRUE(has_line(text, "  trim-at-break     1 sample      fell to zero"));
+  EXPECT_TRUE(
+      fit_has_line(text, "  preload-offset    not done      the curve begins at zero load"));
+  EXPECT_TRUE(fit_has_line(text, "  preload-offset    +2.5 MPa      begins at 2.5 MPa"));
+  EXPECT_TRUE(fit_has_line(text, "  trim-at-break     1 sample      fell to zero"));
 }
 
 TEST(FitReport, ShowsCharacteristicsInEngineeringUnits) {
   const std::string text = fit_report(fitted_record());
-  EXPECT_TRUE(has_line(text, "  E              70.00 ± 0.21   GPa  regression from 28 to 112 MPa"));
-  EXPECT_TRUE(has_line(text, "  Rp0.2         280.00          MPa  proof stress"));
-  EXPECT_TRUE(has_line(text, "  Rm            281.40          MPa  largest stress"));
-  EXPECT_TRUE(has_line(text, "  strain at Rm   8.000          %"));
   EXPECT_TRUE(
-      has_line(text,
-               "  break strain  10.425 ± 0.025  %    total; last whole sample at 10.4 %, by "
-               "fall-to-zero"));
-  EXPECT_TRUE(has_line(text, "                10.025 ± 0.025  %    permanent"));
+      fit_has_line(text, "  E              70.00 ± 0.21   GPa  regression from 28 to 112 MPa"));
+  EXPECT_TRUE(fit_has_line(text, "  Rp0.2         280.00          MPa  proof stress"));
+  EXPECT_TRUE(fit_has_line(text, "  Rm            281.40          MPa  largest stress"));
+  EXPECT_TRUE(fit_has_line(text, "  strain at Rm   8.000          %"));
+  EXPECT_TRUE(
+      fit_has_line(text,
+                   "  break strain  10.425 ± 0.025  %    total; last whole sample at 10.4 %, by "
+                   "fall-to-zero"));
+  EXPECT_TRUE(fit_has_line(text, "                10.025 ± 0.025  %    permanent"));
   EXPECT_FALSE(has(text, "ReH"));
 }
 
@@ -78,24 +80,28 @@ TEST(FitReport, NamesTheProofStressAfterItsOffset) {
 
 TEST(FitReport, ShowsEachParameterWithErrorIntervalAndVerdict) {
   const std::string text = fit_report(fitted_record());
-  EXPECT_TRUE(has_line(text, "                   value ± error         95 % interval  verdict"));
-  EXPECT_TRUE(has_line(text,
-                       "  youngs_modulus   70.00 ± 0.30   GPa   69.41 … 70.59   identified, error "
-                       "0.43 %"));
-  EXPECT_TRUE(has_line(text,
-                       "  yield_stress    280.00 ± 0.41   MPa  279.20 … 280.80  identified, error "
-                       "0.15 %"));
+  EXPECT_TRUE(
+      fit_has_line(text, "                   value ± error         95 % interval  verdict"));
+  EXPECT_TRUE(
+      fit_has_line(text,
+                   "  youngs_modulus   70.00 ± 0.30   GPa   69.41 … 70.59   identified, error "
+                   "0.43 %"));
+  EXPECT_TRUE(
+      fit_has_line(text,
+                   "  yield_stress    280.00 ± 0.41   MPa  279.20 … 280.80  identified, error "
+                   "0.15 %"));
 }
 
 TEST(FitReport, PrintsTheMeasureBesideTheYieldAndTheTotalBesideThePermanentBreak) {
   FitRecord record = fitted_record();
-  EXPECT_TRUE(has_line(fit_report(record), "                  engineering stress"));
-  EXPECT_TRUE(has_line(fit_report(record),
-                       "                  permanent strain; the fitted model breaks at 10.42 % in "
-                       "total"));
+  EXPECT_TRUE(fit_has_line(fit_report(record), "                  engineering stress"));
+  EXPECT_TRUE(
+      fit_has_line(fit_report(record),
+                   "                  permanent strain; the fitted model breaks at 10.42 % in "
+                   "total"));
   record.target.measure = Measure::True;
   record.result.break_strain_total.reset();
-  EXPECT_TRUE(has_line(fit_report(record), "                  true stress"));
+  EXPECT_TRUE(fit_has_line(fit_report(record), "                  true stress"));
   EXPECT_TRUE(has(fit_report(record), "the fitted model does not break within this curve"));
 }
 
@@ -144,15 +150,15 @@ TEST(FitReport, ListsStrongCorrelationsOnly) {
   record.result.correlation[1] = record.result.correlation[3] = -0.962;
   const std::string text = fit_report(record);
   EXPECT_TRUE(has(text, "Correlations above 0.95\n"));
-  EXPECT_TRUE(has_line(text, "  youngs_modulus, yield_stress  -0.962"));
+  EXPECT_TRUE(fit_has_line(text, "  youngs_modulus, yield_stress  -0.962"));
   EXPECT_FALSE(has(text, "yield_stress, break_strain"));
 }
 
 TEST(FitReport, SaysHowWellTheModelFollowsInAPlainWord) {
   FitRecord record = fitted_record();
-  EXPECT_TRUE(has_line(fit_report(record),
-                       "  misfit        0.39 % of Rm (rms 1.10 MPa): close, ideal plasticity "
-                       "follows this curve"));
+  EXPECT_TRUE(fit_has_line(fit_report(record),
+                           "  misfit        0.39 % of Rm (rms 1.10 MPa): close, ideal plasticity "
+                           "follows this curve"));
   record.result.runs_probability = 1e-9;
   EXPECT_TRUE(has(fit_report(record), "close, ideal plasticity follows")) << "below 1 %";
   record.result.misfit_share = 0.015;
@@ -197,24 +203,24 @@ TEST(FitReport, LeavesOutTheCharacteristicsThatACurveDoesNotHave) {
 TEST(FitReport, CountsTheSamplesOfARepairOnce) {
   FitRecord record = fitted_record();
   record.target.repairs = {{"strain-reversals", 1, "1 samples dropped where it ran back"}};
-  EXPECT_TRUE(has_line(fit_report(record),
-                       "  strain-reversals  1 sample      samples dropped where it ran back"));
+  EXPECT_TRUE(fit_has_line(fit_report(record),
+                           "  strain-reversals  1 sample      samples dropped where it ran back"));
 }
 
 TEST(FitReport, CountsTheEvaluationsOfEachStage) {
   FitRecord record = fitted_record();
   record.result.stages.push_back({"LN_BOBYQA", "xtol-reached", 18, 1.1e12});
   const std::string text = fit_report(record);
-  EXPECT_TRUE(has_line(text, "  objective     f = 1.2 MPa²"));
-  EXPECT_TRUE(has_line(text, "  evaluations   142, seed 12345"));
-  EXPECT_TRUE(has_line(text, "    GN_CRS2_LM  1 start    60    4 MPa²  maxeval-reached"));
-  EXPECT_TRUE(has_line(text, "    LN_BOBYQA   2 starts  100  1.1 MPa²  xtol-reached"));
+  EXPECT_TRUE(fit_has_line(text, "  objective     f = 1.2 MPa²"));
+  EXPECT_TRUE(fit_has_line(text, "  evaluations   142, seed 12345"));
+  EXPECT_TRUE(fit_has_line(text, "    GN_CRS2_LM  1 start    60    4 MPa²  maxeval-reached"));
+  EXPECT_TRUE(fit_has_line(text, "    LN_BOBYQA   2 starts  100  1.1 MPa²  xtol-reached"));
 }
 
 TEST(FitReport, OfARejectedSpecimenGivesTheReason) {
   const std::string text = fit_report(rejected_record("bad", "no column 'Stress'"));
   EXPECT_EQ(text.substr(0, text.find('\n')), "bad: rejected");
-  EXPECT_TRUE(has_line(text, "  reason        no column 'Stress'"));
+  EXPECT_TRUE(fit_has_line(text, "  reason        no column 'Stress'"));
   EXPECT_FALSE(has(text, "Parameters"));
   EXPECT_FALSE(has(text, "misfit"));
 }

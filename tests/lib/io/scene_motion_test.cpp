@@ -17,7 +17,7 @@ plastica::Setup read_motion(const std::string& text) {
 }
 
 const std::string kVelocity = "[[initial_motion]]\nvelocity = ['0 m/s', '36 km/h', '0 m/s']\n";
-const std::string kClamp = "[[support]]\nat = 'start'\nkind = 'clamp'\n";
+const std::string kHeldStart = "[[support]]\nat = 'start'\nkind = 'clamp'\n";
 const std::string kGravity = "[gravity]\ny = '-9.81 m/s^2'\nhistory = 'constant'\n";
 
 TEST(SceneInTime, ReadsHowItIsSolved) {
@@ -71,7 +71,7 @@ TEST(SceneInTime, ReadsInitialMotions) {
 }
 
 TEST(SceneInTime, ReadsCutsAndWhatABreakDoes) {
-  const Scene scene = read_motion("[rules]\non_break = 'cut_worst'\n" + kClamp + kGravity +
+  const Scene scene = read_motion("[rules]\non_break = 'cut_worst'\n" + kHeldStart + kGravity +
                                   "[[cut]]\nat = 0.5\ntime = '250 ms'\n"
                                   "[[cut]]\nat = { segment = 3 }\ntime = '0 s'\n")
                           .scene;
