@@ -24,13 +24,13 @@ std::string_view name_of_separator(char separator) {
 }
 
 void print_columns(const io::CsvTable& table) {
-  constexpr std::size_t kShown = 20;
+  constexpr std::size_t kShownColumns = 20;
   say("  {:<4} {:<28} {:<8} {:<16} {:<16}\n", "no.", "column", "unit", "first", "last");
-  for (std::size_t c = 0; c < table.columns() && c < kShown; ++c) {
+  for (std::size_t c = 0; c < table.columns() && c < kShownColumns; ++c) {
     say("  {:<4} {:<28} {:<8} {:<16} {:<16}\n", c + 1, table.names()[c], table.units()[c],
         table.cell(0, c), table.cell(table.rows() - 1, c));
   }
-  if (table.columns() > kShown) say("  … {} columns in all\n", table.columns());
+  if (table.columns() > kShownColumns) say("  … {} columns in all\n", table.columns());
 }
 
 /// What an import by the guessed columns would repair and correct.

@@ -8,7 +8,7 @@
 namespace plastica::calibrate {
 namespace {
 
-constexpr std::string_view kRemarks = R"(#
+constexpr std::string_view kAgxRemarks = R"(#
 # AGX Dynamics: a joint is an agx.LockJoint whose compliance about each axis is 1/stiffness
 # [rad/(N m)]; about an axis that is free its force range is nothing. A lock joint is elastic: the
 # yield moments, hardened stiffnesses and break angles of JOINTS are for a listener of yours (a
@@ -119,7 +119,7 @@ std::string joint_row(const EngineBeam& beam, const EngineJoint& joint) {
 
 std::string agx_text(const EngineBeam& beam) {
   std::string text = comment(beam, "#");
-  text += kRemarks;
+  text += kAgxRemarks;
   text += "import agx\n\ninf = float(\"inf\")\n";
   text += "GRAVITY = " + triple(beam.gravity) + '\n';
   text += kSegmentHead;

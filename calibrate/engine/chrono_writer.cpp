@@ -8,7 +8,7 @@
 namespace plastica::calibrate {
 namespace {
 
-constexpr std::string_view kRemarks = R"(//
+constexpr std::string_view kChronoRemarks = R"(//
 // Project Chrono 9: a joint is a ChLinkMateGeneric, which holds what is rigid, and beside it a
 // ChLoadBodyBodyBushingMate with the springs about x, y and z. Both are elastic: Chrono has no
 // rotational bushing that yields or breaks; the yield moments, hardened stiffnesses and break angles
@@ -52,7 +52,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();  // never
 
 )";
 
-constexpr std::string_view kCode = R"(};
+constexpr std::string_view kChronoCode = R"(};
 
 inline chrono::ChVector3d Vector(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 inline chrono::ChQuaterniond Rotation(const double (&q)[4]) { return {q[0], q[1], q[2], q[3]}; }
@@ -92,15 +92,16 @@ inline std::vector<std::shared_ptr<chrono::ChBody>> Build(
 }  // namespace plastica_beam
 )";
 
-std::string triple(const std::array<double, 3>& v) { return "{" + exact(v, ", ") + "}"; }
+std::string braced(const std::array<double, 3>& v) { return "{" + exact(v, ", ") + "}"; }
 
-std::string rotation(const EngineAxes& axes) {
+std::string braced_rotation(const EngineAxes& axes) {
   return fmt::format("{{{}}}", fmt::join(quaternion(axes), ", "));
 }
 
-std::string segment_row(const EngineSegment& segment) {
+std::string chrono_row(const EngineSegment& segment) {
   return fmt::format("    {{{}, {}, {}, {}, {}}},\n", segment.length, segment.mass,
-                     triple(segment.inertia), triple(segment.center()), rotation(segment.axes));
+                     braced(segment.inertia), braced(segment.center()),
+                     braced_rotation(segment.axes));
 }
 
 std::string joint_row(const EngineJoint& joint) {
@@ -109,22 +110,22 @@ std::string joint_row(const EngineJoint& joint) {
   return fmt::format(
       "    {{\"{}\", {}, {}, {}, {}, {},\n     {{{}}}, {{{}}}, {}, {},\n     {}, {}, {}}},\n",
       joint.name, joint.parent ? static_cast<long>(*joint.parent) : -1L, joint.child,
-      joint.half_joint, triple(joint.point), rotation(joint.axes), fmt::join(joint.holds, ", "),
-      fmt::join(turning, ", "), joint.length, triple(joint.stiffness),
-      triple(joint.hardened_stiffness), triple(joint.yield_moment), triple(joint.break_angle));
+      joint.half_joint, braced(joint.point), braced_rotation(joint.axes),
+      fmt::join(joint.holds, ", "), fmt::join(turning, ", "), joint.length, braced(joint.stiffness),
+      braced(joint.hardened_stiffness), braced(joint.yield_moment), braced(joint.break_angle));
 }
 
 }  // namespace
 
 std::string chrono_text(const EngineBeam& beam) {
   std::string text = comment(beam, "//");
-  text += kRemarks;
-  text += "const double kGravity[3] = " + triple(beam.gravity) + ";\n\n";
+  text += kChronoRemarks;
+  text += "const double kGravity[3] = " + braced(beam.gravity) + ";\n\n";
   text += "const Segment kSegments[] = {\n";
-  for (const EngineSegment& segment : beam.segments) text += segment_row(segment);
+  for (const EngineSegment& segment : beam.segments) text += chrono_row(segment);
   text += "};\n\nconst Joint kJoints[] = {\n";
   for (const EngineJoint& joint : beam.joints) text += joint_row(joint);
-  text += kCode;
+  text += kChronoCode;
   return text;
 }
 

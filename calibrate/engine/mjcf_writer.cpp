@@ -10,7 +10,7 @@ namespace plastica::calibrate {
 namespace {
 
 /// What MuJoCo makes of the numbers, behind the comment that all formats have.
-constexpr std::string_view kRemarks =
+constexpr std::string_view kMjcfRemarks =
     "\n  MuJoCo: a joint is three hinges about x, y and z, in a row at one place. Its springs "
     "stay\n"
     "  elastic: MuJoCo has no joint that yields (frictionloss sits beside a spring, not in a row\n"
@@ -66,7 +66,7 @@ class MjcfWriter {
   std::string write() {
     text_ = fmt::format("<mujoco model=\"{}\">\n<!--\n", attribute_text(one_line(beam_.name)));
     text_ += comment(beam_, " ");
-    text_ += kRemarks;
+    text_ += kMjcfRemarks;
     text_ += "-->\n  <compiler angle=\"radian\" inertiafromgeom=\"false\"/>\n";
     text_ += fmt::format("  <option timestep=\"{}\" integrator=\"Euler\" gravity=\"{}\"/>\n",
                          time_step_, of_vector(beam_.gravity));

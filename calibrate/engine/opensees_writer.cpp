@@ -8,7 +8,7 @@
 namespace plastica::calibrate {
 namespace {
 
-constexpr std::string_view kRemarks = R"(#
+constexpr std::string_view kOpenseesRemarks = R"(#
 # OpenSees: a joint is a zeroLength element between two nodes that move together (equalDOF), with a
 # uniaxialMaterial about each axis: Elastic, ElasticPP (epsyP = yield moment/stiffness) or Steel01
 # (b = hardened stiffness/stiffness; its hardening is kinematic), inside of MinMax where it breaks.
@@ -26,7 +26,7 @@ class TclWriter {
 
   std::string write() {
     text_ = comment(beam_, "#");
-    text_ += kRemarks;
+    text_ += kOpenseesRemarks;
     text_ += "\nwipe\nmodel BasicBuilder -ndm 3 -ndf 6\nset rigid 1e4\n";
     for (std::size_t i = 0; i < beam_.segments.size(); ++i) add_segment(i);
     for (const EngineJoint& joint : beam_.joints) add_joint(joint);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "calibrate/fit/not_a_number.hpp"
 #include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {
@@ -64,7 +64,6 @@ LeastSquaresProblem changed(const LeastSquaresProblem& problem, std::vector<doub
 }
 
 BootstrapInterval bootstrap_interval(std::vector<double> values, double confidence) {
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   if (values.size() < 2) return {kNan, kNan, kNan};
   std::ranges::sort(values);
   const auto count = static_cast<double>(values.size());

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "calibrate/fit/coupon_intervals.hpp"
+#include "calibrate/fit/not_a_number.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -36,7 +36,6 @@ bool values_at(CouponProblem& problem, std::span<const double> x, double place,
 
 BootstrapResult bootstrap_coupon(CouponProblem& problem, const FitOptions& options,
                                  std::uint64_t seed) {
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> residual = problem.residual_of_entered();
   const auto samples = static_cast<double>(residual.size());
   const double left = std::max(1.0, samples - static_cast<double>(problem.determined()));

@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "calibrate/fit/coupon_intervals.hpp"
+#include "calibrate/fit/not_a_number.hpp"
 #include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// The profile of one free parameter.
 class Profiler {

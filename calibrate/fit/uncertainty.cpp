@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "calibrate/fit/not_a_number.hpp"
 #include "calibrate/fit/weighted_squares.hpp"
 #include "plastica/theory/statistics.hpp"
 
@@ -15,7 +16,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kRankTolerance = 1e-12;
 
 /// Parameters that shape the stress (not the break strain), and what the curve says of them.

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "plastica/base/check.hpp"
 
@@ -22,7 +23,6 @@ using plastica::report::kVermillion;
 using plastica::report::Stroke;
 using Points = std::vector<std::vector<double>>;
 
-constexpr std::size_t kMostPanels = 12;
 /// How far above the threshold a profile is shown.
 constexpr double kRoom = 1.6;
 

@@ -15,7 +15,7 @@ namespace {
 
 using report::PlotScript;
 
-constexpr std::array<PlotKind, 6> kKinds = {{
+constexpr std::array<PlotKind, 6> kPlotKinds = {{
     {"curve", "one specimen: measured and fitted curve, yield and break (choose it with --case)"},
     {"overview", "all curves by group, with their mean, the fits and the breaks"},
     {"parameters", "the fitted parameters of all specimens by group"},
@@ -82,7 +82,7 @@ PlotScript make(std::span<const FitRecord> all, PlotRequest request) {
 
 }  // namespace
 
-std::span<const PlotKind> plot_kinds() { return kKinds; }
+std::span<const PlotKind> plot_kinds() { return kPlotKinds; }
 
 std::string plot_script(std::span<const FitRecord> records, const PlotRequest& request) {
   return make(records, request).text();

@@ -9,12 +9,12 @@
 
 namespace plastica::calibrate::report {
 
+using plastica::report::in_quotes;
 using plastica::report::kBlue;
 using plastica::report::kDark;
 using plastica::report::kGrey;
 using plastica::report::kVermillion;
 using plastica::report::PlotScript;
-using plastica::report::quoted;
 using plastica::report::quoted_tic;
 
 /// Adds a curve in % and MPa to a script, thinned to what a picture can show. @return its name

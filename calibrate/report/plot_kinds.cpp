@@ -84,8 +84,8 @@ PlotScript curve_plot(const FitRecord& record) {
   }
   PlotScript script;
   script.begin_panels(1, {}, 2);
-  script.command("set xlabel " + quoted(strain_label(target)));
-  script.command("set ylabel " + quoted(stress_label(target)));
+  script.command("set xlabel " + in_quotes(strain_label(target)));
+  script.command("set ylabel " + in_quotes(stress_label(target)));
   const bool cyclic = target.loading == Loading::Cyclic;
   if (cyclic) {
     script.command("set xzeroaxis linecolor rgb '#B8B8B8'");
@@ -95,7 +95,7 @@ PlotScript curve_plot(const FitRecord& record) {
   }
   std::string facts;
   for (const std::string& fact : facts_of(record)) facts += (facts.empty() ? "" : "    ") + fact;
-  script.begin_panel(quoted(target.name) + ".\"\\n\"." + quoted(cut(facts, 100)));
+  script.begin_panel(in_quotes(target.name) + ".\"\\n\"." + in_quotes(cut(facts, 100)));
   const bool few = measured.size() < 80 && !cyclic;
   script.add_series(add_curve(script, measured),
                     few ? "using 1:2 with points pointtype 6 pointsize 0.6 linewidth 1.2 linecolor "
@@ -135,10 +135,10 @@ PlotScript overview_plot(std::span<const FitRecord> records) {
   const Target& first = records[groups.front().front()].target;
   for (const std::vector<std::size_t>& members : groups) {
     const Panel panel = panel_of(records, members);
-    script.command("set xlabel " + quoted(script.at_bottom() ? strain_label(first) : ""));
-    script.command("set ylabel " + quoted(script.at_left() ? stress_label(first) : ""));
-    script.begin_panel(
-        quoted(panel_title(records, members, panel.measured.size(), groups.size() == 1 ? 70 : 34)));
+    script.command("set xlabel " + in_quotes(script.at_bottom() ? strain_label(first) : ""));
+    script.command("set ylabel " + in_quotes(script.at_left() ? stress_label(first) : ""));
+    script.begin_panel(in_quotes(
+        panel_title(records, members, panel.measured.size(), groups.size() == 1 ? 70 : 34)));
     const bool few = panel.measured.size() <= kMostFalls;
     if (!panel.measured.empty()) {
       script.add_series(add_curves(script, panel.measured),

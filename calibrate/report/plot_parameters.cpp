@@ -53,13 +53,13 @@ PlotScript parameters_plot(std::span<const FitRecord> records) {
   script.command(
       many ? "unset xtics"
            : fmt::format("set xtics {}({})", turned ? "rotate by 35 right " : "", axis.tics));
-  script.command("set xlabel " + quoted(turned ? "" : cut(axis.keys, 40)));
+  script.command("set xlabel " + in_quotes(turned ? "" : cut(axis.keys, 40)));
   script.command(fmt::format("set xrange [0.4:{}.6]", groups.size()));
   script.command("set offsets graph 0, graph 0, graph 0.08, graph 0.08");
   for (const FittedParameter& parameter : shown) {
     const DisplayUnit unit = display_unit(parameter);
     const auto [points, means] = values_of(records, groups, parameter);
-    script.begin_panel(quoted(
+    script.begin_panel(in_quotes(
         unit.name.empty() ? parameter.name : fmt::format("{} [{}]", parameter.name, unit.name)));
     if (!points.empty()) {
       script.add_series(script.add_points(points),

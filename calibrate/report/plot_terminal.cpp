@@ -32,7 +32,7 @@ std::string plot_command(const std::vector<Layer>& layers) {
   for (const Layer& layer : layers) {
     plot += fmt::format("{}{} using 1:2 with points pointtype '{}' title {}",
                         plot.empty() ? "plot " : ", \\\n     ", layer.points, layer.letter,
-                        quoted(layer.title));
+                        in_quotes(layer.title));
   }
   return plot;
 }
@@ -48,7 +48,7 @@ void begin(PlotScript& script) {
 std::string title_of(const std::vector<std::string>& title) {
   std::string text;
   for (const std::string& line : title) {
-    text += (text.empty() ? "" : ".\"\\n\".") + quoted(cut(line, kTitleWidth));
+    text += (text.empty() ? "" : ".\"\\n\".") + in_quotes(cut(line, kTitleWidth));
   }
   return "set title " + text;
 }
@@ -80,19 +80,19 @@ std::string add_dense(PlotScript& script, const Curve& curve, double strain, dou
 
 /// The axis over groups: the keys as its title, the values as labels; or no title and both in the
 /// labels where the groups have different keys.
-struct GroupAxis {
+struct TerminalAxis {
   std::string title;
   std::vector<std::string> labels;
 };
 
-GroupAxis group_axis(std::span<const FitRecord> records,
-                     const std::vector<std::vector<std::size_t>>& groups) {
+TerminalAxis group_axis(std::span<const FitRecord> records,
+                        const std::vector<std::vector<std::size_t>>& groups) {
   const auto keys_of = [](const Target& target) {
     std::string keys;
     for (const auto& [key, value] : target.group) keys += (keys.empty() ? "" : ", ") + key;
     return keys;
   };
-  GroupAxis axis;
+  TerminalAxis axis;
   axis.title = keys_of(records[groups.front().front()].target);
   for (const std::vector<std::size_t>& members : groups) {
     if (keys_of(records[members.front()].target) != axis.title) axis.title.clear();
@@ -129,7 +129,7 @@ PlotScript curve_terminal(const FitRecord& record) {
   }
   title.push_back(std::move(line));
   script.command(title_of(title));
-  script.command("set xlabel " + quoted(strain_label(target)));
+  script.command("set xlabel " + in_quotes(strain_label(target)));
   set_ranges(script, {&record, 1});
   const auto [strain, stress] = largest_of({&record, 1});
   // What is drawn last covers what was there: the measured samples stay visible.
@@ -158,7 +158,7 @@ PlotScript overview_terminal(std::span<const FitRecord> records) {
   if (groups.size() > 1) title += " in " + counted(groups.size(), "group");
   if (shown < groups.size()) title += fmt::format(", the first {} shown", shown);
   script.command(title_of({title + ": " + stress_label(first)}));
-  script.command("set xlabel " + quoted(strain_label(first)));
+  script.command("set xlabel " + in_quotes(strain_label(first)));
   set_ranges(script, records);
   const auto [strain, stress] = largest_of(records);
   std::vector<Layer> layers;
@@ -210,7 +210,7 @@ PlotScript parameters_terminal(std::span<const FitRecord> records) {
       fmt::format("set xrange [0.4:{:.1f}]\n"
                   "set offsets graph 0, graph 0, graph 0.1, graph 0.1",
                   static_cast<double>(groups.size()) + 0.6));
-  const GroupAxis axis = group_axis(records, groups);
+  const TerminalAxis axis = group_axis(records, groups);
   const std::size_t each = (groups.size() + 5) / 6;
   std::string tics;
   for (std::size_t g = 0; g < groups.size(); g += each) {

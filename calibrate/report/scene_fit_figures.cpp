@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/scene_fit_bands.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/scene_population.hpp"
@@ -23,8 +24,6 @@ using plastica::report::kGrey;
 using plastica::report::kVermillion;
 using plastica::report::Stroke;
 using Points = std::vector<std::vector<double>>;
-
-constexpr std::size_t kMostPanels = 12;
 
 double largest(std::span<const double> values) {
   double most = 0.0;
@@ -283,7 +282,7 @@ PlotScript correlation_plot(const SceneFitRecord& record, bool terminal) {
   const double end = static_cast<double>(n) + 0.5;
   script.command(fmt::format("set xrange [0.5:{0}]\nset yrange [0.5:{0}]", end));
   script.command(labels);
-  const std::string title = plastica::report::quoted(cut(record.name + ": correlations", 70));
+  const std::string title = plastica::report::in_quotes(cut(record.name + ": correlations", 70));
   if (terminal) {
     script.command("set title " + title + "\nplot NaN notitle");
     return script;

@@ -18,7 +18,7 @@ namespace {
 using report::Figure;
 using report::PlotScript;
 
-constexpr std::array<PlotKind, 9> kKinds = {{
+constexpr std::array<PlotKind, 9> kScenePlotKinds = {{
     {"fit", "one fit: curves of each target, bands of 95 %, the break (choose it with --case)"},
     {"residuals", "measured minus fitted of each target, and the noise (--case)"},
     {"starts", "what the searches found, in rising order of their costs (--case)"},
@@ -44,8 +44,9 @@ const SceneFitRecord& find_fit(std::span<const SceneFitRecord> records, const st
 
 PlotScript make(std::span<const SceneFitRecord> all, PlotRequest request) {
   if (all.empty()) throw InputError({}, "plot", request.what, "there is no fit to draw");
-  const std::string what = request.what.empty() ? std::string(kKinds[0].name) : request.what;
-  if (std::ranges::find(kKinds, what, &PlotKind::name) == kKinds.end()) {
+  const std::string what =
+      request.what.empty() ? std::string(kScenePlotKinds[0].name) : request.what;
+  if (std::ranges::find(kScenePlotKinds, what, &PlotKind::name) == kScenePlotKinds.end()) {
     throw InputError(
         {}, "--what", what,
         "must be fit, residuals, starts, correlation, segments, profile, bootstrap, laws or "
@@ -81,7 +82,7 @@ PlotScript make(std::span<const SceneFitRecord> all, PlotRequest request) {
 
 }  // namespace
 
-std::span<const PlotKind> scene_fit_plot_kinds() { return kKinds; }
+std::span<const PlotKind> scene_fit_plot_kinds() { return kScenePlotKinds; }
 
 std::string scene_fit_plot_script(std::span<const SceneFitRecord> records,
                                   const PlotRequest& request) {

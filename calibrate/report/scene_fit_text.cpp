@@ -22,7 +22,7 @@ using plastica::report::kWidth;
 using plastica::report::Table;
 using Align = Table::Align;
 
-std::string entry(std::string_view label, std::string_view text) {
+std::string scene_entry(std::string_view label, std::string_view text) {
   return wrapped(fmt::format("  {:<12}", label), text, kWidth);
 }
 
@@ -50,15 +50,16 @@ std::string header(const SceneFitRecord& record, const Ink& ink) {
   std::string text =
       wrapped("", fmt::format("{}: {}", printable(record.name), word_of(result.status)), kWidth);
   text = fitted ? ink.heading(text) : ink.bad(text);
-  if (!fitted && !result.reason.empty()) text += entry("reason", printable(result.reason));
+  if (!fitted && !result.reason.empty()) text += scene_entry("reason", printable(result.reason));
   if (result.starts.empty()) return text;
-  text += entry("search", waterfall(result));
+  text += scene_entry("search", waterfall(result));
   std::string work = counted(static_cast<std::size_t>(result.runs), "run") + " of scenes";
   if (result.failed_runs > 0) {
     work += fmt::format(", {} without a curve over the measured abscissa", result.failed_runs);
   }
-  return text + entry("work", work + fmt::format("; {:.3g} segment iterations",
-                                                 static_cast<double>(result.segment_iterations)));
+  return text +
+         scene_entry("work", work + fmt::format("; {:.3g} segment iterations",
+                                                static_cast<double>(result.segment_iterations)));
 }
 
 /// Targets of a joint fit differ in how well their noise is known, and so do the parameters.
@@ -93,7 +94,7 @@ std::string parameters_text(const SceneFitResult& result, const ReportOptions& o
   }
   std::string text = '\n' + ink.heading("Parameters\n") + table.text(2, kWidth);
   if (!fitted) return text;
-  return text + entry("errors", noise_text(result));
+  return text + scene_entry("errors", noise_text(result));
 }
 
 /// "0.0290 ± 0.0005 m".

@@ -24,18 +24,18 @@ using Align = Table::Align;
 constexpr std::size_t kMostColumns = 3;
 
 /// The letters of the table's last column, in their order.
-struct Flag {
+struct SceneFitFlag {
   char letter;
   std::string_view meaning;
 };
-constexpr std::array<Flag, 8> kFlags = {{{'b', "a parameter at a bound"},
-                                         {'n', "a parameter not identified"},
-                                         {'k', "a parameter weak"},
-                                         {'s', "a break limited by sampling"},
-                                         {'g', "a parameter limited by segments"},
-                                         {'p', "a parameter from its prior"},
-                                         {'c', "a correlation above 0.95"},
-                                         {'w', "warnings"}}};
+constexpr std::array<SceneFitFlag, 8> kSceneFitFlags = {{{'b', "a parameter at a bound"},
+                                                         {'n', "a parameter not identified"},
+                                                         {'k', "a parameter weak"},
+                                                         {'s', "a break limited by sampling"},
+                                                         {'g', "a parameter limited by segments"},
+                                                         {'p', "a parameter from its prior"},
+                                                         {'c', "a correlation above 0.95"},
+                                                         {'w', "warnings"}}};
 
 std::string flags_of(const SceneFitResult& result) {
   const auto any = [&](Verdict verdict) {
@@ -60,14 +60,14 @@ const SceneParameter* find_parameter(const SceneFitResult& result, const std::st
 }
 
 /// A parameter's column: its unit fits the largest value.
-struct ShownParameter {
+struct ColumnParameter {
   std::string path;
   DisplayUnit unit;
 };
 
-std::vector<ShownParameter> shown_parameters(std::span<const SceneFitRecord> records,
-                                             const ScenePopulation& population) {
-  std::vector<ShownParameter> shown;
+std::vector<ColumnParameter> column_parameters(std::span<const SceneFitRecord> records,
+                                               const ScenePopulation& population) {
+  std::vector<ColumnParameter> shown;
   for (const PopulationParameter& parameter : population.parameters) {
     double most = 0.0;
     for (const SceneFitRecord& record : records) {
@@ -86,11 +86,11 @@ double largest_misfit(const SceneFitResult& result) {
 }
 
 std::vector<std::string> row_of(const SceneFitRecord& record,
-                                std::span<const ShownParameter> shown) {
+                                std::span<const ColumnParameter> shown) {
   const SceneFitResult& result = record.result;
   const bool fitted = result.status == FitStatus::Fitted;
   std::vector<std::string> cells = {printable(record.name)};
-  for (const ShownParameter& parameter : shown) {
+  for (const ColumnParameter& parameter : shown) {
     const SceneParameter* found = find_parameter(result, parameter.path);
     const bool there = fitted && found != nullptr && found->verdict != Verdict::NotIdentified;
     cells.push_back(there ? value_text(*found, parameter.unit) : "-");
@@ -100,11 +100,12 @@ std::vector<std::string> row_of(const SceneFitRecord& record,
   return cells;
 }
 
-std::string table_text(std::span<const SceneFitRecord> records, std::span<const ShownParameter> all,
-                       const ReportOptions& options, const Ink& ink) {
+std::string table_text(std::span<const SceneFitRecord> records,
+                       std::span<const ColumnParameter> all, const ReportOptions& options,
+                       const Ink& ink) {
   const auto shown = all.first(std::min(all.size(), kMostColumns));
   std::vector<Table::Column> columns = {{"fit", Align::Left, ""}};
-  for (const ShownParameter& parameter : shown) {
+  for (const ColumnParameter& parameter : shown) {
     columns.push_back({short_name(parameter.path) + " ± error", Align::PlusMinus,
                        std::string(parameter.unit.name)});
   }
@@ -127,7 +128,7 @@ std::string table_text(std::span<const SceneFitRecord> records, std::span<const 
   }
   std::string text = ink.heading("Fits\n") + table.text(2, kWidth);
   std::string legend = "misfit: rms residual over the largest ordinate";
-  for (const Flag& flag : kFlags) {
+  for (const SceneFitFlag& flag : kSceneFitFlags) {
     if (seen.find(flag.letter) == std::string::npos) continue;
     legend += fmt::format("; {} {}", flag.letter, flag.meaning);
   }
@@ -144,7 +145,7 @@ std::string with_decimals(double value, double scatter, double mean) {
 
 /// Intervals of mean and deviation; empty of few fits.
 std::string population_intervals_text(const ScenePopulation& population,
-                                      std::span<const ShownParameter> shown, double confidence) {
+                                      std::span<const ColumnParameter> shown, double confidence) {
   const std::string of = fmt::format("{:.4g} % interval", 100.0 * confidence);
   Table table({{"", Align::Left},
                {"mean", Align::Range, of},
@@ -170,7 +171,7 @@ std::string population_intervals_text(const ScenePopulation& population,
 }
 
 std::string population_text(const ScenePopulation& population,
-                            std::span<const ShownParameter> shown, double confidence,
+                            std::span<const ColumnParameter> shown, double confidence,
                             const Ink& ink) {
   Table table({{"", Align::Left},
                {"n", Align::Right},
@@ -235,7 +236,7 @@ std::string scene_fits_report(std::span<const SceneFitRecord> records,
                               const ReportOptions& options) {
   const Ink ink(options.color);
   const ScenePopulation population = scene_population(records, options.confidence);
-  const std::vector<ShownParameter> shown = shown_parameters(records, population);
+  const std::vector<ColumnParameter> shown = column_parameters(records, population);
   std::string text;
   if (records.size() == 1) {
     text = scene_fit_report(records.front(), options);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/scene_fit_figures.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "plastica/base/check.hpp"
@@ -19,8 +20,6 @@ using plastica::report::kDark;
 using plastica::report::kGrey;
 using plastica::report::kVermillion;
 using plastica::report::Stroke;
-
-constexpr std::size_t kMostPanels = 12;
 
 /// f_0 + C h^p from the continuous beam to the longest segments, h over the fit's.
 FigureCurve power_of(const SegmentsError& error, double longest, double scale) {

@@ -20,17 +20,18 @@ using namespace report;
 using plastica::report::Ink;
 using plastica::report::kWidth;
 using plastica::report::Table;
+using Align = Table::Align;
 
 /// The letters of the table's last column, in their order.
-struct Flag {
+struct FitFlag {
   char letter;
   std::string_view meaning;
 };
-constexpr std::array<Flag, 5> kFlags = {{{'b', "a parameter at a bound"},
-                                         {'n', "a parameter not identified"},
-                                         {'p', "poor: the model cannot follow the curve"},
-                                         {'r', "curve repaired"},
-                                         {'w', "warnings"}}};
+constexpr std::array<FitFlag, 5> kFitFlags = {{{'b', "a parameter at a bound"},
+                                               {'n', "a parameter not identified"},
+                                               {'p', "poor: the model cannot follow the curve"},
+                                               {'r', "curve repaired"},
+                                               {'w', "warnings"}}};
 
 std::string flags_of(const FitRecord& record) {
   const FitResult& result = record.result;
@@ -79,13 +80,13 @@ double largest(std::span<const FitRecord> records, const Value& value) {
   return most;
 }
 
-struct ShownParameter {
+struct BatchParameter {
   std::string name;
   DisplayUnit unit;
 };
 
 /// At most two parameters: yield and break, or what is fitted instead of them.
-std::vector<ShownParameter> shown_parameters(std::span<const FitRecord> records) {
+std::vector<BatchParameter> batch_parameters(std::span<const FitRecord> records) {
   std::vector<std::string> names;
   const auto consider = [&](std::string_view name) {
     if (names.size() < 2 && std::find(names.begin(), names.end(), name) == names.end()) {
@@ -104,7 +105,7 @@ std::vector<ShownParameter> shown_parameters(std::span<const FitRecord> records)
   for (const FittedParameter& parameter : fitted->result.parameters) {
     if (parameter.role == ParameterRole::Free) consider(parameter.name);
   }
-  std::vector<ShownParameter> shown;
+  std::vector<BatchParameter> shown;
   for (const std::string& name : names) {
     FittedParameter typical = *find_parameter(fitted->result, name);
     typical.value = largest(records, [&](const FitRecord& record) -> std::optional<double> {
@@ -128,7 +129,7 @@ std::string parameter_cell(const FittedParameter* parameter, const DisplayUnit& 
 
 /// What the reader has to know of the parameters' columns: measure and kind of strain.
 std::string meaning_of_columns(std::span<const FitRecord> records,
-                               const std::vector<ShownParameter>& parameters, bool total) {
+                               const std::vector<BatchParameter>& parameters, bool total) {
   bool engineering = false;
   bool true_measure = false;
   for (const FitRecord& record : records) {
@@ -140,7 +141,7 @@ std::string meaning_of_columns(std::span<const FitRecord> records,
                                    : true_measure ? "true stress"
                                                   : "engineering stress";
   std::string text;
-  for (const ShownParameter& parameter : parameters) {
+  for (const BatchParameter& parameter : parameters) {
     const std::string symbol = symbol_of(parameter.name);
     if (symbol == parameter.name) continue;
     const bool strain = parameter.name.find("strain") != std::string::npos;
@@ -153,7 +154,6 @@ std::string meaning_of_columns(std::span<const FitRecord> records,
 
 std::string specimens_text(std::span<const FitRecord> records, const ReportOptions& options,
                            const Ink& ink) {
-  using Align = Table::Align;
   const auto characteristic = [](std::optional<double> Characteristics::*value) {
     return [value](const FitRecord& record) { return record.target.characteristics.*value; };
   };
@@ -162,13 +162,13 @@ std::string specimens_text(std::span<const FitRecord> records, const ReportOptio
   const auto strength = characteristic(&Characteristics::rm);
   const DisplayUnit gpa = display_unit(Dimension::Stress, largest(records, modulus), true);
   const DisplayUnit mpa = display_unit(Dimension::Stress, largest(records, strength));
-  const std::vector<ShownParameter> parameters = shown_parameters(records);
+  const std::vector<BatchParameter> parameters = batch_parameters(records);
 
   std::vector<Table::Column> columns = {{"specimen", Align::Left, ""},
                                         {"E", Align::Right, std::string(gpa.name)},
                                         {proof_label(records), Align::Right, std::string(mpa.name)},
                                         {"Rm", Align::Right, std::string(mpa.name)}};
-  for (const ShownParameter& parameter : parameters) {
+  for (const BatchParameter& parameter : parameters) {
     columns.push_back({symbol_of(parameter.name) + " ± error", Align::PlusMinus,
                        std::string(parameter.unit.name)});
   }
@@ -199,7 +199,7 @@ std::string specimens_text(std::span<const FitRecord> records, const ReportOptio
     const bool fitted = result.status == FitStatus::Fitted;
     std::vector<std::string> cells = {printable(record.target.name), cell(modulus(record), gpa, 4),
                                       cell(proof(record), mpa, 4), cell(strength(record), mpa, 4)};
-    for (const ShownParameter& parameter : parameters) {
+    for (const BatchParameter& parameter : parameters) {
       const FittedParameter* found = fitted ? find_parameter(result, parameter.name) : nullptr;
       cells.push_back(parameter_cell(found, parameter.unit));
     }
@@ -218,7 +218,7 @@ std::string specimens_text(std::span<const FitRecord> records, const ReportOptio
   const std::string meanings = meaning_of_columns(records, parameters, total);
   if (!meanings.empty()) text += wrapped("  ", meanings, kWidth);
   std::string legend;
-  for (const Flag& flag : kFlags) {
+  for (const FitFlag& flag : kFitFlags) {
     if (seen.find(flag.letter) == std::string::npos) continue;
     legend += (legend.empty() ? "" : "; ") + fmt::format("{} {}", flag.letter, flag.meaning);
   }

@@ -19,8 +19,9 @@ using namespace report;
 using plastica::report::Ink;
 using plastica::report::kWidth;
 using plastica::report::Table;
+using Align = Table::Align;
 
-std::string entry(std::string_view label, std::string_view text) {
+std::string fit_entry(std::string_view label, std::string_view text) {
   return wrapped(fmt::format("  {:<14}", label), text, kWidth);
 }
 
@@ -31,20 +32,20 @@ std::string header(const FitRecord& record, const Ink& ink) {
   std::string text = wrapped("", printable(target.name) + ": " + status, kWidth);
   text = fitted ? ink.heading(text) : ink.bad(text);
   const std::string reason = reason_of(record);
-  if (!reason.empty()) text += entry("reason", printable(reason));
-  text += entry("file", printable(target.file));
-  text += entry("test", fmt::format("{}, {}", word_of(target.test), word_of(target.loading)));
-  text += entry("measure", fmt::format("{} strain and stress", word_of(target.measure)));
+  if (!reason.empty()) text += fit_entry("reason", printable(reason));
+  text += fit_entry("file", printable(target.file));
+  text += fit_entry("test", fmt::format("{}, {}", word_of(target.test), word_of(target.loading)));
+  text += fit_entry("measure", fmt::format("{} strain and stress", word_of(target.measure)));
   std::string samples = fmt::format("{} measured", target.raw.size());
   if (record.result.samples > 0) samples += fmt::format(", {} fitted", record.result.samples);
-  text += entry("samples", samples);
-  if (!target.group.empty()) text += entry("group", printable(group_label(target.group)));
+  text += fit_entry("samples", samples);
+  if (!target.group.empty()) text += fit_entry("group", printable(group_label(target.group)));
   if (!target.properties.empty()) {
     std::string list;
     for (const auto& [name, value] : target.properties) {
       list += (list.empty() ? "" : ", ") + fmt::format("{} {:.6g}", printable(name), value);
     }
-    text += entry("specimen (SI)", list);
+    text += fit_entry("specimen (SI)", list);
   }
   return text;
 }
@@ -208,13 +209,12 @@ std::string misfit_text(const FitRecord& record, const Ink& ink) {
   if (!result.misfit_word.empty()) line += ": " + result.misfit_word;
   const std::string meaning = misfit_meaning(result);
   if (!meaning.empty()) line += ", " + meaning;
-  const std::string text = entry("misfit", line);
+  const std::string text = fit_entry("misfit", line);
   return result.misfit_word == "poor" ? ink.bad(text) : text;
 }
 
 std::string parameters_text(const FitRecord& record, const ReportOptions& options, const Ink& ink) {
   if (record.result.parameters.empty()) return {};
-  using Align = Table::Align;
   Table table({{"", Align::Left},
                {"value ± error", Align::PlusMinus},
                {"", Align::Left},
@@ -258,9 +258,9 @@ std::string fit_text(const FitRecord& record, const Ink& ink) {
   if (result.evaluations() == 0 && result.stages.empty()) return {};
   std::string text = '\n' + ink.heading("Fit\n");
   if (result.status == FitStatus::Fitted) {
-    text += entry("objective", "f = " + cost_text(result.cost));
+    text += fit_entry("objective", "f = " + cost_text(result.cost));
   }
-  text += entry("evaluations", fmt::format("{}, seed {}", result.evaluations(), result.seed));
+  text += fit_entry("evaluations", fmt::format("{}, seed {}", result.evaluations(), result.seed));
   Table stages({{"", Table::Align::Left},
                 {"", Table::Align::Left},
                 {"", Table::Align::Right},

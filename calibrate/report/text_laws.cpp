@@ -25,7 +25,7 @@ using Align = Table::Align;
 /// Targets that have a table of their own at most.
 constexpr std::size_t kMostTables = 4;
 
-std::string entry(std::string_view label, std::string_view text) {
+std::string law_entry(std::string_view label, std::string_view text) {
   return wrapped(fmt::format("  {:<10}", label), text, kWidth);
 }
 
@@ -59,8 +59,8 @@ std::vector<LawParameter> parameters_of(const SceneFitRecord& record) {
   return all;
 }
 
-const std::string& name_of(const FitRecord& record) { return record.target.name; }
-const std::string& name_of(const SceneFitRecord& record) { return record.name; }
+const std::string& target_name(const FitRecord& record) { return record.target.name; }
+const std::string& target_name(const SceneFitRecord& record) { return record.name; }
 
 std::size_t samples_of(const FitRecord& record) { return record.result.samples; }
 std::size_t samples_of(const SceneFitRecord& record) {
@@ -236,13 +236,13 @@ std::string target_text(const Records<Record>& records, const Ink& ink) {
   add_parameters(sorted, table);
   add_comparison(sorted, comparison, table);
   std::string text =
-      ink.heading(fmt::format("Laws for {}, by BIC\n", printable(name_of(*records.front())))) +
+      ink.heading(fmt::format("Laws for {}, by BIC\n", printable(target_name(*records.front())))) +
       table.text(2, kWidth);
   if (!comparison.advised) return text;
-  text += entry("samples",
-                fmt::format("{}, worth {} to AIC and BIC: weights and neighbours alike",
-                            samples_of(*sorted.front()), significant(comparison.samples, 3)));
-  return text + entry("advised", comparison.advice);
+  text += law_entry("samples",
+                    fmt::format("{}, worth {} to AIC and BIC: weights and neighbours alike",
+                                samples_of(*sorted.front()), significant(comparison.samples, 3)));
+  return text + law_entry("advised", comparison.advice);
 }
 
 double share_of(const FitRecord& record) { return record.result.misfit_share; }
@@ -267,7 +267,7 @@ std::string targets_text(const std::vector<Records<Record>>& targets, const Repo
                                 ? targets.size()
                                 : std::min(targets.size(), options.specimens_shown);
   for (std::size_t t = 0; t < shown; ++t) {
-    std::vector<std::string> cells{printable(name_of(*targets[t].front()))};
+    std::vector<std::string> cells{printable(target_name(*targets[t].front()))};
     for (const Record* record : targets[t]) {
       const bool fitted = record->result.status == FitStatus::Fitted;
       cells.push_back(fitted ? significant(100.0 * share_of(*record), 2) : "-");
@@ -299,7 +299,7 @@ std::string report_of(std::span<const Record> records, const ReportOptions& opti
   }
   if (targets.size() == 1) return text;
   const LawComparison all = compare_laws(records);
-  if (all.advised) text += entry("for all", all.advice);
+  if (all.advised) text += law_entry("for all", all.advice);
   return text;
 }
 

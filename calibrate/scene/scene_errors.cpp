@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "calibrate/fit/not_a_number.hpp"
 #include "calibrate/fit/score_covariance.hpp"
 
 namespace plastica::calibrate {
@@ -16,7 +16,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// Of the central differences at the solution, in scaled parameters: fibres that yield one after
 /// the other, and Newton's tolerance, are smooth over it.
 constexpr double kErrorStep = 1e-4;

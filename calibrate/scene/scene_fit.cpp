@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
+#include "calibrate/fit/not_a_number.hpp"
 #include "calibrate/scene/check_scene_fit.hpp"
 #include "calibrate/scene/fitted_scenes.hpp"
 #include "calibrate/scene/scene_errors.hpp"
@@ -22,8 +22,6 @@
 
 namespace plastica::calibrate {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 class SceneFit {
  public:

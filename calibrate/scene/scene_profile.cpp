@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "calibrate/fit/not_a_number.hpp"
 #include "calibrate/scene/fitted_scenes.hpp"
 #include "plastica/theory/statistics.hpp"
 
@@ -10,8 +10,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 std::span<const double> values_of(const VectorXd& v) {
   return {v.data(), static_cast<std::size_t>(v.size())};

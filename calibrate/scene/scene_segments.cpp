@@ -7,14 +7,13 @@
 #include <iterator>
 #include <string>
 
+#include "calibrate/fit/not_a_number.hpp"
 #include "calibrate/scene/redivide.hpp"
 #include "calibrate/scene/scene_errors.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::calibrate {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 std::string_view word_of(Division division) {
   return division == Division::Half ? "half" : "twice";

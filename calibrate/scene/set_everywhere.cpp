@@ -6,7 +6,7 @@
 namespace plastica::calibrate {
 namespace {
 
-Setup setup_of(const Material& material) {
+Setup setup_with(const Material& material) {
   Setup setup;
   setup.scene.material = material;
   return setup;
@@ -28,7 +28,7 @@ bool is_unset_limit(const Field& field, const Setup& setup) {
 
 bool has_the_scenes(const Setup& setup, const Field& field, const Region& region) {
   if (!field.material) return false;
-  const Setup of_region = setup_of(region.material);
+  const Setup of_region = setup_with(region.material);
   if (field.get(of_region) != field.get(setup)) return false;
   return !is_unset_limit(field, setup) || is_the_scenes_material(setup, of_region);
 }
@@ -36,7 +36,7 @@ bool has_the_scenes(const Setup& setup, const Field& field, const Region& region
 void set_everywhere(const Setup& original, const Field& field, double value, Setup& setup) {
   for (std::size_t i = 0; i < original.scene.regions.size(); ++i) {
     if (!has_the_scenes(original, field, original.scene.regions[i])) continue;
-    Setup of_region = setup_of(setup.scene.regions[i].material);
+    Setup of_region = setup_with(setup.scene.regions[i].material);
     set_field(of_region, field, value);
     setup.scene.regions[i].material = std::move(of_region.scene.material);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -271,5 +272,13 @@ class ColumnReader {
   std::vector<Row*> rows_;
   std::span<const io::ValueRule> rules_;
 };
+
+/// The addresses of rows.
+template <typename Row>
+std::vector<Row*> pointers_to(std::span<Row> rows) {
+  std::vector<Row*> pointers(rows.size());
+  std::ranges::transform(rows, pointers.begin(), [](Row& row) { return &row; });
+  return pointers;
+}
 
 }  // namespace plastica::calibrate::store

@@ -94,13 +94,6 @@ class ListReader {
   std::vector<Row>& rows_;
 };
 
-template <typename Row>
-std::vector<Row*> pointers_to(std::span<Row> rows) {
-  std::vector<Row*> pointers(rows.size());
-  std::ranges::transform(rows, pointers.begin(), [](Row& row) { return &row; });
-  return pointers;
-}
-
 /// Whether values are rows of a table of so many columns, or so many rows of any.
 bool is_table(const std::vector<double>& values, std::size_t extent) {
   return extent == 0 ? values.empty() : values.size() % extent == 0;

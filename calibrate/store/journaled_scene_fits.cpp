@@ -21,7 +21,7 @@
 namespace plastica::calibrate {
 namespace {
 
-std::uint64_t journal_kind() {
+std::uint64_t scene_journal_kind() {
   return io::Digest()
       .text("plastica/scene-fits")
       .integer(kSceneResultVersion)
@@ -58,7 +58,7 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
       options_(options),
       how_(std::move(how)),
       within_(std::move(within)),
-      journal_(how_.journal, journal_kind(), "fits and parts of fits") {
+      journal_(how_.journal, scene_journal_kind(), "fits and parts of fits") {
   for (std::size_t of = 0; of < cases.size(); ++of) {
     const SceneFitCase& one = cases[of];
     if (options.laws.empty()) {

@@ -13,20 +13,15 @@
 namespace plastica::calibrate {
 namespace {
 
-template <typename Row>
-std::vector<Row*> pointers_to(std::span<Row> rows) {
-  std::vector<Row*> pointers(rows.size());
-  std::ranges::transform(rows, pointers.begin(), [](Row& row) { return &row; });
-  return pointers;
-}
-
 /// Fills records from a file, of which it knows how many there are.
 class Reader {
  public:
   Reader(const io::Hdf5Group& root, std::vector<SceneFitRecord>& records)
       : root_(root), records_(records) {}
 
-  void fits() { read_columns("fits", pointers_to(std::span(records_)), store::kSceneFitColumns); }
+  void fits() {
+    read_columns("fits", store::pointers_to(std::span(records_)), store::kSceneFitColumns);
+  }
 
   void parameters() {
     for (auto& row : table<store::SceneParameterRow>("parameters", store::kSceneParameterColumns)) {
@@ -134,7 +129,7 @@ class Reader {
   template <typename Row, typename Columns>
   std::vector<Row> table(const std::string& path, const Columns& columns) const {
     std::vector<Row> rows(root_.read<std::uint64_t>(path + "/fit").size());
-    read_columns(path, pointers_to(std::span(rows)), columns);
+    read_columns(path, store::pointers_to(std::span(rows)), columns);
     for (const Row& row : rows) {
       if (row.fit >= records_.size()) refuse(path + "/fit", "names a fit that is not in the file");
     }

@@ -45,16 +45,9 @@ void check(const SceneFitRecord& record) {
   }
 }
 
-template <typename Row>
-std::vector<Row*> pointers_to(std::span<Row> rows) {
-  std::vector<Row*> pointers(rows.size());
-  std::ranges::transform(rows, pointers.begin(), [](Row& row) { return &row; });
-  return pointers;
-}
-
 /// Pointers to the records, sorted by name and law and checked.
 std::vector<const SceneFitRecord*> by_name(const std::vector<SceneFitRecord>& records) {
-  std::vector<const SceneFitRecord*> sorted = pointers_to(std::span(records));
+  std::vector<const SceneFitRecord*> sorted = store::pointers_to(std::span(records));
   const auto name = [](const SceneFitRecord* record) {
     return std::pair<std::string_view, Law>(record->name, record->result.law);
   };
@@ -104,7 +97,7 @@ io::Hdf5Group write_rows(io::Hdf5Group& root, const std::string& path,
 template <typename Row, typename Columns>
 io::Hdf5Group write_rows(io::Hdf5Group& root, const std::string& path, const std::vector<Row>& rows,
                          const Columns& columns) {
-  return write_rows(root, path, pointers_to(std::span(rows)), columns);
+  return write_rows(root, path, store::pointers_to(std::span(rows)), columns);
 }
 
 /// A column of units beside columns whose unit differs from row to row, for other readers.

@@ -53,13 +53,15 @@ void code(auto& coder, A<SceneFitResult> auto& r) {
 }
 
 /// Not inlined, for the same reason as in record_bytes.cpp.
-[[gnu::noinline]] void put_version(io::ByteWriter& writer) { writer.put(kSceneResultVersion); }
+[[gnu::noinline]] void put_scene_version(io::ByteWriter& writer) {
+  writer.put(kSceneResultVersion);
+}
 
 }  // namespace
 
 std::vector<std::byte> bytes_of(const SceneFitResult& result) {
   io::ByteWriter writer;
-  put_version(writer);
+  put_scene_version(writer);
   store::Putter putter(writer);
   code(putter, result);
   return writer.take();

@@ -13,8 +13,8 @@
 namespace plastica::sweeps {
 namespace {
 
+using report::in_quotes;
 using report::PlotScript;
-using report::quoted;
 
 constexpr std::string_view kLetters = "#ox+*%@&";
 /// Left of a panel, for "-0.00025" and the label.
@@ -159,7 +159,7 @@ std::string ramp_color(double share) {
 }
 
 std::string axis_commands(const ChartAxis& axis, char letter) {
-  std::string text = fmt::format("set {}label {}\n", letter, quoted(axis.label));
+  std::string text = fmt::format("set {}label {}\n", letter, in_quotes(axis.label));
   if (axis.logarithmic) text += fmt::format("set logscale {}\n", letter);
   if (axis.range[0] != axis.range[1]) {
     text += fmt::format("set {}range [{:.9g}:{:.9g}]\n", letter, axis.range[0], axis.range[1]);
@@ -194,8 +194,8 @@ PlotScript chart_page(const Chart& chart) {
         "dashtype 3 linecolor rgb '{1}'",
         y, report::kGrey));
   }
-  script.begin_panel(quoted(report::cut(chart.title, kTitleWidth)) + ".\"\\n\"." +
-                     quoted(report::cut(chart.subtitle, kTitleWidth)));
+  script.begin_panel(in_quotes(report::cut(chart.title, kTitleWidth)) + ".\"\\n\"." +
+                     in_quotes(report::cut(chart.subtitle, kTitleWidth)));
   script.command(kRoomForNumbers);
   for (const ChartSeries& series : chart.series) {
     const std::string name = report::cut(series.name, kNameWidth);
@@ -229,8 +229,8 @@ PlotScript chart_terminal(const Chart& chart) {
       "samplen 3");
   script.terminal_rows = 25;
   script.command(axis_commands(chart.x, 'x') + axis_commands(chart.y, 'y') + "unset ylabel");
-  script.command("set title " + quoted(report::cut(chart.title, kTerminalWidth)) + ".\"\\n\"." +
-                 quoted(report::cut(chart.subtitle + ": " + chart.y.label, kTerminalWidth)));
+  script.command("set title " + in_quotes(report::cut(chart.title, kTerminalWidth)) + ".\"\\n\"." +
+                 in_quotes(report::cut(chart.subtitle + ": " + chart.y.label, kTerminalWidth)));
   std::string plot;
   std::map<std::string, char> letter_of;  // of a colour
   // Letters hide what is behind them: lines without symbols come last.
@@ -249,13 +249,13 @@ PlotScript chart_terminal(const Chart& chart) {
     plot += fmt::format(
         "{}{} using 1:2 with points pointtype '{}' {}", plot.empty() ? "plot " : ", \\\n     ",
         script.add_points(points), letter,
-        series.name.empty() ? "notitle" : "title " + quoted(report::cut(series.name, 34)));
+        series.name.empty() ? "notitle" : "title " + in_quotes(report::cut(series.name, 34)));
   }
   for (const ChartSeries& entry : chart.entries) {
     const auto letter = letter_of.find(entry.look.color);
     if (letter == letter_of.end()) continue;  // letters do not show symbols
     plot += fmt::format(", \\\n     keyentry with points pointtype '{}' title {}", letter->second,
-                        quoted(report::cut(entry.name, 34)));
+                        in_quotes(report::cut(entry.name, 34)));
   }
   script.command(plot.empty() ? "plot NaN notitle" : plot);
   return script;

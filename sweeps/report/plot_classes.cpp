@@ -13,7 +13,7 @@ namespace plastica::sweeps {
 namespace {
 
 constexpr std::size_t kMostClasses = 7;
-constexpr std::string_view kLetters = ".:-=+*#";
+constexpr std::string_view kRampLetters = ".:-=+*#";
 
 std::string bound_text(double value) { return fmt::format("{:.3g}", value); }
 
@@ -38,7 +38,7 @@ void classify_errors(const PlotCases& cases, CaseClasses& out) {
     const std::string name =
         (k == 0 ? "below " : bound_text(bounds[k]) + " … ") + bound_text(bounds[k + 1]) + " %";
     const double share = count == 1 ? 0.5 : static_cast<double>(k) / static_cast<double>(count - 1);
-    out.classes.push_back({name, ramp_color(share), kLetters[k]});
+    out.classes.push_back({name, ramp_color(share), kRampLetters[k]});
   }
   for (std::size_t i = 0; i < record.cases(); ++i) {
     if (!cases.picked[i] || !record.comparison.error[i]) continue;
@@ -66,10 +66,11 @@ void classify_values(const PlotCases& cases, CaseClasses& out) {
   const double step = (*high - *low) / static_cast<double>(count);
   for (std::size_t k = 0; k < count; ++k) {
     const double from = *low + step * static_cast<double>(k);
-    out.classes.push_back({count == 1 ? bound_text(*low / shown.scale)
-                                      : bound_text(from / shown.scale) + " … " +
-                                            bound_text((from + step) / shown.scale),
-                           ramp_color(static_cast<double>(k) / (kMostClasses - 1)), kLetters[k]});
+    out.classes.push_back(
+        {count == 1
+             ? bound_text(*low / shown.scale)
+             : bound_text(from / shown.scale) + " … " + bound_text((from + step) / shown.scale),
+         ramp_color(static_cast<double>(k) / (kMostClasses - 1)), kRampLetters[k]});
   }
   for (std::size_t i = 0; i < record.cases(); ++i) {
     const auto& value = record.results[i].value;

@@ -14,12 +14,12 @@
 namespace plastica::sweeps {
 namespace {
 
+using report::in_quotes;
 using report::PlotScript;
-using report::quoted;
 
 constexpr std::size_t kMostPanels = 9;
 constexpr std::size_t kMostNumbers = 80;  ///< of fields whose numbers can be read
-constexpr double kLogarithmic = 3.0;      ///< ratio of values from which an axis is logarithmic
+constexpr double kLogarithmicMap = 3.0;   ///< ratio of values from which an axis is logarithmic
 
 /// What is drawn of a sweep: its axes and colours.
 struct Map {
@@ -121,7 +121,7 @@ Edges edges_of(const PlotCases& cases, std::size_t axis) {
   out.values.erase(std::unique(out.values.begin(), out.values.end()), out.values.end());
   if (out.values.empty()) throw InputError({}, "--case", "", "picks no case of the map");
   out.logarithmic =
-      out.values.front() > 0.0 && out.values.back() / out.values.front() >= kLogarithmic;
+      out.values.front() > 0.0 && out.values.back() / out.values.front() >= kLogarithmicMap;
   std::vector<double> places;
   places.reserve(out.values.size());
   for (const double value : out.values) {
@@ -167,7 +167,7 @@ void add_numbers(PlotScript& script, const SweepRecord& record, const Map& map,
     if (map.colors.number[i].empty() || !map.colors.class_of[i]) continue;
     script.command(fmt::format(
         "set label {} at {:.9g}, {:.9g} center front font ',10' textcolor rgb '{}'",
-        quoted(map.colors.number[i]), x_of(record, i, map), y_of(record, i, map),
+        in_quotes(map.colors.number[i]), x_of(record, i, map), y_of(record, i, map),
         is_dark(map.colors.classes[*map.colors.class_of[i]].color) ? "#FFFFFF" : "#222222"));
   }
 }
@@ -218,7 +218,7 @@ PlotScript map_page(const PlotCases& cases) {
     if (!single && !script.at_bottom()) x_axis.label.clear();
     script.command(axis_commands(x_axis, 'x') + axis_commands(y_axis, 'y') + "unset label");
     const std::string name = panel_title(record, map, panels[p]);
-    script.begin_panel(single ? quoted(title) + ".\"\\n\"." + quoted(name) : quoted(name));
+    script.begin_panel(single ? in_quotes(title) + ".\"\\n\"." + in_quotes(name) : in_quotes(name));
     if (panels[p].size() * panels.size() <= kMostNumbers) {
       add_numbers(script, record, map, panels[p]);
     }
@@ -253,8 +253,8 @@ PlotScript map_terminal(const PlotCases& cases) {
     const std::string name = panel_title(record, map, members);
     const std::string below = fmt::format("{}{}over {}", name, name.empty() ? "" : "; ", y_label);
     script.command(fmt::format("set title {}.\"\\n\".{}",
-                               quoted(report::cut(title_of(record, map), 76)),
-                               quoted(report::cut(below, 76))));
+                               in_quotes(report::cut(title_of(record, map), 76)),
+                               in_quotes(report::cut(below, 76))));
     std::string plot;
     for (std::size_t c = 0; c < map.colors.classes.size(); ++c) {
       Points points;
@@ -266,7 +266,7 @@ PlotScript map_terminal(const PlotCases& cases) {
       if (points.empty()) continue;
       plot += fmt::format("{}{} using 1:2 with points pointtype '{}' title {}",
                           plot.empty() ? "plot " : ", \\\n     ", script.add_points(points),
-                          map.colors.classes[c].letter, quoted(map.colors.classes[c].name));
+                          map.colors.classes[c].letter, in_quotes(map.colors.classes[c].name));
     }
     script.command(plot);
   }

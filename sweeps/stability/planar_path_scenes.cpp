@@ -176,7 +176,7 @@ StabilityCase fibres(const Knobs& knobs) {
 }
 
 /// The tip is driven until the hinge at the clamp breaks.
-StabilityCase breaks(const Knobs& knobs) {
+StabilityCase breaks_planar(const Knobs& knobs) {
   StabilityCase made = cantilever(knobs, Level::Planar, YieldModel::Interaction);
   Scene& scene = made.setup.scene;
   const Numbers b(knobs);
@@ -287,7 +287,7 @@ std::vector<BaseScene> planar_path_scenes() {
        yields,
        {{"modulus", "yield"}}},
       {"planar fibres", Level::Planar, Statics, fibres, bent, yields, {{"load", "yield"}}},
-      {"planar break", Level::Planar, Statics, breaks, over, yields, {{"load", "segments"}}},
+      {"planar break", Level::Planar, Statics, breaks_planar, over, yields, {{"load", "segments"}}},
       {"planar pillar", Level::Planar, Statics, pillar, {}, elastic, {{"modulus", "load"}}},
       {"planar held", Level::Planar, Statics, held, {}, weighed, {{"slenderness", "load"}}},
   };

@@ -60,7 +60,7 @@ StabilityCase per_axis(const Knobs& knobs) {
 StabilityCase conservative(const Knobs& knobs) {
   return forces_of(knobs, YieldModel::Conservative);
 }
-StabilityCase fibres(const Knobs& knobs) {
+StabilityCase fibres_in_space(const Knobs& knobs) {
   StabilityCase made = forces_of(knobs, YieldModel::Fibre);
   made.setup.solver.fibres = 8;  // far beyond yield a grid of forty takes minutes
   return made;
@@ -165,7 +165,7 @@ std::vector<BaseScene> spatial_scenes() {
        over,
        yields,
        {{"load", "segments"}}},
-      {"spatial fibres", Level::Spatial, Statics, fibres, {}, yields, {{"load", "yield"}}},
+      {"spatial fibres", Level::Spatial, Statics, fibres_in_space, {}, yields, {{"load", "yield"}}},
       {"spatial vibration",
        Level::Spatial,
        Dynamics,

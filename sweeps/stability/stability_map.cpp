@@ -87,7 +87,7 @@ void add_axis(const Axis& axis, std::span<const StabilityRow> rows, const Lines&
          lines.height[static_cast<std::size_t>(line - lines.scene.begin())]});
   }
   const std::string unit = axis.unit == "1" ? "" : " [" + std::string(axis.unit) + "]";
-  script.begin_panel(report::quoted(std::string(axis.name) + unit));
+  script.begin_panel(report::in_quotes(std::string(axis.name) + unit));
   const bool linear = axis.values.front() < 0.0 || axis.name == "scheme";
   script.command(linear ? "set format x '%g'" : "set format x '1e%g'");
   script.command("set xtics " + report::brief(linear ? 0.5 : tic_decades(axis)));
@@ -98,7 +98,7 @@ void add_axis(const Axis& axis, std::span<const StabilityRow> rows, const Lines&
   for (std::size_t i = 0; i < lines.groups.size(); ++i) {
     const std::string name = script.at_left() ? lines.groups[i].first : "";
     tics +=
-        (i > 0 ? ", " : "") + report::quoted(name) + " " + report::brief(lines.groups[i].second);
+        (i > 0 ? ", " : "") + report::in_quotes(name) + " " + report::brief(lines.groups[i].second);
   }
   script.command(tics + ")");
   for (std::size_t k = 0; k < points.size(); ++k) {

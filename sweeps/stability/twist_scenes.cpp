@@ -45,7 +45,7 @@ StabilityCase yields(const Knobs& knobs) { return yielding(knobs, YieldModel::In
 StabilityCase clips(const Knobs& knobs) { return yielding(knobs, YieldModel::PerAxis); }
 
 /// Both ends clamped, a torque in the middle: half of it goes each way.
-StabilityCase held(const Knobs& knobs) {
+StabilityCase held_twisted(const Knobs& knobs) {
   StabilityCase made = cantilever(knobs, Level::Twist, YieldModel::Elastic);
   made.setup.scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Clamp});
   const Numbers b(knobs);
@@ -64,7 +64,7 @@ StabilityCase held(const Knobs& knobs) {
 }
 
 /// The end is turned until the shaft breaks.
-StabilityCase breaks(const Knobs& knobs) {
+StabilityCase breaks_twisted(const Knobs& knobs) {
   StabilityCase made = cantilever(knobs, Level::Twist, YieldModel::Interaction);
   Scene& scene = made.setup.scene;
   const Numbers b(knobs);
@@ -80,7 +80,7 @@ StabilityCase breaks(const Knobs& knobs) {
 
 /// The first mode of a free bar, cos((i + 1/2) pi/N) of segment i: omega = 2 sin(pi/(2N))
 /// sqrt(k/J).
-StabilityCase vibration(const Knobs& knobs) {
+StabilityCase vibration_twisted(const Knobs& knobs) {
   StabilityCase made = beam(knobs, Level::Twist, YieldModel::Elastic);
   const Numbers b(knobs);
   const int n = whole(knobs.segments);
@@ -118,7 +118,7 @@ StabilityCase vibration(const Knobs& knobs) {
 }
 
 /// A free bar that spins about its own axis.
-StabilityCase spins(const Knobs& knobs) {
+StabilityCase spins_twisted(const Knobs& knobs) {
   StabilityCase made = beam(knobs, Level::Twist, YieldModel::Elastic);
   const Numbers b(knobs);
   in_motion(made, knobs, twisting_period(b));
@@ -168,21 +168,27 @@ std::vector<BaseScene> twist_scenes() {
        {},
        path,
        {{"modulus", "segments"}, {"length", "slenderness"}}},
-      {"twist held", Level::Twist, Statics, held, {}, path, {{"modulus", "load"}}},
+      {"twist held", Level::Twist, Statics, held_twisted, {}, path, {{"modulus", "load"}}},
       {"twist interaction", Level::Twist, Statics, yields, over, yield_path, {{"load", "yield"}}},
       {"twist per axis", Level::Twist, Statics, clips, over, yield_path, {{"load", "yield"}}},
-      {"twist break", Level::Twist, Statics, breaks, over, yield_path, {{"modulus", "load"}}},
+      {"twist break",
+       Level::Twist,
+       Statics,
+       breaks_twisted,
+       over,
+       yield_path,
+       {{"modulus", "load"}}},
       {"twist vibration",
        Level::Twist,
        Dynamics,
-       vibration,
+       vibration_twisted,
        wave,
        motion,
        {{"modulus", "time step"}, {"time step", "scheme"}}},
       {"twist spin",
        Level::Twist,
        Dynamics,
-       spins,
+       spins_twisted,
        {},
        {"spin", "segments", "time step", "mass ratio", "length", "scheme", "modulus"},
        {{"spin", "time step"}}},

@@ -15,12 +15,12 @@ namespace {
 
 using io::Hdf5Group;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> numbers_of(const std::vector<std::optional<double>>& values) {
   std::vector<double> numbers;
   numbers.reserve(values.size());
-  for (const auto& value : values) numbers.push_back(value.value_or(kNone));
+  for (const auto& value : values) numbers.push_back(value.value_or(kNoNumber));
   return numbers;
 }
 
@@ -47,7 +47,7 @@ void write_values(Hdf5Group& group, const std::string& path, const Field& field,
   numbers.reserve(values.size());
   for (const FieldValue& value : values) {
     const auto* number = std::get_if<double>(&value);
-    numbers.push_back(number != nullptr ? *number : kNone);
+    numbers.push_back(number != nullptr ? *number : kNoNumber);
   }
   group.write(path, numbers, {si_unit(field.dimension), kDeflate});
 }

@@ -9,6 +9,7 @@
 #include "sweeps/plan/derived_fields.hpp"
 #include "tests/cli/command.hpp"
 #include "tests/cli/curves.hpp"
+#include "tests/support/has.hpp"
 
 namespace plastica::testing {
 namespace {
@@ -32,10 +33,6 @@ void fit_two(const Workplace& place) {
       place.run({"calibrate", "a.csv", "b.csv", "--quiet", "-o", "fit.h5", "--json", "fit.json"});
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(result.out + result.err, "");
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(Command, TellsItsVersion) {

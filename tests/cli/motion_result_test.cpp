@@ -7,13 +7,10 @@
 
 #include "tests/cli/curves.hpp"
 #include "tests/cli/results.hpp"
+#include "tests/support/has.hpp"
 
 namespace plastica::testing {
 namespace {
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// A cantilever that swings under a sudden force until the scene cuts it in two.
 std::string motion_text(const std::string& solver) {
@@ -173,9 +170,9 @@ TEST_F(MotionResult, OfAnInterruptedRunIsWhatWasComputed) {
   place_.write("beam.toml", motion_text("time_step = '1 us'\nduration = '10 s'\nsteps = 100000\n"
                                         "frames = 10"));
   CommandResult stopped;
-  for (int milliseconds = 100; milliseconds < 20000; milliseconds *= 2) {
+  for (int wait = 100; wait < 20000; wait *= 2) {
     RunningCommand running = place_.start({"simulate", "beam.toml", "-o", "beam.h5"});
-    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait));
     running.send(SIGINT);
     stopped = running.wait();
     if (place_.has("beam.h5")) break;

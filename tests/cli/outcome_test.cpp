@@ -11,12 +11,12 @@
 namespace plastica::testing {
 namespace {
 
-constexpr const char* kCurves = "'*-curve.csv'";
+constexpr const char* kOutcomeCurves = "'*-curve.csv'";
 
 void write_good_curves(const Workplace& place) {
   place.write("a-curve.csv", broken_curve(350.0, 1));
   place.write("c-curve.csv", broken_curve(360.0, 2));
-  place.write("fit.toml", fit_file(kCurves));
+  place.write("fit.toml", fit_file(kOutcomeCurves));
 }
 
 /// While it lives, no file that this process or its children write may grow beyond a size.
@@ -104,7 +104,7 @@ TEST(Outcome, OfABadFileAmongBareCurvesIsOne) {
 TEST(Outcome, OfSpecimensThatAreAllBadIsOne) {
   const Workplace place;
   place.write("a-curve.csv", "");
-  place.write("fit.toml", fit_file(kCurves));
+  place.write("fit.toml", fit_file(kOutcomeCurves));
   const CommandResult result = place.run({"calibrate", "fit.toml"});
   EXPECT_EQ(result.code, 1);
   EXPECT_TRUE(result.out.ends_with("\nfitted 0, rejected 1, failed 0\n")) << result.out;

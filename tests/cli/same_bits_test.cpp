@@ -11,12 +11,12 @@
 namespace plastica::testing {
 namespace {
 
-constexpr int kCurves = 30;
+constexpr int kCountOfCurves = 30;
 
 /// Curves, one of them bad. @return their names
 std::vector<std::string> write_curves(const Workplace& place) {
   std::vector<std::string> names;
-  for (int i = 0; i < kCurves; ++i) {
+  for (int i = 0; i < kCountOfCurves; ++i) {
     names.push_back(fmt::format("curve-{}.csv", i));
     place.write(names.back(), i == 7 ? "" : broken_curve(300.0 + i, i));
   }

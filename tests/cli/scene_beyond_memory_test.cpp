@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/cli/command.hpp"
+#include "tests/support/has.hpp"
 
 /// Scenes whose response no machine has memory for.
 namespace plastica::testing {
@@ -15,10 +16,6 @@ std::string beam(const std::string& segments) {
          "[[load]]\nat = 'end'\nforce = ['0 N', '-100 N', '0 N']\nhistory = 'ramp'\n"
          "[[probe]]\nname = 'tip'\nkind = 'displacement'\nat = 'end'\ncomponent = 'y'\n"
          "[solver]\nsteps = 10000000\n";
-}
-
-bool has(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
 }
 
 TEST(SceneBeyondMemory, IsForetoldWithoutTakingIt) {

@@ -14,7 +14,7 @@ std::string shipped(const std::string& name) {
   return std::string(PLASTICA_SOURCE_DIR) + "/data/" + name;
 }
 
-constexpr const char* kScene = R"([beam]
+constexpr const char* kFittedScene = R"([beam]
 length = "400 mm"
 segments = 6
 section = { shape = "rectangle", width = "20 mm", height = "20 mm" }
@@ -37,7 +37,7 @@ at = "end"
 component = "y"
 )";
 
-constexpr const char* kFit = R"([fit]
+constexpr const char* kSceneFit = R"([fit]
 shared = false
 [fit.parameters]
 youngs_modulus = { bounds = ["50 GPa", "500 GPa"] }
@@ -50,8 +50,8 @@ ordinate = { probe = "force", column = "Force", factor = -1 }
 
 /// 3 EI/L^3 is 131 N/mm at 210 GPa; two bars that differ by a tenth.
 void write_bars(const Workplace& place) {
-  place.write("bar.toml", kScene);
-  place.write("fit.toml", kFit);
+  place.write("bar.toml", kFittedScene);
+  place.write("fit.toml", kSceneFit);
   place.write("a.csv", "Way (mm),Force (N)\n1,130\n2,263\n1,131\n-1,-131\n");
   place.write("b.csv", "Way (mm),Force (N)\n1,144\n2,289\n1,144\n-1,-144\n");
 }
@@ -105,7 +105,7 @@ TEST(SceneFitCommand, FitsEachSpecimenOrAllTogether) {
   const CommandResult each = place.run({"calibrate", "fit.toml", "-o", "each.h5"});
   ASSERT_EQ(each.code, 0) << each.err;
   EXPECT_TRUE(each.out.ends_with("fitted 2, failed 0\n")) << each.out;
-  place.write("fit.toml", changed(kFit, "shared = false", "shared = true"));
+  place.write("fit.toml", changed(kSceneFit, "shared = false", "shared = true"));
   const CommandResult together =
       place.run({"calibrate", "fit.toml", "-o", "all.h5", "--json", "all.json"});
   ASSERT_EQ(together.code, 0) << together.err;
@@ -135,12 +135,12 @@ TEST(SceneFitCommand, SaysHowTheErrorOfTheSegmentsWouldBeFound) {
       "fitted values,\nhalf and twice the work a run (fit.segments_error = false: neither)\n"
       "  a: 3 segments and 12 segments\n  b: 3 segments and 12 segments\n"))
       << plan();
-  place.write("bar.toml", changed(kScene, "segments = 6", "segments = 7"));
+  place.write("bar.toml", changed(kFittedScene, "segments = 6", "segments = 7"));
   EXPECT_NE(plan().find("  a: none with half (beam.segments = 7: cannot be halved: it is no even "
                         "number) and 14 segments\n"),
             std::string::npos)
       << plan();
-  place.write("fit.toml", changed(kFit, "[fit]\n", "[fit]\nsegments_error = false\n"));
+  place.write("fit.toml", changed(kSceneFit, "[fit]\n", "[fit]\nsegments_error = false\n"));
   EXPECT_EQ(plan().find("then again"), std::string::npos) << plan();
 }
 
@@ -199,7 +199,7 @@ TEST(SceneFitCommand, RefusesLawsThatItCannotCompare) {
   EXPECT_EQ(said("ideal,chaboche"),
             "plastica: target = a: has no more samples than the fit has parameters\n");
   EXPECT_FALSE(place.has("fit.h5"));
-  place.write("fit.toml", changed(kFit, "shared = false", "laws = ['ideal', 'ideal']"));
+  place.write("fit.toml", changed(kSceneFit, "shared = false", "laws = ['ideal', 'ideal']"));
   const CommandResult twice = place.run({"calibrate", "fit.toml"});
   EXPECT_EQ(twice.code, 2);
   EXPECT_EQ(twice.err, "plastica: fit.toml:2: fit.laws[2] = ideal: is named twice\n");
@@ -245,9 +245,9 @@ TEST(SceneFitCommand, KeepsAFailedFitAsARow) {
 BadInput bad_fit(std::string name, const std::string& from, const std::string& to,
                  const std::string& line) {
   return {std::move(name),
-          {{"bar.toml", kScene},
+          {{"bar.toml", kFittedScene},
            {"a.csv", "Way (mm),Force (N)\n1,130\n2,263\n1,131\n-1,-131\n"},
-           {"fit.toml", changed(kFit, from, to)}},
+           {"fit.toml", changed(kSceneFit, from, to)}},
           {"calibrate", "fit.toml"},
           line};
 }

@@ -15,7 +15,7 @@
 namespace plastica::testing {
 namespace {
 
-constexpr const char* kScene = R"([beam]
+constexpr const char* kInterruptedScene = R"([beam]
 length = "400 mm"
 segments = 60
 section = { shape = "rectangle", width = "20 mm", height = "20 mm" }
@@ -39,7 +39,7 @@ at = "end"
 component = "y"
 )";
 
-constexpr const char* kFit = R"([fit.parameters]
+constexpr const char* kInterruptedFit = R"([fit.parameters]
 youngs_modulus = { bounds = ["20 GPa", "2000 GPa"] }
 yield_stress = { bounds = ["20 MPa", "20 GPa"] }
 tangent_modulus = { bounds = ["0.1 GPa", "19 GPa"] }
@@ -53,8 +53,8 @@ ordinate = { probe = "force", column = "Force", factor = -1 }
 class InterruptedSceneFit : public ::testing::Test {
  protected:
   void SetUp() override {
-    place_.write("bar.toml", kScene);
-    place_.write("fit.toml", kFit);
+    place_.write("bar.toml", kInterruptedScene);
+    place_.write("fit.toml", kInterruptedFit);
     std::string curve = "Way (mm),Force (N)\n";
     for (int i = 1; i <= 120; ++i) {
       const double way = 0.5 * i;

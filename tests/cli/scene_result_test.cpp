@@ -5,14 +5,11 @@
 #include "tests/cli/bad_input.hpp"
 #include "tests/cli/curves.hpp"
 #include "tests/cli/results.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/scene_record.hpp"
 
 namespace plastica::testing {
 namespace {
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// Simulates beam.toml into beam.h5. @return what the command said
 CommandResult simulate_beam(const Workplace& place, const std::string& text = cantilever_text()) {

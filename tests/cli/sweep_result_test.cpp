@@ -4,13 +4,10 @@
 
 #include "tests/cli/bad_input.hpp"
 #include "tests/cli/command.hpp"
+#include "tests/support/has.hpp"
 
 namespace plastica::testing {
 namespace {
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// The sweep that `plastica init sweep` writes, run.
 class SweepResult : public ::testing::Test {

@@ -17,7 +17,7 @@
 namespace plastica::io {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\n";
   const std::size_t first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) return {};
@@ -253,7 +253,7 @@ std::string rule_for(Refusal refusal, Dimension dimension) {
 
 UnitConversion unit_conversion(std::string_view unit, Dimension dimension,
                                const SourceLocation& where, std::string_view field) {
-  const std::string_view text = trimmed(unit);
+  const std::string_view text = without_blanks(unit);
   const Lookup result = look_up(text, dimension);
   if (result.refusal != Refusal::None) {
     throw InputError(where, field, text, rule_for(result.refusal, dimension));
@@ -262,7 +262,7 @@ UnitConversion unit_conversion(std::string_view unit, Dimension dimension,
 }
 
 bool is_unit(std::string_view text) {
-  text = trimmed(text);
+  text = without_blanks(text);
   if (text.empty()) return false;
   if (text.size() == 1) {
     // udunits2 knows most letters ("a" is 100 m^2, "d" a day); in headers they number things.
@@ -274,7 +274,7 @@ bool is_unit(std::string_view text) {
 
 double parse_quantity(std::string_view text, Dimension dimension, const SourceLocation& where,
                       std::string_view field) {
-  const std::string_view whole = trimmed(text);
+  const std::string_view whole = without_blanks(text);
   std::string_view rest = whole;
   if (rest.starts_with('+')) rest.remove_prefix(1);
   double value = 0.0;
@@ -292,7 +292,7 @@ double parse_quantity(std::string_view text, Dimension dimension, const SourceLo
   if (rest.size() > 1 && rest[0] == ',' && is_digit(rest[1])) {
     throw InputError(where, field, whole, "has a decimal comma; write a point");
   }
-  const std::string_view unit = trimmed(rest);
+  const std::string_view unit = without_blanks(rest);
   const Lookup result = look_up(unit, dimension);
   if (result.refusal != Refusal::None) {
     const std::string quoted = unit.empty() || result.refusal == Refusal::BareNumber

@@ -65,7 +65,7 @@ void PlotScript::begin_panels(std::size_t count, std::string_view title, int hea
       "set key at screen 0.5, screen 0.015 center bottom horizontal reverse Left samplen 2 "
       "width 1 textcolor rgb '#333333'");
   if (count > 1) {
-    command("set multiplot" + (title.empty() ? std::string() : " title " + quoted(title)));
+    command("set multiplot" + (title.empty() ? std::string() : " title " + in_quotes(title)));
   }
 }
 
@@ -111,7 +111,7 @@ void PlotScript::add_series(std::string_view block, std::string_view style, std:
 void PlotScript::add_entry(std::string_view style, std::string_view name) {
   if (std::ranges::find(names_, name) != names_.end()) return;
   names_.emplace_back(name);
-  legend_ += fmt::format(", \\\n     keyentry {} title {}", style, quoted(name));
+  legend_ += fmt::format(", \\\n     keyentry {} title {}", style, in_quotes(name));
 }
 
 void PlotScript::add_unnamed(std::string_view block, std::string_view style) {
@@ -136,7 +136,7 @@ void PlotScript::end_panel() {
   command("plot NaN notitle" + legend_ + "\nunset multiplot");
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string line = printable(text);
   // gnuplot's SVG does not escape the end of a CDATA section, which XML forbids in a text.
   for (std::size_t at = line.find("]]>"); at != line.npos; at = line.find("]]>", at)) {
@@ -148,7 +148,7 @@ std::string quoted(std::string_view text) {
 std::string quoted_tic(std::string_view text) {
   std::string doubled;
   for (const char c : text) doubled += c == '%' ? "%%" : std::string(1, c);
-  return quoted(doubled);
+  return in_quotes(doubled);
 }
 
 }  // namespace plastica::report

@@ -78,7 +78,7 @@ class PlotScript {
 };
 
 /// A user's text as a gnuplot string: printable, in quotes.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 /// The same for a label of an axis, in which gnuplot would read % as a format.
 std::string quoted_tic(std::string_view text);
 

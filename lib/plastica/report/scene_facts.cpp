@@ -14,7 +14,7 @@ namespace plastica::report {
 namespace {
 
 /// A plastic strain below this is what rounding leaves of an elastic one.
-constexpr double kNoStrain = 1e-12;
+constexpr double kRoundedStrain = 1e-12;
 /// An energy below this share of the largest is round-off.
 constexpr double kNoEnergy = 1e-12;
 
@@ -122,7 +122,7 @@ ScenePeaks peaks_of(const io::SceneRecord& record) {
       raise(peaks.stress, {chain.stress[at], joint, sample, 0});
       raise(peaks.shear_stress,
             {chain.moment[3 * at + 2] / record.outline.modulus[3 * joint + 2], joint, sample, 2});
-      if (chain.plastic_strain[at] > kNoStrain) {
+      if (chain.plastic_strain[at] > kRoundedStrain) {
         raise(peaks.plastic_strain, {chain.plastic_strain[at], joint, sample, 0});
       }
     }

@@ -112,7 +112,7 @@ std::string frame_of(const FigurePanel& panel) {
   }
   for (const FigureNote& note : panel.notes) {
     text += fmt::format("set label {} at {:.7g}, {:.7g} offset 0,0.8 center textcolor rgb '{}'\n",
-                        quoted(note.text), note.x, note.y, kDark);
+                        in_quotes(note.text), note.x, note.y, kDark);
   }
   return text;
 }
@@ -159,12 +159,12 @@ PlotScript figure_page(const Figure& figure) {
                       20.0 * std::max(0.0, lines - 1.0));
   script.command("set xzeroaxis linecolor rgb '#B8B8B8' linetype 1 linewidth 0.8");
   for (const FigurePanel& panel : figure.panels) {
-    script.command("set xlabel " + quoted(panel.x_label));
-    script.command("set ylabel " + quoted(panel.y_label));
+    script.command("set xlabel " + in_quotes(panel.x_label));
+    script.command("set ylabel " + in_quotes(panel.y_label));
     script.command("set autoscale xfix\n" + offsets_of(panel));
     script.command(frame_of(panel));
-    script.begin_panel(single ? quoted(figure.title) + ".\"\\n\"." + quoted(panel.title)
-                              : quoted(panel.title));
+    script.begin_panel(single ? in_quotes(figure.title) + ".\"\\n\"." + in_quotes(panel.title)
+                              : in_quotes(panel.title));
     for (const FigureCurve& curve : panel.curves) {
       script.add_series(script.add_points(thinned(curve.points)), style_of(curve), curve.name);
     }
@@ -222,9 +222,9 @@ PlotScript figure_terminal(const Figure& figure) {
     }
     const std::string title =
         panel.y_label.empty() ? panel.title : panel.title + ": " + panel.y_label;
-    script.command("set title " + quoted(cut(figure.title, kTitleWidth)) + ".\"\\n\"." +
-                   quoted(cut(title, kTitleWidth)));
-    script.command("set xlabel " + quoted(panel.x_label));
+    script.command("set title " + in_quotes(cut(figure.title, kTitleWidth)) + ".\"\\n\"." +
+                   in_quotes(cut(title, kTitleWidth)));
+    script.command("set xlabel " + in_quotes(panel.x_label));
     const auto [first, last] = panel.x_range;
     script.command(first == last ? "set autoscale x"
                                  : fmt::format("set xrange [{:.7g}:{:.7g}]", first, last));
@@ -237,7 +237,7 @@ PlotScript figure_terminal(const Figure& figure) {
                  : curve.points);
       plot += fmt::format("{}{} using 1:2 with points pointtype '{}' title {}",
                           plot.empty() ? "plot " : ", \\\n     ", points,
-                          kLetters[i % kLetters.size()], quoted(cut(curve.name, 30)));
+                          kLetters[i % kLetters.size()], in_quotes(cut(curve.name, 30)));
     }
     std::vector<std::vector<double>> marks;
     for (const double x : panel.marks) {
@@ -245,7 +245,7 @@ PlotScript figure_terminal(const Figure& figure) {
     }
     if (!marks.empty()) {
       plot += fmt::format(", \\\n     {} using 1:2 with points pointtype ':' title {}",
-                          script.add_points(marks), quoted(panel.mark_name));
+                          script.add_points(marks), in_quotes(panel.mark_name));
     }
     script.command(plot);
   }

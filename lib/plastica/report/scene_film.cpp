@@ -16,14 +16,14 @@ namespace plastica::report {
 namespace {
 
 /// A section is drawn at least this share of a frame's extent thick, in its plane and in space.
-constexpr double kLeastThickness = 1.0 / 45.0;
-constexpr double kLeastThicknessInSpace = 1.0 / 16.0;
-constexpr double kArrow = 0.16;        ///< length of the largest force [share of the extent]
-constexpr double kMostHeight = 720.0;  ///< of the strip [pixels]
-constexpr double kLabelHeight = 24.0;  ///< above each frame [pixels]
-constexpr double kPad = 10.0;          ///< around each frame [pixels]
-constexpr double kLeastSegment = 7.0;  ///< in which segments are told apart [pixels]
-constexpr double kFootHeight = 86.0;   ///< room for scale and axes [pixels]
+constexpr double kLeastFilmThickness = 1.0 / 45.0;
+constexpr double kLeastFilmThicknessInSpace = 1.0 / 16.0;
+constexpr double kArrow = 0.16;             ///< length of the largest force [share of the extent]
+constexpr double kMostStripHeight = 720.0;  ///< of the strip [pixels]
+constexpr double kLabelHeight = 24.0;       ///< above each frame [pixels]
+constexpr double kPad = 10.0;               ///< around each frame [pixels]
+constexpr double kLeastSegment = 7.0;       ///< in which segments are told apart [pixels]
+constexpr double kFootHeight = 86.0;        ///< room for scale and axes [pixels]
 
 std::vector<std::size_t> frames_of_film(const io::SceneRecord& record, const FilmRequest& request) {
   const double from = request.from.value_or(0.0);
@@ -85,10 +85,10 @@ std::string label_of(const io::SceneRecord& record, std::size_t frame, double la
 }
 
 std::string title_of(const io::SceneRecord& record, double thickness, std::size_t width) {
-  std::string title = quoted(cut(record.setup.scene.name, width));
+  std::string title = in_quotes(cut(record.setup.scene.name, width));
   std::string facts = outcome_line(record);
   if (thickness > 1.0) facts += fmt::format("; section drawn {:.0f} times as thick", thickness);
-  return title + ".\"\\n\"." + quoted(cut(facts, width));
+  return title + ".\"\\n\"." + in_quotes(cut(facts, width));
 }
 
 /// Where the frames of a grid lie: their lower left corners are multiples of the frame's size, the
@@ -127,7 +127,7 @@ PlotScript film_page(const io::SceneRecord& record, const FilmRequest& request) 
   Extent extent = extent_of(record, frames, eye);
   const double size = std::max(extent.size(0), extent.size(1));
   const double thickness = drawn_thickness(
-      record, eye, size, in_space(record) ? kLeastThicknessInSpace : kLeastThickness);
+      record, eye, size, in_space(record) ? kLeastFilmThicknessInSpace : kLeastFilmThickness);
   double strain = 0.0;
   for (const std::size_t frame : frames) {
     strain = std::max(strain, largest_strain(record, frame));
@@ -142,7 +142,7 @@ PlotScript film_page(const io::SceneRecord& record, const FilmRequest& request) 
   }
   const bool colored = strain > kNoStrain;
   const double width = kPlotWidth - (colored ? kBarWidth : 0.0);
-  const Grid grid = grid_of(extent, frames.size(), width, kMostHeight, kLabelHeight, kPad);
+  const Grid grid = grid_of(extent, frames.size(), width, kMostStripHeight, kLabelHeight, kPad);
   const Strip strip(grid, extent, kPad);
 
   PlotScript script;
@@ -164,7 +164,7 @@ PlotScript film_page(const io::SceneRecord& record, const FilmRequest& request) 
     const double top = y + grid.high * grid.scale;
     borders.push_back({{x, y}, {right, y}, {right, top}, {x, top}, {x, y}});
     script.command(fmt::format("set label {} {} at {:.7g}, {:.7g} left textcolor rgb '#333333'",
-                               k + 1, quoted(label_of(record, frames[k], last)),
+                               k + 1, in_quotes(label_of(record, frames[k], last)),
                                x + 0.8 * kPad * grid.scale, top - 0.6 * kLabelHeight * grid.scale));
     const Point2 shift = strip.shift(k);
     for (auto& line : lists_of(BeamPose(record, kUndeformed).axes(eye), shift)) {
@@ -212,9 +212,10 @@ PlotScript film_terminal(const io::SceneRecord& record, const FilmRequest& reque
   const double last = record.response.chain.time[record.response.chain.frame_sample[frames.back()]];
   std::vector<std::vector<std::vector<double>>> lists;
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    script.command(fmt::format(
-        "set label {} {} at {:.7g}, {:.7g} left", k + 1, quoted(label_of(record, frames[k], last)),
-        strip.left(k) + grid.scale, strip.low(k) + (grid.high - 2.0) * grid.scale));
+    script.command(fmt::format("set label {} {} at {:.7g}, {:.7g} left", k + 1,
+                               in_quotes(label_of(record, frames[k], last)),
+                               strip.left(k) + grid.scale,
+                               strip.low(k) + (grid.high - 2.0) * grid.scale));
     for (const auto& axis : BeamPose(record, frames[k]).axes(eye)) {
       lists.push_back(
           dense_points(rows_of(axis, strip.shift(k)), kColumns * grid.scale, strip.height()));

@@ -19,9 +19,9 @@ namespace {
 
 using Align = Table::Align;
 
-constexpr std::size_t kMostRows = 20;  ///< joints, and pieces, that are listed
-constexpr std::size_t kMostPeaks = 5;  ///< frequencies of a probe
-constexpr double kLeastPeak = 1e-3;    ///< of the strongest one
+constexpr std::size_t kMostRows = 20;      ///< joints, and pieces, that are listed
+constexpr std::size_t kMostToldPeaks = 5;  ///< frequencies of a probe
+constexpr double kLeastToldPeak = 1e-3;    ///< of the strongest one
 
 /// Time in the unit in which the last sample's is read best.
 DisplayUnit unit_of_time(const io::SceneRecord& record) {
@@ -218,11 +218,11 @@ std::string frequency_text(const io::SceneRecord& record, const Ink& ink) {
                {"", Align::Left}});
   for (const std::size_t p : probes) {
     const Probe& probe = record.setup.scene.probes[p];
-    const auto peaks = theory::spectral_peaks(spectrum_of(record, p), kLeastPeak);
+    const auto peaks = theory::spectral_peaks(spectrum_of(record, p), kLeastToldPeak);
     if (peaks.empty()) continue;
     const Dimension dimension = dimension_of(probe.quantity, {});
     const DisplayUnit unit = shown_unit(dimension, peaks.front().amplitude);
-    for (std::size_t k = 0; k < std::min(peaks.size(), kMostPeaks); ++k) {
+    for (std::size_t k = 0; k < std::min(peaks.size(), kMostToldPeaks); ++k) {
       table.add({k == 0 ? printable(probe.name) : std::string(), significant(peaks[k].frequency),
                  significant(1e3 / peaks[k].frequency),
                  significant(peaks[k].amplitude / unit.scale, 4), std::string(unit.name)});

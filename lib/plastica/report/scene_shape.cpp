@@ -76,9 +76,9 @@ std::vector<std::string> facts_of(const io::SceneRecord& record, std::size_t sho
 
 std::string title_of(const io::SceneRecord& record, std::size_t shown, double thickness,
                      std::size_t width) {
-  std::string title = quoted(cut(record.setup.scene.name, width));
+  std::string title = in_quotes(cut(record.setup.scene.name, width));
   for (const std::string& line : facts_of(record, shown, thickness)) {
-    title += ".\"\\n\"." + quoted(cut(line, width));
+    title += ".\"\\n\"." + in_quotes(cut(line, width));
   }
   return title;
 }
@@ -149,8 +149,8 @@ PlotScript shape_page(const io::SceneRecord& record, std::optional<double> time)
   if (space) {
     add_orientation(script, eye, window.scale, window.height);
   } else {
-    script.command("set xlabel " + quoted("z [m]"));
-    script.command("set ylabel " + quoted(eye.up[0] == 1.0 ? "x [m]" : "y [m]"));
+    script.command("set xlabel " + in_quotes("z [m]"));
+    script.command("set ylabel " + in_quotes(eye.up[0] == 1.0 ? "x [m]" : "y [m]"));
     script.command("set ytics autofreq");
   }
   if (colored) add_color_bar(script, strain);

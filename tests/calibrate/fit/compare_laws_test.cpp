@@ -11,7 +11,7 @@ namespace plastica::calibrate {
 namespace {
 
 /// A law's fit of one curve of 100 independent samples, whose largest value is 1.
-LawFit fit_of(Law law, double rms, std::size_t parameters) {
+LawFit fit_of_law(Law law, double rms, std::size_t parameters) {
   LawFit fit;
   fit.law = law;
   fit.fitted = true;
@@ -27,7 +27,8 @@ LawFit fit_of(Law law, double rms, std::size_t parameters) {
 }
 
 TEST(CompareLaws, HasTheCriteriaOfTheBooks) {
-  const LawComparison c = compare_laws({fit_of(Law::Ideal, 0.1, 2), fit_of(Law::Linear, 0.05, 3)});
+  const LawComparison c =
+      compare_laws({fit_of_law(Law::Ideal, 0.1, 2), fit_of_law(Law::Linear, 0.05, 3)});
   ASSERT_EQ(c.laws.size(), 2U);
   EXPECT_EQ(c.laws[0].fit.law, Law::Linear);
   // 100 ln 0.0025 + 2 x 4, K = 3 and the noise; N - K - 1 = 95.
@@ -39,15 +40,15 @@ TEST(CompareLaws, HasTheCriteriaOfTheBooks) {
 }
 
 TEST(CompareLaws, CountsAKnownNoiseAsNoParameter) {
-  LawFit fit = fit_of(Law::Ideal, 0.1, 2);
+  LawFit fit = fit_of_law(Law::Ideal, 0.1, 2);
   fit.curves[0].noise = 0.1;
   EXPECT_NEAR(compare_laws({fit}).laws[0].aic, 100.0 + 4.0, 1e-9);
 }
 
 TEST(CompareLaws, HasNothingAgainstASimplerLawWithinAKnownNoise) {
   // Half the misfit would be worth 100 ln 4 of an unknown noise.
-  LawFit ideal = fit_of(Law::Ideal, 0.1, 2);
-  LawFit linear = fit_of(Law::Linear, 0.05, 3);
+  LawFit ideal = fit_of_law(Law::Ideal, 0.1, 2);
+  LawFit linear = fit_of_law(Law::Linear, 0.05, 3);
   ideal.curves[0].noise = linear.curves[0].noise = 1.0;
   const LawComparison c = compare_laws({ideal, linear});
   EXPECT_EQ(c.laws[*c.advised].fit.law, Law::Ideal);
@@ -55,8 +56,8 @@ TEST(CompareLaws, HasNothingAgainstASimplerLawWithinAKnownNoise) {
 }
 
 TEST(CompareLaws, TakesNeighboursAlikeForFewerSamples) {
-  LawFit ideal = fit_of(Law::Ideal, 0.1, 2);
-  LawFit linear = fit_of(Law::Linear, 0.05, 3);
+  LawFit ideal = fit_of_law(Law::Ideal, 0.1, 2);
+  LawFit linear = fit_of_law(Law::Linear, 0.05, 3);
   ideal.curves[0].autocorrelation = 0.99;  // of the shape that it lacks
   linear.curves[0].autocorrelation = 0.6;
   const LawComparison c = compare_laws({ideal, linear});
@@ -65,12 +66,12 @@ TEST(CompareLaws, TakesNeighboursAlikeForFewerSamples) {
 }
 
 TEST(CompareLaws, AdvisesTheSimplerOfTwoAlikeAndSaysWhy) {
-  LawFit chaboche = fit_of(Law::Chaboche, 0.0400, 8);
+  LawFit chaboche = fit_of_law(Law::Chaboche, 0.0400, 8);
   chaboche.verdicts[6] = chaboche.verdicts[7] = Verdict::Weak;
   // The fall of the misfit is just worth one parameter more: 100 ln(rms^2) falls by ln 100 + 1.
   const double rms = 0.0401 * std::exp(-0.005 * (std::log(100.0) + 1.0));
   const LawComparison c =
-      compare_laws({fit_of(Law::Linear, 0.0401, 3), fit_of(Law::Voce, rms, 4), chaboche});
+      compare_laws({fit_of_law(Law::Linear, 0.0401, 3), fit_of_law(Law::Voce, rms, 4), chaboche});
   ASSERT_TRUE(c.advised);
   EXPECT_EQ(c.laws[0].fit.law, Law::Voce);
   EXPECT_EQ(c.laws[*c.advised].fit.law, Law::Linear);
@@ -83,13 +84,13 @@ TEST(CompareLaws, AdvisesTheSimplerOfTwoAlikeAndSaysWhy) {
 TEST(CompareLaws, AddsUpTheTargetsThatEveryLawWasFittedTo) {
   LawFit failed;
   failed.law = Law::Linear;
-  LawFit timed = fit_of(Law::Ideal, 0.1, 2);
+  LawFit timed = fit_of_law(Law::Ideal, 0.1, 2);
   timed.seconds = 2.0;
   timed.runs = 7;
   timed.evaluations = 5;
-  const LawComparison c = compare_laws_over({{timed, fit_of(Law::Linear, 0.05, 3)},
-                                             {fit_of(Law::Ideal, 1e-4, 2), failed},
-                                             {timed, fit_of(Law::Linear, 0.05, 3)}});
+  const LawComparison c = compare_laws_over({{timed, fit_of_law(Law::Linear, 0.05, 3)},
+                                             {fit_of_law(Law::Ideal, 1e-4, 2), failed},
+                                             {timed, fit_of_law(Law::Linear, 0.05, 3)}});
   ASSERT_EQ(c.laws.size(), 2U);
   EXPECT_EQ(c.laws[0].fit.law, Law::Linear);
   EXPECT_EQ(c.laws[1].fit.curves.size(), 2U);
@@ -100,14 +101,15 @@ TEST(CompareLaws, AddsUpTheTargetsThatEveryLawWasFittedTo) {
 }
 
 TEST(CompareLaws, TakesExactFitsAsEqual) {
-  const LawComparison c = compare_laws({fit_of(Law::Linear, 1e-9, 3), fit_of(Law::Voce, 1e-12, 4)});
+  const LawComparison c =
+      compare_laws({fit_of_law(Law::Linear, 1e-9, 3), fit_of_law(Law::Voce, 1e-12, 4)});
   EXPECT_EQ(c.laws[0].fit.law, Law::Linear);
 }
 
 TEST(CompareLaws, PutsLawsWithoutAFitLast) {
   LawFit none;
   none.law = Law::Ideal;
-  const LawComparison c = compare_laws({none, fit_of(Law::Linear, 0.1, 3)});
+  const LawComparison c = compare_laws({none, fit_of_law(Law::Linear, 0.1, 3)});
   EXPECT_EQ(c.laws[1].fit.law, Law::Ideal);
   EXPECT_EQ(c.advice, "linear");
   EXPECT_FALSE(compare_laws({none}).advised);

@@ -13,7 +13,7 @@ namespace {
 using namespace plastica::testing;
 
 /// E = 200 GPa, yields at 300 MPa, then 2 GPa up to 2 %; characteristics as an import finds them.
-Target steel(Deformation test = Deformation::Tension) {
+Target steel_bar(Deformation test = Deformation::Tension) {
   std::vector<double> strain = ramp(81, 0.02);
   std::vector<double> stress;
   for (const double e : strain)
@@ -34,21 +34,21 @@ StartValue start_of(const char* name, const Target& target) {
 
 TEST(StartValues, TakeModulusAndYieldFromTheCharacteristics) {
   const double strength = 300e6 + 2e9 * 0.0185;
-  EXPECT_NEAR(start_of("youngs_modulus", steel()).start, 200e9, 1.0);
+  EXPECT_NEAR(start_of("youngs_modulus", steel_bar()).start, 200e9, 1.0);
   // Ideal plasticity has to follow both proof stress and strength, hardening begins at the first.
-  EXPECT_NEAR(start_of("yield_stress", steel()).start, 0.5 * (300e6 + strength), 1.0);
+  EXPECT_NEAR(start_of("yield_stress", steel_bar()).start, 0.5 * (300e6 + strength), 1.0);
   FitOptions linear;
   linear.setup.scene.material.hardening.law = HardeningLaw::Linear;
-  EXPECT_NEAR(start_of("yield_stress", steel(), linear).start, 300e6, 1.0);
-  EXPECT_NEAR(start_of("tangent_modulus", steel(), linear).start, 2e9, 1.0);
-  EXPECT_LT(start_of("tangent_modulus", steel(), linear).upper, 200e9);
-  Target cyclic = steel();
+  EXPECT_NEAR(start_of("yield_stress", steel_bar(), linear).start, 300e6, 1.0);
+  EXPECT_NEAR(start_of("tangent_modulus", steel_bar(), linear).start, 2e9, 1.0);
+  EXPECT_LT(start_of("tangent_modulus", steel_bar(), linear).upper, 200e9);
+  Target cyclic = steel_bar();
   cyclic.loading = Loading::Cyclic;
   EXPECT_NEAR(start_of("yield_stress", cyclic).start, 0.8 * strength, 1.0);
 }
 
 TEST(StartValues, TranslateTorsionToTheMaterialsOwnNumbers) {
-  const Target torsion = steel(Deformation::Torsion);
+  const Target torsion = steel_bar(Deformation::Torsion);
   FitOptions options;
   options.setup.scene.material.poisson_ratio = 0.25;
   options.setup.scene.material.hardening.law = HardeningLaw::Linear;
@@ -61,7 +61,7 @@ TEST(StartValues, TranslateTorsionToTheMaterialsOwnNumbers) {
 }
 
 TEST(StartValues, TakeTheBreakStrainFromThePermanentStrain) {
-  Target target = steel();
+  Target target = steel_bar();
   break_at(target, 0.0205, 0.0185);
   EXPECT_EQ(start_of("break_strain", target).start, 0.0185);
   target.test = Deformation::Torsion;
@@ -70,7 +70,7 @@ TEST(StartValues, TakeTheBreakStrainFromThePermanentStrain) {
 }
 
 TEST(StartValues, StandInWithTheCurvesSizesWhereCharacteristicsAreMissing) {
-  Target bare = steel();
+  Target bare = steel_bar();
   bare.characteristics = {};
   const double strength = 300e6 + 2e9 * 0.0185;
   EXPECT_NEAR(start_of("youngs_modulus", bare).start, strength / 0.02, 1e3);
@@ -83,7 +83,7 @@ TEST(StartValues, LieInsideOfBoundsThatLieInTheFieldsRange) {
   for (const Deformation test : {Deformation::Tension, Deformation::Torsion}) {
     for (const Field& field : fields()) {
       if (!field.material) continue;
-      const Target target = steel(test);
+      const Target target = steel_bar(test);
       const StartValue value = start_value(field, curve_sizes(target, options), target, options);
       EXPECT_LT(value.lower, value.upper) << field.path;
       EXPECT_GE(value.start, value.lower) << field.path;

@@ -17,23 +17,23 @@ namespace {
 
 using namespace plastica::testing;
 
-void add_noise(Target& target, std::uint64_t seed, double deviation) {
+void add_normal_noise(Target& target, std::uint64_t seed, double deviation) {
   Noise noise(seed);
   for (double& s : target.corrected.stress) s += noise(deviation);
 }
 
 /// An elastic line with noise, 200 GPa up to 0.1 %.
-Target elastic_line(double deviation) {
+Target line_of_modulus(double deviation) {
   const std::vector<double> strain = ramp(40, 0.001);
   std::vector<double> stress;
   for (const double e : strain) stress.push_back(200e9 * e);
   Target target = target_of(strain, stress);
-  add_noise(target, 11, deviation);
+  add_normal_noise(target, 11, deviation);
   return target;
 }
 
 TEST(Uncertainty, IsThatOfARegressionWhereTheModelIsALine) {
-  const Target target = elastic_line(2e6);
+  const Target target = line_of_modulus(2e6);
   FitOptions options =
       fit_of({free_parameter("youngs_modulus"), fixed_parameter("yield_stress", 1e12)});
   options.objective = Objective::LeastSquares;
@@ -90,7 +90,7 @@ Spread spread_of(const FitOptions& options) {
   double error[2] = {};
   for (int i = 0; i < kFits; ++i) {
     Target target = target_of(strain, stress);
-    add_noise(target, 1000 + static_cast<std::uint64_t>(i), 3e6);
+    add_normal_noise(target, 1000 + static_cast<std::uint64_t>(i), 3e6);
     const FitResult result = fit_target(target, options);
     EXPECT_EQ(result.status, FitStatus::Fitted);
     const char* names[2] = {"youngs_modulus", "yield_stress"};
@@ -144,7 +144,7 @@ TEST(Uncertainty, MatchesTheSpreadOfFitsWithGivenWeights) {
 }
 
 TEST(Uncertainty, IsThatOfAWeightedRegressionWhereTheModelIsALine) {
-  const Target target = elastic_line(2e6);
+  const Target target = line_of_modulus(2e6);
   FitOptions options =
       fit_of({free_parameter("youngs_modulus"), fixed_parameter("yield_stress", 1e12)});
   options.objective = Objective::LeastSquares;
@@ -203,7 +203,7 @@ std::string unidentified(const FitResult& result) {
 
 TEST(Uncertainty, YieldAboveTheCurveIsNotIdentified) {
   const FitResult result =
-      fit_target(elastic_line(0.0),
+      fit_target(line_of_modulus(0.0),
                  fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress", 500e6)}));
   EXPECT_EQ(unidentified(result), "yield_stress ");
   EXPECT_TRUE(result.parameter("youngs_modulus").standard_error);
@@ -223,8 +223,8 @@ TEST(Uncertainty, YieldThatOnlyTheNoiseOfTheLastSamplesShowsIsNotIdentified) {
   // two costs less. 95 % of them must be told from a yield; with 40 the binomial leaves 34.
   int told = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    Target target = elastic_line(0.0);
-    add_noise(target, 500 + seed, 1e6);
+    Target target = line_of_modulus(0.0);
+    add_normal_noise(target, 500 + seed, 1e6);
     const FitResult result = fit_target(
         target, fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress")}));
     ASSERT_EQ(result.status, FitStatus::Fitted);
@@ -236,7 +236,7 @@ TEST(Uncertainty, YieldThatOnlyTheNoiseOfTheLastSamplesShowsIsNotIdentified) {
   }
   EXPECT_GE(told, 34);
   // Two samples far below the line are a yield.
-  Target target = elastic_line(1e6);
+  Target target = line_of_modulus(1e6);
   for (std::size_t i = 38; i < 40; ++i) target.corrected.stress[i] = 175e6;
   const FitResult result = fit_target(
       target, fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress")}));
@@ -248,14 +248,14 @@ TEST(Uncertainty, TangentModulusIsNotIdentifiedWithoutAPlasticPart) {
       fit_of({free_parameter("youngs_modulus"), fixed_parameter("yield_stress", 500e6),
               free_parameter("tangent_modulus")});
   options.setup.scene.material.hardening.law = HardeningLaw::Linear;
-  EXPECT_EQ(unidentified(fit_target(elastic_line(1e5), options)), "tangent_modulus ");
+  EXPECT_EQ(unidentified(fit_target(line_of_modulus(1e5), options)), "tangent_modulus ");
 }
 
 TEST(Uncertainty, ParametersThatOnlyACombinationOfIsSeenAreNotIdentified) {
   const std::vector<double> strain = ramp(41, 0.02);
   Target torsion = target_of(strain, ideal_curve(strain, 80e9, 170e6), Deformation::Torsion);
   // G = E/2(1+nu): E and nu together, while the yield stress is seen by itself.
-  add_noise(torsion, 3, 1e5);
+  add_normal_noise(torsion, 3, 1e5);
   const FitResult result =
       fit_target(torsion, fit_of({free_parameter("youngs_modulus"), free_parameter("poisson_ratio"),
                                   free_parameter("yield_stress")}));
@@ -275,8 +275,8 @@ TEST(Uncertainty, ATestSeesItsOwnYieldStressAlone) {
               free_parameter("shear_yield_stress")});
   Target tension = target_of(strain, ideal_curve(strain, 200e9, 300e6));
   Target torsion = target_of(strain, ideal_curve(strain, 80e9, 170e6), Deformation::Torsion);
-  add_noise(tension, 4, 1e5);
-  add_noise(torsion, 5, 1e5);
+  add_normal_noise(tension, 4, 1e5);
+  add_normal_noise(torsion, 5, 1e5);
   EXPECT_EQ(unidentified(fit_target(tension, options)), "shear_yield_stress ");
   EXPECT_EQ(unidentified(fit_target(torsion, options)), "yield_stress ");
   FitOptions tied = options;
@@ -295,7 +295,7 @@ TEST(Uncertainty, BreakStrainCarriesItsSamplingInterval) {
   const std::vector<double> strain = ramp(81, 0.02);
   const auto fitted = [&](double deviation, Deformation test) {
     Target target = target_of(strain, ideal_curve(strain, 200e9, 300e6), test);
-    add_noise(target, 6, deviation);
+    add_normal_noise(target, 6, deviation);
     break_at(target, 0.0206, 0.0188);
     return fit_target(target,
                       fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress"),
@@ -350,7 +350,7 @@ TEST(Uncertainty, CorrelationsAreSymmetricAndAtMostOne) {
   material.hardening = {HardeningLaw::Linear, 4e9, 0.6};
   Target target = target_like(options, Deformation::Tension, strain);
   target.loading = Loading::Cyclic;
-  add_noise(target, 7, 2e6);
+  add_normal_noise(target, 7, 2e6);
   break_at(target, 0.0101, 0.008);
   const FitResult result = fit_target(target, options);
   ASSERT_EQ(result.correlation.size(), 25U);

@@ -12,6 +12,7 @@
 #include "calibrate/report/plot.hpp"
 #include "calibrate/report/text.hpp"
 #include "tests/calibrate/report/records.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/message.hpp"
 
 // Intervals of profile and bootstrap of coupons in what people and scripts read.
@@ -19,12 +20,11 @@
 namespace plastica::calibrate {
 namespace {
 
+using plastica::testing::has;
+using Json = nlohmann::json;
+
 using plastica::testing::message_of;
 using testing::fitted_record;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// Profiles: of the modulus crossed, of the yield stress open upwards, of all else none; five
 /// resamples.
@@ -55,18 +55,16 @@ FitRecord with_intervals() {
 
 TEST(FitIntervalsReport, PutsAllIntervalsSideBySide) {
   const std::string text = fit_report(with_intervals());
-  EXPECT_TRUE(contains(text, "Intervals of 95 %\n")) << text;
-  EXPECT_TRUE(contains(text, "bootstrap, residuals")) << text;
-  EXPECT_TRUE(contains(text, "69.10 … 70.90")) << text;
-  EXPECT_TRUE(contains(text, "276.0 … bound")) << text;
-  EXPECT_TRUE(contains(text, "69.20 … 70.80")) << text;
-  EXPECT_TRUE(contains(text, "percentiles of 6 resamples, residuals in blocks of 2; 1 failed"))
-      << text;
-  EXPECT_FALSE(contains(fit_report(fitted_record()), "Intervals of"));
+  EXPECT_TRUE(has(text, "Intervals of 95 %\n")) << text;
+  EXPECT_TRUE(has(text, "bootstrap, residuals")) << text;
+  EXPECT_TRUE(has(text, "69.10 … 70.90")) << text;
+  EXPECT_TRUE(has(text, "276.0 … bound")) << text;
+  EXPECT_TRUE(has(text, "69.20 … 70.80")) << text;
+  EXPECT_TRUE(has(text, "percentiles of 6 resamples, residuals in blocks of 2; 1 failed")) << text;
+  EXPECT_FALSE(has(fit_report(fitted_record()), "Intervals of"));
 }
 
 TEST(FitIntervalsReport, WritesThemAsJson) {
-  using Json = nlohmann::json;
   const Json fit = Json::parse(json_summary(std::vector{with_intervals()}))["fits"][0];
   const Json& profile = fit["intervals"]["profile"]["yield_stress"];
   EXPECT_EQ(profile["interval"], Json({276e6, 2e9}));
@@ -81,7 +79,6 @@ TEST(FitIntervalsReport, WritesThemAsJson) {
 }
 
 TEST(FitIntervalsReport, WritesMeansOfSpecimensAsJsonAndText) {
-  using Json = nlohmann::json;
   const std::vector records{fitted_record("a", 276e6), fitted_record("b", 284e6)};
   const Json group = Json::parse(json_summary(records, 2, {100, 1, 0.95}))["groups"][0];
   const Json& yield = group["parameters"]["yield_stress"];
@@ -91,26 +88,25 @@ TEST(FitIntervalsReport, WritesMeansOfSpecimensAsJsonAndText) {
   ReportOptions options;
   options.specimen_resamples = 100;
   const std::string text = batch_report(records, options);
-  EXPECT_TRUE(contains(text, "95 % of the mean")) << text;
-  EXPECT_TRUE(contains(text, "276.0 … 284.0")) << text;
-  EXPECT_TRUE(contains(text, "of the mean: percentiles of 100 resamples")) << text;
-  EXPECT_FALSE(contains(batch_report(records), "of the mean"));
-  EXPECT_FALSE(contains(json_summary(records), "mean_interval"));
+  EXPECT_TRUE(has(text, "95 % of the mean")) << text;
+  EXPECT_TRUE(has(text, "276.0 … 284.0")) << text;
+  EXPECT_TRUE(has(text, "of the mean: percentiles of 100 resamples")) << text;
+  EXPECT_FALSE(has(batch_report(records), "of the mean"));
+  EXPECT_FALSE(has(json_summary(records), "mean_interval"));
 }
 
 TEST(FitIntervalsReport, WritesColumnsOfThoseThatAnySpecimenHas) {
   std::ostringstream out, bare;
   write_specimens_csv(out, std::vector{with_intervals(), fitted_record("b")});
   const std::string header = out.str().substr(0, out.str().find('\n'));
-  EXPECT_TRUE(contains(header,
-                       "fit.youngs_modulus.high [Pa],fit.youngs_modulus.profile_low [Pa],"
-                       "fit.youngs_modulus.profile_high [Pa],fit.youngs_modulus.profile_low_end,"
-                       "fit.youngs_modulus.profile_high_end,fit.youngs_modulus.bootstrap_low [Pa],"
-                       "fit.youngs_modulus.bootstrap_high [Pa],fit.youngs_modulus.verdict"))
+  EXPECT_TRUE(has(header,
+                  "fit.youngs_modulus.high [Pa],fit.youngs_modulus.profile_low [Pa],"
+                  "fit.youngs_modulus.profile_high [Pa],fit.youngs_modulus.profile_low_end,"
+                  "fit.youngs_modulus.profile_high_end,fit.youngs_modulus.bootstrap_low [Pa],"
+                  "fit.youngs_modulus.bootstrap_high [Pa],fit.youngs_modulus.verdict"))
       << header;
-  EXPECT_FALSE(contains(header, "specimens_low"));
-  EXPECT_TRUE(
-      contains(out.str(), "69100000000,70900000000,crossed,crossed,69200000000,70800000000"))
+  EXPECT_FALSE(has(header, "specimens_low"));
+  EXPECT_TRUE(has(out.str(), "69100000000,70900000000,crossed,crossed,69200000000,70800000000"))
       << out.str();
   std::istringstream lines(out.str());
   std::string line;
@@ -120,25 +116,25 @@ TEST(FitIntervalsReport, WritesColumnsOfThoseThatAnySpecimenHas) {
   EXPECT_EQ(cells[1], cells[0]);
   EXPECT_EQ(cells[2], cells[0]);
   write_specimens_csv(bare, std::vector{fitted_record()});
-  EXPECT_FALSE(contains(bare.str(), "profile"));
+  EXPECT_FALSE(has(bare.str(), "profile"));
 }
 
 TEST(FitIntervalsReport, DrawsThem) {
   const std::vector records{with_intervals()};
   const std::string profile = plot_script(records, {.what = "profile"});
-  EXPECT_TRUE(contains(profile, "set title 'youngs_modulus [GPa]'"));
-  EXPECT_TRUE(contains(profile, "set arrow from 69.1, graph 0"));
+  EXPECT_TRUE(has(profile, "set title 'youngs_modulus [GPa]'"));
+  EXPECT_TRUE(has(profile, "set arrow from 69.1, graph 0"));
   // The others have no interval.
   const std::string bootstrap = plot_script(records, {.what = "bootstrap", .specimen = "bar-01"});
-  EXPECT_TRUE(contains(bootstrap, "youngs_modulus [GPa]"));
-  EXPECT_FALSE(contains(bootstrap, "yield_stress [MPa]"));
-  EXPECT_FALSE(contains(bootstrap, "nan"));
+  EXPECT_TRUE(has(bootstrap, "youngs_modulus [GPa]"));
+  EXPECT_FALSE(has(bootstrap, "yield_stress [MPa]"));
+  EXPECT_FALSE(has(bootstrap, "nan"));
   std::vector all{with_intervals()};
   for (BootstrapInterval& interval : all[0].result.intervals.residuals.intervals) {
     interval = {1e6, 200e6, 300e6};
   }
-  EXPECT_TRUE(contains(plot_script(all, {.what = "bootstrap"}),
-                       "set title 'yield_stress [MPa] over youngs_modulus'"));
+  EXPECT_TRUE(has(plot_script(all, {.what = "bootstrap"}),
+                  "set title 'yield_stress [MPa] over youngs_modulus'"));
   EXPECT_EQ(message_of([] { plot_script(std::vector{fitted_record()}, {.what = "profile"}); }),
             "--what = profile: bar-01 has no profile: calibrate with --profile");
   EXPECT_EQ(message_of([] { plot_script(std::vector{fitted_record()}, {.what = "bootstrap"}); }),

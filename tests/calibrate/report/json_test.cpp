@@ -11,24 +11,24 @@
 namespace plastica::calibrate {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using testing::failed_record;
 using testing::fitted_record;
 using testing::parameter_of;
 using testing::rejected_record;
 
-Json summary_of(const std::vector<FitRecord>& records) {
-  return Json::parse(json_summary(records));
+OrderedJson summary_of(const std::vector<FitRecord>& records) {
+  return OrderedJson::parse(json_summary(records));
 }
 
-std::vector<std::string> keys_of(const Json& object) {
+std::vector<std::string> keys_of(const OrderedJson& object) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : object.items()) keys.push_back(key);
   return keys;
 }
 
 TEST(JsonSummary, GivesCharacteristicsAndParametersInSi) {
-  const Json fit = summary_of({fitted_record()})["fits"][0];
+  const OrderedJson fit = summary_of({fitted_record()})["fits"][0];
   EXPECT_EQ(fit["name"], "bar-01");
   EXPECT_EQ(fit["status"], "fitted");
   EXPECT_EQ(fit["reason"], nullptr);
@@ -36,10 +36,10 @@ TEST(JsonSummary, GivesCharacteristicsAndParametersInSi) {
   EXPECT_EQ(fit["characteristics"]["rp02"], 280e6);
   EXPECT_EQ(fit["characteristics"]["reh"], nullptr);
   EXPECT_EQ(fit["characteristics"]["break_strain"], 0.10425);
-  const Json& yield = fit["parameters"]["yield_stress"];
+  const OrderedJson& yield = fit["parameters"]["yield_stress"];
   EXPECT_EQ(yield["value"], 280e6);
   EXPECT_EQ(yield["stderr"], 0.41e6);
-  EXPECT_EQ(yield["bounds"], Json::array({10e6, 2e9}));
+  EXPECT_EQ(yield["bounds"], OrderedJson::array({10e6, 2e9}));
   EXPECT_EQ(yield["at_bound"], nullptr);
   EXPECT_EQ(yield["unit"], "Pa");
   EXPECT_EQ(fit["objective"], 1.2e12);
@@ -50,9 +50,9 @@ TEST(JsonSummary, GivesCharacteristicsAndParametersInSi) {
 }
 
 TEST(JsonSummary, HasItsKeysInAFixedOrder) {
-  const Json all = summary_of({fitted_record()});
+  const OrderedJson all = summary_of({fitted_record()});
   EXPECT_EQ(keys_of(all), (std::vector<std::string>{"fits", "groups", "counts"}));
-  const Json& fit = all["fits"][0];
+  const OrderedJson& fit = all["fits"][0];
   const std::vector<std::string> keys = keys_of(fit);
   EXPECT_EQ(std::vector<std::string>(keys.begin(), keys.begin() + 8),
             (std::vector<std::string>{"name", "law", "status", "reason", "characteristics",
@@ -66,11 +66,11 @@ TEST(JsonSummary, HasItsKeysInAFixedOrder) {
 }
 
 TEST(JsonSummary, OfARejectedOrFailedSpecimenHasNoNumbersOfAFit) {
-  const Json all =
+  const OrderedJson all =
       summary_of({rejected_record("a", "the file is empty"), failed_record("b", "no number")});
   EXPECT_EQ(all["fits"][0]["status"], "rejected");
   EXPECT_EQ(all["fits"][0]["reason"], "the file is empty");
-  EXPECT_EQ(all["fits"][0]["parameters"], Json::object());
+  EXPECT_EQ(all["fits"][0]["parameters"], OrderedJson::object());
   EXPECT_EQ(all["fits"][0]["characteristics"]["rm"], nullptr);
   EXPECT_EQ(all["fits"][0]["objective"], nullptr);
   EXPECT_EQ(all["fits"][1]["status"], "failed");
@@ -85,15 +85,15 @@ TEST(JsonSummary, WritesNullForWhatIsNotFinite) {
   parameter_of(record, "yield_stress").standard_error = nan;
   record.result.correlation[1] = nan;
   record.result.cost = HUGE_VAL;
-  const Json fit = summary_of({record})["fits"][0];
+  const OrderedJson fit = summary_of({record})["fits"][0];
   EXPECT_EQ(fit["parameters"]["yield_stress"]["stderr"], nullptr);
   EXPECT_EQ(fit["correlation"]["matrix"][0][1], nullptr);
   EXPECT_EQ(fit["objective"], nullptr);
 }
 
 TEST(JsonSummary, SummarizesTheGroups) {
-  const Json groups = summary_of({fitted_record("a", 280e6), fitted_record("b", 290e6),
-                                  fitted_record("c", 200e6, "150")})["groups"];
+  const OrderedJson groups = summary_of({fitted_record("a", 280e6), fitted_record("b", 290e6),
+                                         fitted_record("c", 200e6, "150")})["groups"];
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0]["group"]["temperature"], "20");
   EXPECT_EQ(groups[0]["parameters"]["yield_stress"]["n"], 2);
@@ -105,7 +105,7 @@ TEST(JsonSummary, SummarizesTheGroups) {
 
 TEST(JsonSummary, EscapesWhatUsersWrite) {
   FitRecord record = rejected_record("a\"b\\c\n", "bytes \xFF are no text");
-  const Json fit = summary_of({record})["fits"][0];
+  const OrderedJson fit = summary_of({record})["fits"][0];
   EXPECT_EQ(fit["name"], "a\"b\\c\n");
   EXPECT_EQ(fit["reason"], "bytes \xEF\xBF\xBD are no text");
 }

@@ -7,11 +7,14 @@
 #include "calibrate/report/scene_fit_plot.hpp"
 #include "tests/calibrate/report/records.hpp"
 #include "tests/calibrate/report/scene_records.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/message.hpp"
 
 /// Pictures of files that compare laws.
 namespace plastica::calibrate {
 namespace {
+
+using plastica::testing::has;
 
 using plastica::testing::message_of;
 using testing::fitted_record;
@@ -41,22 +44,18 @@ std::vector<SceneFitRecord> two_scene_laws() {
   return records;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(LawsPlot, ShowsWhatEachLawMakesOfACurveAndHowFarOffItIs) {
   const std::string script = plot_script(two_laws(), {.what = "laws"});
   for (const char* part : {"title 'ideal, 3.2 %'", "title 'linear, 0.36 %'", "title 'measured'",
                            "measured - fitted"}) {
-    EXPECT_TRUE(contains(script, part)) << part;
+    EXPECT_TRUE(has(script, part)) << part;
   }
 }
 
 TEST(LawsPlot, ShowsEachTargetOfAFitThroughScenes) {
   const std::string script = scene_fit_plot_script(two_scene_laws(), {.what = "laws"});
   for (const char* part : {"'bent'", "'twisted'", "title 'ideal, 8.3 %'", "title 'voce, 0.83 %'"}) {
-    EXPECT_TRUE(contains(script, part)) << part;
+    EXPECT_TRUE(has(script, part)) << part;
   }
 }
 

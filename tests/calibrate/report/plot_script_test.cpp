@@ -8,17 +8,16 @@
 #include "calibrate/report/plot_data.hpp"
 #include "plastica/base/check.hpp"
 #include "tests/calibrate/report/records.hpp"
+#include "tests/support/has.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
+using plastica::testing::has;
+
 using testing::fitted_record;
 using testing::parameter_of;
 using testing::rejected_record;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::string message_of(const std::vector<FitRecord>& records, const PlotRequest& request) {
   try {
@@ -31,15 +30,14 @@ std::string message_of(const std::vector<FitRecord>& records, const PlotRequest&
 
 TEST(PlotScript, OfOneSpecimenShowsCurveFitYieldAndBreak) {
   const std::string script = plot_script(std::vector{fitted_record()}, {});
-  EXPECT_TRUE(contains(script, "set title 'bar-01'.\"\\n\".'E 70.00 ± 0.30 GPa"));
-  EXPECT_TRUE(contains(script, "σ_y 280.00 ± 0.41 MPa"));
-  EXPECT_TRUE(contains(script, "ε_break 10.025 ± 0.025 % permanent"));
-  EXPECT_TRUE(contains(script, "set xlabel 'engineering strain [%]'"));
+  EXPECT_TRUE(has(script, "set title 'bar-01'.\"\\n\".'E 70.00 ± 0.30 GPa"));
+  EXPECT_TRUE(has(script, "σ_y 280.00 ± 0.41 MPa"));
+  EXPECT_TRUE(has(script, "ε_break 10.025 ± 0.025 % permanent"));
+  EXPECT_TRUE(has(script, "set xlabel 'engineering strain [%]'"));
   for (const char* name : {"'measured'", "'fitted'", "'yield, fitted'", "'break, measured'"}) {
-    EXPECT_TRUE(contains(script, std::string("title ") + name)) << name;
+    EXPECT_TRUE(has(script, std::string("title ") + name)) << name;
   }
-  EXPECT_TRUE(contains(script, "\n10.425 280 \n10.425 0 \n") ||
-              contains(script, "\n10.425 280\n10.425 0\n"))
+  EXPECT_TRUE(has(script, "\n10.425 280 \n10.425 0 \n") || has(script, "\n10.425 280\n10.425 0\n"))
       << "the fall at the break, in % and MPa";
 }
 
@@ -47,21 +45,21 @@ TEST(PlotScript, OfManySpecimensHasAPanelPerGroupAndTheMean) {
   const std::vector<FitRecord> records = {fitted_record("a"), fitted_record("b", 290e6),
                                           fitted_record("c", 200e6, "150")};
   const std::string script = plot_script(records, {});
-  EXPECT_TRUE(contains(script, "set title 'temperature 20, 2 specimens'"));
-  EXPECT_TRUE(contains(script, "set title 'c'"));
-  EXPECT_TRUE(contains(script, "title 'mean to first break'"));
-  EXPECT_TRUE(contains(script, "unset multiplot"));
+  EXPECT_TRUE(has(script, "set title 'temperature 20, 2 specimens'"));
+  EXPECT_TRUE(has(script, "set title 'c'"));
+  EXPECT_TRUE(has(script, "title 'mean to first break'"));
+  EXPECT_TRUE(has(script, "unset multiplot"));
 }
 
 TEST(PlotScript, OfParametersLeavesOutWhatNoCurveDetermines) {
   FitRecord record = fitted_record("a");
-  ASSERT_TRUE(contains(plot_script(std::vector{record}, {.what = "parameters"}), "break_strain"));
+  ASSERT_TRUE(has(plot_script(std::vector{record}, {.what = "parameters"}), "break_strain"));
   for (FittedParameter& parameter : record.result.parameters) {
     if (parameter.name == "break_strain") parameter.identified = false;
   }
   const std::string script = plot_script(std::vector{record}, {.what = "parameters"});
-  EXPECT_FALSE(contains(script, "break_strain"));
-  EXPECT_TRUE(contains(script, "yield_stress"));
+  EXPECT_FALSE(has(script, "break_strain"));
+  EXPECT_TRUE(has(script, "yield_stress"));
 }
 
 TEST(PlotScript, OfParametersHasAPanelForEachFreeOne) {
@@ -70,26 +68,26 @@ TEST(PlotScript, OfParametersHasAPanelForEachFreeOne) {
     parameter_of(record, "youngs_modulus").role = ParameterRole::Fixed;
   }
   const std::string script = plot_script(records, {.what = "parameters"});
-  EXPECT_TRUE(contains(script, "set title 'yield_stress [MPa]'"));
-  EXPECT_TRUE(contains(script, "set title 'break_strain [%]'"));
-  EXPECT_FALSE(contains(script, "youngs_modulus"));
-  EXPECT_TRUE(contains(script, "set xtics ('20' 1)"));
+  EXPECT_TRUE(has(script, "set title 'yield_stress [MPa]'"));
+  EXPECT_TRUE(has(script, "set title 'break_strain [%]'"));
+  EXPECT_FALSE(has(script, "youngs_modulus"));
+  EXPECT_TRUE(has(script, "set xtics ('20' 1)"));
 }
 
 TEST(PlotScript, LetsNoTextOfAUserLeaveItsQuotes) {
   FitRecord record = fitted_record("it's \"_{x}\\\n`id`\nsystem('id')");
   record.target.group = {{"l'ot", "5%d'\nplot x"}};
-  EXPECT_TRUE(contains(plot_script(std::vector{record}, {}),
-                       "set title 'it''s \"_{x}\\ `id` system(''id'')'.\"\\n\"."));
+  EXPECT_TRUE(has(plot_script(std::vector{record}, {}),
+                  "set title 'it''s \"_{x}\\ `id` system(''id'')'.\"\\n\"."));
   const std::string parameters = plot_script(std::vector{record}, {.what = "parameters"});
-  EXPECT_TRUE(contains(parameters, "('5%%d'' plot x' 1)"));
-  EXPECT_TRUE(contains(parameters, "set xlabel 'l''ot'"));
+  EXPECT_TRUE(has(parameters, "('5%%d'' plot x' 1)"));
+  EXPECT_TRUE(has(parameters, "set xlabel 'l''ot'"));
 }
 
 TEST(PlotScript, LeavesOutOfTheTitleWhatIsNotIdentified) {
   FitRecord record = fitted_record();
   parameter_of(record, "break_strain").identified = false;
-  EXPECT_FALSE(contains(plot_script(std::vector{record}, {}), "ε_break"));
+  EXPECT_FALSE(has(plot_script(std::vector{record}, {}), "ε_break"));
 }
 
 TEST(PlotScript, OfARejectedSpecimenShowsItsSamplesAndTheReason) {
@@ -97,8 +95,8 @@ TEST(PlotScript, OfARejectedSpecimenShowsItsSamplesAndTheReason) {
   EXPECT_EQ(message_of({record}, {}), "--case = bad: has no curve to draw: turns back");
   record.target.raw = fitted_record().target.raw;
   const std::string script = plot_script(std::vector{record}, {});
-  EXPECT_TRUE(contains(script, "rejected: turns back"));
-  EXPECT_FALSE(contains(script, "title 'fitted'"));
+  EXPECT_TRUE(has(script, "rejected: turns back"));
+  EXPECT_FALSE(has(script, "title 'fitted'"));
 }
 
 TEST(PlotScript, OfRejectedSpecimensAloneSaysThatThereIsNothingToDraw) {

@@ -8,19 +8,18 @@
 
 #include "plastica/base/check.hpp"
 #include "tests/calibrate/report/scene_records.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/message.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
+using plastica::testing::has;
+
 using plastica::testing::message_of;
 using testing::failed_scene_record;
 using testing::lone_scene_record;
 using testing::scene_record;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::string script_of(const SceneFitRecord& record, const std::string& what) {
   return scene_fit_plot_script(std::vector{record}, {.what = what});
@@ -28,22 +27,22 @@ std::string script_of(const SceneFitRecord& record, const std::string& what) {
 
 TEST(SceneFitPlot, OfAFitHasAPanelPerTargetWithTheBreakMarked) {
   const std::string script = script_of(scene_record(), "");
-  EXPECT_TRUE(contains(script, "set title 'bent'"));
-  EXPECT_TRUE(contains(script, "set title 'twisted'"));
-  EXPECT_TRUE(contains(script, "set xlabel 'support 2 [m]'"));
-  EXPECT_TRUE(contains(script, "set ylabel 'torque [N m]'"));
-  EXPECT_TRUE(contains(script, "set arrow from 0.0605, graph 0 to 0.0605, graph 1"));
+  EXPECT_TRUE(has(script, "set title 'bent'"));
+  EXPECT_TRUE(has(script, "set title 'twisted'"));
+  EXPECT_TRUE(has(script, "set xlabel 'support 2 [m]'"));
+  EXPECT_TRUE(has(script, "set ylabel 'torque [N m]'"));
+  EXPECT_TRUE(has(script, "set arrow from 0.0605, graph 0 to 0.0605, graph 1"));
   for (const char* name : {"'measured'", "'fitted'", "'break, measured'"}) {
-    EXPECT_TRUE(contains(script, std::string("title ") + name)) << name;
+    EXPECT_TRUE(has(script, std::string("title ") + name)) << name;
   }
-  EXPECT_TRUE(contains(script, "youngs_modulus 205.0 ± 1.2 GPa"));
+  EXPECT_TRUE(has(script, "youngs_modulus 205.0 ± 1.2 GPa"));
 }
 
 TEST(SceneFitPlot, OfAFailedFitShowsWhatWasMeasuredAndWhy) {
   const std::string script = script_of(failed_scene_record("f", "no curve at the start"), "fit");
-  EXPECT_TRUE(contains(script, "failed: no curve at the start"));
-  EXPECT_TRUE(contains(script, "title 'measured'"));
-  EXPECT_FALSE(contains(script, "title 'fitted'"));
+  EXPECT_TRUE(has(script, "failed: no curve at the start"));
+  EXPECT_TRUE(has(script, "title 'measured'"));
+  EXPECT_FALSE(has(script, "title 'fitted'"));
 }
 
 TEST(SceneFitPlot, OfResidualsShowsMeasuredMinusFitted) {
@@ -52,18 +51,18 @@ TEST(SceneFitPlot, OfResidualsShowsMeasuredMinusFitted) {
   record.targets[0].ordinate = {10.0, 20.0};
   record.result.parts[0].fitted = {12.0, 19.0};
   const std::string script = script_of(record, "residuals");
-  EXPECT_TRUE(contains(script, "\n0.25 -2 \n0.5 1 \n") || contains(script, "\n0.25 -2\n0.5 1\n"));
-  EXPECT_TRUE(contains(script, "force, measured - fitted [N]"));
-  EXPECT_TRUE(contains(script, "\n0.25 -5\n0.5 -5\n") || contains(script, "\n0.25 -5 \n0.5 -5 \n"))
+  EXPECT_TRUE(has(script, "\n0.25 -2 \n0.5 1 \n") || has(script, "\n0.25 -2\n0.5 1\n"));
+  EXPECT_TRUE(has(script, "force, measured - fitted [N]"));
+  EXPECT_TRUE(has(script, "\n0.25 -5\n0.5 -5\n") || has(script, "\n0.25 -5 \n0.5 -5 \n"))
       << "the noise";
 }
 
 TEST(SceneFitPlot, OfStartsIsTheirWaterfall) {
   const std::string script = script_of(scene_record(), "starts");
-  EXPECT_TRUE(contains(script, "the best cost from 2 of 4 starts, 1 without a curve"));
-  EXPECT_TRUE(contains(script, "set logscale y"));
-  EXPECT_TRUE(contains(script, "\n1 49.1\n2 49.1\n") || contains(script, "\n1 49.1 \n2 49.1 \n"));
-  EXPECT_TRUE(contains(script, "\n3 733"));
+  EXPECT_TRUE(has(script, "the best cost from 2 of 4 starts, 1 without a curve"));
+  EXPECT_TRUE(has(script, "set logscale y"));
+  EXPECT_TRUE(has(script, "\n1 49.1\n2 49.1\n") || has(script, "\n1 49.1 \n2 49.1 \n"));
+  EXPECT_TRUE(has(script, "\n3 733"));
 }
 
 TEST(SceneFitPlot, OfCorrelationsWritesEachNumber) {
@@ -73,9 +72,9 @@ TEST(SceneFitPlot, OfCorrelationsWritesEachNumber) {
   for (const char* output : {"", "-"}) {
     const std::string script =
         scene_fit_plot_script(std::vector{record}, {.what = "correlation", .output = output});
-    EXPECT_TRUE(contains(script, "set label '-0.42' at 2, 3 center"));
-    EXPECT_TRUE(contains(script, "set label '-' at 3, 2 center"));
-    EXPECT_TRUE(contains(script, "'yield_stress' 2"));
+    EXPECT_TRUE(has(script, "set label '-0.42' at 2, 3 center"));
+    EXPECT_TRUE(has(script, "set label '-' at 3, 2 center"));
+    EXPECT_TRUE(has(script, "'yield_stress' 2"));
   }
 }
 
@@ -84,12 +83,12 @@ TEST(SceneFitPlot, OfSegmentsLeadsToTheContinuousBeam) {
   record.result.segments->segments = 20;
   record.result.segments->parameters[0] = segments_error(220e9, 200e9, 195e9, 2.0);
   const std::string script = script_of(record, "segments");
-  EXPECT_TRUE(contains(script, "a: fits with half, once and twice 20 segments"));
-  EXPECT_TRUE(contains(script, "set title 'youngs_modulus [GPa], order 2.00'"));
-  EXPECT_TRUE(contains(script, "set title 'yield_stress [MPa], oscillates'"));
+  EXPECT_TRUE(has(script, "a: fits with half, once and twice 20 segments"));
+  EXPECT_TRUE(has(script, "set title 'youngs_modulus [GPa], order 2.00'"));
+  EXPECT_TRUE(has(script, "set title 'yield_stress [MPa], oscillates'"));
   // Extrapolated by 5/3 beyond 195, and 1.25 times as much to both sides.
-  EXPECT_TRUE(contains(script, "\n0 193.3333 "));
-  EXPECT_TRUE(contains(script, "\n2 220 \n1 200 \n0.5 195 \n"));
+  EXPECT_TRUE(has(script, "\n0 193.3333 "));
+  EXPECT_TRUE(has(script, "\n2 220 \n1 200 \n0.5 195 \n"));
 }
 
 TEST(SceneFitPlot, OfThePopulationHasAPanelPerParameter) {
@@ -97,11 +96,11 @@ TEST(SceneFitPlot, OfThePopulationHasAPanelPerParameter) {
       std::vector{lone_scene_record("a", 200e9, 380e6), failed_scene_record("b", "no"),
                   lone_scene_record("c", 210e9, 390e6)},
       {.what = "population"});
-  EXPECT_TRUE(contains(script, "set title 'youngs_modulus [GPa]'"));
-  EXPECT_TRUE(contains(script, "set title 'yield_stress [MPa]'"));
-  EXPECT_TRUE(contains(script, "\n3 210 207.6 212.4"));
-  EXPECT_TRUE(contains(script, "title 'mean'"));
-  EXPECT_TRUE(contains(script, "title 'specimens'' standard deviation, without noise'"));
+  EXPECT_TRUE(has(script, "set title 'youngs_modulus [GPa]'"));
+  EXPECT_TRUE(has(script, "set title 'yield_stress [MPa]'"));
+  EXPECT_TRUE(has(script, "\n3 210 207.6 212.4"));
+  EXPECT_TRUE(has(script, "title 'mean'"));
+  EXPECT_TRUE(has(script, "title 'specimens'' standard deviation, without noise'"));
 }
 
 TEST(SceneFitPlot, RefusesWhatThereIsNot) {
@@ -136,9 +135,9 @@ TEST(SceneFitPlot, LetsNoTextOfAUserLeaveItsQuotes) {
   for (const PlotKind& kind : scene_fit_plot_kinds()) {
     const std::string script =
         scene_fit_plot_script(std::vector{record, other}, {.what = std::string(kind.name)});
-    EXPECT_FALSE(contains(script, "\nsystem(")) << kind.name;
-    EXPECT_FALSE(contains(script, "\nplot 1")) << kind.name;
-    EXPECT_FALSE(contains(script, "p'q")) << kind.name;
+    EXPECT_FALSE(has(script, "\nsystem(")) << kind.name;
+    EXPECT_FALSE(has(script, "\nplot 1")) << kind.name;
+    EXPECT_FALSE(has(script, "p'q")) << kind.name;
   }
 }
 

@@ -9,9 +9,12 @@
 
 #include "calibrate/report/format.hpp"
 #include "tests/calibrate/report/scene_records.hpp"
+#include "tests/support/has.hpp"
 
 namespace plastica::calibrate {
 namespace {
+
+using plastica::testing::has;
 
 using testing::failed_scene_record;
 using testing::lone_scene_record;
@@ -32,10 +35,6 @@ std::vector<std::string> lines_of(const std::string& text) {
   return ::testing::AssertionFailure() << "no line '" << wanted << "' in\n" << text;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 std::vector<SceneFitRecord> specimens() {
   return {lone_scene_record("a", 200e9, 380e6), lone_scene_record("b", 210e9, 390e6),
           lone_scene_record("c", 205e9, 370e6)};
@@ -54,7 +53,7 @@ TEST(SceneFitText, ShowsEachParameterWithErrorIntervalAndVerdict) {
 
 TEST(SceneFitText, SetsAllSourcesOfErrorsSideBySide) {
   const std::string text = scene_fit_report(scene_record());
-  EXPECT_TRUE(contains(text, "\nStandard errors\n"));
+  EXPECT_TRUE(has(text, "\nStandard errors\n"));
   EXPECT_TRUE(has_line(text, "                  noise  sampling  segments  misfit"));
   // 1.25 x 1 % of 205 GPa, and 3 x 4 % of 380 MPa, over the root of 3.
   EXPECT_TRUE(has_line(text, "  youngs_modulus    1.2         -       1.5       -  GPa"));
@@ -66,7 +65,7 @@ TEST(SceneFitText, ShowsTheValuesOfOtherSegmentsAndWhereTheyLead) {
   SceneFitRecord record = scene_record();
   record.result.segments->note = "no fit with half the segments";
   const std::string text = scene_fit_report(record);
-  EXPECT_TRUE(contains(text, "\nSegments\n"));
+  EXPECT_TRUE(has(text, "\nSegments\n"));
   EXPECT_TRUE(
       has_line(text, "                     N/2  N = 32      2N  order        extrapolated"));
   EXPECT_TRUE(
@@ -77,8 +76,8 @@ TEST(SceneFitText, ShowsTheValuesOfOtherSegmentsAndWhereTheyLead) {
       has_line(text, "  break_strain         -       -       -  unknown          -         %"));
   EXPECT_TRUE(has_line(text, "  no fit with half the segments"));
   record.result.segments.reset();
-  EXPECT_FALSE(contains(scene_fit_report(record), "\nSegments\n"));
-  EXPECT_FALSE(contains(scene_fit_report(record), "sampling  segments"));
+  EXPECT_FALSE(has(scene_fit_report(record), "\nSegments\n"));
+  EXPECT_FALSE(has(scene_fit_report(record), "sampling  segments"));
 }
 
 TEST(SceneFitText, NamesTheBoundThatAParameterIsAt) {
@@ -90,21 +89,21 @@ TEST(SceneFitText, NamesTheBoundThatAParameterIsAt) {
   yield.standard_error = yield.interval_low = yield.interval_high =
       std::numeric_limits<double>::quiet_NaN();
   const std::string text = scene_fit_report(record);
-  EXPECT_TRUE(contains(text, "  yield_stress    380.00 ")) << text;
-  EXPECT_TRUE(contains(text, " at bound, upper 380 MPa\n")) << text;
+  EXPECT_TRUE(has(text, "  yield_stress    380.00 ")) << text;
+  EXPECT_TRUE(has(text, " at bound, upper 380 MPa\n")) << text;
   yield.verdict_number = yield.lower;
-  EXPECT_TRUE(contains(scene_fit_report(record), " at bound, lower 38 MPa\n"));
+  EXPECT_TRUE(has(scene_fit_report(record), " at bound, lower 38 MPa\n"));
 }
 
 TEST(SceneFitText, ShowsEachTargetWithNoiseMisfitAndBreak) {
   const std::string text = scene_fit_report(scene_record());
   EXPECT_TRUE(has_line(text, "           broke at support 2 0.06050 ± 0.00050 m"));
-  EXPECT_TRUE(contains(text, "  bent     planar       30   5.00  N "));
-  EXPECT_TRUE(contains(text, "  twisted  twist        20   3.00  N m (given) "));
-  EXPECT_FALSE(contains(text, "weight"));
+  EXPECT_TRUE(has(text, "  bent     planar       30   5.00  N "));
+  EXPECT_TRUE(has(text, "  twisted  twist        20   3.00  N m (given) "));
+  EXPECT_FALSE(has(text, "weight"));
   SceneFitRecord record = scene_record();
   record.weights[1] = 0.25;
-  EXPECT_TRUE(contains(scene_fit_report(record), "weight"));
+  EXPECT_TRUE(has(scene_fit_report(record), "weight"));
 }
 
 TEST(SceneFitText, ShowsTheWaterfallOfTheStartsInOneLine) {
@@ -117,7 +116,7 @@ TEST(SceneFitText, ShowsTheWaterfallOfTheStartsInOneLine) {
 
 TEST(SceneFitText, NamesStrongCorrelationsAlone) {
   SceneFitRecord record = scene_record();
-  EXPECT_FALSE(contains(scene_fit_report(record), "Correlations"));
+  EXPECT_FALSE(has(scene_fit_report(record), "Correlations"));
   record.result.correlation[1] = record.result.correlation[3] = -0.971;
   const std::string text = scene_fit_report(record);
   EXPECT_TRUE(has_line(text, "Correlations above 0.95"));
@@ -131,8 +130,8 @@ TEST(SceneFitText, IsAtMostAHundredColumnsWideAndPrintable) {
   for (const std::string& text :
        {scene_fit_report(record), scene_fits_report(std::vector{record, record})}) {
     for (const std::string& line : lines_of(text)) EXPECT_LE(report::width_of(line), 100U) << line;
-    EXPECT_FALSE(contains(text, "\x1b"));
-    EXPECT_FALSE(contains(text, "\xff"));
+    EXPECT_FALSE(has(text, "\x1b"));
+    EXPECT_FALSE(has(text, "\xff"));
   }
 }
 
@@ -148,7 +147,7 @@ TEST(SceneFitsText, ShowsFitsPopulationAndFailures) {
   records.push_back(failed_scene_record("d", "no curve at the start"));
   const std::string text = scene_fits_report(records);
   EXPECT_TRUE(has_line(text, "  b               210.0 ± 1.2           390.0 ± 2.1    0.83  k"));
-  EXPECT_TRUE(contains(text, "; k a parameter weak"));
+  EXPECT_TRUE(has(text, "; k a parameter weak"));
   // Mean 205, scatter 5, noise 1.2: sqrt(25 - 1.44) = 4.854.
   EXPECT_TRUE(
       has_line(text, "  youngs_modulus  3   205.0 ± 2.9       5.00     1.20          4.85  GPa"));
@@ -163,11 +162,11 @@ TEST(SceneFitsText, LeavesOutTheMiddleOfManyFits) {
   }
   const std::string text = scene_fits_report(records);
   EXPECT_TRUE(has_line(text, "  … 40 fits left out …"));
-  EXPECT_TRUE(contains(text, "  s29 "));
-  EXPECT_FALSE(contains(text, "  s30 "));
-  EXPECT_FALSE(contains(text, "  s69 "));
-  EXPECT_TRUE(contains(text, "  s70 "));
-  EXPECT_TRUE(contains(scene_fits_report(records, {.specimens_shown = 0}), "  s50 "));
+  EXPECT_TRUE(has(text, "  s29 "));
+  EXPECT_FALSE(has(text, "  s30 "));
+  EXPECT_FALSE(has(text, "  s69 "));
+  EXPECT_TRUE(has(text, "  s70 "));
+  EXPECT_TRUE(has(scene_fits_report(records, {.specimens_shown = 0}), "  s50 "));
 }
 
 TEST(SceneFitsText, OfASingleFitIsItsWholeReport) {

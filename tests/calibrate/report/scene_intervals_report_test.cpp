@@ -12,6 +12,7 @@
 #include "calibrate/report/scene_fit_plot.hpp"
 #include "calibrate/report/scene_fit_text.hpp"
 #include "tests/calibrate/report/scene_records.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/message.hpp"
 
 // Intervals of profile and bootstrap in what people and scripts read.
@@ -19,35 +20,32 @@
 namespace plastica::calibrate {
 namespace {
 
+using plastica::testing::has;
+using Json = nlohmann::json;
+
 using plastica::testing::message_of;
 using testing::lone_scene_record;
 using testing::record_with_intervals;
 using testing::scene_record;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(SceneIntervalsReport, PutsAllIntervalsSideBySide) {
   const std::string text = scene_fit_report(record_with_intervals());
-  EXPECT_TRUE(contains(text, "Intervals of 95 %\n")) << text;
-  EXPECT_TRUE(contains(text, "covariance")) << text;
-  EXPECT_TRUE(contains(text, "profile")) << text;
-  EXPECT_TRUE(contains(text, "bootstrap, residuals")) << text;
-  EXPECT_TRUE(contains(text, "202.0 … 209.0")) << text;
-  EXPECT_TRUE(contains(text, "375.0 … bound")) << text;
-  EXPECT_TRUE(contains(text, "open … open")) << text;
-  EXPECT_TRUE(contains(text,
-                       "profile: where the least cost has risen by 4.00; bound: it has not, up "
-                       "to the parameter's bound"))
+  EXPECT_TRUE(has(text, "Intervals of 95 %\n")) << text;
+  EXPECT_TRUE(has(text, "covariance")) << text;
+  EXPECT_TRUE(has(text, "profile")) << text;
+  EXPECT_TRUE(has(text, "bootstrap, residuals")) << text;
+  EXPECT_TRUE(has(text, "202.0 … 209.0")) << text;
+  EXPECT_TRUE(has(text, "375.0 … bound")) << text;
+  EXPECT_TRUE(has(text, "open … open")) << text;
+  EXPECT_TRUE(has(text,
+                  "profile: where the least cost has risen by 4.00; bound: it has not, up "
+                  "to the parameter's bound"))
       << text;
-  EXPECT_TRUE(contains(text, "percentiles of 5 resamples, residuals in blocks of 2; 1 failed"))
-      << text;
-  EXPECT_FALSE(contains(scene_fit_report(scene_record()), "Intervals of"));
+  EXPECT_TRUE(has(text, "percentiles of 5 resamples, residuals in blocks of 2; 1 failed")) << text;
+  EXPECT_FALSE(has(scene_fit_report(scene_record()), "Intervals of"));
 }
 
 TEST(SceneIntervalsReport, WritesThemAsJson) {
-  using Json = nlohmann::json;
   const Json fit = Json::parse(scene_fits_json(std::vector{record_with_intervals()}))["fits"][0];
   const Json& profile = fit["intervals"]["profile"]["yield_stress"];
   EXPECT_EQ(profile["interval"], Json({375e6, 2e9}));
@@ -66,17 +64,17 @@ TEST(SceneIntervalsReport, WritesColumnsOfThoseThatAnyFitHas) {
   std::ostringstream out, bare;
   write_scene_fits_csv(out, std::vector{record_with_intervals(), scene_record("b")});
   const std::string header = out.str().substr(0, out.str().find('\n'));
-  EXPECT_TRUE(contains(header,
-                       "material.youngs_modulus.segments_error [Pa],"
-                       "material.youngs_modulus.profile_low [Pa],"
-                       "material.youngs_modulus.profile_high [Pa],"
-                       "material.youngs_modulus.profile_low_end,"
-                       "material.youngs_modulus.profile_high_end,"
-                       "material.youngs_modulus.bootstrap_low [Pa],"
-                       "material.youngs_modulus.bootstrap_high [Pa],"
-                       "material.youngs_modulus.verdict"))
+  EXPECT_TRUE(has(header,
+                  "material.youngs_modulus.segments_error [Pa],"
+                  "material.youngs_modulus.profile_low [Pa],"
+                  "material.youngs_modulus.profile_high [Pa],"
+                  "material.youngs_modulus.profile_low_end,"
+                  "material.youngs_modulus.profile_high_end,"
+                  "material.youngs_modulus.bootstrap_low [Pa],"
+                  "material.youngs_modulus.bootstrap_high [Pa],"
+                  "material.youngs_modulus.verdict"))
       << header;
-  EXPECT_FALSE(contains(header, "specimens"));
+  EXPECT_FALSE(has(header, "specimens"));
   std::istringstream lines(out.str());
   std::string line;
   std::vector<std::ptrdiff_t> cells;
@@ -84,27 +82,27 @@ TEST(SceneIntervalsReport, WritesColumnsOfThoseThatAnyFitHas) {
   ASSERT_EQ(cells.size(), 3U);
   EXPECT_EQ(cells[1], cells[0]);
   EXPECT_EQ(cells[2], cells[0]);
-  EXPECT_TRUE(contains(out.str(), ",crossed,bound,")) << out.str();
+  EXPECT_TRUE(has(out.str(), ",crossed,bound,")) << out.str();
   write_scene_fits_csv(bare, std::vector{scene_record()});
-  EXPECT_FALSE(contains(bare.str(), "profile"));
+  EXPECT_FALSE(has(bare.str(), "profile"));
 }
 
 TEST(SceneIntervalsReport, SaysTheThresholdsOfAllParameters) {
   SceneFitRecord record = record_with_intervals();
-  EXPECT_TRUE(contains(scene_fit_report(record), "risen by 4.00;"));
+  EXPECT_TRUE(has(scene_fit_report(record), "risen by 4.00;"));
   record.result.intervals.profiles[1].threshold = 5.0;
-  EXPECT_TRUE(contains(scene_fit_report(record), "risen by 4.00 to 5.00;"));
+  EXPECT_TRUE(has(scene_fit_report(record), "risen by 4.00 to 5.00;"));
 }
 
 TEST(SceneIntervalsReport, DrawsProfiles) {
   const std::string script =
       scene_fit_plot_script(std::vector{record_with_intervals()}, {.what = "profile"});
-  EXPECT_TRUE(contains(script, "set title 'youngs_modulus [GPa]'"));
-  EXPECT_TRUE(contains(script, "set arrow from 202, graph 0"));
-  EXPECT_TRUE(contains(script, "set arrow from 209, graph 0"));
-  EXPECT_FALSE(contains(script, "set arrow from 2000, graph 0")) << "an end at a bound";
+  EXPECT_TRUE(has(script, "set title 'youngs_modulus [GPa]'"));
+  EXPECT_TRUE(has(script, "set arrow from 202, graph 0"));
+  EXPECT_TRUE(has(script, "set arrow from 209, graph 0"));
+  EXPECT_FALSE(has(script, "set arrow from 2000, graph 0")) << "an end at a bound";
   for (const char* name : {"'least cost'", "'threshold'", "'parabola of the covariance'"}) {
-    EXPECT_TRUE(contains(script, std::string("title ") + name)) << name;
+    EXPECT_TRUE(has(script, std::string("title ") + name)) << name;
   }
   EXPECT_EQ(
       message_of([] { scene_fit_plot_script(std::vector{scene_record()}, {.what = "profile"}); }),
@@ -114,9 +112,9 @@ TEST(SceneIntervalsReport, DrawsProfiles) {
 TEST(SceneIntervalsReport, DrawsBootstraps) {
   const std::string script =
       scene_fit_plot_script(std::vector{record_with_intervals()}, {.what = "bootstrap"});
-  EXPECT_TRUE(contains(script, "set title 'yield_stress [MPa] over youngs_modulus'"));
-  EXPECT_TRUE(contains(script, "204 379"));
-  EXPECT_TRUE(contains(script, "set arrow from 203, graph 0")) << "a percentile";
+  EXPECT_TRUE(has(script, "set title 'yield_stress [MPa] over youngs_modulus'"));
+  EXPECT_TRUE(has(script, "204 379"));
+  EXPECT_TRUE(has(script, "set arrow from 203, graph 0")) << "a percentile";
   EXPECT_EQ(
       message_of([] { scene_fit_plot_script(std::vector{scene_record()}, {.what = "bootstrap"}); }),
       "--what = bootstrap: both has no bootstrap: calibrate with --bootstrap 400");
@@ -127,8 +125,8 @@ TEST(SceneIntervalsReport, DrawsNoBootstrapOfWhatIsNotIdentified) {
   SceneFitRecord record = record_with_intervals();
   record.result.intervals.residuals.intervals[2] = {kNan, kNan, kNan};
   const std::string script = scene_fit_plot_script(std::vector{record}, {.what = "bootstrap"});
-  EXPECT_FALSE(contains(script, "nan"));
-  EXPECT_FALSE(contains(script, "break_strain"));
+  EXPECT_FALSE(has(script, "nan"));
+  EXPECT_FALSE(has(script, "break_strain"));
 }
 
 TEST(SceneIntervalsReport, DrawsBandsWhereTheCurveHasErrors) {
@@ -140,14 +138,14 @@ TEST(SceneIntervalsReport, DrawsBandsWhereTheCurveHasErrors) {
     part.degrees_of_freedom = std::numeric_limits<double>::infinity();
   }
   const auto script_of = [&] { return scene_fit_plot_script(std::vector{record}, {}); };
-  EXPECT_FALSE(contains(script_of(), "of the curve"));
+  EXPECT_FALSE(has(script_of(), "of the curve"));
   record.result.parts[0].fitted_error = {1.0, 2.0};
   record.result.parts[0].noise = 0.0;
   // 12 -+ 1.96
-  EXPECT_TRUE(contains(script_of(), "0.25 10.04004 13.95996")) << script_of();
-  EXPECT_TRUE(contains(script_of(), "with filledcurves"));
+  EXPECT_TRUE(has(script_of(), "0.25 10.04004 13.95996")) << script_of();
+  EXPECT_TRUE(has(script_of(), "with filledcurves"));
   record.targets[0].abscissa = {0.5, 0.25};
-  EXPECT_FALSE(contains(script_of(), "with filledcurves")) << "a path to and fro";
+  EXPECT_FALSE(has(script_of(), "with filledcurves")) << "a path to and fro";
 }
 
 }  // namespace

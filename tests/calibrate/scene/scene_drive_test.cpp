@@ -79,7 +79,7 @@ TEST(SceneDrive, StretchesACouponByItsMeasuredStrain) {
 }
 
 template <class Change>
-std::string refusal(const Change& change) {
+std::string drive_refusal(const Change& change) {
   plastica::Setup setup = bend_test(6);
   SceneTarget target = to_and_fro();
   change(setup, target);
@@ -92,20 +92,20 @@ std::string refusal(const Change& change) {
 }
 
 TEST(SceneDrive, RefusesWhatCannotFollow) {
-  EXPECT_EQ(refusal([](auto&, auto& target) { target.driven = 2; }),
+  EXPECT_EQ(drive_refusal([](auto&, auto& target) { target.driven = 2; }),
             "abscissa.drive = support[3]: the scene has 2 of them");
   EXPECT_EQ(
-      refusal([](auto&, auto& target) { target.driven = 0; }),
+      drive_refusal([](auto&, auto& target) { target.driven = 0; }),
       "abscissa.drive = support[1]: must be moved by a translation or by a rotation, to follow a "
       "number");
-  EXPECT_EQ(refusal([](auto&, auto& target) { target.kind = Abscissa::Load; }),
+  EXPECT_EQ(drive_refusal([](auto&, auto& target) { target.kind = Abscissa::Load; }),
             "abscissa.drive = load[2]: the scene has none");
-  EXPECT_EQ(refusal([](auto& setup, auto&) {
+  EXPECT_EQ(drive_refusal([](auto& setup, auto&) {
               setup.scene.loads.push_back({.force = {0.0, 1.0, 0.0}});
             }),
             "load[1].history: must be constant: the scene is driven by what was measured, and the "
             "rest is there from the first");
-  EXPECT_EQ(refusal([](auto& setup, auto&) { setup.solver.analysis = Analysis::Dynamics; }),
+  EXPECT_EQ(drive_refusal([](auto& setup, auto&) { setup.solver.analysis = Analysis::Dynamics; }),
             "abscissa.drive: is followed at rest: the curve of a motion is compared over its time");
 }
 

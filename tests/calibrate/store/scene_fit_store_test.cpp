@@ -18,7 +18,7 @@ namespace {
 
 using plastica::testing::message_of;
 
-SceneFitContents contents_of(std::vector<SceneFitRecord> records) {
+SceneFitContents scene_contents_of(std::vector<SceneFitRecord> records) {
   SceneFitContents contents;
   contents.records = std::move(records);
   contents.confidence = 0.9;
@@ -37,7 +37,7 @@ SceneFitRecord untried_record(const std::string& name) {
   return record;
 }
 
-std::vector<SceneFitRecord> mixed_records() {
+std::vector<SceneFitRecord> mixed_scene_records() {
   return {filled_scene_record("a"), failed_scene_record("b"), untried_record("c"),
           filled_scene_record("Ω")};
 }
@@ -54,7 +54,7 @@ class SceneFitStore : public ::testing::Test {
 };
 
 TEST_F(SceneFitStore, GivesBackEveryFieldOfEveryRecordBitByBit) {
-  const auto contents = contents_of(mixed_records());
+  const auto contents = scene_contents_of(mixed_scene_records());
   const auto read = round_trip(contents);
   ASSERT_EQ(read.records.size(), contents.records.size());
   for (std::size_t i = 0; i < read.records.size(); ++i) {
@@ -73,12 +73,12 @@ TEST_F(SceneFitStore, GivesBackEveryWordOfEachEnumeration) {
     record.result.parameters[0].dimension = static_cast<Dimension>(word);
     record.result.starts[0].outcome = static_cast<LeastSquaresOutcome>(word % 5);
   }
-  const std::vector<SceneFitRecord> read = round_trip(contents_of(records)).records;
+  const std::vector<SceneFitRecord> read = round_trip(scene_contents_of(records)).records;
   for (std::size_t i = 0; i < records.size(); ++i) EXPECT_TRUE(same_bits(read[i], records[i])) << i;
 }
 
 TEST_F(SceneFitStore, HoldsNoFitsAtAll) {
-  EXPECT_TRUE(round_trip(contents_of({})).records.empty());
+  EXPECT_TRUE(round_trip(scene_contents_of({})).records.empty());
 }
 
 TEST_F(SceneFitStore, HoldsLawsBesideEachOtherInTheirOrder) {
@@ -86,16 +86,16 @@ TEST_F(SceneFitStore, HoldsLawsBesideEachOtherInTheirOrder) {
   records[0].result.law = Law::Voce;
   records[1].result.law = Law::Ideal;
   records[1].seconds = 0.5;
-  const std::vector<SceneFitRecord> read = round_trip(contents_of(records)).records;
+  const std::vector<SceneFitRecord> read = round_trip(scene_contents_of(records)).records;
   ASSERT_EQ(read.size(), 2U);
   EXPECT_TRUE(same_bits(read[0], records[1]));
   EXPECT_TRUE(same_bits(read[1], records[0]));
   records[1].result.law = Law::Voce;
-  EXPECT_THROW(round_trip(contents_of(records)), std::logic_error) << "two fits of one law";
+  EXPECT_THROW(round_trip(scene_contents_of(records)), std::logic_error) << "two fits of one law";
 }
 
 TEST_F(SceneFitStore, GivesBackConfidenceInputsAndMeta) {
-  const auto contents = contents_of({});
+  const auto contents = scene_contents_of({});
   const auto read = round_trip(contents);
   EXPECT_EQ(read.confidence, 0.9);
   ASSERT_EQ(read.inputs.size(), 2U);
@@ -105,7 +105,7 @@ TEST_F(SceneFitStore, GivesBackConfidenceInputsAndMeta) {
 }
 
 TEST_F(SceneFitStore, HasTheSameBytesWhateverTheOrderOfTheRecords) {
-  auto contents = contents_of(mixed_records());
+  auto contents = scene_contents_of(mixed_scene_records());
   write_scene_fit_store(folder_.file("a.h5"), contents);
   std::reverse(contents.records.begin(), contents.records.end());
   write_scene_fit_store(folder_.file("b.h5"), contents);
@@ -113,7 +113,7 @@ TEST_F(SceneFitStore, HasTheSameBytesWhateverTheOrderOfTheRecords) {
 }
 
 TEST_F(SceneFitStore, DiffersBetweenTwoRunsInMetaAlone) {
-  auto contents = contents_of(mixed_records());
+  auto contents = scene_contents_of(mixed_scene_records());
   write_scene_fit_store(folder_.file("a.h5"), contents);
   contents.meta = io::begin_meta("another command line", 8);
   write_scene_fit_store(folder_.file("b.h5"), contents);
@@ -124,7 +124,7 @@ TEST_F(SceneFitStore, DiffersBetweenTwoRunsInMetaAlone) {
 }
 
 TEST_F(SceneFitStore, HasNoDatasetThatItsDocumentationDoesNotName) {
-  write_scene_fit_store(path_, contents_of(mixed_records()));
+  write_scene_fit_store(path_, scene_contents_of(mixed_scene_records()));
   const std::string page = io::content_of(PLASTICA_SOURCE_DIR "/data/README.md");
   const std::size_t from = page.find("## The result file of fits through scenes (HDF5)");
   ASSERT_NE(from, std::string::npos);
@@ -141,7 +141,7 @@ TEST_F(SceneFitStore, HasNoDatasetThatItsDocumentationDoesNotName) {
 }
 
 TEST_F(SceneFitStore, NamesTheUnitsOfColumnsThatMixThem) {
-  write_scene_fit_store(path_, contents_of({filled_scene_record("a")}));
+  write_scene_fit_store(path_, scene_contents_of({filled_scene_record("a")}));
   const io::Hdf5File file = io::Hdf5File::open(path_);
   EXPECT_EQ(file.root().read_texts("parameters/value_units"),
             (std::vector<std::string>{"Pa", "Pa", "1"}));
@@ -153,7 +153,7 @@ TEST_F(SceneFitStore, RefusesRecordsThatAreNotWhole) {
   const auto refused = [&](const std::function<void(std::vector<SceneFitRecord>&)>& spoil) {
     std::vector<SceneFitRecord> records{filled_scene_record("a"), filled_scene_record("b")};
     spoil(records);
-    EXPECT_THROW(write_scene_fit_store(path_, contents_of(records)), std::logic_error);
+    EXPECT_THROW(write_scene_fit_store(path_, scene_contents_of(records)), std::logic_error);
     EXPECT_FALSE(std::filesystem::exists(path_));
     EXPECT_FALSE(std::filesystem::exists(path_ + ".part"));
   };
@@ -181,7 +181,7 @@ TEST_F(SceneFitStore, NamesAFileOfAnotherSchemaOrVersion) {
 }
 
 TEST_F(SceneFitStore, NamesARowOfAFitThatIsNotThere) {
-  const auto contents = contents_of({filled_scene_record("a")});
+  const auto contents = scene_contents_of({filled_scene_record("a")});
   const auto spoilt = [&](const std::string& table) {
     write_scene_fit_store(path_, contents);
     const std::string other = folder_.file("other.h5");

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/lib/io/message_of.hpp"
+#include "tests/lib/io/message_from.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
 
 namespace plastica::io {
@@ -60,7 +60,8 @@ TEST(Bytes, ARecordCutAnywhereIsAnError) {
       reader.get<std::optional<double>>();
       reader.get<std::optional<double>>();
     };
-    EXPECT_EQ(message_of<StorageError>(read_all), "case 7: ends in the middle of a value") << size;
+    EXPECT_EQ(message_from<StorageError>(read_all), "case 7: ends in the middle of a value")
+        << size;
   }
 }
 
@@ -68,7 +69,7 @@ TEST(Bytes, AnAbsurdLengthIsAnErrorAndAsksForNoMemory) {
   ByteWriter writer;
   writer.put(~std::uint64_t{0});
   const auto get = [&]<typename T>(T) {
-    return message_of<StorageError>([&] { ByteReader(writer.bytes()).get<T>(); });
+    return message_from<StorageError>([&] { ByteReader(writer.bytes()).get<T>(); });
   };
   EXPECT_EQ(get(std::string()), "record: ends in the middle of a value");
   EXPECT_EQ(get(std::vector<double>()), "record: ends in the middle of a value");
@@ -80,7 +81,8 @@ TEST(Bytes, SomethingLeftIsAnErrorWhereTheEndIsExpected) {
   writer.put(std::uint8_t{1}).put(std::uint16_t{2});
   ByteReader reader(writer.bytes());
   reader.get<std::uint8_t>();
-  EXPECT_EQ(message_of<StorageError>([&] { reader.expect_end(); }), "record: has 2 bytes too many");
+  EXPECT_EQ(message_from<StorageError>([&] { reader.expect_end(); }),
+            "record: has 2 bytes too many");
 }
 
 }  // namespace

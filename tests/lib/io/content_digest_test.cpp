@@ -5,7 +5,7 @@
 #include <random>
 
 #include "plastica/io/hdf5.hpp"
-#include "tests/lib/io/message_of.hpp"
+#include "tests/lib/io/message_from.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
 
 namespace plastica::io {
@@ -83,9 +83,9 @@ TEST_F(ContentDigest, IsNotAskedOfFilesWithoutABlock) {
 }
 
 TEST_F(ContentDigest, IsOfRegularFiles) {
-  EXPECT_EQ(message_of<InputError>([] { check_content_digest("/dev/zero"); }),
+  EXPECT_EQ(message_from<InputError>([] { check_content_digest("/dev/zero"); }),
             "/dev/zero: is no regular file");
-  EXPECT_EQ(message_of<InputError>([] { check_content_digest("/tmp"); }),
+  EXPECT_EQ(message_from<InputError>([] { check_content_digest("/tmp"); }),
             "/tmp: cannot be read: it is a folder");
 }
 

@@ -3,22 +3,22 @@
 #include <string>
 
 #include "plastica/io/csv.hpp"
-#include "tests/lib/io/message_of.hpp"
+#include "tests/lib/io/message_from.hpp"
 
 namespace plastica::io {
 namespace {
 
 std::string parse_error(const std::string& text, const CsvOptions& options = {}) {
-  return message_of<InputError>([&] { CsvTable::parse(text, "curve.csv", options); });
+  return message_from<InputError>([&] { CsvTable::parse(text, "curve.csv", options); });
 }
 
 TEST(CsvErrors, AMissingFileIsNamed) {
-  EXPECT_EQ(message_of<InputError>([] { CsvTable::read("no/such/file.csv"); }),
+  EXPECT_EQ(message_from<InputError>([] { CsvTable::read("no/such/file.csv"); }),
             "no/such/file.csv: cannot be read: No such file or directory");
 }
 
 TEST(CsvErrors, AFolderIsNotAFile) {
-  EXPECT_EQ(message_of<InputError>([] { CsvTable::read("/"); }),
+  EXPECT_EQ(message_from<InputError>([] { CsvTable::read("/"); }),
             "/: cannot be read: Is a directory");
 }
 
@@ -80,19 +80,19 @@ TEST(CsvErrors, AQuoteThatIsNotClosedIsNamedWithItsLine) {
 
 TEST(CsvErrors, ACellThatIsNoNumberIsNamedWithLineAndColumn) {
   const CsvTable table = CsvTable::parse("a,\n0,1\n1,2\n3,x7\n5,1e999\n6,inf\n8,9\n", "c.csv");
-  EXPECT_EQ(message_of<InputError>([&] { table.number(2, 1); }),
+  EXPECT_EQ(message_from<InputError>([&] { table.number(2, 1); }),
             "c.csv:4: column 2 = x7: is not a number");
-  EXPECT_EQ(message_of<InputError>([&] { table.number(3, 1); }),
+  EXPECT_EQ(message_from<InputError>([&] { table.number(3, 1); }),
             "c.csv:5: column 2 = 1e999: is a number out of range");
-  EXPECT_EQ(message_of<InputError>([&] { table.number(4, 1); }),
+  EXPECT_EQ(message_from<InputError>([&] { table.number(4, 1); }),
             "c.csv:6: column 2 = inf: is not a number");
-  EXPECT_EQ(message_of<InputError>([&] { table.numbers(1); }),
+  EXPECT_EQ(message_from<InputError>([&] { table.numbers(1); }),
             "c.csv:4: column 2 = x7: is not a number");
 }
 
 TEST(CsvErrors, ThousandsSeparatorsAreNotGuessed) {
   const CsvTable table = CsvTable::parse("a;b\n0,5;1,5\n1.234,5;2,5\n2,5;3,5\n4,5;1,5\n", "c.csv");
-  EXPECT_EQ(message_of<InputError>([&] { table.numbers(0); }),
+  EXPECT_EQ(message_from<InputError>([&] { table.numbers(0); }),
             "c.csv:3: a = 1.234,5: is not a number");
 }
 
@@ -110,13 +110,13 @@ TEST(CsvErrors, AHeaderLineThatIsNotThereIsNamed) {
 
 TEST(CsvErrors, AnUnknownColumnListsTheColumnsThereAre) {
   const CsvTable named = CsvTable::parse("Strain,Stress\n1,2\n3,4\n", "c.csv");
-  EXPECT_EQ(message_of<InputError>([&] {
+  EXPECT_EQ(message_from<InputError>([&] {
               named.find("Force", {"fit.toml", 7}, "stress.column");
             }),
             "fit.toml:7: stress.column = Force: is not a column of c.csv, which has 2 columns: "
             "Strain, Stress");
   const CsvTable bare = CsvTable::parse("1,2\n3,4\n", "c.csv");
-  EXPECT_EQ(message_of<InputError>([&] { bare.find("3", {}, "column"); }),
+  EXPECT_EQ(message_from<InputError>([&] { bare.find("3", {}, "column"); }),
             "column = 3: is not a column of c.csv, which has 2 columns without names");
 }
 
@@ -124,7 +124,7 @@ TEST(CsvErrors, ANameThatTwoColumnsHaveIsRefused) {
   const CsvTable table = CsvTable::parse("x,y,X\n1,2,3\n4,5,6\n", "c.csv");
   EXPECT_EQ(table.find("x"), 0U);
   const CsvTable twice = CsvTable::parse("x,y,x\n1,2,3\n4,5,6\n", "c.csv");
-  EXPECT_EQ(message_of<InputError>([&] { twice.find("x", {}, "column"); }),
+  EXPECT_EQ(message_from<InputError>([&] { twice.find("x", {}, "column"); }),
             "column = x: is the name of columns 1 and 3 of c.csv; give the number");
   EXPECT_EQ(twice.find("x"), std::nullopt);
 }

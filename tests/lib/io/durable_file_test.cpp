@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/lib/io/message_of.hpp"
+#include "tests/lib/io/message_from.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
 
 namespace plastica::io {
@@ -12,7 +12,7 @@ TEST(DurableFile, NamesTheFileThatCannotBeSynced) {
   const ScratchFolder folder;
   sync_to_disk(folder.write("a", "new"));
   const std::string none = folder.file("none/a");
-  EXPECT_EQ(message_of<StorageError>([&] { sync_to_disk(none); }),
+  EXPECT_EQ(message_from<StorageError>([&] { sync_to_disk(none); }),
             none + ": cannot be opened: No such file or directory");
 }
 

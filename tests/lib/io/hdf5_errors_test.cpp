@@ -7,13 +7,13 @@
 #include <csignal>
 
 #include "plastica/io/hdf5.hpp"
-#include "tests/lib/io/message_of.hpp"
+#include "tests/lib/io/message_from.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
 
 namespace plastica::io {
 namespace {
 
-using Texts = std::vector<std::string>;
+using Strings = std::vector<std::string>;
 
 /// A file with one of each kind, for asking it the wrong things.
 class Hdf5Errors : public testing::Test {
@@ -21,20 +21,20 @@ class Hdf5Errors : public testing::Test {
   Hdf5Errors() : path_(folder_.file("a.h5")) {
     Hdf5File file = Hdf5File::create(path_);
     file.root().write("x", std::vector<double>{1.0, 2.0});
-    file.root().write_texts("t", Texts{"a", "b"});
+    file.root().write_texts("t", Strings{"a", "b"});
     file.root().group("g");
     file.root().write("rows/values", std::vector<double>{1.0});
     file.root().write("rows/offsets", std::vector<std::uint64_t>{0, 2});
     file.root().set_attribute("x", "units", "Pa");
     file.root().set_attribute("x", "scale", 0.5);
-    file.root().set_attribute("x", "names", Texts{"a", "b"});
+    file.root().set_attribute("x", "names", Strings{"a", "b"});
     file.commit();
   }
 
   template <typename Action>
   std::string on_reading(const Action& action) {
     const Hdf5File file = Hdf5File::open(path_);
-    return message_of<InputError>([&] { action(file.root()); });
+    return message_from<InputError>([&] { action(file.root()); });
   }
 
   ScratchFolder folder_;
@@ -42,16 +42,17 @@ class Hdf5Errors : public testing::Test {
 };
 
 TEST_F(Hdf5Errors, AFileThatIsMissingOrSomethingElseIsBadInput) {
-  EXPECT_EQ(message_of<InputError>([] { Hdf5File::open("no/such.h5"); }),
+  EXPECT_EQ(message_from<InputError>([] { Hdf5File::open("no/such.h5"); }),
             "no/such.h5: cannot be read: No such file or directory");
   const std::string text = folder_.write("t.h5", "Strain,Stress\n");
-  EXPECT_EQ(message_of<InputError>([&] { Hdf5File::open(text); }), text + ": is not an HDF5 file");
+  EXPECT_EQ(message_from<InputError>([&] { Hdf5File::open(text); }),
+            text + ": is not an HDF5 file");
 }
 
 TEST_F(Hdf5Errors, ACutOffFileIsSaidToBeDamaged) {
   const std::string whole = content_of(path_);
   const std::string cut = folder_.write("cut.h5", whole.substr(0, whole.size() / 2));
-  const std::string message = message_of<InputError>([&] { Hdf5File::open(cut); });
+  const std::string message = message_from<InputError>([&] { Hdf5File::open(cut); });
   EXPECT_TRUE(message.starts_with(cut + ": is cut off: ")) << message;
 }
 
@@ -110,33 +111,33 @@ TEST_F(Hdf5Errors, AnAttributeOfAnotherTypeIsNamed) {
 
 TEST_F(Hdf5Errors, AFolderThatIsNotThereIsAFailureOfStorage) {
   const std::string path = folder_.file("none/a.h5");
-  EXPECT_EQ(message_of<StorageError>([&] { Hdf5File::create(path); }),
+  EXPECT_EQ(message_from<StorageError>([&] { Hdf5File::create(path); }),
             path + ": cannot be written: No such file or directory");
 }
 
 TEST_F(Hdf5Errors, WritingTwiceToAPathIsRefused) {
   Hdf5File file = Hdf5File::create(path_);
   file.root().write("x", 1.0);
-  EXPECT_EQ(message_of<StorageError>([&] { file.root().write("x", 2.0); }),
+  EXPECT_EQ(message_from<StorageError>([&] { file.root().write("x", 2.0); }),
             path_ + ": cannot write /x: it exists already");
-  EXPECT_EQ(message_of<StorageError>([&] { file.root().group("x"); }),
+  EXPECT_EQ(message_from<StorageError>([&] { file.root().group("x"); }),
             path_ + ": cannot create group /x: there is a dataset");
 }
 
 TEST_F(Hdf5Errors, TextThatHdf5WouldCutIsRefused) {
   Hdf5File file = Hdf5File::create(path_);
   const std::string text("a\0b", 3);
-  EXPECT_EQ(message_of<StorageError>([&] { file.root().write_text("t", text); }),
+  EXPECT_EQ(message_from<StorageError>([&] { file.root().write_text("t", text); }),
             path_ + ": cannot write /t: the text has a zero byte");
-  EXPECT_EQ(message_of<StorageError>([&] { file.root().write_texts("t", Texts{text}); }),
+  EXPECT_EQ(message_from<StorageError>([&] { file.root().write_texts("t", Strings{text}); }),
             path_ + ": cannot write /t: the text has a zero byte");
-  EXPECT_EQ(message_of<StorageError>([&] { file.root().set_attribute(".", "n", text); }),
+  EXPECT_EQ(message_from<StorageError>([&] { file.root().set_attribute(".", "n", text); }),
             path_ + ": cannot write /@n: the text has a zero byte");
 }
 
 TEST_F(Hdf5Errors, Hdf5sInnermostMessageIsPassedOn) {
   Hdf5File file = Hdf5File::open(path_);
-  EXPECT_EQ(message_of<StorageError>([&] { file.root().write("new", 1.0); }),
+  EXPECT_EQ(message_from<StorageError>([&] { file.root().write("new", 1.0); }),
             path_ + ": cannot create /new: no write intent on file");
 }
 
@@ -157,7 +158,7 @@ TEST_F(Hdf5Errors, AFullDiskIsReportedAndLeavesTheOlderFile) {
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit small{20'000, 20'000};
     setrlimit(RLIMIT_FSIZE, &small);
-    const std::string message = message_of<StorageError>([&] {
+    const std::string message = message_from<StorageError>([&] {
       Hdf5File file = Hdf5File::create(path_);
       file.root().write("big", std::vector<double>(10'000, 1.0));
       file.commit();

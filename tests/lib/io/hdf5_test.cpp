@@ -13,7 +13,7 @@
 namespace plastica::io {
 namespace {
 
-using Texts = std::vector<std::string>;
+using Strings = std::vector<std::string>;
 
 std::vector<double> ramp(std::size_t count) {
   std::vector<double> values(count);
@@ -25,12 +25,12 @@ void fill(Hdf5File& file) {
   Hdf5Group& root = file.root();
   root.set_attribute(".", "schema", "plastica-fit");
   root.set_attribute(".", "version", 1);
-  root.write_texts("inputs/names", Texts{"b.csv", "ä µm", ""});
+  root.write_texts("inputs/names", Strings{"b.csv", "ä µm", ""});
   for (const char* name : {"zeta", "alpha", "mid"}) {
     Hdf5Group group = root.group(std::string("fits/") + name);
     group.write("stress", ramp(5000), {.units = "Pa", .deflate = 4});
     group.write_text("status", "converged");
-    group.set_attribute(".", "axes", Texts{"x", "y"});
+    group.set_attribute(".", "axes", Strings{"x", "y"});
   }
 }
 
@@ -112,11 +112,11 @@ TEST(Hdf5, GivesBackTextsAndAttributes) {
     Hdf5File file = Hdf5File::create(path);
     Hdf5Group& root = file.root();
     root.write_text("text", "zwei\nZeilen, 20 °C");
-    root.write_texts("texts", Texts{"a", "", "ß"});
-    root.write_texts("none", Texts{});
+    root.write_texts("texts", Strings{"a", "", "ß"});
+    root.write_texts("none", Strings{});
     root.set_attribute("text", "real", 1.5);
     root.set_attribute("text", "count", std::int64_t{1} << 40U);
-    root.set_attribute("text", "names", Texts{"x", "yy"});
+    root.set_attribute("text", "names", Strings{"x", "yy"});
     root.set_attribute("text", "note", "first");
     root.set_attribute("text", "note", "second, and longer");
     file.commit();
@@ -124,12 +124,12 @@ TEST(Hdf5, GivesBackTextsAndAttributes) {
   const Hdf5File file = Hdf5File::open(path);
   const Hdf5Group& root = file.root();
   EXPECT_EQ(root.read_text("text"), "zwei\nZeilen, 20 °C");
-  EXPECT_EQ(root.read_texts("texts"), (Texts{"a", "", "ß"}));
+  EXPECT_EQ(root.read_texts("texts"), (Strings{"a", "", "ß"}));
   EXPECT_TRUE(root.read_texts("none").empty());
   EXPECT_EQ(root.real_attribute("text", "real"), 1.5);
   EXPECT_EQ(root.real_attribute("text", "count"), std::ldexp(1.0, 40));
   EXPECT_EQ(root.integer_attribute("text", "count"), std::int64_t{1} << 40U);
-  EXPECT_EQ(root.texts_attribute("text", "names"), (Texts{"x", "yy"}));
+  EXPECT_EQ(root.texts_attribute("text", "names"), (Strings{"x", "yy"}));
   EXPECT_EQ(root.text_attribute("text", "note"), "second, and longer");
   EXPECT_FALSE(root.has_attribute("text", "other"));
 }
@@ -144,10 +144,10 @@ TEST(Hdf5, ListsGroupsInTheOrderOfWriting) {
   }
   const Hdf5File file = Hdf5File::open(path);
   const Hdf5Group& root = file.root();
-  EXPECT_EQ(root.children(), (Texts{"inputs", "fits"}));
+  EXPECT_EQ(root.children(), (Strings{"inputs", "fits"}));
   const Hdf5Group fits = root.open_group("fits");
   EXPECT_EQ(fits.path(), "/fits");
-  EXPECT_EQ(fits.children(), (Texts{"zeta", "alpha", "mid"}));
+  EXPECT_EQ(fits.children(), (Strings{"zeta", "alpha", "mid"}));
   EXPECT_EQ(fits.kind("mid"), Hdf5Kind::Group);
   EXPECT_EQ(fits.kind("mid/stress"), Hdf5Kind::Real);
   EXPECT_EQ(fits.kind("/inputs/names"), Hdf5Kind::Text);

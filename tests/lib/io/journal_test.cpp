@@ -13,7 +13,7 @@
 
 #include "plastica/base/check.hpp"
 #include "plastica/io/bytes.hpp"
-#include "tests/lib/io/message_of.hpp"
+#include "tests/lib/io/message_from.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
 
 namespace plastica::io {
@@ -212,14 +212,14 @@ TEST(Journal, SurvivesAKillAtAnyMoment) {
 TEST(JournalErrors, AFolderThatIsNotThereIsNamed) {
   const ScratchFolder folder;
   const std::string path = folder.file("none/j");
-  EXPECT_EQ(message_of<StorageError>([&] { Journal::create(path, kRun); }),
+  EXPECT_EQ(message_from<StorageError>([&] { Journal::create(path, kRun); }),
             path + ": cannot be written: No such file or directory");
 }
 
 TEST(JournalErrors, WhatIsNoFileInItsPlaceIsNamed) {
   const ScratchFolder folder;
   const std::string path = folder.file("j");
-  const auto said = [&] { return message_of<InputError>([&] { read_journal(path, kRun); }); };
+  const auto said = [&] { return message_from<InputError>([&] { read_journal(path, kRun); }); };
   const std::string rule = " in the place of the journal: move it, or name another output";
   std::filesystem::create_directory(path);
   EXPECT_EQ(said(), path + ": is a folder" + rule);
@@ -249,7 +249,7 @@ TEST(JournalErrors, AJournalInUseIsNotTaken) {
   const std::string path = folder.file("j");
   Journal journal = Journal::create(path, kRun);
   journal.append("a", {});
-  EXPECT_EQ(message_of<StorageError>([&] { Journal::create(path, kRun); }),
+  EXPECT_EQ(message_from<StorageError>([&] { Journal::create(path, kRun); }),
             path + ": is in use by another run");
   EXPECT_EQ(read_journal(path, kRun).state, JournalState::InUse);
 }
@@ -260,7 +260,7 @@ TEST(JournalErrors, AJournalThatGrewSinceItWasReadIsNotResumed) {
   write_cases(path, 2);
   const JournalContent content = read_journal(path, kRun);
   write_cases(path, 3);
-  EXPECT_EQ(message_of<StorageError>([&] { Journal::resume(path, kRun, content); }),
+  EXPECT_EQ(message_from<StorageError>([&] { Journal::resume(path, kRun, content); }),
             path + ": has changed while it was read");
 }
 
@@ -276,7 +276,7 @@ TEST(JournalErrors, AFullDiskIsReportedAndLeavesTheJournalReadable) {
   small.rlim_cur = 100;
   setrlimit(RLIMIT_FSIZE, &small);
   const std::string message =
-      message_of<StorageError>([&] { journal->append("big", std::vector<std::byte>(1000)); });
+      message_from<StorageError>([&] { journal->append("big", std::vector<std::byte>(1000)); });
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, old_handler);
   EXPECT_EQ(message, path + ": cannot be written: File too large");

@@ -9,7 +9,7 @@
 
 #include "plastica/base/check.hpp"
 #include "plastica/io/text_file.hpp"
-#include "tests/lib/io/message_of.hpp"
+#include "tests/lib/io/message_from.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
 
 namespace plastica::io {
@@ -81,7 +81,7 @@ TEST(OutputFile, KeepsAFileThatHasAppearedAndItsOwnContentToo) {
   file.write("mine");
   folder.write("a", "theirs");
   const std::string part = file.part();
-  EXPECT_EQ(message_of<StorageError>([&] { file.commit(); }),
+  EXPECT_EQ(message_from<StorageError>([&] { file.commit(); }),
             path +
                 ": has appeared since the run began, and is left as it is; the result is kept as " +
                 part);
@@ -125,7 +125,7 @@ TEST(OutputLock, IsOneRunsAtATimeAndGoesWithIt) {
   {
     const OutputLock lock(path);
     EXPECT_EQ(folder.names(), Names{"a.h5.lock"});
-    EXPECT_EQ(message_of<StorageError>([&] { const OutputLock second(path); }),
+    EXPECT_EQ(message_from<StorageError>([&] { const OutputLock second(path); }),
               path + ": is in use by another run");
     EXPECT_EQ(folder.names(), Names{"a.h5.lock"});
   }
@@ -160,7 +160,7 @@ TEST(OutputLock, IsNoLink) {
 TEST(OutputLock, IsNoFileOfAnother) {
   const ScratchFolder folder;
   const std::string mine = folder.write("a.h5.lock", "mine");
-  EXPECT_EQ(message_of<InputError>([&] { const OutputLock lock(folder.file("a.h5")); }),
+  EXPECT_EQ(message_from<InputError>([&] { const OutputLock lock(folder.file("a.h5")); }),
             mine +
                 ": is a file of another kind in the place of the lock: move it, or name another "
                 "output");

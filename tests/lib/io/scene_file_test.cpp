@@ -15,9 +15,9 @@ using testing::message_of;
 
 const std::string kDrive = "[drive]\nstrain = [0, 0.01]\n";
 
-Setup read(const std::string& text) { return parse_scene_file(text, "s.toml").setup; }
+Setup read_scene(const std::string& text) { return parse_scene_file(text, "s.toml").setup; }
 
-std::string error_of(const std::string& text) {
+std::string scene_error(const std::string& text) {
   return message_of([&] { parse_scene_file(text, "s.toml"); });
 }
 
@@ -70,7 +70,7 @@ class SceneFileWithTable : public ::testing::Test {
 };
 
 TEST(SceneFile, TakesDefaultsForWhatItDoesNotSay) {
-  const plastica::Setup setup = read(kDrive);
+  const plastica::Setup setup = read_scene(kDrive);
   const plastica::Setup defaults;
   EXPECT_EQ(setup.scene.name, "s");
   EXPECT_EQ(setup.scene.drive.strain, (std::vector<double>{0.0, 0.01}));
@@ -98,28 +98,28 @@ TEST(SceneFile, ReadsEveryFieldOfTheFieldTable) {
       wanted = fitting;
     }
     const plastica::Setup setup =
-        read(scene_around(field.path) + std::string(field.path) + " = " + value);
+        read_scene(scene_around(field.path) + std::string(field.path) + " = " + value);
     EXPECT_EQ(field.get(setup), wanted) << field.path;
   }
 }
 
 TEST(SceneFile, TakesANamedMaterialAsTheBase) {
-  const plastica::Setup shorthand = read("material = '6061-T6'\n" + kDrive);
+  const plastica::Setup shorthand = read_scene("material = '6061-T6'\n" + kDrive);
   EXPECT_EQ(shorthand.scene.material.name, "6061-T6");
   EXPECT_EQ(shorthand.scene.material.youngs_modulus, 68.9e9);
   const plastica::Setup changed =
-      read("[material]\nyield_stress = '300 MPa'\nname = '6061-T6'\n" + kDrive);
+      read_scene("[material]\nyield_stress = '300 MPa'\nname = '6061-T6'\n" + kDrive);
   EXPECT_EQ(changed.scene.material.youngs_modulus, 68.9e9);
   EXPECT_DOUBLE_EQ(changed.scene.material.yield_stress, 300e6);
 }
 
 TEST(SceneFile, ReadsSamplesWithAndWithoutUnits) {
-  EXPECT_EQ(read("[drive]\nstrain = [0, '1 %', 0.02]").scene.drive.strain,
+  EXPECT_EQ(read_scene("[drive]\nstrain = [0, '1 %', 0.02]").scene.drive.strain,
             (std::vector<double>{0.0, 0.01, 0.02}));
 }
 
 TEST(SceneFile, RunsStraightOverTurningPoints) {
-  const auto strain = read(
+  const auto strain = read_scene(
                           "[drive]\nstrain = { turning_points = ['2 %', 0.02, '-2 %'], "
                           "points_between = 3 }")
                           .scene.drive.strain;
@@ -129,13 +129,14 @@ TEST(SceneFile, RunsStraightOverTurningPoints) {
   EXPECT_EQ(strain[4], 0.02);
   EXPECT_DOUBLE_EQ(strain[6], 0.0);
   EXPECT_EQ(strain[8], -0.02);
-  EXPECT_EQ(read("[drive]\nstrain = { turning_points = [0.01] }").scene.drive.strain.size(), 52U);
+  EXPECT_EQ(read_scene("[drive]\nstrain = { turning_points = [0.01] }").scene.drive.strain.size(),
+            52U);
 }
 
 TEST(SceneFile, ReadsProbes) {
-  const plastica::Setup setup = read(kDrive +
-                                     "[[probe]]\nkind = 'load'\n[[probe]]\nname = 'used'\n"
-                                     "kind = 'accumulated_strain'\n");
+  const plastica::Setup setup = read_scene(kDrive +
+                                           "[[probe]]\nkind = 'load'\n[[probe]]\nname = 'used'\n"
+                                           "kind = 'accumulated_strain'\n");
   ASSERT_EQ(setup.scene.probes.size(), 2U);
   EXPECT_EQ(setup.scene.probes[0].name, "load");
   EXPECT_EQ(setup.scene.probes[0].quantity, ProbeQuantity::Load);
@@ -170,66 +171,66 @@ TEST_F(SceneFileWithTable, RefusesAColumnWithGaps) {
 TEST(SceneFileErrors, AnUnknownMaterialIsRefusedWithTheListOfNames) {
   const std::string rule =
       "must be one of S235, S275, S355, 42CrMo4, 1.4301, 6061-T6, 6082-T6, 2024-T3, 7075-T6, C24";
-  EXPECT_EQ(error_of("material = 'S999'\n" + kDrive), "s.toml:1: material = S999: " + rule);
-  EXPECT_EQ(error_of("[material]\nname = 'S999'\n" + kDrive),
+  EXPECT_EQ(scene_error("material = 'S999'\n" + kDrive), "s.toml:1: material = S999: " + rule);
+  EXPECT_EQ(scene_error("[material]\nname = 'S999'\n" + kDrive),
             "s.toml:2: material.name = S999: " + rule);
 }
 
 TEST(SceneFileErrors, AFieldOutOfRangeIsRefusedAsItIsWritten) {
-  EXPECT_EQ(error_of("[material]\nyield_stress = '-5 MPa'\n" + kDrive),
+  EXPECT_EQ(scene_error("[material]\nyield_stress = '-5 MPa'\n" + kDrive),
             "s.toml:2: material.yield_stress = -5 MPa: must be above 0 Pa");
-  EXPECT_EQ(error_of("[beam]\nsegments = 2.5\n" + kDrive),
+  EXPECT_EQ(scene_error("[beam]\nsegments = 2.5\n" + kDrive),
             "s.toml:2: beam.segments = 2.5: must be a whole number");
 }
 
 TEST(SceneFileErrors, AChoiceThatIsNoneIsRefused) {
-  EXPECT_EQ(error_of("[section]\nshape = 'round'\n" + kDrive),
+  EXPECT_EQ(scene_error("[section]\nshape = 'round'\n" + kDrive),
             "s.toml:2: section.shape = round: must be one of rectangle, circle, round_tube, "
             "rectangular_tube");
 }
 
 TEST(SceneFileErrors, FieldsThatContradictEachOtherAreRefused) {
-  EXPECT_EQ(error_of("[rules]\nformulas = 'report'\nyield_cap = 'fully_plastic'\n" + kDrive),
+  EXPECT_EQ(scene_error("[rules]\nformulas = 'report'\nyield_cap = 'fully_plastic'\n" + kDrive),
             "s.toml:3: rules.yield_cap = fully_plastic: the report's caps are at first yield");
 }
 
 TEST(SceneFileErrors, AnUnknownKeyIsRefusedWithTheNearestField) {
-  EXPECT_EQ(error_of("[material]\nyeild_stress = '5 MPa'\n" + kDrive),
+  EXPECT_EQ(scene_error("[material]\nyeild_stress = '5 MPa'\n" + kDrive),
             "s.toml:2: material.yeild_stress = '5 MPa': is not a key of material; did you mean "
             "yield_stress?");
 }
 
 TEST(SceneFileErrors, ASceneWithoutADriveIsRefused) {
   EXPECT_EQ(
-      error_of("name = 'x'\n"),
+      scene_error("name = 'x'\n"),
       "s.toml: support: is missing: a scene needs [[support]] and loads, or a [drive]; a beam "
       "in free flight needs solver.analysis = \"dynamics\"");
-  EXPECT_EQ(error_of("[drive]\n"), "s.toml:1: drive.strain: is missing");
-  EXPECT_EQ(error_of("[drive]\nstrain = []\n"),
+  EXPECT_EQ(scene_error("[drive]\n"), "s.toml:1: drive.strain: is missing");
+  EXPECT_EQ(scene_error("[drive]\nstrain = []\n"),
             "s.toml:2: drive.strain = []: must have at least one sample");
 }
 
 TEST(SceneFileErrors, ADriveOfNoKnownKindIsRefused) {
-  EXPECT_EQ(error_of("[drive]\nstrain = 0.1\n"),
+  EXPECT_EQ(scene_error("[drive]\nstrain = 0.1\n"),
             "s.toml:2: drive.strain = 0.1: must be a list of strains, { table, column } or "
             "{ turning_points }");
-  EXPECT_EQ(error_of("[drive]\nstrain = { turning_point = [1] }\n"),
+  EXPECT_EQ(scene_error("[drive]\nstrain = { turning_point = [1] }\n"),
             "s.toml:2: drive.strain.turning_point = [1]: is not a key of drive.strain; did you "
             "mean turning_points?");
-  EXPECT_EQ(error_of("[drive]\nstrain = {}\n"),
+  EXPECT_EQ(scene_error("[drive]\nstrain = {}\n"),
             "s.toml:2: drive.strain = {}: must have either table and column, or turning_points");
-  EXPECT_EQ(error_of("[drive]\nstrain = ['1 MPa']\n"),
+  EXPECT_EQ(scene_error("[drive]\nstrain = ['1 MPa']\n"),
             "s.toml:2: drive.strain[1] = 1 MPa: \"MPa\" is not a unit of strain (examples: %, 1, "
             "mm/mm, um/m)");
 }
 
 TEST(SceneFileErrors, TwoProbesOfOneNameAreRefused) {
-  EXPECT_EQ(error_of(kDrive + "[[probe]]\nkind = 'load'\n[[probe]]\nkind = 'load'\n"),
+  EXPECT_EQ(scene_error(kDrive + "[[probe]]\nkind = 'load'\n[[probe]]\nkind = 'load'\n"),
             "s.toml:6: probe[2].kind = load: is the name of another probe, too");
-  EXPECT_TRUE(error_of(kDrive + "[[probe]]\nkind = 'forces'\n")
+  EXPECT_TRUE(scene_error(kDrive + "[[probe]]\nkind = 'forces'\n")
                   .starts_with("s.toml:4: probe[1].kind = 'forces': must be one of \"strain\", "
                                "\"stress\", \"plastic_strain\", "));
-  EXPECT_EQ(error_of(kDrive + "[[probe]]\nquantity = 'stress'\n"),
+  EXPECT_EQ(scene_error(kDrive + "[[probe]]\nquantity = 'stress'\n"),
             "s.toml:4: probe[1].quantity = stress: is called kind");
 }
 

@@ -11,18 +11,18 @@ namespace {
 using Vector = std::array<double, 3>;
 
 /// A scene in time that ends after two seconds, with more text at its end.
-plastica::Setup read(const std::string& text) {
+plastica::Setup read_motion(const std::string& text) {
   const std::string solver = "[solver]\nanalysis = 'dynamics'\nduration = '2 s'\n";
   return parse_scene_file(solver + text, "s.toml").setup;
 }
 
 const std::string kVelocity = "[[initial_motion]]\nvelocity = ['0 m/s', '36 km/h', '0 m/s']\n";
-const std::string kClamp = "[[support]]\nat = 'start'\nkind = 'clamp'\n";
+const std::string kHeldStart = "[[support]]\nat = 'start'\nkind = 'clamp'\n";
 const std::string kGravity = "[gravity]\ny = '-9.81 m/s^2'\nhistory = 'constant'\n";
 
 TEST(SceneInTime, ReadsHowItIsSolved) {
   const SolverOptions solver =
-      read(
+      read_motion(
           "scheme = 'energy_momentum'\ntime_step = '0.5 ms'\nstep_error = 1e-4\n"
           "rho_infinity = 0.5\nrotary_inertia = 'off'\ndamping = 'relaxation'\n"
           "damping_time = '2 ms'\nframes = 12\n" +
@@ -41,19 +41,19 @@ TEST(SceneInTime, ReadsHowItIsSolved) {
 }
 
 TEST(SceneInTime, NeedsNoSupports) {
-  const plastica::Setup setup = read(kVelocity);
+  const plastica::Setup setup = read_motion(kVelocity);
   EXPECT_TRUE(setup.scene.supports.empty());
   EXPECT_FALSE(setup.scene.is_coupon());
-  EXPECT_NO_THROW(read(kGravity));
+  EXPECT_NO_THROW(read_motion(kGravity));
 }
 
 TEST(SceneInTime, ReadsInitialMotions) {
   const auto motions =
-      read(kVelocity +
-           "[[initial_motion]]\nfrom = { segment = 2 }\nto = '75 %'\nabout = 'start'\n"
-           "velocity = ['1 m/s', '2 m/s', '3 mm/s']\n"
-           "spin = ['180 deg/s', '0 rad/s', '5 rad/s']\n"
-           "[[initial_motion]]\nspin = ['1 rad/s', '0 rad/s', '0 rad/s']\n")
+      read_motion(kVelocity +
+                  "[[initial_motion]]\nfrom = { segment = 2 }\nto = '75 %'\nabout = 'start'\n"
+                  "velocity = ['1 m/s', '2 m/s', '3 mm/s']\n"
+                  "spin = ['180 deg/s', '0 rad/s', '5 rad/s']\n"
+                  "[[initial_motion]]\nspin = ['1 rad/s', '0 rad/s', '0 rad/s']\n")
           .scene.initial_motions;
   ASSERT_EQ(motions.size(), 3U);
   EXPECT_EQ(motions[0].from.fraction, 0.0);
@@ -71,9 +71,9 @@ TEST(SceneInTime, ReadsInitialMotions) {
 }
 
 TEST(SceneInTime, ReadsCutsAndWhatABreakDoes) {
-  const Scene scene = read("[rules]\non_break = 'cut_worst'\n" + kClamp + kGravity +
-                           "[[cut]]\nat = 0.5\ntime = '250 ms'\n"
-                           "[[cut]]\nat = { segment = 3 }\ntime = '0 s'\n")
+  const Scene scene = read_motion("[rules]\non_break = 'cut_worst'\n" + kHeldStart + kGravity +
+                                  "[[cut]]\nat = 0.5\ntime = '250 ms'\n"
+                                  "[[cut]]\nat = { segment = 3 }\ntime = '0 s'\n")
                           .scene;
   EXPECT_EQ(scene.on_break, BreakPolicy::CutWorst);
   ASSERT_EQ(scene.cuts.size(), 2U);
@@ -85,7 +85,8 @@ TEST(SceneInTime, ReadsCutsAndWhatABreakDoes) {
 
 TEST(SceneInTime, ReadsTheRestitutionOfAPillar) {
   const auto restitution = [](const std::string& value) {
-    return read(kGravity + "[[support]]\nat = 'end'\nkind = 'pillar'\nrestitution = " + value)
+    return read_motion(kGravity +
+                       "[[support]]\nat = 'end'\nkind = 'pillar'\nrestitution = " + value)
         .scene.supports.at(0)
         .restitution;
   };
@@ -95,7 +96,7 @@ TEST(SceneInTime, ReadsTheRestitutionOfAPillar) {
 
 TEST(SceneInTime, ReadsProbesOfMotionsAndAllEnergies) {
   const auto probe = [](const std::string& text) {
-    return read(kVelocity + "[[probe]]\n" + text + "\n").scene.probes.at(0);
+    return read_motion(kVelocity + "[[probe]]\n" + text + "\n").scene.probes.at(0);
   };
   EXPECT_EQ(probe("kind = 'velocity'").quantity, ProbeQuantity::Velocity);
   EXPECT_EQ(probe("kind = 'velocity'").component, Component::Y);
@@ -113,7 +114,7 @@ TEST(SceneInTime, ReadsProbesOfMotionsAndAllEnergies) {
 
 TEST(SceneInTime, NamesTheLineOfWhatItRefuses) {
   const auto error = [](const std::string& text) {
-    return testing::message_of([&] { read(text); });
+    return testing::message_of([&] { read_motion(text); });
   };
   EXPECT_EQ(error("[[initial_motion]]\nfrom = 'start'\n"),
             "s.toml:4: initial_motion[1]: needs velocity or spin");

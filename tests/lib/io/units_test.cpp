@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/lib/io/message_of.hpp"
+#include "tests/lib/io/message_from.hpp"
 
 namespace plastica::io {
 namespace {
@@ -65,7 +65,7 @@ TEST(Units, ConvertWhatSupportsAndLoadsAreGivenIn) {
     EXPECT_DOUBLE_EQ(scale(unit, Dimension::RotationalStiffness), 1e3 * 180.0 / std::numbers::pi)
         << unit;
   }
-  EXPECT_EQ(message_of<InputError>([] { parse_quantity("5 kg", Dimension::Acceleration); }),
+  EXPECT_EQ(message_from<InputError>([] { parse_quantity("5 kg", Dimension::Acceleration); }),
             "5 kg: \"kg\" is not a unit of acceleration (examples: m/s^2, gravity)");
 }
 
@@ -75,9 +75,9 @@ TEST(Units, ConvertWhatMotionsAreGivenIn) {
   EXPECT_DOUBLE_EQ(scale("km/h", Dimension::Velocity), 1.0 / 3.6);
   EXPECT_EQ(scale("rad/s", Dimension::AngularVelocity), 1.0);
   EXPECT_DOUBLE_EQ(scale("deg/s", Dimension::AngularVelocity), std::numbers::pi / 180.0);
-  EXPECT_EQ(message_of<InputError>([] { parse_quantity("5 m", Dimension::Velocity); }),
+  EXPECT_EQ(message_from<InputError>([] { parse_quantity("5 m", Dimension::Velocity); }),
             "5 m: \"m\" is not a unit of velocity (examples: m/s, km/h)");
-  EXPECT_EQ(message_of<InputError>([] { parse_quantity("5", Dimension::AngularVelocity); }),
+  EXPECT_EQ(message_from<InputError>([] { parse_quantity("5", Dimension::AngularVelocity); }),
             "5: an angular velocity needs a unit (examples: rad/s, deg/s)");
 }
 
@@ -110,38 +110,38 @@ TEST(Units, ConvertAnglesAndPureNumbers) {
 }
 
 TEST(Units, AWrongDimensionNamesTheOneWanted) {
-  EXPECT_EQ(message_of<InputError>([] {
+  EXPECT_EQ(message_from<InputError>([] {
               unit_conversion("mm", Dimension::Stress, {"fit.toml", 12}, "stress.unit");
             }),
             "fit.toml:12: stress.unit = mm: is not a unit of stress (examples: Pa, MPa, ksi)");
-  EXPECT_EQ(message_of<InputError>([] { unit_conversion("deg", Dimension::Strain, {}, "unit"); }),
+  EXPECT_EQ(message_from<InputError>([] { unit_conversion("deg", Dimension::Strain, {}, "unit"); }),
             "unit = deg: is not a unit of strain (examples: %, 1, mm/mm, um/m)");
-  EXPECT_EQ(message_of<InputError>([] { unit_conversion("m", Dimension::None, {}, "nu"); }),
+  EXPECT_EQ(message_from<InputError>([] { unit_conversion("m", Dimension::None, {}, "nu"); }),
             "nu = m: is not a unit of a pure number (examples: 1, %)");
 }
 
 TEST(Units, AnUnknownUnitIsRefusedLikeAWrongOne) {
   for (const char* unit : {"Mpa", "wibble", "5 MPa", "10", "(", "%", "MPa MPa", "lg(re 1 Pa)"}) {
-    EXPECT_EQ(message_of<InputError>([&] { unit_conversion(unit, Dimension::Stress, {}, "u"); }),
+    EXPECT_EQ(message_from<InputError>([&] { unit_conversion(unit, Dimension::Stress, {}, "u"); }),
               "u = " + std::string(unit) + ": is not a unit of stress (examples: Pa, MPa, ksi)");
   }
 }
 
 TEST(Units, AReciprocalIsNoConversion) {
-  EXPECT_EQ(message_of<InputError>([] { unit_conversion("1/s", Dimension::Time, {}, "t"); }),
+  EXPECT_EQ(message_from<InputError>([] { unit_conversion("1/s", Dimension::Time, {}, "t"); }),
             "t = 1/s: is not a unit of time (examples: s, min, h)");
-  EXPECT_EQ(message_of<InputError>([] { unit_conversion("m", Dimension::Curvature, {}, "k"); }),
+  EXPECT_EQ(message_from<InputError>([] { unit_conversion("m", Dimension::Curvature, {}, "k"); }),
             "k = m: is not a unit of curvature (examples: rad/m, deg/m, 1/mm)");
 }
 
 TEST(Units, ABareNumberIsNoStress) {
   EXPECT_EQ(
-      message_of<InputError>([] { unit_conversion("", Dimension::Stress, {}, "stress.unit"); }),
+      message_from<InputError>([] { unit_conversion("", Dimension::Stress, {}, "stress.unit"); }),
       "stress.unit: a stress needs a unit (examples: Pa, MPa, ksi)");
-  EXPECT_EQ(
-      message_of<InputError>([] { parse_quantity("355", Dimension::Stress, {}, "yield_stress"); }),
-      "yield_stress = 355: a stress needs a unit (examples: Pa, MPa, ksi)");
-  EXPECT_EQ(message_of<InputError>([] { parse_quantity("3", Dimension::Angle, {}, "twist"); }),
+  EXPECT_EQ(message_from<InputError>(
+                [] { parse_quantity("355", Dimension::Stress, {}, "yield_stress"); }),
+            "yield_stress = 355: a stress needs a unit (examples: Pa, MPa, ksi)");
+  EXPECT_EQ(message_from<InputError>([] { parse_quantity("3", Dimension::Angle, {}, "twist"); }),
             "twist = 3: an angle needs a unit (examples: rad, deg)");
 }
 
@@ -155,7 +155,7 @@ TEST(Quantity, IsANumberAndAUnit) {
 
 TEST(Quantity, SaysWhatIsWrongWithIt) {
   const auto message = [](const char* text, Dimension dimension) {
-    return message_of<InputError>([&] { parse_quantity(text, dimension, {"a.toml", 3}, "x"); });
+    return message_from<InputError>([&] { parse_quantity(text, dimension, {"a.toml", 3}, "x"); });
   };
   EXPECT_EQ(message("MPa", Dimension::Stress),
             "a.toml:3: x = MPa: does not begin with a number; wanted: a number and a unit of "

@@ -26,7 +26,7 @@ template <class Get>
 Vector vector(const Get& get, std::size_t first) {
   return {{get(first), get(first + 1), get(first + 2)}};
 }
-Vector state(const Beams& b, std::size_t i, std::size_t field) {
+Vector spatial_state(const Beams& b, std::size_t i, std::size_t field) {
   return vector([&](std::size_t f) { return b.at(i, f); }, field);
 }
 Vector kind(const Beams& b, std::size_t i, std::size_t field) {
@@ -51,16 +51,16 @@ Looked looked(const Beams& b, double ahead) {
   Square frame = identity<double, 3>();
   Vector spin, joint, pull;
   for (std::size_t i = 0; i < b.segments; ++i) {
-    const Vector angle = state(b, i, SpatialState::Angle);
-    const Vector rate = state(b, i, SpatialState::Rate);
-    const Vector there = angle + ahead * state(b, i, SpatialState::AngleRate);
+    const Vector angle = spatial_state(b, i, SpatialState::Angle);
+    const Vector rate = spatial_state(b, i, SpatialState::Rate);
+    const Vector there = angle + ahead * spatial_state(b, i, SpatialState::AngleRate);
     at.to_angle.push_back(angle_map(there) * transpose(frame));
     frame = frame * chain::rotation_matrix(there);
     spin += rate;
     at.frame.push_back(frame);
     at.joint.push_back(joint);
     at.pull.push_back(pull);
-    at.spin.push_back(spin + ahead * state(b, i, SpatialState::Turning));
+    at.spin.push_back(spin + ahead * spatial_state(b, i, SpatialState::Turning));
     const Vector arm = frame * Vector{{0, 0, b.kind(i, SpatialKind::Length)}};
     joint += arm;
     pull += spun(at.spin.back(), arm);
@@ -101,14 +101,15 @@ std::vector<Vector> accelerations(const Beams& b, int order, double h) {
       }
     }
     const Square& to_angle = at.to_angle[i];
-    const Vector rate = to_angle * state(b, i, SpatialState::Rate);
+    const Vector rate = to_angle * spatial_state(b, i, SpatialState::Rate);
     const Square k = diagonal(kind(b, i, SpatialKind::Stiffness));
     const Square d = diagonal(kind(b, i, SpatialKind::Damping));
     // Order 2 is calmed by a tenth of the change of the angle's rate.
     const double calm = order == 2 ? 0.1 * share : 0.0;
-    const Vector change = rate - state(b, i, SpatialState::AngleRate);
+    const Vector change = rate - spatial_state(b, i, SpatialState::AngleRate);
     const Vector spring = transposed_times(
-        to_angle, k * (state(b, i, SpatialState::Angle) + share * rate + calm * change) + d * rate);
+        to_angle,
+        k * (spatial_state(b, i, SpatialState::Angle) + share * rate + calm * change) + d * rate);
     for (std::size_t c = 0; c < 3; ++c) force[3 * i + c] -= spring[c];
     add(i, i, transpose(to_angle) * (share * ((share + calm) * k + d)) * to_angle);
   }
@@ -133,10 +134,11 @@ TEST(SpatialSteps, SolveTheEquationsOfMotionOfTheWholeChain) {
       const Looked at = looked(before, order == 2 ? 0.5 * h : 0.0);
       kBaselineKernels.in_double.spatial[order - 1][0].one(after.beam(), h, 1, false);
       for (std::size_t i = 0; i < 6; ++i) {
-        const Vector rate = state(before, i, SpatialState::Rate);
+        const Vector rate = spatial_state(before, i, SpatialState::Rate);
         const Vector now = rate + h * expected[i];
         const Vector mean = order == 2 ? 0.5 * (rate + now) : now;
-        const Vector angle = state(before, i, SpatialState::Angle) + h * (at.to_angle[i] * mean);
+        const Vector angle =
+            spatial_state(before, i, SpatialState::Angle) + h * (at.to_angle[i] * mean);
         const double scale = 1.0 + size_of(expected[i]);
         for (std::size_t k = 0; k < 3; ++k) {
           EXPECT_NEAR(after.at(i, SpatialState::Rate + k), now[k], 1e-12 * scale);
@@ -222,9 +224,9 @@ TEST(SpatialSteps, DoNotTurnAWeldedJoint) {
   const Beams b(4, 1, 3);
   b.kind(0, SpatialKind::Free) = 0.0;
   for (std::size_t k = 0; k < 3; ++k) b.at(0, SpatialState::Rate + k) = 0.0;
-  const Vector angle = state(b, 0, SpatialState::Angle);
+  const Vector angle = spatial_state(b, 0, SpatialState::Angle);
   kBaselineKernels.in_double.spatial[1][0].one(b.beam(), 1e-3, 50, false);
-  EXPECT_EQ(state(b, 0, SpatialState::Angle).at, angle.at);
+  EXPECT_EQ(spatial_state(b, 0, SpatialState::Angle).at, angle.at);
   EXPECT_NE(b.at(1, SpatialState::Rate), 0.0);
   EXPECT_TRUE(std::isfinite(b.at(3, SpatialState::Angle)));
 }
@@ -322,9 +324,10 @@ TEST(SpatialSteps, GoOnWhereTheyLeftOff) {
   kernel.one(looked_again.beam(), 1e-3, 9, false);
   kernel.one(looked_again.beam(), 1e-3, 11, false);
   for (std::size_t i = 0; i < 5; ++i) {
-    EXPECT_EQ(state(parts, i, SpatialState::Angle).at, state(whole, i, SpatialState::Angle).at);
-    EXPECT_EQ(state(looked_again, i, SpatialState::Angle).at,
-              state(whole, i, SpatialState::Angle).at);
+    EXPECT_EQ(spatial_state(parts, i, SpatialState::Angle).at,
+              spatial_state(whole, i, SpatialState::Angle).at);
+    EXPECT_EQ(spatial_state(looked_again, i, SpatialState::Angle).at,
+              spatial_state(whole, i, SpatialState::Angle).at);
   }
 }
 

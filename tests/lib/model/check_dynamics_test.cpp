@@ -11,7 +11,7 @@ using testing::error_of;
 using testing::error_of_flight;
 using testing::error_of_motion;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 const std::string kNeedsDynamics = ": needs solver.analysis = \"dynamics\"";
 
 /// A beam in free flight with an initial motion that `spoil` has changed.
@@ -217,7 +217,7 @@ TEST(CheckSupports, ReboundByARestitutionOfAPillar) {
   EXPECT_EQ(restitution(SupportKind::Pillar, 1.0), "no error");
   EXPECT_EQ(restitution(SupportKind::Pillar, 1.5),
             "support[2].restitution = 1.5: must be from 0 to 1");
-  EXPECT_EQ(restitution(SupportKind::Pillar, kNan),
+  EXPECT_EQ(restitution(SupportKind::Pillar, kNotANumber),
             "support[2].restitution = nan: must be from 0 to 1");
   EXPECT_EQ(restitution(SupportKind::Roller, 0.5),
             "support[2].restitution = 0.5: belongs to a pillar");
@@ -256,9 +256,9 @@ TEST(CheckInitialMotion, RefusesPlacesOffTheBeamAndWhatIsNotFinite) {
             }),
             "initial_motion[1].about = { segment = 9 }: must be a segment from 1 to 8, or 0 for "
             "the start");
-  EXPECT_EQ(error_of_initial_motion([](InitialMotion& m) { m.velocity[2] = kNan; }),
+  EXPECT_EQ(error_of_initial_motion([](InitialMotion& m) { m.velocity[2] = kNotANumber; }),
             "initial_motion[1].velocity = nan: must be finite");
-  EXPECT_EQ(error_of_initial_motion([](InitialMotion& m) { m.spin[0] = kNan; }),
+  EXPECT_EQ(error_of_initial_motion([](InitialMotion& m) { m.spin[0] = kNotANumber; }),
             "initial_motion[1].spin = nan: must be finite");
 }
 

@@ -11,7 +11,7 @@ namespace {
 using testing::curve;
 using testing::error_of;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 void add_support(Scene& scene, Place at, SupportKind kind) { scene.supports.push_back({at, kind}); }
 
@@ -107,7 +107,7 @@ TEST(CheckSupports, MoveWhatTheyHold) {
               s.supports[1].translation[1] = 0.1;
             }),
             "no error");
-  EXPECT_EQ(error_of([](Scene& s) { s.supports[0].translation[0] = kNan; }),
+  EXPECT_EQ(error_of([](Scene& s) { s.supports[0].translation[0] = kNoNumber; }),
             "support[1].translation = nan: must be finite");
   EXPECT_EQ(error_of([](Scene& s) {
               s.supports[0].translation[1] = 0.1;

@@ -18,7 +18,7 @@ std::vector<std::string> warnings_of(const std::function<void(Scene&)>& change) 
   return scene_warnings(scene, {});
 }
 
-bool has(const std::vector<std::string>& warnings, const std::string& text) {
+bool warns(const std::vector<std::string>& warnings, const std::string& text) {
   for (const std::string& warning : warnings) {
     if (warning.find(text) != std::string::npos) return true;
   }
@@ -52,12 +52,12 @@ TEST(SceneWarnings, SayWhatShearAShortBeamLeavesOut) {
 }
 
 TEST(SceneWarnings, TakeTheDepthInThePlaneOfBending) {
-  EXPECT_FALSE(has(warnings_of([](Scene& s) { s.section.width = 0.2; }), "as long as deep"));
-  EXPECT_TRUE(has(warnings_of([](Scene& s) {
-                    s.section.width = 0.2;
-                    s.loads[0].force = {1.0, 0.0, 0.0};
-                  }),
-                  "5 times as long as deep"));
+  EXPECT_FALSE(warns(warnings_of([](Scene& s) { s.section.width = 0.2; }), "as long as deep"));
+  EXPECT_TRUE(warns(warnings_of([](Scene& s) {
+                      s.section.width = 0.2;
+                      s.loads[0].force = {1.0, 0.0, 0.0};
+                    }),
+                    "5 times as long as deep"));
 }
 
 /// Segments longer than the section is deep cost nothing of their own: README, table of N.
@@ -76,33 +76,34 @@ TEST(SceneWarnings, SayWhatJointsLongerThanTheHingeDoToABreak) {
       s.yield_model = model;
     };
   };
-  EXPECT_TRUE(has(warnings_of(breaking(YieldModel::Interaction)),
-                  "joints that can break stand for 0.1 m, more than the hinge length of 0.02 m: "
-                  "under an even moment their strain is 5 times too large; 50 equal segments would "
-                  "do"));
-  EXPECT_TRUE(has(warnings_of(breaking(YieldModel::Fibre)),
-                  "where less than such a length yields, its strain is up to 5 times too small"));
-  EXPECT_FALSE(has(warnings_of([](Scene& s) {
-                     s.beam.segments = 50;
-                     s.material.break_strain = 0.1;
-                   }),
-                   "hinge"));
-  EXPECT_FALSE(has(warnings_of([](Scene& s) { s.beam.segments = 10; }), "hinge"));
+  EXPECT_TRUE(
+      warns(warnings_of(breaking(YieldModel::Interaction)),
+            "joints that can break stand for 0.1 m, more than the hinge length of 0.02 m: "
+            "under an even moment their strain is 5 times too large; 50 equal segments would "
+            "do"));
+  EXPECT_TRUE(warns(warnings_of(breaking(YieldModel::Fibre)),
+                    "where less than such a length yields, its strain is up to 5 times too small"));
+  EXPECT_FALSE(warns(warnings_of([](Scene& s) {
+                       s.beam.segments = 50;
+                       s.material.break_strain = 0.1;
+                     }),
+                     "hinge"));
+  EXPECT_FALSE(warns(warnings_of([](Scene& s) { s.beam.segments = 10; }), "hinge"));
 }
 
 TEST(SceneWarnings, SayThatABreakWithoutHingeLengthDependsOnTheSegments) {
   const std::string text = "without a hinge length a break depends on the segments";
-  EXPECT_TRUE(has(warnings_of([](Scene& s) {
-                    s.material.break_strain = 0.1;
-                    s.hinge_length = 0.0;
-                  }),
-                  text));
-  EXPECT_TRUE(has(warnings_of([](Scene& s) {
-                    s.material.break_strain = 0.1;
-                    s.formulas = Formulas::Report;
-                    s.yield_model = YieldModel::PerAxis;
-                  }),
-                  text));
+  EXPECT_TRUE(warns(warnings_of([](Scene& s) {
+                      s.material.break_strain = 0.1;
+                      s.hinge_length = 0.0;
+                    }),
+                    text));
+  EXPECT_TRUE(warns(warnings_of([](Scene& s) {
+                      s.material.break_strain = 0.1;
+                      s.formulas = Formulas::Report;
+                      s.yield_model = YieldModel::PerAxis;
+                    }),
+                    text));
 }
 
 TEST(SceneWarnings, SayWhatACapDoesToABeamThatIsLetGo) {
@@ -113,18 +114,20 @@ TEST(SceneWarnings, SayWhatACapDoesToABeamThatIsLetGo) {
       s.section.shape = shape;
     };
   };
-  EXPECT_TRUE(has(warnings_of(let_go(YieldCap::FirstYield, SectionShape::Rectangle)),
-                  "turns freely from there on, where the section carries up to 1.5 times as much"));
-  EXPECT_TRUE(has(warnings_of(let_go(YieldCap::FullyPlastic, SectionShape::Rectangle)),
-                  "is elastic up to 1.5 times first yield, and below that keeps nothing"));
+  EXPECT_TRUE(
+      warns(warnings_of(let_go(YieldCap::FirstYield, SectionShape::Rectangle)),
+            "turns freely from there on, where the section carries up to 1.5 times as much"));
+  EXPECT_TRUE(warns(warnings_of(let_go(YieldCap::FullyPlastic, SectionShape::Rectangle)),
+                    "is elastic up to 1.5 times first yield, and below that keeps nothing"));
   // 16/(3 pi) of a circle.
-  EXPECT_TRUE(has(warnings_of(let_go(YieldCap::FullyPlastic, SectionShape::Circle)), "1.7 times"));
+  EXPECT_TRUE(
+      warns(warnings_of(let_go(YieldCap::FullyPlastic, SectionShape::Circle)), "1.7 times"));
   for (const YieldModel model : {YieldModel::Fibre, YieldModel::Elastic}) {
-    EXPECT_FALSE(has(warnings_of([&](Scene& s) {
-                       s.loads[0].history = History::turning_points({1.0, 0.0});
-                       s.yield_model = model;
-                     }),
-                     "let go"));
+    EXPECT_FALSE(warns(warnings_of([&](Scene& s) {
+                         s.loads[0].history = History::turning_points({1.0, 0.0});
+                         s.yield_model = model;
+                       }),
+                       "let go"));
   }
 }
 
@@ -145,7 +148,7 @@ TEST(SceneWarnings, NameFibresToABeamThatIsLetGoWhetherItBendsOrTwists) {
 
 TEST(SceneWarnings, TakeALoadBackThatGrowsForOneThatDoesNotLetGo) {
   const auto with = [](const History& history) {
-    return has(warnings_of([&](Scene& s) { s.loads[0].history = history; }), "let go");
+    return warns(warnings_of([&](Scene& s) { s.loads[0].history = history; }), "let go");
   };
   EXPECT_FALSE(with(History::ramp()));
   EXPECT_FALSE(with({{0.0, 1.0}, {1.0, 1.0}}));
@@ -161,9 +164,9 @@ TEST(SceneWarnings, SayThatPerAxisCapsLeaveOutTorsionBesideBending) {
       s.loads[0].moment = {0.0, 0.0, torque};
     });
   };
-  EXPECT_TRUE(has(of(YieldModel::PerAxis, 1.0), "bending and torsion"));
-  EXPECT_FALSE(has(of(YieldModel::PerAxis, 0.0), "bending and torsion"));
-  EXPECT_FALSE(has(of(YieldModel::Interaction, 1.0), "bending and torsion"));
+  EXPECT_TRUE(warns(of(YieldModel::PerAxis, 1.0), "bending and torsion"));
+  EXPECT_FALSE(warns(of(YieldModel::PerAxis, 0.0), "bending and torsion"));
+  EXPECT_FALSE(warns(of(YieldModel::Interaction, 1.0), "bending and torsion"));
 }
 
 TEST(SceneWarnings, SayHowFarPerAxisCapsExceedTheSection) {
@@ -175,11 +178,13 @@ TEST(SceneWarnings, SayHowFarPerAxisCapsExceedTheSection) {
       s.yield_cap = cap;
     };
   };
-  EXPECT_TRUE(has(warnings_of(skew(SectionShape::Rectangle, YieldCap::FirstYield)), "100 % more"));
-  EXPECT_TRUE(has(warnings_of(skew(SectionShape::Rectangle, YieldCap::FullyPlastic)), "50 % more"));
-  EXPECT_TRUE(has(warnings_of(skew(SectionShape::Circle, YieldCap::FirstYield)), "41 % more"));
+  EXPECT_TRUE(
+      warns(warnings_of(skew(SectionShape::Rectangle, YieldCap::FirstYield)), "100 % more"));
+  EXPECT_TRUE(
+      warns(warnings_of(skew(SectionShape::Rectangle, YieldCap::FullyPlastic)), "50 % more"));
+  EXPECT_TRUE(warns(warnings_of(skew(SectionShape::Circle, YieldCap::FirstYield)), "41 % more"));
   EXPECT_FALSE(
-      has(warnings_of([](Scene& s) { s.yield_model = YieldModel::PerAxis; }), "both axes"));
+      warns(warnings_of([](Scene& s) { s.yield_model = YieldModel::PerAxis; }), "both axes"));
 }
 
 TEST(SceneWarnings, SayWhenAPolylineHasACornerInsideOfASegment) {
@@ -190,14 +195,14 @@ TEST(SceneWarnings, SayWhenAPolylineHasACornerInsideOfASegment) {
       s.beam.segments = 50;
     };
   };
-  EXPECT_FALSE(has(warnings_of(bent(0.5)), "corner"));
-  EXPECT_FALSE(has(warnings_of(bent(0.51)), "corner"));  // a segment ends there
+  EXPECT_FALSE(warns(warnings_of(bent(0.5)), "corner"));
+  EXPECT_FALSE(warns(warnings_of(bent(0.51)), "corner"));  // a segment ends there
   // A right angle in the middle of a 20 mm segment is 10/sqrt(2) mm off its chord.
-  EXPECT_TRUE(has(warnings_of([&](Scene& s) {
-                    bent(0.51)(s);
-                    s.beam.segment_shares.assign(50, 0.02);
-                  }),
-                  "misses it by 0.00707 m"));
+  EXPECT_TRUE(warns(warnings_of([&](Scene& s) {
+                      bent(0.51)(s);
+                      s.beam.segment_shares.assign(50, 0.02);
+                    }),
+                    "misses it by 0.00707 m"));
 }
 
 TEST(SceneWarnings, SayWhatActsInsideOfASegmentThatTheSceneMeasures) {
@@ -208,8 +213,8 @@ TEST(SceneWarnings, SayWhatActsInsideOfASegmentThatTheSceneMeasures) {
       s.loads.push_back({.at = {0.35, {}}, .force = {0.0, 1.0, 0.0}});
     };
   };
-  EXPECT_FALSE(has(warnings_of(loaded(false)), "inside of a segment"));
-  EXPECT_TRUE(has(warnings_of(loaded(true)), "at = 0.35 lies inside of a segment"));
+  EXPECT_FALSE(warns(warnings_of(loaded(false)), "inside of a segment"));
+  EXPECT_TRUE(warns(warnings_of(loaded(true)), "at = 0.35 lies inside of a segment"));
 }
 
 }  // namespace

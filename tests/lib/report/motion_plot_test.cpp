@@ -3,20 +3,19 @@
 #include "plastica/base/check.hpp"
 #include "plastica/report/scene_figure.hpp"
 #include "plastica/report/scene_plot.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/motion_record.hpp"
 
 namespace plastica::report {
 namespace {
 
+using plastica::testing::has;
+
 using plastica::testing::cantilever_text;
 using plastica::testing::message_of;
 using plastica::testing::motion_record;
 using plastica::testing::record_of;
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;

@@ -9,21 +9,20 @@
 #include "plastica/report/scene_facts.hpp"
 #include "plastica/report/scene_json.hpp"
 #include "plastica/report/scene_text.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/motion_record.hpp"
 
 namespace plastica::report {
 namespace {
 
+using plastica::testing::has;
+
 using plastica::testing::cantilever_text;
 using plastica::testing::coupon_text;
 using plastica::testing::message_of;
 using plastica::testing::motion_record;
 using plastica::testing::record_of;
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::size_t lines_of(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

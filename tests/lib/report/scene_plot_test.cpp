@@ -3,20 +3,19 @@
 #include <gtest/gtest.h>
 
 #include "plastica/base/check.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/scene_record.hpp"
 
 namespace plastica::report {
 namespace {
 
+using plastica::testing::has;
+
 using plastica::testing::cantilever_text;
 using plastica::testing::coupon_text;
 using plastica::testing::message_of;
 using plastica::testing::record_of;
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::string script_of(const std::vector<io::SceneRecord>& records, ScenePlotRequest request = {}) {
   if (request.output.empty()) request.output = "x.svg";

@@ -8,18 +8,17 @@
 #include "plastica/report/scene_facts.hpp"
 #include "plastica/report/scene_json.hpp"
 #include "plastica/report/scene_text.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/scene_record.hpp"
 
 namespace plastica::report {
 namespace {
 
+using plastica::testing::has;
+
 using plastica::testing::cantilever_text;
 using plastica::testing::coupon_text;
 using plastica::testing::record_of;
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// A record whose path ended in a limit load.
 io::SceneRecord limited() {

@@ -19,7 +19,7 @@ using testing::completed;
 using testing::last_of;
 using testing::tolerance;
 
-constexpr double kForce = 1e-2;  ///< [N]; finite rotations cost 1e-11 of the deflection
+constexpr double kProppedForce = 1e-2;  ///< [N]; finite rotations cost 1e-11 of the deflection
 
 double chain_ratio(int segments) {
   return theory::tip_force_ratio(theory::ChainConvention::HalfJoint, segments);
@@ -29,15 +29,16 @@ TEST(ChainSupports, ShareTheLoadWithASpringByTheirStiffness) {
   constexpr int kSegments = 10;
   Scene scene = cantilever_scene(kSegments);
   const double beam = 3.0 * bending_stiffness_of(scene) / chain_ratio(kSegments);  // [N/m]
-  scene.loads.push_back({.force = {0.0, -kForce, 0.0}});
+  scene.loads.push_back({.force = {0.0, -kProppedForce, 0.0}});
   scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Elastic});
   add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
   add_probe(scene, ProbeQuantity::Reaction, Place::end(), Component::Y);
   for (const double spring : {0.1 * beam, beam, 10.0 * beam}) {
     scene.supports.back().stiffness = {0.0, spring, 0.0};
     const Response response = completed(scene, {.steps = 1});
-    EXPECT_NEAR(last_of(response, 0) / (-kForce / (beam + spring)), 1.0, tolerance(1e-9));
-    EXPECT_NEAR(last_of(response, 1) / (kForce * spring / (beam + spring)), 1.0, tolerance(1e-9));
+    EXPECT_NEAR(last_of(response, 0) / (-kProppedForce / (beam + spring)), 1.0, tolerance(1e-9));
+    EXPECT_NEAR(last_of(response, 1) / (kProppedForce * spring / (beam + spring)), 1.0,
+                tolerance(1e-9));
   }
 }
 
@@ -46,13 +47,13 @@ TEST(ChainSupports, TurnASpringOfRotation) {
   constexpr int kSegments = 10;
   Scene scene = cantilever_scene(kSegments);
   const double beam = bending_stiffness_of(scene);  // [N m/rad]
-  scene.loads.push_back({.moment = {kForce, 0.0, 0.0}});
+  scene.loads.push_back({.moment = {kProppedForce, 0.0, 0.0}});
   scene.supports.push_back({.at = Place::end(),
                             .kind = SupportKind::Elastic,
                             .rotational_stiffness = {3.0 * beam, 0.0, 0.0}});
   add_probe(scene, ProbeQuantity::Rotation, Place::end(), Component::X);
   // A spring that holds rotation stands beside the half joint of the end segment.
-  EXPECT_NEAR(last_of(completed(scene, {.steps = 1}), 0) / (kForce / (4.0 * beam)), 1.0,
+  EXPECT_NEAR(last_of(completed(scene, {.steps = 1}), 0) / (kProppedForce / (4.0 * beam)), 1.0,
               tolerance(1e-9));
 }
 
@@ -60,7 +61,7 @@ TEST(ChainSupports, LetGoOfAPillarAndCloseItAgain) {
   constexpr int kSegments = 32;
   Scene scene = cantilever_scene(kSegments);
   scene.loads.push_back({.at = {0.5, {}},
-                         .force = {0.0, -kForce, 0.0},
+                         .force = {0.0, -kProppedForce, 0.0},
                          .history = History::turning_points({1.0, -1.0, 1.0})});
   scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Pillar});
   add_probe(scene, ProbeQuantity::Reaction, Place::end(), Component::Y);
@@ -68,7 +69,7 @@ TEST(ChainSupports, LetGoOfAPillarAndCloseItAgain) {
   const Response response = completed(scene, {.steps = 30});
   const theory::BeamCase propped{.ends = theory::BeamEnds::ClampedPinned,
                                  .bending_stiffness = bending_stiffness_of(scene),
-                                 .load = {.position = 0.5, .force = -kForce}};
+                                 .load = {.position = 0.5, .force = -kProppedForce}};
   theory::BeamCase free = propped;
   free.ends = theory::BeamEnds::ClampedFree;
   const double push = theory::beam_reactions(propped).end_force;
@@ -90,17 +91,18 @@ TEST(ChainSupports, TouchAPillarBelowAGapWhenTheTipHasGoneThatFar) {
   constexpr int kSegments = 10;
   Scene scene = cantilever_scene(kSegments);
   const double beam = 3.0 * bending_stiffness_of(scene) / chain_ratio(kSegments);
-  const double gap = 0.4 * kForce / beam;
-  scene.loads.push_back({.force = {0.0, -kForce, 0.0}});
+  const double gap = 0.4 * kProppedForce / beam;
+  scene.loads.push_back({.force = {0.0, -kProppedForce, 0.0}});
   scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Pillar, .gap = gap});
   add_probe(scene, ProbeQuantity::Reaction, Place::end(), Component::Y);
   add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
   const Response response = completed(scene, {.steps = 10});
   for (std::size_t k = 0; k < response.samples; ++k) {
-    const double force = kForce * static_cast<double>(k) / 10.0;
-    EXPECT_NEAR(response.probes[0][k] / kForce, std::max(0.0, force / kForce - 0.4),
+    const double force = kProppedForce * static_cast<double>(k) / 10.0;
+    EXPECT_NEAR(response.probes[0][k] / kProppedForce, std::max(0.0, force / kProppedForce - 0.4),
                 tolerance(1e-9));
-    EXPECT_NEAR(response.probes[1][k] / gap, -std::min(1.0, force / kForce / 0.4), tolerance(1e-9));
+    EXPECT_NEAR(response.probes[1][k] / gap, -std::min(1.0, force / kProppedForce / 0.4),
+                tolerance(1e-9));
   }
 }
 

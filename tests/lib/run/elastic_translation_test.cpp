@@ -24,7 +24,7 @@ using testing::last_of;
 using testing::properties_of;
 using testing::tolerance;
 
-constexpr double kForce = 1e-2;  ///< [N]
+constexpr double kPullForce = 1e-2;  ///< [N]
 
 SolverOptions elastic(int steps = 1) {
   SolverOptions options;
@@ -41,8 +41,8 @@ double shear_stiffness_of(const Scene& scene) {
 }
 
 /// Errors fall with the square of the segments, and are at most `most` over their square.
-void expect_order_two(const std::function<double(int)>& error, double most,
-                      std::array<int, 3> segments = {16, 64, 256}) {
+void expect_second_order(const std::function<double(int)>& error, double most,
+                         std::array<int, 3> segments = {16, 64, 256}) {
   const double coarse = error(segments[0]);
   const double fine = error(segments[1]);
   const double finest = error(segments[2]);
@@ -54,9 +54,9 @@ void expect_order_two(const std::function<double(int)>& error, double most,
 TEST(ElasticTranslation, StretchesABarByItsWholeLength) {
   for (const int segments : {1, 2, 3, 16}) {
     Scene scene = cantilever_scene(segments);
-    scene.loads.push_back({.force = {0.0, 0.0, kForce}});
+    scene.loads.push_back({.force = {0.0, 0.0, kPullForce}});
     add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Z);
-    const double exact = kForce / (scene.material.youngs_modulus * properties_of(scene).area);
+    const double exact = kPullForce / (scene.material.youngs_modulus * properties_of(scene).area);
     // Coordinates of a metre have 1e-16.
     EXPECT_NEAR(value_of(scene), exact, tolerance(1e-15)) << segments;
   }
@@ -73,7 +73,7 @@ TEST(ElasticTranslation, StretchesABarByItsOwnWeight) {
 
 TEST(ElasticTranslation, MovesAPointWithinByTheMeanOfBothSidesOfItsJoint) {
   // Half way down 3/4 of the elongation by its own weight, of order two.
-  expect_order_two(
+  expect_second_order(
       [](int segments) {
         Scene scene = cantilever_scene(segments);
         scene.gravity = {0.0, 0.0, 1e4};
@@ -97,14 +97,14 @@ TEST(ElasticTranslation, StretchesAStretchedBarByALoadWithin) {
 
 TEST(ElasticTranslation, BendsAndShearsATimoshenkoCantilever) {
   // P L^3/3EI + P L/kappa G A; the shear is exact, the bending 1/2N^2 of itself off.
-  expect_order_two(
+  expect_second_order(
       [](int segments) {
         Scene scene = cantilever_scene(segments);
         scene.section.height = 0.4;
-        scene.loads.push_back({.force = {0.0, kForce, 0.0}});
+        scene.loads.push_back({.force = {0.0, kPullForce, 0.0}});
         add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
-        const double exact =
-            kForce / (3.0 * bending_stiffness_of(scene)) + kForce / shear_stiffness_of(scene);
+        const double exact = kPullForce / (3.0 * bending_stiffness_of(scene)) +
+                             kPullForce / shear_stiffness_of(scene);
         return value_of(scene) / exact - 1.0;
       },
       0.55);
@@ -165,11 +165,11 @@ struct TimoshenkoCantilever {
 };
 
 TEST(ElasticTranslation, VibratesAsATimoshenkoCantilever) {
-  expect_order_two(
+  expect_second_order(
       [](int segments) {
         Scene scene = cantilever_scene(segments);
         scene.section.height = 0.4;
-        scene.loads.push_back({.force = {0.0, kForce, 0.0}});
+        scene.loads.push_back({.force = {0.0, kPullForce, 0.0}});
         const SectionProperties p = properties_of(scene);
         const double rho = scene.material.density;
         const double ei = bending_stiffness_of(scene);

@@ -30,7 +30,7 @@ double value_of(const Scene& scene, std::size_t probe) {
 /// Errors fall with the square of the segments, and are at most `most` over their square. The half
 /// of an end, strained half a segment off, adds a term of third order: c (1 + a/N)/N^2, with
 /// |a| < 8, changes the order that 64 and 256 segments show by less than 0.08.
-void expect_order_two(const std::function<double(int)>& error, double most) {
+void expect_quartered(const std::function<double(int)>& error, double most) {
   const double coarse = error(16);
   const double fine = error(64);
   const double finest = error(256);
@@ -59,7 +59,7 @@ TEST(EndMoments, BendACantileverEvenly) {
     EXPECT_NEAR(value_of(scene, 0) / exact, 1.0, tolerance(1e-10)) << segments;
     EXPECT_NEAR(value_of(scene, 1) / (0.5 * kMoment * exact), 1.0, tolerance(1e-10)) << segments;
   }
-  expect_order_two(
+  expect_quartered(
       [](int segments) {
         Scene scene = cantilever_scene(segments);
         scene.loads.push_back({.moment = {kMoment, 0.0, 0.0}});
@@ -97,7 +97,7 @@ TEST(EndMoments, BendASimpleBeamEvenly) {
     EXPECT_NEAR(value_of(scene, 2) * 2.0 * ei / kMoment, 1.0, tolerance(1e-10)) << segments;
     EXPECT_NEAR(value_of(scene, 1) * 2.0 * ei / kMoment, -1.0, tolerance(1e-10)) << segments;
   }
-  expect_order_two(
+  expect_quartered(
       [&](int segments) {
         return std::fabs(value_of(scene_of(segments), 0)) * 8.0 * ei / kMoment - 1.0;
       },
@@ -115,10 +115,10 @@ TEST(EndMoments, BendAProppedBeam) {
     return scene;
   };
   const double ei = bending_stiffness_of(simple_beam(1));
-  expect_order_two(
+  expect_quartered(
       [&](int segments) { return value_of(scene_of(segments), 0) * 4.0 * ei / kMoment - 1.0; },
       5.0);
-  expect_order_two(
+  expect_quartered(
       [&](int segments) {
         return std::fabs(value_of(scene_of(segments), 1)) * 2.0 / (3.0 * kMoment) - 1.0;
       },
@@ -142,7 +142,7 @@ TEST(EndMoments, AreAlikeAtStartAndEnd) {
 TEST(EndMoments, OfSpringsHoldAsTheyShould) {
   // Rotational springs k at both ends under q: moments q L^2/12 / (1 + 2EI/kL), and in the middle
   // 5 q L^4/384EI less M L^2/8EI.
-  expect_order_two(
+  expect_quartered(
       [](int segments) {
         Scene scene = simple_beam(segments);
         const double ei = bending_stiffness_of(scene);

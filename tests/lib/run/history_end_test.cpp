@@ -16,7 +16,7 @@ using testing::completed;
 using testing::motion_options;
 using testing::tolerance;
 
-constexpr double kForce = 1e-2;  ///< [N]; finite rotations cost 1e-11 of the deflection
+constexpr double kHeldForce = 1e-2;  ///< [N]; finite rotations cost 1e-11 of the deflection
 
 const std::vector<History> kHeld{{{0.0, 1.0}, {0.0, 1.0}}, History::turning_points({1.0})};
 
@@ -29,16 +29,16 @@ const SolverOptions kPath{.duration = 3.0, .steps = 6};
 TEST(HistoryEnd, HoldsAForceAtRest) {
   constexpr int kSegments = 10;
   Scene scene = cantilever_scene(kSegments);
-  scene.loads.push_back({.force = {0.0, -kForce, 0.0}});
+  scene.loads.push_back({.force = {0.0, -kHeldForce, 0.0}});
   add_probe(scene, ProbeQuantity::Reaction, Place::start(), Component::Y);
   add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
-  const double way = -kForce / (3.0 * bending_stiffness_of(scene)) *
+  const double way = -kHeldForce / (3.0 * bending_stiffness_of(scene)) *
                      theory::tip_force_ratio(theory::ChainConvention::HalfJoint, kSegments);
   const auto expect = [&](double at_1, double at_2, double at_3) {
     const Response response = completed(scene, kPath);
     for (const auto& [sample, factor] :
          {std::pair(kAt1, at_1), std::pair(kAt2, at_2), std::pair(kAt3, at_3)}) {
-      EXPECT_NEAR(response.probes[0][sample], factor * kForce, tolerance(1e-9) * kForce);
+      EXPECT_NEAR(response.probes[0][sample], factor * kHeldForce, tolerance(1e-9) * kHeldForce);
       EXPECT_NEAR(response.probes[1][sample] / (factor * way), 1.0, tolerance(1e-9));
     }
   };
@@ -87,14 +87,14 @@ TEST(HistoryEnd, StopsAClampAtRestAndInMotion) {
 TEST(HistoryEnd, HoldsTheForceOnAFreeBeam) {
   Scene scene = testing::chain_scene(4);
   scene.material.density = 1000.0;
-  scene.loads.push_back({.at = {0.5, {}}, .force = {0.0, kForce, 0.0}});
+  scene.loads.push_back({.at = {0.5, {}}, .force = {0.0, kHeldForce, 0.0}});
   add_probe(scene, ProbeQuantity::Momentum, Place::end(), Component::Y);
   SolverOptions options = motion_options(Scheme::EnergyMomentum, 1e-2, 300);
   options.steps = kPath.steps;
   const auto expect = [&](double at_2, double at_3) {
     const Response response = completed(scene, options);
-    EXPECT_NEAR(response.probes[0][kAt2], at_2 * kForce, tolerance(1e-8) * kForce);
-    EXPECT_NEAR(response.probes[0][kAt3], at_3 * kForce, tolerance(1e-8) * kForce);
+    EXPECT_NEAR(response.probes[0][kAt2], at_2 * kHeldForce, tolerance(1e-8) * kHeldForce);
+    EXPECT_NEAR(response.probes[0][kAt3], at_3 * kHeldForce, tolerance(1e-8) * kHeldForce);
   };
   for (const History& history : kHeld) {
     scene.loads[0].history = history;

@@ -21,7 +21,7 @@ using solve::EnergyBehaviour;
 using solve::SchemeClaims;
 using std::numbers::pi;
 
-constexpr std::size_t kSegments = 3;
+constexpr std::size_t kSchemeSegments = 3;
 
 /// A soft elastic bar of 1 m, 20 mm x 30 mm, clamped or free.
 Scene bar(bool clamped) {
@@ -30,7 +30,7 @@ Scene bar(bool clamped) {
   scene.material.density = 1200.0;
   scene.section.width = 0.02;
   scene.section.height = 0.03;
-  scene.beam.segments = static_cast<int>(kSegments);
+  scene.beam.segments = static_cast<int>(kSchemeSegments);
   if (clamped) scene.supports.push_back({});
   return scene;
 }
@@ -54,11 +54,11 @@ class Swing {
       work.q.open[0] = true;
       work.q.pose[0] = {work.placement.position[0], work.placement.frame[0]};
     }
-    std::vector<solve::SegmentMotion<L>> motion(kSegments);
+    std::vector<solve::SegmentMotion<L>> motion(kSchemeSegments);
     typename L::Point velocity{};  // of the segment's inner end
-    for (std::size_t i = 0; i < kSegments; ++i) {
+    for (std::size_t i = 0; i < kSchemeSegments; ++i) {
       const auto& frame = work.placement.frame[i];
-      const auto w = spin_of((static_cast<double>(i) + 0.5) / kSegments);
+      const auto w = spin_of((static_cast<double>(i) + 0.5) / kSchemeSegments);
       const auto spin = view_.spin({{w[0], w[1], w[2]}});
       motion[i].velocity = velocity + L::spun(spin, L::turn(frame, chain.inertias[i].center));
       motion[i].spin = transposed_times(L::axes(frame), spin);
@@ -94,7 +94,7 @@ class Swing {
   };
   Momenta momenta() const {
     Momenta sum;
-    for (std::size_t i = 0; i < kSegments; ++i) {
+    for (std::size_t i = 0; i < kSchemeSegments; ++i) {
       const auto& inertia = solved_.build.chain.inertias[i];
       const auto& motion = step_.motions()[i];
       const auto p = inertia.mass * motion.velocity;
@@ -174,7 +174,7 @@ double high_energy_left(Scheme scheme, double rho_infinity) {
   const double lowest = unloaded_frequencies(prepare(scene, {.level = Level::Planar}), 1)[0];
   const double step = 3.0 / (2.0 * pi * lowest);
   Swing<L> swing(scheme, rho_infinity, true, [](double place) {
-    return std::array<double, 3>{1e-4 * std::cos(pi * (kSegments * place - 0.5)), 0.0, 0.0};
+    return std::array<double, 3>{1e-4 * std::cos(pi * (kSchemeSegments * place - 0.5)), 0.0, 0.0};
   });
   const double energy = swing.energy();
   for (int k = 0; k < 100; ++k) swing.take(step);

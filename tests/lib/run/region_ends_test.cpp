@@ -19,8 +19,8 @@ using testing::completed;
 using testing::last_of;
 using testing::tolerance;
 
-constexpr double kForce = 1e-2;  ///< [N]; finite rotations cost 1e-11 of the deflection
-constexpr double kSofter = 0.2;  ///< E of the region over that of the beam
+constexpr double kTipForce = 1e-2;  ///< [N]; finite rotations cost 1e-11 of the deflection
+constexpr double kSofter = 0.2;     ///< E of the region over that of the beam
 
 /// A cantilever under a tip force with a soft region.
 Scene with_region(int segments, double from, double to) {
@@ -28,7 +28,7 @@ Scene with_region(int segments, double from, double to) {
   Material soft = scene.material;
   soft.youngs_modulus *= kSofter;
   scene.regions.push_back({{from, {}}, {to, {}}, scene.section, soft});
-  scene.loads.push_back({.force = {0.0, kForce, 0.0}});
+  scene.loads.push_back({.force = {0.0, kTipForce, 0.0}});
   add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
   return scene;
 }
@@ -36,7 +36,7 @@ Scene with_region(int segments, double from, double to) {
 /// int M^2/(P EI): of the whole beam, and what the region adds.
 double exact_tip(double ei, double from, double to) {
   const double region = std::pow(1.0 - from, 3) - std::pow(1.0 - to, 3);
-  return kForce / (3.0 * ei) * (1.0 + (1.0 / kSofter - 1.0) * region);
+  return kTipForce / (3.0 * ei) * (1.0 + (1.0 / kSofter - 1.0) * region);
 }
 
 double tip_of(int segments, double from, double to) {
@@ -74,7 +74,7 @@ TEST(RegionEnds, KeepOrderTwoWhereverTheyAre) {
       // gives too much by h^2/12 times the difference of its slopes, h^2/6 of P^2/EI times the
       // stretch. No segment is longer than in a deal of all of them but one for each stretch.
       const double h = 1.0 / (segments - 2);
-      const double softness = kForce / ei * (1.0 + (1.0 / kSofter - 1.0) * (to - from));
+      const double softness = kTipForce / ei * (1.0 + (1.0 / kSofter - 1.0) * (to - from));
       const double error = tip_of(segments, from, to) - exact;
       EXPECT_GT(error, 0.0) << from << ' ' << to << ' ' << segments;
       EXPECT_LT(error, h * h / 6.0 * softness) << from << ' ' << to << ' ' << segments;

@@ -22,10 +22,10 @@ using testing::tolerance;
 constexpr double kYield = 250e6;
 constexpr double kHalf = 0.5;  ///< tributary length of the one joint [m]
 
-const Section kSquare{.width = 0.02, .height = 0.02};
+const Section kSquareBar{.width = 0.02, .height = 0.02};
 const Section kWide{.width = 0.02, .height = 0.01};
 const Section kTall{.width = 0.01, .height = 0.02};
-const Section kRound{.shape = SectionShape::Circle, .radius = 0.01};
+const Section kRoundBar{.shape = SectionShape::Circle, .radius = 0.01};
 
 /// What the one joint of a beam of two segments does, both ends welded and one of them turned.
 struct OneJoint {
@@ -100,7 +100,7 @@ Row strain_per_angle(const Section& section, std::size_t axis, double angle) {
 
 TEST(ReportRows, Equation1IsHalfAsStiffInBending) {
   const double ei = 200e9 * std::pow(0.02, 4) / 12.0;
-  const Row row = stiffness(kSquare, 0);
+  const Row row = stiffness(kSquareBar, 0);
   show("(1) bending stiffness, square [N m/rad]", row);
   EXPECT_NEAR(row.mechanics / (ei / kHalf), 1.0, tolerance(1e-9));
   EXPECT_NEAR(row.ratio(), 0.5, tolerance(1e-9));
@@ -113,8 +113,8 @@ TEST(ReportRows, Equation2TakesASecondMomentForTheTorsionConstant) {
     Section section;
     double ratio;
   };
-  for (const Case& c :
-       {Case{"circle", kRound, 0.50}, Case{"square", kSquare, 0.593}, Case{"2:1", kWide, 1.458}}) {
+  for (const Case& c : {Case{"circle", kRoundBar, 0.50}, Case{"square", kSquareBar, 0.593},
+                        Case{"2:1", kWide, 1.458}}) {
     Row row = stiffness(c.section, 2);
     show(std::string("(2) torsion stiffness, ") + c.name + " [N m/rad]", row);
     EXPECT_NEAR(2.0 * row.ratio(), c.ratio, tolerance(5e-4)) << c.name;
@@ -122,7 +122,7 @@ TEST(ReportRows, Equation2TakesASecondMomentForTheTorsionConstant) {
 }
 
 TEST(ReportRows, Equations4And5HalveTheMomentOfASquareAtFirstYield) {
-  const Row row = cap(kSquare, 0);
+  const Row row = cap(kSquareBar, 0);
   show("(4), (5) bending cap, square [N m]", row);
   EXPECT_NEAR(row.mechanics, kYield * std::pow(0.02, 3) / 6.0, tolerance(1e-8));
   EXPECT_NEAR(row.ratio(), 0.5, tolerance(1e-12));
@@ -151,16 +151,16 @@ TEST(ReportRows, Equation7SwapsTheSidesOfAFlatSection) {
 }
 
 TEST(ReportRows, Equation8TakesHalfTheSideForTheLeverOfShear) {
-  const Row row = strain_per_angle(kSquare, 2, 1.0);
+  const Row row = strain_per_angle(kSquareBar, 2, 1.0);
   show("(8) shear strain per angle, square [1/rad]", row);
   EXPECT_NEAR(row.report, 0.500 * 0.02 / kHalf, tolerance(1e-12));
   EXPECT_NEAR(row.mechanics, 0.675 * 0.02 / kHalf, tolerance(2e-5));
 }
 
 TEST(ReportRows, Equation24TakesTheSineOfTheHalfAngle) {
-  const Row row = strain_per_angle(kSquare, 0, 2.5);
+  const Row row = strain_per_angle(kSquareBar, 0, 2.5);
   show("(24) strain per angle of a joint turned by 2.5 rad, square [1/rad]", row);
-  const double kept = run_joint(turned(kSquare, Formulas::Report, 0, 2.5), 0).plastic;
+  const double kept = run_joint(turned(kSquareBar, Formulas::Report, 0, 2.5), 0).plastic;
   EXPECT_NEAR(row.mechanics, 0.01 / kHalf, tolerance(1e-12));
   EXPECT_NEAR(row.report, 0.02 / kHalf * std::sin(kept / 2.0) / kept, tolerance(1e-12));
   // As printed it falls beyond half a turn, and a joint would heal.
@@ -171,14 +171,14 @@ TEST(ReportRows, Equation24TakesTheSineOfTheHalfAngle) {
 }
 
 TEST(ReportRows, ShearYieldsAtTheYieldStressItselfInTheReport) {
-  const Row row = cap(kRound, 2, false);
+  const Row row = cap(kRoundBar, 2, false);
   show("tau_y not given: torsion cap, circle [N m]", row);
   EXPECT_NEAR(row.ratio(), std::numbers::sqrt3, tolerance(1e-12));
 }
 
 TEST(ReportRows, ShearBreaksAtTheBreakStrainItselfInTheReport) {
   const auto limit = [](Formulas formulas) {
-    Scene scene = turned(kRound, formulas, 2, 20.0);
+    Scene scene = turned(kRoundBar, formulas, 2, 20.0);
     scene.material.break_strain = 0.1;
     const Response response = simulate(scene, {.steps = 200});
     EXPECT_EQ(response.status, Status::Broken);

@@ -10,7 +10,7 @@
 namespace plastica::theory {
 namespace {
 
-constexpr double kL = 2.0;
+constexpr double kLimitL = 2.0;
 constexpr double kMp = 5.0;
 
 /// The static theorem: the largest load for which some moments of the supports leave |M| <= M_p
@@ -25,11 +25,11 @@ double static_limit(BeamEnds ends, const BeamLoad& unit) {
     BeamLoad scaled = unit;
     scaled.force *= load;
     scaled.distributed *= load;
-    const BeamCase simple{.ends = BeamEnds::PinnedPinned, .length = kL, .load = scaled};
+    const BeamCase simple{.ends = BeamEnds::PinnedPinned, .length = kLimitL, .load = scaled};
     double worst = 0.0;
     for (int k = 0; k <= 2000; ++k) {
-      const double x = kL * k / 2000.0;
-      const double lift = start_most * (1.0 - x / kL) + end_most * x / kL;
+      const double x = kLimitL * k / 2000.0;
+      const double lift = start_most * (1.0 - x / kLimitL) + end_most * x / kLimitL;
       worst = std::max(worst, -beam_moment(simple, x) - lift);
     }
     (worst <= kMp ? low : high) = load;
@@ -38,19 +38,23 @@ double static_limit(BeamEnds ends, const BeamLoad& unit) {
 }
 
 TEST(LimitLoad, OfTheFiveFramesOfSupport) {
-  EXPECT_NEAR(limit_force(BeamEnds::ClampedFree, kMp, kL, kL), kMp / kL, 1e-14);
-  EXPECT_NEAR(limit_force(BeamEnds::PinnedPinned, kMp, kL, kL / 2.0), 4.0 * kMp / kL, 1e-14);
-  EXPECT_NEAR(limit_force(BeamEnds::ClampedPinned, kMp, kL, kL / 2.0), 6.0 * kMp / kL, 1e-14);
-  EXPECT_NEAR(limit_force(BeamEnds::ClampedClamped, kMp, kL, kL / 2.0), 8.0 * kMp / kL, 1e-14);
-  EXPECT_NEAR(limit_distributed(BeamEnds::ClampedClamped, kMp, kL), 16.0 * kMp / (kL * kL), 1e-13);
+  EXPECT_NEAR(limit_force(BeamEnds::ClampedFree, kMp, kLimitL, kLimitL), kMp / kLimitL, 1e-14);
+  EXPECT_NEAR(limit_force(BeamEnds::PinnedPinned, kMp, kLimitL, kLimitL / 2.0), 4.0 * kMp / kLimitL,
+              1e-14);
+  EXPECT_NEAR(limit_force(BeamEnds::ClampedPinned, kMp, kLimitL, kLimitL / 2.0),
+              6.0 * kMp / kLimitL, 1e-14);
+  EXPECT_NEAR(limit_force(BeamEnds::ClampedClamped, kMp, kLimitL, kLimitL / 2.0),
+              8.0 * kMp / kLimitL, 1e-14);
+  EXPECT_NEAR(limit_distributed(BeamEnds::ClampedClamped, kMp, kLimitL),
+              16.0 * kMp / (kLimitL * kLimitL), 1e-13);
 }
 
 TEST(LimitLoad, OfAForceMeetsTheStaticTheorem) {
   for (const BeamEnds ends :
        {BeamEnds::PinnedPinned, BeamEnds::ClampedPinned, BeamEnds::ClampedClamped}) {
     for (const double share : {0.2, 0.5, 0.7}) {
-      EXPECT_NEAR(static_limit(ends, {.position = share * kL, .force = 1.0}),
-                  limit_force(ends, kMp, kL, share * kL), 1e-9);
+      EXPECT_NEAR(static_limit(ends, {.position = share * kLimitL, .force = 1.0}),
+                  limit_force(ends, kMp, kLimitL, share * kLimitL), 1e-9);
     }
   }
 }
@@ -58,7 +62,7 @@ TEST(LimitLoad, OfAForceMeetsTheStaticTheorem) {
 TEST(LimitLoad, OfAnEvenLoadMeetsTheStaticTheorem) {
   for (const BeamEnds ends :
        {BeamEnds::PinnedPinned, BeamEnds::ClampedPinned, BeamEnds::ClampedClamped}) {
-    const double expected = limit_distributed(ends, kMp, kL);
+    const double expected = limit_distributed(ends, kMp, kLimitL);
     // The hinge of the propped beam lies between two sections: second order in 1/2000.
     EXPECT_NEAR(static_limit(ends, {.distributed = 1.0}) / expected, 1.0, 1e-6);
   }
@@ -67,9 +71,10 @@ TEST(LimitLoad, OfAnEvenLoadMeetsTheStaticTheorem) {
 }
 
 TEST(LimitLoad, OfTheCantileverIsThatOfItsClamp) {
-  const BeamCase beam{.ends = BeamEnds::ClampedFree,
-                      .length = kL,
-                      .load = {.distributed = limit_distributed(BeamEnds::ClampedFree, kMp, kL)}};
+  const BeamCase beam{
+      .ends = BeamEnds::ClampedFree,
+      .length = kLimitL,
+      .load = {.distributed = limit_distributed(BeamEnds::ClampedFree, kMp, kLimitL)}};
   EXPECT_NEAR(beam_moment(beam, 0.0), kMp, 1e-14);
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double kE = 210e9;
 constexpr double kNu = 0.3;
 const double kG = resolved_shear_modulus({.youngs_modulus = kE, .poisson_ratio = kNu});
-constexpr double kL = 0.1;  // length of each segment, and the tributary length of a joint
+constexpr double kFormulaL = 0.1;  // length of each segment, and the tributary length of a joint
 
 SectionProperties rectangle(double width, double height) {
   return section_properties({.width = width, .height = height}, kNu);
@@ -29,14 +29,14 @@ SectionProperties circle(double radius) {
 /// Report's torsion stiffness over G J/l, without the factor 2 of (1) that (2) shares.
 double torsion_ratio(const SectionProperties& p) {
   const double second_moment = report::torsion_second_moment(p.second_moment_x, p.second_moment_y);
-  const double printed = report::torsion_stiffness(kE, kNu, second_moment, kL, kL);
-  return 2.0 * printed / (kG * p.torsion_constant / kL);
+  const double printed = report::torsion_stiffness(kE, kNu, second_moment, kFormulaL, kFormulaL);
+  return 2.0 * printed / (kG * p.torsion_constant / kFormulaL);
 }
 
 TEST(ReportFormulas, BendingStiffnessIsHalfOfMechanics) {
   const SectionProperties p = rectangle(0.02, 0.03);
-  const double printed = report::bending_stiffness(kE, p.second_moment_x, kL, kL);
-  EXPECT_DOUBLE_EQ(printed / (kE * p.second_moment_x / kL), 0.5);
+  const double printed = report::bending_stiffness(kE, p.second_moment_x, kFormulaL, kFormulaL);
+  EXPECT_DOUBLE_EQ(printed / (kE * p.second_moment_x / kFormulaL), 0.5);
 }
 
 TEST(ReportFormulas, TorsionOfACircleIsHalfOfMechanics) {
@@ -83,17 +83,20 @@ TEST(ReportFormulas, TorsionCapOfASquareIsRightWithinAThousandth) {
 
 TEST(ReportFormulas, BendingStrainOfEquationSevenSwapsTheSides) {
   const double b = 0.01, h = 0.03, angle = 0.01;
-  EXPECT_DOUBLE_EQ(report::bending_strain_y(h, angle, kL), report::bending_strain(h, angle, kL));
+  EXPECT_DOUBLE_EQ(report::bending_strain_y(h, angle, kFormulaL),
+                   report::bending_strain(h, angle, kFormulaL));
   // About x the distance is h/2; (7) takes b/2 there, a third of it.
-  EXPECT_NEAR(report::bending_strain_x(b, angle, kL) / (h / 2.0 * angle / kL), 1.0 / 3.0, 1e-5);
-  EXPECT_NEAR(report::bending_strain_y(h, angle, kL) / (b / 2.0 * angle / kL), 3.0, 1e-4);
+  EXPECT_NEAR(report::bending_strain_x(b, angle, kFormulaL) / (h / 2.0 * angle / kFormulaL),
+              1.0 / 3.0, 1e-5);
+  EXPECT_NEAR(report::bending_strain_y(h, angle, kFormulaL) / (b / 2.0 * angle / kFormulaL), 3.0,
+              1e-4);
 }
 
 TEST(ReportFormulas, TorsionStrainLeavesOutTheWarpingOfARectangle) {
   // gamma = (J/W_t) theta/l; the report has c/2 for J/W_t.
   const SectionProperties square = rectangle(1.0, 1.0);
   EXPECT_NEAR(square.torsion_constant / square.torsion_modulus, 0.675, 5e-4);
-  EXPECT_DOUBLE_EQ(report::torsion_strain(1.0, kL, kL), 0.5);
+  EXPECT_DOUBLE_EQ(report::torsion_strain(1.0, kFormulaL, kFormulaL), 0.5);
   const SectionProperties round = circle(0.5);
   EXPECT_NEAR(round.torsion_constant / round.torsion_modulus, 0.5, 1e-12);
   // At 2:1 the sign turns: c/2 = 1.000 s against 0.930 s.
@@ -104,10 +107,11 @@ TEST(ReportFormulas, TorsionStrainLeavesOutTheWarpingOfARectangle) {
 TEST(ReportFormulas, BendingStrainFallsAgainBeyondHalfATurn) {
   using std::numbers::pi;
   const double h = 0.03;
-  EXPECT_NEAR(report::bending_strain(h, pi, kL), h / kL, 1e-12);
-  EXPECT_NEAR(report::bending_strain(h, 2.0 * pi, kL), 0.0, 1e-12);
+  EXPECT_NEAR(report::bending_strain(h, pi, kFormulaL), h / kFormulaL, 1e-12);
+  EXPECT_NEAR(report::bending_strain(h, 2.0 * pi, kFormulaL), 0.0, 1e-12);
   // Against the linear (h/2) theta/l: 2/pi at half a turn.
-  EXPECT_NEAR(report::bending_strain(h, pi, kL) / (h / 2.0 * pi / kL), 2.0 / pi, 1e-12);
+  EXPECT_NEAR(report::bending_strain(h, pi, kFormulaL) / (h / 2.0 * pi / kFormulaL), 2.0 / pi,
+              1e-12);
 }
 
 TEST(ReportFormulas, EqualYieldStressesInShearAreSeventyThreePercentTooHigh) {

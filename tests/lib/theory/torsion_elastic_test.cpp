@@ -10,7 +10,7 @@
 namespace plastica::theory {
 namespace {
 
-constexpr double kG = 80e9;
+constexpr double kShearG = 80e9;
 
 TEST(ElasticTorsion, OfRectanglesMatchesTheReferenceTable) {
   const testing::ReferenceTable table("torsion-rectangle/coefficients.csv");
@@ -21,7 +21,7 @@ TEST(ElasticTorsion, OfRectanglesMatchesTheReferenceTable) {
     const Section bar{.width = s, .height = ratio * s};
     const double J = table.at("beta_J_over_ab3", i) * ratio * std::pow(s, 4);
     const double W = table.at("alpha_T_over_taumax_ab2", i) * ratio * std::pow(s, 3);
-    EXPECT_NEAR(end_twist(bar, kG, 1.5, 10.0) / (10.0 * 1.5 / (kG * J)), 1.0, 1e-7);
+    EXPECT_NEAR(end_twist(bar, kShearG, 1.5, 10.0) / (10.0 * 1.5 / (kShearG * J)), 1.0, 1e-7);
     EXPECT_NEAR(largest_shear_stress(bar, 10.0) / (10.0 / W), 1.0, 1e-7);
   }
 }
@@ -29,7 +29,7 @@ TEST(ElasticTorsion, OfRectanglesMatchesTheReferenceTable) {
 TEST(ElasticTorsion, OfARoundBarIsThatOfThePolarMoment) {
   const Section bar{.shape = SectionShape::Circle, .radius = 0.01};
   const double J = std::numbers::pi * 1e-8 / 2.0;
-  EXPECT_NEAR(end_twist(bar, kG, 2.0, 5.0), 10.0 / (kG * J), 1e-15);
+  EXPECT_NEAR(end_twist(bar, kShearG, 2.0, 5.0), 10.0 / (kShearG * J), 1e-15);
   EXPECT_NEAR(largest_shear_stress(bar, 5.0) / (5.0 * 0.01 / J), 1.0, 1e-14);
 }
 
@@ -39,9 +39,9 @@ TEST(ElasticTorsion, OfAnEvenTorqueIsTheIntegralOfTheTorqueAlongTheBar) {
   double sum = 0.0;
   for (int i = 0; i < kParts; ++i) {
     const double carried = 3.0 * 2.0 * (1.0 - (i + 0.5) / kParts);  // t (L - x)
-    sum += end_twist(bar, kG, 2.0 / kParts, carried);
+    sum += end_twist(bar, kShearG, 2.0 / kParts, carried);
   }
-  EXPECT_NEAR(end_twist_distributed(bar, kG, 2.0, 3.0) / sum, 1.0, 1e-12);
+  EXPECT_NEAR(end_twist_distributed(bar, kShearG, 2.0, 3.0) / sum, 1.0, 1e-12);
 }
 
 }  // namespace

@@ -7,33 +7,33 @@
 namespace plastica::theory {
 namespace {
 
-constexpr double kE = 200e9;
+constexpr double kModulus = 200e9;
 constexpr double kYield = 400e6;  // at a strain of 0.002
 
 TEST(Uniaxial, IdealPlasticityHoldsTheYieldStress) {
-  EXPECT_DOUBLE_EQ(ideal_plastic_stress(0.001, kE, kYield), 200e6);
-  EXPECT_DOUBLE_EQ(ideal_plastic_stress(0.03, kE, kYield), kYield);
-  EXPECT_DOUBLE_EQ(ideal_plastic_stress(-0.03, kE, kYield), -kYield);
+  EXPECT_DOUBLE_EQ(ideal_plastic_stress(0.001, kModulus, kYield), 200e6);
+  EXPECT_DOUBLE_EQ(ideal_plastic_stress(0.03, kModulus, kYield), kYield);
+  EXPECT_DOUBLE_EQ(ideal_plastic_stress(-0.03, kModulus, kYield), -kYield);
 }
 
 TEST(Uniaxial, UnloadingIsElasticUntilTheOppositeYield) {
-  EXPECT_NEAR(ideal_plastic_unloading_stress(0.009, 0.01, kE, kYield), 200e6, 1e-6);
-  EXPECT_NEAR(ideal_plastic_unloading_stress(0.008, 0.01, kE, kYield), 0.0, 1e-6);
-  EXPECT_DOUBLE_EQ(ideal_plastic_unloading_stress(0.0, 0.01, kE, kYield), -kYield);
-  EXPECT_NEAR(ideal_plastic_unloading_stress(-0.009, -0.01, kE, kYield), -200e6, 1e-6);
+  EXPECT_NEAR(ideal_plastic_unloading_stress(0.009, 0.01, kModulus, kYield), 200e6, 1e-6);
+  EXPECT_NEAR(ideal_plastic_unloading_stress(0.008, 0.01, kModulus, kYield), 0.0, 1e-6);
+  EXPECT_DOUBLE_EQ(ideal_plastic_unloading_stress(0.0, 0.01, kModulus, kYield), -kYield);
+  EXPECT_NEAR(ideal_plastic_unloading_stress(-0.009, -0.01, kModulus, kYield), -200e6, 1e-6);
 }
 
 TEST(Uniaxial, PermanentStrainIsWhereTheUnloadedStressIsZero) {
-  const double permanent = ideal_plastic_permanent_strain(0.01, kE, kYield);
+  const double permanent = ideal_plastic_permanent_strain(0.01, kModulus, kYield);
   EXPECT_NEAR(permanent, 0.008, 1e-16);
-  EXPECT_NEAR(ideal_plastic_unloading_stress(permanent, 0.01, kE, kYield), 0.0, 1e-5);
-  EXPECT_EQ(ideal_plastic_permanent_strain(0.001, kE, kYield), 0.0);
+  EXPECT_NEAR(ideal_plastic_unloading_stress(permanent, 0.01, kModulus, kYield), 0.0, 1e-5);
+  EXPECT_EQ(ideal_plastic_permanent_strain(0.001, kModulus, kYield), 0.0);
 }
 
 TEST(Uniaxial, BilinearGoesOnWithTheTangentModulus) {
-  EXPECT_NEAR(bilinear_stress(0.012, kE, kYield, 2e9), 420e6, 1e-3);
-  EXPECT_NEAR(bilinear_stress(-0.012, kE, kYield, 2e9), -420e6, 1e-3);
-  EXPECT_NEAR(bilinear_stress(0.001, kE, kYield, 2e9), 200e6, 1e-3);
+  EXPECT_NEAR(bilinear_stress(0.012, kModulus, kYield, 2e9), 420e6, 1e-3);
+  EXPECT_NEAR(bilinear_stress(-0.012, kModulus, kYield, 2e9), -420e6, 1e-3);
+  EXPECT_NEAR(bilinear_stress(0.001, kModulus, kYield, 2e9), 200e6, 1e-3);
 }
 
 TEST(Uniaxial, VoceRisesFromTheYieldStressToSaturation) {
@@ -81,12 +81,12 @@ TEST(Uniaxial, ManyCyclesReachTheStabilizedBackstress) {
 }
 
 TEST(Uniaxial, MonotonicStressOfEachLaw) {
-  Material m{.youngs_modulus = kE, .yield_stress = kYield};
+  Material m{.youngs_modulus = kModulus, .yield_stress = kYield};
   EXPECT_EQ(monotonic_stress(0.05, m), kYield);
 
   m.hardening = {.law = HardeningLaw::Linear, .tangent_modulus = 2e9};
   const double linear = monotonic_stress(0.05, m);
-  EXPECT_NEAR(bilinear_stress(0.05 + linear / kE, kE, kYield, 2e9), linear, 1e-3);
+  EXPECT_NEAR(bilinear_stress(0.05 + linear / kModulus, kModulus, kYield, 2e9), linear, 1e-3);
 
   m.hardening = {.law = HardeningLaw::VoceChaboche,
                  .saturation_stress = 100e6,

@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/has.hpp"
 #include "tests/sweeps/run_record.hpp"
 
 namespace plastica::sweeps {
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using plastica::testing::has;
 
 TEST(MarkdownTable, HasATableForEachGroup) {
   const std::string text = markdown_table(two_groups());

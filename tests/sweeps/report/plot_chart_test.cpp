@@ -1,4 +1,5 @@
 #include "sweeps/report/plot_chart.hpp"
+#include "tests/support/has.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +8,7 @@
 namespace plastica::sweeps {
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using plastica::testing::has;
 
 std::vector<std::string> texts_of(const ChartAxis& axis) {
   std::vector<std::string> texts;

@@ -3,15 +3,14 @@
 #include "sweeps/report/plot.hpp"
 #include "sweeps/report/plot_charts.hpp"
 #include "sweeps/report/plot_classes.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/message.hpp"
 #include "tests/sweeps/run_record.hpp"
 
 namespace plastica::sweeps {
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using plastica::testing::has;
 
 std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;

@@ -3,15 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "sweeps/report/plot_charts.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/message.hpp"
 #include "tests/sweeps/run_record.hpp"
 
 namespace plastica::sweeps {
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using plastica::testing::has;
 
 std::vector<std::string> kinds_of(const SweepRecord& record) {
   std::vector<std::string> names;
@@ -19,7 +18,7 @@ std::vector<std::string> kinds_of(const SweepRecord& record) {
   return names;
 }
 
-PlotCases all_of(const SweepRecord& record) {
+PlotCases every_case(const SweepRecord& record) {
   return {record, std::vector<bool>(record.cases(), true)};
 }
 
@@ -40,7 +39,7 @@ TEST(SweepPlotKinds, AreThoseThatASweepHas) {
 
 TEST(ConvergenceChart, HasALineAndAnOrderForEachGroup) {
   const SweepRecord record = two_groups();
-  const Chart chart = convergence_chart(all_of(record));
+  const Chart chart = convergence_chart(every_case(record));
   ASSERT_EQ(chart.series.size(), 2U);
   EXPECT_TRUE(has(chart.series[0].name, ": half_joint")) << chart.series[0].name;
   EXPECT_TRUE(chart.series[1].name.starts_with("order 0.9")) << chart.series[1].name;
@@ -54,7 +53,7 @@ TEST(ConvergenceChart, LeavesTheRoundOffFloorOpen) {
   SweepRecord record = record_of(segments_axis("[4, 8, 16, 32]") + kTipError);
   const std::vector<double> errors{1e-2, 1e-4, 1e-6, 0.0};
   for (std::size_t i = 0; i < 4; ++i) record.comparison.error[i] = errors[i];
-  const Chart chart = convergence_chart(all_of(record));
+  const Chart chart = convergence_chart(every_case(record));
   EXPECT_EQ(chart.series[0].points.size(), 3U);
   ASSERT_EQ(chart.series[0].hollow.size(), 1U);
   EXPECT_DOUBLE_EQ(chart.series[0].hollow[0][0], 32.0);
@@ -67,7 +66,7 @@ TEST(ConvergenceChart, TellsManyGroupsApartByColourAndSymbol) {
                 "[[axis]]\nfield = 'rules.end_rule'\nvalues = ['half_joint', 'equal', 'half']\n"
                 "[[axis]]\nfield = 'scale.loads'\nvalues = [0.5, 1, 2]\n" +
                 kTipError);
-  const Chart chart = convergence_chart(all_of(record));
+  const Chart chart = convergence_chart(every_case(record));
   ASSERT_EQ(chart.series.size(), 9U + 2U) << "and lines of orders 1 and 2";
   EXPECT_EQ(chart.series[0].look.color, chart.series[2].look.color);
   EXPECT_NE(chart.series[0].look.symbol, chart.series[2].look.symbol);
@@ -85,13 +84,13 @@ TEST(ConvergenceChart, HoldsTheDifferenceOfAxesThatMoveTogether) {
       "[[axis]]\nfield = 'scale.loads'\nvalues = [1, 2, 2]\nzip = 'a'\n"
       "[[axis]]\nfield = 'beam.length'\nvalues = ['1 m', '2 m', '3 m']\nzip = 'a'\n" +
       kTipError);
-  const auto lines = refinement_lines(all_of(record));
+  const auto lines = refinement_lines(every_case(record));
   EXPECT_EQ(looks_of(record, lines, 0).names,
             (Names{"half, loads 1", "half, loads 2", "equal, loads 2"}));
 }
 
 TEST(ValueChart, ShowsTheReferenceThatAllShare) {
-  const Chart chart = value_chart(all_of(two_groups()));
+  const Chart chart = value_chart(every_case(two_groups()));
   ASSERT_EQ(chart.series.size(), 3U);
   EXPECT_EQ(chart.series[2].name, "reference");
   EXPECT_NEAR(chart.series[2].points[0][1], -0.7353, 1e-4);
@@ -102,7 +101,7 @@ TEST(ValueChart, IsInAUnitThatCanBeRead) {
   const SweepRecord record = record_of(
       "[[axis]]\nfield = 'material.youngs_modulus'\nvalues = ['200 GPa', '210 GPa']\n"
       "[error]\nprobe = 'tip'\n");
-  const Chart chart = value_chart(all_of(record));
+  const Chart chart = value_chart(every_case(record));
   EXPECT_EQ(chart.x.label, "material.youngs_modulus [GPa]");
   EXPECT_DOUBLE_EQ(chart.series[0].points[1][0], 210.0);
 }
@@ -110,7 +109,7 @@ TEST(ValueChart, IsInAUnitThatCanBeRead) {
 TEST(ValueChart, OfWordsHasAPlaceForEach) {
   const SweepRecord record = record_of(
       "[[axis]]\nfield = 'rules.end_rule'\nvalues = ['equal', 'half']\n[error]\nprobe = 'tip'\n");
-  const Chart chart = value_chart(all_of(record));
+  const Chart chart = value_chart(every_case(record));
   ASSERT_EQ(chart.x.ticks.size(), 2U);
   EXPECT_EQ(chart.x.ticks[1].text, "half");
   EXPECT_FALSE(chart.series[0].look.line);
@@ -121,7 +120,7 @@ TEST(ValueChart, OfASampleIsACloudOverWhatMovesItMost) {
       "[[axis]]\nfield = 'beam.length'\nsampled = ['1 m', '1.01 m']\n"
       "[[axis]]\nfield = 'material.youngs_modulus'\nsampled = ['100 GPa', '300 GPa']\n"
       "[sample]\nmethod = 'latin_hypercube'\ncount = 30\n[error]\nprobe = 'tip'\n");
-  const Chart chart = value_chart(all_of(record));
+  const Chart chart = value_chart(every_case(record));
   EXPECT_EQ(chart.x.label, "material.youngs_modulus [GPa]");
   ASSERT_EQ(chart.series.size(), 1U);
   EXPECT_FALSE(chart.series[0].look.line);
@@ -132,7 +131,7 @@ TEST(TradeChart, HasTheFrontAndGuides) {
   SweepRecord record = two_groups();
   const std::vector<double> errors{0.05, 0.5, 0.005, 0.4, 0.00005, 0.3};
   for (std::size_t i = 0; i < 6; ++i) record.comparison.error[i] = errors[i];
-  const Chart chart = trade_chart(all_of(record));
+  const Chart chart = trade_chart(every_case(record));
   EXPECT_EQ(chart.x.label, "work [segment-iterations]");
   EXPECT_EQ(chart.guides, (std::vector<double>{1.0, 0.1, 0.01}));
   EXPECT_EQ(chart.series[0].name, "Pareto front");
@@ -146,20 +145,20 @@ TEST(TradeChart, CostsTimeWhereCasesWereTimed) {
   SweepRecord record = two_groups();
   record.timed_runs = 1;
   for (CaseResult& result : record.results) result.seconds = 0.002;
-  const Chart chart = trade_chart(all_of(record));
+  const Chart chart = trade_chart(every_case(record));
   EXPECT_EQ(chart.x.label, "time [ms]");
   EXPECT_DOUBLE_EQ(chart.series[1].points[0][0], 2.0);
 }
 
 TEST(CurveChart, NamesCurvesByWhatTheyDifferIn) {
-  const Chart chart = curve_chart(all_of(curves("[2, 3]")));
+  const Chart chart = curve_chart(every_case(curves("[2, 3]")));
   ASSERT_EQ(chart.series.size(), 2U);
   EXPECT_EQ(chart.series[1].name, "segments 3");
   EXPECT_EQ(chart.series[1].points.size(), 3U);
 }
 
 TEST(CurveChart, TakesTheFinestOfEachGroupOfMany) {
-  const Chart chart = curve_chart(all_of(curves("[2, 3, 4, 5, 6, 7, 8, 9, 10]")));
+  const Chart chart = curve_chart(every_case(curves("[2, 3, 4, 5, 6, 7, 8, 9, 10]")));
   ASSERT_EQ(chart.series.size(), 1U);
   EXPECT_EQ(chart.series[0].name, "segments 10");
 }

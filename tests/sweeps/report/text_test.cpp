@@ -4,14 +4,13 @@
 
 #include <algorithm>
 
+#include "tests/support/has.hpp"
 #include "tests/sweeps/run_record.hpp"
 
 namespace plastica::sweeps {
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using plastica::testing::has;
 
 std::size_t lines_of(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

@@ -6,7 +6,7 @@ namespace plastica::io {
 
 /// The message of the Error that an action throws; says so if it throws none.
 template <typename Error, typename Action>
-std::string message_of(const Action& action) {
+std::string message_from(const Action& action) {
   try {
     action();
   } catch (const Error& error) {
