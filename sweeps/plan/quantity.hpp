@@ -12,18 +12,31 @@ namespace plastica::sweeps {
 /// What of a case's run is compared.
 enum class QuantityKind {
   Probe,             ///< a probe of the scene, see `Take`
-  NaturalFrequency,  ///< of the scene at rest, by a linear eigenvalue [Hz]
+  NaturalFrequency,  ///< of the unloaded beam [Hz]
   LimitLoad,         ///< factor of the first load at its limit [1]
   BreakLoad,    ///< factor of the first load at the first break [1]; of a coupon its stress [Pa]
   BreakTime,    ///< of the first break [s]
   BreakStrain,  ///< of a coupon: its total strain at the break [1]
   LedgerError,  ///< `Response::ledger_error`: what the energies leave unexplained [1]
   Fit,          ///< a parameter that [fit] finds in the scene
+  LoadedFrequency,  ///< natural frequency about the loaded state [Hz]
+  BucklingFactor,   ///< load factor at which it buckles, about the loaded state [1]
 };
 
-inline constexpr std::array<std::string_view, 8> kQuantityKinds{
-    "probe",      "natural_frequency", "limit_load",   "break_load",
-    "break_time", "break_strain",      "ledger_error", "fit"};
+inline constexpr std::array<std::string_view, 10> kQuantityKinds{
+    "probe",        "natural_frequency", "limit_load", "break_load",       "break_time",
+    "break_strain", "ledger_error",      "fit",        "loaded_frequency", "buckling_factor"};
+
+/// Whether a quantity is one of several modes.
+constexpr bool has_modes(QuantityKind kind) {
+  return kind == QuantityKind::NaturalFrequency || kind == QuantityKind::LoadedFrequency ||
+         kind == QuantityKind::BucklingFactor;
+}
+
+/// Whether it comes out of a run of the scene as it is; else of modes or a fit.
+constexpr bool is_simulated(QuantityKind kind) {
+  return !has_modes(kind) && kind != QuantityKind::Fit;
+}
 
 /// What is taken of a probe's values over time.
 enum class Take {
@@ -43,7 +56,7 @@ struct Quantity {
   QuantityKind kind = QuantityKind::Probe;
   std::size_t probe = 0;  ///< number of the scene's probe
   Take take = Take::End;
-  int mode = 1;             ///< NaturalFrequency: 1, 2, …
+  int mode = 1;             ///< of frequencies and buckling factors: 1, 2, …
   std::string parameter{};  ///< Fit: path of the field
   std::string name{};       ///< for tables: "tip, end"
   std::string unit{"1"};    ///< SI

@@ -48,11 +48,13 @@ Quantity read_kind(const TomlTable& table, const TomlValue& word, const Scene& s
   switch (quantity.kind) {
     case QuantityKind::Probe: throw word.error("is meant by probe = NAME");
     case QuantityKind::NaturalFrequency:
+    case QuantityKind::LoadedFrequency:
+    case QuantityKind::BucklingFactor:
       if (const auto mode = table.find("mode")) {
         quantity.mode = static_cast<int>(mode->integer(1, 1000));
       }
       quantity.name += " " + std::to_string(quantity.mode);
-      quantity.unit = "Hz";
+      if (quantity.kind != QuantityKind::BucklingFactor) quantity.unit = "Hz";
       break;
     case QuantityKind::BreakLoad:
       if (!scene.is_coupon()) break;
@@ -88,8 +90,10 @@ Quantity read_quantity(const TomlTable& table, const Scene& scene) {
   }
   Quantity quantity = probe ? read_probe(table, *probe, scene) : read_kind(table, *word, scene);
   if (!probe) refuse(table.find("take"), "goes with a probe");
-  if (quantity.kind != QuantityKind::NaturalFrequency) {
-    refuse(table.find("mode"), "goes with quantity = \"natural_frequency\"");
+  if (!has_modes(quantity.kind)) {
+    refuse(table.find("mode"),
+           "goes with quantity = \"natural_frequency\", \"loaded_frequency\" or "
+           "\"buckling_factor\"");
   }
   if (quantity.kind != QuantityKind::Fit) {
     refuse(table.find("parameter"), "goes with quantity = \"fit\"");

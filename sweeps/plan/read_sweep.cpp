@@ -86,9 +86,7 @@ Sweep read_document(const TomlDocument& document) {
   if (const auto cost = root.find_table("cost")) {
     sweep.timed_runs = static_cast<int>(cost->at("timed_runs").integer(0, 1000));
   }
-  const bool runs = sweep.quantity.kind != QuantityKind::NaturalFrequency &&
-                    sweep.quantity.kind != QuantityKind::Fit;
-  if (sweep.timed_runs > 0 && !runs) {
+  if (sweep.timed_runs > 0 && !is_simulated(sweep.quantity.kind)) {
     throw InputError(root.find_table("cost")->where(), "cost.timed_runs",
                      std::to_string(sweep.timed_runs),
                      "times runs of a scene; this quantity is none of a run");

@@ -69,6 +69,8 @@ Measured quantity_of(const Response& response, const Quantity& quantity) {
       return coupon_quantity(response, quantity);
     case QuantityKind::Probe:
     case QuantityKind::NaturalFrequency:
+    case QuantityKind::LoadedFrequency:
+    case QuantityKind::BucklingFactor:
     case QuantityKind::Fit: break;
   }
   return {};

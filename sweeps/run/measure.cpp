@@ -5,12 +5,9 @@
 #include <utility>
 
 #include "plastica/run/natural_frequencies.hpp"
+#include "plastica/run/simulate.hpp"
 
 namespace plastica::sweeps {
-
-bool is_simulated(const Quantity& quantity) {
-  return quantity.kind != QuantityKind::NaturalFrequency && quantity.kind != QuantityKind::Fit;
-}
 
 CaseResult rejected(std::string reason) {
   CaseResult result;
@@ -35,11 +32,38 @@ CaseResult frequency(const Sweep& sweep, const Setup& setup) {
   CaseResult result;
   result.level = prepare(setup.scene, setup.solver).level;
   const int mode = sweep.quantity.mode;
-  const LoadedFrequencies all = natural_frequencies(setup.scene, setup.solver, mode);
-  result.status = all.status;
-  if (!all.frequency.empty()) result.value = all.frequency[static_cast<std::size_t>(mode - 1)];
+  const auto all = unloaded_frequencies(setup.scene, setup.solver, mode);
+  result.value = all[static_cast<std::size_t>(mode - 1)];
+  result.status = Status::Completed;
   result.segments = setup.scene.beam.segments;
   result.iterations = 1;
+  return result;
+}
+
+/// Of modes about the loaded state. One that is found is an answer, however the path to it ended.
+CaseResult mode_about_load(const Sweep& sweep, const Setup& setup) {
+  CaseResult result;
+  const auto mode = static_cast<std::size_t>(sweep.quantity.mode);
+  result.level = prepare(setup.scene, setup.solver).level;
+  result.segments = setup.scene.beam.segments;
+  result.iterations = 1;
+  if (sweep.quantity.kind == QuantityKind::LoadedFrequency) {
+    const auto all = natural_frequencies(setup.scene, setup.solver, sweep.quantity.mode);
+    result.status = all.status;
+    if (all.status == Status::Completed) result.value = all.frequency[mode - 1];
+    return result;
+  }
+  SolverOptions solver = setup.solver;
+  solver.buckling = sweep.quantity.mode;
+  const Response response = simulate(setup.scene, solver);
+  result.status = response.status;
+  result.iterations = response.counters.iterations;
+  if (response.buckling && response.buckling->factor.size() >= mode) {
+    result.status = Status::Completed;
+    result.value = response.buckling->factor[mode - 1];
+  } else if (response.status == Status::Completed) {
+    result.reason = "it does not buckle so often, however far the loads grow";
+  }
   return result;
 }
 
@@ -68,8 +92,12 @@ CaseResult fit(const Sweep& sweep, const Setup& setup, StopFlag stop) {
 
 CaseResult measure(const Sweep& sweep, const Setup& setup, StopFlag stop) {
   const auto begin = std::chrono::steady_clock::now();
-  CaseResult result =
-      sweep.quantity.kind == QuantityKind::Fit ? fit(sweep, setup, stop) : frequency(sweep, setup);
+  CaseResult result;
+  switch (sweep.quantity.kind) {
+    case QuantityKind::Fit: result = fit(sweep, setup, stop); break;
+    case QuantityKind::NaturalFrequency: result = frequency(sweep, setup); break;
+    default: result = mode_about_load(sweep, setup);
+  }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   result.seconds = took.count();
   return result;

@@ -6,9 +6,6 @@
 
 namespace plastica::sweeps {
 
-/// Whether a quantity comes out of a run of the scene; else of an eigenvalue or a fit.
-bool is_simulated(const Quantity& quantity);
-
 /// What a batch gave for a case.
 CaseResult result_of(const BatchRow& row, const Quantity& quantity);
 

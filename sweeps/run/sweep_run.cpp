@@ -98,7 +98,7 @@ void SweepRun::check_memory_of(const std::vector<std::size_t>& missing) const {
 void SweepRun::run_missing(const std::vector<std::size_t>& missing) {
   const int threads = threads_of(sweep_, options_.threads);
   check_memory_of(missing);
-  if (is_simulated(sweep_.quantity)) {
+  if (is_simulated(sweep_.quantity.kind)) {
     const auto make = [&](std::size_t k) {
       Setup setup = cases_.setup(missing[k]);
       return BatchCase{

@@ -108,7 +108,8 @@ const History* ChainModes<L, kElastic>::growing_history(double before) const {
 }
 
 template <class L, bool kElastic>
-std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfPlane* beside) {
+std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfPlane* beside,
+                                                               StopFlag stop) {
   const double time = w_.time;
   const double before = solve::just_before(time);
   BucklingModes modes;
@@ -123,6 +124,7 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
   search.reach = time > 0.0 ? time : body_.model.stops.back();
   search.most = kFarthest;
   search.count = count;
+  search.stop = stop;
   std::vector<Root> roots;
   const auto add_roots = [&](bool out_of_plane, const std::function<int(double)>& passed) {
     for (const double root : solve::first_roots(passed, search)) {
@@ -141,6 +143,7 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
   roots.resize(std::min(roots.size(), static_cast<std::size_t>(count)));
   double last = -1.0;  // of the chain's own roots
   for (const Root& root : roots) {
+    if (is_raised(stop)) break;
     modes.factor.push_back(modes.about + root.time * growing->slope_at(before));
     modes.out_of_plane.push_back(root.out_of_plane ? 1 : 0);
     if (root.out_of_plane) {
@@ -166,7 +169,7 @@ void ChainModes<L, kElastic>::add_mode(bool again, std::vector<double>& mode) {
 }
 
 template <class L, bool kElastic>
-VibrationModes ChainModes<L, kElastic>::vibration(int count) {
+VibrationModes ChainModes<L, kElastic>::vibration(int count, StopFlag stop) {
   VibrationModes modes;
   const double softest_square = softest();
   const auto wanted = static_cast<std::size_t>(count);
@@ -182,6 +185,7 @@ VibrationModes ChainModes<L, kElastic>::vibration(int count) {
     search.from = kUnresisted * softest_square;
     search.reach = softest_square;
     search.most = kStiffest;
+    search.stop = stop;
     const int unresisted = std::min(passed(search.from), count);
     search.count = count - unresisted;
     if (search.count > 0) {
@@ -192,6 +196,7 @@ VibrationModes ChainModes<L, kElastic>::vibration(int count) {
   }
   double last = -1.0;
   for (const double square : squares) {
+    if (is_raised(stop)) break;
     modes.frequency.push_back(std::sqrt(square) / (2.0 * std::numbers::pi));
     // Just below, since at 0 nothing may be there to divide by.
     pencil.factor(square > 0.0 ? square : -kUnresisted * softest_square);

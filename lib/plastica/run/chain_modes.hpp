@@ -26,10 +26,11 @@ class ChainModes {
   /// @param beside  what grows beside a planar chain; may be null
   /// @return none if the equilibrium is not stable; else fewer than `count` if no more are found
   ///         below a billion times the load
-  std::optional<BucklingModes> buckling(int count, OutOfPlane* beside);
+  /// @param stop  once raised, what has been found so far is returned
+  std::optional<BucklingModes> buckling(int count, OutOfPlane* beside, StopFlag stop = nullptr);
   /// Its lowest natural frequencies.
   /// @param count  no more than the ways in which the chain can move
-  VibrationModes vibration(int count);
+  VibrationModes vibration(int count, StopFlag stop = nullptr);
   /// In how many ways the chain can move.
   int freedoms();
   /// Lets supports go that hold what others hold already: a straight chain's end does not move

@@ -47,7 +47,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   void note_mode(bool out_of_plane, Work& w, std::vector<double>& mode) override;
 
   bool begin_path();
-  void find_modes();
+  bool find_modes();
   void note_limit_mode(LimitLoad& limit);
   void set_path_options();
   void note_break(const Work& w);

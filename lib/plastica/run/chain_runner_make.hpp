@@ -118,7 +118,7 @@ void ChainRunner<L, kElastic>::finish() {
     body_.record.shapes_on_demand(false);
     if (!cut_short && begin_path()) walk_on();
   }
-  if (!is_raised(hooks_->stop)) find_modes();
+  if (!cut_short) cut_short = !find_modes();
   asks_beside_ = false;
   // Without its last shape a path is not handed over as one that has come to its end.
   response.status = cut_short ? Status::Interrupted : walker_->status();
@@ -171,25 +171,28 @@ void ChainRunner<L, kElastic>::note_limit_mode(LimitLoad& limit) {
 }
 
 /// What is asked for about the loaded state. Uses up the work, and the laws' history.
+/// @return whether it was not stopped
 template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::find_modes() {
+bool ChainRunner<L, kElastic>::find_modes() {
   if constexpr (kIsDouble<typename L::Scalar>) {
     const SolverOptions& solver = body_.model.options;
+    const StopFlag stop = hooks_->stop;
     const Status status = walker_->status();
+    if (status == Status::Interrupted) return true;
     const bool stands =
         status == Status::Completed || status == Status::LimitLoad || status == Status::Unstable;
     if (solver.frequencies > 0 && stands) {
       ChainModes<L, kElastic> modes(body_, committed_, last_time_, has_yielded_);
-      response_->vibration = modes.vibration(std::min(solver.frequencies, modes.freedoms()));
+      response_->vibration = modes.vibration(std::min(solver.frequencies, modes.freedoms()), stop);
     }
-    if (solver.buckling == 0) return;
+    if (solver.buckling == 0) return !is_raised(stop);
     if (!has_stable_ && stands && !has_yielded_) {
       // Arcs do not count on their way.
       stable_ = committed_;
       stable_time_ = last_time_;
       has_stable_ = true;
     }
-    if (!has_stable_) return;
+    if (!has_stable_) return true;
     body_.joints->reset();
     ChainModes<L, kElastic> modes(body_, stable_, stable_time_, false);
     OutOfPlane* beside = nullptr;
@@ -198,8 +201,13 @@ void ChainRunner<L, kElastic>::find_modes() {
       beside_->let_forces_grow(seen_);
       beside = beside_.get();
     }
-    response_->buckling = modes.buckling(solver.buckling, beside);
+    response_->buckling = modes.buckling(solver.buckling, beside, stop);
+    if (!is_raised(stop)) return true;
+    response_->buckling.reset();
+    response_->vibration.reset();
+    return false;
   }
+  return true;
 }
 
 template <class L, bool kElastic>

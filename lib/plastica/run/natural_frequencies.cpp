@@ -71,13 +71,14 @@ Scene held_at_time_zero(Scene scene) {
   return scene;
 }
 
-/// Whether anything acts at time 0 of a motion, or on a path at all.
+/// Whether anything acts at time 0 of a motion, or on a path at all. The weight of what flies
+/// freely takes part in no stiffness.
 bool is_loaded(const Scene& scene, bool in_motion) {
   const auto acts = [&](const History& history) {
     const double factor = history.at(0.0);
     return !in_motion || factor > 0.0 || factor < 0.0;
   };
-  const bool weighs = scene.gravity != std::array<double, 3>{};
+  const bool weighs = scene.gravity != std::array<double, 3>{} && !scene.supports.empty();
   return (weighs && acts(scene.gravity_history)) ||
          std::any_of(scene.loads.begin(), scene.loads.end(),
                      [&](const Load& load) { return acts(load.history); }) ||
@@ -111,18 +112,24 @@ std::vector<double> unloaded_frequencies(const Model& model, int count) {
   return frequencies;
 }
 
+std::vector<double> unloaded_frequencies(const Scene& scene, const SolverOptions& options,
+                                         int count) {
+  if (scene.is_coupon()) refuse_coupon();
+  SolverOptions still;
+  still.duration = 1.0;  // of which nothing is run
+  still.analysis = Analysis::Dynamics;
+  still.level = options.level;
+  still.translation = options.translation;
+  still.fibres = options.fibres;
+  still.rotary_inertia = options.rotary_inertia;
+  return unloaded_frequencies(prepare(scene, still), count);
+}
+
 LoadedFrequencies natural_frequencies(const Scene& scene, const SolverOptions& options, int count) {
   if (scene.is_coupon()) refuse_coupon();
   const bool in_motion = options.analysis == Analysis::Dynamics;
   if (!is_loaded(scene, in_motion)) {
-    SolverOptions still;
-    still.duration = 1.0;  // of which nothing is run
-    still.analysis = Analysis::Dynamics;
-    still.level = options.level;
-    still.translation = options.translation;
-    still.fibres = options.fibres;
-    still.rotary_inertia = options.rotary_inertia;
-    return {Status::Completed, unloaded_frequencies(prepare(scene, still), count)};
+    return {Status::Completed, unloaded_frequencies(scene, options, count)};
   }
   SolverOptions to_the_end = options;
   to_the_end.level = prepare(scene, options).level;

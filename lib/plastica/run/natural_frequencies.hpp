@@ -21,6 +21,12 @@ namespace plastica {
 /// @throws InputError if the model is a coupon, or count is out of range
 std::vector<double> unloaded_frequencies(const Model& model, int count);
 
+/// The same of a scene, whether it is one of statics or of dynamics.
+/// @param options  level, translation, fibres and rotary_inertia are read
+/// @throws InputError as `prepare` of the scene in motion, and as above
+std::vector<double> unloaded_frequencies(const Scene& scene, const SolverOptions& options,
+                                         int count);
+
 /// What `natural_frequencies` gives.
 struct LoadedFrequencies {
   Status status = Status::NotRun;  ///< of the path to the loaded state

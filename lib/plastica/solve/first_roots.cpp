@@ -22,6 +22,7 @@ class Bisection {
     Counted to = from;
     Counted below = from;
     for (double reach = search_.reach; reach <= search_.most * search_.reach; reach *= 2.0) {
+      if (is_raised(search_.stop)) return {};
       to = {search_.from + reach, passed_(search_.from + reach)};
       if (to.passed - from.passed >= search_.count) break;
       below = to;
@@ -34,7 +35,7 @@ class Bisection {
  private:
   void split(const Counted& below, const Counted& above) {
     const auto wanted = static_cast<std::size_t>(search_.count);
-    if (above.passed <= below.passed || roots_.size() >= wanted) return;
+    if (above.passed <= below.passed || roots_.size() >= wanted || is_raised(search_.stop)) return;
     const double middle = 0.5 * (below.x + above.x);
     const double width = search_.tolerance * std::max(std::fabs(below.x), std::fabs(above.x));
     if (above.x - below.x <= width || middle <= below.x || middle >= above.x) {

@@ -3,6 +3,8 @@
 #include <functional>
 #include <vector>
 
+#include "plastica/base/stop_flag.hpp"
+
 namespace plastica::solve {
 
 /// Where eigenvalues of a matrix that changes with x go through zero, by how many have done so.
@@ -12,6 +14,7 @@ struct RootSearch {
   double most = 1e12;        ///< as far at most, in units of `reach`
   int count = 1;             ///< how many roots
   double tolerance = 1e-13;  ///< of a root [1]
+  StopFlag stop = nullptr;   ///< once raised, no more are sought
 };
 
 /// The first roots above `from`, rising, each as often as it counts; fewer if there are no more.

@@ -175,6 +175,26 @@ TEST_F(SweepRunTest, MeasuresNaturalFrequencies) {
   EXPECT_NEAR(results[0].value.value_or(0.0), 6.545, 0.02);
 }
 
+TEST_F(SweepRunTest, MeasuresBucklingFactorsAndFrequenciesAboutTheLoadedState) {
+  // A column of which half a segment at its clamp bends at half its length: P = 2 E I N^2
+  // (1 - cos(pi/(2N))) (theory/lumped_chain.hpp), and its frequency falls to zero there.
+  const auto value = [&](const std::string& quantity, double thrust) {
+    Sweep sweep =
+        cantilever_sweep(segments_axis("[16]") + "[error]\nquantity = '" + quantity + "'\n");
+    sweep.setup.scene.loads = {{.force = {0.0, 0.0, -thrust}}};
+    const auto results = run_plainly(sweep);
+    EXPECT_EQ(results[0].status, Status::Completed) << results[0].reason;
+    return results[0].value.value_or(0.0);
+  };
+  const double factor = value("buckling_factor", 1e-3);
+  const double still = value("natural_frequency", 1e-3);
+  EXPECT_NEAR(value("buckling_factor", 0.5e-3 * factor), 2.0, 1e-6);
+  EXPECT_NEAR(value("loaded_frequency", 1e-9 * factor) / still, 1.0, 1e-6);
+  // Of Rayleigh's quotient: within a percent of sqrt(1 - P/P_cr), whose modes hardly differ.
+  EXPECT_NEAR(value("loaded_frequency", 0.5e-3 * factor) / still, std::sqrt(0.5), 0.01);
+  EXPECT_EQ(value("natural_frequency", 0.5e-3 * factor), still);
+}
+
 TEST(TakeOf, GivesOneNumberOfACurve) {
   const std::vector<double> time{0.0, 1.0, 3.0};
   const std::vector<double> values{1.0, -5.0, 3.0};
