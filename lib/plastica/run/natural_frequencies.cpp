@@ -63,7 +63,10 @@ void with_modes_at_rest(const Model& model, const Use& use) {
 Scene held_at_time_zero(Scene scene) {
   const auto hold = [](History& history) { history = {{0.0}, {history.at(0.0)}}; };
   for (Load& load : scene.loads) hold(load.history);
-  for (Support& support : scene.supports) hold(support.history);
+  for (Support& support : scene.supports) {
+    hold(support.history);
+    support.restitution = 0.0;
+  }
   hold(scene.gravity_history);
   scene.initial_motions.clear();
   scene.cuts.clear();
@@ -141,6 +144,8 @@ LoadedFrequencies natural_frequencies(const Scene& scene, const SolverOptions& o
   if (in_motion) {
     to_the_end.duration = 1.0;
     to_the_end.steps = 1;
+    to_the_end.damping = Damping::None;
+    to_the_end.damping_time = 0.0;
   }
   const Response response = simulate(in_motion ? held_at_time_zero(scene) : scene, to_the_end);
   LoadedFrequencies loaded{response.status, {}};
