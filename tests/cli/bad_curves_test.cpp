@@ -19,7 +19,7 @@ BadInput options(std::string name, std::vector<std::string> given, std::string l
 }
 
 /// A curve with a text replaced.
-std::string changed(const std::string& from, const std::string& to) {
+std::string changed_curve(const std::string& from, const std::string& to) {
   std::string text = broken_curve();
   return text.replace(text.find(from), from.size(), to);
 }
@@ -46,13 +46,13 @@ INSTANTIATE_TEST_SUITE_P(
                           8),
               ":1: is not text (it has a zero byte)"),
         curve("HeaderOnly", "Strain (%),Stress (MPa)\n", ": holds no data row"),
-        curve("UnequalRows", changed("\n0.0400,", "\n0.0400,7,"),
+        curve("UnequalRows", changed_curve("\n0.0400,", "\n0.0400,7,"),
               ":4: has 3 cells, the header on line 1 has 2"),
         curve("NoColumnOfStress", "Strain (%)\n1\n2\n",
               ": --stress: no column is known for the stress; it has Strain: give --stress"),
         curve("NoKnownColumns", "A,B\n1,2\n3,4\n",
               ": --strain: no column is known for the strain; it has A, B: give --strain"),
-        curve("StressWithoutUnit", changed(" (MPa)", ""),
+        curve("StressWithoutUnit", changed_curve(" (MPa)", ""),
               ": --stress = Stress: has no unit in the file: a stress needs a unit (examples: Pa, "
               "MPa, ksi); write --stress \"Stress:Pa\"")),
     name_of_case);
