@@ -100,7 +100,9 @@ class AxialSearch {
       lost = lost | (active & far);
       active = active & !far;
     }
-    lost = lost | active;
+    // Between two strains that miss it on either side there is one that carries it: at a corner of
+    // the yield surface, where N rests while the section flows, it takes all steps to get near.
+    lost = lost | (active & !(has_low & has_high));
     if constexpr (kCarriesDerivatives<S>) look(next_by_newton());
     return lost;
   }

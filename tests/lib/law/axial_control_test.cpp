@@ -73,6 +73,31 @@ TEST(AxialControl, GivesTheMomentThatIsLeftOfARectangle) {
   }
 }
 
+/// At first yield |m| + |n| = 1 has a corner at n = 0, where N rests while the section flows: far
+/// beyond it a force that is nearly none is carried all the same, m = 1 - |n|.
+TEST(AxialControl, FindsALittleForceBesideACorner) {
+  using Corner = FirstYieldGauge<double, 1, false>;
+  const Material material = steel(HardeningLaw::Ideal);
+  const SectionForm form = form_of(upright(), material, YieldCap::FirstYield);
+  const auto law = interaction_section<IdealPlastic<double>>(form, Corner{{1.0}, {1.0}, {0.0}},
+                                                             values_of<double>(material));
+  for (const double times : {1.01, 30.0, 1e4, 1e6}) {
+    for (const double n : {1e-12, 1e-10, -1e-9, 1e-6, 1e-3}) {
+      Driven<double, std::remove_cvref_t<decltype(law)>> driven{law, law.stiffness[kAxial],
+                                                                law.cap[kAxial]};
+      const double cap = law.cap[kBendingX];
+      const double curvature = times * cap / law.stiffness[kBendingX];
+      const auto found = driven.at({{curvature, 0.0, 0.0, 0.0}}, n * driven.yield);
+      EXPECT_TRUE(found.carries) << times << ' ' << n;
+      // What rounding of so large a strain leaves of a force.
+      const double rounding = 1e-12 + 1e-15 * times;
+      EXPECT_NEAR(found.section.force[kAxial] / driven.yield, n, rounding) << times << ' ' << n;
+      EXPECT_NEAR(found.section.force[kBendingX] / cap, 1.0 - std::fabs(n), rounding)
+          << times << ' ' << n;
+    }
+  }
+}
+
 /// Elastic: N is not seen, and costs nothing.
 TEST(AxialControl, LeavesAnElasticSectionAlone) {
   auto driven = plastic_rectangle<double, IdealPlastic<double>>(HardeningLaw::Ideal);

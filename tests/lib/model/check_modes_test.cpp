@@ -55,7 +55,7 @@ TEST(CheckModes, RefusesThemOfCouponsOfTwistAndInFloat) {
             }),
             "solver.frequencies = 1: needs solver.precision = \"double\"");
   EXPECT_EQ(error_of([](Scene&, SolverOptions& o) { o.frequencies = -1; }),
-            "solver.frequencies = -1: must be 0 … 1000");
+            "solver.frequencies = -1: must be from 0 to 1000");
 }
 
 }  // namespace

@@ -4,10 +4,13 @@
 
 #include "plastica/report/scene_json.hpp"
 #include "plastica/report/scene_text.hpp"
+#include "tests/support/has.hpp"
 #include "tests/support/scene_record.hpp"
 
 namespace plastica::report {
 namespace {
+
+using plastica::testing::has;
 
 /// A column along z, which a force presses at its end.
 io::SceneRecord column(const std::string& thrust, const std::string& solver) {
@@ -16,10 +19,6 @@ at = "end"
 force = ["0 N", "0 N", ")" + thrust + "\"]\n");
   const std::string mark = "steps = 5\n";
   return testing::record_of(text.insert(text.find(mark) + mark.size(), solver));
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(ModeReport, ShowsBucklingFactorsAndFrequencies) {
