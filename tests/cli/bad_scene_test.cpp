@@ -21,8 +21,8 @@ constexpr const char* kScene =
     "[[probe]]\n"                                      // 15
     "kind = 'stress'\n";                               // 16
 
-BadInput change(std::string name, const std::string& from, const std::string& to,
-                const std::string& line) {
+BadInput edit(std::string name, const std::string& from, const std::string& to,
+              const std::string& line) {
   return bad_scene(std::move(name), changed(kScene, from, to), line, {{"mine.csv", "my own"}});
 }
 
@@ -45,54 +45,54 @@ INSTANTIATE_TEST_SUITE_P(
                  {},
                  {"simulate", "scene.toml"},
                  "scene.toml: cannot be read: No such file or directory"},
-        change("UnknownMaterial", "S355", "S356",
-               "2: material.name = S356: must be one of S235, S275, S355, …"),
-        change("ValueOutOfRange", "370 MPa", "-370 MPa",
-               "3: material.yield_stress = -370 MPa: must be above 0 Pa"),
-        change("UnknownShape", "rectangle", "square",
-               "5: section.shape = square: must be one of rectangle, circle, round_tube, "
-               "rectangular_tube"),
-        change("LengthWithoutUnit", "'20 mm'", "20",
-               "6: section.width = 20: a length needs a unit (examples: m, mm, in)"),
-        change("UnknownKey", "height", "heigth",
-               "7: section.heigth = '40 mm': is not a key of section; did you mean height?"),
-        change("BrokenCount", "10", "1.5", "9: beam.segments = 1.5: must be a whole number"),
-        change("CountOutOfRange", "10", "0", "9: beam.segments = 0: must be from 1 to 1e+07"),
-        change("UnknownDeformation", "tension", "shear",
-               "11: drive.deformation = shear: must be one of tension, bending, torsion"),
-        change("StrainInMegapascal", "-1 %", "-1 MPa",
-               "12: drive.strain.turning_points[2] = -1 MPa: \"MPa\" is not a unit of strain "
-               "(examples: %, 1, mm/mm, um/m)"),
-        change("NoSamples", "{ turning_points = ['1 %', '-1 %'] }", "[]",
-               "12: drive.strain = []: must have at least one sample"),
-        change("MissingTable", "turning_points = ['1 %', '-1 %']",
-               "table = 'm.csv', column = 'Strain'",
-               "12: drive.strain.table = m.csv: is not a file in the folder of scene.toml"),
-        change("UnknownProbe", "'stress'", "'stres'",
-               "16: probe[2].kind = 'stres': must be one of \"strain\", \"stress\", …"),
-        change("ProbeByItsOldKey", "kind = 'stress'", "quantity = 'stress'",
-               "16: probe[2].quantity = stress: is called kind"),
-        change("ProbeOfAChain", "'stress'", "'moment'",
-               "16: probe[2].kind = moment: is recorded of a chain alone"),
-        change("ProbeAtAPlace", "'stress'", "'stress'\nat = 'end'",
-               "17: probe[2].at = end: is of no use: a coupon is the same everywhere"),
-        change("LevelOfAChain", "segments = 10", "segments = 10\n[solver]\nlevel = 'planar'",
-               "11: solver.level: must be auto or coupon in a scene with a drive"),
-        change("GravityOnACoupon", "[material]", "[gravity]\ny = '-9.81 m/s^2'\n[material]",
-               "1: gravity: does not go with [drive]: a scene is a chain with supports and loads, "
-               "or a coupon with a drive"),
-        change("YieldModelOfAChain", "[drive]", "[rules]\nyield_model = 'interaction'\n[drive]",
-               "11: rules.yield_model = interaction: is of chains: a coupon has one stress "
-               "component"),
-        change("BreakLimitOfAChain", "[drive]", "[rules]\nbreak_limit_z = '3 %'\n[drive]",
-               "11: rules.break_limit_z = 3 %: is of chains: a coupon breaks at "
-               "material.break_strain or material.break_shear_strain"),
-        change("HingeOfAChain", "[drive]", "[rules]\nhinge_length = '0 m'\n[drive]",
-               "11: rules.hinge_length = 0 m: is of chains: a coupon has no hinge"),
-        change("CurvedCoupon", "segments = 10", "shape = 'arc'\narc_angle = '90 deg'",
-               "9: beam.shape: must be straight in a scene with a drive"),
-        change("ProbeTwice", "'stress'", "'strain'",
-               "16: probe[2].kind = strain: is the name of another probe, too")),
+        edit("UnknownMaterial", "S355", "S356",
+             "2: material.name = S356: must be one of S235, S275, S355, …"),
+        edit("ValueOutOfRange", "370 MPa", "-370 MPa",
+             "3: material.yield_stress = -370 MPa: must be above 0 Pa"),
+        edit("UnknownShape", "rectangle", "square",
+             "5: section.shape = square: must be one of rectangle, circle, round_tube, "
+             "rectangular_tube"),
+        edit("LengthWithoutUnit", "'20 mm'", "20",
+             "6: section.width = 20: a length needs a unit (examples: m, mm, in)"),
+        edit("UnknownKey", "height", "heigth",
+             "7: section.heigth = '40 mm': is not a key of section; did you mean height?"),
+        edit("BrokenCount", "10", "1.5", "9: beam.segments = 1.5: must be a whole number"),
+        edit("CountOutOfRange", "10", "0", "9: beam.segments = 0: must be from 1 to 1e+07"),
+        edit("UnknownDeformation", "tension", "shear",
+             "11: drive.deformation = shear: must be one of tension, bending, torsion"),
+        edit("StrainInMegapascal", "-1 %", "-1 MPa",
+             "12: drive.strain.turning_points[2] = -1 MPa: \"MPa\" is not a unit of strain "
+             "(examples: %, 1, mm/mm, um/m)"),
+        edit("NoSamples", "{ turning_points = ['1 %', '-1 %'] }", "[]",
+             "12: drive.strain = []: must have at least one sample"),
+        edit("MissingTable", "turning_points = ['1 %', '-1 %']",
+             "table = 'm.csv', column = 'Strain'",
+             "12: drive.strain.table = m.csv: is not a file in the folder of scene.toml"),
+        edit("UnknownProbe", "'stress'", "'stres'",
+             "16: probe[2].kind = 'stres': must be one of \"strain\", \"stress\", …"),
+        edit("ProbeByItsOldKey", "kind = 'stress'", "quantity = 'stress'",
+             "16: probe[2].quantity = stress: is called kind"),
+        edit("ProbeOfAChain", "'stress'", "'moment'",
+             "16: probe[2].kind = moment: is recorded of a chain alone"),
+        edit("ProbeAtAPlace", "'stress'", "'stress'\nat = 'end'",
+             "17: probe[2].at = end: is of no use: a coupon is the same everywhere"),
+        edit("LevelOfAChain", "segments = 10", "segments = 10\n[solver]\nlevel = 'planar'",
+             "11: solver.level: must be auto or coupon in a scene with a drive"),
+        edit("GravityOnACoupon", "[material]", "[gravity]\ny = '-9.81 m/s^2'\n[material]",
+             "1: gravity: does not go with [drive]: a scene is a chain with supports and loads, "
+             "or a coupon with a drive"),
+        edit("YieldModelOfAChain", "[drive]", "[rules]\nyield_model = 'interaction'\n[drive]",
+             "11: rules.yield_model = interaction: is of chains: a coupon has one stress "
+             "component"),
+        edit("BreakLimitOfAChain", "[drive]", "[rules]\nbreak_limit_z = '3 %'\n[drive]",
+             "11: rules.break_limit_z = 3 %: is of chains: a coupon breaks at "
+             "material.break_strain or material.break_shear_strain"),
+        edit("HingeOfAChain", "[drive]", "[rules]\nhinge_length = '0 m'\n[drive]",
+             "11: rules.hinge_length = 0 m: is of chains: a coupon has no hinge"),
+        edit("CurvedCoupon", "segments = 10", "shape = 'arc'\narc_angle = '90 deg'",
+             "9: beam.shape: must be straight in a scene with a drive"),
+        edit("ProbeTwice", "'stress'", "'strain'",
+             "16: probe[2].kind = strain: is the name of another probe, too")),
     name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(

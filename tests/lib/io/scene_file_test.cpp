@@ -36,6 +36,7 @@ std::string scene_around(std::string_view path) {
   if (path == "solver.damping_time") return motion + "solver.damping = 'stiffness'\n";
   const bool of_chain = path.starts_with("gravity.") || path == "solver.level" ||
                         path == "solver.analysis" || path == "solver.precision" ||
+                        path == "solver.buckling" || path == "solver.frequencies" ||
                         path == "rules.yield_model" || path == "rules.hinge_length" ||
                         path.starts_with("rules.break_limit");
   return of_chain ? kChain : "drive.strain = [0]\n";

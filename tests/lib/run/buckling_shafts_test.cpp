@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -123,7 +124,7 @@ TEST(Buckling, OfATwistedRingIsFoundAtMichellsAngle) {
       const Response response = simulate(twisted_ring(segments), options);
       EXPECT_EQ(response.status, Status::Unstable) << name_of(response.status);
       ASSERT_TRUE(response.critical.has_value());
-      EXPECT_EQ(response.critical->unstable_ways.back(), 2);
+      EXPECT_EQ(std::ranges::max(response.critical->unstable_ways), 2);
       error[k++] = std::fabs(kBeyond * response.critical->factor.front() - 1.0);
     }
     EXPECT_LE(error[1], 0.002);

@@ -235,7 +235,7 @@ double lateral_buckling_error(int segments, EndRule rule, Level level) {
 
 TEST(EndMoments, BuckleAStripOnForksSideways) {
   for (const Level level : {Level::Planar, Level::Spatial}) {
-    expect_order_two(
+    expect_quartered(
         [&](int segments) { return lateral_buckling_error(segments, EndRule::ThreeHalves, level); },
         1.1);
   }

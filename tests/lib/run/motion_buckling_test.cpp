@@ -28,7 +28,7 @@ double largest_swing(double share_of_buckling_load, Level level, Scheme scheme) 
   scene.loads.push_back({.force = {0.0, 0.0, -load}, .history = History::constant()});
   SolverOptions options;
   options.level = level;
-  const double first = unloaded_frequencies(prepare(scene, options), 1)[0];
+  const double first = unloaded_frequencies(scene, options, 1)[0];
   const double spin = kDisturbance * 2.0 * std::numbers::pi * first;
   scene.initial_motions.push_back({.spin = {0.0, spin, 0.0}, .about = Place::start()});
   options = testing::motion_options(scheme, 0.01 / first, 1600);
