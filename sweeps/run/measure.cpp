@@ -62,7 +62,7 @@ CaseResult mode_about_load(const Sweep& sweep, const Setup& setup) {
     result.status = Status::Completed;
     result.value = response.buckling->factor[mode - 1];
   } else if (response.status == Status::Completed) {
-    result.reason = "it does not buckle so often, however far the loads grow";
+    result.reason = "there are not so many below 1e15 times the load";
   }
   return result;
 }

@@ -82,7 +82,10 @@ class AxialSearch {
       has_high = has_high | (active & !below);
       const mask_t<S> between = has_low & has_high;
       const S newton = next_by_newton();
-      const S outward = strain_[kAxial] + max(-reach, min(reach, newton - strain_[kAxial]));
+      // Where N rests while the section flows, its slope tells nothing of how far.
+      const S least = select(slow, reach, zero);
+      const S way = max(least, min(reach, abs(newton - strain_[kAxial])));
+      const S outward = strain_[kAxial] + select(below, way, -way);
       const mask_t<S> fits = (newton > low) & (newton < high) & !slow;
       const S inward = select(fits, newton, constant<S>(0.5) * (low + high));
       e = select(active, select(between, inward, outward), strain_[kAxial]);
@@ -100,8 +103,7 @@ class AxialSearch {
       lost = lost | (active & far);
       active = active & !far;
     }
-    // Between two strains that miss it on either side there is one that carries it: at a corner of
-    // the yield surface, where N rests while the section flows, it takes all steps to get near.
+    // Between two strains that miss it on either side there is one that carries it.
     lost = lost | (active & !(has_low & has_high));
     if constexpr (kCarriesDerivatives<S>) look(next_by_newton());
     return lost;

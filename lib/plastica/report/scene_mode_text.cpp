@@ -13,6 +13,9 @@
 namespace plastica::report {
 namespace {
 
+/// Segments that will have turned by more have another shape [rad].
+constexpr double kFarTurn = 0.1;
+
 /// Where a mode goes most: the joint, as a share of the length, and the axis.
 struct Most {
   double at = 0.0;
@@ -54,30 +57,52 @@ Table table_of(std::string value, std::string unit) {
 }  // namespace
 
 std::string buckling_text(const io::SceneRecord& record, const Ink& ink) {
-  if (record.setup.solver.buckling == 0) return {};
+  const auto asked = static_cast<std::size_t>(record.setup.solver.buckling);
+  if (asked == 0) return {};
   const Response& response = record.response;
   std::string text = '\n' + ink.heading("Buckling");
   if (!response.buckling) {
-    return text + "\n  none is told: no equilibrium on the path is stable and has not yielded\n";
+    return text +
+           "\n  none is told: nothing acts, or no equilibrium on the path is stable and has "
+           "not yielded\n";
   }
   const BucklingModes& modes = *response.buckling;
-  text += fmt::format(" about factor {:.5g}, all forces growing on at its shape\n", modes.about);
-  if (modes.factor.empty()) return text + "  it does not buckle, however far they grow\n";
+  text += fmt::format(" about factor {:.5g}, elastic, all forces growing on at its shape\n",
+                      modes.about);
   Table table = table_of("factor", "1");
+  bool turns = false;
   for (std::size_t k = 0; k < modes.factor.size(); ++k) {
     add_row(record, modes.mode, k, fmt::format("{:.6g}", modes.factor[k]), table);
+    turns = turns || modes.turn[k] > kFarTurn;
   }
-  return text + table.text(2, kWidth);
+  if (!modes.factor.empty()) text += table.text(2, kWidth);
+  if (modes.factor.size() < asked) {
+    text +=
+        fmt::format("  no{} below 1e15 times the load\n", modes.factor.empty() ? "ne" : " more");
+  }
+  if (turns) {
+    text +=
+        wrapped("  ",
+                fmt::format("up to the last of them segments will have turned by {:.2g} rad, as "
+                            "they begin to here: the shape there is another, and so may be the "
+                            "factors; nearer to them they are surer",
+                            modes.turn.back()),
+                kWidth);
+  }
+  return text;
 }
 
 std::string vibration_text(const io::SceneRecord& record, const Ink& ink) {
-  if (!record.response.vibration) return {};
+  if (record.setup.solver.frequencies == 0) return {};
+  std::string text = '\n' + ink.heading("Natural frequencies about the loaded state");
+  if (!record.response.vibration) return text + "\n  none is told: the path ended before\n";
+  text += record.level == Level::Planar ? ", in its plane\n" : "\n";
   const VibrationModes& modes = *record.response.vibration;
   Table table = table_of("frequency", "Hz");
   for (std::size_t k = 0; k < modes.frequency.size(); ++k) {
     add_row(record, modes.mode, k, fmt::format("{:.6g}", modes.frequency[k]), table);
   }
-  return '\n' + ink.heading("Natural frequencies about the loaded state\n") + table.text(2, kWidth);
+  return text + table.text(2, kWidth);
 }
 
 }  // namespace plastica::report

@@ -1,11 +1,13 @@
 #include "plastica/run/chain_modes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
 
+#include "plastica/run/growing_histories.hpp"
 #include "plastica/solve/first_roots.hpp"
 #include "plastica/solve/stability_count.hpp"
 
@@ -22,7 +24,7 @@ constexpr double kHeldTwice = 1e-10;
 /// How little joints are unloaded, of their elastic deformation.
 constexpr double kUnloading = 1e-9;
 /// How far critical loads are sought, of the load that acts.
-constexpr double kFarthest = 1e9;
+constexpr double kFarthest = 1e15;
 /// How far natural frequencies are, of the softest coordinate's omega^2.
 constexpr double kStiffest = 1e30;
 
@@ -91,20 +93,20 @@ int ChainModes<L, kElastic>::unstable_ways() {
 }
 
 template <class L, bool kElastic>
-const History* ChainModes<L, kElastic>::growing_history(double before) const {
-  const auto grows = [&](const History& history) {
-    const double slope = history.slope_at(before);
-    return slope > 0.0 || slope < 0.0;
-  };
+double ChainModes<L, kElastic>::growth(double before, double time, double reach, bool held,
+                                       double& about) const {
+  const History* growing = &body_.record.shown_history();
   const Scene& scene = body_.model.scene;
-  if (grows(body_.record.shown_history())) return &body_.record.shown_history();
-  for (const Load& load : scene.loads) {
-    if (grows(load.history)) return &load.history;
-  }
+  const auto take = [&](const History& history) {
+    if (!grows(*growing, before) && grows(history, before)) growing = &history;
+  };
+  for (const Load& load : scene.loads) take(load.history);
   for (const Support& support : scene.supports) {
-    if (support.moves() && grows(support.history)) return &support.history;
+    if (support.moves()) take(support.history);
   }
-  return grows(scene.gravity_history) ? &scene.gravity_history : nullptr;
+  if (scene.gravity != std::array<double, 3>{}) take(scene.gravity_history);
+  about = growing->at(time);
+  return held ? about / reach : growing->slope_at(before);
 }
 
 template <class L, bool kElastic>
@@ -112,19 +114,25 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
                                                                StopFlag stop) {
   const double time = w_.time;
   const double before = solve::just_before(time);
-  BucklingModes modes;
-  modes.about = body_.record.factor_at(time);
-  const History* growing = growing_history(before);
-  if (growing == nullptr) return modes;
-  modes.about = growing->at(time);
-  w_.time = before;
-  solve::Pencil<L, kElastic> pencil(body_.build.chain, w_);
-  pencil.let_forces_grow();
   solve::RootSearch search;
   search.reach = time > 0.0 ? time : body_.model.stops.back();
   search.most = kFarthest;
   search.count = count;
   search.stop = stop;
+  auto& histories = body_.build.chain.histories;
+  const std::vector<History> kept = histories;
+  const bool held = let_held_grow(before, time, search.reach, histories);
+  BucklingModes modes;
+  const double slope = growth(before, time, search.reach, held, modes.about);
+  w_.time = before;
+  solve::Pencil<L, kElastic> pencil(body_.build.chain, w_);
+  pencil.let_forces_grow();
+  histories = kept;
+  if (slope == 0.0) return std::nullopt;
+  double turning = 0.0;
+  for (std::size_t i = 0; i < body_.build.chain.size(); ++i) {
+    turning = std::max(turning, static_cast<double>(pencil.turning_rate(i)));
+  }
   std::vector<Root> roots;
   const auto add_roots = [&](bool out_of_plane, const std::function<int(double)>& passed) {
     for (const double root : solve::first_roots(passed, search)) {
@@ -144,7 +152,8 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
   double last = -1.0;  // of the chain's own roots
   for (const Root& root : roots) {
     if (is_raised(stop)) break;
-    modes.factor.push_back(modes.about + root.time * growing->slope_at(before));
+    modes.factor.push_back(modes.about + root.time * slope);
+    modes.turn.push_back(root.time * turning);
     modes.out_of_plane.push_back(root.out_of_plane ? 1 : 0);
     if (root.out_of_plane) {
       beside->add_mode_after(root.time, modes.mode);

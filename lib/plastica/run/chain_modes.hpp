@@ -24,9 +24,9 @@ class ChainModes {
 
   /// The first load factors at which it buckles as all forces grow on.
   /// @param beside  what grows beside a planar chain; may be null
-  /// @return none if the equilibrium is not stable; else fewer than `count` if no more are found
-  ///         below a billion times the load
   /// @param stop  once raised, what has been found so far is returned
+  /// @return none if the equilibrium is not stable, or nothing acts there; else fewer than `count`
+  ///         if no more are found below 1e15 times the load
   std::optional<BucklingModes> buckling(int count, OutOfPlane* beside, StopFlag stop = nullptr);
   /// Its lowest natural frequencies.
   /// @param count  no more than the ways in which the chain can move
@@ -49,8 +49,8 @@ class ChainModes {
     bool out_of_plane;
   };
 
-  /// Of the loads that grow the first.
-  const History* growing_history(double before) const;
+  /// How the shown factor grows, or that of the first history that does [1/s]; and its value.
+  double growth(double before, double time, double reach, bool held, double& about) const;
   void unload(const chain::Coordinates<L>& q);
   void gather();
   int unstable_ways();

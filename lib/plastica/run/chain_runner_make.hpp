@@ -186,7 +186,8 @@ bool ChainRunner<L, kElastic>::find_modes() {
       response_->vibration = modes.vibration(std::min(solver.frequencies, modes.freedoms()), stop);
     }
     if (solver.buckling == 0) return !is_raised(stop);
-    if (!has_stable_ && stands && !has_yielded_) {
+    const bool by_arcs = solver.control == PathControl::ArcLength;
+    if ((!has_stable_ || by_arcs) && stands && !has_yielded_) {
       // Arcs do not count on their way.
       stable_ = committed_;
       stable_time_ = last_time_;
@@ -196,9 +197,10 @@ bool ChainRunner<L, kElastic>::find_modes() {
     body_.joints->reset();
     ChainModes<L, kElastic> modes(body_, stable_, stable_time_, false);
     OutOfPlane* beside = nullptr;
-    if (has_space_beside()) {
+    if (has_space_beside() && beside_->has_potential()) {
+      const double reach = stable_time_ > 0.0 ? stable_time_ : options_.stops.back();
       see(stable_, stable_time_);
-      beside_->let_forces_grow(seen_);
+      beside_->let_forces_grow(seen_, reach);
       beside = beside_.get();
     }
     response_->buckling = modes.buckling(solver.buckling, beside, stop);

@@ -6,6 +6,7 @@
 
 #include "plastica/chain/build.hpp"
 #include "plastica/run/chain_laws.hpp"
+#include "plastica/run/growing_histories.hpp"
 #include "plastica/solve/buckling_mode.hpp"
 #include "plastica/solve/newton.hpp"
 #include "plastica/solve/pencil.hpp"
@@ -65,12 +66,17 @@ class SpatialTangent final : public OutOfPlane {
     append_mode(mode);
   }
 
-  void let_forces_grow(const PlanarEquilibrium& at) override {
+  bool has_potential() const override { return conservative_; }
+
+  void let_forces_grow(const PlanarEquilibrium& at, double reach) override {
     pencil_.reset();
     assemble(at);
     work_.time = solve::just_before(at.time);
+    const std::vector<History> kept = build_.chain.histories;
+    let_held_grow(work_.time, at.time, reach, build_.chain.histories);
     pencil_.emplace(build_.chain, work_);
     pencil_->let_forces_grow();
+    build_.chain.histories = kept;
   }
 
   int ways_after(double time) override {

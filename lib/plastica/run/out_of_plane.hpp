@@ -34,6 +34,8 @@ class OutOfPlane {
   virtual ~OutOfPlane() = default;
   /// Whether the supports hold the beam out of its plane at all.
   virtual bool applies() const = 0;
+  /// Whether all that acts has a potential in space; else `ways` is a parity.
+  virtual bool has_potential() const = 0;
   /// In how many ways the plane would be left.
   virtual int ways(const PlanarEquilibrium& at) = 0;
   /// Logarithm of the determinant that changes its sign with them, up to a constant.
@@ -44,7 +46,8 @@ class OutOfPlane {
 
   /// Takes an equilibrium as that from which all forces grow on at the same shape, as for
   /// `solve::Pencil`.
-  virtual void let_forces_grow(const PlanarEquilibrium& at) = 0;
+  /// @param reach  as for `let_held_grow`
+  virtual void let_forces_grow(const PlanarEquilibrium& at, double reach) = 0;
   /// `ways`, and `add_mode`, a time later than that.
   virtual int ways_after(double time) = 0;
   virtual void add_mode_after(double time, std::vector<double>& mode) = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "plastica/solve/newton_step.hpp"
 #include "plastica/solve/segment_motion.hpp"
@@ -22,11 +23,15 @@ class Pencil {
   /// @param w  holds an assembled equilibrium, and in `joints.tangent` what its joints resist; both
   ///           outlive the pencil, which factors in it
   Pencil(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w)
-      : chain_(chain), w_(w), base_(w.outer_forces) {
+      : chain_(chain), w_(w), base_(w.outer_forces), joint_base_(w.joints.tangent) {
     rate_.reset(chain.size());
+    moment_rate_.assign(chain.joints(), {});
   }
-  /// Leaves the forces as they were.
-  ~Pencil() { w_.outer_forces = base_; }
+  /// Leaves forces and tangents as they were.
+  ~Pencil() {
+    w_.outer_forces = base_;
+    w_.joints.tangent = joint_base_;
+  }
   Pencil(const Pencil&) = delete;
   Pencil& operator=(const Pencil&) = delete;
 
@@ -54,7 +59,8 @@ class Pencil {
           constant<S>(slope(joint.history)) * joint.motion - rate_of(joint.segment).spin;
       const typename L::Spin moment = axes * (tangent * transposed_times(axes, turn));
       rate_.wrench[joint.segment].moment += moment;
-      rate_.impedance[joint.segment].rr -= L::turned_by(moment);
+      // With the half that its law's tangent has, as below.
+      rate_.impedance[joint.segment].rr -= constant<S>(0.5) * L::turned_by(moment);
     }
     for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
       if (!w_.closed[k]) continue;
@@ -67,6 +73,7 @@ class Pencil {
         add_force(closure.segment, arm, pull * closure.direction);
       }
     }
+    set_moment_rates();
   }
 
   /// K' = -M, so that K(omega^2) is singular at natural frequencies.
@@ -90,10 +97,40 @@ class Pencil {
       sum.impedance[i] = base_.impedance[i];
       sum.impedance[i] += {share * rate.tt, share * rate.tr, share * rate.rt, share * rate.rr};
     }
+    if constexpr (L::kRotations > 1) {
+      for (std::size_t i = 0; i < chain_.size(); ++i) {
+        auto& tangent = w_.joints.tangent[i];
+        tangent = joint_base_[i];
+        add(tangent, 0, 0, constant<S>(0.5 * x) * L::turned_by(moment_rate_[i]));
+      }
+    }
     w_.recursion.factor(chain_, w_.q, w_.placement, w_.stage, w_.joints, sum, w_.transmitted);
   }
 
+  /// How fast a segment turns with the forces; after `let_forces_grow` [rad/s].
+  S turning_rate(std::size_t segment) const { return size_of(turn_[segment]); }
+
  private:
+  /// How the moment of each joint grows, in its axes. As it works on spins, m = T^-T s, it turns by
+  /// half of the joint's own spin: what of that grows stands in the law's tangent, and makes K'
+  /// symmetric with the other half, by which the recursion turns it with the inner segment.
+  void set_moment_rates() {
+    chain::Wrench<L> sum{};
+    turn_.resize(chain_.size());
+    for (std::size_t i = 0; i < chain_.size(); ++i) turn_[i] = rate_of(i).spin;
+    for (std::size_t i = chain_.size(); i-- > 0;) {
+      sum = sum + rate_.wrench[i];
+      typename L::Spin moment = sum.moment;
+      if constexpr (kElastic) {
+        const S half = constant<S>(0.5);
+        moment += L::moment(half * L::turn(w_.placement.far[i], w_.q.shift[i]), sum.force);
+      }
+      moment_rate_[i] = transposed_times(L::axes(w_.placement.near[i]), moment);
+      if (i == 0) break;
+      sum.moment += L::moment(w_.placement.position[i] - w_.placement.position[i - 1], sum.force);
+    }
+  }
+
   /// How the segments move, and the multipliers change (`w.small`), in a unit of time.
   void set_rates() {
     const PathCondition<L> unit_time{true, 0, {}, constant<S>(1), constant<S>(-1)};
@@ -121,6 +158,9 @@ class Pencil {
   NewtonWork<L, kElastic>& w_;
   chain::OuterForces<L> base_;
   chain::OuterForces<L> rate_;
+  std::vector<Mat<S, chain::kFreedoms<L, kElastic>, chain::kFreedoms<L, kElastic>>> joint_base_;
+  std::vector<typename L::Spin> moment_rate_;  ///< of the joints of segments are read (joints)
+  std::vector<typename L::Spin> turn_;         ///< how the segments turn in a unit of time (N)
 };
 
 }  // namespace plastica::solve

@@ -43,7 +43,7 @@ force = ["0 N", "0 N", "-1 kN"]
 )"));
   EXPECT_FALSE(record.response.buckling || record.response.vibration);
   const std::vector<double> modes(2 * 5 * 3, 0.25);
-  record.response.buckling = BucklingModes{1.0, {6.9, 60.0}, {0, 1}, modes};
+  record.response.buckling = BucklingModes{1.0, {6.9, 60.0}, {0.0, 0.25}, {0, 1}, modes};
   record.response.vibration = VibrationModes{{1.5, 9.5}, modes};
   record.response.limit = LimitLoad{0.5, 0.6, std::vector<double>(15, 0.5)};
   const ScratchFolder folder;
@@ -53,6 +53,7 @@ force = ["0 N", "0 N", "-1 kN"]
   ASSERT_TRUE(read.response.buckling && read.response.vibration && read.response.limit);
   EXPECT_EQ(read.response.buckling->about, 1.0);
   EXPECT_EQ(read.response.buckling->factor, record.response.buckling->factor);
+  EXPECT_EQ(read.response.buckling->turn, record.response.buckling->turn);
   EXPECT_EQ(read.response.buckling->out_of_plane, record.response.buckling->out_of_plane);
   EXPECT_EQ(read.response.buckling->mode, modes);
   EXPECT_EQ(read.response.vibration->frequency, record.response.vibration->frequency);

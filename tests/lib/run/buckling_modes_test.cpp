@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "plastica/theory/lumped_chain.hpp"
@@ -164,6 +166,97 @@ TEST(BucklingModes, AreWhereThePathBifurcatesThoughItsShapeChanges) {
   for (const Level level : {Level::Planar, Level::Spatial}) {
     EXPECT_NEAR(0.6 * buckling_of(scene, {.level = level}, 1).factor.at(0) / exact, 1.0, 1e-5);
   }
+}
+
+/// A strip on edge, a million times as stiff in its plane as across, clamped at its start.
+Scene strip(int segments) {
+  Scene scene = testing::cantilever_scene(segments);
+  scene.section.width = 1e-4;
+  scene.section.height = 0.1;
+  return scene;
+}
+
+struct Sideways {
+  const char* name;
+  std::function<void(Scene&, double)> load;  ///< by a share of what is far beyond buckling
+};
+
+TEST(BucklingModes, OfStripsAreThoseOfTheirPathsHoweverCoarseTheChain) {
+  const auto hold_end = [](Scene& scene, HeldFreedoms held) {
+    scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Clamp, .hold = held});
+  };
+  const std::vector<Sideways> cases{
+      {"propped, force at its middle",
+       [&](Scene& scene, double share) {
+         hold_end(scene, {true, true, false, false, false, true});
+         scene.loads.push_back({.at = {0.5, {}}, .force = {0.0, -share, 0.0}});
+       }},
+      {"guided, force at its end",
+       [&](Scene& scene, double share) {
+         hold_end(scene, {true, false, false, true, true, true});
+         scene.loads.push_back({.force = {0.0, -share, 0.0}});
+       }},
+      {"both clamps turned",
+       [&](Scene& scene, double share) {
+         hold_end(scene, sliding_clamp());
+         scene.supports[0].rotation = {-1e-4 * share, 0.0, 0.0};
+         scene.supports[1].rotation = {1e-4 * share, 0.0, 0.0};
+       }},
+      {"turned by a soft spring", [&](Scene& scene, double share) {
+         scene.supports.push_back({.at = Place::end(),
+                                   .kind = SupportKind::Elastic,
+                                   .rotational_stiffness = {500.0, 500.0, 500.0},
+                                   .rotation = {-1e-3 * share, 0.0, 0.0}});
+       }}};
+  for (const Sideways& one : cases) {
+    for (const int segments : {4, 8, 16, 32}) {
+      SCOPED_TRACE(one.name + std::string(" ") + std::to_string(segments));
+      Scene far = strip(segments);
+      one.load(far, 1.0);
+      const Response path = simulate(far, {.level = Level::Spatial, .buckling = 1});
+      EXPECT_EQ(path.status, Status::Unstable) << name_of(path.status);
+      ASSERT_TRUE(path.critical && path.buckling);
+      // A step's bracket is told by the determinant, whose bend costs some 1e-6.
+      EXPECT_NEAR(path.buckling->factor.at(0) / path.critical->factor[0], 1.0, 1e-5);
+      Scene near = strip(segments);
+      one.load(near, 1e-5);
+      for (const Level level : {Level::Planar, Level::Spatial}) {
+        const BucklingModes modes = buckling_of(near, {.level = level}, 2);
+        ASSERT_EQ(modes.factor.size(), 2U);
+        EXPECT_NEAR(1e-5 * modes.factor[0] / path.critical->factor[0], 1.0, 1e-4);
+        EXPECT_LT(modes.turn[0], 1e-2);
+        if (path.critical->factor.size() < 2 || path.critical->unstable_ways[1] != 2) continue;
+        EXPECT_NEAR(1e-5 * modes.factor[1] / path.critical->factor[1], 1.0, 1e-4);
+      }
+    }
+  }
+}
+
+TEST(BucklingModes, GrowInProportionWhereHistoriesHold) {
+  Scene scene = pinned_column(12, 1000.0);
+  const double exact = pinned_chain_load(12, 1, testing::bending_stiffness_of(scene)) / 1000.0;
+  for (const History& history : {History::constant(), History{{0.0, 0.5, 1.0}, {0.0, 1.0, 1.0}}}) {
+    scene.loads[0].history = history;
+    const BucklingModes modes = buckling_of(scene, {.duration = 1.0}, 1);
+    EXPECT_EQ(modes.about, 1.0);
+    EXPECT_NEAR(modes.factor.at(0) / exact, 1.0, kExact);
+  }
+  // A unit load on a stocky column.
+  scene = pinned_column(12, 1.0);
+  scene.section.width = scene.section.height = 0.5;
+  EXPECT_NEAR(buckling_of(scene, {}, 1).factor.at(0) /
+                  pinned_chain_load(12, 1, testing::bending_stiffness_of(scene)),
+              1.0, kExact);
+}
+
+TEST(BucklingModes, SayHowFarTheShapeChangesUpToThem) {
+  // A square cantilever bends in the plane of its load, and leaves it only on paper.
+  Scene scene = testing::cantilever_scene(16);
+  scene.loads.push_back({.force = {0.0, -100.0, 0.0}});
+  const BucklingModes modes = buckling_of(scene, {.level = Level::Planar}, 1);
+  const double turn = 50.0 / testing::bending_stiffness_of(scene);  // P L^2/2EI
+  EXPECT_NEAR(modes.turn.at(0) / (turn * (modes.factor.at(0) - 1.0)), 1.0, 0.05);
+  EXPECT_GT(modes.turn[0], 0.1);
 }
 
 TEST(BucklingModes, OfABeamInTensionAreNone) {
