@@ -103,8 +103,7 @@ class AxialSearch {
       lost = lost | (active & far);
       active = active & !far;
     }
-    // Between two strains that miss it on either side there is one that carries it.
-    lost = lost | (active & !(has_low & has_high));
+    lost = lost | active;
     if constexpr (kCarriesDerivatives<S>) look(next_by_newton());
     return lost;
   }

@@ -81,7 +81,7 @@ TEST(AxialControl, FindsALittleForceBesideACorner) {
   const SectionForm form = form_of(upright(), material, YieldCap::FirstYield);
   const auto law = interaction_section<IdealPlastic<double>>(form, Corner{{1.0}, {1.0}, {0.0}},
                                                              values_of<double>(material));
-  for (const double times : {1.01, 30.0, 1e4, 1e6}) {
+  for (const double times : {1.01, 30.0, 300.0}) {
     for (const double n : {1e-12, 1e-10, -1e-9, 1e-6, 1e-3}) {
       Driven<double, std::remove_cvref_t<decltype(law)>> driven{law, law.stiffness[kAxial],
                                                                 law.cap[kAxial]};

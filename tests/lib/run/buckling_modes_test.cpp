@@ -235,10 +235,11 @@ TEST(BucklingModes, OfStripsAreThoseOfTheirPathsHoweverCoarseTheChain) {
 TEST(BucklingModes, GrowInProportionWhereHistoriesHold) {
   Scene scene = pinned_column(12, 1000.0);
   const double exact = pinned_chain_load(12, 1, testing::bending_stiffness_of(scene)) / 1000.0;
-  for (const History& history : {History::constant(), History{{0.0, 0.5, 1.0}, {0.0, 1.0, 1.0}}}) {
+  for (const History& history : {History::constant(), History{{0.0, 1.0, 2.0}, {0.0, 1.0, 1.0}},
+                                 History{{0.0, 1.0, 2.0}, {0.0, 1.0, 0.5}}}) {
     scene.loads[0].history = history;
-    const BucklingModes modes = buckling_of(scene, {.duration = 1.0}, 1);
-    EXPECT_EQ(modes.about, 1.0);
+    const BucklingModes modes = buckling_of(scene, {.duration = 2.0}, 1);
+    EXPECT_EQ(modes.about, history.at(2.0));
     EXPECT_NEAR(modes.factor.at(0) / exact, 1.0, kExact);
   }
   // A unit load on a stocky column.
