@@ -35,9 +35,9 @@ struct LoadedFrequencies {
 
 /// The lowest natural frequencies of a beam about its loaded state: the end of a path of
 /// equilibria; of a motion, the equilibrium under what acts at its time 0. Where nothing acts,
-/// those of the unloaded beam. A planar level has those in its plane. Forces take part in the stiffness, supports that touch hold, and
-/// joints that have yielded unload. Ways in which an unstable state would be left have the
-/// frequency 0.
+/// those of the unloaded beam. A planar level has those in its plane. Forces take part in the
+/// stiffness, supports that touch hold, and joints that have yielded unload. Ways in which an
+/// unstable state would be left have the frequency 0.
 /// @param options  as for `simulate`
 /// @param count    1 … the ways in which the chain can move
 /// @throws InputError as `prepare`, and as above; where loads have no potential (they follow their
