@@ -38,8 +38,8 @@ struct CriticalPoints {
 /// Loads at which a beam buckles, from the tangent at one of its equilibria with all forces growing
 /// on at the same shape (solve/pencil.hpp).
 struct BucklingModes {
-  double about = 0.0;             ///< factor of the equilibrium, a stable one [1]
-  std::vector<double> factor;     ///< from `about` on, in the direction in which it goes [1] (n)
+  double about = 0.0;          ///< factor of the equilibrium, a stable one [1]
+  std::vector<double> factor;  ///< from `about` on, in the direction in which it goes [1] (n)
   /// By how much some segment will have turned up to there, if all turn on as they do at `about`: 0
   /// where the shape stays; where it is large, the factor is that of a shape that will be another
   /// [rad] (n).
