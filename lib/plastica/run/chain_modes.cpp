@@ -163,7 +163,6 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
       last = root.time;
     }
   }
-  w_.time = time;
   return modes;
 }
 

@@ -118,7 +118,11 @@ void ChainRunner<L, kElastic>::finish() {
     body_.record.shapes_on_demand(false);
     if (!cut_short && begin_path()) walk_on();
   }
-  if (!cut_short) cut_short = !find_modes();
+  if (!cut_short && !find_modes()) {
+    cut_short = true;
+    response.buckling.reset();
+    response.vibration.reset();
+  }
   asks_beside_ = false;
   // Without its last shape a path is not handed over as one that has come to its end.
   response.status = cut_short ? Status::Interrupted : walker_->status();
@@ -193,7 +197,7 @@ bool ChainRunner<L, kElastic>::find_modes() {
       stable_time_ = last_time_;
       has_stable_ = true;
     }
-    if (!has_stable_) return true;
+    if (!has_stable_) return !is_raised(stop);
     body_.joints->reset();
     ChainModes<L, kElastic> modes(body_, stable_, stable_time_, false);
     OutOfPlane* beside = nullptr;
@@ -204,10 +208,7 @@ bool ChainRunner<L, kElastic>::find_modes() {
       beside = beside_.get();
     }
     response_->buckling = modes.buckling(solver.buckling, beside, stop);
-    if (!is_raised(stop)) return true;
-    response_->buckling.reset();
-    response_->vibration.reset();
-    return false;
+    return !is_raised(stop);
   }
   return true;
 }
