@@ -183,8 +183,6 @@ class Recursion {
   [[gnu::noinline]] JointVector rest_with_axial(std::size_t i, const RightSide<L>& right,
                                                 Wrench<L>& b) const;
 
-  static void carry(const typename L::Point& arm, const typename L::Point& work_arm,
-                    Impedance<L>& a);
   static JointVector in_freedoms(const Joint& joint, const Wrench<L>& b);
   static void move(const Joint& joint, JointVector& moved, Motion<L>& motion);
   void set_root_balance(const Chain<L>& chain, const Wrench<L>& w);

@@ -180,17 +180,6 @@ Recursion<L, kElastic>::inverse_held(const Mat<S, kJ, kJ>& d, const Spins& near,
   return columns * own * rows;
 }
 
-/// The impedance of what is outside of a joint, about the one before: by way of the arm between.
-template <class L, bool kElastic>
-PLASTICA_ALWAYS_INLINE inline void Recursion<L, kElastic>::carry(const typename L::Point& arm,
-                                                                 const typename L::Point& work_arm,
-                                                                 Impedance<L>& a) {
-  const Mat<S, kT, kR> tr = a.tr + times_spun_by<L>(a.tt, arm);
-  a.rr += times_spun_by<L>(a.rt, arm) + spun_by_times<L>(work_arm, tr);
-  a.rt += spun_by_times<L>(work_arm, a.tt);
-  a.tr = tr;
-}
-
 /// A wrench on the outer segment as it works on a joint's freedoms: P b.
 template <class L, bool kElastic>
 typename Recursion<L, kElastic>::JointVector Recursion<L, kElastic>::in_freedoms(

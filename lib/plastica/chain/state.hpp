@@ -72,6 +72,17 @@ PLASTICA_ALWAYS_INLINE inline Mat<typename L::Scalar, L::kRotations, C> spun_by_
   return product;
 }
 
+/// The same impedance about a point before, by way of the arm between; where the arm of virtual
+/// work is another, by that.
+template <class L>
+PLASTICA_ALWAYS_INLINE inline void carry(const typename L::Point& arm,
+                                         const typename L::Point& work_arm, Impedance<L>& a) {
+  const auto tr = a.tr + times_spun_by<L>(a.tt, arm);
+  a.rr += times_spun_by<L>(a.rt, arm) + spun_by_times<L>(work_arm, tr);
+  a.rt += spun_by_times<L>(work_arm, a.tt);
+  a.tr = tr;
+}
+
 /// Number of freedoms of a joint: its rotations, then, with elastic translation, its shifts.
 template <class L, bool kElastic>
 inline constexpr std::size_t kFreedoms = L::kRotations + (kElastic ? L::kTranslations : 0);

@@ -63,8 +63,8 @@ std::string buckling_text(const io::SceneRecord& record, const Ink& ink) {
   std::string text = '\n' + ink.heading("Buckling");
   if (!response.buckling) {
     return text +
-           "\n  none is told: nothing acts, or no equilibrium on the path is stable and has "
-           "not yielded\n";
+           "\n  none is told: nothing acts, no equilibrium on the path is stable and has not "
+           "yielded,\n  or the tangent there is not symmetric\n";
   }
   const BucklingModes& modes = *response.buckling;
   text += fmt::format(" about factor {:.5g}, elastic, all forces growing on at its shape\n",
@@ -95,7 +95,8 @@ std::string buckling_text(const io::SceneRecord& record, const Ink& ink) {
 std::string vibration_text(const io::SceneRecord& record, const Ink& ink) {
   if (record.setup.solver.frequencies == 0) return {};
   std::string text = '\n' + ink.heading("Natural frequencies about the loaded state");
-  if (!record.response.vibration) return text + "\n  none is told: the path ended before\n";
+  if (!record.response.vibration)
+    return text + "\n  none is told: the path ended before, or the tangent is not symmetric\n";
   text += record.level == Level::Planar ? ", in its plane\n" : "\n";
   const VibrationModes& modes = *record.response.vibration;
   Table table = table_of("frequency", "Hz");

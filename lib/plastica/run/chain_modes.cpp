@@ -28,15 +28,6 @@ constexpr double kFarthest = 1e15;
 /// How far natural frequencies are, of the softest coordinate's omega^2.
 constexpr double kStiffest = 1e30;
 
-/// The same impedance about a point before.
-template <class L>
-void carry(const typename L::Point& arm, chain::Impedance<L>& a) {
-  const auto by = L::spun_by(arm);
-  a.tr += a.tt * by;
-  a.rr += a.rt * by + transpose(by) * a.tr;
-  a.rt += transpose(by) * a.tt;
-}
-
 }  // namespace
 
 template <class L, bool kElastic>
@@ -97,8 +88,12 @@ double ChainModes<L, kElastic>::growth(double before, double time, double reach,
                                        double& about) const {
   const History* growing = &body_.record.shown_history();
   const Scene& scene = body_.model.scene;
+  // Where none grew, all do in proportion to what they are.
+  const auto goes = [&](const History& history) {
+    return held ? history.at(time) != 0.0 : grows(history, before);
+  };
   const auto take = [&](const History& history) {
-    if (!grows(*growing, before) && grows(history, before)) growing = &history;
+    if (!goes(*growing) && goes(history)) growing = &history;
   };
   for (const Load& load : scene.loads) take(load.history);
   for (const Support& support : scene.supports) {
@@ -134,10 +129,11 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
     turning = std::max(turning, static_cast<double>(pencil.turning_rate(i)));
   }
   std::vector<Root> roots;
+  bool falls = false;
   const auto add_roots = [&](bool out_of_plane, const std::function<int(double)>& passed) {
-    for (const double root : solve::first_roots(passed, search)) {
-      roots.push_back({root, out_of_plane});
-    }
+    const solve::Roots found = solve::first_roots(passed, search);
+    falls = falls || found.falls;
+    for (const double root : found.at) roots.push_back({root, out_of_plane});
   };
   const auto in_plane = [&](double x) {
     pencil.factor(x);
@@ -146,6 +142,7 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
   if (in_plane(0.0) > 0 || (beside != nullptr && beside->ways_after(0.0) > 0)) return std::nullopt;
   add_roots(false, in_plane);
   if (beside != nullptr) add_roots(true, [&](double x) { return beside->ways_after(x); });
+  if (falls) return std::nullopt;
   std::stable_sort(roots.begin(), roots.end(),
                    [](const Root& a, const Root& b) { return a.time < b.time; });
   roots.resize(std::min(roots.size(), static_cast<std::size_t>(count)));
@@ -177,7 +174,7 @@ void ChainModes<L, kElastic>::add_mode(bool again, std::vector<double>& mode) {
 }
 
 template <class L, bool kElastic>
-VibrationModes ChainModes<L, kElastic>::vibration(int count, StopFlag stop) {
+std::optional<VibrationModes> ChainModes<L, kElastic>::vibration(int count, StopFlag stop) {
   VibrationModes modes;
   const double softest_square = softest();
   const auto wanted = static_cast<std::size_t>(count);
@@ -197,9 +194,10 @@ VibrationModes ChainModes<L, kElastic>::vibration(int count, StopFlag stop) {
     const int unresisted = std::min(passed(search.from), count);
     search.count = count - unresisted;
     if (search.count > 0) {
-      const auto roots = solve::first_roots(passed, search);
+      const solve::Roots roots = solve::first_roots(passed, search);
+      if (roots.falls) return std::nullopt;
       squares.resize(static_cast<std::size_t>(unresisted));
-      squares.insert(squares.end(), roots.begin(), roots.end());
+      squares.insert(squares.end(), roots.at.begin(), roots.at.end());
     }
   }
   double last = -1.0;
@@ -245,8 +243,8 @@ std::vector<typename ChainModes<L, kElastic>::Coordinate> ChainModes<L, kElastic
     }
     if (i == 0) break;
     const typename L::Point arm = w_.placement.position[i] - w_.placement.position[i - 1];
-    carry<L>(arm, mass);
-    carry<L>(arm, stiffness);
+    chain::carry(arm, arm, mass);
+    chain::carry(arm, arm, stiffness);
   }
   for (std::size_t k = 0; k < L::kTranslations; ++k) {
     if (!chain.root.held[k]) add(stiffness.tt(k, k), mass.tt(k, k));

@@ -25,12 +25,13 @@ class ChainModes {
   /// The first load factors at which it buckles as all forces grow on.
   /// @param beside  what grows beside a planar chain; may be null
   /// @param stop  once raised, what has been found so far is returned
-  /// @return none if the equilibrium is not stable, or nothing acts there; else fewer than `count`
-  ///         if no more are found below 1e15 times the load
+  /// @return none if the equilibrium is not stable, nothing acts there or the tangent is not
+  ///         symmetric; else fewer than `count` if no more are found below 1e15 times the load
   std::optional<BucklingModes> buckling(int count, OutOfPlane* beside, StopFlag stop = nullptr);
   /// Its lowest natural frequencies.
   /// @param count  no more than the ways in which the chain can move
-  VibrationModes vibration(int count, StopFlag stop = nullptr);
+  /// @return none if the tangent is not symmetric
+  std::optional<VibrationModes> vibration(int count, StopFlag stop = nullptr);
   /// In how many ways the chain can move.
   int freedoms();
   /// Lets supports go that hold what others hold already: a straight chain's end does not move

@@ -162,15 +162,11 @@ void ChainRunner<L, kElastic>::note_limit_mode(LimitLoad& limit) {
         way[i] += constant<typename L::Scalar>(share) * at;
       }
     }
-    double largest = 0.0;
+    solve::make_largest_one(way, constant<typename L::Scalar>(0));
     for (const auto& point : way) {
       const auto in_space = detail::doubles(body_.view.point_in_space(point));
-      for (const double part : in_space) {
-        if (std::fabs(part) > std::fabs(largest)) largest = part;
-      }
       limit.mode.insert(limit.mode.end(), in_space.begin(), in_space.end());
     }
-    for (double& part : limit.mode) part = largest != 0.0 ? part / largest : 0.0;
   }
 }
 

@@ -96,6 +96,19 @@ std::vector<chain::Motion<L>> softest_motion(
   return motion;
 }
 
+/// Scales translations so that the largest component is 1; zero where none exceeds `least`.
+template <class Point, class S>
+void make_largest_one(std::vector<Point>& mode, const S& least) {
+  S largest = constant<S>(0);
+  for (const Point& of_joint : mode) {
+    for (const S& way : of_joint.at) {
+      if (abs(way) > abs(largest)) largest = way;
+    }
+  }
+  const S scale = abs(largest) > least ? constant<S>(1) / largest : constant<S>(0);
+  for (Point& way : mode) way = scale * way;
+}
+
 /// Translations of the segments' inner joints and of the end (N + 1), the largest being 1; zero
 /// where the motion has none but rounding.
 template <class L, bool kElastic>
@@ -105,7 +118,6 @@ std::vector<typename L::Point> mode_of(const chain::Chain<L>& chain,
   using S = typename L::Scalar;
   const std::size_t n = chain.size();
   std::vector<typename L::Point> mode(n + 1);
-  S largest = constant<S>(0);
   for (std::size_t i = 0; i <= n; ++i) {
     if (i < n) {
       mode[i] = motion[i].shift;
@@ -113,14 +125,9 @@ std::vector<typename L::Point> mode_of(const chain::Chain<L>& chain,
       const typename L::Point arm = L::turn(w.placement.frame[n - 1], chain.segments[n - 1].arm);
       mode[i] = motion[n - 1].shift + L::spun(motion[n - 1].spin, arm);
     }
-    for (const S& way : mode[i].at) {
-      if (abs(way) > abs(largest)) largest = way;
-    }
   }
   // Beside a largest spin of 1.
-  const bool moves = abs(largest) > constant<S>(1e-6) * chain.length;
-  const S scale = moves ? constant<S>(1) / largest : constant<S>(0);
-  for (auto& way : mode) way = scale * way;
+  make_largest_one(mode, constant<S>(1e-6) * chain.length);
   return mode;
 }
 

@@ -17,11 +17,17 @@ struct RootSearch {
   StopFlag stop = nullptr;   ///< once raised, no more are sought
 };
 
+struct Roots {
+  std::vector<double> at;  ///< rising
+  /// Whether the number that is passed fell on the way, by more than rounding beside a root: what
+  /// is sought are not the eigenvalues of a symmetric matrix then, and roots may be missing.
+  bool falls = false;
+};
+
 /// The first roots above `from`, rising, each as often as it counts; fewer if there are no more.
 /// By bisection: no root is missed, however near another it lies (Wittrick & Williams, Q. J. Mech.
 /// Appl. Math. 24, 1971, 263).
-/// @param passed  how many eigenvalues have gone through zero up to x; must not fall
-std::vector<double> first_roots(const std::function<int(double x)>& passed,
-                                const RootSearch& search);
+/// @param passed  how many eigenvalues have gone through zero up to x
+Roots first_roots(const std::function<int(double x)>& passed, const RootSearch& search);
 
 }  // namespace plastica::solve

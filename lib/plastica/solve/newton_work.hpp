@@ -21,6 +21,12 @@ struct PathCondition {
   chain::Wrench<L> covector{};
   typename L::Scalar time_slope{};
   typename L::Scalar value{};
+
+  /// What makes the last column that of a unit of time.
+  static PathCondition unit_time() {
+    using S = typename L::Scalar;
+    return {true, 0, {}, constant<S>(1), constant<S>(-1)};
+  }
 };
 
 /// Everything that an equilibrium is sought in; sized once, so that iterations do not allocate.

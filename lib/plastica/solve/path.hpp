@@ -253,9 +253,6 @@ class PathWalker {
     detail::take_step(chain_, at_time, false, w_);
   }
 
-  /// What makes the columns those of a unit of time.
-  static PathCondition<L> unit_time() { return {true, 0, {}, constant<S>(1), constant<S>(-1)}; }
-
   /// All columns at the committed unknowns, and how much of each meets a condition on the time.
   void solve_rates(const PathCondition<L>& at_time) {
     if (!factored_) {

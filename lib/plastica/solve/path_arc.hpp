@@ -8,7 +8,7 @@ namespace plastica::solve {
 template <class L, bool kElastic>
 bool PathWalker<L, kElastic>::begin_arcs() {
   restore();
-  solve_rates(unit_time());
+  solve_rates(PathCondition<L>::unit_time());
   if (options_.finds_control) find_control();
   at_ = control_.value(w_.placement);
   if (counters_.steps <= 1) gone_ = 0.0;  // of another control point

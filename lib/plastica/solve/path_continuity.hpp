@@ -52,7 +52,7 @@ bool PathWalker<L, kElastic>::turns_too_far() const {
 /// Of the turns in a unit of time, along the tangent at the unknowns in `w_` [rad/s].
 template <class L, bool kElastic>
 double PathWalker<L, kElastic>::turning_rate() {
-  const PathCondition<L> condition = unit_time();
+  const PathCondition<L> condition = PathCondition<L>::unit_time();
   if (!holds_tangent_) {
     detail::assemble(chain_, laws_, w_);
     w_.recursion.factor(chain_, w_.q, w_.placement, w_.stage, w_.joints, w_.outer_forces,

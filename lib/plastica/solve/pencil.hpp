@@ -133,7 +133,7 @@ class Pencil {
 
   /// How the segments move, and the multipliers change (`w.small`), in a unit of time.
   void set_rates() {
-    const PathCondition<L> unit_time{true, 0, {}, constant<S>(1), constant<S>(-1)};
+    const auto unit_time = PathCondition<L>::unit_time();
     factor(0.0);
     w_.columns[0] = {};
     w_.columns[0].resize(chain_.size());

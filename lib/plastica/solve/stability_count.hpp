@@ -23,6 +23,13 @@ bool is_conservative(const chain::Chain<L>& chain) {
   return true;
 }
 
+/// Whether the tangent is symmetric at an equilibrium: that of yielding beside an axial force that
+/// equilibrium gives is not.
+template <class L, bool kElastic>
+bool is_symmetric(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& w) {
+  return !w.outer_forces.axial.acts() && is_conservative(chain);
+}
+
 namespace detail {
 
 /// Visits the pivots of what is left of the tangent for closures, negated.
@@ -82,9 +89,11 @@ void for_each_closure_pivot(const chain::Chain<L>& chain, const PathCondition<L>
 ///
 ///   count = negative(K) + negative(-W^T K^-1 W) - closures,
 ///
-/// K the tangent with the closures' stiffness (README.md). Where loads have no potential only its
-/// parity means something, the sign of the determinant: it is taken then, which tells divergence,
-/// and not flutter. `w` holds what `equilibrate` has left; its columns and small system are used.
+/// K the tangent with the closures' stiffness (README.md). A symmetric K without a negative pivot
+/// is positive definite, so also among the motions that the closures allow: 0 at once. Where loads
+/// have no potential only its parity means something, the sign of the determinant: it is taken
+/// then, which tells divergence, and not flutter. `w` holds what `equilibrate` has left; its
+/// columns and small system are used.
 template <class L, bool kElastic>
 typename L::Scalar unstable_ways(const chain::Chain<L>& chain, const PathCondition<L>& condition,
                                  bool holds, NewtonWork<L, kElastic>& w) {
@@ -93,7 +102,12 @@ typename L::Scalar unstable_ways(const chain::Chain<L>& chain, const PathConditi
   const S one = constant<S>(1);
   S count = zero;
   const auto add = [&](const S& pivot) { count = count + select(pivot < zero, one, zero); };
-  w.recursion.for_each_pivot(chain, add);
+  mask_t<S> definite = zero <= zero;
+  w.recursion.for_each_pivot(chain, [&](const S& pivot) {
+    add(pivot);
+    definite = definite & (pivot > zero);
+  });
+  if (!condition.active && !any(!definite) && is_symmetric(chain, w)) return zero;
   detail::for_each_closure_pivot(chain, condition, holds, w, add);
   for (std::size_t k = 0; k < chain.closures.size(); ++k) {
     count = count - select(w.closed[k], one, zero);
