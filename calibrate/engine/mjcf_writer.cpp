@@ -154,13 +154,12 @@ class MjcfWriter {
 
   void add_mass(const EngineSegment& segment) {
     const SectionProperties& p = beam_.parts[segment.part].properties;
-    const SectionShape shape = beam_.parts[segment.part].section.shape;
     std::array<double, 3> middle = segment.center();
     for (std::size_t k = 0; k < 3; ++k) middle[k] -= segment.start[k];
     const std::string center = of_vector(seen_from(segment.axes, middle));
     text_ += fmt::format("  <inertial pos=\"{}\" mass=\"{}\" diaginertia=\"{}\"/>\n", center,
                          segment.mass, of_vector(segment.inertia));
-    const bool round = shape == SectionShape::Circle || shape == SectionShape::RoundTube;
+    const bool round = section_kind(beam_.parts[segment.part].section).round();
     const std::string size = round ? fmt::format("{} {}", p.outer_distance_x, 0.5 * segment.length)
                                    : fmt::format("{} {} {}", p.outer_distance_y, p.outer_distance_x,
                                                  0.5 * segment.length);

@@ -46,11 +46,29 @@ void scale_motions(Setup& setup, const FieldValue& value) {
   scale(setup.solver.control_motion, number_of(value));
 }
 
-void scale_section(Section& section, double factor) {
-  for (double* side : {&section.width, &section.height, &section.radius, &section.inner_radius,
-                       &section.inner_width, &section.inner_height}) {
-    *side *= factor;
+/// What a value of this dimension grows by when all lengths do.
+double size_factor(Dimension dimension, double factor) {
+  switch (dimension) {
+    case Dimension::Length: return factor;
+    case Dimension::Area: return factor * factor;
+    case Dimension::SectionModulus: return std::pow(factor, 3);
+    case Dimension::SecondMoment: return std::pow(factor, 4);
+    default: return 1.0;
   }
+}
+
+void scale_section(Section& section, double factor) {
+  Setup setup;
+  setup.scene.section = section;
+  // Of all shapes, since another axis may choose one later.
+  for (const Field& field : fields()) {
+    if (!field.path.starts_with("section.")) continue;
+    const FieldValue value = field.get(setup);
+    const double* number = std::get_if<double>(&value);
+    if (number != nullptr) field.set(setup, *number * size_factor(field.dimension, factor));
+  }
+  section = setup.scene.section;
+  section.name.clear();
 }
 
 void scale_size(Setup& setup, const FieldValue& value) {

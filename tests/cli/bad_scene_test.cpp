@@ -51,7 +51,23 @@ INSTANTIATE_TEST_SUITE_P(
              "3: material.yield_stress = -370 MPa: must be above 0 Pa"),
         edit("UnknownShape", "rectangle", "square",
              "5: section.shape = square: must be one of rectangle, circle, round_tube, "
-             "rectangular_tube"),
+             "rectangular_tube, i_section, numbers"),
+        edit("UnknownProfile", "shape = 'rectangle'\nwidth = '20 mm'\nheight = '40 mm'",
+             "profile = 'IPE 210'",
+             "5: section.profile = IPE 210: is no profile that is known: IPE 80 to 600, HEA 100 to "
+             "1000, HEB 100 to 1000"),
+        edit("ProfileWithAHeight", "shape = 'rectangle'\nwidth = '20 mm'", "profile = 'IPE 200'",
+             "6: section.height = '40 mm': does not go with profile, which has all dimensions: "
+             "leave one"),
+        edit("ISectionWithoutFlanges", "'rectangle'", "'i_section'",
+             "4: section.flange_thickness: is missing: shape = \"i_section\" needs it"),
+        edit("NumbersWithoutArea", "'rectangle'", "'numbers'",
+             "4: section.area: is missing: shape = \"numbers\" needs it"),
+        edit(
+            "ISectionWithoutAWeb", "'rectangle'",
+            "'i_section'\nflange_thickness = '20 mm'\nweb_thickness = '2 mm'",
+            "4: section.flange_thickness = 0.02: leaves no web: twice this and the fillets must be "
+            "below section.height = 0.04"),
         edit("LengthWithoutUnit", "'20 mm'", "20",
              "6: section.width = 20: a length needs a unit (examples: m, mm, in)"),
         edit("UnknownKey", "height", "heigth",

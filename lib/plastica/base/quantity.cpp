@@ -10,6 +10,8 @@ std::string_view name_of(Dimension dimension) {
     case Dimension::Stress: return "stress";
     case Dimension::Length: return "length";
     case Dimension::Area: return "area";
+    case Dimension::SectionModulus: return "section modulus";
+    case Dimension::SecondMoment: return "second moment of area";
     case Dimension::Force: return "force";
     case Dimension::Moment: return "moment";
     case Dimension::Curvature: return "curvature";
@@ -36,6 +38,8 @@ std::string_view si_unit(Dimension dimension) {
     case Dimension::Stress: return "Pa";
     case Dimension::Length: return "m";
     case Dimension::Area: return "m^2";
+    case Dimension::SectionModulus: return "m^3";
+    case Dimension::SecondMoment: return "m^4";
     case Dimension::Force: return "N";
     case Dimension::Moment: return "N m";
     case Dimension::Curvature: return "rad/m";

@@ -12,6 +12,8 @@ enum class Dimension {
   Stress,               ///< Pa; never a bare number
   Length,               ///< m
   Area,                 ///< m^2
+  SectionModulus,       ///< m^3
+  SecondMoment,         ///< m^4, of area
   Force,                ///< N
   Moment,               ///< N m
   Curvature,            ///< rad/m (bending), twist per length (torsion)

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plastica/law/section_form.hpp"
+#include "plastica/model/section_kind.hpp"
 
 namespace plastica::coupon {
 namespace {
@@ -18,9 +19,7 @@ void take(const law::SectionForm& form, law::Axis axis, CouponShape& shape) {
 /// The lever of the report's break strain: h in its (24), c/2 in its (8).
 double report_lever(const Section& section, Deformation deformation, double lever) {
   if (deformation == Deformation::Bending) return 2.0 * lever;
-  const bool round =
-      section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
-  return round ? lever : 0.5 * std::max(section.width, section.height);
+  return section_kind(section).round() ? lever : 0.5 * std::max(section.width, section.height);
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ void read_regions(const TomlTable& root, Setup& setup) {
     Setup part;
     part.scene.section = setup.scene.section;
     part.scene.material = setup.scene.material;
-    if (section) read_part(section->table(), "section.", part);
+    if (section) read_section(*section, part);
     if (material) read_material(*material, part);
     setup.scene.regions.push_back({read_place(table.at("from")), read_place(table.at("to")),
                                    part.scene.section, part.scene.material});

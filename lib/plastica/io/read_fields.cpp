@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "plastica/model/material_table.hpp"
+#include "plastica/model/profile_table.hpp"
+#include "plastica/model/section_kind.hpp"
 
 namespace plastica::io {
 namespace {
@@ -65,6 +67,33 @@ void read_material(const TomlValue& value, Setup& setup) {
     setup.scene.material = named_material(name->string(), name->where(), name->key()).material;
   }
   if (!value.is_string()) read_part(value.table(), "material.", setup);
+}
+
+void read_section(const TomlValue& value, Setup& setup) {
+  Section& section = setup.scene.section;
+  const auto profile = value.is_string() ? value : value.table().find("profile");
+  if (profile) section = named_profile(profile->string(), profile->where(), profile->key());
+  if (value.is_string()) return;
+  const TomlTable& table = value.table();
+  const SectionKind& before = section_kind(section);
+  read_part(table, "section.", setup);
+  for (const Field& field : fields()) {
+    if (!field.path.starts_with("section.") || field.path == "section.shear_coefficient") continue;
+    const std::string_view key = field.path.substr(field.path.find('.') + 1);
+    if (!table.contains(key)) continue;
+    if (profile) {
+      throw table.at(key).error("does not go with profile, which has all dimensions: leave one");
+    }
+    section.name.clear();
+  }
+  const SectionKind& kind = section_kind(section);
+  if (!kind.needs_all() || &kind == &before) return;
+  for (const Field& field : kind.dimensions()) {
+    const std::string_view key = field.path.substr(field.path.find('.') + 1);
+    if (table.contains(key) || field.range.contains(0.0)) continue;
+    throw InputError(value.where(), "section." + std::string(key), "",
+                     "is missing: shape = \"" + std::string(kind.word()) + "\" needs it");
+  }
 }
 
 std::optional<TomlValue> part_of_beam(const TomlTable& root, std::string_view name) {

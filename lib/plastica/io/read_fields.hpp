@@ -22,6 +22,10 @@ void read_part(const TomlTable& table, std::string_view prefix, Setup& setup);
 /// Reads a material: the name of one, or a table of fields with a `name` as their base.
 void read_material(const TomlValue& value, Setup& setup);
 
+/// Reads a section: the name of a profile, or a table of fields, or of a `profile` alone.
+/// @throws InputError if a shape that has no defaults lacks a dimension
+void read_section(const TomlValue& value, Setup& setup);
+
 /// What the beam is made of, [section] or [material]: of the file, or as a key of [beam].
 /// @throws InputError if both are there
 std::optional<TomlValue> part_of_beam(const TomlTable& root, std::string_view name);

@@ -4,6 +4,7 @@
 
 #include "plastica/io/digest.hpp"
 #include "plastica/model/field.hpp"
+#include "plastica/model/section_kind.hpp"
 
 namespace plastica::io {
 namespace {
@@ -45,8 +46,11 @@ class Feeder {
         m.shear_yield_stress, m.break_strain, m.break_shear_strain, m.hardening);
   }
   void put(const Section& s) {
-    all(s.shape, s.width, s.height, s.radius, s.inner_radius, s.inner_width, s.inner_height,
-        s.shear_coefficient);
+    Setup setup;
+    setup.scene.section = s;
+    put(s.shape);
+    for (const Field& field : section_kind(s).dimensions()) put(field.get(setup));
+    put(s.shear_coefficient);
   }
   void put(const Region& region) { all(region.from, region.to, region.section, region.material); }
   void put(const Support& s) {

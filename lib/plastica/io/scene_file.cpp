@@ -63,7 +63,7 @@ void read_setup(const TomlTable& root, Setup& setup) {
   const auto material = part_of_beam(root, "material");
   const auto section = part_of_beam(root, "section");
   if (material) read_material(*material, setup);
-  if (section) read_part(section->table(), "section.", setup);
+  if (section) read_section(*section, setup);
   constexpr std::array<std::string_view, 4> kReadElsewhere{"material", "section", "drive",
                                                            "gravity"};
   for (const Field& field : fields()) {

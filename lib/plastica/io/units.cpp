@@ -42,6 +42,8 @@ std::string_view examples(Dimension dimension) {
     case Dimension::Stress: return "Pa, MPa, ksi";
     case Dimension::Length: return "m, mm, in";
     case Dimension::Area: return "m^2, mm^2, in^2";
+    case Dimension::SectionModulus: return "m^3, cm^3, in^3";
+    case Dimension::SecondMoment: return "m^4, cm^4, in^4";
     case Dimension::Force: return "N, kN, lbf";
     case Dimension::Moment: return "N m, kN m, lbf in";
     case Dimension::Curvature: return "rad/m, deg/m, 1/mm";

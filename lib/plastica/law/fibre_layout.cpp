@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "plastica/law/shear_levers.hpp"
-#include "plastica/model/torsion.hpp"
+#include "plastica/model/section_kind.hpp"
 
 namespace plastica::law {
 namespace {
@@ -61,19 +61,24 @@ Moments disc_up_to(double radius, double y) {
           -2.0 * (r2 * h3 / 3.0 - h3 * half * half / 5.0)};
 }
 
-/// Boundaries of intervals over a depth, symmetric, with one at 0 and at the edges of a hole.
-std::vector<double> boundaries(double depth, double hole, int intervals) {
-  const double half = 0.5 * depth;
-  std::vector<double> right{0.0};
+/// Boundaries of intervals over a depth, symmetric, with one at 0 and at each of `edges`.
+/// @param edges  from the axis on, rising; the last is half the depth
+std::vector<double> boundaries(const std::vector<double>& edges, int intervals) {
   const int each = std::max(intervals / 2, 1);
-  if (hole > 0.0) {
-    const int inside =
-        std::clamp(static_cast<int>(std::lround(each * hole / depth)), 1, std::max(each - 1, 1));
-    const int wall = std::max(each - inside, 1);
-    for (int i = 1; i <= inside; ++i) right.push_back(0.5 * hole * i / inside);
-    for (int i = 1; i <= wall; ++i) right.push_back(0.5 * (hole + (depth - hole) * i / wall));
-  } else {
-    for (int i = 1; i <= each; ++i) right.push_back(half * i / each);
+  const double half = edges.back();
+  const int zones = static_cast<int>(edges.size());
+  std::vector<double> right{0.0};
+  int dealt = 0;
+  for (int zone = 0; zone < zones; ++zone) {
+    const double from = zone == 0 ? 0.0 : edges[static_cast<std::size_t>(zone) - 1];
+    const double to = edges[static_cast<std::size_t>(zone)];
+    const int later = zones - 1 - zone;
+    const int most = std::max(each - dealt - later, 1);
+    const int count =
+        later == 0 ? most
+                   : std::clamp(static_cast<int>(std::lround(each * (to - from) / half)), 1, most);
+    for (int i = 1; i <= count; ++i) right.push_back(from + (to - from) * i / count);
+    dealt += count;
   }
   std::vector<double> all(right.rbegin(), right.rend() - 1);
   for (double& x : all) x = -x;
@@ -81,68 +86,107 @@ std::vector<double> boundaries(double depth, double hole, int intervals) {
   return all;
 }
 
-/// The sides of a section by what it bends about: depth, breadth, and those of the hole.
-struct Sides {
-  double depth, breadth, inner_depth, inner_breadth;
-};
-
-bool is_round(const Section& s) {
-  return s.shape == SectionShape::Circle || s.shape == SectionShape::RoundTube;
+/// Where blocks of a quarter end along y, or along x: rising, without 0.
+std::vector<double> edges_of(const SectionQuarter& quarter, bool along_y) {
+  std::vector<double> edges;
+  for (const SectionBlock& block : quarter.blocks) {
+    edges.push_back(along_y ? block.y_to : block.x_to);
+    edges.push_back(along_y ? block.y_from : block.x_from);
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  edges.erase(edges.begin());
+  return edges;
 }
 
-Sides sides_of(const Section& s, bool about_x) {
-  const bool hollow = s.shape == SectionShape::RectangularTube;
-  const Sides sides{s.height, s.width, hollow ? s.inner_height : 0.0, hollow ? s.inner_width : 0.0};
-  if (about_x) return sides;
-  return {sides.breadth, sides.depth, sides.inner_breadth, sides.inner_depth};
+bool contains(const SectionQuarter& quarter, double x, double y) {
+  return std::any_of(quarter.blocks.begin(), quarter.blocks.end(), [&](const SectionBlock& block) {
+    return std::fabs(x) > block.x_from && std::fabs(x) < block.x_to &&
+           std::fabs(y) > block.y_from && std::fabs(y) < block.y_to;
+  });
 }
 
-double hole_radius(const Section& s) {
-  return s.shape == SectionShape::RoundTube ? s.inner_radius : 0.0;
+SectionQuarter quarter_of(const Section& s, bool about_x) {
+  SectionQuarter quarter = section_kind(s).quarter(s).value();
+  return about_x ? quarter : exchanged(std::move(quarter));
+}
+
+bool is_round(const Section& s) { return section_kind(s).round(); }
+
+double hole_radius(const Section& s) { return section_kind(s).hole_radius(s); }
+
+void add_layer(const Moments& m, FibreLayout& layout) {
+  for (const Point& p : gauss_points(m)) {
+    layout.depth.push_back(p.position);
+    layout.area.push_back(p.weight);
+  }
+}
+
+void add_round_layers(const Section& s, int intervals, FibreLayout& layout) {
+  const double hole = hole_radius(s);
+  std::vector<double> edges{s.radius};
+  if (hole > 0.0) edges.insert(edges.begin(), hole);
+  const std::vector<double> edge = boundaries(edges, intervals);
+  for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
+    Moments m = disc_up_to(s.radius, edge[i + 1]) - disc_up_to(s.radius, edge[i]);
+    if (hole > 0.0) m = m - (disc_up_to(hole, edge[i + 1]) - disc_up_to(hole, edge[i]));
+    add_layer(m, layout);
+  }
 }
 
 /// Layers over the depth.
 void add_layers(const Section& s, bool about_x, int intervals, FibreLayout& layout) {
-  const Sides sides = sides_of(s, about_x);
-  const double hole = hole_radius(s);
-  const std::vector<double> edge = is_round(s)
-                                       ? boundaries(2.0 * s.radius, 2.0 * hole, intervals)
-                                       : boundaries(sides.depth, sides.inner_depth, intervals);
+  if (is_round(s)) {
+    add_round_layers(s, intervals, layout);
+    return;
+  }
+  const SectionQuarter quarter = quarter_of(s, about_x);
+  const std::vector<double> edge = boundaries(edges_of(quarter, true), intervals);
   for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
-    Moments m;
-    if (is_round(s)) {
-      m = disc_up_to(s.radius, edge[i + 1]) - disc_up_to(s.radius, edge[i]);
-      if (hole > 0.0) m = m - (disc_up_to(hole, edge[i + 1]) - disc_up_to(hole, edge[i]));
-    } else {
-      const bool in_hole = std::fabs(edge[i] + edge[i + 1]) < sides.inner_depth;
-      m = strip(sides.breadth - (in_hole ? sides.inner_breadth : 0.0), edge[i], edge[i + 1]);
+    const double y = std::fabs(0.5 * (edge[i] + edge[i + 1]));
+    double breadth = 0.0;
+    for (const SectionBlock& block : quarter.blocks) {
+      if (y > block.y_from && y < block.y_to) breadth += 2.0 * (block.x_to - block.x_from);
     }
-    for (const Point& p : gauss_points(m)) {
-      layout.depth.push_back(p.position);
-      layout.area.push_back(p.weight);
+    add_layer(strip(breadth, edge[i], edge[i + 1]), layout);
+  }
+  for (const SectionSpot& spot : quarter.spots) {
+    for (const double y : {-spot.y, spot.y}) {
+      layout.depth.push_back(y);
+      layout.area.push_back(2.0 * spot.area);
     }
   }
 }
 
-/// Gauss points of a rectangle's cells, without those in the hole.
-/// @param quarter  whether x, y > 0 stands for all, with four times the area
-void add_grid(const Section& s, int intervals, bool quarter, FibreLayout& layout) {
-  const Sides sides = sides_of(s, true);
-  const std::vector<double> y = boundaries(sides.depth, sides.inner_depth, intervals);
-  const std::vector<double> x = boundaries(sides.breadth, sides.inner_breadth, intervals);
-  for (std::size_t i = quarter ? y.size() / 2 : 0; i + 1 < y.size(); ++i) {
-    for (std::size_t j = quarter ? x.size() / 2 : 0; j + 1 < x.size(); ++j) {
-      if (std::fabs(y[i] + y[i + 1]) < sides.inner_depth &&
-          std::fabs(x[j] + x[j + 1]) < sides.inner_breadth) {
-        continue;
-      }
+/// Gauss points of the blocks' cells, and the spots.
+/// @param quarter_only  whether x, y > 0 stands for all, with four times the area
+void add_grid(const Section& s, int intervals, bool quarter_only, FibreLayout& layout) {
+  const SectionQuarter quarter = quarter_of(s, true);
+  const std::vector<double> y = boundaries(edges_of(quarter, true), intervals);
+  const std::vector<double> x = boundaries(edges_of(quarter, false), intervals);
+  const double weight = quarter_only ? 4.0 : 1.0;
+  const auto add = [&](double across, double depth, double area) {
+    layout.depth.push_back(depth);
+    layout.across.push_back(across);
+    layout.area.push_back(weight * area);
+  };
+  for (std::size_t i = quarter_only ? y.size() / 2 : 0; i + 1 < y.size(); ++i) {
+    for (std::size_t j = quarter_only ? x.size() / 2 : 0; j + 1 < x.size(); ++j) {
+      if (!contains(quarter, 0.5 * (x[j] + x[j + 1]), 0.5 * (y[i] + y[i + 1]))) continue;
       for (const Point& up : gauss_points(strip(1.0, y[i], y[i + 1]))) {
         for (const Point& side : gauss_points(strip(1.0, x[j], x[j + 1]))) {
-          layout.depth.push_back(up.position);
-          layout.across.push_back(side.position);
-          layout.area.push_back((quarter ? 4.0 : 1.0) * up.weight * side.weight);
+          add(side.position, up.position, up.weight * side.weight);
         }
       }
+    }
+  }
+  for (const SectionSpot& spot : quarter.spots) {
+    if (quarter_only) {
+      add(spot.x, spot.y, spot.area);
+      continue;
+    }
+    for (const double sx : {-1.0, 1.0}) {
+      for (const double sy : {-1.0, 1.0}) add(sx * spot.x, sy * spot.y, spot.area);
     }
   }
 }
@@ -181,16 +225,11 @@ void add_polar(const Section& s, int intervals, FibreLayout& layout) {
 /// Saint-Venant's shear per twist of each fibre of a grid [m].
 std::vector<double> elastic_shear(const Section& s, const FibreLayout& layout) {
   std::vector<std::array<double, 2>> points;
+  points.reserve(layout.area.size());
   for (std::size_t i = 0; i < layout.area.size(); ++i) {
     points.push_back({layout.across[i], layout.depth[i]});
   }
-  if (s.shape == SectionShape::RectangularTube) {
-    return box_shear({s.width, s.height, s.inner_width, s.inner_height}, points);
-  }
-  std::vector<double> shear;
-  shear.reserve(points.size());
-  for (const auto& [x, y] : points) shear.push_back(saint_venant_shear(s.width, s.height, x, y));
-  return shear;
+  return section_kind(s).twist_shear(s, points);
 }
 
 void set_levers(const Section& s, const SectionProperties& p, FibreLayout& layout) {

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Dense>
 
+#include "plastica/model/section_kind.hpp"
 #include "plastica/model/torsion.hpp"
 
 namespace plastica::law {
@@ -131,16 +134,34 @@ Curve round_curve(double R, double r) {
   return points;
 }
 
-/// The same of a box that bends about x: its two webs and, beyond the hole, its whole width.
-Curve box_curve(double b, double h, double bi, double hi) {
+/// The same of blocks that bend about x: what lies between the neutral axis and its mirror image
+/// carries the axial force, the rest the moment.
+Curve quarter_curve(const SectionQuarter& quarter) {
+  const auto edge_of = [](double so_far, const SectionBlock& block) {
+    return std::max(so_far, block.y_to);
+  };
+  const double half = std::accumulate(quarter.blocks.begin(), quarter.blocks.end(), 0.0, edge_of);
+  // Up to y: area, and its first moment.
+  const auto up_to = [&](double y) {
+    std::array<double, 2> sum{};
+    for (const SectionBlock& block : quarter.blocks) {
+      const double to = std::clamp(y, block.y_from, block.y_to);
+      const double breadth = block.x_to - block.x_from;
+      sum[0] += breadth * (to - block.y_from);
+      sum[1] += 0.5 * breadth * (to * to - block.y_from * block.y_from);
+    }
+    for (const SectionSpot& spot : quarter.spots) {
+      if (spot.y > y) continue;
+      sum[0] += spot.area;
+      sum[1] += spot.area * spot.y;
+    }
+    return sum;
+  };
+  const auto whole = up_to(half);
   Curve points;
-  const double area = b * h - bi * hi;
-  const double plastic = (b * h * h - bi * hi * hi) / 4.0;
   for (int i = 1; i < 400; ++i) {
-    const double y = 0.5 * h * i / 400.0;
-    const double in_hole = std::min(y, 0.5 * hi);
-    points.push_back({2.0 * (b * y - bi * in_hole) / area,
-                      1.0 - (b * y * y - bi * in_hole * in_hole) / plastic});
+    const auto inner = up_to(half * i / 400.0);
+    points.push_back({inner[0] / whole[0], 1.0 - inner[1] / whole[1]});
   }
   return points;
 }
@@ -222,52 +243,53 @@ std::array<double, kRadiusTerms> radius_terms(const Curve& curve) {
 
 /// The curve of a section that bends about one axis, or is round.
 Curve plastic_curve(const Section& s, GaugePlane plane) {
-  switch (s.shape) {
-    case SectionShape::Circle: return round_curve(s.radius, 0.0);
-    case SectionShape::RoundTube: return round_curve(s.radius, s.inner_radius);
-    default: break;
-  }
-  return plane == GaugePlane::AboutY ? box_curve(s.height, s.width, s.inner_height, s.inner_width)
-                                     : box_curve(s.width, s.height, s.inner_width, s.inner_height);
+  const SectionKind& kind = section_kind(s);
+  if (kind.round()) return round_curve(s.radius, kind.hole_radius(s));
+  SectionQuarter quarter = kind.quarter(s).value();
+  return quarter_curve(plane == GaugePlane::AboutY ? exchanged(std::move(quarter)) : quarter);
 }
 
 /// e of the section's fully plastic surface.
 double plastic_axial(const Section& s) {
-  switch (s.shape) {
-    case SectionShape::Rectangle: return 1.0;
-    case SectionShape::Circle:
-    case SectionShape::RoundTube: return largest_axial(plastic_curve(s, GaugePlane::Both));
-    case SectionShape::RectangularTube:
-      return std::min(largest_axial(box_curve(s.width, s.height, s.inner_width, s.inner_height)),
-                      largest_axial(box_curve(s.height, s.width, s.inner_height, s.inner_width)));
+  return std::min(largest_axial(plastic_curve(s, GaugePlane::AboutX)),
+                  largest_axial(plastic_curve(s, GaugePlane::AboutY)));
+}
+
+void set_plastic(const Section& section, GaugePlane plane, GaugeForm& form) {
+  const SectionKind& kind = section_kind(section);
+  if (kind.edge() == SectionEdge::Rectangle) {
+    form.kind = GaugeKind::PlasticBlock;
+    form.axial = 1.0;
+  } else if (!kind.has_fibres()) {
+    form.kind = GaugeKind::Corner;
+  } else if (kind.round() || plane != GaugePlane::Both) {
+    form.kind = GaugeKind::PlasticCurve;
+    form.radius = radius_terms(plastic_curve(section, plane));
+  } else if (kind.holds_plastic_block()) {
+    form.kind = GaugeKind::PlasticBlock;
+    form.axial = plastic_axial(section);
+  } else {
+    form.kind = GaugeKind::Corner;
   }
-  return 0.0;
 }
 
 }  // namespace
 
 GaugeForm gauge_form(const Section& section, YieldModel model, YieldCap cap, Formulas formulas,
                      GaugePlane plane) {
-  const bool round =
-      section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
   GaugeForm form;
   if (model == YieldModel::Conservative) {
     form.kind = GaugeKind::Corner;
-  } else if (cap == YieldCap::FullyPlastic && formulas == Formulas::Mechanics) {
-    const bool box = section.shape == SectionShape::RectangularTube;
-    if (round || (box && plane != GaugePlane::Both)) {
-      form.kind = GaugeKind::PlasticCurve;
-      form.radius = radius_terms(plastic_curve(section, plane));
-    } else {
-      form.kind = GaugeKind::PlasticBlock;
-      form.axial = plastic_axial(section);
-    }
-  } else if (round) {
-    form.kind = GaugeKind::Round;
-  } else if (section.shape == SectionShape::RectangularTube) {
-    form.kind = GaugeKind::Corner;
-  } else {
-    set_rectangle(section, form);
+    return form;
+  }
+  if (cap == YieldCap::FullyPlastic && formulas == Formulas::Mechanics) {
+    set_plastic(section, plane, form);
+    return form;
+  }
+  switch (section_kind(section).edge()) {
+    case SectionEdge::Round: form.kind = GaugeKind::Round; break;
+    case SectionEdge::Walls: form.kind = GaugeKind::Corner; break;
+    case SectionEdge::Rectangle: set_rectangle(section, form); break;
   }
   return form;
 }
@@ -276,7 +298,9 @@ double moment_left(const Section& section, YieldCap cap, Formulas formulas, doub
   const bool plastic = cap == YieldCap::FullyPlastic && formulas == Formulas::Mechanics;
   if (n >= 1.0) return 0.0;
   if (!plastic) return 1.0 - n;
-  if (section.shape == SectionShape::Rectangle) return 1.0 - n * n;
+  const SectionKind& kind = section_kind(section);
+  if (kind.edge() == SectionEdge::Rectangle) return 1.0 - n * n;
+  if (!kind.has_fibres()) return 1.0 - n;
   std::array<double, 2> before{0.0, 1.0};
   for (const auto& point : plastic_curve(section, GaugePlane::Both)) {
     if (point[0] >= n) {

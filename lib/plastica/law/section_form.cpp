@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "plastica/model/section_kind.hpp"
+
 namespace plastica::law {
 namespace {
 
@@ -11,7 +13,7 @@ void set_report(const Section& section, const SectionProperties& p, SectionForm&
   form.axis[kBendingY].stiffness_factor = 0.5;
   form.axis[kTorsion].stiffness_factor =
       0.5 * std::max(p.second_moment_x, p.second_moment_y) / p.torsion_constant;
-  if (section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube) return;
+  if (section_kind(section).round()) return;
   const double b = section.width;
   const double h = section.height;
   form.axis[kBendingX].cap_factor = form.lever[kBendingX] / b;

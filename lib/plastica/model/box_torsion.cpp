@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
+#include <mutex>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -36,15 +39,14 @@ class QuarterSection {
         x_(graded_lines(box.inner_width / 2.0, box.width / 2.0, elements)),
         y_(graded_lines(box.inner_height / 2.0, box.height / 2.0, elements)) {}
 
-  BoxTorsion torsion() const {
-    const Solution found = solve();
-    return {.constant = found.constant, .modulus = found.constant / largest_stress(found.phi)};
-  }
-
   struct Solution {
     Eigen::VectorXd phi;    ///< (unknowns)
     double constant = 0.0;  ///< J [m^4]
   };
+
+  BoxTorsion torsion(const Solution& found) const {
+    return {.constant = found.constant, .modulus = found.constant / largest_stress(found.phi)};
+  }
 
   /// Slope of phi at a point of the wall.
   double slope_at(const Eigen::VectorXd& phi, const std::array<double, 2>& point) const {
@@ -182,22 +184,69 @@ constexpr int kElements = 20;
 
 double extrapolated(double coarse, double fine) { return fine + (fine - coarse) / 3.0; }
 
-}  // namespace
+/// What is known of a box.
+struct Solved {
+  BoxDimensions box;
+  BoxTorsion torsion;
+  QuarterSection coarse;
+  Eigen::VectorXd phi;  ///< of the coarse grid
+};
 
-BoxTorsion box_torsion(const BoxDimensions& box) {
-  const BoxTorsion coarse = QuarterSection(box, kElements).torsion();
-  const BoxTorsion fine = QuarterSection(box, 2 * kElements).torsion();
-  return {.constant = extrapolated(coarse.constant, fine.constant),
-          .modulus = extrapolated(coarse.modulus, fine.modulus)};
+std::shared_ptr<const Solved> solve(const BoxDimensions& box) {
+  const QuarterSection coarse(box, kElements);
+  const QuarterSection fine(box, 2 * kElements);
+  const QuarterSection::Solution on_coarse = coarse.solve();
+  const BoxTorsion low = coarse.torsion(on_coarse);
+  const BoxTorsion high = fine.torsion(fine.solve());
+  return std::make_shared<const Solved>(
+      Solved{box,
+             {extrapolated(low.constant, high.constant), extrapolated(low.modulus, high.modulus)},
+             coarse,
+             on_coarse.phi});
 }
 
+/// The last boxes that were solved, for all threads: a model, its checks and its fibres ask for the
+/// same one over and over.
+class LastBoxes {
+ public:
+  std::shared_ptr<const Solved> of(const BoxDimensions& box) {
+    if (auto known = find(box)) return known;
+    // Two threads may solve the same box at first; both get the same numbers.
+    auto solved = solve(box);
+    const std::lock_guard lock(mutex_);
+    kept_[next_++ % kept_.size()] = solved;
+    return solved;
+  }
+
+ private:
+  std::shared_ptr<const Solved> find(const BoxDimensions& box) {
+    const std::lock_guard lock(mutex_);
+    for (const auto& known : kept_) {
+      if (known && known->box == box) return known;
+    }
+    return nullptr;
+  }
+
+  std::mutex mutex_;
+  std::array<std::shared_ptr<const Solved>, 32> kept_;
+  std::size_t next_ = 0;
+};
+
+std::shared_ptr<const Solved> solved(const BoxDimensions& box) {
+  static LastBoxes boxes;
+  return boxes.of(box);
+}
+
+}  // namespace
+
+BoxTorsion box_torsion(const BoxDimensions& box) { return solved(box)->torsion; }
+
 std::vector<double> box_shear(const BoxDimensions& box,
-                              const std::vector<std::array<double, 2>>& points) {
-  const QuarterSection section(box, kElements);
-  const Eigen::VectorXd phi = section.solve().phi;
+                              std::span<const std::array<double, 2>> points) {
+  const auto known = solved(box);
   std::vector<double> shear;
   shear.reserve(points.size());
-  for (const auto& point : points) shear.push_back(section.slope_at(phi, point));
+  for (const auto& point : points) shear.push_back(known->coarse.slope_at(known->phi, point));
   return shear;
 }
 

@@ -6,6 +6,7 @@
 #include "plastica/model/choose_level.hpp"
 #include "plastica/model/field.hpp"
 #include "plastica/model/free_motion.hpp"
+#include "plastica/model/section_kind.hpp"
 
 namespace plastica {
 namespace {
@@ -21,21 +22,42 @@ void check_ranges(const Scene& scene, const SolverOptions& options) {
   }
 }
 
-bool is_tube(const Section& section) {
-  return section.shape == SectionShape::RoundTube || section.shape == SectionShape::RectangularTube;
-}
-
 /// What the report has formulas for, in coupons and chains.
 void check_report(const Scene& scene) {
   if (scene.formulas != Formulas::Report) return;
-  bool tube = is_tube(scene.section);
-  for (const Region& region : scene.regions) tube = tube || is_tube(region.section);
-  if (tube)
-    throw InputError({}, "rules.formulas", "report", "the report has no formulas for tubes");
+  const auto refuse_others = [](const Section& section) {
+    const SectionKind& kind = section_kind(section);
+    if (kind.in_report()) return;
+    throw InputError(
+        {}, "rules.formulas", "report",
+        "the report has formulas for rectangles and circles, none for " + std::string(kind.word()));
+  };
+  refuse_others(scene.section);
+  for (const Region& region : scene.regions) refuse_others(region.section);
   if (scene.yield_cap == YieldCap::FullyPlastic) {
     throw InputError({}, "rules.yield_cap", "fully_plastic",
                      "the report's caps are at first yield");
   }
+}
+
+/// What cannot be done with a section of which only the numbers are known.
+void check_known(const Scene& scene, const SolverOptions& options) {
+  const auto check = [&](const Section& section) {
+    const SectionKind& kind = section_kind(section);
+    if (kind.has_fibres()) return;
+    const std::string shape = "section.shape = \"" + std::string(kind.word()) + "\"";
+    if (scene.yield_model == YieldModel::Fibre) {
+      throw InputError({}, "rules.yield_model", "fibre",
+                       "needs the places of the fibres, which " + shape + " does not tell");
+    }
+    if (options.translation == JointTranslation::Elastic && !section.shear_coefficient) {
+      throw InputError({}, "section.shear_coefficient", "",
+                       "is missing: solver.translation = \"elastic\" shears, and " + shape +
+                           " does not tell how stiffly");
+    }
+  };
+  check(scene.section);
+  for (const Region& region : scene.regions) check(region.section);
 }
 
 void check_coupon(const Scene& scene, const SolverOptions& options) {
@@ -88,6 +110,7 @@ void check_scene(const Scene& scene, const SolverOptions& options) {
   check_section(scene.section);
   check_ranges(scene, options);
   check_report(scene);
+  check_known(scene, options);
   if (scene.is_coupon()) {
     check_coupon(scene, options);
   } else {

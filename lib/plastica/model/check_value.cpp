@@ -5,15 +5,12 @@
 #include <cstdio>
 
 namespace plastica::model_detail {
-namespace {
 
 std::string rounded(double value, int digits) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.*g", digits, value);
   return text.data();
 }
-
-}  // namespace
 
 std::string number_text(double value) { return rounded(value, 6); }
 

@@ -7,6 +7,9 @@
 
 namespace plastica::model_detail {
 
+/// A number with so many significant digits.
+std::string rounded(double value, int digits);
+
 /// A number as messages show it: six significant digits.
 std::string number_text(double value);
 

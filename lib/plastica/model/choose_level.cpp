@@ -105,13 +105,10 @@ std::optional<Misfit> misfit_of(const std::vector<Action>& actions, const Plane&
 
 /// Whether the section bends about y more easily than about x.
 bool weaker_about_y(const Section& section) {
-  const bool hollow = section.shape == SectionShape::RectangularTube;
-  if (!hollow && section.shape != SectionShape::Rectangle) return false;
-  const auto second_moment = [&](double b, double h, double b_inner, double h_inner) {
-    return b * h * h * h - (hollow ? b_inner * h_inner * h_inner * h_inner : 0.0);
-  };
-  return second_moment(section.height, section.width, section.inner_height, section.inner_width) <
-         second_moment(section.width, section.height, section.inner_width, section.inner_height);
+  // Rounding of a square or a circle is no difference.
+  constexpr double kAlike = 1.0 - 1e-12;
+  const SectionProperties p = section_properties(section, 0.0);
+  return p.second_moment_y < kAlike * p.second_moment_x;
 }
 
 /// The least level that holds the actions, and what the next smaller one does not hold.

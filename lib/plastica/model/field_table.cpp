@@ -1,16 +1,22 @@
 #include "plastica/model/field_table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
+
+#include "plastica/model/section_kind.hpp"
 
 namespace plastica {
 namespace model_detail {
 
 template <>
 std::span<const std::string_view> words<SectionShape>() {
-  static constexpr std::array<std::string_view, 4> kWords{"rectangle", "circle", "round_tube",
-                                                          "rectangular_tube"};
-  return kWords;
+  static const std::vector<std::string_view> all = [] {
+    std::vector<std::string_view> of_kinds;
+    for (const SectionKind* kind : section_kinds()) of_kinds.push_back(kind->word());
+    return of_kinds;
+  }();
+  return all;
 }
 template <>
 std::span<const std::string_view> words<HardeningLaw>() {
@@ -110,16 +116,24 @@ std::span<const std::string_view> words<PathControl>() {
 
 namespace {
 
-constexpr Range kPositive{0.0, std::numeric_limits<double>::infinity(), true, false};
-constexpr Range kNotNegative{0.0};
 constexpr Range kAny{};
 
-#define PLASTICA_REACH(member) \
-  [](auto& setup) -> auto& { return setup.member; }
+/// The dimensions of all shapes, each once.
+std::vector<Field> dimensions_of_sections() {
+  std::vector<Field> all;
+  for (const SectionKind* kind : section_kinds()) {
+    for (const Field& field : kind->dimensions()) {
+      const bool known =
+          std::any_of(all.begin(), all.end(), [&](const Field& f) { return f.path == field.path; });
+      if (!known) all.push_back(field);
+    }
+  }
+  return all;
+}
 
 std::vector<Field> make_table() {
   using enum Dimension;
-  return {
+  std::vector<Field> table{
       number<PLASTICA_REACH(scene.material.youngs_modulus)>("material.youngs_modulus", Stress,
                                                             kPositive, "Young's modulus E",
                                                             MaterialField::YoungsModulus),
@@ -178,17 +192,6 @@ std::vector<Field> make_table() {
           "material.hardening.backstress_rate_3", None, kNotNegative,
           "voce_chaboche: gamma of the third back stress", MaterialField::BackRate3),
       choice<PLASTICA_REACH(scene.section.shape)>("section.shape", "shape of the cross section"),
-      number<PLASTICA_REACH(scene.section.width)>("section.width", Length, kPositive, "b, along x"),
-      number<PLASTICA_REACH(scene.section.height)>("section.height", Length, kPositive,
-                                                   "h, along y"),
-      number<PLASTICA_REACH(scene.section.radius)>("section.radius", Length, kPositive,
-                                                   "outer radius R of circle and round tube"),
-      number<PLASTICA_REACH(scene.section.inner_radius)>("section.inner_radius", Length, kPositive,
-                                                         "inner radius r of a round tube, below R"),
-      number<PLASTICA_REACH(scene.section.inner_width)>("section.inner_width", Length, kPositive,
-                                                        "width of a rectangular tube's hole"),
-      number<PLASTICA_REACH(scene.section.inner_height)>("section.inner_height", Length, kPositive,
-                                                         "height of a rectangular tube's hole"),
       number<PLASTICA_REACH(scene.section.shear_coefficient)>(
           "section.shear_coefficient", None, kPositive, "kappa; unset: from shape and nu"),
       number<PLASTICA_REACH(scene.beam.length)>("beam.length", Length, kPositive,
@@ -286,9 +289,12 @@ std::vector<Field> make_table() {
           "solver.smallest_step", None, Range{0.0, 1.0, true, false},
           "shortest part of a recorded step, or of time_step"),
   };
+  const auto shape = std::find_if(table.begin(), table.end(),
+                                  [](const Field& f) { return f.path == "section.shape"; });
+  const std::vector<Field> of_sections = dimensions_of_sections();
+  table.insert(shape + 1, of_sections.begin(), of_sections.end());
+  return table;
 }
-
-#undef PLASTICA_REACH
 
 }  // namespace
 }  // namespace model_detail

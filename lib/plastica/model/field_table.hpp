@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -13,6 +14,13 @@ namespace plastica::model_detail {
 /// `find_field` in any table.
 const Field& find_in(std::span<const Field> table, std::string_view name,
                      const SourceLocation& where);
+
+inline constexpr Range kPositive{0.0, std::numeric_limits<double>::infinity(), true, false};
+inline constexpr Range kNotNegative{0.0};
+
+/// Reaches a member of a setup.
+#define PLASTICA_REACH(member) \
+  [](auto& setup) -> auto& { return setup.member; }
 
 /// The words of a choice, in the order of its enumerators.
 template <class Enum>

@@ -14,6 +14,7 @@
 #include "plastica/model/choose_level.hpp"
 #include "plastica/model/local_buckling.hpp"
 #include "plastica/model/motion_warnings.hpp"
+#include "plastica/model/section_kind.hpp"
 
 namespace plastica {
 namespace {
@@ -39,10 +40,8 @@ bool bends_about_y(const LevelChoice& level) {
 
 /// The two outer dimensions: along x and along y [m].
 std::array<double, 2> sides(const Section& section) {
-  const bool round =
-      section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
-  return round ? std::array<double, 2>{2.0 * section.radius, 2.0 * section.radius}
-               : std::array<double, 2>{section.width, section.height};
+  const SectionProperties p = section_properties(section, 0.0);
+  return {2.0 * p.outer_distance_y, 2.0 * p.outer_distance_x};
 }
 
 /// The tributary lengths of the inner joints over the beam's length (segments - 1).
@@ -198,16 +197,15 @@ std::optional<std::string> thin_wall(const Facts& facts) {
   int worst = plastic ? 1 : 2;
   const auto look_at = [&](const Section& section, const Material& material,
                            const std::string& where) {
-    const auto wall = model_detail::tube_wall(section, material, bends_about_x(facts.level),
-                                              bends_about_y(facts.level));
+    const auto wall = model_detail::worst_wall(section, material, bends_about_x(facts.level),
+                                               bends_about_y(facts.level));
     if (!wall || wall->section_class <= worst) return;
     worst = wall->section_class;
     constexpr std::array<std::string_view, 3> kEnds{
         "reaches its plastic moment, but buckles as a hinge turns",
         "buckles before its plastic moment, and as a hinge turns at first yield",
         "buckles before first yield"};
-    const bool round = section.shape == SectionShape::RoundTube;
-    warning = "the wall of the tube" + where + " is thin, " + (round ? "d/t = " : "c/t = ") +
+    warning = "the wall of the section" + where + " is thin, " + std::string(wall->ratio) + " = " +
               ratio(wall->slenderness) + " (beyond " + ratio(wall->limit) + ", class " +
               std::to_string(worst) + " of EN 1993-1-1, table 5.2): it " +
               std::string(kEnds[static_cast<std::size_t>(worst - 2)]) +
@@ -262,15 +260,23 @@ std::optional<std::string> per_axis(const Facts& facts) {
            "more than the section; \"interaction\" and \"fibre\" do not";
   }
   if (!bent[0] || !bent[1]) return std::nullopt;
-  const SectionShape shape = facts.scene.section.shape;
   const bool plastic = facts.scene.yield_cap == YieldCap::FullyPlastic;
-  // The corner (1, 1) of the square of per-axis caps against the true surface along the diagonal:
-  // a circle, |m_x| + |m_y| = 1, and for the whole rectangle yielding m_hi + 3/4 m_lo^2 = 1.
-  std::string beyond = "41 %";
-  if (shape == SectionShape::Rectangle) beyond = plastic ? "50 %" : "100 %";
-  if (shape == SectionShape::RectangularTube) beyond = plastic ? "50 to 100 %" : "100 %";
+  const std::string beyond(section_kind(facts.scene.section).beyond_caps(plastic));
   return "rules.yield_model = \"per_axis\" with bending about both axes: the joint carries up to " +
          beyond + " more than the section, with torsion still more; \"interaction\" does not";
+}
+
+/// Open sections warp when they twist, and what holds that is not modelled.
+std::optional<std::string> warping(const Facts& facts) {
+  const Scene& scene = facts.scene;
+  if (facts.level.level != Level::Twist && !twisted(facts)) return std::nullopt;
+  const auto warps = [](const Section& section) { return section_kind(section).warps(); };
+  const bool any = warps(scene.section) ||
+                   std::any_of(scene.regions.begin(), scene.regions.end(),
+                               [&](const Region& region) { return warps(region.section); });
+  if (!any) return std::nullopt;
+  return "the beam twists, and its section is open: torsion is Saint-Venant's alone. Where warping "
+         "is held (a clamped end, a torque along the way) the true beam is stiffer and stronger";
 }
 
 /// Supports and loads inside of segments whose lengths the scene sets.
@@ -354,8 +360,8 @@ std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions&
   if (scene.is_coupon()) return {};
   const Facts facts{scene, options, choose_level(scene, options), segment_ends(scene)};
   std::vector<std::string> warnings;
-  for (const auto find :
-       {short_beam, hinge, cap, thin_wall, per_axis, inner_places, cut_corners, no_potential}) {
+  for (const auto find : {short_beam, hinge, cap, thin_wall, per_axis, warping, inner_places,
+                          cut_corners, no_potential}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (options.analysis == Analysis::Dynamics) {

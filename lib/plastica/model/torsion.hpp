@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace plastica {
@@ -47,6 +48,7 @@ struct BoxDimensions {
   double height = 0.0;
   double inner_width = 0.0;
   double inner_height = 0.0;
+  bool operator==(const BoxDimensions&) const = default;
 };
 
 /// Torsion of a rectangular tube.
@@ -72,7 +74,7 @@ BoxTorsion box_torsion(const BoxDimensions& box);
 /// @param points  (x, y) from the middle [m]
 /// @return a number per point
 std::vector<double> box_shear(const BoxDimensions& box,
-                              const std::vector<std::array<double, 2>>& points);
+                              std::span<const std::array<double, 2>> points);
 
 /// J and W_t of a rectangular tube by Bredt's thin-wall formulas on the middle lines.
 BoxTorsion bredt_box(const BoxDimensions& box);

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "plastica/model/section_kind.hpp"
 #include "plastica/report/scene_facts.hpp"
 #include "plastica/report/scene_frames.hpp"
 #include "plastica/report/scene_spectrum.hpp"
@@ -139,22 +140,16 @@ Json material_of(const Material& material) {
           {"density", number(material.density)}};
 }
 
-/// The dimensions that the shape has [m].
+/// The dimensions that the shape has, in SI units.
 Json section_of(const Section& section) {
-  const auto shapes = find_field_or_null("section.shape")->choices;
-  Json all = {{"shape", shapes[static_cast<std::size_t>(section.shape)]}};
-  const bool round =
-      section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
-  if (round) {
-    all["radius"] = number(section.radius);
-  } else {
-    all["width"] = number(section.width);
-    all["height"] = number(section.height);
-  }
-  if (section.shape == SectionShape::RoundTube) all["inner_radius"] = number(section.inner_radius);
-  if (section.shape == SectionShape::RectangularTube) {
-    all["inner_width"] = number(section.inner_width);
-    all["inner_height"] = number(section.inner_height);
+  const SectionKind& kind = section_kind(section);
+  Json all = {{"shape", kind.word()}};
+  if (!section.name.empty()) all["name"] = section.name;
+  Setup setup;
+  setup.scene.section = section;
+  for (const Field& field : kind.dimensions()) {
+    const std::string_view key = field.path.substr(field.path.find('.') + 1);
+    all[std::string(key)] = number(std::get<double>(field.get(setup)));
   }
   return all;
 }

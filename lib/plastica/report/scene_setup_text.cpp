@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "plastica/model/section_kind.hpp"
 #include "plastica/report/scene_facts.hpp"
 #include "plastica/report/scene_words.hpp"
 
@@ -18,22 +19,9 @@ namespace {
 constexpr std::size_t kMostListed = 4;  ///< of supports, loads and regions
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 
-std::string in_mm(double length) { return fmt::format("{:.4g}", 1e3 * length); }
-
 std::string section_label(const Section& section) {
-  switch (section.shape) {
-    case SectionShape::Rectangle:
-      return fmt::format("rectangle, {} x {} mm", in_mm(section.width), in_mm(section.height));
-    case SectionShape::Circle: return fmt::format("circle, radius {} mm", in_mm(section.radius));
-    case SectionShape::RoundTube:
-      return fmt::format("round tube, radius {} mm, inside {} mm", in_mm(section.radius),
-                         in_mm(section.inner_radius));
-    case SectionShape::RectangularTube:
-      return fmt::format("rectangular tube, {} x {} mm, inside {} x {} mm", in_mm(section.width),
-                         in_mm(section.height), in_mm(section.inner_width),
-                         in_mm(section.inner_height));
-  }
-  return {};
+  const std::string label = section_kind(section).label(section);
+  return section.name.empty() ? label : printable(section.name) + ", " + label;
 }
 
 std::string stress_label(double stress, bool modulus) {

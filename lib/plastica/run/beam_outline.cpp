@@ -3,14 +3,11 @@
 #include <algorithm>
 
 #include "plastica/chain/joint_numbers.hpp"
+#include "plastica/model/section_kind.hpp"
 #include "plastica/run/chain_model.hpp"
 
 namespace plastica {
 namespace {
-
-bool is_round(const Section& section) {
-  return section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
-}
 
 /// What the joints of a level stand for; an end without a joint, what the segment there does.
 template <class L>
@@ -65,7 +62,7 @@ BeamOutline beam_outline(const Model& model) {
     const chain::PartForm& part = parts[chain.part_of_segment[i]];
     outline.width.push_back(2.0 * part.properties.outer_distance_y);
     outline.height.push_back(2.0 * part.properties.outer_distance_x);
-    outline.round.push_back(is_round(*part.section) ? 1 : 0);
+    outline.round.push_back(section_kind(*part.section).round() ? 1 : 0);
   }
   switch (chain.level) {
     case Level::Twist: add_joints<chain::Twist<double>>(chain, parts, {}, outline); break;

@@ -6,6 +6,7 @@
 
 #include "plastica/chain/axial.hpp"
 #include "plastica/law/gauge_form.hpp"
+#include "plastica/model/section_kind.hpp"
 #include "plastica/run/chain_body.hpp"
 #include "plastica/run/chain_laws.hpp"
 
@@ -38,7 +39,7 @@ inline WatchedJoint watched_joint(const Scene& scene, const chain::Layout& layou
   joint.begin = node == 0 ? at : at - 0.5 * layout.segment_length[node - 1];
   joint.end = node == n ? at : at + 0.5 * layout.segment_length[node];
   joint.length = layout.joint_length[node];
-  joint.round = is_round(*part.section);
+  joint.round = section_kind(*part.section).round();
   joint.width = 2.0 * part.properties.outer_distance_y;
   joint.height = 2.0 * part.properties.outer_distance_x;
   joint.shear_lever = part.properties.torsion_constant / part.properties.torsion_modulus;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "plastica/model/section_kind.hpp"
 #include "plastica/run/chain_record.hpp"
 
 /// What the probes of a chain record.
@@ -22,13 +23,9 @@ inline double component_of(const Vec<double, 3>& v, Component component) {
   return 0.0;
 }
 
-inline bool is_round(const Section& section) {
-  return section.shape == SectionShape::Circle || section.shape == SectionShape::RoundTube;
-}
-
 /// The largest over the section of a strain or stress with these parts of bending about x and y.
 inline double bending_together(const Section& section, double by_x, double by_y) {
-  return is_round(section) ? std::hypot(by_x, by_y) : std::fabs(by_x) + std::fabs(by_y);
+  return section_kind(section).round() ? std::hypot(by_x, by_y) : std::fabs(by_x) + std::fabs(by_y);
 }
 
 }  // namespace detail

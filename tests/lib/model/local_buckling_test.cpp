@@ -10,7 +10,7 @@
 namespace plastica {
 namespace {
 
-using model_detail::tube_wall;
+using model_detail::worst_wall;
 
 Material steel(double yield_stress) {
   Material material;
@@ -39,7 +39,7 @@ Section box(double width, double height, double wall) {
 
 int class_of(const Section& section, double yield_stress, bool about_x = true,
              bool about_y = false) {
-  return tube_wall(section, steel(yield_stress), about_x, about_y)->section_class;
+  return worst_wall(section, steel(yield_stress), about_x, about_y)->section_class;
 }
 
 TEST(TubeWall, IsOfTheClassOfItsDiameterOverThickness) {
@@ -59,8 +59,8 @@ TEST(TubeWall, IsOfTheClassOfItsDiameterOverThickness) {
 TEST(TubeWall, OfAnotherMaterialHasItsModulusInTheLimits) {
   Material aluminium = steel(235e6);
   aluminium.youngs_modulus = 70e9;  // e^2 = 1/3
-  EXPECT_EQ(tube_wall(round_tube(0.016, 0.001), aluminium, true, false)->section_class, 1);
-  EXPECT_EQ(tube_wall(round_tube(0.031, 0.001), aluminium, true, false)->section_class, 4);
+  EXPECT_EQ(worst_wall(round_tube(0.016, 0.001), aluminium, true, false)->section_class, 1);
+  EXPECT_EQ(worst_wall(round_tube(0.031, 0.001), aluminium, true, false)->section_class, 4);
 }
 
 TEST(TubeWall, OfABoxIsThatOfTheWallThatDecides) {
@@ -78,7 +78,7 @@ TEST(TubeWall, OfABoxIsThatOfTheWallThatDecides) {
   EXPECT_EQ(class_of(box(0.034, 0.070, 0.001), 235e6, true, true), 4);
 }
 
-TEST(TubeWall, IsOfTubesAlone) { EXPECT_FALSE(tube_wall({}, steel(355e6), true, false)); }
+TEST(TubeWall, IsOfTubesAlone) { EXPECT_FALSE(worst_wall({}, steel(355e6), true, false)); }
 
 bool warns(const Scene& scene, const std::string& text) {
   for (const std::string& warning : scene_warnings(scene, {})) {
