@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
                "4: beam.section.width = -20 mm: must be above 0 m"),
         change("UnknownKeyOfSection", "height", "depth",
                "4: beam.section.depth = '20 mm': is not a key of beam.section; its keys are "
-               "shape, …"),
+               "profile, shape, …"),
         change("UnknownMaterial", "S355", "S3555",
                "5: beam.material = S3555: must be one of S235, S275, S355, …"),
         change("NoSegments", "segments = 8", "segments = 0",

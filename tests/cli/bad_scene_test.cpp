@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
              "5: section.profile = IPE 210: is no profile that is known: IPE 80 to 600, HEA 100 to "
              "1000, HEB 100 to 1000"),
         edit("ProfileWithAHeight", "shape = 'rectangle'\nwidth = '20 mm'", "profile = 'IPE 200'",
-             "6: section.height = '40 mm': does not go with profile, which has all dimensions: "
+             "6: section.height = 40 mm: does not go with profile, which has all dimensions: "
              "leave one"),
         edit("ISectionWithoutFlanges", "'rectangle'", "'i_section'",
              "4: section.flange_thickness: is missing: shape = \"i_section\" needs it"),

@@ -87,10 +87,10 @@ void read_section(const TomlValue& value, Setup& setup) {
     section.name.clear();
   }
   const SectionKind& kind = section_kind(section);
-  if (!kind.needs_all() || &kind == &before) return;
+  if (&kind == &before) return;
   for (const Field& field : kind.dimensions()) {
     const std::string_view key = field.path.substr(field.path.find('.') + 1);
-    if (table.contains(key) || field.range.contains(0.0)) continue;
+    if (table.contains(key) || !kind.needs(field)) continue;
     throw InputError(value.where(), "section." + std::string(key), "",
                      "is missing: shape = \"" + std::string(kind.word()) + "\" needs it");
   }

@@ -46,14 +46,17 @@ void write_regions(Hdf5Group& group, const std::vector<Region>& regions) {
   std::vector<double> from;
   std::vector<double> to;
   std::vector<std::string> names;
+  std::vector<std::string> profiles;
   for (const Region& region : regions) {
     from.push_back(region.from.fraction);
     to.push_back(region.to.fraction);
     names.push_back(region.material.name);
+    profiles.push_back(region.section.name);
   }
   group.write("from", from, {"1"});
   group.write("to", to, {"1"});
   group.write_texts("material/name", names);
+  group.write_texts("section/name", profiles);
   for (const Field& field : fields()) {
     if (!is_of_region(field)) continue;
     std::vector<std::string> words;
@@ -81,11 +84,16 @@ std::vector<Region> read_regions(const Hdf5Group& group) {
       checked(group, "to", read_numbers<double>(group, "to", kRegionRules), from.size());
   const auto names =
       checked(group, "material/name", group.read_texts("material/name"), from.size());
+  std::vector<std::string> profiles(from.size());
+  if (group.exists("section/name")) {
+    profiles = checked(group, "section/name", group.read_texts("section/name"), from.size());
+  }
   std::vector<Setup> setups(from.size());
   const SourceLocation where{group.file(), 0};
   for (const Field& field : fields()) {
-    if (!is_of_region(field)) continue;
     const std::string path = column_of(field);
+    // What an older version did not know has its default, which is how that version ran.
+    if (!is_of_region(field) || !group.exists(path)) continue;
     if (field.kind == FieldKind::Choice) {
       const auto words = checked(group, path, group.read_texts(path), from.size());
       for (std::size_t i = 0; i < words.size(); ++i) set_field(setups[i], field, words[i], where);
@@ -100,6 +108,7 @@ std::vector<Region> read_regions(const Hdf5Group& group) {
   std::vector<Region> regions;
   for (std::size_t i = 0; i < from.size(); ++i) {
     setups[i].scene.material.name = names[i];
+    setups[i].scene.section.name = profiles[i];
     regions.push_back(
         {{from[i], {}}, {to[i], {}}, setups[i].scene.section, setups[i].scene.material});
   }

@@ -196,6 +196,8 @@ void read_setup(const Hdf5Group& group, Setup& setup) {
   const SourceLocation where{group.file(), 0};
   for (const Field& field : fields()) {
     const std::string path = setup_path(field);
+    // What an older version did not know has its default, which is how that version ran.
+    if (!group.exists(path)) continue;
     FieldValue value;
     if (group.kind(path) == Hdf5Kind::Text) {
       value = group.read_text(path);

@@ -205,6 +205,7 @@ void walk(Store& store, Record& record) {
   auto& scene = record.setup.scene;
   store.text("scene/name", scene.name);
   store.text("scene/material", scene.material.name);
+  store.text("scene/section", scene.section.name);
   store.word("scene/level", record.level, choices_of("solver.level"));
   store.text("scene/level_reason", record.level_reason);
   store.texts("scene/warnings", record.warnings);

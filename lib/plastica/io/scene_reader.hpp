@@ -22,7 +22,10 @@ class SceneReader {
 
   explicit SceneReader(const Hdf5Group& root) : root_(root) {}
 
-  void text(std::string_view path, std::string& text) { text = root_.read_text(path); }
+  /// What an older version did not write is left empty.
+  void text(std::string_view path, std::string& text) {
+    if (root_.exists(path)) text = root_.read_text(path);
+  }
   void texts(std::string_view path, std::vector<std::string>& texts) {
     texts = root_.read_texts(path);
   }

@@ -106,17 +106,19 @@ class ISection final : public SectionKind {
     static constexpr std::array<Field, 5> kFields{
         kSectionWidth, kSectionHeight,
         number<PLASTICA_REACH(scene.section.flange_thickness)>("section.flange_thickness",
-                                                               Dimension::Length, kPositive,
+                                                               Dimension::Length, kNotNegative,
                                                                "of both flanges of an I-section"),
         number<PLASTICA_REACH(scene.section.web_thickness)>(
-            "section.web_thickness", Dimension::Length, kPositive,
+            "section.web_thickness", Dimension::Length, kNotNegative,
             "of an I-section, whose web is along y"),
         number<PLASTICA_REACH(scene.section.fillet_radius)>(
             "section.fillet_radius", Dimension::Length, kNotNegative,
             "between flanges and web of an I-section; 0: none")};
     return kFields;
   }
-  bool needs_all() const override { return true; }
+  bool needs(const Field& dimension) const override {
+    return dimension.path != "section.fillet_radius";
+  }
   std::string label(const Section& s) const override {
     std::string text = "I-section, " + sides_in_mm(s.width, s.height) + ", flanges " +
                        in_mm(s.flange_thickness) + " mm, web " + in_mm(s.web_thickness) + " mm";

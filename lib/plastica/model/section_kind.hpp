@@ -67,8 +67,8 @@ class SectionKind {
   virtual std::string_view word() const = 0;
   /// Its dimensions, as files name them. Shapes may share some.
   virtual std::span<const Field> dimensions() const = 0;
-  /// Whether a file that names the shape must give all of them that have no default.
-  virtual bool needs_all() const { return false; }
+  /// Whether a file that names the shape must give one of its dimensions, which has no default.
+  virtual bool needs(const Field& /*dimension*/) const { return false; }
   /// What it is, in a few words, with its dimensions in mm.
   virtual std::string label(const Section& section) const = 0;
 

@@ -14,33 +14,35 @@ class ByNumbers final : public SectionKind {
   std::span<const Field> dimensions() const override {
     using enum Dimension;
     static constexpr std::array<Field, 10> kFields{
-        number<PLASTICA_REACH(scene.section.numbers.area)>("section.area", Area, kPositive,
+        number<PLASTICA_REACH(scene.section.numbers.area)>("section.area", Area, kNotNegative,
                                                            "numbers: A"),
         number<PLASTICA_REACH(scene.section.numbers.second_moment_x)>(
-            "section.second_moment_x", SecondMoment, kPositive, "numbers: I_x"),
+            "section.second_moment_x", SecondMoment, kNotNegative, "numbers: I_x"),
         number<PLASTICA_REACH(scene.section.numbers.second_moment_y)>(
-            "section.second_moment_y", SecondMoment, kPositive, "numbers: I_y"),
+            "section.second_moment_y", SecondMoment, kNotNegative, "numbers: I_y"),
         number<PLASTICA_REACH(scene.section.numbers.section_modulus_x)>(
-            "section.section_modulus_x", SectionModulus, kPositive, "numbers: W_x, at first yield"),
+            "section.section_modulus_x", SectionModulus, kNotNegative,
+            "numbers: W_x, at first yield"),
         number<PLASTICA_REACH(scene.section.numbers.section_modulus_y)>(
-            "section.section_modulus_y", SectionModulus, kPositive, "numbers: W_y, at first yield"),
+            "section.section_modulus_y", SectionModulus, kNotNegative,
+            "numbers: W_y, at first yield"),
         number<PLASTICA_REACH(scene.section.numbers.plastic_section_modulus_x)>(
-            "section.plastic_section_modulus_x", SectionModulus, kPositive,
+            "section.plastic_section_modulus_x", SectionModulus, kNotNegative,
             "numbers: Z_x, when all yields"),
         number<PLASTICA_REACH(scene.section.numbers.plastic_section_modulus_y)>(
-            "section.plastic_section_modulus_y", SectionModulus, kPositive,
+            "section.plastic_section_modulus_y", SectionModulus, kNotNegative,
             "numbers: Z_y, when all yields"),
         number<PLASTICA_REACH(scene.section.numbers.torsion_constant)>(
-            "section.torsion_constant", SecondMoment, kPositive, "numbers: J"),
+            "section.torsion_constant", SecondMoment, kNotNegative, "numbers: J"),
         number<PLASTICA_REACH(scene.section.numbers.torsion_modulus)>(
-            "section.torsion_modulus", SectionModulus, kPositive,
+            "section.torsion_modulus", SectionModulus, kNotNegative,
             "numbers: W_t, torque over shear stress at first yield"),
         number<PLASTICA_REACH(scene.section.numbers.plastic_torsion_modulus)>(
-            "section.plastic_torsion_modulus", SectionModulus, kPositive,
+            "section.plastic_torsion_modulus", SectionModulus, kNotNegative,
             "numbers: torque over shear stress when all yields")};
     return kFields;
   }
-  bool needs_all() const override { return true; }
+  bool needs(const Field& /*dimension*/) const override { return true; }
   std::string label(const Section& s) const override {
     return "given by its numbers, A " + number_text(1e6 * s.numbers.area) + " mm^2, I_x " +
            number_text(1e12 * s.numbers.second_moment_x) + " mm^4, I_y " +

@@ -89,6 +89,10 @@ std::string unstable_line(const Response& response) {
     line += fmt::format(", and {} more up to factor {:.5g}", counted(more, "time"),
                         critical.factor.back());
   }
+  if (response.limit) {
+    line += fmt::format("; no equilibrium beyond factor {:.5g} (none found at {:.5g})",
+                        response.limit->below, response.limit->above);
+  }
   return line;
 }
 

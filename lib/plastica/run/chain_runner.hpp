@@ -53,8 +53,9 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   void note_break(const Work& w);
   // Out of the plane of a planar chain: look_beside.hpp.
   bool has_space_beside();
-  void see(const chain::Coordinates<L>& q, double time);
-  void look_beside(const chain::Coordinates<L>& q, double time);
+  using SectionForces = std::vector<law::SectionForce<typename L::Scalar>>;
+  void see(const chain::Coordinates<L>& q, double time, const SectionForces* forces);
+  void look_beside(const chain::Coordinates<L>& q, double time, const SectionForces& forces);
 
   ChainBody<L, kElastic> body_;
   solve::PathOptions options_;
@@ -72,9 +73,10 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   chain::Coordinates<L> stable_;
   double stable_time_ = 0.0;
   bool has_stable_ = false;
-  int ways_beside_ = 0;     ///< as known last
-  double looked_at_ = 0.0;  ///< time of the last look out of the plane
-  double last_time_ = 0.0;  ///< of the last step
+  int ways_beside_ = 0;        ///< as known last
+  double looked_at_ = 0.0;     ///< time of the last look out of the plane
+  double last_time_ = 0.0;     ///< of the last step
+  SectionForces last_forces_;  ///< there, of a planar chain that has yielded
   MaterialValues<double> beside_material_{};
   PlanarEquilibrium seen_;
 };

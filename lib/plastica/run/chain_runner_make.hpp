@@ -106,7 +106,7 @@ template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::finish() {
   Response& response = *response_;
   bool cut_short = false;
-  if (response.samples > 0) look_beside(committed_, last_time_);
+  if (response.samples > 0) look_beside(committed_, last_time_, last_forces_);
   if (leaves_plane_ && !is_raised(hooks_->stop)) {
     // The path once more, with an eye on where that begins.
     asks_beside_ = true;
@@ -199,7 +199,7 @@ bool ChainRunner<L, kElastic>::find_modes() {
     OutOfPlane* beside = nullptr;
     if (has_space_beside() && beside_->has_potential()) {
       const double reach = stable_time_ > 0.0 ? stable_time_ : options_.stops.back();
-      see(stable_, stable_time_);
+      see(stable_, stable_time_, nullptr);
       beside_->let_forces_grow(seen_, reach);
       beside = beside_.get();
     }
@@ -242,6 +242,7 @@ bool ChainRunner<L, kElastic>::accept(const Work& w) {
   body_.record.add_work(w);
   has_yielded_ = has_yielded_ || yields();
   last_time_ = w.time;
+  if (L::kTranslations == 2 && has_yielded_) last_forces_ = body_.joints->section_forces();
   if (body_.model.options.buckling > 0 && walker_->known_ways() == 0 && !has_yielded_) {
     stable_ = w.q;
     stable_time_ = w.time;
@@ -269,7 +270,7 @@ bool ChainRunner<L, kElastic>::record(const Work& w) {
   response_->chain.iterations[response_->samples] = walker_->counters().iterations;
   ++response_->samples;
   if (solve::is_corner(body_.build.chain, w.time, 1e-9 * options_.stops.back()))
-    look_beside(w.q, w.time);
+    look_beside(w.q, w.time, body_.joints->section_forces());
   return response_->samples < body_.model.samples;
 }
 

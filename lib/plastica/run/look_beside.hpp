@@ -60,21 +60,50 @@ bool ChainRunner<L, kElastic>::has_space_beside() {
   }
 }
 
+/// @param forces  of the joints' sections there, if any may have yielded
 template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::see(const chain::Coordinates<L>& q, double time) {
+void ChainRunner<L, kElastic>::see(const chain::Coordinates<L>& q, double time,
+                                   const SectionForces* forces) {
   detail::see_in_space(body_.build.chain, body_.view, q, time, body_.work.closed, seen_);
+  seen_.elastic.clear();
+  seen_.ground_node.clear();
+  if (forces == nullptr || (!has_yielded_ && !yields())) return;
+  const auto axes = body_.view.section_axes();
+  const auto elastic = [&](std::size_t joint, std::size_t axis) {
+    const auto& numbers = body_.joints->joints()[joint];
+    return (*forces)[joint][axis] * numbers.length[axis] / numbers.stiffness[axis];
+  };
+  const auto add = [&](std::size_t joint) {
+    typename L::Spin angle;
+    for (std::size_t k = 0; k < L::kRotations; ++k) angle[k] = elastic(joint, axes.rotation(k));
+    seen_.elastic.push_back(detail::doubles(body_.view.spin_in_space(angle)));
+  };
+  const auto& chain = body_.build.chain;
+  for (std::size_t j = 0; j < chain.size(); ++j) add(j);
+  for (const auto& ground : chain.ground_joints) {
+    add(ground.joint);
+    seen_.ground_node.push_back(ground.node);
+  }
+  if constexpr (kElastic) {
+    constexpr std::size_t kAlong = std::decay_t<decltype(axes)>::kAxialShift;
+    for (std::size_t j = 0; j < q.shift.size(); ++j) {
+      typename L::Point shift = q.shift[j];
+      shift[kAlong] = elastic(j, 3);
+      seen_.shift[j] = detail::doubles(body_.view.point_in_space(shift));
+    }
+  }
 }
 
-/// Looks whether the plane is left at an equilibrium. What has yielded has no elastic tangent.
+/// Looks whether the plane is left at an equilibrium.
 template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::look_beside(const chain::Coordinates<L>& q, double time) {
+void ChainRunner<L, kElastic>::look_beside(const chain::Coordinates<L>& q, double time,
+                                           const SectionForces& forces) {
   if constexpr (L::kTranslations == 2) {
     // At time 0 little acts; what acts is there later, too.
-    const bool known =
-        asks_beside_ || leaves_plane_ || has_yielded_ || !(time > looked_at_ || time < looked_at_);
+    const bool known = asks_beside_ || leaves_plane_ || !(time > looked_at_ || time < looked_at_);
     if (known || !has_space_beside()) return;
     looked_at_ = time;
-    see(q, time);
+    see(q, time, &forces);
     leaves_plane_ = beside_->ways(seen_) > 0;
   }
 }
@@ -82,9 +111,8 @@ void ChainRunner<L, kElastic>::look_beside(const chain::Coordinates<L>& q, doubl
 template <class L, bool kElastic>
 int ChainRunner<L, kElastic>::ways_beside(const Work& w) {
   if constexpr (L::kTranslations == 2) {
-    // Once it has yielded, what was known stays.
-    if (!asks_beside_ || has_yielded_ || yields() || !has_space_beside()) return ways_beside_;
-    see(w.q, w.time);
+    if (!asks_beside_ || !has_space_beside()) return ways_beside_;
+    see(w.q, w.time, &body_.joints->section_forces());
     ways_beside_ = beside_->ways(seen_);
     return ways_beside_;
   } else {
@@ -95,8 +123,8 @@ int ChainRunner<L, kElastic>::ways_beside(const Work& w) {
 template <class L, bool kElastic>
 double ChainRunner<L, kElastic>::log_determinant_beside(const Work& w) {
   if constexpr (L::kTranslations == 2) {
-    if (!asks_beside_ || has_yielded_ || yields() || !has_space_beside()) return 0.0;
-    see(w.q, w.time);
+    if (!asks_beside_ || !has_space_beside()) return 0.0;
+    see(w.q, w.time, &body_.joints->section_forces());
     return beside_->log_determinant(seen_);
   } else {
     return 0.0;
@@ -107,7 +135,7 @@ template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::note_mode(bool out_of_plane, Work& w, std::vector<double>& mode) {
   if constexpr (L::kTranslations == 2) {
     if (out_of_plane) {
-      see(w.q, w.time);
+      see(w.q, w.time, &body_.joints->section_forces());
       beside_->add_mode(seen_, mode);
       return;
     }

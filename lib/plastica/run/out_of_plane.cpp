@@ -168,6 +168,24 @@ class SpatialTangent final : public OutOfPlane {
       work_.closed[k] = !work_.q.released_closure[k];
     }
     solve::detail::assemble(build_.chain, *joints_, work_);
+    if (!at.elastic.empty()) unload(at);
+  }
+
+  /// What has yielded carries the moments of its elastic angles.
+  void unload(const PlanarEquilibrium& at) {
+    const std::size_t n = build_.chain.size();
+    for (std::size_t i = 0; i < n; ++i) work_.angles[i].at = at.elastic[i];
+    for (const auto& joint : build_.chain.ground_joints) {
+      for (std::size_t k = 0; k < at.ground_node.size(); ++k) {
+        if (at.ground_node[k] == joint.node) work_.angles[joint.joint].at = at.elastic[n + k];
+      }
+    }
+    joints_->evaluate(work_.angles, work_.q.shift, work_.joints);
+    chain::gather_forces(
+        build_.chain, work_.q, work_.placement, work_.stage, work_.joints,
+        [&](std::size_t history) { return build_.chain.histories[history].at(work_.time); },
+        work_.outer_forces);
+    solve::detail::set_closures(build_.chain, work_);
   }
 
   void factor_assembled() {

@@ -22,13 +22,17 @@ struct PlanarEquilibrium {
   double time = 0.0;
   std::vector<std::array<double, 3>> angle;  ///< rotation vectors of the joints (N)
   std::vector<std::array<double, 3>> shift;  ///< of elastic joints, in their axes (N), or empty
-  std::array<double, 3> root{};              ///< free translation of the start [m]
-  std::vector<Held> held;                    ///< closures
+  /// Where joints have yielded, the elastic part of the angles; else empty.
+  std::vector<std::array<double, 3>> elastic;  ///< of the joints (N), then at `ground_node`
+  std::vector<std::size_t> ground_node;        ///< of joints to the ground: their segment ends
+  std::array<double, 3> root{};                ///< free translation of the start [m]
+  std::vector<Held> held;                      ///< closures
 };
 
 /// Whether a planar chain would leave its plane: the elastic spatial tangent about its equilibria,
 /// of which only the freedoms out of the plane are looked at; at a planar state they go with
-/// none of the others. README.md, Stability.
+/// none of the others. Joints that have yielded are no stiffer than that: what leaves the plane
+/// with it leaves it, and may have done so before. README.md, Stability.
 class OutOfPlane {
  public:
   virtual ~OutOfPlane() = default;

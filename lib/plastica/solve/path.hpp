@@ -76,7 +76,8 @@ class PathWalker {
 
   /// How the path has ended.
   Status status() const {
-    const bool at_end = status_ == Status::Completed || status_ == Status::Broken;
+    const bool at_end =
+        status_ == Status::Completed || status_ == Status::Broken || bifurcated_before_limit();
     return at_end && unstable_ ? Status::Unstable : status_;
   }
 
@@ -107,6 +108,13 @@ class PathWalker {
 
   static bool finite(const NewtonOutcome<S>& outcome) {
     return std::isfinite(outcome.imbalance[static_cast<std::size_t>(outcome.iterations)]);
+  }
+
+  /// Whether it lost its stability before it came to its limit load: at that itself, the count may
+  /// change within rounding.
+  bool bifurcated_before_limit() const {
+    return status_ == Status::LimitLoad && limit_ && !critical_.above.empty() &&
+           critical_.above.front() < (1.0 - kCriticalWidth) * limit_->below;
   }
 
   void restore() {

@@ -37,7 +37,9 @@ TEST(ISectionFibres, KeepAreaAndMomentsWhateverTheirNumber) {
       EXPECT_NEAR(second / (about_y ? p.second_moment_y : p.second_moment_x), 1.0, 1e-12);
       EXPECT_NEAR(plastic / (about_y ? p.plastic_section_modulus_y : p.plastic_section_modulus_x),
                   1.0, 1e-12);
-      if (plane == FibrePlane::Both) EXPECT_NEAR(across / p.second_moment_y, 1.0, 1e-12);
+      if (plane == FibrePlane::Both) {
+        EXPECT_NEAR(across / p.second_moment_y, 1.0, 1e-12);
+      }
     }
   }
 }

@@ -185,7 +185,8 @@ TEST(CheckRules, RefuseWhatTheReportDoesNotHave) {
               s.regions.push_back({Place::start(), Place::end(), s.section, s.material});
               s.regions[0].section.shape = SectionShape::RoundTube;
             }),
-            "rules.formulas = report: the report has no formulas for tubes");
+            "rules.formulas = report: the report has formulas for rectangles and circles, none for "
+            "round_tube");
   EXPECT_EQ(report([](Scene& s) { s.yield_cap = YieldCap::FullyPlastic; }),
             "rules.yield_cap = fully_plastic: the report's caps are at first yield");
   EXPECT_EQ(report([](Scene& s) { s.beam.segments = 1; }),

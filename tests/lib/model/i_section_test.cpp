@@ -190,7 +190,7 @@ TEST(SectionNumbers, AreTakenAsTheyAreAndChecked) {
   EXPECT_NEAR(p.outer_distance_x, 0.1, 1e-12);
   EXPECT_EQ(p.torsion_constant, i.torsion_constant);
   Section mistyped = s;
-  mistyped.numbers.second_moment_x *= 10.0;  // cm^4 for mm^4 is off by far more
+  mistyped.numbers.section_modulus_x *= 10.0;  // too near to its area for so large an I_x
   EXPECT_THROW(check_section(mistyped), InputError);
   Section weak = s;
   weak.numbers.plastic_section_modulus_y = 0.9 * weak.numbers.section_modulus_y;

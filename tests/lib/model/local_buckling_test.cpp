@@ -1,5 +1,7 @@
 #include "plastica/model/local_buckling.hpp"
 
+#include "plastica/model/profile_table.hpp"
+
 #include <gtest/gtest.h>
 
 #include "plastica/model/scene_warnings.hpp"
@@ -78,6 +80,16 @@ TEST(TubeWall, OfABoxIsThatOfTheWallThatDecides) {
   EXPECT_EQ(class_of(box(0.034, 0.070, 0.001), 235e6, true, true), 4);
 }
 
+/// EN 1993-1-1, table 5.2, with the values that section catalogues print: of S355 in bending, HEA
+/// 180, 200, 260 and 300 are of class 2 or 3 by their flanges, IPE 200 of class 1.
+TEST(WallClass, OfProfilesIsThatOfTheCatalogues) {
+  EXPECT_EQ(class_of(named_profile("IPE 200"), 355e6), 1);
+  EXPECT_EQ(class_of(named_profile("HEB 300"), 355e6), 1);
+  EXPECT_EQ(class_of(named_profile("HEA 200"), 355e6), 2);
+  EXPECT_EQ(class_of(named_profile("HEA 260"), 355e6), 3);
+  EXPECT_EQ(class_of(named_profile("HEA 260"), 235e6), 1);
+}
+
 TEST(TubeWall, IsOfTubesAlone) { EXPECT_FALSE(worst_wall({}, steel(355e6), true, false)); }
 
 bool warns(const Scene& scene, const std::string& text) {
@@ -117,7 +129,7 @@ TEST(ThinWall, OfARegionIsNamed) {
   region.to = {0.5, {}};
   region.section = round_tube(0.1, 0.0001);
   scene.regions = {region};
-  EXPECT_TRUE(warns(scene, "the tube of region[1] is thin"));
+  EXPECT_TRUE(warns(scene, "the section of region[1] is thin"));
 }
 
 TEST(FirstYield, IsWarnedOfWithTheShapeFactorWhereTheCapIsThatOfFirstYield) {

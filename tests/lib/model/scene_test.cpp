@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "plastica/model/section_kind.hpp"
 #include "tests/support/message.hpp"
 
 namespace plastica {
@@ -49,7 +50,9 @@ TEST(CheckScene, RefusesWhatTheReportHasNoFormulasFor) {
                 s.formulas = Formulas::Report;
                 s.section.shape = shape;
               }),
-              "rules.formulas = report: the report has no formulas for tubes");
+              "rules.formulas = report: the report has formulas for rectangles and circles, none "
+              "for " +
+                  std::string(section_kind(shape).word()));
   }
   EXPECT_EQ(error_of([](Scene& s) {
               s.formulas = Formulas::Report;

@@ -64,7 +64,9 @@ TEST(BoxTorsion, ShearOfAThinWallIsBredts) {
   const BoxDimensions box{1.0, 0.6, 0.98, 0.57};
   const double side = 0.99 * 0.585;
   const double flow = 2.0 * side / (2.0 * 0.99 / 0.015 + 2.0 * 0.585 / 0.01);
-  const auto shear = box_shear(box, {{0.3, 0.2925}, {-0.3, -0.2925}, {0.495, 0.1}, {-0.495, 0.1}});
+  const std::vector<std::array<double, 2>> points{
+      {0.3, 0.2925}, {-0.3, -0.2925}, {0.495, 0.1}, {-0.495, 0.1}};
+  const auto shear = box_shear(box, points);
   EXPECT_NEAR(shear[0], flow / 0.015, 0.02 * flow / 0.015);
   EXPECT_NEAR(shear[2], flow / 0.01, 0.02 * flow / 0.01);
   EXPECT_EQ(shear[0], shear[1]);
