@@ -62,6 +62,9 @@ void note_supports(const Scene& scene, const std::vector<EngineSegment>& segment
     if (support.kind == SupportKind::Pillar) {
       beam.notes.push_back(place() + " is a pillar that only pushes: left out");
     }
+    if (support.kind == SupportKind::InclinedRoller) {
+      beam.notes.push_back(place() + " holds along its normal alone: left out");
+    }
     if (support.kind == SupportKind::Elastic) {
       beam.notes.push_back(place() + " has springs to the ground: left out");
     }

@@ -201,6 +201,18 @@ INSTANTIATE_TEST_SUITE_P(
                "rotational_stiffness = ['1 N/m', '0 N/m', '0 N/m']",
                "16: support[2].rotational_stiffness[1] = 1 N/m: \"N/m\" is not a unit of "
                "rotational stiffness (examples: N m/rad, kN m/deg)"),
+        change("BedThatEndsWhereItBegins", "at = 0.5\n", "at = 0.5\nto = 0.5\n",
+               "16: support[2].stiffness[1] = 0 N/m: …"),
+        change("BedThatRunsBack",
+               "at = 0.5\nkind = 'elastic'\nstiffness = ['0 N/m', '1 kN/m', '0 N/m']",
+               "at = 0.5\nto = 0.25\nkind = 'elastic'\nstiffness = ['0 Pa', '1 kPa', '0 Pa']",
+               "15: support[2].to = 0.25: must lie beyond at = 0.5"),
+        change("ClampOverALength", "kind = 'clamp'", "kind = 'clamp'\nto = 0.25",
+               "13: support[1].to = 0.25: belongs to kind = \"elastic\""),
+        change("InclinedRollerWithoutANormal", "'clamp'", "'inclined_roller'",
+               "10: support[1].normal: is missing"),
+        change("ClampWithANormal", "'clamp'", "'clamp'\nnormal = 'y'",
+               "13: support[1].normal = 'y': belongs to kind = \"pillar\" or \"inclined_roller\""),
         change("WithAGapOfAClamp", "'clamp'", "'clamp'\ngap = '1 mm'",
                "13: support[1].gap = 1 mm: belongs to kind = \"pillar\""),
         add("PillarWithANegativeGap", "[[support]]\nat = 'end'\nkind = 'pillar'\ngap = '-1 mm'\n",
@@ -243,9 +255,30 @@ INSTANTIATE_TEST_SUITE_P(
         change("OfUnknownKey", "history", "direction = 'y'\nhistory",
                "20: load[1].direction = 'y': is not a key of load[1]; its keys are at, to, force, "
                "moment, follows, history"),
-        change("OfUnknownHistory", "'ramp'", "'step'",
-               "20: load[1].history = step: must be \"ramp\", \"constant\", { cycles }, "
-               "{ turning_points } or { time, factor }"),
+        change(
+            "OfUnknownHistory", "'ramp'", "'step'",
+            "20: load[1].history = step: must be \"ramp\", \"constant\", { cycles }, "
+            "{ turning_points }, { time, factor }, { smooth_step }, { period, cycles } or { table, "
+            "time, factor }"),
+        change("OfASineWithoutEnd", "'ramp'", "{ period = '1 s' }",
+               "20: load[1].history.cycles: is missing"),
+        change(
+            "OfASineInMetres", "'ramp'", "{ period = '1 m', cycles = 3 }",
+            "20: load[1].history.period = 1 m: \"m\" is not a unit of time (examples: s, min, h)"),
+        change("OfASineOfNoTime", "'ramp'", "{ period = '0 s', cycles = 3 }",
+               "20: load[1].history.period = 0 s: must be above 0 s"),
+        change("OfASineWithAnAmplitude", "'ramp'", "{ period = '1 s', cycles = 3, amplitude = 2 }",
+               "20: load[1].history.amplitude = 2: is not a key of load[1].history; its keys are "
+               "period, cycles, phase, offset"),
+        change("OfAStepBackInTime", "'ramp'", "{ smooth_step = ['2 s', '1 s'] }",
+               "20: load[1].history.smooth_step = ['2 s', '1 s']: must be two times, from and to, "
+               "the first not before 0"),
+        change(
+            "OfNoTable", "'ramp'", "{ table = 'shaker.csv', time = 't', factor = 'a' }",
+            "20: load[1].history.table = shaker.csv: is not a file in the folder of scene.toml…"),
+        bad_scene("OfATableInKilonewtons",
+                  changed(kChainScene, "'ramp'", "{ table = 'f.csv', time = 't', factor = 'F' }"),
+                  "20: load[1].history.factor = F: …", {{"f.csv", "t [s],F [kN]\n0,0\n1,2\n"}}),
         change("OfNoCycles", "'ramp'", "{ cycles = 0 }",
                "20: load[1].history.cycles = 0: must be a whole number from 1 to 100000"),
         change("OfTwoHistories", "'ramp'", "{ cycles = 2, turning_points = [1] }",

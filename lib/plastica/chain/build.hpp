@@ -110,6 +110,10 @@ class Builder {
     const Support& support = scene_.supports[index];
     const std::size_t history = support.moves() ? add_history(support.history) : 0;
     const double share = share_of(support.at, layout_.ends);
+    if (support.to) {
+      add_bed(support, index, history, share, share_of(*support.to, layout_.ends));
+      return;
+    }
     const HeldFreedoms held = support.held();
     const bool holds = std::find(held.begin(), held.end(), true) != held.end();
     if (share == 0.0) {
@@ -119,7 +123,7 @@ class Builder {
     } else {
       add_held_point(support, index, history, share);
     }
-    if (support.kind == SupportKind::Pillar) add_pillar(support, index, share);
+    if (support.has_normal()) add_along_normal(support, index, share);
     if (support.kind == SupportKind::Elastic) add_springs(support, index, history, share);
   }
 
@@ -225,56 +229,11 @@ class Builder {
     }
   }
 
-  void add_pillar(const Support& support, std::size_t index, double share) {
-    const SegmentPoint point = segment_point(layout_, share);
-    Closure<L> closure = closure_at(index, point);
-    closure.node = node_of(point, share);
-    closure.one_sided = true;
-    closure.direction = view_.point(vector(support.normal));
-    closure.history = support.moves() ? add_history(support.history) : 0;
-    closure.motion = dot(closure.direction, view_.point(vector(support.translation)));
-    closure.target = dot(closure.direction, undeformed_point(point)) - constant<S>(support.gap);
-    build_.chain.closures.push_back(closure);
-  }
-
-  void add_springs(const Support& support, std::size_t index, std::size_t history, double share) {
-    const SegmentPoint point = segment_point(layout_, share);
-    Spring<L> spring;
-    spring.support = index;
-    spring.segment = point.segment;
-    spring.history = history;
-    spring.arm = view_.point(point.arm);
-    const std::size_t beyond = point.segment + 1;
-    const bool joins = beyond < layout_.size() && share == layout_.ends[beyond];
-    const double part = joins && (shifts_ || sees_axial_) ? 0.5 : 1.0;
-    const auto stiffness = view_.translations(six(support.stiffness, {}));
-    for (std::size_t k = 0; k < kT; ++k) spring.stiffness[k] = constant<S>(part * stiffness[k]);
-    spring.rest = undeformed_point(point);
-    spring.motion = view_.point(vector(support.translation));
-    build_.chain.springs.push_back(spring);
-    if (part < 1.0) {
-      spring.segment = beyond;
-      spring.arm = {};
-      build_.chain.springs.push_back(spring);
-    }
-    const auto turning = view_.rotations(six({}, support.rotational_stiffness));
-    if (std::none_of(turning.begin(), turning.begin() + kR, [](double k) { return k > 0.0; })) {
-      return;
-    }
-    if (share == 0.0) {
-      build_.joints[0].spring = turning;
-      return;
-    }
-    const auto motion = view_.spin(vector(support.rotation));
-    const auto add = [&](std::size_t segment, bool outer) {
-      add_ground_joint(index, history, segment, outer, {}, motion);
-      build_.joints.back().spring = turning;
-      for (double& k : build_.joints.back().spring) k *= joins ? 0.5 : 1.0;
-    };
-    add(point.segment, true);
-    // As a moment does: half on each segment, for the joint between turns with both.
-    if (joins) add(beyond, false);
-  }
+  // What acts along a normal, and springs: build_supports.hpp.
+  void add_along_normal(const Support& support, std::size_t index, double share);
+  void add_bed(const Support& support, std::size_t index, std::size_t history, double from,
+               double to);
+  void add_springs(const Support& support, std::size_t index, std::size_t history, double share);
 
   void add_load(const Load& load) {
     const std::size_t history = add_history(load.history);
@@ -392,3 +351,5 @@ class Builder {
 };
 
 }  // namespace plastica::chain
+
+#include "plastica/chain/build_supports.hpp"

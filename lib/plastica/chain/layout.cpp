@@ -94,7 +94,7 @@ void set_bare_halves(const Scene& scene, Layout& layout) {
       turned = turned || (here && load.moment != kNothing);
     }
     for (const Support& support : scene.supports) {
-      if (share_of(support.at, layout.ends) != share) continue;
+      if (support.to || share_of(support.at, layout.ends) != share) continue;
       turned = turned || support.rotational_stiffness != kNothing;
       const HeldFreedoms holds = support.held();
       for (std::size_t k = 0; k < 3; ++k) held[k] = held[k] || holds[3 + k];

@@ -28,14 +28,21 @@ Support read_support(const TomlTable& table) {
     return value;
   };
   if (const auto hold = table.find("hold")) support.hold = read_hold(*hold);
+  if (const auto to = only_of("to", SupportKind::Elastic)) support.to = read_place(*to);
   if (const auto value = only_of("stiffness", SupportKind::Elastic)) {
-    support.stiffness = read_vector(*value, Dimension::Stiffness);
+    // Of a bed force per length and way, the unit of a stress.
+    support.stiffness = read_vector(*value, support.to ? Dimension::Stress : Dimension::Stiffness);
   }
   if (const auto value = only_of("rotational_stiffness", SupportKind::Elastic)) {
     support.rotational_stiffness = read_vector(*value, Dimension::RotationalStiffness);
   }
-  if (const auto value = only_of("normal", SupportKind::Pillar)) {
+  if (const auto value = table.find("normal")) {
+    if (!support.has_normal()) {
+      throw value->error("belongs to kind = \"pillar\" or \"inclined_roller\"");
+    }
     support.normal = read_direction(*value);
+  } else if (support.kind == SupportKind::InclinedRoller) {
+    (void)table.at("normal");  // there is no usual one
   }
   if (const auto value = only_of("gap", SupportKind::Pillar)) {
     support.gap = value->quantity(Dimension::Length);

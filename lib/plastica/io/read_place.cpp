@@ -1,8 +1,11 @@
 #include "plastica/io/read_place.hpp"
 
+#include <filesystem>
 #include <limits>
 
+#include "plastica/io/csv_column.hpp"
 #include "plastica/io/read_fields.hpp"
+#include "plastica/io/read_input.hpp"
 
 namespace plastica::io {
 namespace {
@@ -12,6 +15,51 @@ History cycles(std::int64_t count) {
   for (std::int64_t i = 0; i < count; ++i) turns.insert(turns.end(), {1.0, -1.0});
   turns.push_back(0.0);
   return History::turning_points(turns);
+}
+
+/// { period, cycles, phase, offset }
+History sine(const TomlTable& table) {
+  const TomlValue period = table.at("period");
+  const TomlValue cycles = table.at("cycles");
+  const auto phase = table.find("phase");
+  const auto offset = table.find("offset");
+  const double seconds = period.quantity(Dimension::Time);
+  if (!(seconds > 0.0)) throw period.error("must be above 0 s");
+  const double count = cycles.quantity(Dimension::None);
+  if (!(count > 0.0 && count <= 100'000.0)) throw cycles.error("must be above 0, at most 100000");
+  return History::sine(seconds, count, phase ? phase->quantity(Dimension::Angle) : 0.0,
+                       offset ? offset->quantity(Dimension::None) : 0.0);
+}
+
+History smooth_step(const TomlValue& list) {
+  const std::vector<double> times = read_quantities(list, Dimension::Time);
+  if (times.size() != 2 || times[0] < 0.0 || !(times[0] < times[1])) {
+    throw list.error("must be two times, from and to, the first not before 0");
+  }
+  return History::smooth_step(times[0], times[1]);
+}
+
+/// Columns of a CSV file beside the scene's.
+History tabled(const TomlTable& table, const TomlValue& name) {
+  const std::string& file = name.where().file;
+  const auto path = std::filesystem::path(file).parent_path() / name.string();
+  if (!is_file(path)) {
+    throw name.error("is not a file in the folder of " + file + why_no_file(path));
+  }
+  const CsvTable csv = CsvTable::read(path.string());
+  const auto column = [&](std::string_view key, Dimension dimension) {
+    const TomlValue words = table.at(key);
+    NamedColumn source;
+    source.name = words.is_string() ? words.string() : std::to_string(words.integer(1, 1'000'000));
+    source.where = words.where();
+    source.key = words.key();
+    if (const auto unit = table.find(std::string(key) + "_unit")) {
+      source.unit = unit->string();
+      source.where = unit->where();
+    }
+    return read_column(csv, source, dimension);
+  };
+  return {column("time", Dimension::Time), column("factor", Dimension::None)};
 }
 
 }  // namespace
@@ -40,23 +88,28 @@ Place read_place(const TomlValue& value) {
 
 History read_history(const TomlValue& value) {
   constexpr std::string_view kRule =
-      "must be \"ramp\", \"constant\", { cycles }, { turning_points } or { time, factor }";
+      "must be \"ramp\", \"constant\", { cycles }, { turning_points }, { time, factor }, "
+      "{ smooth_step }, { period, cycles } or { table, time, factor }";
   if (value.is_string()) {
     if (value.string() == "ramp") return History::ramp();
     if (value.string() == "constant") return History::constant();
   }
   if (!value.is_table()) throw value.error(kRule);
   const TomlTable table = value.table();
+  if (table.contains("period")) return sine(table);
+  if (const auto name = table.find("table")) return tabled(table, *name);
   const auto count = table.find("cycles");
   const auto turns = table.find("turning_points");
+  const auto step = table.find("smooth_step");
   const auto time = table.find("time");
   const auto factor = table.find("factor");
-  if ((count ? 1 : 0) + (turns ? 1 : 0) + (time || factor ? 1 : 0) != 1) {
+  if ((count ? 1 : 0) + (turns ? 1 : 0) + (step ? 1 : 0) + (time || factor ? 1 : 0) != 1) {
     table.check_unused();
     throw value.error(kRule);
   }
   if (count) return cycles(count->integer(1, 100'000));
   if (turns) return History::turning_points(read_quantities(*turns, Dimension::None));
+  if (step) return smooth_step(*step);
   return {read_quantities(table.at("time"), Dimension::Time),
           read_quantities(table.at("factor"), Dimension::None)};
 }

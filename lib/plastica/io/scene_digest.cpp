@@ -36,7 +36,9 @@ class Feeder {
   }
 
   void put(const Place& place) { all(place.fraction, place.segment); }
-  void put(const History& history) { all(history.time, history.factor, history.continues); }
+  void put(const History& history) {
+    all(history.time, history.factor, history.continues, history.slope);
+  }
   void put(const Hardening& h) {
     all(h.law, h.tangent_modulus, h.kinematic_share, h.saturation_stress, h.saturation_rate,
         h.backstress_modulus, h.backstress_rate);
@@ -54,8 +56,8 @@ class Feeder {
   }
   void put(const Region& region) { all(region.from, region.to, region.section, region.material); }
   void put(const Support& s) {
-    all(s.at, s.kind, s.hold, s.stiffness, s.rotational_stiffness, s.normal, s.gap, s.restitution,
-        s.translation, s.rotation, s.history);
+    all(s.at, s.to, s.kind, s.hold, s.stiffness, s.rotational_stiffness, s.normal, s.gap,
+        s.restitution, s.translation, s.rotation, s.history);
   }
   void put(const Load& load) {
     all(load.at, load.to, load.force, load.moment, load.follows, load.history);

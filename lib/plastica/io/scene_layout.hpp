@@ -37,6 +37,7 @@ void walk_actions(Store& store, Scene& scene) {
   store.held("supports/held", supports);
   store.vectors("supports/normal", supports, PLASTICA_MEMBER(normal), "1");
   store.column("supports/gap", supports, PLASTICA_MEMBER(gap), "m");
+  store.optional_places("supports/to", supports);
   store.column("supports/restitution", supports, PLASTICA_MEMBER(restitution), "1");
   store.vectors("supports/stiffness", supports, PLASTICA_MEMBER(stiffness), "N/m");
   store.vectors("supports/rotational_stiffness", supports, PLASTICA_MEMBER(rotational_stiffness),
@@ -57,6 +58,7 @@ void walk_actions(Store& store, Scene& scene) {
   store.array("gravity/history_time", scene.gravity_history.time, {}, "s");
   store.array("gravity/history_factor", scene.gravity_history.factor,
               {scene.gravity_history.time.size()}, "1");
+  store.slopes("gravity/history_slope", scene.gravity_history);
   store.goes_on("gravity/history_continues", scene.gravity_history);
 
   auto& motions = scene.initial_motions;

@@ -96,10 +96,13 @@ class SceneReader {
       (*support.hold)[i % 6] = values[i] != 0;
     }
   }
-  void optional_places(std::string_view path, std::vector<Load>& loads) {
-    const auto values = values_of<double>(path, {loads.size()});
+  /// What an older version did not write is at one place.
+  template <class Row>
+  void optional_places(std::string_view path, std::vector<Row>& rows) {
+    if (!root_.exists(path)) return;
+    const auto values = values_of<double>(path, {rows.size()});
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!std::isnan(values[i])) loads[i].to = Place{values[i], {}};
+      if (!std::isnan(values[i])) rows[i].to = Place{values[i], {}};
     }
   }
   void optional_place(std::string_view path, std::optional<Place>& place) {
@@ -127,6 +130,17 @@ class SceneReader {
       check_values(root_, path + "/factor", f, {});
       rows[i].history = {{t.begin(), t.end()}, {f.begin(), f.end()}};
     }
+    // Files of older versions have straight pieces alone.
+    if (root_.exists(path + "/slope")) {
+      const auto slope = root_.read_ragged<double>(path + "/slope");
+      if (slope.rows() != rows.size()) {
+        refuse_value(root_, path + "/slope", "", "does not have a history for each row");
+      }
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto of_row = slope.row(i);
+        set_slopes(path + "/slope", {of_row.begin(), of_row.end()}, rows[i].history);
+      }
+    }
     const std::string continues = path + "/continues";
     const bool says = root_.exists(continues);
     std::vector<Stored<bool>> values;
@@ -135,6 +149,11 @@ class SceneReader {
       rows[i].history.continues = says ? values[i] != 0 : went_on(rows[i].history);
       check_line(continues, rows[i].history);
     }
+  }
+  void slopes(std::string_view path, History& history) {
+    if (!root_.exists(path)) return;
+    const auto values = values_of<double>(path, kRow);
+    set_slopes(path, {values.begin(), values.end()}, history);
   }
   void goes_on(std::string_view path, History& history) {
     history.continues = root_.exists(path) ? values_of<bool>(path, {})[0] != 0 : went_on(history);
@@ -174,7 +193,18 @@ class SceneReader {
     return history.time == from_0_to_1 && history.factor == from_0_to_1;
   }
 
+  void set_slopes(std::string_view path, std::vector<double> slope, History& history) const {
+    check_values(root_, path, slope, {});
+    if (!slope.empty() && (slope.size() != history.time.size() || slope.size() < 2)) {
+      refuse_value(root_, path, "", "must have a slope for each time, or none");
+    }
+    history.slope = std::move(slope);
+  }
+
   void check_line(std::string_view path, const History& history) const {
+    if (history.continues && !history.slope.empty()) {
+      refuse_value(root_, path, "1", "must be 0 of a history with slopes");
+    }
     if (!history.continues || history.time.size() > 1) return;
     refuse_value(root_, path, "1", "needs two times at least, which make the line");
   }

@@ -76,6 +76,7 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
   Scene& scene = record.setup.scene;
   for (Support& support : scene.supports) {
     put(support.at);
+    if (support.to) put(*support.to);
     support.hold = support.held();
   }
   for (Load& load : scene.loads) {

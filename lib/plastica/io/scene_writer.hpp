@@ -91,11 +91,13 @@ class SceneWriter {
     }
     root_.write_table<std::uint8_t>(path, values, 6);
   }
-  void optional_places(std::string_view path, const std::vector<Load>& loads) {
+  /// The `to` of each row; NaN: none.
+  template <class Row>
+  void optional_places(std::string_view path, const std::vector<Row>& rows) {
     std::vector<double> values;
-    values.reserve(loads.size());
-    for (const Load& load : loads) {
-      values.push_back(load.to ? load.to->fraction : std::numeric_limits<double>::quiet_NaN());
+    values.reserve(rows.size());
+    for (const Row& row : rows) {
+      values.push_back(row.to ? row.to->fraction : std::numeric_limits<double>::quiet_NaN());
     }
     root_.write(path, values, {"1"});
   }
@@ -112,15 +114,21 @@ class SceneWriter {
   void histories(const std::string& path, const std::vector<Row>& rows) {
     Ragged<double> time;
     Ragged<double> factor;
+    Ragged<double> slope;
     std::vector<std::uint8_t> continues;
     for (const Row& row : rows) {
       time.push_back(row.history.time);
       factor.push_back(row.history.factor);
+      slope.push_back(row.history.slope);
       continues.push_back(row.history.continues ? 1 : 0);
     }
     root_.write_ragged(path + "/time", time, {"s"});
     root_.write_ragged(path + "/factor", factor, {"1"});
+    root_.write_ragged(path + "/slope", slope, {"1/s"});
     root_.write(path + "/continues", continues);
+  }
+  void slopes(std::string_view path, const History& history) {
+    root_.write(path, history.slope, {"1/s"});
   }
   void goes_on(std::string_view path, const History& history) {
     root_.write(path, static_cast<std::uint8_t>(history.continues ? 1 : 0));

@@ -100,6 +100,7 @@ std::vector<NodePlace> node_places(const Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     add(scene.supports[i].at, "support", i, ".at");
+    if (scene.supports[i].to) add(*scene.supports[i].to, "support", i, ".to");
   }
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
     add(scene.loads[i].at, "load", i, ".at");

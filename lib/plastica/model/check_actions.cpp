@@ -29,6 +29,14 @@ void check_history(const History& history, const std::string& field) {
     require(history.time[i] > history.time[i - 1], {}, field + ".time", history.time[i],
             "must rise from one to the next");
   }
+  if (!history.slope.empty()) {
+    check_finite(history.slope, field + ".slope");
+    if (history.slope.size() != history.time.size() || history.time.size() < 2 ||
+        history.continues) {
+      throw InputError({}, field + ".slope", std::to_string(history.slope.size()) + " slopes",
+                       "must be one for each of two times at least, of a history that ends");
+    }
+  }
   if (history.continues && history.time.size() < 2) {
     throw InputError({}, field, std::to_string(history.time.size()) + " times",
                      "must be at least 2 to go on along a line after the last");
@@ -62,6 +70,27 @@ bool holds(const Support& support) {
   return std::find(held.begin(), held.end(), true) != held.end();
 }
 
+/// A bed of springs is elastic and holds no rotation.
+void check_bed(const Support& support, const Scene& scene, std::span<const double> ends,
+               const std::string& name) {
+  if (!support.to) return;
+  check_place(*support.to, scene.beam.segments, name + ".to");
+  if (share_of(support.at, ends) >= share_of(*support.to, ends)) {
+    throw InputError({}, name + ".to", place_text(*support.to),
+                     "must lie beyond at = " + place_text(support.at));
+  }
+  if (support.kind != SupportKind::Elastic) {
+    throw InputError({}, name + ".to", place_text(*support.to), "belongs to an elastic support");
+  }
+  if (holds(support)) {
+    throw InputError({}, name + ".hold", "", "is of a support at one place, without to");
+  }
+  if (!is_zero(support.rotational_stiffness)) {
+    throw InputError({}, name + ".rotational_stiffness", "",
+                     "is of a support at one place, without to");
+  }
+}
+
 void check_springs(const Support& support, const std::string& name) {
   for (std::size_t i = 0; i < 3; ++i) {
     require_not_negative(support.stiffness[i], {}, name + ".stiffness");
@@ -75,8 +104,7 @@ void check_springs(const Support& support, const std::string& name) {
   if (support.kind == SupportKind::Elastic && !springs && !holds(support)) {
     throw InputError({}, name, "", "an elastic support needs stiffness or rotational_stiffness");
   }
-  if (support.kind != SupportKind::Elastic && support.kind != SupportKind::Pillar &&
-      !holds(support)) {
+  if (support.kind != SupportKind::Elastic && !support.has_normal() && !holds(support)) {
     throw InputError({}, name + ".hold", "[]", "must hold something");
   }
   for (std::size_t i = 0; i < 6; ++i) {
@@ -87,18 +115,23 @@ void check_springs(const Support& support, const std::string& name) {
   }
 }
 
-void check_pillar(const Support& support, const std::string& name) {
+/// What acts along a normal.
+void check_normal(const Support& support, const std::string& name) {
   require_not_negative(support.gap, {}, name + ".gap");
   require(support.restitution >= 0.0 && support.restitution <= 1.0, {}, name + ".restitution",
           support.restitution, "must be from 0 to 1");
-  if (support.kind != SupportKind::Pillar) {
+  const bool pillar = support.kind == SupportKind::Pillar;
+  if (!pillar) {
     require(support.gap == 0.0, {}, name + ".gap", support.gap, "belongs to a pillar");
     require(support.restitution == 0.0, {}, name + ".restitution", support.restitution,
             "belongs to a pillar");
-    return;
   }
+  if (!support.has_normal()) return;
   if (support.hold) {
-    throw InputError({}, name + ".hold", "", "a pillar only pushes; what holds is another support");
+    throw InputError({}, name + ".hold", "",
+                     pillar ? "a pillar only pushes; what holds is another support"
+                            : "an inclined roller holds along its normal; what else holds is "
+                              "another support");
   }
   check_finite(support.normal, name + ".normal");
   const double size = std::hypot(support.normal[0], support.normal[1], support.normal[2]);
@@ -106,12 +139,12 @@ void check_pillar(const Support& support, const std::string& name) {
           "is the vector's size and must be 1");
 }
 
-/// What a support does to each freedom: hold or spring. Pillars are compared by their normals.
+/// What a support does to each freedom: hold or spring. Those along a normal are compared by that.
 HeldFreedoms taken_freedoms(const Support& support) {
   HeldFreedoms taken = support.held();
   for (std::size_t i = 0; i < 3; ++i) {
     taken[i] = taken[i] || support.stiffness[i] > 0.0 ||
-               (support.kind == SupportKind::Pillar && support.normal[i] != 0.0);
+               (support.has_normal() && support.normal[i] != 0.0);
     taken[i + 3] = taken[i + 3] || support.rotational_stiffness[i] > 0.0;
   }
   return taken;
@@ -131,22 +164,25 @@ void check_motion(const Support& support, const std::string& name) {
   if (support.moves()) check_history(support.history, name + ".history");
 }
 
-/// Supports at one place share it as long as each takes freedoms of its own, or pillars push in
-/// different directions. The chain begins at the start, where one support alone may hold.
+/// Supports at one place share it as long as each takes freedoms of its own, or their
+/// normals have different directions. The chain begins at the start, where one support alone may
+/// hold.
 void check_neighbours(const Scene& scene, std::size_t index, std::span<const double> ends) {
   const Support& support = scene.supports[index];
   const HeldFreedoms taken = taken_freedoms(support);
   const std::string field = item_name("support", index, ".at");
   for (std::size_t other = 0; other < index; ++other) {
     const Support& before = scene.supports[other];
-    if (share_of(before.at, ends) != share_of(support.at, ends)) continue;
+    // Beds add up, with whatever else is there.
+    if (before.to || support.to || share_of(before.at, ends) != share_of(support.at, ends))
+      continue;
     if (share_of(support.at, ends) == 0.0 && holds(support) && holds(before)) {
       throw InputError({}, field, place_text(support.at),
                        item_name("support", other) +
                            " holds the start, too: one support takes all that is held there");
     }
-    const bool pillars = support.kind == SupportKind::Pillar && before.kind == SupportKind::Pillar;
-    if (pillars && support.normal != before.normal) continue;
+    const bool normals = support.has_normal() && before.has_normal();
+    if (normals && support.normal != before.normal) continue;
     const HeldFreedoms taken_before = taken_freedoms(before);
     for (std::size_t i = 0; i < taken.size(); ++i) {
       if (!taken[i] || !taken_before[i]) continue;
@@ -165,8 +201,9 @@ void check_supports(const Scene& scene) {
     const Support& support = scene.supports[i];
     const std::string name = item_name("support", i);
     check_place(support.at, scene.beam.segments, name + ".at");
+    check_bed(support, scene, ends, name);
     check_rotation_place(support, ends, name + ".at");
-    check_pillar(support, name);
+    check_normal(support, name);
     check_springs(support, name);
     check_motion(support, name);
     check_neighbours(scene, i, ends);

@@ -63,7 +63,7 @@ EndJoint end_joint(const Scene& scene, double share, const LevelChoice& level,
   const auto freedoms = freedoms_of(level);
   EndJoint joint;
   for (const Support& support : scene.supports) {
-    if (share_of(support.at, ends) != share) continue;
+    if (support.to || share_of(support.at, ends) != share) continue;
     const HeldFreedoms held = support.held();
     for (std::size_t i = 3; i < 6; ++i) {
       if (!freedoms[i]) continue;

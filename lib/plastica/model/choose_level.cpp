@@ -58,7 +58,7 @@ std::vector<Action> actions_of(const Scene& scene) {
     const Support& support = scene.supports[i];
     actions.push_back({item("support", i, ".translation"), Push, support.translation});
     actions.push_back({item("support", i, ".rotation"), Turn, support.rotation});
-    if (support.kind == SupportKind::Pillar) {
+    if (support.has_normal()) {
       actions.push_back({item("support", i, ".normal"), Push, support.normal});
     }
   }

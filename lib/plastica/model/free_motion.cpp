@@ -37,8 +37,8 @@ Motion along(const std::array<double, 3>& direction, const std::array<double, 3>
 std::vector<Motion> resisted_motions(const Scene& scene) {
   const std::vector<double> ends = segment_ends(scene);
   std::vector<Motion> motions;
-  for (const Support& support : scene.supports) {
-    std::array<double, 3> point = axis_point(scene.beam, share_of(support.at, ends));
+  const auto add = [&](const Support& support, double share) {
+    std::array<double, 3> point = axis_point(scene.beam, share);
     for (double& component : point) component /= scene.beam.length;
     const HeldFreedoms held = support.held();
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -49,7 +49,12 @@ std::vector<Motion> resisted_motions(const Scene& scene) {
       rotation[axis + 3] = 1.0;
       if (held[axis + 3] || support.rotational_stiffness[axis] > 0.0) motions.push_back(rotation);
     }
-    if (support.kind == SupportKind::Pillar) motions.push_back(along(support.normal, point));
+    if (support.has_normal()) motions.push_back(along(support.normal, point));
+  };
+  for (const Support& support : scene.supports) {
+    add(support, share_of(support.at, ends));
+    // A bed holds as springs at both of its ends.
+    if (support.to) add(support, share_of(*support.to, ends));
   }
   return motions;
 }

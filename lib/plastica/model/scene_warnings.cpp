@@ -229,7 +229,7 @@ std::array<bool, 2> bent_axes(const Scene& scene) {
   for (const Load& load : scene.loads) add(load.force, load.moment);
   for (const Support& support : scene.supports) {
     add(support.translation, support.rotation);
-    if (support.kind == SupportKind::Pillar) add(support.normal, {});
+    if (support.has_normal()) add(support.normal, {});
   }
   add(scene.gravity, {});
   for (const InitialMotion& motion : scene.initial_motions) add(motion.velocity, motion.spin);

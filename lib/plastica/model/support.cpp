@@ -5,8 +5,8 @@
 namespace plastica {
 
 std::span<const std::string_view> support_kinds() {
-  static constexpr std::array<std::string_view, 6> kWords{"clamp", "pin",     "roller",
-                                                          "guide", "elastic", "pillar"};
+  static constexpr std::array<std::string_view, 7> kWords{
+      "clamp", "pin", "roller", "guide", "elastic", "pillar", "inclined_roller"};
   return kWords;
 }
 
@@ -23,9 +23,14 @@ HeldFreedoms Support::held() const {
     case SupportKind::Roller: return {true, true, false, false, false, false};
     case SupportKind::Guide: return {false, false, false, true, true, true};
     case SupportKind::Elastic:
-    case SupportKind::Pillar: return {};
+    case SupportKind::Pillar:
+    case SupportKind::InclinedRoller: return {};
   }
   return {};
+}
+
+bool Support::has_normal() const {
+  return kind == SupportKind::Pillar || kind == SupportKind::InclinedRoller;
 }
 
 bool Support::moves() const {

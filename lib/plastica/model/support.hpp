@@ -13,12 +13,13 @@ namespace plastica {
 /// Ways to hold a point of the beam; each is a set of held freedoms in world axes, in which the
 /// beam starts along z. `Support::hold` changes the set.
 enum class SupportKind {
-  Clamp,    ///< all six
-  Pin,      ///< the three translations, and the twist about the beam's axis (a fork)
-  Roller,   ///< the translations across the beam, x and y
-  Guide,    ///< the three rotations
-  Elastic,  ///< none rigidly; springs in each direction whose stiffness is above zero
-  Pillar,   ///< one-sided: pushes along `normal`, never pulls; frictionless
+  Clamp,           ///< all six
+  Pin,             ///< the three translations, and the twist about the beam's axis (a fork)
+  Roller,          ///< the translations across the beam, x and y
+  Guide,           ///< the three rotations
+  Elastic,         ///< none rigidly; springs in each direction whose stiffness is above zero
+  Pillar,          ///< one-sided: pushes along `normal`, never pulls; frictionless
+  InclinedRoller,  ///< the translation along `normal`, both ways
 };
 
 /// The words of files for the kinds of support, in the order of SupportKind.
@@ -38,7 +39,8 @@ struct Support {
   std::optional<HeldFreedoms> hold{};            ///< empty: those of the kind
   std::array<double, 3> stiffness{};             ///< Elastic: along x, y, z [N/m], >= 0
   std::array<double, 3> rotational_stiffness{};  ///< Elastic: about x, y, z [N m/rad], >= 0
-  std::array<double, 3> normal{0.0, 1.0, 0.0};   ///< Pillar: unit vector of its push
+  /// Pillar: unit vector of its push; InclinedRoller: of what it holds.
+  std::array<double, 3> normal{0.0, 1.0, 0.0};
   double gap = 0.0;  ///< Pillar: distance to the undeformed beam [m], >= 0
   /// Pillar, dynamics: speed after an impact over that before [1], 0 … 1.
   double restitution = 0.0;
@@ -47,9 +49,13 @@ struct Support {
   std::array<double, 3> translation{};
   std::array<double, 3> rotation{};
   History history = History::ramp();
+  /// Elastic: if set, a bed of springs from `at` to here (Winkler's foundation), which holds no
+  /// rotation of its own; `stiffness` is then per length [N/m^2].
+  std::optional<Place> to{};
 
   HeldFreedoms held() const;  ///< `hold`, or what the kind holds
   bool moves() const;         ///< whether any motion is prescribed
+  bool has_normal() const;    ///< whether it acts along `normal`
 };
 
 }  // namespace plastica

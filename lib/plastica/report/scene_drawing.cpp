@@ -170,7 +170,14 @@ SupportMarks support_marks(const BeamPose& pose, const Eye& eye, double thicknes
     if (kind == kPillar) {
       add_pillar(pose, undeformed, support, eye, thickness, size, marks);
     } else {
-      marks.points[kind].push_back(eye.at(place_of(pose, undeformed, support)));
+      // A bed by some of its springs.
+      const int count = support.to ? 9 : 1;
+      for (int i = 0; i < count; ++i) {
+        Support here = support;
+        const double to = support.to ? support.to->fraction : support.at.fraction;
+        here.at.fraction += (to - support.at.fraction) * i / std::max(count - 1, 1);
+        marks.points[kind].push_back(eye.at(place_of(pose, undeformed, here)));
+      }
     }
   }
   return marks;
@@ -254,7 +261,7 @@ void BeamPicture::put(PlotScript& script, bool lines_between, double head) const
                       "using 1:2 with lines linewidth 2 linecolor rgb '#000000'", "cut");
   }
   // Point types of gnuplot in the order of SupportKind: squares hold rotations.
-  constexpr std::array<int, 6> kSymbols{5, 9, 6, 4, 12, 8};
+  constexpr std::array<int, 7> kSymbols{5, 9, 6, 4, 12, 8, 7};
   for (std::size_t kind = 0; kind < kSymbols.size(); ++kind) {
     if (supports_[kind].empty()) continue;
     script.add_series(script.add_points(supports_[kind]),

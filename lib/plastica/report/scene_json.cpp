@@ -157,6 +157,7 @@ Json section_of(const Section& section) {
 Json history_of(const History& history) {
   return {{"time", numbers(history.time)},
           {"factor", numbers(history.factor)},
+          {"slope", numbers(history.slope)},
           {"continues", history.continues}};
 }
 
@@ -181,11 +182,12 @@ Json support_of(const Support& support) {
               {"at", support.at.fraction},
               {"holds", std::move(holds)}};
   if (support.kind == SupportKind::Elastic) {
+    all["to"] = support.to ? Json(support.to->fraction) : Json(nullptr);
     all["stiffness"] = numbers(support.stiffness);
     all["rotational_stiffness"] = numbers(support.rotational_stiffness);
   }
+  if (support.has_normal()) all["normal"] = numbers(support.normal);
   if (support.kind == SupportKind::Pillar) {
-    all["normal"] = numbers(support.normal);
     all["gap"] = number(support.gap);
     all["restitution"] = number(support.restitution);
   }

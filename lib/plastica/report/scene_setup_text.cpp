@@ -78,19 +78,22 @@ std::string history_label(const History& history, double end) {
 
 std::string support_label(const Support& support, double end) {
   std::string label =
-      fmt::format("{} at {}", support_kinds()[static_cast<std::size_t>(support.kind)],
-                  place_label(support.at.fraction));
+      fmt::format("{} {}", support_kinds()[static_cast<std::size_t>(support.kind)],
+                  support.to ? fmt::format("from {} to {}", place_label(support.at.fraction),
+                                           place_label(support.to->fraction))
+                             : "at " + place_label(support.at.fraction));
   std::string more;
   if (support.kind == SupportKind::Elastic) {
-    more = joined(parts_of(support.stiffness, "k_", "N/m"),
+    more = joined(parts_of(support.stiffness, "k_", support.to ? "N/m^2" : "N/m"),
                   parts_of(support.rotational_stiffness, "k_r", "N m/rad"));
-  } else if (support.kind == SupportKind::Pillar) {
-    more = parts_of(support.normal, "pushes ", "");
+  } else if (support.has_normal()) {
+    const bool pillar = support.kind == SupportKind::Pillar;
+    more = parts_of(support.normal, pillar ? "pushes " : "holds along ", "");
     while (!more.empty() && more.back() == ' ') more.pop_back();
     if (support.gap != 0.0) more += ", gap " + shown(support.gap, Dimension::Length, 4);
     if (support.restitution != 0.0) more += ", restitution " + brief(support.restitution);
   } else {
-    HeldFreedoms of_kind = Support{{}, support.kind}.held();
+    HeldFreedoms of_kind = Support{.kind = support.kind}.held();
     if (support.held() != of_kind) {
       std::string held;
       for (std::size_t k = 0; k < 6; ++k) {

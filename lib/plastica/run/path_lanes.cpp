@@ -16,7 +16,8 @@ bool same_supports(const ChainModel& a, const ChainModel& b) {
   const auto& y = b.scene.supports;
   return std::equal(x.begin(), x.end(), y.begin(), y.end(),
                     [&](const Support& s, const Support& t) {
-                      return s.kind == t.kind && s.held() == t.held() &&
+                      // Beds end at segments' ends, which may differ.
+                      return !s.to && !t.to && s.kind == t.kind && s.held() == t.held() &&
                              segment_at(a, s.at) == segment_at(b, t.at);
                     });
 }

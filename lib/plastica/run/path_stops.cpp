@@ -11,7 +11,11 @@ namespace plastica {
 PathStops path_stops(const Scene& scene, const SolverOptions& options) {
   std::vector<double> corners;
   const auto add = [&](const History& history) {
-    corners.insert(corners.end(), history.time.begin(), history.time.end());
+    const auto take = [&](const std::vector<double>& times) {
+      corners.insert(corners.end(), times.begin(), times.end());
+    };
+    take(history.corners());
+    if (options.analysis == Analysis::Statics) take(history.turns());
   };
   for (const Load& load : scene.loads) add(load.history);
   for (const Support& support : scene.supports) {
@@ -30,12 +34,22 @@ PathStops path_stops(const Scene& scene, const SolverOptions& options) {
   for (int k = 1; k <= steps; ++k) {
     stops.emplace_back(k == steps ? duration : duration * k / steps, true);
   }
+  // Of corners within 1e-9 of each other, or of a sample, one stop; a file may have 100 000 of
+  // them.
+  std::sort(corners.begin(), corners.end());
+  std::vector<std::pair<double, bool>> between;
+  auto next = stops.begin();
+  double last = 0.0;
   for (const double corner : corners) {
-    const bool near = std::any_of(stops.begin(), stops.end(), [&](const auto& stop) {
-      return std::abs(stop.first - corner) < 1e-9 * duration;
-    });
-    if (corner > 0.0 && corner < duration && !near) stops.emplace_back(corner, false);
+    if (corner <= 0.0 || corner >= duration) continue;
+    const double least = 1e-9 * duration;
+    while (next != stops.end() && next->first < corner - least) ++next;
+    const bool on_sample = next != stops.end() && std::abs(next->first - corner) < least;
+    if (on_sample || (!between.empty() && corner - last < least)) continue;
+    between.emplace_back(corner, false);
+    last = corner;
   }
+  stops.insert(stops.end(), between.begin(), between.end());
   std::sort(stops.begin(), stops.end());
   PathStops all;
   for (const auto& [time, recorded] : stops) {

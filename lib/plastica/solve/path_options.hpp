@@ -65,9 +65,11 @@ struct PathOptions {
 template <class L>
 bool is_corner(const chain::Chain<L>& chain, double time, double tolerance) {
   for (const History& history : chain.histories) {
-    const auto end = history.time.end() - (history.continues ? 1 : 0);
-    for (auto corner = history.time.begin(); corner != end; ++corner) {
-      if (std::fabs(*corner - time) < tolerance) return true;
+    // Smooth ones have corners at their ends alone; what goes on has none at its end.
+    const std::size_t corners = history.time.size() - (history.continues ? 1 : 0);
+    const std::size_t step = history.slope.empty() ? 1 : corners - 1;
+    for (std::size_t i = 0; i < corners; i += step) {
+      if (std::fabs(history.time[i] - time) < tolerance) return true;
     }
   }
   return false;

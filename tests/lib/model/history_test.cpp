@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <vector>
+
 namespace plastica {
 namespace {
 
@@ -54,6 +58,40 @@ TEST(History, OfOnePointIsConstant) {
   EXPECT_EQ(History::constant().at(0.0), 1.0);
   EXPECT_EQ(History::constant().at(9.0), 1.0);
   EXPECT_EQ(History::constant().slope_at(0.0), 0.0);
+}
+
+TEST(History, OfASineIsThatWithin2e8) {
+  const History sine = History::sine(0.4, 2.25, 0.3, 0.5);
+  const double rate = 2.0 * std::numbers::pi / 0.4;
+  for (double time = 0.0; time < 0.9; time += 0.000777) {
+    EXPECT_NEAR(sine.at(time), 0.5 + std::sin(rate * time + 0.3), 2e-8);
+    EXPECT_NEAR(sine.slope_at(time), rate * std::cos(rate * time + 0.3), 2e-4);
+  }
+  EXPECT_NEAR(sine.end(), 0.9, 1e-15);
+  EXPECT_NEAR(sine.at(5.0), 0.5 + std::sin(4.5 * std::numbers::pi + 0.3), 1e-12);
+  EXPECT_EQ(sine.corners(), (std::vector<double>{0.0, sine.end()}));
+}
+
+TEST(History, OfASineTurnsAtItsPeaks) {
+  const auto turns = History::sine(1.0, 2.0, 0.3).turns();
+  ASSERT_EQ(turns.size(), 4U);
+  const double first = 0.25 - 0.3 / (2.0 * std::numbers::pi);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(turns[k], first + 0.5 * static_cast<double>(k), 1e-6);
+  }
+  // The peaks are points of the table.
+  EXPECT_EQ(History::sine(1.0, 3.0).turns().size(), 6U);
+}
+
+TEST(History, OfASmoothStepHasNoCornerInside) {
+  const History step = History::smooth_step(1.0, 3.0);
+  EXPECT_EQ(step.at(0.5), 0.0);
+  EXPECT_EQ(step.at(2.0), 0.5);
+  EXPECT_DOUBLE_EQ(step.at(1.5), 3.0 / 16.0 - 2.0 / 64.0);
+  EXPECT_EQ(step.slope_at(1.0), 0.0);
+  EXPECT_DOUBLE_EQ(step.slope_at(2.0), 0.75);
+  EXPECT_EQ(step.at(4.0), 1.0);
+  EXPECT_TRUE(step.turns().empty());
 }
 
 }  // namespace

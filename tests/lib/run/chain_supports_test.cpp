@@ -57,6 +57,51 @@ TEST(ChainSupports, TurnASpringOfRotation) {
               tolerance(1e-9));
 }
 
+/// A beam on a pin and on a slope: the slope's push R along its normal n balances the load about
+/// the pin, R n_y L = F L/2, and has no other part; its end moves along the slope alone.
+TEST(ChainSupports, OfAnInclinedRollerPushAcrossTheSlopeAlone) {
+  for (const double angle : {0.0, 0.4, -0.9}) {
+    Scene scene = testing::chain_scene(16);
+    scene.supports.push_back({.at = Place::start(), .kind = SupportKind::Pin});
+    scene.supports.push_back({.at = Place::end(),
+                              .kind = SupportKind::InclinedRoller,
+                              .normal = {0.0, std::cos(angle), std::sin(angle)}});
+    const double force = 0.1;
+    scene.loads.push_back({.at = {0.5, {}}, .force = {0.0, -force, 0.0}});
+    for (const Component axis : {Component::Y, Component::Z}) {
+      add_probe(scene, ProbeQuantity::Reaction, Place::end(), axis);
+      add_probe(scene, ProbeQuantity::Displacement, Place::end(), axis);
+    }
+    for (const Level level : {Level::Planar, Level::Spatial}) {
+      if (level == Level::Spatial) {
+        scene.supports.push_back(
+            {.at = {0.5, {}}, .hold = HeldFreedoms{true, false, false, false, false, false}});
+      }
+      const Response response = completed(scene, {.level = level, .steps = 1});
+      EXPECT_NEAR(last_of(response, 0), 0.5 * force, 1e-6 * force) << angle;
+      EXPECT_NEAR(last_of(response, 2), 0.5 * force * std::tan(angle), 1e-6 * force) << angle;
+      EXPECT_NEAR(std::cos(angle) * last_of(response, 1) + std::sin(angle) * last_of(response, 3),
+                  0.0, 1e-12);
+    }
+  }
+}
+
+/// The same slope at the start: the mirror image.
+TEST(ChainSupports, OfAnInclinedRollerAtTheStartAreTheMirrorImage) {
+  const double angle = 0.4;
+  Scene scene = testing::chain_scene(16);
+  scene.supports.push_back({.at = Place::start(),
+                            .kind = SupportKind::InclinedRoller,
+                            .normal = {0.0, std::cos(angle), -std::sin(angle)}});
+  scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Pin});
+  scene.loads.push_back({.at = {0.5, {}}, .force = {0.0, -0.1, 0.0}});
+  add_probe(scene, ProbeQuantity::Reaction, Place::start(), Component::Y);
+  add_probe(scene, ProbeQuantity::Reaction, Place::start(), Component::Z);
+  const Response response = completed(scene, {.level = Level::Planar, .steps = 1});
+  EXPECT_NEAR(last_of(response, 0), 0.05, 1e-7);
+  EXPECT_NEAR(last_of(response, 1), -0.05 * std::tan(angle), 1e-7);
+}
+
 TEST(ChainSupports, LetGoOfAPillarAndCloseItAgain) {
   constexpr int kSegments = 32;
   Scene scene = cantilever_scene(kSegments);

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+
+#include "plastica/chain/build.hpp"
+
+/// Supports that hold along a normal, and springs to the ground.
+namespace plastica::chain {
+
+template <class L>
+void Builder<L>::add_along_normal(const Support& support, std::size_t index, double share) {
+  const SegmentPoint point = segment_point(layout_, share);
+  Closure<L> closure = closure_at(index, point);
+  closure.node = node_of(point, share);
+  closure.one_sided = support.kind == SupportKind::Pillar;
+  closure.direction = view_.point(vector(support.normal));
+  closure.history = support.moves() ? add_history(support.history) : 0;
+  closure.motion = dot(closure.direction, view_.point(vector(support.translation)));
+  closure.target = dot(closure.direction, undeformed_point(point)) - constant<S>(support.gap);
+  build_.chain.closures.push_back(closure);
+}
+
+/// Two springs for what lies on each segment, at its Gauss points: they make the force and the
+/// moment of an even bed on a segment that stays straight.
+template <class L>
+void Builder<L>::add_bed(const Support& support, std::size_t index, std::size_t history,
+                         double from, double to) {
+  const auto stiffness = view_.translations(six(support.stiffness, {}));
+  for (std::size_t i = 0; i < layout_.size(); ++i) {
+    const double begin = std::max(from, layout_.ends[i]);
+    const double end = std::min(to, layout_.ends[i + 1]);
+    if (end <= begin) continue;
+    const double half = 0.5 * (end - begin);
+    const double length =
+        layout_.segment_length[i] * 2.0 * half / (layout_.ends[i + 1] - layout_.ends[i]);
+    for (const double side : {-1.0, 1.0}) {
+      const double share = begin + half * (1.0 + side / std::numbers::sqrt3);
+      const SegmentPoint point = segment_point(layout_, share);
+      Spring<L> spring;
+      spring.support = index;
+      spring.segment = point.segment;
+      spring.history = history;
+      spring.arm = view_.point(point.arm);
+      for (std::size_t k = 0; k < kT; ++k) {
+        spring.stiffness[k] = constant<S>(0.5 * length * stiffness[k]);
+      }
+      spring.rest = undeformed_point(point);
+      spring.motion = view_.point(vector(support.translation));
+      build_.chain.springs.push_back(spring);
+    }
+  }
+}
+
+template <class L>
+void Builder<L>::add_springs(const Support& support, std::size_t index, std::size_t history,
+                             double share) {
+  const SegmentPoint point = segment_point(layout_, share);
+  Spring<L> spring;
+  spring.support = index;
+  spring.segment = point.segment;
+  spring.history = history;
+  spring.arm = view_.point(point.arm);
+  const std::size_t beyond = point.segment + 1;
+  const bool joins = beyond < layout_.size() && share == layout_.ends[beyond];
+  const double part = joins && (shifts_ || sees_axial_) ? 0.5 : 1.0;
+  const auto stiffness = view_.translations(six(support.stiffness, {}));
+  for (std::size_t k = 0; k < kT; ++k) spring.stiffness[k] = constant<S>(part * stiffness[k]);
+  spring.rest = undeformed_point(point);
+  spring.motion = view_.point(vector(support.translation));
+  build_.chain.springs.push_back(spring);
+  if (part < 1.0) {
+    spring.segment = beyond;
+    spring.arm = {};
+    build_.chain.springs.push_back(spring);
+  }
+  const auto turning = view_.rotations(six({}, support.rotational_stiffness));
+  if (std::none_of(turning.begin(), turning.begin() + kR, [](double k) { return k > 0.0; })) {
+    return;
+  }
+  if (share == 0.0) {
+    build_.joints[0].spring = turning;
+    return;
+  }
+  const auto motion = view_.spin(vector(support.rotation));
+  const auto add = [&](std::size_t segment, bool outer) {
+    add_ground_joint(index, history, segment, outer, {}, motion);
+    build_.joints.back().spring = turning;
+    for (double& k : build_.joints.back().spring) k *= joins ? 0.5 : 1.0;
+  };
+  add(point.segment, true);
+  // As a moment does: half on each segment, for the joint between turns with both.
+  if (joins) add(beyond, false);
+}
+
+}  // namespace plastica::chain

@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "plastica/run/natural_frequencies.hpp"
+#include "tests/support/chain_scene.hpp"
+
+// Beams on a bed of springs (Winkler's foundation) against closed forms: Hetenyi, Beams on Elastic
+// Foundation (1946), and Timoshenko & Gere, Theory of Elastic Stability, 2.10. Loads are small.
+
+namespace plastica {
+namespace {
+
+using std::numbers::pi;
+using testing::add_probe;
+using testing::bending_stiffness_of;
+using testing::completed;
+using testing::last_of;
+
+constexpr double kBetaL = 4.0;
+
+/// 1 m of beam on a bed with L (k/4EI)^(1/4) = 4, held along itself alone.
+Scene on_bed(int segments) {
+  Scene scene = testing::chain_scene(segments);
+  const double stiffness = 4.0 * bending_stiffness_of(scene) * std::pow(kBetaL, 4);
+  scene.supports.push_back({.at = Place::start(),
+                            .kind = SupportKind::Elastic,
+                            .stiffness = {0.0, stiffness, 0.0},
+                            .to = Place::end()});
+  scene.supports.push_back(
+      {.at = Place::start(), .hold = HeldFreedoms{false, false, true, false, false, false}});
+  return scene;
+}
+
+/// Errors of a probe against theory, halving twice by four: of order 2.
+void expect_second_order(const std::function<double(int)>& error, double largest) {
+  const double coarse = std::fabs(error(16));
+  const double middle = std::fabs(error(64));
+  const double fine = std::fabs(error(256));
+  EXPECT_LT(coarse, largest);
+  EXPECT_NEAR(std::log(coarse / middle) / std::log(4.0), 2.0, 0.1);
+  EXPECT_NEAR(std::log(middle / fine) / std::log(4.0), 2.0, 0.1);
+}
+
+double deflection(int segments, double at, double force) {
+  Scene scene = on_bed(segments);
+  scene.loads.push_back({.at = {at, {}}, .force = {0.0, force, 0.0}});
+  add_probe(scene, ProbeQuantity::Displacement, {at, {}}, Component::Y);
+  add_probe(scene, ProbeQuantity::Reaction, Place::start(), Component::Y);
+  const Response response = completed(scene, {.level = Level::Planar, .steps = 1});
+  // The bed takes the load.
+  EXPECT_NEAR(last_of(response, 1), -force, 1e-9 * force);
+  return last_of(response, 0);
+}
+
+TEST(ElasticBed, BendsUnderALoadInTheMiddleAsHetenyiSays) {
+  const double b = kBetaL;
+  const double shape = (std::cosh(b) + std::cos(b) + 2.0) / (std::sinh(b) + std::sin(b));
+  const Scene scene = on_bed(4);
+  const double exact = 0.01 * b / (2.0 * scene.supports[0].stiffness[1]) * shape;
+  expect_second_order([&](int n) { return deflection(n, 0.5, 0.01) / exact - 1.0; }, 0.01);
+}
+
+TEST(ElasticBed, BendsUnderALoadAtItsEndAsHetenyiSays) {
+  const double b = kBetaL;
+  const double s = std::sinh(b);
+  const double shape =
+      (s * std::cosh(b) - std::sin(b) * std::cos(b)) / (s * s - std::sin(b) * std::sin(b));
+  const Scene scene = on_bed(4);
+  const double exact = 0.01 * 2.0 * b / scene.supports[0].stiffness[1] * shape;
+  expect_second_order([&](int n) { return deflection(n, 1.0, 0.01) / exact - 1.0; }, 0.02);
+}
+
+/// A pinned beam on a bed.
+Scene pinned(int segments, double stiffness) {
+  Scene scene = testing::chain_scene(segments);
+  scene.supports.push_back({.at = Place::start(), .kind = SupportKind::Pin});
+  scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Roller});
+  scene.supports.push_back({.at = Place::start(),
+                            .kind = SupportKind::Elastic,
+                            .stiffness = {0.0, stiffness, 0.0},
+                            .to = Place::end()});
+  return scene;
+}
+
+/// Waves of m halves: P = EI (m pi/L)^2 + k (L/(m pi))^2; with k L^4/EI = 6 pi^4 the second mode
+/// comes first (5.5), then the first (7) and the third (9 2/3), of Euler's load.
+TEST(ElasticBed, HoldsAColumnByTheWaveThatIsSoftest) {
+  std::vector<double> errors;
+  for (const int segments : {16, 64}) {
+    Scene scene = pinned(segments, 0.0);
+    const double bending = bending_stiffness_of(scene);
+    scene = pinned(segments, 6.0 * std::pow(pi, 4) * bending);
+    scene.loads.push_back({.force = {0.0, 0.0, -pi * pi * bending}});
+    const Response response = completed(scene, {.level = Level::Planar, .steps = 1, .buckling = 1});
+    ASSERT_TRUE(response.buckling.has_value());
+    errors.push_back(response.buckling->factor.front() / 5.5 - 1.0);
+  }
+  EXPECT_LT(std::fabs(errors[1]), 2e-3);
+  EXPECT_NEAR(std::log(errors[0] / errors[1]) / std::log(4.0), 2.0, 0.15);
+}
+
+/// omega^2 = ((n pi/L)^4 EI + k)/(rho A).
+TEST(ElasticBed, RaisesTheFrequenciesOfAPinnedBeam) {
+  Scene scene = pinned(64, 0.0);
+  const double bending = bending_stiffness_of(scene);
+  const double stiffness = 3.0 * std::pow(pi, 4) * bending;
+  scene = pinned(64, stiffness);
+  const auto found = unloaded_frequencies(scene, {.level = Level::Planar}, 2);
+  const double mass = scene.material.density * testing::properties_of(scene).area;
+  for (int n = 1; n <= 2; ++n) {
+    const double exact = std::sqrt((std::pow(n * pi, 4) * bending + stiffness) / mass) / (2.0 * pi);
+    EXPECT_NEAR(found[static_cast<std::size_t>(n) - 1] / exact, 1.0, 1e-3) << n;
+  }
+}
+
+/// On the bed alone the beam is held in its plane; a bed of part of the length ends there, whatever
+/// the number of segments.
+TEST(ElasticBed, OfAPartEndsWhereItSays) {
+  const auto tip = [](double to, int segments) {
+    Scene scene = testing::cantilever_scene(segments);
+    const double bed = 100.0 * bending_stiffness_of(scene);
+    scene.supports.push_back({.at = {0.25, {}},
+                              .kind = SupportKind::Elastic,
+                              .stiffness = {0.0, bed, 0.0},
+                              .to = Place{to, {}}});
+    scene.loads.push_back({.force = {0.0, 0.01, 0.0}});
+    add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+    return last_of(completed(scene, {.level = Level::Planar, .steps = 1}), 0);
+  };
+  const double fine = tip(0.61, 640);
+  EXPECT_NEAR(tip(0.61, 40) / fine, 1.0, 2e-3);
+  EXPECT_NEAR(tip(0.6101, 40) / tip(0.61, 40), 1.0, 5e-4);
+  EXPECT_GT(std::fabs(tip(0.7, 40) / tip(0.61, 40) - 1.0), 0.02);
+}
+
+}  // namespace
+}  // namespace plastica
