@@ -90,6 +90,9 @@ int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const 
     say("{}, {}, {}, ", report::counted(size.segments, "segment"),
         report::counted(setup.scene.supports.size(), "support"),
         report::counted(setup.scene.loads.size(), "load"));
+    if (const std::size_t masses = setup.scene.masses.size(); masses > 0) {
+      say("{} point {}, ", masses, masses == 1 ? "mass" : "masses");
+    }
   }
   say("{}, ", report::counted(size.samples, "sample"));
   if (model.chain && size.frames < size.samples) {

@@ -200,6 +200,11 @@ history = { turning_points = [1, 0] }
 # history = { cycles = 3 }        # three times over 1 and -1, then 0
 # history = { time = ["0 s", "2 s"], factor = [0, 1] }      # holds its last factor, as all tables
 
+# [[mass]]                        # a body that the beam carries; gravity acts on it
+# at      = "end"
+# mass    = "2 kg"
+# inertia = ["0.02 kg m^2", "0.02 kg m^2", "0.01 kg m^2"]
+
 [[probe]]
 name = "tip"
 kind = "displacement"

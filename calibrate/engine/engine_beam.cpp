@@ -43,6 +43,7 @@ class BeamReader {
     beam_.formulas = scene.formulas;
     beam_.yield_model = scene.yield_model;
     beam_.yield_cap = scene.yield_cap;
+    beam_.carries_masses = !scene.masses.empty();
     beam_.hinge_length = body_.watch.hinge_length(0);
     beam_.break_length = break_length();
     beam_.breaks = body_.watch.active() && scene.yield_model != YieldModel::Elastic;
@@ -87,7 +88,22 @@ class BeamReader {
     segment.end = model_.layout.node[i + 1].at;
     segment.axes = axes_of(model_.layout.segment_frame[i]);
     segment.part = model_.part_of_segment[i];
+    if (!model_.scene.masses.empty()) balance_segment(i, segment);
     beam_.segments.push_back(segment);
+  }
+
+  /// Point masses move the center of mass along the chord.
+  void balance_segment(std::size_t i, EngineSegment& segment) const {
+    const chain::Inertia<Space>& inertia = body_.build.chain.inertias[i];
+    const auto& arm = body_.build.chain.segments[i].arm;
+    segment.balance = dot(inertia.center, arm) / dot(arm, arm);
+    const auto& about = inertia.turning;
+    const double products =
+        std::fabs(about(0, 1)) + std::fabs(about(0, 2)) + std::fabs(about(1, 2));
+    if (products <= 1e-12 * (about(0, 0) + about(1, 1) + about(2, 2))) return;
+    throw InputError({}, "mass.inertia", "",
+                     "must have principal axes along those of its segment: an export has moments "
+                     "of inertia about these alone");
   }
 
   /// The joint at the inner end of a segment.
@@ -247,10 +263,10 @@ Model bare_model(const Scene& scene) {
 
 }  // namespace
 
-std::array<double, 3> EngineSegment::center() const {
-  std::array<double, 3> middle;
-  for (std::size_t k = 0; k < 3; ++k) middle[k] = 0.5 * (start[k] + end[k]);
-  return middle;
+std::array<double, 3> EngineSegment::point(double share) const {
+  std::array<double, 3> there;
+  for (std::size_t k = 0; k < 3; ++k) there[k] = (1.0 - share) * start[k] + share * end[k];
+  return there;
 }
 
 EngineBeam engine_beam(const Scene& scene, const SolverOptions& options) {

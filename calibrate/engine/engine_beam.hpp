@@ -38,14 +38,17 @@ struct EnginePart {
 /// A rigid segment.
 struct EngineSegment {
   double length = 0.0;              ///< along the beam's axis [m]
-  double mass = 0.0;                ///< [kg]
+  double mass = 0.0;                ///< with the point masses that it carries [kg]
   std::array<double, 3> inertia{};  ///< about its center, in its axes; with its section's [kg m^2]
-  std::array<double, 3> start{};    ///< world axes [m]; the center of mass is half way to `end`
+  std::array<double, 3> start{};    ///< world axes [m]
   std::array<double, 3> end{};
+  double balance = 0.5;  ///< the center of mass on the way from `start` to `end`, 0 … 1 [1]
   EngineAxes axes{};
   std::size_t part = 0;
 
-  std::array<double, 3> center() const;
+  std::array<double, 3> center() const { return point(balance); }  ///< of mass
+  /// The point at a share of the way from `start` to `end`.
+  std::array<double, 3> point(double share) const;
 };
 
 /// A joint between two segments, or between a segment and the ground: the beam's start, and each
@@ -83,8 +86,9 @@ struct EngineBeam {
   Formulas formulas = Formulas::Mechanics;
   YieldModel yield_model = YieldModel::PerAxis;
   YieldCap yield_cap = YieldCap::FirstYield;
-  double hinge_length = 0.0;  ///< L_p [m]
-  bool breaks = false;        ///< whether anything has a limit
+  double hinge_length = 0.0;    ///< L_p [m]
+  bool breaks = false;          ///< whether anything has a limit
+  bool carries_masses = false;  ///< whether the scene has point masses
   /// Over which length a the permanent turn of a joint alone counts: "L_p", "l", or which when.
   std::string break_length;
   /// Where the numbers come from, and what of the scene they do not hold: a sentence each.
@@ -97,7 +101,8 @@ struct EngineBeam {
 /// are not the beam's, and are not looked at; the notes name the supports that are left out.
 /// @param scene    a chain with its final material; it needs no load
 /// @param options  of which the time step is taken, and notes are made
-/// @throws InputError as `prepare`; if the scene is a coupon; if a support holds rotation and some
+/// @throws InputError as `prepare`; if the scene is a coupon; if the inertia of a point mass has
+/// principal axes across those of its segment; if a support holds rotation and some
 ///         translations where the axis is not along z, which one frame of a joint cannot say
 EngineBeam engine_beam(const Scene& scene, const SolverOptions& options);
 

@@ -135,6 +135,10 @@ void add_scene_notes(const Scene& scene, const SolverOptions& options, EngineBea
                                      options.damping_time));
   }
   note_supports(scene, beam.segments, beam);
+  if (beam.carries_masses) {
+    beam.notes.emplace_back(
+        "point masses are in the mass, center and inertia of the segments that carry them");
+  }
 }
 
 std::vector<std::string> comment_lines(const EngineBeam& beam) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/engine/writers.hpp"
+#include "plastica/base/check.hpp"
 
 namespace plastica::calibrate {
 
@@ -13,6 +14,18 @@ std::span<const std::string_view> engine_formats() {
                                                           "opensees"};
   return kWords;
 }
+
+namespace {
+
+/// A bar of OpenSees has its mass evenly.
+std::string of_even_segments(const EngineBeam& beam) {
+  if (!beam.carries_masses) return opensees_text(beam);
+  throw InputError({}, "mass", "",
+                   "does not go with opensees, whose segments have their mass evenly: csv, mjcf, "
+                   "agx and chrono take point masses");
+}
+
+}  // namespace
 
 std::vector<std::string> engine_notes(const EngineBeam& beam, EngineFormat format) {
   std::vector<std::string> notes = beam.notes;
@@ -35,7 +48,7 @@ std::string engine_text(const EngineBeam& plain, EngineFormat format) {
     case EngineFormat::Mjcf: return mjcf_text(beam);
     case EngineFormat::Agx: return agx_text(beam);
     case EngineFormat::Chrono: return chrono_text(beam);
-    case EngineFormat::OpenSees: return opensees_text(beam);
+    case EngineFormat::OpenSees: return of_even_segments(beam);
   }
   return csv_text(beam);
 }

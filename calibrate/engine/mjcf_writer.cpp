@@ -154,18 +154,19 @@ class MjcfWriter {
 
   void add_mass(const EngineSegment& segment) {
     const SectionProperties& p = beam_.parts[segment.part].properties;
-    std::array<double, 3> middle = segment.center();
-    for (std::size_t k = 0; k < 3; ++k) middle[k] -= segment.start[k];
-    const std::string center = of_vector(seen_from(segment.axes, middle));
-    text_ += fmt::format("  <inertial pos=\"{}\" mass=\"{}\" diaginertia=\"{}\"/>\n", center,
-                         segment.mass, of_vector(segment.inertia));
+    const auto at = [&](std::array<double, 3> point) {
+      for (std::size_t k = 0; k < 3; ++k) point[k] -= segment.start[k];
+      return of_vector(seen_from(segment.axes, point));
+    };
+    text_ += fmt::format("  <inertial pos=\"{}\" mass=\"{}\" diaginertia=\"{}\"/>\n",
+                         at(segment.center()), segment.mass, of_vector(segment.inertia));
     const bool round = section_kind(beam_.parts[segment.part].section).round();
     const std::string size = round ? fmt::format("{} {}", p.outer_distance_x, 0.5 * segment.length)
                                    : fmt::format("{} {} {}", p.outer_distance_y, p.outer_distance_x,
                                                  0.5 * segment.length);
     text_ += fmt::format(
         "  <geom type=\"{}\" pos=\"{}\" size=\"{}\" contype=\"0\" conaffinity=\"0\"/>\n",
-        round ? "cylinder" : "box", center, size);
+        round ? "cylinder" : "box", at(segment.point(0.5)), size);
   }
 
   void add_support(const EngineJoint& support, const EngineSegment& segment) {

@@ -92,6 +92,9 @@ void move_places(const Scene& original, Setup& setup) {
     places.move_end(scene.loads[i].at, name_of("load", i, "at"));
     if (scene.loads[i].to) places.move_end(*scene.loads[i].to, name_of("load", i, "to"));
   }
+  for (std::size_t i = 0; i < scene.masses.size(); ++i) {
+    places.move_end(scene.masses[i].at, name_of("mass", i, "at"));
+  }
   for (std::size_t i = 0; i < scene.regions.size(); ++i) {
     places.move_end(scene.regions[i].from, name_of("region", i, "from"));
     places.move_end(scene.regions[i].to, name_of("region", i, "to"));

@@ -15,6 +15,7 @@ constexpr int kModes = 40;  ///< of a released beam: the terms fall as the fifth
 
 bool is_clamped_alone(const Setup& setup) {
   const Scene& scene = setup.scene;
+  require_scene(scene.masses.empty(), "is for a beam without point masses");
   return !scene.is_coupon() && scene.supports.size() == 1 && scene.regions.empty() &&
          scene.supports[0].kind == SupportKind::Clamp && !scene.supports[0].moves() &&
          is_at_end(scene.supports[0].at, 0.0, setup) && scene.beam.shape == BeamShape::Straight;

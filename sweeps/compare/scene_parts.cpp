@@ -90,6 +90,7 @@ BentBeam bent_beam_of(const Setup& setup) {
   bent.beam.length = scene.beam.length;
   bent.beam.bending_stiffness = scene.material.youngs_modulus * bent.section.second_moment_x;
   if (heavy) {
+    require_scene(scene.masses.empty(), "is for a beam without point masses");
     require_scene(scene.gravity[0] == 0.0 && scene.gravity[2] == 0.0, "is for gravity along y");
     bent.beam.load.distributed = scene.gravity_history.at(end_time(setup)) * scene.gravity[1] *
                                  scene.material.density * bent.section.area;

@@ -129,7 +129,10 @@ std::span<const Field> derived_fields() {
       derived("scale.motions", {},
               "factor on prescribed motions, initial velocities and a coupon's strains", one,
               scale_motions),
-      derived("scale.size", kPositive, "factor on every length of the scene, sections included",
+      derived("scale.size", kPositive,
+              "factor on every length of the scene, sections included; point masses keep their "
+              "mass and "
+              "inertia",
               one, scale_size),
       derived("beam.slenderness", kPositive, "length over depth; moves the length", get_slenderness,
               set_slenderness),

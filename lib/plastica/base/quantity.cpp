@@ -26,6 +26,8 @@ std::string_view name_of(Dimension dimension) {
     case Dimension::MomentPerLength: return "moment per length";
     case Dimension::Velocity: return "velocity";
     case Dimension::AngularVelocity: return "angular velocity";
+    case Dimension::Mass: return "mass";
+    case Dimension::MomentOfInertia: return "moment of inertia";
   }
   return "unknown";
 }
@@ -54,6 +56,8 @@ std::string_view si_unit(Dimension dimension) {
     case Dimension::MomentPerLength: return "N m/m";
     case Dimension::Velocity: return "m/s";
     case Dimension::AngularVelocity: return "rad/s";
+    case Dimension::Mass: return "kg";
+    case Dimension::MomentOfInertia: return "kg m^2";
   }
   return "1";
 }

@@ -28,6 +28,8 @@ enum class Dimension {
   MomentPerLength,      ///< N m/m
   Velocity,             ///< m/s
   AngularVelocity,      ///< rad/s
+  Mass,                 ///< kg
+  MomentOfInertia,      ///< kg m^2; the last one
 };
 
 /// Name of a dimension as messages use it: "stress", "a pure number".

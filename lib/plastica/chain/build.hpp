@@ -11,6 +11,7 @@
 #include "plastica/chain/joint_plan.hpp"
 #include "plastica/chain/layout.hpp"
 #include "plastica/chain/placement.hpp"
+#include "plastica/chain/point_masses.hpp"
 #include "plastica/chain/view.hpp"
 #include "plastica/model/beam_axis.hpp"
 
@@ -49,6 +50,7 @@ class Builder {
     chain.histories.push_back({{0.0}, {0.0}});  // of what does not move
     add_segments();
     chain.inertias = segment_inertias(scene_, layout_, view_, rotary_);
+    add_point_masses(scene_, layout_, view_, chain.inertias);
     chain.root.position = view_.point(layout_.node[0]);
     chain.root.ground = view_.frame(layout_.joint_frame[0]);
     set_shifts();
@@ -319,6 +321,10 @@ class Builder {
       const Vec<double, 3> force = line_mass[part_of_segment(scene_, layout_, i)] * g;
       weight.force = force.at;
       add_point_load(weight, history, segment_point(layout_, middle), layout_.segment_length[i]);
+    }
+    for (const PointMass& mass : scene_.masses) {
+      weight.force = (mass.mass * g).at;
+      add_single_load(weight, history, share_of(mass.at, layout_.ends));
     }
   }
 

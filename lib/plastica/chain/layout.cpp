@@ -93,6 +93,9 @@ void set_bare_halves(const Scene& scene, Layout& layout) {
       const bool here = !load.to && share_of(load.at, layout.ends) == share;
       turned = turned || (here && load.moment != kNothing);
     }
+    for (const PointMass& mass : scene.masses) {
+      turned = turned || (mass.turns_inertly() && share_of(mass.at, layout.ends) == share);
+    }
     for (const Support& support : scene.supports) {
       if (support.to || share_of(support.at, layout.ends) != share) continue;
       turned = turned || support.rotational_stiffness != kNothing;

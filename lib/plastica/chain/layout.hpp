@@ -24,9 +24,10 @@ struct Layout {
   std::vector<double> joint_length;    ///< tributary lengths l [m] (N + 1)
   /// What of these lies in the segment before the node [m] (N + 1).
   std::vector<double> length_before;
-  /// Half of the segment at the start, and at the end, where a moment or a rotational spring acts
-  /// on it and nothing holds its rotation: no joint at the end strains it, so the next one does.
-  /// For bending about x, about y and twist [m]; 0 where there is no need.
+  /// Half of the segment at the start, and at the end, where a moment, a rotational spring or the
+  /// inertia of a point mass acts on it and nothing holds its rotation: no joint at the end strains
+  /// it, so the next one does. For bending about x, about y and twist [m]; 0 where there is no
+  /// need.
   std::array<std::array<double, 3>, 2> bare_half{};
 
   std::size_t size() const { return segment_length.size(); }

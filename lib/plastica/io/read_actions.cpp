@@ -81,6 +81,16 @@ Load read_load(const TomlTable& table) {
   return load;
 }
 
+PointMass read_mass(const TomlTable& table) {
+  PointMass mass;
+  mass.at = read_place(table.at("at"));
+  mass.mass = table.at("mass").quantity(Dimension::Mass);
+  if (const auto inertia = table.find("inertia")) {
+    mass.inertia = read_vector(*inertia, Dimension::MomentOfInertia);
+  }
+  return mass;
+}
+
 InitialMotion read_initial_motion(const TomlTable& table) {
   InitialMotion motion;
   if (const auto from = table.find("from")) motion.from = read_place(*from);
@@ -144,6 +154,9 @@ void read_actions(const TomlTable& root, Setup& setup) {
   }
   for (const TomlTable& table : root.find_tables("load")) {
     setup.scene.loads.push_back(read_load(table));
+  }
+  for (const TomlTable& table : root.find_tables("mass")) {
+    setup.scene.masses.push_back(read_mass(table));
   }
   read_gravity(root, setup);
   for (const TomlTable& table : root.find_tables("initial_motion")) {

@@ -62,6 +62,7 @@ class Feeder {
   void put(const Load& load) {
     all(load.at, load.to, load.force, load.moment, load.follows, load.history);
   }
+  void put(const PointMass& mass) { all(mass.at, mass.mass, mass.inertia); }
   void put(const InitialMotion& m) { all(m.from, m.to, m.velocity, m.spin, m.about); }
   void put(const Cut& cut) { all(cut.at, cut.time); }
   void put(const Probe& p) { all(p.name, p.quantity, p.at, p.component, p.energy); }
@@ -93,6 +94,8 @@ std::uint64_t scene_digest(const Setup& setup) {
   feeder.all(scene.beam, scene.regions, scene.drive.strain, scene.supports, scene.loads,
              scene.gravity_history, scene.initial_motions, scene.cuts, scene.probes);
   feeder.all(setup.solver.control_at, setup.solver.control_motion);
+  // Scenes without masses keep the digest of versions that had none.
+  if (!scene.masses.empty()) feeder.put(scene.masses);
   return feeder.value();
 }
 

@@ -23,7 +23,7 @@ bool is_coupon(const TomlTable& root, const SolverOptions& solver) {
                      "free flight needs solver.analysis = \"dynamics\"");
   }
   for (const std::string_view key :
-       {"support", "load", "region", "gravity", "initial_motion", "cut"}) {
+       {"support", "load", "mass", "region", "gravity", "initial_motion", "cut"}) {
     if (!coupon || !root.contains(key)) continue;
     throw InputError(locate(root, key), key, "",
                      "does not go with [drive]: a scene is a chain with supports and loads, or a "

@@ -44,6 +44,7 @@ struct SceneFile {
 ///   `translation` and `rotation` with their `history`.
 /// - [[load]]: `at`, `force`, `moment`, `follows`, `history`; with `to` it is spread from `at` to
 ///   there, and force and moment are per length.
+/// - [[mass]]: `at`, `mass`, `inertia`, about x, y and z.
 /// - `gravity`, a vector or a table with `acceleration`, or `x`, `y` and `z`, and `history`.
 /// - [[initial_motion]], dynamics: `velocity`, and `spin` through `about` (0.5 by default), of the
 ///   segments between `from` and `to`, the whole beam by default.

@@ -54,6 +54,13 @@ void walk_actions(Store& store, Scene& scene) {
   store.column("loads/follows", loads, PLASTICA_MEMBER(follows), "");
   store.histories("loads/history", loads);
 
+  auto& masses = scene.masses;
+  if (store.has_rows("masses", masses)) {
+    store.column("masses/at", masses, PLASTICA_MEMBER(at.fraction), "1");
+    store.column("masses/mass", masses, PLASTICA_MEMBER(mass), "kg");
+    store.vectors("masses/inertia", masses, PLASTICA_MEMBER(inertia), "kg m^2");
+  }
+
   store.numbers("gravity/acceleration", scene.gravity, "m/s^2");
   store.array("gravity/history_time", scene.gravity_history.time, {}, "s");
   store.array("gravity/history_factor", scene.gravity_history.factor,

@@ -59,6 +59,11 @@ class SceneReader {
                    std::string_view units) {
     if (root_.exists(path)) array(path, values, shape, units);
   }
+  /// Whether there is a table that files of older versions do not have, nor those without rows.
+  template <class Row>
+  bool has_rows(std::string_view path, const std::vector<Row>& /*rows*/) const {
+    return root_.exists(path);
+  }
   template <class Row, class Member>
   void words(std::string_view path, std::vector<Row>& rows, const Member& member,
              std::span<const std::string_view> words) {

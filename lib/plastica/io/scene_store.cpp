@@ -83,6 +83,7 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
     put(load.at);
     if (load.to) put(*load.to);
   }
+  for (PointMass& mass : scene.masses) put(mass.at);
   for (Probe& probe : scene.probes) put(probe.at);
   for (InitialMotion& motion : scene.initial_motions) {
     for (Place* place : {&motion.from, &motion.to, &motion.about}) put(*place);

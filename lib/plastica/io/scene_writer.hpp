@@ -52,6 +52,10 @@ class SceneWriter {
                    std::string_view units) {
     if (!values.empty()) array(path, values, shape, units);
   }
+  template <class Row>
+  bool has_rows(std::string_view /*path*/, const std::vector<Row>& rows) const {
+    return !rows.empty();
+  }
   template <class Row, class Member>
   void words(std::string_view path, const std::vector<Row>& rows, const Member& member,
              std::span<const std::string_view> words) {

@@ -58,6 +58,8 @@ std::string_view examples(Dimension dimension) {
     case Dimension::MomentPerLength: return "N m/m, kN m/m";
     case Dimension::Velocity: return "m/s, km/h";
     case Dimension::AngularVelocity: return "rad/s, deg/s";
+    case Dimension::Mass: return "kg, g, t";
+    case Dimension::MomentOfInertia: return "kg m^2, kg cm^2";
   }
   return "";
 }

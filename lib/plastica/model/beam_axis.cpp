@@ -106,6 +106,7 @@ std::vector<NodePlace> node_places(const Scene& scene) {
     add(scene.loads[i].at, "load", i, ".at");
     if (scene.loads[i].to) add(*scene.loads[i].to, "load", i, ".to");
   }
+  for (std::size_t i = 0; i < scene.masses.size(); ++i) add(scene.masses[i].at, "mass", i, ".at");
   if (scene.beam.shape == BeamShape::Polyline) {
     double along = 0.0;
     for (std::size_t i = 1; i + 1 < scene.beam.points.size(); ++i) {

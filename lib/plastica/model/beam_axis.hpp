@@ -18,8 +18,9 @@ struct NodePlace {
   const char* key = "";   ///< ".from"
 };
 
-/// Ends of regions, supports, loads, both ends of spread loads and the points of a polyline, in the
-/// scene's order; not what is named by a segment, which ends there whatever its length.
+/// Ends of regions, supports, loads, both ends of spread loads, point masses and the points of a
+/// polyline, in the scene's order; not what is named by a segment, which ends there whatever its
+/// length.
 std::vector<NodePlace> node_places(const Scene& scene);
 
 /// The fractions of the length at which segments have to end, rising: 0, what `node_places` says

@@ -210,6 +210,19 @@ void check_supports(const Scene& scene) {
   }
 }
 
+void check_masses(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.masses.size(); ++i) {
+    const PointMass& mass = scene.masses[i];
+    check_place(mass.at, scene.beam.segments, item_name("mass", i, ".at"));
+    require_not_negative(mass.mass, {}, item_name("mass", i, ".mass"));
+    for (const double inertia : mass.inertia) {
+      require_not_negative(inertia, {}, item_name("mass", i, ".inertia"));
+    }
+    require(mass.mass > 0.0 || mass.turns_inertly(), {}, item_name("mass", i, ".mass"), mass.mass,
+            "must be above 0 kg, or have inertia");
+  }
+}
+
 void check_actions(const Scene& scene, Analysis analysis) {
   const std::vector<double> ends = segment_ends(scene);
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {

@@ -29,6 +29,7 @@ void check_finite(std::span<const double> values, std::string_view field);
 void check_beam(const Scene& scene);
 
 void check_supports(const Scene& scene);
+void check_masses(const Scene& scene);
 
 /// Loads and gravity, and that something acts on the beam at all.
 void check_actions(const Scene& scene, Analysis analysis);

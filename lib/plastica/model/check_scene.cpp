@@ -70,11 +70,11 @@ void check_coupon(const Scene& scene, const SolverOptions& options) {
     }
   }
   if (!scene.supports.empty() || !scene.loads.empty() || !scene.regions.empty() ||
-      scene.gravity != std::array<double, 3>{} || !scene.initial_motions.empty() ||
-      !scene.cuts.empty()) {
+      !scene.masses.empty() || scene.gravity != std::array<double, 3>{} ||
+      !scene.initial_motions.empty() || !scene.cuts.empty()) {
     throw InputError({}, "drive.strain", "",
-                     "does not go with supports, loads, regions, gravity, initial motions or cuts: "
-                     "a scene is a coupon or a chain");
+                     "does not go with supports, loads, masses, regions, gravity, initial motions "
+                     "or cuts: a scene is a coupon or a chain");
   }
   model_detail::check_coupon_rules(scene);
   if (options.analysis == Analysis::Dynamics) {
@@ -94,6 +94,7 @@ void check_chain(const Scene& scene, const SolverOptions& options) {
   model_detail::check_beam(scene);
   model_detail::check_rules(scene);
   model_detail::check_supports(scene);
+  model_detail::check_masses(scene);
   if (statics) {
     model_detail::check_statics(scene, options);
   } else {

@@ -95,7 +95,7 @@ struct Facts {
 
 std::string frequency_text(const FirstFrequency& first) {
   return std::string("first frequency in ") + (first.torsion ? "torsion" : "bending") + ", about " +
-         figure(first.hertz) + " Hz";
+         figure(first.hertz) + " Hz" + (first.leaves_masses ? " without its point masses" : "");
 }
 
 std::optional<std::string> coarse_steps(const Facts& facts) {
@@ -220,7 +220,8 @@ std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelCho
     const double polar = section.second_moment_x + section.second_moment_y;
     const double speed = std::sqrt(resolved_shear_modulus(material) * section.torsion_constant /
                                    (material.density * polar));
-    return FirstFrequency{torsion_number(scene) * speed / length / (2.0 * pi), true};
+    return FirstFrequency{torsion_number(scene) * speed / length / (2.0 * pi), true,
+                          !scene.masses.empty()};
   }
   const auto omega = [&](BendingAxis axis, double area_moment) {
     return bending_number(scene, axis) / (length * length) *
@@ -230,7 +231,7 @@ std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelCho
   const double about_y = omega(BendingAxis::Y, section.second_moment_y);
   double first = std::min(about_x, about_y);
   if (level.level == Level::Planar) first = level.bending == BendingAxis::X ? about_x : about_y;
-  return FirstFrequency{first / (2.0 * pi), false};
+  return FirstFrequency{first / (2.0 * pi), false, !scene.masses.empty()};
 }
 
 std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions& options,

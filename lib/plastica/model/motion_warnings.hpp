@@ -12,7 +12,8 @@ namespace plastica::model_detail {
 /// An estimate of the lowest frequency at which a beam deforms.
 struct FirstFrequency {
   double hertz = 0.0;
-  bool torsion = false;  ///< of a beam that only twists; else in bending
+  bool torsion = false;        ///< of a beam that only twists; else in bending
+  bool leaves_masses = false;  ///< the beam carries point masses, which are left out
 };
 
 /// Of the scene's own section and material, straight, over the longest stretch between supports

@@ -11,6 +11,7 @@
 #include "plastica/model/load.hpp"
 #include "plastica/model/material.hpp"
 #include "plastica/model/motion.hpp"
+#include "plastica/model/point_mass.hpp"
 #include "plastica/model/probe.hpp"
 #include "plastica/model/rules.hpp"
 #include "plastica/model/section.hpp"
@@ -30,6 +31,7 @@ struct Scene {
   Drive drive;
   std::vector<Support> supports{};
   std::vector<Load> loads{};
+  std::vector<PointMass> masses{};  ///< what moves and weighs besides the beam
   std::array<double, 3> gravity{};  ///< acceleration in world axes [m/s^2]
   History gravity_history = History::ramp();
   std::vector<InitialMotion> initial_motions{};  ///< dynamics

@@ -279,11 +279,11 @@ std::optional<std::string> warping(const Facts& facts) {
          "is held (a clamped end, a torque along the way) the true beam is stiffer and stronger";
 }
 
-/// Supports and loads inside of segments whose lengths the scene sets.
+/// Supports, loads and masses inside of segments whose lengths the scene sets.
 std::optional<std::string> inner_places(const Facts& facts) {
   for (const NodePlace& place : node_places(facts.scene)) {
-    const bool acts =
-        place.list == std::string_view("support") || place.list == std::string_view("load");
+    const std::string_view list = place.list;
+    const bool acts = list == "support" || list == "load" || list == "mass";
     if (!acts || segment_end_at({place.fraction, {}}, facts.ends)) continue;
     return model_detail::item_name(place.list, place.index, place.key) + " = " +
            figure(place.fraction) +

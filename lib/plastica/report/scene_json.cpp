@@ -223,6 +223,16 @@ Json loads_of(const Scene& scene) {
   return all;
 }
 
+Json masses_of(const Scene& scene) {
+  Json all = Json::array();
+  for (const PointMass& mass : scene.masses) {
+    all.push_back({{"at", mass.at.fraction},
+                   {"mass", number(mass.mass)},
+                   {"inertia", numbers(mass.inertia)}});
+  }
+  return all;
+}
+
 Json gravity_of(const Scene& scene) {
   if (scene.gravity == std::array<double, 3>{}) return nullptr;
   return {{"acceleration", numbers(scene.gravity)}, {"history", history_of(scene.gravity_history)}};
@@ -345,6 +355,7 @@ std::string scene_json(const io::SceneRecord& record) {
                     {"regions", regions_of(scene)},
                     {"supports", supports_of(scene)},
                     {"loads", loads_of(scene)},
+                    {"masses", masses_of(scene)},
                     {"gravity", gravity_of(scene)},
                     {"motion", motion_of(record)},
                     {"samples", response.samples},

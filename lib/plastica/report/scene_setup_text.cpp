@@ -16,7 +16,7 @@
 namespace plastica::report {
 namespace {
 
-constexpr std::size_t kMostListed = 4;  ///< of supports, loads and regions
+constexpr std::size_t kMostListed = 4;  ///< of supports, loads, masses and regions
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 
 std::string section_label(const Section& section) {
@@ -123,6 +123,12 @@ std::string load_label(const Load& load, double end) {
   return label + history_label(load.history, end);
 }
 
+std::string mass_label(const PointMass& mass) {
+  std::string label = mass.mass > 0.0 ? brief(mass.mass) + " kg" : std::string();
+  label = joined(label, parts_of(mass.inertia, "I_", "kg m^2"));
+  return label + " at " + place_label(mass.at.fraction);
+}
+
 template <class Items, class Label>
 std::string listed(const Items& items, const Label& label) {
   std::string text;
@@ -156,6 +162,7 @@ std::string setup_text(const io::SceneRecord& record) {
   const std::string supports =
       listed(scene.supports, [&](const Support& support) { return support_label(support, end); });
   text += entry("supports", supports.empty() ? "none" : supports);
+  if (!scene.masses.empty()) text += entry("masses", listed(scene.masses, mass_label));
   std::string loads = listed(scene.loads, [&](const Load& load) { return load_label(load, end); });
   const std::string gravity = parts_of(scene.gravity, "g_", "m/s^2");
   if (!gravity.empty()) {

@@ -51,9 +51,9 @@ std::vector<BatchRow> run_batch(std::span<const BatchCase> cases, const BatchOpt
 /// Runs cases that are laid out when they are begun and handed over when they are finished, so that
 /// memory does not grow with their number. Motions of articulated schemes, and paths at rest under
 /// load control, wait, laid out, for others of their shape (as many segments, motions with the same
-/// steps and histories, paths with supports and loads at the same segments), at most 64 shapes a
-/// thread, and no more of them than take a quarter of a gigabyte; a batch that is stopped drops
-/// them. A case that the machine has no memory for is rejected (see `check_memory`).
+/// steps and histories, paths with supports, loads and masses at the same segments), at most 64
+/// shapes a thread, and no more of them than take a quarter of a gigabyte; a batch that is stopped
+/// drops them. A case that the machine has no memory for is rejected (see `check_memory`).
 /// @param make  called in the thread that runs the case. @throws InputError for a rejected case
 /// @param take  called with each row, one call at a time, from any thread
 void run_batch(std::size_t cases, const std::function<BatchCase(std::size_t)>& make,

@@ -31,6 +31,16 @@ bool same_loads(const ChainModel& a, const ChainModel& b) {
   });
 }
 
+/// Their weights are loads like others.
+bool same_masses(const ChainModel& a, const ChainModel& b) {
+  const auto& x = a.scene.masses;
+  const auto& y = b.scene.masses;
+  return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                    [&](const PointMass& s, const PointMass& t) {
+                      return segment_at(a, s.at) == segment_at(b, t.at);
+                    });
+}
+
 }  // namespace
 
 std::optional<solve::LaneLaw> lane_law(const ChainModel& model) {
@@ -61,7 +71,8 @@ bool walks_in_lanes(const ChainModel& model) {
 bool same_path_lanes(const ChainModel& a, const ChainModel& b) {
   return walks_in_lanes(a) && walks_in_lanes(b) && a.level == b.level && a.across == b.across &&
          a.options.isa == b.options.isa && lane_law(a) == lane_law(b) &&
-         a.part_of_segment == b.part_of_segment && same_supports(a, b) && same_loads(a, b);
+         a.part_of_segment == b.part_of_segment && same_supports(a, b) && same_loads(a, b) &&
+         same_masses(a, b);
 }
 
 std::unique_ptr<LaneProgram> make_path_lanes(const ChainModel& model) {

@@ -68,6 +68,12 @@ TEST(SegmentEnds, FallOnRegionsSupportsLoadsAndCorners) {
   expect_ends(bent, {0.0, 0.375, 0.75, 1.0});
 }
 
+TEST(SegmentEnds, FallOnPointMasses) {
+  Scene scene = scene_of(3);
+  scene.masses.push_back({{0.4, {}}, 1.0, {}});
+  expect_ends(scene, {0.0, 0.4, 0.7, 1.0});
+}
+
 TEST(SegmentEnds, AreAsShortAtMostAsTheDealAllows) {
   // No other deal of N segments to three stretches has a shorter longest segment.
   for (const double a : {0.013, 0.211, 0.449, 0.62}) {

@@ -20,8 +20,8 @@ TEST(CheckChain, RefusesAChainInACoupon) {
   EXPECT_EQ(error_of([](Scene& s) {
               s.drive.strain = {0.0, 0.1};
             }),
-            "drive.strain: does not go with supports, loads, regions, gravity, initial motions or "
-            "cuts: a scene is a coupon or a chain");
+            "drive.strain: does not go with supports, loads, masses, regions, gravity, initial "
+            "motions or cuts: a scene is a coupon or a chain");
 }
 
 TEST(CheckChain, RefusesSegmentAndJointLengthsThatDoNotFitTheBeam) {

@@ -87,10 +87,11 @@ TEST(CheckStatics, IsWhatACouponIs) {
             "solver.analysis = dynamics: must be statics in a scene with a drive, which is at rest "
             "at each strain");
   const std::string rule =
-      "drive.strain: does not go with supports, loads, regions, gravity, initial motions or cuts: "
-      "a scene is a coupon or a chain";
+      "drive.strain: does not go with supports, loads, masses, regions, gravity, initial motions "
+      "or cuts: a scene is a coupon or a chain";
   EXPECT_EQ(coupon([](Scene& s, SolverOptions&) { s.initial_motions.emplace_back(); }), rule);
   EXPECT_EQ(coupon([](Scene& s, SolverOptions&) { s.cuts.emplace_back(); }), rule);
+  EXPECT_EQ(coupon([](Scene& s, SolverOptions&) { s.masses.push_back({{}, 1.0, {}}); }), rule);
   EXPECT_EQ(coupon([](Scene&, SolverOptions& o) { o.damping = Damping::Relaxation; }),
             "solver.damping = relaxation" + kNeedsDynamics);
 }

@@ -260,6 +260,14 @@ TEST(MotionWarnings, SayThatARampOfGravityGrows) {
   EXPECT_EQ(heavy(History::constant()), std::vector<std::string>{});
 }
 
+TEST(MotionWarnings, SayThatTheFrequencyIsWithoutPointMasses) {
+  const auto warnings = warnings_of([](Scene& s, SolverOptions& o) {
+    s.masses.push_back({Place::end(), 1.0, {}});
+    o.time_step = 0.01;
+  });
+  EXPECT_TRUE(has(warnings, " Hz without its point masses (below 20)"));
+}
+
 TEST(MotionWarnings, SayWhichCutNeverComes) {
   const auto cut = [](double time) {
     return warnings_of([&](Scene& s, SolverOptions&) { s.cuts.push_back({{0.5, {}}, time}); });

@@ -215,6 +215,12 @@ TEST(SceneWarnings, SayWhatActsInsideOfASegmentThatTheSceneMeasures) {
   };
   EXPECT_FALSE(warns(warnings_of(loaded(false)), "inside of a segment"));
   EXPECT_TRUE(warns(warnings_of(loaded(true)), "at = 0.35 lies inside of a segment"));
+  const auto massive = [](Scene& s) {
+    s.beam.segments = 10;
+    s.beam.segment_shares.assign(10, 0.1);
+    s.masses.push_back({{0.35, {}}, 1.0, {}});
+  };
+  EXPECT_TRUE(warns(warnings_of(massive), "mass[1].at = 0.35 lies inside of a segment"));
 }
 
 }  // namespace

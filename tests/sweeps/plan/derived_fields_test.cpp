@@ -70,6 +70,15 @@ TEST(DerivedFields, ScaleEveryLength) {
   EXPECT_EQ(setup.scene.hinge_length, 0.5);
 }
 
+TEST(DerivedFields, LeaveMassesInAnotherSize) {
+  plastica::Setup setup = beam();
+  setup.scene.masses.push_back({Place::end(), 2.0, {1.0, 2.0, 3.0}});
+  field("scale.size").set(setup, 2.0);
+  field("scale.loads").set(setup, 2.0);
+  EXPECT_EQ(setup.scene.masses[0].mass, 2.0);
+  EXPECT_EQ(setup.scene.masses[0].inertia, (std::array{1.0, 2.0, 3.0}));
+}
+
 TEST(DerivedFields, TakeANamedMaterial) {
   plastica::Setup setup;
   field("material.name").set(setup, std::string("6061-T6"));
