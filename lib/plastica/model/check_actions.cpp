@@ -195,8 +195,7 @@ void check_neighbours(const Scene& scene, std::size_t index, std::span<const dou
 
 }  // namespace
 
-void check_supports(const Scene& scene) {
-  const std::vector<double> ends = segment_ends(scene);
+void check_supports(const Scene& scene, Ends ends) {
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     const Support& support = scene.supports[i];
     const std::string name = item_name("support", i);
@@ -223,8 +222,7 @@ void check_masses(const Scene& scene) {
   }
 }
 
-void check_actions(const Scene& scene, Analysis analysis) {
-  const std::vector<double> ends = segment_ends(scene);
+void check_actions(const Scene& scene, Analysis analysis, Ends ends) {
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
     const Load& load = scene.loads[i];
     check_place(load.at, scene.beam.segments, item_name("load", i, ".at"));

@@ -14,11 +14,10 @@ namespace {
 }
 
 /// The one support: what else holds the beam would need equations of its own.
-void check_support(const Scene& scene) {
+void check_support(const Scene& scene, Ends ends) {
   constexpr std::string_view kRule =
       "an articulated scheme is of a beam that a clamp or a pin holds at its start, and nothing "
       "else; \"linearly_implicit_midpoint\" takes all supports";
-  const std::vector<double> ends = segment_ends(scene);
   if (scene.supports.empty()) refuse("support", "", kRule);
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     const Support& support = scene.supports[i];
@@ -72,10 +71,11 @@ std::string break_field(const Scene& scene) {
 
 }  // namespace
 
-void check_articulated(const Scene& scene, const SolverOptions& options, const LevelChoice& level) {
+void check_articulated(const Scene& scene, const SolverOptions& options, const LevelChoice& level,
+                       Ends ends) {
   if (options.analysis != Analysis::Dynamics || !is_articulated(options.scheme)) return;
   static_cast<void>(resolved(options.isa));
-  check_support(scene);
+  check_support(scene, ends);
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
     if (scene.loads[i].follows) {
       refuse(item_name("load", i, ".follows"), "true",

@@ -98,8 +98,7 @@ void check_part(std::size_t region, const Check& check) {
   }
 }
 
-void check_regions(const Scene& scene) {
-  const std::vector<double> ends = segment_ends(scene);
+void check_regions(const Scene& scene, Ends ends) {
   for (std::size_t i = 0; i < scene.regions.size(); ++i) {
     const Region& region = scene.regions[i];
     check_place(region.from, scene.beam.segments, item_name("region", i, ".from"));
@@ -128,11 +127,11 @@ std::string names_of(std::span<const NodePlace> places) {
 }
 
 /// Segments end where regions, supports, loads and corners are.
-void check_division(const Scene& scene) {
+std::vector<double> checked_division(const Scene& scene) {
   if (scene.beam.segment_shares.empty() && scene.beam.joint_lengths.empty()) {
     const std::vector<double> needed = needed_ends(scene);
     const std::size_t fewest = needed.size() - 1;
-    if (static_cast<std::size_t>(scene.beam.segments) >= fewest) return;
+    if (static_cast<std::size_t>(scene.beam.segments) >= fewest) return segment_ends(scene);
     std::vector<NodePlace> inner;
     for (std::size_t i = 1; i < fewest; ++i) {
       for (const NodePlace& place : node_places(scene)) {
@@ -145,7 +144,7 @@ void check_division(const Scene& scene) {
                      "must be at least " + std::to_string(fewest) + ", since segments end at " +
                          names_of(inner));
   }
-  const std::vector<double> ends = segment_ends(scene);
+  std::vector<double> ends = segment_ends(scene);
   for (const NodePlace& place : node_places(scene)) {
     if (place.list != std::string_view("region") || segment_end_at({place.fraction, {}}, ends)) {
       continue;
@@ -157,6 +156,7 @@ void check_division(const Scene& scene) {
                          "_lengths sets; the nearest ends are " + number_text(*(after - 1)) +
                          " and " + number_text(*after));
   }
+  return ends;
 }
 
 }  // namespace
@@ -188,12 +188,13 @@ void check_finite(std::span<const double> values, std::string_view field) {
     require(std::isfinite(value), {}, field, value, "must be finite");
 }
 
-void check_beam(const Scene& scene) {
+std::vector<double> check_beam(const Scene& scene) {
   check_lengths(scene.beam);
   if (scene.beam.shape == BeamShape::Arc) check_arc(scene.beam);
   if (scene.beam.shape == BeamShape::Polyline) check_polyline(scene.beam);
-  check_division(scene);
-  check_regions(scene);
+  std::vector<double> ends = checked_division(scene);
+  check_regions(scene, ends);
+  return ends;
 }
 
 }  // namespace plastica::model_detail

@@ -96,8 +96,7 @@ void check_statics(const Scene& scene, const SolverOptions& options) {
           kNeedsDynamics);
 }
 
-void check_dynamics(const Scene& scene, const SolverOptions& options) {
-  const std::vector<double> ends = segment_ends(scene);
+void check_dynamics(const Scene& scene, const SolverOptions& options, Ends ends) {
   for (std::size_t i = 0; i < scene.initial_motions.size(); ++i) {
     check_initial_motion(scene, i, ends);
   }
@@ -120,8 +119,7 @@ void check_dynamics(const Scene& scene, const SolverOptions& options) {
   }
 }
 
-void check_cuts(const Scene& scene, const LevelChoice& level) {
-  const std::vector<double> ends = segment_ends(scene);
+void check_cuts(const Scene& scene, const LevelChoice& level, Ends ends) {
   const auto number = [&](const Cut& cut) { return nearest_segment_end(cut.at, ends); };
   for (std::size_t i = 0; i < scene.cuts.size(); ++i) {
     const Cut& cut = scene.cuts[i];

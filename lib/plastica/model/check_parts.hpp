@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "plastica/model/choose_level.hpp"
 #include "plastica/model/scene.hpp"
@@ -25,26 +26,31 @@ void check_place(const Place& place, int segments, std::string_view field);
 /// Throws unless all components are finite.
 void check_finite(std::span<const double> values, std::string_view field);
 
-/// Lengths and shape of a chain's beam, and its regions.
-void check_beam(const Scene& scene);
+/// Where the segments of a beam end, which all later checks go by (`segment_ends`).
+using Ends = std::span<const double>;
 
-void check_supports(const Scene& scene);
+/// Lengths and shape of a chain's beam, and its regions.
+/// @return where its segments end
+std::vector<double> check_beam(const Scene& scene);
+
+void check_supports(const Scene& scene, Ends ends);
 void check_masses(const Scene& scene);
 
 /// Loads and gravity, and that something acts on the beam at all.
-void check_actions(const Scene& scene, Analysis analysis);
+void check_actions(const Scene& scene, Analysis analysis, Ends ends);
 
 /// What a path of equilibria does not have: initial motions, cuts, impacts, damping.
 void check_statics(const Scene& scene, const SolverOptions& options);
 
 /// What a motion begins with and how it is solved; cuts apart.
-void check_dynamics(const Scene& scene, const SolverOptions& options);
+void check_dynamics(const Scene& scene, const SolverOptions& options, Ends ends);
 
 /// Cuts, on a level that holds the scene.
-void check_cuts(const Scene& scene, const LevelChoice& level);
+void check_cuts(const Scene& scene, const LevelChoice& level, Ends ends);
 
 /// What articulated schemes cannot do.
-void check_articulated(const Scene& scene, const SolverOptions& options, const LevelChoice& level);
+void check_articulated(const Scene& scene, const SolverOptions& options, const LevelChoice& level,
+                       Ends ends);
 
 /// The first load whose work depends on the path, so that the tangent at an equilibrium is not
 /// symmetric: it follows its segment, or is a moment of a fixed axis in space.
@@ -78,7 +84,7 @@ void check_precision(const Scene& scene, const SolverOptions& options);
 /// How a chain is solved.
 void check_solver(const Scene& scene, const SolverOptions& options);
 
-/// Probes of a coupon or a chain.
-void check_probes(const Scene& scene, Analysis analysis);
+/// Probes of a coupon, without ends, or a chain.
+void check_probes(const Scene& scene, Analysis analysis, Ends ends);
 
 }  // namespace plastica::model_detail

@@ -189,8 +189,7 @@ void check_solver(const Scene& scene, const SolverOptions& options) {
   }
 }
 
-void check_probes(const Scene& scene, Analysis analysis) {
-  const std::vector<double> ends = scene.is_coupon() ? std::vector<double>{} : segment_ends(scene);
+void check_probes(const Scene& scene, Analysis analysis, Ends ends) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
     const Probe& probe = scene.probes[i];

@@ -84,24 +84,26 @@ void check_coupon(const Scene& scene, const SolverOptions& options) {
   model_detail::check_statics(scene, options);
 }
 
-void check_chain(const Scene& scene, const SolverOptions& options) {
+/// @return where its segments end
+std::vector<double> check_chain(const Scene& scene, const SolverOptions& options) {
   const bool statics = options.analysis == Analysis::Statics;
   if (scene.supports.empty() && statics) {
     throw InputError({}, "support", "",
                      "is missing: a scene at rest has supports, or a drive; free flight needs "
                      "solver.analysis = \"dynamics\"");
   }
-  model_detail::check_beam(scene);
+  std::vector<double> ends = model_detail::check_beam(scene);
   model_detail::check_rules(scene);
-  model_detail::check_supports(scene);
+  model_detail::check_supports(scene, ends);
   model_detail::check_masses(scene);
   if (statics) {
     model_detail::check_statics(scene, options);
   } else {
-    model_detail::check_dynamics(scene, options);
+    model_detail::check_dynamics(scene, options, ends);
   }
-  model_detail::check_actions(scene, options.analysis);
+  model_detail::check_actions(scene, options.analysis, ends);
   model_detail::check_solver(scene, options);
+  return ends;
 }
 
 }  // namespace
@@ -112,20 +114,21 @@ void check_scene(const Scene& scene, const SolverOptions& options) {
   check_ranges(scene, options);
   check_report(scene);
   check_known(scene, options);
+  std::vector<double> ends;
   if (scene.is_coupon()) {
     check_coupon(scene, options);
   } else {
-    check_chain(scene, options);
+    ends = check_chain(scene, options);
   }
   model_detail::check_precision(scene, options);
-  model_detail::check_probes(scene, options.analysis);
+  model_detail::check_probes(scene, options.analysis, ends);
   const LevelChoice level = choose_level(scene, options);
   model_detail::check_modes(scene, options, level);
   if (scene.is_coupon()) return;
-  model_detail::check_cuts(scene, level);
-  model_detail::check_articulated(scene, options, level);
+  model_detail::check_cuts(scene, level, ends);
+  model_detail::check_articulated(scene, options, level, ends);
   if (options.analysis == Analysis::Dynamics) return;
-  if (const auto free = model_detail::free_motion(scene, level)) {
+  if (const auto free = model_detail::free_motion(scene, level, ends)) {
     const std::string name = level.reason.substr(0, level.reason.find(':'));
     throw InputError(
         {}, "support", "",

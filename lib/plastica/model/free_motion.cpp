@@ -34,8 +34,7 @@ Motion along(const std::array<double, 3>& direction, const std::array<double, 3>
           p[0] * d[1] - p[1] * d[0]};
 }
 
-std::vector<Motion> resisted_motions(const Scene& scene) {
-  const std::vector<double> ends = segment_ends(scene);
+std::vector<Motion> resisted_motions(const Scene& scene, std::span<const double> ends) {
   std::vector<Motion> motions;
   const auto add = [&](const Support& support, double share) {
     std::array<double, 3> point = axis_point(scene.beam, share);
@@ -82,11 +81,12 @@ std::array<bool, 6> freedoms_of(const LevelChoice& level) {
   }
 }
 
-std::optional<std::string> free_motion(const Scene& scene, const LevelChoice& level) {
+std::optional<std::string> free_motion(const Scene& scene, const LevelChoice& level,
+                                       std::span<const double> ends) {
   constexpr double kNothing = 1e-9;  // well above the rounding of unit vectors
   const std::array<bool, 6> freedoms = freedoms_of(level);
   std::vector<Motion> basis;
-  for (Motion motion : resisted_motions(scene)) {
+  for (Motion motion : resisted_motions(scene, ends)) {
     for (std::size_t i = 0; i < motion.size(); ++i) motion[i] *= freedoms[i] ? 1.0 : 0.0;
     subtract(basis, motion);
     const double size = std::sqrt(dot(motion, motion));

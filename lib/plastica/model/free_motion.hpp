@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "plastica/model/choose_level.hpp"
@@ -14,6 +15,7 @@ std::array<bool, 6> freedoms_of(const LevelChoice& level);
 
 /// A motion of the whole undeformed beam that no support resists at a level: "move along z",
 /// "rotate about x". Springs and pillars count as holding; empty if nothing is free.
-std::optional<std::string> free_motion(const Scene& scene, const LevelChoice& level);
+std::optional<std::string> free_motion(const Scene& scene, const LevelChoice& level,
+                                       std::span<const double> ends);
 
 }  // namespace plastica::model_detail

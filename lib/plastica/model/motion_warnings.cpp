@@ -35,8 +35,8 @@ constexpr std::array<std::array<double, 4>, 4> kBetaL{{{4.7300, 3.9266, 2.3650, 
 
 /// Holds by their share of the length, both ends included.
 /// @param across, turn  the freedoms of a support that count
-std::map<double, Hold> holds_of(const Scene& scene, std::size_t across, std::size_t turn) {
-  const std::vector<double> ends = segment_ends(scene);
+std::map<double, Hold> holds_of(const Scene& scene, std::span<const double> ends,
+                                std::size_t across, std::size_t turn) {
   std::map<double, Hold> holds{{0.0, {}}, {1.0, {}}};
   for (const Support& support : scene.supports) {
     const HeldFreedoms held = support.held();
@@ -49,9 +49,9 @@ std::map<double, Hold> holds_of(const Scene& scene, std::size_t across, std::siz
 }
 
 /// The smallest (beta L)^2 over the square of its stretch's share of the length.
-double bending_number(const Scene& scene, BendingAxis axis) {
+double bending_number(const Scene& scene, std::span<const double> ends, BendingAxis axis) {
   const bool about_x = axis == BendingAxis::X;
-  const auto holds = holds_of(scene, about_x ? 1 : 0, about_x ? 3 : 4);
+  const auto holds = holds_of(scene, ends, about_x ? 1 : 0, about_x ? 3 : 4);
   double smallest = 0.0;
   auto from = holds.begin();
   for (auto to = std::next(from); to != holds.end(); ++to) {
@@ -70,8 +70,8 @@ double bending_number(const Scene& scene, BendingAxis axis) {
 }
 
 /// omega L/c of the first twist, c the speed of torsional waves.
-double torsion_number(const Scene& scene) {
-  const auto holds = holds_of(scene, 5, 5);
+double torsion_number(const Scene& scene, std::span<const double> ends) {
+  const auto holds = holds_of(scene, ends, 5, 5);
   double smallest = 0.0;
   for (auto from = holds.begin(), to = std::next(from); to != holds.end(); ++from, ++to) {
     const bool same = from->second.turn == to->second.turn;
@@ -213,6 +213,7 @@ std::optional<std::string> late_cut(const Facts& facts) {
 
 std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelChoice& level) {
   if (scene.beam.segments < 2) return std::nullopt;
+  const std::vector<double> ends = segment_ends(scene);
   const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
   const Material& material = scene.material;
   const double length = scene.beam.length;
@@ -220,11 +221,11 @@ std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelCho
     const double polar = section.second_moment_x + section.second_moment_y;
     const double speed = std::sqrt(resolved_shear_modulus(material) * section.torsion_constant /
                                    (material.density * polar));
-    return FirstFrequency{torsion_number(scene) * speed / length / (2.0 * pi), true,
+    return FirstFrequency{torsion_number(scene, ends) * speed / length / (2.0 * pi), true,
                           !scene.masses.empty()};
   }
   const auto omega = [&](BendingAxis axis, double area_moment) {
-    return bending_number(scene, axis) / (length * length) *
+    return bending_number(scene, ends, axis) / (length * length) *
            std::sqrt(material.youngs_modulus * area_moment / (material.density * section.area));
   };
   const double about_x = omega(BendingAxis::X, section.second_moment_x);
