@@ -119,7 +119,8 @@ break_strain = "3 %"              # permanent strain at break; without it nothin
 # tangent_modulus = "2 GPa"
 
 [section]
-shape  = "rectangle"              # or "circle", "round_tube", "rectangular_tube"
+shape  = "rectangle"              # "circle", "round_tube", "rectangular_tube", "i_section";
+                                  # or profile = "IPE 200" in place of all three lines
 width  = "20 mm"
 height = "40 mm"
 
@@ -185,7 +186,7 @@ yield_model = "fibre"             # "interaction", "per_axis", "elastic": one mo
 
 [[support]]
 at   = "start"
-kind = "clamp"                    # "pin", "roller", "guide", "elastic", "pillar"
+kind = "clamp"                    # "pin", "roller", "guide", "elastic", "inclined_roller", "pillar"
 # hold = ["x", "y", "z", "rx", "ry", "rz"]                 # if not what the kind holds
 # translation = ["0 mm", "5 mm", "0 mm"]                   # moves, times its history
 
