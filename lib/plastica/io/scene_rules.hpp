@@ -12,6 +12,7 @@ namespace plastica::io {
 /// The numbers that are not just finite, or not negative.
 inline constexpr std::array kSceneRules{
     ValueRule{"supports/at", kShare},
+    ValueRule{"supports/to", kShare, Order::Any, true},
     ValueRule{"supports/gap", kNotNegative},
     ValueRule{"supports/restitution", kShare},
     ValueRule{"supports/stiffness", kNotNegative},

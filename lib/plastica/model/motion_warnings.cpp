@@ -107,6 +107,31 @@ std::optional<std::string> coarse_steps(const Facts& facts) {
          " (below 20); solver.time_step = \"" + figure(period / kEnoughSteps) + " s\" makes 20";
 }
 
+/// Steps do not end at the pieces of smooth histories, so that they must be short beside these.
+std::optional<std::string> coarse_histories(const Facts& facts) {
+  // Of a sine 128 pieces are a period, and 20 steps in it are enough.
+  constexpr double kPieces = 128.0;
+  if (facts.options.step_error > 0.0) return std::nullopt;
+  std::optional<std::string> warning;
+  const auto look_at = [&](const History& history, const std::string& name) {
+    if (warning || history.slope.size() < 3) return;
+    const double period = kPieces * (history.time[1] - history.time[0]);
+    if (period >= kEnoughSteps * facts.step) return;
+    warning = "steps of " + figure(facts.step) + " s are " + figure(period / facts.step) +
+              " in a period of " + name + " (below 20); solver.time_step = \"" +
+              figure(period / kEnoughSteps) + " s\" makes 20";
+  };
+  for (std::size_t i = 0; i < facts.scene.loads.size(); ++i) {
+    look_at(facts.scene.loads[i].history, item_name("load", i, ".history"));
+  }
+  for (std::size_t i = 0; i < facts.scene.supports.size(); ++i) {
+    const Support& support = facts.scene.supports[i];
+    if (support.moves()) look_at(support.history, item_name("support", i, ".history"));
+  }
+  look_at(facts.scene.gravity_history, "gravity.history");
+  return warning;
+}
+
 /// Implicit Euler takes a vibration to 1/sqrt(1 + a^2) of its amplitude in a step of the phase
 /// a = omega dt, so in a period of 2 pi/a steps to exp(-pi a) for a small a.
 std::optional<std::string> first_order(const Facts& facts) {
@@ -242,8 +267,8 @@ std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions
   facts.step = std::min(options.time_step, facts.duration / options.steps);
   if (options.step_error == 0.0) facts.first = first_frequency(scene, level);
   std::vector<std::string> warnings;
-  for (const auto find : {coarse_steps, first_order, undamped_alpha, ringing, local_restitution,
-                          growing_gravity, late_cut, articulated_yield}) {
+  for (const auto find : {coarse_steps, coarse_histories, first_order, undamped_alpha, ringing,
+                          local_restitution, growing_gravity, late_cut, articulated_yield}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   return warnings;

@@ -155,10 +155,11 @@ Json section_of(const Section& section) {
 }
 
 Json history_of(const History& history) {
-  return {{"time", numbers(history.time)},
-          {"factor", numbers(history.factor)},
-          {"slope", numbers(history.slope)},
-          {"continues", history.continues}};
+  Json all = {{"time", numbers(history.time)},
+              {"factor", numbers(history.factor)},
+              {"continues", history.continues}};
+  if (!history.slope.empty()) all["slope"] = numbers(history.slope);
+  return all;
 }
 
 Json regions_of(const Scene& scene) {
@@ -182,7 +183,7 @@ Json support_of(const Support& support) {
               {"at", support.at.fraction},
               {"holds", std::move(holds)}};
   if (support.kind == SupportKind::Elastic) {
-    all["to"] = support.to ? Json(support.to->fraction) : Json(nullptr);
+    if (support.to) all["to"] = support.to->fraction;
     all["stiffness"] = numbers(support.stiffness);
     all["rotational_stiffness"] = numbers(support.rotational_stiffness);
   }

@@ -139,7 +139,11 @@ class SpatialTangent final : public OutOfPlane {
     solve::detail::assemble(
         build_.chain, *joints_, [](std::size_t /*history*/) { return 0.0; }, work_);
     factor_assembled();
-    return work_.recursion.least_pivot() > kFree;
+    // What nothing at all resists makes no numbers, which the least pivot leaves out.
+    bool finite = true;
+    work_.recursion.for_each_pivot(build_.chain,
+                                   [&](double pivot) { finite = finite && std::isfinite(pivot); });
+    return finite && work_.recursion.least_pivot() > kFree;
   }
 
   void factor(const PlanarEquilibrium& at) {

@@ -75,11 +75,7 @@ class PathWalker {
   }
 
   /// How the path has ended.
-  Status status() const {
-    const bool at_end =
-        status_ == Status::Completed || status_ == Status::Broken || bifurcated_before_limit();
-    return at_end && unstable_ ? Status::Unstable : status_;
-  }
+  Status status() const;
 
   /// In how many ways the last equilibrium would be left; -1: not known.
   int known_ways() const { return ways_; }
@@ -112,10 +108,7 @@ class PathWalker {
 
   /// Whether it lost its stability before it came to its limit load: at that itself, the count may
   /// change within rounding.
-  bool bifurcated_before_limit() const {
-    return status_ == Status::LimitLoad && limit_ && !critical_.above.empty() &&
-           critical_.above.front() < (1.0 - kCriticalWidth) * limit_->below;
-  }
+  bool bifurcated_before_limit() const;
 
   void restore() {
     w_.q = committed_;

@@ -7,6 +7,19 @@
 namespace plastica::solve {
 
 template <class L, bool kElastic>
+bool PathWalker<L, kElastic>::bifurcated_before_limit() const {
+  return status_ == Status::LimitLoad && limit_ && !critical_.above.empty() &&
+         critical_.above.front() < (1.0 - kCriticalWidth) * limit_->below;
+}
+
+template <class L, bool kElastic>
+Status PathWalker<L, kElastic>::status() const {
+  const bool at_end =
+      status_ == Status::Completed || status_ == Status::Broken || bifurcated_before_limit();
+  return at_end && unstable_ ? Status::Unstable : status_;
+}
+
+template <class L, bool kElastic>
 void PathWalker<L, kElastic>::factor_tangent() {
   detail::assemble(chain_, laws_, w_);
   if (condition_.active) detail::stiffen_condition(chain_, condition_, w_);

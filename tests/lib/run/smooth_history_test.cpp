@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "plastica/model/scene_warnings.hpp"
 #include "plastica/run/natural_frequencies.hpp"
 #include "tests/support/chain_scene.hpp"
 
@@ -49,6 +50,20 @@ TEST(SmoothHistory, OfASineMakesTheForcedVibrationOfTheory) {
     // Second order: (2 pi/400)^2/12 of the phase, over four periods.
     EXPECT_LT(off, 1e-3 * largest) << ratio;
   }
+}
+
+TEST(SmoothHistory, ThatStepsAreTooLongForIsWarnedOf) {
+  Scene scene = swing(History::sine(1e-3, 10.0));
+  SolverOptions options{.analysis = Analysis::Dynamics, .duration = 0.01, .steps = 5};
+  const auto warned = [&](double time_step) {
+    options.time_step = time_step;
+    for (const std::string& warning : scene_warnings(scene, options)) {
+      if (warning.find("in a period of load[1].history") != std::string::npos) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(warned(1e-4));
+  EXPECT_FALSE(warned(4.9e-5));
 }
 
 /// A path of equilibria goes from peak to peak whatever the samples are: a hinge that yields at

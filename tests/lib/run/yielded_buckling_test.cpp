@@ -74,6 +74,20 @@ TEST(YieldedBuckling, IsNotToldOfWhatStaysBelow) {
   EXPECT_FALSE(response.critical.has_value());
 }
 
+/// What nothing holds in its plane, a bar on a pin and a slope that pushes along it, may swing out
+/// of it: of that nothing is told, whatever little the joints keep for Newton's method.
+TEST(YieldedBuckling, IsNotToldOfWhatMayLeaveThePlaneFreely) {
+  for (const int segments : {4, 64, 1000}) {
+    Scene scene = testing::chain_scene(segments);
+    scene.supports.push_back({.at = Place::start(), .kind = SupportKind::Pin});
+    scene.supports.push_back(
+        {.at = Place::end(), .kind = SupportKind::InclinedRoller, .normal = {0.0, 0.6, -0.8}});
+    scene.loads.push_back({.at = {0.5, {}}, .force = {0.0, -0.1, 0.0}});
+    const Response response = testing::completed(scene, {.level = Level::Planar, .steps = 1});
+    EXPECT_FALSE(response.critical.has_value()) << segments;
+  }
+}
+
 /// The load of a profile that no one holds sideways: IPE 200, 4 m, published I_z and I_T, without
 /// warping. Theory with the deflection before is higher by 1/sqrt((1 - I_z/I_y)(1 - G J/E I_y)).
 TEST(YieldedBuckling, OfAProfileIsBeforeItsPlasticMoment) {
