@@ -11,7 +11,6 @@
 
 namespace plastica {
 
-using model_detail::number_text;
 using model_detail::require_positive;
 
 std::span<const SectionKind* const> section_kinds() {
