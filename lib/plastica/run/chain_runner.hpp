@@ -56,6 +56,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   using SectionForces = std::vector<law::SectionForce<typename L::Scalar>>;
   void see(const chain::Coordinates<L>& q, double time, const SectionForces* forces);
   void look_beside(const chain::Coordinates<L>& q, double time, const SectionForces& forces);
+  void look_while_moments_grow(const Work& w);
 
   ChainBody<L, kElastic> body_;
   solve::PathOptions options_;
@@ -73,10 +74,11 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   chain::Coordinates<L> stable_;
   double stable_time_ = 0.0;
   bool has_stable_ = false;
-  int ways_beside_ = 0;        ///< as known last
-  double looked_at_ = 0.0;     ///< time of the last look out of the plane
-  double last_time_ = 0.0;     ///< of the last step
-  SectionForces last_forces_;  ///< there, of a planar chain that has yielded
+  int ways_beside_ = 0;         ///< as known last
+  double looked_at_ = 0.0;      ///< time of the last look out of the plane
+  double looked_moment_ = 0.0;  ///< largest moment of a joint then, or in the first step [N m]
+  double last_time_ = 0.0;      ///< of the last step
+  SectionForces last_forces_;   ///< there, of a planar chain that has yielded
   MaterialValues<double> beside_material_{};
   PlanarEquilibrium seen_;
 };

@@ -89,7 +89,7 @@ bool ChainRunner<L, kElastic>::begin_path() {
   has_stable_ = false;
   has_yielded_ = leaves_plane_ = false;
   ways_beside_ = 0;
-  looked_at_ = 0.0;
+  looked_at_ = looked_moment_ = 0.0;
   body_.record.begin_frames(*response_);
   solve::PathObserver<L, kElastic>& observer = *this;
   walker_.emplace(body_.build.chain, *body_.joints, options_, control_, body_.work, committed_,
@@ -242,7 +242,7 @@ bool ChainRunner<L, kElastic>::accept(const Work& w) {
   body_.record.add_work(w);
   has_yielded_ = has_yielded_ || yields();
   last_time_ = w.time;
-  if (L::kTranslations == 2 && has_yielded_) last_forces_ = body_.joints->section_forces();
+  if (L::kTranslations == 2) look_while_moments_grow(w);
   if (body_.model.options.buckling > 0 && walker_->known_ways() == 0 && !has_yielded_) {
     stable_ = w.q;
     stable_time_ = w.time;
