@@ -62,7 +62,12 @@ INSTANTIATE_TEST_SUITE_P(
         edit("ISectionWithoutFlanges", "'rectangle'", "'i_section'",
              "4: section.flange_thickness: is missing: shape = \"i_section\" needs it"),
         edit("NumbersWithoutArea", "'rectangle'", "'numbers'",
-             "4: section.area: is missing: shape = \"numbers\" needs it"),
+             "6: section.width = 20 mm: is of shape = \"rectangle\", and not of shape = "
+             "\"numbers\""),
+        edit("CircleWithAnInnerRadius", "'rectangle'\nwidth = '20 mm'\nheight = '40 mm'",
+             "'circle'\nradius = '20 mm'\ninner_radius = '10 mm'",
+             "7: section.inner_radius = 10 mm: is of shape = \"round_tube\", and not of shape = "
+             "\"circle\""),
         edit(
             "ISectionWithoutAWeb", "'rectangle'",
             "'i_section'\nflange_thickness = '20 mm'\nweb_thickness = '2 mm'",

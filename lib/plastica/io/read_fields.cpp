@@ -1,5 +1,6 @@
 #include "plastica/io/read_fields.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -69,6 +70,25 @@ void read_material(const TomlValue& value, Setup& setup) {
   if (!value.is_string()) read_part(value.table(), "material.", setup);
 }
 
+namespace {
+
+/// Refuses dimensions that another shape has: a forgotten `shape` would make a tube a solid bar.
+void refuse_other_dimensions(const TomlTable& table, const SectionKind& kind) {
+  const auto own = kind.dimensions();
+  for (const SectionKind* other : section_kinds()) {
+    for (const Field& field : other->dimensions()) {
+      const std::string_view key = field.path.substr(field.path.find('.') + 1);
+      const bool known =
+          std::any_of(own.begin(), own.end(), [&](const Field& f) { return f.path == field.path; });
+      if (known || !table.contains(key)) continue;
+      throw table.at(key).error("is of shape = \"" + std::string(other->word()) +
+                                "\", and not of shape = \"" + std::string(kind.word()) + "\"");
+    }
+  }
+}
+
+}  // namespace
+
 void read_section(const TomlValue& value, Setup& setup) {
   Section& section = setup.scene.section;
   const auto profile = value.is_string() ? value : value.table().find("profile");
@@ -87,6 +107,7 @@ void read_section(const TomlValue& value, Setup& setup) {
     section.name.clear();
   }
   const SectionKind& kind = section_kind(section);
+  refuse_other_dimensions(table, kind);
   if (&kind == &before) return;
   for (const Field& field : kind.dimensions()) {
     const std::string_view key = field.path.substr(field.path.find('.') + 1);

@@ -225,11 +225,24 @@ std::vector<typename ChainModes<L, kElastic>::Coordinate> ChainModes<L, kElastic
   };
   chain::Impedance<L> mass{};
   chain::Impedance<L> stiffness{};
+  // A joint moves what is outside of it, or what is inside: all of it, so that neither end counts
+  // for less. About joint 0 first.
+  const auto& position = w_.placement.position;
+  chain::Impedance<L> all{};
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    auto own = solve::inertia_impedance(chain.inertias[i], w_.placement.frame[i]);
+    const typename L::Point arm = position[i] - position[0];
+    chain::carry(arm, arm, own);
+    all += own;
+  }
   for (std::size_t i = chain.size(); i-- > 0;) {
     mass += solve::inertia_impedance(chain.inertias[i], w_.placement.frame[i]);
+    auto about = all;
+    const typename L::Point back = position[0] - position[i];
+    chain::carry(back, back, about);
     stiffness += held.impedance[i];
     const auto axes = L::axes(w_.placement.near[i]);
-    const auto turning = transpose(axes) * mass.rr * axes;
+    const auto turning = transpose(axes) * about.rr * axes;
     const auto resisting = transpose(axes) * stiffness.rr * axes;
     const auto& tangent = w_.joints.tangent[i];
     for (std::size_t k = 0; k < L::kRotations; ++k) {

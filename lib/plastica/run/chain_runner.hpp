@@ -76,7 +76,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   bool has_stable_ = false;
   int ways_beside_ = 0;         ///< as known last
   double looked_at_ = 0.0;      ///< time of the last look out of the plane
-  double looked_moment_ = 0.0;  ///< largest moment of a joint then, or in the first step [N m]
+  double looked_moment_ = 0.0;  ///< largest of a joint at the last such look on the way [N m]
   double last_time_ = 0.0;      ///< of the last step
   SectionForces last_forces_;   ///< there, of a planar chain that has yielded
   MaterialValues<double> beside_material_{};

@@ -109,22 +109,29 @@ void ChainRunner<L, kElastic>::look_beside(const chain::Coordinates<L>& q, doubl
 }
 
 /// A beam that leaves its plane may come back to rest in it: one that hangs down from a hinge is as
-/// stable as before it was bent. So a path is looked at on its way, too: where it yields each time
-/// that its largest moment has grown by 2 %, which ends at the section's own, else where that has
-/// doubled.
+/// stable as before it was bent. So a path is looked at on its way, too, where it yields or has
+/// turned far, each time that its largest moment has grown, which ends at the section's own.
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::look_while_moments_grow(const Work& w) {
+  constexpr double kFar = 0.3;  // [rad]
   const SectionForces& forces = body_.joints->section_forces();
   if (has_yielded_) last_forces_ = forces;
   if (asks_beside_ || leaves_plane_) return;
+  if (!has_yielded_) {
+    double turn = 0.0;
+    double farthest = 0.0;
+    for (const auto& angle : w.q.angle) {
+      turn += static_cast<double>(angle[0]);
+      farthest = std::max(farthest, std::fabs(turn));
+    }
+    if (farthest < kFar) return;
+  }
   const std::size_t axis = body_.view.section_axes().rotation(0);
   double largest = 0.0;
   for (const auto& force : forces) {
     largest = std::max(largest, std::fabs(static_cast<double>(force[axis])));
   }
-  const double growth = has_yielded_ ? 1.02 : 2.0;
-  if (looked_moment_ == 0.0) looked_moment_ = largest;
-  if (largest < growth * looked_moment_) return;
+  if (largest < (has_yielded_ ? 1.02 : 1.3) * looked_moment_) return;
   looked_moment_ = largest;
   look_beside(w.q, w.time, forces);
 }
