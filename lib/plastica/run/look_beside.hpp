@@ -113,7 +113,7 @@ void ChainRunner<L, kElastic>::look_beside(const chain::Coordinates<L>& q, doubl
 /// turned far, each time that its largest moment has grown, which ends at the section's own.
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::look_while_moments_grow(const Work& w) {
-  constexpr double kFar = 0.3;  // [rad]
+  constexpr double kFar = 1.0;  // [rad]
   const SectionForces& forces = body_.joints->section_forces();
   if (has_yielded_) last_forces_ = forces;
   if (asks_beside_ || leaves_plane_) return;
@@ -131,7 +131,7 @@ void ChainRunner<L, kElastic>::look_while_moments_grow(const Work& w) {
   for (const auto& force : forces) {
     largest = std::max(largest, std::fabs(static_cast<double>(force[axis])));
   }
-  if (largest < (has_yielded_ ? 1.02 : 1.3) * looked_moment_) return;
+  if (largest < (has_yielded_ ? 1.02 : 2.0) * looked_moment_) return;
   looked_moment_ = largest;
   look_beside(w.q, w.time, forces);
 }
