@@ -10,6 +10,7 @@
 #include "plastica/model/check_value.hpp"
 #include "plastica/theory/sampling.hpp"
 #include "sweeps/plan/derived_fields.hpp"
+#include "sweeps/plan/section_axes.hpp"
 
 namespace plastica::sweeps {
 namespace {
@@ -211,7 +212,7 @@ void read_axes(const TomlTable& root, Sweep& sweep) {
   std::vector<SampledAxis> sampled;
   for (const TomlTable& table : tables) {
     const TomlValue name = table.at("field");
-    Axis axis;
+    Axis axis{.where = name.where()};
     try {
       axis.field = &find_axis_field(name.string(), name.where());
     } catch (const InputError& error) {
@@ -242,7 +243,10 @@ void apply(Setup& setup, const std::vector<const Field*>& fields,
   };
   for (int turn = 0; turn < 4; ++turn) {
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (rank(*fields[i]) == turn) fields[i]->set(setup, values[i]);
+      if (rank(*fields[i]) != turn) continue;
+      fields[i]->set(setup, values[i]);
+      // With other dimensions it is no more the profile that has a name.
+      if (is_section_dimension(*fields[i])) setup.scene.section.name.clear();
     }
   }
 }

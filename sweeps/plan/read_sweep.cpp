@@ -6,6 +6,7 @@
 #include "plastica/io/toml.hpp"
 #include "sweeps/plan/derived_fields.hpp"
 #include "sweeps/plan/read_axes.hpp"
+#include "sweeps/plan/section_axes.hpp"
 #include "sweeps/plan/sweep.hpp"
 
 namespace plastica::sweeps {
@@ -23,7 +24,7 @@ void read_settings(const TomlTable& table, const std::string& prefix, Sweep& swe
       read_settings(value.table(), prefix + key + ".", sweep);
       continue;
     }
-    Axis axis;
+    Axis axis{.where = value.where()};
     try {
       axis.field = &find_axis_field(prefix + key, value.where());
     } catch (const InputError& error) {
@@ -81,6 +82,7 @@ Sweep read_document(const TomlDocument& document) {
   sweep.inputs.push_back(input_of(sweep.scene.path, sweep.scene.text));
   if (const auto set = root.find_table("set")) read_settings(*set, "", sweep);
   read_axes(root, sweep);
+  check_section_axes(sweep);
   read_error(root, sweep);
   read_fit(root, sweep);
   if (const auto cost = root.find_table("cost")) {

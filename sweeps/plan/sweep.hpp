@@ -20,10 +20,11 @@ namespace plastica::sweeps {
 struct Axis {
   const Field* field = nullptr;  ///< of scene, solver, or `derived_fields`
   /// In the order of the file; of a sampled axis, by sample. Monostate: an optional field is unset.
-  std::vector<FieldValue> values;
+  std::vector<FieldValue> values{};
   /// Axes with the same word, and all sampled ones, move together; empty: crossed with the others.
   std::string group{};
   bool sampled = false;  ///< whether a sample has drawn its values
+  SourceLocation where{};
 };
 
 /// What cases are compared with.

@@ -70,6 +70,18 @@ INSTANTIATE_TEST_SUITE_P(
               "sweep.toml:4: axis[1].values[2] = -8: must be from 1 to 1e+07"),
         sweep("NoUnit", "beam.segments'\nvalues = [4, 8, 16]", "beam.length'\nvalues = [4]",
               "sweep.toml:4: axis[1].values[1] = 4: a length needs a unit (examples: m, mm, in)"),
+        sweep("DimensionOfAnotherShape", "beam.segments'\nvalues = [4, 8, 16]",
+              "section.radius'\nvalues = ['4 mm', '5 mm']",
+              "sweep.toml:3: section.radius: moves nothing: section.shape is rectangle, without "
+              "that dimension"),
+        sweep("SetsADimensionOfAnotherShape", "[error]", "[set]\nsection.radius = '4 mm'\n[error]",
+              "sweep.toml:6: section.radius: moves nothing: section.shape is rectangle, without "
+              "that dimension"),
+        sweep(
+            "ShapeThatNeedsMore", "[error]", "[set]\nsection.shape = 'i_section'\n[error]",
+            "sweep.toml:6: section.shape = i_section: needs section.flange_thickness, in [set] or "
+            "as an "
+            "axis"),
         sweep("WrongTheory", "theory:elastica", "theory:elastika",
               "sweep.toml: error.against = theory:elastika: is not a closed form; there are …"),
         sweep("TheoryThatDoesNotHold", "[error]", "[set]\nbeam.shape = 'arc'\n[error]",

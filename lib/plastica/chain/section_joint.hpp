@@ -92,13 +92,17 @@ class SectionJointsBase : public JointLaws<L, kElastic> {
   /// Plastic work of each joint in the last trial alone [J] (joints).
   const std::vector<S>& work_increment() const { return work_; }
 
+  /// Stiffness per length of planar joints about the other axis in the last trial [N m^2] (joints);
+  /// empty where the law leaves it elastic.
+  const std::vector<S>& stiffness_aside() const { return aside_; }
+
   /// Back to the virgin state.
   virtual void reset() = 0;
 
  protected:
   std::vector<SectionJoint<L>> joints_;
   std::vector<law::SectionForce<S>> force_;
-  std::vector<S> elastic_, work_, plastic_;
+  std::vector<S> elastic_, work_, plastic_, aside_;
 };
 
 }  // namespace plastica::chain

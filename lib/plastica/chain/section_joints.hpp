@@ -41,6 +41,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     before_.resize(states);
     after_.resize(states);
     find_uneven();
+    if constexpr (kSeesAside) aside_.resize(joints_.size());
     if constexpr (kSeesAxial) {
       this->sees_axial_ = true;
       axial_before_.resize(joints_.size());
@@ -145,9 +146,11 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   using SectionJointsBase<L, kElastic>::elastic_;
   using SectionJointsBase<L, kElastic>::work_;
   using SectionJointsBase<L, kElastic>::plastic_;
+  using SectionJointsBase<L, kElastic>::aside_;
 
   static constexpr bool kManyStates = requires(const Law& law) { law.layout->states(); };
   static constexpr bool kSeesAxial = law::kSeesAxial<Law> && kT > 0;
+  static constexpr bool kSeesAside = law::kSeesAside<Law> && kT == 2;
 
   /// Where the states of each joint begin, of laws with many.
   struct ManyStates {
@@ -255,6 +258,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
       return respond_to<law::Components<First, kR, kElastic>>(j, strain);
     }();
     force_[j] = now.force;
+    if constexpr (kSeesAside) aside_[j] = now.tangent(1 - First, 1 - First);
     const S energy_length = joint.length[First];
     elastic_[j] = energy_length * now.elastic_energy;
     work_[j] = energy_length * now.plastic_work;

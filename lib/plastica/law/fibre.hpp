@@ -17,8 +17,9 @@ namespace plastica::law {
 ///
 /// Signs: a fibre at (x, y) has the strain axial + y kappa_x - x kappa_y (a positive rotation about
 /// x turns the y axis to z), so that M_x = sum y stress area, M_y = -sum x stress area: positive
-/// curvature gives positive moment. Components that the layout's plane does not see have neither
-/// force nor stiffness.
+/// curvature gives positive moment. Bending about the other axis has a stiffness, by which a beam
+/// would leave its plane; other components that the layout's plane does not see have neither force
+/// nor stiffness.
 /// @tparam Uniaxial  IdealPlastic<S>, LinearHardening<S> or VoceChaboche<S>
 template <class S, class Uniaxial>
 struct FibreSection {
@@ -26,6 +27,7 @@ struct FibreSection {
   Uniaxial fibre;             ///< under normal stress; of Torsion, under shear
 
   static constexpr bool kSeesAxial = true;
+  static constexpr bool kSeesAside = true;
 
   /// Of one fibre; a joint has an array of `layout->states()` of them.
   using State = typename Uniaxial::State;
@@ -41,6 +43,7 @@ inline SectionResponse<S> respond(const FibreSection<S, Uniaxial>& law,
   const std::size_t along = twists                               ? kTorsion
                             : layout.plane == FibrePlane::AboutY ? kBendingY
                                                                  : kBendingX;
+  const std::size_t aside = along == kBendingX ? kBendingY : kBendingX;
   const std::vector<double>& levers = twists ? layout.lever : layout.depth;
   const S axial = twists ? constant<S>(0) : strain[kAxial];
   SectionResponse<S> now{};
@@ -60,6 +63,7 @@ inline SectionResponse<S> respond(const FibreSection<S, Uniaxial>& law,
     now.force[kAxial] += force;
     now.tangent(kAxial, kAxial) += stiff;
     now.tangent(along, kAxial) += stiff * lever;
+    now.tangent(aside, aside) += stiff * constant<S>(layout.aside[i]);
   }
   if (!twists) now.tangent(kAxial, along) = now.tangent(along, kAxial);
   now.elastic_energy = constant<S>(0.5) * square / law.fibre.stiffness;

@@ -115,11 +115,20 @@ bool is_round(const Section& s) { return section_kind(s).round(); }
 
 double hole_radius(const Section& s) { return section_kind(s).hole_radius(s); }
 
-void add_layer(const Moments& m, FibreLayout& layout) {
+/// @param aside  see FibreLayout [m^2]
+void add_layer(const Moments& m, double aside, FibreLayout& layout) {
   for (const Point& p : gauss_points(m)) {
     layout.depth.push_back(p.position);
     layout.area.push_back(p.weight);
+    layout.aside.push_back(aside);
   }
+}
+
+/// Integral of x^2 over a disc up to y: (2/3) (R^2 - y^2)^(3/2) summed over y.
+double disc_aside_up_to(double radius, double y) {
+  const double angle = std::asin(std::clamp(y / radius, -1.0, 1.0));
+  return std::pow(radius, 4) / 12.0 *
+         (3.0 * angle + 2.0 * std::sin(2.0 * angle) + 0.25 * std::sin(4.0 * angle));
 }
 
 void add_round_layers(const Section& s, int intervals, FibreLayout& layout) {
@@ -129,8 +138,12 @@ void add_round_layers(const Section& s, int intervals, FibreLayout& layout) {
   const std::vector<double> edge = boundaries(edges, intervals);
   for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
     Moments m = disc_up_to(s.radius, edge[i + 1]) - disc_up_to(s.radius, edge[i]);
-    if (hole > 0.0) m = m - (disc_up_to(hole, edge[i + 1]) - disc_up_to(hole, edge[i]));
-    add_layer(m, layout);
+    double aside = disc_aside_up_to(s.radius, edge[i + 1]) - disc_aside_up_to(s.radius, edge[i]);
+    if (hole > 0.0) {
+      m = m - (disc_up_to(hole, edge[i + 1]) - disc_up_to(hole, edge[i]));
+      aside -= disc_aside_up_to(hole, edge[i + 1]) - disc_aside_up_to(hole, edge[i]);
+    }
+    add_layer(m, aside / m[0], layout);
   }
 }
 
@@ -145,15 +158,20 @@ void add_layers(const Section& s, bool about_x, int intervals, FibreLayout& layo
   for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
     const double y = std::fabs(0.5 * (edge[i] + edge[i + 1]));
     double breadth = 0.0;
+    double aside = 0.0;
     for (const SectionBlock& block : quarter.blocks) {
-      if (y > block.y_from && y < block.y_to) breadth += 2.0 * (block.x_to - block.x_from);
+      if (y > block.y_from && y < block.y_to) {
+        breadth += 2.0 * (block.x_to - block.x_from);
+        aside += 2.0 / 3.0 * (std::pow(block.x_to, 3) - std::pow(block.x_from, 3));
+      }
     }
-    add_layer(strip(breadth, edge[i], edge[i + 1]), layout);
+    add_layer(strip(breadth, edge[i], edge[i + 1]), aside / breadth, layout);
   }
   for (const SectionSpot& spot : quarter.spots) {
     for (const double y : {-spot.y, spot.y}) {
       layout.depth.push_back(y);
       layout.area.push_back(2.0 * spot.area);
+      layout.aside.push_back(spot.x * spot.x);
     }
   }
 }

@@ -25,6 +25,9 @@ struct FibreLayout {
   std::vector<double> depth;
   std::vector<double> across;  ///< Both: -x [m] (n_fibres), else empty
   std::vector<double> area;    ///< [m^2] (n_fibres)
+  /// AboutX, AboutY: mean square of the distance from the other axis over a fibre [m^2] (n_fibres),
+  /// else empty.
+  std::vector<double> aside;
   /// Both, Torsion: shear strain per twist [m] (n_fibres): the radius in a round section, in others
   /// law/shear_levers.hpp.
   std::vector<double> lever;

@@ -33,6 +33,12 @@ struct SectionResponse {
   S plastic_work;             ///< of this increment per length [J/m]
 };
 
+/// Whether the stiffness of a section that bends in its plane is told about the other axis, too.
+template <class Law>
+inline constexpr bool kSeesAside = requires {
+  Law::kSeesAside;
+};
+
 /// The components of strain that a level has: some of bending and twist, and the axial one if it
 /// stretches. A law whose components do not know of each other leaves out the others, which are 0.
 template <std::size_t First, std::size_t Count, bool Axial>

@@ -53,9 +53,16 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   void note_break(const Work& w);
   // Out of the plane of a planar chain: look_beside.hpp.
   bool has_space_beside();
-  using SectionForces = std::vector<law::SectionForce<typename L::Scalar>>;
-  void see(const chain::Coordinates<L>& q, double time, const SectionForces* forces);
-  void look_beside(const chain::Coordinates<L>& q, double time, const SectionForces& forces);
+  /// What joints' sections carry, and how stiff they are about the other axis.
+  struct Sections {
+    const std::vector<law::SectionForce<typename L::Scalar>>& force;
+    const std::vector<typename L::Scalar>& aside;
+  };
+  Sections sections() const {
+    return {body_.joints->section_forces(), body_.joints->stiffness_aside()};
+  }
+  void see(const chain::Coordinates<L>& q, double time, const Sections* sections);
+  void look_beside(const chain::Coordinates<L>& q, double time, const Sections& sections);
   void look_while_moments_grow(const Work& w);
 
   ChainBody<L, kElastic> body_;
@@ -78,7 +85,9 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   double looked_at_ = 0.0;      ///< time of the last look out of the plane
   double looked_moment_ = 0.0;  ///< largest of a joint at the last such look on the way [N m]
   double last_time_ = 0.0;      ///< of the last step
-  SectionForces last_forces_;   ///< there, of a planar chain that has yielded
+  /// `sections` there, of a planar chain that has yielded.
+  std::vector<law::SectionForce<typename L::Scalar>> last_forces_;
+  std::vector<typename L::Scalar> last_aside_;
   MaterialValues<double> beside_material_{};
   PlanarEquilibrium seen_;
 };

@@ -106,7 +106,7 @@ template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::finish() {
   Response& response = *response_;
   bool cut_short = false;
-  if (response.samples > 0) look_beside(committed_, last_time_, last_forces_);
+  if (response.samples > 0) look_beside(committed_, last_time_, {last_forces_, last_aside_});
   if (leaves_plane_ && !is_raised(hooks_->stop)) {
     // The path once more, with an eye on where that begins.
     asks_beside_ = true;
@@ -270,7 +270,7 @@ bool ChainRunner<L, kElastic>::record(const Work& w) {
   response_->chain.iterations[response_->samples] = walker_->counters().iterations;
   ++response_->samples;
   if (solve::is_corner(body_.build.chain, w.time, 1e-9 * options_.stops.back()))
-    look_beside(w.q, w.time, body_.joints->section_forces());
+    look_beside(w.q, w.time, sections());
   return response_->samples < body_.model.samples;
 }
 

@@ -60,23 +60,28 @@ bool ChainRunner<L, kElastic>::has_space_beside() {
   }
 }
 
-/// @param forces  of the joints' sections there, if any may have yielded
+/// @param sections  there, if any may have yielded
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::see(const chain::Coordinates<L>& q, double time,
-                                   const SectionForces* forces) {
+                                   const Sections* sections) {
   detail::see_in_space(body_.build.chain, body_.view, q, time, body_.work.closed, seen_);
   seen_.elastic.clear();
   seen_.ground_node.clear();
-  if (forces == nullptr || (!has_yielded_ && !yields())) return;
+  seen_.aside.clear();
+  if (sections == nullptr || (!has_yielded_ && !yields())) return;
   const auto axes = body_.view.section_axes();
   const auto elastic = [&](std::size_t joint, std::size_t axis) {
     const auto& numbers = body_.joints->joints()[joint];
-    return (*forces)[joint][axis] * numbers.length[axis] / numbers.stiffness[axis];
+    return sections->force[joint][axis] * numbers.length[axis] / numbers.stiffness[axis];
   };
   const auto add = [&](std::size_t joint) {
     typename L::Spin angle;
     for (std::size_t k = 0; k < L::kRotations; ++k) angle[k] = elastic(joint, axes.rotation(k));
     seen_.elastic.push_back(detail::doubles(body_.view.spin_in_space(angle)));
+    if (sections->aside.empty()) return;
+    const std::size_t aside = 1 - axes.rotation(0);
+    seen_.aside.push_back(static_cast<double>(sections->aside[joint] /
+                                              body_.joints->joints()[joint].stiffness[aside]));
   };
   const auto& chain = body_.build.chain;
   for (std::size_t j = 0; j < chain.size(); ++j) add(j);
@@ -97,13 +102,13 @@ void ChainRunner<L, kElastic>::see(const chain::Coordinates<L>& q, double time,
 /// Looks whether the plane is left at an equilibrium.
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::look_beside(const chain::Coordinates<L>& q, double time,
-                                           const SectionForces& forces) {
+                                           const Sections& sections) {
   if constexpr (L::kTranslations == 2) {
     // At time 0 little acts; what acts is there later, too.
     const bool known = asks_beside_ || leaves_plane_ || !(time > looked_at_ || time < looked_at_);
     if (known || !has_space_beside()) return;
     looked_at_ = time;
-    see(q, time, &forces);
+    see(q, time, &sections);
     leaves_plane_ = beside_->ways(seen_) > 0;
   }
 }
@@ -114,8 +119,10 @@ void ChainRunner<L, kElastic>::look_beside(const chain::Coordinates<L>& q, doubl
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::look_while_moments_grow(const Work& w) {
   constexpr double kFar = 1.0;  // [rad]
-  const SectionForces& forces = body_.joints->section_forces();
-  if (has_yielded_) last_forces_ = forces;
+  if (has_yielded_) {
+    last_forces_ = sections().force;
+    last_aside_ = sections().aside;
+  }
   if (asks_beside_ || leaves_plane_) return;
   if (!has_yielded_) {
     double turn = 0.0;
@@ -128,19 +135,20 @@ void ChainRunner<L, kElastic>::look_while_moments_grow(const Work& w) {
   }
   const std::size_t axis = body_.view.section_axes().rotation(0);
   double largest = 0.0;
-  for (const auto& force : forces) {
+  for (const auto& force : sections().force) {
     largest = std::max(largest, std::fabs(static_cast<double>(force[axis])));
   }
   if (largest < (has_yielded_ ? 1.02 : 2.0) * looked_moment_) return;
   looked_moment_ = largest;
-  look_beside(w.q, w.time, forces);
+  look_beside(w.q, w.time, sections());
 }
 
 template <class L, bool kElastic>
 int ChainRunner<L, kElastic>::ways_beside(const Work& w) {
   if constexpr (L::kTranslations == 2) {
     if (!asks_beside_ || !has_space_beside()) return ways_beside_;
-    see(w.q, w.time, &body_.joints->section_forces());
+    const Sections now = sections();
+    see(w.q, w.time, &now);
     ways_beside_ = beside_->ways(seen_);
     return ways_beside_;
   } else {
@@ -152,7 +160,8 @@ template <class L, bool kElastic>
 double ChainRunner<L, kElastic>::log_determinant_beside(const Work& w) {
   if constexpr (L::kTranslations == 2) {
     if (!asks_beside_ || !has_space_beside()) return 0.0;
-    see(w.q, w.time, &body_.joints->section_forces());
+    const Sections now = sections();
+    see(w.q, w.time, &now);
     return beside_->log_determinant(seen_);
   } else {
     return 0.0;
@@ -163,7 +172,8 @@ template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::note_mode(bool out_of_plane, Work& w, std::vector<double>& mode) {
   if constexpr (L::kTranslations == 2) {
     if (out_of_plane) {
-      see(w.q, w.time, &body_.joints->section_forces());
+      const Sections now = sections();
+      see(w.q, w.time, &now);
       beside_->add_mode(seen_, mode);
       return;
     }

@@ -178,18 +178,41 @@ class SpatialTangent final : public OutOfPlane {
   /// What has yielded carries the moments of its elastic angles.
   void unload(const PlanarEquilibrium& at) {
     const std::size_t n = build_.chain.size();
-    for (std::size_t i = 0; i < n; ++i) work_.angles[i].at = at.elastic[i];
-    for (const auto& joint : build_.chain.ground_joints) {
-      for (std::size_t k = 0; k < at.ground_node.size(); ++k) {
-        if (at.ground_node[k] == joint.node) work_.angles[joint.joint].at = at.elastic[n + k];
+    const auto each = [&](const auto& visit) {
+      for (std::size_t i = 0; i < n; ++i) visit(i, i);
+      for (const auto& joint : build_.chain.ground_joints) {
+        for (std::size_t k = 0; k < at.ground_node.size(); ++k) {
+          if (at.ground_node[k] == joint.node) visit(joint.joint, n + k);
+        }
       }
-    }
+    };
+    each([&](std::size_t joint, std::size_t seen) { work_.angles[joint].at = at.elastic[seen]; });
     joints_->evaluate(work_.angles, work_.q.shift, work_.joints);
+    if (!at.aside.empty()) {
+      each([&](std::size_t joint, std::size_t seen) { soften(joint, at.aside[seen]); });
+    }
     chain::gather_forces(
         build_.chain, work_.q, work_.placement, work_.stage, work_.joints,
         [&](std::size_t history) { return build_.chain.histories[history].at(work_.time); },
         work_.outer_forces);
     solve::detail::set_closures(build_.chain, work_);
+  }
+
+  /// Leaves a joint a share of its stiffness for bending out of the plane.
+  void soften(std::size_t joint, double share) {
+    const std::size_t aside = 1 - normal_;
+    const auto& numbers = joints_->joints()[joint];
+    const double lost = (1.0 - share) * numbers.acting[aside] * numbers.acting[aside] *
+                        numbers.stiffness[aside] / numbers.length[aside];
+    const auto& angle = work_.angles[joint];
+    const chain::RotationCoefficients<double> k(dot(angle, angle));
+    const auto to_angle = chain::inverse_tangent_map(angle, k);
+    auto& tangent = work_.joints.tangent[joint];
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        tangent(i, j) -= lost * to_angle(aside, i) * to_angle(aside, j);
+      }
+    }
   }
 
   void factor_assembled() {

@@ -25,14 +25,18 @@ struct PlanarEquilibrium {
   /// Where joints have yielded, the elastic part of the angles; else empty.
   std::vector<std::array<double, 3>> elastic;  ///< of the joints (N), then at `ground_node`
   std::vector<std::size_t> ground_node;        ///< of joints to the ground: their segment ends
-  std::array<double, 3> root{};                ///< free translation of the start [m]
-  std::vector<Held> held;                      ///< closures
+  /// Then, of sections that yield in part: the stiffness that they have left for bending about the
+  /// other axis, over the elastic one (as `elastic`), or empty where all is left.
+  std::vector<double> aside;
+  std::array<double, 3> root{};  ///< free translation of the start [m]
+  std::vector<Held> held;        ///< closures
 };
 
-/// Whether a planar chain would leave its plane: the elastic spatial tangent about its equilibria,
-/// of which only the freedoms out of the plane are looked at; at a planar state they go with
-/// none of the others. Joints that have yielded are no stiffer than that: what leaves the plane
-/// with it leaves it, and may have done so before. README.md, Stability.
+/// Whether a planar chain would leave its plane: the spatial tangent about its equilibria, of which
+/// only the freedoms out of the plane are looked at; at a planar state they go with none of the
+/// others. Torsion is elastic, and so is bending about the other axis, but for fibres: those that
+/// flow have the slope of their hardening (the tangent modulus; Engesser, Shanley 1947). README.md,
+/// Stability.
 class OutOfPlane {
  public:
   virtual ~OutOfPlane() = default;
