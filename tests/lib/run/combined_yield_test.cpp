@@ -15,7 +15,7 @@ namespace {
 
 using testing::tolerance;
 
-const Section kSquare{.width = 0.02, .height = 0.02};
+const Section kSquareBar{.width = 0.02, .height = 0.02};
 const Section kFlat{.width = 0.02, .height = 0.04};
 const Section kRound{.shape = SectionShape::Circle, .radius = 0.01};
 
@@ -108,7 +108,7 @@ void expect_first_yield(const Section& section, const Material& material,
 const double kRoot = std::sqrt(0.5);
 
 TEST(CombinedYield, OfASquareBentAboutBothAxesBeginsAtTheCorner) {
-  expect_first_yield(kSquare, steel(), {1.0, 1.0, 0.0}, {0.5, 0.5, 0.5});
+  expect_first_yield(kSquareBar, steel(), {1.0, 1.0, 0.0}, {0.5, 0.5, 0.5});
 }
 
 TEST(CombinedYield, OfAFlatSectionBentAboutBothAxesBeginsAtTheCorner) {
@@ -120,7 +120,7 @@ TEST(CombinedYield, OfACircleBentAboutBothAxesBeginsWhereTheResultantPoints) {
 }
 
 TEST(CombinedYield, OfBendingWithTorsionBeginsWhereBothStressesAreLargest) {
-  expect_first_yield(kSquare, steel(), {1.0, 0.0, 1.0}, {kRoot, kRoot, kRoot});
+  expect_first_yield(kSquareBar, steel(), {1.0, 0.0, 1.0}, {kRoot, kRoot, kRoot});
   expect_first_yield(kRound, steel(), {1.0, 0.0, 1.0}, {kRoot, kRoot, kRoot});
 }
 
@@ -136,7 +136,7 @@ TEST(CombinedYield, OfAFlatSectionBentTheStrongWayIsSparedByTheLowerShearOfItsSh
 }
 
 TEST(CombinedYield, OfWoodGoesByItsOwnShearStrength) {
-  expect_first_yield(kSquare, wood(), {1.0, 0.0, 1.0}, {kRoot, kRoot, kRoot});
+  expect_first_yield(kSquareBar, wood(), {1.0, 0.0, 1.0}, {kRoot, kRoot, kRoot});
 }
 
 TEST(CombinedYield, OfWoodComesEarlierThanOfAMetalAsStrong) {
@@ -147,7 +147,7 @@ TEST(CombinedYield, OfWoodComesEarlierThanOfAMetalAsStrong) {
   const double t = borne / 3.0;
   const auto ratio = [](const Material& material, double torsion) {
     const double exact = 1.0 / std::hypot(1.0, torsion);
-    const Scene scene = loaded(kSquare, material, {1.0, 0.0, torsion}, YieldModel::Interaction);
+    const Scene scene = loaded(kSquareBar, material, {1.0, 0.0, torsion}, YieldModel::Interaction);
     return first_yield(scene, exact) / exact;
   };
   EXPECT_NEAR(ratio(wood(), t), 1.0, tolerance(0.0035));
@@ -155,7 +155,7 @@ TEST(CombinedYield, OfWoodComesEarlierThanOfAMetalAsStrong) {
 }
 
 TEST(CombinedYield, OfAllThreeIsGovernedByTheCornerOfASquare) {
-  expect_first_yield(kSquare, steel(), {1.0, 1.0, 1.0}, {0.5, 1.0 / std::sqrt(5.0), 0.5});
+  expect_first_yield(kSquareBar, steel(), {1.0, 1.0, 1.0}, {0.5, 1.0 / std::sqrt(5.0), 0.5});
   expect_first_yield(kRound, steel(), {1.0, 1.0, 1.0},
                      {1.0 / std::sqrt(3.0), 1.0 / std::sqrt(5.0), 1.0 / std::sqrt(3.0)});
 }
@@ -172,14 +172,14 @@ void expect_collapse(const Section& section, const std::array<double, 3>& share,
 }
 
 TEST(CombinedYield, CollapsesOnThePlasticSurface) {
-  const SectionProperties square = section_properties(kSquare, 0.3);
+  const SectionProperties square = section_properties(kSquareBar, 0.3);
   const SectionProperties round = section_properties(kRound, 0.3);
   const double torsion = square.plastic_torsion_modulus / square.torsion_modulus;
   const double circle = 16.0 / (3.0 * std::acos(-1.0));
   // m + 3/4 m^2 = 1 at m = 2/3 of M_p = 1.5 M_y; on its own each goes to 1.5.
-  expect_collapse(kSquare, {1.0, 1.0, 0.0}, 1.5, 1.0);
+  expect_collapse(kSquareBar, {1.0, 1.0, 0.0}, 1.5, 1.0);
   expect_collapse(kRound, {1.0, 1.0, 0.0}, circle, circle * kRoot);
-  expect_collapse(kSquare, {1.0, 0.0, 1.0}, 1.5, 1.0 / std::hypot(1.0 / 1.5, 1.0 / torsion));
+  expect_collapse(kSquareBar, {1.0, 0.0, 1.0}, 1.5, 1.0 / std::hypot(1.0 / 1.5, 1.0 / torsion));
   expect_collapse(kRound, {1.0, 0.0, 1.0}, round.plastic_torsion_modulus / round.torsion_modulus,
                   1.0 / std::hypot(1.0 / circle, 0.75));
 }
@@ -189,7 +189,7 @@ TEST(CombinedYield, OfFibresCollapsesOnTheTruePlasticSurfaceOfBending) {
   const auto of = [&](const Section& section) {
     return collapse(loaded(section, steel(), {1.0, 1.0, 0.0}, YieldModel::Fibre));
   };
-  EXPECT_NEAR(of(kSquare), 1.0, tolerance(0.005));
+  EXPECT_NEAR(of(kSquareBar), 1.0, tolerance(0.005));
 }
 
 TEST(CombinedYield, OfFibresCollapsesUnderTorqueAsTheSandHeap) {
@@ -198,15 +198,15 @@ TEST(CombinedYield, OfFibresCollapsesUnderTorqueAsTheSandHeap) {
     return collapse(loaded(section, steel(), {bending, 0.0, 1.0}, YieldModel::Fibre),
                     bending == 0.0 ? Level::Twist : Level::Spatial, 16);
   };
-  const SectionProperties square = section_properties(kSquare, 0.3);
+  const SectionProperties square = section_properties(kSquareBar, 0.3);
   const double torsion = square.plastic_torsion_modulus / square.torsion_modulus;
-  EXPECT_NEAR(of(kSquare, 0.0) / torsion, 1.0, tolerance(2e-3));
+  EXPECT_NEAR(of(kSquareBar, 0.0) / torsion, 1.0, tolerance(2e-3));
   EXPECT_NEAR(of(kRound, 0.0) / (4.0 / 3.0), 1.0, tolerance(2e-3));
   const double circle = 16.0 / (3.0 * std::acos(-1.0));
   EXPECT_NEAR(of(kRound, 1.0) * std::hypot(1.0 / circle, 0.75), 1.0, tolerance(0.006));
   const double lower = 1.0 / std::hypot(1.0 / 1.5, 1.0 / torsion);
-  EXPECT_GT(of(kSquare, 1.0), lower * 0.998);
-  EXPECT_LT(of(kSquare, 1.0), lower * 1.03);
+  EXPECT_GT(of(kSquareBar, 1.0), lower * 0.998);
+  EXPECT_LT(of(kSquareBar, 1.0), lower * 1.03);
 }
 
 }  // namespace

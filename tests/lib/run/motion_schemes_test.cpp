@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plastica/run/natural_frequencies.hpp"
+#include "plastica/run/simulate.hpp"
 #include "plastica/solve/motion_step.hpp"
 #include "tests/support/chain.hpp"
 #include "tests/support/tolerance.hpp"

@@ -147,7 +147,7 @@ Scene falling(bool in_space) {
 }
 
 /// Largest distance of two responses, over the largest size.
-double distance(const Response& a, const Response& b, std::size_t probe) {
+double relative_distance(const Response& a, const Response& b, std::size_t probe) {
   double largest = 0.0;
   double size = 0.0;
   for (std::size_t i = 0; i < a.samples; ++i) {
@@ -173,13 +173,13 @@ TEST_P(Space, ArticulatedSchemesCarryThemAsTheOthersDo) {
   const Response coarse = run(Scheme::ArticulatedMidpoint, 8e-5);
   const Response fine = run(Scheme::ArticulatedMidpoint, 4e-5);
   for (std::size_t p = 0; p < scene.probes.size(); ++p) {
-    EXPECT_LT(distance(exact, fine, p), 1e-3) << p;
-    EXPECT_LT(distance(exact, fine, p), 0.35 * distance(exact, coarse, p)) << p;
+    EXPECT_LT(relative_distance(exact, fine, p), 1e-3) << p;
+    EXPECT_LT(relative_distance(exact, fine, p), 0.35 * relative_distance(exact, coarse, p)) << p;
   }
   EXPECT_LT(fine.ledger_error, 1e-3);
   EXPECT_NEAR(last_energy(fine).external / last_energy(exact).external, 1.0, 1e-3);
   const Response euler = run(Scheme::ArticulatedEuler, 1e-5);
-  EXPECT_LT(distance(exact, euler, 0), 1e-2);
+  EXPECT_LT(relative_distance(exact, euler, 0), 1e-2);
 }
 
 TEST_P(Space, AllSchemesAgree) {
@@ -193,7 +193,7 @@ TEST_P(Space, AllSchemesAgree) {
   for (const Scheme scheme : kGeneralSchemes) {
     const Response found = run(scheme);
     const double within = scheme == Scheme::LinearlyImplicitEuler ? 3e-2 : 2e-3;
-    EXPECT_LT(distance(exact, found, 0), within) << static_cast<int>(scheme);
+    EXPECT_LT(relative_distance(exact, found, 0), within) << static_cast<int>(scheme);
   }
 }
 
@@ -209,7 +209,7 @@ TEST(FallingMasses, MoveInSpaceAsInThePlane) {
     const Response spatial = completed(scene, options);
     const bool articulated = is_articulated(scheme);
     for (std::size_t p = 0; p < 2; ++p) {
-      EXPECT_LT(distance(planar, spatial, p), articulated ? 2e-5 : 1e-7)
+      EXPECT_LT(relative_distance(planar, spatial, p), articulated ? 2e-5 : 1e-7)
           << static_cast<int>(scheme);
     }
   }
@@ -226,7 +226,7 @@ TEST(FallingMasses, AreTheMirrorImageFromTheOtherEnd) {
   options.duration = 0.1;
   const Response here = completed(scene, options);
   const Response there = completed(image, options);
-  EXPECT_LT(distance(here, there, 0), 1e-7);
+  EXPECT_LT(relative_distance(here, there, 0), 1e-7);
 }
 
 TEST(FallingMasses, InABatchHaveTheBitsThatTheyHaveAlone) {
