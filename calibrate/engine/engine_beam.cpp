@@ -274,6 +274,10 @@ EngineBeam engine_beam(const Scene& scene, const SolverOptions& options) {
     throw InputError({}, "drive.strain", "",
                      "a coupon has no joints: an export needs a beam with supports");
   }
+  for (std::size_t i = 0; i < scene.supports.size(); ++i) {
+    if (scene.supports[i].kind != SupportKind::Hinge) continue;
+    throw InputError({}, fmt::format("support[{}]", i + 1), "", "is a hinge, which no export has");
+  }
   const Model model = bare_model(scene);
   EngineBeam beam = BeamReader(*model.chain).read();
   beam.gravity = scene.gravity;

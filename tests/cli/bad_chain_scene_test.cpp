@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
         change_chain(
             "OfUnknownKind", "'clamp'", "'clamped'",
             "12: support[1].kind = 'clamped': must be one of \"clamp\", \"pin\", \"roller\", "
-            "\"guide\", \"elastic\", \"pillar\", \"inclined_roller\""),
+            "\"guide\", \"elastic\", \"pillar\", \"inclined_roller\", \"hinge\""),
         change_chain(
             "AtAnUnknownPlace", "'start'", "'middle'",
             "11: support[1].at = middle: must be \"start\", \"end\", { segment = 3 } (its outer "

@@ -112,6 +112,10 @@ class Builder {
     const Support& support = scene_.supports[index];
     const std::size_t history = support.moves() ? add_history(support.history) : 0;
     const double share = share_of(support.at, layout_.ends);
+    if (support.kind == SupportKind::Hinge) {
+      release_bending(share);
+      return;
+    }
     if (support.to) {
       add_bed(support, index, history, share, share_of(*support.to, layout_.ends));
       return;
@@ -235,6 +239,7 @@ class Builder {
   void add_along_normal(const Support& support, std::size_t index, double share);
   void add_bed(const Support& support, std::size_t index, std::size_t history, double from,
                double to);
+  void release_bending(double share);
   void add_springs(const Support& support, std::size_t index, std::size_t history, double share);
 
   void add_load(const Load& load) {

@@ -6,7 +6,7 @@
 
 #include "plastica/chain/build.hpp"
 
-/// Supports that hold along a normal, and springs to the ground.
+/// Supports that hold along a normal, springs to the ground, and hinges.
 namespace plastica::chain {
 
 template <class L>
@@ -20,6 +20,17 @@ void Builder<L>::add_along_normal(const Support& support, std::size_t index, dou
   closure.motion = dot(closure.direction, view_.point(vector(support.translation)));
   closure.target = dot(closure.direction, undeformed_point(point)) - constant<S>(support.gap);
   build_.chain.closures.push_back(closure);
+}
+
+/// The joint there has no law for bending. The halves of its segments are not strained, as at an
+/// end without moment: of order 2, since the moment grows from zero.
+template <class L>
+void Builder<L>::release_bending(double share) {
+  const std::size_t node = segment_point(layout_, share).segment + 1;
+  const auto released = view_.rotations(HeldFreedoms{false, false, false, true, true, false});
+  for (std::size_t k = 0; k < kR; ++k) {
+    if (released[k]) build_.joints[node].acting[k] = false;
+  }
 }
 
 /// Two springs for what lies on each segment, at its Gauss points: they make the force and the

@@ -11,9 +11,11 @@
 namespace plastica::model_detail {
 namespace {
 
-/// A small rigid motion, or what a support resists of it: translation along x, y, z, and rotation
-/// about x, y, z through the beam's start, in radians times the beam's length.
-using Motion = std::array<double, 6>;
+/// A small rigid motion of each piece between hinges, or what a support or a hinge resists of it:
+/// translation along x, y, z, and rotation about x, y, z through the beam's start, in radians times
+/// the beam's length (6 n_pieces).
+using Motion = std::vector<double>;
+using Point = std::array<double, 3>;
 
 double dot(const Motion& a, const Motion& b) {
   double sum = 0.0;
@@ -21,42 +23,113 @@ double dot(const Motion& a, const Motion& b) {
   return sum;
 }
 
-/// What a resistance along `direction` at `point` (over the length) resists: the velocity there of
-/// a motion (v, w) is v + w x point, so along the direction it is v.d + w.(point x d).
-Motion along(const std::array<double, 3>& direction, const std::array<double, 3>& point) {
-  const auto& d = direction;
-  const auto& p = point;
-  return {d[0],
-          d[1],
-          d[2],
-          p[1] * d[2] - p[2] * d[1],
-          p[2] * d[0] - p[0] * d[2],
-          p[0] * d[1] - p[1] * d[0]};
-}
-
-std::vector<Motion> resisted_motions(const Scene& scene, std::span<const double> ends) {
-  std::vector<Motion> motions;
-  const auto add = [&](const Support& support, double share) {
-    std::array<double, 3> point = axis_point(scene.beam, share);
-    for (double& component : point) component /= scene.beam.length;
-    const HeldFreedoms held = support.held();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::array<double, 3> direction{};
-      direction[axis] = 1.0;
-      if (held[axis] || support.stiffness[axis] > 0.0) motions.push_back(along(direction, point));
-      Motion rotation{};
-      rotation[axis + 3] = 1.0;
-      if (held[axis + 3] || support.rotational_stiffness[axis] > 0.0) motions.push_back(rotation);
+/// The pieces of a beam between its hinges.
+class Pieces {
+ public:
+  Pieces(const Scene& scene, std::span<const double> ends) : scene_(scene), ends_(ends) {
+    for (const Support& support : scene.supports) {
+      if (support.kind == SupportKind::Hinge) hinges_.push_back(share_of(support.at, ends));
     }
-    if (support.has_normal()) motions.push_back(along(support.normal, point));
-  };
-  for (const Support& support : scene.supports) {
-    add(support, share_of(support.at, ends));
-    // A bed holds as springs at both of its ends.
-    if (support.to) add(support, share_of(*support.to, ends));
+    std::sort(hinges_.begin(), hinges_.end());
   }
-  return motions;
-}
+
+  std::size_t count() const { return hinges_.size() + 1; }
+  Motion none() const { return Motion(6 * count()); }
+
+  std::vector<Motion> resisted() {
+    for (const Support& support : scene_.supports) {
+      const double share = share_of(support.at, ends_);
+      if (support.kind == SupportKind::Hinge) {
+        add_hinge(share);
+      } else if (support.to) {
+        add_bed(support, share, share_of(*support.to, ends_));
+      } else {
+        add_support(support, piece_at(share), share);
+      }
+    }
+    return std::move(motions_);
+  }
+
+ private:
+  /// A point at a hinge belongs to the piece before it.
+  std::size_t piece_at(double share) const {
+    return static_cast<std::size_t>(std::lower_bound(hinges_.begin(), hinges_.end(), share) -
+                                    hinges_.begin());
+  }
+  /// Over the length.
+  Point point_at(double share) const {
+    Point point = axis_point(scene_.beam, share);
+    for (double& component : point) component /= scene_.beam.length;
+    return point;
+  }
+
+  /// What a resistance along `direction` at `point` resists: the velocity there of a motion (v, w)
+  /// is v + w x point, so along the direction it is v.d + w.(point x d).
+  static void put(const Point& d, const Point& p, double factor, double* motion) {
+    const Point turning{p[1] * d[2] - p[2] * d[1], p[2] * d[0] - p[0] * d[2],
+                        p[0] * d[1] - p[1] * d[0]};
+    for (std::size_t i = 0; i < 3; ++i) {
+      motion[i] += factor * d[i];
+      motion[i + 3] += factor * turning[i];
+    }
+  }
+  static Point unit(std::size_t axis) {
+    Point direction{};
+    direction[axis] = 1.0;
+    return direction;
+  }
+
+  void add_support(const Support& support, std::size_t piece, double share) {
+    const Point point = point_at(share);
+    const HeldFreedoms held = support.held();
+    const auto add = [&](const Point& direction) {
+      motions_.push_back(none());
+      put(direction, point, 1.0, &motions_.back()[6 * piece]);
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (held[axis] || support.stiffness[axis] > 0.0) add(unit(axis));
+      if (!held[axis + 3] && !(support.rotational_stiffness[axis] > 0.0)) continue;
+      motions_.push_back(none());
+      motions_.back()[6 * piece + 3 + axis] = 1.0;
+    }
+    if (support.has_normal()) add(support.normal);
+  }
+
+  /// A bed holds each piece as springs at both ends of what lies on it.
+  void add_bed(const Support& support, double from, double to) {
+    for (std::size_t piece = 0; piece < count(); ++piece) {
+      const double begin = std::max(from, piece == 0 ? 0.0 : hinges_[piece - 1]);
+      const double end = std::min(to, piece + 1 == count() ? 1.0 : hinges_[piece]);
+      if (end <= begin) continue;
+      add_support(support, piece, begin);
+      add_support(support, piece, end);
+    }
+  }
+
+  /// A hinge ties both sides together but for bending.
+  void add_hinge(double share) {
+    const std::size_t piece = piece_at(share);
+    const Point point = point_at(share);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      motions_.push_back(none());
+      put(unit(axis), point, 1.0, &motions_.back()[6 * piece]);
+      put(unit(axis), point, -1.0, &motions_.back()[6 * piece + 6]);
+    }
+    const auto node = std::lower_bound(ends_.begin(), ends_.end(), share);
+    const Point before = point_at(*(node - 1));
+    const Point after = point_at(*(node + 1));
+    motions_.push_back(none());
+    for (std::size_t i = 0; i < 3; ++i) {
+      motions_.back()[6 * piece + 3 + i] = after[i] - before[i];
+      motions_.back()[6 * piece + 9 + i] = before[i] - after[i];
+    }
+  }
+
+  const Scene& scene_;
+  std::span<const double> ends_;
+  std::vector<double> hinges_;
+  std::vector<Motion> motions_;
+};
 
 /// Takes out of a motion what an orthonormal basis holds of it, twice, which leaves rounding alone.
 void subtract(std::span<const Motion> basis, Motion& motion) {
@@ -85,9 +158,10 @@ std::optional<std::string> free_motion(const Scene& scene, const LevelChoice& le
                                        std::span<const double> ends) {
   constexpr double kNothing = 1e-9;  // well above the rounding of unit vectors
   const std::array<bool, 6> freedoms = freedoms_of(level);
+  Pieces pieces(scene, ends);
   std::vector<Motion> basis;
-  for (Motion motion : resisted_motions(scene, ends)) {
-    for (std::size_t i = 0; i < motion.size(); ++i) motion[i] *= freedoms[i] ? 1.0 : 0.0;
+  for (Motion motion : pieces.resisted()) {
+    for (std::size_t i = 0; i < motion.size(); ++i) motion[i] *= freedoms[i % 6] ? 1.0 : 0.0;
     subtract(basis, motion);
     const double size = std::sqrt(dot(motion, motion));
     if (size < kNothing) continue;
@@ -98,9 +172,9 @@ std::optional<std::string> free_motion(const Scene& scene, const LevelChoice& le
   // that is free altogether, all of it.
   std::size_t freest = 0;
   double most = 0.0;
-  for (std::size_t i = 0; i < freedoms.size(); ++i) {
-    if (!freedoms[i]) continue;
-    Motion motion{};
+  for (std::size_t i = 0; i < 6 * pieces.count(); ++i) {
+    if (!freedoms[i % 6]) continue;
+    Motion motion = pieces.none();
     motion[i] = 1.0;
     subtract(basis, motion);
     const double left = std::sqrt(dot(motion, motion));
@@ -111,7 +185,8 @@ std::optional<std::string> free_motion(const Scene& scene, const LevelChoice& le
   if (most < kNothing) return std::nullopt;
   constexpr std::array<const char*, 6> kNames{"move along x",   "move along y",   "move along z",
                                               "rotate about x", "rotate about y", "rotate about z"};
-  return kNames[freest];
+  const std::string beside = pieces.count() > 1 ? " beside a hinge" : "";
+  return kNames[freest % 6] + beside;
 }
 
 }  // namespace plastica::model_detail

@@ -5,8 +5,8 @@
 namespace plastica {
 
 std::span<const std::string_view> support_kinds() {
-  static constexpr std::array<std::string_view, 7> kWords{
-      "clamp", "pin", "roller", "guide", "elastic", "pillar", "inclined_roller"};
+  static constexpr std::array<std::string_view, 8> kWords{
+      "clamp", "pin", "roller", "guide", "elastic", "pillar", "inclined_roller", "hinge"};
   return kWords;
 }
 
@@ -24,7 +24,8 @@ HeldFreedoms Support::held() const {
     case SupportKind::Guide: return {false, false, false, true, true, true};
     case SupportKind::Elastic:
     case SupportKind::Pillar:
-    case SupportKind::InclinedRoller: return {};
+    case SupportKind::InclinedRoller:
+    case SupportKind::Hinge: return {};
   }
   return {};
 }

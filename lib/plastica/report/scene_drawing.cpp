@@ -261,7 +261,7 @@ void BeamPicture::put(PlotScript& script, bool lines_between, double head) const
                       "using 1:2 with lines linewidth 2 linecolor rgb '#000000'", "cut");
   }
   // Point types of gnuplot in the order of SupportKind: squares hold rotations.
-  constexpr std::array<int, 7> kSymbols{5, 9, 6, 4, 12, 8, 7};
+  constexpr std::array<int, 8> kSymbols{5, 9, 6, 4, 12, 8, 7, 14};
   for (std::size_t kind = 0; kind < kSymbols.size(); ++kind) {
     if (supports_[kind].empty()) continue;
     script.add_series(script.add_points(supports_[kind]),

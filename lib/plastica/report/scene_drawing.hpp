@@ -49,7 +49,7 @@ double largest_strain(const io::SceneRecord& record, std::size_t frame);
 
 /// Where the supports are in a frame.
 struct SupportMarks {
-  std::array<std::vector<Point2>, 7> points;  ///< by kind, but pillars
+  std::array<std::vector<Point2>, 8> points;  ///< by kind, but pillars
   Lines pillars;                              ///< triangles whose tip is what the beam meets
   Lines surfaces;                             ///< from their tips to where the beam is on them
 };
@@ -87,7 +87,7 @@ class BeamPicture {
   std::vector<std::vector<std::vector<double>>> cuts_;
   std::vector<std::vector<std::vector<double>>> pillars_;
   std::vector<std::vector<std::vector<double>>> surfaces_;
-  std::array<std::vector<std::vector<double>>, 7> supports_;
+  std::array<std::vector<std::vector<double>>, 8> supports_;
   std::vector<std::vector<double>> arrows_;
 };
 

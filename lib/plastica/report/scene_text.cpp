@@ -139,6 +139,7 @@ std::string reaction_text(const io::SceneRecord& record, const Ink& ink) {
   const double length = record.setup.scene.beam.length;
   for (std::size_t s = 0; s < chain.supports; ++s) {
     const Support& support = record.setup.scene.supports[s];
+    if (support.kind == SupportKind::Hinge) continue;  // which has none
     std::vector<std::string> row = {
         std::string(support_kinds()[static_cast<std::size_t>(support.kind)]),
         place_label(support.at.fraction)};
