@@ -20,8 +20,8 @@ enum class SupportKind {
   Elastic,         ///< none rigidly; springs in each direction whose stiffness is above zero
   Pillar,          ///< one-sided: pushes along `normal`, never pulls; frictionless
   InclinedRoller,  ///< the translation along `normal`, both ways
-  /// None: the beam itself has a hinge here. No moment about the section's axes x and y goes through
-  /// it; forces and torque do.
+  /// None: the beam itself has a hinge here. No moment about the section's axes x and y goes
+  /// through it; forces and torque do.
   Hinge,
 };
 
