@@ -203,8 +203,9 @@ class BeamReader {
       const auto uniaxial = law::uniaxial_material(part.form.axis[k], materials_[law.law]);
       joint.yield_moment[k] = part.form.modulus[k] * uniaxial.yield;
       if (part.material->hardening.law == HardeningLaw::Linear) {
-        joint.hardened_stiffness[k] = joint.stiffness[k] * uniaxial.plastic_modulus /
-                                      (uniaxial.stiffness + uniaxial.plastic_modulus);
+        const auto linear = law::LinearHardening<double>::of(uniaxial, materials_[law.law]);
+        const double modulus = linear.isotropic + linear.kinematic;
+        joint.hardened_stiffness[k] = joint.stiffness[k] * modulus / (uniaxial.stiffness + modulus);
       }
       if (beam_.breaks) joint.break_angle[k] = break_angle(part, node, k);
     }

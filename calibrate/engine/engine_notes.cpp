@@ -7,6 +7,7 @@
 
 #include "plastica/base/version.hpp"
 #include "plastica/model/beam_axis.hpp"
+#include "plastica/model/hardening_kind.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -36,15 +37,14 @@ void note_yield(const Scene& scene, EngineBeam& beam) {
               beam.parts[0].properties.torsion_modulus));
       break;
   }
-  if (hardening.law == HardeningLaw::VoceChaboche) {
-    beam.notes.emplace_back(
-        "Voce and Chaboche hardening is left out: the moments are those of first yield");
-  }
   if (hardening.law == HardeningLaw::Linear) {
     beam.notes.emplace_back(fmt::format(
         "linear hardening, {:g} of it kinematic: behind first yield a joint has the hardened "
         "stiffness",
         hardening.kinematic_share));
+  } else if (hardening.law != HardeningLaw::Ideal) {
+    beam.notes.emplace_back(fmt::format("{} is left out: the moments are those of first yield",
+                                        hardening_kind(hardening.law).phrase()));
   }
 }
 

@@ -230,6 +230,7 @@ void require(bool holds, std::string_view field, double value, std::string_view 
 
 void check_options(const FitOptions& options) {
   check_parameters(options.parameters);
+  check_law_parameters(options.parameters, options.setup.scene.material.hardening, options.laws);
   const StoppingRules& stop = options.stopping;
   const bool global = options.algorithm != "auto" && is_global(options.algorithm);
   require(stop.global_evaluations >= (global ? 1 : 0), "fit.global_evaluations",

@@ -7,38 +7,43 @@
 #include <cstddef>
 #include <utility>
 
+#include "plastica/model/hardening_kind.hpp"
+
 namespace plastica::calibrate {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"ideal", "linear", "voce", "chaboche"};
+constexpr std::array<std::string_view, 5> kNames{"ideal", "linear", "voce", "chaboche",
+                                                 "multilinear"};
 
 /// A hardening parameter and the laws that have it.
 struct LawParameter {
   std::string_view name;
   MaterialField field;
-  bool linear, voce, chaboche;
+  bool linear, voce, chaboche, multilinear;
   bool freed;  ///< by the laws themselves
 };
 
 constexpr std::array<LawParameter, 10> kParameters{{
-    {"tangent_modulus", MaterialField::TangentModulus, true, false, false, true},
-    {"kinematic_share", MaterialField::KinematicShare, true, false, false, true},
-    {"saturation_stress", MaterialField::SaturationStress, false, true, true, true},
-    {"saturation_rate", MaterialField::SaturationRate, false, true, true, true},
-    {"backstress_modulus_1", MaterialField::BackModulus1, false, false, true, true},
-    {"backstress_rate_1", MaterialField::BackRate1, false, false, true, true},
-    {"backstress_modulus_2", MaterialField::BackModulus2, false, false, true, true},
-    {"backstress_rate_2", MaterialField::BackRate2, false, false, true, true},
-    {"backstress_modulus_3", MaterialField::BackModulus3, false, false, true, false},
-    {"backstress_rate_3", MaterialField::BackRate3, false, false, true, false},
+    {"tangent_modulus", MaterialField::TangentModulus, true, false, false, false, true},
+    {"kinematic_share", MaterialField::KinematicShare, true, false, false, true, true},
+    {"saturation_stress", MaterialField::SaturationStress, false, true, true, false, true},
+    {"saturation_rate", MaterialField::SaturationRate, false, true, true, false, true},
+    {"backstress_modulus_1", MaterialField::BackModulus1, false, false, true, false, true},
+    {"backstress_rate_1", MaterialField::BackRate1, false, false, true, false, true},
+    {"backstress_modulus_2", MaterialField::BackModulus2, false, false, true, false, true},
+    {"backstress_rate_2", MaterialField::BackRate2, false, false, true, false, true},
+    {"backstress_modulus_3", MaterialField::BackModulus3, false, false, true, false, false},
+    {"backstress_rate_3", MaterialField::BackRate3, false, false, true, false, false},
 }};
 
+/// Whether a law has the parameter of a fit, if it is one of hardening.
 bool has(Law law, const LawParameter& p) {
   switch (law) {
     case Law::Ideal: return false;
     case Law::Linear: return p.linear;
     case Law::Voce: return p.voce;
     case Law::Chaboche: return p.chaboche;
+    case Law::Multilinear: return p.multilinear;
   }
   return false;
 }
@@ -69,6 +74,7 @@ std::string_view phrase_of(Law law) {
     case Law::Linear: return "linear hardening";
     case Law::Voce: return "Voce hardening";
     case Law::Chaboche: return "Voce-Chaboche hardening";
+    case Law::Multilinear: return "multilinear hardening";
   }
   return "the model";
 }
@@ -96,6 +102,7 @@ Law law_of(const Hardening& hardening, std::span<const Parameter> parameters) {
   switch (hardening.law) {
     case HardeningLaw::Ideal: return Law::Ideal;
     case HardeningLaw::Linear: return Law::Linear;
+    case HardeningLaw::Multilinear: return Law::Multilinear;
     case HardeningLaw::VoceChaboche: break;
   }
   const auto is_there = [](double modulus) { return modulus != 0.0; };
@@ -124,7 +131,9 @@ std::vector<Parameter> parameters_of(Law law, Loading loading, std::span<const P
     const LawParameter* p = find(parameter);
     const bool no_effect = p != nullptr && p->field == MaterialField::KinematicShare &&
                            loading == Loading::Monotonic && !contains(given, parameter.field);
-    if (p == nullptr || (has(law, *p) && !no_effect)) own.push_back(parameter);
+    const bool of_table = parameter.field->material && is_of_table(*parameter.field->material);
+    const bool has_it = p == nullptr ? !of_table || law == Law::Multilinear : has(law, *p);
+    if (has_it && !no_effect) own.push_back(parameter);
   }
   // A tie to a parameter that this law does not have leaves its own free.
   for (Parameter& parameter : own) {
@@ -137,6 +146,35 @@ std::vector<Parameter> parameters_of(Law law, Loading loading, std::span<const P
   return own;
 }
 
+void check_law_parameters(std::span<const Parameter> parameters, const Hardening& hardening,
+                          std::span<const Law> laws) {
+  std::vector<const HardeningKind*> kinds{&hardening_kind(hardening.law)};
+  for (const Law law : laws) kinds.push_back(&hardening_kind(hardening_of(law, hardening).law));
+  const auto has_it = [](const HardeningKind* kind, const Parameter& p) {
+    return std::ranges::any_of(kind->parameters(),
+                               [&](const Field& field) { return field.path == p.field->path; });
+  };
+  for (const Parameter& p : parameters) {
+    const auto own = [&](const HardeningKind* kind) { return has_it(kind, p); };
+    if (std::ranges::none_of(hardening_kinds(), own)) continue;
+    if (std::ranges::none_of(kinds, own)) {
+      throw InputError(p.where, p.name(), "",
+                       fmt::format("is no parameter of material.hardening.law = \"{}\": it would "
+                                   "move nothing",
+                                   kinds.front()->word()));
+    }
+    if (!is_of_table(*p.field->material)) continue;
+    const auto points =
+        std::ranges::count_if(hardening.plastic_strain, [](double strain) { return strain > 0.0; });
+    const auto point = (static_cast<std::size_t>(*p.field->material) -
+                        static_cast<std::size_t>(MaterialField::PlasticStrain1)) %
+                       Hardening::kTablePoints;
+    if (point < static_cast<std::size_t>(points)) continue;
+    throw InputError(p.where, p.name(), "",
+                     fmt::format("is no point of the table, which has {}", points));
+  }
+}
+
 Hardening hardening_of(Law law, const Hardening& given) {
   Hardening hardening = given;
   switch (law) {
@@ -144,6 +182,7 @@ Hardening hardening_of(Law law, const Hardening& given) {
     case Law::Linear: hardening.law = HardeningLaw::Linear; break;
     case Law::Voce: hardening.backstress_modulus = {}; [[fallthrough]];
     case Law::Chaboche: hardening.law = HardeningLaw::VoceChaboche; break;
+    case Law::Multilinear: hardening.law = HardeningLaw::Multilinear; break;
   }
   return hardening;
 }
@@ -177,6 +216,7 @@ bool has_simpler(Law law, Law& simpler) {
 }
 
 std::string laws_to_try(Law law, Loading loading, std::span<const Law> tried) {
+  // A table is the user's: none is made up.
   const Law last = loading == Loading::Cyclic || law >= Law::Voce ? Law::Chaboche : Law::Voce;
   std::string names(name_of(law));
   bool any = false;

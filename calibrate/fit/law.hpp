@@ -15,13 +15,14 @@ namespace plastica::calibrate {
 
 /// The laws that a fit can choose among, in the order in which they are offered.
 enum class Law {
-  Ideal,     ///< nothing beyond the yield stress
-  Linear,    ///< tangent modulus; of cyclic curves the kinematic share, too
-  Voce,      ///< Q and b of isotropic hardening that saturates
-  Chaboche,  ///< Voce and two back-stresses: C and gamma of each
+  Ideal,        ///< nothing beyond the yield stress
+  Linear,       ///< tangent modulus; of cyclic curves the kinematic share, too
+  Voce,         ///< Q and b of isotropic hardening that saturates
+  Chaboche,     ///< Voce and two back-stresses: C and gamma of each
+  Multilinear,  ///< the scene's table; its stresses where they are parameters
 };
 
-/// "ideal", "linear", "voce", "chaboche"; empty beyond the last.
+/// "ideal", "linear", "voce", "chaboche", "multilinear"; empty beyond the last.
 std::string_view name_of(Law law);
 /// All of them.
 std::span<const std::string_view> law_names();
@@ -46,6 +47,12 @@ std::vector<Parameter> parameters_of(std::span<const Law> laws, std::vector<Para
 /// @param given  of the fit
 std::vector<Parameter> parameters_of(Law law, Loading loading, std::span<const Parameter> all,
                                      std::span<const Parameter> given);
+
+/// Refuses parameters of hardening that no law of the fit has, which would move nothing.
+/// @param laws  that are compared; empty: that of `hardening` alone
+/// @throws InputError naming the parameter
+void check_law_parameters(std::span<const Parameter> parameters, const Hardening& hardening,
+                          std::span<const Law> laws);
 
 /// A material's hardening, turned into a law: back-stresses that the law does not have are taken
 /// off.

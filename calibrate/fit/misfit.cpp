@@ -8,6 +8,7 @@
 #include "calibrate/fit/fit_interrupted.hpp"
 #include "calibrate/fit/given_weights.hpp"
 #include "calibrate/fit/weighted_squares.hpp"
+#include "plastica/model/hardening_kind.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -105,16 +106,13 @@ std::size_t Misfit::samples() const {
 
 bool Misfit::set_values(std::span<const double> active) {
   parameters_.expand(active, all_values_);
-  double young = model_.material[static_cast<std::size_t>(MaterialField::YoungsModulus)];
-  double tangent = model_.material[static_cast<std::size_t>(MaterialField::TangentModulus)];
+  MaterialValues<double> material = model_.material;
   for (std::size_t i = 0; i < model_index_.size(); ++i) {
     model_values_[i] = all_values_[model_index_[i]];
-    const auto field = model_.parameters[i]->material;
-    if (field == MaterialField::YoungsModulus) young = model_values_[i];
-    if (field == MaterialField::TangentModulus) tangent = model_values_[i];
+    material[static_cast<std::size_t>(*model_.parameters[i]->material)] = model_values_[i];
   }
   // A box cannot say E_t < E.
-  return model_.coupon.hardening != HardeningLaw::Linear || tangent < young;
+  return !hardening_kind(model_.coupon.hardening).broken_rule(material);
 }
 
 double Misfit::limit() const { return break_factor_ * all_values_[break_index_]; }

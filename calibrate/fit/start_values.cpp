@@ -60,8 +60,11 @@ StartValue raw_start(MaterialField field, const CurveSizes& s, const Target& tar
     case MaterialField::BackRate1: return around(30.0 / s.strain, 1000.0);
     case MaterialField::BackRate2: return around(3.0 / s.strain, 1000.0);
     case MaterialField::BackRate3: return around(0.3 / s.strain, 1000.0);
+    default: break;
   }
-  return {};
+  // The table as it is given.
+  const double given = number_of(material_values(material), field);
+  return {given, 0.0, 10.0 * given};
 }
 
 }  // namespace

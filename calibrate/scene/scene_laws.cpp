@@ -80,8 +80,11 @@ std::optional<Usual> usual(const Field& field, const SceneFitOptions& options, c
     case MaterialField::BackRate1: return around(E / S);
     case MaterialField::BackRate2: return around(0.1 * E / S);
     case MaterialField::BackRate3: return around(0.01 * E / S);
-    default: return std::nullopt;
+    default: break;
   }
+  if (!is_of_table(*field.material)) return std::nullopt;
+  const double given = number_of(material_values(setup.scene.material), *field.material);
+  return Usual{given, 0.0, 10.0 * given};
 }
 
 /// Fills in what a free hardening parameter leaves open.

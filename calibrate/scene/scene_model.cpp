@@ -32,7 +32,7 @@ bool is_run_parameter(const Field& field, const Setup& setup) {
       return setup.scene.material.shear_yield_stress.has_value();
     // … and how its strains spread, of which hardening at all decides.
     case MaterialField::TangentModulus: return setup.scene.material.hardening.tangent_modulus > 0.0;
-    default: return false;
+    default: return is_flow_stress(*field.material);
   }
 }
 

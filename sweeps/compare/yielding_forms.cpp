@@ -112,10 +112,7 @@ Values uniaxial(const Setup& setup, const Quantity& quantity, std::span<const do
   }
   require_scene(end_probe(setup, quantity).quantity == ProbeQuantity::Stress && !m.break_strain,
                 "is for its stress without a break strain, or the strain or load at its break");
-  require_scene(m.hardening.law != HardeningLaw::VoceChaboche, "is for ideal and linear hardening");
-  const double slope = m.hardening.law == HardeningLaw::Linear ? m.hardening.tangent_modulus : 0.0;
-  return {
-      theory::bilinear_stress(scene.drive.strain.back(), m.youngs_modulus, m.yield_stress, slope)};
+  return {theory::tension_stress(scene.drive.strain.back(), m)};
 }
 
 }  // namespace

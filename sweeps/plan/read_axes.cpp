@@ -10,7 +10,7 @@
 #include "plastica/model/check_value.hpp"
 #include "plastica/theory/sampling.hpp"
 #include "sweeps/plan/derived_fields.hpp"
-#include "sweeps/plan/section_axes.hpp"
+#include "sweeps/plan/kind_axes.hpp"
 
 namespace plastica::sweeps {
 namespace {

@@ -5,8 +5,8 @@
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/toml.hpp"
 #include "sweeps/plan/derived_fields.hpp"
+#include "sweeps/plan/kind_axes.hpp"
 #include "sweeps/plan/read_axes.hpp"
-#include "sweeps/plan/section_axes.hpp"
 #include "sweeps/plan/sweep.hpp"
 
 namespace plastica::sweeps {
@@ -82,7 +82,7 @@ Sweep read_document(const TomlDocument& document) {
   sweep.inputs.push_back(input_of(sweep.scene.path, sweep.scene.text));
   if (const auto set = root.find_table("set")) read_settings(*set, "", sweep);
   read_axes(root, sweep);
-  check_section_axes(sweep);
+  check_kind_axes(sweep);
   read_error(root, sweep);
   read_fit(root, sweep);
   if (const auto cost = root.find_table("cost")) {

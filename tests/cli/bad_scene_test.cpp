@@ -71,8 +71,29 @@ INSTANTIATE_TEST_SUITE_P(
         edit(
             "ISectionWithoutAWeb", "'rectangle'",
             "'i_section'\nflange_thickness = '20 mm'\nweb_thickness = '2 mm'",
-            "4: section.flange_thickness = 0.02: leaves no web: twice this and the fillets must be "
+            "6: section.flange_thickness = 0.02: leaves no web: twice this and the fillets must be "
             "below section.height = 0.04"),
+        edit("ForgottenLaw", "[drive]", "[material.hardening]\ntangent_modulus = '1 GPa'\n[drive]",
+             "11: material.hardening.tangent_modulus = 1 GPa: is of law = \"linear\", and not of "
+             "law = \"ideal\""),
+        edit("TableWithoutStress", "[drive]",
+             "[material.hardening]\nlaw = 'multilinear'\nplastic_strain = [0.01, 0.02]\n"
+             "flow_stress = ['400 MPa']\n[drive]",
+             "13: material.hardening.flow_stress_2 = 0: must be above 0"),
+        edit("TableThatDoesNotRise", "[drive]",
+             "[material.hardening]\nlaw = 'multilinear'\nplastic_strain = [0.01, 0.01]\n"
+             "flow_stress = ['400 MPa', '410 MPa']\n[drive]",
+             "12: material.hardening.plastic_strain_2 = 0.01: must be above the one before, 0.01"),
+        edit("TableTooLong", "[drive]",
+             "[material.hardening]\nlaw = 'multilinear'\n"
+             "plastic_strain = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]\n[drive]",
+             "12: material.hardening.plastic_strain = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]: has 11 "
+             "numbers: there is room for 10"),
+        edit("TableGivenTwice", "[drive]",
+             "[material.hardening]\nlaw = 'multilinear'\nplastic_strain = [0.01]\n"
+             "plastic_strain_1 = 0.02\n[drive]",
+             "13: material.hardening.plastic_strain_1 = 0.02: is given twice: there is a list, "
+             "too"),
         edit("LengthWithoutUnit", "'20 mm'", "20",
              "6: section.width = 20: a length needs a unit (examples: m, mm, in)"),
         edit("UnknownKey", "height", "heigth",

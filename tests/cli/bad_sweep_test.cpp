@@ -72,11 +72,15 @@ INSTANTIATE_TEST_SUITE_P(
               "sweep.toml:4: axis[1].values[1] = 4: a length needs a unit (examples: m, mm, in)"),
         sweep("DimensionOfAnotherShape", "beam.segments'\nvalues = [4, 8, 16]",
               "section.radius'\nvalues = ['4 mm', '5 mm']",
-              "sweep.toml:3: section.radius: moves nothing: section.shape is rectangle, without "
-              "that dimension"),
+              "sweep.toml:3: section.radius: moves nothing: section.shape is rectangle, which "
+              "does not have it"),
+        sweep("ParameterOfAnotherLaw", "beam.segments'\nvalues = [4, 8, 16]",
+              "material.hardening.tangent_modulus'\nvalues = ['1 GPa', '2 GPa']",
+              "sweep.toml:3: material.hardening.tangent_modulus: moves nothing: "
+              "material.hardening.law is ideal, which does not have it"),
         sweep("SetsADimensionOfAnotherShape", "[error]", "[set]\nsection.radius = '4 mm'\n[error]",
-              "sweep.toml:6: section.radius: moves nothing: section.shape is rectangle, without "
-              "that dimension"),
+              "sweep.toml:6: section.radius: moves nothing: section.shape is rectangle, which "
+              "does not have it"),
         sweep(
             "ShapeThatNeedsMore", "[error]", "[set]\nsection.shape = 'i_section'\n[error]",
             "sweep.toml:6: section.shape = i_section: needs section.flange_thickness, in [set] or "

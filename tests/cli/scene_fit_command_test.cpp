@@ -194,7 +194,8 @@ TEST(SceneFitCommand, RefusesLawsThatItCannotCompare) {
     return result.err;
   };
   EXPECT_EQ(said("ideal,ludwik"),
-            "plastica: --laws = ludwik: is no law; there are ideal, linear, voce, chaboche\n");
+            "plastica: --laws = ludwik: is no law; there are ideal, linear, voce, chaboche, "
+            "multilinear\n");
   EXPECT_EQ(said("linear,linear"), "plastica: --laws = linear: is named twice\n");
   EXPECT_EQ(said("ideal,chaboche"),
             "plastica: target = a: has no more samples than the fit has parameters\n");

@@ -191,7 +191,9 @@ void visit_state(V& v, State& state, std::size_t first, std::size_t count) {
     for (std::size_t i = first; i < first + count; ++i) {
       v.number(state.axis[i].plastic);
       v.number(state.axis[i].accumulated);
-      if constexpr (requires { state.axis[i].back_stress; }) v.number(state.axis[i].back_stress);
+      if constexpr (requires { state.axis[i].back_stress; }) {
+        for (auto& back : state.axis[i].back_stress) v.number(back);
+      }
     }
   }
 }

@@ -7,7 +7,7 @@
 #include "plastica/base/scalar.hpp"
 #include "plastica/coupon/shape.hpp"
 #include "plastica/law/break_criterion.hpp"
-#include "plastica/law/uniaxial_material.hpp"
+#include "plastica/law/uniaxial.hpp"
 
 namespace plastica::coupon {
 
@@ -34,9 +34,9 @@ inline CouponMaterial<S> coupon_material(const CouponShape& shape, const Materia
                              v);
   m.limit = S(std::numeric_limits<real_t<S>>::infinity());
   if (torsion && shape.break_shear_given) {
-    m.limit = v[static_cast<std::size_t>(MaterialField::BreakShearStrain)];
+    m.limit = number_of(v, MaterialField::BreakShearStrain);
   } else if (shape.break_given) {
-    const S& limit = v[static_cast<std::size_t>(MaterialField::BreakStrain)];
+    const S& limit = number_of(v, MaterialField::BreakStrain);
     const bool report = shape.formulas == Formulas::Report;
     m.limit = torsion ? limit * constant<S>(report ? 1.0 : 1.7320508075688772935) : limit;
   }
@@ -46,10 +46,10 @@ inline CouponMaterial<S> coupon_material(const CouponShape& shape, const Materia
 /// Calls `use(law)` with the coupon's law as a type of its own, so that each is compiled by
 /// itself and ideal plasticity pays for nothing else.
 template <class S, class Use>
-inline void with_law(HardeningLaw hardening, const CouponMaterial<S>& m, Use&& use) {
-  law::with_law_type<S>(hardening, [&]<class Law>(std::type_identity<Law>) {
-    use(law::uniaxial_law<Law>(static_cast<const law::UniaxialMaterial<S>&>(m)));
-  });
+inline void with_law(HardeningLaw hardening, const CouponMaterial<S>& m,
+                     const MaterialValues<S>& values, Use&& use) {
+  law::with_law_type<S>(hardening,
+                        [&]<class Law>(std::type_identity<Law>) { use(Law::of(m, values)); });
 }
 
 /// The permanent strain that is held against the limit [1], >= 0.

@@ -42,12 +42,18 @@ template <std::size_t N>
 void follow(const SlopesRun& run) {
   using D = Dual<double, N>;
   MaterialValues<D> material;
-  for (std::size_t i = 0; i < kMaterialFields; ++i) material[i] = D(run.material[i]);
+  // The table is longer than all else together, and most laws have none.
+  const bool has_table = run.shape->hardening == HardeningLaw::Multilinear;
+  const auto table = static_cast<std::size_t>(MaterialField::PlasticStrain1);
+  for (std::size_t i = 0; i < (has_table ? kMaterialFields : table); ++i) {
+    material[i] = D(run.material[i]);
+  }
   for (std::size_t k = 0; k < run.n_slopes; ++k) {
     const std::size_t field = run.fields[k];
     material[field] = D::parameter(run.material[field], k);
   }
-  with_law(run.shape->hardening, coupon_material(*run.shape, material), [&](const auto& numbers) {
+  const auto coupon = coupon_material(*run.shape, material);
+  with_law(run.shape->hardening, coupon, material, [&](const auto& numbers) {
     using Law = std::remove_cvref_t<decltype(numbers)>;
     typename Law::State end;
     if constexpr (std::is_same_v<Law, law::IdealPlastic<D>>) {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "plastica/model/hardening_kind.hpp"
 #include "plastica/model/material_table.hpp"
 #include "plastica/model/profile_table.hpp"
 #include "plastica/model/section_kind.hpp"
@@ -22,11 +23,20 @@ std::optional<TomlValue> value_at(TomlTable table, std::string_view path) {
   return table.find(path);
 }
 
+/// The list "flow_stress" that stands for "flow_stress_2".
+std::optional<TomlValue> list_of_row(const TomlTable& table, std::string_view part) {
+  const std::size_t end = part.find_last_not_of("0123456789");
+  const bool has_number = end != std::string_view::npos && end + 1 < part.size();
+  if (!has_number || part[end] != '_') return std::nullopt;
+  return table.find(part.substr(0, end));
+}
+
 /// The entry of a path's first part, "support[2]", and of that the item.
 std::optional<TomlValue> entry(const TomlTable& table, std::string_view part) {
   const std::size_t bracket = part.find('[');
   auto value = table.find(part.substr(0, bracket));
-  if (!value || bracket == std::string_view::npos || !value->is_array()) return value;
+  if (!value) return list_of_row(table, part);
+  if (bracket == std::string_view::npos || !value->is_array()) return value;
   std::size_t number = 0;
   std::from_chars(part.data() + bracket + 1, part.data() + part.size(), number);
   const auto items = value->array();
@@ -62,32 +72,78 @@ void read_part(const TomlTable& table, std::string_view prefix, Setup& setup) {
   }
 }
 
+namespace {
+
+std::string_view key_of(const Field& field) { return field.path.substr(field.path.rfind('.') + 1); }
+
+/// Refuses fields that are of another kind: a forgotten `shape` would make a tube a solid bar, a
+/// forgotten `law` hardening ideal plasticity.
+/// @param word       the key that says the kind
+/// @param fields_of  what belongs to a kind
+template <class Kinds, class Kind, class FieldsOf>
+void refuse_others(const TomlTable& table, std::string_view word, const Kinds& kinds,
+                   const Kind& kind, const FieldsOf& fields_of) {
+  const auto own = fields_of(kind);
+  for (const Kind* other : kinds) {
+    for (const Field& field : fields_of(*other)) {
+      const bool known =
+          std::any_of(own.begin(), own.end(), [&](const Field& f) { return f.path == field.path; });
+      if (known || !table.contains(key_of(field))) continue;
+      const auto equals = [&](const Kind& k) {
+        return std::string(word) + " = \"" + std::string(k.word()) + "\"";
+      };
+      throw table.at(key_of(field))
+          .error("is of " + equals(*other) + ", and not of " + equals(kind));
+    }
+  }
+}
+
+/// "plastic_strain_" of "plastic_strain_3"; a key without a number is its own.
+std::string_view stem_of(const Field& field) {
+  const std::string_view key = key_of(field);
+  return key.substr(0, key.find_last_not_of("0123456789") + 1);
+}
+
+/// Sets fields "strain_1", "strain_2" … from a list "strain".
+void read_row(const TomlTable& table, std::span<const Field> row, Setup& setup) {
+  const std::string_view stem = stem_of(row.front());
+  const auto list = table.find(stem.substr(0, stem.size() - 1));
+  if (!list) return;
+  const auto items = list->array();
+  if (items.size() > row.size()) {
+    throw list->error("has " + std::to_string(items.size()) + " numbers: there is room for " +
+                      std::to_string(row.size()));
+  }
+  for (const Field& field : row) {
+    if (!table.contains(key_of(field))) continue;
+    throw table.at(key_of(field)).error("is given twice: there is a list, too");
+  }
+  for (std::size_t i = 0; i < items.size(); ++i) set_from(setup, row[i], items[i]);
+}
+
+void read_hardening(const TomlTable& table, Setup& setup) {
+  const HardeningKind& kind = hardening_kind(setup.scene.material.hardening.law);
+  refuse_others(table, "law", hardening_kinds(), kind,
+                [](const HardeningKind& k) { return k.parameters(); });
+  for (auto rest = kind.parameters(); !rest.empty();) {
+    std::size_t length = 1;
+    while (length < rest.size() && stem_of(rest[length]) == stem_of(rest[0])) ++length;
+    if (length > 1) read_row(table, rest.first(length), setup);
+    rest = rest.subspan(length);
+  }
+}
+
+}  // namespace
+
 void read_material(const TomlValue& value, Setup& setup) {
   const auto name = value.is_string() ? value : value.table().find("name");
   if (name) {
     setup.scene.material = named_material(name->string(), name->where(), name->key()).material;
   }
-  if (!value.is_string()) read_part(value.table(), "material.", setup);
+  if (value.is_string()) return;
+  read_part(value.table(), "material.", setup);
+  if (const auto table = value.table().find_table("hardening")) read_hardening(*table, setup);
 }
-
-namespace {
-
-/// Refuses dimensions that another shape has: a forgotten `shape` would make a tube a solid bar.
-void refuse_other_dimensions(const TomlTable& table, const SectionKind& kind) {
-  const auto own = kind.dimensions();
-  for (const SectionKind* other : section_kinds()) {
-    for (const Field& field : other->dimensions()) {
-      const std::string_view key = field.path.substr(field.path.find('.') + 1);
-      const bool known =
-          std::any_of(own.begin(), own.end(), [&](const Field& f) { return f.path == field.path; });
-      if (known || !table.contains(key)) continue;
-      throw table.at(key).error("is of shape = \"" + std::string(other->word()) +
-                                "\", and not of shape = \"" + std::string(kind.word()) + "\"");
-    }
-  }
-}
-
-}  // namespace
 
 void read_section(const TomlValue& value, Setup& setup) {
   Section& section = setup.scene.section;
@@ -99,7 +155,7 @@ void read_section(const TomlValue& value, Setup& setup) {
   read_part(table, "section.", setup);
   for (const Field& field : fields()) {
     if (!field.path.starts_with("section.") || field.path == "section.shear_coefficient") continue;
-    const std::string_view key = field.path.substr(field.path.find('.') + 1);
+    const std::string_view key = key_of(field);
     if (!table.contains(key)) continue;
     if (profile) {
       throw table.at(key).error("does not go with profile, which has all dimensions: leave one");
@@ -107,10 +163,11 @@ void read_section(const TomlValue& value, Setup& setup) {
     section.name.clear();
   }
   const SectionKind& kind = section_kind(section);
-  refuse_other_dimensions(table, kind);
+  refuse_others(table, "shape", section_kinds(), kind,
+                [](const SectionKind& k) { return k.dimensions(); });
   if (&kind == &before) return;
   for (const Field& field : kind.dimensions()) {
-    const std::string_view key = field.path.substr(field.path.find('.') + 1);
+    const std::string_view key = key_of(field);
     if (table.contains(key) || !kind.needs(field)) continue;
     throw InputError(value.where(), "section." + std::string(key), "",
                      "is missing: shape = \"" + std::string(kind.word()) + "\" needs it");

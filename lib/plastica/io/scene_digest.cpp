@@ -4,6 +4,7 @@
 
 #include "plastica/io/digest.hpp"
 #include "plastica/model/field.hpp"
+#include "plastica/model/hardening_kind.hpp"
 #include "plastica/model/section_kind.hpp"
 
 namespace plastica::io {
@@ -40,8 +41,13 @@ class Feeder {
     all(history.time, history.factor, history.continues, history.slope);
   }
   void put(const Hardening& h) {
-    all(h.law, h.tangent_modulus, h.kinematic_share, h.saturation_stress, h.saturation_rate,
-        h.backstress_modulus, h.backstress_rate);
+    Setup setup;
+    setup.scene.material.hardening = h;
+    put(h.law);
+    // Of all laws: a fit may choose another one.
+    for (const HardeningKind* kind : hardening_kinds()) {
+      for (const Field& field : kind->parameters()) put(field.get(setup));
+    }
   }
   void put(const Material& m) {
     all(m.youngs_modulus, m.poisson_ratio, m.shear_modulus, m.density, m.yield_stress,

@@ -48,6 +48,17 @@ void read_chain(const TomlTable& root, Setup& setup) {
   setup.scene.probes = read_probes(root, false);
 }
 
+/// Says of an error that names a field alone where the file has that.
+template <class Check>
+void at_its_key(const TomlTable& root, const Check& check) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    if (!error.where().file.empty()) throw;
+    throw InputError(locate(root, error.field()), error.field(), error.value(), error.rule());
+  }
+}
+
 }  // namespace
 
 void refuse_rules_of_chains(const TomlTable& root) {
@@ -72,8 +83,10 @@ void read_setup(const TomlTable& root, Setup& setup) {
       read_field(root, field.path, field, setup);
     }
   }
-  check_material(setup.scene.material, material ? material->where() : root.where());
-  check_section(setup.scene.section, section ? section->where() : root.where());
+  at_its_key(root, [&] {
+    check_material(setup.scene.material);
+    check_section(setup.scene.section);
+  });
 }
 
 SceneFile parse_scene_file(std::string text, std::string name) {
@@ -91,12 +104,7 @@ SceneFile parse_scene_file(std::string text, std::string name) {
     read_chain(root, file.setup);
   }
   root.check_unused();
-  try {
-    check_scene(scene, file.setup.solver);
-  } catch (const InputError& error) {
-    if (!error.where().file.empty()) throw;
-    throw InputError(locate(root, error.field()), error.field(), error.value(), error.rule());
-  }
+  at_its_key(root, [&] { check_scene(scene, file.setup.solver); });
   return file;
 }
 

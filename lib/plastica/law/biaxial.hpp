@@ -2,13 +2,9 @@
 
 #include <array>
 #include <cstddef>
-#include <tuple>
-#include <utility>
 
 #include "plastica/base/matrix.hpp"
 #include "plastica/law/plastic_work.hpp"
-#include "plastica/law/uniaxial.hpp"
-#include "plastica/law/uniaxial_material.hpp"
 
 /// The uniaxial laws under normal and shear stress together: a fibre that is pulled and sheared.
 ///
@@ -29,77 +25,10 @@
 /// stresses whose stiffnesses differ.
 namespace plastica::law {
 
-namespace detail {
-
-/// Radius of the yield surface p after an increment's begin, and its slope by p.
-template <class S>
-struct Radius {
-  S value, slope;
-};
-
-template <class S>
-inline Radius<S> radius(const IdealPlastic<S>& law, const S& /*accumulated*/, const S& /*p*/) {
-  return {law.yield, constant<S>(0)};
-}
-template <class S>
-inline Radius<S> radius(const LinearHardening<S>& law, const S& accumulated, const S& p) {
-  return {law.yield + law.isotropic * (accumulated + p), law.isotropic};
-}
-template <class S>
-inline Radius<S> radius(const VoceChaboche<S>& law, const S& accumulated, const S& p) {
-  using plastica::exp;
-  const S left = law.saturation * exp(-law.rate * (accumulated + p));
-  return {law.yield + law.saturation - left, law.rate * left};
-}
-
-/// C_j and gamma_j of the back stresses.
-template <class S>
-struct BackRule {
-  S modulus, rate;
-};
-
-template <class S>
-inline std::array<BackRule<S>, 0> back_rules(const IdealPlastic<S>& /*law*/) {
-  return {};
-}
-template <class S>
-inline std::array<BackRule<S>, 1> back_rules(const LinearHardening<S>& law) {
-  return {{{law.kinematic, constant<S>(0)}}};
-}
-template <class S>
-inline std::array<BackRule<S>, kBackStresses> back_rules(const VoceChaboche<S>& law) {
-  std::array<BackRule<S>, kBackStresses> rules;
-  for (std::size_t j = 0; j < kBackStresses; ++j) {
-    rules[j] = {law.back_modulus[j], law.back_rate[j]};
-  }
-  return rules;
-}
-
-template <class Uniaxial>
-inline constexpr std::size_t kBacksOf =
-    std::tuple_size_v<decltype(back_rules(std::declval<const Uniaxial&>()))>;
-
-/// States and response of one stress of the size R along n, for `plastic_work`.
-template <class S>
-inline void set_along(const IdealPlastic<S>& /*law*/, const std::array<S, 0>& /*backs*/,
-                      typename IdealPlastic<S>::State& /*state*/) {}
-template <class S>
-inline void set_along(const LinearHardening<S>& /*law*/, const std::array<S, 1>& backs,
-                      typename LinearHardening<S>::State& state) {
-  state.back_stress = backs[0];
-}
-template <class S>
-inline void set_along(const VoceChaboche<S>& /*law*/, const std::array<S, kBackStresses>& backs,
-                      typename VoceChaboche<S>::State& state) {
-  state.back_stress = backs;
-}
-
-}  // namespace detail
-
 /// A uniaxial law for normal and shear stress. @tparam Uniaxial  see FibreSection
 template <class S, class Uniaxial>
 struct Biaxial {
-  static constexpr std::size_t kBacks = detail::kBacksOf<Uniaxial>;
+  static constexpr std::size_t kBacks = Uniaxial::kBacks;
   using Pair = Vec<S, 2>;
 
   Uniaxial normal;  ///< under normal stress alone
@@ -135,7 +64,7 @@ class BiaxialReturn {
   static constexpr std::size_t kBacks = Law::kBacks;
 
   BiaxialReturn(const Law& law, const typename Law::State& before, const Pair& trial)
-      : law_(law), before_(before), trial_(trial), rules_(back_rules(law.normal)) {
+      : law_(law), before_(before), trial_(trial) {
     at(constant<S>(0));
   }
 
@@ -202,9 +131,9 @@ class BiaxialReturn {
     }
     now.state.accumulated = before_.accumulated + p_;
     for (std::size_t j = 0; j < kBacks; ++j) {
-      now.state.back[j] = power_[j] * before_.back[j] + (rules_[j].modulus * decayed_[j]) * n_;
+      now.state.back[j] = flow_[j].power * before_.back[j] + flow_[j].source.value * n_;
     }
-    now.plastic_work = select(yields, work(now.state), zero);
+    now.plastic_work = select(yields, work(), zero);
   }
 
  private:
@@ -218,22 +147,20 @@ class BiaxialReturn {
 
   /// Everything at a p.
   void at(const S& p) {
-    using plastica::exp;
     p_ = p;
-    const Radius<S> radius = detail::radius(law_.normal, before_.accumulated, p);
+    const Grown<S> radius = law_.normal.radius(before_.accumulated, p);
     radius_ = radius.value;
     Pair b = trial_;
     b_slope_ = {};
     S grown = radius.value;
     S slope = radius.slope;
     for (std::size_t j = 0; j < kBacks; ++j) {
-      power_[j] = exp(-rules_[j].rate * p);
-      decayed_[j] = decay(rules_[j].rate, p, power_[j]);
-      const Pair left = power_[j] * before_.back[j];
+      flow_[j] = back_flow(law_.normal, j, before_.accumulated, p);
+      const Pair left = flow_[j].power * before_.back[j];
       b -= left;
-      b_slope_ += rules_[j].rate * left;
-      grown += rules_[j].modulus * decayed_[j];
-      slope += rules_[j].modulus * power_[j];
+      if constexpr (Uniaxial::kRecovers) b_slope_ += law_.normal.recovery(j) * left;
+      grown += flow_[j].source.value;
+      slope += flow_[j].source.slope;
     }
     S square = constant<S>(0);
     falls_ = constant<S>(0);
@@ -251,31 +178,18 @@ class BiaxialReturn {
   S newton_step() const { return size_ * size_ * (size_ - constant<S>(1)) / falls_; }
 
   /// The stress along n, over p: back stresses along n follow the uniaxial rule.
-  S work(const typename Law::State& after) const {
-    typename Uniaxial::State begins{};
-    UniaxialResponse<S, typename Uniaxial::State> ends{};
-    std::array<S, kBacks> first, last;
-    ends.stress = radius_;
-    for (std::size_t j = 0; j < kBacks; ++j) {
-      first[j] = dot(before_.back[j], n_);
-      last[j] = dot(after.back[j], n_);
-      ends.stress += last[j];
-    }
-    set_along(law_.normal, first, begins);
-    set_along(law_.normal, last, ends.state);
-    begins.accumulated = before_.accumulated;
-    ends.state.accumulated = after.accumulated;
-    ends.state.plastic = p_;
-    return plastica::law::plastic_work(law_.normal, begins, ends);
+  S work() const {
+    std::array<S, kBacks> along;
+    for (std::size_t j = 0; j < kBacks; ++j) along[j] = dot(before_.back[j], n_);
+    return flow_work(law_.normal, before_.accumulated, p_, along);
   }
 
   const Law& law_;
   const typename Law::State& before_;
   Pair trial_;
-  std::array<BackRule<S>, kBacks> rules_;
   S p_, radius_, size_, falls_;
   Pair n_, a_, a_slope_, b_slope_;
-  std::array<S, kBacks> power_, decayed_;
+  std::array<BackFlow<S>, kBacks> flow_;
 };
 
 }  // namespace detail
@@ -290,7 +204,7 @@ inline BiaxialResponse<S, typename Biaxial<S, Uniaxial>::State> respond(
                          law.stiffness[1] * (strain[1] * inverse - before.plastic[1])}};
   Vec<S, 2> relative = trial;
   for (const Vec<S, 2>& back : before.back) relative -= back;
-  const S radius = detail::radius(law.normal, before.accumulated, constant<S>(0)).value;
+  const S radius = law.normal.radius(before.accumulated, constant<S>(0)).value;
   const auto yields = dot(relative, relative) > radius * radius;
   BiaxialResponse<S, typename Biaxial<S, Uniaxial>::State> now;
   if (any(yields)) {
@@ -312,9 +226,10 @@ inline BiaxialResponse<S, typename Biaxial<S, Uniaxial>::State> respond(
 /// @param normal, shear  of the same material; the shear one gives stiffness and yield stress
 template <class Uniaxial, class S>
 inline Biaxial<S, Uniaxial> biaxial_law(const UniaxialMaterial<S>& normal,
-                                        const UniaxialMaterial<S>& shear) {
+                                        const UniaxialMaterial<S>& shear,
+                                        const MaterialValues<S>& material) {
   Biaxial<S, Uniaxial> law;
-  law.normal = uniaxial_law<Uniaxial>(normal);
+  law.normal = Uniaxial::of(normal, material);
   const S ratio = normal.yield / shear.yield;
   law.per_ratio = constant<S>(1) / ratio;
   law.stiffness = {{normal.stiffness, ratio * ratio * shear.stiffness}};

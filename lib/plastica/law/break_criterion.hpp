@@ -61,18 +61,4 @@ inline S report_torsion_strain(const S& theta, const S& longer_side, const S& le
   return constant<S>(0.5) * longer_side * abs(theta) / length;
 }
 
-/// The total strain at which the permanent strain reached its limit inside of an increment.
-///
-/// Near the end of a plastic increment the permanent strain grows with the total strain at the
-/// rate 1 - tangent/stiffness, which is constant for ideal plasticity and linear hardening (then
-/// this is exact) and taken at the end of the increment otherwise.
-/// @param strain     total strain at the end of the increment [1]
-/// @param excess     permanent strain at the end minus the limit, >= 0 [1]
-/// @param direction  sign of the increment, +-1
-template <class S>
-inline S strain_at_break(const S& strain, const S& excess, const S& direction, const S& tangent,
-                         const S& stiffness) {
-  return strain - direction * excess * stiffness / (stiffness - tangent);
-}
-
 }  // namespace plastica::law

@@ -20,7 +20,7 @@ namespace plastica::law {
 /// curvature gives positive moment. Bending about the other axis has a stiffness, by which a beam
 /// would leave its plane; other components that the layout's plane does not see have neither force
 /// nor stiffness.
-/// @tparam Uniaxial  IdealPlastic<S>, LinearHardening<S> or VoceChaboche<S>
+/// @tparam Uniaxial  one of `UniaxialLaws`
 template <class S, class Uniaxial>
 struct FibreSection {
   const FibreLayout* layout;  ///< AboutX, AboutY or Torsion; lives at least as long
@@ -86,7 +86,7 @@ template <class Uniaxial, class S>
 inline FibreSection<S, Uniaxial> fibre_section(const FibreLayout& layout, const SectionForm& form,
                                                const MaterialValues<S>& material) {
   const Axis axis = layout.plane == FibrePlane::Torsion ? kTorsion : kAxial;
-  return {&layout, uniaxial_law<Uniaxial>(fibre_material(form, axis, material))};
+  return {&layout, Uniaxial::of(fibre_material(form, axis, material), material)};
 }
 
 }  // namespace plastica::law

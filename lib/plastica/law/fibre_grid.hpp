@@ -22,7 +22,7 @@ namespace plastica::law {
 /// of twice the angle, less what would change the torque while all is elastic (sum A lever^2 h = 0)
 /// or where all has yielded by torsion (sum A lever h = 0). Without them shear strains grow by the
 /// twist alone, and a tube under bending with torsion carries 3.6 % too much; with them 0.3 %.
-/// @tparam Uniaxial  IdealPlastic<S>, LinearHardening<S> or VoceChaboche<S>
+/// @tparam Uniaxial  one of `UniaxialLaws`
 template <class S, class Uniaxial>
 struct FibreGrid {
   const FibreLayout* layout;  ///< of FibrePlane::Both; lives at least as long
@@ -174,7 +174,10 @@ inline FibreGrid<S, Uniaxial> fibre_grid(const FibreLayout& layout, const Sectio
                                          const MaterialValues<S>& material) {
   const UniaxialMaterial<S> shear = fibre_material(form, kTorsion, material);
   FibreGrid<S, Uniaxial> law{
-      &layout, biaxial_law<Uniaxial>(fibre_material(form, kAxial, material), shear), {}, {}};
+      &layout,
+      biaxial_law<Uniaxial>(fibre_material(form, kAxial, material), shear, material),
+      {},
+      {}};
   for (std::size_t j = 0; j < 2; ++j) {
     double first = 0.0;
     double second = 0.0;

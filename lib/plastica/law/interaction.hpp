@@ -4,10 +4,10 @@
 #include <cstddef>
 
 #include "plastica/law/gauge_form.hpp"
-#include "plastica/law/hardening_rule.hpp"
 #include "plastica/law/project.hpp"
 #include "plastica/law/section_form.hpp"
 #include "plastica/law/section_response.hpp"
+#include "plastica/law/uniaxial.hpp"
 
 namespace plastica::law {
 
@@ -25,10 +25,9 @@ namespace plastica::law {
 /// lambda~ = lambda + A_e sum shifts and z is the projection of z^ on the surface of radius
 /// level(p). For one component A_e = a_i and A_p = Y V_i: this is exactly the uniaxial law of its
 /// extreme fibre. For several it is the natural average; z^ fixes it at the start of an increment.
-/// @tparam Uniaxial  IdealPlastic<S>, LinearHardening<S> or VoceChaboche<S>
+/// @tparam Uniaxial  one of `UniaxialLaws`
 template <class S, class Gauge, class Uniaxial>
 struct InteractionSection {
-  using Rule = HardeningRule<S, Uniaxial>;
   static constexpr bool kSeesAxial = true;
 
   Gauge gauge;
@@ -39,13 +38,13 @@ struct InteractionSection {
   SectionForce<S> compliance;  ///< 1/a
   SectionForce<S> per_strain;  ///< stiffness/cap
   SectionForce<S> per_force;   ///< cap/stiffness
-  Rule rule;
+  Uniaxial rule;               ///< with all stresses over the yield stress
 
   struct State {
-    SectionStrain<S> plastic{};                        ///< permanent section strain
-    SectionStrain<S> accumulated{};                    ///< sum of |d plastic| by component
-    S equivalent{};                                    ///< sum of p [1]
-    std::array<SectionForce<S>, Rule::kBacks> back{};  ///< back stresses over the caps
+    SectionStrain<S> plastic{};                            ///< permanent section strain
+    SectionStrain<S> accumulated{};                        ///< sum of |d plastic| by component
+    S equivalent{};                                        ///< sum of p [1]
+    std::array<SectionForce<S>, Uniaxial::kBacks> back{};  ///< back stresses over the caps
   };
 };
 
@@ -56,7 +55,8 @@ template <class Section>
 class HardeningReturn {
  public:
   using S = std::remove_cvref_t<decltype(Section::cap[0])>;
-  static constexpr std::size_t kBacks = Section::Rule::kBacks;
+  using Rule = decltype(Section::rule);
+  static constexpr std::size_t kBacks = Rule::kBacks;
 
   HardeningReturn(const Section& law, const typename Section::State& before,
                   const SectionForce<S>& trial, const S& phi, const mask_t<S>& yields)
@@ -88,12 +88,14 @@ class HardeningReturn {
     for (std::size_t i = 0; i < kSectionAxes; ++i) flow[i] = elastic_[i] * cut[i];
     const S length = total / elastic_area_;
     const S square = dot(flow, cut) / (total * length);
-    work = plastic_area_ * level_.integral;
+    work = plastic_area_ * law_.rule.radius_integral(before_.equivalent, p_);
     for (std::size_t k = 0; k < kBacks; ++k) {
       after.back[k] = before_.back[k] + (shift_[k].value / length) * cut;
       back += after.back[k];
-      work +=
-          plastic_area_ * (dot(before_.back[k], flow) / total * p_ + square * shift_[k].integral);
+      const S& decayed = flow_[k].decayed;
+      const S shifted = law_.rule.source_integral(k, before_.equivalent, p_, decayed) +
+                        along_[k] * (decayed - p_);
+      work += plastic_area_ * (dot(before_.back[k], flow) / total * p_ + square * shifted);
     }
     z = projected_.point + back;
     after.equivalent = before_.equivalent + p_;
@@ -121,7 +123,11 @@ class HardeningReturn {
         d_along[i] = phi_ * elastic_[i] * before_.back[k][i] / twice_energy_ +
                      along_[k] * (normal[i] / phi_ - two * energy_[i] / twice_energy_);
       }
-      by_trial += shift_[k].value * d_elastic + (elastic_area_ * shift_[k].by_along) * d_along;
+      by_trial += shift_[k].value * d_elastic;
+      if constexpr (Rule::kRecovers) {
+        const S by_along = -law_.rule.recovery(k) * flow_[k].decayed;
+        by_trial += (elastic_area_ * by_along) * d_along;
+      }
       slope_by_p += elastic_area_ * shift_[k].slope;
     }
     SectionForce<S> d_lambda;
@@ -143,7 +149,7 @@ class HardeningReturn {
   /// from the homogeneity of both in (z^, radius).
   void project_at(const S& p, const mask_t<S>& mask) {
     const S one = constant<S>(1);
-    level_ = law_.rule.level(before_.equivalent, p);
+    level_ = law_.rule.radius(before_.equivalent, p);
     const S inverse = one / level_.value;
     const S overshoot = select(mask, phi_ * inverse - one, one);
     projected_ = project(law_.gauge, law_.compliance, inverse * trial_, overshoot, mask);
@@ -159,7 +165,8 @@ class HardeningReturn {
     needed_ = plastic_area_ * p;
     needed_slope_ = plastic_area_;
     for (std::size_t k = 0; k < kBacks; ++k) {
-      shift_[k] = law_.rule.shift(k, along_[k], p);
+      flow_[k] = back_flow(law_.rule, k, before_.equivalent, p);
+      shift_[k] = back_shift(law_.rule, k, along_[k], flow_[k]);
       needed_ += elastic_area_ * shift_[k].value;
       needed_slope_ += elastic_area_ * shift_[k].slope;
     }
@@ -211,8 +218,9 @@ class HardeningReturn {
   S twice_energy_, elastic_area_, plastic_area_;
   std::array<S, kBacks> along_{};
   S p_;
-  HardeningTerm<S> level_;
-  std::array<HardeningTerm<S>, kBacks> shift_{};
+  Grown<S> level_;
+  std::array<BackFlow<S>, kBacks> flow_{};
+  std::array<Grown<S>, kBacks> shift_{};
   Projection<S> projected_;
   SectionForce<S> by_radius_;
   S lambda_, lambda_by_radius_, needed_, needed_slope_;
@@ -227,11 +235,11 @@ inline SectionResponse<S> respond(
     const typename InteractionSection<S, Gauge, Uniaxial>::State& before,
     typename InteractionSection<S, Gauge, Uniaxial>::State& after, const SectionStrain<S>& strain) {
   using Section = InteractionSection<S, Gauge, Uniaxial>;
-  constexpr bool kIdeal = Section::Rule::kBacks == 0;
+  constexpr bool kIdeal = Uniaxial::kBacks == 0;
   const S zero = constant<S>(0);
   const S one = constant<S>(1);
   SectionForce<S> z, trial, back;
-  for (std::size_t k = 0; k < Section::Rule::kBacks; ++k) back += before.back[k];
+  for (std::size_t k = 0; k < Uniaxial::kBacks; ++k) back += before.back[k];
   for (std::size_t i = 0; i < kSectionAxes; ++i) {
     z[i] = law.per_strain[i] * (strain[i] - before.plastic[i]);
     trial[i] = z[i] - back[i];
@@ -239,7 +247,7 @@ inline SectionResponse<S> respond(
   const S phi = gauge_value(law.gauge, trial);
   // A point that was returned before is on the surface but for rounding.
   const S outside = constant<S>(sizeof(real_t<S>) == 8 ? 1.0 + 1e-13 : 1.0 + 1e-5);
-  const auto yields = phi > outside * law.rule.level(before.equivalent);
+  const auto yields = phi > outside * law.rule.radius(before.equivalent, zero).value;
 
   SectionResponse<S> now;
   for (std::size_t i = 0; i < kSectionAxes; ++i) now.tangent(i, i) = law.stiffness[i];
@@ -276,7 +284,7 @@ inline SectionResponse<S> respond(
       z[i] = select(yields, returned[i], z[i]);
       next.plastic[i] = select(yields, flowed.plastic[i], before.plastic[i]);
       next.accumulated[i] = select(yields, flowed.accumulated[i], before.accumulated[i]);
-      for (std::size_t k = 0; k < Section::Rule::kBacks; ++k) {
+      for (std::size_t k = 0; k < Uniaxial::kBacks; ++k) {
         next.back[k][i] = select(yields, flowed.back[k][i], before.back[k][i]);
       }
       for (std::size_t j = 0; j < kSectionAxes; ++j) {
@@ -300,9 +308,7 @@ inline InteractionSection<S, Gauge, Uniaxial> interaction_section(
     const SectionForm& form, const Gauge& gauge, const MaterialValues<S>& material) {
   // Its stresses are over the yield stress, so that caps and shear do not enter.
   InteractionSection<S, Gauge, Uniaxial> law{
-      gauge, {}, {},
-      {},    {}, {},
-      {},    {}, HardeningRule<S, Uniaxial>(uniaxial_material(UniaxialForm{}, material))};
+      gauge, {}, {}, {}, {}, {}, {}, {}, Uniaxial::of(over_yield_stress(material), material)};
   for (std::size_t i = 0; i < kSectionAxes; ++i) {
     const UniaxialMaterial<S> m = uniaxial_material(form.axis[i], material);
     law.cap[i] = m.yield * constant<S>(form.modulus[i]);

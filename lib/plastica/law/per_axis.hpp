@@ -42,7 +42,7 @@ inline SectionResponse<S> respond(const ElasticSection<S>& law,
 ///
 /// Work per length is force d(section strain) = (modulus/lever) stress d(strain of the fibre), so
 /// energies of the uniaxial law count with modulus/lever, `area`.
-/// @tparam Uniaxial  IdealPlastic<S>, LinearHardening<S> or VoceChaboche<S>
+/// @tparam Uniaxial  one of `UniaxialLaws`
 template <class S, class Uniaxial>
 struct PerAxisSection {
   std::array<Uniaxial, kSectionAxes> axis;
@@ -95,7 +95,7 @@ inline PerAxisSection<S, Uniaxial> per_axis_section(const SectionForm& form,
                                                     const MaterialValues<S>& material) {
   PerAxisSection<S, Uniaxial> law;
   for (std::size_t i = 0; i < kSectionAxes; ++i) {
-    law.axis[i] = uniaxial_law<Uniaxial>(uniaxial_material(form.axis[i], material));
+    law.axis[i] = Uniaxial::of(uniaxial_material(form.axis[i], material), material);
     law.lever[i] = constant<S>(form.lever[i]);
     law.modulus[i] = constant<S>(form.modulus[i]);
     law.area[i] = law.modulus[i] / law.lever[i];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "plastica/law/uniaxial.hpp"
@@ -27,29 +28,51 @@ inline S plastic_work(const LinearHardening<S>& law,
   return constant<S>(0.5) * (begins + now.stress) * flow;
 }
 
-/// The integral of yield + Q - Q exp(-b (p + s)) + d sum X_k(s) over s from 0 to dp. With
-/// d X_k' = C_k - gamma_k d X_k, X_k's part is (C_k dp - d (X_k(dp) - X_k(0)))/gamma_k; where that
-/// would cancel (gamma_k dp small), a trapezoid and its first correction.
-template <class S>
-inline S plastic_work(const VoceChaboche<S>& law, const typename VoceChaboche<S>::State& before,
-                      const UniaxialResponse<S, typename VoceChaboche<S>::State>& now) {
-  using plastica::exp;
-  const S one = constant<S>(1);
-  const S dp = now.state.accumulated - before.accumulated;
-  const S direction = sign(now.state.plastic - before.plastic);
-  const S softened = law.saturation * exp(-law.rate * before.accumulated);
-  S work = (law.yield + law.saturation) * dp -
-           softened * detail::decay(law.rate, dp, exp(-law.rate * dp));
-  for (std::size_t k = 0; k < kBackStresses; ++k) {
-    const S growth = direction * (now.state.back_stress[k] - before.back_stress[k]);
-    const S y = law.back_rate[k] * dp;
-    const auto nearly_line = y < constant<S>(sizeof(real_t<S>) == 8 ? 1e-4 : 1e-2);
-    const S rate = select(nearly_line, one, law.back_rate[k]);
-    const S sum = direction * (now.state.back_stress[k] + before.back_stress[k]);
-    const S by_line = dp * (constant<S>(0.5) * sum + constant<S>(1.0 / 12.0) * y * growth);
-    work += select(nearly_line, by_line, (law.back_modulus[k] * dp - growth) / rate);
+/// Stress along the flow p, R + sum d X_k, of back stresses that were `along` it [Pa].
+template <class Law, class S, std::size_t kBacks>
+inline S flow_stress(const Law& law, const S& accumulated, const S& p,
+                     const std::array<S, kBacks>& along) {
+  S stress = law.radius(accumulated, p).value;
+  for (std::size_t k = 0; k < kBacks; ++k) {
+    stress += along[k] + back_shift(law, k, along[k], back_flow(law, k, accumulated, p)).value;
+  }
+  return stress;
+}
+
+/// The integral of that over the flow [J/m^3].
+template <class Law, class S, std::size_t kBacks>
+inline S flow_work(const Law& law, const S& accumulated, const S& p,
+                   const std::array<S, kBacks>& along) {
+  S work = law.radius_integral(accumulated, p);
+  if constexpr (kBacks > 0) {
+    for (std::size_t k = 0; k < kBacks; ++k) {
+      const S decayed = back_flow(law, k, accumulated, p).decayed;
+      work += along[k] * decayed + law.source_integral(k, accumulated, p, decayed);
+    }
   }
   return work;
+}
+
+/// Back stresses of a state, along a direction of flow.
+/// @param direction  +1 or -1
+template <class Law>
+inline std::array<typename Law::Scalar, Law::kBacks> backs_along(
+    const typename Law::State& state, const typename Law::Scalar& direction) {
+  std::array<typename Law::Scalar, Law::kBacks> along;
+  if constexpr (Law::kBacks > 0) {
+    for (std::size_t k = 0; k < Law::kBacks; ++k) along[k] = direction * state.back_stress[k];
+  }
+  return along;
+}
+
+template <class Law>
+requires Law::kByNewton inline typename Law::Scalar plastic_work(
+    const Law& law, const typename Law::State& before,
+    const UniaxialResponse<typename Law::Scalar, typename Law::State>& now) {
+  using S = typename Law::Scalar;
+  const S direction = sign(now.state.plastic - before.plastic);
+  return flow_work(law, before.accumulated, S(now.state.accumulated - before.accumulated),
+                   backs_along<Law>(before, direction));
 }
 
 }  // namespace plastica::law

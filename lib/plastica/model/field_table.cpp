@@ -4,24 +4,32 @@
 #include <array>
 #include <vector>
 
+#include "plastica/model/hardening_kind.hpp"
 #include "plastica/model/section_kind.hpp"
 
 namespace plastica {
 namespace model_detail {
+namespace {
+
+/// Of the kinds in the order of their enumerators.
+template <class Kinds>
+std::vector<std::string_view> words_of(const Kinds& kinds) {
+  std::vector<std::string_view> words;
+  for (const auto* kind : kinds) words.push_back(kind->word());
+  return words;
+}
+
+}  // namespace
 
 template <>
 std::span<const std::string_view> words<SectionShape>() {
-  static const std::vector<std::string_view> all = [] {
-    std::vector<std::string_view> of_kinds;
-    for (const SectionKind* kind : section_kinds()) of_kinds.push_back(kind->word());
-    return of_kinds;
-  }();
+  static const std::vector<std::string_view> all = words_of(section_kinds());
   return all;
 }
 template <>
 std::span<const std::string_view> words<HardeningLaw>() {
-  static constexpr std::array<std::string_view, 3> kWords{"ideal", "linear", "voce_chaboche"};
-  return kWords;
+  static const std::vector<std::string_view> all = words_of(hardening_kinds());
+  return all;
 }
 template <>
 std::span<const std::string_view> words<Deformation>() {
@@ -118,11 +126,12 @@ namespace {
 
 constexpr Range kAny{};
 
-/// The dimensions of all shapes, each once.
-std::vector<Field> dimensions_of_sections() {
+/// The fields of all kinds, each once.
+template <class Kinds, class FieldsOf>
+std::vector<Field> fields_of(const Kinds& kinds, const FieldsOf& of) {
   std::vector<Field> all;
-  for (const SectionKind* kind : section_kinds()) {
-    for (const Field& field : kind->dimensions()) {
+  for (const auto* kind : kinds) {
+    for (const Field& field : of(*kind)) {
       const bool known =
           std::any_of(all.begin(), all.end(), [&](const Field& f) { return f.path == field.path; });
       if (!known) all.push_back(field);
@@ -160,37 +169,6 @@ std::vector<Field> make_table() {
           MaterialField::BreakShearStrain),
       choice<PLASTICA_REACH(scene.material.hardening.law)>(
           "material.hardening.law", "how the stress goes on after first yield"),
-      number<PLASTICA_REACH(scene.material.hardening.tangent_modulus)>(
-          "material.hardening.tangent_modulus", Stress, kNotNegative,
-          "linear: slope of the stress-strain curve after yield, below E",
-          MaterialField::TangentModulus),
-      number<PLASTICA_REACH(scene.material.hardening.kinematic_share)>(
-          "material.hardening.kinematic_share", None, Range{0.0, 1.0},
-          "linear: share of the hardening that is kinematic", MaterialField::KinematicShare),
-      number<PLASTICA_REACH(scene.material.hardening.saturation_stress)>(
-          "material.hardening.saturation_stress", Stress, kAny,
-          "voce_chaboche: Q, growth of the yield stress", MaterialField::SaturationStress),
-      number<PLASTICA_REACH(scene.material.hardening.saturation_rate)>(
-          "material.hardening.saturation_rate", None, kNotNegative,
-          "voce_chaboche: b, how fast Q is reached", MaterialField::SaturationRate),
-      number<PLASTICA_REACH(scene.material.hardening.backstress_modulus[0])>(
-          "material.hardening.backstress_modulus_1", Stress, kNotNegative,
-          "voce_chaboche: C of the first back stress", MaterialField::BackModulus1),
-      number<PLASTICA_REACH(scene.material.hardening.backstress_modulus[1])>(
-          "material.hardening.backstress_modulus_2", Stress, kNotNegative,
-          "voce_chaboche: C of the second back stress", MaterialField::BackModulus2),
-      number<PLASTICA_REACH(scene.material.hardening.backstress_modulus[2])>(
-          "material.hardening.backstress_modulus_3", Stress, kNotNegative,
-          "voce_chaboche: C of the third back stress", MaterialField::BackModulus3),
-      number<PLASTICA_REACH(scene.material.hardening.backstress_rate[0])>(
-          "material.hardening.backstress_rate_1", None, kNotNegative,
-          "voce_chaboche: gamma of the first back stress", MaterialField::BackRate1),
-      number<PLASTICA_REACH(scene.material.hardening.backstress_rate[1])>(
-          "material.hardening.backstress_rate_2", None, kNotNegative,
-          "voce_chaboche: gamma of the second back stress", MaterialField::BackRate2),
-      number<PLASTICA_REACH(scene.material.hardening.backstress_rate[2])>(
-          "material.hardening.backstress_rate_3", None, kNotNegative,
-          "voce_chaboche: gamma of the third back stress", MaterialField::BackRate3),
       choice<PLASTICA_REACH(scene.section.shape)>("section.shape", "shape of the cross section"),
       number<PLASTICA_REACH(scene.section.shear_coefficient)>(
           "section.shear_coefficient", None, kPositive, "kappa; unset: from shape and nu"),
@@ -289,10 +267,17 @@ std::vector<Field> make_table() {
           "solver.smallest_step", None, Range{0.0, 1.0, true, false},
           "shortest part of a recorded step, or of time_step"),
   };
-  const auto shape = std::find_if(table.begin(), table.end(),
-                                  [](const Field& f) { return f.path == "section.shape"; });
-  const std::vector<Field> of_sections = dimensions_of_sections();
-  table.insert(shape + 1, of_sections.begin(), of_sections.end());
+  const auto insert_after = [&](std::string_view path, const std::vector<Field>& more) {
+    const auto place = std::find_if(table.begin(), table.end(),
+                                    [&](const Field& field) { return field.path == path; });
+    table.insert(place + 1, more.begin(), more.end());
+  };
+  insert_after(
+      "material.hardening.law",
+      fields_of(hardening_kinds(), [](const HardeningKind& kind) { return kind.parameters(); }));
+  insert_after("section.shape", fields_of(section_kinds(), [](const SectionKind& kind) {
+                 return kind.dimensions();
+               }));
   return table;
 }
 

@@ -5,42 +5,31 @@
 #include <numbers>
 
 #include "plastica/model/check_value.hpp"
+#include "plastica/model/hardening_kind.hpp"
+#include "plastica/model/material_field.hpp"
 
 namespace plastica {
 namespace {
 
 using model_detail::require;
-using model_detail::require_not_negative;
 using model_detail::require_positive;
 
 void check_hardening(const Material& material, const SourceLocation& where) {
-  const Hardening& h = material.hardening;
-  switch (h.law) {
-    case HardeningLaw::Ideal: return;
-    case HardeningLaw::Linear:
-      require(h.tangent_modulus >= 0.0 && h.tangent_modulus < material.youngs_modulus, where,
-              "material.hardening.tangent_modulus", h.tangent_modulus,
-              "must be at least zero and below material.youngs_modulus = " +
-                  model_detail::number_text(material.youngs_modulus));
-      require(h.kinematic_share >= 0.0 && h.kinematic_share <= 1.0, where,
-              "material.hardening.kinematic_share", h.kinematic_share, "must be within 0 and 1");
-      return;
-    case HardeningLaw::VoceChaboche:
-      require(std::isfinite(h.saturation_stress) && h.saturation_stress > -material.yield_stress,
-              where, "material.hardening.saturation_stress", h.saturation_stress,
-              "must be finite and above -material.yield_stress = " +
-                  model_detail::number_text(-material.yield_stress));
-      require_not_negative(h.saturation_rate, where, "material.hardening.saturation_rate");
-      for (std::size_t i = 0; i < h.backstress_modulus.size(); ++i) {
-        const std::string index = "_" + std::to_string(i + 1);
-        require_not_negative(h.backstress_modulus[i], where,
-                             "material.hardening.backstress_modulus" + index);
-        require_not_negative(h.backstress_rate[i], where,
-                             "material.hardening.backstress_rate" + index);
-      }
-      return;
+  const HardeningKind& kind = hardening_kind(material.hardening.law);
+  Setup setup;
+  setup.scene.material = material;
+  for (const Field& field : kind.parameters()) {
+    check_field(field, std::get<double>(field.get(setup)), where);
   }
-  throw InputError(where, "material.hardening.law", "", "must be ideal, linear or voce_chaboche");
+  const MaterialValues<double> values = material_values(material);
+  const auto broken = kind.broken_rule(values);
+  if (!broken) return;
+  for (const Field& field : kind.parameters()) {
+    if (field.material != broken->field) continue;
+    throw InputError(where, field.path,
+                     model_detail::number_text(values[static_cast<std::size_t>(broken->field)]),
+                     broken->rule);
+  }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -13,23 +14,36 @@ enum class HardeningLaw {
   Ideal,         ///< ideal plasticity: the stress stays at the yield stress
   Linear,        ///< a straight line, part isotropic, part kinematic
   VoceChaboche,  ///< Voce isotropic hardening and three Armstrong-Frederick back-stresses
+  Multilinear,   ///< straight lines through a table, part isotropic, part kinematic
 };
 
 /// Parameters of the hardening laws; those of another law than `law` are ignored.
+///
+/// Multilinear: under stress that goes one way, straight lines from (0, sigma_y) through the points
+/// (plastic_strain_k, flow_stress_k); beyond the last one the stress stays. With H the slope at the
+/// accumulated plastic strain p, the share (1 - kinematic_share) H grows the yield stress, and
+/// dX = kinematic_share H de_p moves the yield surface, as in linear hardening.
 ///
 /// VoceChaboche: |sigma - sum X_i| = sigma_y + Q (1 - exp(-b p)), dX_i = C_i de_p - gamma_i X_i dp,
 /// with p the accumulated plastic strain (Lemaitre & Chaboche, Mechanics of Solid Materials, 1990,
 /// ch. 5). A back-stress with C_i = 0 is absent; with gamma_i = 0 it is linear.
 struct Hardening {
   HardeningLaw law = HardeningLaw::Ideal;
+  static constexpr std::size_t kTablePoints = 10;
+
   /// E_t [Pa], 0 <= E_t < E, Linear: slope d(stress)/d(strain) of the monotonic curve after yield
   double tangent_modulus = 0.0;
-  /// share [1], 0..1, Linear: the part of the hardening that moves the yield surface
+  /// share [1], 0..1, Linear and Multilinear: the part of the hardening that moves the yield
+  /// surface
   double kinematic_share = 0.0;
   double saturation_stress = 0.0;  ///< Q [Pa], VoceChaboche; negative softens, above -sigma_y
   double saturation_rate = 0.0;    ///< b [1], >= 0, VoceChaboche
   std::array<double, 3> backstress_modulus{};  ///< C_i [Pa], >= 0, VoceChaboche (3)
   std::array<double, 3> backstress_rate{};     ///< gamma_i [1], >= 0, VoceChaboche (3)
+  /// plastic strain of the table's points [1], rising, > 0; 0 beyond the last, Multilinear (10)
+  std::array<double, kTablePoints> plastic_strain{};
+  /// stress of the points [Pa], > 0, Multilinear (10); its slope is at least -E/10
+  std::array<double, kTablePoints> flow_stress{};
 };
 
 /// A material. The defaults are those of structural steel S355.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "plastica/law/break_criterion.hpp"
+#include "plastica/model/hardening_kind.hpp"
 
 namespace plastica {
 namespace {
@@ -26,19 +27,10 @@ JointAngles times(double factor, JointAngles angles) {
 
 Spreading spreading_of(const Scene& scene) {
   const Hardening& hardening = scene.material.hardening;
-  switch (hardening.law) {
-    case HardeningLaw::Ideal: break;
-    case HardeningLaw::Linear:
-      if (hardening.tangent_modulus > 0.0) return Spreading::Hardens;
-      break;
-    case HardeningLaw::VoceChaboche:
-      // A back stress without recovery grows for ever.
-      for (std::size_t k = 0; k < hardening.backstress_modulus.size(); ++k) {
-        if (hardening.backstress_modulus[k] > 0.0 && hardening.backstress_rate[k] == 0.0) {
-          return Spreading::Hardens;
-        }
-      }
-      return Spreading::Saturates;
+  switch (hardening_kind(hardening.law).growth(hardening)) {
+    case HardeningGrowth::None: break;
+    case HardeningGrowth::Saturates: return Spreading::Saturates;
+    case HardeningGrowth::Goes: return Spreading::Hardens;
   }
   return scene.yield_model == YieldModel::Fibre ? Spreading::Saturates : Spreading::Gathers;
 }

@@ -51,9 +51,8 @@ std::optional<solve::LaneLaw> lane_law(const ChainModel& model) {
   switch (model.scene.material.hardening.law) {
     case HardeningLaw::Ideal: return solve::LaneLaw::Ideal;
     case HardeningLaw::Linear: return solve::LaneLaw::Linear;
-    case HardeningLaw::VoceChaboche: break;
+    default: return {};
   }
-  return {};
 }
 
 bool walks_in_lanes(const ChainModel& model) {

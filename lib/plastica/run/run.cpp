@@ -8,6 +8,7 @@
 #include "plastica/coupon/material.hpp"
 #include "plastica/coupon/slope_kernel.hpp"
 #include "plastica/law/plastic_work.hpp"
+#include "plastica/model/hardening_kind.hpp"
 #include "plastica/run/chain_run.hpp"
 #include "plastica/run/parameters.hpp"
 #include "plastica/run/simulate.hpp"
@@ -26,15 +27,7 @@ bool valid(const Model& model, ParameterValues values, const MaterialValues<doub
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!model.parameters[i]->range.contains(values[i])) return false;
   }
-  const auto value = [&](MaterialField field) { return material[static_cast<std::size_t>(field)]; };
-  switch (model.hardening) {
-    case HardeningLaw::Ideal: return true;
-    case HardeningLaw::Linear:
-      return value(MaterialField::TangentModulus) < value(MaterialField::YoungsModulus);
-    case HardeningLaw::VoceChaboche:
-      return value(MaterialField::SaturationStress) > -value(MaterialField::YieldStress);
-  }
-  return false;
+  return !hardening_kind(model.hardening).broken_rule(material);
 }
 
 /// What every sample of a coupon adds to the response, and whether it broke.
@@ -52,11 +45,13 @@ class Recorder {
 
   void take(std::size_t sample, double strain) {
     if (!cut_) {
-      const auto now = law::respond(law_, state_, strain);
-      dissipation_ += law::plastic_work(law_, state_, now);
+      const State before = state_;
+      const auto now = law::respond(law_, before, strain);
+      const double work = law::plastic_work(law_, before, now);
       state_ = now.state;
       stress_ = now.stress;
-      if (!response_.event) watch(sample, strain, now.tangent);
+      dissipation_ += work;
+      if (!response_.event) watch(sample, strain, before, dissipation_ - work);
     }
     record(sample, strain);
     strain_ = strain;
@@ -68,20 +63,21 @@ class Recorder {
   bool cut() const { return cut_; }
 
  private:
-  void watch(std::size_t sample, double strain, double tangent) {
+  /// The flow of an increment goes one way: where it reaches the limit, all is known.
+  void watch(std::size_t sample, double strain, const State& before, double dissipated) {
     const bool net = model_.coupon.break_measure == BreakMeasure::Net;
     const double permanent = net ? std::fabs(state_.plastic) : state_.accumulated;
     if (!(permanent > plastic_limit_)) return;
     const double excess = permanent - plastic_limit_;
     const double direction = strain < strain_ ? -1.0 : 1.0;
-    const double at = law::strain_at_break(strain, excess, direction, tangent, law_.stiffness);
+    const double flow = std::max(0.0, state_.accumulated - before.accumulated - excess);
+    const auto along = law::backs_along<Law>(before, direction);
     BreakEvent event;
     event.sample = sample;
-    event.strain = direction > 0.0 ? std::max(at, strain_) : std::min(at, strain_);
-    event.stress = stress_ + tangent * (event.strain - strain);
+    event.stress = direction * law::flow_stress(law_, before.accumulated, flow, along);
+    event.strain = before.plastic + direction * flow + event.stress / law_.stiffness;
     event.permanent_strain = limit_;
-    // From the break to the sample the stress is a straight line over the plastic strain.
-    event.dissipation = dissipation_ - 0.5 * (event.stress + stress_) * direction * excess;
+    event.dissipation = dissipated + law::flow_work(law_, before.accumulated, flow, along);
     response_.event = event;
     if (model_.on_break == BreakPolicy::CutAll) cut_at(event, direction * excess, excess);
   }
@@ -123,9 +119,12 @@ class Recorder {
 };
 
 /// The fit's case, kept lean: only the stress is asked for, and nothing can break.
+/// @param law    copied, so that the compiler knows that no store changes it
+/// @param end    the state after the last sample
 template <class Law>
-void run_stress_only(const Model& model, const Law& law, Response& response,
-                     typename Law::State& state) {
+void run_stress_only(const Model& model, const Law law, Response& response,
+                     typename Law::State& end) {
+  typename Law::State state;
   double* out = response.probes[0].data();
   const double* strain = model.drive.data();
   const std::size_t samples = model.drive.size();
@@ -134,6 +133,7 @@ void run_stress_only(const Model& model, const Law& law, Response& response,
     state = now.state;
     out[i] = now.stress;
   }
+  end = state;
 }
 
 /// The first sample at which a probe is not finite, or the number of samples.
@@ -167,12 +167,11 @@ bool representable(const coupon::CouponMaterial<double>& m) {
 
 /// Empties the response and sets the numbers of the run. Whether it can go on; if not, the status
 /// says why.
-bool begin(const Model& model, ParameterValues values, coupon::CouponMaterial<double>& m,
-           Response& response) {
+bool begin(const Model& model, ParameterValues values, MaterialValues<double>& material,
+           coupon::CouponMaterial<double>& m, Response& response) {
   response.event.reset();
   response.samples = 0;
   response.permanent_strain = 0.0;
-  MaterialValues<double> material;
   if (!take_parameters(model, values, material)) {
     response.status = Status::InvalidParameter;
     return false;
@@ -245,9 +244,10 @@ void run(const Model& model, ParameterValues values, Workspace& workspace, Respo
     run_chain(model, values, workspace, response);
     return;
   }
+  MaterialValues<double> material;
   coupon::CouponMaterial<double> m;
-  if (!begin(model, values, m, response)) return;
-  coupon::with_law(model.coupon.hardening, m, [&](const auto& law) {
+  if (!begin(model, values, material, m, response)) return;
+  coupon::with_law(model.coupon.hardening, m, material, [&](const auto& law) {
     using Law = std::remove_cvref_t<decltype(law)>;
     if (stress_only(model)) {
       typename Law::State state;
@@ -274,8 +274,9 @@ void run_sensitivity(const Model& model, ParameterValues values, Workspace& work
     run(model, values, workspace, response);
     return;
   }
+  MaterialValues<double> material;
   coupon::CouponMaterial<double> m;
-  if (!begin(model, values, m, response)) return;
+  if (!begin(model, values, material, m, response)) return;
   differentiate(model, values, response, sensitivity);
   finish(model, response, {response.probes[0].back(), response.permanent_strain});
 }

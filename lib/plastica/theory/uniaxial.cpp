@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "plastica/model/hardening_kind.hpp"
+
 namespace plastica::theory {
 
 double ideal_plastic_stress(double strain, double youngs_modulus, double yield_stress) {
@@ -44,22 +46,19 @@ double stabilized_backstress(double plastic_amplitude, double modulus, double ra
 }
 
 double monotonic_stress(double plastic_strain, const Material& material) {
-  const Hardening& h = material.hardening;
-  switch (h.law) {
-    case HardeningLaw::Ideal: break;
-    case HardeningLaw::Linear:
-      return material.yield_stress +
-             plastic_modulus(material.youngs_modulus, h.tangent_modulus) * plastic_strain;
-    case HardeningLaw::VoceChaboche: {
-      double stress = voce_yield_stress(plastic_strain, material.yield_stress, h.saturation_stress,
-                                        h.saturation_rate);
-      for (std::size_t i = 0; i < h.backstress_modulus.size(); ++i) {
-        stress += backstress(0.0, plastic_strain, h.backstress_modulus[i], h.backstress_rate[i]);
-      }
-      return stress;
-    }
+  return hardening_kind(material.hardening.law).monotonic_stress(plastic_strain, material);
+}
+
+double tension_stress(double strain, const Material& material) {
+  const double E = material.youngs_modulus;
+  if (strain <= material.yield_stress / E) return E * strain;
+  double low = 0.0;
+  double high = strain;
+  while (true) {
+    const double plastic = 0.5 * (low + high);
+    if (plastic <= low || plastic >= high) return monotonic_stress(plastic, material);
+    (E * (strain - plastic) > monotonic_stress(plastic, material) ? low : high) = plastic;
   }
-  return material.yield_stress;
 }
 
 }  // namespace plastica::theory

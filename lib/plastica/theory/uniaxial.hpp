@@ -48,4 +48,8 @@ double stabilized_backstress(double plastic_amplitude, double modulus, double ra
 /// @param plastic_strain  [1], >= 0
 double monotonic_stress(double plastic_strain, const Material& material);
 
+/// The same at a total strain, by bisection to the last bit of the plastic strain.
+/// @param strain  [1], >= 0
+double tension_stress(double strain, const Material& material);
+
 }  // namespace plastica::theory

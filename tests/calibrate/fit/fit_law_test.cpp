@@ -65,7 +65,7 @@ TEST(Law, KeepsWhatTheFitFixesAndLeavesOutWhatOthersHave) {
 TEST(Law, IsRefusedByNameIfThereIsNone) {
   const std::vector<std::string> wrong{"ideal", "ludwik"};
   EXPECT_EQ(message_of([&] { (void)laws_of(wrong, "--laws"); }),
-            "--laws = ludwik: is no law; there are ideal, linear, voce, chaboche");
+            "--laws = ludwik: is no law; there are ideal, linear, voce, chaboche, multilinear");
   const std::vector<std::string> twice{"voce", "voce"};
   EXPECT_EQ(message_of([&] { (void)laws_of(twice, "--laws"); }), "--laws = voce: is named twice");
 }

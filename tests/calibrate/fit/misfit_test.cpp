@@ -252,6 +252,14 @@ TEST_P(EveryLaw, GradientIsTheDifferenceQuotientOverDecades) {
     options.parameters.push_back(fixed_parameter("backstress_rate_3", 2.0));
     at.insert(at.end(), {60e6, 11.0, 20e9, 250.0, 2e9});
   }
+  if (d.law == HardeningLaw::Multilinear) {
+    hardening.plastic_strain = {0.002, 0.02};
+    hardening.flow_stress = {360e6, 370e6};
+    for (const char* name : {"flow_stress_1", "flow_stress_2", "kinematic_share"}) {
+      options.parameters.push_back(free_parameter(name));
+    }
+    at.insert(at.end(), {301e6, 330e6, 0.4});
+  }
   if (torsion) {
     options.parameters.push_back(tied_parameter("shear_yield_stress", "yield_stress", 0.55));
     options.parameters.push_back(free_parameter("shear_modulus"));
@@ -303,6 +311,11 @@ const Derivative kDerivatives[] = {
      BreakMeasure::Accumulated},
     {"VoceTensionNet", HardeningLaw::VoceChaboche, Deformation::Tension, BreakMeasure::Net},
     {"VoceBendingNet", HardeningLaw::VoceChaboche, Deformation::Bending, BreakMeasure::Net},
+    {"TableTensionNet", HardeningLaw::Multilinear, Deformation::Tension, BreakMeasure::Net},
+    {"TableBendingAccumulated", HardeningLaw::Multilinear, Deformation::Bending,
+     BreakMeasure::Accumulated},
+    {"TableTorsionAccumulated", HardeningLaw::Multilinear, Deformation::Torsion,
+     BreakMeasure::Accumulated},
     {"VoceTorsionNet", HardeningLaw::VoceChaboche, Deformation::Torsion, BreakMeasure::Net},
 };
 

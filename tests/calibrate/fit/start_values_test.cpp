@@ -79,7 +79,10 @@ TEST(StartValues, StandInWithTheCurvesSizesWhereCharacteristicsAreMissing) {
 }
 
 TEST(StartValues, LieInsideOfBoundsThatLieInTheFieldsRange) {
-  const FitOptions options;
+  FitOptions options;
+  Hardening& hardening = options.setup.scene.material.hardening;
+  hardening.plastic_strain.fill(0.01);
+  hardening.flow_stress.fill(400e6);
   for (const Deformation test : {Deformation::Tension, Deformation::Torsion}) {
     for (const Field& field : fields()) {
       if (!field.material) continue;

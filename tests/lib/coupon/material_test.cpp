@@ -212,7 +212,11 @@ TEST(CouponMaterial, TurnsTheTangentModulusIntoAPlasticModulus) {
   Scene scene = coupon_scene(Deformation::Tension, {0.0});
   scene.material.hardening.law = HardeningLaw::Linear;
   scene.material.hardening.tangent_modulus = 2e9;
-  expect_close(material_of(scene).plastic_modulus, kE * 2e9 / (kE - 2e9));
+  scene.material.hardening.kinematic_share = 0.25;
+  const auto values = material_values(scene.material);
+  const auto law = law::LinearHardening<double>::of(material_of(scene), values);
+  expect_close(law.isotropic, 0.75 * kE * 2e9 / (kE - 2e9));
+  expect_close(law.kinematic, 0.25 * kE * 2e9 / (kE - 2e9));
 }
 
 TEST(CouponMaterial, ScalesAllHardeningStressesWithTheFullyPlasticCap) {
@@ -225,12 +229,14 @@ TEST(CouponMaterial, ScalesAllHardeningStressesWithTheFullyPlasticCap) {
   h.backstress_modulus = {1e9, 2e9, 3e9};
   h.backstress_rate = {10.0, 20.0, 30.0};
   const auto m = material_of(scene);
-  expect_close(m.plastic_modulus, 1.5 * kE * 2e9 / (kE - 2e9));
-  expect_close(m.saturation, 75e6);
-  EXPECT_EQ(m.rate, 10.0);
+  const auto values = material_values(scene.material);
+  expect_close(law::LinearHardening<double>::of(m, values).isotropic, 1.5 * kE * 2e9 / (kE - 2e9));
+  const auto voce = law::VoceChaboche<double>::of(m, values);
+  expect_close(voce.saturation, 75e6);
+  EXPECT_EQ(voce.rate, 10.0);
   for (std::size_t k = 0; k < 3; ++k) {
-    expect_close(m.back_modulus[k], 1.5 * h.backstress_modulus[k]);
-    EXPECT_EQ(m.back_rate[k], h.backstress_rate[k]);
+    expect_close(voce.back_modulus[k], 1.5 * h.backstress_modulus[k]);
+    EXPECT_EQ(voce.back_rate[k], h.backstress_rate[k]);
   }
 }
 

@@ -103,7 +103,8 @@ TEST(Coupon, InTorsionDoesThePlasticWorkOfTensionAtEquivalentStrain) {
     const auto with = [&](Deformation deformation, double strain) {
       Scene scene = coupon_scene(deformation, {strain});
       Hardening& h = scene.material.hardening;
-      h = {law, 2e9, 0.3, 80e6, 12.0, {20e9, 0.0, 0.0}, {300.0, 0.0, 0.0}};
+      h = {law,           2e9,           0.3, 80e6, 12.0, {20e9, 0.0, 0.0}, {300.0, 0.0, 0.0},
+           {0.002, 0.01}, {330e6, 400e6}};
       return simulate(scene);
     };
     const Response tension = with(Deformation::Tension, 0.03);
@@ -137,13 +138,15 @@ TEST(Coupon, OfTheReportIsHalfAsStiffAndYieldsByItsEquationFour) {
 }
 
 TEST(Coupon, DoesNotDependOnHowDenselyAStraightPathIsSampled) {
-  for (const HardeningLaw law :
-       {HardeningLaw::Ideal, HardeningLaw::Linear, HardeningLaw::VoceChaboche}) {
+  for (const HardeningLaw law : {HardeningLaw::Ideal, HardeningLaw::Linear,
+                                 HardeningLaw::VoceChaboche, HardeningLaw::Multilinear}) {
     std::vector<double> fine;
     for (int i = 1; i <= 500; ++i) fine.push_back(0.02 * i / 500.0);
     for (int i = 1; i <= 500; ++i) fine.push_back(0.02 - 0.03 * i / 500.0);
     Scene coarse = coupon_scene(Deformation::Tension, {0.02, -0.01});
-    coarse.material.hardening = {law, 2e9, 0.3, 80e6, 12.0, {20e9, 1e9, 0.0}, {300.0, 0.0, 0.0}};
+    coarse.material.hardening = {
+        law,           2e9,           0.3, 80e6, 12.0, {20e9, 1e9, 0.0}, {300.0, 0.0, 0.0},
+        {0.002, 0.01}, {330e6, 400e6}};
     Scene dense = coarse;
     dense.drive.strain = fine;
     EXPECT_NEAR(last_stress(dense), last_stress(coarse), tolerance(1e-10) * kYield);

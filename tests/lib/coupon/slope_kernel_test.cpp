@@ -25,7 +25,9 @@ std::vector<double> cycle() {
 Scene scene_of(HardeningLaw law, BreakMeasure measure) {
   Scene scene = testing::coupon_scene(Deformation::Bending, cycle());
   scene.break_measure = measure;
-  scene.material.hardening = {law, 2e9, 0.3, 80e6, 12.0, {20e9, 4e9, 0.5e9}, {300.0, 40.0, 5.0}};
+  scene.material.hardening = {
+      law,           2e9,           0.3, 80e6, 12.0, {20e9, 4e9, 0.5e9}, {300.0, 40.0, 5.0},
+      {0.002, 0.01}, {330e6, 400e6}};
   return scene;
 }
 
@@ -65,7 +67,7 @@ Curve follow(SlopeKernel kernel, const Scene& scene, const std::vector<std::size
 }
 
 constexpr HardeningLaw kLaws[] = {HardeningLaw::Ideal, HardeningLaw::Linear,
-                                  HardeningLaw::VoceChaboche};
+                                  HardeningLaw::VoceChaboche, HardeningLaw::Multilinear};
 constexpr BreakMeasure kMeasures[] = {BreakMeasure::Net, BreakMeasure::Accumulated};
 
 std::vector<std::size_t> fields_of(std::size_t n) {

@@ -16,18 +16,20 @@ using testing::upright;
 
 /// What a point of a material is under normal and under shear stress.
 struct Point {
+  MaterialValues<double> values;
   UniaxialMaterial<double> normal, shear;
 };
 
 Point point_of(const Material& material) {
   const SectionForm form = form_of(upright(), material);
-  return {uniaxial_material(form.axis[kAxial], material_values(material)),
+  return {material_values(material),
+          uniaxial_material(form.axis[kAxial], material_values(material)),
           uniaxial_material(form.axis[kTorsion], material_values(material))};
 }
 
 template <class Uniaxial>
 Biaxial<double, Uniaxial> law_of(const Point& point) {
-  return biaxial_law<Uniaxial>(point.normal, point.shear);
+  return biaxial_law<Uniaxial>(point.normal, point.shear, point.values);
 }
 
 /// Drives a fibre along one stress, in both ways, and compares it with the law of that stress
@@ -36,7 +38,7 @@ template <class Uniaxial>
 void expect_uniaxial(HardeningLaw hardening, std::size_t along) {
   const Point point = point_of(steel(hardening));
   const auto together = law_of<Uniaxial>(point);
-  const auto alone = uniaxial_law<Uniaxial>(along == 0 ? point.normal : point.shear);
+  const auto alone = Uniaxial::of(along == 0 ? point.normal : point.shear, point.values);
   typename Biaxial<double, Uniaxial>::State state;
   typename Uniaxial::State expected;
   Shaker shake(31);
@@ -62,6 +64,7 @@ TEST(Biaxial, IsTheUniaxialLawUnderEitherStressAlone) {
     expect_uniaxial<IdealPlastic<double>>(HardeningLaw::Ideal, along);
     expect_uniaxial<LinearHardening<double>>(HardeningLaw::Linear, along);
     expect_uniaxial<VoceChaboche<double>>(HardeningLaw::VoceChaboche, along);
+    expect_uniaxial<Multilinear<double>>(HardeningLaw::Multilinear, along);
   }
 }
 
@@ -155,6 +158,7 @@ TEST(Biaxial, HasAConsistentTangent) {
   expect_consistent_tangent<IdealPlastic<double>>(HardeningLaw::Ideal);
   expect_consistent_tangent<LinearHardening<double>>(HardeningLaw::Linear);
   expect_consistent_tangent<VoceChaboche<double>>(HardeningLaw::VoceChaboche);
+  expect_consistent_tangent<Multilinear<double>>(HardeningLaw::Multilinear);
 }
 
 }  // namespace

@@ -42,14 +42,6 @@ TEST(BreakCriterion, FormulasAgreeForSmallAnglesAndDifferByTheSineForLargeOnes) 
               std::sin(0.5) / 0.5, 1e-15);
 }
 
-TEST(BreakCriterion, FindsTheStrainAtWhichTheLimitWasReached) {
-  // Ideal plasticity: total and permanent strain grow alike.
-  EXPECT_DOUBLE_EQ(strain_at_break(0.05, 0.01, 1.0, 0.0, 200e9), 0.04);
-  EXPECT_DOUBLE_EQ(strain_at_break(-0.05, 0.01, -1.0, 0.0, 200e9), -0.04);
-  // Tangent K/2: the permanent strain grows half as fast.
-  EXPECT_DOUBLE_EQ(strain_at_break(0.05, 0.01, 1.0, 100e9, 200e9), 0.03);
-}
-
 TEST(BreakCriterion, TakesEveryScalar) {
   using Lanes = Pack<double, 8>;
   using D = Dual<double, 1>;

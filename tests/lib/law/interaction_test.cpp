@@ -24,7 +24,7 @@ using testing::values_of;
 using testing::yield_strain;
 
 constexpr HardeningLaw kLaws[] = {HardeningLaw::Ideal, HardeningLaw::Linear,
-                                  HardeningLaw::VoceChaboche};
+                                  HardeningLaw::VoceChaboche, HardeningLaw::Multilinear};
 
 /// Calls `test(law, yield strains, name, per-axis law)` for each surface and hardening.
 template <class S, class Test>
@@ -54,7 +54,7 @@ double overshoot(const Section& law, const typename Section::State& state,
     z[i] = force[i] / law.cap[i];
     for (const auto& back : state.back) z[i] -= back[i];
   }
-  return gauge_value(law.gauge, z) / law.rule.level(state.equivalent) - 1.0;
+  return gauge_value(law.gauge, z) / law.rule.radius(state.equivalent, 0.0).value - 1.0;
 }
 
 /// A step of a random path: small and large, some components of it zero or nearly so.

@@ -20,7 +20,7 @@ using testing::values_of;
 using testing::yield_strain;
 
 constexpr HardeningLaw kLaws[] = {HardeningLaw::Ideal, HardeningLaw::Linear,
-                                  HardeningLaw::VoceChaboche};
+                                  HardeningLaw::VoceChaboche, HardeningLaw::Multilinear};
 
 /// Calls `test(law type)` for each uniaxial law on a scalar.
 template <class S, class Test>

@@ -30,6 +30,19 @@ VoceChaboche<S> voce() {
           {constant<S>(300.0), constant<S>(1e-3), constant<S>(0.0)}};
 }
 
+template <class S>
+Multilinear<S> table() {
+  const auto of = [](double a, double b, double c) {
+    std::array<S, Multilinear<S>::kLines> row{};
+    row[0] = constant<S>(a);
+    row[1] = constant<S>(b);
+    row[2] = constant<S>(c);
+    return row;
+  };
+  return {constant<S>(200e9), constant<S>(300e6),   constant<S>(0.4),       constant<S>(0.6),
+          constant<S>(1e9),   of(0.0, 0.002, 0.01), of(0.002, 0.008, 0.03), of(15e9, -1e9, 2e9)};
+}
+
 /// Work of a path whose increments are cut in `parts`: exactly, or by trapezoids.
 template <class S, class Law>
 S work_of(const Law& law, int parts, bool trapezoid) {
@@ -63,6 +76,7 @@ TEST(PlasticWork, OfAnIncrementIsTheIntegralOverItsParts) {
   expect_exact(ideal<double>());
   expect_exact(linear<double>());
   expect_exact(voce<double>());
+  expect_exact(table<double>());
 }
 
 TEST(PlasticWork, OfIdealPlasticityIsTheYieldStressTimesThePlasticPath) {
@@ -75,6 +89,7 @@ TEST(PlasticWork, IsZeroWithinTheElasticRange) {
   EXPECT_EQ(plastic_work(ideal<double>(), {}, respond(ideal<double>(), {}, 0.001)), 0.0);
   EXPECT_EQ(plastic_work(linear<double>(), {}, respond(linear<double>(), {}, 0.001)), 0.0);
   EXPECT_EQ(plastic_work(voce<double>(), {}, respond(voce<double>(), {}, 0.001)), 0.0);
+  EXPECT_EQ(plastic_work(table<double>(), {}, respond(table<double>(), {}, 0.001)), 0.0);
 }
 
 template <template <class> class Law, class Make>
@@ -92,6 +107,7 @@ TEST(PlasticWork, TakesEveryScalar) {
   expect_same_for_all_scalars<IdealPlastic>([]<class S>() { return ideal<S>(); });
   expect_same_for_all_scalars<LinearHardening>([]<class S>() { return linear<S>(); });
   expect_same_for_all_scalars<VoceChaboche>([]<class S>() { return voce<S>(); });
+  expect_same_for_all_scalars<Multilinear>([]<class S>() { return table<S>(); });
 }
 
 }  // namespace

@@ -24,6 +24,8 @@ inline Material steel(HardeningLaw law = HardeningLaw::Ideal) {
   material.hardening.saturation_rate = 12.0;
   material.hardening.backstress_modulus = {20e9, 4e9, 0.5e9};
   material.hardening.backstress_rate = {300.0, 40.0, 0.0};
+  material.hardening.plastic_strain = {0.002, 0.01, 0.04};
+  material.hardening.flow_stress = {330e6, 320e6, 400e6};
   return material;
 }
 

@@ -62,7 +62,6 @@ TEST_P(MaterialRejects, ByNamingFieldValueAndRule) {
 }
 
 const std::string kPositive = "must be positive and finite";
-const std::string kNotNegative = "must be finite and not negative";
 
 INSTANTIATE_TEST_SUITE_P(
     Material, MaterialRejects,
@@ -86,32 +85,60 @@ INSTANTIATE_TEST_SUITE_P(
         BadMaterial{[](Material& m) {
                       m.hardening = {.law = HardeningLaw::Linear, .tangent_modulus = 210e9};
                     },
-                    "hardening.tangent_modulus = 2.1e+11: must be at least zero and below "
+                    "hardening.tangent_modulus = 2.1e+11: must be below "
                     "material.youngs_modulus = 2.1e+11"},
         BadMaterial{[](Material& m) {
                       m.hardening = {.law = HardeningLaw::Linear, .kinematic_share = 1.5};
                     },
-                    "hardening.kinematic_share = 1.5: must be within 0 and 1"},
+                    "hardening.kinematic_share = 1.5: must be from 0 to 1"},
         BadMaterial{[](Material& m) {
                       m.hardening = {.law = HardeningLaw::VoceChaboche,
                                      .saturation_stress = -355e6};
                     },
-                    "hardening.saturation_stress = -3.55e+08: must be finite and above "
+                    "hardening.saturation_stress = -3.55e+08: must be above "
                     "-material.yield_stress = -3.55e+08"},
         BadMaterial{[](Material& m) {
                       m.hardening = {.law = HardeningLaw::VoceChaboche, .saturation_rate = -1.0};
                     },
-                    "hardening.saturation_rate = -1: " + kNotNegative},
+                    "hardening.saturation_rate = -1: must be at least 0"},
         BadMaterial{[](Material& m) {
                       m.hardening = {.law = HardeningLaw::VoceChaboche,
                                      .backstress_modulus = {0.0, -1.0, 0.0}};
                     },
-                    "hardening.backstress_modulus_2 = -1: " + kNotNegative},
+                    "hardening.backstress_modulus_2 = -1: must be at least 0 Pa"},
         BadMaterial{[](Material& m) {
                       m.hardening = {.law = HardeningLaw::VoceChaboche,
                                      .backstress_rate = {0.0, 0.0, -2.0}};
                     },
-                    "hardening.backstress_rate_3 = -2: " + kNotNegative}));
+                    "hardening.backstress_rate_3 = -2: must be at least 0"},
+        BadMaterial{[](Material& m) { m.hardening = {.law = HardeningLaw::Multilinear}; },
+                    "hardening.plastic_strain_1 = 0: must be above 0: the table has no point"},
+        BadMaterial{[](Material& m) {
+                      m.hardening = {.law = HardeningLaw::Multilinear,
+                                     .plastic_strain = {0.02, 0.01},
+                                     .flow_stress = {400e6, 410e6}};
+                    },
+                    "hardening.plastic_strain_2 = 0.01: must be above the one before, 0.02"},
+        BadMaterial{[](Material& m) {
+                      m.hardening = {.law = HardeningLaw::Multilinear,
+                                     .plastic_strain = {0.01, 0.0, 0.02},
+                                     .flow_stress = {400e6, 0.0, 410e6}};
+                    },
+                    "hardening.plastic_strain_3 = 0.02: must follow the points before it without "
+                    "a gap"},
+        BadMaterial{[](Material& m) {
+                      m.hardening = {.law = HardeningLaw::Multilinear,
+                                     .plastic_strain = {0.01, 0.02},
+                                     .flow_stress = {400e6}};
+                    },
+                    "hardening.flow_stress_2 = 0: must be above 0"},
+        BadMaterial{[](Material& m) {
+                      m.hardening = {.law = HardeningLaw::Multilinear,
+                                     .plastic_strain = {0.001},
+                                     .flow_stress = {300e6}};
+                    },
+                    "hardening.flow_stress_1 = 3e+08: falls from 3.55e+08 more steeply than "
+                    "2.1e+10 Pa, a tenth of the elastic modulus"}));
 
 TEST(Material, ParametersOfOtherLawsAreIgnored) {
   Material m;

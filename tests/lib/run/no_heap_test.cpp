@@ -46,7 +46,11 @@ namespace {
 using testing::coupon_scene;
 
 constexpr HardeningLaw kLaws[] = {HardeningLaw::Ideal, HardeningLaw::Linear,
-                                  HardeningLaw::VoceChaboche};
+                                  HardeningLaw::VoceChaboche, HardeningLaw::Multilinear};
+
+Hardening hardening_of(HardeningLaw law) {
+  return {.law = law, .plastic_strain = {0.01}, .flow_stress = {400e6}};
+}
 
 TEST(Heap, IsCountedByThisProgram) {
   const std::size_t before = allocations;
@@ -60,7 +64,7 @@ TEST(Heap, IsNotUsedByRun) {
   for (const HardeningLaw law : kLaws) {
     for (const bool report : {false, true}) {
       Scene scene = coupon_scene(Deformation::Bending, {0.001, 0.02, -0.03, 0.05});
-      scene.material.hardening.law = law;
+      scene.material.hardening = hardening_of(law);
       if (report) scene.formulas = Formulas::Report;
       const Model model = prepare(scene, {}, parameters);
       Response response = make_response(model);
@@ -80,7 +84,7 @@ TEST(Heap, IsNotUsedByRun) {
 TEST(Heap, IsNotUsedByRunWithTheStressAlone) {
   for (const HardeningLaw law : kLaws) {
     Scene scene = coupon_scene(Deformation::Torsion, {0.001, 0.02, -0.03, 0.05});
-    scene.material.hardening.law = law;
+    scene.material.hardening = hardening_of(law);
     scene.probes = {{"stress", ProbeQuantity::Stress}};
     const Model model = prepare(scene);
     Response response = make_response(model);
@@ -97,7 +101,7 @@ TEST(Heap, IsNotUsedByRunSensitivity) {
   for (const HardeningLaw law : kLaws) {
     for (std::size_t count = 1; count <= all.size(); ++count) {
       Scene scene = coupon_scene(Deformation::Tension, {0.001, 0.02, -0.03, 0.05});
-      scene.material.hardening.law = law;
+      scene.material.hardening = hardening_of(law);
       scene.probes = {{"stress", ProbeQuantity::Stress}};
       const Model model = prepare(scene, {}, std::span(all).first(count));
       Response response = make_response(model);

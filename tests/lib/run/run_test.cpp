@@ -84,10 +84,12 @@ TEST(Dissipation, IsTheWorkPutInLessTheElasticEnergy) {
 }
 
 TEST(Run, FillsAStressOnlyResponseWithTheBitsOfAFullOne) {
-  for (const HardeningLaw law :
-       {HardeningLaw::Ideal, HardeningLaw::Linear, HardeningLaw::VoceChaboche}) {
+  for (const HardeningLaw law : {HardeningLaw::Ideal, HardeningLaw::Linear,
+                                 HardeningLaw::VoceChaboche, HardeningLaw::Multilinear}) {
     Scene scene = coupon_scene(Deformation::Bending, {0.001, 0.01, 0.005, -0.004, -0.02});
-    scene.material.hardening = {law, 2e9, 0.3, 80e6, 12.0, {20e9, 1e9, 0.0}, {300.0, 0.0, 0.0}};
+    scene.material.hardening = {
+        law,           2e9,           0.3, 80e6, 12.0, {20e9, 1e9, 0.0}, {300.0, 0.0, 0.0},
+        {0.002, 0.01}, {330e6, 400e6}};
     const Response full = simulate(scene);
     scene.probes = {{"stress", ProbeQuantity::Stress}};
     const Response lean = simulate(scene);

@@ -23,7 +23,9 @@ std::vector<double> cycle() {
 Scene scene_of(HardeningLaw law, Deformation deformation) {
   Scene scene = coupon_scene(deformation, cycle());
   scene.probes = {{"stress", ProbeQuantity::Stress}};
-  scene.material.hardening = {law, 2e9, 0.3, 80e6, 12.0, {20e9, 4e9, 0.5e9}, {300.0, 40.0, 5.0}};
+  scene.material.hardening = {
+      law,           2e9,           0.3, 80e6, 12.0, {20e9, 4e9, 0.5e9}, {300.0, 40.0, 5.0},
+      {0.002, 0.01}, {330e6, 400e6}};
   return scene;
 }
 
@@ -132,9 +134,19 @@ TEST(Sensitivity, OfVoceAndChabocheAgreesWithDifferencesOverDecades) {
   }
 }
 
+TEST(Sensitivity, OfATableAgreesWithDifferencesOverDecades) {
+  const std::vector<Parameter> table{{"flow_stress_1", 330e6},
+                                     {"flow_stress_2", 400e6},
+                                     {"plastic_strain_1", 0.002},
+                                     {"kinematic_share", 0.3}};
+  for (const Deformation deformation : kDeformations) {
+    expect_derivatives(scene_of(HardeningLaw::Multilinear, deformation), joined(kIdeal, table));
+  }
+}
+
 TEST(Sensitivity, OfShearParametersAgreesWithDifferencesInTorsion) {
-  for (const HardeningLaw law :
-       {HardeningLaw::Ideal, HardeningLaw::Linear, HardeningLaw::VoceChaboche}) {
+  for (const HardeningLaw law : {HardeningLaw::Ideal, HardeningLaw::Linear,
+                                 HardeningLaw::VoceChaboche, HardeningLaw::Multilinear}) {
     expect_derivatives(scene_of(law, Deformation::Torsion), kShear);
   }
   expect_derivatives(scene_of(HardeningLaw::Ideal, Deformation::Torsion),
@@ -151,8 +163,8 @@ TEST(Sensitivity, OfReportFormulasAndFullyPlasticCapsAgreesToo) {
 }
 
 TEST(Sensitivity, LeavesTheBitsOfTheResponse) {
-  for (const HardeningLaw law :
-       {HardeningLaw::Ideal, HardeningLaw::Linear, HardeningLaw::VoceChaboche}) {
+  for (const HardeningLaw law : {HardeningLaw::Ideal, HardeningLaw::Linear,
+                                 HardeningLaw::VoceChaboche, HardeningLaw::Multilinear}) {
     const Scene scene = scene_of(law, Deformation::Torsion);
     const Response plain = respond_to(scene, kIdeal, 0, 0.0);
     const Response response = differentiate(scene, kIdeal).response;

@@ -1,0 +1,24 @@
+#include "plastica/model/hardening_kind.hpp"
+
+#include <array>
+
+#include "plastica/model/hardening_parts.hpp"
+
+namespace plastica {
+
+std::span<const HardeningKind* const> hardening_kinds() {
+  using namespace model_detail;
+  static const std::array<const HardeningKind*, 4> kinds{
+      &ideal_kind(), &linear_kind(), &voce_chaboche_kind(), &multilinear_kind()};
+  return kinds;
+}
+
+const HardeningKind& hardening_kind(HardeningLaw law) {
+  for (const HardeningKind* kind : hardening_kinds()) {
+    if (kind->law() == law) return *kind;
+  }
+  throw InputError({}, "material.hardening.law", std::to_string(static_cast<int>(law)),
+                   "is none of the laws that there are");
+}
+
+}  // namespace plastica
