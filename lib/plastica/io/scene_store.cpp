@@ -62,8 +62,7 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
       record.warnings.push_back(std::move(*warning));
     }
   }
-  if (std::string warning = axial_warning(file.setup.scene, file.setup.solver, response);
-      !warning.empty()) {
+  for (std::string& warning : axial_warnings(file.setup.scene, file.setup.solver, response)) {
     record.warnings.push_back(std::move(warning));
   }
   record.outline = beam_outline(model);

@@ -71,6 +71,7 @@ class HardeningReturn {
     plastic_area_ = dot(work_, trial) * inverse;
     for (std::size_t k = 0; k < kBacks; ++k) {
       along_[k] = dot(before.back[k], energy_) / twice_energy_ * phi;
+      drive_[k] = law.rule.drive(k, before.equivalent, along_[k]);
     }
     solve(yields);
   }
@@ -92,7 +93,7 @@ class HardeningReturn {
     for (std::size_t k = 0; k < kBacks; ++k) {
       after.back[k] = before_.back[k] + (shift_[k].value / length) * cut;
       back += after.back[k];
-      const S& decayed = flow_[k].decayed;
+      const S decayed = decayed_at_end(k);
       const S shifted = law_.rule.source_integral(k, before_.equivalent, p_, decayed) +
                         along_[k] * (decayed - p_);
       work += plastic_area_ * (dot(before_.back[k], flow) / total * p_ + square * shifted);
@@ -125,7 +126,7 @@ class HardeningReturn {
       }
       by_trial += shift_[k].value * d_elastic;
       if constexpr (Rule::kRecovers) {
-        const S by_along = -law_.rule.recovery(k) * flow_[k].decayed;
+        const S by_along = -law_.rule.recovery(k) * decayed_at_end(k);
         by_trial += (elastic_area_ * by_along) * d_along;
       }
       slope_by_p += elastic_area_ * shift_[k].slope;
@@ -144,6 +145,10 @@ class HardeningReturn {
 
  private:
   static constexpr int kMostSteps = 40;
+
+  S decayed_at_end(std::size_t k) const {
+    return back_flow(law_.rule, k, before_.equivalent, p_).decayed;
+  }
 
   /// Projects on the surface of radius level(p); lambda~ and the derivatives by the radius follow
   /// from the homogeneity of both in (z^, radius).
@@ -165,8 +170,7 @@ class HardeningReturn {
     needed_ = plastic_area_ * p;
     needed_slope_ = plastic_area_;
     for (std::size_t k = 0; k < kBacks; ++k) {
-      flow_[k] = back_flow(law_.rule, k, before_.equivalent, p);
-      shift_[k] = back_shift(law_.rule, k, along_[k], flow_[k]);
+      shift_[k] = law_.rule.shift(k, before_.equivalent, drive_[k], p);
       needed_ += elastic_area_ * shift_[k].value;
       needed_slope_ += elastic_area_ * shift_[k].slope;
     }
@@ -216,10 +220,9 @@ class HardeningReturn {
   const S& phi_;
   SectionForce<S> energy_, work_;
   S twice_energy_, elastic_area_, plastic_area_;
-  std::array<S, kBacks> along_{};
+  std::array<S, kBacks> along_{}, drive_{};
   S p_;
   Grown<S> level_;
-  std::array<BackFlow<S>, kBacks> flow_{};
   std::array<Grown<S>, kBacks> shift_{};
   Projection<S> projected_;
   SectionForce<S> by_radius_;

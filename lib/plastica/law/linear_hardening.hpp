@@ -38,6 +38,12 @@ struct LinearHardening {
   S radius_integral(const S& accumulated, const S& p) const {
     return (yield + isotropic * (accumulated + constant<S>(0.5) * p)) * p;
   }
+  S drive(std::size_t /*k*/, const S& /*accumulated*/, const S& /*along*/) const {
+    return kinematic;
+  }
+  Grown<S> shift(std::size_t /*k*/, const S& /*accumulated*/, const S& drive, const S& p) const {
+    return {drive * p, drive};
+  }
   Grown<S> source(std::size_t /*k*/, const S& /*accumulated*/, const S& p,
                   const BackFlow<S>& /*flow*/) const {
     return {kinematic * p, kinematic};

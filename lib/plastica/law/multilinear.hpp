@@ -60,10 +60,16 @@ struct Multilinear {
   S radius_integral(const S& accumulated, const S& p) const {
     return yield * p + isotropic * (area(accumulated + p) - area(accumulated));
   }
-  Grown<S> source(std::size_t /*k*/, const S& accumulated, const S& p,
-                  const BackFlow<S>& /*flow*/) const {
+  S drive(std::size_t /*k*/, const S& accumulated, const S& /*along*/) const {
+    return kinematic * growth(accumulated).slope;
+  }
+  Grown<S> shift(std::size_t /*k*/, const S& accumulated, const S& /*drive*/, const S& p) const {
     const Grown<S> grown = growth(accumulated + p);
     return {kinematic * (grown.value - growth(accumulated).value), kinematic * grown.slope};
+  }
+  Grown<S> source(std::size_t k, const S& accumulated, const S& p,
+                  const BackFlow<S>& /*flow*/) const {
+    return shift(k, accumulated, S{}, p);
   }
   S source_integral(std::size_t /*k*/, const S& accumulated, const S& p,
                     const S& /*decayed*/) const {

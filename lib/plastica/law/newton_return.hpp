@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "plastica/base/always_inline.hpp"
+#include "plastica/base/each_of.hpp"
 #include "plastica/law/uniaxial_law.hpp"
 
 namespace plastica::law {
@@ -20,8 +22,8 @@ inline constexpr int kMostReturnSteps = 60;
 ///   f(p) = d K (e - e_p) - K p - d sum X_k(p) - R(p) = 0,
 /// inside of a bracket from 0 to the law's `latest`. It ends when one more Newton step is sure to
 /// reach rounding: after a Newton step of 1e-5 p (which leaves its square; of a law with kinks it
-/// may not be skipped) or a halving of the bracket by 1e-8 p (which leaves itself). A lane that is
-/// done waits for its neighbours and does not change.
+/// may not be skipped) or a halving of the bracket by 1e-8 p (which leaves itself), or where
+/// rounding is all that is left. A lane that is done waits for its neighbours and does not change.
 template <class Law>
 requires Law::kByNewton inline UniaxialResponse<typename Law::Scalar, typename Law::State> respond(
     const Law& law, const typename Law::State& before, const typename Law::Scalar& strain) {
@@ -33,26 +35,27 @@ requires Law::kByNewton inline UniaxialResponse<typename Law::Scalar, typename L
   S total_back = zero;
   for (const S& x : before.back_stress) total_back += x;
   const S direction = sign(trial - total_back);
-  Grown<S> radius = law.radius(before.accumulated, zero);
+  const Grown<S> radius = law.radius(before.accumulated, zero);
   const S over = direction * (trial - total_back) - radius.value;
   const auto yields = over > zero;
   if (!any(yields)) return {trial, law.stiffness, before};
 
-  std::array<S, kBacks> along;
-  for (std::size_t k = 0; k < kBacks; ++k) along[k] = direction * before.back_stress[k];
+  std::array<S, kBacks> drive;
+  S slope = law.stiffness + radius.slope;  // -f'
+  for_each_of<kBacks>([&](std::size_t k) PLASTICA_ALWAYS_INLINE {
+    drive[k] = law.drive(k, before.accumulated, S(direction * before.back_stress[k]));
+    slope += drive[k];
+  });
   const S begins = over + radius.value;
-  std::array<BackFlow<S>, kBacks> flow;
-  S slope;  // -f'
-  const auto residual_at = [&](const S& p) {
-    radius = law.radius(before.accumulated, p);
-    S residual = begins - law.stiffness * p - radius.value;
-    slope = law.stiffness + radius.slope;
-    for (std::size_t k = 0; k < kBacks; ++k) {
-      flow[k] = back_flow(law, k, before.accumulated, p);
-      const Grown<S> shift = back_shift(law, k, along[k], flow[k]);
+  const auto residual_at = [&](const S& p) PLASTICA_ALWAYS_INLINE {
+    const Grown<S> grown = law.radius(before.accumulated, p);
+    S residual = begins - law.stiffness * p - grown.value;
+    slope = law.stiffness + grown.slope;
+    for_each_of<kBacks>([&](std::size_t k) PLASTICA_ALWAYS_INLINE {
+      const Grown<S> shift = law.shift(k, before.accumulated, drive[k], p);
       residual -= shift.value;
       slope += shift.slope;
-    }
+    });
     return residual;
   };
 
@@ -62,16 +65,18 @@ requires Law::kByNewton inline UniaxialResponse<typename Law::Scalar, typename L
   const S after_newton =
       constant<S>(Law::kHasKinks ? (kDouble ? 1e-15 : 1e-6) : (kDouble ? 1e-5 : 1e-2));
   const S after_halving = constant<S>(kDouble ? 1e-8 : 3e-4);
+  // What rounding makes of f: below it there is nothing to seek.
+  const S rounding = constant<S>(kDouble ? 2e-16 : 1e-7) * begins / law.stiffness;
   auto active = yields;
-  S residual = residual_at(p);
+  S residual = over;
   for (int step = 0; step < detail::kMostReturnSteps; ++step) {
     low = select(residual > zero, p, low);
     high = select(residual < zero, p, high);
     const S newton = p + residual / slope;
     const auto inside = (newton >= low) & (newton <= high);
     const S next = select(inside, newton, constant<S>(0.5) * (low + high));
-    const auto moves =
-        active & (abs(next - p) > select(inside, after_newton, after_halving) * next);
+    const S enough = max(select(inside, after_newton, after_halving) * next, rounding);
+    const auto moves = active & (abs(next - p) > enough);
     p = select(active, next, p);
     active = moves;
     residual = residual_at(p);
@@ -84,11 +89,10 @@ requires Law::kByNewton inline UniaxialResponse<typename Law::Scalar, typename L
   UniaxialResponse<S, typename Law::State> now;
   now.state.plastic = before.plastic + direction * p;
   now.state.accumulated = before.accumulated + p;
-  for (std::size_t k = 0; k < kBacks; ++k) {
-    const BackFlow<S> ends = back_flow(law, k, before.accumulated, p);
-    now.state.back_stress[k] =
-        before.back_stress[k] + direction * back_shift(law, k, along[k], ends).value;
-  }
+  for_each_of<kBacks>([&](std::size_t k) PLASTICA_ALWAYS_INLINE {
+    const Grown<S> shift = law.shift(k, before.accumulated, drive[k], p);
+    now.state.back_stress[k] = before.back_stress[k] + direction * shift.value;
+  });
   now.stress = law.stiffness * (strain - now.state.plastic);
   // K h / (K + h), with the hardening modulus h = slope - K at the end of the increment.
   const S elastic_plastic = law.stiffness * (slope - law.stiffness) / slope;

@@ -33,8 +33,11 @@ template <class Law, class S, std::size_t kBacks>
 inline S flow_stress(const Law& law, const S& accumulated, const S& p,
                      const std::array<S, kBacks>& along) {
   S stress = law.radius(accumulated, p).value;
-  for (std::size_t k = 0; k < kBacks; ++k) {
-    stress += along[k] + back_shift(law, k, along[k], back_flow(law, k, accumulated, p)).value;
+  if constexpr (kBacks > 0) {
+    for (std::size_t k = 0; k < kBacks; ++k) {
+      const S drive = law.drive(k, accumulated, along[k]);
+      stress += along[k] + law.shift(k, accumulated, drive, p).value;
+    }
   }
   return stress;
 }

@@ -14,10 +14,12 @@
 ///   radius(accumulated, p)                       R, and its slope by p
 ///   radius_integral(accumulated, p)              of R over p, from 0
 ///   recovery(k)                                  gamma_k, where back stresses recover (kRecovers)
+///   drive(k, accumulated, along)                 slope of d X_k at the begin; along: d X_k(0)
+///   shift(k, accumulated, drive, p)              by how much d X_k has grown, and its slope
 ///   source(k, accumulated, p, flow)              what the flow adds to d X_k, and its slope
 ///   source_integral(k, accumulated, p, decayed)  of it over p
-/// so that d X_k(p) = d X_k(0) exp(-gamma_k p) + source. Sections with one yield surface and fibres
-/// under two stresses ask for the same.
+/// so that d X_k(p) = d X_k(0) + shift = d X_k(0) exp(-gamma_k p) + source. Sections with one yield
+/// surface and fibres under two stresses ask for the same.
 namespace plastica::law {
 
 /// State of a law. A law without back stresses has no room for any.
@@ -92,18 +94,6 @@ inline BackFlow<S> back_flow(const Law& law, std::size_t k, const S& accumulated
   }
   if constexpr (Law::kBacks > 0) flow.source = law.source(k, accumulated, p, flow);
   return flow;
-}
-
-/// How much more a back stress of the size `along` in the direction of the flow has become.
-template <class Law, class S>
-inline Grown<S> back_shift(const Law& law, std::size_t k, const S& along, const BackFlow<S>& flow) {
-  Grown<S> shift = flow.source;
-  if constexpr (Law::kRecovers) {
-    const S recovers = law.recovery(k) * along;
-    shift.value -= recovers * flow.decayed;
-    shift.slope -= recovers * flow.power;
-  }
-  return shift;
 }
 
 }  // namespace plastica::law

@@ -54,6 +54,14 @@ struct VoceChaboche {
     const S softened = saturation * exp(-rate * accumulated);
     return (yield + saturation) * p - softened * detail::decay(rate, p, exp(-rate * p));
   }
+  S drive(std::size_t k, const S& /*accumulated*/, const S& along) const {
+    return back_modulus[k] - back_rate[k] * along;
+  }
+  Grown<S> shift(std::size_t k, const S& /*accumulated*/, const S& drive, const S& p) const {
+    using plastica::exp;
+    const S power = exp(-back_rate[k] * p);
+    return {drive * detail::decay(back_rate[k], p, power), drive * power};
+  }
   const S& recovery(std::size_t k) const { return back_rate[k]; }
   Grown<S> source(std::size_t k, const S& /*accumulated*/, const S& /*p*/,
                   const BackFlow<S>& flow) const {

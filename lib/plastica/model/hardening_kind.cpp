@@ -1,6 +1,7 @@
 #include "plastica/model/hardening_kind.hpp"
 
 #include <array>
+#include <cstddef>
 
 #include "plastica/model/hardening_parts.hpp"
 
@@ -8,15 +9,16 @@ namespace plastica {
 
 std::span<const HardeningKind* const> hardening_kinds() {
   using namespace model_detail;
+  // In the order of their enumerators.
   static const std::array<const HardeningKind*, 4> kinds{
       &ideal_kind(), &linear_kind(), &voce_chaboche_kind(), &multilinear_kind()};
   return kinds;
 }
 
 const HardeningKind& hardening_kind(HardeningLaw law) {
-  for (const HardeningKind* kind : hardening_kinds()) {
-    if (kind->law() == law) return *kind;
-  }
+  const auto kinds = hardening_kinds();
+  const auto index = static_cast<std::size_t>(law);
+  if (index < kinds.size()) return *kinds[index];
   throw InputError({}, "material.hardening.law", std::to_string(static_cast<int>(law)),
                    "is none of the laws that there are");
 }
