@@ -51,20 +51,6 @@ std::string_view held_rotation(const HeldFreedoms& held) {
   return {};
 }
 
-/// A hinge stands in place of a joint.
-void check_hinge(const Support& support, std::span<const double> ends, const std::string& name) {
-  if (support.kind != SupportKind::Hinge) return;
-  if (support.hold) {
-    throw InputError({}, name + ".hold", "",
-                     "a hinge lets go; what holds the beam there is another support");
-  }
-  const auto node = segment_end_at(support.at, ends);
-  if (node && *node > 0 && static_cast<std::size_t>(*node) + 1 < ends.size()) return;
-  throw InputError({}, name + ".at", place_text(support.at),
-                   node ? "a hinge must be within the beam; at an end, a pin lets it turn"
-                        : "a hinge must be at a segment's end");
-}
-
 /// A rotation can be held where a joint is: at a segment's end.
 void check_rotation_place(const Support& support, std::span<const double> ends,
                           const std::string& field) {
@@ -180,22 +166,6 @@ void check_motion(const Support& support, const std::string& name) {
   if (support.moves()) check_history(support.history, name + ".history");
 }
 
-/// What turns a segment at a hinge is on one of its sides: which one, nothing says.
-void check_beside_hinge(const Support& a, const Support& b, const std::string& name_of_a,
-                        const std::string& field) {
-  const bool hinge = a.kind == SupportKind::Hinge;
-  if (!hinge && b.kind != SupportKind::Hinge) return;
-  const Support& other = hinge ? b : a;
-  const HeldFreedoms taken = taken_freedoms(other);
-  const bool turns = taken[3] || taken[4];
-  if (other.kind != SupportKind::Hinge && !turns) return;
-  throw InputError({}, field, place_text(b.at),
-                   other.kind == SupportKind::Hinge
-                       ? name_of_a + " is a hinge at the same place"
-                       : "a rotation is held at a hinge (" + name_of_a +
-                             " is at the same place): give it a place beside the hinge");
-}
-
 /// Supports at one place share it as long as each takes freedoms of its own, or their
 /// normals have different directions. The chain begins at the start, where one support alone may
 /// hold.
@@ -213,7 +183,6 @@ void check_neighbours(const Scene& scene, std::size_t index, std::span<const dou
                        item_name("support", other) +
                            " holds the start, too: one support takes all that is held there");
     }
-    check_beside_hinge(before, support, item_name("support", other), field);
     const bool normals = support.has_normal() && before.has_normal();
     if (normals && support.normal != before.normal) continue;
     const HeldFreedoms taken_before = taken_freedoms(before);
@@ -226,16 +195,6 @@ void check_neighbours(const Scene& scene, std::size_t index, std::span<const dou
   }
 }
 
-void check_moment_place(const Scene& scene, const Load& load, const std::string& field,
-                        std::span<const double> ends) {
-  if (load.to || (load.moment[0] == 0.0 && load.moment[1] == 0.0)) return;
-  for (const Support& support : scene.supports) {
-    if (support.kind != SupportKind::Hinge) continue;
-    if (share_of(support.at, ends) != share_of(load.at, ends)) continue;
-    throw InputError({}, field, "", "acts at a hinge: give it a place beside the hinge");
-  }
-}
-
 }  // namespace
 
 void check_supports(const Scene& scene, Ends ends) {
@@ -243,7 +202,6 @@ void check_supports(const Scene& scene, Ends ends) {
     const Support& support = scene.supports[i];
     const std::string name = item_name("support", i);
     check_place(support.at, scene.beam.segments, name + ".at");
-    check_hinge(support, ends, name);
     check_bed(support, scene, ends, name);
     check_rotation_place(support, ends, name + ".at");
     check_normal(support, name);
@@ -277,7 +235,6 @@ void check_actions(const Scene& scene, Analysis analysis, Ends ends) {
     }
     check_finite(load.force, item_name("load", i, ".force"));
     check_finite(load.moment, item_name("load", i, ".moment"));
-    check_moment_place(scene, load, item_name("load", i, ".moment"), ends);
     check_history(load.history, item_name("load", i, ".history"));
   }
   check_history(scene.gravity_history, "gravity.history");

@@ -34,6 +34,10 @@ using Ends = std::span<const double>;
 std::vector<double> check_beam(const Scene& scene);
 
 void check_supports(const Scene& scene, Ends ends);
+
+/// Hinges within the beam, and what must not act there.
+void check_hinges(const Scene& scene, Ends ends);
+
 void check_masses(const Scene& scene);
 
 /// Loads and gravity, and that something acts on the beam at all.

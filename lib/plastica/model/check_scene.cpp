@@ -122,6 +122,7 @@ void check_scene(const Scene& scene, const SolverOptions& options) {
   }
   model_detail::check_precision(scene, options);
   model_detail::check_probes(scene, options.analysis, ends);
+  if (!scene.is_coupon()) model_detail::check_hinges(scene, ends);
   const LevelChoice level = choose_level(scene, options);
   model_detail::check_modes(scene, options, level);
   if (scene.is_coupon()) return;

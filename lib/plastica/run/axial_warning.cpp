@@ -1,29 +1,52 @@
 #include "plastica/run/axial_warning.hpp"
 
+#include <utility>
+
 #include "plastica/model/check_value.hpp"
 
 namespace plastica {
+namespace {
 
-std::string axial_warning(const Scene& scene, const SolverOptions& options,
-                          const Response& response) {
-  if (!response.axial) return {};
+std::string yield_warning(const Scene& scene, const SolverOptions& options, const AxialNote& note) {
   using model_detail::figure;
-  const AxialNote& note = *response.axial;
   const std::string force = figure(note.ratio) + " N_p at " + figure(note.share) + " of the length";
   const bool per_axis = scene.yield_model == YieldModel::PerAxis;
+  if (note.thrust > 0.0) {
+    return "a joint yielded under a thrust of " + figure(note.thrust) +
+           " N_p: next to no moment, and out of the plane, one yield surface lets it bend as if it "
+           "were elastic; rules.yield_model = \"fibre\" finds where it buckles";
+  }
   if (!per_axis && options.analysis == Analysis::Statics) {
+    if (options.translation == JointTranslation::Elastic) return {};
     return "a joint yielded under an axial force of up to " + force +
            ": it lengthens, which joints that are rigid along the beam do not show; "
            "solver.translation = \"elastic\" does";
   }
   const std::string text =
       std::string(per_axis ? "rules.yield_model = \"per_axis\"" : "a motion of rigid joints") +
-      " leaves the axial force out of yielding: up to " + force + ", where a joint yielded; ";
+      " leaves the axial force out of yielding: up to " + force;
   const std::string seen =
       per_axis ? "; \"interaction\" sees it" : "; solver.translation = \"elastic\" sees it";
-  if (note.left <= 0.0) return text + "the section carries no moment there" + seen;
-  return text + "a joint carries up to " + figure(100.0 * (1.0 / note.left - 1.0)) +
-         " % more than the section" + seen;
+  if (note.left <= 0.0) return text + ", beyond which nothing is carried" + seen;
+  return text + ", where a joint yielded; a joint carries up to " +
+         figure(100.0 * (1.0 / note.left - 1.0)) + " % more than the section" + seen;
+}
+
+}  // namespace
+
+std::vector<std::string> axial_warnings(const Scene& scene, const SolverOptions& options,
+                                        const Response& response) {
+  std::vector<std::string> all;
+  if (response.axial) {
+    std::string text = yield_warning(scene, options, *response.axial);
+    if (!text.empty()) all.push_back(std::move(text));
+  }
+  if (response.unheld_thrust) {
+    all.push_back(
+        "the beam is under thrust, and no support keeps it from leaving its plane: whether it "
+        "does is not looked at; supports that hold it there, or solver.level = \"spatial\", tell");
+  }
+  return all;
 }
 
 }  // namespace plastica

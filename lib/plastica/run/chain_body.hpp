@@ -34,8 +34,8 @@ class ChainBody {
   void accept_strains();
   /// Permanent angles as the break measure takes them (joints).
   const std::vector<JointAngles>& measured(const NodeStrains& strains) const;
-  /// Notes the axial force of joints that yield in the step just accepted, where the response has
-  /// to speak of it (`Response::axial`).
+  /// Notes the axial force of joints that yield in the step just accepted, or would if they saw it,
+  /// where the response has to speak of it (`Response::axial`).
   /// @param in_motion  whether `work` holds all forces of the step, inertia included; else they are
   ///                   found from the unknowns
   void note_axial(bool in_motion, Response& response);
@@ -63,6 +63,8 @@ class ChainBody {
   void set_closure_stiffness();
 
   void find_axial_forces(bool in_motion);
+  /// Whether a joint transmits more than the force at which its section yields by N alone.
+  bool carries_axial_yield() const;
 
   MaterialValues<double> material_{};  ///< that the joints have
   // Of `note_axial`:

@@ -200,26 +200,43 @@ void ChainBody<L, kElastic>::note_axial(bool in_motion, Response& response) {
   const bool per_axis = model.scene.yield_model == YieldModel::PerAxis;
   const auto& flows = joints->work_increment();
   const auto yields = [&](std::size_t j) { return flows[j] > constant<S>(0); };
-  std::size_t j = 0;
-  while (j < flows.size() && !yields(j)) ++j;
-  if (j == flows.size()) return;
   const bool left_out = per_axis || in_motion;
+  const bool any =
+      std::any_of(flows.begin(), flows.end(), [](const S& flow) { return flow > constant<S>(0); });
+  // A section of which N is left out would yield by N alone, too: that shows in no flow.
+  if (!any && !(per_axis && !in_motion && carries_axial_yield())) return;
   if (left_out) find_axial_forces(in_motion);
   const std::vector<S>& axial = left_out ? axial_ : work.joints.axial;
-  for (; j < axial.size(); ++j) {
-    if (!yields(j)) continue;
+  // Ideal plasticity does not let N grow; fibres know how they bend under it.
+  const bool takes_thrust = !left_out && model.scene.yield_model != YieldModel::Fibre &&
+                            model.scene.material.hardening.law != HardeningLaw::Ideal;
+  for (std::size_t j = 0; j < axial.size(); ++j) {
     const bool stretches = kElastic && joints->joints()[j].stretches;
     const auto& joint = joints->joints()[j];
     const double force = stretches ? joints->section_forces()[j][law::kAxial] : axial[j];
     const double ratio = std::fabs(force) / static_cast<double>(joint.axial_yield);
     const bool seen = stretches && !per_axis;
-    const double least = seen ? detail::kNoLimit : left_out ? 1e-3 : 1.0;
+    if (!yields(j) && !(left_out && ratio > 1.0)) continue;
+    const bool grows = takes_thrust && force < 0.0 && ratio > 1.0;
+    const double least = grows ? 1.0 : seen ? detail::kNoLimit : left_out ? 1e-3 : 1.0;
     if (ratio < std::max(least, response.axial ? response.axial->ratio : 0.0)) continue;
     const chain::JointPlan& plan = build.joints[j];
     const std::size_t node = j < build.chain.size() ? plan.segment_b : plan.segment_a + 1;
-    response.axial = AxialNote{ratio, model.layout.ends[node], 1.0};
+    const double thrust = response.axial ? response.axial->thrust : 0.0;
+    response.axial =
+        AxialNote{ratio, model.layout.ends[node], 1.0, grows ? std::max(thrust, ratio) : thrust};
     axial_part_ = joint.law;
   }
+}
+
+template <class L, bool kElastic>
+bool ChainBody<L, kElastic>::carries_axial_yield() const {
+  const auto& outer = work.transmitted.outer;
+  for (std::size_t i = 0; i < outer.size(); ++i) {
+    const S most = joints->joints()[i].axial_yield;
+    if (dot(outer[i].force, outer[i].force) > most * most) return true;
+  }
+  return false;
 }
 
 template <class L, bool kElastic>

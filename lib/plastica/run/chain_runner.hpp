@@ -53,6 +53,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   void note_break(const Work& w);
   // Out of the plane of a planar chain: look_beside.hpp.
   bool has_space_beside();
+  bool is_pushed(const Work& w) const;
   /// What joints' sections carry, and how stiff they are about the other axis.
   struct Sections {
     const std::vector<law::SectionForce<typename L::Scalar>>& force;

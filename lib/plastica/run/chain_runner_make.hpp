@@ -82,6 +82,7 @@ bool ChainRunner<L, kElastic>::begin_path() {
   response_->samples = 0;
   clear_motion(*response_);
   response_->axial.reset();
+  response_->unheld_thrust = false;
   response_->chain.events.clear();
   response_->critical.reset();
   response_->buckling.reset();
@@ -265,10 +266,12 @@ void ChainRunner<L, kElastic>::note_break(const Work& w) {
 
 template <class L, bool kElastic>
 bool ChainRunner<L, kElastic>::record(const Work& w) {
-  if (response_->samples == body_.model.samples) return false;
+  // The last sample is the end, of arcs that are more than the samples, too.
+  if (response_->samples == body_.model.samples) --response_->samples;
   body_.record.write(w, *body_.joints, body_.strains, response_->samples, *response_);
   response_->chain.iterations[response_->samples] = walker_->counters().iterations;
   ++response_->samples;
+  if (!response_->unheld_thrust) response_->unheld_thrust = is_pushed(w) && !has_space_beside();
   if (solve::is_corner(body_.build.chain, w.time, 1e-9 * options_.stops.back()))
     look_beside(w.q, w.time, sections());
   return response_->samples < body_.model.samples;

@@ -60,6 +60,25 @@ bool ChainRunner<L, kElastic>::has_space_beside() {
   }
 }
 
+/// Whether a planar beam is under a thrust worth the name: a tenth of the largest force in it.
+template <class L, bool kElastic>
+bool ChainRunner<L, kElastic>::is_pushed(const Work& w) const {
+  using S = typename L::Scalar;
+  if constexpr (L::kTranslations == 2) {
+    constexpr std::size_t kAlong = chain::SectionAxes<L>::kAxialShift;
+    S thrust = constant<S>(0);
+    S largest = constant<S>(0);
+    for (std::size_t i = 0; i < w.transmitted.outer.size(); ++i) {
+      const auto force = L::turn_back(w.placement.near[i], w.transmitted.outer[i].force);
+      thrust = max(thrust, -force[kAlong]);
+      largest = max(largest, dot(force, force));
+    }
+    return thrust > constant<S>(0) && thrust * thrust > constant<S>(0.01) * largest;
+  } else {
+    return false;
+  }
+}
+
 /// @param sections  there, if any may have yielded
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::see(const chain::Coordinates<L>& q, double time,

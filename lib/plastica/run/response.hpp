@@ -117,9 +117,11 @@ struct ChainHistory {
 
 /// The largest axial force of a joint while it yielded.
 struct AxialNote {
-  double ratio = 0.0;  ///< |N| over N_p, at which all of the section yields [1]
-  double share = 0.0;  ///< where, of the beam's length [1]
-  double left = 1.0;   ///< moment that the section carries beside it, over that without [1]
+  double ratio = 0.0;   ///< |N| over N_p, at which all of the section yields [1]
+  double share = 0.0;   ///< where, of the beam's length [1]
+  double left = 1.0;    ///< moment that the section carries beside it, over that without [1]
+  double thrust = 0.0;  ///< the largest compression of a joint that yields, where hardening takes
+                        ///< it over N_p and one surface stands for the section; else 0 [1]
 };
 
 /// What a run gives; sized by `make_response`, so that `run` does not allocate.
@@ -139,10 +141,13 @@ struct Response {
   /// Of a path in statics, where `solver.buckling` and `solver.frequencies` ask for them.
   std::optional<BucklingModes> buckling;
   std::optional<VibrationModes> vibration;
-  /// Set where joints yield that do not see the axial force (on each axis by itself; in motion,
-  /// those that do not stretch), and where it is beyond N_p in joints that do not stretch;
-  /// `axial_warning` puts it in words.
+  /// Set where joints yield, or would, that do not see the axial force (on each axis by itself; in
+  /// motion, those that do not stretch), where it is beyond N_p in joints that do not stretch, and
+  /// where hardening joints yield in compression; `axial_warning` puts it in words.
   std::optional<AxialNote> axial;
+  /// Of a path at a planar level: some joint is under thrust, while no support keeps the beam from
+  /// leaving its plane, so that nothing tells whether it does.
+  bool unheld_thrust = false;
   /// `plastica::ledger_error` of a motion [1]; above `kLedgerTolerance` its status is
   /// `NotBalanced`.
   double ledger_error = 0.0;

@@ -98,7 +98,8 @@ class PathWalker {
   /// The least way of the control point that is no rounding, over the beam's length.
   static constexpr double kLeastWay = kIsDouble<S> ? 1e-13 : 1e-6;
   static constexpr double kTiny = std::numeric_limits<double>::min();
-  static constexpr int kMostArcs = 400;
+  static constexpr double kForever = std::numeric_limits<double>::infinity();
+  static constexpr int kMostArcs = 400;  ///< that cross what load control does not
   /// How much longer than the first an arc may become: a way that bends sharply is long.
   static constexpr double kArcGrowth = 32.0;
 
@@ -195,6 +196,7 @@ class PathWalker {
     if (stopped()) return Trial::Ended;
     overpulled_ = converged && laws_.overpulled();
     if (!converged || overpulled_) return Trial::Failed;
+    if ((beyond_ = !at_time_ && w_.time > latest_)) return Trial::Failed;
     if (turns_too_far() || !points_on() || !may_change_ways(shortest)) return Trial::Failed;
     const double slope = watches_slope_ && observer_.yields() ? relative_slope() : 1.0;
     flat_ = slope < kLimitSlope;
@@ -347,8 +349,7 @@ class PathWalker {
   PathCounters counters_{};
   std::optional<LimitLoad> limit_{};
   double time_ = 0.0;
-  double previous_time_ = 0.0;
-  double step_ = 0.0;
+  double previous_time_ = 0.0, step_ = 0.0;
   double above_ = 0.0;     ///< the last time at which load control found nothing
   std::size_t stop_ = 0;   ///< load control: the next one
   double next_ = 0.0;      ///< the time that is sought, so far from the last step
@@ -365,11 +366,12 @@ class PathWalker {
   double way_ = 1.0;   ///< of the control point, the way that it would go elastically in `span_`
   Value rate_{};       ///< of the control point, elastically
   double arc_length_ = 0.0, largest_arc_ = 0.0, smallest_arc_ = 0.0;
+  double latest_ = kForever;  ///< time at which arcs end
+  bool beyond_ = false;       ///< whether the last trial of an arc was after it
   Value secant_{};
   double secant_time_ = 0.0, secant_length_ = 1.0;
   bool has_secant_ = false;
-  bool conservative_ = true;
-  bool has_pillars_ = false;
+  bool conservative_ = true, has_pillars_ = false;
   CriticalPoints critical_{};
   PathCondition<L> condition_{};  ///< of the trial
   double found_ways_ = -1.0;      ///< see `take`

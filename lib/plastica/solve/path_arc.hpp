@@ -87,7 +87,11 @@ typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::advance_arc() {
     at_time_ = false;
     if (has_secant_) extrapolate(arc_length_ / secant_length_);
     const bool shortest = arc_length_ <= smallest_arc_;
-    const Trial trial = attempt([&](const Work& w) { return condition_of(arc, w); }, shortest);
+    beyond_ = false;
+    Trial trial = attempt([&](const Work& w) { return condition_of(arc, w); }, shortest);
+    // A joint that yielded beyond would not come back: the end is sought from the last point
+    // before it.
+    if (beyond_) trial = attempt_time(latest_, shortest);
     if (trial != Trial::Failed) {
       secant_ = control_.value(w_.placement) - from;
       secant_time_ = time_ - from_time;
@@ -130,22 +134,27 @@ template <class L, bool kElastic>
 Status PathWalker<L, kElastic>::walk_arc() {
   if (!begin_arcs()) return Status::NotConverged;
   const double end = options_.stops.back();
+  latest_ = end;
   set_arc_length(std::sqrt(2.0) / options_.steps, kArcGrowth);
-  for (int k = 0; k < kMostArcs; ++k) {
+  double highest = time_;
+  // A hinge may turn for a hundred times the elastic way.
+  const double most = 400.0 + 50.0 * options_.steps;
+  for (double k = 0.0; k < most; k += 1.0) {
     const Trial trial = advance_arc();
     if (trial == Trial::Ended) return ended();
     if (trial == Trial::Failed) return end_lost();
-    if (time_ >= end) {
-      // The end itself, from the last point before it.
-      const Trial last = attempt_time(end, true);
-      if (last == Trial::Ended) return ended();
-      if (last == Trial::Failed) return end_lost();
-      observer_.record(w_);
-      return Status::Completed;
-    }
-    if (!observer_.record(w_)) return Status::Completed;
+    const bool has_room = observer_.record(w_);
+    if (time_ >= end) return Status::Completed;
+    highest = std::max(highest, time_);
+    // A load that falls may fall for ever; one that rises comes to its end.
+    if (!has_room && time_ < highest) break;
   }
-  return Status::Completed;
+  // Of a path that comes down from its limit, what has been followed holds, as unstable.
+  condition_ = {};
+  at_time_ = true;
+  holds_tangent_ = false;
+  unstable_ = count_ways() > 0;
+  return unstable_ ? Status::Completed : Status::NotConverged;
 }
 
 template <class L, bool kElastic>
@@ -153,6 +162,8 @@ typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::cross_by_arc(do
   if (!watches_slope_) return Trial::Failed;
   watches_slope_ = false;
   set_arc_length(1e-2, 1.0);
+  const bool may_turn = options_.control != PathControl::Load;
+  latest_ = may_turn ? stop : kForever;
   double highest = time_;
   const double first_slope = span_ / way_;
   for (int k = 0; k < kMostArcs; ++k) {
@@ -160,10 +171,10 @@ typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::cross_by_arc(do
     if (trial == Trial::Ended) return trial;
     if (trial == Trial::Failed) return Trial::Failed;
     if (time_ >= stop) {
-      if (options_.control == PathControl::Load) return Trial::Failed;
+      if (!may_turn) return Trial::Failed;
       step_ = smallest();
       watches_slope_ = true;
-      return attempt_time(stop, true);
+      return trial;
     }
     highest = std::max(highest, time_);
     const double least = observer_.yields() ? kLimitSlope * first_slope : 0.0;

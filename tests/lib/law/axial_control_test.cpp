@@ -18,7 +18,6 @@ using testing::form_of;
 using testing::steel;
 using testing::upright;
 using testing::values_of;
-using testing::yield_strain;
 
 /// A law with its committed state, driven by curvatures and an axial force.
 template <class S, class Law>

@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <string>
 
 #include "plastica/base/check.hpp"
+#include "plastica/run/axial_warning.hpp"
 #include "plastica/run/natural_frequencies.hpp"
 #include "tests/support/chain_scene.hpp"
 
@@ -172,6 +175,26 @@ TEST(Hinge, IsRefusedWhereItMakesNoSense) {
               s.loads.push_back({.at = {0.5, {}}, .moment = {1.0, 0.0, 0.0}});
             }),
             "load[2].moment: acts at a hinge: give it a place beside the hinge");
+  EXPECT_EQ(refusal_of([](Scene& s) {
+              s.loads.push_back({.at = {0.5, {}}, .force = {0.0, 1.0, 0.0}, .follows = true});
+            }),
+            "load[2].follows = true: would follow one of the two sides of a hinge: give it a place "
+            "beside the hinge");
+  EXPECT_EQ(refusal_of([](Scene& s) {
+              s.masses.push_back({.at = {0.5, {}}, .mass = 1.0, .inertia = {1.0, 1.0, 1.0}});
+            }),
+            "mass[1].inertia: turns with one of the two sides of a hinge: give it a place beside "
+            "the hinge");
+  EXPECT_EQ(refusal_of([](Scene& s) {
+              add_probe(s, ProbeQuantity::Strain, {0.5, {}}, Component::X);
+            }),
+            "probe[1].kind = strain: is none where the beam turns freely, at a hinge: \"angle\" is "
+            "by how much");
+  EXPECT_EQ(refusal_of([](Scene& s) {
+              add_probe(s, ProbeQuantity::Reaction, {0.5, {}}, Component::Y);
+            }),
+            "probe[1].kind = reaction: is none at a hinge, which holds nothing to the ground: "
+            "\"force\" is what goes through it");
   EXPECT_EQ(refusal_of([](Scene& s) { s.supports[2].hold = HeldFreedoms{true}; }),
             "support[3].hold: a hinge lets go; what holds the beam there is another support");
   EXPECT_EQ(refusal_of([](Scene& s) {
@@ -179,6 +202,45 @@ TEST(Hinge, IsRefusedWhereItMakesNoSense) {
               s.supports[2].at = {0.3, {}};
             }),
             "support[3].at = 0.3: a hinge must be at a segment's end");
+}
+
+/// The same beam along another axis of the world: bending is what turns it across that.
+TEST(Hinge, KnowsTorqueFromBendingWhereverTheBeamPoints) {
+  const auto refused = [](const std::array<double, 3>& end, const std::array<double, 3>& moment) {
+    Scene scene = testing::cantilever_scene(8);
+    scene.beam.shape = BeamShape::Polyline;
+    scene.beam.points = {{0.0, 0.0, 0.0}, end};
+    add_hinge(scene, 0.5);
+    scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Pin});
+    scene.loads.push_back({.at = {0.5, {}}, .moment = moment});
+    try {
+      check_scene(scene, {.level = Level::Spatial});
+    } catch (const InputError& error) {
+      return std::string(error.what()).find("acts at a hinge") != std::string::npos;
+    }
+    return false;
+  };
+  EXPECT_FALSE(refused({0.0, 1.0, 0.0}, {0.0, 5.0, 0.0}));
+  EXPECT_TRUE(refused({0.0, 1.0, 0.0}, {0.0, 0.0, 5.0}));
+  EXPECT_TRUE(refused({0.0, 1.0, 0.0}, {0.0, 5.0, 1e-3}));
+  EXPECT_FALSE(refused({0.6, 0.0, 0.8}, {3.0, 0.0, 4.0}));
+  EXPECT_TRUE(refused({0.6, 0.0, 0.8}, {4.0, 0.0, -3.0}));
+}
+
+/// Held by the clamp alone, and the hinge lets the outer part go: nothing keeps it in the plane.
+TEST(Hinge, UnderThrustLeavesTheBeamFreeToLeaveItsPlaneAndThatIsSaid) {
+  for (const bool held : {false, true}) {
+    Scene scene = gerber_beam(16, 0.5);
+    scene.yield_model = YieldModel::Elastic;
+    if (held) scene.supports[1].hold = HeldFreedoms{true, true, false, false, false, false};
+    if (!held) scene.supports[1].hold = HeldFreedoms{false, true, false, false, false, false};
+    scene.loads.push_back({.at = {0.25, {}}, .force = {0.0, 100.0, 0.0}});
+    EXPECT_FALSE(simulate(scene, {.level = Level::Planar}).unheld_thrust);
+    scene.loads.push_back({.at = Place::end(), .force = {0.0, 0.0, -600.0}});
+    const Response response = simulate(scene, {.level = Level::Planar});
+    EXPECT_EQ(response.unheld_thrust, !held);
+    EXPECT_EQ(axial_warnings(scene, {}, response).size(), held ? 0U : 1U);
+  }
 }
 
 }  // namespace

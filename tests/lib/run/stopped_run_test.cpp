@@ -81,7 +81,7 @@ TEST(StoppedRun, OfAPathEndsWithinAStep) {
   for (const PathControl control :
        {PathControl::Load, PathControl::ArcLength, PathControl::Displacement}) {
     expect_stops_within_a_step(bent(8), under(control), 1);
-    expect_stops_within_a_step(bent(8), under(control), 5);
+    expect_stops_within_a_step(bent(8), under(control), 4);
   }
 }
 
