@@ -17,6 +17,26 @@ TEST(BadLoadTable, OfAHistoryInKilonewtonsIsRefused) {
                   "f.csv: unit of F = kN: is not a unit of a pure number (examples: 1, %)"});
 }
 
+BadInput with_table(const std::string& name, const std::string& keys, const std::string& table,
+                    const std::string& message) {
+  return {name,
+          {{"scene.toml", changed(kChainScene, "'ramp'",
+                                  "{ table = 'f.csv', time = 't', factor = 'F'" + keys + " }")},
+           {"f.csv", table}},
+          {"simulate", "scene.toml"},
+          message};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, BadLoad,
+    ::testing::Values(with_table("WithoutAUnitOfTime", "", "t,F\n0,0\n1,2\n",
+                                 "scene.toml:20: load[1].history.time = t: has no unit in the "
+                                 "header of f.csv: say time_unit = \"s\""),
+                      with_table("WhoseTimeRunsBack", ", time_unit = 'ms'",
+                                 "t,F\n0,0\n2,1\n1.5,2\n",
+                                 "f.csv:4: t = 1.5: must rise from one to the next")),
+    name_of_case);
+
 INSTANTIATE_TEST_SUITE_P(
     Load, BadLoad,
     ::testing::Values(
@@ -63,7 +83,10 @@ INSTANTIATE_TEST_SUITE_P(
         change_chain(
             "OfAStepBackInTime", "'ramp'", "{ smooth_step = ['2 s', '1 s'] }",
             "20: load[1].history.smooth_step = ['2 s', '1 s']: must be two times, from and to, "
-            "the first not before 0"),
+            "the first not before 0 and the second after it"),
+        change_chain("OfAFrequency", "'ramp'", "{ frequency = '2 Hz', cycles = 3 }",
+                     "20: load[1].history.frequency = 2 Hz: is not known: a sine is { period = "
+                     "\"0.5 s\", cycles }"),
         change_chain(
             "OfNoTable", "'ramp'", "{ table = 'shaker.csv', time = 't', factor = 'a' }",
             "20: load[1].history.table = shaker.csv: is not a file in the folder of scene.toml"),

@@ -68,11 +68,10 @@ INSTANTIATE_TEST_SUITE_P(
              "'circle'\nradius = '20 mm'\ninner_radius = '10 mm'",
              "7: section.inner_radius = 10 mm: is of shape = \"round_tube\", and not of shape = "
              "\"circle\""),
-        edit(
-            "ISectionWithoutAWeb", "'rectangle'",
-            "'i_section'\nflange_thickness = '20 mm'\nweb_thickness = '2 mm'",
-            "6: section.flange_thickness = 0.02: leaves no web: twice this and the fillets must be "
-            "below section.height = 0.04"),
+        edit("ISectionWithoutAWeb", "'rectangle'",
+             "'i_section'\nflange_thickness = '20 mm'\nweb_thickness = '2 mm'",
+             "6: section.flange_thickness = 0.02: leaves no web: flanges and fillets must be below "
+             "section.height = 0.04 together"),
         edit("ForgottenLaw", "[drive]", "[material.hardening]\ntangent_modulus = '1 GPa'\n[drive]",
              "11: material.hardening.tangent_modulus = 1 GPa: is of law = \"linear\", and not of "
              "law = \"ideal\""),

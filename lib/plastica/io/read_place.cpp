@@ -34,7 +34,8 @@ History sine(const TomlTable& table) {
 History smooth_step(const TomlValue& list) {
   const std::vector<double> times = read_quantities(list, Dimension::Time);
   if (times.size() != 2 || times[0] < 0.0 || !(times[0] < times[1])) {
-    throw list.error("must be two times, from and to, the first not before 0");
+    throw list.error(
+        "must be two times, from and to, the first not before 0 and the second after it");
   }
   return History::smooth_step(times[0], times[1]);
 }
@@ -47,6 +48,7 @@ History tabled(const TomlTable& table, const TomlValue& name) {
     throw name.error("is not a file in the folder of " + file + why_no_file(path));
   }
   const CsvTable csv = CsvTable::read(path.string());
+  std::size_t time_index = 0;
   const auto column = [&](std::string_view key, Dimension dimension) {
     const TomlValue words = table.at(key);
     NamedColumn source;
@@ -57,9 +59,22 @@ History tabled(const TomlTable& table, const TomlValue& name) {
       source.unit = unit->string();
       source.where = unit->where();
     }
+    const std::size_t index = csv.find(source.name, source.where, source.key);
+    if (dimension == Dimension::Time) time_index = index;
+    if (dimension == Dimension::Time && !source.unit && csv.units()[index].empty()) {
+      throw words.error("has no unit in the header of " + path.string() +
+                        ": say time_unit = \"s\"");
+    }
     return read_column(csv, source, dimension);
   };
-  return {column("time", Dimension::Time), column("factor", Dimension::None)};
+  const std::vector<double> time = column("time", Dimension::Time);
+  const std::string& header = csv.names()[time_index];
+  for (std::size_t row = 1; row < time.size(); ++row) {
+    if (time[row] > time[row - 1]) continue;
+    throw InputError({csv.file(), csv.line_of_row(row)}, header,
+                     std::string(csv.cell(row, time_index)), "must rise from one to the next");
+  }
+  return {time, column("factor", Dimension::None)};
 }
 
 }  // namespace
@@ -96,6 +111,9 @@ History read_history(const TomlValue& value) {
   }
   if (!value.is_table()) throw value.error(kRule);
   const TomlTable table = value.table();
+  if (table.contains("frequency")) {
+    throw table.at("frequency").error("is not known: a sine is { period = \"0.5 s\", cycles }");
+  }
   if (table.contains("period")) return sine(table);
   if (const auto name = table.find("table")) return tabled(table, *name);
   const auto count = table.find("cycles");

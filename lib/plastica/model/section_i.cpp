@@ -132,15 +132,20 @@ class ISection final : public SectionKind {
     require_positive(s.web_thickness, where, "section.web_thickness");
     require_not_negative(s.fillet_radius, where, "section.fillet_radius");
     const double r = s.fillet_radius;
-    require(s.flange_thickness < 0.5 * s.height - r, where, "section.flange_thickness",
-            s.flange_thickness,
-            "leaves no web: twice this and the fillets must be below section.height = " +
-                number_text(s.height));
+    const std::string no_web =
+        "leaves no web: flanges and fillets must be below section.height = " +
+        number_text(s.height) + " together";
+    require(s.flange_thickness < 0.5 * s.height, where, "section.flange_thickness",
+            s.flange_thickness, no_web);
+    require(s.flange_thickness + r < 0.5 * s.height, where, "section.fillet_radius", r, no_web);
     // The torsion is that of walls that are thin, or at least no thicker than they are wide.
-    require(0.5 * (s.width - s.web_thickness) - r > 0.5 * s.flange_thickness, where,
-            "section.web_thickness", s.web_thickness,
-            "leaves no flange beyond the web and its fillets: section.width = " +
-                number_text(s.width) + " is too small");
+    const double outstand = 0.5 * (s.width - s.web_thickness);
+    const std::string too_small =
+        "leaves no flange beyond the web and its fillets: section.width = " + number_text(s.width) +
+        " is too small";
+    require(outstand > 0.5 * s.flange_thickness, where, "section.web_thickness", s.web_thickness,
+            too_small);
+    require(outstand - r > 0.5 * s.flange_thickness, where, "section.fillet_radius", r, too_small);
   }
   SectionProperties properties(const Section& s, double nu) const override {
     const double b = s.width, h = s.height, tf = s.flange_thickness, tw = s.web_thickness;

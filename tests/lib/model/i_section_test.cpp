@@ -166,6 +166,9 @@ TEST(ISection, IsRefusedIfItIsNone) {
   Section wide = s;
   wide.web_thickness = 0.05;
   EXPECT_TRUE(refused(wide, "leaves no flange"));
+  Section round = s;
+  round.fillet_radius = 0.06;
+  EXPECT_TRUE(refused(round, "section.fillet_radius = 0.06: leaves no"));
   Section none = s;
   none.web_thickness = 0.0;
   EXPECT_TRUE(refused(none, "section.web_thickness = 0: must be positive"));
