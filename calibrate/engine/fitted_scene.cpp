@@ -10,17 +10,10 @@
 
 #include "calibrate/report/format.hpp"
 #include "calibrate/scene/scene_laws.hpp"
-#include "calibrate/scene/set_everywhere.hpp"
+#include "plastica/model/region.hpp"
 
 namespace plastica::calibrate {
 namespace {
-
-bool same(const Hardening& a, const Hardening& b) {
-  return a.law == b.law && a.tangent_modulus == b.tangent_modulus &&
-         a.kinematic_share == b.kinematic_share && a.saturation_stress == b.saturation_stress &&
-         a.saturation_rate == b.saturation_rate && a.backstress_modulus == b.backstress_modulus &&
-         a.backstress_rate == b.backstress_rate;
-}
 
 /// "310.59 ± 2.4 MPa"; an error that is a NaN is left out.
 std::string shown(std::string_view name, Dimension dimension, double value, double error) {
@@ -31,13 +24,6 @@ std::string shown(std::string_view name, Dimension dimension, double value, doub
   return report::quantity(std::isfinite(error) ? report::with_error(number, error / unit.scale)
                                                : report::significant(number),
                           unit.name);
-}
-
-void rename_material(const std::string& name, const Scene& original, Scene& scene) {
-  for (Region& region : scene.regions) {
-    if (region.material.name == original.material.name) region.material.name = name;
-  }
-  scene.material.name = name;
 }
 
 /// What a fit gave to a parameter that it did not search; none if tied to one that it cannot tell.
@@ -65,19 +51,12 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
   Scene& out = fitted.scene;
   fitted.notes.push_back("material fitted to " + record.target.name);
 
-  rename_material(record.target.name, scene, out);
+  out.material.name = record.target.name;
   // The numbers of a law hold with that law.
-  std::vector<std::size_t> same_hardening;
-  for (std::size_t i = 0; i < out.regions.size(); ++i) {
-    if (same(out.regions[i].material.hardening, scene.material.hardening)) {
-      same_hardening.push_back(i);
-    }
-  }
   out.material.hardening = options.setup.scene.material.hardening;
   if (!options.laws.empty()) {
     out.material.hardening = hardening_of(record.result.law, out.material.hardening);
   }
-  const Setup original{scene, {}};
   for (const FittedParameter& parameter : record.result.parameters) {
     if (parameter.role != ParameterRole::Fixed && !parameter.identified) {
       fitted.notes.push_back(
@@ -85,7 +64,7 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
       continue;
     }
     Setup setup{out, {}};
-    set_everywhere(original, find_field(parameter.path), parameter.value, setup);
+    set_field(setup, find_field(parameter.path), parameter.value);
     out = std::move(setup.scene);
     fitted.notes.push_back(fmt::format(
         "{} = {}, {}{}", parameter.name,
@@ -94,9 +73,7 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
         parameter.role == ParameterRole::Free ? "fitted" : report::word_of(parameter.role),
         parameter.at_lower || parameter.at_upper ? ", at a bound of the fit" : ""));
   }
-  for (const std::size_t i : same_hardening) {
-    out.regions[i].material.hardening = out.material.hardening;
-  }
+  follow_beam(out);
   const Scene& told = options.setup.scene;
   if (record.target.test != Test::Tension && told.yield_cap != scene.yield_cap) {
     fitted.notes.emplace_back(
@@ -119,7 +96,7 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
           fmt::format("{} is not identified by the fit: the scene's own stays", parameter.path));
       continue;
     }
-    set_everywhere(setup, find_field(parameter.path), parameter.value, fitted.setup);
+    set_everywhere(fitted.setup, find_field(parameter.path), parameter.value);
     fitted.notes.push_back(fmt::format(
         "{} = {}, {}", parameter.path,
         shown(parameter.path, parameter.dimension, parameter.value, parameter.standard_error),
@@ -139,13 +116,14 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
       fitted.notes.push_back(path + " is tied to what is not identified: the scene's own stays");
       continue;
     }
-    set_everywhere(setup, *held.field, *value, fitted.setup);
+    set_everywhere(fitted.setup, *held.field, *value);
     fitted.notes.push_back(fmt::format(
         "{} = {}, {}", path,
         shown(path, held.field->dimension, *value, std::numeric_limits<double>::quiet_NaN()),
         report::word_of(held.role)));
   }
-  rename_material(record.name, setup.scene, fitted.setup.scene);
+  fitted.setup.scene.material.name = record.name;
+  follow_beam(fitted.setup.scene);
   return fitted;
 }
 

@@ -10,25 +10,13 @@
 #include <variant>
 
 #include "calibrate/scene/scene_parameters.hpp"
+#include "plastica/model/region.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
 /// A squared misfit above the simpler law's by more than this share of it is not the least.
 constexpr double kNoBetter = 1e-6;
-
-Setup setup_of(const Material& material) {
-  Setup setup;
-  setup.scene.material = material;
-  return setup;
-}
-
-bool is_same(const Material& a, const Material& b) {
-  const Setup of_a = setup_of(a), of_b = setup_of(b);
-  return std::ranges::all_of(fields(), [&](const Field& field) {
-    return !field.path.starts_with("material.") || field.get(of_a) == field.get(of_b);
-  });
-}
 
 /// A number of the first part's material where the search begins.
 double start_of(MaterialField which, const SceneFitOptions& options, const Setup& setup) {
@@ -128,12 +116,9 @@ Loading loading_of(std::span<const ScenePart> parts) {
 
 Setup setup_of(Law law, const Setup& setup) {
   Setup changed = setup;
-  const Material& original = setup.scene.material;
-  Material& material = changed.scene.material;
-  material.hardening = hardening_of(law, original.hardening);
-  for (Region& region : changed.scene.regions) {
-    if (is_same(region.material, original)) region.material.hardening = material.hardening;
-  }
+  Hardening& hardening = changed.scene.material.hardening;
+  hardening = hardening_of(law, hardening);
+  follow_beam(changed.scene);
   return changed;
 }
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "calibrate/scene/scene_drive.hpp"
-#include "calibrate/scene/set_everywhere.hpp"
+#include "plastica/model/region.hpp"
 #include "plastica/run/chain_model.hpp"
 
 namespace plastica::calibrate {
@@ -54,7 +54,7 @@ std::vector<bool> joints_of_the_limit(const Setup& setup, const ChainModel& chai
                                                               : "material.break_strain");
   std::vector<bool> parts{true};
   for (const Region& region : setup.scene.regions) {
-    parts.push_back(has_the_scenes(setup, field, region));
+    parts.push_back(!is_own(region, field.path));
   }
   std::vector<bool> joints;
   for (const std::size_t part : chain.part_of_segment) joints.push_back(parts[part]);
@@ -119,7 +119,7 @@ SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
   }
   setup_.solver.frames = 0;  // the permanent strain of every sample
   prepared_ = std::all_of(fields_.begin(), fields_.end(), [&](const Field* field) {
-    return is_run_parameter(*field, setup_) && !stands_in_regions(setup_, *field);
+    return is_run_parameter(*field, setup_) && !stands_in_regions(setup_.scene, *field);
   });
   std::vector<std::string> paths;
   if (prepared_) {
@@ -133,8 +133,7 @@ SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
 
 Setup SceneModel::setup_at(const Setup& base, std::span<const double> values) const {
   Setup setup = base;
-  for (std::size_t i = 0; i < fields_.size(); ++i)
-    set_everywhere(base, *fields_[i], values[i], setup);
+  for (std::size_t i = 0; i < fields_.size(); ++i) set_everywhere(setup, *fields_[i], values[i]);
   return setup;
 }
 

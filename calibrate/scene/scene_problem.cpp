@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "calibrate/scene/set_everywhere.hpp"
 #include "plastica/base/parallel_for.hpp"
+#include "plastica/model/region.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -13,13 +13,13 @@ namespace {
 Setup with_fixed(const Setup& setup, const SceneFitOptions& options) {
   Setup fixed = setup;
   for (const Parameter& p : options.parameters) {
-    if (p.role == ParameterRole::Fixed) set_everywhere(setup, *p.field, *p.value, fixed);
+    if (p.role == ParameterRole::Fixed) set_everywhere(fixed, *p.field, *p.value);
   }
   for (const Parameter& p : options.parameters) {
     if (p.role != ParameterRole::Tied) continue;
     for (const Parameter& base : options.parameters) {
       if (base.field != p.tied_to || base.role != ParameterRole::Fixed) continue;
-      set_everywhere(setup, *p.field, p.factor * *base.value, fixed);
+      set_everywhere(fixed, *p.field, p.factor * *base.value);
     }
   }
   return fixed;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "plastica/model/check_value.hpp"
+#include "plastica/model/region.hpp"
 #include "plastica/theory/sampling.hpp"
 #include "sweeps/plan/derived_fields.hpp"
 #include "sweeps/plan/kind_axes.hpp"
@@ -249,6 +250,7 @@ void apply(Setup& setup, const std::vector<const Field*>& fields,
       if (is_section_dimension(*fields[i])) setup.scene.section.name.clear();
     }
   }
+  follow_beam(setup.scene);
 }
 
 }  // namespace plastica::sweeps

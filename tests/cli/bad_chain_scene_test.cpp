@@ -101,6 +101,11 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         add_to_chain("OfNothing", "[[region]]\nfrom = 'start'\nto = 0.5\n",
                      "25: region[1]: needs a section or a material"),
+        add_to_chain(
+            "WhoseRegionHasADimensionOfItsOwn",
+            "[[region]]\nfrom = 0.5\nto = 'end'\nwidth = '40 mm'\n",
+            "28: region[1].width = '40 mm': is not a key of region[1]; its keys are from, to, "
+            "section, material"),
         add_to_chain("WithoutEnd", "[[region]]\nfrom = 'start'\nmaterial = 'S235'\n",
                      "25: region[1].to: is missing"),
         add_to_chain("ThatRunsBack", "[[region]]\nfrom = 0.5\nto = 0.25\nmaterial = 'S235'\n",
@@ -112,8 +117,8 @@ INSTANTIATE_TEST_SUITE_P(
         add_to_chain(
             "WithAnUnknownKey",
             "[[region]]\nfrom = 0.5\nto = 'end'\nsection.width = '1 mm'\nshape = 'circle'\n",
-            "29: region[1].shape = 'circle': is not a key of region[1]; its keys are section, "
-            "material, from, to")),
+            "29: region[1].shape = 'circle': is not a key of region[1]; its keys are from, to, "
+            "section, material")),
     name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(

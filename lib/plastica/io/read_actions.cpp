@@ -133,9 +133,12 @@ void read_gravity(const TomlTable& root, Setup& setup) {
 
 void read_regions(const TomlTable& root, Setup& setup) {
   for (const TomlTable& table : root.find_tables("region")) {
+    const TomlValue from = table.at("from");
+    const TomlValue to = table.at("to");
     const auto section = table.find("section");
     const auto material = table.find("material");
     if (!section && !material) {
+      table.check_unused();
       throw InputError(table.where(), table.key(), "", "needs a section or a material");
     }
     Setup part;
@@ -143,8 +146,14 @@ void read_regions(const TomlTable& root, Setup& setup) {
     part.scene.material = setup.scene.material;
     if (section) read_section(*section, part);
     if (material) read_material(*material, part);
-    setup.scene.regions.push_back({read_place(table.at("from")), read_place(table.at("to")),
-                                   part.scene.section, part.scene.material});
+    std::vector<std::string> own;
+    if (section) own = paths_said(*section, "section");
+    if (material) {
+      const auto said = paths_said(*material, "material");
+      own.insert(own.end(), said.begin(), said.end());
+    }
+    setup.scene.regions.push_back({read_place(from), read_place(to), part.scene.section,
+                                   part.scene.material, std::move(own)});
   }
 }
 

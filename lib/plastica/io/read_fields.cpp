@@ -174,6 +174,25 @@ void read_section(const TomlValue& value, Setup& setup) {
   }
 }
 
+std::vector<std::string> paths_said(const TomlValue& value, const std::string& part) {
+  if (value.is_string()) return {part};
+  const TomlTable table = value.table();
+  if (table.contains("name") || table.contains("profile")) return {part};
+  std::vector<std::string> paths;
+  const auto hardening = table.find_table("hardening");
+  for (const Field& field : fields()) {
+    if (!field.path.starts_with(part + ".")) continue;
+    const bool deeper = field.path.starts_with("material.hardening.");
+    const std::string_view stem = stem_of(field);
+    const auto says = [&](const TomlTable& of) {
+      return of.contains(key_of(field)) ||
+             (stem.ends_with('_') && of.contains(stem.substr(0, stem.size() - 1)));
+    };
+    if (deeper ? hardening && says(*hardening) : says(table)) paths.emplace_back(field.path);
+  }
+  return paths;
+}
+
 std::optional<TomlValue> part_of_beam(const TomlTable& root, std::string_view name) {
   const auto of_file = root.find(name);
   const auto beam = root.find_table("beam");

@@ -26,6 +26,10 @@ void read_material(const TomlValue& value, Setup& setup);
 /// @throws InputError if a shape that has no defaults lacks a dimension
 void read_section(const TomlValue& value, Setup& setup);
 
+/// The paths of what a value says of a section or a material: all of it, "material", where it has a
+/// name. @param part  "section" or "material"
+std::vector<std::string> paths_said(const TomlValue& value, const std::string& part);
+
 /// What the beam is made of, [section] or [material]: of the file, or as a key of [beam].
 /// @throws InputError if both are there
 std::optional<TomlValue> part_of_beam(const TomlTable& root, std::string_view name);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <sstream>
 #include <string>
 
 #include "plastica/io/value_rule.hpp"
@@ -32,6 +34,17 @@ Setup setup_of(const Region& region) {
   return setup;
 }
 
+/// Paths with spaces between them.
+std::string joined(const std::vector<std::string>& paths) {
+  std::string text;
+  for (const std::string& path : paths) text += (text.empty() ? "" : " ") + path;
+  return text;
+}
+std::vector<std::string> split(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
 template <class T>
 std::vector<T> checked(const Hdf5Group& group, const std::string& path, std::vector<T> values,
                        std::size_t rows) {
@@ -47,16 +60,19 @@ void write_regions(Hdf5Group& group, const std::vector<Region>& regions) {
   std::vector<double> to;
   std::vector<std::string> names;
   std::vector<std::string> profiles;
+  std::vector<std::string> own;
   for (const Region& region : regions) {
     from.push_back(region.from.fraction);
     to.push_back(region.to.fraction);
     names.push_back(region.material.name);
     profiles.push_back(region.section.name);
+    own.push_back(joined(region.own));
   }
   group.write("from", from, {"1"});
   group.write("to", to, {"1"});
   group.write_texts("material/name", names);
   group.write_texts("section/name", profiles);
+  group.write_texts("own", own);
   for (const Field& field : fields()) {
     if (!is_of_region(field)) continue;
     std::vector<std::string> words;
@@ -88,6 +104,8 @@ std::vector<Region> read_regions(const Hdf5Group& group) {
   if (group.exists("section/name")) {
     profiles = checked(group, "section/name", group.read_texts("section/name"), from.size());
   }
+  std::vector<std::string> own;
+  if (group.exists("own")) own = checked(group, "own", group.read_texts("own"), from.size());
   std::vector<Setup> setups(from.size());
   const SourceLocation where{group.file(), 0};
   for (const Field& field : fields()) {
@@ -111,6 +129,7 @@ std::vector<Region> read_regions(const Hdf5Group& group) {
     setups[i].scene.section.name = profiles[i];
     regions.push_back(
         {{from[i], {}}, {to[i], {}}, setups[i].scene.section, setups[i].scene.material});
+    if (!own.empty()) regions.back().own = split(own[i]);
   }
   return regions;
 }

@@ -60,7 +60,9 @@ class Feeder {
     for (const Field& field : section_kind(s).dimensions()) put(field.get(setup));
     put(s.shear_coefficient);
   }
-  void put(const Region& region) { all(region.from, region.to, region.section, region.material); }
+  void put(const Region& region) {
+    all(region.from, region.to, region.section, region.material, region.own);
+  }
   void put(const Support& s) {
     all(s.at, s.to, s.kind, s.hold, s.stiffness, s.rotational_stiffness, s.normal, s.gap,
         s.restitution, s.translation, s.rotation, s.history);

@@ -37,6 +37,9 @@ struct Region {
   Place to{1.0, {}};
   Section section{};
   Material material{};
+  /// What it says itself: paths of fields, or of groups of them, as "section.width". The rest goes
+  /// with the beam's section and material when a fit or a sweep changes these: see `follow_beam`.
+  std::vector<std::string> own{"section", "material"};
 };
 
 }  // namespace plastica

@@ -4,6 +4,7 @@
 
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/choose_level.hpp"
+#include "plastica/model/region.hpp"
 #include "plastica/run/chain_laws.hpp"
 #include "plastica/run/chain_run.hpp"
 #include "plastica/run/chain_shape.hpp"
@@ -129,6 +130,11 @@ Model prepare(const Scene& scene, const SolverOptions& options,
           model.chain ? "cannot be a parameter of a chain" : "cannot be a parameter of a coupon");
     }
     if (model.chain) check_chain_parameter(field, scene.material);
+    if (stands_in_regions(scene, field)) {
+      throw InputError(
+          {}, field.path, "",
+          "cannot be a parameter: a region takes it from the beam; set it in the scene");
+    }
     if (std::find(model.parameters.begin(), model.parameters.end(), &field) !=
         model.parameters.end()) {
       throw InputError({}, field.path, "", "is a parameter twice");

@@ -23,6 +23,7 @@ inline Scene rich_scene() {
   scene.material.hardening = {.law = HardeningLaw::Linear, .tangent_modulus = 2e9};
   Region thick{.from = {0.5, {}}, .section = scene.section, .material = scene.material};
   thick.section.width = 0.025;
+  thick.own = {"section.width"};
   scene.regions.push_back(thick);
   scene.supports.push_back({.at = {0.3, {}}, .kind = SupportKind::Roller});
   scene.supports.push_back({.at = Place::end(),

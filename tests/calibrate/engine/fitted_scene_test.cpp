@@ -92,6 +92,7 @@ TEST(FittedScene, FitsRegionsOfTheSameMaterialToo) {
   scene.regions.push_back(scene.regions[0]);
   scene.regions[1].material.name = "harder";
   scene.regions[1].material.yield_stress = 900e6;
+  scene.regions[1].own = {"section.width", "material.name", "material.yield_stress"};
   FitOptions options;
   options.setup.scene.material.hardening = {.law = HardeningLaw::Linear, .kinematic_share = 0.5};
   const FittedScene fitted = fitted_scene(scene, fit_of({yield(), break_strain()}), options);

@@ -198,6 +198,7 @@ TEST(SceneJointFit, ReachesRegionsThatHaveTheScenesMaterial) {
   half.to = Place::end();
   half.section = part.setup.scene.section;
   half.material = part.setup.scene.material;
+  half.own = {};
   part.setup.scene.regions.push_back(half);
   const SceneFitResult halves = fit_scene(part.setup, part.target, options);
   for (const char* name : {"youngs_modulus", "yield_stress"}) {

@@ -39,8 +39,9 @@ TEST(SceneLaws, SetTheHardeningWhereTheSceneHasItsMaterial) {
   Region thick;
   thick.to = {0.5, {}};
   thick.material = setup.scene.material;
+  thick.own = {"section"};
   Region other = thick;
-  other.material.yield_stress *= 1.5;
+  other.own = {"section", "material"};
   setup.scene.regions = {thick, other};
   const plastica::Setup voce = setup_of(Law::Voce, setup);
   EXPECT_EQ(voce.scene.material.hardening.law, HardeningLaw::VoceChaboche);

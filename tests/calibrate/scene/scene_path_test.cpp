@@ -137,7 +137,11 @@ plastica::Setup bar_of_two(double break_strain) {
   Region region{.from = Place::start(), .to = Place{0.5, {}}};
   region.section = setup.scene.section;
   region.material = setup.scene.material;
-  if (break_strain > 0.0) region.material.break_strain = break_strain;
+  region.own = {};
+  if (break_strain > 0.0) {
+    region.material.break_strain = break_strain;
+    region.own = {"material.break_strain"};
+  }
   setup.scene.regions = {region};
   return setup;
 }
@@ -154,9 +158,9 @@ TEST(ScenePath, TakesTheBreakStrainOfTheMaterialThatIsFitted) {
   const double of_the_rest = strain_at_break(bar_of_two(0.5));
   EXPECT_GE(of_the_rest, 0.0);
   EXPECT_LT(of_the_rest, 0.5 * of_all);
-  // Another material that never breaks, either.
+  // One that never breaks, either.
   plastica::Setup other = bar_of_two(0.0);
-  other.scene.regions[0].material.density = 2700.0;
+  other.scene.regions[0].own = {"material.break_strain"};
   EXPECT_EQ(strain_at_break(other), of_the_rest);
 }
 

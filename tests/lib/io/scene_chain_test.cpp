@@ -215,6 +215,27 @@ TEST(ChainScene, ReadsRegionsOnTopOfTheBeam) {
   EXPECT_EQ(scene.regions[1].to.segment, 4);
   EXPECT_EQ(scene.regions[1].section.height, 0.03);
   EXPECT_EQ(scene.regions[1].material.name, "S235");
+  EXPECT_EQ(scene.regions[0].own, (std::vector<std::string>{"section.height"}));
+  EXPECT_EQ(scene.regions[1].own, (std::vector<std::string>{"material"}));
+}
+
+TEST(ChainScene, KnowsWhatARegionSaysItself) {
+  const auto own = [](const std::string& says) {
+    return scene_of("[beam]\nlength = '1 m'\n[[region]]\nfrom = 0.5\nto = 'end'\n" + says + kClamp +
+                    kForce)
+        .regions[0]
+        .own;
+  };
+  using Paths = std::vector<std::string>;
+  EXPECT_EQ(own("section = 'IPE 200'\n"), (Paths{"section"}));
+  EXPECT_EQ(own("section = { profile = 'IPE 200' }\n"), (Paths{"section"}));
+  EXPECT_EQ(own("material = { name = 'S235', density = '8 g/cm^3' }\n"), (Paths{"material"}));
+  EXPECT_EQ(own("material.density = '8 g/cm^3'\nsection.width = '50 mm'\n"),
+            (Paths{"section.width", "material.density"}));
+  EXPECT_EQ(own("material.hardening = { law = 'multilinear', plastic_strain = [0.1], flow_stress = "
+                "['500 MPa'] }\n")
+                .front(),
+            "material.hardening.law");
 }
 
 TEST(ChainScene, ReadsProbesOfEveryKind) {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string_view>
+
+#include "plastica/model/field.hpp"
+
+namespace plastica {
+
+/// Whether a region says a field of its section or material itself.
+bool is_own(const Region& region, std::string_view path);
+
+/// Whether a field of the beam's section or material is that of a region, too.
+bool stands_in_regions(const Scene& scene, const Field& field);
+
+/// Gives regions all that is not their own, names included: to be called when the beam's section or
+/// material has changed.
+void follow_beam(Scene& scene);
+
+/// Sets a field, in the regions that follow the beam too.
+/// @throws InputError as `set_field`
+void set_everywhere(Setup& setup, const Field& field, const FieldValue& value);
+
+}  // namespace plastica
