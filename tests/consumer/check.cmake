@@ -33,3 +33,10 @@ prints(consumer
   "210.0 MPa\n355.0 MPa\n145.0 MPa\n355.0 MPa\n0.0 MPa\nbroke at 2.17 % strain\n")
 prints(breaking "1.8 ms: joint 3 holds\n4.0 ms: joint 1 is cut\n")
 prints(beam "pushed 68.04 mm, stays bent 0.71 mm\n")
+prints(api "a version
+0 warnings
+completed, tip 1.000 of the closed form
+completed completed 355 MPa
+it rings, told
+section.width = -1: must be positive and finite
+")

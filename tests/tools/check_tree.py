@@ -9,6 +9,8 @@ import re
 import subprocess
 import sys
 
+from public_headers import check_public_headers
+
 LONGEST_FILE = 400
 
 # Includes only go upward in this list.
@@ -108,7 +110,7 @@ def breaches(root):
             found += check_pragma_once(path, text)
             if layer_of(str(path)) is not None:
                 sources[path] = text
-    return found + list(check_single_places(sources))
+    return found + list(check_single_places(sources)) + list(check_public_headers(root))
 
 
 def main():

@@ -86,6 +86,37 @@ class CheckTree(unittest.TestCase):
         self.assertEqual([], self.breaches(_dot_gitignore="/build/\n",
                                            build__a_dot_hpp="int a();\n"))
 
+    def library(self, *, header="", installed="a.hpp", used="a.hpp", **more):
+        """Breaches of a library that promises lib/plastica/base/a.hpp, beside b.hpp."""
+        pragma = "#pragma once\n"
+        return self.breaches(
+            lib__plastica__README_dot_md="| `plastica/base/a.hpp` | all |\n",
+            lib__plastica__base__a_dot_hpp=pragma + header, lib__plastica__base__b_dot_hpp=pragma,
+            lib__plastica__base__CMakeLists_dot_txt=
+                f"target_sources(x\n  PUBLIC FILE_SET HEADERS FILES\n {installed}\n  PRIVATE x.cpp)\n",
+            tests__consumer__main_dot_cpp=f"#include <plastica/base/{used}>\n", **more)
+
+    def test_a_library_that_installs_what_it_promises_is_kept(self):
+        self.assertEqual([], self.library())
+        self.assertEqual([], self.library(header='#include "plastica/base/b.hpp"\n',
+                                          installed="a.hpp\n b.hpp"))
+
+    def test_a_header_that_is_installed_for_nobody_is_a_breach(self):
+        self.assert_one(self.library(installed="a.hpp\n b.hpp"), "lib/plastica/base/b.hpp: is installed")
+
+    def test_a_header_that_a_promised_one_needs_is_installed(self):
+        found = self.library(header='#include "plastica/base/b.hpp"\n')
+        self.assert_one(found, "lib/plastica/base/b.hpp: is not installed")
+
+    def test_a_promised_header_needs_no_other_library(self):
+        self.assert_one(self.library(header="#include <Eigen/Core>\n"), "<Eigen/Core> would be needed")
+
+    def test_the_consumer_includes_what_is_promised_and_all_of_it(self):
+        found = self.library(used="b.hpp")
+        self.assertEqual(2, len(found), found)
+        self.assertIn("<plastica/base/b.hpp> is not promised", found[0])
+        self.assertIn("no project of tests/consumer includes it", found[1])
+
 
 if __name__ == "__main__":
     unittest.main()
