@@ -87,7 +87,7 @@ class BeamReader {
     segment.start = model_.layout.node[i].at;
     segment.end = model_.layout.node[i + 1].at;
     segment.axes = axes_of(model_.layout.segment_frame[i]);
-    segment.part = model_.part_of_segment[i];
+    segment.part = model_.layout.segment_part[i].middle;
     if (!model_.scene.masses.empty()) balance_segment(i, segment);
     beam_.segments.push_back(segment);
   }

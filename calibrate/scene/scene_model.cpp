@@ -57,7 +57,10 @@ std::vector<bool> joints_of_the_limit(const Setup& setup, const ChainModel& chai
     parts.push_back(!is_own(region, field.path));
   }
   std::vector<bool> joints;
-  for (const std::size_t part : chain.part_of_segment) joints.push_back(parts[part]);
+  const chain::Layout& layout = chain.layout;
+  for (const chain::SegmentParts& segment : layout.segment_part) {
+    joints.push_back(parts[layout.parts[segment.middle].region]);
+  }
   joints.push_back(joints.back());
   return joints;
 }

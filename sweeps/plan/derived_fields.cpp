@@ -78,7 +78,10 @@ void scale_size(Setup& setup, const FieldValue& value) {
   for (double& length : scene.beam.joint_lengths) length *= factor;
   for (auto& point : scene.beam.points) scale(point, factor);
   scale_section(scene.section, factor);
-  for (Region& region : scene.regions) scale_section(region.section, factor);
+  for (Region& region : scene.regions) {
+    scale_section(region.section, factor);
+    if (region.to_section) scale_section(*region.to_section, factor);
+  }
   for (Support& support : scene.supports) {
     support.gap *= factor;
     scale(support.translation, factor);

@@ -37,12 +37,11 @@ struct SolvedChain {
   template <class LawOf>
   SolvedChain(const Scene& scene, const MaterialValues<S>& material, const chain::View<L>& view,
               const LawOf& law_of, double spring = 0.0)
-      : layout(chain::make_layout(scene)), parts(chain::part_forms(scene)) {
+      : layout(chain::make_layout(scene)), parts(chain::part_forms(scene, layout)) {
     build = chain::Builder<L>(scene, layout, view, RotaryInertia::On, false, law::kSeesAxial<Law>)
                 .build();
-    const std::vector<std::size_t> part_of_segment(layout.size(), 0);
     const std::vector<MaterialValues<S>> materials{material};
-    auto numbers = chain::joint_numbers(part_of_segment, build.joints, parts, materials, view);
+    auto numbers = chain::joint_numbers(build.joints, parts, materials, view);
     const S stiffness = numbers[0].stiffness[0];
     const S length = constant<S>(scene.beam.length);
     build.chain.closure_stiffness = constant<S>(100) * stiffness / (length * length * length);

@@ -49,7 +49,7 @@ class Builder {
     chain.length = constant<S>(scene_.beam.length);
     chain.histories.push_back({{0.0}, {0.0}});  // of what does not move
     add_segments();
-    chain.inertias = segment_inertias(scene_, layout_, view_, rotary_);
+    chain.inertias = segment_inertias(layout_, view_, rotary_);
     add_point_masses(scene_, layout_, view_, chain.inertias);
     chain.root.position = view_.point(layout_.node[0]);
     chain.root.ground = view_.frame(layout_.joint_frame[0]);
@@ -214,7 +214,9 @@ class Builder {
     }
     if (outer) plan.before = plan.length;
     plan.acting = held;
-    plan.segment_a = plan.segment_b = segment;
+    plan.node = joint.node;
+    const SegmentParts& parts = layout_.segment_part[segment];
+    plan.part_a = plan.part_b = outer ? parts.outer : parts.inner;
     build_.joints.push_back(plan);
   }
 
@@ -318,12 +320,12 @@ class Builder {
   void add_gravity() {
     const Vec<double, 3> g = vector(scene_.gravity);
     if (dot(g, g) == 0.0) return;
-    const std::vector<double> line_mass = line_masses(scene_);
+    const std::vector<double> line_mass = line_masses(layout_);
     Load weight;
     const std::size_t history = add_history(scene_.gravity_history);
     for (std::size_t i = 0; i < layout_.size(); ++i) {
       const double middle = 0.5 * (layout_.ends[i] + layout_.ends[i + 1]);
-      const Vec<double, 3> force = line_mass[part_of_segment(scene_, layout_, i)] * g;
+      const Vec<double, 3> force = line_mass[layout_.segment_part[i].middle] * g;
       weight.force = force.at;
       add_point_load(weight, history, segment_point(layout_, middle), layout_.segment_length[i]);
     }

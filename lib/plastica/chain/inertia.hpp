@@ -9,21 +9,14 @@
 
 namespace plastica::chain {
 
-/// Mass per length of each part of a beam: the scene's own, then its regions [kg/m].
-inline std::vector<double> line_masses(const Scene& scene) {
+/// Mass per length of each part of a beam [kg/m].
+inline std::vector<double> line_masses(const Layout& layout) {
   std::vector<double> masses;
-  const auto add = [&](const Section& section, const Material& material) {
-    masses.push_back(material.density * section_properties(section, material.poisson_ratio).area);
-  };
-  add(scene.section, scene.material);
-  for (const Region& region : scene.regions) add(region.section, region.material);
+  for (const BeamPart& part : layout.parts) {
+    const double area = section_properties(part.section, part.material.poisson_ratio).area;
+    masses.push_back(part.material.density * area);
+  }
   return masses;
-}
-
-/// The part that the middle of a segment belongs to: 0 is the scene's own.
-inline std::size_t part_of_segment(const Scene& scene, const Layout& layout, std::size_t segment) {
-  const double middle = 0.5 * (layout.ends[segment] + layout.ends[segment + 1]);
-  return part_at(scene, middle, layout.ends).number;
 }
 
 /// Masses and inertias of a chain's segments.
@@ -32,26 +25,23 @@ inline std::size_t part_of_segment(const Scene& scene, const Layout& layout, std
 /// rho (I_x + I_y) per length about the beam's axis and, with rotary inertia, rho I_x and rho I_y
 /// about x and y (Rayleigh's beam).
 template <class L>
-std::vector<Inertia<L>> segment_inertias(const Scene& scene, const Layout& layout,
-                                         const View<L>& view, RotaryInertia rotary) {
+std::vector<Inertia<L>> segment_inertias(const Layout& layout, const View<L>& view,
+                                         RotaryInertia rotary) {
   using S = typename L::Scalar;
-  const std::vector<double> line_mass = line_masses(scene);
-  std::vector<SectionProperties> properties{
-      section_properties(scene.section, scene.material.poisson_ratio)};
-  std::vector<double> density{scene.material.density};
-  for (const Region& region : scene.regions) {
-    properties.push_back(section_properties(region.section, region.material.poisson_ratio));
-    density.push_back(region.material.density);
+  const std::vector<double> line_mass = line_masses(layout);
+  std::vector<SectionProperties> properties;
+  for (const BeamPart& part : layout.parts) {
+    properties.push_back(section_properties(part.section, part.material.poisson_ratio));
   }
   std::vector<Inertia<L>> inertias;
   inertias.reserve(layout.size());
   for (std::size_t i = 0; i < layout.size(); ++i) {
-    const std::size_t part = part_of_segment(scene, layout, i);
+    const std::size_t part = layout.segment_part[i].middle;
     const Vec<double, 3> chord = layout.node[i + 1] - layout.node[i];
     const double length = layout.segment_length[i];
     const double mass = line_mass[part] * length;
     const double rod = mass * dot(chord, chord) / 12.0;
-    const double line = density[part] * length;
+    const double line = layout.parts[part].material.density * length;
     const double section = rotary == RotaryInertia::On ? line : 0.0;
     const SectionProperties& p = properties[part];
     const std::array<double, 6> about{0.0,

@@ -19,10 +19,11 @@ struct PartForm {
   law::GaugeForm gauge{};  ///< of a yield model with one surface
 };
 
-/// The parts of a scene: its own, then its regions.
+/// The parts of a beam, in the order of the layout, which they point into.
 /// @param with_gauge  whether the level yields on one surface, if the scene's yield model has one
 /// @param plane       what the level bends about
-inline std::vector<PartForm> part_forms(const Scene& scene, bool with_gauge = false,
+inline std::vector<PartForm> part_forms(const Scene& scene, const Layout& layout,
+                                        bool with_gauge = false,
                                         law::GaugePlane plane = law::GaugePlane::Both) {
   std::vector<PartForm> parts;
   const bool one_surface =
@@ -38,8 +39,7 @@ inline std::vector<PartForm> part_forms(const Scene& scene, bool with_gauge = fa
         law::section_form(section, part.properties, material, scene.yield_cap, scene.formulas);
     parts.push_back(part);
   };
-  add(scene.section, scene.material);
-  for (const Region& region : scene.regions) add(region.section, region.material);
+  for (const BeamPart& part : layout.parts) add(part.section, part.material);
   return parts;
 }
 
@@ -80,8 +80,7 @@ bool owns_joint(std::size_t part, std::size_t other,
 /// @param materials  numbers of each part (parts)
 template <class L>
 std::vector<SectionJoint<L>> joint_numbers(
-    const std::vector<std::size_t>& part_of_segment, const std::vector<JointPlan>& plans,
-    const std::vector<PartForm>& parts,
+    const std::vector<JointPlan>& plans, const std::vector<PartForm>& parts,
     const std::vector<MaterialValues<typename L::Scalar>>& materials, const View<L>& view) {
   using S = typename L::Scalar;
   std::vector<law::SectionForce<S>> stiffness;
@@ -105,8 +104,8 @@ std::vector<SectionJoint<L>> joint_numbers(
   }
   std::vector<SectionJoint<L>> joints;
   for (const JointPlan& plan : plans) {
-    const std::size_t a = part_of_segment[plan.segment_a];
-    const std::size_t b = part_of_segment[plan.segment_b];
+    const std::size_t a = plan.part_a;
+    const std::size_t b = plan.part_b;
     SectionJoint<L> joint;
     joint.stretches = plan.stretches;
     joint.law = owns_joint(a, b, yield, stiffness, view) ? a : b;

@@ -13,12 +13,13 @@ namespace plastica::chain {
 struct JointPlan {
   /// Tributary length of bending about x and y, twist, and stretch with shear [m].
   std::array<double, 4> length{};
-  std::array<double, 4> before{};  ///< what of it lies in segment a, if that is not b [m]
+  std::array<double, 4> before{};  ///< what of it lies in part a, if that is not b [m]
   std::array<bool, 3> acting{};    ///< rotations of the level that the section resists
   std::array<double, 3> spring{};  ///< beside it, of a rotational spring [N m/rad]
   bool stretches = false;          ///< where joints do: whether this one stretches and shears
-  std::size_t segment_a = 0;       ///< the segments whose sections it joins
-  std::size_t segment_b = 0;
+  std::size_t node = 0;            ///< where it is
+  std::size_t part_a = 0;          ///< the parts that it joins
+  std::size_t part_b = 0;
 };
 
 /// The tributary lengths of the joint at the inner end of a segment.
@@ -27,8 +28,9 @@ inline JointPlan joint_plan(const Scene& scene, const Layout& layout, std::size_
   const bool first = i == 1;
   const bool last = i + 1 == n;
   JointPlan joint;
-  joint.segment_a = i == 0 ? 0 : i - 1;
-  joint.segment_b = i;
+  joint.node = i;
+  joint.part_b = layout.segment_part[i].inner;
+  joint.part_a = i == 0 ? joint.part_b : layout.segment_part[i - 1].outer;
   joint.acting.fill(i > 0);
   joint.stretches = i > 0;
   joint.length.fill(layout.joint_length[i]);
@@ -60,9 +62,9 @@ inline ComplianceBefore compliance_before(const Scene& scene, const Layout& layo
                                           std::size_t node) {
   const JointPlan plan = joint_plan(scene, layout, node);
   const auto stiffness = [&](std::size_t number) -> std::array<double, 6> {
-    const Section& section = number == 0 ? scene.section : scene.regions[number - 1].section;
-    const Material& material = number == 0 ? scene.material : scene.regions[number - 1].material;
-    const SectionProperties p = section_properties(section, material.poisson_ratio);
+    const Material& material = layout.parts[number].material;
+    const SectionProperties p =
+        section_properties(layout.parts[number].section, material.poisson_ratio);
     const double young = material.youngs_modulus;
     const double shear = resolved_shear_modulus(material);
     return {young * p.second_moment_x,
@@ -72,13 +74,11 @@ inline ComplianceBefore compliance_before(const Scene& scene, const Layout& layo
             shear * p.shear_coefficient_y * p.area,
             young * p.area};
   };
-  const std::size_t part_a = part_of_segment(scene, layout, node - 1);
-  const std::size_t part_b = part_of_segment(scene, layout, node);
   std::array<double, 6> a{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   std::array<double, 6> b = a;
-  if (part_a != part_b) {
-    a = stiffness(part_a);
-    b = stiffness(part_b);
+  if (plan.part_a != plan.part_b) {
+    a = stiffness(plan.part_a);
+    b = stiffness(plan.part_b);
   }
   ComplianceBefore share;
   for (std::size_t k = 0; k < 6; ++k) {

@@ -5,6 +5,7 @@
 
 #include "plastica/chain/rotation.hpp"
 #include "plastica/model/beam_axis.hpp"
+#include "plastica/model/region.hpp"
 
 namespace plastica::chain {
 namespace {
@@ -109,6 +110,45 @@ void set_bare_halves(const Scene& scene, Layout& layout) {
   }
 }
 
+/// The last region that holds a point; 0: none.
+std::size_t region_at(const Scene& scene, double share, const std::vector<double>& ends) {
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < scene.regions.size(); ++i) {
+    const Region& region = scene.regions[i];
+    if (share < share_of(region.from, ends) || share > share_of(region.to, ends)) continue;
+    number = i + 1;
+  }
+  return number;
+}
+
+void set_parts(const Scene& scene, Layout& layout) {
+  layout.parts.push_back({0, scene.section, scene.material});
+  for (const Region& region : scene.regions) {
+    layout.parts.push_back({layout.parts.size(), region.section, region.material});
+  }
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    const double begin = layout.ends[i], end = layout.ends[i + 1];
+    const double middle = 0.5 * (begin + end);
+    const std::size_t number = region_at(scene, middle, layout.ends);
+    layout.segment_part.push_back({number, number, number});
+    if (number == 0 || !scene.regions[number - 1].to_section) continue;
+    const Region& region = scene.regions[number - 1];
+    const double from = share_of(region.from, layout.ends);
+    const double way = share_of(region.to, layout.ends) - from;
+    const auto part_at = [&](double share) {
+      const Section section = tapered_section(region, (share - from) / way);
+      layout.parts.push_back({number, section, region.material});
+      return layout.parts.size() - 1;
+    };
+    SegmentParts& own = layout.segment_part[i];
+    // The joint between two segments of one taper has one section.
+    const bool goes_on = i > 0 && layout.parts[layout.segment_part[i - 1].outer].region == number;
+    own.inner = goes_on ? layout.segment_part[i - 1].outer : part_at(begin);
+    own.middle = part_at(middle);
+    own.outer = part_at(end);
+  }
+}
+
 }  // namespace
 
 EndRule resolved_end_rule(const Scene& scene) {
@@ -129,17 +169,8 @@ Layout make_layout(const Scene& scene) {
   place_frames(scene.beam, layout);
   set_joint_lengths(scene, layout);
   set_bare_halves(scene, layout);
+  set_parts(scene, layout);
   return layout;
-}
-
-Part part_at(const Scene& scene, double share, const std::vector<double>& ends) {
-  Part part{0, &scene.section, &scene.material};
-  for (std::size_t i = 0; i < scene.regions.size(); ++i) {
-    const Region& region = scene.regions[i];
-    if (share < share_of(region.from, ends) || share > share_of(region.to, ends)) continue;
-    part = {i + 1, &region.section, &region.material};
-  }
-  return part;
 }
 
 SegmentPoint segment_point(const Layout& layout, double share) {

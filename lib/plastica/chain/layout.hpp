@@ -9,6 +9,22 @@
 
 namespace plastica::chain {
 
+/// A section and a material that the beam has somewhere.
+struct BeamPart {
+  std::size_t region = 0;  ///< 0: the scene's own, else the region's number from 1
+  Section section{};
+  Material material{};
+};
+
+/// The parts of a segment: one of the last region that holds its middle, or the scene's own. In a
+/// taper each segment has the section of its middle, and each joint that of its place.
+struct SegmentParts {
+  std::size_t middle = 0;
+  std::size_t inner = 0;  ///< as its joints see it
+  std::size_t outer = 0;
+  bool operator==(const SegmentParts&) const = default;
+};
+
 /// Where the segments and joints of a scene's undeformed beam are, in space whatever the level.
 ///
 /// Nodes are the segment ends; a node inside of the beam is a joint. The chord between two nodes of
@@ -30,6 +46,9 @@ struct Layout {
   /// need.
   std::array<std::array<double, 3>, 2> bare_half{};
 
+  std::vector<BeamPart> parts;             ///< the scene's own, its regions', those of tapers
+  std::vector<SegmentParts> segment_part;  ///< numbers of parts (N)
+
   std::size_t size() const { return segment_length.size(); }
 };
 
@@ -47,15 +66,6 @@ Layout make_layout(const Scene& scene);
 
 /// The rule that EndRule::Auto stands for.
 EndRule resolved_end_rule(const Scene& scene);
-
-/// Section and material of a point of the beam: those of the last region that holds it, or the
-/// scene's own.
-struct Part {
-  std::size_t number = 0;  ///< 0: the scene's own, else the region's number from 1
-  const Section* section = nullptr;
-  const Material* material = nullptr;
-};
-Part part_at(const Scene& scene, double share, const std::vector<double>& ends);
 
 /// The point at a share of the beam's length; a node belongs to the segment before it.
 SegmentPoint segment_point(const Layout& layout, double share);

@@ -136,8 +136,9 @@ void read_regions(const TomlTable& root, Setup& setup) {
     const TomlValue from = table.at("from");
     const TomlValue to = table.at("to");
     const auto section = table.find("section");
+    const auto to_section = table.find("to_section");
     const auto material = table.find("material");
-    if (!section && !material) {
+    if (!section && !to_section && !material) {
       table.check_unused();
       throw InputError(table.where(), table.key(), "", "needs a section or a material");
     }
@@ -146,14 +147,23 @@ void read_regions(const TomlTable& root, Setup& setup) {
     part.scene.material = setup.scene.material;
     if (section) read_section(*section, part);
     if (material) read_material(*material, part);
+    Setup end = part;
+    if (to_section) read_section(*to_section, end);
     std::vector<std::string> own;
     if (section) own = paths_said(*section, "section");
     if (material) {
       const auto said = paths_said(*material, "material");
       own.insert(own.end(), said.begin(), said.end());
     }
-    setup.scene.regions.push_back({read_place(from), read_place(to), part.scene.section,
-                                   part.scene.material, std::move(own)});
+    Region region{read_place(from), read_place(to), part.scene.section, part.scene.material};
+    if (to_section) {
+      region.to_section = end.scene.section;
+      for (const std::string& path : paths_said(*to_section, "section")) {
+        own.push_back("to_" + path);
+      }
+    }
+    region.own = std::move(own);
+    setup.scene.regions.push_back(std::move(region));
   }
 }
 

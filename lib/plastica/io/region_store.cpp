@@ -53,6 +53,67 @@ std::vector<T> checked(const Hdf5Group& group, const std::string& path, std::vec
                    "has other rows than the rest of its table");
 }
 
+constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
+
+/// The ends of tapers: `to_section/` with the keys of `section/`, of other regions empty.
+void write_tapers(Hdf5Group& group, const std::vector<Region>& regions) {
+  const auto tapers = [](const Region& region) { return region.to_section.has_value(); };
+  if (std::none_of(regions.begin(), regions.end(), tapers)) return;
+  std::vector<std::string> names;
+  for (const Region& region : regions) {
+    names.push_back(region.to_section ? region.to_section->name : "");
+  }
+  group.write_texts("to_section/name", names);
+  for (const Field& field : fields()) {
+    if (!field.path.starts_with("section.")) continue;
+    std::vector<std::string> words;
+    std::vector<double> numbers;
+    for (const Region& region : regions) {
+      Setup setup;
+      setup.scene.section = region.to_section.value_or(Section{});
+      const FieldValue value = field.get(setup);
+      const auto* word = std::get_if<std::string>(&value);
+      const auto* number = std::get_if<double>(&value);
+      words.push_back(word != nullptr && region.to_section ? *word : "");
+      numbers.push_back(number != nullptr && region.to_section ? *number : kUnset);
+    }
+    if (field.kind == FieldKind::Choice) {
+      group.write_texts("to_" + column_of(field), words);
+    } else {
+      group.write("to_" + column_of(field), numbers, {si_unit(field.dimension)});
+    }
+  }
+}
+
+void read_tapers(const Hdf5Group& group, std::vector<Region>& regions) {
+  if (!group.exists("to_section/name")) return;
+  const std::size_t rows = regions.size();
+  const SourceLocation where{group.file(), 0};
+  const auto shapes =
+      checked(group, "to_section/shape", group.read_texts("to_section/shape"), rows);
+  const auto names = checked(group, "to_section/name", group.read_texts("to_section/name"), rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    if (!shapes[i].empty()) regions[i].to_section = Section{.name = names[i]};
+  }
+  for (const Field& field : fields()) {
+    const std::string path = "to_" + column_of(field);
+    if (!field.path.starts_with("section.") || !group.exists(path)) continue;
+    std::vector<double> numbers(rows, kUnset);
+    if (field.kind != FieldKind::Choice) {
+      numbers = checked(group, path, group.read<double>(path), rows);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+      if (!regions[i].to_section) continue;
+      Setup setup;
+      setup.scene.section = *regions[i].to_section;
+      const FieldValue number = std::isnan(numbers[i]) ? FieldValue() : FieldValue(numbers[i]);
+      set_field(setup, field, field.kind == FieldKind::Choice ? FieldValue(shapes[i]) : number,
+                where);
+      regions[i].to_section = setup.scene.section;
+    }
+  }
+}
+
 }  // namespace
 
 void write_regions(Hdf5Group& group, const std::vector<Region>& regions) {
@@ -73,6 +134,7 @@ void write_regions(Hdf5Group& group, const std::vector<Region>& regions) {
   group.write_texts("material/name", names);
   group.write_texts("section/name", profiles);
   group.write_texts("own", own);
+  write_tapers(group, regions);
   for (const Field& field : fields()) {
     if (!is_of_region(field)) continue;
     std::vector<std::string> words;
@@ -83,7 +145,7 @@ void write_regions(Hdf5Group& group, const std::vector<Region>& regions) {
         words.push_back(*word);
       } else {
         const auto* number = std::get_if<double>(&value);
-        numbers.push_back(number != nullptr ? *number : std::numeric_limits<double>::quiet_NaN());
+        numbers.push_back(number != nullptr ? *number : kUnset);
       }
     }
     if (field.kind == FieldKind::Choice) {
@@ -131,6 +193,7 @@ std::vector<Region> read_regions(const Hdf5Group& group) {
         {{from[i], {}}, {to[i], {}}, setups[i].scene.section, setups[i].scene.material});
     if (!own.empty()) regions.back().own = split(own[i]);
   }
+  read_tapers(group, regions);
   return regions;
 }
 

@@ -61,7 +61,7 @@ class Feeder {
     put(s.shear_coefficient);
   }
   void put(const Region& region) {
-    all(region.from, region.to, region.section, region.material, region.own);
+    all(region.from, region.to, region.section, region.material, region.to_section, region.own);
   }
   void put(const Support& s) {
     all(s.at, s.to, s.kind, s.hold, s.stiffness, s.rotational_stiffness, s.normal, s.gap,

@@ -38,7 +38,8 @@ struct SceneFile {
 /// - [beam]: `segment_lengths`, lengths or shares of the length; `joint_lengths`; with `shape =
 ///   "arc"` `arc_angle` and `arc_towards`, with `shape = "polyline"` `points`. `length` may be left
 ///   out where points or segment lengths say it, `segments` where segment lengths do.
-/// - [[region]]: `from`, `to`, and keys of `section` and `material` that differ there.
+/// - [[region]]: `from`, `to`, and keys of `section` and `material` that differ there; of a taper
+///   `to_section`, keys that differ at its end.
 /// - [[support]]: `at`, `kind` (see `SupportKind`), `hold` (of "x", "y", "z", "rx", "ry", "rz"),
 ///   `stiffness` and `rotational_stiffness` (elastic), `normal`, `gap` and `restitution` (pillar),
 ///   `translation` and `rotation` with their `history`.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,9 +38,12 @@ struct Region {
   Place to{1.0, {}};
   Section section{};
   Material material{};
+  /// A taper: the section at `to`, of the shape of `section`, which is that at `from`; between them
+  /// every dimension goes along a straight line.
+  std::optional<Section> to_section{};
   /// What it says itself: paths of fields, or of groups of them, as "section.width". The rest goes
   /// with the beam's section and material when a fit or a sweep changes these: see `follow_beam`.
-  std::vector<std::string> own{"section", "material"};
+  std::vector<std::string> own{"section", "material", "to_section"};
 };
 
 }  // namespace plastica

@@ -9,6 +9,7 @@
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
+#include "plastica/model/section_kind.hpp"
 
 namespace plastica::model_detail {
 namespace {
@@ -98,6 +99,27 @@ void check_part(std::size_t region, const Check& check) {
   }
 }
 
+/// The section at the end of a taper.
+void check_taper(const Region& region, std::size_t i) {
+  const std::string name = item_name("region", i, ".to_section");
+  const SectionKind& kind = section_kind(region.section);
+  if (&section_kind(*region.to_section) != &kind) {
+    throw InputError({}, name + ".shape", std::string(section_kind(*region.to_section).word()),
+                     "must be that of section, " + std::string(kind.word()));
+  }
+  if (kind.dimensions().empty() || !kind.has_fibres()) {
+    throw InputError({}, name, "",
+                     "cannot end a taper: the numbers of shape = \"" + std::string(kind.word()) +
+                         "\" do not tell what is between");
+  }
+  try {
+    check_section(*region.to_section);
+  } catch (const InputError& error) {
+    throw InputError({}, item_name("region", i, ".to_" + error.field()), error.value(),
+                     error.rule());
+  }
+}
+
 void check_regions(const Scene& scene, Ends ends) {
   for (std::size_t i = 0; i < scene.regions.size(); ++i) {
     const Region& region = scene.regions[i];
@@ -109,6 +131,7 @@ void check_regions(const Scene& scene, Ends ends) {
     }
     check_part(i, [&] { check_section(region.section); });
     check_part(i, [&] { check_material(region.material); });
+    if (region.to_section) check_taper(region, i);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "plastica/model/region.hpp"
 
 #include <algorithm>
+#include <variant>
 
 namespace plastica {
 namespace {
@@ -13,6 +14,17 @@ bool is_of_part(std::string_view path) {
 bool owns_of(const Region& region, std::string_view part) {
   return std::ranges::any_of(region.own,
                              [&](const std::string& own) { return own.starts_with(part); });
+}
+
+void follow_beginning(Region& region) {
+  Setup from, to;
+  from.scene.section = region.section;
+  to.scene.section = *region.to_section;
+  for (const Field& field : fields()) {
+    if (!field.path.starts_with("section.")) continue;
+    if (!is_own(region, "to_" + std::string(field.path))) field.set(to, field.get(from));
+  }
+  region.to_section = to.scene.section;
 }
 
 }  // namespace
@@ -43,10 +55,27 @@ void follow_beam(Scene& scene) {
     }
     region.section = part.scene.section;
     region.material = part.scene.material;
+    if (region.to_section) follow_beginning(region);
     // A profile with other dimensions is no more the one that has a name.
     if (!owns_of(region, "section")) region.section.name = scene.section.name;
     if (!is_own(region, "material.name")) region.material.name = scene.material.name;
   }
+}
+
+Section tapered_section(const Region& region, double share) {
+  Setup from, to;
+  from.scene.section = region.section;
+  to.scene.section = region.to_section.value_or(region.section);
+  Setup between = from;
+  between.scene.section.name.clear();
+  for (const Field& field : fields()) {
+    if (!field.path.starts_with("section.")) continue;
+    const FieldValue values[] = {field.get(from), field.get(to)};
+    const auto* a = std::get_if<double>(&values[0]);
+    const auto* b = std::get_if<double>(&values[1]);
+    if (a != nullptr && b != nullptr) field.set(between, (1.0 - share) * *a + share * *b);
+  }
+  return between.scene.section;
 }
 
 void set_everywhere(Setup& setup, const Field& field, const FieldValue& value) {

@@ -13,8 +13,12 @@ bool is_own(const Region& region, std::string_view path);
 bool stands_in_regions(const Scene& scene, const Field& field);
 
 /// Gives regions all that is not their own, names included: to be called when the beam's section or
-/// material has changed.
+/// material has changed. Of a taper's end, what is not its own is that of its beginning.
 void follow_beam(Scene& scene);
+
+/// The section of a taper.
+/// @param share  of the way from `from` to `to` [1], 0 … 1
+Section tapered_section(const Region& region, double share);
 
 /// Sets a field, in the regions that follow the beam too.
 /// @throws InputError as `set_field`

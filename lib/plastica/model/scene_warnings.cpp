@@ -215,6 +215,9 @@ std::optional<std::string> thin_wall(const Facts& facts) {
   for (std::size_t i = 0; i < scene.regions.size(); ++i) {
     look_at(scene.regions[i].section, scene.regions[i].material,
             " of " + model_detail::item_name("region", i));
+    if (!scene.regions[i].to_section) continue;
+    look_at(*scene.regions[i].to_section, scene.regions[i].material,
+            " at the end of " + model_detail::item_name("region", i));
   }
   return warning;
 }

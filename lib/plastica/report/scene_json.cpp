@@ -169,6 +169,7 @@ Json regions_of(const Scene& scene) {
                    {"to", region.to.fraction},
                    {"section", section_of(region.section)},
                    {"material", material_of(region.material)}});
+    if (region.to_section) all.back()["to_section"] = section_of(*region.to_section);
   }
   return all;
 }

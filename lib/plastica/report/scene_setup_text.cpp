@@ -154,9 +154,11 @@ std::string setup_text(const io::SceneRecord& record) {
   if (!scene.regions.empty()) {
     text +=
         entry("regions", listed(scene.regions, [&](const Region& region) {
-                return fmt::format("{} to {}: {}, {}", place_label(region.from.fraction),
+                const std::string taper =
+                    region.to_section ? ", tapered to " + section_label(*region.to_section) : "";
+                return fmt::format("{} to {}: {}{}, {}", place_label(region.from.fraction),
                                    place_label(region.to.fraction), section_label(region.section),
-                                   material_label(region.material, yields));
+                                   taper, material_label(region.material, yields));
               }));
   }
   const std::string supports =

@@ -141,7 +141,9 @@ PlotScript shape_page(const io::SceneRecord& record, std::optional<double> time)
   const bool colored = strain > kNoStrain;
   const Window window = window_of(extent, size, kPlotWidth - (colored ? kBarWidth : 0.0));
   PlotScript script;
-  script.begin_panels(1, {}, static_cast<int>(1 + facts_of(record, shown, thickness).size()));
+  constexpr double second_line = 20.0;  // of the legend
+  script.begin_panels(1, {}, static_cast<int>(1 + facts_of(record, shown, thickness).size()),
+                      second_line);
   script.set_plot_height(window.height);
   script.command(fmt::format("set xrange [{:.7g}:{:.7g}]\nset yrange [{:.7g}:{:.7g}]", window.left,
                              window.left + kPlotWidth * window.scale, window.low,

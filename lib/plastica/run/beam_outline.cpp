@@ -20,8 +20,7 @@ void add_joints(const ChainModel& model, const std::vector<chain::PartForm>& par
   std::vector<MaterialValues<double>> materials;
   materials.reserve(parts.size());
   for (const chain::PartForm& part : parts) materials.push_back(material_values(*part.material));
-  const auto joints =
-      chain::joint_numbers(model.part_of_segment, build.joints, parts, materials, view);
+  const auto joints = chain::joint_numbers(build.joints, parts, materials, view);
   std::vector<const chain::SectionJoint<L>*> at(n + 1, nullptr);
   for (std::size_t i = 0; i < n; ++i) at[i] = &joints[i];
   for (const auto& ground : build.chain.ground_joints) {
@@ -29,7 +28,7 @@ void add_joints(const ChainModel& model, const std::vector<chain::PartForm>& par
   }
   const std::size_t first = view.section_axes().rotation(0);
   for (std::size_t i = 0; i <= n; ++i) {
-    const std::size_t part = at[i] ? at[i]->law : model.part_of_segment[n - 1];
+    const std::size_t part = at[i] ? at[i]->law : layout.segment_part[n - 1].outer;
     const law::SectionForm& form = parts[part].form;
     outline.joint_length.push_back(at[i] ? at[i]->length[first] : layout.joint_length[i]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -47,7 +46,7 @@ BeamOutline beam_outline(const Model& model) {
   if (!model.chain) return outline;
   const ChainModel& chain = *model.chain;
   const chain::Layout& layout = chain.layout;
-  const std::vector<chain::PartForm> parts = chain::part_forms(chain.scene);
+  const std::vector<chain::PartForm> parts = chain::part_forms(chain.scene, layout);
   const std::size_t n = layout.size();
   outline.ends = layout.ends;
   for (const auto& node : layout.node) {
@@ -59,7 +58,7 @@ BeamOutline beam_outline(const Model& model) {
         outline.axes.push_back(layout.segment_frame[i](k, axis));
       }
     }
-    const chain::PartForm& part = parts[chain.part_of_segment[i]];
+    const chain::PartForm& part = parts[layout.segment_part[i].middle];
     outline.width.push_back(2.0 * part.properties.outer_distance_y);
     outline.height.push_back(2.0 * part.properties.outer_distance_x);
     outline.round.push_back(section_kind(*part.section).round() ? 1 : 0);

@@ -60,7 +60,8 @@ template <class L, bool kElastic>
 ChainBody<L, kElastic>::ChainBody(const ChainModel& of, const chain::View<L>& seen)
     : model(of),
       view(seen),
-      parts(chain::part_forms(of.scene, !kOneForce<L, kElastic>, chain::gauge_plane<L>(seen))) {
+      parts(chain::part_forms(of.scene, of.layout, !kOneForce<L, kElastic>,
+                              chain::gauge_plane<L>(seen))) {
   build = chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia, kElastic,
                             detail::sees_axial(model))
               .build();
@@ -89,7 +90,8 @@ void ChainBody<L, kElastic>::set_watch() {
   for (std::size_t i = 0; i <= n; ++i) {
     const std::size_t joint = record.joint_of_node(i);
     if (joint == ChainRecord<L, kElastic>::kNone) {
-      const std::size_t part = model.part_of_segment[std::min(i, n - 1)];
+      const std::size_t part =
+          i < n ? layout.segment_part[i].inner : layout.segment_part[n - 1].outer;
       watched.push_back(detail::watched_joint(model.scene, layout, parts[part], i));
       continue;
     }
@@ -104,10 +106,8 @@ void ChainBody<L, kElastic>::set_watch() {
     // With what it takes over of an end; between unlike parts, of its owner alone.
     if (i == 1) one.begin -= layout.bare_half[0][first];
     if (i + 1 == n) one.end += layout.bare_half[1][first];
-    const std::size_t part_a = model.part_of_segment[plan.segment_a];
-    const std::size_t part_b = model.part_of_segment[plan.segment_b];
     const double at = layout.ends[i] * model.scene.beam.length;
-    if (part_a != part_b) (numbers.law == part_a ? one.end : one.begin) = at;
+    if (plan.part_a != plan.part_b) (numbers.law == plan.part_a ? one.end : one.begin) = at;
     watched.push_back(one);
   }
   watch = BreakWatch(model.scene, std::move(watched));
@@ -137,10 +137,9 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
     const MaterialValues<double> values = p == 0 ? material : material_values(*parts[p].material);
     for (std::size_t i = 0; i < kMaterialFields; ++i) materials[p][i] = constant<S>(values[i]);
   }
-  joints = make_joints<L, kElastic>(
-      model.scene, parts, materials,
-      chain::joint_numbers(model.part_of_segment, build.joints, parts, materials, view), view,
-      model.options.fibres);
+  joints = make_joints<L, kElastic>(model.scene, parts, materials,
+                                    chain::joint_numbers(build.joints, parts, materials, view),
+                                    view, model.options.fibres);
   material_ = material;
   record.set_joints(*joints);
   // Which part owns a joint between two follows from the material.
@@ -221,10 +220,9 @@ void ChainBody<L, kElastic>::note_axial(bool in_motion, Response& response) {
     const double least = grows ? 1.0 : seen ? detail::kNoLimit : left_out ? 1e-3 : 1.0;
     if (ratio < std::max(least, response.axial ? response.axial->ratio : 0.0)) continue;
     const chain::JointPlan& plan = build.joints[j];
-    const std::size_t node = j < build.chain.size() ? plan.segment_b : plan.segment_a + 1;
     const double thrust = response.axial ? response.axial->thrust : 0.0;
-    response.axial =
-        AxialNote{ratio, model.layout.ends[node], 1.0, grows ? std::max(thrust, ratio) : thrust};
+    response.axial = AxialNote{ratio, model.layout.ends[plan.node], 1.0,
+                               grows ? std::max(thrust, ratio) : thrust};
     axial_part_ = joint.law;
   }
 }

@@ -22,12 +22,11 @@ struct ChainModel {
   Level level = Level::Planar;
   std::size_t across = 1;  ///< Planar: 1 in the y-z plane, 0 in the x-z plane
   chain::Layout layout;
-  std::vector<std::size_t> part_of_segment;  ///< 0: the scene's own, else the region's number (N)
-  std::vector<double> stops;                 ///< times at which a step must end
-  std::vector<bool> recorded;                ///< which of them are samples
-  std::size_t samples = 0;                   ///< the first one, at time 0, included
-  std::vector<JointCut> cuts;                ///< by rising time, then joint
-  std::vector<std::size_t> frame_sample;     ///< samples whose shape is kept, rising (n_frames)
+  std::vector<double> stops;              ///< times at which a step must end
+  std::vector<bool> recorded;             ///< which of them are samples
+  std::size_t samples = 0;                ///< the first one, at time 0, included
+  std::vector<JointCut> cuts;             ///< by rising time, then joint
+  std::vector<std::size_t> frame_sample;  ///< samples whose shape is kept, rising (n_frames)
 };
 
 }  // namespace plastica

@@ -116,15 +116,14 @@ class SpatialTangent final : public OutOfPlane {
   }
 
   void set_joints(const ChainModel& model, const MaterialValues<double>& material) {
-    const auto parts = chain::part_forms(scene_, !kOneForce<L, kElastic>);
+    const auto parts = chain::part_forms(scene_, model.layout, !kOneForce<L, kElastic>);
     std::vector<MaterialValues<double>> materials;
     materials.reserve(parts.size());
     for (const auto& part : parts) materials.push_back(material_values(*part.material));
     materials[0] = material;
-    joints_ = make_joints<L, kElastic>(
-        scene_, parts, materials,
-        chain::joint_numbers(model.part_of_segment, build_.joints, parts, materials, view_), view_,
-        model.options.fibres);
+    joints_ = make_joints<L, kElastic>(scene_, parts, materials,
+                                       chain::joint_numbers(build_.joints, parts, materials, view_),
+                                       view_, model.options.fibres);
     double bending = 0.0;
     for (const auto& joint : joints_->joints()) {
       for (std::size_t k = 0; k < 3; ++k) bending = std::max(bending, joint.stiffness[k]);

@@ -55,10 +55,6 @@ std::shared_ptr<const ChainModel> prepare_chain(const Scene& scene, const Solver
   chain->level = choice.level;
   chain->across = choice.bending == BendingAxis::X ? 1 : 0;
   chain->layout = chain::make_layout(scene);
-  for (std::size_t i = 0; i < chain->layout.size(); ++i) {
-    const double middle = 0.5 * (chain->layout.ends[i] + chain->layout.ends[i + 1]);
-    chain->part_of_segment.push_back(chain::part_at(scene, middle, chain->layout.ends).number);
-  }
   set_cuts(*chain);
   set_stops(*chain);
   set_frames(*chain);

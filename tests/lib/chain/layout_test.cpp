@@ -70,9 +70,32 @@ TEST(Layout, LetsTheLastRegionThatHoldsAPointWin) {
   scene.regions.push_back({{0.5, {}}, Place::end(), scene.section, scene.material});
   scene.regions.push_back({{0.75, {}}, Place::end(), scene.section, scene.material});
   const Layout layout = make_layout(scene);
-  EXPECT_EQ(part_at(scene, 0.1, layout.ends).number, 0U);
-  EXPECT_EQ(part_at(scene, 0.6, layout.ends).number, 1U);
-  EXPECT_EQ(part_at(scene, 0.9, layout.ends).number, 2U);
+  ASSERT_EQ(layout.parts.size(), 3U);
+  const std::vector<std::size_t> expected{0, 0, 1, 2};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(layout.segment_part[i].middle, expected[i]);
+    EXPECT_EQ(layout.segment_part[i].inner, expected[i]);
+    EXPECT_EQ(layout.segment_part[i].outer, expected[i]);
+  }
+}
+
+TEST(Layout, GivesEachSegmentAndJointOfATaperItsOwnSection) {
+  Scene scene = cantilever(4, {});
+  scene.section.height = 0.1;
+  scene.regions.push_back({{0.5, {}}, Place::end(), scene.section, scene.material});
+  scene.regions[0].to_section = scene.section;
+  scene.regions[0].to_section->height = 0.02;
+  const Layout layout = make_layout(scene);
+  const auto height = [&](std::size_t part) { return layout.parts[part].section.height; };
+  EXPECT_EQ(layout.segment_part[1].outer, 0U);
+  EXPECT_DOUBLE_EQ(height(layout.segment_part[2].inner), 0.1);
+  EXPECT_DOUBLE_EQ(height(layout.segment_part[2].middle), 0.08);
+  EXPECT_DOUBLE_EQ(height(layout.segment_part[2].outer), 0.06);
+  EXPECT_EQ(layout.segment_part[3].inner, layout.segment_part[2].outer);
+  EXPECT_DOUBLE_EQ(height(layout.segment_part[3].outer), 0.02);
+  for (std::size_t part = 1; part < layout.parts.size(); ++part) {
+    EXPECT_EQ(layout.parts[part].region, 1U);
+  }
 }
 
 }  // namespace

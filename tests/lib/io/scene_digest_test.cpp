@@ -61,6 +61,7 @@ TEST(SceneDigest, ChangesWithEverythingThatNoFieldNames) {
       [](auto& s) { s.scene.regions[0].to.segment = 3; },
       [](auto& s) { s.scene.regions[0].section.height = 0.2; },
       [](auto& s) { s.scene.regions[0].own = {"section"}; },
+      [](auto& s) { s.scene.regions[0].to_section = s.scene.section; },
       [](auto& s) { s.scene.regions[0].material.density = 1.0; },
       [](auto& s) { s.scene.regions[0].material.hardening.backstress_rate[2] = 1.0; },
       [](auto& s) { s.scene.drive.strain[0] = 0.02; },

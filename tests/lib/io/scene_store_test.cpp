@@ -221,6 +221,9 @@ TEST_F(SceneStore, ReadsTheSetupBackWhole) {
   region.material.yield_stress = 12e6;
   scene.regions = {region, region};
   scene.regions[0].own = {"section.width", "material"};
+  scene.regions[1].to_section = region.section;
+  scene.regions[1].to_section->inner_radius = 0.003;
+  scene.regions[1].to_section->name = "narrow";
   scene.regions[1].section.shear_coefficient.reset();
   scene.beam.segment_shares = {0.1, 0.2, 0.3, 0.4};
   scene.beam.joint_lengths = {0.2, 0.3, 0.4};
@@ -247,6 +250,11 @@ TEST_F(SceneStore, ReadsTheSetupBackWhole) {
   EXPECT_EQ(read.scene.regions[0].from.fraction, 0.25);
   EXPECT_EQ(read.scene.regions[0].own, (std::vector<std::string>{"section.width", "material"}));
   EXPECT_EQ(read.scene.regions[1].own, Region{}.own);
+  EXPECT_FALSE(read.scene.regions[0].to_section.has_value());
+  ASSERT_TRUE(read.scene.regions[1].to_section.has_value());
+  EXPECT_EQ(read.scene.regions[1].to_section->inner_radius, 0.003);
+  EXPECT_EQ(read.scene.regions[1].to_section->shear_coefficient, 0.8);
+  EXPECT_EQ(read.scene.regions[1].to_section->name, "narrow");
   EXPECT_EQ(read.scene.regions[0].section.shape, SectionShape::RoundTube);
   EXPECT_EQ(read.scene.regions[0].section.shear_coefficient, 0.8);
   EXPECT_FALSE(read.scene.regions[1].section.shear_coefficient);

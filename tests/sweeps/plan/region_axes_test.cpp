@@ -14,7 +14,11 @@ TEST(RegionAxes, MoveTheRegionsThatSayNothingElse) {
   whole.solver.steps = 1;
   testing::add_probe(whole.scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
   plastica::Setup halves = whole;
-  halves.scene.regions = {{{0.5, {}}, Place::end(), whole.scene.section, whole.scene.material, {}}};
+  halves.scene.regions = {{.from = {0.5, {}},
+                           .to = Place::end(),
+                           .section = whole.scene.section,
+                           .material = whole.scene.material,
+                           .own = {}}};
   const auto way = [](plastica::Setup setup, std::string_view path, const FieldValue& value) {
     const std::vector<const Field*> fields{&find_axis_field(path)};
     const std::vector<FieldValue> values{value};
