@@ -107,6 +107,9 @@ void read_columns(const TomlTable& table, TargetSource& source) {
   if (const auto value = table.find("area")) {
     source.area = read_specimen_value(*value, Dimension::Area);
   }
+  if (const auto value = table.find("strain_rate")) {
+    source.strain_rate = read_specimen_value(*value, Dimension::StrainRate);
+  }
 }
 
 /// A share for which low < share < high. @param value  0.1, or "10 %"
@@ -294,6 +297,7 @@ void check_target(const TomlTable& table, const TargetSource& source) {
   constexpr std::string_view kNeedsTable = "needs `table`, the file that has this column";
   if (source.elongation && needs_table(source.gauge_length)) refuse("gauge_length", kNeedsTable);
   if (source.force && needs_table(source.area)) refuse("area", kNeedsTable);
+  if (needs_table(source.strain_rate)) refuse("strain_rate", kNeedsTable);
   if (!source.group.empty()) refuse("group", kNeedsTable);
 }
 

@@ -54,6 +54,7 @@ stress = { column = "Stress", unit = "MPa" }
 # force        = { column = "Load", unit = "kN" }
 # area         = { from = "S0_mm2", unit = "mm^2" }       # a column of this table:
 # table        = { file = "info.csv", key = "specimen" }  # a row for each file, by its stem
+# strain_rate  = "0.01 1/s"                               # with a rate law, [material.rate]
 # group        = ["temperature"]                          # columns whose values form groups
 )";
 
@@ -117,6 +118,11 @@ break_strain = "3 %"              # permanent strain at break; without it nothin
 # [material.hardening]
 # law = "linear"                  # or "voce_chaboche"; "ideal" is the default
 # tangent_modulus = "2 GPa"
+# [material.rate]
+# law = "cowper_symonds"          # or "johnson_cook" with coefficient
+# reference_rate = "40.4 1/s"
+# exponent       = 5
+# strain_rate    = "1 1/s"        # of all; a motion can do without: each joint has its own
 
 [section]
 shape  = "rectangle"              # "circle", "round_tube", "rectangular_tube", "i_section";

@@ -79,6 +79,7 @@ std::string target_text(const TargetSource& source) {
   add(text, "stress", source.stress);
   add(text, "force", source.force);
   add(text, "area", source.area, "m^2");
+  add(text, "strain_rate", source.strain_rate, "1/s");
   if (source.table) {
     text += fmt::format("table = {{ file = {}, key = {} }}\n", toml_string(source.table->file),
                         toml_string(source.table->key));

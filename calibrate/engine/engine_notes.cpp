@@ -46,6 +46,15 @@ void note_yield(const Scene& scene, EngineBeam& beam) {
     beam.notes.emplace_back(fmt::format("{} is left out: the moments are those of first yield",
                                         hardening_kind(hardening.law).phrase()));
   }
+  const RateDependence& rate = scene.material.rate;
+  if (rate.law == RateLaw::None) return;
+  if (rate.strain_rate) {
+    beam.notes.emplace_back(
+        fmt::format("moments are those at a strain rate of {:g} 1/s", *rate.strain_rate));
+  } else {
+    beam.notes.emplace_back(
+        "the rate law is left out: the moments are those at rest, and faster they would be larger");
+  }
 }
 
 void note_supports(const Scene& scene, const std::vector<EngineSegment>& segments,

@@ -57,6 +57,10 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
   if (!options.laws.empty()) {
     out.material.hardening = hardening_of(record.result.law, out.material.hardening);
   }
+  out.material.rate = options.setup.scene.material.rate;
+  if (const auto rate = record.target.property("strain_rate")) {
+    out.material.rate.strain_rate = rate;
+  }
   for (const FittedParameter& parameter : record.result.parameters) {
     if (parameter.role != ParameterRole::Fixed && !parameter.identified) {
       fitted.notes.push_back(

@@ -179,8 +179,7 @@ void add_fitted_curve(const Target& target, const FitOptions& options, FitResult
     if (p.identified || !limit) set_field(setup, find_field(p.path), p.value);
   }
   Scene& scene = setup.scene;
-  scene.drive.deformation = target.test;
-  scene.drive.strain = target.corrected.strain;
+  take_test(target, scene);
   scene.probes = {{"stress", ProbeQuantity::Stress}};
   scene.on_break = BreakPolicy::CutAll;
   const auto& observed = target.characteristics.observed_break;
@@ -230,7 +229,7 @@ void require(bool holds, std::string_view field, double value, std::string_view 
 
 void check_options(const FitOptions& options) {
   check_parameters(options.parameters);
-  check_law_parameters(options.parameters, options.setup.scene.material.hardening, options.laws);
+  check_law_parameters(options.parameters, options.setup.scene.material, options.laws);
   const StoppingRules& stop = options.stopping;
   const bool global = options.algorithm != "auto" && is_global(options.algorithm);
   require(stop.global_evaluations >= (global ? 1 : 0), "fit.global_evaluations",

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "plastica/model/hardening_kind.hpp"
+#include "plastica/model/rate_kind.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -46,6 +47,21 @@ bool has(Law law, const LawParameter& p) {
     case Law::Multilinear: return p.multilinear;
   }
   return false;
+}
+
+/// Refuses parameters of another rate law.
+void check_rate_parameters(std::span<const Parameter> parameters, const RateKind& law) {
+  for (const Parameter& p : parameters) {
+    const auto has_it = [&](const RateKind* kind) {
+      return std::ranges::any_of(kind->parameters(),
+                                 [&](const Field& field) { return field.path == p.field->path; });
+    };
+    if (has_it(&law) || std::ranges::none_of(rate_kinds(), has_it)) continue;
+    throw InputError(p.where, p.name(), "",
+                     fmt::format("is no parameter of material.rate.law = \"{}\": it would move "
+                                 "nothing",
+                                 law.word()));
+  }
 }
 
 const LawParameter* find(const Parameter& parameter) {
@@ -146,8 +162,10 @@ std::vector<Parameter> parameters_of(Law law, Loading loading, std::span<const P
   return own;
 }
 
-void check_law_parameters(std::span<const Parameter> parameters, const Hardening& hardening,
+void check_law_parameters(std::span<const Parameter> parameters, const Material& material,
                           std::span<const Law> laws) {
+  check_rate_parameters(parameters, rate_kind(material.rate.law));
+  const Hardening& hardening = material.hardening;
   std::vector<const HardeningKind*> kinds{&hardening_kind(hardening.law)};
   for (const Law law : laws) kinds.push_back(&hardening_kind(hardening_of(law, hardening).law));
   const auto has_it = [](const HardeningKind* kind, const Parameter& p) {

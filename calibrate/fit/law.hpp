@@ -48,10 +48,11 @@ std::vector<Parameter> parameters_of(std::span<const Law> laws, std::vector<Para
 std::vector<Parameter> parameters_of(Law law, Loading loading, std::span<const Parameter> all,
                                      std::span<const Parameter> given);
 
-/// Refuses parameters of hardening that no law of the fit has, which would move nothing.
-/// @param laws  that are compared; empty: that of `hardening` alone
+/// Refuses parameters of hardening and rate laws that no law of the fit has, which would move
+/// nothing.
+/// @param laws  that are compared; empty: that of `material` alone
 /// @throws InputError naming the parameter
-void check_law_parameters(std::span<const Parameter> parameters, const Hardening& hardening,
+void check_law_parameters(std::span<const Parameter> parameters, const Material& material,
                           std::span<const Law> laws);
 
 /// A material's hardening, turned into a law: back-stresses that the law does not have are taken

@@ -45,8 +45,7 @@ Scene unbroken_scene(const Target& target, const FitOptions& options) {
   Scene scene = std::move(setup.scene);
   scene.material.break_strain.reset();
   scene.material.break_shear_strain.reset();
-  scene.drive.deformation = target.test;
-  scene.drive.strain = target.corrected.strain;
+  take_test(target, scene);
   if (target.characteristics.observed_break) {
     scene.drive.strain.push_back(target.characteristics.observed_break->strain());
   }
@@ -55,6 +54,18 @@ Scene unbroken_scene(const Target& target, const FitOptions& options) {
 }
 
 }  // namespace
+
+void take_test(const Target& target, Scene& scene) {
+  scene.drive.deformation = target.test;
+  scene.drive.strain = target.corrected.strain;
+  const auto rate = target.property("strain_rate");
+  if (!rate) return;
+  if (scene.material.rate.law == RateLaw::None) {
+    throw InputError({}, "target.strain_rate", "",
+                     "is of no use without a law, material.rate.law: it would move nothing");
+  }
+  scene.material.rate.strain_rate = rate;
+}
 
 Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterSet& parameters)
     : target_(target),

@@ -12,6 +12,11 @@
 
 namespace plastica::calibrate {
 
+/// Makes a scene the test of a specimen: what is done to it, the strains of its corrected curve,
+/// and its strain rate, where it has one.
+/// @throws InputError if it has a rate and the material no rate law
+void take_test(const Target& target, Scene& scene);
+
 /// The cost of a fit: f = f_stress + f_break [Pa^2].
 ///
 /// f_stress = sum w_i r_i^2 / sum w_i over the whole samples of the specimen, with r_i = model

@@ -24,6 +24,15 @@ double largest_weighted_stress(const Curve& curve, const FitOptions& options) {
 /// A factor around the start, within the field's range.
 StartValue around(double start, double factor) { return {start, start / factor, start * factor}; }
 
+/// Of a rate law: as given, or what is usual of steel.
+StartValue rate_start(MaterialField field, const RateDependence& rate) {
+  switch (field) {
+    case MaterialField::ReferenceRate: return around(rate.reference_rate.value_or(1.0), 1e4);
+    case MaterialField::RateExponent: return {rate.exponent.value_or(5.0), 1.0, 50.0};
+    default: return {rate.coefficient.value_or(0.01), 0.0, 1.0};
+  }
+}
+
 StartValue raw_start(MaterialField field, const CurveSizes& s, const Target& target,
                      const FitOptions& options) {
   const Material& material = options.setup.scene.material;
@@ -60,6 +69,9 @@ StartValue raw_start(MaterialField field, const CurveSizes& s, const Target& tar
     case MaterialField::BackRate1: return around(30.0 / s.strain, 1000.0);
     case MaterialField::BackRate2: return around(3.0 / s.strain, 1000.0);
     case MaterialField::BackRate3: return around(0.3 / s.strain, 1000.0);
+    case MaterialField::ReferenceRate:
+    case MaterialField::RateExponent:
+    case MaterialField::RateCoefficient: return rate_start(field, material.rate);
     default: break;
   }
   // The table as it is given.

@@ -144,8 +144,7 @@ void check_scene_fit(std::span<const ScenePart> parts, const SceneFitOptions& op
                      "make together");
   }
   if (!any_free) throw InputError({}, "fit.parameters", "", "at least one must be free");
-  check_law_parameters(options.parameters, parts.front().setup.scene.material.hardening,
-                       options.laws);
+  check_law_parameters(options.parameters, parts.front().setup.scene.material, options.laws);
   require(options.evaluations >= 1, "evaluations", options.evaluations, "must be at least 1");
   require(options.starts >= 1, "starts", options.starts, "must be at least 1");
   require(options.screen >= 0, "screen", options.screen, "must be at least 0");

@@ -25,7 +25,10 @@ bool is_run_parameter(const Field& field, const Setup& setup) {
     case MaterialField::YieldStress:
     case MaterialField::KinematicShare:
     case MaterialField::SaturationStress:
-    case MaterialField::SaturationRate: return true;
+    case MaterialField::SaturationRate:
+    case MaterialField::ReferenceRate:
+    case MaterialField::RateExponent:
+    case MaterialField::RateCoefficient: return true;
     // A chain asks the scene whether these are given.
     case MaterialField::ShearModulus: return setup.scene.material.shear_modulus.has_value();
     case MaterialField::ShearYieldStress:

@@ -22,6 +22,7 @@ using io::CsvTable;
 struct Plan {
   const ColumnSource* strain = nullptr;
   const SpecimenValue* gauge_length = nullptr;
+  const SpecimenValue* strain_rate = nullptr;
   const ColumnSource* stress = nullptr;
   const SpecimenValue* area = nullptr;
   const char* strain_field = "strain";
@@ -70,6 +71,10 @@ Plan plan_of(const TargetSource& source) {
     plan.area = &*source.area;
     plan.stress_field = "force";
   }
+  if (source.strain_rate) {
+    check_value(source, *source.strain_rate, "strain_rate");
+    plan.strain_rate = &*source.strain_rate;
+  }
   if (plan.strain->column.find('*') != std::string::npos) {
     throw InputError(plan.strain->where, plan.strain_field, plan.strain->column,
                      "must name one column; only stress or force may be a pattern");
@@ -90,7 +95,7 @@ class Specimens {
     for (const std::string& name : source.group) {
       groups_.push_back(table_.find(name, source.where, "group"));
     }
-    for (const auto& value : {source.gauge_length, source.area}) {
+    for (const auto& value : {source.gauge_length, source.area, source.strain_rate}) {
       if (value && !value->value) table_.find(value->from, value->where, "from");
     }
     for (std::size_t row = 0; row < table_.rows(); ++row) {
@@ -216,6 +221,7 @@ void read_curve(const Plan& plan, const CsvTable& table, std::size_t strain_colu
   if (plan.gauge_length)
     gauge_length = value_of(*plan.gauge_length, Dimension::Length, "gauge_length");
   if (plan.area) area = value_of(*plan.area, Dimension::Area, "area");
+  if (plan.strain_rate) value_of(*plan.strain_rate, Dimension::StrainRate, "strain_rate");
   Curve raw{table.numbers(strain_column), table.numbers(stress_column)};
   for (double& value : raw.strain) value = to_strain(value) / gauge_length;
   for (double& value : raw.stress) value = to_stress(value) / area;
@@ -231,6 +237,7 @@ void check_units(const TargetSource& source, const Plan& plan) {
   check(plan.stress, source.force ? Dimension::Force : Dimension::Stress, plan.stress_field);
   if (plan.gauge_length) check(plan.gauge_length, Dimension::Length, "gauge_length");
   if (plan.area) check(plan.area, Dimension::Area, "area");
+  if (plan.strain_rate) check(plan.strain_rate, Dimension::StrainRate, "strain_rate");
 }
 
 /// Alike names get their folder before them, and a number if that does not tell them apart.

@@ -51,6 +51,7 @@ struct TargetSource {
   std::optional<ColumnSource> stress;
   std::optional<ColumnSource> force;
   std::optional<SpecimenValue> area;
+  std::optional<SpecimenValue> strain_rate;  ///< of materials with a rate law [1/s]
 
   std::optional<TableSource> table;
   std::vector<std::string> group;  ///< columns of the table, copied as text to Target::group

@@ -183,4 +183,11 @@ Target make_target(std::string name, Curve raw, const TargetOptions& options) {
   return target;
 }
 
+std::optional<double> Target::property(std::string_view property_name) const {
+  for (const auto& [key, value] : properties) {
+    if (key == property_name) return value;
+  }
+  return std::nullopt;
+}
+
 }  // namespace plastica::calibrate

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -77,6 +78,9 @@ struct Target {
 
   std::vector<std::pair<std::string, std::string>> group;  ///< e.g. {"temperature", "20"}
   std::vector<std::pair<std::string, double>> properties;  ///< per-specimen SI values used (area…)
+
+  /// One of `properties`, if it is there.
+  std::optional<double> property(std::string_view property_name) const;
 
   Curve raw;        ///< as read, in SI, before any repair
   Curve corrected;  ///< repaired, corrected and trimmed: whole samples only, break not included

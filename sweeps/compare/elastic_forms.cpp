@@ -150,7 +150,8 @@ Values torsion(const Setup& setup, const Quantity& quantity, std::span<const dou
   if (largest <= first_yield) return {elastic};
   const double ratio = std::abs(torque) / first_yield;
   require_scene(scene.section.shape == SectionShape::Circle &&
-                    scene.material.hardening.law == HardeningLaw::Ideal && ratio < 4.0 / 3.0 &&
+                    scene.material.hardening.law == HardeningLaw::Ideal &&
+                    scene.material.rate.law == RateLaw::None && ratio < 4.0 / 3.0 &&
                     std::abs(torque) == largest,
                 "is for torques up to first yield; of a solid circle with ideal plasticity for "
                 "rising ones up to 4/3 of it");

@@ -25,6 +25,7 @@ double cap_of(const Setup& setup, const SectionProperties& section) {
 
 bool is_ideal(const Setup& setup) {
   return setup.scene.material.hardening.law == HardeningLaw::Ideal &&
+         setup.scene.material.rate.law == RateLaw::None &&
          setup.scene.yield_model != YieldModel::Elastic;
 }
 
@@ -104,6 +105,7 @@ Values uniaxial(const Setup& setup, const Quantity& quantity, std::span<const do
                     scene.drive.strain.front() >= 0.0,
                 "is for a coupon in rising tension");
   const Material& m = scene.material;
+  require_scene(m.rate.law == RateLaw::None, "is for a material without a rate law");
   if (quantity.kind == QuantityKind::BreakStrain || quantity.kind == QuantityKind::BreakLoad) {
     require_scene(m.break_strain.has_value(), "is for a material with a break strain");
     const double stress = theory::monotonic_stress(*m.break_strain, m);

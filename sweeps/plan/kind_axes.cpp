@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plastica/model/hardening_kind.hpp"
+#include "plastica/model/rate_kind.hpp"
 #include "plastica/model/section_kind.hpp"
 
 namespace plastica::sweeps {
@@ -30,6 +31,13 @@ struct Laws {
   static const Kind& of(const Setup& setup) {
     return hardening_kind(setup.scene.material.hardening.law);
   }
+  static auto fields(const Kind& kind) { return kind.parameters(); }
+};
+struct Rates {
+  using Kind = RateKind;
+  static constexpr std::string_view kChoice = "material.rate.law";
+  static auto all() { return rate_kinds(); }
+  static const Kind& of(const Setup& setup) { return rate_kind(setup.scene.material.rate.law); }
   static auto fields(const Kind& kind) { return kind.parameters(); }
 };
 
@@ -96,6 +104,7 @@ bool is_section_dimension(const Field& field) { return is_of_some<Shapes>(field)
 void check_kind_axes(const Sweep& sweep) {
   refuse_axes_that_move_nothing<Shapes>(sweep);
   refuse_axes_that_move_nothing<Laws>(sweep);
+  refuse_axes_that_move_nothing<Rates>(sweep);
   require_dimensions(sweep);
 }
 

@@ -75,6 +75,23 @@ INSTANTIATE_TEST_SUITE_P(
         edit("ForgottenLaw", "[drive]", "[material.hardening]\ntangent_modulus = '1 GPa'\n[drive]",
              "11: material.hardening.tangent_modulus = 1 GPa: is of law = \"linear\", and not of "
              "law = \"ideal\""),
+        edit("ForgottenRateLaw", "[drive]", "[material.rate]\nexponent = 5\n[drive]",
+             "11: material.rate.exponent = 5: is of law = \"cowper_symonds\", and not of law = "
+             "\"none\""),
+        edit("RateLawWithoutItsReference", "[drive]",
+             "[material.rate]\nlaw = 'cowper_symonds'\nexponent = 5\nstrain_rate = '1 1/s'\n"
+             "[drive]",
+             "10: material.rate.reference_rate: is missing: material.rate.law = "
+             "\"cowper_symonds\" needs it"),
+        edit("RateOfACoupon", "[drive]",
+             "[material.rate]\nlaw = 'johnson_cook'\nreference_rate = '1 1/s'\n"
+             "coefficient = 0.01\n[drive]",
+             "10: material.rate.strain_rate: is missing: a scene at rest, or a coupon, knows no "
+             "time; the rate law needs a rate that all has"),
+        edit("RateInAnotherUnit", "[drive]",
+             "[material.rate]\nlaw = 'johnson_cook'\nreference_rate = '1 m/s'\n[drive]",
+             "12: material.rate.reference_rate = 1 m/s: \"m/s\" is not a unit of strain rate "
+             "(examples: 1/s, %/min)"),
         edit("TableWithoutStress", "[drive]",
              "[material.hardening]\nlaw = 'multilinear'\nplastic_strain = [0.01, 0.02]\n"
              "flow_stress = ['400 MPa']\n[drive]",

@@ -78,6 +78,10 @@ INSTANTIATE_TEST_SUITE_P(
               "material.hardening.tangent_modulus'\nvalues = ['1 GPa', '2 GPa']",
               "sweep.toml:3: material.hardening.tangent_modulus: moves nothing: "
               "material.hardening.law is ideal, which does not have it"),
+        sweep("ParameterOfAnotherRateLaw", "beam.segments'\nvalues = [4, 8, 16]",
+              "material.rate.exponent'\nvalues = [4, 5]",
+              "sweep.toml:3: material.rate.exponent: moves nothing: material.rate.law is none, "
+              "which does not have it"),
         sweep("SetsADimensionOfAnotherShape", "[error]", "[set]\nsection.radius = '4 mm'\n[error]",
               "sweep.toml:6: section.radius: moves nothing: section.shape is rectangle, which "
               "does not have it"),

@@ -201,6 +201,13 @@ PLASTICA_ALWAYS_INLINE inline Dual<T, N> exp(const Dual<T, N>& x) {
   return Dual<T, N>::chain(power, power, x);
 }
 
+template <class T, std::size_t N>
+inline Dual<T, N> log(const Dual<T, N>& x) {
+  const auto at = x.values();
+  using Register = std::remove_const_t<decltype(at)>;
+  return Dual<T, N>::chain(Register(log(x.value())), constant<Register>(1) / at, x);
+}
+
 template <class T, std::size_t N, bool kFused>
 struct SineCosine<Dual<T, N>, kFused> {
   Dual<T, N> sine, cosine;

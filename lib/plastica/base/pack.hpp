@@ -234,6 +234,14 @@ PLASTICA_ALWAYS_INLINE inline Pack<T, W> sqrt(const Pack<T, W>& x) {
   return Pack<T, W>::by_part([&](std::size_t i) { return detail::square_root(x.part[i]); });
 }
 
+/// Lane by lane.
+template <class T, int W>
+inline Pack<T, W> log(const Pack<T, W>& x) {
+  Pack<T, W> y{};
+  for (int lane = 0; lane < W; ++lane) y.set(lane, log(x[lane]));
+  return y;
+}
+
 template <class T, int W>
 PLASTICA_ALWAYS_INLINE inline Pack<T, W> multiply_add(const Pack<T, W>& a, const Pack<T, W>& b,
                                                       const Pack<T, W>& c) {

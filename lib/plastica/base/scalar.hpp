@@ -224,6 +224,7 @@ inline double log(double x) {
   const double k = exponent;
   return k * 0x1.62e42feep-1 + (2.0 * s * sum + k * 0x1.a39ef35793c76p-33);
 }
+inline float log(float x) { return static_cast<float>(log(static_cast<double>(x))); }
 
 PLASTICA_KERNELS_END
 }  // namespace plastica

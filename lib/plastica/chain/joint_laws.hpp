@@ -32,6 +32,9 @@ class JointLaws {
                         std::span<const typename L::Point> shifts,
                         JointForces<L, kElastic>& forces) = 0;
 
+  /// Says how long the increments of trials take, to laws that have a rate [s]; of 0 nothing flows.
+  virtual void set_time(double /*seconds*/) {}
+
   /// Makes the state of the last trial the committed one.
   virtual void commit() = 0;
 

@@ -68,6 +68,16 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     });
   }
 
+  void set_time(double seconds) override {
+    for (Law& law : laws_) {
+      if constexpr (requires { law.each_uniaxial([](auto&) {}); }) {
+        law.each_uniaxial([&](auto& uniaxial) {
+          if constexpr (requires { uniaxial.set_time(seconds); }) uniaxial.set_time(seconds);
+        });
+      }
+    }
+  }
+
   void commit() override {
     before_ = after_;
     uneven_before_ = uneven_after_;

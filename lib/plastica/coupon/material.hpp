@@ -30,7 +30,9 @@ inline CouponMaterial<S> coupon_material(const CouponShape& shape, const Materia
                                                .shear_yield_given = shape.shear_yield_given,
                                                .formulas = shape.formulas,
                                                .stiffness_factor = shape.stiffness_factor,
-                                               .cap_factor = shape.cap_factor},
+                                               .cap_factor = shape.cap_factor,
+                                               .rate = shape.rate,
+                                               .strain_rate = shape.strain_rate},
                              v);
   m.limit = S(std::numeric_limits<real_t<S>>::infinity());
   if (torsion && shape.break_shear_given) {

@@ -32,6 +32,8 @@ CouponShape coupon_shape(const Scene& scene) {
   shape.formulas = scene.formulas;
   shape.break_measure = scene.break_measure;
   shape.length = scene.beam.length / scene.beam.segments;
+  shape.rate = material.rate.law;
+  shape.strain_rate = material.rate.strain_rate.value_or(0.0);
   shape.shear_modulus_given = material.shear_modulus.has_value();
   shape.shear_yield_given = material.shear_yield_stress.has_value();
   shape.break_given = material.break_strain.has_value();

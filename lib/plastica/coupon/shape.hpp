@@ -22,6 +22,8 @@ struct CouponShape {
   double lever = 1.0;            ///< strain per permanent angle per length: h/2, J/W_t [m]
   double report_lever = 1.0;     ///< of the report's break strain: h in (24), c/2 in (8) [m]
   double length = 1.0;           ///< tributary length of an inner joint [m]
+  RateLaw rate = RateLaw::None;
+  double strain_rate = 0.0;  ///< of all [1/s]
   bool shear_modulus_given = false;
   bool shear_yield_given = false;
   bool break_given = false;

@@ -7,6 +7,7 @@
 #include "plastica/model/hardening_kind.hpp"
 #include "plastica/model/material_table.hpp"
 #include "plastica/model/profile_table.hpp"
+#include "plastica/model/rate_kind.hpp"
 #include "plastica/model/section_kind.hpp"
 
 namespace plastica::io {
@@ -143,6 +144,10 @@ void read_material(const TomlValue& value, Setup& setup) {
   if (value.is_string()) return;
   read_part(value.table(), "material.", setup);
   if (const auto table = value.table().find_table("hardening")) read_hardening(*table, setup);
+  if (const auto table = value.table().find_table("rate")) {
+    refuse_others(*table, "law", rate_kinds(), rate_kind(setup.scene.material.rate.law),
+                  [](const RateKind& kind) { return kind.parameters(); });
+  }
 }
 
 void read_section(const TomlValue& value, Setup& setup) {
@@ -179,16 +184,18 @@ std::vector<std::string> paths_said(const TomlValue& value, const std::string& p
   const TomlTable table = value.table();
   if (table.contains("name") || table.contains("profile")) return {part};
   std::vector<std::string> paths;
-  const auto hardening = table.find_table("hardening");
   for (const Field& field : fields()) {
     if (!field.path.starts_with(part + ".")) continue;
-    const bool deeper = field.path.starts_with("material.hardening.");
+    // "hardening" of material.hardening.law; nothing of material.density.
+    const std::string_view below = field.path.substr(part.size() + 1);
+    const std::size_t dot = below.find('.');
+    const bool deeper = dot != std::string_view::npos;
+    const auto of = deeper ? table.find_table(below.substr(0, dot)) : std::optional(table);
     const std::string_view stem = stem_of(field);
-    const auto says = [&](const TomlTable& of) {
-      return of.contains(key_of(field)) ||
-             (stem.ends_with('_') && of.contains(stem.substr(0, stem.size() - 1)));
-    };
-    if (deeper ? hardening && says(*hardening) : says(table)) paths.emplace_back(field.path);
+    const bool says =
+        of && (of->contains(key_of(field)) ||
+               (stem.ends_with('_') && of->contains(stem.substr(0, stem.size() - 1))));
+    if (says) paths.emplace_back(field.path);
   }
   return paths;
 }

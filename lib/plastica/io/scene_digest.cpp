@@ -51,7 +51,8 @@ class Feeder {
   }
   void put(const Material& m) {
     all(m.youngs_modulus, m.poisson_ratio, m.shear_modulus, m.density, m.yield_stress,
-        m.shear_yield_stress, m.break_strain, m.break_shear_strain, m.hardening);
+        m.shear_yield_stress, m.break_strain, m.break_shear_strain, m.hardening, m.rate.law,
+        m.rate.reference_rate, m.rate.exponent, m.rate.coefficient, m.rate.strain_rate);
   }
   void put(const Section& s) {
     Setup setup;

@@ -82,12 +82,12 @@ class BiaxialReturn {
     auto active = yields;
     // Where the root is at the latest if both stiffnesses are the larger one, without hardening of
     // the increment: from there Newton's method has two or three steps to go.
-    S p = select(yields, first_guess(), zero);
+    S p = select(yields, first_guess(high), zero);
     at(p);
     for (int step = 0; step < kMostReturnSteps; ++step) {
       low = select(size_ > one, p, low);
       high = select(size_ < one, p, high);
-      const S newton = p + newton_step();
+      const S newton = stepped(law_.normal, p, newton_step());
       const auto inside = (newton >= low) & (newton <= high);
       const S next = select(inside, newton, constant<S>(0.5) * (low + high));
       const auto moves = active & (abs(next - p) > enough * next);
@@ -139,7 +139,10 @@ class BiaxialReturn {
  private:
   /// Radial return with the larger stiffness and the slope of the begin: for ideal plasticity not
   /// beyond the root, as all a_k are at most R + K p.
-  S first_guess() const {
+  S first_guess(const S& most) const {
+    if constexpr (requires { law_.normal.factor; }) {
+      return first_flow(law_.normal, S(size_ - constant<S>(1)), most);
+    }
     S square = constant<S>(0);
     for (std::size_t k = 0; k < 2; ++k) square += a_[k] * n_[k] * a_[k] * n_[k];
     return (sqrt(square) - radius_) / max(a_slope_[0], a_slope_[1]);

@@ -26,6 +26,12 @@ struct FibreSection {
   const FibreLayout* layout;  ///< AboutX, AboutY or Torsion; lives at least as long
   Uniaxial fibre;             ///< under normal stress; of Torsion, under shear
 
+  /// Calls `use` with each uniaxial law.
+  template <class Use>
+  void each_uniaxial(const Use& use) {
+    use(fibre);
+  }
+
   static constexpr bool kSeesAxial = true;
   static constexpr bool kSeesAside = true;
 

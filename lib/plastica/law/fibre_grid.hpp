@@ -30,6 +30,12 @@ struct FibreGrid {
   Vec<S, 2> warp_cap;  ///< tau_y sum A |lever h| [N m]: what sum A lever h tau is small against
   Vec<S, 2> warp_stiffness;  ///< G sum A (lever h)^2 [N m^2]
 
+  /// Calls `use` with each uniaxial law.
+  template <class Use>
+  void each_uniaxial(const Use& use) {
+    use(fibre.normal);
+  }
+
   static constexpr bool kSeesAxial = true;
   /// To which forces are what they are, over the yielding section's, since beta is found to 1e-12
   /// [1].

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "plastica/law/gauge_form.hpp"
 #include "plastica/law/project.hpp"
@@ -39,6 +40,12 @@ struct InteractionSection {
   SectionForce<S> per_strain;  ///< stiffness/cap
   SectionForce<S> per_force;   ///< cap/stiffness
   Uniaxial rule;               ///< with all stresses over the yield stress
+
+  /// Calls `use` with each uniaxial law.
+  template <class Use>
+  void each_uniaxial(const Use& use) {
+    use(rule);
+  }
 
   struct State {
     SectionStrain<S> plastic{};                            ///< permanent section strain
@@ -186,7 +193,8 @@ class HardeningReturn {
     for (const S& e : energy_.at) most += abs(e);
     for (const S& along : along_) most += elastic_area_ * abs(along);
     S high = select(yields, most / plastic_area_, zero);
-    p_ = zero;
+    const S begins = law_.rule.radius(before_.equivalent, zero).value;
+    p_ = select(yields, first_flow(law_.rule, S(phi_ / begins - constant<S>(1)), high), zero);
     auto active = yields;
     constexpr bool kDouble = sizeof(real_t<S>) == 8;
     const S small = constant<S>(kDouble ? 1e-7 : 1e-3);
@@ -196,7 +204,8 @@ class HardeningReturn {
       const S residual = lambda_ - needed_;
       low = select(residual > zero, p_, low);
       high = select(residual < zero, p_, high);
-      const S newton = p_ + residual / (needed_slope_ - lambda_by_radius_ * level_.slope);
+      const S along = residual / (needed_slope_ - lambda_by_radius_ * level_.slope);
+      const S newton = stepped(law_.rule, p_, along);
       if (!any(active)) {
         // Squares the error, and gives a dual scalar its derivative.
         p_ = select(yields, newton, zero);
@@ -204,8 +213,13 @@ class HardeningReturn {
       }
       const auto inside = (newton >= low) & (newton <= high);
       const S next = select(inside, newton, constant<S>(0.5) * (low + high));
-      const S limit =
-          max(select(inside, small, constant<S>(kDouble ? 1e-14 : 1e-6)) * next, smallest);
+      S least = smallest;
+      // The slope of a rate may be so large that less than rounding of the strain is much stress.
+      if constexpr (requires { law_.rule.factor; }) {
+        least =
+            constant<S>(2e-16) * twice_energy_ / (needed_slope_ - lambda_by_radius_ * level_.slope);
+      }
+      const S limit = max(select(inside, small, constant<S>(kDouble ? 1e-14 : 1e-6)) * next, least);
       const auto moves = active & (abs(next - p_) > limit);
       p_ = select(active, next, p_);
       active = moves;
@@ -250,7 +264,20 @@ inline SectionResponse<S> respond(
   const S phi = gauge_value(law.gauge, trial);
   // A point that was returned before is on the surface but for rounding.
   const S outside = constant<S>(sizeof(real_t<S>) == 8 ? 1.0 + 1e-13 : 1.0 + 1e-5);
-  const auto yields = phi > outside * law.rule.radius(before.equivalent, zero).value;
+  const S begins = law.rule.radius(before.equivalent, zero).value;
+  auto yields = phi > outside * begins;
+  if constexpr (requires { law.rule.factor; }) {
+    // A rate lets so little through that it would be lost beside the trial force: none, then.
+    const S endless = constant<S>(std::numeric_limits<real_t<S>>::infinity());
+    const S most = law.rule.factor.reached(S(phi / begins - one), endless);
+    S elastic = zero;
+    S plastic = zero;
+    for (std::size_t i = 0; i < kSectionAxes; ++i) {
+      elastic += law.elastic[i] * trial[i] * trial[i];
+      plastic += law.area[i] * trial[i] * trial[i];
+    }
+    yields = yields & (most * plastic > constant<S>(1e-12) * elastic);
+  }
 
   SectionResponse<S> now;
   for (std::size_t i = 0; i < kSectionAxes; ++i) now.tangent(i, i) = law.stiffness[i];
@@ -311,12 +338,14 @@ inline InteractionSection<S, Gauge, Uniaxial> interaction_section(
     const SectionForm& form, const Gauge& gauge, const MaterialValues<S>& material) {
   // Its stresses are over the yield stress, so that caps and shear do not enter.
   InteractionSection<S, Gauge, Uniaxial> law{
-      gauge, {}, {}, {}, {}, {}, {}, {}, Uniaxial::of(over_yield_stress(material), material)};
+      gauge, {}, {},
+      {},    {}, {},
+      {},    {}, Uniaxial::of(over_yield_stress(form.axis[kAxial], material), material)};
   for (std::size_t i = 0; i < kSectionAxes; ++i) {
     const UniaxialMaterial<S> m = uniaxial_material(form.axis[i], material);
     law.cap[i] = m.yield * constant<S>(form.modulus[i]);
     law.stiffness[i] = m.stiffness * constant<S>(form.lever[i] * form.modulus[i]);
-    law.area[i] = material[static_cast<std::size_t>(MaterialField::YieldStress)] *
+    law.area[i] = m.raised * number_of(material, MaterialField::YieldStress) *
                   constant<S>(form.modulus[i] * form.axis[i].cap_factor / form.lever[i]);
     law.per_strain[i] = law.stiffness[i] / law.cap[i];
     law.per_force[i] = law.cap[i] / law.stiffness[i];

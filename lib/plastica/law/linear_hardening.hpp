@@ -30,7 +30,7 @@ struct LinearHardening {
     const S& tangent = number_of(values, MaterialField::TangentModulus);
     const S& share = number_of(values, MaterialField::KinematicShare);
     const S modulus = m.moduli * young * tangent / (young - tangent);
-    return {m.stiffness, m.yield, (constant<S>(1) - share) * modulus, share * modulus};
+    return {m.stiffness, m.yield, m.raised * (constant<S>(1) - share) * modulus, share * modulus};
   }
   Grown<S> radius(const S& accumulated, const S& p) const {
     return {yield + isotropic * (accumulated + p), isotropic};

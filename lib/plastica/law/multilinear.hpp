@@ -24,7 +24,7 @@ struct Multilinear {
 
   S stiffness;                  ///< [Pa], > 0
   S yield;                      ///< [Pa], > 0
-  S isotropic, kinematic;       ///< shares of the slopes [1], together 1
+  S isotropic, kinematic;       ///< of the slopes [1]: their shares, and what a rate makes of one
   S steepest;                   ///< by what the slopes fall at the most [Pa], >= 0
   std::array<S, kLines> begin;  ///< accumulated plastic strain at which a line begins [1]
   std::array<S, kLines> width;  ///< over which it goes [1]; 0: there is none
@@ -34,7 +34,7 @@ struct Multilinear {
     const S zero = constant<S>(0);
     const S one = constant<S>(1);
     const S& share = number_of(values, MaterialField::KinematicShare);
-    Multilinear law{m.stiffness, m.yield, one - share, share, {}, {}, {}, {}};
+    Multilinear law{m.stiffness, m.yield, m.raised * (one - share), share, {}, {}, {}, {}};
     law.steepest = zero;
     const S strains = one / m.rates;
     S strain = zero;
@@ -47,7 +47,7 @@ struct Multilinear {
       law.begin[i] = strains * strain;
       law.width[i] = select(is_there, strains * width, zero);
       law.slope[i] = select(is_there, m.moduli * (next_stress - stress) / width, zero);
-      law.steepest = max(law.steepest, -law.slope[i]);
+      law.steepest = max(law.steepest, -(law.isotropic + law.kinematic) * law.slope[i]);
       strain = select(is_there, next_strain, strain);
       stress = select(is_there, next_stress, stress);
     }

@@ -22,8 +22,9 @@ inline constexpr int kMostReturnSteps = 60;
 ///   f(p) = d K (e - e_p) - K p - d sum X_k(p) - R(p) = 0,
 /// inside of a bracket from 0 to the law's `latest`. It ends when one more Newton step is sure to
 /// reach rounding: after a Newton step of 1e-5 p (which leaves its square; of a law with kinks it
-/// may not be skipped) or a halving of the bracket by 1e-8 p (which leaves itself), or where
-/// rounding is all that is left. A lane that is done waits for its neighbours and does not change.
+/// may not be skipped; with a rate, of 1e-9 p) or a halving of the bracket by 1e-8 p (which leaves
+/// itself), or where rounding is all that is left. A lane that is done waits for its neighbours and
+/// does not change.
 template <class Law>
 requires Law::kByNewton inline UniaxialResponse<typename Law::Scalar, typename Law::State> respond(
     const Law& law, const typename Law::State& before, const typename Law::Scalar& strain) {
@@ -62,17 +63,24 @@ requires Law::kByNewton inline UniaxialResponse<typename Law::Scalar, typename L
   S p = zero;
   S low = zero;
   S high = select(yields, law.latest(over, before.accumulated), zero);
-  const S after_newton =
-      constant<S>(Law::kHasKinks ? (kDouble ? 1e-15 : 1e-6) : (kDouble ? 1e-5 : 1e-2));
+  constexpr bool kRated = requires { law.factor; };
+  const S after_newton = constant<S>(kRated           ? 1e-9
+                                     : Law::kHasKinks ? (kDouble ? 1e-15 : 1e-6)
+                                                      : (kDouble ? 1e-5 : 1e-2));
   const S after_halving = constant<S>(kDouble ? 1e-8 : 3e-4);
-  // What rounding makes of f: below it there is nothing to seek.
-  const S rounding = constant<S>(kDouble ? 2e-16 : 1e-7) * begins / law.stiffness;
+  // What rounding makes of f: below it there is nothing to seek. A rate's slope may be far above K.
+  S rounding = constant<S>(kDouble ? 2e-16 : 1e-7) * begins / law.stiffness;
   auto active = yields;
   S residual = over;
+  if constexpr (kRated) {
+    p = select(yields, first_flow(law, S(over / radius.value), high), zero);
+    residual = residual_at(p);
+  }
   for (int step = 0; step < detail::kMostReturnSteps; ++step) {
     low = select(residual > zero, p, low);
     high = select(residual < zero, p, high);
-    const S newton = p + residual / slope;
+    const S newton = stepped(law, p, S(residual / slope));
+    if constexpr (kRated) rounding = constant<S>(2e-16) * begins / slope;
     const auto inside = (newton >= low) & (newton <= high);
     const S next = select(inside, newton, constant<S>(0.5) * (low + high));
     const S enough = max(select(inside, after_newton, after_halving) * next, rounding);

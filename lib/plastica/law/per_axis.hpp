@@ -51,6 +51,12 @@ struct PerAxisSection {
   std::array<S, kSectionAxes> area;      ///< modulus/lever [m^2]
   std::array<S, kSectionAxes> softness;  ///< area/stiffness [m^2/Pa]
 
+  /// Calls `use` with each uniaxial law.
+  template <class Use>
+  void each_uniaxial(const Use& use) {
+    for (Uniaxial& law : axis) use(law);
+  }
+
   struct State {
     std::array<typename Uniaxial::State, kSectionAxes> axis{};
   };

@@ -34,6 +34,8 @@ SectionForm section_form(const Section& section, const SectionProperties& p,
     axis.shear_modulus_given = material.shear_modulus.has_value();
     axis.shear_yield_given = material.shear_yield_stress.has_value();
     axis.formulas = formulas;
+    axis.rate = material.rate.law;
+    axis.strain_rate = material.rate.strain_rate.value_or(0.0);
   }
   form.axis[kTorsion].shear = true;
   if (formulas == Formulas::Report) {

@@ -96,4 +96,23 @@ inline BackFlow<S> back_flow(const Law& law, std::size_t k, const S& accumulated
   return flow;
 }
 
+/// Where Newton's method for the flow of an increment begins: at nothing, or, of a law with a rate,
+/// where the factor alone would take up the overstress.
+/// @param excess  the overstress of the begin over the radius
+template <class Law, class S>
+inline S first_flow(const Law& law, const S& excess, const S& most) {
+  if constexpr (requires { law.factor; }) return law.factor.reached(excess, most);
+  return constant<S>(0);
+}
+
+/// A step of Newton's method, in the variable that suits the law.
+template <class Law, class S>
+inline S stepped(const Law& law, const S& p, const S& step) {
+  if constexpr (requires { law.factor; }) {
+    return law.factor.stepped(p, step);
+  } else {
+    return p + step;
+  }
+}
+
 }  // namespace plastica::law

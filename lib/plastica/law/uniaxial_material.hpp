@@ -1,6 +1,7 @@
 #pragma once
 
 #include "plastica/base/scalar.hpp"
+#include "plastica/law/rate_factor.hpp"
 #include "plastica/model/material_field.hpp"
 #include "plastica/model/rules.hpp"
 
@@ -14,6 +15,8 @@ struct UniaxialForm {
   Formulas formulas = Formulas::Mechanics;
   double stiffness_factor = 1.0;  ///< on E or G [1]
   double cap_factor = 1.0;        ///< on all stresses [1]: 1 at first yield
+  RateLaw rate = RateLaw::None;
+  double strain_rate = 0.0;  ///< of all [1/s]; 0: each point has its own
 };
 
 /// What a material says in terms of the strain and stress of an extreme fibre.
@@ -24,6 +27,9 @@ struct UniaxialMaterial {
   /// By what its numbers of hardening are to be multiplied: stresses, d stress/d plastic strain,
   /// and what is per plastic strain [1].
   S stresses, moduli, rates;
+  /// By what growth of the yield stress is to be multiplied besides, for the rate that all has [1].
+  S raised;
+  RateLaw rate = RateLaw::None;  ///< where each point has a rate of its own
 };
 
 /// Shear yield stress [Pa]: as given, or von Mises, sqrt(3) below; the report takes them as equal.
@@ -38,7 +44,8 @@ inline S shear_yield_stress(const UniaxialForm& form, const MaterialValues<S>& v
 ///
 /// In torsion, with r = yield stress / shear yield stress, equal plastic work gives tau = s/r and
 /// gamma_p = r e_p: stresses scale with 1/r, moduli with 1/r^2, rates with 1/r. A cap factor scales
-/// all hardening stresses, as the lumped joint knows one stress.
+/// all hardening stresses, as the lumped joint knows one stress. A rate that all has is the
+/// equivalent one, in torsion, too: it raises the yield stress and its growth, not back stresses.
 template <class S>
 inline UniaxialMaterial<S> uniaxial_material(const UniaxialForm& form, const MaterialValues<S>& v) {
   const S one = constant<S>(1);
@@ -51,14 +58,24 @@ inline UniaxialMaterial<S> uniaxial_material(const UniaxialForm& form, const Mat
   const S shear_yield = shear_yield_stress(form, v);
   const S r = form.shear ? yield / shear_yield : one;
   const S cap = constant<S>(form.cap_factor);
+  const S raised = form.strain_rate > 0.0
+                       ? RateFactor<S>::of(form.rate, v, one).at_rate(constant<S>(form.strain_rate))
+                       : one;
   return {constant<S>(form.stiffness_factor) * (form.shear ? shear : young),
-          cap * (form.shear ? shear_yield : yield), cap / r, cap / (r * r), one / r};
+          raised * cap * (form.shear ? shear_yield : yield),
+          cap / r,
+          cap / (r * r),
+          one / r,
+          raised,
+          form.strain_rate > 0.0 ? RateLaw::None : form.rate};
 }
 
 /// The same with all stresses over the yield stress, whatever the kind of stress.
+/// @param form  of the section: its rate counts
 template <class S>
-inline UniaxialMaterial<S> over_yield_stress(const MaterialValues<S>& v) {
-  UniaxialMaterial<S> m = uniaxial_material(UniaxialForm{}, v);
+inline UniaxialMaterial<S> over_yield_stress(const UniaxialForm& form, const MaterialValues<S>& v) {
+  UniaxialMaterial<S> m =
+      uniaxial_material(UniaxialForm{.rate = form.rate, .strain_rate = form.strain_rate}, v);
   const S inverse = constant<S>(1) / m.yield;
   m.stiffness = m.stiffness * inverse;
   m.yield = constant<S>(1);

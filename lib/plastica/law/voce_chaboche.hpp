@@ -34,7 +34,7 @@ struct VoceChaboche {
   static VoceChaboche of(const UniaxialMaterial<S>& m, const MaterialValues<S>& values) {
     VoceChaboche law{m.stiffness,
                      m.yield,
-                     m.stresses * number_of(values, MaterialField::SaturationStress),
+                     m.raised * m.stresses * number_of(values, MaterialField::SaturationStress),
                      m.rates * number_of(values, MaterialField::SaturationRate),
                      {},
                      {}};

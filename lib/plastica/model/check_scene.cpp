@@ -60,6 +60,29 @@ void check_known(const Scene& scene, const SolverOptions& options) {
   for (const Region& region : scene.regions) check(region.section);
 }
 
+/// Where no point of a material has a rate of its own.
+void check_rates(const Scene& scene, const SolverOptions& options) {
+  std::string why;
+  if (options.analysis == Analysis::Statics) {
+    why = "a scene at rest, or a coupon, knows no time";
+  } else if (is_articulated(options.scheme)) {
+    why = "an articulated scheme has no rates of joints";
+  } else if (options.precision == Precision::Float) {
+    why = "solver.precision = \"float\" has no rates of joints";
+  } else {
+    return;
+  }
+  const auto check = [&](const Material& material, const std::string& of) {
+    if (!has_own_rates(material)) return;
+    throw InputError({}, of + "material.rate.strain_rate", "",
+                     "is missing: " + why + "; the rate law needs a rate that all has");
+  };
+  check(scene.material, "");
+  for (std::size_t i = 0; i < scene.regions.size(); ++i) {
+    check(scene.regions[i].material, "region[" + std::to_string(i + 1) + "].");
+  }
+}
+
 void check_coupon(const Scene& scene, const SolverOptions& options) {
   if (scene.beam.shape != BeamShape::Straight) {
     throw InputError({}, "beam.shape", "", "must be straight in a scene with a drive");
@@ -114,6 +137,7 @@ void check_scene(const Scene& scene, const SolverOptions& options) {
   check_ranges(scene, options);
   check_report(scene);
   check_known(scene, options);
+  check_rates(scene, options);
   std::vector<double> ends;
   if (scene.is_coupon()) {
     check_coupon(scene, options);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plastica/model/hardening_kind.hpp"
+#include "plastica/model/rate_kind.hpp"
 #include "plastica/model/section_kind.hpp"
 
 namespace plastica {
@@ -29,6 +30,11 @@ std::span<const std::string_view> words<SectionShape>() {
 template <>
 std::span<const std::string_view> words<HardeningLaw>() {
   static const std::vector<std::string_view> all = words_of(hardening_kinds());
+  return all;
+}
+template <>
+std::span<const std::string_view> words<RateLaw>() {
+  static const std::vector<std::string_view> all = words_of(rate_kinds());
   return all;
 }
 template <>
@@ -169,6 +175,8 @@ std::vector<Field> make_table() {
           MaterialField::BreakShearStrain),
       choice<PLASTICA_REACH(scene.material.hardening.law)>(
           "material.hardening.law", "how the stress goes on after first yield"),
+      choice<PLASTICA_REACH(scene.material.rate.law)>(
+          "material.rate.law", "how the flow stress grows with the rate of the plastic strain"),
       choice<PLASTICA_REACH(scene.section.shape)>("section.shape", "shape of the cross section"),
       number<PLASTICA_REACH(scene.section.shear_coefficient)>(
           "section.shear_coefficient", None, kPositive, "kappa; unset: from shape and nu"),
@@ -275,6 +283,8 @@ std::vector<Field> make_table() {
   insert_after(
       "material.hardening.law",
       fields_of(hardening_kinds(), [](const HardeningKind& kind) { return kind.parameters(); }));
+  insert_after("material.rate.law",
+               fields_of(rate_kinds(), [](const RateKind& kind) { return kind.parameters(); }));
   insert_after("section.shape", fields_of(section_kinds(), [](const SectionKind& kind) {
                  return kind.dimensions();
                }));

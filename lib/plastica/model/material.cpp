@@ -7,12 +7,29 @@
 #include "plastica/model/check_value.hpp"
 #include "plastica/model/hardening_kind.hpp"
 #include "plastica/model/material_field.hpp"
+#include "plastica/model/rate_kind.hpp"
 
 namespace plastica {
 namespace {
 
 using model_detail::require;
 using model_detail::require_positive;
+
+void check_rate(const Material& material, const SourceLocation& where) {
+  Setup setup;
+  setup.scene.material = material;
+  const RateKind& kind = rate_kind(material.rate.law);
+  for (const Field& field : kind.parameters()) {
+    const FieldValue value = field.get(setup);
+    if (const double* number = std::get_if<double>(&value)) {
+      check_field(field, *number, where);
+    } else if (RateKind::needs(field)) {
+      throw InputError(
+          where, field.path, "",
+          "is missing: material.rate.law = \"" + std::string(kind.word()) + "\" needs it");
+    }
+  }
+}
 
 void check_hardening(const Material& material, const SourceLocation& where) {
   const HardeningKind& kind = hardening_kind(material.hardening.law);
@@ -33,6 +50,10 @@ void check_hardening(const Material& material, const SourceLocation& where) {
 }
 
 }  // namespace
+
+bool has_own_rates(const Material& material) {
+  return material.rate.law != RateLaw::None && !material.rate.strain_rate;
+}
 
 double resolved_shear_modulus(const Material& material) {
   return material.shear_modulus.value_or(material.youngs_modulus /
@@ -68,6 +89,7 @@ void check_material(const Material& material, const SourceLocation& where) {
   if (material.break_shear_strain)
     require_positive(*material.break_shear_strain, where, "material.break_shear_strain");
   check_hardening(material, where);
+  check_rate(material, where);
 }
 
 }  // namespace plastica

@@ -46,6 +46,30 @@ struct Hardening {
   std::array<double, kTablePoints> flow_stress{};
 };
 
+/// How the flow stress depends on the rate of the plastic strain. What a law multiplies is the
+/// radius of the yield surface, hardening included; back stresses are as they are.
+enum class RateLaw {
+  None,           ///< it does not
+  CowperSymonds,  ///< times 1 + (rate/C)^(1/P)
+  JohnsonCook,    ///< times 1 + c ln(rate/reference rate) above the reference rate
+};
+
+/// Parameters of the rate laws; those of another law than `law` are ignored.
+///
+/// The rate is that of the accumulated plastic strain: in a motion each joint (or fibre) has its
+/// own. Where `strain_rate` is set, all has that one, as a test at this rate has while it flows; at
+/// rest and in coupons, which know no time, it must be.
+/// Sources: Cowper & Symonds, Strain hardening and strain-rate effects in the impact loading of
+/// cantilever beams, Brown University, TR 28 (1957); Johnson & Cook, Proc. 7th Int. Symp. on
+/// Ballistics (1983), 541, of which this is the second factor alone.
+struct RateDependence {
+  RateLaw law = RateLaw::None;
+  std::optional<double> reference_rate{};  ///< C, or the reference rate [1/s], > 0; must be set
+  std::optional<double> exponent{};        ///< P [1], >= 1; must be set, CowperSymonds
+  std::optional<double> coefficient{};     ///< c [1], >= 0; must be set, JohnsonCook
+  std::optional<double> strain_rate{};     ///< [1/s], > 0; empty: each point has its own
+};
+
 /// A material. The defaults are those of structural steel S355.
 ///
 /// An empty optional is derived: see resolved_shear_modulus() and its kin.
@@ -60,7 +84,11 @@ struct Material {
   std::optional<double> break_strain{};        ///< permanent strain [1], > 0; empty: never breaks
   std::optional<double> break_shear_strain{};  ///< permanent [1], > 0; empty: sqrt(3) break_strain
   Hardening hardening{};
+  RateDependence rate{};
 };
+
+/// Whether each point of it has a rate of its own: a rate law, and no rate that all has.
+bool has_own_rates(const Material& material);
 
 /// G [Pa]: as given, or E/(2(1+nu)) of an isotropic material.
 double resolved_shear_modulus(const Material& material);

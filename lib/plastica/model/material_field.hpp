@@ -26,6 +26,9 @@ enum class MaterialField {
   BackRate1,
   BackRate2,
   BackRate3,
+  ReferenceRate,
+  RateExponent,
+  RateCoefficient,
   PlasticStrain1,  ///< of the table's points, one after the other
   FlowStress1 = PlasticStrain1 + Hardening::kTablePoints,
   Count = FlowStress1 + Hardening::kTablePoints,

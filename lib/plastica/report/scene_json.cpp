@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "plastica/model/rate_kind.hpp"
 #include "plastica/model/section_kind.hpp"
 #include "plastica/report/scene_facts.hpp"
 #include "plastica/report/scene_frames.hpp"
@@ -134,10 +135,22 @@ Json events_of(const io::SceneRecord& record) {
 }
 
 Json material_of(const Material& material) {
-  return {{"name", material.name},
-          {"youngs_modulus", number(material.youngs_modulus)},
-          {"yield_stress", number(material.yield_stress)},
-          {"density", number(material.density)}};
+  Json all = {{"name", material.name},
+              {"youngs_modulus", number(material.youngs_modulus)},
+              {"yield_stress", number(material.yield_stress)},
+              {"density", number(material.density)}};
+  const RateKind& rate = rate_kind(material.rate.law);
+  if (rate.parameters().empty()) return all;
+  Setup setup;
+  setup.scene.material = material;
+  all["rate"] = {{"law", rate.word()}};
+  for (const Field& field : rate.parameters()) {
+    const FieldValue value = field.get(setup);
+    const auto* set = std::get_if<double>(&value);
+    all["rate"][field.path.substr(field.path.rfind('.') + 1)] =
+        set != nullptr ? number(*set) : Json(nullptr);
+  }
+  return all;
 }
 
 /// The dimensions that the shape has, in SI units.

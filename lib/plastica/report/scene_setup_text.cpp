@@ -47,7 +47,12 @@ std::string yield_label(const io::SceneRecord& record) {
   std::string label = solver_word(record, "rules.yield_model");
   if (scene.yield_model != YieldModel::Fibre)
     label += ", cap " + solver_word(record, "rules.yield_cap");
-  return label + ", hardening " + solver_word(record, "material.hardening.law");
+  label += ", hardening " + solver_word(record, "material.hardening.law");
+  const RateDependence& rate = scene.material.rate;
+  if (rate.law == RateLaw::None) return label;
+  label += ", rate " + solver_word(record, "material.rate.law");
+  return label + (rate.strain_rate ? fmt::format(" at {:g} 1/s", *rate.strain_rate)
+                                   : std::string(" of each joint"));
 }
 
 /// "x 3, z -20": the parts of a vector that are not zero, with their unit.

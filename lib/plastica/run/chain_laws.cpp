@@ -17,6 +17,12 @@ void check_regions(const Scene& scene) {
       throw InputError({}, name + ".material", region.material.name,
                        "must have the hardening law of the rest of the beam");
     }
+    if (region.material.rate.law != scene.material.rate.law ||
+        has_own_rates(region.material) != has_own_rates(scene.material)) {
+      throw InputError({}, name + ".material", region.material.name,
+                       "must have the rate law of the rest of the beam, and a strain_rate where "
+                       "that has one");
+    }
     if (one_surface && kind_of(region.section) != kind_of(scene.section)) {
       throw InputError({}, name + ".section", "",
                        "yields by another kind of surface than the rest of the beam: "

@@ -7,6 +7,7 @@
 
 #include "plastica/law/fibre_grid.hpp"
 #include "plastica/law/per_axis.hpp"
+#include "plastica/law/rated.hpp"
 #include "plastica/run/chain_laws.hpp"
 #include "plastica/run/surface_law.hpp"
 
@@ -21,7 +22,7 @@ struct JointsMaker {
 
   const Scene& scene;
   const std::vector<chain::PartForm>& parts;
-  const std::vector<MaterialValues<S>>& materials;
+  std::vector<MaterialValues<S>> materials;
   std::vector<chain::SectionJoint<L>> joints;
   const chain::View<L>& view;
   int fibres;
@@ -111,12 +112,26 @@ struct JointsMaker {
     }
   }
 
+  /// Each point has a rate of its own: laws with a rate, and material numbers as they take them.
+  template <class Use>
+  void with_rated_law(const Use& use) {
+    HardeningLaw law = HardeningLaw::Ideal;
+    for (MaterialValues<S>& values : materials) {
+      law = law::as_table(scene.material.hardening.law, values);
+    }
+    [&]<class... Law>(std::type_identity<std::tuple<Law...>>) {
+      ((law == Law::kLaw ? use(std::type_identity<Law>{}) : void()), ...);
+    }(std::type_identity<law::RatedLaws<S>>{});
+  }
+
   /// Float has ideal plasticity alone (`check_precision`): each other law would be compiled again
   /// with each level and yield model.
   template <class Use>
   void with_law(Use&& use) {
     if constexpr (std::is_same_v<S, float>) {
       use(std::type_identity<law::IdealPlastic<S>>{});
+    } else if (has_own_rates(scene.material)) {
+      with_rated_law(use);
     } else {
       law::with_law_type<S>(scene.material.hardening.law, use);
     }

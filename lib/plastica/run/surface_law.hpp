@@ -5,7 +5,7 @@
 #include "plastica/law/interaction.hpp"
 
 /// The laws with one yield surface, compiled once for all levels: their return is long, and each of
-/// the five surfaces has it with each of three hardening laws.
+/// the five surfaces has it with each of the hardening laws.
 namespace plastica {
 
 /// A section law whose `respond` is a call into surface_law_*.cpp.
@@ -16,6 +16,11 @@ struct SurfaceLaw {
   using State = typename Section::State;
   static constexpr bool kSeesAxial = Section::kSeesAxial;
   Section section;
+
+  template <class Use>
+  void each_uniaxial(const Use& use) {
+    section.each_uniaxial(use);
+  }
 };
 
 /// See law::respond.

@@ -111,6 +111,7 @@ void MotionStep<L, kElastic>::assemble() {
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::solve(double h) {
   h_ = h;
+  joints_.set_time(h);
   set_force_floor();
   w_.may_close = rests_on_;
   const bool at_rest = rests_ > 0;

@@ -205,6 +205,7 @@ template <class L, bool kElastic>
 void MotionStep<L, kElastic>::restart() {
   if (rule_.conserves) return;
   chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
+  joints_.set_time(0.0);
   evaluate_laws();
   joint_motion_.forget_damping();
   for (MomentumError<L>& error : momentum_) error.knows_outside = false;

@@ -82,6 +82,7 @@ class MotionStep {
     w_.forgets = true;
     w_.time = 0.0;
     chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
+    joints_.set_time(0.0);
     evaluate_laws();
     joint_motion_.begin(w_.angles, w_.q.shift, w_.joints);
     for (std::size_t g = 0; g < ground_moment_.size(); ++g) ground_moment_[g] = ground_moment(g);
@@ -169,6 +170,7 @@ class MotionStep {
     w_.q = q_begin_;
     w_.time = time_;
     chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
+    joints_.set_time(0.0);
     evaluate_laws();
   }
 

@@ -121,10 +121,29 @@ TEST(SceneFile, ReadsEveryFieldOfTheFieldTable) {
       wanted = fitting;
     }
     if (field.material && is_of_table(*field.material)) continue;
+    if (field.path.starts_with("material.rate.")) continue;
     const plastica::Setup setup =
         read_scene(scene_around(field.path) + std::string(field.path) + " = " + value);
     EXPECT_EQ(field.get(setup), wanted) << field.path;
   }
+}
+
+TEST(SceneFile, ReadsARateLaw) {
+  const auto rate_of = [](const std::string& keys) {
+    return read_scene("[material.rate]\n" + keys + kDrive).scene.material.rate;
+  };
+  const RateDependence steel = rate_of(
+      "law = 'cowper_symonds'\nreference_rate = '40.4 1/s'\nexponent = 5\n"
+      "strain_rate = '0.1 1/s'\n");
+  EXPECT_EQ(steel.law, RateLaw::CowperSymonds);
+  EXPECT_EQ(steel.reference_rate, 40.4);
+  EXPECT_EQ(steel.exponent, 5.0);
+  EXPECT_EQ(steel.strain_rate, 0.1);
+  const RateDependence alloy = rate_of(
+      "law = 'johnson_cook'\nreference_rate = '1 1/s'\ncoefficient = 0.015\n"
+      "strain_rate = '20 1/s'\n");
+  EXPECT_EQ(alloy.law, RateLaw::JohnsonCook);
+  EXPECT_EQ(alloy.coefficient, 0.015);
 }
 
 TEST(SceneFile, ReadsATableOfHardening) {

@@ -29,6 +29,7 @@ std::string error_of_setting(std::string_view path, const FieldValue& value,
 /// A number that a field takes and that is not its default.
 double another_number(const Field& field) {
   if (field.kind == FieldKind::Integer) return 17.0;
+  if (field.range.low == 1.0) return 2.0;
   return field.range.high == 1.0 || field.range.high == 0.5 ? 0.25 : 0.0123;
 }
 
