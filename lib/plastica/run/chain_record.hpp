@@ -61,8 +61,9 @@ class ChainRecord {
   std::array<double, 3> permanent_angle(const Joints& joints, const Work& w,
                                         std::size_t joint) const;
 
-  /// Statics: adds the work of loads and moving supports since the last call.
-  void add_work(const Work& w);
+  /// Statics: adds the work of loads and moving supports since the last call; at the first one what
+  /// the state at time 0 took.
+  void add_work(const Work& w, const Joints& joints);
 
   // Dynamics: what moves, and what has flowed, at the samples that are written from now on.
   void begin_motion(const Work& w, const Joints& joints,

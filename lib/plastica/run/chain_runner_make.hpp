@@ -240,7 +240,7 @@ template <class L, bool kElastic>
 bool ChainRunner<L, kElastic>::accept(const Work& w) {
   body_.accept_strains();
   body_.note_axial(false, *response_);
-  body_.record.add_work(w);
+  body_.record.add_work(w, *body_.joints);
   has_yielded_ = has_yielded_ || yields();
   last_time_ = w.time;
   if (L::kTranslations == 2) look_while_moments_grow(w);

@@ -26,7 +26,11 @@ double ChainRecord<L, kElastic>::load_work(const chain::SegmentLoad<L>& load, co
 }
 
 template <class L, bool kElastic>
-void ChainRecord<L, kElastic>::add_work(const Work& w) {
+void ChainRecord<L, kElastic>::add_work(const Work& w, const Joints& joints) {
+  if (!begun_) {
+    const Energies begins = energies(w, joints);
+    external_ = begins.elastic + begins.plastic;
+  }
   const auto& supports = model_->scene.supports;
   for (std::size_t s = 0; s < supports.size(); ++s) {
     if (!supports[s].moves()) continue;

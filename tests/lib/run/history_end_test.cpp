@@ -104,6 +104,21 @@ TEST(HistoryEnd, HoldsTheForceOnAFreeBeam) {
   expect(2.0, 4.5);
 }
 
+/// Loads that act at time 0 did work to get there, half of force times way (Clapeyron), which they
+/// take back.
+TEST(HistoryEnd, CountsWhatTheLoadsOfTheBeginningDid) {
+  Scene scene = testing::cantilever_scene(4);
+  scene.loads = {{.at = Place::end(), .force = {0.0, 1.0, 0.0}}};
+  scene.loads[0].history = {{0.0, 1.0}, {1.0, 0.0}};
+  add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+  const Response response = completed(scene, {.steps = 4});
+  const auto& energy = response.chain.energy;
+  const double work = 0.5 * response.probes[0][0];
+  EXPECT_NEAR(energy.front().external, work, 1e-6 * work);
+  EXPECT_NEAR(energy.back().external, 0.0, 1e-6 * work);
+  for (const Energies& at : energy) EXPECT_NEAR(at.residual, 0.0, 1e-6 * work);
+}
+
 /// A scene that gives no history keeps the ramp, which goes on as far as the path needs.
 TEST(HistoryEnd, IsThatOfARampWhereASceneGivesNone) {
   EXPECT_EQ(Load{}.history, History::ramp());
