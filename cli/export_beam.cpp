@@ -15,6 +15,7 @@
 #include "cli/tell.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/scene_store.hpp"
+#include "plastica/model/support_kind.hpp"
 
 namespace plastica::cli {
 namespace {
@@ -142,9 +143,7 @@ void tell_of_segments(const BeamRequest& request, BeamSource& source) {
 BeamSource simulated_beam(const BeamRequest& request) {
   BeamSource source{io::read_scene_store(request.file).setup, {}};
   for (Support& support : source.setup.scene.supports) {
-    Support usual;
-    usual.kind = support.kind;
-    if (support.hold == usual.held()) support.hold.reset();
+    if (support.hold == traits_of(support).held) support.hold.reset();
   }
   return source;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plastica/base/check.hpp"
+#include "plastica/model/support_kind.hpp"
 #include "plastica/report/format.hpp"
 #include "plastica/run/natural_frequencies.hpp"
 
@@ -59,7 +60,7 @@ std::string frequency_line(const Model& model, const Setup& setup) {
   frequencies.resize(std::min(frequencies.size(), std::size_t{kShown}));
   const auto& supports = setup.scene.supports;
   const bool pillars = std::any_of(supports.begin(), supports.end(), [](const Support& support) {
-    return support.kind == SupportKind::Pillar;
+    return traits_of(support).one_sided;
   });
   const std::string unresisted =
       free == 0 ? ""

@@ -8,6 +8,7 @@
 #include "plastica/base/version.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/hardening_kind.hpp"
+#include "plastica/model/support_kind.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -68,15 +69,13 @@ void note_supports(const Scene& scene, const std::vector<EngineSegment>& segment
       return fmt::format("support[{}] at {:g} m", i + 1,
                          share_of(support.at, ends) * scene.beam.length);
     };
-    if (support.kind == SupportKind::Pillar) {
-      beam.notes.push_back(place() + " is a pillar that only pushes: left out");
-    }
-    if (support.kind == SupportKind::InclinedRoller) {
+    const SupportTraits& kind = traits_of(support);
+    if (kind.one_sided) {
+      beam.notes.push_back(place() + " only pushes: left out");
+    } else if (kind.normal) {
       beam.notes.push_back(place() + " holds along its normal alone: left out");
     }
-    if (support.kind == SupportKind::Elastic) {
-      beam.notes.push_back(place() + " has springs to the ground: left out");
-    }
+    if (kind.springs) beam.notes.push_back(place() + " has springs to the ground: left out");
     if (support.moves()) beam.notes.push_back(place() + " moves: here it stands still");
   }
 }

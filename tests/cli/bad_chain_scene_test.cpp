@@ -192,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(
             "16: support[2].stiffness[2] = 1 kN: \"kN\" is not a unit of stiffness (examples: "
             "N/m, kN/mm, lbf/in)"),
         change_chain("WithANegativeSpring", "1 kN/m", "-1 kN/m",
-                     "16: support[2].stiffness = -1000: must be finite and not negative"),
+                     "16: support[2].stiffness = -1000: must be at least 0"),
         change_chain("WithARotationalStiffnessPerLength",
                      "stiffness = ['0 N/m', '1 kN/m', '0 N/m']",
                      "rotational_stiffness = ['1 N/m', '0 N/m', '0 N/m']",
@@ -215,7 +215,7 @@ INSTANTIATE_TEST_SUITE_P(
                      "13: support[1].gap = 1 mm: belongs to kind = \"pillar\""),
         add_to_chain("PillarWithANegativeGap",
                      "[[support]]\nat = 'end'\nkind = 'pillar'\ngap = '-1 mm'\n",
-                     "28: support[3].gap = -0.001: must be finite and not negative"),
+                     "28: support[3].gap = -0.001: must be at least 0"),
         add_to_chain("PillarThatHolds", "[[support]]\nat = 'end'\nkind = 'pillar'\nhold = ['x']\n",
                      "28: support[3].hold: a pillar only pushes; what holds is another support"),
         add_to_chain("InAPlaceThatIsTaken", "[[support]]\nat = { segment = 4 }\nkind = 'roller'\n",

@@ -35,8 +35,7 @@ INSTANTIATE_TEST_SUITE_P(
         mass_change("UnknownKey", "inertia", "offset",
                     "14: mass[1].offset = ['1 kg m^2', '0 kg m^2', '0 kg m^2']: is not a key of "
                     "mass[1]; its keys are at, mass, inertia"),
-        mass_change("Negative", "'2 kg'", "'-2 kg'",
-                    "13: mass[1].mass = -2: must be finite and not negative"),
+        mass_change("Negative", "'2 kg'", "'-2 kg'", "13: mass[1].mass = -2: must be at least 0"),
         mass_change("OfNothing", "'2 kg'\ninertia = ['1 kg m^2', '0 kg m^2', '0 kg m^2']", "'0 kg'",
                     "13: mass[1].mass = 0: must be above 0 kg, or have inertia"),
         mass_change("Missing", "mass = '2 kg'\n", "", "11: mass[1].mass: is missing"),
@@ -45,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "13: mass[1].mass = 2: a mass needs a unit (examples: kg, g, t)"),
         mass_change("InAnotherUnit", "'2 kg'", "'2 N'", "13: mass[1].mass = 2 N: …"),
         mass_change("OfNegativeInertia", "'1 kg m^2'", "'-1 kg m^2'",
-                    "14: mass[1].inertia = -1: must be finite and not negative"),
+                    "14: mass[1].inertia = -1: must be at least 0"),
         mass_change("OfOneMoment", "['1 kg m^2', '0 kg m^2', '0 kg m^2']", "['1 kg m^2']",
                     "14: mass[1].inertia = ['1 kg m^2']: must have three components: x, y and z"),
         mass_change("OffTheBeam", "'end'", "1.5",

@@ -14,6 +14,7 @@
 #include "plastica/chain/point_masses.hpp"
 #include "plastica/chain/view.hpp"
 #include "plastica/model/beam_axis.hpp"
+#include "plastica/model/support_kind.hpp"
 
 namespace plastica::chain {
 
@@ -112,7 +113,7 @@ class Builder {
     const Support& support = scene_.supports[index];
     const std::size_t history = support.moves() ? add_history(support.history) : 0;
     const double share = share_of(support.at, layout_.ends);
-    if (support.kind == SupportKind::Hinge) {
+    if (traits_of(support).releases) {
       release_bending(share);
       return;
     }
@@ -130,7 +131,7 @@ class Builder {
       add_held_point(support, index, history, share);
     }
     if (support.has_normal()) add_along_normal(support, index, share);
-    if (support.kind == SupportKind::Elastic) add_springs(support, index, history, share);
+    if (traits_of(support).springs) add_springs(support, index, history, share);
   }
 
   void add_root(const Support& support, std::size_t index, std::size_t history) {

@@ -14,7 +14,7 @@ void Builder<L>::add_along_normal(const Support& support, std::size_t index, dou
   const SegmentPoint point = segment_point(layout_, share);
   Closure<L> closure = closure_at(index, point);
   closure.node = node_of(point, share);
-  closure.one_sided = support.kind == SupportKind::Pillar;
+  closure.one_sided = traits_of(support).one_sided;
   closure.direction = view_.point(vector(support.normal));
   closure.history = support.moves() ? add_history(support.history) : 0;
   closure.motion = dot(closure.direction, view_.point(vector(support.translation)));

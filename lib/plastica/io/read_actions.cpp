@@ -1,9 +1,34 @@
 #include "plastica/io/read_chain.hpp"
 #include "plastica/io/read_fields.hpp"
 #include "plastica/io/read_place.hpp"
+#include "plastica/model/support_kind.hpp"
 
 namespace plastica::io {
 namespace {
+
+template <class Item>
+void read_number(const TomlValue& value, const ItemField<Item>& field, Item& item) {
+  const Dimension dimension = field.dimension_of(item);
+  if (const auto* number = std::get_if<double Item::*>(&field.member)) {
+    item.** number = value.quantity(dimension);
+  } else {
+    item.*std::get<std::array<double, 3> Item::*>(field.member) = read_vector(value, dimension);
+  }
+}
+
+/// Those numbers that a table gives, at least one.
+template <class Item>
+void read_any(const TomlTable& table, std::span<const ItemField<Item>> fields, Item& item) {
+  std::string names;
+  bool any = false;
+  for (const ItemField<Item>& field : fields) {
+    names += (names.empty() ? "" : " or ") + std::string(field.key);
+    const auto value = table.find(field.key);
+    if (value) read_number(*value, field, item);
+    any = any || value;
+  }
+  if (!any) throw InputError(table.where(), table.key(), "", "needs " + names);
+}
 
 HeldFreedoms read_hold(const TomlValue& list) {
   HeldFreedoms held{};
@@ -19,44 +44,27 @@ Support read_support(const TomlTable& table) {
   Support support;
   support.at = read_place(table.at("at"));
   support.kind = static_cast<SupportKind>(table.at("kind").word(support_kinds()));
-  const auto only_of = [&](std::string_view name, SupportKind kind) {
-    auto value = table.find(name);
-    if (value && support.kind != kind) {
-      const auto word = support_kinds()[static_cast<std::size_t>(kind)];
-      throw value->error("belongs to kind = \"" + std::string(word) + "\"");
-    }
-    return value;
-  };
+  const SupportTraits& kind = traits_of(support);
   if (const auto hold = table.find("hold")) support.hold = read_hold(*hold);
-  if (const auto to = only_of("to", SupportKind::Elastic)) support.to = read_place(*to);
-  if (const auto value = only_of("stiffness", SupportKind::Elastic)) {
-    // Of a bed force per length and way, the unit of a stress.
-    support.stiffness = read_vector(*value, support.to ? Dimension::Stress : Dimension::Stiffness);
+  if (const auto to = table.find("to")) {
+    if (!kind.springs) throw to->error("belongs to " + kinds_with(&SupportTraits::springs));
+    support.to = read_place(*to);
   }
-  if (const auto value = only_of("rotational_stiffness", SupportKind::Elastic)) {
-    support.rotational_stiffness = read_vector(*value, Dimension::RotationalStiffness);
-  }
-  if (const auto value = table.find("normal")) {
-    if (!support.has_normal()) {
-      throw value->error("belongs to kind = \"pillar\" or \"inclined_roller\"");
+  for (const SupportField& field : support_fields()) {
+    const auto value = table.find(field.key);
+    if (!value) continue;
+    if (!field.belongs_to(support)) throw value->error("belongs to " + kinds_with(field.of));
+    if (field.of == &SupportTraits::normal) {
+      support.normal = read_direction(*value);
+    } else {
+      read_number(*value, field, support);
     }
-    support.normal = read_direction(*value);
-  } else if (support.kind == SupportKind::InclinedRoller) {
-    (void)table.at("normal");  // there is no usual one
   }
-  if (const auto value = only_of("gap", SupportKind::Pillar)) {
-    support.gap = value->quantity(Dimension::Length);
-  }
-  if (const auto value = only_of("restitution", SupportKind::Pillar)) {
-    support.restitution = value->quantity(Dimension::None);
-  }
-  const auto translation = table.find("translation");
-  const auto rotation = table.find("rotation");
-  const auto history = table.find("history");
-  if (translation) support.translation = read_vector(*translation, Dimension::Length);
-  if (rotation) support.rotation = read_vector(*rotation, Dimension::Angle);
-  if (history) {
-    if (!translation && !rotation) throw history->error("has no translation or rotation to move");
+  if (kind.normal && !kind.any_normal) (void)table.at("normal");
+  if (const auto history = table.find("history")) {
+    if (!table.find("translation") && !table.find("rotation")) {
+      throw history->error("has no translation or rotation to move");
+    }
     support.history = read_history(*history);
   }
   return support;
@@ -67,15 +75,7 @@ Load read_load(const TomlTable& table) {
   load.at = read_place(table.at("at"));
   const auto to = table.find("to");
   if (to) load.to = read_place(*to);
-  const auto force = table.find("force");
-  const auto moment = table.find("moment");
-  if (!force && !moment) throw InputError(table.where(), table.key(), "", "needs force or moment");
-  if (force) {
-    load.force = read_vector(*force, to ? Dimension::ForcePerLength : Dimension::Force);
-  }
-  if (moment) {
-    load.moment = read_vector(*moment, to ? Dimension::MomentPerLength : Dimension::Moment);
-  }
+  read_any(table, load_fields(), load);
   if (const auto follows = table.find("follows")) load.follows = follows->boolean();
   if (const auto history = table.find("history")) load.history = read_history(*history);
   return load;
@@ -84,10 +84,8 @@ Load read_load(const TomlTable& table) {
 PointMass read_mass(const TomlTable& table) {
   PointMass mass;
   mass.at = read_place(table.at("at"));
-  mass.mass = table.at("mass").quantity(Dimension::Mass);
-  if (const auto inertia = table.find("inertia")) {
-    mass.inertia = read_vector(*inertia, Dimension::MomentOfInertia);
-  }
+  (void)table.at("mass");
+  read_any(table, mass_fields(), mass);
   return mass;
 }
 
@@ -95,16 +93,11 @@ InitialMotion read_initial_motion(const TomlTable& table) {
   InitialMotion motion;
   if (const auto from = table.find("from")) motion.from = read_place(*from);
   if (const auto to = table.find("to")) motion.to = read_place(*to);
-  const auto velocity = table.find("velocity");
-  const auto spin = table.find("spin");
-  const auto about = table.find("about");
-  if (!velocity && !spin) {
-    throw InputError(table.where(), table.key(), "", "needs velocity or spin");
+  read_any(table, initial_motion_fields(), motion);
+  if (const auto about = table.find("about")) {
+    if (!table.find("spin")) throw about->error("has no spin to go through it");
+    motion.about = read_place(*about);
   }
-  if (about && !spin) throw about->error("has no spin to go through it");
-  if (velocity) motion.velocity = read_vector(*velocity, Dimension::Velocity);
-  if (spin) motion.spin = read_vector(*spin, Dimension::AngularVelocity);
-  if (about) motion.about = read_place(*about);
   return motion;
 }
 

@@ -6,6 +6,7 @@
 #include "plastica/model/field.hpp"
 #include "plastica/model/hardening_kind.hpp"
 #include "plastica/model/section_kind.hpp"
+#include "plastica/model/support_kind.hpp"
 
 namespace plastica::io {
 namespace {
@@ -65,14 +66,24 @@ class Feeder {
     all(region.from, region.to, region.section, region.material, region.to_section, region.own);
   }
   void put(const Support& s) {
-    all(s.at, s.to, s.kind, s.hold, s.stiffness, s.rotational_stiffness, s.normal, s.gap,
-        s.restitution, s.translation, s.rotation, s.history);
+    all(s.at, s.to, s.kind, s.hold);
+    fields(s, support_fields());
+    put(s.history);
   }
   void put(const Load& load) {
-    all(load.at, load.to, load.force, load.moment, load.follows, load.history);
+    all(load.at, load.to);
+    fields(load, load_fields());
+    all(load.follows, load.history);
   }
-  void put(const PointMass& mass) { all(mass.at, mass.mass, mass.inertia); }
-  void put(const InitialMotion& m) { all(m.from, m.to, m.velocity, m.spin, m.about); }
+  void put(const PointMass& mass) {
+    put(mass.at);
+    fields(mass, mass_fields());
+  }
+  void put(const InitialMotion& m) {
+    all(m.from, m.to);
+    fields(m, initial_motion_fields());
+    put(m.about);
+  }
   void put(const Cut& cut) { all(cut.at, cut.time); }
   void put(const Probe& p) { all(p.name, p.quantity, p.at, p.component, p.energy); }
   void put(const Beam& beam) {
@@ -90,6 +101,13 @@ class Feeder {
   }
 
  private:
+  template <class Item, class Field>
+  void fields(const Item& item, std::span<const Field> all) {
+    for (const Field& field : all) {
+      for (const double value : field.values(item)) put(value);
+    }
+  }
+
   Digest digest_;
 };
 

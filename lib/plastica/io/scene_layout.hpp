@@ -4,12 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "plastica/io/event_table.hpp"
 #include "plastica/io/scene_store.hpp"
+#include "plastica/model/support_kind.hpp"
 
 /// What of a simulated scene stands where in its file; not installed. Documented in data/README.md.
 namespace plastica::io::scene_layout {
@@ -29,36 +32,45 @@ std::span<const std::string_view> choices_of(std::string_view field);
 #define PLASTICA_MEMBER(member) \
   [](auto& row) -> auto& { return row.member; }
 
+/// The numbers of each item of a list, a column or three each.
+template <class Store, class Rows, class Field>
+void walk_fields(Store& store, const std::string& list, Rows& rows, std::span<const Field> fields) {
+  for (const Field& field : fields) {
+    const std::string path = list + '/' + std::string(field.key);
+    std::visit(
+        [&](auto member) {
+          const auto of_row = [member](auto& row) -> auto& { return row.*member; };
+          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(of_row(rows[0]))>, double>) {
+            store.column(path, rows, of_row, field.unit(), &field.range);
+          } else {
+            store.vectors(path, rows, of_row, field.unit(), &field.range);
+          }
+        },
+        field.member);
+  }
+}
+
 template <class Store, class Scene>
 void walk_actions(Store& store, Scene& scene) {
   auto& supports = scene.supports;
   store.words("supports/kind", supports, PLASTICA_MEMBER(kind), support_kinds());
   store.column("supports/at", supports, PLASTICA_MEMBER(at.fraction), "1");
   store.held("supports/held", supports);
-  store.vectors("supports/normal", supports, PLASTICA_MEMBER(normal), "1");
-  store.column("supports/gap", supports, PLASTICA_MEMBER(gap), "m");
   store.optional_places("supports/to", supports);
-  store.column("supports/restitution", supports, PLASTICA_MEMBER(restitution), "1");
-  store.vectors("supports/stiffness", supports, PLASTICA_MEMBER(stiffness), "N/m");
-  store.vectors("supports/rotational_stiffness", supports, PLASTICA_MEMBER(rotational_stiffness),
-                "N m/rad");
-  store.vectors("supports/translation", supports, PLASTICA_MEMBER(translation), "m");
-  store.vectors("supports/rotation", supports, PLASTICA_MEMBER(rotation), "rad");
+  walk_fields(store, "supports", supports, support_fields());
   store.histories("supports/history", supports);
 
   auto& loads = scene.loads;
   store.column("loads/at", loads, PLASTICA_MEMBER(at.fraction), "1");
   store.optional_places("loads/to", loads);
-  store.vectors("loads/force", loads, PLASTICA_MEMBER(force), "");
-  store.vectors("loads/moment", loads, PLASTICA_MEMBER(moment), "");
+  walk_fields(store, "loads", loads, load_fields());
   store.column("loads/follows", loads, PLASTICA_MEMBER(follows), "");
   store.histories("loads/history", loads);
 
   auto& masses = scene.masses;
   if (store.has_rows("masses", masses)) {
     store.column("masses/at", masses, PLASTICA_MEMBER(at.fraction), "1");
-    store.column("masses/mass", masses, PLASTICA_MEMBER(mass), "kg");
-    store.vectors("masses/inertia", masses, PLASTICA_MEMBER(inertia), "kg m^2");
+    walk_fields(store, "masses", masses, mass_fields());
   }
 
   store.numbers("gravity/acceleration", scene.gravity, "m/s^2");
@@ -71,8 +83,7 @@ void walk_actions(Store& store, Scene& scene) {
   auto& motions = scene.initial_motions;
   store.column("initial_motions/from", motions, PLASTICA_MEMBER(from.fraction), "1");
   store.column("initial_motions/to", motions, PLASTICA_MEMBER(to.fraction), "1");
-  store.vectors("initial_motions/velocity", motions, PLASTICA_MEMBER(velocity), "m/s");
-  store.vectors("initial_motions/spin", motions, PLASTICA_MEMBER(spin), "rad/s");
+  walk_fields(store, "initial_motions", motions, initial_motion_fields());
   store.column("initial_motions/about", motions, PLASTICA_MEMBER(about.fraction), "1");
   store.column("cuts/at", scene.cuts, PLASTICA_MEMBER(at.fraction), "1");
   store.column("cuts/time", scene.cuts, PLASTICA_MEMBER(time), "s");

@@ -81,16 +81,20 @@ class SceneReader {
   }
   template <class Row, class Member>
   void column(std::string_view path, std::vector<Row>& rows, const Member& member,
-              std::string_view /*units*/) {
+              std::string_view /*units*/, const Range* range = nullptr) {
     using Value = std::remove_cvref_t<decltype(member(rows[0]))>;
     const auto values = values_of<Value>(path, kRow);
+    if constexpr (std::is_same_v<Value, double>) {
+      if (range) check_values(root_, path, values, {path, *range});
+    }
     resize(path, rows, values.size());
     for (std::size_t i = 0; i < values.size(); ++i) member(rows[i]) = static_cast<Value>(values[i]);
   }
   template <class Row, class Member>
   void vectors(std::string_view path, std::vector<Row>& rows, const Member& member,
-               std::string_view /*units*/) {
+               std::string_view /*units*/, const Range* range = nullptr) {
     const auto values = values_of<double>(path, {rows.size(), 3});
+    if (range) check_values(root_, path, values, {path, *range});
     for (std::size_t i = 0; i < values.size(); ++i) member(rows[i / 3])[i % 3] = values[i];
   }
   void held(std::string_view path, std::vector<Support>& supports) {

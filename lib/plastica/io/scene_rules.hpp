@@ -9,19 +9,14 @@
 /// (scene_layout.hpp); not installed.
 namespace plastica::io {
 
-/// The numbers that are not just finite, or not negative.
+/// The numbers that are not just finite, or not negative; those of a table of fields have its
+/// range.
 inline constexpr std::array kSceneRules{
     ValueRule{"supports/at", kShare},
     ValueRule{"supports/to", kShare, Order::Any, true},
-    ValueRule{"supports/gap", kNotNegative},
-    ValueRule{"supports/restitution", kShare},
-    ValueRule{"supports/stiffness", kNotNegative},
-    ValueRule{"supports/rotational_stiffness", kNotNegative},
     ValueRule{"loads/at", kShare},
     ValueRule{"loads/to", kShare, Order::Any, true},
     ValueRule{"masses/at", kShare},
-    ValueRule{"masses/mass", kNotNegative},
-    ValueRule{"masses/inertia", kNotNegative},
     ValueRule{"gravity/history_time", kNotNegative, Order::RisesStrictly},
     ValueRule{"initial_motions/from", kShare},
     ValueRule{"initial_motions/to", kShare},

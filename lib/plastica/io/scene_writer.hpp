@@ -72,7 +72,7 @@ class SceneWriter {
   }
   template <class Row, class Member>
   void column(std::string_view path, const std::vector<Row>& rows, const Member& member,
-              std::string_view units) {
+              std::string_view units, const Range* /*range*/ = nullptr) {
     using Value = Stored<std::remove_cvref_t<decltype(member(rows[0]))>>;
     std::vector<Value> values;
     values.reserve(rows.size());
@@ -81,7 +81,7 @@ class SceneWriter {
   }
   template <class Row, class Member>
   void vectors(std::string_view path, const std::vector<Row>& rows, const Member& member,
-               std::string_view units) {
+               std::string_view units, const Range* /*range*/ = nullptr) {
     std::vector<double> values;
     for (const Row& row : rows) {
       values.insert(values.end(), member(row).begin(), member(row).end());

@@ -6,6 +6,7 @@
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
+#include "plastica/model/support_kind.hpp"
 
 namespace plastica::model_detail {
 namespace {
@@ -43,6 +44,27 @@ void check_history(const History& history, const std::string& field) {
   }
 }
 
+/// Numbers that a kind has no use for are as they are by default.
+void check_kind(const Support& support, const std::string& name) {
+  const Support usual;
+  for (const SupportField& field : support_fields()) {
+    if (field.belongs_to(support)) continue;
+    const auto values = field.values(support);
+    if (std::ranges::equal(values, field.values(usual))) continue;
+    const double* number = field.number(support);
+    throw InputError({}, name + '.' + std::string(field.key), number ? number_text(*number) : "",
+                     "belongs to " + kinds_with(field.of));
+  }
+  const SupportTraits& kind = traits_of(support);
+  if (support.hold && !kind.no_hold.empty()) {
+    throw InputError({}, name + ".hold", "", kind.no_hold);
+  }
+  if (support.to && !kind.springs) {
+    throw InputError({}, name + ".to", place_text(*support.to),
+                     "belongs to " + kinds_with(&SupportTraits::springs));
+  }
+}
+
 /// "the twist rz" of the first held rotation, "ry".
 std::string_view held_rotation(const HeldFreedoms& held) {
   for (std::size_t i = 3; i < 6; ++i) {
@@ -58,10 +80,9 @@ void check_rotation_place(const Support& support, std::span<const double> ends,
   if (rotation.empty() || segment_end_at(support.at, ends)) return;
   const double share = share_of(support.at, ends);
   const auto after = std::upper_bound(ends.begin(), ends.end(), share);
-  const auto kind = support_kinds()[static_cast<std::size_t>(support.kind)];
   throw InputError({}, field, place_text(support.at),
-                   "a " + std::string(kind) + " that holds rotation (" + std::string(rotation) +
-                       ") must be at a segment's end; the nearest are " +
+                   "a " + std::string(traits_of(support).word) + " that holds rotation (" +
+                       std::string(rotation) + ") must be at a segment's end; the nearest are " +
                        number_text(*(after - 1)) + " and " + number_text(*after));
 }
 
@@ -79,9 +100,6 @@ void check_bed(const Support& support, const Scene& scene, std::span<const doubl
     throw InputError({}, name + ".to", place_text(*support.to),
                      "must lie beyond at = " + place_text(support.at));
   }
-  if (support.kind != SupportKind::Elastic) {
-    throw InputError({}, name + ".to", place_text(*support.to), "belongs to an elastic support");
-  }
   if (holds(support)) {
     throw InputError({}, name + ".hold", "", "is of a support at one place, without to");
   }
@@ -91,24 +109,18 @@ void check_bed(const Support& support, const Scene& scene, std::span<const doubl
   }
 }
 
-void check_springs(const Support& support, const std::string& name) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    require_not_negative(support.stiffness[i], {}, name + ".stiffness");
-    require_not_negative(support.rotational_stiffness[i], {}, name + ".rotational_stiffness");
-  }
+void check_holds(const Support& support, const std::string& name) {
+  const SupportTraits& kind = traits_of(support);
   const bool springs = !is_zero(support.stiffness) || !is_zero(support.rotational_stiffness);
-  if (springs && support.kind != SupportKind::Elastic) {
-    throw InputError({}, name + ".stiffness", "", "belongs to an elastic support");
+  if (kind.springs && !springs && !holds(support)) {
+    throw InputError(
+        {}, name, "",
+        "an " + std::string(kind.word) + " support needs stiffness or rotational_stiffness");
   }
-  const HeldFreedoms held = support.held();
-  if (support.kind == SupportKind::Elastic && !springs && !holds(support)) {
-    throw InputError({}, name, "", "an elastic support needs stiffness or rotational_stiffness");
-  }
-  const bool may_hold_nothing = support.kind == SupportKind::Elastic ||
-                                support.kind == SupportKind::Hinge || support.has_normal();
-  if (!may_hold_nothing && !holds(support)) {
+  if (!kind.springs && kind.no_hold.empty() && !holds(support)) {
     throw InputError({}, name + ".hold", "[]", "must hold something");
   }
+  const HeldFreedoms held = support.held();
   for (std::size_t i = 0; i < 6; ++i) {
     const double stiffness = i < 3 ? support.stiffness[i] : support.rotational_stiffness[i - 3];
     if (held[i] && stiffness > 0.0) {
@@ -117,25 +129,8 @@ void check_springs(const Support& support, const std::string& name) {
   }
 }
 
-/// What acts along a normal.
 void check_normal(const Support& support, const std::string& name) {
-  require_not_negative(support.gap, {}, name + ".gap");
-  require(support.restitution >= 0.0 && support.restitution <= 1.0, {}, name + ".restitution",
-          support.restitution, "must be from 0 to 1");
-  const bool pillar = support.kind == SupportKind::Pillar;
-  if (!pillar) {
-    require(support.gap == 0.0, {}, name + ".gap", support.gap, "belongs to a pillar");
-    require(support.restitution == 0.0, {}, name + ".restitution", support.restitution,
-            "belongs to a pillar");
-  }
   if (!support.has_normal()) return;
-  if (support.hold) {
-    throw InputError({}, name + ".hold", "",
-                     pillar ? "a pillar only pushes; what holds is another support"
-                            : "an inclined roller holds along its normal; what else holds is "
-                              "another support");
-  }
-  check_finite(support.normal, name + ".normal");
   const double size = std::hypot(support.normal[0], support.normal[1], support.normal[2]);
   require(std::abs(size - 1.0) <= 1e-9, {}, name + ".normal", size,
           "is the vector's size and must be 1");
@@ -153,8 +148,6 @@ HeldFreedoms taken_freedoms(const Support& support) {
 }
 
 void check_motion(const Support& support, const std::string& name) {
-  check_finite(support.translation, name + ".translation");
-  check_finite(support.rotation, name + ".rotation");
   const HeldFreedoms taken = taken_freedoms(support);
   for (std::size_t i = 0; i < 6; ++i) {
     const double motion = i < 3 ? support.translation[i] : support.rotation[i - 3];
@@ -202,10 +195,12 @@ void check_supports(const Scene& scene, Ends ends) {
     const Support& support = scene.supports[i];
     const std::string name = item_name("support", i);
     check_place(support.at, scene.beam.segments, name + ".at");
+    check_kind(support, name);
+    check_item(support, support_fields(), name);
     check_bed(support, scene, ends, name);
     check_rotation_place(support, ends, name + ".at");
     check_normal(support, name);
-    check_springs(support, name);
+    check_holds(support, name);
     check_motion(support, name);
     check_neighbours(scene, i, ends);
   }
@@ -215,10 +210,7 @@ void check_masses(const Scene& scene) {
   for (std::size_t i = 0; i < scene.masses.size(); ++i) {
     const PointMass& mass = scene.masses[i];
     check_place(mass.at, scene.beam.segments, item_name("mass", i, ".at"));
-    require_not_negative(mass.mass, {}, item_name("mass", i, ".mass"));
-    for (const double inertia : mass.inertia) {
-      require_not_negative(inertia, {}, item_name("mass", i, ".inertia"));
-    }
+    check_item(mass, mass_fields(), item_name("mass", i));
     require(mass.mass > 0.0 || mass.turns_inertly(), {}, item_name("mass", i, ".mass"), mass.mass,
             "must be above 0 kg, or have inertia");
   }
@@ -233,8 +225,7 @@ void check_actions(const Scene& scene, Analysis analysis, Ends ends) {
       throw InputError({}, item_name("load", i, ".to"), place_text(*load.to),
                        "must lie beyond at = " + place_text(load.at));
     }
-    check_finite(load.force, item_name("load", i, ".force"));
-    check_finite(load.moment, item_name("load", i, ".moment"));
+    check_item(load, load_fields(), item_name("load", i));
     check_history(load.history, item_name("load", i, ".history"));
   }
   check_history(scene.gravity_history, "gravity.history");

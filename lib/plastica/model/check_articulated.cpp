@@ -5,6 +5,7 @@
 #include "plastica/base/check.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
+#include "plastica/model/support_kind.hpp"
 
 namespace plastica::model_detail {
 namespace {
@@ -21,7 +22,8 @@ void check_support(const Scene& scene, Ends ends) {
   if (scene.supports.empty()) refuse("support", "", kRule);
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     const Support& support = scene.supports[i];
-    const bool holds = support.kind == SupportKind::Clamp || support.kind == SupportKind::Pin;
+    const SupportTraits& kind = traits_of(support);
+    const bool holds = !kind.springs && !kind.normal && !kind.releases;
     const bool at_start = share_of(support.at, ends) == 0.0;
     if (i > 0 || !holds || !at_start) refuse(item_name("support", i), "", kRule);
     const HeldFreedoms held = support.held();

@@ -35,8 +35,7 @@ void check_initial_motion(const Scene& scene, std::size_t index, std::span<const
                      "leaves no segment's middle between from = " + place_text(motion.from) +
                          " and itself, so nothing would move");
   }
-  check_finite(motion.velocity, name(".velocity"));
-  check_finite(motion.spin, name(".spin"));
+  check_item(motion, initial_motion_fields(), name(""));
 }
 
 /// What is held rigidly can move, but not jump from where the undeformed beam is.

@@ -6,6 +6,7 @@
 #include "plastica/base/check.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
+#include "plastica/model/support_kind.hpp"
 
 /// Hinges within the beam: a hinge stands in place of a joint and lets its two sides bend freely.
 /// What acts on a point of the beam there acts on both sides; what turns or follows a segment would
@@ -18,10 +19,6 @@ using Vector = std::array<double, 3>;
 constexpr std::string_view kBeside = "give it a place beside the hinge";
 
 void check_place_of_hinge(const Support& hinge, Ends ends, const std::string& name) {
-  if (hinge.hold) {
-    throw InputError({}, name + ".hold", "",
-                     "a hinge lets go; what holds the beam there is another support");
-  }
   const auto node = segment_end_at(hinge.at, ends);
   if (node && *node > 0 && static_cast<std::size_t>(*node) + 1 < ends.size()) return;
   throw InputError({}, name + ".at", place_text(hinge.at),
@@ -57,7 +54,7 @@ void check_other_supports(const Scene& scene, std::size_t hinge, const Vector& a
     const Support& other = scene.supports[i];
     if (i == hinge || other.to || share_of(other.at, ends) != share) continue;
     const std::string field = item_name("support", i, ".at");
-    if (other.kind == SupportKind::Hinge) {
+    if (traits_of(other).releases) {
       if (i < hinge) continue;  // said of the second one
       throw InputError({}, field, place_text(other.at), name + " is a hinge at the same place");
     }
@@ -102,7 +99,7 @@ void check_probes_at(const Scene& scene, double share, Ends ends) {
   const auto has_support = [&] {
     for (const Support& support : scene.supports) {
       const bool here = !support.to && share_of(support.at, ends) == share;
-      if (here && support.kind != SupportKind::Hinge) return true;
+      if (here && !traits_of(support).releases) return true;
     }
     return false;
   };
@@ -138,7 +135,7 @@ void check_probes_at(const Scene& scene, double share, Ends ends) {
 void check_hinges(const Scene& scene, Ends ends) {
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     const Support& hinge = scene.supports[i];
-    if (hinge.kind != SupportKind::Hinge) continue;
+    if (!traits_of(hinge).releases) continue;
     check_place_of_hinge(hinge, ends, item_name("support", i));
     const double share = share_of(hinge.at, ends);
     const auto node = static_cast<std::size_t>(*segment_end_at(hinge.at, ends));

@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "plastica/model/check_value.hpp"
 #include "plastica/model/choose_level.hpp"
+#include "plastica/model/item_field.hpp"
 #include "plastica/model/scene.hpp"
 
 /// The parts of `check_scene`; not installed. All throw InputError naming the first field that is
@@ -25,6 +27,18 @@ void check_place(const Place& place, int segments, std::string_view field);
 
 /// Throws unless all components are finite.
 void check_finite(std::span<const double> values, std::string_view field);
+
+/// Throws unless each number of an item is within its range.
+template <class Item, class Field>
+void check_item(const Item& item, std::span<const Field> fields, const std::string& name) {
+  for (const Field& field : fields) {
+    const std::string path = name + '.' + std::string(field.key);
+    check_finite(field.values(item), path);
+    for (const double value : field.values(item)) {
+      require(field.range.contains(value), {}, path, value, field.range.rule());
+    }
+  }
+}
 
 /// Where the segments of a beam end, which all later checks go by (`segment_ends`).
 using Ends = std::span<const double>;

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "plastica/base/check.hpp"
+#include "plastica/model/check_parts.hpp"
+#include "plastica/model/scene_actions.hpp"
 
 namespace plastica {
 namespace {
@@ -15,11 +17,8 @@ namespace {
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 
 /// A vector that acts on the beam or shapes it.
-struct Action {
-  enum class Kind { Push, Turn, Shape };
-  std::string field;  ///< "load[1].force"
-  Kind kind = Kind::Push;
-  std::array<double, 3> vector{};
+struct Action : model_detail::SceneAction {
+  bool shapes = false;
 };
 
 /// What a level below the spatial one holds.
@@ -37,37 +36,16 @@ constexpr Plane kAboutX{
 constexpr Plane kAboutY{
     "planar", "x-z plane", {true, false, true}, {false, true, false}, {true, false, true}};
 
-std::string item(std::string_view list, std::size_t index, std::string_view key) {
-  return std::string(list) + "[" + std::to_string(index + 1) + "]" + std::string(key);
-}
-
-std::vector<Action> actions_of(const Scene& scene) {
-  using enum Action::Kind;
+std::vector<Action> all_actions(const Scene& scene) {
   std::vector<Action> actions;
-  for (std::size_t i = 0; i < scene.loads.size(); ++i) {
-    actions.push_back({item("load", i, ".force"), Push, scene.loads[i].force});
-    actions.push_back({item("load", i, ".moment"), Turn, scene.loads[i].moment});
-  }
-  actions.push_back({"gravity", Push, scene.gravity});
-  for (std::size_t i = 0; i < scene.initial_motions.size(); ++i) {
-    const InitialMotion& motion = scene.initial_motions[i];
-    actions.push_back({item("initial_motion", i, ".velocity"), Push, motion.velocity});
-    actions.push_back({item("initial_motion", i, ".spin"), Turn, motion.spin});
-  }
-  for (std::size_t i = 0; i < scene.supports.size(); ++i) {
-    const Support& support = scene.supports[i];
-    actions.push_back({item("support", i, ".translation"), Push, support.translation});
-    actions.push_back({item("support", i, ".rotation"), Turn, support.rotation});
-    if (support.has_normal()) {
-      actions.push_back({item("support", i, ".normal"), Push, support.normal});
-    }
-  }
-  if (scene.beam.shape == BeamShape::Arc) {
-    actions.push_back({"beam.arc_towards", Shape, scene.beam.arc_towards});
-  }
+  for (auto& action : model_detail::actions_of(scene)) actions.push_back({std::move(action)});
+  const auto add_shape = [&](const std::string& field, const std::array<double, 3>& vector) {
+    actions.push_back({{field, VectorSense::None, vector}, true});
+  };
+  if (scene.beam.shape == BeamShape::Arc) add_shape("beam.arc_towards", scene.beam.arc_towards);
   if (scene.beam.shape == BeamShape::Polyline) {
     for (std::size_t i = 0; i < scene.beam.points.size(); ++i) {
-      actions.push_back({item("beam.points", i, ""), Shape, scene.beam.points[i]});
+      add_shape(model_detail::item_name("beam.points", i), scene.beam.points[i]);
     }
   }
   return actions;
@@ -82,10 +60,8 @@ struct Misfit {
 std::optional<Misfit> misfit_of(const std::vector<Action>& actions, const Plane& plane) {
   for (std::size_t i = 0; i < actions.size(); ++i) {
     const Action& action = actions[i];
-    const bool turns = action.kind == Action::Kind::Turn;
-    const auto& held = turns                                ? plane.turn
-                       : action.kind == Action::Kind::Shape ? plane.shape
-                                                            : plane.push;
+    const bool turns = action.sense == VectorSense::Turn;
+    const auto& held = turns ? plane.turn : action.shapes ? plane.shape : plane.push;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (action.vector[axis] == 0.0 || held[axis]) continue;
       std::string reason = action.field + " has a component " + (turns ? "about " : "along ") +
@@ -151,7 +127,7 @@ LevelChoice coupon_level(const SolverOptions& options) {
 
 LevelChoice choose_level(const Scene& scene, const SolverOptions& options) {
   if (scene.is_coupon()) return coupon_level(options);
-  const std::vector<Action> actions = actions_of(scene);
+  const std::vector<Action> actions = all_actions(scene);
   LevelChoice least = least_level(scene, actions);
   if (options.level == Level::Auto) return least;
   const auto asked = [&](Level level, std::string_view word) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plastica/model/beam_axis.hpp"
+#include "plastica/model/support_kind.hpp"
 
 namespace plastica::model_detail {
 namespace {
@@ -28,7 +29,7 @@ class Pieces {
  public:
   Pieces(const Scene& scene, std::span<const double> ends) : scene_(scene), ends_(ends) {
     for (const Support& support : scene.supports) {
-      if (support.kind == SupportKind::Hinge) hinges_.push_back(share_of(support.at, ends));
+      if (traits_of(support).releases) hinges_.push_back(share_of(support.at, ends));
     }
     std::sort(hinges_.begin(), hinges_.end());
   }
@@ -39,7 +40,7 @@ class Pieces {
   std::vector<Motion> resisted() {
     for (const Support& support : scene_.supports) {
       const double share = share_of(support.at, ends_);
-      if (support.kind == SupportKind::Hinge) {
+      if (traits_of(support).releases) {
         add_hinge(share);
       } else if (support.to) {
         add_bed(support, share, share_of(*support.to, ends_));

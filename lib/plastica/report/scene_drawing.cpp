@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "plastica/model/support_kind.hpp"
 #include "plastica/report/scene_frames.hpp"
 #include "plastica/report/strain_color.hpp"
 
 namespace plastica::report {
 namespace {
 
-constexpr auto kPillar = static_cast<std::size_t>(SupportKind::Pillar);
 constexpr std::string_view kPillarColor = "#9A9A9A";
 constexpr double kTouching = 0.002;  ///< gap that cannot be seen [share of the picture]
 
@@ -44,7 +44,7 @@ Point3 place_of(const BeamPose& pose, const BeamPose& undeformed, const Support&
   const HeldFreedoms held = support.held();
   Point3 place = beam;
   for (std::size_t k = 0; k < 3; ++k) {
-    const bool springs = support.kind == SupportKind::Elastic && support.stiffness[k] > 0.0;
+    const bool springs = support.stiffness[k] > 0.0;
     if (held[k] || springs) place[k] = ground[k];
   }
   return place;
@@ -164,10 +164,10 @@ double largest_strain(const io::SceneRecord& record, std::size_t frame) {
 
 SupportMarks support_marks(const BeamPose& pose, const Eye& eye, double thickness, double size) {
   SupportMarks marks;
+  marks.points.resize(support_kinds().size());
   const BeamPose undeformed(pose.record(), kUndeformed);
   for (const Support& support : pose.record().setup.scene.supports) {
-    const auto kind = static_cast<std::size_t>(support.kind);
-    if (kind == kPillar) {
+    if (traits_of(support).one_sided) {
       add_pillar(pose, undeformed, support, eye, thickness, size, marks);
     } else {
       // A bed by some of its springs.
@@ -176,7 +176,8 @@ SupportMarks support_marks(const BeamPose& pose, const Eye& eye, double thicknes
         Support here = support;
         const double to = support.to ? support.to->fraction : support.at.fraction;
         here.at.fraction += (to - support.at.fraction) * i / std::max(count - 1, 1);
-        marks.points[kind].push_back(eye.at(place_of(pose, undeformed, here)));
+        marks.points[static_cast<std::size_t>(support.kind)].push_back(
+            eye.at(place_of(pose, undeformed, here)));
       }
     }
   }
@@ -247,7 +248,7 @@ void BeamPicture::put(PlotScript& script, bool lines_between, double head) const
                                    kPillarColor, kDark));
     script.add_entry(
         fmt::format("with points pointtype 9 pointsize 1.3 linecolor rgb '{}'", kPillarColor),
-        support_kinds()[kPillar]);
+        "pillar");
   }
   script.add_unnamed(script.add_lists(faces_),
                      "using 1:2:3 with polygons fillcolor rgb variable fillstyle solid noborder");
@@ -260,15 +261,14 @@ void BeamPicture::put(PlotScript& script, bool lines_between, double head) const
     script.add_series(script.add_lists(cuts_),
                       "using 1:2 with lines linewidth 2 linecolor rgb '#000000'", "cut");
   }
-  // Point types of gnuplot in the order of SupportKind: squares hold rotations.
-  constexpr std::array<int, 8> kSymbols{5, 9, 6, 4, 12, 8, 7, 14};
-  for (std::size_t kind = 0; kind < kSymbols.size(); ++kind) {
-    if (supports_[kind].empty()) continue;
-    script.add_series(script.add_points(supports_[kind]),
+  for (const SupportTraits& kind : support_traits()) {
+    const auto& points = supports_[static_cast<std::size_t>(kind.kind)];
+    if (points.empty()) continue;
+    script.add_series(script.add_points(points),
                       fmt::format("using 1:2 with points pointtype {} pointsize 1.3 linewidth 1.6 "
                                   "linecolor rgb '{}'",
-                                  kSymbols[kind], kDark),
-                      support_kinds()[kind]);
+                                  kind.symbol, kDark),
+                      kind.word);
   }
   if (arrows_.empty()) return;
   const std::string style = fmt::format("linewidth 1.8 linecolor rgb '{}'", kVermillion);

@@ -49,9 +49,9 @@ double largest_strain(const io::SceneRecord& record, std::size_t frame);
 
 /// Where the supports are in a frame.
 struct SupportMarks {
-  std::array<std::vector<Point2>, 8> points;  ///< by kind, but pillars
-  Lines pillars;                              ///< triangles whose tip is what the beam meets
-  Lines surfaces;                             ///< from their tips to where the beam is on them
+  std::vector<std::vector<Point2>> points;  ///< by kind, but pillars
+  Lines pillars;                            ///< triangles whose tip is what the beam meets
+  Lines surfaces;                           ///< from their tips to where the beam is on them
 };
 
 /// @param thickness  as for `beam_solid`
@@ -87,7 +87,8 @@ class BeamPicture {
   std::vector<std::vector<std::vector<double>>> cuts_;
   std::vector<std::vector<std::vector<double>>> pillars_;
   std::vector<std::vector<std::vector<double>>> surfaces_;
-  std::array<std::vector<std::vector<double>>, 8> supports_;
+  std::vector<std::vector<std::vector<double>>> supports_ =
+      std::vector<std::vector<std::vector<double>>>(support_kinds().size());
   std::vector<std::vector<double>> arrows_;
 };
 

@@ -1,4 +1,5 @@
 #include "plastica/report/scene_json.hpp"
+#include "plastica/model/support_kind.hpp"
 
 #include <algorithm>
 #include <array>
@@ -187,31 +188,27 @@ Json regions_of(const Scene& scene) {
   return all;
 }
 
+/// Adds a number, or a vector, of an item.
+template <class Item>
+void put(Json& all, const ItemField<Item>& field, const Item& item) {
+  const double* one = field.number(item);
+  all[std::string(field.key)] = one ? number(*one) : numbers(field.values(item));
+}
+
 /// What a support holds, what its kind alone has, and how it moves (null: not at all).
 Json support_of(const Support& support) {
   Json holds = Json::array();
   for (std::size_t k = 0; k < freedom_names().size(); ++k) {
     if (support.held()[k]) holds.push_back(freedom_names()[k]);
   }
-  Json all = {{"kind", support_kinds()[static_cast<std::size_t>(support.kind)]},
-              {"at", support.at.fraction},
-              {"holds", std::move(holds)}};
-  if (support.kind == SupportKind::Elastic) {
-    if (support.to) all["to"] = support.to->fraction;
-    all["stiffness"] = numbers(support.stiffness);
-    all["rotational_stiffness"] = numbers(support.rotational_stiffness);
+  Json all = {
+      {"kind", traits_of(support).word}, {"at", support.at.fraction}, {"holds", std::move(holds)}};
+  if (support.to) all["to"] = support.to->fraction;
+  Json motion = {{"history", history_of(support.history)}};
+  for (const SupportField& field : support_fields()) {
+    if (field.belongs_to(support)) put(field.of ? all : motion, field, support);
   }
-  if (support.has_normal()) all["normal"] = numbers(support.normal);
-  if (support.kind == SupportKind::Pillar) {
-    all["gap"] = number(support.gap);
-    all["restitution"] = number(support.restitution);
-  }
-  all["motion"] = nullptr;
-  if (support.moves()) {
-    all["motion"] = {{"translation", numbers(support.translation)},
-                     {"rotation", numbers(support.rotation)},
-                     {"history", history_of(support.history)}};
-  }
+  all["motion"] = support.moves() ? std::move(motion) : Json(nullptr);
   return all;
 }
 
@@ -225,15 +222,15 @@ Json supports_of(const Scene& scene) {
 Json loads_of(const Scene& scene) {
   Json all = Json::array();
   for (const Load& load : scene.loads) {
-    const bool spread = load.to.has_value();
-    all.push_back({{"at", load.at.fraction},
-                   {"to", spread ? Json(load.to->fraction) : Json(nullptr)},
-                   {"force", numbers(load.force)},
-                   {"force_unit", spread ? "N/m" : "N"},
-                   {"moment", numbers(load.moment)},
-                   {"moment_unit", spread ? "N m/m" : "N m"},
-                   {"follows", load.follows},
-                   {"history", history_of(load.history)}});
+    Json one = {{"at", load.at.fraction},
+                {"to", load.to ? Json(load.to->fraction) : Json(nullptr)},
+                {"follows", load.follows},
+                {"history", history_of(load.history)}};
+    for (const auto& field : load_fields()) {
+      put(one, field, load);
+      one[std::string(field.key) + "_unit"] = si_unit(field.dimension_of(load));
+    }
+    all.push_back(std::move(one));
   }
   return all;
 }
@@ -241,9 +238,8 @@ Json loads_of(const Scene& scene) {
 Json masses_of(const Scene& scene) {
   Json all = Json::array();
   for (const PointMass& mass : scene.masses) {
-    all.push_back({{"at", mass.at.fraction},
-                   {"mass", number(mass.mass)},
-                   {"inertia", numbers(mass.inertia)}});
+    all.push_back({{"at", mass.at.fraction}});
+    for (const auto& field : mass_fields()) put(all.back(), field, mass);
   }
   return all;
 }
@@ -329,7 +325,7 @@ Json reactions_of(const io::SceneRecord& record) {
   for (std::size_t s = 0; s < chain.supports; ++s) {
     const Support& support = record.setup.scene.supports[s];
     const std::size_t at = (frame_at(record) * chain.supports + s) * 6;
-    all.push_back({{"kind", support_kinds()[static_cast<std::size_t>(support.kind)]},
+    all.push_back({{"kind", traits_of(support).word},
                    {"at", support.at.fraction},
                    {"force", numbers(reactions.subspan(at, 3))},
                    {"moment", numbers(reactions.subspan(at + 3, 3))}});

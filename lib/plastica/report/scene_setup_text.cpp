@@ -1,4 +1,5 @@
 #include "plastica/report/scene_setup_text.hpp"
+#include "plastica/model/support_kind.hpp"
 
 #include <algorithm>
 #include <array>
@@ -56,8 +57,7 @@ std::string yield_label(const io::SceneRecord& record) {
 }
 
 /// "x 3, z -20": the parts of a vector that are not zero, with their unit.
-std::string parts_of(const std::array<double, 3>& v, std::string_view symbol,
-                     std::string_view unit) {
+std::string parts_of(std::span<const double> v, std::string_view symbol, std::string_view unit) {
   std::string text;
   for (std::size_t k = 0; k < v.size(); ++k) {
     if (v[k] == 0.0) continue;
@@ -71,6 +71,29 @@ std::string joined(const std::string& a, const std::string& b) {
   return a.empty() || b.empty() ? a + b : a + ", " + b;
 }
 
+/// "k_x 5 N/m", "gap 2 mm"; empty if zero.
+template <class Item>
+std::string label_of(const ItemField<Item>& field, const Item& item) {
+  const Dimension dimension = field.dimension_of(item);
+  const double* number = field.number(item);
+  if (!number) return parts_of(field.values(item), field.symbol, si_unit(dimension));
+  if (*number == 0.0) return {};
+  std::string text = brief(*number);
+  if (dimension == Dimension::Length) {
+    text = shown(*number, dimension, 4);
+  } else if (dimension != Dimension::None) {
+    text += ' ' + std::string(si_unit(dimension));
+  }
+  return std::string(field.symbol) + text;
+}
+
+template <class Item, class Field>
+std::string labels_of(const Item& item, std::span<const Field> fields) {
+  std::string text;
+  for (const Field& field : fields) text = joined(text, label_of(field, item));
+  return text;
+}
+
 /// How far a history goes beyond its load, if not to it.
 std::string history_label(const History& history, double end) {
   double largest = std::fabs(history.at(end));
@@ -82,35 +105,31 @@ std::string history_label(const History& history, double end) {
 }
 
 std::string support_label(const Support& support, double end) {
+  const SupportTraits& kind = traits_of(support);
   std::string label =
-      fmt::format("{} {}", support_kinds()[static_cast<std::size_t>(support.kind)],
+      fmt::format("{} {}", kind.word,
                   support.to ? fmt::format("from {} to {}", place_label(support.at.fraction),
                                            place_label(support.to->fraction))
                              : "at " + place_label(support.at.fraction));
   std::string more;
-  if (support.kind == SupportKind::Elastic) {
-    more = joined(parts_of(support.stiffness, "k_", support.to ? "N/m^2" : "N/m"),
-                  parts_of(support.rotational_stiffness, "k_r", "N m/rad"));
-  } else if (support.has_normal()) {
-    const bool pillar = support.kind == SupportKind::Pillar;
-    more = parts_of(support.normal, pillar ? "pushes " : "holds along ", "");
-    while (!more.empty() && more.back() == ' ') more.pop_back();
-    if (support.gap != 0.0) more += ", gap " + shown(support.gap, Dimension::Length, 4);
-    if (support.restitution != 0.0) more += ", restitution " + brief(support.restitution);
-  } else {
-    HeldFreedoms of_kind = Support{.kind = support.kind}.held();
-    if (support.held() != of_kind) {
-      std::string held;
-      for (std::size_t k = 0; k < 6; ++k) {
-        if (support.held()[k]) held += (held.empty() ? "" : " ") + std::string(freedom_names()[k]);
-      }
-      more = "holds " + (held.empty() ? "nothing" : held);
+  for (const SupportField& field : support_fields()) {
+    if (!field.of || !field.belongs_to(support)) continue;
+    if (field.of == &SupportTraits::normal) {
+      more = parts_of(support.normal, kind.one_sided ? "pushes " : "holds along ", "");
+      while (!more.empty() && more.back() == ' ') more.pop_back();
+    } else {
+      more = joined(more, label_of(field, support));
     }
   }
+  if (kind.no_hold.empty() && support.held() != kind.held) {
+    std::string held;
+    for (std::size_t k = 0; k < 6; ++k) {
+      if (support.held()[k]) held += (held.empty() ? "" : " ") + std::string(freedom_names()[k]);
+    }
+    more = joined(more, "holds " + (held.empty() ? "nothing" : held));
+  }
   if (support.moves()) {
-    more = joined(more, "moves by " +
-                            joined(parts_of(support.translation, "", "m"),
-                                   parts_of(support.rotation, "r", "rad")) +
+    more = joined(more, "moves by " + labels_of(support, std::span(support_fields()).last(2)) +
                             history_label(support.history, end));
   }
   return more.empty() ? label : label + " (" + more + ')';
@@ -118,8 +137,7 @@ std::string support_label(const Support& support, double end) {
 
 std::string load_label(const Load& load, double end) {
   const bool spread = load.to.has_value();
-  std::string label = joined(parts_of(load.force, "F_", spread ? "N/m" : "N"),
-                             parts_of(load.moment, "M_", spread ? "N m/m" : "N m"));
+  std::string label = labels_of(load, load_fields());
   if (label.empty()) label = "none";
   label += spread ? fmt::format(" from {} to {}", place_label(load.at.fraction),
                                 place_label(load.to->fraction))
@@ -129,9 +147,7 @@ std::string load_label(const Load& load, double end) {
 }
 
 std::string mass_label(const PointMass& mass) {
-  std::string label = mass.mass > 0.0 ? brief(mass.mass) + " kg" : std::string();
-  label = joined(label, parts_of(mass.inertia, "I_", "kg m^2"));
-  return label + " at " + place_label(mass.at.fraction);
+  return labels_of(mass, mass_fields()) + " at " + place_label(mass.at.fraction);
 }
 
 template <class Items, class Label>

@@ -1,4 +1,5 @@
 #include "plastica/report/scene_text.hpp"
+#include "plastica/model/support_kind.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -139,10 +140,9 @@ std::string reaction_text(const io::SceneRecord& record, const Ink& ink) {
   const double length = record.setup.scene.beam.length;
   for (std::size_t s = 0; s < chain.supports; ++s) {
     const Support& support = record.setup.scene.supports[s];
-    if (support.kind == SupportKind::Hinge) continue;  // which has none
-    std::vector<std::string> row = {
-        std::string(support_kinds()[static_cast<std::size_t>(support.kind)]),
-        place_label(support.at.fraction)};
+    if (traits_of(support).releases) continue;  // which has none
+    std::vector<std::string> row = {std::string(traits_of(support).word),
+                                    place_label(support.at.fraction)};
     for (std::size_t k = 0; k < 6; ++k) {
       const double size =
           k < 3 ? std::max(force, moment / length) : std::max(moment, force * length);

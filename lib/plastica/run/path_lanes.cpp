@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plastica/chain/layout.hpp"
+#include "plastica/model/support_kind.hpp"
 
 namespace plastica {
 namespace {
@@ -64,7 +65,7 @@ bool walks_in_lanes(const ChainModel& model) {
          (options.control == PathControl::Auto || options.control == PathControl::Load) &&
          has_instruction_set(options.isa) && lane_law(model) &&
          std::none_of(supports.begin(), supports.end(),
-                      [](const Support& s) { return s.kind == SupportKind::Pillar; });
+                      [](const Support& s) { return traits_of(s).one_sided; });
 }
 
 bool same_path_lanes(const ChainModel& a, const ChainModel& b) {

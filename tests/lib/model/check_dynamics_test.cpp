@@ -219,9 +219,9 @@ TEST(CheckSupports, ReboundByARestitutionOfAPillar) {
   EXPECT_EQ(restitution(SupportKind::Pillar, 1.5),
             "support[2].restitution = 1.5: must be from 0 to 1");
   EXPECT_EQ(restitution(SupportKind::Pillar, kNotANumber),
-            "support[2].restitution = nan: must be from 0 to 1");
+            "support[2].restitution = nan: must be finite");
   EXPECT_EQ(restitution(SupportKind::Roller, 0.5),
-            "support[2].restitution = 0.5: belongs to a pillar");
+            "support[2].restitution = 0.5: belongs to kind = \"pillar\"");
 }
 
 TEST(CheckInitialMotion, RefusesWhatMovesNothing) {
