@@ -7,6 +7,7 @@
 
 #include "calibrate/engine/engine_notes.hpp"
 #include "plastica/model/beam_axis.hpp"
+#include "plastica/model/support_kind.hpp"
 #include "plastica/run/chain_body.hpp"
 #include "plastica/run/simulate.hpp"
 
@@ -34,6 +35,7 @@ class BeamReader {
     body_.reset(material_values(model.scene.material));
     for (const chain::PartForm& part : body_.parts) {
       materials_.push_back(material_values(*part.material));
+      of_part_.push_back(chain::joint_of_part(model.scene, part, materials_.back()));
     }
   }
 
@@ -194,26 +196,26 @@ class BeamReader {
                EngineJoint& joint) const {
     joint.part = law.law;
     const chain::PartForm& part = body_.parts[law.law];
+    const chain::JointModel& model = of_part_[law.law];
     for (std::size_t k = 0; k < 3; ++k) {
       if (law.acting[k] == 0.0) continue;
       joint.turning[k] = JointHold::Sprung;
       joint.length = length;
-      joint.stiffness[k] = law.stiffness[k] / law.length[k];
+      joint.stiffness[k] = law.turning_stiffness(k, k);
       if (model_.scene.yield_model == YieldModel::Elastic) continue;
-      const auto uniaxial = law::uniaxial_material(part.form.axis[k], materials_[law.law]);
-      joint.yield_moment[k] = part.form.modulus[k] * uniaxial.yield;
+      joint.yield_moment[k] = model.cap[k];
       if (part.material->hardening.law == HardeningLaw::Linear) {
+        const auto uniaxial = law::uniaxial_material(part.form.axis[k], materials_[law.law]);
         const auto linear = law::LinearHardening<double>::of(uniaxial, materials_[law.law]);
         const double modulus = linear.isotropic + linear.kinematic;
         joint.hardened_stiffness[k] = joint.stiffness[k] * modulus / (uniaxial.stiffness + modulus);
       }
-      if (beam_.breaks) joint.break_angle[k] = break_angle(part, node, k);
+      if (beam_.breaks) joint.break_angle[k] = break_angle(model.limit[k], node, k);
     }
   }
 
   /// The permanent angle of one joint about one axis, all others straight, at which it breaks.
-  double break_angle(const chain::PartForm& part, std::size_t node, std::size_t axis) const {
-    const double limit = detail::break_limits(model_.scene, part)[axis];
+  double break_angle(double limit, std::size_t node, std::size_t axis) const {
     if (!std::isfinite(limit)) return kNever;
     const auto strain = [&](double angle) {
       JointAngles alone{};
@@ -245,7 +247,8 @@ class BeamReader {
 
   const ChainModel& model_;
   Body body_;
-  std::vector<MaterialValues<double>> materials_;
+  std::vector<MaterialValues<double>> materials_;  ///< of the parts
+  std::vector<chain::JointModel> of_part_;         ///< what all joints of a part have in common
   EngineBeam beam_;
 };
 
@@ -276,7 +279,7 @@ EngineBeam engine_beam(const Scene& scene, const SolverOptions& options) {
                      "a coupon has no joints: an export needs a beam with supports");
   }
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
-    if (scene.supports[i].kind != SupportKind::Hinge) continue;
+    if (!traits_of(scene.supports[i]).releases) continue;
     throw InputError({}, fmt::format("support[{}]", i + 1), "", "is a hinge, which no export has");
   }
   const Model model = bare_model(scene);

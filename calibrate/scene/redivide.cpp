@@ -138,7 +138,7 @@ Setup redivided(const ScenePart& part, Division division) {
 }
 
 double order_of_joints(const Scene& scene) {
-  return chain::resolved_end_rule(scene) == EndRule::Equal ? 1.0 : 2.0;
+  return resolved_end_rule(scene) == EndRule::Equal ? 1.0 : 2.0;
 }
 
 }  // namespace plastica::calibrate

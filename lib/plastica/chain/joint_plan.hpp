@@ -6,6 +6,7 @@
 
 #include "plastica/chain/inertia.hpp"
 #include "plastica/chain/layout.hpp"
+#include "plastica/model/beam_axis.hpp"
 
 namespace plastica::chain {
 

@@ -151,14 +151,11 @@ void set_parts(const Scene& scene, Layout& layout) {
 
 }  // namespace
 
-EndRule resolved_end_rule(const Scene& scene) {
-  if (scene.end_rule != EndRule::Auto) return scene.end_rule;
-  return scene.formulas == Formulas::Report ? EndRule::Equal : EndRule::HalfJoint;
-}
+Layout make_layout(const Scene& scene) { return make_layout(scene, segment_ends(scene)); }
 
-Layout make_layout(const Scene& scene) {
+Layout make_layout(const Scene& scene, std::vector<double> ends) {
   Layout layout;
-  layout.ends = segment_ends(scene);
+  layout.ends = std::move(ends);
   for (const double share : layout.ends) {
     const auto at = axis_point(scene.beam, share);
     layout.node.push_back({{at[0], at[1], at[2]}});

@@ -62,10 +62,9 @@ struct SegmentPoint {
 /// scene gives them; half the end segment at the ends, where a half joint may be; with
 /// EndRule::Half and ThreeHalves the end segments belong whole to their only joint. With half
 /// joints, and no lengths given, the joint next to an end also has what `bare_half` says.
+/// @param ends  of `segment_ends`, if they are known
+Layout make_layout(const Scene& scene, std::vector<double> ends);
 Layout make_layout(const Scene& scene);
-
-/// The rule that EndRule::Auto stands for.
-EndRule resolved_end_rule(const Scene& scene);
 
 /// The point at a share of the beam's length; a node belongs to the segment before it.
 SegmentPoint segment_point(const Layout& layout, double share);

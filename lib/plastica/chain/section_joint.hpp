@@ -66,6 +66,17 @@ struct SectionJoint {
   typename L::Point shear_stiffness;  ///< kappa G A of each shift across the beam [N]
   law::SectionForce<S> stiffness;     ///< EI_x, EI_y [N m^2], GJ [N m^2], EA [N]
   S axial_yield{};                    ///< the axial force at which all of the section yields [N]
+
+  /// What the law takes of the joint's angle elastically under a moment [rad].
+  /// @param axis  of the section
+  S elastic_angle(std::size_t axis, const S& moment) const {
+    return moment * length[axis] / stiffness[axis];
+  }
+  /// The law's elastic moment per angle [N m/rad].
+  /// @param k  rotation of the level, about `axis` of the section
+  S turning_stiffness(std::size_t k, std::size_t axis) const {
+    return acting[k] * stiffness[axis] / length[axis];
+  }
 };
 
 /// What the solver's observers read of a chain's joints, whatever their law.

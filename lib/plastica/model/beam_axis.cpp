@@ -176,13 +176,16 @@ std::optional<int> segment_end_at(const Place& place, std::span<const double> en
   return static_cast<int>(at - ends.begin());
 }
 
+EndRule resolved_end_rule(const Scene& scene) {
+  if (scene.end_rule != EndRule::Auto) return scene.end_rule;
+  return scene.formulas == Formulas::Report ? EndRule::Equal : EndRule::HalfJoint;
+}
+
 int nearest_segment_end(const Place& place, std::span<const double> ends) {
   const double share = share_of(place, ends);
-  std::size_t nearest = 0;
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    if (std::abs(ends[i] - share) < std::abs(ends[nearest] - share)) nearest = i;
-  }
-  return static_cast<int>(nearest);
+  const auto after = std::lower_bound(ends.begin(), ends.end() - 1, share);
+  const bool before = after != ends.begin() && share - *(after - 1) <= *after - share;
+  return static_cast<int>(after - ends.begin()) - (before ? 1 : 0);
 }
 
 std::array<double, 3> axis_point(const Beam& beam, double share) {

@@ -51,6 +51,9 @@ std::optional<int> segment_end_at(const Place& place, std::span<const double> en
 /// The number of the segment end that is nearest to a place, 0 … segments; the lower one of two.
 int nearest_segment_end(const Place& place, std::span<const double> ends);
 
+/// What ends that are held against rotation have, with `EndRule::Auto` resolved.
+EndRule resolved_end_rule(const Scene& scene);
+
 /// A point of the undeformed axis in world axes [m].
 /// @param share  distance from the start along the axis over the length [1], 0 … 1
 std::array<double, 3> axis_point(const Beam& beam, double share);

@@ -151,10 +151,11 @@ std::string names_of(std::span<const NodePlace> places) {
 
 /// Segments end where regions, supports, loads and corners are.
 std::vector<double> checked_division(const Scene& scene) {
+  std::vector<double> ends = segment_ends(scene);
   if (scene.beam.segment_shares.empty() && scene.beam.joint_lengths.empty()) {
     const std::vector<double> needed = needed_ends(scene);
     const std::size_t fewest = needed.size() - 1;
-    if (static_cast<std::size_t>(scene.beam.segments) >= fewest) return segment_ends(scene);
+    if (static_cast<std::size_t>(scene.beam.segments) >= fewest) return ends;
     std::vector<NodePlace> inner;
     for (std::size_t i = 1; i < fewest; ++i) {
       for (const NodePlace& place : node_places(scene)) {
@@ -167,7 +168,6 @@ std::vector<double> checked_division(const Scene& scene) {
                      "must be at least " + std::to_string(fewest) + ", since segments end at " +
                          names_of(inner));
   }
-  std::vector<double> ends = segment_ends(scene);
   for (const NodePlace& place : node_places(scene)) {
     if (place.list != std::string_view("region") || segment_end_at({place.fraction, {}}, ends)) {
       continue;

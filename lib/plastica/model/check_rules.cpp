@@ -110,10 +110,7 @@ void check_chain_probe(const Scene& scene, const Probe& probe, const std::string
 
 }  // namespace
 
-bool has_half_joints(const Scene& scene) {
-  return scene.end_rule == EndRule::HalfJoint ||
-         (scene.end_rule == EndRule::Auto && scene.formulas != Formulas::Report);
-}
+bool has_half_joints(const Scene& scene) { return resolved_end_rule(scene) == EndRule::HalfJoint; }
 
 double last_time(const Scene& scene) {
   double last = 0.0;

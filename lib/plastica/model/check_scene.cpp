@@ -3,6 +3,7 @@
 #include "plastica/base/check.hpp"
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
+#include "plastica/model/checked_scene.hpp"
 #include "plastica/model/choose_level.hpp"
 #include "plastica/model/field.hpp"
 #include "plastica/model/free_motion.hpp"
@@ -131,7 +132,8 @@ std::vector<double> check_chain(const Scene& scene, const SolverOptions& options
 
 }  // namespace
 
-void check_scene(const Scene& scene, const SolverOptions& options) {
+model_detail::CheckedScene model_detail::checked_scene(const Scene& scene,
+                                                       const SolverOptions& options) {
   check_material(scene.material);
   check_section(scene.section);
   check_ranges(scene, options);
@@ -147,18 +149,23 @@ void check_scene(const Scene& scene, const SolverOptions& options) {
   model_detail::check_precision(scene, options);
   model_detail::check_probes(scene, options.analysis, ends);
   if (!scene.is_coupon()) model_detail::check_hinges(scene, ends);
-  const LevelChoice level = choose_level(scene, options);
+  LevelChoice level = choose_level(scene, options);
   model_detail::check_modes(scene, options, level);
-  if (scene.is_coupon()) return;
+  if (scene.is_coupon()) return {std::move(level), {}};
   model_detail::check_cuts(scene, level, ends);
   model_detail::check_articulated(scene, options, level, ends);
-  if (options.analysis == Analysis::Dynamics) return;
+  if (options.analysis == Analysis::Dynamics) return {std::move(level), std::move(ends)};
   if (const auto free = model_detail::free_motion(scene, level, ends)) {
     const std::string name = level.reason.substr(0, level.reason.find(':'));
     throw InputError(
         {}, "support", "",
         "the supports together leave the beam free to " + *free + " (level " + name + ")");
   }
+  return {std::move(level), std::move(ends)};
+}
+
+void check_scene(const Scene& scene, const SolverOptions& options) {
+  (void)model_detail::checked_scene(scene, options);
 }
 
 }  // namespace plastica

@@ -10,6 +10,7 @@
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
+#include "plastica/model/support_kind.hpp"
 
 namespace plastica::model_detail {
 namespace {
@@ -176,7 +177,7 @@ std::optional<std::string> ringing(const Facts& facts) {
   const bool rings = scheme == Scheme::EnergyMomentum || scheme == Scheme::LinearlyImplicitMidpoint;
   const auto& supports = facts.scene.supports;
   const bool hits = std::any_of(supports.begin(), supports.end(), [](const Support& support) {
-    return support.kind == SupportKind::Pillar;
+    return traits_of(support).one_sided;
   });
   if (!rings || !hits || facts.options.damping != Damping::None ||
       facts.level.level == Level::Twist) {
@@ -236,9 +237,9 @@ std::optional<std::string> late_cut(const Facts& facts) {
 
 }  // namespace
 
-std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelChoice& level) {
+std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelChoice& level,
+                                              std::span<const double> ends) {
   if (scene.beam.segments < 2) return std::nullopt;
-  const std::vector<double> ends = segment_ends(scene);
   const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
   const Material& material = scene.material;
   const double length = scene.beam.length;
@@ -261,11 +262,11 @@ std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelCho
 }
 
 std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions& options,
-                                         const LevelChoice& level) {
+                                         const LevelChoice& level, std::span<const double> ends) {
   Facts facts{scene, options, level};
   facts.duration = options.duration > 0.0 ? options.duration : last_time(scene);
   facts.step = std::min(options.time_step, facts.duration / options.steps);
-  if (options.step_error == 0.0) facts.first = first_frequency(scene, level);
+  if (options.step_error == 0.0) facts.first = first_frequency(scene, level, ends);
   std::vector<std::string> warnings;
   for (const auto find : {coarse_steps, coarse_histories, first_order, undamped_alpha, ringing,
                           local_restitution, growing_gravity, late_cut, articulated_yield}) {

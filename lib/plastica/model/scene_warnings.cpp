@@ -14,6 +14,7 @@
 #include "plastica/model/choose_level.hpp"
 #include "plastica/model/local_buckling.hpp"
 #include "plastica/model/motion_warnings.hpp"
+#include "plastica/model/scene_actions.hpp"
 #include "plastica/model/section_kind.hpp"
 
 namespace plastica {
@@ -225,17 +226,11 @@ std::optional<std::string> thin_wall(const Facts& facts) {
 /// Whether anything bends the beam about x, and about y.
 std::array<bool, 2> bent_axes(const Scene& scene) {
   std::array<bool, 2> bent{};
-  const auto add = [&](const std::array<double, 3>& push, const std::array<double, 3>& turn) {
-    bent[0] = bent[0] || push[1] != 0.0 || turn[0] != 0.0;
-    bent[1] = bent[1] || push[0] != 0.0 || turn[1] != 0.0;
-  };
-  for (const Load& load : scene.loads) add(load.force, load.moment);
-  for (const Support& support : scene.supports) {
-    add(support.translation, support.rotation);
-    if (support.has_normal()) add(support.normal, {});
+  for (const model_detail::SceneAction& action : model_detail::actions_of(scene)) {
+    const bool turns = action.sense == VectorSense::Turn;
+    bent[0] = bent[0] || action.vector[turns ? 0 : 1] != 0.0;
+    bent[1] = bent[1] || action.vector[turns ? 1 : 0] != 0.0;
   }
-  add(scene.gravity, {});
-  for (const InitialMotion& motion : scene.initial_motions) add(motion.velocity, motion.spin);
   return bent;
 }
 
@@ -368,7 +363,8 @@ std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions&
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (options.analysis == Analysis::Dynamics) {
-    for (std::string& warning : model_detail::motion_warnings(scene, options, facts.level)) {
+    for (std::string& warning :
+         model_detail::motion_warnings(scene, options, facts.level, facts.ends)) {
       warnings.push_back(std::move(warning));
     }
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plastica/chain/joint_numbers.hpp"
+#include "plastica/chain/joint_model.hpp"
 #include "plastica/model/section_kind.hpp"
 #include "plastica/run/chain_model.hpp"
 
@@ -14,27 +14,18 @@ template <class L>
 void add_joints(const ChainModel& model, const std::vector<chain::PartForm>& parts,
                 const chain::View<L>& view, BeamOutline& outline) {
   const chain::Layout& layout = model.layout;
-  const std::size_t n = layout.size();
   const chain::Build<L> build =
       chain::Builder<L>(model.scene, layout, view, model.options.rotary_inertia).build();
   std::vector<MaterialValues<double>> materials;
   materials.reserve(parts.size());
   for (const chain::PartForm& part : parts) materials.push_back(material_values(*part.material));
   const auto joints = chain::joint_numbers(build.joints, parts, materials, view);
-  std::vector<const chain::SectionJoint<L>*> at(n + 1, nullptr);
-  for (std::size_t i = 0; i < n; ++i) at[i] = &joints[i];
-  for (const auto& ground : build.chain.ground_joints) {
-    if (ground.node == n) at[n] = &joints[ground.joint];
-  }
-  const std::size_t first = view.section_axes().rotation(0);
-  for (std::size_t i = 0; i <= n; ++i) {
-    const std::size_t part = at[i] ? at[i]->law : layout.segment_part[n - 1].outer;
-    const law::SectionForm& form = parts[part].form;
-    outline.joint_length.push_back(at[i] ? at[i]->length[first] : layout.joint_length[i]);
+  for (const chain::JointModel& joint :
+       chain::joint_models(model.scene, layout, build, parts, materials, joints, view)) {
+    outline.joint_length.push_back(joint.own_length());
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double length = at[i] ? at[i]->length[axis] : layout.joint_length[i];
-      outline.modulus.push_back(form.modulus[axis]);
-      outline.strain_per_angle.push_back(form.lever[axis] / length);
+      outline.modulus.push_back(joint.modulus[axis]);
+      outline.strain_per_angle.push_back(joint.strain_per_angle(axis));
     }
   }
 }

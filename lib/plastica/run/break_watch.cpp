@@ -18,6 +18,11 @@ constexpr std::array<BreakCause, 4> kCauses{BreakCause::BendingX, BreakCause::Be
 /// How large a strain is against its limit.
 double use_of(double strain, double limit) { return std::isinf(limit) ? 0.0 : strain / limit; }
 
+/// The joint's length over that of a component.
+double scale_of(const chain::JointModel& joint, std::size_t k) {
+  return joint.own_length() / joint.length[k];
+}
+
 JointAngles times(double factor, JointAngles angles) {
   for (double& angle : angles) angle *= factor;
   return angles;
@@ -35,23 +40,23 @@ Spreading spreading_of(const Scene& scene) {
   return scene.yield_model == YieldModel::Fibre ? Spreading::Saturates : Spreading::Gathers;
 }
 
-BreakWatch::BreakWatch(const Scene& scene, std::vector<WatchedJoint> joints)
+BreakWatch::BreakWatch(const Scene& scene, std::vector<chain::JointModel> joints)
     : joints_(std::move(joints)),
       spreading_(spreading_of(scene)),
       report_(scene.formulas == Formulas::Report),
       accumulated_(scene.break_measure == BreakMeasure::Accumulated) {
-  for (const WatchedJoint& joint : joints_) {
+  for (const chain::JointModel& joint : joints_) {
     hinge_.push_back(scene.hinge_length.value_or(report_ ? 0.0 : joint.height));
     same_hinges_ = same_hinges_ && hinge_.back() == hinge_.front();
-    scales_ = scales_ || joint.scale != std::array<double, 3>{1.0, 1.0, 1.0};
+    for (std::size_t k = 0; k < 3; ++k) scales_ = scales_ || scale_of(joint, k) != 1.0;
   }
   covered_.resize(joints_.size());
-  for (const WatchedJoint& joint : joints_) {
+  for (const chain::JointModel& joint : joints_) {
     for (const double limit : joint.limit) active_ = active_ || std::isfinite(limit);
   }
 }
 
-double BreakWatch::Window::covers(const WatchedJoint& joint) const {
+double BreakWatch::Window::covers(const chain::JointModel& joint) const {
   return (std::min(high, joint.end) - std::max(low, joint.begin)) / (joint.end - joint.begin);
 }
 
@@ -67,15 +72,15 @@ JointAngles BreakWatch::hinge_angles(const std::vector<JointAngles>& angles, std
   if (hinge_[joint] == 0.0) return angles[joint];
   if (has_window(joint)) return same_hinges_ ? windowed(angles, joint) : lone_window(angles, joint);
   if (spreading_ == Spreading::Gathers) return gathered(angles, joint);
-  return times(hinge_[joint] / joints_[joint].length, angles[joint]);
+  return times(hinge_[joint] / joints_[joint].own_length(), angles[joint]);
 }
 
 JointAngles BreakWatch::lone_window(const std::vector<JointAngles>& angles,
                                     std::size_t joint) const {
   const Window window = window_of(joint);
-  const auto first =
-      std::upper_bound(joints_.begin(), joints_.end(), window.low,
-                       [](double low, const WatchedJoint& watched) { return low < watched.end; });
+  const auto first = std::upper_bound(
+      joints_.begin(), joints_.end(), window.low,
+      [](double low, const chain::JointModel& watched) { return low < watched.end; });
   JointAngles sum{};
   for (auto at = first; at != joints_.end() && at->begin < window.high; ++at) {
     const auto j = static_cast<std::size_t>(at - joints_.begin());
@@ -105,13 +110,13 @@ JointAngles BreakWatch::windowed(const std::vector<JointAngles>& angles, std::si
 }
 
 JointAngles BreakWatch::gathered(const std::vector<JointAngles>& angles, std::size_t joint) const {
-  const double length = joints_[joint].length;
+  const double length = joints_[joint].own_length();
   JointAngles theta{};
   for (std::size_t k = 0; k < 3; ++k) {
     const double own = angles[joint][k];
     double shared = 0.0;
     const auto look_at = [&](std::size_t neighbour) {
-      const double turned = angles[neighbour][k] * length / joints_[neighbour].length;
+      const double turned = angles[neighbour][k] * length / joints_[neighbour].own_length();
       if (turned * own > 0.0) shared = std::max(shared, std::fabs(turned));
     };
     if (joint > 0) look_at(joint - 1);
@@ -123,8 +128,8 @@ JointAngles BreakWatch::gathered(const std::vector<JointAngles>& angles, std::si
 }
 
 BreakWatch::Strains BreakWatch::strains_of(const JointAngles& theta, std::size_t joint) const {
-  const WatchedJoint& at = joints_[joint];
-  const double length = hinge_[joint] == 0.0 ? at.length : hinge_[joint];
+  const chain::JointModel& at = joints_[joint];
+  const double length = hinge_[joint] == 0.0 ? at.own_length() : hinge_[joint];
   Strains strain{};
   if (report_) {
     const auto bending = [&](double angle, double depth) {
@@ -139,7 +144,7 @@ BreakWatch::Strains BreakWatch::strains_of(const JointAngles& theta, std::size_t
   }
   strain[0] = law::permanent_bending_strain(theta[0], at.height, length);
   strain[1] = law::permanent_bending_strain(theta[1], at.width, length);
-  strain[2] = law::permanent_torsion_strain(theta[2], at.shear_lever, length);
+  strain[2] = law::permanent_torsion_strain(theta[2], at.lever[law::kTorsion], length);
   strain[kBoth] =
       at.round ? law::permanent_biaxial_strain_circle(theta[0], theta[1], 0.5 * at.height, length)
                : law::permanent_biaxial_strain_rectangle(theta[0], theta[1], at.width, at.height,
@@ -147,17 +152,22 @@ BreakWatch::Strains BreakWatch::strains_of(const JointAngles& theta, std::size_t
   return strain;
 }
 
-template <class Use>
-void BreakWatch::for_each_joint(const std::vector<JointAngles>& angles, const Use& use) {
+const std::vector<JointAngles>& BreakWatch::begin(const std::vector<JointAngles>& angles) {
   if (scales_) {
     scaled_ = angles;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
-      for (std::size_t k = 0; k < 3; ++k) scaled_[j][k] *= joints_[j].scale[k];
+      for (std::size_t k = 0; k < 3; ++k) scaled_[j][k] *= scale_of(joints_[j], k);
     }
   }
   const std::vector<JointAngles>& all = scales_ ? scaled_ : angles;
   covered_.begin(all);
   window_first_ = window_end_ = 0;
+  return all;
+}
+
+template <class Use>
+void BreakWatch::for_each_joint(const std::vector<JointAngles>& angles, const Use& use) {
+  const std::vector<JointAngles>& all = begin(angles);
   for (std::size_t j = 0; j < joints_.size(); ++j) use(j, strains_of(hinge_angles(all, j), j));
 }
 
@@ -189,10 +199,9 @@ void BreakWatch::set_strains(const std::vector<JointAngles>& angles, std::vector
 
 std::array<double, 4> BreakWatch::strains_at(const std::vector<JointAngles>& angles,
                                              std::size_t joint) {
-  covered_.begin(angles);
-  window_first_ = window_end_ = 0;
+  const std::vector<JointAngles>& all = begin(angles);
   JointAngles theta{};
-  for (std::size_t j = 0; j <= joint; ++j) theta = hinge_angles(angles, j);
+  for (std::size_t j = 0; j <= joint; ++j) theta = hinge_angles(all, j);
   Strains strain = strains_of(theta, joint);
   if (report_) strain[kBoth] = std::max(strain[0], strain[1]);
   for (std::size_t k = 0; k < theta.size(); ++k) strain[k] = std::copysign(strain[k], theta[k]);
@@ -201,11 +210,11 @@ std::array<double, 4> BreakWatch::strains_at(const std::vector<JointAngles>& ang
 
 double BreakWatch::lone_strain(const JointAngles& angle, std::size_t joint) const {
   JointAngles theta = angle;
-  for (std::size_t k = 0; k < 3; ++k) theta[k] *= joints_[joint].scale[k];
+  for (std::size_t k = 0; k < 3; ++k) theta[k] *= scale_of(joints_[joint], k);
   if (hinge_[joint] != 0.0 && has_window(joint)) {
     theta = times(window_of(joint).covers(joints_[joint]), theta);
   } else if (hinge_[joint] != 0.0 && spreading_ != Spreading::Gathers) {
-    theta = times(hinge_[joint] / joints_[joint].length, theta);
+    theta = times(hinge_[joint] / joints_[joint].own_length(), theta);
   }
   return nearest_limit(strains_of(theta, joint), joint);
 }

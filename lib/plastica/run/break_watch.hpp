@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "plastica/chain/layout.hpp"
+#include "plastica/chain/joint_model.hpp"
 #include "plastica/model/scene.hpp"
 #include "plastica/run/response.hpp"
 #include "plastica/run/sliding_sum.hpp"
@@ -18,22 +18,6 @@ using JointAngles = std::array<double, 3>;
 /// joints nearer to their limits than this break together. (On the plateau of ideal plasticity even
 /// bending is shared evenly to 1e-7 only, since any share is in equilibrium.)
 inline constexpr double kBreakTolerance = 1e-4;
-
-/// What the break criterion needs to know of a joint.
-struct WatchedJoint {
-  double share = 0.0;  ///< where it is, of the beam's length [1]
-  double begin = 0.0;  ///< the part of the axis that it stands for [m]
-  double end = 0.0;
-  double length = 1.0;  ///< tributary l [m]
-  /// Of bending about x, about y, torsion: l over the component's own tributary length [1].
-  std::array<double, 3> scale{1.0, 1.0, 1.0};
-  double width = 0.0;        ///< b [m]; of a round section its diameter
-  double height = 0.0;       ///< h [m]; the hinge length, if the scene gives none
-  double shear_lever = 0.0;  ///< J/W_t [m]
-  bool round = false;
-  /// Limits of bending about x, about y, torsion, and of bending about both [1]; infinite: none.
-  std::array<double, 4> limit{};
-};
 
 /// How a joint's law distributes permanent rotation along a beam whose moment varies.
 enum class Spreading {
@@ -62,7 +46,8 @@ Spreading spreading_of(const Scene& scene);
 class BreakWatch {
  public:
   BreakWatch() = default;
-  BreakWatch(const Scene& scene, std::vector<WatchedJoint> joints);
+  /// @param joints  at the nodes
+  BreakWatch(const Scene& scene, std::vector<chain::JointModel> joints);
 
   bool active() const { return active_; }
   /// L_p of a joint: of the scene, or the depth of the joint's section [m].
@@ -95,6 +80,9 @@ class BreakWatch {
   /// Strains of bending about x, about y, torsion and of bending about both.
   using Strains = std::array<double, 4>;
 
+  /// The angles that the joints' own lengths would take, with all ready to go through them in
+  /// their order.
+  const std::vector<JointAngles>& begin(const std::vector<JointAngles>& angles);
   /// Calls `use` with each joint and its strains, in their order.
   template <class Use>
   void for_each_joint(const std::vector<JointAngles>& angles, const Use& use);
@@ -102,13 +90,13 @@ class BreakWatch {
   double nearest_limit(const Strains& strain, std::size_t joint) const;
   /// Whether Theta is a sum over a window.
   bool has_window(std::size_t joint) const {
-    return spreading_ != Spreading::Hardens && joints_[joint].length < hinge_[joint];
+    return spreading_ != Spreading::Hardens && joints_[joint].own_length() < hinge_[joint];
   }
   /// A part of the beam [m].
   struct Window {
     double low = 0.0, high = 0.0;
     /// The share of a joint's length that it covers, if it touches it.
-    double covers(const WatchedJoint& joint) const;
+    double covers(const chain::JointModel& joint) const;
   };
   Window window_of(std::size_t joint) const;
   /// Theta of a joint; to be called for one after the other.
@@ -118,7 +106,7 @@ class BreakWatch {
   JointAngles lone_window(const std::vector<JointAngles>& angles, std::size_t joint) const;
   JointAngles gathered(const std::vector<JointAngles>& angles, std::size_t joint) const;
 
-  std::vector<WatchedJoint> joints_;
+  std::vector<chain::JointModel> joints_;
   SlidingSum covered_;                             ///< of joints that windows cover whole
   std::size_t window_first_ = 0, window_end_ = 0;  ///< joints that the window touches
   std::vector<double> hinge_;                      ///< L_p (joints)

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "plastica/chain/joint_numbers.hpp"
+#include "plastica/chain/joint_model.hpp"
 #include "plastica/run/break_watch.hpp"
 #include "plastica/run/chain_model.hpp"
 #include "plastica/run/chain_record.hpp"
@@ -51,6 +51,7 @@ class ChainBody {
   std::vector<chain::PartForm> parts;
   chain::Build<L> build;
   std::unique_ptr<Joints> joints;
+  std::vector<chain::JointModel> joint_models;  ///< at the nodes, with the material that runs
   Work work;
   BreakWatch watch;
   ChainRecord<L, kElastic> record;
@@ -59,7 +60,6 @@ class ChainBody {
 
  private:
   void set_material(const MaterialValues<double>& material);
-  void set_watch();
   void set_closure_stiffness();
 
   void find_axial_forces(bool in_motion);

@@ -2,50 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "plastica/chain/axial.hpp"
 #include "plastica/law/gauge_form.hpp"
-#include "plastica/model/section_kind.hpp"
 #include "plastica/run/chain_body.hpp"
 #include "plastica/run/chain_laws.hpp"
 
 /// Defines `ChainBody`.
 namespace plastica {
 namespace detail {
-
-inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-
-/// Limits of bending about x, about y, torsion, and of bending about both of a part's joints [1].
-inline std::array<double, 4> break_limits(const Scene& scene, const chain::PartForm& part) {
-  const double bending = part.material->break_strain.value_or(kNoLimit);
-  const bool report = scene.formulas == Formulas::Report;
-  const double shear = report ? part.material->break_shear_strain.value_or(bending)
-                              : resolved_break_shear_strain(*part.material).value_or(kNoLimit);
-  std::array<double, 4> limit{scene.break_limit_x.value_or(bending),
-                              scene.break_limit_y.value_or(bending),
-                              scene.break_limit_z.value_or(shear), kNoLimit};
-  if (!report && !scene.break_limit_x && !scene.break_limit_y) limit[3] = bending;
-  return limit;
-}
-
-/// What is watched at a node of a part that owns it, with the half segments on both sides.
-inline WatchedJoint watched_joint(const Scene& scene, const chain::Layout& layout,
-                                  const chain::PartForm& part, std::size_t node) {
-  const std::size_t n = layout.size();
-  WatchedJoint joint;
-  joint.share = layout.ends[node];
-  const double at = layout.ends[node] * scene.beam.length;
-  joint.begin = node == 0 ? at : at - 0.5 * layout.segment_length[node - 1];
-  joint.end = node == n ? at : at + 0.5 * layout.segment_length[node];
-  joint.length = layout.joint_length[node];
-  joint.round = section_kind(*part.section).round();
-  joint.width = 2.0 * part.properties.outer_distance_y;
-  joint.height = 2.0 * part.properties.outer_distance_x;
-  joint.shear_lever = part.properties.torsion_constant / part.properties.torsion_modulus;
-  joint.limit = break_limits(scene, part);
-  return joint;
-}
 
 /// Whether joints of a path yield by their axial force, too; in motion they do not.
 inline bool sees_axial(const ChainModel& model) {
@@ -66,7 +31,7 @@ ChainBody<L, kElastic>::ChainBody(const ChainModel& of, const chain::View<L>& se
                             detail::sees_axial(model))
               .build();
   work.resize(build.chain);
-  record.prepare(model, view, build, parts, watch);
+  record.prepare(model, view, build, joint_models, watch);
   const std::size_t nodes = model.layout.size() + 1;
   strains.reset(nodes);
   trial.reset(nodes);
@@ -78,39 +43,6 @@ void ChainBody<L, kElastic>::reset(const MaterialValues<double>& material) {
   work.resize(build.chain);
   record.reset();
   strains.reset(strains.strain.size());
-}
-
-/// What breaks the joints of nodes, each with the numbers of the part that owns it.
-template <class L, bool kElastic>
-void ChainBody<L, kElastic>::set_watch() {
-  const chain::Layout& layout = model.layout;
-  const std::size_t n = layout.size();
-  const std::size_t first = view.section_axes().rotation(0);
-  std::vector<WatchedJoint> watched;
-  for (std::size_t i = 0; i <= n; ++i) {
-    const std::size_t joint = record.joint_of_node(i);
-    if (joint == ChainRecord<L, kElastic>::kNone) {
-      const std::size_t part =
-          i < n ? layout.segment_part[i].inner : layout.segment_part[n - 1].outer;
-      watched.push_back(detail::watched_joint(model.scene, layout, parts[part], i));
-      continue;
-    }
-    const chain::SectionJoint<L>& numbers = joints->joints()[joint];
-    const chain::JointPlan& plan = build.joints[joint];
-    WatchedJoint one = detail::watched_joint(model.scene, layout, parts[numbers.law], i);
-    one.length = static_cast<double>(numbers.length[first]);
-    for (std::size_t k = 0; k < L::kRotations; ++k) {
-      const std::size_t axis = view.section_axes().rotation(k);
-      one.scale[axis] = one.length / static_cast<double>(numbers.length[axis]);
-    }
-    // With what it takes over of an end; between unlike parts, of its owner alone.
-    if (i == 1) one.begin -= layout.bare_half[0][first];
-    if (i + 1 == n) one.end += layout.bare_half[1][first];
-    const double at = layout.ends[i] * model.scene.beam.length;
-    if (plan.part_a != plan.part_b) (numbers.law == plan.part_a ? one.end : one.begin) = at;
-    watched.push_back(one);
-  }
-  watch = BreakWatch(model.scene, std::move(watched));
 }
 
 /// A hundred times the stiffness of the beam's tip, of its largest section.
@@ -132,18 +64,20 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
     joints->reset();
     return;
   }
+  std::vector<MaterialValues<double>> values;
   std::vector<MaterialValues<S>> materials(parts.size());
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    const MaterialValues<double> values = p == 0 ? material : material_values(*parts[p].material);
-    for (std::size_t i = 0; i < kMaterialFields; ++i) materials[p][i] = constant<S>(values[i]);
+    values.push_back(p == 0 ? material : material_values(*parts[p].material));
+    for (std::size_t i = 0; i < kMaterialFields; ++i) materials[p][i] = constant<S>(values[p][i]);
   }
   joints = make_joints<L, kElastic>(model.scene, parts, materials,
                                     chain::joint_numbers(build.joints, parts, materials, view),
                                     view, model.options.fibres);
   material_ = material;
-  record.set_joints(*joints);
+  joint_models =
+      chain::joint_models(model.scene, model.layout, build, parts, values, joints->joints(), view);
   // Which part owns a joint between two follows from the material.
-  if (watch.size() == 0 || parts.size() > 1) set_watch();
+  if (watch.size() == 0 || parts.size() > 1) watch = BreakWatch(model.scene, joint_models);
   set_closure_stiffness();
 }
 
@@ -152,7 +86,7 @@ void ChainBody<L, kElastic>::set_trial_strains() {
   if (model.scene.yield_model == YieldModel::Elastic) return;
   for (std::size_t i = 0; i < trial.strain.size(); ++i) {
     const std::size_t joint = record.joint_of_node(i);
-    if (joint == ChainRecord<L, kElastic>::kNone) continue;
+    if (joint == chain::JointModel::kNone) continue;
     trial.permanent[i] = record.permanent_angle(*joints, work, joint);
     for (std::size_t k = 0; k < 3; ++k) {
       trial.accumulated[i][k] =
@@ -217,7 +151,7 @@ void ChainBody<L, kElastic>::note_axial(bool in_motion, Response& response) {
     const bool seen = stretches && !per_axis;
     if (!yields(j) && !(left_out && ratio > 1.0)) continue;
     const bool grows = takes_thrust && force < 0.0 && ratio > 1.0;
-    const double least = grows ? 1.0 : seen ? detail::kNoLimit : left_out ? 1e-3 : 1.0;
+    const double least = grows ? 1.0 : seen ? chain::JointModel::kNever : left_out ? 1e-3 : 1.0;
     if (ratio < std::max(least, response.axial ? response.axial->ratio : 0.0)) continue;
     const chain::JointPlan& plan = build.joints[j];
     const double thrust = response.axial ? response.axial->thrust : 0.0;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "plastica/model/section_kind.hpp"
 #include "plastica/run/chain_record.hpp"
 
 /// What the probes of a chain record.
@@ -23,19 +22,7 @@ inline double component_of(const Vec<double, 3>& v, Component component) {
   return 0.0;
 }
 
-/// The largest over the section of a strain or stress with these parts of bending about x and y.
-inline double bending_together(const Section& section, double by_x, double by_y) {
-  return section_kind(section).round() ? std::hypot(by_x, by_y) : std::fabs(by_x) + std::fabs(by_y);
-}
-
 }  // namespace detail
-
-template <class L, bool kElastic>
-double ChainRecord<L, kElastic>::largest_stress(std::size_t joint, const Space& moment) const {
-  const chain::PartForm& part = part_of(joint);
-  return detail::bending_together(*part.section, moment[0] / part.properties.section_modulus_x,
-                                  moment[1] / part.properties.section_modulus_y);
-}
 
 template <class L, bool kElastic>
 double ChainRecord<L, kElastic>::hinge_strain(const Probe& probe,
@@ -52,18 +39,15 @@ double ChainRecord<L, kElastic>::joint_value(const Probe& probe, const NodeStrai
   const auto vector = [&](const std::vector<double>& values) {
     return Space{{values[at], values[at + 1], values[at + 2]}};
   };
-  const std::size_t joint = joint_of_node_[node];
-  const chain::PartForm& part = part_of(joint);
-  const SectionProperties& p = part.properties;
-  const auto& length = (*numbers_)[joint].length;
-  // Strain of the extreme fibre per angle of the joint.
-  const Space lever{{p.second_moment_x / p.section_modulus_x / length[law::kBendingX],
-                     p.second_moment_y / p.section_modulus_y / length[law::kBendingY],
-                     p.torsion_constant / p.torsion_modulus / length[law::kTorsion]}};
-  const auto strain = [&](const Space& angle) {
-    const Space of_axis{{lever[0] * angle[0], lever[1] * angle[1], lever[2] * angle[2]}};
+  const chain::JointModel& joint = (*joints_)[node];
+  // Of the extreme fibre by one component, or of bending about both axes.
+  const auto of_section = [&](const Space& of_axis) {
     if (probe.component != Component::Size) return detail::component_of(of_axis, probe.component);
-    return detail::bending_together(*part.section, of_axis[0], of_axis[1]);
+    return joint.bending_together(of_axis[0], of_axis[1]);
+  };
+  const auto strain = [&](Space angle) {
+    for (std::size_t k = 0; k < 3; ++k) angle[k] *= joint.strain_per_angle(k);
+    return of_section(angle);
   };
   switch (probe.quantity) {
     case ProbeQuantity::Moment:
@@ -82,12 +66,9 @@ double ChainRecord<L, kElastic>::joint_value(const Probe& probe, const NodeStrai
     }
     default: break;
   }
-  // Stress.
-  const Space moment = vector(history.moment);
-  if (probe.component == Component::Size) return largest_stress(joint, moment);
-  return detail::component_of({{moment[0] / p.section_modulus_x, moment[1] / p.section_modulus_y,
-                                moment[2] / p.torsion_modulus}},
-                              probe.component);
+  Space stress = vector(history.moment);
+  for (std::size_t k = 0; k < 3; ++k) stress[k] = joint.stress(k, stress[k]);
+  return of_section(stress);
 }
 
 /// Displacement or rotation of a point.

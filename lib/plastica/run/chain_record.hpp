@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "plastica/chain/build.hpp"
+#include "plastica/chain/joint_model.hpp"
 #include "plastica/run/break_watch.hpp"
 #include "plastica/run/chain_model.hpp"
 #include "plastica/run/chain_shape.hpp"
@@ -46,16 +46,13 @@ class ChainRecord {
   using Space = Vec<double, 3>;
 
   void prepare(const ChainModel& model, const chain::View<L>& view, const chain::Build<L>& build,
-               const std::vector<chain::PartForm>& parts, BreakWatch& watch);
+               const std::vector<chain::JointModel>& joints, BreakWatch& watch);
 
   /// Forgets the path so far.
   void reset();
-  /// The numbers of the joints with the material that runs; they outlive the record's use.
-  void set_joints(const Joints& joints) { numbers_ = &joints.joints(); }
-
   /// The joint of the law at a node: that of the chain, or to the ground at the end; or none.
-  std::size_t joint_of_node(std::size_t node) const { return joint_of_node_[node]; }
-  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::size_t joint_of_node(std::size_t node) const { return (*joints_)[node].joint; }
+  static constexpr std::size_t kNone = chain::JointModel::kNone;
 
   /// Permanent angle of a joint: what is left of its angle without its moment, about x, y, z.
   std::array<double, 3> permanent_angle(const Joints& joints, const Work& w,
@@ -141,7 +138,7 @@ class ChainRecord {
   bool is_cut(const Work& w, std::size_t node) const {
     if (node < build_->chain.size()) return w.q.open[node];
     for (std::size_t g = 0; g < build_->chain.ground_joints.size(); ++g) {
-      if (build_->chain.ground_joints[g].joint == joint_of_node_[node]) {
+      if (build_->chain.ground_joints[g].joint == joint_of_node(node)) {
         return w.q.released_ground_joint[g];
       }
     }
@@ -161,19 +158,12 @@ class ChainRecord {
       if (build_->chain.root.welded[k]) moment[k] = in_joint[k];
     }
   }
-  /// The part that owns a joint.
-  const chain::PartForm& part_of(std::size_t joint) const {
-    return (*parts_)[(*numbers_)[joint].law];
-  }
-  double largest_stress(std::size_t joint, const Space& moment) const;
 
   const ChainModel* model_ = nullptr;
   chain::View<L> view_{};
   const chain::Build<L>* build_ = nullptr;
-  BreakWatch* watch_ = nullptr;  ///< the measure of permanent strains
-  const std::vector<chain::PartForm>* parts_ = nullptr;
-  const std::vector<chain::SectionJoint<L>>* numbers_ = nullptr;
-  std::vector<std::size_t> joint_of_node_;
+  BreakWatch* watch_ = nullptr;                             ///< the measure of permanent strains
+  const std::vector<chain::JointModel>* joints_ = nullptr;  ///< at the nodes
   // Where the work was last summed:
   chain::Placement<L> placement_;
   std::vector<std::array<double, 6>> support_force_;
@@ -194,20 +184,14 @@ class ChainRecord {
 template <class L, bool kElastic>
 void ChainRecord<L, kElastic>::prepare(const ChainModel& model, const chain::View<L>& view,
                                        const chain::Build<L>& build,
-                                       const std::vector<chain::PartForm>& parts,
+                                       const std::vector<chain::JointModel>& joints,
                                        BreakWatch& watch) {
   model_ = &model;
   watch_ = &watch;
   view_ = view;
   build_ = &build;
-  parts_ = &parts;
-  const std::size_t n = build.chain.size();
-  joint_of_node_.assign(n + 1, kNone);
-  for (std::size_t i = 0; i < n; ++i) joint_of_node_[i] = i;
-  for (const auto& joint : build.chain.ground_joints) {
-    if (joint.node == n) joint_of_node_[n] = joint.joint;
-  }
-  placement_.resize(n);
+  joints_ = &joints;
+  placement_.resize(build.chain.size());
   support_force_.resize(model.scene.supports.size());
   size_shape(response_size(model), 1, shape_);
   probes_read_shape_ = std::any_of(model.scene.probes.begin(), model.scene.probes.end(),
@@ -232,8 +216,7 @@ std::array<double, 3> ChainRecord<L, kElastic>::permanent_angle(const Joints& jo
   typename L::Spin left;
   for (std::size_t k = 0; k < L::kRotations; ++k) {
     const std::size_t axis = axes.rotation(k);
-    const S elastic =
-        joints.section_forces()[joint][axis] * numbers.length[axis] / numbers.stiffness[axis];
+    const S elastic = numbers.elastic_angle(axis, joints.section_forces()[joint][axis]);
     left[k] = numbers.acting[k] * (w.angles[joint][k] - elastic);
   }
   return joint_spin(left).at;
@@ -259,21 +242,16 @@ const History& ChainRecord<L, kElastic>::shown_history() const {
 
 template <class L, bool kElastic>
 std::size_t ChainRecord<L, kElastic>::node_at(const Place& place) const {
-  const auto& ends = model_->layout.ends;
-  const double share = share_of(place, ends);
-  std::size_t nearest = 0;
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    if (std::fabs(ends[i] - share) < std::fabs(ends[nearest] - share)) nearest = i;
-  }
+  const auto nearest = static_cast<std::size_t>(nearest_segment_end(place, model_->layout.ends));
   // A free end has no joint; the last one is before it.
-  return joint_of_node_[nearest] == kNone && nearest > 0 ? nearest - 1 : nearest;
+  return joint_of_node(nearest) == kNone && nearest > 0 ? nearest - 1 : nearest;
 }
 
 template <class L, bool kElastic>
 typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::moment(const Joints& joints,
                                                                           const Work& w,
                                                                           std::size_t node) const {
-  const std::size_t joint = joint_of_node_[node];
+  const std::size_t joint = joint_of_node(node);
   if (is_cut(w, node)) return {};
   const chain::SectionJoint<L>& numbers = joints.joints()[joint];
   const auto axes = view_.section_axes();
@@ -305,7 +283,7 @@ void ChainRecord<L, kElastic>::set_shape(const Work& w, const Joints& joints,
       }
     }
     put(shape_.position, 3 * i, where);
-    const std::size_t joint = joint_of_node_[i];
+    const std::size_t joint = joint_of_node(i);
     if (joint == kNone) continue;
     put(shape_.moment, 3 * i, moment(joints, w, i));
     put(shape_.angle, 3 * i, joint_spin(w.angles[joint]));
@@ -316,8 +294,9 @@ void ChainRecord<L, kElastic>::set_shape(const Work& w, const Joints& joints,
       put(shape_.force, 3 * i, in_space(force));
     }
     shape_.plastic_strain[i] = strains.strain[i];
-    shape_.stress[i] =
-        largest_stress(joint, Space{{shape_.moment[3 * i], shape_.moment[3 * i + 1], 0.0}});
+    const chain::JointModel& numbers = (*joints_)[i];
+    shape_.stress[i] = numbers.bending_together(numbers.stress(0, shape_.moment[3 * i]),
+                                                numbers.stress(1, shape_.moment[3 * i + 1]));
   }
   for (std::size_t i = 0; i < n; ++i) put(shape_.rotation, 3 * i, rotation(w, i));
   for (std::size_t s = 0; s < shape_.supports; ++s) {

@@ -40,7 +40,6 @@ struct PlanarLanes {
   }
 
   static std::array<double, Kind::kCount> kind(const Body& body, const GivenJoints<Level>& joints,
-                                               const MaterialValues<double>& material,
                                                std::size_t i) {
     const auto& chain = body.build.chain;
     const auto& inertia = chain.inertias[i];
@@ -58,7 +57,7 @@ struct PlanarLanes {
     kind[Kind::Stiffness] = stiffness;
     kind[Kind::Compliance] = stiffness > 0.0 ? 1.0 / stiffness : 0.0;
     kind[Kind::Damping] = damped ? options.damping_time * stiffness : 0.0;
-    kind[Kind::Cap] = cap(body, joints.joints()[i].law, material);
+    kind[Kind::Cap] = cap(body, i);
     const bool welded = i == 0 && chain.root.welded[0];
     kind[Kind::Hold] = welded ? std::numeric_limits<double>::infinity() : 0.0;
     for (double& number : kind) number = without_noise(number);
@@ -89,19 +88,17 @@ struct PlanarLanes {
 
   /// Takes a joint's state into the chain.
   static void read(const std::array<double, State::kCount>& state, std::size_t i, Body& body,
-                   GivenJoints<Level>& joints, const MaterialValues<double>& material,
-                   Level::Spin& turning) {
+                   GivenJoints<Level>& joints, Level::Spin& turning) {
     const double angle = state[State::Angle];
     body.work.q.angle[i] = {{angle}};
-    joints.give(i, {{angle - state[State::Plastic]}},
-                plastic_work(state, joints.joints()[i].law, body, material));
+    joints.give(i, {{angle - state[State::Plastic]}}, plastic_work(state, body, i));
     turning = {{state[State::Turning]}};
   }
 
-  static double plastic_work(const std::array<double, State::kCount>& state, std::size_t part,
-                             const Body& body, const MaterialValues<double>& material) {
+  static double plastic_work(const std::array<double, State::kCount>& state, const Body& body,
+                             std::size_t i) {
     const double flowed = state[State::Accumulated];
-    return flowed > 0.0 ? flowed * cap(body, part, material) : 0.0;
+    return flowed > 0.0 ? flowed * cap(body, i) : 0.0;
   }
 
   /// Sums of the sizes of a joint's permanent turns [rad].
@@ -122,8 +119,8 @@ struct PlanarLanes {
   }
 
  private:
-  static double cap(const Body& body, std::size_t part, const MaterialValues<double>& material) {
-    return yield_moment(body, part, body.view.section_axes().rotation(0), material);
+  static double cap(const Body& body, std::size_t i) {
+    return body.joint_models[i].cap[body.view.section_axes().rotation(0)];
   }
 };
 

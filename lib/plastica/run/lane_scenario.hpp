@@ -63,7 +63,7 @@ class LaneScenario {
   }
 
   std::array<double, Form::Kind::kCount> kind(std::size_t i) const {
-    return Form::kind(*body_, *joints_, *case_.material, i);
+    return Form::kind(*body_, *joints_, i);
   }
   std::array<double, Form::State::kCount> state(std::size_t i) const {
     return Form::state(*body_, motion_, i);
@@ -103,8 +103,7 @@ class LaneScenario {
   double plastic_work(const Memory& memory, std::size_t lane) const {
     double work = 0.0;
     for (std::size_t i = 0; yields() && i < motion_.size(); ++i) {
-      work += Form::plastic_work(memory.state(i, lane), joints_->joints()[i].law, *body_,
-                                 *case_.material);
+      work += Form::plastic_work(memory.state(i, lane), *body_, i);
     }
     return work;
   }
@@ -178,7 +177,7 @@ class LaneScenario {
     for (std::size_t i = 0; i < n; ++i) {
       const auto& segment = chain().segments[i];
       const auto state = memory.state(i, lane);
-      Form::read(state, i, *body_, *joints_, *case_.material, turning_[i]);
+      Form::read(state, i, *body_, *joints_, turning_[i]);
       const auto flowed = in_double(body_->view.spin_in_space(Form::accumulated(state)));
       for (std::size_t k = 0; k < 3; ++k) accumulated_[i][k] = std::fabs(flowed[k]);
       const auto sight = memory.sight(i, lane);

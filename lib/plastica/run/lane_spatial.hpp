@@ -39,7 +39,6 @@ struct SpatialLanes {
   }
 
   static std::array<double, Kind::kCount> kind(const Body& body, const GivenJoints<Level>& joints,
-                                               const MaterialValues<double>& material,
                                                std::size_t i) {
     const auto& chain = body.build.chain;
     const auto& inertia = chain.inertias[i];
@@ -57,7 +56,7 @@ struct SpatialLanes {
       kind[Kind::Stiffness + k] = stiffness;
       kind[Kind::Compliance + k] = stiffness > 0.0 ? 1.0 / stiffness : 0.0;
       kind[Kind::Damping + k] = damped ? options.damping_time * stiffness : 0.0;
-      kind[Kind::Cap + k] = yield_moment(body, joints.joints()[i].law, k, material);
+      kind[Kind::Cap + k] = body.joint_models[i].cap[k];
     }
     kind[Kind::Free] = i == 0 && chain.root.welded[0] ? 0.0 : 1.0;
     for (double& number : kind) number = without_noise(number);
@@ -91,23 +90,22 @@ struct SpatialLanes {
 
   /// Takes a joint's state into the chain.
   static void read(const std::array<double, State::kCount>& state, std::size_t i, Body& body,
-                   GivenJoints<Level>& joints, const MaterialValues<double>& material,
-                   Level::Spin& turning) {
+                   GivenJoints<Level>& joints, Level::Spin& turning) {
     Level::Spin elastic;
     for (std::size_t k = 0; k < 3; ++k) {
       body.work.q.angle[i][k] = state[State::Angle + k];
       elastic[k] = state[State::Angle + k] - state[State::Plastic + k];
       turning[k] = state[State::Turning + k];
     }
-    joints.give(i, elastic, plastic_work(state, joints.joints()[i].law, body, material));
+    joints.give(i, elastic, plastic_work(state, body, i));
   }
 
-  static double plastic_work(const std::array<double, State::kCount>& state, std::size_t part,
-                             const Body& body, const MaterialValues<double>& material) {
+  static double plastic_work(const std::array<double, State::kCount>& state, const Body& body,
+                             std::size_t i) {
     double work = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
       const double flowed = state[State::Accumulated + k];
-      if (flowed > 0.0) work += flowed * yield_moment(body, part, k, material);
+      if (flowed > 0.0) work += flowed * body.joint_models[i].cap[k];
     }
     return work;
   }

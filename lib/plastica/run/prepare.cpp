@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "plastica/model/beam_axis.hpp"
-#include "plastica/model/choose_level.hpp"
+#include "plastica/model/checked_scene.hpp"
 #include "plastica/model/region.hpp"
 #include "plastica/run/chain_laws.hpp"
 #include "plastica/run/chain_run.hpp"
@@ -47,14 +47,14 @@ void set_frames(ChainModel& chain) {
 }
 
 std::shared_ptr<const ChainModel> prepare_chain(const Scene& scene, const SolverOptions& options,
-                                                const LevelChoice& choice) {
+                                                model_detail::CheckedScene checked) {
   check_regions(scene);
   auto chain = std::make_shared<ChainModel>();
   chain->scene = scene;
   chain->options = options;
-  chain->level = choice.level;
-  chain->across = choice.bending == BendingAxis::X ? 1 : 0;
-  chain->layout = chain::make_layout(scene);
+  chain->level = checked.level.level;
+  chain->across = checked.level.bending == BendingAxis::X ? 1 : 0;
+  chain->layout = chain::make_layout(scene, std::move(checked.ends));
   set_cuts(*chain);
   set_stops(*chain);
   set_frames(*chain);
@@ -101,16 +101,15 @@ bool is_motion(const Model& model) {
 
 Model prepare(const Scene& scene, const SolverOptions& options,
               std::span<const std::string> parameters) {
-  check_scene(scene, options);
+  model_detail::CheckedScene checked = model_detail::checked_scene(scene, options);
 
   Model model;
-  const LevelChoice choice = choose_level(scene, options);
-  model.level = choice.level;
-  model.level_reason = choice.reason;
+  model.level = checked.level.level;
+  model.level_reason = checked.level.reason;
   if (model.level == Level::Coupon) {
     model.coupon = coupon::coupon_shape(scene);
   } else {
-    model.chain = prepare_chain(scene, options, choice);
+    model.chain = prepare_chain(scene, options, std::move(checked));
   }
   model.material = material_values(scene.material);
   model.hardening = scene.material.hardening.law;

@@ -115,7 +115,7 @@ class JointMotion {
     Vector k;
     for (std::size_t m = 0; m < kR; ++m) {
       const std::size_t axis = axes_.rotation(m);
-      k[m] = joint.acting[m] * joint.stiffness[axis] / joint.length[axis] + joint.spring[m];
+      k[m] = joint.turning_stiffness(m, axis) + joint.spring[m];
     }
     if constexpr (kElastic) {
       constexpr std::size_t kAxial = 3;

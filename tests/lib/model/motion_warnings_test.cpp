@@ -6,17 +6,22 @@
 #include <functional>
 #include <numbers>
 
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/model/scene_warnings.hpp"
 #include "tests/lib/model/chain_scenes.hpp"
 
 namespace plastica {
 namespace {
 
-using model_detail::first_frequency;
 using std::numbers::pi;
 using testing::cantilever;
 
 using Change = std::function<void(Scene&, SolverOptions&)>;
+
+std::optional<model_detail::FirstFrequency> frequency_of(const Scene& scene,
+                                                         const LevelChoice& level) {
+  return model_detail::first_frequency(scene, level, segment_ends(scene));
+}
 
 /// Warnings of the slender cantilever in motion for a second, well resolved.
 std::vector<std::string> warnings_of(const Change& change) {
@@ -40,7 +45,7 @@ bool has(const std::vector<std::string>& warnings, const std::string& text) {
 double beta_l(const std::vector<Support>& supports) {
   Scene scene = cantilever();
   scene.supports = supports;
-  const auto first = first_frequency(scene, {Level::Planar, BendingAxis::X, ""});
+  const auto first = frequency_of(scene, {Level::Planar, BendingAxis::X, ""});
   const Material& m = scene.material;
   const double radius = 0.02 / std::sqrt(12.0);
   const double wave = radius * std::sqrt(m.youngs_modulus / m.density);  // sqrt(EI/(rho A))
@@ -93,13 +98,13 @@ TEST(FirstFrequency, IsThatOfTheLevelsPlane) {
   Scene scene = cantilever();
   scene.section.width = 0.01;
   const auto about = [&](Level level, BendingAxis axis) {
-    return first_frequency(scene, {level, axis, ""})->hertz;
+    return frequency_of(scene, {level, axis, ""})->hertz;
   };
   const double about_x = about(Level::Planar, BendingAxis::X);
   EXPECT_NEAR(about(Level::Planar, BendingAxis::Y), about_x / 2.0, 1e-9);
   EXPECT_NEAR(about(Level::Spatial, BendingAxis::X), about_x / 2.0, 1e-9);
   scene.beam.segments = 1;
-  EXPECT_FALSE(first_frequency(scene, {Level::Planar, BendingAxis::X, ""}));
+  EXPECT_FALSE(frequency_of(scene, {Level::Planar, BendingAxis::X, ""}));
 }
 
 TEST(FirstFrequency, OfATwistIsThatOfTorsionalWaves) {
@@ -107,9 +112,9 @@ TEST(FirstFrequency, OfATwistIsThatOfTorsionalWaves) {
   scene.section = {SectionShape::Circle};
   // J is the polar moment of a circle: waves of speed sqrt(G/rho) run four lengths in a period.
   const double speed = std::sqrt(resolved_shear_modulus(scene.material) / scene.material.density);
-  const auto hertz = [&] { return first_frequency(scene, {Level::Twist, {}, ""})->hertz; };
+  const auto hertz = [&] { return frequency_of(scene, {Level::Twist, {}, ""})->hertz; };
   EXPECT_NEAR(hertz(), speed / 4.0, 1e-9 * speed);
-  EXPECT_TRUE(first_frequency(scene, {Level::Twist, {}, ""})->torsion);
+  EXPECT_TRUE(frequency_of(scene, {Level::Twist, {}, ""})->torsion);
   scene.supports.push_back({Place::end(), SupportKind::Clamp});
   EXPECT_NEAR(hertz(), speed / 2.0, 1e-9 * speed);
   scene.supports.clear();
@@ -188,7 +193,7 @@ TEST(MotionWarnings, SayThatARestitutionIsThatOfTheTouchedPoint) {
 
 TEST(MotionWarnings, KnowWhatImplicitEulerDoesToAVibration) {
   // The scheme itself on x'' = -omega^2 x, over a period of 600 steps.
-  const double omega = 2.0 * pi * first_frequency(cantilever(), {Level::Planar, {}, ""})->hertz;
+  const double omega = 2.0 * pi * frequency_of(cantilever(), {Level::Planar, {}, ""})->hertz;
   const double step = 2.0 * pi / omega / 600.0;
   double x = 1.0;
   double v = 0.0;

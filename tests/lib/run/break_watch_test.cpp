@@ -9,75 +9,12 @@
 #include <random>
 #include <utility>
 
+#include "tests/lib/run/watched_beam.hpp"
+
 namespace plastica {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::infinity();
-constexpr double kHeight = 0.2;  ///< h [m], the hinge length too
-constexpr double kWidth = 0.1;   ///< b [m]
-
-/// A scene whose law gathers rotation in one joint: ideal plasticity of the whole section.
-Scene ideal_scene() {
-  Scene scene;
-  scene.section.width = kWidth;
-  scene.section.height = kHeight;
-  scene.yield_model = YieldModel::PerAxis;
-  return scene;
-}
-
-Scene hardening_scene() {
-  Scene scene = ideal_scene();
-  scene.material.hardening.law = HardeningLaw::Linear;
-  scene.material.hardening.tangent_modulus = 2e9;
-  return scene;
-}
-
-/// The joints of a beam of 1 m, half joints at its ends, all with the same limits.
-std::vector<WatchedJoint> joints_of(int segments, const std::array<double, 4>& limit) {
-  std::vector<WatchedJoint> joints;
-  const double l = 1.0 / segments;
-  for (int i = 0; i <= segments; ++i) {
-    WatchedJoint joint;
-    joint.share = i * l;
-    joint.begin = i == 0 ? 0.0 : (i - 0.5) * l;
-    joint.end = i == segments ? 1.0 : (i + 0.5) * l;
-    joint.length = joint.end - joint.begin;
-    joint.width = kWidth;
-    joint.height = kHeight;
-    joint.shear_lever = 0.08;
-    joint.limit = limit;
-    joints.push_back(joint);
-  }
-  return joints;
-}
-
-BreakWatch watch_of(const Scene& scene, int segments,
-                    const std::array<double, 4>& limit = {0.1, kNone, kNone, kNone}) {
-  return {scene, joints_of(segments, limit)};
-}
-
-/// The strain of one joint.
-double strain_of(BreakWatch watch, const std::vector<JointAngles>& angles, std::size_t joint) {
-  std::vector<double> strain(watch.size());
-  watch.set_strains(angles, strain);
-  return strain[joint];
-}
-
-/// Uniform curvature about x: every joint turns by its tributary length times it.
-std::vector<JointAngles> uniform(int segments, double curvature) {
-  std::vector<JointAngles> angles;
-  for (const WatchedJoint& joint : joints_of(segments, {})) {
-    angles.push_back({curvature * joint.length, 0.0, 0.0});
-  }
-  return angles;
-}
-
-/// One joint alone turns.
-std::vector<JointAngles> lone(int segments, std::size_t joint, const JointAngles& angle) {
-  std::vector<JointAngles> angles(static_cast<std::size_t>(segments) + 1);
-  angles[joint] = angle;
-  return angles;
-}
+using namespace testing::watched;
 
 TEST(BreakWatch, SeesAUniformCurvatureWhateverTheSegments) {
   // l from 1/4 of the hinge length to 2.5 of it; joint 0 is at the beam's end, its window inside.
@@ -125,7 +62,7 @@ TEST(BreakWatch, MovesTheWindowOfTheEndIntoTheBeam) {
 
 /// Theta of a window as its definition has it, joint by joint, with the part of each that it
 /// covers.
-double summed(const std::vector<WatchedJoint>& joints, const std::vector<JointAngles>& angles,
+double summed(const std::vector<chain::JointModel>& joints, const std::vector<JointAngles>& angles,
               std::size_t joint, double window) {
   const double middle = 0.5 * (joints[joint].begin + joints[joint].end);
   const double low = std::max(0.0, std::min(middle - 0.5 * window, joints.back().end - window));
@@ -141,13 +78,13 @@ TEST(BreakWatch, SumsWindowsOfJointsOfAnyLength) {
   std::mt19937 draw(7);
   std::uniform_real_distribution<double> number(0.0, 1.0);
   for (const int count : {1, 2, 3, 7, 60, 400}) {
-    std::vector<WatchedJoint> joints = joints_of(count, {0.1, kNone, kNone, kNone});
+    std::vector<chain::JointModel> joints = joints_of(count, {0.1, kNone, kNone, kNone});
     std::vector<double> ends{0.0};
     for (std::size_t j = 0; j < joints.size(); ++j) ends.push_back(ends.back() + number(draw));
     for (std::size_t j = 0; j < joints.size(); ++j) {
       joints[j].begin = ends[j] / ends.back();
       joints[j].end = ends[j + 1] / ends.back();
-      joints[j].length = joints[j].end - joints[j].begin;
+      joints[j].length.fill(joints[j].end - joints[j].begin);
     }
     for (const double window : {1e-3, 0.05, 0.3, 0.9, 1.0, 5.0}) {
       Scene scene = ideal_scene();
@@ -161,8 +98,9 @@ TEST(BreakWatch, SumsWindowsOfJointsOfAnyLength) {
       std::vector<double> strain(joints.size());
       watch.set_strains(angles, strain);
       for (std::size_t j = 0; j < joints.size(); ++j) {
-        const double theta = joints[j].length < window ? summed(joints, angles, j, window)
-                                                       : angles[j][0] * window / joints[j].length;
+        const double theta = joints[j].own_length() < window
+                                 ? summed(joints, angles, j, window)
+                                 : angles[j][0] * window / joints[j].own_length();
         const double expected = kHeight / 2.0 * theta / window;
         EXPECT_NEAR(strain[j], expected, 1e-13 * (1.0 + expected)) << count << ' ' << window;
       }
@@ -277,122 +215,11 @@ TEST(BreakWatch, TakesTheDepthForTheHingeLengthAndNoneWithTheReportsFormulas) {
   EXPECT_EQ(watch_of(scene, 20).hinge_length(0), 0.0);
   scene.formulas = Formulas::Mechanics;
   // The depth of the section that owns the joint.
-  std::vector<WatchedJoint> joints = joints_of(20, {0.1, kNone, kNone, kNone});
+  std::vector<chain::JointModel> joints = joints_of(20, {0.1, kNone, kNone, kNone});
   joints[7].height = 0.06;
   const BreakWatch watch(scene, joints);
   EXPECT_EQ(watch.hinge_length(7), 0.06);
   EXPECT_EQ(watch.hinge_length(8), kHeight);
-}
-
-TEST(BreakWatch, ChecksEachAxisAgainstItsOwnLimit) {
-  BreakWatch watch = watch_of(ideal_scene(), 20, {0.1, 0.01, 0.05, kNone});
-  // Strains (h/2, b/2, J/W_t) angle/h.
-  EXPECT_NEAR(watch.excess(lone(20, 10, {0.19, 0.0, 0.0})), -0.05, 1e-12);
-  EXPECT_TRUE(watch.broken(lone(20, 10, {0.19, 0.0, 0.0})).empty());
-  const auto expect = [&](const JointAngles& angle, BreakCause cause, double strain, double limit) {
-    const auto broken = watch.broken(lone(20, 10, angle));
-    ASSERT_FALSE(broken.empty());
-    const BrokenJoint* at = nullptr;
-    for (const BrokenJoint& joint : broken) {
-      if (joint.joint == 10) at = &joint;
-    }
-    ASSERT_NE(at, nullptr);
-    EXPECT_EQ(at->cause, cause);
-    EXPECT_NEAR(at->strain, strain, 1e-15);
-    EXPECT_EQ(at->limit, limit);
-    EXPECT_EQ(at->angle, angle);
-  };
-  expect({0.21, 0.0, 0.0}, BreakCause::BendingX, 0.105, 0.1);
-  expect({0.21, 0.05, 0.0}, BreakCause::BendingY, 0.0125, 0.01);  // further over its limit
-  expect({0.0, 0.0, -0.13}, BreakCause::Torsion, 0.052, 0.05);
-}
-
-TEST(BreakWatch, TakesTheCornerOfARectangleAndTheResultantOfACircle) {
-  const std::array<double, 4> limit{0.1, 0.1, kNone, 0.1};
-  const auto angles = lone(20, 10, {0.12, -0.16, 0.0});
-  BreakWatch rectangle = watch_of(ideal_scene(), 20, limit);
-  EXPECT_NEAR(strain_of(rectangle, angles, 10), (kHeight * 0.12 + kWidth * 0.16) / 2.0 / kHeight,
-              1e-15);
-  auto joints = joints_of(20, limit);
-  for (WatchedJoint& joint : joints) {
-    joint.round = true;
-    joint.width = joint.height = kHeight;
-  }
-  BreakWatch circle(ideal_scene(), joints);
-  EXPECT_NEAR(strain_of(circle, angles, 10), kHeight / 2.0 * 0.2 / kHeight, 1e-15);
-  // Neither axis is over its limit.
-  EXPECT_NEAR(circle.excess(lone(20, 10, {0.15, 0.15, 0.0})), 0.15 * std::sqrt(2.0) / 0.2 - 1.0,
-              1e-12);
-  EXPECT_EQ(circle.broken(lone(20, 10, {0.15, 0.15, 0.0})).front().cause, BreakCause::Biaxial);
-}
-
-TEST(BreakWatch, ListsEveryJointOverItsLimit) {
-  Scene scene = ideal_scene();
-  scene.hinge_length = 0.0;
-  BreakWatch watch = watch_of(scene, 20);
-  auto angles = lone(20, 3, {0.06, 0.0, 0.0});
-  angles[8] = {0.04, 0.0, 0.0};
-  angles[17] = {-0.07, 0.0, 0.0};
-  const auto broken = watch.broken(angles);
-  ASSERT_EQ(broken.size(), 2U);
-  EXPECT_EQ(broken[0].joint, 3);
-  EXPECT_EQ(broken[1].joint, 17);
-  EXPECT_NEAR(watch.excess(angles), 0.4, 1e-12);
-}
-
-TEST(BreakWatch, ListsJointsThatReachTheLimitTogetherWithinItsTolerance) {
-  Scene scene = ideal_scene();
-  scene.hinge_length = 0.0;
-  BreakWatch watch = watch_of(scene, 20);
-  const double limit_angle = 0.1 * 0.05 / (kHeight / 2.0);
-  auto angles = lone(20, 3, {limit_angle * (1.0 + 1e-6), 0.0, 0.0});
-  angles[8] = {limit_angle * (1.0 - 1e-6), 0.0, 0.0};
-  angles[9] = {limit_angle * (1.0 - 1e-3), 0.0, 0.0};
-  EXPECT_EQ(watch.broken(angles).size(), 2U);
-  angles[3] = angles[8];
-  EXPECT_TRUE(watch.broken(angles).empty());  // none is over it
-}
-
-TEST(BreakWatch, BreaksNothingWithoutALimit) {
-  BreakWatch watch = watch_of(ideal_scene(), 20, {kNone, kNone, kNone, kNone});
-  const auto angles = lone(20, 3, {100.0, 100.0, 100.0});
-  EXPECT_FALSE(watch.active());
-  EXPECT_EQ(watch.excess(angles), -1.0);
-  EXPECT_TRUE(watch.broken(angles).empty());
-  EXPECT_TRUE(watch_of(ideal_scene(), 20, {kNone, kNone, 0.1, kNone}).active());
-}
-
-TEST(BreakWatch, HoldsTheReportsSineBeyondHalfATurn) {
-  Scene scene = ideal_scene();
-  scene.formulas = Formulas::Report;
-  BreakWatch watch = watch_of(scene, 20);
-  const double pi = std::numbers::pi;
-  const auto strain = [&](double angle) {
-    return strain_of(watch, lone(20, 10, {angle, 0.0, 0.0}), 10);
-  };
-  EXPECT_NEAR(strain(1.0), kHeight / 0.05 * std::sin(0.5), 1e-14);
-  EXPECT_NEAR(strain(pi), kHeight / 0.05, 1e-14);
-  EXPECT_NEAR(strain(1.5 * pi), kHeight / 0.05, 1e-14);
-  EXPECT_NEAR(strain(-2.0 * pi), kHeight / 0.05, 1e-14);
-}
-
-TEST(BreakWatch, PutsNoAccumulatedAngleIntoTheReportsSine) {
-  Scene scene = ideal_scene();
-  scene.formulas = Formulas::Report;
-  scene.break_measure = BreakMeasure::Accumulated;
-  BreakWatch watch = watch_of(scene, 20);
-  EXPECT_NEAR(strain_of(watch, lone(20, 10, {9.0, 0.0, 0.0}), 10), kHeight / 2.0 * 9.0 / 0.05,
-              1e-13);
-}
-
-TEST(BreakWatch, OfTheReportLooksAtEachAxisAloneAndAtTheLongerSideInTorsion) {
-  Scene scene = ideal_scene();
-  scene.formulas = Formulas::Report;
-  BreakWatch watch = watch_of(scene, 20, {kNone, kNone, kNone, kNone});
-  const double x = kHeight / 0.05 * std::sin(0.15);
-  EXPECT_NEAR(strain_of(watch, lone(20, 10, {0.3, 0.3, 0.0}), 10), x, 1e-15);
-  EXPECT_NEAR(strain_of(watch, lone(20, 10, {0.0, 0.0, 0.3}), 10), kHeight / 2.0 * 0.3 / 0.05,
-              1e-15);
 }
 
 }  // namespace

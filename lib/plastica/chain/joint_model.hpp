@@ -1,0 +1,131 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "plastica/chain/joint_numbers.hpp"
+#include "plastica/model/section_kind.hpp"
+
+/// What a joint is made of, in numbers that anyone may read: probes, the break watch, pictures,
+/// exports and the kernels of lanes.
+namespace plastica::chain {
+
+/// The joint at a node, where two segments meet or the beam ends. Components are those of its
+/// section: bending about x, about y, torsion, and axial force (`law::Axis`).
+struct JointModel {
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+  using Components = std::array<double, law::kSectionAxes>;
+
+  std::size_t joint = kNone;  ///< its number among the chain's; none: an end that nothing holds
+  std::size_t owner = 0;      ///< the part of the beam whose section and law it has
+  std::size_t first = 0;      ///< the first component that turns on the level
+  double share = 0.0;         ///< where it is, of the beam's length [1]
+  double begin = 0.0;         ///< the part of the axis that it stands for [m]
+  double end = 0.0;
+  Components length{};   ///< tributary, of the owner's section [m]
+  Components lever{};    ///< strain of the extreme fibre over the section's: I/W, J/W_t [m], 1
+  Components modulus{};  ///< force over the stress there: W_x, W_y, W_t [m^3], A [m^2]
+  Components cap{};      ///< at which it yields [N m], [N]; infinite: never
+  /// Permanent strains of bending about x, about y, torsion and bending about both at which it
+  /// breaks [1]; infinite: never.
+  std::array<double, 4> limit{kNever, kNever, kNever, kNever};
+  double width = 0.0;   ///< b [m]; of a round section its diameter
+  double height = 0.0;  ///< h [m]
+  bool round = false;
+
+  /// Tributary length l of the first component [m].
+  double own_length() const { return length[first]; }
+  /// Strain of the extreme fibre, spread over the joint's length, per angle [1/rad].
+  double strain_per_angle(std::size_t axis) const { return lever[axis] / length[axis]; }
+  /// Elastic stress of the extreme fibre [Pa].
+  double stress(std::size_t axis, double moment) const { return moment / modulus[axis]; }
+  /// The largest over the section of strains or stresses of bending about x and about y.
+  double bending_together(double by_x, double by_y) const {
+    return round ? std::hypot(by_x, by_y) : std::fabs(by_x) + std::fabs(by_y);
+  }
+};
+
+/// `JointModel::limit` of the joints that a part owns.
+inline std::array<double, 4> break_limits(const Scene& scene, const Material& material) {
+  constexpr double kNever = JointModel::kNever;
+  const double bending = material.break_strain.value_or(kNever);
+  const bool report = scene.formulas == Formulas::Report;
+  const double shear = report ? material.break_shear_strain.value_or(bending)
+                              : resolved_break_shear_strain(material).value_or(kNever);
+  std::array<double, 4> limit{scene.break_limit_x.value_or(bending),
+                              scene.break_limit_y.value_or(bending),
+                              scene.break_limit_z.value_or(shear), kNever};
+  if (!report && !scene.break_limit_x && !scene.break_limit_y) limit[3] = bending;
+  return limit;
+}
+
+/// What all joints that a part owns have in common.
+inline JointModel joint_of_part(const Scene& scene, const PartForm& part,
+                                const MaterialValues<double>& material) {
+  JointModel joint;
+  for (std::size_t k = 0; k < law::kSectionAxes; ++k) {
+    const double yield = law::uniaxial_material(part.form.axis[k], material).yield;
+    joint.cap[k] = scene.yield_model == YieldModel::Elastic ? JointModel::kNever
+                                                            : part.form.modulus[k] * yield;
+  }
+  joint.lever = part.form.lever;
+  joint.modulus = part.form.modulus;
+  joint.limit = break_limits(scene, *part.material);
+  joint.width = 2.0 * part.properties.outer_distance_y;
+  joint.height = 2.0 * part.properties.outer_distance_x;
+  joint.round = section_kind(*part.section).round();
+  return joint;
+}
+
+/// The joints at the nodes of a chain (N + 1).
+/// @param materials  numbers of each part (parts)
+/// @param numbers    those of the chain's joints
+template <class L>
+std::vector<JointModel> joint_models(const Scene& scene, const Layout& layout,
+                                     const Build<L>& build, const std::vector<PartForm>& parts,
+                                     const std::vector<MaterialValues<double>>& materials,
+                                     const std::vector<SectionJoint<L>>& numbers,
+                                     const View<L>& view) {
+  const std::size_t n = layout.size();
+  std::vector<JointModel> of_part;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    of_part.push_back(joint_of_part(scene, parts[p], materials[p]));
+  }
+  std::size_t at_end = JointModel::kNone;
+  for (const GroundJoint<L>& ground : build.chain.ground_joints) {
+    if (ground.node == n) at_end = ground.joint;
+  }
+  std::vector<JointModel> joints;
+  joints.reserve(n + 1);
+  for (std::size_t node = 0; node <= n; ++node) {
+    const std::size_t number = node < n ? node : at_end;
+    const bool acts = number != JointModel::kNone;
+    const std::size_t owner = acts ? numbers[number].law : layout.segment_part[n - 1].outer;
+    JointModel& joint = joints.emplace_back(of_part[owner]);
+    joint.joint = number;
+    joint.owner = owner;
+    joint.first = view.section_axes().rotation(0);
+    joint.share = layout.ends[node];
+    joint.length.fill(layout.joint_length[node]);
+    const double at = layout.ends[node] * scene.beam.length;
+    joint.begin = node == 0 ? at : at - 0.5 * layout.segment_length[node - 1];
+    joint.end = node == n ? at : at + 0.5 * layout.segment_length[node];
+    if (!acts) continue;
+    for (std::size_t k = 0; k < law::kSectionAxes; ++k) {
+      joint.length[k] = static_cast<double>(numbers[number].length[k]);
+    }
+    // With what it takes over of an end; between unlike parts, of its owner alone.
+    if (node == 1) joint.begin -= layout.bare_half[0][joint.first];
+    if (node + 1 == n) joint.end += layout.bare_half[1][joint.first];
+    const JointPlan& plan = build.joints[number];
+    if (plan.part_a != plan.part_b) (owner == plan.part_a ? joint.end : joint.begin) = at;
+  }
+  return joints;
+}
+
+}  // namespace plastica::chain
