@@ -35,6 +35,20 @@ struct GaugePiece {
   SectionTangent<S> hessian;
 };
 
+/// An entry of one of a gauge's arrays by its number.
+template <class S, std::size_t K>
+inline S pick(const std::array<S, K>& of, const S& number) {
+  if constexpr (std::is_floating_point_v<S>) {
+    return of[static_cast<std::size_t>(max(number, constant<S>(0)))];
+  } else {
+    S found = of[0];
+    for (std::size_t k = 1; k < K; ++k) {
+      found = select(number > constant<S>(static_cast<double>(k) - 0.5), of[k], found);
+    }
+    return found;
+  }
+}
+
 /// First yield of elastic stresses: the largest of
 ///   sqrt((n + xi_k m_x + eta_k m_y)^2 + tau_k^2 t^2)
 /// over points k of the perimeter. xi, eta: stress there over that of the extreme fibre; tau: shear
@@ -45,7 +59,6 @@ template <class S, std::size_t K, bool Round>
 struct FirstYieldGauge {
   using Scalar = S;
   static constexpr std::size_t kPieces = K;
-  static constexpr bool kLinear = true;  ///< each piece, in moments and axial force
   static constexpr bool kRound = Round;
 
   std::array<S, K> xi, eta, tau_squared;  ///< the first has xi = 1, eta = 0; for y it is number K/2
@@ -65,27 +78,22 @@ struct FirstYieldGauge {
     return f;
   }
 
-  /// The piece that a target is furthest beyond; others may be in the way.
-  LinearPiece<S> linear_piece(const SectionForce<S>& u) const {
-    LinearPiece<S> found;
-    found.direction = {{xi[0], eta[0], constant<S>(0), constant<S>(1)}};
-    found.tau_squared = tau_squared[0];
-    S largest = piece(0, u).value;
-    for (std::size_t k = 1; k < K; ++k) {
-      const S value = piece(k, u).value;
-      const auto further = value > largest;
-      largest = select(further, value, largest);
-      found.direction[kBendingX] = select(further, xi[k], found.direction[kBendingX]);
-      found.direction[kBendingY] = select(further, eta[k], found.direction[kBendingY]);
-      found.tau_squared = select(further, tau_squared[k], found.tau_squared);
-    }
-    found.applies = largest > constant<S>(0);
-    for (std::size_t i = 0; i < kSectionAxes; ++i) {
-      found.beside[i] =
-          select(found.direction[i] > constant<S>(0), constant<S>(kKink), constant<S>(0));
-    }
-    found.beside[kTorsion] = found.tau_squared;
-    return found;
+  /// The piece of a number that may be another in each lane.
+  GaugePiece<S> piece_at(const S& number, const SectionForce<S>& u) const {
+    const FirstYieldGauge<S, 1, Round> alone{
+        {pick(xi, number)}, {pick(eta, number)}, {pick(tau_squared, number)}};
+    return alone.piece(0, u);
+  }
+
+  /// The only piece of a surface that has but one.
+  LinearPiece<S> linear_piece(const SectionForce<S>& u) const requires(K == 1) {
+    const S zero = constant<S>(0);
+    const S one = constant<S>(1);
+    const S kink = constant<S>(kKink);
+    const S y = select(eta[0] > zero, kink, zero);
+    const auto applies = u[kAxial] >= zero;  // always
+    return {
+        {{xi[0], eta[0], zero, one}}, tau_squared[0], applies, {{kink, y, tau_squared[0], kink}}};
   }
 
   /// See `kKink`.
@@ -118,7 +126,6 @@ template <class S>
 struct PlasticGauge {
   using Scalar = S;
   static constexpr std::size_t kPieces = 2;
-  static constexpr bool kLinear = false;
   static constexpr bool kRound = false;
 
   S axial;  ///< e [1], 0..1
@@ -165,6 +172,18 @@ struct PlasticGauge {
     return f;
   }
 
+  GaugePiece<S> piece_at(const S& number, const SectionForce<S>& u) const {
+    const auto second = number > constant<S>(0.5);
+    if constexpr (std::is_floating_point_v<S>) {
+      return piece(second ? 1 : 0, u);
+    } else {
+      const GaugePiece<S> f = piece(0, u);
+      const GaugePiece<S> g = piece(1, u);
+      return {select(second, g.value, f.value), select(second, g.gradient, f.gradient),
+              select(second, g.hessian, f.hessian)};
+    }
+  }
+
   /// One moment and torsion, without axial force, are a circle.
   LinearPiece<S> linear_piece(const SectionForce<S>& u) const {
     const S zero = constant<S>(0);
@@ -204,7 +223,6 @@ template <class S>
 struct PlasticCurveGauge {
   using Scalar = S;
   static constexpr std::size_t kPieces = 1;
-  static constexpr bool kLinear = false;
   static constexpr bool kRound = true;
 
   std::array<S, kRadiusTerms> radius;  ///< R(p) = sum radius_k p^k
@@ -237,6 +255,10 @@ struct PlasticCurveGauge {
     return f;
   }
 
+  GaugePiece<S> piece_at(const S& /*number*/, const SectionForce<S>& u) const {
+    return piece(0, u);
+  }
+
   /// The moment and torsion, without axial force, are a circle.
   LinearPiece<S> linear_piece(const SectionForce<S>& u) const {
     const S zero = constant<S>(0);
@@ -261,20 +283,6 @@ struct PlasticCurveGauge {
   /// Every curve begins with R' = -1: a small axial force takes no moment. Then Gamma_nn = R''.
   S beside_bending() const { return constant<S>(2) * radius[2]; }
 };
-
-/// An entry of one of a gauge's arrays by its number.
-template <class S, std::size_t K>
-inline S pick(const std::array<S, K>& of, const S& number) {
-  if constexpr (std::is_floating_point_v<S>) {
-    return of[static_cast<std::size_t>(max(number, constant<S>(0)))];
-  } else {
-    S found = of[0];
-    for (std::size_t k = 1; k < K; ++k) {
-      found = select(number > constant<S>(static_cast<double>(k) - 0.5), of[k], found);
-    }
-    return found;
-  }
-}
 
 /// Where a force lies in the orthant: the coordinates u of `gauge.hpp`.
 template <class Gauge>

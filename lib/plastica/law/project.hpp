@@ -3,9 +3,8 @@
 #include <cstddef>
 
 #include "plastica/base/matrix.hpp"
-#include "plastica/law/active_pieces.hpp"
+#include "plastica/law/closest_point.hpp"
 #include "plastica/law/gauge.hpp"
-#include "plastica/law/interior_point.hpp"
 #include "plastica/law/linear_piece.hpp"
 #include "plastica/law/section_response.hpp"
 
@@ -15,11 +14,10 @@
 /// c_i the stiffness over the square of the cap this is the distance in elastic energy, and the
 /// projection is the implicit (backward Euler) return of ideal associated plasticity.
 ///
-/// In the orthant of `gauge.hpp` it is a smooth convex problem with inequalities f_k(u) <= 1/2 and
-/// u >= 0. Four ways, from the cheapest: along an axis; onto several pieces that are linear in
-/// moments and axial force (`active_pieces.hpp`); onto one of them (`linear_piece.hpp`), if no
-/// other is in the way; by interior points (`interior_point.hpp`), which find what the others
-/// leave.
+/// In the orthant of `gauge.hpp` it is a convex problem with inequalities phi_k(u) <= 1 and u >= 0.
+/// One method is right for every target on every surface (`closest_point.hpp`). Two cases that are
+/// common have a form of their own: a target on an axis, and a surface that is one circle of
+/// torsion and a sum of the others (`linear_piece.hpp`). README.md says what each of them takes.
 namespace plastica::law {
 namespace detail {
 
@@ -67,29 +65,20 @@ inline Projection<typename Gauge::Scalar> project_orthant(
       }
     }
   };
-  if constexpr (Gauge::kLinear && Gauge::kPieces > 1) {
+  if constexpr (requires { gauge.linear_piece(target); }) {
     if (any(hard)) {
-      const ActivePieces<S, Gauge::kPieces> pieces(gauge, compliance, target, overshoot, hard);
-      const auto found = hard & pieces.holds();
-      if (any(found)) take(pieces.result(), found);
-      hard = hard & !found;
+      const LinearPiece<S> piece = gauge.linear_piece(target);
+      const auto simple = hard & piece.applies;
+      if (any(simple)) {
+        take(project_on_line<Gauge::kRound>(piece, compliance, target, simple), simple);
+      }
+      hard = hard & !simple;
     }
   }
   if (any(hard)) {
-    const LinearPiece<S> piece = gauge.linear_piece(target);
-    const auto simple = hard & piece.applies;
-    if (any(simple)) {
-      const Projection<S> found = project_on_line<Gauge::kRound>(piece, compliance, target, simple);
-      const S within = constant<S>(kIsDouble<S> ? 1.0 + 1e-13 : 1.0 + 1e-6);
-      const auto fits = simple & (orthant_gauge(gauge, found.point) < within);
-      take(found, fits);
-      hard = hard & !fits;
-    }
-  }
-  if (any(hard)) {
-    take(InteriorPoint<Gauge>(gauge, compliance, target, select(hard, overshoot, one), hard)
-             .result(),
-         hard);
+    take(
+        ClosestPoint<Gauge>(gauge, compliance, target, select(hard, overshoot, one), hard).result(),
+        hard);
   }
   return now;
 }
