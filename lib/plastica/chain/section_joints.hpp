@@ -69,13 +69,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   }
 
   void set_time(double seconds) override {
-    for (Law& law : laws_) {
-      if constexpr (requires { law.each_uniaxial([](auto&) {}); }) {
-        law.each_uniaxial([&](auto& uniaxial) {
-          if constexpr (requires { uniaxial.set_time(seconds); }) uniaxial.set_time(seconds);
-        });
-      }
-    }
+    for (Law& law : laws_) law::set_time(law, seconds);
   }
 
   void commit() override {

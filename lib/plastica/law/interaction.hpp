@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -11,6 +12,28 @@
 #include "plastica/law/uniaxial.hpp"
 
 namespace plastica::law {
+
+/// As many as any hardening law has.
+inline constexpr std::size_t kMostBacks = 3;
+
+/// What a section with one yield surface remembers.
+/// @tparam kBacks  back stresses of its hardening law
+template <class S, std::size_t kBacks>
+struct InteractionState {
+  SectionStrain<S> plastic{};                  ///< permanent section strain
+  SectionStrain<S> accumulated{};              ///< sum of |d plastic| by component
+  S equivalent{};                              ///< sum of p [1]
+  std::array<SectionForce<S>, kBacks> back{};  ///< back stresses over the caps
+
+  InteractionState() = default;
+  /// Of another law, with the back stresses that both have.
+  template <std::size_t kOthers>
+  explicit InteractionState(const InteractionState<S, kOthers>& other)
+      : plastic(other.plastic), accumulated(other.accumulated), equivalent(other.equivalent) {
+    static_assert(kBacks <= kMostBacks && kOthers <= kMostBacks);
+    for (std::size_t k = 0; k < std::min(kBacks, kOthers); ++k) back[k] = other.back[k];
+  }
+};
 
 /// A section with one yield surface over bending, torsion and axial force.
 ///
@@ -47,12 +70,7 @@ struct InteractionSection {
     use(rule);
   }
 
-  struct State {
-    SectionStrain<S> plastic{};                            ///< permanent section strain
-    SectionStrain<S> accumulated{};                        ///< sum of |d plastic| by component
-    S equivalent{};                                        ///< sum of p [1]
-    std::array<SectionForce<S>, Uniaxial::kBacks> back{};  ///< back stresses over the caps
-  };
+  using State = InteractionState<S, Uniaxial::kBacks>;
 };
 
 namespace detail {

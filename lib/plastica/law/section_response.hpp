@@ -49,4 +49,16 @@ struct Components {
 };
 using AllComponents = Components<0, kSectionAxes, true>;
 
+/// Gives the length of the step to those laws of a section that have a rate.
+template <class Section>
+void set_time(Section& section, double seconds) {
+  if constexpr (requires { section.set_time(seconds); }) {
+    section.set_time(seconds);
+  } else if constexpr (requires { section.each_uniaxial([](auto&) {}); }) {
+    section.each_uniaxial([&](auto& uniaxial) {
+      if constexpr (requires { uniaxial.set_time(seconds); }) uniaxial.set_time(seconds);
+    });
+  }
+}
+
 }  // namespace plastica::law

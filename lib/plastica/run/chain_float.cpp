@@ -3,7 +3,6 @@
 #include "plastica/run/chain_laws_make.hpp"
 #include "plastica/run/chain_motion_runner.hpp"
 #include "plastica/run/chain_runner_make.hpp"
-#include "plastica/run/surface_law_make.hpp"
 
 namespace plastica {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cassert>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -53,29 +52,14 @@ struct JointsMaker {
 
   template <class Uniaxial>
   Made interaction() {
-    Made made;
-    law::with_gauge<S>(parts[0].gauge, [&](const auto& first) {
-      using Gauge = std::remove_cvref_t<decltype(first)>;
-      std::vector<SurfaceLaw<law::InteractionSection<S, Gauge, Uniaxial>>> laws;
-      for (std::size_t p = 0; p < parts.size(); ++p) {
-        law::with_gauge<S>(parts[p].gauge, [&](const auto& gauge) {
-          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(gauge)>, Gauge>) {
-            laws.push_back(
-                {law::interaction_section<Uniaxial>(parts[p].form, gauge, materials[p])});
-            if constexpr (L::kRotations == 1) {
-              // Round gauges have the compliance of the resultant: here that of the plane.
-              const std::size_t own = view.section_axes().rotation(0);
-              auto& compliance = laws.back().section.compliance;
-              compliance[law::kBendingX] = compliance[law::kBendingY] = compliance[own];
-            }
-          } else {
-            assert(false && "check_regions refuses it");
-          }
-        });
-      }
-      made = make(std::move(laws));
-    });
-    return made;
+    std::optional<std::size_t> bending;
+    if constexpr (L::kRotations == 1) bending = view.section_axes().rotation(0);
+    std::vector<SurfaceLaw<S>> laws;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      laws.push_back(
+          {make_yield_surface<Uniaxial>(parts[p].gauge, parts[p].form, materials[p], bending)});
+    }
+    return make(std::move(laws));
   }
 
   /// What a fibre section sees at the level.

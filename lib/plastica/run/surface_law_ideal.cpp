@@ -2,6 +2,7 @@
 
 namespace plastica {
 
-PLASTICA_SURFACE_LAWS(law::IdealPlastic<double>);
+PLASTICA_YIELD_SURFACES(double, law::IdealPlastic<double>);
+PLASTICA_YIELD_SURFACES(float, law::IdealPlastic<float>);
 
 }  // namespace plastica

@@ -2,6 +2,6 @@
 
 namespace plastica {
 
-PLASTICA_SURFACE_LAWS(law::LinearHardening<double>);
+PLASTICA_YIELD_SURFACES(double, law::LinearHardening<double>);
 
 }  // namespace plastica

@@ -1,38 +1,57 @@
 #pragma once
 
+#include "plastica/law/gauge_form.hpp"
 #include "plastica/run/surface_law.hpp"
 
-/// Defines `respond` of a SurfaceLaw; for the files that instantiate it, a hardening law each.
+/// Defines `make_yield_surface`; for the files that instantiate it, a hardening law each.
 namespace plastica {
-
-template <class Section>
-law::SectionResponse<typename SurfaceLaw<Section>::S> respond(
-    const SurfaceLaw<Section>& law, const typename Section::State& before,
-    typename Section::State& after,
-    const law::SectionStrain<typename SurfaceLaw<Section>::S>& strain) {
-  return law::respond(law.section, before, after, strain);
-}
-
 namespace detail {
 
-template <class Gauge, class Uniaxial>
-using SurfaceSection = law::InteractionSection<double, Gauge, Uniaxial>;
+template <class S, class Section>
+class SurfaceOf final : public YieldSurface<S> {
+ public:
+  using State = typename YieldSurface<S>::State;
+
+  explicit SurfaceOf(const Section& section) : section_(section) {}
+
+  law::SectionResponse<S> respond(const State& before, State& after,
+                                  const law::SectionStrain<S>& strain) const override {
+    typename Section::State now;
+    const auto response = law::respond(section_, typename Section::State(before), now, strain);
+    after = State(now);
+    return response;
+  }
+
+  void set_time(double seconds) override { law::set_time(section_, seconds); }
+
+ private:
+  Section section_;
+};
 
 }  // namespace detail
 
-/// Instantiates it for one surface and one hardening law.
-#define PLASTICA_SURFACE_LAW(Uniaxial, ...)                             \
-  template law::SectionResponse<double> respond(                        \
-      const SurfaceLaw<detail::SurfaceSection<__VA_ARGS__, Uniaxial>>&, \
-      const detail::SurfaceSection<__VA_ARGS__, Uniaxial>::State&,      \
-      detail::SurfaceSection<__VA_ARGS__, Uniaxial>::State&, const law::SectionStrain<double>&)
+template <class Uniaxial, class S>
+std::shared_ptr<YieldSurface<S>> make_yield_surface(const law::GaugeForm& gauge,
+                                                    const law::SectionForm& form,
+                                                    const MaterialValues<S>& material,
+                                                    std::optional<std::size_t> bending) {
+  std::shared_ptr<YieldSurface<S>> made;
+  law::with_gauge<S>(gauge, [&]<class Gauge>(const Gauge& surface) {
+    auto section = law::interaction_section<Uniaxial>(form, surface, material);
+    if (bending) {
+      auto& compliance = section.compliance;
+      compliance[law::kBendingX] = compliance[law::kBendingY] = compliance[*bending];
+    }
+    made = std::make_shared<detail::SurfaceOf<S, law::InteractionSection<S, Gauge, Uniaxial>>>(
+        section);
+  });
+  return made;
+}
 
-/// The same for every surface of `law::with_gauge`.
-#define PLASTICA_SURFACE_LAWS(Uniaxial)                                                       \
-  PLASTICA_SURFACE_LAW(Uniaxial, law::FirstYieldGauge<double, law::kPerimeterPoints, false>); \
-  PLASTICA_SURFACE_LAW(Uniaxial, law::FirstYieldGauge<double, 1, false>);                     \
-  PLASTICA_SURFACE_LAW(Uniaxial, law::FirstYieldGauge<double, 1, true>);                      \
-  PLASTICA_SURFACE_LAW(Uniaxial, law::PlasticGauge<double>);                                  \
-  PLASTICA_SURFACE_LAW(Uniaxial, law::PlasticCurveGauge<double>)
+/// Instantiates it for a hardening law with numbers of a type.
+#define PLASTICA_YIELD_SURFACES(S, ...)                                         \
+  template std::shared_ptr<YieldSurface<S>> make_yield_surface<__VA_ARGS__, S>( \
+      const law::GaugeForm&, const law::SectionForm&, const MaterialValues<S>&, \
+      std::optional<std::size_t>)
 
 }  // namespace plastica

@@ -2,6 +2,6 @@
 
 namespace plastica {
 
-PLASTICA_SURFACE_LAWS(law::Multilinear<double>);
+PLASTICA_YIELD_SURFACES(double, law::Multilinear<double>);
 
 }  // namespace plastica

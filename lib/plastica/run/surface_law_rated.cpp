@@ -3,7 +3,7 @@
 
 namespace plastica {
 
-PLASTICA_SURFACE_LAWS(law::Rated<law::VoceChaboche<double>>);
-PLASTICA_SURFACE_LAWS(law::Rated<law::Multilinear<double>>);
+PLASTICA_YIELD_SURFACES(double, law::Rated<law::VoceChaboche<double>>);
+PLASTICA_YIELD_SURFACES(double, law::Rated<law::Multilinear<double>>);
 
 }  // namespace plastica

@@ -2,6 +2,6 @@
 
 namespace plastica {
 
-PLASTICA_SURFACE_LAWS(law::VoceChaboche<double>);
+PLASTICA_YIELD_SURFACES(double, law::VoceChaboche<double>);
 
 }  // namespace plastica
