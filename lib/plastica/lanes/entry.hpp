@@ -32,12 +32,13 @@ PLASTICA_ALWAYS_INLINE inline void store_lanes(const S& value, real_t<S>* to) {
   }
 }
 
-/// One entry of an array with `Fields::kCount` numbers an entry.
+/// One entry of an array with `F::kCount` numbers an entry.
 /// @tparam kStride  from a lane's number to that of the next field: as many lanes as the memory has
-template <class S, class Fields, std::size_t kStride = kLanes<S>>
+template <class S, class F, std::size_t kStride = kLanes<S>>
 class Entry {
  public:
   using Real = real_t<S>;
+  using Fields = F;
 
   PLASTICA_ALWAYS_INLINE Entry(Real* array, std::size_t index)
       : at_(array + index * Fields::kCount * kStride) {}
@@ -52,10 +53,11 @@ class Entry {
   Real* at_;
 };
 
-template <class S, class Fields, std::size_t kStride = kLanes<S>>
+template <class S, class F, std::size_t kStride = kLanes<S>>
 class ConstantEntry {
  public:
   using Real = real_t<S>;
+  using Fields = F;
 
   PLASTICA_ALWAYS_INLINE ConstantEntry(const Real* array, std::size_t index)
       : at_(array + index * Fields::kCount * kStride) {}

@@ -18,7 +18,7 @@ struct PlanarKind {
     Inertia,      ///< about the inner joint [kg m^2]
     Rest,         ///< direction from the inner neighbour's in the unloaded beam [rad]
     Stiffness,    ///< of the joint [N m/rad]
-    Compliance,   ///< its inverse; 0 for a joint without any [rad/(N m)]
+    Compliance,   ///< its inverse; infinite for a joint without any [rad/(N m)]
     Damping,      ///< of the joint [N m s/rad]
     Cap,          ///< moment at which the joint yields [N m]
     Hold,         ///< infinite for a welded joint, else 0 [kg m^2]

@@ -7,7 +7,7 @@
 #include "plastica/base/pack.hpp"
 #include "plastica/base/scalar.hpp"
 #include "plastica/base/sine_cosine.hpp"
-#include "plastica/lanes/entry.hpp"
+#include "plastica/lanes/joint_component.hpp"
 #include "plastica/lanes/planar_beam.hpp"
 
 /// Steps of planar beams that are held at their start alone, W at a time: the recursion of
@@ -31,7 +31,7 @@ class PlanarSteps {
       : beam_(beam),
         h_(constant<S>(step)),
         ahead_(constant<S>(kOrder == 2 ? 0.5 * step : 0.0)),
-        to_force_(constant<S>(kOrder == 2 ? 0.5 * step : step)) {}
+        joints_(step) {}
 
   /// Looks from the state where the forces of a step act.
   PLASTICA_ALWAYS_INLINE void aim() const {
@@ -67,35 +67,6 @@ class PlanarSteps {
     work.set(PlanarWork::Spin, multiply_add(ahead_, turning, spin));
   }
 
-  /// Moment of a joint without the acceleration of this step, and how much it resists that.
-  struct JointMoment {
-    S moment, resistance;
-  };
-  PLASTICA_ALWAYS_INLINE JointMoment joint_moment(const Kind& kind, const State& state) const {
-    const S angle = state.get(PlanarState::Angle);
-    const S rate = state.get(PlanarState::Rate);
-    const S stiffness = kind.get(PlanarKind::Stiffness);
-    const S damping = kind.get(PlanarKind::Damping);
-    JointMoment joint;
-    S slope = stiffness;
-    if constexpr (kYields) {
-      const S plastic = state.get(PlanarState::Plastic);
-      const S cap = kind.get(PlanarKind::Cap);
-      const S trial = stiffness * (multiply_add(h_, rate, angle) - plastic);
-      const S clipped = min(max(trial, -cap), cap);
-      slope = select(abs(trial) > cap, constant<S>(kRestOfSlope) * stiffness, stiffness);
-      joint.moment = kOrder == 2
-                         ? constant<S>(-0.5) * multiply_add(stiffness, angle - plastic, clipped)
-                         : -clipped;
-    } else {
-      joint.moment = -(stiffness * multiply_add(to_force_, rate, angle));
-    }
-    joint.moment = joint.moment - damping * rate;
-    joint.resistance = multiply_add(to_force_, multiply_add(to_force_, slope, damping),
-                                    kind.get(PlanarKind::Hold));
-    return joint;
-  }
-
   /// From the free end to the start: what each body, with all outside of it, asks of its joint.
   PLASTICA_ALWAYS_INLINE void inward() const {
     const S zero = constant<S>(0);
@@ -104,7 +75,10 @@ class PlanarSteps {
       const Kind kind(beam_.kinds, beam_.kind[i]);
       const Work work(beam_.work, i);
       add_segment(kind, Load(beam_.loads, beam_.load[i]), work, a);
-      release_joint(joint_moment(kind, State(beam_.state, i)), work, a);
+      const State state(beam_.state, i);
+      ComponentMoment<S> joint = joints_.moment(kind, state, state.get(PlanarState::Rate), 0);
+      joint.resistance = joint.resistance + kind.get(PlanarKind::Hold);
+      release_joint(joint, work, a);
       if (i > 0) {
         carry_inward(Kind(beam_.kinds, beam_.kind[i - 1]), Work(beam_.work, i - 1), a);
       }
@@ -135,8 +109,8 @@ class PlanarSteps {
 
   /// Eliminates the joint's acceleration. With resistance k and D = rr + k, what is left of rr is
   /// rr - rr^2/D = rr k/D, without a difference of large numbers.
-  PLASTICA_ALWAYS_INLINE static void release_joint(const JointMoment& joint, const Work& work,
-                                                   Body& a) {
+  PLASTICA_ALWAYS_INLINE static void release_joint(const ComponentMoment<S>& joint,
+                                                   const Work& work, Body& a) {
     const S inverse = constant<S>(1) / (a.rr + joint.resistance);
     const S by_turning = a.rr * inverse;
     const S by_x = a.rx * inverse;
@@ -183,8 +157,7 @@ class PlanarSteps {
   PLASTICA_ALWAYS_INLINE void outward() const {
     const S zero = constant<S>(0);
     Entry<S, PlanarSums> sums(beam_.sums, 0);
-    S damped = sums.get(PlanarSums::Damping);
-    S numerical = sums.get(PlanarSums::Numerical);
+    Losses<S> losses{sums.get(PlanarSums::Damping), sums.get(PlanarSums::Numerical)};
     S fastest = sums.get(PlanarSums::FastestSpin);
     S turning = zero, x = zero, y = zero, direction = zero, spin = zero;
     S free_x = zero, free_y = zero;  // without what spins pull
@@ -210,16 +183,9 @@ class PlanarSteps {
       state.set(PlanarState::Rate, rate);
       state.set(PlanarState::Angle, angle);
       state.set(PlanarState::Turning, turning);
-      damped = multiply_add(kind.get(PlanarKind::Damping) * h_, mean * mean, damped);
-      if constexpr (kYields) {
-        yield(kind, state, angle_before, angle, numerical);
-      } else if constexpr (kOrder == 1) {
-        const S turn = angle - angle_before;
-        numerical = multiply_add(constant<S>(0.5) * kind.get(PlanarKind::Stiffness), turn * turn,
-                                 numerical);
-      }
+      joints_.settle(kind, state, 0, angle_before, angle, mean, losses);
       if constexpr (kOrder == 1) {
-        numerical = numerical + lost(kind, c, s, turning, free_x, free_y);
+        losses.numerical = losses.numerical + lost(kind, c, s, turning, free_x, free_y);
       }
       spin = spin + rate;
       direction = direction + kind.get(PlanarKind::Rest) + angle;
@@ -242,8 +208,8 @@ class PlanarSteps {
         free_y = multiply_add(turning, ey, free_y);
       }
     }
-    sums.set(PlanarSums::Damping, damped);
-    sums.set(PlanarSums::Numerical, numerical);
+    sums.set(PlanarSums::Damping, losses.damping);
+    sums.set(PlanarSums::Numerical, losses.numerical);
     sums.set(PlanarSums::Loads, loads);
     sums.set(PlanarSums::FastestSpin, fastest);
   }
@@ -257,26 +223,6 @@ class PlanarSteps {
                         multiply_add(load.get(PlanarLoad::ForceY), velocity_y, moment * spin));
   }
 
-  /// Returns the moment to its cap; adds what the scheme's moment did beyond the plastic work and
-  /// the elastic energy.
-  PLASTICA_ALWAYS_INLINE static void yield(const Kind& kind, const State& state,
-                                           const S& angle_before, const S& angle, S& numerical) {
-    const S stiffness = kind.get(PlanarKind::Stiffness);
-    const S compliance = kind.get(PlanarKind::Compliance);
-    const S cap = kind.get(PlanarKind::Cap);
-    const S before = state.get(PlanarState::Plastic);
-    const S half = constant<S>(0.5);
-    const S trial = stiffness * (angle - before);
-    const S moment = min(max(trial, -cap), cap);
-    const S flow = (trial - moment) * compliance;
-    const S moment_before = stiffness * (angle_before - before);
-    const S mean = kOrder == 2 ? half * (moment_before + moment) : moment;
-    const S stored = half * compliance * (moment * moment - moment_before * moment_before);
-    state.set(PlanarState::Plastic, before + flow);
-    state.set(PlanarState::Accumulated, state.get(PlanarState::Accumulated) + abs(flow));
-    numerical = numerical + (mean * (angle - angle_before) - stored - moment * flow);
-  }
-
   /// What Euler's rule loses of a segment's kinetic energy in a step: half of h^2 times the
   /// product of its inertia with the squares of its accelerations.
   PLASTICA_ALWAYS_INLINE S lost(const Kind& kind, const S& c, const S& s, const S& turning,
@@ -288,15 +234,10 @@ class PlanarSteps {
     return constant<S>(0.5) * h_ * h_ * twice;
   }
 
-  /// Share of the elastic slope that a yielding joint keeps, so that a beam whose joints all yield
-  /// without inertia to speak of still has a step.
-  static constexpr double kRestOfSlope = sizeof(Real) == 8 ? 1e-9 : 1e-4;
-
   const PlanarBeam<Real>& beam_;
   S h_;
-  S ahead_;     ///< from the begin of a step to where its geometry is taken
-  S to_force_;  ///< the step of which a joint's angle by the rate, and the rate by the
-                ///< acceleration, is taken for the moment
+  S ahead_;  ///< from the begin of a step to where its geometry is taken
+  JointComponents<S, kOrder, kYields, Kind, State> joints_;
 };
 
 /// `steps` steps of one length.

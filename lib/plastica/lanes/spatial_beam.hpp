@@ -16,7 +16,7 @@ struct SpatialKind {
     FirstMoment,                 ///< mass times the distance of its center from the joint [kg m]
     Inertia,                     ///< about x, y, z through the inner joint [kg m^2], each > 0
     Stiffness = Inertia + 3,     ///< of the joint [N m/rad]
-    Compliance = Stiffness + 3,  ///< its inverse; 0 for a component without any [rad/(N m)]
+    Compliance = Stiffness + 3,  ///< its inverse; infinite without any [rad/(N m)]
     Damping = Compliance + 3,    ///< of the joint [N m s/rad]
     Cap = Damping + 3,           ///< moments at which the joint yields [N m]
     Free = Cap + 3,              ///< 1; 0 for a welded joint, which only the first may be

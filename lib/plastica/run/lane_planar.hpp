@@ -55,7 +55,7 @@ struct PlanarLanes {
     kind[Kind::Inertia] = inertia.turning(0, 0) + inertia.mass * center * center;
     kind[Kind::Rest] = outer - chain.segments[i].inner.angle;
     kind[Kind::Stiffness] = stiffness;
-    kind[Kind::Compliance] = stiffness > 0.0 ? 1.0 / stiffness : 0.0;
+    kind[Kind::Compliance] = 1.0 / stiffness;
     kind[Kind::Damping] = damped ? options.damping_time * stiffness : 0.0;
     kind[Kind::Cap] = cap(body, i);
     const bool welded = i == 0 && chain.root.welded[0];

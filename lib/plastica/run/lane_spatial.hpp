@@ -54,7 +54,7 @@ struct SpatialLanes {
       const double stiffness = joints.stiffness(i, k);
       kind[Kind::Inertia + k] = inertia.turning(k, k) + (k < 2 ? lever : 0.0);
       kind[Kind::Stiffness + k] = stiffness;
-      kind[Kind::Compliance + k] = stiffness > 0.0 ? 1.0 / stiffness : 0.0;
+      kind[Kind::Compliance + k] = 1.0 / stiffness;
       kind[Kind::Damping + k] = damped ? options.damping_time * stiffness : 0.0;
       kind[Kind::Cap + k] = body.joint_models[i].cap[k];
     }
