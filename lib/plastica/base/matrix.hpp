@@ -9,7 +9,8 @@
 
 /// Small vectors and matrices of kernels: sizes known to the compiler, no heap, any scalar.
 ///
-/// Their operators are written out and always inlined: see `each_of`.
+/// Their operators are written out and always inlined: see `each_of`. Products go into sums as they
+/// are, for scalars that fuse the two: see `Fused`.
 namespace plastica {
 PLASTICA_KERNELS_BEGIN
 
@@ -40,7 +41,7 @@ struct Vec {
 template <class S, std::size_t N>
 PLASTICA_ALWAYS_INLINE constexpr S dot(const Vec<S, N>& a, const Vec<S, N>& b) {
   if constexpr (N == 0) return constant<S>(0);
-  return sum_of<S, N>([&](std::size_t i) PLASTICA_ALWAYS_INLINE -> S { return a[i] * b[i]; });
+  return sum_of<S, N>([&](std::size_t i) PLASTICA_ALWAYS_INLINE { return a[i] * b[i]; });
 }
 
 template <class S, std::size_t N>
@@ -90,7 +91,7 @@ template <class S, std::size_t R, std::size_t K, std::size_t C>
 PLASTICA_ALWAYS_INLINE constexpr Mat<S, R, C> operator*(const Mat<S, R, K>& a,
                                                         const Mat<S, K, C>& b) {
   return {each_of<R * C>([&](std::size_t at) PLASTICA_ALWAYS_INLINE -> S {
-    return sum_of<S, K>([&](std::size_t k) PLASTICA_ALWAYS_INLINE -> S {
+    return sum_of<S, K>([&](std::size_t k) PLASTICA_ALWAYS_INLINE {
       return a(at / kDivisor<C>, k) * b(k, at % kDivisor<C>);
     });
   })};
@@ -99,7 +100,7 @@ PLASTICA_ALWAYS_INLINE constexpr Mat<S, R, C> operator*(const Mat<S, R, K>& a,
 template <class S, std::size_t R, std::size_t C>
 PLASTICA_ALWAYS_INLINE constexpr Vec<S, R> operator*(const Mat<S, R, C>& a, const Vec<S, C>& x) {
   return {each_of<R>([&](std::size_t i) PLASTICA_ALWAYS_INLINE -> S {
-    return sum_of<S, C>([&](std::size_t k) PLASTICA_ALWAYS_INLINE -> S { return a(i, k) * x[k]; });
+    return sum_of<S, C>([&](std::size_t k) PLASTICA_ALWAYS_INLINE { return a(i, k) * x[k]; });
   })};
 }
 

@@ -17,7 +17,7 @@
 namespace plastica::chain {
 
 namespace detail {
-
+PLASTICA_KERNELS_BEGIN
 /// Sum of coefficients[n] x^n.
 template <class S, std::size_t N>
 inline S polynomial(const std::array<double, N>& coefficients, const S& x) {
@@ -64,7 +64,7 @@ inline constexpr std::array<double, 10> kCotangentSlope = [] {
   }
   return slope;
 }();
-
+PLASTICA_KERNELS_END
 }  // namespace detail
 
 /// The coefficients a, b above at x = |theta|^2.
@@ -86,7 +86,8 @@ struct ExponentialCoefficients {
   /// By the formulas, for an angle t > 0.
   static ExponentialCoefficients at_angle(const S& t) {
     ExponentialCoefficients k;
-    const S sine = sin(constant<S>(0.5) * t) / t;
+    const S half = constant<S>(0.5) * t;
+    const S sine = sin(half) / t;
     k.a = sin(t) / t;
     k.b = constant<S>(2) * sine * sine;
     return k;

@@ -37,7 +37,7 @@ class JointComponents {
   PLASTICA_ALWAYS_INLINE explicit JointComponents(double step)
       : h_(constant<S>(step)),
         to_force_(constant<S>(kOrder == 2 ? 0.5 * step : step)),
-        calm_(constant<S>(0.5 * kCalm * step)) {}
+        dissipating_(constant<S>(0.5 * kDissipation * step)) {}
 
   /// @param rate  of the angle at the step's begin [rad/s]
   PLASTICA_ALWAYS_INLINE ComponentMoment<S> moment(const Kind& kind, const State& state,
@@ -49,22 +49,21 @@ class JointComponents {
     S slope = law.stiffness;
     if constexpr (kYields) {
       const PlasticState before = plastic_state(state, k);
-      const auto foretold = respond(law, before, multiply_add(h_, rate, angle));
+      const auto foretold = respond(law, before, S(h_ * rate + angle));
       slope = slope_of(law, foretold.tangent);
-      joint.moment = kOrder == 2
-                         ? constant<S>(-0.5) *
-                               multiply_add(law.stiffness, angle - before.plastic, foretold.stress)
-                         : -foretold.stress;
+      const S begin = law.stiffness * (angle - before.plastic);
+      joint.moment =
+          kOrder == 2 ? S(constant<S>(-0.5) * (begin + foretold.stress)) : -foretold.stress;
     } else {
-      joint.moment = -(law.stiffness * multiply_add(to_force_, rate, angle));
+      joint.moment = -(law.stiffness * (to_force_ * rate + angle));
     }
     if constexpr (kDissipates) {
       const S change = rate - state.get(At::AngleRate + k);
-      joint.moment = multiply_add(-(calm_ * slope), change, joint.moment);
-      slope = constant<S>(1.0 + kCalm) * slope;
+      joint.moment -= dissipating_ * slope * change;
+      slope = constant<S>(1.0 + kDissipation) * slope;
     }
-    joint.moment = joint.moment - damping * rate;
-    joint.resistance = to_force_ * multiply_add(to_force_, slope, damping);
+    joint.moment -= damping * rate;
+    joint.resistance = to_force_ * (to_force_ * slope + damping);
     return joint;
   }
 
@@ -75,7 +74,7 @@ class JointComponents {
                                      Losses<S>& losses) const {
     const Law law = law_of(kind, k);
     const S turn = angle - angle_before;
-    losses.damping = multiply_add(kind.get(Of::Damping + k) * h_, rate * rate, losses.damping);
+    losses.damping += kind.get(Of::Damping + k) * h_ * rate * rate;
     S slope = law.stiffness;
     if constexpr (kYields) {
       const PlasticState before = plastic_state(state, k);
@@ -87,17 +86,16 @@ class JointComponents {
       const S half = constant<S>(0.5);
       const S elastic_before = angle_before - before.plastic;
       const S moment_before = law.stiffness * elastic_before;
-      const S mean = kOrder == 2 ? half * (moment_before + now.stress) : now.stress;
+      const S mean = kOrder == 2 ? S(half * (moment_before + now.stress)) : now.stress;
       const S stored =
           half * (now.stress * (angle - now.state.plastic) - moment_before * elastic_before);
-      losses.numerical =
-          losses.numerical + (mean * turn - stored - law::plastic_work(law, before, now));
+      losses.numerical += mean * turn - stored - law::plastic_work(law, before, now);
     } else if constexpr (kOrder == 1) {
-      losses.numerical = multiply_add(constant<S>(0.5) * slope, turn * turn, losses.numerical);
+      losses.numerical += constant<S>(0.5) * slope * turn * turn;
     }
     if constexpr (kDissipates) {
       const S change = rate - state.get(At::AngleRate + k);
-      losses.numerical = multiply_add(calm_ * slope * change, turn, losses.numerical);
+      losses.numerical += dissipating_ * slope * change * turn;
     }
   }
 
@@ -117,7 +115,7 @@ class JointComponents {
     return max(tangent, constant<S>(kRestOfSlope) * law.stiffness);
   }
 
-  /// Share of the elastic slope that a yielding component keeps, so that a beam whose joints all
+  /// Fraction of the elastic slope that a yielding component keeps, so that a beam whose joints all
   /// yield without inertia to speak of still has a step.
   static constexpr double kRestOfSlope = sizeof(real_t<S>) == 8 ? 1e-9 : 1e-4;
 
@@ -126,12 +124,12 @@ class JointComponents {
   /// to the mean angle: an error of second order like the midpoint's own, with which what rings
   /// faster than the step dies out. Without it that lives on, and where bending and twist meet, it
   /// grows: the turning of the moments with the segments is explicit (README.md).
-  static constexpr double kCalm = 0.1;
+  static constexpr double kDissipation = 0.1;
 
   S h_;
-  S to_force_;  ///< the step of which a joint's angle by the rate, and the rate by the
-                ///< acceleration, is taken for the moment
-  S calm_;      ///< by which a change of the angle's rate counts as angle
+  S to_force_;     ///< the step of which a joint's angle by the rate, and the rate by the
+                   ///< acceleration, is taken for the moment
+  S dissipating_;  ///< by which a change of the angle's rate counts as angle
 };
 
 PLASTICA_KERNELS_END

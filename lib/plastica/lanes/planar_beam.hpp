@@ -34,7 +34,9 @@ struct PlanarLoad {
     LeverX,  ///< sum of force x distance along the segment from its inner joint [N m]
     LeverY,  ///< [N m]
     Moment,  ///< free [N m]
-    kCount
+    Force = ForceX,
+    Lever = LeverX,
+    kCount = Moment + 1
   };
 };
 
@@ -55,11 +57,11 @@ struct PlanarWork {
   enum : std::size_t {
     Cosine,  ///< of the segment's direction where the step's forces act
     Sine,
-    Spin,       ///< of the segment there [rad/s]
-    ByTurning,  ///< angular acceleration of the joint by the inner neighbour's …
-    ByX,
-    ByY,    ///< … and by the joint's acceleration
-    Given,  ///< and what remains [rad/s^2]
+    Spin,                        ///< of the segment there [rad/s]
+    ByTurning,                   ///< angular acceleration of the joint by the inner
+                                 ///< neighbour's …
+    ByAcceleration,              ///< … and by the joint's, along x and y,
+    Given = ByAcceleration + 2,  ///< and what remains [rad/s^2]
     kCount
   };
 };
@@ -82,7 +84,8 @@ struct PlanarSums {
 /// Where a segment is, between two steps.
 struct PlanarSight {
   enum : std::size_t {
-    X,  ///< of its inner joint, from the beam's start [m]
+    Place,  ///< of its inner joint, from the beam's start [m]
+    X = Place,
     Y,
     Direction,  ///< [rad]
     Cosine,     ///< of the direction

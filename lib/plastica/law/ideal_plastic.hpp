@@ -6,7 +6,6 @@
 #include "plastica/law/uniaxial_material.hpp"
 
 namespace plastica::law {
-PLASTICA_KERNELS_BEGIN
 
 /// Ideal plasticity, the report's law: the stress never leaves [-yield, yield].
 template <class S>
@@ -50,5 +49,4 @@ inline UniaxialResponse<S, typename IdealPlastic<S>::State> respond(
   return now;
 }
 
-PLASTICA_KERNELS_END
 }  // namespace plastica::law

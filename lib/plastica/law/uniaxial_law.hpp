@@ -21,7 +21,6 @@
 /// so that d X_k(p) = d X_k(0) + shift = d X_k(0) exp(-gamma_k p) + source. Sections with one yield
 /// surface and fibres under two stresses ask for the same.
 namespace plastica::law {
-PLASTICA_KERNELS_BEGIN
 
 /// State of a law. A law without back stresses has no room for any.
 template <class S, std::size_t kBacks>
@@ -116,5 +115,4 @@ inline S stepped(const Law& law, const S& p, const S& step) {
   }
 }
 
-PLASTICA_KERNELS_END
 }  // namespace plastica::law
