@@ -11,7 +11,7 @@
 namespace plastica::lanes {
 PLASTICA_KERNELS_BEGIN
 
-/// What articulated_step.hpp asks of beams in a plane.
+/// What articulated_step.hpp and articulated_sight.hpp ask of beams in a plane.
 /// @tparam kStride  lanes of the beams' memory
 template <class S, std::size_t kStride>
 struct PlanarForm {
@@ -36,7 +36,8 @@ struct PlanarForm {
   struct Axes {
     Point along;  ///< unit vector
   };
-  /// Goes from a segment to the next.
+  /// Goes on to the next segment, beyond a joint of that angle.
+  /// @param ahead  to look ahead by, with the segment's spin [s]
   PLASTICA_ALWAYS_INLINE static Axes turned(const Kind& kind, const Spin& angle, Aim& aim,
                                             const S& ahead = S{}) {
     aim.direction += kind.get(PlanarKind::Rest) + angle[0];

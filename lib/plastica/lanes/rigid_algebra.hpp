@@ -35,6 +35,7 @@ struct Symmetric {
   }
 };
 
+/// N numbers of a row, or of a column, of a matrix of either kind.
 template <std::size_t N, class M>
 PLASTICA_ALWAYS_INLINE constexpr auto row(const M& m, std::size_t i) {
   using S = std::remove_cvref_t<decltype(m(0, 0))>;

@@ -11,11 +11,12 @@
 namespace plastica::lanes {
 PLASTICA_KERNELS_BEGIN
 
-/// What articulated_step.hpp asks of straight beams in space. The energy of a joint is that of
-/// three springs along the components of the rotation vector, each of which may yield on its own,
-/// so that its moments m are those of three planar joints; B, the rows that turn a joint's rate
-/// into its angle's, brings them to world axes: moment B^T m, resistance B^T diag(k) B. As the
-/// angle goes by h B (mean rate), what the moments do in a step is exactly what the springs store.
+/// What articulated_step.hpp and articulated_sight.hpp ask of straight beams in space. The energy
+/// of a joint is that of three springs along the components of the rotation vector, each of which
+/// may yield on its own, so that its moments m are those of three planar joints; B, the rows that
+/// turn a joint's rate into its angle's, brings them to world axes: moment B^T m, resistance B^T
+/// diag(k) B. As the angle goes by h B (mean rate), what the moments do in a step is exactly what
+/// the springs store.
 /// @tparam kStride  lanes of the beams' memory
 template <class S, std::size_t kStride>
 struct SpatialForm {
@@ -39,7 +40,7 @@ struct SpatialForm {
   struct Axes {
     Vector along, y;  ///< its axes z and y
   };
-  /// Goes from a segment to the next.
+  /// Goes on to the next segment, beyond a joint of that angle.
   PLASTICA_ALWAYS_INLINE static Axes turned(const Kind& /*kind*/, const Vector& angle, Aim& aim) {
     assign(L::then(aim.frame, L::rotation(angle)).axes, aim.frame.axes);
     return {column<3>(aim.frame.axes, 2), column<3>(aim.frame.axes, 1)};

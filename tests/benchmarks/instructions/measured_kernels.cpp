@@ -133,6 +133,7 @@ void count_all() {
   count_steps("step_planar_midpoint", Level::Planar, Scheme::LinearlyImplicitMidpoint);
   count_steps("step_planar_articulated", Level::Planar, Scheme::ArticulatedMidpoint);
   count_steps("step_planar_energy_momentum", Level::Planar, Scheme::EnergyMomentum);
+  count_steps("step_spatial_articulated", Level::Spatial, Scheme::ArticulatedMidpoint);
   count_steps("step_spatial_midpoint", Level::Spatial, Scheme::LinearlyImplicitMidpoint);
 }
 
