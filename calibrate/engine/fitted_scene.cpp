@@ -30,9 +30,9 @@ std::string shown(std::string_view name, Dimension dimension, double value, doub
 std::optional<double> held_value(const Parameter& held, const SceneFitRecord& record,
                                  std::span<const Parameter> parameters) {
   if (held.role == ParameterRole::Fixed) return held.value;
-  for (const SceneParameter& base : record.result.parameters) {
+  for (const FittedParameter& base : record.result.parameters) {
     if (base.path != held.tied_to->path) continue;
-    if (base.verdict == Verdict::NotIdentified) return std::nullopt;
+    if (base.verdict() == Verdict::NotIdentified) return std::nullopt;
     return held.factor * base.value;
   }
   for (const Parameter& base : parameters) {
@@ -64,16 +64,15 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
   for (const FittedParameter& parameter : record.result.parameters) {
     if (parameter.role != ParameterRole::Fixed && !parameter.identified) {
       fitted.notes.push_back(
-          fmt::format("{} is not identified by the fit: the scene's own stays", parameter.name));
+          fmt::format("{} is not identified by the fit: the scene's own stays", parameter.name()));
       continue;
     }
     Setup setup{out, {}};
     set_field(setup, find_field(parameter.path), parameter.value);
     out = std::move(setup.scene);
     fitted.notes.push_back(fmt::format(
-        "{} = {}, {}{}", parameter.name,
-        shown(parameter.name, parameter.dimension, parameter.value,
-              parameter.standard_error.value_or(std::numeric_limits<double>::quiet_NaN())),
+        "{} = {}, {}{}", parameter.name(),
+        shown(parameter.name(), parameter.dimension, parameter.value, parameter.standard_error),
         parameter.role == ParameterRole::Free ? "fitted" : report::word_of(parameter.role),
         parameter.at_lower || parameter.at_upper ? ", at a bound of the fit" : ""));
   }
@@ -94,8 +93,8 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
   }
   // The numbers of a law hold with that law.
   FittedSetup fitted{setup_of(record.result.law, setup), {"fitted to " + record.name}};
-  for (const SceneParameter& parameter : record.result.parameters) {
-    if (parameter.verdict == Verdict::NotIdentified) {
+  for (const FittedParameter& parameter : record.result.parameters) {
+    if (parameter.verdict() == Verdict::NotIdentified) {
       fitted.notes.push_back(
           fmt::format("{} is not identified by the fit: the scene's own stays", parameter.path));
       continue;
@@ -104,14 +103,14 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
     fitted.notes.push_back(fmt::format(
         "{} = {}, {}", parameter.path,
         shown(parameter.path, parameter.dimension, parameter.value, parameter.standard_error),
-        name_of(parameter.verdict)));
+        name_of(parameter.verdict())));
   }
   // A comparison leaves those of other laws out, and searches what was tied to them.
   const auto own = parameters_of(record.result.law, Loading::Cyclic, parameters, parameters);
   for (const Parameter& held : parameters) {
     const bool of_the_law = std::ranges::find(own, held.field, &Parameter::field) != own.end();
     const bool searched =
-        std::ranges::find(record.result.parameters, held.field->path, &SceneParameter::path) !=
+        std::ranges::find(record.result.parameters, held.field->path, &FittedParameter::path) !=
         record.result.parameters.end();
     if (!of_the_law || searched || held.role == ParameterRole::Free) continue;
     const std::string path(held.field->path);

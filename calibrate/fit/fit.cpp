@@ -78,7 +78,6 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
     const ResolvedParameter& r = set.all()[i];
     FittedParameter p;
     p.path = r.field->path;
-    p.name = p.path.substr(p.path.rfind('.') + 1);
     p.dimension = r.field->dimension;
     p.role = r.role;
     p.value = values[i];
@@ -103,13 +102,15 @@ void add_parameters(const ParameterSet& set, std::span<const double> active, con
       if (p.identified && !held) {
         p.standard_error = u.standard_error[k];
         p.noise_error = u.noise_error[k];
+        p.sampling_error = u.sampling[k] / std::sqrt(3.0);
+        p.degrees_of_freedom = u.degrees_of_freedom;
         p.interval_low = p.value - u.half_interval[k];
         p.interval_high = p.value + u.half_interval[k];
       }
       p.judgement = judge({.value = p.value,
                            .lower = p.lower,
                            .upper = p.upper,
-                           .at_bound = p.identified && (p.at_lower || p.at_upper),
+                           .at_bound = p.identified && p.at_bound(),
                            .noise_error = u.noise_error[k],
                            .half = u.sampling[k],
                            .standard_error = u.standard_error[k]});
@@ -126,10 +127,10 @@ void add_tied_errors(const ParameterSet& set, FitResult& result) {
     FittedParameter& tied = result.parameters[i];
     const FittedParameter& base = result.parameters[r.base];
     tied.identified = base.identified;
-    if (!base.standard_error) continue;
-    const double half = std::fabs(r.factor) * (*base.interval_high - base.value);
-    tied.standard_error = std::fabs(r.factor) * *base.standard_error;
-    tied.noise_error = std::fabs(r.factor) * *base.noise_error;
+    if (!base.has_error()) continue;
+    const double half = std::fabs(r.factor) * (base.interval_high - base.value);
+    tied.standard_error = std::fabs(r.factor) * base.standard_error;
+    tied.noise_error = std::fabs(r.factor) * base.noise_error;
     tied.interval_low = tied.value - half;
     tied.interval_high = tied.value + half;
   }
@@ -141,14 +142,14 @@ constexpr double kMinor = 0.01;
 void add_warnings(const Target& target, FitResult& result) {
   for (const FittedParameter& p : result.parameters) {
     const bool no_break = p.role == ParameterRole::Free && !target.characteristics.observed_break &&
-                          (p.name == "break_strain" || p.name == "break_shear_strain");
+                          (p.name() == "break_strain" || p.name() == "break_shear_strain");
     if (no_break) {
-      result.warnings.push_back(p.name + " is not identified: the specimen did not break");
+      result.warnings.push_back(p.name() + " is not identified: the specimen did not break");
     } else if (p.judgement) {
       const Judgement& judgement = *p.judgement;
       const bool minor =
           judgement.verdict == Verdict::LimitedBySampling && judgement.number < kMinor;
-      std::string warning = minor ? std::string() : warning_of(p.name, judgement, p.lower);
+      std::string warning = minor ? std::string() : warning_of(p.name(), judgement, p.lower);
       if (!warning.empty()) result.warnings.push_back(std::move(warning));
     }
   }
@@ -166,7 +167,7 @@ void warn_of_held_break(const Target& target, const ParameterSet& set, double fa
   if (std::fabs(p.value - own) <= std::fabs(observed->half_interval()) / factor) return;
   result.warnings.push_back(
       fmt::format("{} is held at {:.4g} %, but the specimen broke at {:.4g} % permanent strain",
-                  p.name, 100.0 * p.value, 100.0 * own));
+                  p.name(), 100.0 * p.value, 100.0 * own));
 }
 
 /// The fitted beam on the specimen's strain path, with its break; and the strain where it breaks.
@@ -175,7 +176,7 @@ void add_fitted_curve(const Target& target, const FitOptions& options, FitResult
   for (const FittedParameter& p : result.parameters) {
     // A break limit that the curve does not show would break the fitted beam at a guess. All else
     // is what the optimizer compared with the curve, determined by it or not.
-    const bool limit = p.name == "break_strain" || p.name == "break_shear_strain";
+    const bool limit = p.name() == "break_strain" || p.name() == "break_shear_strain";
     if (p.identified || !limit) set_field(setup, find_field(p.path), p.value);
   }
   Scene& scene = setup.scene;

@@ -33,7 +33,7 @@ FitIntervals found_intervals(const Target& target, const FitOptions& options,
   }
   std::vector<std::string> names;
   for (const FittedParameter* parameter : result.free_parameters()) {
-    names.push_back(parameter->name);
+    names.push_back(parameter->name());
   }
   add_warnings(intervals, names, "search longer (fit.stop)", warnings);
   return intervals;

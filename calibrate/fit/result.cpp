@@ -15,7 +15,7 @@ std::string_view name_of(FitStatus status) {
 
 const FittedParameter& FitResult::parameter(std::string_view name) const {
   for (const FittedParameter& parameter : parameters) {
-    if (parameter.name == name) return parameter;
+    if (parameter.name() == name) return parameter;
   }
   throw std::out_of_range("no parameter " + std::string(name));
 }

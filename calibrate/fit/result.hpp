@@ -10,8 +10,7 @@
 
 #include "calibrate/fit/intervals.hpp"
 #include "calibrate/fit/law.hpp"
-#include "calibrate/fit/parameter.hpp"
-#include "calibrate/fit/verdict.hpp"
+#include "calibrate/result/fitted_parameter.hpp"
 #include "calibrate/target/target.hpp"
 #include "plastica/base/status.hpp"
 
@@ -25,31 +24,6 @@ enum class FitStatus {
 };
 
 std::string_view name_of(FitStatus status);
-
-/// What the fit says of one parameter; SI.
-struct FittedParameter {
-  std::string name;  ///< "yield_stress"
-  std::string path;  ///< "material.yield_stress"
-  Dimension dimension = Dimension::None;
-  ParameterRole role = ParameterRole::Free;
-  double value = 0.0;
-  double start = 0.0;
-  double lower = 0.0;  ///< bounds; equal to the value if fixed or tied
-  double upper = 0.0;
-  bool logarithmic = false;
-  /// Standard error; empty for fixed parameters and for those that the curve does not determine.
-  std::optional<double> standard_error;
-  /// The part of it that is the noise's: a break's has its place between two samples beside it.
-  std::optional<double> noise_error;
-  std::optional<double> interval_low;  ///< confidence interval
-  std::optional<double> interval_high;
-  bool at_lower = false;
-  bool at_upper = false;
-  bool identified = true;  ///< free: whether the curve determines it
-  /// Free and fitted: how well the curve determines it, and the number behind the word
-  /// (verdict.hpp).
-  std::optional<Judgement> judgement;
-};
 
 /// One stage of the optimizer.
 struct OptimizerStage {

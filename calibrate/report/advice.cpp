@@ -5,6 +5,7 @@
 
 #include "calibrate/fit/compare_laws.hpp"
 #include "calibrate/report/format.hpp"
+#include "calibrate/report/parameter_words.hpp"
 
 namespace plastica::calibrate::report {
 namespace {
@@ -20,11 +21,11 @@ void advise_on(const FittedParameter& parameter, std::vector<std::string>& advic
   const std::string_view bound = word_of_bound(parameter);
   if (parameter.role != ParameterRole::Free) return;
   if (!parameter.identified) {
-    advice.push_back(parameter.name +
+    advice.push_back(parameter.name() +
                      ": no value is better than another for this curve; fix it, or fit a curve "
                      "that goes far enough to show it.");
   } else if (!bound.empty()) {
-    advice.push_back(parameter.name + ": the best value is at the " + std::string(bound) +
+    advice.push_back(parameter.name() + ": the best value is at the " + std::string(bound) +
                      " bound or beyond; widen the bounds if the material allows it, else fix it.");
   }
 }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/csv_cells.hpp"
+#include "calibrate/report/described.hpp"
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/shown_intervals.hpp"
@@ -42,7 +43,7 @@ std::vector<std::string> group_keys(const FitRecord& record) {
 
 const FittedParameter* find_parameter(const FitRecord& record, std::string_view name) {
   for (const FittedParameter& parameter : record.result.parameters) {
-    if (parameter.name == name) return &parameter;
+    if (parameter.name() == name) return &parameter;
   }
   return nullptr;
 }
@@ -51,6 +52,14 @@ std::vector<IntervalColumn> columns_of(std::span<const FitRecord> records) {
   std::vector<const FitIntervals*> all;
   for (const FitRecord& record : records) all.push_back(&record.result.intervals);
   return interval_columns(all);
+}
+
+/// The columns of a parameter; null: empty cells.
+CellDescriber<FittedParameter> columns_of(const FittedParameter* parameter, std::string prefix = {},
+                                          std::string_view units = {}) {
+  CellDescriber<FittedParameter> columns(parameter, std::move(prefix), units);
+  kDescribeParameter(columns);
+  return columns;
 }
 
 /// A cell of a parameter's intervals; empty for one that is not free.
@@ -76,7 +85,7 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
   const std::vector<std::string> parameters = all_names(records, [](const FitRecord& record) {
     std::vector<std::string> names;
     for (const FittedParameter& parameter : record.result.parameters) {
-      names.push_back(parameter.name);
+      names.push_back(parameter.name());
     }
     return names;
   });
@@ -91,15 +100,13 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
     const FittedParameter* example = nullptr;
     for (std::size_t i = 0; example == nullptr; ++i) example = find_parameter(records[i], name);
     const std::string_view unit = si_unit(example->dimension);
-    for (const char* what : {"", ".stderr", ".low", ".high"}) {
-      header.push_back(fmt::format("fit.{}{} [{}]", name, what, unit));
+    for (std::string& title : columns_of(example, "fit." + name, unit).names) {
+      header.push_back(std::move(title));
     }
     for (const IntervalColumn& column : intervals) {
       header.push_back(fmt::format("fit.{}{}", name, column.name));
       if (column.has_unit) header.back() += fmt::format(" [{}]", unit);
     }
-    header.push_back(fmt::format("fit.{}.verdict", name));
-    header.push_back(fmt::format("fit.{}.verdict_number", name));
   }
   for (const char* last :
        {"objective [Pa^2]", "misfit_rms [Pa]", "misfit_share [1]", "runs_probability [1]", "misfit",
@@ -131,17 +138,10 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
     }
     for (const std::string& name : parameters) {
       const FittedParameter* parameter = find_parameter(record, name);
-      const bool there = parameter != nullptr;
-      row.push_back(there ? cell_of(parameter->value) : std::string());
-      row.push_back(there ? cell_of(parameter->standard_error) : std::string());
-      row.push_back(there ? cell_of(parameter->interval_low) : std::string());
-      row.push_back(there ? cell_of(parameter->interval_high) : std::string());
+      for (std::string& cell : columns_of(parameter).cells) row.push_back(std::move(cell));
       for (const IntervalColumn& column : intervals) {
         row.push_back(interval_cell(column, result, parameter));
       }
-      const bool judged = there && parameter->judgement;
-      row.emplace_back(judged ? name_of(parameter->judgement->verdict) : "");
-      row.push_back(judged ? cell_of(parameter->judgement->number) : std::string());
     }
     row.push_back(if_fitted(result.cost));
     row.push_back(if_fitted(result.misfit_rms));

@@ -48,11 +48,6 @@ std::string_view word_of(ParameterRole role) {
   return "unknown";
 }
 
-std::string_view word_of_bound(const FittedParameter& parameter) {
-  if (parameter.at_lower) return "lower";
-  return parameter.at_upper ? "upper" : "";
-}
-
 std::string reason_of(const FitRecord& record) {
   if (record.result.status == FitStatus::Fitted) return {};
   return record.result.reason.empty() ? record.target.reason : record.result.reason;
@@ -60,31 +55,6 @@ std::string reason_of(const FitRecord& record) {
 
 DisplayUnit display_unit_of(std::string_view path, Dimension dimension, double size) {
   return plastica::report::display_unit(dimension, size, path.find("modulus") != path.npos);
-}
-
-std::string verdict_text(const Judgement& judgement, std::string_view path, Dimension dimension,
-                         double lower) {
-  std::string word(name_of(judgement.verdict));
-  const std::string share = fmt::format("{:.2g} %", 100.0 * judgement.number);
-  switch (judgement.verdict) {
-    case Verdict::Identified:
-    case Verdict::Weak: return word + ", error " + share;
-    case Verdict::NotIdentified: return word;
-    case Verdict::AtBound: {
-      const DisplayUnit unit = display_unit_of(path, dimension, judgement.number);
-      return fmt::format("{}, {} {}", word, judgement.number == lower ? "lower" : "upper",
-                         quantity(brief(judgement.number / unit.scale), unit.name));
-    }
-    case Verdict::LimitedBySegments:
-    case Verdict::LimitedBySampling: return word + ", ± " + share;
-    case Verdict::FromPrior: return word + ", " + share + " of it";
-  }
-  return word;
-}
-
-DisplayUnit display_unit(const FittedParameter& parameter) {
-  const bool modulus = parameter.name.find("modulus") != std::string::npos;
-  return display_unit(parameter.dimension, parameter.value, modulus);
 }
 
 std::string sentence_of(const Repair& repair) {

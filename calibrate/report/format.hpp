@@ -29,21 +29,12 @@ std::string_view word_of(Test test);            ///< "tension", "bending", "tors
 std::string_view word_of(Measure measure);      ///< "engineering", "true"
 std::string_view word_of(Loading loading);      ///< "monotonic", "cyclic"
 std::string_view word_of(ParameterRole role);   ///< "free", "fixed", "tied"
-std::string_view word_of_bound(const FittedParameter& parameter);  ///< "lower", "upper", "" if off
 
 /// Why there is no fit: the result's reason, else the target's; empty for a fitted one.
 std::string reason_of(const FitRecord& record);
 
 /// The unit in which a parameter of about this size is shown.
 DisplayUnit display_unit_of(std::string_view path, Dimension dimension, double size);
-
-/// The word and the number behind it: "identified, error 0.59 %", "at bound, upper 380 MPa".
-/// @param lower  bound of the parameter, to tell it from the upper one
-std::string verdict_text(const Judgement& judgement, std::string_view path, Dimension dimension,
-                         double lower);
-
-/// The same for a parameter at its value.
-DisplayUnit display_unit(const FittedParameter& parameter);
 
 /// What a repair did without how often, which stands before it: "rows without strain dropped".
 std::string sentence_of(const Repair& repair);

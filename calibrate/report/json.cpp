@@ -12,6 +12,7 @@
 #include "calibrate/report/json_values.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/law_json.hpp"
+#include "calibrate/report/parameter_json.hpp"
 #include "calibrate/report/shown_intervals.hpp"
 #include "calibrate/report/summary.hpp"
 
@@ -30,7 +31,7 @@ Json characteristics_of(const Characteristics& all) {
   for (const CharacteristicEntry& entry : characteristic_entries()) {
     object[std::string(entry.name)] = number(all.*entry.value);
   }
-  object["youngs_modulus_stderr"] = number(all.youngs_modulus_stderr);
+  object["youngs_modulus_standard_error"] = number(all.youngs_modulus_stderr);
   object["modulus_method"] = text_or_null(all.modulus_method);
   object["modulus_window"] = {number(all.modulus_window_low), number(all.modulus_window_high)};
   object["offset"] = number(all.offset);
@@ -43,22 +44,6 @@ Json characteristics_of(const Characteristics& all) {
   }
   object["largest_strain"] = number(all.largest_strain);
   return object;
-}
-
-Json parameter_of(const FittedParameter& parameter) {
-  return {{"value", number(parameter.value)},
-          {"stderr", number(parameter.standard_error)},
-          {"interval", {number(parameter.interval_low), number(parameter.interval_high)}},
-          {"start", number(parameter.start)},
-          {"bounds", {number(parameter.lower), number(parameter.upper)}},
-          {"unit", si_unit(parameter.dimension)},
-          {"path", parameter.path},
-          {"role", word_of(parameter.role)},
-          {"scale", parameter.logarithmic ? "logarithmic" : "linear"},
-          {"at_bound", text_or_null(word_of_bound(parameter))},
-          {"identified", parameter.identified},
-          {"verdict", parameter.judgement ? Json(name_of(parameter.judgement->verdict)) : Json()},
-          {"verdict_number", parameter.judgement ? number(parameter.judgement->number) : Json()}};
 }
 
 Json repairs_of(const Target& target) {
@@ -96,7 +81,7 @@ Json stages_of(const FitResult& result) {
 Json correlation_of(const FitResult& result) {
   std::vector<std::string> names;
   for (const FittedParameter& parameter : result.parameters) {
-    if (parameter.role == ParameterRole::Free) names.push_back(parameter.name);
+    if (parameter.role == ParameterRole::Free) names.push_back(parameter.name());
   }
   const std::size_t n = names.size();
   Json rows = Json::array();
@@ -116,7 +101,7 @@ Json fit_of(const FitRecord& record) {
   const auto if_fitted = [&](double value) { return fitted ? number(value) : Json(nullptr); };
   Json parameters = Json::object();
   for (const FittedParameter& parameter : result.parameters) {
-    parameters[parameter.name] = parameter_of(parameter);
+    parameters[parameter.name()] = json_of(parameter);
   }
   Json warnings = target.warnings;
   for (const std::string& warning : result.warnings) warnings.push_back(warning);
@@ -166,7 +151,7 @@ Json statistics_of(const std::vector<GroupStatistic>& all) {
                           {"mean", number(entry.statistic.mean)},
                           {"standard_deviation", number(entry.statistic.standard_deviation)}};
     if (!entry.mean_interval) continue;
-    object[entry.name]["mean_stderr"] = number(entry.mean_interval->standard_error);
+    object[entry.name]["mean_standard_error"] = number(entry.mean_interval->standard_error);
     object[entry.name]["mean_interval"] = {number(entry.mean_interval->low),
                                            number(entry.mean_interval->high)};
   }

@@ -14,7 +14,8 @@ namespace plastica::calibrate {
 /// What a curve or a fit does not have is null, so is every number that is not finite. The order of
 /// the keys is fixed. Bytes of a user's text that are not UTF-8 become question marks.
 /// @param indent  blanks per level; negative: all in one line
-/// @param draws  where there are any, a parameter of a group has "mean_stderr" and "mean_interval"
+/// @param draws  where there are any, a parameter of a group has "mean_standard_error" and
+/// "mean_interval"
 std::string json_summary(std::span<const FitRecord> records, int indent = 2,
                          const SpecimenDraws& draws = {});
 

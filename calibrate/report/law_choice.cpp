@@ -26,9 +26,9 @@ LawFit law_fit_of(const FitRecord& record) {
                         .autocorrelation = result.autocorrelation,
                         .noise = result.noise});
   for (const FittedParameter& p : result.parameters) {
-    const bool limit = p.name == "break_strain" || p.name == "break_shear_strain";
+    const bool limit = p.name() == "break_strain" || p.name() == "break_shear_strain";
     if (p.role != ParameterRole::Free || limit || !p.judgement) continue;
-    fit.parameters.push_back(p.name);
+    fit.parameters.push_back(p.name());
     fit.verdicts.push_back(p.judgement->verdict);
   }
   fit.evaluations = result.evaluations() + result.simpler_evaluations;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calibrate/report/format.hpp"
+#include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/plot_kinds.hpp"
 #include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/summary.hpp"
@@ -59,8 +60,9 @@ PlotScript parameters_plot(std::span<const FitRecord> records) {
   for (const FittedParameter& parameter : shown) {
     const DisplayUnit unit = display_unit(parameter);
     const auto [points, means] = values_of(records, groups, parameter);
-    script.begin_panel(in_quotes(
-        unit.name.empty() ? parameter.name : fmt::format("{} [{}]", parameter.name, unit.name)));
+    script.begin_panel(in_quotes(unit.name.empty()
+                                     ? parameter.name()
+                                     : fmt::format("{} [{}]", parameter.name(), unit.name)));
     if (!points.empty()) {
       script.add_series(script.add_points(points),
                         fmt::format("using 1:2:3 with yerrorbars pointtype 7 pointsize {} "

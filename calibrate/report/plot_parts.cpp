@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/format.hpp"
+#include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/summary.hpp"
 #include "plastica/base/check.hpp"
 
@@ -18,8 +19,8 @@ std::string measured_parameter(const FitResult& result, std::string_view name,
   if (parameter == nullptr || !parameter->identified) return {};
   const DisplayUnit unit = display_unit(*parameter);
   const double value = parameter->value / unit.scale;
-  const std::string number = parameter->standard_error
-                                 ? with_error(value, *parameter->standard_error / unit.scale)
+  const std::string number = parameter->has_error()
+                                 ? with_error(value, parameter->standard_error / unit.scale)
                                  : significant(value, 4);
   return fmt::format("{} {} {}{}", symbol, number, unit.name, remark);
 }
@@ -28,7 +29,7 @@ std::string measured_parameter(const FitResult& result, std::string_view name,
 
 const FittedParameter* find_parameter(const FitResult& result, std::string_view name) {
   for (const FittedParameter& parameter : result.parameters) {
-    if (parameter.name == name) return &parameter;
+    if (parameter.name() == name) return &parameter;
   }
   return nullptr;
 }
@@ -70,7 +71,7 @@ std::optional<std::vector<double>> yield_point(const FitResult& result) {
   if (yield == nullptr) yield = find_parameter(result, "shear_yield_stress");
   const FittedParameter* modulus = find_parameter(result, "youngs_modulus");
   if (yield == nullptr || !yield->identified) return std::nullopt;
-  if (modulus != nullptr && yield->name == "yield_stress" && modulus->value > 0.0) {
+  if (modulus != nullptr && yield->name() == "yield_stress" && modulus->value > 0.0) {
     return std::vector<double>{100.0 * yield->value / modulus->value, 1e-6 * yield->value};
   }
   for (std::size_t i = 0; i < result.fitted.size(); ++i) {
@@ -164,7 +165,7 @@ std::vector<FittedParameter> free_parameters(std::span<const FitRecord> records)
       // One that no curve determines has no point.
       const bool seen = std::ranges::any_of(records, [&](const FitRecord& each) {
         const FittedParameter* found =
-            is_fitted(each) ? find_parameter(each.result, parameter.name) : nullptr;
+            is_fitted(each) ? find_parameter(each.result, parameter.name()) : nullptr;
         return found != nullptr && found->identified;
       });
       if (parameter.role == ParameterRole::Free && seen) shown.push_back(parameter);
@@ -185,13 +186,13 @@ GroupValues values_of(std::span<const FitRecord> records,
     for (std::size_t k = 0; k < groups[g].size(); ++k) {
       const FitRecord& record = records[groups[g][k]];
       if (!is_fitted(record)) continue;
-      const FittedParameter* found = find_parameter(record.result, parameter.name);
+      const FittedParameter* found = find_parameter(record.result, parameter.name());
       if (found == nullptr || !found->identified) continue;
       values.push_back(found->value / unit.scale);
       // Spread sideways by the golden ratio: even, and the same in each picture.
       const double spread = std::fmod(0.6180339887 * static_cast<double>(k + 1), 1.0) - 0.5;
       all.points.push_back({static_cast<double>(g + 1) + 0.36 * spread, values.back(),
-                            found->standard_error.value_or(0.0) / unit.scale});
+                            (found->has_error() ? found->standard_error : 0.0) / unit.scale});
     }
     const Statistic statistic = statistic_of(std::move(values));
     if (statistic.n > 1) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/format.hpp"
+#include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/plot_kinds.hpp"
 #include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/summary.hpp"
@@ -220,7 +221,7 @@ PlotScript parameters_terminal(std::span<const FitRecord> records) {
   for (const FittedParameter& parameter : shown) {
     const DisplayUnit unit = display_unit(parameter);
     const GroupValues values = values_of(records, groups, parameter);
-    std::string title = parameter.name;
+    std::string title = parameter.name();
     if (!unit.name.empty()) title += fmt::format(" [{}]", unit.name);
     if (!axis.title.empty()) title += " over " + axis.title;
     script.command(title_of({title}));

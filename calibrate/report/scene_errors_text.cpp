@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "plastica/report/table.hpp"
 
@@ -31,11 +32,11 @@ struct ErrorColumn {
 
 std::vector<ErrorColumn> error_columns(const SceneFitResult& result) {
   std::vector<ErrorColumn> columns;
-  const auto of_parameter = [&](double SceneParameter::*member) {
+  const auto of_parameter = [&](double FittedParameter::*member) {
     return [&result, member](std::size_t i) { return result.parameters[i].*member; };
   };
-  columns.push_back({"noise", of_parameter(&SceneParameter::noise_error)});
-  columns.push_back({"sampling", of_parameter(&SceneParameter::sampling_error)});
+  columns.push_back({"noise", of_parameter(&FittedParameter::noise_error)});
+  columns.push_back({"sampling", of_parameter(&FittedParameter::sampling_error)});
   if (result.segments) {
     columns.push_back({"segments", [&](std::size_t i) {
                          return result.segments->parameters[i].error / std::sqrt(3.0);
@@ -46,7 +47,7 @@ std::vector<ErrorColumn> error_columns(const SceneFitResult& result) {
                          return result.intervals.specimens.intervals[i].standard_error;
                        }});
   }
-  columns.push_back({"misfit", of_parameter(&SceneParameter::misfit_error)});
+  columns.push_back({"misfit", of_parameter(&FittedParameter::misfit_error)});
   return columns;
 }
 
@@ -77,7 +78,7 @@ std::string errors_text(const SceneFitRecord& record, const Ink& ink) {
   columns.push_back({"", Align::Left});
   Table table(std::move(columns));
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
-    const SceneParameter& parameter = result.parameters[i];
+    const FittedParameter& parameter = result.parameters[i];
     const DisplayUnit unit = display_unit(parameter);
     std::vector<std::string> cells = {short_name(parameter.path)};
     for (const ErrorColumn& source : sources) cells.push_back(error_cell(source.error(i), unit));
@@ -99,7 +100,7 @@ std::string segments_text(const SceneFitRecord& record, const Ink& ink) {
                {"extrapolated", Align::PlusMinus},
                {"", Align::Left}});
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
-    const SceneParameter& parameter = result.parameters[i];
+    const FittedParameter& parameter = result.parameters[i];
     const SegmentsError& error = segments.parameters[i];
     const DisplayUnit unit = display_unit(parameter);
     const auto cell = [&](double value) { return value_cell(value, error, unit); };

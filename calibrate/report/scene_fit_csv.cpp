@@ -11,8 +11,10 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/csv_cells.hpp"
+#include "calibrate/report/described.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
+#include "calibrate/report/shown_intervals.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -23,7 +25,7 @@ using namespace report;
 std::vector<std::pair<std::string, Dimension>> all_paths(std::span<const SceneFitRecord> records) {
   std::vector<std::pair<std::string, Dimension>> all;
   for (const SceneFitRecord& record : records) {
-    for (const SceneParameter& p : record.result.parameters) {
+    for (const FittedParameter& p : record.result.parameters) {
       const std::pair path{p.path, p.dimension};
       if (std::ranges::find(all, path) == all.end()) all.push_back(path);
     }
@@ -31,111 +33,52 @@ std::vector<std::pair<std::string, Dimension>> all_paths(std::span<const SceneFi
   return all;
 }
 
-/// A column of each parameter.
-struct Column {
-  enum class Unit { Own, One, None };
-  const char* name;
-  Unit unit;
-  std::string (*cell)(const SceneFitResult& result, std::size_t parameter);
-  /// Of an interval beside that of the covariance: whether a fit has it. Null: all have.
-  bool (*there)(const SceneIntervals& intervals) = nullptr;
+/// A fitted parameter beside what else a row has of it.
+struct ParameterRow {
+  const FittedParameter* fitted = nullptr;  ///< null: the fit does not have it
+  const SegmentsError* segments = nullptr;  ///< null: it was not fitted with other segments
+  std::size_t index = 0;                    ///< among the parameters of the fit
 };
-using Unit = Column::Unit;
 
-template <double SceneParameter::*member>
-std::string of_parameter(const SceneFitResult& result, std::size_t i) {
-  return cell_of(result.parameters[i].*member);
+ParameterRow row_of(const SceneFitResult& result, const std::string& path) {
+  const auto p = std::ranges::find(result.parameters, path, &FittedParameter::path);
+  if (p == result.parameters.end() || result.status != FitStatus::Fitted) return {};
+  const auto index = static_cast<std::size_t>(p - result.parameters.begin());
+  return {&*p, result.segments ? &result.segments->parameters[index] : nullptr, index};
 }
 
-template <double SegmentsError::*member>
-std::string of_segments(const SceneFitResult& result, std::size_t i) {
-  return cell_of((result.segments ? result.segments->parameters[i] : SegmentsError{}).*member);
-}
-
-template <double SceneProfile::*member>
-std::string of_profile(const SceneFitResult& result, std::size_t i) {
-  const auto& profiles = result.intervals.profiles;
-  return i < profiles.size() ? cell_of(profiles[i].*member) : std::string();
-}
-
-template <ProfileEnd SceneProfile::*member>
-std::string end_of_profile(const SceneFitResult& result, std::size_t i) {
-  const auto& profiles = result.intervals.profiles;
-  return i < profiles.size() ? std::string(name_of(profiles[i].*member)) : std::string();
-}
-
-template <SceneBootstrap SceneIntervals::*which, double BootstrapInterval::*member>
-std::string of_bootstrap(const SceneFitResult& result, std::size_t i) {
-  const auto& intervals = (result.intervals.*which).intervals;
-  return i < intervals.size() ? cell_of(intervals[i].*member) : std::string();
-}
-
-bool has_profiles(const SceneIntervals& all) { return !all.profiles.empty(); }
-
-template <SceneBootstrap SceneIntervals::*which>
-bool has_bootstrap(const SceneIntervals& all) {
-  return !(all.*which).intervals.empty();
-}
-
-const Column kColumns[] = {
-    {"", Unit::Own, of_parameter<&SceneParameter::value>},
-    {".stderr", Unit::Own, of_parameter<&SceneParameter::standard_error>},
-    {".low", Unit::Own, of_parameter<&SceneParameter::interval_low>},
-    {".high", Unit::Own, of_parameter<&SceneParameter::interval_high>},
-    {".noise_error", Unit::Own, of_parameter<&SceneParameter::noise_error>},
-    {".sampling_error", Unit::Own, of_parameter<&SceneParameter::sampling_error>},
-    {".misfit_error", Unit::Own, of_parameter<&SceneParameter::misfit_error>},
-    {".degrees_of_freedom", Unit::One, of_parameter<&SceneParameter::degrees_of_freedom>},
-    {".extrapolated", Unit::Own, of_segments<&SegmentsError::extrapolated>},
-    {".segments_error", Unit::Own, of_segments<&SegmentsError::error>},
-    {".profile_low", Unit::Own, of_profile<&SceneProfile::low>, has_profiles},
-    {".profile_high", Unit::Own, of_profile<&SceneProfile::high>, has_profiles},
-    {".profile_low_end", Unit::None, end_of_profile<&SceneProfile::low_end>, has_profiles},
-    {".profile_high_end", Unit::None, end_of_profile<&SceneProfile::high_end>, has_profiles},
-    {".bootstrap_low", Unit::Own, of_bootstrap<&SceneIntervals::residuals, &BootstrapInterval::low>,
-     has_bootstrap<&SceneIntervals::residuals>},
-    {".bootstrap_high", Unit::Own,
-     of_bootstrap<&SceneIntervals::residuals, &BootstrapInterval::high>,
-     has_bootstrap<&SceneIntervals::residuals>},
-    {".specimens_low", Unit::Own, of_bootstrap<&SceneIntervals::specimens, &BootstrapInterval::low>,
-     has_bootstrap<&SceneIntervals::specimens>},
-    {".specimens_high", Unit::Own,
-     of_bootstrap<&SceneIntervals::specimens, &BootstrapInterval::high>,
-     has_bootstrap<&SceneIntervals::specimens>},
-    {".verdict", Unit::None,
-     [](const SceneFitResult& result, std::size_t i) {
-       return std::string(name_of(result.parameters[i].verdict));
-     }},
-    {".verdict_number", Unit::None, of_parameter<&SceneParameter::verdict_number>}};
-
-/// Those that any fit has.
-std::vector<Column> columns_of(std::span<const SceneFitRecord> records) {
-  std::vector<Column> columns;
-  for (const Column& column : kColumns) {
-    const bool any =
-        column.there == nullptr || std::ranges::any_of(records, [&](const SceneFitRecord& record) {
-          return column.there(record.result.intervals);
-        });
-    if (any) columns.push_back(column);
-  }
+/// Columns of a parameter, but for those of its intervals.
+CellDescriber<FittedParameter> columns_of(const ParameterRow& parameter, const std::string& path,
+                                          Dimension dimension) {
+  CellDescriber<FittedParameter> columns(parameter.fitted, path, si_unit(dimension));
+  kDescribeParameter(columns);
+  CellDescriber<SegmentsError> segments(parameter.segments, path, si_unit(dimension));
+  segments("extrapolated", kOwnUnits, PLASTICA_MEMBER(extrapolated));
+  segments("segments_error", kOwnUnits, PLASTICA_MEMBER(error));
+  columns.names.insert(columns.names.end(), segments.names.begin(), segments.names.end());
+  columns.cells.insert(columns.cells.end(), segments.cells.begin(), segments.cells.end());
   return columns;
 }
 
-std::string title_of(const Column& column, const std::string& path, Dimension dimension) {
-  if (column.unit == Unit::None) return path + column.name;
-  const std::string_view unit =
-      column.unit == Unit::One ? std::string_view("1") : si_unit(dimension);
-  return fmt::format("{}{} [{}]", path, column.name, unit);
+std::vector<IntervalColumn> intervals_of(std::span<const SceneFitRecord> records) {
+  std::vector<const FitIntervals*> all;
+  for (const SceneFitRecord& record : records) all.push_back(&record.result.intervals);
+  return interval_columns(all);
 }
 
 }  // namespace
 
 void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> records) {
   const auto paths = all_paths(records);
-  const std::vector<Column> columns = columns_of(records);
+  const std::vector<IntervalColumn> intervals = intervals_of(records);
   std::vector<std::string> header = {"name", "law", "status", "reason"};
   for (const auto& [path, dimension] : paths) {
-    for (const Column& column : columns) header.push_back(title_of(column, path, dimension));
+    const std::vector<std::string> names = columns_of({}, path, dimension).names;
+    header.insert(header.end(), names.begin(), names.end());
+    for (const IntervalColumn& column : intervals) {
+      header.push_back(path + column.name);
+      if (column.has_unit) header.back() += fmt::format(" [{}]", si_unit(dimension));
+    }
   }
   for (const char* last :
        {"cost [1]", "degrees_of_freedom [1]", "starts", "runs", "search_runs", "failed_runs"}) {
@@ -148,13 +91,13 @@ void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> rec
     std::vector<std::string> row = {record.name, std::string(name_of(result.law)),
                                     std::string(word_of(result.status)), result.reason};
     for (const auto& [path, dimension] : paths) {
-      const auto p = std::ranges::find(result.parameters, path, &SceneParameter::path);
-      if (p == result.parameters.end() || !fitted) {
-        row.insert(row.end(), columns.size(), std::string());
-        continue;
+      const ParameterRow parameter = row_of(result, path);
+      const std::vector<std::string> cells = columns_of(parameter, path, dimension).cells;
+      row.insert(row.end(), cells.begin(), cells.end());
+      for (const IntervalColumn& column : intervals) {
+        row.push_back(parameter.fitted == nullptr ? std::string()
+                                                  : column.cell(result.intervals, parameter.index));
       }
-      const auto index = static_cast<std::size_t>(p - result.parameters.begin());
-      for (const Column& column : columns) row.push_back(column.cell(result, index));
     }
     const std::vector<double> costs = sorted_costs(result);
     row.push_back(fitted && !costs.empty() ? cell_of(costs.front()) : std::string());

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/scene_fit_bands.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
@@ -57,7 +58,7 @@ DisplayUnit unit_of(Dimension dimension, std::span<const double> values) {
 std::string facts_of(const SceneFitRecord& record) {
   if (record.result.status != FitStatus::Fitted) return "failed: " + record.result.reason;
   std::string facts;
-  for (const SceneParameter& p : record.result.parameters) {
+  for (const FittedParameter& p : record.result.parameters) {
     const DisplayUnit unit = display_unit(p);
     facts += fmt::format("{}{} {}", facts.empty() ? "" : "   ", short_name(p.path),
                          quantity(value_text(p, unit), unit.name));
@@ -203,9 +204,9 @@ Figure population_figure(std::span<const SceneFitRecord> records) {
     FigureCurve values{{}, "value and interval", kGrey, Stroke::Bars};
     for (std::size_t i = 0; i < records.size(); ++i) {
       const SceneFitResult& result = records[i].result;
-      const auto p = std::ranges::find(result.parameters, parameter.path, &SceneParameter::path);
+      const auto p = std::ranges::find(result.parameters, parameter.path, &FittedParameter::path);
       if (result.status != FitStatus::Fitted || p == result.parameters.end()) continue;
-      if (p->at_bound || !std::isfinite(p->interval_low) || !std::isfinite(p->interval_high))
+      if (p->at_bound() || !std::isfinite(p->interval_low) || !std::isfinite(p->interval_high))
         continue;
       values.points.push_back({static_cast<double>(i + 1), p->value / unit.scale,
                                p->interval_low / unit.scale, p->interval_high / unit.scale});

@@ -11,6 +11,7 @@
 #include "calibrate/report/json_values.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/law_json.hpp"
+#include "calibrate/report/parameter_json.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/scene_population.hpp"
 #include "calibrate/report/shown_intervals.hpp"
@@ -25,24 +26,6 @@ Json matrix(std::span<const double> values, std::size_t n) {
   if (values.size() != n * n) return rows;
   for (std::size_t i = 0; i < n; ++i) rows.push_back(numbers(values.subspan(i * n, n)));
   return rows;
-}
-
-Json parameter_of(const SceneParameter& p) {
-  return {{"name", short_name(p.path)},
-          {"path", p.path},
-          {"value", number(p.value)},
-          {"stderr", number(p.standard_error)},
-          {"interval", {number(p.interval_low), number(p.interval_high)}},
-          {"noise_error", number(p.noise_error)},
-          {"sampling_error", number(p.sampling_error)},
-          {"misfit_error", number(p.misfit_error)},
-          {"degrees_of_freedom", number(p.degrees_of_freedom)},
-          {"start", number(p.start)},
-          {"bounds", {number(p.lower), number(p.upper)}},
-          {"unit", si_unit(p.dimension)},
-          {"at_bound", p.at_bound},
-          {"verdict", name_of(p.verdict)},
-          {"verdict_number", number(p.verdict_number)}};
 }
 
 /// @param part  null: the fit has none
@@ -101,8 +84,7 @@ Json segments_of(const SceneFitResult& result) {
 Json fit_of(const SceneFitRecord& record) {
   const SceneFitResult& result = record.result;
   Json parameters = Json::object();
-  for (const SceneParameter& p : result.parameters)
-    parameters[short_name(p.path)] = parameter_of(p);
+  for (const FittedParameter& p : result.parameters) parameters[p.name()] = json_of(p);
   Json targets = Json::array();
   for (std::size_t i = 0; i < record.targets.size(); ++i) {
     const bool there = result.parts.size() == record.targets.size();

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/scene_errors_text.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/shown_intervals.hpp"
@@ -65,7 +66,7 @@ std::string header(const SceneFitRecord& record, const Ink& ink) {
 /// Targets of a joint fit differ in how well their noise is known, and so do the parameters.
 std::string noise_text(const SceneFitResult& result) {
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
-  for (const SceneParameter& p : result.parameters) {
+  for (const FittedParameter& p : result.parameters) {
     least = std::min(least, p.degrees_of_freedom);
     most = std::max(most, p.degrees_of_freedom);
   }
@@ -87,7 +88,7 @@ std::string parameters_text(const SceneFitResult& result, const ReportOptions& o
                {"", Align::Left},
                {fmt::format("{:.4g} % interval", 100.0 * options.confidence), Align::Range},
                {"verdict", Align::Left}});
-  for (const SceneParameter& parameter : result.parameters) {
+  for (const FittedParameter& parameter : result.parameters) {
     const DisplayUnit unit = report::display_unit(parameter);
     table.add({short_name(parameter.path), value_text(parameter, unit), std::string(unit.name),
                interval_text(parameter, unit), fitted ? verdict_text(parameter) : ""});

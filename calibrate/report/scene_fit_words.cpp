@@ -13,32 +13,6 @@ std::string short_name(std::string_view path) {
   return printable(path.substr(path.rfind('.') + 1));
 }
 
-DisplayUnit display_unit(const SceneParameter& parameter) {
-  return display_unit_of(parameter.path, parameter.dimension, parameter.value);
-}
-
-std::string value_text(const SceneParameter& parameter, const DisplayUnit& unit) {
-  const double value = parameter.value / unit.scale;
-  if (!std::isfinite(parameter.standard_error)) return significant(value);
-  return with_error(value, parameter.standard_error / unit.scale);
-}
-
-std::string interval_text(const SceneParameter& parameter, const DisplayUnit& unit) {
-  const double low = parameter.interval_low / unit.scale;
-  const double high = parameter.interval_high / unit.scale;
-  if (!std::isfinite(low) || !std::isfinite(high)) return {};
-  const double error = 0.25 * (high - low);
-  if (!(error >= 1e-6) || std::max(std::fabs(low), std::fabs(high)) >= 1e7) {
-    return significant(low) + " … " + significant(high);
-  }
-  const int decimals = decimals_for(parameter.value / unit.scale, error);
-  return fmt::format("{:.{}f} … {:.{}f}", low, decimals, high, decimals);
-}
-
-std::string verdict_text(const SceneParameter& p) {
-  return verdict_text({p.verdict, p.verdict_number}, p.path, p.dimension, p.lower);
-}
-
 std::string word_of(Level level) {
   return std::string(find_field("solver.level").choices[static_cast<std::size_t>(level)]);
 }

@@ -13,16 +13,6 @@ namespace plastica::calibrate::report {
 
 /// "yield_stress" of "material.yield_stress", printable.
 std::string short_name(std::string_view path);
-/// The same for a parameter at its value.
-DisplayUnit display_unit(const SceneParameter& parameter);
-
-/// "205.0 ± 1.2", or the value alone where there is no error.
-std::string value_text(const SceneParameter& parameter, const DisplayUnit& unit);
-/// "202.6 … 207.4"; empty without one.
-std::string interval_text(const SceneParameter& parameter, const DisplayUnit& unit);
-/// The word and the number behind it: "identified, error 0.59 %", "at bound, upper 380 MPa".
-std::string verdict_text(const SceneParameter& parameter);
-
 std::string word_of(Level level);  ///< "planar"
 /// What the abscissa of a target is, in one or two words: the probe's name, "time", "support 2".
 std::string abscissa_text(const SceneTarget& target);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/scene_fit_text.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/scene_population.hpp"
@@ -40,7 +41,7 @@ constexpr std::array<SceneFitFlag, 8> kSceneFitFlags = {{{'b', "a parameter at a
 std::string flags_of(const SceneFitResult& result) {
   const auto any = [&](Verdict verdict) {
     return std::ranges::any_of(result.parameters,
-                               [&](const SceneParameter& p) { return p.verdict == verdict; });
+                               [&](const FittedParameter& p) { return p.verdict() == verdict; });
   };
   std::string flags;
   if (any(Verdict::AtBound)) flags += 'b';
@@ -54,8 +55,8 @@ std::string flags_of(const SceneFitResult& result) {
   return flags;
 }
 
-const SceneParameter* find_parameter(const SceneFitResult& result, const std::string& path) {
-  const auto found = std::ranges::find(result.parameters, path, &SceneParameter::path);
+const FittedParameter* find_parameter(const SceneFitResult& result, const std::string& path) {
+  const auto found = std::ranges::find(result.parameters, path, &FittedParameter::path);
   return found == result.parameters.end() ? nullptr : &*found;
 }
 
@@ -71,7 +72,7 @@ std::vector<ColumnParameter> column_parameters(std::span<const SceneFitRecord> r
   for (const PopulationParameter& parameter : population.parameters) {
     double most = 0.0;
     for (const SceneFitRecord& record : records) {
-      const SceneParameter* found = find_parameter(record.result, parameter.path);
+      const FittedParameter* found = find_parameter(record.result, parameter.path);
       if (found != nullptr) most = std::fmax(most, std::fabs(found->value));
     }
     shown.push_back({parameter.path, display_unit_of(parameter.path, parameter.dimension, most)});
@@ -91,8 +92,8 @@ std::vector<std::string> row_of(const SceneFitRecord& record,
   const bool fitted = result.status == FitStatus::Fitted;
   std::vector<std::string> cells = {printable(record.name)};
   for (const ColumnParameter& parameter : shown) {
-    const SceneParameter* found = find_parameter(result, parameter.path);
-    const bool there = fitted && found != nullptr && found->verdict != Verdict::NotIdentified;
+    const FittedParameter* found = find_parameter(result, parameter.path);
+    const bool there = fitted && found != nullptr && found->verdict() != Verdict::NotIdentified;
     cells.push_back(there ? value_text(*found, parameter.unit) : "-");
   }
   cells.push_back(fitted ? significant(100.0 * largest_misfit(result), 2) : "-");

@@ -22,14 +22,14 @@ std::optional<std::size_t> index_of(const SceneFitResult& result, const std::str
   return std::nullopt;
 }
 
-bool is_determined(const SceneParameter& p) {
-  return !p.at_bound && std::isfinite(p.value) && std::isfinite(p.standard_error);
+bool is_determined(const FittedParameter& p) {
+  return !p.at_bound() && std::isfinite(p.value) && std::isfinite(p.standard_error);
 }
 
 /// The fits of a population: each parameter's value and error, each pair's correlation.
 class Fits {
  public:
-  Fits(std::span<const SceneFitRecord> records, const std::vector<SceneParameter>& parameters)
+  Fits(std::span<const SceneFitRecord> records, const std::vector<FittedParameter>& parameters)
       : n_(parameters.size()) {
     for (const SceneFitRecord& record : records) {
       if (record.result.status == FitStatus::Fitted) add(record.result, parameters);
@@ -45,9 +45,9 @@ class Fits {
   }
 
  private:
-  void add(const SceneFitResult& result, const std::vector<SceneParameter>& parameters) {
+  void add(const SceneFitResult& result, const std::vector<FittedParameter>& parameters) {
     std::vector<std::optional<std::size_t>> at;
-    for (const SceneParameter& like : parameters) {
+    for (const FittedParameter& like : parameters) {
       at.push_back(index_of(result, like.path));
       there_.push_back(at.back().has_value());
       value_.push_back(at.back() ? result.parameters[*at.back()].value : kNan);
@@ -58,8 +58,8 @@ class Fits {
       for (const auto& j : at) {
         noise_.push_back(kNan);
         if (!i || !j) continue;
-        const SceneParameter& p = result.parameters[*i];
-        const SceneParameter& q = result.parameters[*j];
+        const FittedParameter& p = result.parameters[*i];
+        const FittedParameter& q = result.parameters[*j];
         if (!is_determined(p) || !is_determined(q)) continue;
         const double rho = i == j ? 1.0 : correlated ? result.correlation[*i * n + *j] : kNan;
         noise_.back() = rho * p.standard_error * q.standard_error;

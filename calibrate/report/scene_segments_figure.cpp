@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/scene_fit_figures.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
@@ -41,7 +42,7 @@ std::string trend_text(const SegmentsError& error) {
   return std::string(name_of(error.trend));
 }
 
-FigurePanel panel_of(const SceneParameter& parameter, const SegmentsError& error) {
+FigurePanel panel_of(const FittedParameter& parameter, const SegmentsError& error) {
   const DisplayUnit unit = display_unit(parameter);
   FigurePanel panel;
   panel.title = short_name(parameter.path);

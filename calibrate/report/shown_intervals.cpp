@@ -19,7 +19,7 @@ Json bootstrap_of(const BootstrapResult& bootstrap, const ShownIntervals& shown)
   for (std::size_t i = 0; i < bootstrap.intervals.size(); ++i) {
     const BootstrapInterval& interval = bootstrap.intervals[i];
     intervals[short_name(shown.parameters.at(i).path)] = {
-        {"stderr", number(interval.standard_error)},
+        {"standard_error", number(interval.standard_error)},
         {"interval", {number(interval.low), number(interval.high)}}};
   }
   return {{"resamples", bootstrap.resamples},
@@ -62,9 +62,8 @@ ShownIntervals shown_intervals(const FitRecord& record) {
   shown.name = record.target.name;
   shown.intervals = &record.result.intervals;
   for (const FittedParameter* p : record.result.free_parameters()) {
-    shown.parameters.push_back({p->path, p->dimension, p->value, p->noise_error.value_or(kNan),
-                                p->standard_error.value_or(kNan), p->interval_low.value_or(kNan),
-                                p->interval_high.value_or(kNan)});
+    shown.parameters.push_back({p->path, p->dimension, p->value, p->noise_error, p->standard_error,
+                                p->interval_low, p->interval_high});
   }
   return shown;
 }
@@ -72,7 +71,7 @@ ShownIntervals shown_intervals(const FitRecord& record) {
 ShownIntervals shown_intervals(const SceneFitResult& result) {
   ShownIntervals shown;
   shown.intervals = &result.intervals;
-  for (const SceneParameter& p : result.parameters) {
+  for (const FittedParameter& p : result.parameters) {
     shown.parameters.push_back({p.path, p.dimension, p.value, p.noise_error, p.standard_error,
                                 p.interval_low, p.interval_high});
   }

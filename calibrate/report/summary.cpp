@@ -105,7 +105,7 @@ GroupSummary summarize(std::span<const FitRecord> records, const std::vector<std
     if (result.status != FitStatus::Fitted) continue;
     for (const FittedParameter& parameter : result.parameters) {
       if (parameter.role == ParameterRole::Fixed || !parameter.identified) continue;
-      parameters.add(parameter.name, parameter.dimension, parameter.value);
+      parameters.add(parameter.name(), parameter.dimension, parameter.value);
     }
   }
   summary.characteristics = std::move(characteristics).statistics();

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/report/format.hpp"
+#include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/summary.hpp"
 #include "calibrate/report/text.hpp"
 #include "calibrate/report/text_groups.hpp"
@@ -55,7 +56,7 @@ std::string flags_of(const FitRecord& record) {
 
 const FittedParameter* find_parameter(const FitResult& result, std::string_view name) {
   for (const FittedParameter& parameter : result.parameters) {
-    if (parameter.name == name) return &parameter;
+    if (parameter.name() == name) return &parameter;
   }
   return nullptr;
 }
@@ -103,7 +104,7 @@ std::vector<BatchParameter> batch_parameters(std::span<const FitRecord> records)
     if (parameter != nullptr && parameter->role == ParameterRole::Free) consider(name);
   }
   for (const FittedParameter& parameter : fitted->result.parameters) {
-    if (parameter.role == ParameterRole::Free) consider(parameter.name);
+    if (parameter.role == ParameterRole::Free) consider(parameter.name());
   }
   std::vector<BatchParameter> shown;
   for (const std::string& name : names) {
@@ -122,9 +123,7 @@ std::string parameter_cell(const FittedParameter* parameter, const DisplayUnit& 
   if (parameter == nullptr || (parameter->role == ParameterRole::Free && !parameter->identified)) {
     return "-";
   }
-  const double value = parameter->value / unit.scale;
-  if (!parameter->standard_error) return significant(value);
-  return with_error(value, *parameter->standard_error / unit.scale);
+  return value_text(*parameter, unit);
 }
 
 /// What the reader has to know of the parameters' columns: measure and kind of strain.

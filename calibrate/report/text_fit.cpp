@@ -6,6 +6,7 @@
 
 #include "calibrate/report/advice.hpp"
 #include "calibrate/report/format.hpp"
+#include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/shown_intervals.hpp"
 #include "calibrate/report/summary.hpp"
 #include "calibrate/report/text.hpp"
@@ -148,7 +149,7 @@ std::string characteristics_text(const Target& target, const Ink& ink) {
 
 bool is_stress_at_yield(const FittedParameter& parameter) {
   return parameter.dimension == Dimension::Stress &&
-         parameter.name.find("yield_stress") != std::string::npos;
+         parameter.name().find("yield_stress") != std::string::npos;
 }
 
 /// What stands below a parameter's row.
@@ -157,7 +158,7 @@ std::vector<std::string> notes_on(const FittedParameter& parameter, const FitRec
   if (is_stress_at_yield(parameter)) {
     notes.push_back(fmt::format("{} stress", word_of(record.target.measure)));
   }
-  if (parameter.name == "break_strain" || parameter.name == "break_shear_strain") {
+  if (parameter.name() == "break_strain" || parameter.name() == "break_shear_strain") {
     std::string note = "permanent strain";
     if (record.result.break_strain_total) {
       note += fmt::format("; the fitted model breaks at {} % in total",
@@ -172,25 +173,8 @@ std::vector<std::string> notes_on(const FittedParameter& parameter, const FitRec
 
 std::vector<std::string> row_of(const FittedParameter& parameter) {
   const DisplayUnit unit = display_unit(parameter);
-  const auto shown = [&](double value) { return value / unit.scale; };
-  std::string value = significant(shown(parameter.value));
-  std::string interval;
-  if (parameter.standard_error) {
-    value = with_error(shown(parameter.value), shown(*parameter.standard_error));
-  }
-  if (parameter.interval_low && parameter.interval_high) {
-    const double low = shown(*parameter.interval_low);
-    const double high = shown(*parameter.interval_high);
-    const double error = std::isfinite(high - low) ? 0.25 * (high - low) : 0.0;
-    const int decimals = decimals_for(shown(parameter.value), error);
-    const bool plain = std::fabs(low) < 1e7 && std::fabs(high) < 1e7 && error >= 1e-6;
-    interval = plain ? fmt::format("{:.{}f} … {:.{}f}", low, decimals, high, decimals)
-                     : significant(low) + " … " + significant(high);
-  }
-  return {printable(parameter.name), value, std::string(unit.name), interval,
-          parameter.judgement ? verdict_text(*parameter.judgement, parameter.path,
-                                             parameter.dimension, parameter.lower)
-                              : std::string(word_of(parameter.role))};
+  return {printable(parameter.name()), value_text(parameter, unit), std::string(unit.name),
+          interval_text(parameter, unit), verdict_text(parameter)};
 }
 
 /// How far the model goes for this curve: stands beside the intervals, which say nothing of it.
@@ -230,7 +214,7 @@ std::string parameters_text(const FitRecord& record, const ReportOptions& option
 std::string correlations_text(const FitResult& result, const Ink& ink) {
   std::vector<std::string> names;
   for (const FittedParameter& parameter : result.parameters) {
-    if (parameter.role == ParameterRole::Free) names.push_back(printable(parameter.name));
+    if (parameter.role == ParameterRole::Free) names.push_back(printable(parameter.name()));
   }
   const std::size_t n = names.size();
   if (result.correlation.size() != n * n) return {};

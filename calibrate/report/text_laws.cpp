@@ -43,18 +43,16 @@ struct LawParameter {
 std::vector<LawParameter> parameters_of(const FitRecord& record) {
   std::vector<LawParameter> all;
   for (const FittedParameter& p : record.result.parameters) {
-    all.push_back({p.path, p.dimension, p.value,
-                   p.standard_error.value_or(std::numeric_limits<double>::quiet_NaN()),
-                   p.standard_error || p.identified});
+    all.push_back({p.path, p.dimension, p.value, p.standard_error, p.has_error() || p.identified});
   }
   return all;
 }
 
 std::vector<LawParameter> parameters_of(const SceneFitRecord& record) {
   std::vector<LawParameter> all;
-  for (const SceneParameter& p : record.result.parameters) {
+  for (const FittedParameter& p : record.result.parameters) {
     all.push_back(
-        {p.path, p.dimension, p.value, p.standard_error, p.verdict != Verdict::NotIdentified});
+        {p.path, p.dimension, p.value, p.standard_error, p.verdict() != Verdict::NotIdentified});
   }
   return all;
 }

@@ -204,7 +204,7 @@ class SceneFit {
     std::size_t next = 0;
     for (const Parameter& p : options_.parameters) {
       if (p.role != ParameterRole::Free) continue;
-      SceneParameter fitted;
+      FittedParameter fitted;
       fitted.path = p.field->path;
       fitted.dimension = p.field->dimension;
       fitted.lower = *p.lower;
@@ -215,7 +215,8 @@ class SceneFit {
       if (is_break(p)) {
         const BreakLimit limit = errors.break_limit(p);
         fitted.value = fitted.start = std::clamp(limit.value, *p.lower, *p.upper);
-        fitted.at_bound = !std::isnan(limit.value) && fitted.value != limit.value;
+        fitted.at_lower = limit.value < *p.lower;
+        fitted.at_upper = limit.value > *p.upper;
         halves = limit.halves;
         shares_.back() = limit.shares;
         if (limit.disagree) {
@@ -227,13 +228,17 @@ class SceneFit {
       } else {
         fitted.value = searched.value(next, search_.best().x[next]);
         fitted.start = searched.value(next, 0.0);
-        fitted.at_bound = errors.at_bound(next);
+        fitted.logarithmic = searched.is_logarithmic(next);
+        const bool low = std::abs(search_.best().x[next] - searched.lower(next)) <
+                         std::abs(search_.best().x[next] - searched.upper(next));
+        fitted.at_lower = errors.at_bound(next) && low;
+        fitted.at_upper = errors.at_bound(next) && !low;
         slope[static_cast<Eigen::Index>(next)] = std::abs(searched.slope(next, fitted.value));
         ++next;
       }
       fitted.degrees_of_freedom = errors.degrees_of_freedom(slope);
       const auto error = [&](const Eigen::MatrixXd& c) {
-        return fitted.at_bound ? kNan : std::sqrt(joint_moment(c, slope, slope));
+        return fitted.at_bound() ? kNan : std::sqrt(joint_moment(c, slope, slope));
       };
       fitted.noise_error = error(errors.covariance());
       // Where the residuals are independent both estimate the same, and either may be larger.
@@ -291,8 +296,8 @@ class SceneFit {
 
 }  // namespace
 
-const SceneParameter& SceneFitResult::parameter(std::string_view name) const {
-  for (const SceneParameter& p : parameters) {
+const FittedParameter& SceneFitResult::parameter(std::string_view name) const {
+  for (const FittedParameter& p : parameters) {
     const std::string_view path = p.path;
     if (path == name || path.substr(path.rfind('.') + 1) == name) return p;
   }

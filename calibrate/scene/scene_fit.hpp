@@ -65,34 +65,6 @@ struct SceneFitOptions {
   SceneFitHooks hooks{};             ///< change none either
 };
 
-/// One free parameter of a fit through scenes.
-struct SceneParameter {
-  std::string path;  ///< "material.yield_stress"
-  Dimension dimension = Dimension::None;
-  double value = 0.0;  ///< [SI]
-  double start = 0.0, lower = 0.0, upper = 0.0;
-  double standard_error =
-      0.0;  ///< from noise and sampling [SI]; NaN if at a bound or not identified
-  /// What of it is of the noise, and what of where a break is between two samples, its interval's
-  /// half over the root of 3 [SI]; the squares add up.
-  double noise_error = 0.0, sampling_error = 0.0;
-  /// What residuals that lie in runs, as those of a model that cannot follow, add to it: the root
-  /// of what the squared error after Newey and West (score_covariance.hpp) is more [SI]. Not part
-  /// of the standard error; 0 where they are no larger than noise.
-  double misfit_error = 0.0;
-  /// Of the confidence of the options: Student's; a break's is that of the noise and of its place
-  /// between two samples together (theory::half_interval). NaN where there is no standard error.
-  double interval_low = 0.0, interval_high = 0.0;
-  /// Of the noise in the standard error, after Welch and Satterthwaite: those of the targets that
-  /// determine it. Infinite where they state their noise.
-  double degrees_of_freedom = 0.0;
-  bool at_bound = false;
-  Verdict verdict = Verdict::NotIdentified;
-  /// The number behind the word: standard error over value; of a bound the bound [SI]; of sampling
-  /// half the interval between samples over the value; of segments `SegmentsError::error` over it.
-  double verdict_number = 0.0;
-};
-
 /// What a fit made of one target.
 struct ScenePartFit {
   std::string name;
@@ -127,10 +99,10 @@ struct SceneStart {
 };
 
 struct SceneFitResult {
-  FitStatus status = FitStatus::Failed;    ///< Fitted or Failed
-  std::string reason;                      ///< one sentence for Failed
-  std::vector<SceneParameter> parameters;  ///< the free ones, in the order of the options
-  std::vector<double> correlation;         ///< of these (n_free x n_free); NaN where there is none
+  FitStatus status = FitStatus::Failed;     ///< Fitted or Failed
+  std::string reason;                       ///< one sentence for Failed
+  std::vector<FittedParameter> parameters;  ///< the free ones, in the order of the options
+  std::vector<double> correlation;          ///< of these (n_free x n_free); NaN where there is none
   std::vector<ScenePartFit> parts;
   double degrees_of_freedom = 0.0;  ///< of an estimated noise; infinite if all targets have theirs
   std::vector<SceneStart> starts;   ///< in their order
@@ -146,7 +118,7 @@ struct SceneFitResult {
   Law law = Law::Ideal;      ///< of the first target's material
 
   /// The parameter of a path, or of its last part. @throws std::out_of_range
-  const SceneParameter& parameter(std::string_view name) const;
+  const FittedParameter& parameter(std::string_view name) const;
 };
 
 /// Fits fields of one or several scenes to measured curves, by least squares of the ordinates.

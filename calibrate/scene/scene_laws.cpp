@@ -142,7 +142,7 @@ void start_from(const SceneFitResult& simpler, SceneFitOptions& options) {
   SceneStartPoint shared, alone;
   for (const Parameter& p : options.parameters) {
     if (p.role != ParameterRole::Free || is_break(p)) continue;
-    const auto found = std::ranges::find(simpler.parameters, p.field->path, &SceneParameter::path);
+    const auto found = std::ranges::find(simpler.parameters, p.field->path, &FittedParameter::path);
     if (found != simpler.parameters.end()) {
       shared.emplace_back(p.field, found->value);
       continue;
@@ -198,10 +198,10 @@ LawFit law_fit_of(const SceneFitRecord& record) {
     fit.misfit_share = std::max(fit.misfit_share, part.misfit_share);
     fit.lacks_fit = fit.lacks_fit || lacks_fit(part.misfit_share, part.runs_probability);
   }
-  for (const SceneParameter& p : result.parameters) {
+  for (const FittedParameter& p : result.parameters) {
     if (p.path == "material.break_strain" || p.path == "material.break_shear_strain") continue;
     fit.parameters.push_back(p.path.substr(p.path.rfind('.') + 1));
-    fit.verdicts.push_back(p.verdict);
+    fit.verdicts.push_back(p.verdict());
   }
   for (const SceneStart& start : result.starts) {
     fit.evaluations += static_cast<std::size_t>(start.evaluations);

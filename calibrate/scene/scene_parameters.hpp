@@ -27,6 +27,7 @@ class SceneParameters {
   /// How many are searched: free ones, but for break limits (n).
   std::size_t size() const { return searched_.size(); }
   const Parameter& parameter(std::size_t i) const { return *searched_[i].parameter; }
+  bool is_logarithmic(std::size_t i) const { return searched_[i].logarithmic; }
   /// Coordinates of the bounds; the start is at 0.
   double lower(std::size_t i) const;
   double upper(std::size_t i) const;

@@ -56,7 +56,7 @@ double searched_value(const SceneProblem& problem, std::size_t k, double x) {
 }
 
 double break_value(const std::vector<std::vector<SceneCurve>>& curves,
-                   const std::vector<double>& shares, const SceneParameter& parameter) {
+                   const std::vector<double>& shares, const FittedParameter& parameter) {
   double value = 0.0;
   for (std::size_t part = 0; part < shares.size(); ++part) {
     if (shares[part] == 0.0) continue;
@@ -125,12 +125,12 @@ std::optional<SceneSegments> divide_anew(const DividedFit& fit, SceneWork& work)
                     word_of(kDivisions[i]), made[i].text);
   }
   for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
-    const SceneParameter& parameter = fit.parameters[i];
+    const FittedParameter& parameter = fit.parameters[i];
     const auto value = [&](const Repetition& one) {
       return one.rows.empty() ? kNan : one.rows.front()[i];
     };
     // What no curve determines may be anything.
-    const bool known = !parameter.at_bound && std::isfinite(parameter.standard_error);
+    const bool known = !parameter.at_bound() && std::isfinite(parameter.standard_error);
     segments.parameters.push_back(
         known ? segments_error(value(made[0]), parameter.value, value(made[1]), order)
               : SegmentsError{});

@@ -14,8 +14,8 @@ namespace plastica::calibrate {
 struct DividedFit {
   const SceneProblem& problem;  ///< with the scales that the noise left
   const SceneFitOptions& options;
-  std::span<const double> x;                   ///< its solution (n)
-  std::span<const SceneParameter> parameters;  ///< what it reports (n_free)
+  std::span<const double> x;                    ///< its solution (n)
+  std::span<const FittedParameter> parameters;  ///< what it reports (n_free)
   /// Of a break limit what each part counts in its mean; empty of what is searched (n_free,
   /// n_parts).
   std::span<const std::vector<double>> shares;

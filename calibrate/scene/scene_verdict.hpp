@@ -13,10 +13,10 @@ namespace plastica::calibrate {
 /// Sets verdict and number of a parameter that has its value and errors.
 /// @param half  half the interval that a break's sampling leaves [SI]
 /// @param prior  share of its prior in all that is known of it [1]; 0 without one
-void judge(double half, const SegmentsError& segments, double prior, SceneParameter& parameter);
+void judge(double half, const SegmentsError& segments, double prior, FittedParameter& parameter);
 
 /// Says what a reader must not overlook.
-void add_warning(const SceneParameter& parameter, const SegmentsError& segments,
+void add_warning(const FittedParameter& parameter, const SegmentsError& segments,
                  std::vector<std::string>& warnings);
 /// @param try_next  laws, as `laws_to_try` gives them
 void add_warning(const ScenePartFit& part, Law law, std::string_view try_next,

@@ -13,13 +13,15 @@
 
 #include "calibrate/fit/options.hpp"
 #include "calibrate/fit/result.hpp"
+#include "calibrate/result/describe.hpp"
 #include "calibrate/scene/scene_fit.hpp"
 #include "plastica/io/value_rule.hpp"
 
 /// Tables of a result file: a group with one dataset a column and an element a row; not installed.
 ///
-/// Which columns a table has is said once, by a function that calls `columns(NAME, UNITS, MEMBER)`
-/// for each; a ColumnWriter then writes them and a ColumnReader fills the rows from them.
+/// Which columns a table has is said once, by a description (result/describe.hpp), or by a function
+/// of this folder that calls `columns(NAME, UNITS, MEMBER)` for each; a ColumnWriter then writes
+/// them and a ColumnReader fills the rows from them.
 namespace plastica::calibrate::store {
 
 /// How hard numbers are deflated: more costs much time and saves little.
@@ -109,11 +111,14 @@ using Stored = std::conditional_t<
 template <typename Row>
 class ColumnWriter {
  public:
-  ColumnWriter(io::Hdf5Group& group, std::vector<const Row*> rows)
-      : group_(group), rows_(std::move(rows)) {}
+  /// @param own_units  of what has those of its row; empty: another column says them
+  ColumnWriter(io::Hdf5Group& group, std::vector<const Row*> rows, std::string_view own_units = {})
+      : group_(group), rows_(std::move(rows)), own_units_(own_units) {}
 
+  /// @param meaning  attribute of the column; empty: none
   template <typename Member>
-  void operator()(std::string_view name, std::string_view units, const Member& member) {
+  void operator()(std::string_view name, std::string_view units, const Member& member,
+                  std::string_view meaning = {}) {
     using Value = std::remove_cvref_t<decltype(member(std::declval<const Row&>()))>;
     if constexpr (std::is_same_v<Value, std::string> || std::is_enum_v<Value>) {
       std::vector<std::string> texts(rows_.size());
@@ -126,8 +131,14 @@ class ColumnWriter {
       for (std::size_t i = 0; i < rows_.size(); ++i) {
         if (rows_[i] != nullptr) values[i] = number(member(*rows_[i]));
       }
-      group_.write(name, values, {units, kDeflate});
+      group_.write(name, values, {units == kOwnUnits ? own_units_ : units, kDeflate});
     }
+    if (!meaning.empty()) group_.set_attribute(name, "meaning", meaning);
+  }
+
+  template <typename Columns>
+  void since(int /*version*/, const Columns& columns) {
+    columns(*this);
   }
 
   /// Columns of a part that not every row has; the column `name` says which do.
@@ -143,14 +154,14 @@ class ColumnWriter {
       present[i] = there.has_value();
     }
     group_.write(name, present, {{}, kDeflate});
-    ColumnWriter<Part> writer(group_, std::move(parts));
+    ColumnWriter<Part> writer(group_, std::move(parts), own_units_);
     columns(writer);
   }
 
   /// Columns that only those rows have for which `condition` holds.
   template <typename Condition, typename Columns>
   void only(const Condition& condition, const Columns& columns) {
-    ColumnWriter writer(group_, rows_);
+    ColumnWriter writer(group_, rows_, own_units_);
     for (const Row*& row : writer.rows_) {
       if (!condition(*row)) row = nullptr;
     }
@@ -176,19 +187,25 @@ class ColumnWriter {
 
   io::Hdf5Group& group_;
   std::vector<const Row*> rows_;
+  std::string_view own_units_;
 };
+
+/// Of tables that no version has changed.
+inline constexpr int kNewest = std::numeric_limits<int>::max();
 
 /// @tparam Row  a null row is missing: what the file has there does not count
 template <typename Row>
 class ColumnReader {
  public:
   /// @param rules  of the file's kind
+  /// @param version  of the file: columns of later ones are left as they are
   ColumnReader(const io::Hdf5Group& group, std::vector<Row*> rows,
-               std::span<const io::ValueRule> rules)
-      : group_(group), rows_(std::move(rows)), rules_(rules) {}
+               std::span<const io::ValueRule> rules, int version)
+      : group_(group), rows_(std::move(rows)), rules_(rules), version_(version) {}
 
   template <typename Member>
-  void operator()(std::string_view name, std::string_view /*units*/, const Member& member) {
+  void operator()(std::string_view name, std::string_view /*units*/, const Member& member,
+                  std::string_view /*meaning*/ = {}) {
     using Value = std::remove_cvref_t<decltype(member(std::declval<Row&>()))>;
     if constexpr (std::is_same_v<Value, std::string> || std::is_enum_v<Value>) {
       std::vector<std::string> texts = checked(name, group_.read_texts(name));
@@ -213,13 +230,18 @@ class ColumnReader {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       if (present[i] != 0 && rows_[i] != nullptr) parts[i] = &member(*rows_[i]).emplace();
     }
-    ColumnReader<Part> reader(group_, std::move(parts), rules_);
+    ColumnReader<Part> reader(group_, std::move(parts), rules_, version_);
     columns(reader);
+  }
+
+  template <typename Columns>
+  void since(int version, const Columns& columns) {
+    if (version_ >= version) columns(*this);
   }
 
   template <typename Condition, typename Columns>
   void only(const Condition& condition, const Columns& columns) {
-    ColumnReader reader(group_, rows_, rules_);
+    ColumnReader reader(group_, rows_, rules_, version_);
     for (Row*& row : reader.rows_) {
       if (!condition(*row)) row = nullptr;
     }
@@ -271,6 +293,7 @@ class ColumnReader {
   const io::Hdf5Group& group_;
   std::vector<Row*> rows_;
   std::span<const io::ValueRule> rules_;
+  int version_;
 };
 
 /// The addresses of rows.

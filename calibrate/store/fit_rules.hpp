@@ -20,6 +20,9 @@ inline constexpr std::array kFitRules{
     io::anything("parameters/*/upper"),
     io::anything("parameters/*/standard_error"),
     io::anything("parameters/*/noise_error"),
+    io::anything("parameters/*/sampling_error"),
+    io::anything("parameters/*/misfit_error"),
+    io::anything("parameters/*/degrees_of_freedom"),
     io::anything("parameters/*/interval_low"),
     io::anything("parameters/*/interval_high"),
     io::anything("parameters/*/verdict_number"),
@@ -36,6 +39,8 @@ inline constexpr std::array kFitRules{
 inline constexpr std::array kSceneFitRules{
     io::anything("fits/degrees_of_freedom"),
     io::may_lack("correlation/values"),
+    io::anything("parameters/lower"),
+    io::anything("parameters/upper"),
     io::anything("parameters/standard_error"),
     io::anything("parameters/noise_error"),
     io::anything("parameters/sampling_error"),

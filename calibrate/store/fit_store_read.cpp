@@ -17,8 +17,9 @@ namespace {
 /// Fills records from a file, of which it knows how many there are.
 class StoreReader {
  public:
-  StoreReader(const io::Hdf5Group& root, std::vector<FitRecord>& records, const FitOptions& options)
-      : root_(root), records_(records), options_(options) {}
+  StoreReader(const io::Hdf5Group& root, int version, std::vector<FitRecord>& records,
+              const FitOptions& options)
+      : root_(root), version_(version), records_(records), options_(options) {}
 
   template <typename Columns, typename Member>
   void table(const std::string& path, const Columns& columns, const Member& member) {
@@ -66,7 +67,6 @@ class StoreReader {
       if (present[i] == 0) continue;
       for (const Parameter& parameter : store::parameters_of(records_[i], options_)) {
         FittedParameter& p = records_[i].result.parameters.emplace_back();
-        p.name = parameter.name();
         p.path = parameter.field->path;
         p.dimension = parameter.field->dimension;
         p.role = parameter.role;
@@ -84,7 +84,14 @@ class StoreReader {
         const auto found = std::ranges::find(own, parameter.field->path, &FittedParameter::path);
         rows.push_back(found == own.end() ? nullptr : &*found);
       }
-      read_columns("parameters/" + parameter.name(), std::move(rows), store::parameter_columns(""));
+      read_columns("parameters/" + parameter.name(), rows, kDescribeParameter);
+      if (version_ >= 4) continue;
+      // Version 3 has both errors, whose squares differ by that of the sampling.
+      for (FittedParameter* p : rows) {
+        if (p == nullptr || !p->has_error()) continue;
+        p->sampling_error = std::sqrt(
+            std::max(0.0, p->standard_error * p->standard_error - p->noise_error * p->noise_error));
+      }
     }
   }
 
@@ -178,11 +185,12 @@ class StoreReader {
   template <typename Row, typename Columns>
   void read_columns(const std::string& path, std::vector<Row*> rows, const Columns& columns) {
     const io::Hdf5Group group = root_.open_group(path);
-    store::ColumnReader<Row> reader(group, std::move(rows), kRules);
+    store::ColumnReader<Row> reader(group, std::move(rows), kRules, version_);
     columns(reader);
   }
 
   const io::Hdf5Group& root_;
+  int version_;
   std::vector<FitRecord>& records_;
   const FitOptions& options_;
 };
@@ -203,12 +211,12 @@ void check_order(const io::Hdf5Group& root, const std::vector<FitRecord>& record
 FitStoreContents read_fit_store(const std::string& path) {
   const io::Hdf5File file = io::Hdf5File::open(path);
   const io::Hdf5Group& root = file.root();
-  io::check_schema(root, kFitStoreSchema, kFitStoreVersion);
+  const int version = io::check_schema(root, kFitStoreSchema, kOldestFitStore, kFitStoreVersion);
   FitStoreContents contents;
   contents.run = io::read_run_id(root);
   contents.options = store::read_options(root.open_group("options"));
   contents.records.resize(root.read_texts("fits/name").size());
-  StoreReader reader(root, contents.records, contents.options);
+  StoreReader reader(root, version, contents.records, contents.options);
   store::walk_records(reader);
   check_order(root, contents.records);
   contents.inputs = io::read_inputs(root);

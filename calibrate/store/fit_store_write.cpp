@@ -71,8 +71,7 @@ class StoreWriter {
     for (const FitRecord* record : records_) {
       const auto& own = record->result.parameters;
       const auto same = [](const FittedParameter& p, const Parameter& q) {
-        return p.path == q.field->path && p.name == q.name() && p.role == q.role &&
-               p.dimension == q.field->dimension;
+        return p.path == q.field->path && p.role == q.role && p.dimension == q.field->dimension;
       };
       const std::vector<Parameter> all = store::parameters_of(*record, options_);
       if (!own.empty() && !std::equal(own.begin(), own.end(), all.begin(), all.end(), same)) {
@@ -90,8 +89,7 @@ class StoreWriter {
         rows.push_back(found == own.end() ? nullptr : &*found);
       }
       const std::string path = "parameters/" + parameter.name();
-      write_columns(path, std::move(rows),
-                    store::parameter_columns(si_unit(parameter.field->dimension)));
+      write_columns(path, std::move(rows), kDescribeParameter, si_unit(parameter.field->dimension));
       root_.set_attribute(path, "path", parameter.field->path);
       root_.set_attribute(path, "role", store::word_of(parameter.role));
     }
@@ -167,10 +165,10 @@ class StoreWriter {
 
  private:
   template <typename Row, typename Columns>
-  void write_columns(const std::string& path, std::vector<const Row*> rows,
-                     const Columns& columns) {
+  void write_columns(const std::string& path, std::vector<const Row*> rows, const Columns& columns,
+                     std::string_view own_units = {}) {
     io::Hdf5Group group = root_.group(path);
-    store::ColumnWriter<Row> writer(group, std::move(rows));
+    store::ColumnWriter<Row> writer(group, std::move(rows), own_units);
     columns(writer);
   }
 

@@ -25,9 +25,6 @@ struct BootstrapRow {
   BootstrapResult bootstrap;
 };
 
-#define PLASTICA_MEMBER(member) \
-  [](auto& row) -> auto& { return row.member; }
-
 constexpr auto kProfileColumns = [](auto& columns) {
   columns("fit", "", PLASTICA_MEMBER(fit));
   columns("parameter", "", PLASTICA_MEMBER(parameter));
@@ -45,8 +42,6 @@ constexpr auto kBootstrapColumns = [](auto& columns) {
   columns("failed", "1", PLASTICA_MEMBER(bootstrap.failed));
   columns("block", "1", PLASTICA_MEMBER(bootstrap.block));
 };
-
-#undef PLASTICA_MEMBER
 
 /// The lists of a table that have a row for each of its rows, by the names of their datasets.
 constexpr auto kProfileLists = [](auto& lists) {
@@ -102,7 +97,7 @@ bool is_table(const std::vector<double>& values, std::size_t extent) {
 template <typename Row, typename Columns>
 std::vector<Row> read_rows(const io::Hdf5Group& group, std::size_t fits, const Columns& columns) {
   std::vector<Row> rows(group.read<std::uint64_t>("fit").size());
-  ColumnReader<Row> reader(group, pointers_to(std::span(rows)), kIntervalRules);
+  ColumnReader<Row> reader(group, pointers_to(std::span(rows)), kIntervalRules, kNewest);
   columns(reader);
   for (const Row& row : rows) {
     if (row.fit >= fits) io::refuse_value(group, "fit", "", "names a fit that is not in the file");

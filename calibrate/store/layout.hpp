@@ -3,12 +3,10 @@
 #include <string>
 
 #include "calibrate/fit/result.hpp"
+#include "calibrate/result/describe.hpp"
 
 /// What of a record stands where in a result file; not installed. Documented in data/README.md.
 namespace plastica::calibrate::store {
-
-#define PLASTICA_MEMBER(member) \
-  [](auto& row) -> auto& { return row.member; }
 
 constexpr auto kCharacteristicsColumns = [](auto& columns) {
   columns("youngs_modulus", "Pa", PLASTICA_MEMBER(youngs_modulus));
@@ -61,28 +59,6 @@ constexpr auto kFitColumns = [](auto& columns) {
   columns("break_strain_total", "1", PLASTICA_MEMBER(result.break_strain_total));
 };
 
-/// Of one parameter, a row a fit; `units` are the parameter's own.
-constexpr auto parameter_columns(std::string_view units) {
-  return [units](auto& columns) {
-    columns("value", units, PLASTICA_MEMBER(value));
-    columns("standard_error", units, PLASTICA_MEMBER(standard_error));
-    columns("noise_error", units, PLASTICA_MEMBER(noise_error));
-    columns("interval_low", units, PLASTICA_MEMBER(interval_low));
-    columns("interval_high", units, PLASTICA_MEMBER(interval_high));
-    columns("start", units, PLASTICA_MEMBER(start));
-    columns("lower", units, PLASTICA_MEMBER(lower));
-    columns("upper", units, PLASTICA_MEMBER(upper));
-    columns("logarithmic", "", PLASTICA_MEMBER(logarithmic));
-    columns("at_lower", "", PLASTICA_MEMBER(at_lower));
-    columns("at_upper", "", PLASTICA_MEMBER(at_upper));
-    columns("identified", "", PLASTICA_MEMBER(identified));
-    columns.part("judged", PLASTICA_MEMBER(judgement), [](auto& part) {
-      part("verdict", "", PLASTICA_MEMBER(verdict));
-      part("verdict_number", "", PLASTICA_MEMBER(number));
-    });
-  };
-}
-
 /// Walks through all that a file holds of its records.
 /// @tparam Store  a StoreWriter or a StoreReader
 template <typename Store>
@@ -133,7 +109,5 @@ void walk_records(Store& store) {
   store.list("warnings/target", PLASTICA_MEMBER(target.warnings), text);
   store.list("warnings/fit", PLASTICA_MEMBER(result.warnings), text);
 }
-
-#undef PLASTICA_MEMBER
 
 }  // namespace plastica::calibrate::store

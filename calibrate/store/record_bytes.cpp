@@ -4,6 +4,7 @@
 
 #include "calibrate/store/coders.hpp"
 #include "calibrate/store/interval_bytes.hpp"
+#include "calibrate/store/parameter_bytes.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -47,16 +48,9 @@ void code(auto& coder, A<Target> auto& t) {
   coder(t.warnings);
 }
 
-void code(auto& coder, A<FittedParameter> auto& p) {
-  coder(p.name, p.path, p.dimension, p.role, p.value, p.start, p.lower, p.upper, p.logarithmic,
-        p.standard_error, p.noise_error, p.interval_low, p.interval_high, p.at_lower, p.at_upper,
-        p.identified);
-  coder.maybe(p.judgement, [](auto& to, auto& j) { to(j.verdict, j.number); });
-}
-
 void code(auto& coder, A<FitResult> auto& r) {
   coder(r.status, r.reason, r.law);
-  coder.each(r.parameters, [](auto& to, auto& parameter) { code(to, parameter); });
+  coder.each(r.parameters, [](auto& to, auto& parameter) { store::code_parameter(to, parameter); });
   coder(r.correlation, r.cost, r.misfit_rms, r.misfit_share, r.misfit_word, r.samples,
         r.break_strain_total, r.seed, r.runs_probability, r.autocorrelation, r.effective_samples,
         r.noise, r.simpler_evaluations);

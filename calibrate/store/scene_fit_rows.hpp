@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "calibrate/result/describe.hpp"
 #include "calibrate/scene/scene_fit_record.hpp"
 
 /// What of a fit through scenes stands where in a result file; not installed. Documented in
@@ -21,7 +22,7 @@ struct ScenePartRow {
 };
 struct SceneParameterRow {
   std::uint64_t fit = 0;
-  SceneParameter parameter;
+  FittedParameter parameter;
 };
 struct SceneSegmentsRow {
   std::uint64_t fit = 0;
@@ -45,9 +46,6 @@ struct SceneRows {
   std::vector<SceneWarningRow> warnings;
 };
 
-#define PLASTICA_MEMBER(member) \
-  [](auto& row) -> auto& { return row.member; }
-
 constexpr auto kSceneFitColumns = [](auto& columns) {
   columns("name", "", PLASTICA_MEMBER(name));
   columns("law", "", PLASTICA_MEMBER(result.law));
@@ -65,24 +63,11 @@ constexpr auto kSceneFitColumns = [](auto& columns) {
   });
 };
 
+/// Whose row of `kDescribeParameter` it is.
 constexpr auto kSceneParameterColumns = [](auto& columns) {
   columns("fit", "", PLASTICA_MEMBER(fit));
   columns("path", "", PLASTICA_MEMBER(parameter.path));
   columns("dimension", "", PLASTICA_MEMBER(parameter.dimension));
-  columns("value", "", PLASTICA_MEMBER(parameter.value));
-  columns("start", "", PLASTICA_MEMBER(parameter.start));
-  columns("lower", "", PLASTICA_MEMBER(parameter.lower));
-  columns("upper", "", PLASTICA_MEMBER(parameter.upper));
-  columns("standard_error", "", PLASTICA_MEMBER(parameter.standard_error));
-  columns("noise_error", "", PLASTICA_MEMBER(parameter.noise_error));
-  columns("sampling_error", "", PLASTICA_MEMBER(parameter.sampling_error));
-  columns("misfit_error", "", PLASTICA_MEMBER(parameter.misfit_error));
-  columns("interval_low", "", PLASTICA_MEMBER(parameter.interval_low));
-  columns("interval_high", "", PLASTICA_MEMBER(parameter.interval_high));
-  columns("degrees_of_freedom", "1", PLASTICA_MEMBER(parameter.degrees_of_freedom));
-  columns("at_bound", "", PLASTICA_MEMBER(parameter.at_bound));
-  columns("verdict", "", PLASTICA_MEMBER(parameter.verdict));
-  columns("verdict_number", "", PLASTICA_MEMBER(parameter.verdict_number));
 };
 
 constexpr auto kScenePartColumns = [](auto& columns) {
@@ -140,7 +125,5 @@ constexpr auto kSceneWarningColumns = [](auto& columns) {
   columns("fit", "", PLASTICA_MEMBER(fit));
   columns("text", "", PLASTICA_MEMBER(text));
 };
-
-#undef PLASTICA_MEMBER
 
 }  // namespace plastica::calibrate::store

@@ -16,15 +16,23 @@ namespace {
 /// Fills records from a file, of which it knows how many there are.
 class Reader {
  public:
-  Reader(const io::Hdf5Group& root, std::vector<SceneFitRecord>& records)
-      : root_(root), records_(records) {}
+  Reader(const io::Hdf5Group& root, int version, std::vector<SceneFitRecord>& records)
+      : root_(root), version_(version), records_(records) {}
 
   void fits() {
     read_columns("fits", store::pointers_to(std::span(records_)), store::kSceneFitColumns);
   }
 
   void parameters() {
-    for (auto& row : table<store::SceneParameterRow>("parameters", store::kSceneParameterColumns)) {
+    auto rows = table<store::SceneParameterRow>("parameters", store::kSceneParameterColumns);
+    std::vector<FittedParameter*> described;
+    for (store::SceneParameterRow& row : rows) described.push_back(&row.parameter);
+    if (version_ == 3) {
+      read_parameters_3(described);
+    } else {
+      read_columns("parameters", std::move(described), kDescribeParameter);
+    }
+    for (store::SceneParameterRow& row : rows) {
       if (find_field_or_null(row.parameter.path) == nullptr) {
         io::refuse_value(root_, "parameters/path", row.parameter.path, "must be a field");
       }
@@ -119,10 +127,47 @@ class Reader {
     io::refuse_value(root_, path, "", rule);
   }
 
+  /// Version 3 says that a parameter is at a bound, but not at which, and knows no coordinates.
+  void read_parameters_3(const std::vector<FittedParameter*>& parameters) const {
+    struct Row : FittedParameter {
+      bool is_at_bound = false;
+      Judgement judged;
+    };
+    std::vector<Row> rows(parameters.size());
+    read_columns("parameters", store::pointers_to(std::span(rows)), [](auto& columns) {
+      columns("value", "", PLASTICA_MEMBER(value));
+      columns("start", "", PLASTICA_MEMBER(start));
+      columns("lower", "", PLASTICA_MEMBER(lower));
+      columns("upper", "", PLASTICA_MEMBER(upper));
+      columns("standard_error", "", PLASTICA_MEMBER(standard_error));
+      columns("noise_error", "", PLASTICA_MEMBER(noise_error));
+      columns("sampling_error", "", PLASTICA_MEMBER(sampling_error));
+      columns("misfit_error", "", PLASTICA_MEMBER(misfit_error));
+      columns("interval_low", "", PLASTICA_MEMBER(interval_low));
+      columns("interval_high", "", PLASTICA_MEMBER(interval_high));
+      columns("degrees_of_freedom", "1", PLASTICA_MEMBER(degrees_of_freedom));
+      columns("at_bound", "", PLASTICA_MEMBER(is_at_bound));
+      columns("verdict", "", PLASTICA_MEMBER(judged.verdict));
+      columns("verdict_number", "", PLASTICA_MEMBER(judged.number));
+    });
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      Row& row = rows[i];
+      row.path = parameters[i]->path;
+      row.dimension = parameters[i]->dimension;
+      row.judgement = row.judged;
+      row.identified = row.judged.verdict != Verdict::NotIdentified;
+      row.logarithmic = row.lower > 0.0;
+      const bool low = std::abs(row.value - row.lower) <= std::abs(row.upper - row.value);
+      row.at_lower = row.is_at_bound && low;
+      row.at_upper = row.is_at_bound && !low;
+      *parameters[i] = std::move(static_cast<FittedParameter&>(row));
+    }
+  }
+
   template <typename Row, typename Columns>
   void read_columns(const std::string& path, std::vector<Row*> rows, const Columns& columns) const {
     const io::Hdf5Group group = root_.open_group(path);
-    store::ColumnReader<Row> reader(group, std::move(rows), kRules);
+    store::ColumnReader<Row> reader(group, std::move(rows), kRules, version_);
     columns(reader);
   }
 
@@ -156,6 +201,7 @@ class Reader {
   }
 
   const io::Hdf5Group& root_;
+  int version_;
   std::vector<SceneFitRecord>& records_;
 };
 
@@ -175,11 +221,11 @@ void check_order(const io::Hdf5Group& root, const std::vector<SceneFitRecord>& r
 SceneFitContents read_scene_fit_store(const std::string& path) {
   const io::Hdf5File file = io::Hdf5File::open(path);
   const io::Hdf5Group& root = file.root();
-  io::check_schema(root, kSceneFitSchema, kSceneFitVersion);
+  const int version = io::check_schema(root, kSceneFitSchema, kOldestSceneFit, kSceneFitVersion);
   SceneFitContents contents;
   contents.run = io::read_run_id(root);
   contents.records.resize(root.read_texts("fits/name").size());
-  Reader reader(root, contents.records);
+  Reader reader(root, version, contents.records);
   reader.fits();
   reader.parameters();
   reader.segments();

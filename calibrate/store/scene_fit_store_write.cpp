@@ -71,7 +71,7 @@ SceneRows rows_of(const std::vector<const SceneFitRecord*>& records) {
       row.made = record.result.parts[p];
       row.has_curve = !row.made->fitted.empty();
     }
-    for (const SceneParameter& parameter : record.result.parameters) {
+    for (const FittedParameter& parameter : record.result.parameters) {
       rows.parameters.push_back({i, parameter});
     }
     if (record.result.segments) {
@@ -137,6 +137,10 @@ void write_curves(io::Hdf5Group& root, const std::vector<store::ScenePartRow>& p
 void write_tables(io::Hdf5Group& root, const SceneRows& rows) {
   io::Hdf5Group parameters =
       write_rows(root, "parameters", rows.parameters, store::kSceneParameterColumns);
+  std::vector<const FittedParameter*> described;
+  for (const auto& row : rows.parameters) described.push_back(&row.parameter);
+  ColumnWriter<FittedParameter> columns(parameters, std::move(described));
+  kDescribeParameter(columns);
   write_units(parameters, "value_units", rows.parameters,
               [](const auto& row) { return row.parameter.dimension; });
   write_rows(root, "segments", rows.segments, store::kSceneSegmentsColumns);
@@ -163,7 +167,7 @@ std::vector<store::StoredIntervals> intervals_of(
   for (const SceneFitRecord* record : records) {
     store::StoredIntervals& one = all.emplace_back();
     one.intervals = &record->result.intervals;
-    for (const SceneParameter& p : record->result.parameters) one.paths.push_back(p.path);
+    for (const FittedParameter& p : record->result.parameters) one.paths.push_back(p.path);
   }
   return all;
 }

@@ -4,6 +4,7 @@
 
 #include "calibrate/store/coders.hpp"
 #include "calibrate/store/interval_bytes.hpp"
+#include "calibrate/store/parameter_bytes.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -11,12 +12,6 @@ namespace {
 using store::A;
 
 constexpr const char* kSource = "a record of a fit through scenes";
-
-void code(auto& coder, A<SceneParameter> auto& p) {
-  coder(p.path, p.dimension, p.value, p.start, p.lower, p.upper, p.standard_error, p.interval_low,
-        p.interval_high, p.at_bound, p.verdict, p.verdict_number, p.noise_error, p.sampling_error,
-        p.misfit_error, p.degrees_of_freedom);
-}
 
 void code(auto& coder, A<SegmentsError> auto& e) {
   coder(e.at_half, e.at_own, e.at_twice, e.trend, e.observed_order, e.order, e.safety_factor,
@@ -41,7 +36,7 @@ void code(auto& coder, A<SceneStart> auto& s) {
 void code(auto& coder, A<SceneFitResult> auto& r) {
   const auto item = [](auto& to, auto& each) { code(to, each); };
   coder(r.status, r.reason);
-  coder.each(r.parameters, item);
+  coder.each(r.parameters, [](auto& to, auto& each) { store::code_parameter(to, each); });
   coder(r.correlation);
   coder.each(r.parts, item);
   coder(r.degrees_of_freedom);

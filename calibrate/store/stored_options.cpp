@@ -64,7 +64,7 @@ std::vector<Parameter> read_parameters(const io::Hdf5Group& group) {
   std::vector<ParameterRow*> pointers;
   pointers.reserve(rows.size());
   for (ParameterRow& row : rows) pointers.push_back(&row);
-  ColumnReader<ParameterRow> columns(group, std::move(pointers), kOptionRules);
+  ColumnReader<ParameterRow> columns(group, std::move(pointers), kOptionRules, kNewest);
   kParameterColumns(columns);
   const SourceLocation where{group.file(), 0};
   std::vector<Parameter> parameters;
@@ -105,7 +105,7 @@ std::vector<WeightStep> read_weights(const io::Hdf5Group& group) {
   std::vector<WeightStep*> rows;
   rows.reserve(weights.size());
   for (WeightStep& step : weights) rows.push_back(&step);
-  ColumnReader<WeightStep> columns(group, std::move(rows), kOptionRules);
+  ColumnReader<WeightStep> columns(group, std::move(rows), kOptionRules, kNewest);
   kWeightColumns(columns);
   return weights;
 }

@@ -80,11 +80,11 @@ CaseResult fit(const Sweep& sweep, const Setup& setup, StopFlag stop) {
     result.reason = fitted.reason;
     return result;
   }
-  const calibrate::SceneParameter& parameter = fitted.parameter(sweep.quantity.parameter);
+  const calibrate::FittedParameter& parameter = fitted.parameter(sweep.quantity.parameter);
   result.status = Status::Completed;
   result.value = parameter.value;
   if (std::isfinite(parameter.standard_error)) result.standard_error = parameter.standard_error;
-  if (parameter.at_bound) result.reason = "the parameter is at its bound";
+  if (parameter.at_bound()) result.reason = "the parameter is at its bound";
   return result;
 }
 

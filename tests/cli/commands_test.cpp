@@ -213,7 +213,7 @@ TEST(Command, WritesTheDocumentedKeysIntoTheSummary) {
     for (const char* key : {"reh", "rel"}) EXPECT_TRUE(found.at(key).is_null()) << key;
     for (const char* name : {"youngs_modulus", "yield_stress", "break_strain"}) {
       EXPECT_TRUE(fit.at("parameters").at(name).at("value").is_number()) << name;
-      EXPECT_TRUE(fit.at("parameters").at(name).at("stderr").is_number()) << name;
+      EXPECT_TRUE(fit.at("parameters").at(name).at("standard_error").is_number()) << name;
     }
     EXPECT_GT(fit.at("evaluations").get<int>(), 0);
   }

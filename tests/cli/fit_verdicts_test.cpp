@@ -74,7 +74,7 @@ TEST(FitVerdicts, SayThatALinearCurveDoesNotShowTheYieldStress) {
   EXPECT_EQ(yield.at("verdict"), "not identified");
   EXPECT_TRUE(yield.at("verdict_number").is_null());
   EXPECT_FALSE(yield.at("identified"));
-  EXPECT_TRUE(yield.at("stderr").is_null());
+  EXPECT_TRUE(yield.at("standard_error").is_null());
   // Below the last stresses the curve excludes it, above it says nothing.
   const Json& profile = fit.at("intervals").at("profile").at("yield_stress");
   EXPECT_EQ(profile.at("ends"), Json({"crossed", "bound"}));
@@ -98,7 +98,7 @@ TEST(FitVerdicts, SayThatABoundBites) {
   const Json& yield = fit.at("parameters").at("yield_stress");
   EXPECT_EQ(yield.at("verdict"), "at bound");
   EXPECT_DOUBLE_EQ(yield.at("verdict_number").get<double>(), 9e4);
-  EXPECT_EQ(yield.at("at_bound"), "upper");
+  EXPECT_EQ(yield.at("at_upper"), true);
   const Json& profile = fit.at("intervals").at("profile").at("yield_stress");
   EXPECT_EQ(profile.at("ends"), Json({"crossed", "bound"}));
   EXPECT_DOUBLE_EQ(profile.at("interval").at(1).get<double>(), 9e4);
@@ -128,13 +128,13 @@ TEST(FitVerdicts, SayThatTheSamplingLimitsABreak) {
   // Half the distance of two samples over the value; 95 % of a break anywhere between them.
   const double value = limit.at("value").get<double>();
   EXPECT_NEAR(limit.at("verdict_number").get<double>(), 0.0005 / value, 1e-3 * 0.0005 / value);
-  EXPECT_NEAR(limit.at("interval").at(1).get<double>() - value, 0.95 * 0.0005, 0.02 * 0.0005);
+  EXPECT_NEAR(limit.at("interval_high").get<double>() - value, 0.95 * 0.0005, 0.02 * 0.0005);
   const Json& intervals = fit.at("intervals");
   const Json& profile = intervals.at("profile").at("break_strain").at("interval");
   EXPECT_NEAR(profile.at(1).get<double>() - profile.at(0).get<double>(), 1.9 * 0.0005,
               0.02 * 0.0005);
   const Json& bootstrap = intervals.at("bootstrap").at("parameters").at("break_strain");
-  EXPECT_NEAR(bootstrap.at("stderr").get<double>(), 0.0005 / std::sqrt(3.0), 0.05 * 0.0005);
+  EXPECT_NEAR(bootstrap.at("standard_error").get<double>(), 0.0005 / std::sqrt(3.0), 0.05 * 0.0005);
 }
 
 TEST(FitVerdicts, AreTheSameFromTheResultFile) {

@@ -148,7 +148,7 @@ def rows_of(name, command, shared, data):
     for fit in result["fits"]:
         numbers = {"cost": (cost_of(fit), None)}
         for parameter, p in fit["parameters"].items():
-            numbers[parameter] = (p["value"], p["stderr"])
+            numbers[parameter] = (p["value"], p["standard_error"])
         for parameter, p in ((fit.get("segments") or {}).get("parameters") or {}).items():
             numbers[parameter + " extrapolated"] = (p["extrapolated"], p["error"])
         rows += [(name, fit["name"], fit["law"], quantity, *number)

@@ -25,8 +25,10 @@ COLUMNS = {
                        "modulus_window_high modulus_method proof_offset rp02 reh rel rm "
                        "strain_at_rm break_strain break_strain_plastic largest_strain broke "
                        "last_whole_strain last_whole_stress first_broken_strain break_rule",
-    "parameters/yield_stress": "value standard_error interval_low interval_high start lower upper "
-                               "logarithmic at_lower at_upper identified",
+    "parameters/yield_stress": "value standard_error noise_error sampling_error misfit_error "
+                               "degrees_of_freedom interval_low interval_high start lower upper "
+                               "logarithmic at_lower at_upper identified judged verdict "
+                               "verdict_number",
 }
 LISTS = {
     "stages": "algorithm outcome evaluations cost",
@@ -79,7 +81,7 @@ class ReadResult(unittest.TestCase):
 
     def test_says_what_it_is(self):
         self.assertEqual(self.file.attrs["schema"], "plastica/fits")
-        self.assertEqual(self.file.attrs["version"], 3)
+        self.assertEqual(self.file.attrs["version"], 4)
 
     def test_has_a_row_for_each_target_by_name(self):
         self.assertEqual(self.text("fits/name"), ["bad-curve", "example-curve"])
@@ -112,6 +114,12 @@ class ReadResult(unittest.TestCase):
             self.assertTrue(numpy.isnan(group["value"][0]))
             self.assertAlmostEqual(group["value"][1] / truth, 1.0, delta=0.01)
             self.assertGreater(group["standard_error"][1], 0.0)
+
+    def test_says_what_each_number_of_a_parameter_is(self):
+        group = self.file["parameters/yield_stress"]
+        for name in COLUMNS["parameters/yield_stress"].split():
+            if name != "judged":
+                self.assertTrue(group[name].attrs["meaning"], name)
 
     def test_has_the_curves_by_their_offsets(self):
         for kind in ("raw", "corrected", "fitted"):

@@ -85,7 +85,7 @@ TEST(SceneFitCommand, FitsTheShippedBendTest) {
   const auto fit = nlohmann::json::parse(place.read("fit.json")).at("fits").at(0);
   const auto value = [&](const std::string& name) {
     for (const auto& p : fit.at("parameters")) {
-      if (p.at("name") == name) return p.at("value").get<double>();
+      if (p.at("path") == "material." + name) return p.at("value").get<double>();
     }
     return 0.0;
   };

@@ -80,7 +80,7 @@ TEST(CouponCoverage, IntervalsHoldTheTruthAsOftenAsTheySay) {
         const FittedParameter& p = result.parameters[k];
         const LikelihoodProfile& profile = result.intervals.profiles.at(k);
         const BootstrapInterval& bootstrap = result.intervals.residuals.intervals.at(k);
-        held[k].covariance += holds(*p.interval_low, *p.interval_high);
+        held[k].covariance += holds(p.interval_low, p.interval_high);
         held[k].profile += holds(profile.low, profile.high);
         held[k].bootstrap += holds(bootstrap.low, bootstrap.high);
       }

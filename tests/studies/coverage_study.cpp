@@ -120,7 +120,7 @@ TEST(Coverage, PopulationOfSpecimensIsThatOfTheirTruths) {
   const SceneFitResult one = fit_scenes(pooled, options);
   ASSERT_EQ(one.status, FitStatus::Fitted) << one.reason;
   for (std::size_t k = 0; k < 2; ++k) {
-    const SceneParameter& p = one.parameters[k];
+    const FittedParameter& p = one.parameters[k];
     const double scatter = std::sqrt(truth.covariance[k][k]);
     std::printf(
         "%s of one fit of all: %.5f, standard error %.2e, %.3f of the specimens' deviation\n",
@@ -150,7 +150,7 @@ TEST(Coverage, IntervalsHoldTheTruthAsOftenAsTheySay) {
       const auto holds = [&](double low, double high) {
         return low <= truth[k] && truth[k] <= high;
       };
-      const SceneParameter& p = result.parameters.at(k);
+      const FittedParameter& p = result.parameters.at(k);
       const SceneProfile& profile = result.intervals.profiles.at(k);
       const BootstrapInterval& bootstrap = result.intervals.residuals.intervals.at(k);
       held[2 * seed + k] = {holds(p.interval_low, p.interval_high),
@@ -233,7 +233,7 @@ TEST(Coverage, JointFitsHoldTheTruthWhoeverDeterminesIt) {
         const auto holds = [&](double low, double high) {
           return low <= truth[k] && truth[k] <= high;
         };
-        const SceneParameter& p = result.parameters.at(k);
+        const FittedParameter& p = result.parameters.at(k);
         const SceneProfile& profile = result.intervals.profiles.at(k);
         held[3 * seed + k].covariance = holds(p.interval_low, p.interval_high);
         held[3 * seed + k].profile = holds(profile.low, profile.high);

@@ -142,7 +142,7 @@ TEST(Recovery, CoversTheTrueYieldStressInTheStatedShareOfNoisyCurves) {
     }
     const FittedParameter& yield = fit.parameter("yield_stress");
     ++fitted;
-    covered += *yield.interval_low <= s.yield && s.yield <= *yield.interval_high ? 1 : 0;
+    covered += yield.interval_low <= s.yield && s.yield <= yield.interval_high ? 1 : 0;
   }
   const double share = static_cast<double>(covered) / static_cast<double>(fitted);
   std::printf("95 %% interval covers the truth in %.1f %% of %zu\n", 100.0 * share, fitted);

@@ -109,7 +109,7 @@ Outcome fit_back(const Trip& trip, unsigned seed) {
   if (!outcome.fitted) return outcome;
   outcome.all = true;
   for (std::size_t i = 0; i < kFitted; ++i) {
-    const SceneParameter& p = fit.parameters[i];
+    const FittedParameter& p = fit.parameters[i];
     outcome.holds[i] = p.interval_low <= specimen.truth[i] && specimen.truth[i] <= p.interval_high;
     outcome.all = outcome.all && outcome.holds[i];
     outcome.error[i] = p.standard_error / specimen.truth[i];

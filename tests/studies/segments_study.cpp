@@ -152,7 +152,7 @@ Holds count_holds(const Trip& trip, const Trip& continuous, std::size_t count) {
     const Made made = make_curve(continuous, 0.005, 100U + static_cast<unsigned>(k));
     const SceneFitResult fit = fit_back(trip, made.target);
     for (std::size_t i = 0; i < 3; ++i) {
-      const SceneParameter& p = fit.parameters.at(i);
+      const FittedParameter& p = fit.parameters.at(i);
       const SegmentsError& error = fit.segments.value().parameters[i];
       const double reach = 0.5 * (p.interval_high - p.interval_low);
       const double truth = made.truth[i];
@@ -197,15 +197,15 @@ TEST(Segments, DoNotMoveTheBreakStrainOfAHingeThatHasALength) {
         EXPECT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
         return fit.parameter("break_strain");
       };
-      const SceneParameter with = strain_with({});
-      const SceneParameter without = strain_with(0.0);
+      const FittedParameter with = strain_with({});
+      const FittedParameter without = strain_with(0.0);
       std::printf("| %g %%, %d | %+.2f %% | %s | %+.0f %% | %s |\n", 100.0 * noise, segments,
-                  percent(with.value, made.truth[2]), std::string(name_of(with.verdict)).c_str(),
+                  percent(with.value, made.truth[2]), std::string(name_of(with.verdict())).c_str(),
                   percent(without.value, made.truth[2]),
-                  std::string(name_of(without.verdict)).c_str());
+                  std::string(name_of(without.verdict())).c_str());
       EXPECT_NEAR(with.value, made.truth[2], 0.02 * made.truth[2]) << segments;
       // Without, the joint's own length counts, half a segment's in place of the depth.
-      EXPECT_EQ(without.verdict, Verdict::LimitedBySegments);
+      EXPECT_EQ(without.verdict(), Verdict::LimitedBySegments);
     }
   }
 }

@@ -99,6 +99,10 @@ void write_schema(Hdf5Group& root, std::string_view schema, int version) {
 }
 
 void check_schema(const Hdf5Group& root, std::string_view schema, int version) {
+  (void)check_schema(root, schema, version, version);
+}
+
+int check_schema(const Hdf5Group& root, std::string_view schema, int oldest, int newest) {
   const auto refuse = [&](const std::string& name, const std::string& value,
                           const std::string& rule) {
     throw InputError({root.file(), 0}, name, value, rule);
@@ -109,10 +113,12 @@ void check_schema(const Hdf5Group& root, std::string_view schema, int version) {
   const std::string found = root.text_attribute(".", "schema");
   if (found != schema) refuse("schema", found, "must be " + std::string(schema));
   const std::int64_t number = root.integer_attribute(".", "version");
-  if (number != version) {
+  if (number < oldest || number > newest) {
+    const std::string from = oldest < newest ? std::to_string(oldest) + " to " : "";
     refuse("version", std::to_string(number),
-           "must be " + std::to_string(version) + ", which this Plastica reads");
+           "must be " + from + std::to_string(newest) + ", which this Plastica reads");
   }
+  return static_cast<int>(number);
 }
 
 void write_run_id(Hdf5Group& root, const std::string& id) {

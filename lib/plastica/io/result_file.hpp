@@ -54,6 +54,8 @@ std::span<const std::string_view> status_words();
 void write_schema(Hdf5Group& root, std::string_view schema, int version);
 /// @throws InputError if the file has another schema, or another version of it
 void check_schema(const Hdf5Group& root, std::string_view schema, int version);
+/// The same of a reader that knows several versions. @return the file's
+int check_schema(const Hdf5Group& root, std::string_view schema, int oldest, int newest);
 
 /// The attribute `run`: who the run is, the same for two runs of the same bits. Nothing is written
 /// of an empty one, as nothing is there in files of older versions.

@@ -63,7 +63,7 @@ TEST(FittedScene, TakesFixedNumbersAndSaysWhatIsAtABound) {
   FittedParameter fixed = break_strain();
   fixed.role = ParameterRole::Fixed;
   fixed.identified = false;
-  fixed.standard_error.reset();
+  fixed.standard_error = FittedParameter::kNone;
   FittedParameter bound = yield();
   bound.at_upper = true;
   const FittedScene fitted = fitted_scene(breakable_scene(), fit_of({bound, fixed}), {});
@@ -116,18 +116,18 @@ TEST(FittedScene, GivesRegionsTheWholeLawOfTheFit) {
 
 /// A fit through scenes of the yield stress and the hinge length.
 calibrate::SceneFitRecord scene_fit(calibrate::Verdict of_the_hinge) {
-  calibrate::SceneParameter yield_stress;
+  calibrate::FittedParameter yield_stress;
   yield_stress.path = "material.yield_stress";
   yield_stress.dimension = Dimension::Stress;
   yield_stress.value = 310e6;
   yield_stress.standard_error = 2.4e6;
-  yield_stress.verdict = calibrate::Verdict::Identified;
-  calibrate::SceneParameter hinge;
+  yield_stress.judgement = {calibrate::Verdict::Identified, 0.0};
+  calibrate::FittedParameter hinge;
   hinge.path = "rules.hinge_length";
   hinge.dimension = Dimension::Length;
   hinge.value = 0.05;
   hinge.standard_error = std::numeric_limits<double>::quiet_NaN();
-  hinge.verdict = of_the_hinge;
+  hinge.judgement = {of_the_hinge, 0.0};
   calibrate::SceneFitRecord record;
   record.name = "bend";
   record.result.status = calibrate::FitStatus::Fitted;

@@ -26,9 +26,9 @@ class Bits {
     add(static_cast<double>(r.status));
     add(r.reason);
     for (const FittedParameter& p : r.parameters) {
-      add(p.name + p.path);
-      for (const double value : {p.value, p.start, p.lower, p.upper, p.standard_error.value_or(-1),
-                                 p.interval_low.value_or(-1), p.interval_high.value_or(-1)}) {
+      add(p.name() + p.path);
+      for (const double value : {p.value, p.start, p.lower, p.upper, p.standard_error,
+                                 p.interval_low, p.interval_high}) {
         add(value);
       }
       for (const bool flag : {p.logarithmic, p.at_lower, p.at_upper, p.identified}) add(flag);

@@ -70,14 +70,14 @@ TEST(FitIntervals, OfALinearModelAreThoseOfTheCovariance) {
   for (const FitOptions& each : {options, equal, weighted, known}) {
     const FitResult result = fit_target(elastic_line(2e6), each);
     const FittedParameter& p = result.parameter("youngs_modulus");
-    const double error = *p.standard_error;
+    const double error = p.standard_error;
     ASSERT_EQ(result.intervals.profiles.size(), 1U);
     const LikelihoodProfile& profile = result.intervals.profiles[0];
     EXPECT_EQ(profile.low_end, ProfileEnd::Crossed);
     EXPECT_EQ(profile.high_end, ProfileEnd::Crossed);
-    EXPECT_NEAR(profile.low, *p.interval_low, 2e-3 * error);
-    EXPECT_NEAR(profile.high, *p.interval_high, 2e-3 * error);
-    const double factor = (*p.interval_high - p.value) / error;
+    EXPECT_NEAR(profile.low, p.interval_low, 2e-3 * error);
+    EXPECT_NEAR(profile.high, p.interval_high, 2e-3 * error);
+    const double factor = (p.interval_high - p.value) / error;
     EXPECT_NEAR(profile.threshold, factor * factor, 1e-9 * profile.threshold);
     // 2000 resamples know a standard error to 1.6 %, an end of 95 % to 6 % of it; 40 samples their
     // own scatter to 11 %. A given noise is not theirs.
@@ -118,13 +118,13 @@ TEST(FitIntervals, OfABreakHaveNoiseAndSampling) {
     break_at(target, 0.02 + 2.0 * half, 0.0185);
     const FitResult result = fit_target(target, options);
     const FittedParameter& p = result.parameter("break_strain");
-    const double wide = *p.interval_high - *p.interval_low;
+    const double wide = p.interval_high - p.interval_low;
     const LikelihoodProfile& profile = result.intervals.profiles[2];
     EXPECT_EQ(profile.low_end, ProfileEnd::Crossed);
     EXPECT_EQ(profile.high_end, ProfileEnd::Crossed);
     EXPECT_NEAR(profile.high - profile.low, wide, 0.05 * wide);
     const BootstrapInterval& bootstrap = result.intervals.residuals.intervals[2];
-    EXPECT_NEAR(bootstrap.standard_error, *p.standard_error, 0.1 * *p.standard_error);
+    EXPECT_NEAR(bootstrap.standard_error, p.standard_error, 0.1 * p.standard_error);
     EXPECT_NEAR(bootstrap.high - bootstrap.low, wide, 0.1 * wide);
   }
 }

@@ -68,7 +68,7 @@ TEST(HeldBreak, AtABoundDoesNotPullAtTheOtherParameters) {
   expect_stress_untouched(fit);
   EXPECT_EQ(fit.parameter("break_strain").value, 0.05);
   EXPECT_TRUE(fit.parameter("break_strain").at_upper);
-  EXPECT_FALSE(fit.parameter("break_strain").standard_error);
+  EXPECT_FALSE(fit.parameter("break_strain").has_error());
 }
 
 TEST(HeldBreak, FreeIsTheSpecimensOwnWhateverItsBounds) {

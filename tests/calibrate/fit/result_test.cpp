@@ -16,7 +16,7 @@ TEST(FitResult, NamesItsStatus) {
 TEST(FitResult, FindsAParameterByName) {
   FitResult result;
   result.parameters.resize(2);
-  result.parameters[1].name = "yield_stress";
+  result.parameters[1].path = "material.yield_stress";
   EXPECT_EQ(&result.parameter("yield_stress"), &result.parameters[1]);
   EXPECT_THROW(result.parameter("break_strain"), std::out_of_range);
 }

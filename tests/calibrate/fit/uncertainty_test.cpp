@@ -55,18 +55,18 @@ TEST(Uncertainty, IsThatOfARegressionWhereTheModelIsALine) {
   const double error = std::sqrt(residual / 39.0 / square);
   const FittedParameter& modulus = result.parameter("youngs_modulus");
   EXPECT_NEAR(modulus.value, slope, tolerance(1e-9 * slope));
-  EXPECT_NEAR(*modulus.standard_error, error, tolerance(1e-7 * error));
+  EXPECT_NEAR(modulus.standard_error, error, tolerance(1e-7 * error));
   // Student's t for 39 degrees of freedom and 95 % (tables: 2.0227).
-  EXPECT_NEAR(*modulus.interval_high - modulus.value, 2.0227 * error, tolerance(1e-4 * error));
-  EXPECT_NEAR(modulus.value - *modulus.interval_low, 2.0227 * error, tolerance(1e-4 * error));
+  EXPECT_NEAR(modulus.interval_high - modulus.value, 2.0227 * error, tolerance(1e-4 * error));
+  EXPECT_NEAR(modulus.value - modulus.interval_low, 2.0227 * error, tolerance(1e-4 * error));
 
   options.noise = 2e6;
   options.confidence = 0.99;
   const FitResult known = fit_target(target, options);
   const double expected = 2e6 / std::sqrt(square);
   const FittedParameter& with_noise = known.parameter("youngs_modulus");
-  EXPECT_NEAR(*with_noise.standard_error, expected, tolerance(1e-9 * expected));
-  EXPECT_NEAR(*with_noise.interval_high - with_noise.value, 2.5758293035 * expected,
+  EXPECT_NEAR(with_noise.standard_error, expected, tolerance(1e-9 * expected));
+  EXPECT_NEAR(with_noise.interval_high - with_noise.value, 2.5758293035 * expected,
               tolerance(1e-8 * expected));
 }
 
@@ -98,7 +98,7 @@ Spread spread_of(const FitOptions& options) {
       const FittedParameter& p = result.parameter(names[k]);
       sum[k] += p.value;
       square[k] += p.value * p.value;
-      error[k] += p.standard_error.value_or(0.0);
+      error[k] += p.standard_error;
     }
   }
   const auto ratio = [&](int k) {
@@ -171,11 +171,11 @@ TEST(Uncertainty, IsThatOfAWeightedRegressionWhereTheModelIsALine) {
   const FitResult found = fit_target(target, options);
   EXPECT_NEAR(found.parameter("youngs_modulus").value, slope, tolerance(1e-9 * slope));
   const double error = std::sqrt(squares / (count - 1.0) * b) / a;
-  EXPECT_NEAR(*found.parameter("youngs_modulus").standard_error, error, tolerance(1e-7 * error));
+  EXPECT_NEAR(found.parameter("youngs_modulus").standard_error, error, tolerance(1e-7 * error));
 
   options.noise = 2e6;  // independent errors of that size, whatever the weights
   const double known = 2e6 * std::sqrt(b) / a;
-  EXPECT_NEAR(*fit_target(target, options).parameter("youngs_modulus").standard_error, known,
+  EXPECT_NEAR(fit_target(target, options).parameter("youngs_modulus").standard_error, known,
               tolerance(1e-9 * known));
 }
 
@@ -191,10 +191,11 @@ std::string unidentified(const FitResult& result) {
   std::string names;
   for (const FittedParameter& p : result.parameters) {
     if (!p.identified) {
-      names += p.name + " ";
-      EXPECT_FALSE(p.standard_error || p.interval_low || p.interval_high);
+      names += p.name() + " ";
+      EXPECT_TRUE(std::isnan(p.standard_error) && std::isnan(p.interval_low) &&
+                  std::isnan(p.interval_high));
       const std::string warning =
-          p.name + " is not identified: the curves do not depend on it by itself";
+          p.name() + " is not identified: the curves do not depend on it by itself";
       EXPECT_EQ(std::count(result.warnings.begin(), result.warnings.end(), warning), 1);
     }
   }
@@ -206,7 +207,7 @@ TEST(Uncertainty, YieldAboveTheCurveIsNotIdentified) {
       fit_target(line_of_modulus(0.0),
                  fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress", 500e6)}));
   EXPECT_EQ(unidentified(result), "yield_stress ");
-  EXPECT_TRUE(result.parameter("youngs_modulus").standard_error);
+  EXPECT_TRUE(result.parameter("youngs_modulus").has_error());
   // The fitted curve is the model that was compared, not one with a default yield stress.
   FitOptions strong =
       fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress", 9e8)});
@@ -231,8 +232,8 @@ TEST(Uncertainty, YieldThatOnlyTheNoiseOfTheLastSamplesShowsIsNotIdentified) {
     const FittedParameter& yield = result.parameter("yield_stress");
     if (yield.judgement->verdict != Verdict::NotIdentified) continue;
     ++told;
-    EXPECT_FALSE(yield.standard_error);
-    EXPECT_TRUE(result.parameter("youngs_modulus").standard_error);
+    EXPECT_FALSE(yield.has_error());
+    EXPECT_TRUE(result.parameter("youngs_modulus").has_error());
   }
   EXPECT_GE(told, 34);
   // Two samples far below the line are a yield.
@@ -260,7 +261,7 @@ TEST(Uncertainty, ParametersThatOnlyACombinationOfIsSeenAreNotIdentified) {
       fit_target(torsion, fit_of({free_parameter("youngs_modulus"), free_parameter("poisson_ratio"),
                                   free_parameter("yield_stress")}));
   EXPECT_EQ(unidentified(result), "youngs_modulus poisson_ratio ");
-  EXPECT_TRUE(result.parameter("yield_stress").standard_error);
+  EXPECT_TRUE(result.parameter("yield_stress").has_error());
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_TRUE(std::isnan(result.correlation[i]));
     EXPECT_TRUE(std::isnan(result.correlation[3 * i + 1]));
@@ -286,8 +287,8 @@ TEST(Uncertainty, ATestSeesItsOwnYieldStressAlone) {
   const FittedParameter& yield = result.parameter("yield_stress");
   const FittedParameter& shear = result.parameter("shear_yield_stress");
   EXPECT_NEAR(shear.value, 170e6, tolerance(0.2e6));
-  EXPECT_NEAR(*shear.standard_error, 0.6 * *yield.standard_error, tolerance(1e-6));
-  EXPECT_NEAR(*shear.interval_high - shear.value, 0.6 * (*yield.interval_high - yield.value),
+  EXPECT_NEAR(shear.standard_error, 0.6 * yield.standard_error, tolerance(1e-6));
+  EXPECT_NEAR(shear.interval_high - shear.value, 0.6 * (yield.interval_high - yield.value),
               tolerance(1e-6));
 }
 
@@ -305,28 +306,28 @@ TEST(Uncertainty, BreakStrainCarriesItsSamplingInterval) {
   const FitResult exact = fitted(0.0, Deformation::Tension);
   const FittedParameter& sharp = exact.parameter("break_strain");
   EXPECT_NEAR(sharp.value, 0.0203 - 300e6 / 200e9, tolerance(1e-9));
-  EXPECT_NEAR(*sharp.standard_error, 0.0003 / std::sqrt(3.0), tolerance(1e-9));
+  EXPECT_NEAR(sharp.standard_error, 0.0003 / std::sqrt(3.0), tolerance(1e-9));
   // Evenly likely within h, 95 % of the breaks lie within 0.95 h.
-  EXPECT_NEAR(*sharp.interval_high - sharp.value, 0.95 * 0.0003, tolerance(1e-9));
-  EXPECT_NEAR(sharp.value - *sharp.interval_low, 0.95 * 0.0003, tolerance(1e-9));
+  EXPECT_NEAR(sharp.interval_high - sharp.value, 0.95 * 0.0003, tolerance(1e-9));
+  EXPECT_NEAR(sharp.value - sharp.interval_low, 0.95 * 0.0003, tolerance(1e-9));
 
   // With noise the model's p = strain - Y/E adds its own variance.
   const FitResult noisy = fitted(6e6, Deformation::Tension);
   const FittedParameter& young = noisy.parameter("youngs_modulus");
   const FittedParameter& yield = noisy.parameter("yield_stress");
-  const double by_young = yield.value / (young.value * young.value) * *young.standard_error;
-  const double by_yield = -*yield.standard_error / young.value;
+  const double by_young = yield.value / (young.value * young.value) * young.standard_error;
+  const double by_yield = -yield.standard_error / young.value;
   const double rho = noisy.correlation[1];
   const double variance =
       by_young * by_young + by_yield * by_yield + 2.0 * rho * by_young * by_yield;
   const double sampling = 0.0003 * 0.0003 / 3.0;
   const FittedParameter& blurred = noisy.parameter("break_strain");
-  EXPECT_NEAR(*blurred.standard_error, std::sqrt(variance + sampling), tolerance(1e-12));
-  EXPECT_NEAR(*blurred.noise_error, std::sqrt(variance), tolerance(1e-12));
+  EXPECT_NEAR(blurred.standard_error, std::sqrt(variance + sampling), tolerance(1e-12));
+  EXPECT_NEAR(blurred.noise_error, std::sqrt(variance), tolerance(1e-12));
   // The error is s t + h u, t Student's with 79 degrees of freedom and u even within -1 … 1: the
   // probability of less than q is the mean of Student's over (q - h)/s … (q + h)/s.
   const double s = std::sqrt(variance);
-  const double q = *blurred.interval_high - blurred.value;
+  const double q = blurred.interval_high - blurred.value;
   double below = 0.0;
   constexpr int kPoints = 20000;
   for (int i = 0; i < kPoints; ++i) {
@@ -338,7 +339,7 @@ TEST(Uncertainty, BreakStrainCarriesItsSamplingInterval) {
   // A strain of tension is smaller than that of torsion by sqrt(3), and so is its error.
   const FitResult torsion = fitted(0.0, Deformation::Torsion);
   EXPECT_NEAR(torsion.parameter("break_strain").value, 0.0188 / std::sqrt(3.0), tolerance(1e-9));
-  EXPECT_NEAR(*torsion.parameter("break_strain").standard_error, 0.0001, tolerance(1e-9));
+  EXPECT_NEAR(torsion.parameter("break_strain").standard_error, 0.0001, tolerance(1e-9));
 }
 
 TEST(Uncertainty, CorrelationsAreSymmetricAndAtMostOne) {

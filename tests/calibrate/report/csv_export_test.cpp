@@ -36,7 +36,7 @@ TEST(SpecimenTable, IsReadBackBitForBit) {
   EXPECT_EQ(table.number(0, *table.find("fit.yield_stress")), 280e6 / 3.0);
   EXPECT_EQ(table.number(0, *table.find("rp02")), 280e6 / 3.0);
   EXPECT_EQ(table.units()[*table.find("rp02")], "Pa");
-  EXPECT_EQ(table.number(0, *table.find("fit.break_strain.stderr")), 0.00025);
+  EXPECT_EQ(table.number(0, *table.find("fit.break_strain.standard_error")), 0.00025);
   EXPECT_EQ(table.cell(0, *table.find("group.temperature")), "20");
   EXPECT_EQ(table.number(0, *table.find("evaluations")), 142.0);
 }
@@ -47,7 +47,7 @@ TEST(SpecimenTable, LeavesEmptyWhatASpecimenDoesNotHave) {
   const io::CsvTable table =
       io::CsvTable::parse(specimens_of({record, rejected_record("bar-02", "empty")}), "t.csv");
   EXPECT_EQ(table.cell(0, *table.find("reh")), "");
-  EXPECT_EQ(table.cell(0, *table.find("fit.yield_stress.stderr")), "");
+  EXPECT_EQ(table.cell(0, *table.find("fit.yield_stress.standard_error")), "");
   EXPECT_EQ(table.cell(1, *table.find("status")), "rejected");
   EXPECT_EQ(table.cell(1, *table.find("reason")), "empty");
   EXPECT_EQ(table.cell(1, *table.find("fit.yield_stress")), "");

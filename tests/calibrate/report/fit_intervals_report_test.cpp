@@ -83,7 +83,7 @@ TEST(FitIntervalsReport, WritesMeansOfSpecimensAsJsonAndText) {
   const Json group = Json::parse(json_summary(records, 2, {100, 1, 0.95}))["groups"][0];
   const Json& yield = group["parameters"]["yield_stress"];
   EXPECT_EQ(yield["mean_interval"], Json({276e6, 284e6}));
-  EXPECT_GT(yield["mean_stderr"], 2e6);
+  EXPECT_GT(yield["mean_standard_error"], 2e6);
   EXPECT_FALSE(group["characteristics"]["rm"].contains("mean_interval"));
   ReportOptions options;
   options.specimen_resamples = 100;
@@ -100,10 +100,10 @@ TEST(FitIntervalsReport, WritesColumnsOfThoseThatAnySpecimenHas) {
   write_specimens_csv(out, std::vector{with_intervals(), fitted_record("b")});
   const std::string header = out.str().substr(0, out.str().find('\n'));
   EXPECT_TRUE(has(header,
-                  "fit.youngs_modulus.high [Pa],fit.youngs_modulus.profile_low [Pa],"
+                  "fit.youngs_modulus.verdict_number,fit.youngs_modulus.profile_low [Pa],"
                   "fit.youngs_modulus.profile_high [Pa],fit.youngs_modulus.profile_low_end,"
                   "fit.youngs_modulus.profile_high_end,fit.youngs_modulus.bootstrap_low [Pa],"
-                  "fit.youngs_modulus.bootstrap_high [Pa],fit.youngs_modulus.verdict"))
+                  "fit.youngs_modulus.bootstrap_high [Pa],"))
       << header;
   EXPECT_FALSE(has(header, "specimens_low"));
   EXPECT_TRUE(has(out.str(), "69100000000,70900000000,crossed,crossed,69200000000,70800000000"))

@@ -38,9 +38,10 @@ TEST(JsonSummary, GivesCharacteristicsAndParametersInSi) {
   EXPECT_EQ(fit["characteristics"]["break_strain"], 0.10425);
   const OrderedJson& yield = fit["parameters"]["yield_stress"];
   EXPECT_EQ(yield["value"], 280e6);
-  EXPECT_EQ(yield["stderr"], 0.41e6);
-  EXPECT_EQ(yield["bounds"], OrderedJson::array({10e6, 2e9}));
-  EXPECT_EQ(yield["at_bound"], nullptr);
+  EXPECT_EQ(yield["standard_error"], 0.41e6);
+  EXPECT_EQ(yield["lower"], 10e6);
+  EXPECT_EQ(yield["upper"], 2e9);
+  EXPECT_EQ(yield["at_upper"], false);
   EXPECT_EQ(yield["unit"], "Pa");
   EXPECT_EQ(fit["objective"], 1.2e12);
   EXPECT_EQ(fit["evaluations"], 142);
@@ -86,7 +87,7 @@ TEST(JsonSummary, WritesNullForWhatIsNotFinite) {
   record.result.correlation[1] = nan;
   record.result.cost = HUGE_VAL;
   const OrderedJson fit = summary_of({record})["fits"][0];
-  EXPECT_EQ(fit["parameters"]["yield_stress"]["stderr"], nullptr);
+  EXPECT_EQ(fit["parameters"]["yield_stress"]["standard_error"], nullptr);
   EXPECT_EQ(fit["correlation"]["matrix"][0][1], nullptr);
   EXPECT_EQ(fit["objective"], nullptr);
 }

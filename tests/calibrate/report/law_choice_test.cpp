@@ -49,7 +49,7 @@ TEST(LawChoice, HoldsResidualsAgainstAStatedNoise) {
   std::vector<FitRecord> records{fit_of(Law::Ideal, 2e6), fit_of(Law::Linear, 1e6)};
   std::vector<FittedParameter>& parameters = records[1].result.parameters;
   parameters.push_back(parameters[1]);
-  parameters.back().name = "tangent_modulus";
+  parameters.back().path = "material.hardening.tangent_modulus";
   EXPECT_EQ(compare_laws(std::span<const FitRecord>(records)).laws[0].fit.law, Law::Linear);
   for (FitRecord& record : records) record.result.noise = 50e6;
   const LawComparison laws = compare_laws(std::span<const FitRecord>(records));

@@ -55,7 +55,7 @@ TEST(PlotScript, OfParametersLeavesOutWhatNoCurveDetermines) {
   FitRecord record = fitted_record("a");
   ASSERT_TRUE(has(plot_script(std::vector{record}, {.what = "parameters"}), "break_strain"));
   for (FittedParameter& parameter : record.result.parameters) {
-    if (parameter.name == "break_strain") parameter.identified = false;
+    if (parameter.name() == "break_strain") parameter.identified = false;
   }
   const std::string script = plot_script(std::vector{record}, {.what = "parameters"});
   EXPECT_FALSE(has(script, "break_strain"));
@@ -116,7 +116,7 @@ TEST(PlotScript, ForATerminalLetsNoTextOfAUserLeaveItsQuotes) {
   const std::string hostile = "it's\nsystem('id')\n!id `id` END_OF_DATA";
   std::vector<FitRecord> records = {fitted_record(hostile), fitted_record("b")};
   records[0].target.group = {{hostile, hostile}};
-  parameter_of(records[0], "yield_stress").name = hostile;
+  parameter_of(records[0], "yield_stress").path = hostile;
   for (const char* kind : {"overview", "parameters", "curve"}) {
     std::istringstream script(plot_script(records, {.what = kind, .output = "-"}));
     for (std::string line; std::getline(script, line);) {

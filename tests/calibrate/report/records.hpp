@@ -16,7 +16,6 @@ inline FittedParameter free_parameter(std::string name, Dimension dimension, dou
                                       double error, double start, double lower, double upper) {
   FittedParameter parameter;
   parameter.path = "material." + name;
-  parameter.name = std::move(name);
   parameter.dimension = dimension;
   parameter.value = value;
   parameter.start = start;
@@ -114,7 +113,7 @@ inline FitRecord failed_record(std::string name, std::string reason) {
 
 inline FittedParameter& parameter_of(FitRecord& record, std::string_view name) {
   auto& all = record.result.parameters;
-  return *std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.name == name; });
+  return *std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.name() == name; });
 }
 
 }  // namespace plastica::calibrate::testing

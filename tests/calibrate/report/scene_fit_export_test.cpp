@@ -99,7 +99,7 @@ TEST(SceneFitCsv, HasARowPerFitWithAllParametersThatAnyHas) {
   const SegmentsError record_of_a =
       lone_scene_record("a", 2e11, 3e8).result.segments->parameters[0];
   ASSERT_EQ(rows.size(), 4U);
-  constexpr std::size_t kEach = 12;
+  constexpr std::size_t kEach = 19;
   for (const auto& row : rows) EXPECT_EQ(row.size(), 4U + 3U * kEach + 6U);
   const auto column = [&](const std::string& title) {
     return static_cast<std::size_t>(std::ranges::find(rows[0], title) - rows[0].begin());
@@ -116,7 +116,7 @@ TEST(SceneFitCsv, HasARowPerFitWithAllParametersThatAnyHas) {
   EXPECT_EQ(rows[1].at(column("material.youngs_modulus.verdict")), "identified");
   EXPECT_EQ(rows[1].at(column("material.break_strain [1]")), "");
   EXPECT_EQ(rows[1].at(column("material.break_strain.verdict")), "");
-  EXPECT_EQ(rows[2].at(column("material.break_strain.stderr [1]")), "0.0004");
+  EXPECT_EQ(rows[2].at(column("material.break_strain.standard_error [1]")), "0.0004");
   EXPECT_EQ(rows[2].at(column("material.break_strain.noise_error [1]")), "0.0001");
   EXPECT_EQ(rows[2].at(column("material.break_strain.sampling_error [1]")), "0.00039");
   EXPECT_EQ(rows[2].at(column("material.break_strain.misfit_error [1]")), "0.0002");

@@ -82,16 +82,16 @@ TEST(SceneFitText, ShowsTheValuesOfOtherSegmentsAndWhereTheyLead) {
 
 TEST(SceneFitText, NamesTheBoundThatAParameterIsAt) {
   SceneFitRecord record = scene_record();
-  SceneParameter& yield = record.result.parameters[1];
-  yield.at_bound = true;
-  yield.verdict = Verdict::AtBound;
-  yield.verdict_number = yield.upper = yield.value;
+  FittedParameter& yield = record.result.parameters[1];
+  yield.at_upper = true;
+  yield.upper = yield.value;
+  yield.judgement = {Verdict::AtBound, yield.upper};
   yield.standard_error = yield.interval_low = yield.interval_high =
       std::numeric_limits<double>::quiet_NaN();
   const std::string text = scene_fit_report(record);
   EXPECT_TRUE(has(text, "  yield_stress    380.00 ")) << text;
   EXPECT_TRUE(has(text, " at bound, upper 380 MPa\n")) << text;
-  yield.verdict_number = yield.lower;
+  yield.judgement = {Verdict::AtBound, yield.lower};
   EXPECT_TRUE(has(scene_fit_report(record), " at bound, lower 38 MPa\n"));
 }
 
@@ -143,7 +143,7 @@ TEST(SceneFitText, SaysWhyAFitFailed) {
 
 TEST(SceneFitsText, ShowsFitsPopulationAndFailures) {
   std::vector<SceneFitRecord> records = specimens();
-  records[1].result.parameters[1].verdict = Verdict::Weak;
+  records[1].result.parameters[1].judgement->verdict = Verdict::Weak;
   records.push_back(failed_scene_record("d", "no curve at the start"));
   const std::string text = scene_fits_report(records);
   EXPECT_TRUE(has_line(text, "  b               210.0 ± 1.2           390.0 ± 2.1    0.83  k"));

@@ -55,7 +55,7 @@ TEST(ScenePopulation, LeavesOutWhatIsAtABoundOrNotIdentifiedOrFailed) {
   std::vector<SceneFitRecord> records{specimen(90.0, 1.0), specimen(100.0, 4.0),
                                       specimen(110.0, 7.0), specimen(500.0, 9.0),
                                       failed_scene_record("f", "no")};
-  records[3].result.parameters[0].at_bound = true;
+  records[3].result.parameters[0].at_upper = true;
   records[2].result.parameters[1].standard_error = kNan;
   const ScenePopulation p = scene_population(records);
   EXPECT_EQ(p.parameters[0].n, 3U);
@@ -105,7 +105,7 @@ TEST(ScenePopulation, HasIntervalsOfMeanAndScatterFromResamplesOfTheFits) {
   std::vector<SceneFitRecord> records;
   for (int i = 0; i < 40; ++i) {
     records.push_back(specimen(scatter(random), i));
-    for (SceneParameter& p : records.back().result.parameters) p.standard_error = 0.0;
+    for (FittedParameter& p : records.back().result.parameters) p.standard_error = 0.0;
   }
   const ScenePopulation p = scene_population(records);
   const PopulationParameter& a = p.parameters[0];

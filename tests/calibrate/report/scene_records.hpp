@@ -11,9 +11,9 @@
 /// Records of made-up fits through scenes, for tests of what is written of them.
 namespace plastica::calibrate::testing {
 
-inline SceneParameter scene_parameter(const std::string& path, Dimension dimension, double value,
-                                      double error) {
-  SceneParameter p;
+inline FittedParameter scene_parameter(const std::string& path, Dimension dimension, double value,
+                                       double error) {
+  FittedParameter p;
   p.path = path;
   p.dimension = dimension;
   p.value = value;
@@ -23,8 +23,7 @@ inline SceneParameter scene_parameter(const std::string& path, Dimension dimensi
   p.standard_error = p.noise_error = error;
   p.interval_low = value - 2.0 * error;
   p.interval_high = value + 2.0 * error;
-  p.verdict = Verdict::Identified;
-  p.verdict_number = error / value;
+  p.judgement = {Verdict::Identified, error / value};
   return p;
 }
 
@@ -80,12 +79,11 @@ inline SceneFitRecord scene_record(const std::string& name = "both", double modu
   r.parameters = {scene_parameter("material.youngs_modulus", Dimension::Stress, modulus, 1.2e9),
                   scene_parameter("material.yield_stress", Dimension::Stress, yield, 2.1e6),
                   scene_parameter("material.break_strain", Dimension::Strain, 0.021, 0.0004)};
-  r.parameters[2].verdict = Verdict::LimitedBySampling;
-  r.parameters[2].verdict_number = 0.018;
+  r.parameters[2].judgement = {Verdict::LimitedBySampling, 0.018};
   r.parameters[2].noise_error = 1e-4;
   r.parameters[2].sampling_error = 3.9e-4;
   r.parameters[2].misfit_error = 2e-4;
-  for (SceneParameter& parameter : r.parameters) parameter.degrees_of_freedom = 28.8;
+  for (FittedParameter& parameter : r.parameters) parameter.degrees_of_freedom = 28.8;
   r.correlation = {1.0, -0.42, 0.1, -0.42, 1.0, 0.2, 0.1, 0.2, 1.0};
   r.degrees_of_freedom = 28.8;
   r.outcome = LeastSquaresOutcome::StepReached;

@@ -115,7 +115,7 @@ TEST(FitReport, HasAVerdictForEachParameterThatWasFitted) {
   modulus.judgement = {Verdict::AtBound, 100e9};
   FittedParameter& yield = parameter_of(record, "yield_stress");
   yield.identified = false;
-  yield.standard_error.reset();
+  yield.standard_error = FittedParameter::kNone;
   yield.judgement = {Verdict::NotIdentified, 0.0};
   parameter_of(record, "break_strain").judgement = {Verdict::LimitedBySampling, 0.0038};
   const std::string text = fit_report(record);
@@ -130,9 +130,9 @@ TEST(FitReport, ShowsFixedAndTiedParametersWithoutVerdicts) {
   FitRecord record = fitted_record();
   FittedParameter& modulus = parameter_of(record, "youngs_modulus");
   modulus.role = ParameterRole::Fixed;
-  modulus.standard_error.reset();
-  modulus.interval_low.reset();
-  modulus.interval_high.reset();
+  modulus.standard_error = FittedParameter::kNone;
+  modulus.interval_low = FittedParameter::kNone;
+  modulus.interval_high = FittedParameter::kNone;
   modulus.judgement.reset();
   parameter_of(record, "break_strain").role = ParameterRole::Tied;
   parameter_of(record, "break_strain").judgement.reset();

@@ -90,7 +90,7 @@ TEST(SceneFitReference, FindsTheSpecimenOfTheShippedCurve) {
   EXPECT_NEAR(fit.parts[0].noise, 5.0, 1.0);
   const std::array<double, 3> truth{205e9, 380e6, 0.02};
   for (std::size_t i = 0; i < 3; ++i) {
-    const SceneParameter& p = fit.parameters[i];
+    const FittedParameter& p = fit.parameters[i];
     // 160 segments are 3e-5 off, a tenth of the errors.
     EXPECT_NEAR(p.value, truth[i], 3.0 * p.standard_error) << p.path;
     EXPECT_LT(p.standard_error, 0.01 * truth[i]) << p.path;

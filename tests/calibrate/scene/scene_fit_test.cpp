@@ -120,10 +120,10 @@ TEST(SceneFit, SaysWhatABoundStopsAndWhatTheCurveDoesNotSee) {
   parameters[1].upper = 370e6;
   const SceneFitResult stopped =
       fit_scene(setup, measured(setup), {.parameters = parameters, .starts = 1});
-  EXPECT_TRUE(stopped.parameters[1].at_bound);
+  EXPECT_TRUE(stopped.parameters[1].at_bound());
   EXPECT_EQ(stopped.parameters[1].value, 370e6);
   EXPECT_TRUE(std::isnan(stopped.parameters[1].standard_error));
-  EXPECT_FALSE(stopped.parameters[0].at_bound);
+  EXPECT_FALSE(stopped.parameters[0].at_bound());
   EXPECT_GT(stopped.parameters[0].standard_error, 0.0);
   // A bar that did not yield knows nothing of its yield stress.
   SceneTarget elastic = measured(setup, {}, 1e-4, 5e-3);
@@ -162,10 +162,10 @@ TEST(SceneFit, SaysWhatIsOfItsPrior) {
   const SceneFitResult fit =
       fit_scene(setup, elastic, {.parameters = parameters, .starts = 1, .segments_error = false});
   ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
-  EXPECT_EQ(fit.parameters[1].verdict, Verdict::FromPrior);
-  EXPECT_NEAR(fit.parameters[1].verdict_number, 1.0, 1e-6);
+  EXPECT_EQ(fit.parameters[1].verdict(), Verdict::FromPrior);
+  EXPECT_NEAR(fit.parameters[1].verdict_number(), 1.0, 1e-6);
   EXPECT_NEAR(fit.parameters[1].standard_error, 20e6, 20.0);
-  EXPECT_EQ(fit.parameters[0].verdict, Verdict::Identified);
+  EXPECT_EQ(fit.parameters[0].verdict(), Verdict::Identified);
   // The prior's residual takes the yield stress, so that the samples lose one.
   const auto samples = static_cast<double>(elastic.ordinate.size());
   EXPECT_NEAR(fit.degrees_of_freedom, samples - 1.0, 1e-6);

@@ -37,7 +37,7 @@ TEST(SceneIntervals, OfASmoothCurveAreThoseOfTheCovariance) {
   const SceneFitResult result = fit(noisy_bilinear({}, 0.005, 3), options);
   ASSERT_EQ(result.intervals.profiles.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
-    const SceneParameter& p = result.parameters[i];
+    const FittedParameter& p = result.parameters[i];
     const SceneProfile& profile = result.intervals.profiles[i];
     const BootstrapInterval& bootstrap = result.intervals.residuals.intervals[i];
     const double error = p.standard_error;
@@ -122,7 +122,7 @@ TEST(SceneIntervals, AreOneSidedWhereTheCurveSaysNoMore) {
     target.ordinate.push_back(1.5 * strain + 0.001 * draws.normal());
   }
   const SceneFitResult result = fit(target, options);
-  EXPECT_EQ(result.parameters[1].verdict, Verdict::NotIdentified);
+  EXPECT_EQ(result.parameters[1].verdict(), Verdict::NotIdentified);
   const SceneProfile& profile = result.intervals.profiles[1];
   EXPECT_EQ(profile.high_end, ProfileEnd::Bound);
   EXPECT_EQ(profile.high, 1.0);
@@ -149,7 +149,7 @@ TEST(SceneIntervals, EndAtABoundWhereTheSolutionIs) {
   options.parameters[1].upper = 0.09;  // of a truth of 0.1
   options.intervals.profile = true;
   const SceneFitResult result = fit(noisy_bilinear({}, 0.005, 3), options);
-  EXPECT_TRUE(result.parameters[1].at_bound);
+  EXPECT_TRUE(result.parameters[1].at_bound());
   EXPECT_TRUE(std::isnan(result.parameters[1].interval_low));
   const SceneProfile& profile = result.intervals.profiles[1];
   EXPECT_EQ(profile.high_end, ProfileEnd::Bound);
@@ -169,7 +169,7 @@ TEST(SceneIntervals, OfABreakHaveNoiseAndSampling) {
     const double half = 0.5 / (samples - 1.0);
     target.broke = SceneBreak{1.0 + half, half};
     const SceneFitResult result = fit(target, options);
-    const SceneParameter& p = result.parameters[2];
+    const FittedParameter& p = result.parameters[2];
     const SceneProfile& profile = result.intervals.profiles[2];
     const BootstrapInterval& bootstrap = result.intervals.residuals.intervals[2];
     const double wide = width(p.interval_low, p.interval_high);

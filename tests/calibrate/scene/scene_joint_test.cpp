@@ -95,7 +95,7 @@ TEST(SceneJointFit, IsTighterThanEachTargetAlone) {
               4.0 * both.parameter("youngs_modulus").standard_error);
   EXPECT_NEAR(both.parameter("yield_stress").value, Truth{}.yield_stress,
               4.0 * both.parameter("yield_stress").standard_error);
-  EXPECT_EQ(both.parameter("yield_stress").verdict, Verdict::Identified);
+  EXPECT_EQ(both.parameter("yield_stress").verdict(), Verdict::Identified);
 }
 
 TEST(SceneFitMisfit, AddsErrorsWhereResidualsLieInRuns) {
@@ -103,7 +103,7 @@ TEST(SceneFitMisfit, AddsErrorsWhereResidualsLieInRuns) {
   options.segments_error = false;
   ScenePart part = bent(8, 5.0, 1);
   const SceneFitResult noisy = fit_scene(part.setup, part.target, options);
-  for (const SceneParameter& p : noisy.parameters) EXPECT_LT(p.misfit_error, p.noise_error);
+  for (const FittedParameter& p : noisy.parameters) EXPECT_LT(p.misfit_error, p.noise_error);
   // A bar that hardens twice as much as the scene says.
   const double hardening = part.setup.scene.material.hardening.tangent_modulus;
   part.setup.scene.material.hardening.tangent_modulus = 2.0 * hardening;
@@ -111,7 +111,7 @@ TEST(SceneFitMisfit, AddsErrorsWhereResidualsLieInRuns) {
   part.setup.scene.material.hardening.tangent_modulus = hardening;
   const SceneFitResult wrong = fit_scene(part.setup, part.target, options);
   EXPECT_LT(wrong.parts[0].runs_probability, 1e-3);
-  for (const SceneParameter& p : wrong.parameters) EXPECT_GT(p.misfit_error, p.noise_error);
+  for (const FittedParameter& p : wrong.parameters) EXPECT_GT(p.misfit_error, p.noise_error);
 }
 
 TEST(SceneJointFit, HasTheSameBitsOnEveryNumberOfThreads) {
@@ -226,13 +226,13 @@ TEST(SceneJointFit, LetsPriorsAndTiesSayWhatCurvesDoNot) {
   make_curve(part, {}, 0.05, 8);
   SceneFitOptions options{.parameters = stiffness_and_yield(), .starts = 1};
   const SceneFitResult unseen = fit_scene(part.setup, part.target, options);
-  EXPECT_EQ(unseen.parameter("yield_stress").verdict, Verdict::NotIdentified);
+  EXPECT_EQ(unseen.parameter("yield_stress").verdict(), Verdict::NotIdentified);
   options.parameters[1].prior = Prior{400e6, 20e6};
   part.target.noise = 0.05;
   const SceneFitResult known = fit_scene(part.setup, part.target, options);
   EXPECT_NEAR(known.parameter("yield_stress").value, 400e6, 1e3);
   EXPECT_NEAR(known.parameter("yield_stress").standard_error, 20e6, 1e4);
-  EXPECT_EQ(known.parameter("yield_stress").verdict, Verdict::FromPrior);
+  EXPECT_EQ(known.parameter("yield_stress").verdict(), Verdict::FromPrior);
   // Tied, the torsional yield stress follows that of tension.
   const ScenePart twist = twisted(6, 1.0, 9);
   SceneFitOptions tied{.parameters = stiffness_and_yield(), .starts = 1};

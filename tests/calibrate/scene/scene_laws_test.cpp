@@ -87,7 +87,7 @@ TEST(SceneLaws, KeepWhatTheFitSaysOfTheirParameters) {
 TEST(SceneLaws, BeginWhereASimplerOneEndedOnceWithoutAnyEffectOfTheirOwn) {
   SceneFitOptions options = options_of(Law::Chaboche, told(), bent_parts());
   SceneFitResult voce;
-  SceneParameter p;
+  FittedParameter p;
   for (const auto& [path, value] : {std::pair{"material.yield_stress", 300e6},
                                     std::pair{"material.hardening.saturation_stress", 80e6}}) {
     p.path = path;
@@ -130,11 +130,11 @@ SceneFitRecord fitted(double noise) {
     part.runs_probability = std::nan("");
   }
   record.targets[1].noise = noise;
-  SceneParameter& limit = record.result.parameters.emplace_back();
+  FittedParameter& limit = record.result.parameters.emplace_back();
   limit.path = "material.break_strain";
-  SceneParameter& slope = record.result.parameters.emplace_back();
+  FittedParameter& slope = record.result.parameters.emplace_back();
   slope.path = "material.hardening.tangent_modulus";
-  slope.verdict = Verdict::Weak;
+  slope.judgement = {Verdict::Weak, 0.0};
   record.result.starts = {{{}, {}, 1.0, LeastSquaresOutcome::Stalled, 30},
                           {{}, {}, 1.0, LeastSquaresOutcome::Stalled, 12}};
   return record;

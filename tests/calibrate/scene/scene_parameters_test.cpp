@@ -199,7 +199,7 @@ TEST_P(SceneParameterKinds, AreFittedBack) {
   ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     EXPECT_NEAR(fit.parameters[i].value / truth[i], 1.0, 1e-5) << problem.fitted[i].field;
-    EXPECT_EQ(fit.parameters[i].verdict, Verdict::Identified) << problem.fitted[i].field;
+    EXPECT_EQ(fit.parameters[i].verdict(), Verdict::Identified) << problem.fitted[i].field;
   }
   if (breaks) {
     EXPECT_NEAR(fit.parameters.back().value / strain, 1.0, 1e-5);

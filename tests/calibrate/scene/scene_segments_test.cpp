@@ -75,8 +75,8 @@ TEST(SceneSegments, ExtrapolateTheStiffnessThatALumpedCantileverMakesUpFor) {
   EXPECT_NEAR(error.extrapolated / kModulus, 1.0, 1e-7);
   EXPECT_NEAR(error.error / (expected(kSegments) - kModulus), 1.25, 1e-4);
   // Without noise this is all that is wrong with it.
-  EXPECT_EQ(fit.parameters[0].verdict, Verdict::LimitedBySegments);
-  EXPECT_DOUBLE_EQ(fit.parameters[0].verdict_number, error.error / fit.parameters[0].value);
+  EXPECT_EQ(fit.parameters[0].verdict(), Verdict::LimitedBySegments);
+  EXPECT_DOUBLE_EQ(fit.parameters[0].verdict_number(), error.error / fit.parameters[0].value);
 }
 
 TEST(SceneSegments, ObserveTheFirstOrderOfAWeldedEnd) {
@@ -99,14 +99,14 @@ TEST(SceneSegments, AreComparedWithTheNoise) {
   const double limit = off * std::sqrt(squares) / std::sqrt(3.0);  // both are alike
   target.noise = 0.25 * limit;
   const SceneFitResult sharp = fit_scene(cantilever(8), target, stiffness());
-  EXPECT_EQ(sharp.parameters[0].verdict, Verdict::LimitedBySegments);
+  EXPECT_EQ(sharp.parameters[0].verdict(), Verdict::LimitedBySegments);
   ASSERT_FALSE(sharp.warnings.empty());
   EXPECT_EQ(sharp.warnings.back(),
             "youngs_modulus is limited by segments: what they do to it, 0.97 % of it, is more than "
             "the noise does, 0.14 %; about 2.0 times as many segments would make both alike");
   target.noise = 1.1 * limit;
   const SceneFitResult blurred = fit_scene(cantilever(8), target, stiffness());
-  EXPECT_EQ(blurred.parameters[0].verdict, Verdict::Identified);
+  EXPECT_EQ(blurred.parameters[0].verdict(), Verdict::Identified);
   EXPECT_EQ(blurred.parameters[0].noise_error, blurred.parameters[0].standard_error);
 }
 
@@ -134,7 +134,7 @@ TEST(SceneSegments, SayWhyTheirErrorIsNotKnown) {
             "the error of the segments is not known: no fit with half the segments: "
             "beam.joint_lengths: are given for each joint; no fit with twice the segments: "
             "beam.joint_lengths: are given for each joint");
-  EXPECT_EQ(fit.parameters[0].verdict, Verdict::Identified);
+  EXPECT_EQ(fit.parameters[0].verdict(), Verdict::Identified);
   // The angle of one joint follows its length; that nobody asks for it does no harm.
   plastica::Setup hinge = cantilever(8);
   hinge.scene.probes.push_back({"hinge", ProbeQuantity::Angle, Place::start()});
@@ -155,7 +155,7 @@ TEST(SceneSegments, AreNoneOfCouponsAndWhereSwitchedOff) {
   const SceneFitResult off = fit_scene(cantilever(8), continuous(), options);
   EXPECT_FALSE(off.segments);
   EXPECT_EQ(off.parameters[0].value, on.parameters[0].value);
-  EXPECT_EQ(off.parameters[0].verdict, Verdict::Identified);
+  EXPECT_EQ(off.parameters[0].verdict(), Verdict::Identified);
   EXPECT_LT(off.runs, on.runs);
   EXPECT_LT(off.segment_iterations, on.segment_iterations);
   // A coupon in tension.
@@ -200,7 +200,7 @@ TEST(SceneSegments, LeaveOutParametersThatAreNotDetermined) {
       fit_scene(bend_test(10), measured(bend_test(10)), {.parameters = parameters});
   EXPECT_EQ(fit.segments.value().parameters[1].trend, SegmentsTrend::Unknown);
   EXPECT_NE(fit.segments.value().parameters[0].trend, SegmentsTrend::Unknown);
-  EXPECT_EQ(fit.parameters[1].verdict, Verdict::AtBound);
+  EXPECT_EQ(fit.parameters[1].verdict(), Verdict::AtBound);
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ inline auto members(const Judgement& v) {
   return std::tie(a, b);
 }
 inline auto members(const FittedParameter& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s);
 }
 inline auto members(const OptimizerStage& v) {
   const auto& [a, b, c, d] = v;

@@ -69,7 +69,7 @@ TEST_F(SceneFitStore, GivesBackEveryWordOfEachEnumeration) {
         records.emplace_back(filled_scene_record(std::string(1, static_cast<char>('a' + word))));
     record.targets[0].kind = static_cast<Abscissa>(word % 5);
     record.result.parts[0].level = static_cast<Level>(word % 5);
-    record.result.parameters[0].verdict = static_cast<Verdict>(word % 5);
+    record.result.parameters[0].judgement->verdict = static_cast<Verdict>(word % 5);
     record.result.parameters[0].dimension = static_cast<Dimension>(word);
     record.result.starts[0].outcome = static_cast<LeastSquaresOutcome>(word % 5);
   }
@@ -176,7 +176,7 @@ TEST_F(SceneFitStore, NamesAFileOfAnotherSchemaOrVersion) {
   EXPECT_EQ(write("plastica/fits", 1),
             path_ + ": schema = plastica/fits: must be plastica/scene-fits");
   EXPECT_EQ(write("plastica/scene-fits", kSceneFitVersion + 1),
-            path_ + ": version = 4: must be 3, which this Plastica reads");
+            path_ + ": version = 5: must be 3 to 4, which this Plastica reads");
   EXPECT_NE(write("plastica/scene-fits", kSceneFitVersion).find("/fits/name"), std::string::npos);
 }
 

@@ -89,7 +89,6 @@ inline FitRecord filled_record(const std::string& name) {
   r.reason = "none";
   for (const Parameter& parameter : ideal_options().parameters) {
     FittedParameter p;
-    p.name = parameter.name();
     p.path = parameter.field->path;
     p.dimension = parameter.field->dimension;
     p.value = 1.0 + static_cast<double>(r.parameters.size());

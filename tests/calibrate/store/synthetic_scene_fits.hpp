@@ -21,10 +21,6 @@ inline auto members(const SceneTarget& v) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, where, other_where] = v;
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
 }
-inline auto members(const SceneParameter& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
-}
 inline auto members(const ScenePartFit& v) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k] = v;
   return std::tie(a, b, c, d, e, f, g, h, i, j, k);
@@ -78,13 +74,16 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
   SceneFitResult r;
   r.status = FitStatus::Fitted;
   r.reason = "none";
+  constexpr ParameterRole kFree = ParameterRole::Free;
   r.parameters = {
-      {"material.youngs_modulus", Dimension::Stress, 205e9, 200e9, 50e9, 500e9, 1.2e9, 1.2e9, 0.0,
-       0.3e9, 202.6e9, 207.4e9, 6.5, false, Verdict::Identified, 1.2 / 205.0},
-      {"material.yield_stress", Dimension::Stress, 380e6, 300e6, 100e6, 380e6, kNan, kNan, 1.0,
-       kNan, kNan, kNan, 7.0, true, Verdict::AtBound, 380e6},
-      {"material.break_strain", Dimension::Strain, 0.021, 0.05, 1e-4, 1.0, 4e-4, 1e-4, 3.87e-4,
-       2e-5, 0.0202, 0.0218, 5.0, false, Verdict::LimitedBySampling, 0.018}};
+      {"material.youngs_modulus", Dimension::Stress, kFree, 205e9, 200e9, 50e9, 500e9, true, 1.2e9,
+       1.2e9, 0.0, 0.3e9, 202.6e9, 207.4e9, 6.5, false, false, true,
+       Judgement{Verdict::Identified, 1.2 / 205.0}},
+      {"material.yield_stress", Dimension::Stress, kFree, 380e6, 300e6, 100e6, 380e6, true, kNan,
+       kNan, 1.0, kNan, kNan, kNan, 7.0, false, true, false, Judgement{Verdict::AtBound, 380e6}},
+      {"material.break_strain", Dimension::Strain, kFree, 0.021, 0.05, 1e-4, 1.0, false, 4e-4, 1e-4,
+       3.87e-4, 2e-5, 0.0202, 0.0218, 5.0, true, false, true,
+       Judgement{Verdict::LimitedBySampling, 0.018}}};
   r.correlation = {1.0, kNan, -0.97, kNan, 1.0, kNan, -0.97, kNan, 1.0};
   r.parts = {{bent.name,
               Level::Planar,

@@ -37,7 +37,7 @@ TEST(FitPlan, IsReadAndFitsEachCase) {
     EXPECT_EQ(result.status, Status::Completed) << result.reason;
     EXPECT_GT(result.value.value_or(0.0), 300e6);
     EXPECT_LT(result.value.value_or(0.0), 900e6);
-    EXPECT_GT(result.standard_error.value_or(0.0), 0.0);
+    EXPECT_GT(result.standard_error, 0.0);
     EXPECT_GT(result.segment_iterations(), 100);
   }
 }

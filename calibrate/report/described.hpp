@@ -1,0 +1,118 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "calibrate/report/csv_cells.hpp"
+#include "calibrate/report/json_values.hpp"
+#include "calibrate/result/describe.hpp"
+
+/// Visitors of descriptions (result/describe.hpp) that write summaries and tables; not installed.
+namespace plastica::calibrate::report {
+
+/// Adds what a description says of a record to a JSON object; null where there is none.
+template <typename Row>
+class JsonDescriber {
+ public:
+  /// @param row  null: the record is not there
+  JsonDescriber(Json& object, const Row* row) : object_(object), row_(row) {}
+
+  template <typename Member>
+  void operator()(std::string_view name, std::string_view /*units*/, const Member& member,
+                  std::string_view /*meaning*/ = {}) {
+    object_[std::string(name)] = row_ == nullptr ? Json(nullptr) : value_of(member(*row_));
+  }
+  template <typename Columns>
+  void since(int /*version*/, const Columns& columns) {
+    columns(*this);
+  }
+  /// Without the column that says whether the part is there: null says so.
+  template <typename Member, typename Columns>
+  void part(std::string_view /*name*/, const Member& member, const Columns& columns) {
+    using Part = typename std::remove_cvref_t<decltype(member(*row_))>::value_type;
+    const bool there = row_ != nullptr && member(*row_).has_value();
+    JsonDescriber<Part> of_part(object_, there ? &*member(*row_) : nullptr);
+    columns(of_part);
+  }
+
+ private:
+  static Json value_of(bool value) { return value; }
+  static Json value_of(const std::string& value) { return text_or_null(value); }
+  static Json value_of(double value) { return number(value); }
+  static Json value_of(const std::optional<double>& value) { return number(value); }
+  template <typename Value>
+  static Json value_of(const Value& value) {
+    if constexpr (std::is_enum_v<Value>) {
+      return name_of(value);
+    } else {
+      return value;
+    }
+  }
+
+  Json& object_;
+  const Row* row_;
+};
+
+/// Collects what a description says of a record as columns of a table: names with their units, and
+/// cells, empty where there is none.
+template <typename Row>
+class CellDescriber {
+ public:
+  /// @param row  null: the record is not there
+  /// @param prefix  of the names; what is called "value" has no other name
+  CellDescriber(const Row* row, std::string prefix, std::string_view own_units)
+      : row_(row), prefix_(std::move(prefix)), own_units_(own_units) {}
+
+  template <typename Member>
+  void operator()(std::string_view name, std::string_view units, const Member& member,
+                  std::string_view /*meaning*/ = {}) {
+    const std::string_view shown = units == kOwnUnits ? own_units_ : units;
+    std::string title = prefix_;
+    if (name != "value") title += "." + std::string(name);
+    if (!shown.empty()) title += " [" + std::string(shown) + "]";
+    names.push_back(std::move(title));
+    cells.push_back(row_ == nullptr ? std::string() : text_of(member(*row_)));
+  }
+  template <typename Columns>
+  void since(int /*version*/, const Columns& columns) {
+    columns(*this);
+  }
+  template <typename Member, typename Columns>
+  void part(std::string_view /*name*/, const Member& member, const Columns& columns) {
+    using Part = typename std::remove_cvref_t<decltype(member(*row_))>::value_type;
+    const bool there = row_ != nullptr && member(*row_).has_value();
+    CellDescriber<Part> of_part(there ? &*member(*row_) : nullptr, prefix_, own_units_);
+    columns(of_part);
+    names.insert(names.end(), of_part.names.begin(), of_part.names.end());
+    cells.insert(cells.end(), of_part.cells.begin(), of_part.cells.end());
+  }
+
+  std::vector<std::string> names;
+  std::vector<std::string> cells;
+
+ private:
+  static std::string text_of(bool value) { return value ? "1" : "0"; }
+  static std::string text_of(double value) { return cell_of(value); }
+  template <typename Value>
+  static std::string text_of(const Value& value) {
+    if constexpr (std::is_enum_v<Value>) {
+      return std::string(name_of(value));
+    } else if constexpr (std::is_integral_v<Value>) {
+      return std::to_string(value);
+    } else if constexpr (std::is_convertible_v<Value, std::string>) {
+      return value;
+    } else {
+      return cell_of(value);
+    }
+  }
+
+  const Row* row_;
+  std::string prefix_;
+  std::string_view own_units_;
+};
+
+}  // namespace plastica::calibrate::report

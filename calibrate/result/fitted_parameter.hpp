@@ -1,0 +1,58 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "calibrate/fit/parameter.hpp"
+#include "calibrate/fit/verdict.hpp"
+#include "plastica/base/quantity.hpp"
+
+namespace plastica::calibrate {
+
+/// What a fit says of one parameter [SI]. What there is not is NaN.
+struct FittedParameter {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  std::string path;  ///< "material.yield_stress"
+  Dimension dimension = Dimension::None;
+  ParameterRole role = ParameterRole::Free;
+  double value = 0.0;
+  double start = 0.0;
+  double lower = 0.0;  ///< bounds; equal to the value if fixed or tied
+  double upper = 0.0;
+  bool logarithmic = false;  ///< whether it was searched by its logarithm
+  /// From noise and sampling, whose squares add up; NaN for fixed parameters, at a bound, and where
+  /// the curves do not determine it.
+  double standard_error = kNone;
+  double noise_error = kNone;  ///< what of it is the noise's
+  /// What of it is a break's, which lies anywhere between two samples: half its interval over the
+  /// root of 3; 0 of all others.
+  double sampling_error = 0.0;
+  /// What residuals that lie in runs, as those of a model that cannot follow, add to it: the root
+  /// of what the squared error after Newey and West (score_covariance.hpp) is more. Not part of the
+  /// standard error; 0 where they are no larger than noise, NaN where it is not known.
+  double misfit_error = kNone;
+  /// Confidence interval: Student's; a break's is that of the noise and of its place between two
+  /// samples together (theory::half_interval).
+  double interval_low = kNone;
+  double interval_high = kNone;
+  /// Of the noise in the standard error, after Welch and Satterthwaite: those of the targets that
+  /// determine it. Infinite where they state their noise.
+  double degrees_of_freedom = kNone;
+  bool at_lower = false;
+  bool at_upper = false;
+  bool identified = true;  ///< free: whether the curves determine it
+  /// Free and fitted: how well the curves determine it, and the number behind the word
+  /// (verdict.hpp).
+  std::optional<Judgement> judgement;
+
+  std::string name() const;  ///< "yield_stress" of "material.yield_stress"
+  bool at_bound() const { return at_lower || at_upper; }
+  bool has_error() const { return standard_error == standard_error; }
+  /// Not identified, and NaN, where nothing was judged.
+  Verdict verdict() const { return judgement ? judgement->verdict : Verdict::NotIdentified; }
+  double verdict_number() const { return judgement ? judgement->number : kNone; }
+};
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "calibrate/result/describe.hpp"
+#include "calibrate/result/fitted_parameter.hpp"
+#include "calibrate/store/coders.hpp"
+
+/// A fitted parameter in journals; not installed.
+namespace plastica::calibrate::store {
+
+/// Puts, or gets, what a description says of a record.
+template <typename Coder, typename Row>
+class DescribedCoder {
+ public:
+  DescribedCoder(Coder& coder, Row& row) : coder_(coder), row_(row) {}
+
+  template <typename Member>
+  void operator()(std::string_view, std::string_view, const Member& member, std::string_view = {}) {
+    coder_(member(row_));
+  }
+  template <typename Columns>
+  void since(int, const Columns& columns) {
+    columns(*this);
+  }
+  template <typename Member, typename Columns>
+  void part(std::string_view, const Member& member, const Columns& columns) {
+    coder_.maybe(member(row_), [&](auto& to, auto& each) {
+      DescribedCoder<std::remove_reference_t<decltype(to)>, std::remove_reference_t<decltype(each)>>
+          of_part(to, each);
+      columns(of_part);
+    });
+  }
+
+ private:
+  Coder& coder_;
+  Row& row_;
+};
+
+void code_parameter(auto& coder, A<FittedParameter> auto& p) {
+  coder(p.path, p.dimension, p.role);
+  DescribedCoder described(coder, p);
+  kDescribeParameter(described);
+}
+
+}  // namespace plastica::calibrate::store

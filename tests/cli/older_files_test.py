@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""Files of fits of version 3 are read as they were: the same report, but for what they do not have.
+
+older_files_test.py COMMAND DATA: fits shipped curves, makes files of version 3 of the results, whose
+parameters had other columns, and has the command show both.
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy
+
+COMMAND, DATA = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]).resolve()
+
+
+def run(folder, *arguments):
+    done = subprocess.run([COMMAND, *arguments], cwd=folder, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def copy_of(folder):
+    """What `fit.h5` holds in a plain HDF5 file, which has no digest and may be changed."""
+    copy = h5py.File(folder / "older.h5", "w")
+    with h5py.File(folder / "fit.h5") as file:
+        for name in file:
+            file.copy(name, copy)
+        for name, value in file.attrs.items():
+            copy.attrs[name] = value
+    return copy
+
+
+class OlderFiles(unittest.TestCase):
+    def setUp(self):
+        self.place = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.place.name)
+
+    def tearDown(self):
+        self.place.cleanup()
+
+    def test_of_coupons(self):
+        run(self.folder, "calibrate", str(DATA / "fits/demo.toml"), "-o", "fit.h5", "--quiet")
+        now = run(self.folder, "show", "fit.h5", "--all")
+        errors = {}
+        with copy_of(self.folder) as file:
+            file.attrs["version"] = 3
+            for name, group in file["parameters"].items():
+                if name == "present":
+                    continue
+                errors[name] = group["sampling_error"][:]
+                for column in ("sampling_error", "misfit_error", "degrees_of_freedom"):
+                    del group[column]
+        self.assertEqual(run(self.folder, "show", "older.h5", "--all"), now)
+        self.assertGreater(numpy.nanmax(errors["break_strain"]), 0.0)
+
+    def test_through_scenes(self):
+        run(self.folder, "calibrate", str(DATA / "fits/bend_test.toml"), "-o", "fit.h5", "--quiet")
+        now = run(self.folder, "show", "fit.h5")
+        with copy_of(self.folder) as file:
+            file.attrs["version"] = 3
+            group = file["parameters"]
+            group["at_bound"] = group["at_lower"][:] | group["at_upper"][:]
+            for column in ("logarithmic", "at_lower", "at_upper", "identified", "judged"):
+                del group[column]
+        self.assertEqual(run(self.folder, "show", "older.h5"), now)
+
+    def test_of_an_older_version_are_refused(self):
+        run(self.folder, "calibrate", str(DATA / "fits/demo.toml"), "-o", "fit.h5", "--quiet")
+        with copy_of(self.folder) as file:
+            file.attrs["version"] = 2
+        done = subprocess.run([COMMAND, "show", "older.h5"], cwd=self.folder, capture_output=True,
+                              text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("older.h5: version = 2: must be 3 to 4, which this Plastica reads", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
