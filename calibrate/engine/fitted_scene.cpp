@@ -73,7 +73,7 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
     fitted.notes.push_back(fmt::format(
         "{} = {}, {}{}", parameter.name(),
         shown(parameter.name(), parameter.dimension, parameter.value, parameter.standard_error),
-        parameter.role == ParameterRole::Free ? "fitted" : report::word_of(parameter.role),
+        parameter.role == ParameterRole::Free ? "fitted" : word_of(parameter.role),
         parameter.at_lower || parameter.at_upper ? ", at a bound of the fit" : ""));
   }
   follow_beam(out);
@@ -123,7 +123,7 @@ FittedSetup fitted_setup(const Setup& setup, const SceneFitRecord& record,
     fitted.notes.push_back(fmt::format(
         "{} = {}, {}", path,
         shown(path, held.field->dimension, *value, std::numeric_limits<double>::quiet_NaN()),
-        report::word_of(held.role)));
+        word_of(held.role)));
   }
   fitted.setup.scene.material.name = record.name;
   follow_beam(fitted.setup.scene);

@@ -16,6 +16,8 @@
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/shown_intervals.hpp"
 #include "calibrate/report/summary.hpp"
+#include "calibrate/result/describe_fit.hpp"
+#include "calibrate/result/describe_target.hpp"
 #include "plastica/report/format.hpp"
 
 namespace plastica::calibrate {
@@ -54,6 +56,23 @@ std::vector<IntervalColumn> columns_of(std::span<const FitRecord> records) {
   return interval_columns(all);
 }
 
+/// The columns of a fit and of its curve's characteristics; null: empty cells.
+CellDescriber<FitRecord> fit_columns(const FitRecord* record) {
+  CellDescriber<FitRecord> columns(record, "", {});
+  kDescribeFit(columns);
+  columns.names.emplace_back("evaluations");
+  columns.cells.push_back(record == nullptr ? "" : std::to_string(record->result.evaluations()));
+  CellDescriber<Characteristics> characteristics(
+      record == nullptr ? nullptr : &record->target.characteristics, "", {});
+  kDescribeCharacteristics(characteristics);
+  columns.append(characteristics);
+  // Of a rejected target the fit has none of its own.
+  if (record == nullptr) return columns;
+  const auto at = std::ranges::find(columns.names, "reason") - columns.names.begin();
+  columns.cells[static_cast<std::size_t>(at)] = reason_of(*record);
+  return columns;
+}
+
 /// The columns of a parameter; null: empty cells.
 CellDescriber<FittedParameter> columns_of(const FittedParameter* parameter, std::string prefix = {},
                                           std::string_view units = {}) {
@@ -90,12 +109,8 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
     return names;
   });
   const std::vector<IntervalColumn> intervals = columns_of(records);
-  std::vector<std::string> header = {"name",    "law",     "file",   "test",
-                                     "measure", "loading", "status", "reason"};
+  std::vector<std::string> header = fit_columns(nullptr).names;
   for (const std::string& key : keys) header.push_back("group." + key);
-  for (const CharacteristicEntry& entry : characteristic_entries()) {
-    header.push_back(fmt::format("{} [{}]", entry.name, si_unit(entry.dimension)));
-  }
   for (const std::string& name : parameters) {
     const FittedParameter* example = nullptr;
     for (std::size_t i = 0; example == nullptr; ++i) example = find_parameter(records[i], name);
@@ -108,33 +123,16 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
       if (column.has_unit) header.back() += fmt::format(" [{}]", unit);
     }
   }
-  for (const char* last :
-       {"objective [Pa^2]", "misfit_rms [Pa]", "misfit_share [1]", "runs_probability [1]", "misfit",
-        "break_strain_total [1]", "samples", "evaluations"}) {
-    header.emplace_back(last);
-  }
   put_row(out, header);
 
   for (const FitRecord& record : records) {
     const Target& target = record.target;
     const FitResult& result = record.result;
-    const bool fitted = result.status == FitStatus::Fitted;
-    const auto if_fitted = [&](double value) { return fitted ? cell_of(value) : std::string(); };
-    std::vector<std::string> row = {target.name,
-                                    std::string(name_of(result.law)),
-                                    target.file,
-                                    std::string(word_of(target.test)),
-                                    std::string(word_of(target.measure)),
-                                    std::string(word_of(target.loading)),
-                                    std::string(word_of(result.status)),
-                                    reason_of(record)};
+    std::vector<std::string> row = fit_columns(&record).cells;
     for (const std::string& key : keys) {
       const auto pair = std::find_if(target.group.begin(), target.group.end(),
                                      [&](const auto& entry) { return entry.first == key; });
       row.push_back(pair == target.group.end() ? std::string() : pair->second);
-    }
-    for (const CharacteristicEntry& entry : characteristic_entries()) {
-      row.push_back(cell_of(target.characteristics.*entry.value));
     }
     for (const std::string& name : parameters) {
       const FittedParameter* parameter = find_parameter(record, name);
@@ -143,14 +141,6 @@ void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) 
         row.push_back(interval_cell(column, result, parameter));
       }
     }
-    row.push_back(if_fitted(result.cost));
-    row.push_back(if_fitted(result.misfit_rms));
-    row.push_back(if_fitted(result.misfit_share));
-    row.push_back(if_fitted(result.runs_probability));
-    row.push_back(fitted ? result.misfit_word : std::string());
-    row.push_back(cell_of(result.break_strain_total));
-    row.push_back(std::to_string(result.samples));
-    row.push_back(std::to_string(result.evaluations()));
     put_row(out, row);
   }
 }

@@ -10,6 +10,7 @@
 #include "calibrate/report/csv_cells.hpp"
 #include "calibrate/report/json_values.hpp"
 #include "calibrate/result/describe.hpp"
+#include "calibrate/result/words.hpp"
 
 /// Visitors of descriptions (result/describe.hpp) that write summaries and tables; not installed.
 namespace plastica::calibrate::report {
@@ -30,6 +31,11 @@ class JsonDescriber {
   void since(int /*version*/, const Columns& columns) {
     columns(*this);
   }
+  template <typename Condition, typename Columns>
+  void only(const Condition& condition, const Columns& columns) {
+    JsonDescriber those(object_, row_ != nullptr && condition(*row_) ? row_ : nullptr);
+    columns(those);
+  }
   /// Without the column that says whether the part is there: null says so.
   template <typename Member, typename Columns>
   void part(std::string_view /*name*/, const Member& member, const Columns& columns) {
@@ -47,7 +53,7 @@ class JsonDescriber {
   template <typename Value>
   static Json value_of(const Value& value) {
     if constexpr (std::is_enum_v<Value>) {
-      return name_of(value);
+      return word_of(value);
     } else {
       return value;
     }
@@ -56,6 +62,23 @@ class JsonDescriber {
   Json& object_;
   const Row* row_;
 };
+
+/// A record as a JSON object; null: all of it is null.
+template <typename Row, typename Description>
+Json described_json(const Row* row, const Description& description) {
+  Json object = Json::object();
+  JsonDescriber<Row> describer(object, row);
+  description(describer);
+  return object;
+}
+
+/// Records as a JSON array of objects.
+template <typename Rows, typename Description>
+Json described_list(const Rows& rows, const Description& description) {
+  Json all = Json::array();
+  for (const auto& row : rows) all.push_back(described_json(&row, description));
+  return all;
+}
 
 /// Collects what a description says of a record as columns of a table: names with their units, and
 /// cells, empty where there is none.
@@ -72,7 +95,8 @@ class CellDescriber {
                   std::string_view /*meaning*/ = {}) {
     const std::string_view shown = units == kOwnUnits ? own_units_ : units;
     std::string title = prefix_;
-    if (name != "value") title += "." + std::string(name);
+    if (prefix_.empty()) title = name;
+    if (!prefix_.empty() && name != "value") title += "." + std::string(name);
     if (!shown.empty()) title += " [" + std::string(shown) + "]";
     names.push_back(std::move(title));
     cells.push_back(row_ == nullptr ? std::string() : text_of(member(*row_)));
@@ -81,14 +105,25 @@ class CellDescriber {
   void since(int /*version*/, const Columns& columns) {
     columns(*this);
   }
+  template <typename Condition, typename Columns>
+  void only(const Condition& condition, const Columns& columns) {
+    CellDescriber those(row_ != nullptr && condition(*row_) ? row_ : nullptr, prefix_, own_units_);
+    columns(those);
+    append(those);
+  }
   template <typename Member, typename Columns>
   void part(std::string_view /*name*/, const Member& member, const Columns& columns) {
     using Part = typename std::remove_cvref_t<decltype(member(*row_))>::value_type;
     const bool there = row_ != nullptr && member(*row_).has_value();
     CellDescriber<Part> of_part(there ? &*member(*row_) : nullptr, prefix_, own_units_);
     columns(of_part);
-    names.insert(names.end(), of_part.names.begin(), of_part.names.end());
-    cells.insert(cells.end(), of_part.cells.begin(), of_part.cells.end());
+    append(of_part);
+  }
+  /// Goes on with the columns of another record.
+  template <typename Other>
+  void append(const CellDescriber<Other>& others) {
+    names.insert(names.end(), others.names.begin(), others.names.end());
+    cells.insert(cells.end(), others.cells.begin(), others.cells.end());
   }
 
   std::vector<std::string> names;
@@ -100,7 +135,7 @@ class CellDescriber {
   template <typename Value>
   static std::string text_of(const Value& value) {
     if constexpr (std::is_enum_v<Value>) {
-      return std::string(name_of(value));
+      return std::string(word_of(value));
     } else if constexpr (std::is_integral_v<Value>) {
       return std::to_string(value);
     } else if constexpr (std::is_convertible_v<Value, std::string>) {

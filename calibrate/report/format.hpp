@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "calibrate/fit/result.hpp"
+#include "calibrate/result/words.hpp"
 #include "calibrate/target/target.hpp"
 #include "plastica/report/format.hpp"
 
@@ -22,13 +23,6 @@ using plastica::report::significant;
 using plastica::report::width_of;
 using plastica::report::with_error;
 using plastica::report::wrapped;
-
-std::string_view word_of(FitStatus status);     ///< "fitted", "failed", "rejected"
-std::string_view word_of(TargetStatus status);  ///< "ready", "too-coarse", "rejected"
-std::string_view word_of(Test test);            ///< "tension", "bending", "torsion"
-std::string_view word_of(Measure measure);      ///< "engineering", "true"
-std::string_view word_of(Loading loading);      ///< "monotonic", "cyclic"
-std::string_view word_of(ParameterRole role);   ///< "free", "fixed", "tied"
 
 /// Why there is no fit: the result's reason, else the target's; empty for a fitted one.
 std::string reason_of(const FitRecord& record);

@@ -132,10 +132,10 @@ void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> 
       row.push_back(target.broke ? cell_of(target.broke->half_interval) : std::string());
       if (there) {
         const ScenePartFit& part = record.result.parts[i];
-        row.insert(row.end(),
-                   {word_of(part.level), cell_of(part.noise), target.noise ? "given" : "estimated",
-                    cell_of(part.degrees_of_freedom), cell_of(part.misfit_share),
-                    cell_of(part.runs_probability), cell_of(part.break_strain)});
+        row.insert(row.end(), {std::string(word_of(part.level)), cell_of(part.noise),
+                               target.noise ? "given" : "estimated",
+                               cell_of(part.degrees_of_freedom), cell_of(part.misfit_share),
+                               cell_of(part.runs_probability), cell_of(part.break_strain)});
       } else {
         row.insert(row.end(), 7, std::string());
       }

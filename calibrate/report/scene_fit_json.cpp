@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calibrate/report/described.hpp"
 #include "calibrate/report/json_values.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/law_json.hpp"
@@ -15,6 +16,8 @@
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/scene_population.hpp"
 #include "calibrate/report/shown_intervals.hpp"
+#include "calibrate/result/describe_fit.hpp"
+#include "calibrate/result/describe_target.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -30,30 +33,15 @@ Json matrix(std::span<const double> values, std::size_t n) {
 
 /// @param part  null: the fit has none
 Json target_of(const SceneTarget& target, double weight, const ScenePartFit* part) {
-  const auto of_part = [&](auto member) {
-    return part == nullptr ? Json(nullptr) : number(part->*member);
-  };
-  Json broke = nullptr;
-  if (target.broke) {
-    broke = {{"at", number(target.broke->at)},
-             {"half_interval", number(target.broke->half_interval)}};
-  }
-  return {{"name", target.name},
-          {"abscissa", abscissa_text(target)},
-          {"abscissa_unit", si_unit(target.abscissa_is)},
-          {"ordinate", target.ordinate_probe},
-          {"ordinate_unit", si_unit(target.ordinate_is)},
-          {"samples", target.abscissa.size()},
-          {"weight", number(weight)},
-          {"given_noise", number(target.noise)},
-          {"broke", std::move(broke)},
-          {"level", part == nullptr ? Json(nullptr) : Json(word_of(part->level))},
-          {"cost", of_part(&ScenePartFit::cost)},
-          {"noise", of_part(&ScenePartFit::noise)},
-          {"degrees_of_freedom", of_part(&ScenePartFit::degrees_of_freedom)},
-          {"misfit_share", of_part(&ScenePartFit::misfit_share)},
-          {"runs_probability", of_part(&ScenePartFit::runs_probability)},
-          {"break_strain", of_part(&ScenePartFit::break_strain)}};
+  Json object = described_json(&target, kDescribeSceneTarget);
+  object["abscissa"] = abscissa_text(target);
+  object["abscissa_unit"] = si_unit(target.abscissa_is);
+  object["ordinate_unit"] = si_unit(target.ordinate_is);
+  object["samples_measured"] = target.abscissa.size();
+  object["weight"] = number(weight);
+  JsonDescriber<ScenePartFit> made(object, part);
+  kDescribeTargetFit(made);
+  return object;
 }
 
 /// Null if the fit was not repeated with other segments.
@@ -62,19 +50,9 @@ Json segments_of(const SceneFitResult& result) {
   const SceneSegments& segments = *result.segments;
   Json parameters = Json::object();
   for (std::size_t i = 0; i < segments.parameters.size(); ++i) {
-    const SegmentsError& e = segments.parameters[i];
-    parameters[short_name(result.parameters[i].path)] = {
-        {"at_half", number(e.at_half)},
-        {"at_own", number(e.at_own)},
-        {"at_twice", number(e.at_twice)},
-        {"trend", name_of(e.trend)},
-        {"observed_order", number(e.observed_order)},
-        {"order", number(e.order)},
-        {"safety_factor", number(e.safety_factor)},
-        {"extrapolated", number(e.extrapolated)},
-        {"extrapolated_error", number(e.extrapolated_error)},
-        {"error", number(e.error)},
-        {"unit", si_unit(result.parameters[i].dimension)}};
+    Json& object = parameters[result.parameters[i].name()];
+    object = described_json(&segments.parameters[i], kDescribeSegments);
+    object["unit"] = si_unit(result.parameters[i].dimension);
   }
   return {{"segments", segments.segments},
           {"note", text_or_null(segments.note)},
@@ -91,34 +69,23 @@ Json fit_of(const SceneFitRecord& record) {
     targets.push_back(
         target_of(record.targets[i], record.weights[i], there ? &result.parts[i] : nullptr));
   }
-  Json starts = Json::array();
-  for (const SceneStart& start : result.starts) {
-    starts.push_back({{"from", numbers(start.from)},
-                      {"to", numbers(start.to)},
-                      {"cost", number(start.cost)},
-                      {"outcome", name_of(start.outcome)},
-                      {"evaluations", start.evaluations}});
+  Json starts = described_list(result.starts, kDescribeStart);
+  for (std::size_t i = 0; i < result.starts.size(); ++i) {
+    starts[i]["from"] = numbers(result.starts[i].from);
+    starts[i]["to"] = numbers(result.starts[i].to);
   }
   int evaluations = 0;
   for (const SceneStart& start : result.starts) evaluations += start.evaluations;
-  return {{"name", record.name},
-          {"law", name_of(result.law)},
-          {"status", word_of(result.status)},
-          {"reason", text_or_null(result.reason)},
-          {"parameters", std::move(parameters)},
-          {"intervals", intervals_json(shown_intervals(record))},
-          {"correlation", matrix(result.correlation, result.parameters.size())},
-          {"degrees_of_freedom", number(result.degrees_of_freedom)},
-          {"segments", segments_of(result)},
-          {"targets", std::move(targets)},
-          {"starts", std::move(starts)},
-          {"outcome", name_of(result.outcome)},
-          {"evaluations", evaluations},
-          {"runs", result.runs},
-          {"search_runs", result.search_runs},
-          {"failed_runs", result.failed_runs},
-          {"segment_iterations", result.segment_iterations},
-          {"warnings", result.warnings}};
+  Json fit = described_json(&record, kDescribeSceneFit);
+  fit["evaluations"] = evaluations;
+  fit["parameters"] = std::move(parameters);
+  fit["intervals"] = intervals_json(shown_intervals(record));
+  fit["correlation"] = matrix(result.correlation, result.parameters.size());
+  fit["segments"] = segments_of(result);
+  fit["targets"] = std::move(targets);
+  fit["starts"] = std::move(starts);
+  fit["warnings"] = result.warnings;
+  return fit;
 }
 
 Json population_of(std::span<const SceneFitRecord> records, double confidence) {

@@ -129,7 +129,7 @@ std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
     const DisplayUnit unit = plastica::report::display_unit(target.ordinate_is, part.noise);
     std::vector<std::string> cells = {
         printable(part.name),
-        word_of(part.level),
+        std::string(word_of(part.level)),
         std::to_string(part.samples),
         significant(part.noise / unit.scale, 3),
         std::string(unit.name) + (target.noise ? " (given)" : ""),

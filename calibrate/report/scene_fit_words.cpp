@@ -13,10 +13,6 @@ std::string short_name(std::string_view path) {
   return printable(path.substr(path.rfind('.') + 1));
 }
 
-std::string word_of(Level level) {
-  return std::string(find_field("solver.level").choices[static_cast<std::size_t>(level)]);
-}
-
 std::string abscissa_text(const SceneTarget& target) {
   switch (target.kind) {
     case Abscissa::Probe: return printable(target.abscissa_probe);

@@ -13,7 +13,6 @@ namespace plastica::calibrate::report {
 
 /// "yield_stress" of "material.yield_stress", printable.
 std::string short_name(std::string_view path);
-std::string word_of(Level level);  ///< "planar"
 /// What the abscissa of a target is, in one or two words: the probe's name, "time", "support 2".
 std::string abscissa_text(const SceneTarget& target);
 

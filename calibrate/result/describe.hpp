@@ -10,6 +10,7 @@
 /// besides
 ///   part(NAME, MEMBER, DESCRIPTION)   of what not every record has (std::optional): NAME tells
 ///                                     whether it is there;
+///   only(CONDITION, DESCRIPTION)      of what only those records have for which it holds;
 ///   since(VERSION, DESCRIPTION)       of what result files have from a version on.
 namespace plastica::calibrate {
 
@@ -47,6 +48,18 @@ inline constexpr auto kDescribeParameter = [](auto& d) {
     part("verdict", "", PLASTICA_MEMBER(verdict), "how well the curves determine it");
     part("verdict_number", "", PLASTICA_MEMBER(number), "the number behind the verdict");
   });
+};
+
+/// Of a FittedParameter that stands among others, whose it is.
+inline constexpr auto kDescribeWhoseParameter = [](auto& d) {
+  d("path", "", PLASTICA_MEMBER(path), "of the field");
+  d("dimension", "", PLASTICA_MEMBER(dimension), "what it measures");
+};
+
+/// Of a sentence, such as a warning.
+inline constexpr auto kDescribeText = [](auto& d) {
+  d(
+      "text", "", [](auto& row) -> auto& { return row; });
 };
 
 }  // namespace plastica::calibrate

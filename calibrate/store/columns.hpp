@@ -14,6 +14,7 @@
 #include "calibrate/fit/options.hpp"
 #include "calibrate/fit/result.hpp"
 #include "calibrate/result/describe.hpp"
+#include "calibrate/result/words.hpp"
 #include "calibrate/scene/scene_fit.hpp"
 #include "plastica/io/value_rule.hpp"
 
@@ -26,68 +27,6 @@ namespace plastica::calibrate::store {
 
 /// How hard numbers are deflated: more costs much time and saves little.
 inline constexpr int kDeflate = 1;
-
-/// Enumerations whose words are those of `name_of`, which are all the same beyond the last.
-template <typename Enum>
-concept Named = std::is_same_v<Enum, Verdict> || std::is_same_v<Enum, LeastSquaresOutcome> ||
-    std::is_same_v<Enum, Dimension> || std::is_same_v<Enum, SegmentsTrend> ||
-    std::is_same_v<Enum, ProfileEnd> || std::is_same_v<Enum, Law>;
-
-template <Named Enum>
-std::vector<std::string_view> all_names() {
-  const std::string_view none = name_of(static_cast<Enum>(-1));
-  std::vector<std::string_view> names;
-  for (int i = 0; name_of(static_cast<Enum>(i)) != none; ++i) {
-    names.push_back(name_of(static_cast<Enum>(i)));
-  }
-  return names;
-}
-
-/// The words of an enumeration in files, in the order of its enumerators.
-template <typename Enum>
-std::span<const std::string_view> words_of() {
-  using namespace std::string_view_literals;
-  if constexpr (std::is_same_v<Enum, FitStatus>) {
-    static constexpr std::array kWords{"fitted"sv, "failed"sv, "rejected"sv};
-    return kWords;
-  } else if constexpr (std::is_same_v<Enum, TargetStatus>) {
-    static constexpr std::array kWords{"ready"sv, "too-coarse"sv, "rejected"sv};
-    return kWords;
-  } else if constexpr (std::is_same_v<Enum, Measure>) {
-    static constexpr std::array kWords{"engineering"sv, "true"sv};
-    return kWords;
-  } else if constexpr (std::is_same_v<Enum, Loading>) {
-    static constexpr std::array kWords{"monotonic"sv, "cyclic"sv};
-    return kWords;
-  } else if constexpr (std::is_same_v<Enum, ParameterRole>) {
-    static constexpr std::array kWords{"free"sv, "fixed"sv, "tied"sv};
-    return kWords;
-  } else if constexpr (std::is_same_v<Enum, ParameterScale>) {
-    static constexpr std::array kWords{"auto"sv, "linear"sv, "logarithmic"sv};
-    return kWords;
-  } else if constexpr (std::is_same_v<Enum, Objective>) {
-    static constexpr std::array kWords{"strain-path"sv, "least-squares"sv};
-    return kWords;
-  } else if constexpr (std::is_same_v<Enum, Abscissa>) {
-    static constexpr std::array kWords{"probe"sv, "time"sv, "support"sv, "load"sv, "strain"sv};
-    return kWords;
-  } else if constexpr (Named<Enum>) {
-    static const std::vector<std::string_view> words = all_names<Enum>();
-    return words;
-  } else if constexpr (std::is_same_v<Enum, Level>) {
-    return find_field_or_null("solver.level")->choices;
-  } else {
-    static_assert(std::is_same_v<Enum, Test>);
-    static const std::span<const std::string_view> words =
-        find_field_or_null("drive.deformation")->choices;
-    return words;
-  }
-}
-
-template <typename Enum>
-std::string word_of(Enum value) {
-  return std::string(words_of<Enum>()[static_cast<std::size_t>(value)]);
-}
 
 /// @throws InputError if the word is none of the enumeration's
 template <typename Enum>
@@ -172,7 +111,7 @@ class ColumnWriter {
   static std::string text(const std::string& value) { return value; }
   template <typename Enum>
   static std::string text(Enum value) requires std::is_enum_v<Enum> {
-    return word_of(value);
+    return std::string(word_of(value));
   }
   template <typename Value>
   static Stored<Value> number(Value value) {

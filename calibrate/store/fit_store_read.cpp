@@ -10,6 +10,7 @@
 #include "calibrate/store/interval_store.hpp"
 #include "calibrate/store/layout.hpp"
 #include "calibrate/store/stored_options.hpp"
+#include "calibrate/store/tables.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -19,7 +20,7 @@ class StoreReader {
  public:
   StoreReader(const io::Hdf5Group& root, int version, std::vector<FitRecord>& records,
               const FitOptions& options)
-      : root_(root), version_(version), records_(records), options_(options) {}
+      : tables_(root, kRules, version), root_(root), records_(records), options_(options) {}
 
   template <typename Columns, typename Member>
   void table(const std::string& path, const Columns& columns, const Member& member) {
@@ -27,22 +28,12 @@ class StoreReader {
     std::vector<Row*> rows;
     rows.reserve(records_.size());
     for (FitRecord& record : records_) rows.push_back(&member(record));
-    read_columns(path, std::move(rows), columns);
+    tables_.columns(path, std::move(rows), columns);
   }
 
   template <typename Member, typename Columns>
   void list(const std::string& path, const Member& member, const Columns& columns) {
-    using Row = typename std::remove_cvref_t<decltype(member(records_[0]))>::value_type;
-    const auto fits = root_.read<std::uint64_t>(path + "/fit");
-    for (const std::uint64_t fit : fits) {
-      if (fit >= records_.size()) refuse(path + "/fit", "names a fit that is not in the file");
-      member(records_[fit]).emplace_back();
-    }
-    std::vector<std::size_t> next(records_.size(), 0);
-    std::vector<Row*> rows;  // only now that no list grows any more
-    rows.reserve(fits.size());
-    for (const std::uint64_t fit : fits) rows.push_back(&member(records_[fit])[next[fit]++]);
-    read_columns(path, std::move(rows), columns);
+    (void)tables_.items(path, store::pointers_to(std::span(records_)), member, columns);
   }
 
   template <typename Member>
@@ -84,8 +75,8 @@ class StoreReader {
         const auto found = std::ranges::find(own, parameter.field->path, &FittedParameter::path);
         rows.push_back(found == own.end() ? nullptr : &*found);
       }
-      read_columns("parameters/" + parameter.name(), rows, kDescribeParameter);
-      if (version_ >= 4) continue;
+      tables_.columns("parameters/" + parameter.name(), rows, kDescribeParameter);
+      if (tables_.version() >= 4) continue;
       // Version 3 has both errors, whose squares differ by that of the sampling.
       for (FittedParameter* p : rows) {
         if (p == nullptr || !p->has_error()) continue;
@@ -182,15 +173,8 @@ class StoreReader {
             all.begin() + static_cast<std::ptrdiff_t>(to)};
   }
 
-  template <typename Row, typename Columns>
-  void read_columns(const std::string& path, std::vector<Row*> rows, const Columns& columns) {
-    const io::Hdf5Group group = root_.open_group(path);
-    store::ColumnReader<Row> reader(group, std::move(rows), kRules, version_);
-    columns(reader);
-  }
-
+  store::TableReader tables_;
   const io::Hdf5Group& root_;
-  int version_;
   std::vector<FitRecord>& records_;
   const FitOptions& options_;
 };

@@ -10,6 +10,7 @@
 #include "calibrate/store/interval_store.hpp"
 #include "calibrate/store/layout.hpp"
 #include "calibrate/store/stored_options.hpp"
+#include "calibrate/store/tables.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -29,23 +30,13 @@ class StoreWriter {
     using Row = std::remove_cvref_t<decltype(member(*records_[0]))>;
     std::vector<const Row*> rows;
     for (const FitRecord* record : records_) rows.push_back(&member(*record));
-    write_columns(path, std::move(rows), columns);
+    io::Hdf5Group group = root_.group(path);
+    store::write_columns(group, std::move(rows), columns);
   }
 
-  /// One table of what each record has a list of; the column `fit` says whose a row is.
   template <typename Member, typename Columns>
   void list(const std::string& path, const Member& member, const Columns& columns) {
-    using Row = typename std::remove_cvref_t<decltype(member(*records_[0]))>::value_type;
-    std::vector<const Row*> rows;
-    std::vector<std::uint64_t> fits;
-    for (std::size_t i = 0; i < records_.size(); ++i) {
-      for (const Row& row : member(*records_[i])) {
-        rows.push_back(&row);
-        fits.push_back(i);
-      }
-    }
-    root_.write(path + "/fit", fits, {{}, store::kDeflate});
-    write_columns(path, std::move(rows), columns);
+    store::write_items(root_, path, store::items_of(records_, member), columns);
   }
 
   template <typename Member>
@@ -89,9 +80,11 @@ class StoreWriter {
         rows.push_back(found == own.end() ? nullptr : &*found);
       }
       const std::string path = "parameters/" + parameter.name();
-      write_columns(path, std::move(rows), kDescribeParameter, si_unit(parameter.field->dimension));
+      io::Hdf5Group own = root_.group(path);
+      store::write_columns(own, std::move(rows), kDescribeParameter,
+                           si_unit(parameter.field->dimension));
       root_.set_attribute(path, "path", parameter.field->path);
-      root_.set_attribute(path, "role", store::word_of(parameter.role));
+      root_.set_attribute(path, "role", word_of(parameter.role));
     }
   }
 
@@ -164,14 +157,6 @@ class StoreWriter {
   }
 
  private:
-  template <typename Row, typename Columns>
-  void write_columns(const std::string& path, std::vector<const Row*> rows, const Columns& columns,
-                     std::string_view own_units = {}) {
-    io::Hdf5Group group = root_.group(path);
-    store::ColumnWriter<Row> writer(group, std::move(rows), own_units);
-    columns(writer);
-  }
-
   io::Hdf5Group& root_;
   std::vector<const FitRecord*> records_;
   const FitOptions& options_;

@@ -2,9 +2,11 @@
 
 #include <string>
 
+#include "calibrate/result/describe_fit.hpp"
+#include "calibrate/result/describe_target.hpp"
 #include "calibrate/store/coders.hpp"
+#include "calibrate/store/described_bytes.hpp"
 #include "calibrate/store/interval_bytes.hpp"
-#include "calibrate/store/parameter_bytes.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -19,21 +21,10 @@ constexpr auto kPair = [](auto& coder, auto& pair) { coder(pair.first, pair.seco
 
 void code(auto& coder, A<Curve> auto& curve) { coder(curve.strain, curve.stress); }
 
-void code(auto& coder, A<BreakObservation> auto& b) {
-  coder(b.last_whole_strain, b.last_whole_stress, b.first_broken_strain, b.rule);
-}
-
-void code(auto& coder, A<Characteristics> auto& c) {
-  coder(c.youngs_modulus, c.youngs_modulus_stderr, c.modulus_window_low, c.modulus_window_high,
-        c.modulus_method, c.offset, c.rp02, c.reh, c.rel, c.rm, c.strain_at_rm, c.break_strain,
-        c.break_strain_plastic, c.largest_strain);
-  coder.maybe(c.observed_break, [](auto& to, auto& observed) { code(to, observed); });
-}
-
 void code_deciding_parts(auto& coder, A<Target> auto& t) {
   coder(t.name, t.test, t.measure, t.loading, t.status, t.reason);
   code(coder, t.corrected);
-  code(coder, t.characteristics);
+  store::code_described(coder, t.characteristics, kDescribeCharacteristics);
 }
 
 void code(auto& coder, A<Target> auto& t) {
@@ -42,9 +33,9 @@ void code(auto& coder, A<Target> auto& t) {
   coder.each(t.group, kPair);
   coder.each(t.properties, kPair);
   code(coder, t.raw);
-  coder.each(t.repairs, [](auto& to, auto& r) { to(r.kind, r.count, r.text); });
+  coder.each(t.repairs, [](auto& to, auto& r) { store::code_described(to, r, kDescribeRepair); });
   coder.each(t.corrections,
-             [](auto& to, auto& c) { to(c.kind, c.applied, c.amount, c.unit, c.text); });
+             [](auto& to, auto& c) { store::code_described(to, c, kDescribeCorrection); });
   coder(t.warnings);
 }
 
@@ -54,9 +45,7 @@ void code(auto& coder, A<FitResult> auto& r) {
   coder(r.correlation, r.cost, r.misfit_rms, r.misfit_share, r.misfit_word, r.samples,
         r.break_strain_total, r.seed, r.runs_probability, r.autocorrelation, r.effective_samples,
         r.noise, r.simpler_evaluations);
-  coder.each(r.stages, [](auto& to, auto& stage) {
-    to(stage.algorithm, stage.outcome, stage.evaluations, stage.cost);
-  });
+  coder.each(r.stages, [](auto& to, auto& s) { store::code_described(to, s, kDescribeStage); });
   coder(r.trace.active, r.trace.values, r.trace.costs);
   store::code_intervals(coder, r.intervals);
   code(coder, r.fitted);

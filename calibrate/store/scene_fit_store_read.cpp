@@ -4,11 +4,12 @@
 #include <string_view>
 #include <utility>
 
-#include "calibrate/store/columns.hpp"
+#include "calibrate/result/describe_fit.hpp"
+#include "calibrate/result/describe_target.hpp"
 #include "calibrate/store/fit_rules.hpp"
 #include "calibrate/store/interval_store.hpp"
-#include "calibrate/store/scene_fit_rows.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
+#include "calibrate/store/tables.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -17,30 +18,25 @@ namespace {
 class Reader {
  public:
   Reader(const io::Hdf5Group& root, int version, std::vector<SceneFitRecord>& records)
-      : root_(root), version_(version), records_(records) {}
+      : tables_(root, kRules, version), records_(store::pointers_to(std::span(records))) {}
 
-  void fits() {
-    read_columns("fits", store::pointers_to(std::span(records_)), store::kSceneFitColumns);
-  }
+  void fits() { tables_.columns("fits", records_, kDescribeSceneFit); }
 
   void parameters() {
-    auto rows = table<store::SceneParameterRow>("parameters", store::kSceneParameterColumns);
-    std::vector<FittedParameter*> described;
-    for (store::SceneParameterRow& row : rows) described.push_back(&row.parameter);
-    if (version_ == 3) {
-      read_parameters_3(described);
+    const auto member = PLASTICA_MEMBER(result.parameters);
+    const auto parameters = tables_.items("parameters", records_, member, kDescribeWhoseParameter);
+    if (tables_.version() == 3) {
+      read_parameters_3(parameters.rows);
     } else {
-      read_columns("parameters", std::move(described), kDescribeParameter);
+      tables_.columns("parameters", parameters.rows, kDescribeParameter);
     }
-    for (store::SceneParameterRow& row : rows) {
-      if (find_field_or_null(row.parameter.path) == nullptr) {
-        io::refuse_value(root_, "parameters/path", row.parameter.path, "must be a field");
-      }
-      records_[row.fit].result.parameters.push_back(std::move(row.parameter));
+    for (const FittedParameter* parameter : parameters.rows) {
+      if (find_field_or_null(parameter->path) != nullptr) continue;
+      io::refuse_value(tables_.root(), "parameters/path", parameter->path, "must be a field");
     }
-    const auto correlation = ragged("correlation", records_.size());
+    const auto correlation = tables_.lists("correlation", records_.size());
     for (std::size_t i = 0; i < records_.size(); ++i) {
-      SceneFitResult& result = records_[i].result;
+      SceneFitResult& result = records_[i]->result;
       const std::size_t n = result.parameters.size();
       result.correlation = numbers(correlation.row(i));
       if (!result.correlation.empty() && result.correlation.size() != n * n) {
@@ -50,81 +46,93 @@ class Reader {
   }
 
   void segments() {
-    for (auto& row : table<store::SceneSegmentsRow>("segments", store::kSceneSegmentsColumns)) {
-      auto& made = records_[row.fit].result.segments;
-      if (!made) refuse("segments/fit", "names a fit that was not divided anew");
-      made->parameters.push_back(row.error);
-    }
-    for (const SceneFitRecord& record : records_) {
-      const SceneFitResult& result = record.result;
+    const auto member = [this](SceneFitRecord & record) -> auto& {
+      if (!record.result.segments) refuse("segments/fit", "names a fit that was not divided anew");
+      return record.result.segments->parameters;
+    };
+    (void)tables_.items("segments", records_, member, kDescribeSegments);
+    for (const SceneFitRecord* record : records_) {
+      const SceneFitResult& result = record->result;
       if (result.segments && result.segments->parameters.size() != result.parameters.size()) {
         refuse("segments/fit", "must have a row for each parameter of a fit");
       }
     }
   }
 
-  void parts() {
-    auto rows = table<store::ScenePartRow>("parts", store::kScenePartColumns);
-    const io::Ragged<double> abscissa = curve("abscissa", rows.size());
-    const io::Ragged<double> ordinate = curve("ordinate", rows.size());
-    const io::Ragged<double> fitted = curve("fitted", rows.size());
-    const io::Ragged<double> error = curve("fitted_error", rows.size());
-    for (std::size_t p = 0; p < rows.size(); ++p) {
-      store::ScenePartRow& row = rows[p];
-      SceneFitRecord& record = records_[row.fit];
-      row.target.abscissa = numbers(abscissa.row(p));
-      row.target.ordinate = numbers(ordinate.row(p));
-      if (row.made) {
-        row.made->name = row.target.name;
-        if (row.has_curve) {
-          row.made->fitted = numbers(fitted.row(p));
-          row.made->fitted_error = numbers(error.row(p));
-        }
-        record.result.parts.push_back(std::move(*row.made));
-      }
-      record.targets.push_back(std::move(row.target));
-      record.weights.push_back(row.weight);
+  void targets() {
+    const auto targets =
+        tables_.items("parts", records_, PLASTICA_MEMBER(targets), kDescribeSceneTarget);
+    const std::size_t n = targets.rows.size();
+    std::vector<TargetRow> rows(n);
+    tables_.columns("parts", store::pointers_to(std::span(rows)), [](auto& d) {
+      d("weight", "1", PLASTICA_MEMBER(weight));
+      d("has_curve", "", PLASTICA_MEMBER(has_curve));
+      d.part("present", PLASTICA_MEMBER(made), kDescribeTargetFit);
+    });
+    const io::Ragged<double> abscissa = curve("abscissa", n);
+    const io::Ragged<double> ordinate = curve("ordinate", n);
+    const io::Ragged<double> fitted = curve("fitted", n);
+    const io::Ragged<double> error = curve("fitted_error", n);
+    for (std::size_t p = 0; p < n; ++p) {
+      SceneFitRecord& record = *records_[targets.fits[p]];
+      targets.rows[p]->abscissa = numbers(abscissa.row(p));
+      targets.rows[p]->ordinate = numbers(ordinate.row(p));
+      record.weights.push_back(rows[p].weight);
+      if (!rows[p].made) continue;
+      ScenePartFit& made = record.result.parts.emplace_back(std::move(*rows[p].made));
+      made.name = targets.rows[p]->name;
+      if (!rows[p].has_curve) continue;
+      made.fitted = numbers(fitted.row(p));
+      made.fitted_error = numbers(error.row(p));
     }
-    for (const SceneFitRecord& record : records_) {
-      const std::size_t made = record.result.parts.size();
-      if (record.targets.empty()) refuse("parts/fit", "must name each fit");
-      const bool found = record.result.status == FitStatus::Fitted;
-      if (found && (made == 0 || record.result.parameters.empty())) {
-        refuse("parts/present", "must hold for each fit that was made");
-      }
-      if (made != 0 && made != record.targets.size()) {
-        refuse("parts/present", "must be the same for all targets of a fit");
-      }
-    }
+    check_targets();
   }
 
   void starts() {
-    auto rows = table<store::SceneStartRow>("starts", store::kSceneStartColumns);
-    const auto from = ragged("starts/from", rows.size());
-    const auto to = ragged("starts/to", rows.size());
-    for (std::size_t s = 0; s < rows.size(); ++s) {
-      rows[s].start.from = numbers(from.row(s));
-      rows[s].start.to = numbers(to.row(s));
-      SceneFitResult& result = records_[rows[s].fit].result;
-      const SceneStart& start = rows[s].start;
+    const auto starts =
+        tables_.items("starts", records_, PLASTICA_MEMBER(result.starts), kDescribeStart);
+    const auto from = tables_.lists("starts/from", starts.rows.size());
+    const auto to = tables_.lists("starts/to", starts.rows.size());
+    for (std::size_t s = 0; s < starts.rows.size(); ++s) {
+      SceneStart& start = *starts.rows[s];
+      start.from = numbers(from.row(s));
+      start.to = numbers(to.row(s));
       if (!start.to.empty() && start.to.size() != start.from.size()) {
         refuse("starts/to", "must have a value for each parameter that is searched");
       }
-      result.starts.push_back(std::move(rows[s].start));
     }
   }
 
   void warnings() {
-    for (auto& row : table<store::SceneWarningRow>("warnings", store::kSceneWarningColumns)) {
-      records_[row.fit].result.warnings.push_back(std::move(row.text));
-    }
+    (void)tables_.items("warnings", records_, PLASTICA_MEMBER(result.warnings), kDescribeText);
   }
 
  private:
   static constexpr std::span<const io::ValueRule> kRules{store::kSceneFitRules};
 
+  /// Of a target what its own description does not have.
+  struct TargetRow {
+    double weight = 1.0;
+    bool has_curve = false;            ///< whether the fitted ordinates are there
+    std::optional<ScenePartFit> made;  ///< empty: the fit has nothing of it
+  };
+
   [[noreturn]] void refuse(const std::string& path, const std::string& rule) const {
-    io::refuse_value(root_, path, "", rule);
+    tables_.refuse(path, rule);
+  }
+
+  void check_targets() const {
+    for (const SceneFitRecord* record : records_) {
+      const std::size_t made = record->result.parts.size();
+      if (record->targets.empty()) refuse("parts/fit", "must name each fit");
+      const bool found = record->result.status == FitStatus::Fitted;
+      if (found && (made == 0 || record->result.parameters.empty())) {
+        refuse("parts/present", "must hold for each fit that was made");
+      }
+      if (made != 0 && made != record->targets.size()) {
+        refuse("parts/present", "must be the same for all targets of a fit");
+      }
+    }
   }
 
   /// Version 3 says that a parameter is at a bound, but not at which, and knows no coordinates.
@@ -134,7 +142,7 @@ class Reader {
       Judgement judged;
     };
     std::vector<Row> rows(parameters.size());
-    read_columns("parameters", store::pointers_to(std::span(rows)), [](auto& columns) {
+    tables_.columns("parameters", store::pointers_to(std::span(rows)), [](auto& columns) {
       columns("value", "", PLASTICA_MEMBER(value));
       columns("start", "", PLASTICA_MEMBER(start));
       columns("lower", "", PLASTICA_MEMBER(lower));
@@ -164,31 +172,10 @@ class Reader {
     }
   }
 
-  template <typename Row, typename Columns>
-  void read_columns(const std::string& path, std::vector<Row*> rows, const Columns& columns) const {
-    const io::Hdf5Group group = root_.open_group(path);
-    store::ColumnReader<Row> reader(group, std::move(rows), kRules, version_);
-    columns(reader);
-  }
-
-  template <typename Row, typename Columns>
-  std::vector<Row> table(const std::string& path, const Columns& columns) const {
-    std::vector<Row> rows(root_.read<std::uint64_t>(path + "/fit").size());
-    read_columns(path, store::pointers_to(std::span(rows)), columns);
-    for (const Row& row : rows) {
-      if (row.fit >= records_.size()) refuse(path + "/fit", "names a fit that is not in the file");
-    }
-    return rows;
-  }
-
-  io::Ragged<double> ragged(const std::string& path, std::size_t n) const {
-    return io::read_lists(root_, path, n, kRules);
-  }
-
   io::Ragged<double> curve(const std::string& name, std::size_t n) const {
     io::Ragged<double> rows;
-    rows.values = io::read_numbers<double>(root_, "curves/" + name, kRules);
-    rows.offsets = root_.read<std::uint64_t>("curves/offsets");
+    rows.values = io::read_numbers<double>(tables_.root(), "curves/" + name, kRules);
+    rows.offsets = tables_.root().read<std::uint64_t>("curves/offsets");
     const std::vector<std::uint64_t>& offsets = rows.offsets;
     const bool whole = offsets.size() == n + 1 && offsets.front() == 0 &&
                        offsets.back() == rows.values.size() && std::ranges::is_sorted(offsets);
@@ -200,9 +187,8 @@ class Reader {
     return {row.begin(), row.end()};
   }
 
-  const io::Hdf5Group& root_;
-  int version_;
-  std::vector<SceneFitRecord>& records_;
+  store::TableReader tables_;
+  std::vector<SceneFitRecord*> records_;
 };
 
 /// Reports find the fits of a name beside each other, and a fit by its name and law.
@@ -229,7 +215,7 @@ SceneFitContents read_scene_fit_store(const std::string& path) {
   reader.fits();
   reader.parameters();
   reader.segments();
-  reader.parts();
+  reader.targets();
   reader.starts();
   reader.warnings();
   std::vector<FitIntervals*> intervals;

@@ -7,15 +7,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "calibrate/store/columns.hpp"
+#include "calibrate/result/describe_fit.hpp"
+#include "calibrate/result/describe_target.hpp"
 #include "calibrate/store/interval_store.hpp"
-#include "calibrate/store/scene_fit_rows.hpp"
+#include "calibrate/store/tables.hpp"
 
 namespace plastica::calibrate {
 namespace {
-
-using store::ColumnWriter;
-using store::SceneRows;
 
 constexpr io::DatasetOptions kPlain{{}, store::kDeflate};
 
@@ -58,68 +56,40 @@ std::vector<const SceneFitRecord*> by_name(const std::vector<SceneFitRecord>& re
   return sorted;
 }
 
-SceneRows rows_of(const std::vector<const SceneFitRecord*>& records) {
-  SceneRows rows;
-  for (std::uint64_t i = 0; i < records.size(); ++i) {
-    const SceneFitRecord& record = *records[i];
-    for (std::size_t p = 0; p < record.targets.size(); ++p) {
-      store::ScenePartRow& row = rows.parts.emplace_back();
-      row.fit = i;
-      row.target = record.targets[p];
-      row.weight = record.weights[p];
-      if (record.result.parts.empty()) continue;
-      row.made = record.result.parts[p];
-      row.has_curve = !row.made->fitted.empty();
-    }
-    for (const FittedParameter& parameter : record.result.parameters) {
-      rows.parameters.push_back({i, parameter});
-    }
-    if (record.result.segments) {
-      for (const SegmentsError& error : record.result.segments->parameters) {
-        rows.segments.push_back({i, error});
-      }
-    }
-    for (const SceneStart& start : record.result.starts) rows.starts.push_back({i, start});
-    for (const std::string& text : record.result.warnings) rows.warnings.push_back({i, text});
-  }
-  return rows;
-}
-
-template <typename Row, typename Columns>
-io::Hdf5Group write_rows(io::Hdf5Group& root, const std::string& path,
-                         std::vector<const Row*> pointers, const Columns& columns) {
-  io::Hdf5Group group = root.group(path);
-  ColumnWriter<Row> writer(group, std::move(pointers));
-  columns(writer);
-  return group;
-}
-
-template <typename Row, typename Columns>
-io::Hdf5Group write_rows(io::Hdf5Group& root, const std::string& path, const std::vector<Row>& rows,
-                         const Columns& columns) {
-  return write_rows(root, path, store::pointers_to(std::span(rows)), columns);
-}
+using Records = std::vector<const SceneFitRecord*>;
 
 /// A column of units beside columns whose unit differs from row to row, for other readers.
-template <typename Row, typename DimensionOf>
-void write_units(io::Hdf5Group& group, std::string_view name, const std::vector<Row>& rows,
+template <typename Rows, typename DimensionOf>
+void write_units(io::Hdf5Group& group, std::string_view name, const Rows& rows,
                  const DimensionOf& dimension_of) {
   std::vector<std::string> units(rows.size());
   std::ranges::transform(rows, units.begin(),
-                         [&](const Row& row) { return std::string(si_unit(dimension_of(row))); });
+                         [&](const auto* row) { return std::string(si_unit(dimension_of(*row))); });
   group.write_texts(name, units);
 }
 
-void write_curves(io::Hdf5Group& root, const std::vector<store::ScenePartRow>& parts) {
+/// What the fits made of their targets, as these stand in `targets`; null where one has nothing.
+std::vector<const ScenePartFit*> made_of(const Records& records) {
+  std::vector<const ScenePartFit*> made;
+  for (const SceneFitRecord* record : records) {
+    for (std::size_t p = 0; p < record->targets.size(); ++p) {
+      made.push_back(record->result.parts.empty() ? nullptr : &record->result.parts[p]);
+    }
+  }
+  return made;
+}
+
+void write_curves(io::Hdf5Group& root, const std::vector<const SceneTarget*>& targets,
+                  const std::vector<const ScenePartFit*>& made) {
   std::vector<double> abscissa, ordinate, fitted, error;
   std::vector<std::uint64_t> offsets{0};
-  for (const store::ScenePartRow& part : parts) {
-    const SceneTarget& target = part.target;
+  for (std::size_t p = 0; p < targets.size(); ++p) {
+    const SceneTarget& target = *targets[p];
     abscissa.insert(abscissa.end(), target.abscissa.begin(), target.abscissa.end());
     ordinate.insert(ordinate.end(), target.ordinate.begin(), target.ordinate.end());
-    if (part.has_curve) {
-      fitted.insert(fitted.end(), part.made->fitted.begin(), part.made->fitted.end());
-      error.insert(error.end(), part.made->fitted_error.begin(), part.made->fitted_error.end());
+    if (made[p] != nullptr) {
+      fitted.insert(fitted.end(), made[p]->fitted.begin(), made[p]->fitted.end());
+      error.insert(error.end(), made[p]->fitted_error.begin(), made[p]->fitted_error.end());
     }
     for (std::vector<double>* column : {&fitted, &error}) {
       column->resize(abscissa.size(), std::numeric_limits<double>::quiet_NaN());
@@ -134,31 +104,52 @@ void write_curves(io::Hdf5Group& root, const std::vector<store::ScenePartRow>& p
   group.write("offsets", offsets, kPlain);
 }
 
-void write_tables(io::Hdf5Group& root, const SceneRows& rows) {
-  io::Hdf5Group parameters =
-      write_rows(root, "parameters", rows.parameters, store::kSceneParameterColumns);
-  std::vector<const FittedParameter*> described;
-  for (const auto& row : rows.parameters) described.push_back(&row.parameter);
-  ColumnWriter<FittedParameter> columns(parameters, std::move(described));
-  kDescribeParameter(columns);
-  write_units(parameters, "value_units", rows.parameters,
-              [](const auto& row) { return row.parameter.dimension; });
-  write_rows(root, "segments", rows.segments, store::kSceneSegmentsColumns);
-  io::Hdf5Group parts = write_rows(root, "parts", rows.parts, store::kScenePartColumns);
-  write_units(parts, "abscissa_units", rows.parts,
-              [](const auto& row) { return row.target.abscissa_is; });
-  write_units(parts, "ordinate_units", rows.parts,
-              [](const auto& row) { return row.target.ordinate_is; });
-  write_curves(root, rows.parts);
-  io::Hdf5Group starts = write_rows(root, "starts", rows.starts, store::kSceneStartColumns);
-  io::Ragged<double> from, to;
-  for (const store::SceneStartRow& row : rows.starts) {
-    from.push_back(row.start.from);
-    to.push_back(row.start.to);
+void write_targets(io::Hdf5Group& root, const Records& records) {
+  const auto targets = store::items_of(records, PLASTICA_MEMBER(targets));
+  io::Hdf5Group group = store::write_items(root, "parts", targets, kDescribeSceneTarget);
+  write_units(group, "abscissa_units", targets.rows, PLASTICA_MEMBER(abscissa_is));
+  write_units(group, "ordinate_units", targets.rows, PLASTICA_MEMBER(ordinate_is));
+  const std::vector<const ScenePartFit*> made = made_of(records);
+  std::vector<std::uint8_t> present, has_curve;
+  std::vector<double> weights;
+  for (const ScenePartFit* each : made) {
+    present.push_back(each != nullptr ? 1 : 0);
+    has_curve.push_back(each != nullptr && !each->fitted.empty() ? 1 : 0);
   }
-  starts.write_ragged("from", from, kPlain);
-  starts.write_ragged("to", to, kPlain);
-  write_rows(root, "warnings", rows.warnings, store::kSceneWarningColumns);
+  for (const SceneFitRecord* record : records) {
+    weights.insert(weights.end(), record->weights.begin(), record->weights.end());
+  }
+  group.write("weight", weights, {"1", store::kDeflate});
+  group.write("has_curve", has_curve, kPlain);
+  group.write("present", present, kPlain);
+  store::write_columns(group, made, kDescribeTargetFit);
+  write_curves(root, targets.rows, made);
+}
+
+void write_lists(io::Hdf5Group& root, const Records& records) {
+  const auto parameters = store::items_of(records, PLASTICA_MEMBER(result.parameters));
+  io::Hdf5Group group = store::write_items(root, "parameters", parameters, [](auto& d) {
+    kDescribeWhoseParameter(d);
+    kDescribeParameter(d);
+  });
+  write_units(group, "value_units", parameters.rows, PLASTICA_MEMBER(dimension));
+  const auto segments = store::items_of(
+      records, [](const SceneFitRecord& r) -> const auto& {
+        static const std::vector<SegmentsError> kNone;
+        return r.result.segments ? r.result.segments->parameters : kNone;
+      });
+  store::write_items(root, "segments", segments, kDescribeSegments);
+  const auto starts = store::items_of(records, PLASTICA_MEMBER(result.starts));
+  io::Hdf5Group of_starts = store::write_items(root, "starts", starts, kDescribeStart);
+  io::Ragged<double> from, to;
+  for (const SceneStart* start : starts.rows) {
+    from.push_back(start->from);
+    to.push_back(start->to);
+  }
+  of_starts.write_ragged("from", from, kPlain);
+  of_starts.write_ragged("to", to, kPlain);
+  const auto warnings = store::items_of(records, PLASTICA_MEMBER(result.warnings));
+  store::write_items(root, "warnings", warnings, kDescribeText);
 }
 
 std::vector<store::StoredIntervals> intervals_of(
@@ -181,11 +172,13 @@ void write_scene_fit_store(const std::string& path, const SceneFitContents& cont
   io::Hdf5Group& root = file.root();
   io::write_schema(root, kSceneFitSchema, kSceneFitVersion);
   io::write_run_id(root, contents.run);
-  write_rows(root, "fits", records, store::kSceneFitColumns);
+  io::Hdf5Group fits = root.group("fits");
+  store::write_columns(fits, records, kDescribeSceneFit);
   io::Ragged<double> correlation;
   for (const SceneFitRecord* record : records) correlation.push_back(record->result.correlation);
   root.write_ragged("correlation", correlation, {"1", store::kDeflate});
-  write_tables(root, rows_of(records));
+  write_targets(root, records);
+  write_lists(root, records);
   store::write_intervals(root, intervals_of(records));
   root.write("options/confidence", contents.confidence, {"1"});
   io::write_inputs(root, contents.inputs);

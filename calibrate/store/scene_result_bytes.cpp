@@ -2,9 +2,10 @@
 
 #include <string>
 
+#include "calibrate/result/describe_fit.hpp"
 #include "calibrate/store/coders.hpp"
+#include "calibrate/store/described_bytes.hpp"
 #include "calibrate/store/interval_bytes.hpp"
-#include "calibrate/store/parameter_bytes.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -13,24 +14,20 @@ using store::A;
 
 constexpr const char* kSource = "a record of a fit through scenes";
 
-void code(auto& coder, A<SegmentsError> auto& e) {
-  coder(e.at_half, e.at_own, e.at_twice, e.trend, e.observed_order, e.order, e.safety_factor,
-        e.extrapolated, e.extrapolated_error, e.error);
-}
-
 void code(auto& coder, A<SceneSegments> auto& s) {
-  const auto item = [](auto& to, auto& each) { code(to, each); };
   coder(s.segments, s.note);
-  coder.each(s.parameters, item);
+  coder.each(s.parameters,
+             [](auto& to, auto& each) { store::code_described(to, each, kDescribeSegments); });
 }
 
 void code(auto& coder, A<ScenePartFit> auto& p) {
-  coder(p.name, p.level, p.samples, p.cost, p.noise, p.misfit_share, p.runs_probability, p.fitted,
-        p.fitted_error, p.break_strain, p.degrees_of_freedom);
+  coder(p.name, p.fitted, p.fitted_error);
+  store::code_described(coder, p, kDescribeTargetFit);
 }
 
 void code(auto& coder, A<SceneStart> auto& s) {
-  coder(s.from, s.to, s.cost, s.outcome, s.evaluations);
+  coder(s.from, s.to);
+  store::code_described(coder, s, kDescribeStart);
 }
 
 void code(auto& coder, A<SceneFitResult> auto& r) {

@@ -122,7 +122,7 @@ std::vector<Parameter> parameters_of(const FitRecord& record, const FitOptions& 
 }
 
 void write_options(io::Hdf5Group& group, const FitOptions& options) {
-  group.write_text("objective", word_of(options.objective));
+  group.write_text("objective", std::string(word_of(options.objective)));
   group.write("noise", options.noise.value_or(kUnset), {"Pa"});
   write_weights(group.group("weights"), options.weights);
   group.write("break_weight", options.break_weight, {"1"});

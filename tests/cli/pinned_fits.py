@@ -157,8 +157,8 @@ def rows_of(name, command, shared, data):
 
 
 def cost_of(fit):
-    if "objective" in fit:
-        return fit["objective"]
+    if "cost" in fit:
+        return fit["cost"]
     return sum(target["cost"] for target in fit["targets"])
 
 

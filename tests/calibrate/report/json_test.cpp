@@ -43,7 +43,7 @@ TEST(JsonSummary, GivesCharacteristicsAndParametersInSi) {
   EXPECT_EQ(yield["upper"], 2e9);
   EXPECT_EQ(yield["at_upper"], false);
   EXPECT_EQ(yield["unit"], "Pa");
-  EXPECT_EQ(fit["objective"], 1.2e12);
+  EXPECT_EQ(fit["cost"], 1.2e12);
   EXPECT_EQ(fit["evaluations"], 142);
   EXPECT_EQ(fit["correlation"]["matrix"][0][1], -0.62);
   EXPECT_EQ(fit["repairs"][0]["count"], 3);
@@ -56,12 +56,13 @@ TEST(JsonSummary, HasItsKeysInAFixedOrder) {
   const OrderedJson& fit = all["fits"][0];
   const std::vector<std::string> keys = keys_of(fit);
   EXPECT_EQ(std::vector<std::string>(keys.begin(), keys.begin() + 8),
-            (std::vector<std::string>{"name", "law", "status", "reason", "characteristics",
-                                      "parameters", "objective", "evaluations"}));
+            (std::vector<std::string>{"name", "law", "status", "reason", "file", "test", "measure",
+                                      "loading"}));
   const std::vector<std::string> characteristics = keys_of(fit["characteristics"]);
   EXPECT_EQ(std::vector<std::string>(characteristics.begin(), characteristics.begin() + 8),
-            (std::vector<std::string>{"youngs_modulus", "rp02", "reh", "rel", "rm", "strain_at_rm",
-                                      "break_strain", "break_strain_plastic"}));
+            (std::vector<std::string>{"youngs_modulus", "youngs_modulus_standard_error",
+                                      "modulus_window_low", "modulus_window_high", "modulus_method",
+                                      "proof_offset", "rp02", "reh"}));
   EXPECT_EQ(keys_of(fit["parameters"]),
             (std::vector<std::string>{"youngs_modulus", "yield_stress", "break_strain"}));
 }
@@ -73,7 +74,7 @@ TEST(JsonSummary, OfARejectedOrFailedSpecimenHasNoNumbersOfAFit) {
   EXPECT_EQ(all["fits"][0]["reason"], "the file is empty");
   EXPECT_EQ(all["fits"][0]["parameters"], OrderedJson::object());
   EXPECT_EQ(all["fits"][0]["characteristics"]["rm"], nullptr);
-  EXPECT_EQ(all["fits"][0]["objective"], nullptr);
+  EXPECT_EQ(all["fits"][0]["cost"], nullptr);
   EXPECT_EQ(all["fits"][1]["status"], "failed");
   EXPECT_EQ(all["fits"][1]["misfit_share"], nullptr);
   EXPECT_EQ(all["counts"]["rejected"], 1);
@@ -89,7 +90,7 @@ TEST(JsonSummary, WritesNullForWhatIsNotFinite) {
   const OrderedJson fit = summary_of({record})["fits"][0];
   EXPECT_EQ(fit["parameters"]["yield_stress"]["standard_error"], nullptr);
   EXPECT_EQ(fit["correlation"]["matrix"][0][1], nullptr);
-  EXPECT_EQ(fit["objective"], nullptr);
+  EXPECT_EQ(fit["cost"], nullptr);
 }
 
 TEST(JsonSummary, SummarizesTheGroups) {

@@ -49,9 +49,9 @@ TEST(SceneFitJson, HoldsParametersTargetsStartsAndCounts) {
   EXPECT_EQ(fit["parameters"]["break_strain"]["path"], "material.break_strain");
   EXPECT_EQ(fit["correlation"][0][1], -0.42);
   EXPECT_EQ(fit["targets"][0]["abscissa"], "support 2");
-  EXPECT_EQ(fit["targets"][0]["broke"]["at"], 0.0605);
+  EXPECT_EQ(fit["targets"][0]["break_at"], 0.0605);
   EXPECT_EQ(fit["targets"][1]["level"], "twist");
-  EXPECT_TRUE(fit["targets"][1]["broke"].is_null());
+  EXPECT_TRUE(fit["targets"][1]["break_at"].is_null());
   EXPECT_TRUE(fit["targets"][1]["runs_probability"].is_null());
   EXPECT_EQ(fit["starts"].size(), 4U);
   EXPECT_TRUE(fit["starts"][1]["cost"].is_null()) << "infinite";

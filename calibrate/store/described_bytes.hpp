@@ -1,10 +1,13 @@
 #pragma once
 
+#include <string_view>
+#include <type_traits>
+
 #include "calibrate/result/describe.hpp"
 #include "calibrate/result/fitted_parameter.hpp"
 #include "calibrate/store/coders.hpp"
 
-/// A fitted parameter in journals; not installed.
+/// Described records (result/describe.hpp) in journals; not installed.
 namespace plastica::calibrate::store {
 
 /// Puts, or gets, what a description says of a record.
@@ -35,10 +38,14 @@ class DescribedCoder {
   Row& row_;
 };
 
+void code_described(auto& coder, auto& row, const auto& description) {
+  DescribedCoder described(coder, row);
+  description(described);
+}
+
 void code_parameter(auto& coder, A<FittedParameter> auto& p) {
   coder(p.path, p.dimension, p.role);
-  DescribedCoder described(coder, p);
-  kDescribeParameter(described);
+  code_described(coder, p, kDescribeParameter);
 }
 
 }  // namespace plastica::calibrate::store

@@ -1,0 +1,108 @@
+#pragma once
+
+#include "calibrate/result/describe.hpp"
+
+/// What is said of a fit and of its search, see describe.hpp.
+namespace plastica::calibrate {
+
+/// Of an OptimizerStage.
+inline constexpr auto kDescribeStage = [](auto& d) {
+  d("algorithm", "", PLASTICA_MEMBER(algorithm), "of the stage");
+  d("outcome", "", PLASTICA_MEMBER(outcome), "why it ended");
+  d("evaluations", "1", PLASTICA_MEMBER(evaluations), "of the cost");
+  d("cost", "Pa^2", PLASTICA_MEMBER(cost), "best of the stage");
+};
+
+/// Of a SceneStart, but for its points.
+inline constexpr auto kDescribeStart = [](auto& d) {
+  d("cost", "1", PLASTICA_MEMBER(cost), "sum of the weighted squares where the search ended");
+  d("outcome", "", PLASTICA_MEMBER(outcome), "why it ended");
+  d("evaluations", "1", PLASTICA_MEMBER(evaluations), "of the residuals");
+};
+
+/// Of a SegmentsError.
+inline constexpr auto kDescribeSegments = [](auto& d) {
+  d("at_half", kOwnUnits, PLASTICA_MEMBER(at_half), "fitted with half the segments");
+  d("at_own", kOwnUnits, PLASTICA_MEMBER(at_own), "fitted with the scene's segments");
+  d("at_twice", kOwnUnits, PLASTICA_MEMBER(at_twice), "fitted with twice the segments");
+  d("trend", "", PLASTICA_MEMBER(trend), "how the three values go with the segments");
+  d("observed_order", "1", PLASTICA_MEMBER(observed_order), "of the three values");
+  d("order", "1", PLASTICA_MEMBER(order), "that was extrapolated with");
+  d("safety_factor", "1", PLASTICA_MEMBER(safety_factor), "of the grid convergence index");
+  d("extrapolated", kOwnUnits, PLASTICA_MEMBER(extrapolated),
+    "what the continuous beam would give");
+  d("extrapolated_error", kOwnUnits, PLASTICA_MEMBER(extrapolated_error), "half its interval");
+  d("error", kOwnUnits, PLASTICA_MEMBER(error),
+    "half the interval about the value with the scene's segments");
+};
+
+/// Of a ScenePartFit, but for its curve.
+inline constexpr auto kDescribeTargetFit = [](auto& d) {
+  d("level", "", PLASTICA_MEMBER(level), "of the model");
+  d("samples", "1", PLASTICA_MEMBER(samples), "that entered the fit");
+  d("cost", "", PLASTICA_MEMBER(cost), "sum of the squared residuals");
+  d("noise", "", PLASTICA_MEMBER(noise), "standard deviation that errors stand on");
+  d("degrees_of_freedom", "1", PLASTICA_MEMBER(degrees_of_freedom),
+    "of this; infinite: the target states it");
+  d("misfit_share", "1", PLASTICA_MEMBER(misfit_share),
+    "rms residual over the largest measured ordinate");
+  d("runs_probability", "1", PLASTICA_MEMBER(runs_probability),
+    "of as few runs of residuals of one sign, if they were independent");
+  d("break_strain", "1", PLASTICA_MEMBER(break_strain),
+    "permanent strain of the fitted model where the target broke");
+};
+
+/// Of a FitRecord of a coupon.
+inline constexpr auto kDescribeFit = [](auto& d) {
+  d("name", "", PLASTICA_MEMBER(target.name), "of the target");
+  d("law", "", PLASTICA_MEMBER(result.law), "that was fitted");
+  d("status", "", PLASTICA_MEMBER(result.status), "how the fit ended");
+  d("reason", "", PLASTICA_MEMBER(result.reason), "why it gave nothing");
+  d("file", "", PLASTICA_MEMBER(target.file), "of the measured curve");
+  d("test", "", PLASTICA_MEMBER(target.test), "of the specimen");
+  d("measure", "", PLASTICA_MEMBER(target.measure), "of stress and strain");
+  d("loading", "", PLASTICA_MEMBER(target.loading), "monotonic or cyclic");
+  d("target_status", "", PLASTICA_MEMBER(target.status), "whether the curve can be fitted");
+  d("target_reason", "", PLASTICA_MEMBER(target.reason), "why it cannot");
+  d("samples", "1", PLASTICA_MEMBER(result.samples), "that entered the fit");
+  d("seed", "", PLASTICA_MEMBER(result.seed), "of the target's random numbers");
+  d("noise", "Pa", PLASTICA_MEMBER(result.noise), "stated standard deviation of the stress");
+  d("simpler_evaluations", "1", PLASTICA_MEMBER(result.simpler_evaluations),
+    "of the fits of simpler laws whose values were tried as starts");
+  const auto fitted = [](const auto& record) { return record.result.status == FitStatus::Fitted; };
+  d.only(fitted, [](auto& only) {
+    only("cost", "Pa^2", PLASTICA_MEMBER(result.cost), "objective, break term included");
+    only("misfit_rms", "Pa", PLASTICA_MEMBER(result.misfit_rms), "root of the stress misfit");
+    only("misfit_share", "1", PLASTICA_MEMBER(result.misfit_share),
+         "misfit over the largest stress");
+    only("misfit_word", "", PLASTICA_MEMBER(result.misfit_word), "close, fair or poor");
+    only("runs_probability", "1", PLASTICA_MEMBER(result.runs_probability),
+         "of as few runs of residuals of one sign, if they were independent");
+    only("autocorrelation", "1", PLASTICA_MEMBER(result.autocorrelation),
+         "of neighbouring residuals");
+    only("effective_samples", "1", PLASTICA_MEMBER(result.effective_samples), "by their weights");
+  });
+  d("break_strain_total", "1", PLASTICA_MEMBER(result.break_strain_total),
+    "total strain at which the fitted model breaks");
+};
+
+/// Of a SceneFitRecord, but for its lists.
+inline constexpr auto kDescribeSceneFit = [](auto& d) {
+  d("name", "", PLASTICA_MEMBER(name), "of the fit");
+  d("law", "", PLASTICA_MEMBER(result.law), "that was fitted");
+  d("status", "", PLASTICA_MEMBER(result.status), "how the fit ended");
+  d("reason", "", PLASTICA_MEMBER(result.reason), "why it gave nothing");
+  d("degrees_of_freedom", "1", PLASTICA_MEMBER(result.degrees_of_freedom),
+    "of the estimated noise; infinite: all targets state theirs");
+  d("outcome", "", PLASTICA_MEMBER(result.outcome), "of the best search");
+  d("runs", "1", PLASTICA_MEMBER(result.runs), "of scenes");
+  d("search_runs", "1", PLASTICA_MEMBER(result.search_runs), "of these, what the search took");
+  d("failed_runs", "1", PLASTICA_MEMBER(result.failed_runs), "of all, without a curve");
+  d("segment_iterations", "1", PLASTICA_MEMBER(result.segment_iterations), "of all runs");
+  d.part("divided", PLASTICA_MEMBER(result.segments), [](auto& part) {
+    part("segments", "1", PLASTICA_MEMBER(segments), "of the first beam");
+    part("segments_note", "", PLASTICA_MEMBER(note), "why a fit with other segments is missing");
+  });
+};
+
+}  // namespace plastica::calibrate
