@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "calibrate/inference/parameter_profile.hpp"
 #include "calibrate/scene/check_scene_fit.hpp"
 #include "calibrate/scene/fitted_scenes.hpp"
 
@@ -59,7 +60,7 @@ std::vector<std::vector<std::size_t>> kinds_of(std::span<const ScenePart> parts)
 }
 
 SceneBootstrap bootstrap(const FittedScenes& fitted, std::string_view stage, int resamples,
-                         std::uint64_t seed, const Draw& draw, SceneWork& work) {
+                         int block, std::uint64_t seed, const Draw& draw, SceneWork& work) {
   // So many have one problem, which knows the curves that all of them begin with. How many share
   // one must not depend on the threads: the runs are counted.
   constexpr std::size_t kTogether = 8;
@@ -91,23 +92,8 @@ SceneBootstrap bootstrap(const FittedScenes& fitted, std::string_view stage, int
   for (PieceRecord& made : work.make(all, group_of)) {
     for (std::vector<double>& row : made.rows) values.push_back(std::move(row));
   }
-  SceneBootstrap result;
-  result.resamples = resamples;
-  const std::size_t n = fitted.free().size();
-  std::vector<std::vector<double>> columns(n);
-  for (const std::vector<double>& row : values) {
-    const auto is_number = [](double v) { return std::isfinite(v); };
-    if (row.empty() || !std::ranges::all_of(row, is_number)) {
-      ++result.failed;
-      continue;
-    }
-    result.values.insert(result.values.end(), row.begin(), row.end());
-    for (std::size_t i = 0; i < n; ++i) columns[i].push_back(row[i]);
-  }
-  for (std::vector<double>& column : columns) {
-    result.intervals.push_back(bootstrap_interval(std::move(column), fitted.options().confidence));
-  }
-  return result;
+  const std::vector<bool> known(fitted.free().size(), true);
+  return bootstrap_of(values, known, block, fitted.options().confidence);
 }
 
 }  // namespace
@@ -150,10 +136,9 @@ SceneBootstrap bootstrap_residuals(const FittedScenes& fitted, SceneWork& work) 
     for (std::size_t i = 0; i < residual.size(); ++i) resample.shift[i] -= residual[i];
     return resample;
   };
-  SceneBootstrap result = bootstrap(fitted, "bootstrap", fitted.options().intervals.bootstrap,
-                                    fitted.options().seed, draw, work);
-  result.block = fitted.options().intervals.block;
-  return result;
+  const SceneIntervalOptions& how = fitted.options().intervals;
+  return bootstrap(fitted, "bootstrap", how.bootstrap, how.block, fitted.options().seed, draw,
+                   work);
 }
 
 SceneBootstrap bootstrap_specimens(const FittedScenes& fitted, SceneWork& work) {
@@ -185,7 +170,7 @@ SceneBootstrap bootstrap_specimens(const FittedScenes& fitted, SceneWork& work) 
     return resample;
   };
   // Other draws than those of the residuals.
-  return bootstrap(fitted, "bootstrap of specimens", fitted.options().intervals.specimens,
+  return bootstrap(fitted, "bootstrap of specimens", fitted.options().intervals.specimens, 1,
                    ~fitted.options().seed, draw, work);
 }
 

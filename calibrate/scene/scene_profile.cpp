@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibrate/fit/not_a_number.hpp"
+#include "calibrate/inference/parameter_profile.hpp"
 #include "calibrate/scene/fitted_scenes.hpp"
-#include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -37,104 +36,32 @@ LeastSquaresProblem with_limit(SceneProblem& problem, const std::vector<double>&
   return both;
 }
 
-/// The profile of one free parameter: both its sides, then what they say.
-class ParameterProfile {
- public:
-  ParameterProfile(const FittedScenes& fitted, const FittedScenes::FreeParameter& free)
-      : fitted_(fitted), free_(free) {
-    factor_ = theory::student_t_quantile(0.5 + 0.5 * fitted.options().confidence,
-                                         free.degrees_of_freedom);
-    best_.x = fitted.best().x;
-    best_.cost = fitted.best().cost;
-    best_.value = free.is_break ? free.limit.value : best_.x[free.coordinate];
-    set_scale();
-  }
-
-  /// Whether there is anything to follow: a limit may not depend on what is searched.
-  bool depends() const { return std::isfinite(best_.value) && free_.gradient.squaredNorm() > 0.0; }
-
-  ProfileSide side(SceneProblem& problem, bool up) const {
-    ProfileOptions how;
-    how.rise = factor_ * factor_ * ratio_;
-    if (!free_.is_break) {
-      return profile_coordinate(problem.squares(), best_, free_.coordinate, up, how);
-    }
-    return profile_function(with_limit(problem, free_.limit.shares), best_, up, how);
-  }
-
-  SceneProfile profile(const ProfileSide& low, const ProfileSide& high) const {
-    SceneProfile profile;
-    profile.threshold = factor_ * factor_;
-    profile.low = end_of(low.end, -1.0, profile.low_end = low.why);
-    profile.high = end_of(high.end, 1.0, profile.high_end = high.why);
-    for (const ProfilePoint& point : low.points) add(point, profile);
-    add({best_.value, best_.cost, best_.x}, profile);
-    for (const ProfilePoint& point : high.points) add(point, profile);
-    return profile;
-  }
-
- private:
-  /// Of given weights the covariance is not the inverse of the squares' curvature: there the
-  /// threshold is stretched as the squared error is.
-  void set_scale() {
-    const VectorXd& gradient = free_.gradient;
-    const double error2 = joint_moment(fitted_.errors().covariance(), gradient, gradient);
-    const double inverse2 = joint_moment(fitted_.errors().inverse(), gradient, gradient);
-    if (std::isfinite(error2) && error2 > 0.0) {
-      ratio_ = error2 / inverse2;
-      best_.step = factor_ * std::sqrt(error2);
-      VectorXd along(gradient.size());
-      for (Index i = 0; i < along.size(); ++i) {
-        along[i] = 0.0;
-        for (Index j = 0; j < along.size(); ++j) {
-          const double term = gradient[j] != 0.0 ? fitted_.errors().inverse()(i, j) : 0.0;
-          if (std::isfinite(term)) along[i] += term * gradient[j] / inverse2;
-        }
-      }
-      best_.along.assign(values_of(along).begin(), values_of(along).end());
-      return;
-    }
-    // At a bound, or not identified: without a scale of its own.
-    constexpr double kShare = 0.02;
-    const LeastSquaresProblem& squares = fitted_.problem().squares();
-    const std::size_t k = free_.coordinate;
-    best_.step =
-        kShare * (free_.is_break ? std::abs(best_.value) : squares.upper[k] - squares.lower[k]);
-  }
-
-  double value_of(double at) const {
-    if (free_.is_break) return at;
-    return fitted_.problem().parameters().value(free_.coordinate, at);
-  }
-
-  /// The interval's end [SI]; a break's has its place between two samples in it, too.
-  double end_of(double end, double side, ProfileEnd& why) const {
-    if (!free_.is_break) return value_of(end);
-    const double off = end - best_.value;
-    const double reach =
-        theory::half_interval(fitted_.options().confidence, std::abs(off) / factor_,
-                              free_.degrees_of_freedom, free_.limit.halves);
-    const double to = best_.value + side * reach;
-    const double held = std::clamp(to, *free_.parameter->lower, *free_.parameter->upper);
-    if (held != to) why = ProfileEnd::Bound;
-    return held;
-  }
-
-  void add(const ProfilePoint& point, SceneProfile& profile) const {
-    const SceneParameters& searched = fitted_.problem().parameters();
-    profile.value.push_back(value_of(point.value));
-    profile.rise.push_back((point.cost - best_.cost) / ratio_);
-    for (std::size_t i = 0; i < point.x.size(); ++i) {
-      profile.searched.push_back(searched.value(i, point.x[i]));
+ProfiledParameter profiled(const FittedScenes& fitted, const FittedScenes::FreeParameter& free) {
+  ProfiledParameter p;
+  p.lower = *free.parameter->lower;
+  p.upper = *free.parameter->upper;
+  p.is_break = free.is_break;
+  p.coordinate = free.coordinate;
+  p.limit = free.limit.value;
+  p.halves = free.limit.halves;
+  const VectorXd& gradient = free.gradient;
+  p.gradient.assign(values_of(gradient).begin(), values_of(gradient).end());
+  p.squared_error = joint_moment(fitted.errors().covariance(), gradient, gradient);
+  p.inverse = joint_moment(fitted.errors().inverse(), gradient, gradient);
+  p.along.assign(p.gradient.size(), 0.0);
+  for (Index i = 0; i < gradient.size(); ++i) {
+    for (Index j = 0; j < gradient.size(); ++j) {
+      const double term = gradient[j] != 0.0 ? fitted.errors().inverse()(i, j) : 0.0;
+      if (!std::isfinite(term)) continue;
+      p.along[static_cast<std::size_t>(i)] += term * gradient[j] / p.inverse;
     }
   }
-
-  const FittedScenes& fitted_;
-  const FittedScenes::FreeParameter& free_;
-  double factor_ = 1.0;
-  double ratio_ = 1.0;
-  ProfileStart best_;
-};
+  p.degrees_of_freedom = free.degrees_of_freedom;
+  p.value_of = [&searched = fitted.problem().parameters()](std::size_t i, double at) {
+    return searched.value(i, at);
+  };
+  return p;
+}
 
 /// A row for each point, value, cost and coordinates, and one for the end.
 PieceRecord record_of(const ProfileSide& side) {
@@ -158,40 +85,32 @@ ProfileSide side_from(const PieceRecord& record) {
   return side;
 }
 
-/// Of a break that nothing searched moves: its sampling alone.
-SceneProfile unmoved(const FittedScenes& fitted, const FittedScenes::FreeParameter& free) {
-  SceneProfile profile;
-  const double factor =
-      theory::student_t_quantile(0.5 + 0.5 * fitted.options().confidence, free.degrees_of_freedom);
-  profile.threshold = factor * factor;
-  const double reach = theory::half_interval(fitted.options().confidence, 0.0,
-                                             free.degrees_of_freedom, free.limit.halves);
-  const bool there = free.is_break && std::isfinite(free.limit.value);
-  profile.low = there ? std::max(free.limit.value - reach, *free.parameter->lower) : kNan;
-  profile.high = there ? std::min(free.limit.value + reach, *free.parameter->upper) : kNan;
-  if (there) profile.low_end = profile.high_end = ProfileEnd::Crossed;
-  return profile;
-}
-
 }  // namespace
 
 std::vector<SceneProfile> profile_scenes(const FittedScenes& fitted, SceneWork& work) {
   std::vector<ParameterProfile> parameters;
-  for (const auto& free : fitted.free()) parameters.emplace_back(fitted, free);
+  for (const auto& free : fitted.free()) {
+    parameters.emplace_back(profiled(fitted, free), fitted.problem().squares(), fitted.best().x,
+                            fitted.best().cost, fitted.options().confidence);
+  }
   const SceneWork::Stage stage{"profile", 2 * parameters.size(), fitted.options().threads};
   const std::vector<PieceRecord> made = work.make(stage, [&](std::size_t i) {
     const ParameterProfile& parameter = parameters[i / 2];
     if (!parameter.depends()) return PieceRecord();
     const auto problem = fitted.copy();
-    PieceRecord side = record_of(parameter.side(*problem, i % 2 == 1));
+    const LeastSquaresProblem squares =
+        parameter.is_break() ? with_limit(*problem, fitted.free()[i / 2].limit.shares)
+                             : problem->squares();
+    PieceRecord side = record_of(parameter.side(squares, i % 2 == 1));
     side.runs = problem->counters();
     return side;
   });
   std::vector<SceneProfile> profiles;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    profiles.push_back(parameters[i].depends() ? parameters[i].profile(side_from(made[2 * i]),
-                                                                       side_from(made[2 * i + 1]))
-                                               : unmoved(fitted, fitted.free()[i]));
+    const ParameterProfile& parameter = parameters[i];
+    profiles.push_back(parameter.depends()
+                           ? parameter.profile(side_from(made[2 * i]), side_from(made[2 * i + 1]))
+                           : parameter.unmoved());
   }
   return profiles;
 }
