@@ -25,13 +25,13 @@ void code_deciding_parts(auto& coder, A<Target> auto& t) {
   coder(t.name, t.test, t.measure, t.loading, t.status, t.reason);
   code(coder, t.corrected);
   store::code_described(coder, t.characteristics, kDescribeCharacteristics);
+  coder.each(t.properties, kPair);  // a strain rate is among them
 }
 
 void code(auto& coder, A<Target> auto& t) {
   code_deciding_parts(coder, t);
   coder(t.file);
   coder.each(t.group, kPair);
-  coder.each(t.properties, kPair);
   code(coder, t.raw);
   coder.each(t.repairs, [](auto& to, auto& r) { store::code_described(to, r, kDescribeRepair); });
   coder.each(t.corrections,

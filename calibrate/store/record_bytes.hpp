@@ -12,7 +12,7 @@ namespace plastica::calibrate {
 
 /// Version of the records below: to be raised whenever a field of a target or a result is added,
 /// removed or moved. Records of another version are refused.
-inline constexpr std::uint32_t kRecordVersion = 6;
+inline constexpr std::uint32_t kRecordVersion = 7;
 
 /// A result as bytes, with every field: what the journal keeps of a finished fit.
 std::vector<std::byte> bytes_of(const FitResult& result);
@@ -27,8 +27,9 @@ std::vector<std::byte> bytes_of(const FitRecord& record);
 FitRecord record_from_bytes(std::span<const std::byte> bytes);
 
 /// Adds those parts of a target that can decide its fit: name, test, measure, loading, status,
-/// corrected curve and characteristics. Where it comes from, its raw curve, what was repaired and
-/// to which group it belongs can change without changing the fit.
+/// corrected curve, characteristics and properties (its strain rate is one). Where it comes from,
+/// its raw curve, what was repaired and to which group it belongs can change without changing the
+/// fit.
 void put_deciding_parts(io::ByteWriter& writer, const Target& target);
 
 }  // namespace plastica::calibrate

@@ -28,6 +28,12 @@ TEST(CaseId, ChangesWithWhateverOfATargetDecidesItsFit) {
       [](Target& t) { t.characteristics.rp02.reset(); },
       [](Target& t) { t.characteristics.observed_break.reset(); },
       [](Target& t) { t.characteristics.observed_break->first_broken_strain += 1e-6; },
+      [](Target& t) {
+        t.properties = {{"strain_rate", 1.0}};
+      },
+      [](Target& t) {
+        t.properties = {{"strain_rate", 2.0}};
+      },
   };
   const Target target = ideal_target("a", 3e8);
   std::set<std::string> ids{case_id(target, 1), case_id(target, 2)};
