@@ -6,7 +6,7 @@
 
 #include "calibrate/config/read_intervals.hpp"
 #include "calibrate/config/read_parameters.hpp"
-#include "calibrate/fit/optimizer.hpp"
+#include "calibrate/search/optimizer.hpp"
 #include "plastica/io/scene_file.hpp"
 
 namespace plastica::calibrate {

@@ -24,7 +24,7 @@ constexpr std::string_view kFit =
 [fit]
 objective = "strain-path"         # or "least-squares", with noise = "1 MPa"
 # break_weight = 1.0              # how much the break counts beside the curve
-# algorithm    = "auto"           # local, if need be global; or one of NLopt's by name
+# algorithm    = "auto"           # or "gauss-newton", or one of NLopt's by name
 # seed         = 1                # of the global stage
 # confidence   = "95 %"           # of the intervals
 # profile      = true             # likelihood intervals, asymmetric, beside the usual ones

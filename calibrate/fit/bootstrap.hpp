@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "calibrate/fit/least_squares.hpp"
+#include "calibrate/search/least_squares.hpp"
 
 namespace plastica::calibrate {
 

@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "calibrate/fit/least_squares.hpp"
 #include "calibrate/fit/misfit.hpp"
 #include "calibrate/fit/options.hpp"
 #include "calibrate/fit/parameter_set.hpp"
 #include "calibrate/fit/result.hpp"
 #include "calibrate/fit/uncertainty.hpp"
+#include "calibrate/search/least_squares.hpp"
 
 /// A fitted coupon as those see it who look for its intervals; not installed.
 namespace plastica::calibrate {

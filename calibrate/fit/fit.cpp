@@ -14,9 +14,9 @@
 #include "calibrate/fit/given_weights.hpp"
 #include "calibrate/fit/minimize_misfit.hpp"
 #include "calibrate/fit/misfit.hpp"
-#include "calibrate/fit/optimizer.hpp"
 #include "calibrate/fit/shown_yield.hpp"
 #include "calibrate/fit/uncertainty.hpp"
+#include "calibrate/search/optimizer.hpp"
 #include "plastica/base/parallel_for.hpp"
 
 namespace plastica::calibrate {
@@ -251,7 +251,8 @@ void check_options(const FitOptions& options) {
 
 }  // namespace
 
-FitResult fit_target(const Target& target, const FitOptions& options) {
+FitResult fit_target(const Target& target, const FitOptions& options,
+                     std::span<const StartPoint> further) {
   FitResult result;
   result.seed = seed_of(target.name, options.seed);
   result.law = law_of(options.setup.scene.material.hardening, options.parameters);
@@ -272,7 +273,7 @@ FitResult fit_target(const Target& target, const FitOptions& options) {
     result.reason = "the curve determines none of the free parameters";
     return result;
   }
-  Solution solution = minimize_misfit(misfit, set, options, result.seed);
+  Solution solution = minimize_misfit(misfit, set, options, result.seed, further);
   result.stages = std::move(solution.stages);
   result.trace = std::move(solution.trace);
   if (!solution.usable) {

@@ -8,6 +8,7 @@
 
 #include "calibrate/fit/options.hpp"
 #include "calibrate/fit/result.hpp"
+#include "calibrate/search/ladder.hpp"
 #include "calibrate/target/target.hpp"
 
 namespace plastica::calibrate {
@@ -17,7 +18,9 @@ namespace plastica::calibrate {
 /// @throws FitInterrupted once the options' `stop` is raised
 /// @throws InputError if the options themselves are bad (parameters that no coupon has, an unknown
 ///         algorithm, bounds out of range)
-FitResult fit_target(const Target& target, const FitOptions& options);
+/// @param further  where the search begins besides the start of the parameters
+FitResult fit_target(const Target& target, const FitOptions& options,
+                     std::span<const StartPoint> further = {});
 
 struct BatchFitOptions {
   int threads = 0;  ///< 0: as many as the machine has

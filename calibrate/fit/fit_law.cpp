@@ -1,17 +1,18 @@
 #include "calibrate/fit/fit_law.hpp"
 
-#include <algorithm>
-#include <utility>
-
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 #include "calibrate/fit/fit.hpp"
+#include "calibrate/fit/parameter_set.hpp"
+#include "calibrate/search/ladder.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
-/// A cost above the simpler law's by more than this share of it is not the least.
-constexpr double kNoBetter = 1e-6;
 /// A stress, modulus or rate of this share of the least usual one has no effect that shows.
 constexpr double kNothing = 1e-6;
 
@@ -34,6 +35,21 @@ void start_from(const FitResult& simpler, const FitResult& own, bool no_effect,
       if (const auto least = least_effect(p, lower, mine->upper)) p.value = least;
     }
   }
+}
+
+/// Where the law's search begins besides its start.
+std::vector<StartPoint> starts_of(const Target& target, const FitOptions& own,
+                                  const FitResult& simpler) {
+  std::vector<SearchedParameter> searched;
+  const ParameterSet set(target, own);
+  for (const std::size_t i : set.active()) {
+    const ResolvedParameter& p = set.all()[i];
+    if (!p.is_break) searched.push_back({&own.parameters[i], p.lower, p.upper});
+  }
+  return starts_from_simpler(searched, [&](std::string_view path) {
+    const auto found = std::ranges::find(simpler.parameters, path, &FittedParameter::path);
+    return found == simpler.parameters.end() ? std::nullopt : std::optional(found->value);
+  });
 }
 
 /// The work of one search stands before that of another one of the same parameters, whose result
@@ -62,12 +78,15 @@ FitOptions options_of(Law law, const FitOptions& options, Loading loading) {
 FitResult fit_law(const Target& target, const FitOptions& options, Law law) {
   FitOptions own = options_of(law, options, target.loading);
   own.intervals = {};  // of the fit that is kept alone: `fit_cases` adds them
-  FitResult result = fit_target(target, own);
   Law simpler = law;
-  if (result.status != FitStatus::Fitted || !has_simpler(law, simpler)) return result;
+  if (!has_simpler(law, simpler)) return fit_target(target, own);
   const FitResult below = fit_law(target, options, simpler);
+  const bool fitted = below.status == FitStatus::Fitted;
+  FitResult result =
+      fit_target(target, own, fitted ? starts_of(target, own, below) : std::vector<StartPoint>());
+  if (result.status != FitStatus::Fitted) return result;
   result.simpler_evaluations = below.evaluations() + below.simpler_evaluations;
-  if (below.status != FitStatus::Fitted) return result;
+  if (!fitted) return result;
   const auto worse = [&] { return result.cost > below.cost * (1.0 + kNoBetter); };
   for (const bool no_effect : {false, true}) {
     if (!worse()) return result;

@@ -2,335 +2,248 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
 #include <random>
+#include <utility>
 
-#include "calibrate/fit/optimizer.hpp"
+#include "calibrate/fit/traced_misfit.hpp"
+#include "calibrate/search/minimize_alone.hpp"
+#include "calibrate/search/multi_start.hpp"
+#include "calibrate/search/screening.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
+using Point = std::vector<double>;
+
 /// ln 5: how far the global stage of `auto` looks around the start.
 constexpr double kGlobalReach = 1.6094379124341003746;
-constexpr double kEverywhere = 1e300;
-/// How far the downhill simplex looks around the end of SLSQP, and how often at most.
-constexpr double kPolishReach = 1e-2;
-constexpr int kMostPolishes = 3;
 /// Misfit, as a share of the largest stress, above which kinks can make several minima; how many
-/// restarts look for them, and how high up the cost's parabola they begin.
+/// searches look for them, and how high up the cost's parabola they begin.
 constexpr double kCloseFit = 0.02;
-constexpr int kRestarts = 16;
-constexpr double kRestartRise = 0.1;
+constexpr int kSearchesAround = 16;
+constexpr double kRiseAround = 0.1;
+constexpr MultiStartOptions kAround{.short_evaluations = 10, .polished = 5};
 /// With three or more parameters of the stress (a hardening law's) there are other minima far away
-/// too: how many starts look for them, as far around the start as the global stage, unless the
-/// misfit is below this share of the largest stress.
+/// too, unless the misfit is below this share of the largest stress.
 constexpr std::size_t kManyParameters = 3;
 constexpr double kExactFit = 0.002;
-constexpr int kWideRestarts = 12;
-/// A decrease of the cost that is not worth a polish, as a share of the cost.
-constexpr double kWorthPolishing = 1e-10;
+constexpr std::size_t kSearchesWide = 10;
+constexpr MultiStartOptions kWide{.short_evaluations = 10, .polished = 7};
+/// Tolerances of searches that are compared with each other, before the best goes to its end.
+constexpr double kCompared = 1e-6;
+constexpr double kComparedCost = 1e-9;
+/// Below this a curvature is rounding.
+constexpr double kLeastCurvature = 1e-20;
 
-/// The misfit in coordinates of order one, counted and traced.
-///
-/// z_i = scale_i x_i, x_i the set's coordinates, and the cost over the largest stress squared:
-/// algorithms that begin with a unit Hessian (SLSQP) need it to be about right. `rescale` takes
-/// the curvatures at the best point for that, of Gauss and Newton: 2 sum w_i (dr_i/dx)^2.
+/// 53 random bits as a number in [-1, 1).
+double uniform(std::mt19937_64& random) {
+  return 0x1p-52 * static_cast<double>(random() >> 11U) - 1.0;
+}
+
+bool is_yield(const ResolvedParameter& p) {
+  return p.field->material == MaterialField::YieldStress ||
+         p.field->material == MaterialField::ShearYieldStress;
+}
+
+/// The sequence of stages, and the best point of all so far.
 class Search {
  public:
   Search(Misfit& misfit, const ParameterSet& parameters, const FitOptions& options,
          std::uint64_t seed, Solution& solution)
-      : misfit_(misfit),
+      : misfit_(misfit, parameters, solution.trace),
         parameters_(parameters),
         options_(options),
-        seed_(seed),
         solution_(solution),
-        values_(parameters.active().size()) {
-    for (std::size_t k = 0; k < values_.size(); ++k) {
-      const std::size_t index = parameters.active()[k];
-      const ResolvedParameter& p = parameters.all()[index];
-      solution_.trace.active.push_back(static_cast<std::uint32_t>(index));
-      if (p.is_break) {
-        break_ = k;
-      } else {
-        searched_.push_back(k);
-        best_.push_back(parameters.coordinate(k, p.start));
-      }
-    }
-    n_ = searched_.size();
-    scale_.assign(n_, 1.0);
-    start_ = best_;
+        problem_(misfit_.problem()) {
+    how_.max_evaluations = options.stopping.local_evaluations;
+    how_.x_tolerance = options.stopping.parameter_tolerance;
+    how_.cost_tolerance = options.stopping.cost_tolerance;
+    how_.seed = seed;
+    best_.x = problem_.start;
+    best_.cost = std::numeric_limits<double>::infinity();
   }
 
-  std::size_t size() const { return n_; }
+  std::size_t size() const { return misfit_.size(); }
 
   /// Takes the start as it is: nothing is left to search but the break limit that goes with it.
   void evaluate_start() {
-    best_cost_ = cost_at_best();
-    found_ = std::isfinite(best_cost_);
-    solution_.usable = found_;
+    best_.cost = misfit_.cost(best_.x, {});
+    solution_.usable = found();
   }
 
   /// Begins with the yield stress at the largest measured stress if that costs less: right for a
   /// plateau without noise, however short it is beside the elastic part.
   void try_largest_yield() {
-    const std::vector<double> kept = best_;
-    const double kept_cost = cost_at_best();
-    for (std::size_t i = 0; i < n_; ++i) {
-      const auto field = parameters_.all()[parameters_.active()[searched_[i]]].field->material;
-      const bool yield =
-          field == MaterialField::YieldStress || field == MaterialField::ShearYieldStress;
-      if (yield) best_[i] = upper(i);
+    Point raised = problem_.start;
+    for (std::size_t i = 0; i < raised.size(); ++i) {
+      if (is_yield(parameters_.all()[misfit_.parameter(i)])) raised[i] = problem_.upper[i];
     }
-    if (!(cost_at_best() < kept_cost)) best_ = kept;
-    start_ = best_;
+    const double as_given = misfit_.cost(problem_.start, {});
+    if (misfit_.cost(raised, {}) < as_given) problem_.start = raised;
   }
 
-  void rescale() {
-    set_values(best_, false);
-    const std::vector<double> curvature = misfit_.curvature(values_);
-    for (std::size_t i = 0; i < n_; ++i) {
-      const std::size_t k = searched_[i];
-      const double slope = parameters_.slope(k, values_[k]);
-      const double c = curvature[k] * slope * slope / misfit_.cost_unit();
-      // A parameter that does not matter here keeps its scale. A power of two scales without
-      // rounding: the same point is not evaluated again because its last bit has changed.
-      if (std::isfinite(c) && c > kLeastCurvature) scale_[i] = power_of_two_near(std::sqrt(c));
-    }
-  }
-
-  /// Runs one algorithm over the box from the best point. @return whether the cost got less
-  bool stage(const std::string& algorithm, int evaluations, double reach) {
-    MinimizeOptions how;
+  /// One algorithm alone, from the start.
+  void run_alone(const std::string& algorithm) {
+    MinimizeOptions how = how_;
     how.algorithm = algorithm;
-    how.max_evaluations = evaluations;
-    how.x_tolerance = options_.stopping.parameter_tolerance;
-    how.cost_tolerance = options_.stopping.cost_tolerance;
-    how.seed = seed_;
-    Problem problem;
-    for (std::size_t i = 0; i < n_; ++i) {
-      const double low = std::max(lower(i), best_[i] - reach);
-      const double high = std::min(upper(i), best_[i] + reach);
-      problem.lower.push_back(low * scale_[i]);
-      problem.upper.push_back(high * scale_[i]);
-      problem.start.push_back(std::clamp(best_[i], low, high) * scale_[i]);
-    }
-    problem.cost = [this](std::span<const double> z, std::span<double> gradient) {
-      return cost(z, gradient);
-    };
-    const Minimum minimum = minimize(problem, how);
-    solution_.stages.push_back(
-        {algorithm, minimum.outcome, minimum.evaluations, minimum.cost * misfit_.cost_unit()});
-    if (minimum.x.empty()) return false;
-    solution_.usable = solution_.usable || minimum.usable;
-    if (found_ && minimum.cost >= best_cost_) return false;
-    for (std::size_t i = 0; i < n_; ++i) best_[i] = minimum.x[i] / scale_[i];
-    best_cost_ = minimum.cost;
-    found_ = true;
-    return true;
+    if (is_global(algorithm)) how.max_evaluations = options_.stopping.global_evaluations;
+    Minimum end = minimize_alone(problem_, how);
+    listener()(algorithm, end);
+    keep(std::move(end));
   }
 
-  /// Whether the slope at the best point promises a decrease that is worth looking for: with unit
-  /// curvature, half of the squared gradient (at a bound, of its inward part).
-  bool worth_polishing() {
-    if (!found_) return false;
-    std::vector<double> z(n_);
-    std::vector<double> gradient(n_);
-    for (std::size_t i = 0; i < n_; ++i) z[i] = best_[i] * scale_[i];
-    const double f = cost(z, gradient);
-    double decrease = 0.0;
-    for (std::size_t i = 0; i < n_; ++i) {
-      const bool blocked = gradient[i] > 0.0 ? best_[i] <= lower(i) : best_[i] >= upper(i);
-      if (!blocked) decrease += 0.5 * gradient[i] * gradient[i];
-    }
-    return decrease > kWorthPolishing * f + kNoiseFloor;
+  void descend() {
+    Problem from = problem_;
+    if (found()) from.start = best_.x;
+    keep(calibrate::descend(from, how_, listener()));
   }
 
-  /// SLSQP from the best point, and what its end on a kink needs.
-  void descend(int evaluations) {
-    rescale();
-    stage("slsqp", evaluations, kEverywhere);
-    for (int i = 0; i < kMostPolishes && worth_polishing(); ++i) {
-      const bool better = stage("nelder-mead", evaluations, kPolishReach);
-      if (!better || !stage("slsqp", evaluations, kEverywhere)) break;
-    }
-  }
-
-  /// Whether a minimum was found that leaves nothing to look for elsewhere.
+  /// Whether a minimum was found that leaves nothing to look for elsewhere. One of many parameters
+  /// that has gone to a bound is a sign of a minimum that is not the least.
   bool settled() const {
-    const bool ended = found_ && solution_.stages.back().outcome != "maxeval-reached";
-    return ended && (has_many_parameters() ? fits_exactly() : fits_closely());
-  }
-
-  /// Goes back to the start, and puts the best point aside for `finish`.
-  void begin_again() {
-    if (found_) aside_ = Best{best_, best_cost_};
-    best_ = start_;
-    found_ = false;
-    scale_.assign(n_, 1.0);
-  }
-
-  /// Looks for other minima near the best point: SLSQP from seeded points around it, at which the
-  /// cost would be up to kRestartRise higher if it were a parabola.
-  void restart_around(int evaluations) {
-    const std::vector<double> centre = best_;
-    const double reach = std::sqrt(2.0 * kRestartRise * best_cost_);
-    std::mt19937_64 random(seed_);
-    for (int i = 0; i < kRestarts; ++i) {
-      const std::vector<double> kept = best_;
-      for (std::size_t k = 0; k < n_; ++k) {
-        best_[k] = centre[k] + reach * uniform(random) / scale_[k];
-      }
-      if (!stage("slsqp", evaluations, kEverywhere)) best_ = kept;
+    const bool ended = found() && solution_.stages.back().outcome != "maxeval-reached";
+    if (!ended || size() < kManyParameters) return ended && fits_closely();
+    bool at_bound = false;
+    for (std::size_t i = 0; i < size(); ++i) {
+      at_bound = at_bound || best_.x[i] <= problem_.lower[i] || best_.x[i] >= problem_.upper[i];
     }
+    return best_.cost <= kExactFit * kExactFit && !at_bound;
   }
 
-  /// Looks for minima far away until one fits closely: SLSQP from seeded points around the start,
-  /// each with the scale of its own curvature.
-  void restart_widely(int evaluations) {
-    std::mt19937_64 random(~seed_);
-    for (int i = 0; i < kWideRestarts && !fits_exactly(); ++i) {
-      const std::vector<double> kept = best_;
-      for (std::size_t k = 0; k < n_; ++k) {
-        const double x = start_[k] + kGlobalReach * uniform(random);
-        best_[k] = std::clamp(x, lower(k), upper(k));
+  /// Looks for minima far away: from the best of Sobol's points within the box and kGlobalReach
+  /// around the start, and from further starts.
+  void search_widely(std::span<const StartPoint> further) {
+    std::vector<Point> starts = screened();
+    for (const StartPoint& values : further) starts.push_back(point_at(values));
+    search_among(starts, kWide);
+  }
+
+  /// Looks for other minima near the best point: from seeded points around it, at which the cost
+  /// would be up to kRiseAround higher if it were a parabola.
+  void search_around() {
+    const std::vector<double> curvature = curvatures(best_.x);
+    const double reach = std::sqrt(2.0 * kRiseAround * best_.cost);
+    std::mt19937_64 random(how_.seed);
+    std::vector<Point> starts(kSearchesAround, best_.x);
+    for (Point& start : starts) {
+      for (std::size_t k = 0; k < size(); ++k) {
+        const double x = start[k] + reach * uniform(random) / std::sqrt(curvature[k]);
+        start[k] = std::clamp(x, problem_.lower[k], problem_.upper[k]);
       }
-      rescale();
-      if (!stage("slsqp", evaluations, kEverywhere)) best_ = kept;
     }
-    rescale();
+    MultiStartOptions around = kAround;
+    if (size() < kManyParameters) around.polished = starts.size();
+    search_among(starts, around);
   }
 
-  bool has_many_parameters() const { return n_ >= kManyParameters; }
-
-  bool fits_exactly() const { return best_cost_ <= kExactFit * kExactFit; }
-
-  bool fits_closely() const { return best_cost_ < kCloseFit * kCloseFit; }
-
-  bool found() const { return found_; }
+  bool fits_closely() const { return best_.cost < kCloseFit * kCloseFit; }
+  bool found() const { return std::isfinite(best_.cost); }
 
   void finish() {
-    if (aside_ && !(found_ && best_cost_ <= aside_->cost)) {
-      best_ = aside_->at;
-      best_cost_ = aside_->cost;
-      found_ = true;
-    }
-    if (!found_) {
+    if (!found()) {
       solution_.reason = "the model could not be run at any point of the box";
       return;
     }
     if (!solution_.usable) solution_.reason = "optimizer: " + solution_.stages.back().outcome;
-    solution_.cost = best_cost_ * misfit_.cost_unit();
-    cost_at_best();  // sets the break limit, too
-    solution_.active = values_;
+    solution_.cost = best_.cost * misfit_.unit();
+    misfit_.cost(best_.x, {});  // sets the break limit, too
+    solution_.active = misfit_.values();
   }
 
  private:
-  double cost_at_best() {
-    std::vector<double> z(n_);
-    for (std::size_t i = 0; i < n_; ++i) z[i] = best_[i] * scale_[i];
-    return cost(z, {});
-  }
-
-  /// Below this, a curvature is rounding; a cost this small is an exact fit (rms 1e-12 of the
-  /// largest stress).
-  static constexpr double kLeastCurvature = 1e-20;
-  static constexpr double kNoiseFloor = 1e-24;
-
-  static double power_of_two_near(double x) {
-    int exponent = 0;
-    std::frexp(x, &exponent);
-    return std::ldexp(1.0, exponent - 1);
-  }
-
-  /// 53 random bits as a number in [-1, 1).
-  static double uniform(std::mt19937_64& random) {
-    return 0x1p-52 * static_cast<double>(random() >> 11U) - 1.0;
-  }
-
-  double lower(std::size_t i) const { return parameters_.lower(searched_[i]); }
-  double upper(std::size_t i) const { return parameters_.upper(searched_[i]); }
-
-  void set_values(std::span<const double> x, bool scaled) {
-    for (std::size_t i = 0; i < n_; ++i) {
-      values_[searched_[i]] = parameters_.value(searched_[i], scaled ? x[i] / scale_[i] : x[i]);
+  std::vector<Point> screened() {
+    if (options_.stopping.global_evaluations == 0) return {};
+    Box box{problem_.lower, problem_.upper};
+    for (std::size_t i = 0; i < size(); ++i) {
+      box.lower[i] = std::max(box.lower[i], problem_.start[i] - kGlobalReach);
+      box.upper[i] = std::min(box.upper[i], problem_.start[i] + kGlobalReach);
     }
+    Minimum screened;
+    screened.evaluations = options_.stopping.global_evaluations;
+    screened.outcome = "maxeval-reached";
+    const std::vector<Point> points =
+        sobol_points(box, static_cast<std::size_t>(screened.evaluations), how_.seed);
+    std::vector<double> costs;
+    costs.reserve(points.size());
+    for (const Point& point : points) costs.push_back(misfit_.cost(point, {}));
+    screened.cost = *std::ranges::min_element(costs);
+    listener()("sobol", screened);
+    return starts_among(points, costs, box, kSearchesWide);
   }
 
-  /// A free break limit is not searched but follows the others; see misfit.hpp.
-  double cost(std::span<const double> z, std::span<double> gradient) {
-    set_values(z, true);
-    by_active_.resize(gradient.empty() ? 0 : values_.size());
-    const double f = misfit_.search_cost(values_, by_active_);
-    for (std::size_t i = 0; i < gradient.size(); ++i) {
-      const std::size_t k = searched_[i];
-      gradient[i] =
-          by_active_[k] * parameters_.slope(k, values_[k]) / (scale_[i] * misfit_.cost_unit());
+  Point point_at(const StartPoint& values) const {
+    Point x = problem_.start;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Field* field = parameters_.all()[misfit_.parameter(i)].field;
+      for (const auto& [moved, value] : values) {
+        if (moved != field) continue;
+        x[i] = std::clamp(misfit_.coordinate(i, value), problem_.lower[i], problem_.upper[i]);
+      }
     }
-    if (break_ && std::isfinite(f)) {
-      const ResolvedParameter& p = parameters_.all()[parameters_.active()[*break_]];
-      values_[*break_] =
-          std::clamp(misfit_.permanent_strain() / misfit_.break_factor(), p.lower, p.upper);
-    }
-    if (misfit_.was_run()) {
-      Trace& trace = solution_.trace;
-      trace.values.insert(trace.values.end(), values_.begin(), values_.end());
-      trace.costs.push_back(f);
-    }
-    return f / misfit_.cost_unit();
+    return x;
   }
 
-  Misfit& misfit_;
+  void search_among(const std::vector<Point>& starts, MultiStartOptions options) {
+    MinimizeOptions how = how_;
+    how.x_tolerance = std::max(how.x_tolerance, kCompared);
+    how.cost_tolerance = std::max(how.cost_tolerance, kComparedCost);
+    options.known = best_.cost;
+    keep(search_from(problem_, starts, options, how, listener()));
+  }
+
+  StageListener listener() {
+    return [this](std::string_view algorithm, const Minimum& end) {
+      solution_.stages.push_back(
+          {std::string(algorithm), end.outcome, end.evaluations, end.cost * misfit_.unit()});
+      solution_.usable = solution_.usable || end.usable;
+    };
+  }
+
+  void keep(Minimum end) {
+    if (!end.x.empty() && end.cost < best_.cost) best_ = std::move(end);
+  }
+
+  /// Second derivatives of the cost by the coordinates after Gauss and Newton; 1 of those that do
+  /// not matter (n).
+  std::vector<double> curvatures(const Point& x) {
+    const std::size_t n = size();
+    std::vector<double> gradient(n), normal(n * n), curvature(n, 1.0);
+    if (!std::isfinite(misfit_.squares(x, gradient, normal))) return curvature;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double c = 2.0 * normal[i * n + i];
+      if (std::isfinite(c) && c > kLeastCurvature) curvature[i] = c;
+    }
+    return curvature;
+  }
+
+  TracedMisfit misfit_;
   const ParameterSet& parameters_;
   const FitOptions& options_;
-  std::uint64_t seed_;
   Solution& solution_;
-  std::size_t n_ = 0;                  ///< number of coordinates that are searched
-  std::vector<std::size_t> searched_;  ///< active index of each
-  std::optional<std::size_t> break_;   ///< active index of a free break limit
-  std::vector<double> scale_;
-  std::vector<double> values_;  ///< SI (n_active)
-  std::vector<double> by_active_;
-  std::vector<double> start_;  ///< the set's coordinates
-  std::vector<double> best_;   ///< the set's coordinates; the start until a stage has run
-  double best_cost_ = 0.0;
-  bool found_ = false;
-  struct Best {
-    std::vector<double> at;
-    double cost;
-  };
-  std::optional<Best> aside_;  ///< of the first descent
+  Problem problem_;
+  MinimizeOptions how_;
+  Minimum best_;
 };
 
 }  // namespace
 
 Solution minimize_misfit(Misfit& misfit, const ParameterSet& parameters, const FitOptions& options,
-                         std::uint64_t seed) {
+                         std::uint64_t seed, std::span<const StartPoint> further) {
   Solution solution;
   Search search(misfit, parameters, options, seed, solution);
-  const StoppingRules& stop = options.stopping;
   if (search.size() == 0) {
     search.evaluate_start();
   } else if (options.algorithm != "auto") {
-    const bool global = is_global(options.algorithm);
-    search.rescale();
-    search.stage(options.algorithm, global ? stop.global_evaluations : stop.local_evaluations,
-                 kEverywhere);
+    search.run_alone(options.algorithm);
   } else {
     search.try_largest_yield();
-    if (stop.global_evaluations > 0) {
-      search.descend(stop.local_evaluations);
-      if (search.settled()) {
-        search.finish();
-        return solution;
-      }
-      search.begin_again();
-      search.stage("crs", stop.global_evaluations, kGlobalReach);
+    search.descend();
+    if (!search.settled()) {
+      search.search_widely(further);
+      if (search.found() && !search.fits_closely()) search.search_around();
+      if (search.found()) search.descend();
     }
-    search.descend(stop.local_evaluations);
-    if (search.found() && search.has_many_parameters()) {
-      search.restart_widely(stop.local_evaluations);
-    }
-    if (search.found() && !search.fits_closely()) search.restart_around(stop.local_evaluations);
   }
   search.finish();
   return solution;

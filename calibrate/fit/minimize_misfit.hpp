@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "calibrate/fit/misfit.hpp"
 #include "calibrate/fit/options.hpp"
 #include "calibrate/fit/parameter_set.hpp"
 #include "calibrate/fit/result.hpp"
+#include "calibrate/search/ladder.hpp"
 
 namespace plastica::calibrate {
 
@@ -25,22 +27,21 @@ struct Solution {
 ///
 /// `auto`:
 /// 0. the yield stress begins at the largest measured stress if that costs less than its start;
-/// 1. from there SLSQP with exact derivatives. The cost has kinks where a sample goes from elastic
-///    to plastic: if SLSQP ended where the slope still promises less cost, a downhill simplex looks
-///    around and SLSQP goes on. If the misfit is now below 2 % of the largest stress (with three
-///    parameters and more, 0.2 %), this is the end;
-/// 2. else a seeded global stage from the start: controlled random search within the bounds and a
-///    factor of five around the start;
-/// 3. from its best point, or the start if that is better, as in 1;
-/// 4. a hardening law's three and more parameters have minima far apart: unless the misfit is below
-///    0.2 % of the largest stress, SLSQP starts again from 12 seeded points in the global stage's
-///    box (of 40 exact cyclic curves each with 4 to 6 parameters, all are recovered with it, half
-///    to 90 % without);
-/// 5. where the misfit is above 2 % of the largest stress (the model cannot follow the curve), the
-///    kinks are large enough for several minima: SLSQP starts again from 16 seeded points nearby.
-/// The best of all is kept.
+/// 1. from there down by Gauss and Newton with exact slopes, and past kinks of the cost, where a
+///    sample goes from elastic to plastic (descend.hpp). If the misfit is now below 2 % of the
+///    largest stress (with three parameters and more, 0.2 %, and none at a bound), this is the end;
+/// 2. else a global stage: seeded points of Sobol's within the bounds and a factor of five around
+///    the start are screened, and from the best that lie apart, and from the further starts, go
+///    short searches, of which the best go on;
+/// 3. where the misfit is above 2 % of the largest stress (the model cannot follow the curve), the
+///    kinks are large enough for several minima: short searches from 16 seeded points nearby, of
+///    which the best go on.
+/// The best of all goes to its end and is kept. Of 40 exact cyclic curves each with 4 to 6
+/// parameters all are recovered (tests/studies/cyclic_study.cpp). Back-stresses that nothing but
+/// their number tells apart are numbered in rising order of their rates.
 /// Any other algorithm runs alone from the start.
+/// @param further  starts besides that of the parameters, for `auto`
 Solution minimize_misfit(Misfit& misfit, const ParameterSet& parameters, const FitOptions& options,
-                         std::uint64_t seed);
+                         std::uint64_t seed, std::span<const StartPoint> further = {});
 
 }  // namespace plastica::calibrate

@@ -156,6 +156,40 @@ double Misfit::search_cost(std::span<const double> active, std::span<double> gra
   return std::isfinite(stress) ? stress + break_cost(likely_limit(), {}, false) : stress;
 }
 
+double Misfit::search_squares(std::span<const double> active, std::span<double> gradient,
+                              std::span<double> normal) {
+  const double cost = search_cost(active, gradient);
+  if (!std::isfinite(cost)) return cost;
+  for (double& g : gradient) g *= 0.5;
+  const std::size_t width = model_index_.size();
+  const std::size_t n = active.size();
+  model_normal_.resize(width * width);
+  weighted_normal(weight_, sensitivity_.stress, width, model_normal_);
+  if (break_scale_ > 0.0 && break_residual() != 0.0) {
+    for (std::size_t i = 0; i < width; ++i) {
+      for (std::size_t j = 0; j < width; ++j) {
+        model_normal_[i * width + j] +=
+            break_scale_ * sensitivity_.permanent_strain[i] * sensitivity_.permanent_strain[j];
+      }
+    }
+  }
+  // J by the active parameters is J by the model's times the map of ties.
+  const std::vector<double> map = model_by_active(n);
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = 0; b < n; ++b) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < width; ++i) {
+        if (map[i * n + a] == 0.0) continue;
+        for (std::size_t j = 0; j < width; ++j) {
+          sum += map[i * n + a] * model_normal_[i * width + j] * map[j * n + b];
+        }
+      }
+      normal[a * n + b] = sum;
+    }
+  }
+  return cost;
+}
+
 bool Misfit::residuals(std::span<const double> active, std::span<double> residual) {
   if (!set_values(active) || !run_model(false)) return false;
   const double* stress = response_.probes[0].data();

@@ -56,6 +56,13 @@ class Misfit {
   /// else as `cost`.
   double search_cost(std::span<const double> active, std::span<double> gradient);
 
+  /// The cost of `search_cost` as a sum of squares |r|^2 of sqrt(w_i/sum w) (model - measured) and
+  /// the break's residual, J their slopes by the active parameters [SI].
+  /// @param gradient  J^T r, half the gradient of the cost (n_active) [Pa^2/SI]
+  /// @param normal  J^T J (n_active x n_active) [Pa^2/SI^2]
+  double search_squares(std::span<const double> active, std::span<double> gradient,
+                        std::span<double> normal);
+
   /// Model stress - measured stress of all whole samples [Pa] (n_samples); the break parameter's
   /// value does not count. @return false if the model cannot be run
   bool residuals(std::span<const double> active, std::span<double> residual);
@@ -134,6 +141,7 @@ class Misfit {
   std::vector<double> all_values_;
   std::vector<double> model_values_;
   std::vector<double> by_all_;
+  std::vector<double> model_normal_;  ///< of the last `search_squares` (n_model x n_model)
 
   /// What the last run gave; kept for an evaluation at the same point.
   std::optional<std::vector<double>> run_values_;  ///< of the model

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "calibrate/fit/least_squares.hpp"
+#include "calibrate/search/least_squares.hpp"
 
 namespace plastica::calibrate {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "calibrate/fit/least_squares.hpp"
+#include "calibrate/search/least_squares.hpp"
 #include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {

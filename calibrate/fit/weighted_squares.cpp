@@ -38,6 +38,35 @@ void sum_all_slopes(std::span<const double> model, std::span<const double> targe
   }
 }
 
+/// Known to the compiler, the sums of the usual few parameters stay in registers.
+template <std::size_t kParameters>
+void sum_products(std::span<const double> weight, const double* row, std::span<double> normal) {
+  std::array<double, kParameters * kParameters> sum{};
+  for (std::size_t i = 0; i < weight.size(); ++i, row += kParameters) {
+    for (std::size_t a = 0; a < kParameters; ++a) {
+      const double wa = weight[i] * row[a];
+      for (std::size_t b = 0; b <= a; ++b) sum[a * kParameters + b] += wa * row[b];
+    }
+  }
+  for (std::size_t a = 0; a < kParameters; ++a) {
+    for (std::size_t b = 0; b <= a; ++b) {
+      normal[a * kParameters + b] = normal[b * kParameters + a] = sum[a * kParameters + b];
+    }
+  }
+}
+
+/// Any number of parameters.
+void sum_all_products(std::span<const double> weight, const double* row, std::size_t parameters,
+                      std::span<double> normal) {
+  std::fill(normal.begin(), normal.end(), 0.0);
+  for (std::size_t i = 0; i < weight.size(); ++i, row += parameters) {
+    for (std::size_t a = 0; a < parameters; ++a) {
+      const double wa = weight[i] * row[a];
+      for (std::size_t b = 0; b < parameters; ++b) normal[a * parameters + b] += wa * row[b];
+    }
+  }
+}
+
 }  // namespace
 
 double weighted_squares(std::span<const double> model, std::span<const double> target,
@@ -55,6 +84,18 @@ double weighted_squares(std::span<const double> model, std::span<const double> t
     sum[0] += weight[i] * r * r;
   }
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+void weighted_normal(std::span<const double> weight, std::span<const double> slopes,
+                     std::size_t parameters, std::span<double> normal) {
+  const double* rows = slopes.data();
+  switch (parameters) {
+    case 1: sum_products<1>(weight, rows, normal); break;
+    case 2: sum_products<2>(weight, rows, normal); break;
+    case 3: sum_products<3>(weight, rows, normal); break;
+    case 4: sum_products<4>(weight, rows, normal); break;
+    default: sum_all_products(weight, rows, parameters, normal); break;
+  }
 }
 
 double weighted_product(std::span<const double> weight, std::span<const double> a,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 namespace plastica::calibrate {
@@ -15,6 +16,11 @@ double weighted_squares(std::span<const double> model, std::span<const double> t
 double weighted_squares(std::span<const double> model, std::span<const double> target,
                         std::span<const double> weight, std::span<const double> slopes,
                         std::span<double> gradient);
+
+/// sum w_i (dm_i/dp) (dm_i/dq) in `normal` (n_parameters x n_parameters), sums of a fixed order.
+/// @param slopes  dm_i/dp (n x n_parameters), row by row
+void weighted_normal(std::span<const double> weight, std::span<const double> slopes,
+                     std::size_t parameters, std::span<double> normal);
 
 /// sum w_i a_i b_i (n); sums of a fixed order, as above.
 double weighted_product(std::span<const double> weight, std::span<const double> a,

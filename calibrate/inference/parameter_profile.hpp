@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "calibrate/fit/intervals.hpp"
-#include "calibrate/fit/least_squares.hpp"
 #include "calibrate/fit/profile.hpp"
+#include "calibrate/search/least_squares.hpp"
 
 /// The likelihood profile of one free parameter of a fit, whatever its targets; not installed.
 namespace plastica::calibrate {

@@ -5,11 +5,9 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "calibrate/fit/law.hpp"
-#include "calibrate/fit/least_squares.hpp"
 #include "calibrate/fit/parameter.hpp"
 #include "calibrate/fit/result.hpp"
 #include "calibrate/fit/verdict.hpp"
@@ -17,6 +15,8 @@
 #include "calibrate/scene/scene_intervals.hpp"
 #include "calibrate/scene/scene_target.hpp"
 #include "calibrate/scene/segments_error.hpp"
+#include "calibrate/search/ladder.hpp"
+#include "calibrate/search/least_squares.hpp"
 
 namespace plastica::calibrate {
 
@@ -26,9 +26,6 @@ struct ScenePart {
   SceneTarget target;
   double weight = 1.0;  ///< of its squares, beside those of other parts, > 0
 };
-
-/// Values of some free parameters that a search is to begin from [SI].
-using SceneStartPoint = std::vector<std::pair<const Field*, double>>;
 
 /// What a fit through scenes may move, and how long it searches.
 struct SceneFitOptions {
@@ -53,7 +50,7 @@ struct SceneFitOptions {
   /// stage. After a screening each takes some six steps, and the two best go on to their ends.
   int starts = 10;
   /// Starts besides these; what a point does not name begins at its start.
-  std::vector<SceneStartPoint> further_starts{};
+  std::vector<StartPoint> further_starts{};
   /// Laws that are compared (scene_laws.hpp); `fit_scenes` has that of the scenes.
   std::vector<Law> laws{};
   std::uint64_t seed = 1;    ///< of the points' scrambling, and of resamples

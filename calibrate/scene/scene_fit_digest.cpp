@@ -31,7 +31,7 @@ void add_to(io::Digest& digest, const SceneFitOptions& options) {
   digest.integer(static_cast<std::uint64_t>(options.starts)).integer(options.seed);
   digest.integer(static_cast<std::uint64_t>(options.screen));
   digest.integer(options.further_starts.size());
-  for (const SceneStartPoint& start : options.further_starts) {
+  for (const StartPoint& start : options.further_starts) {
     digest.integer(start.size());
     for (const auto& [field, value] : start) digest.text(field->path).real(value);
   }

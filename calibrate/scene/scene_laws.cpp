@@ -10,13 +10,11 @@
 #include <variant>
 
 #include "calibrate/scene/scene_parameters.hpp"
+#include "calibrate/search/ladder.hpp"
 #include "plastica/model/region.hpp"
 
 namespace plastica::calibrate {
 namespace {
-
-/// A squared misfit above the simpler law's by more than this share of it is not the least.
-constexpr double kNoBetter = 1e-6;
 
 /// A number of the first part's material where the search begins.
 double start_of(MaterialField which, const SceneFitOptions& options, const Setup& setup) {
@@ -139,23 +137,18 @@ SceneFitOptions options_of(Law law, const SceneFitOptions& options,
 }
 
 void start_from(const SceneFitResult& simpler, SceneFitOptions& options) {
-  SceneStartPoint shared, alone;
+  std::vector<SearchedParameter> searched;
   for (const Parameter& p : options.parameters) {
-    if (p.role != ParameterRole::Free || is_break(p)) continue;
-    const auto found = std::ranges::find(simpler.parameters, p.field->path, &FittedParameter::path);
-    if (found != simpler.parameters.end()) {
-      shared.emplace_back(p.field, found->value);
-      continue;
-    }
-    // Without a stress to reach, its rate has no effect, whatever it is; only its own start shows a
-    // way up from there.
-    const bool rate = p.field->material == MaterialField::SaturationRate;
-    const auto least = least_effect(p, *p.lower, *p.upper);
-    if (least && !rate) alone.emplace_back(p.field, *least);
+    const bool moves = p.role == ParameterRole::Free && !is_break(p);
+    if (moves) searched.push_back({&p, *p.lower, *p.upper});
   }
-  options.further_starts.push_back(shared);
-  alone.insert(alone.end(), shared.begin(), shared.end());
-  options.further_starts.push_back(std::move(alone));
+  const auto value_of = [&](std::string_view path) {
+    const auto found = std::ranges::find(simpler.parameters, path, &FittedParameter::path);
+    return found == simpler.parameters.end() ? std::nullopt : std::optional(found->value);
+  };
+  for (StartPoint& start : starts_from_simpler(searched, value_of)) {
+    options.further_starts.push_back(std::move(start));
+  }
 }
 
 void compare_with(const SceneFitResult& simpler, std::span<const ScenePart> parts,

@@ -62,7 +62,7 @@ double SceneParameters::slope(std::size_t i, double value) const {
   return s.logarithmic ? value : *s.parameter->upper - *s.parameter->lower;
 }
 
-std::vector<double> SceneParameters::point_at(const SceneStartPoint& values) const {
+std::vector<double> SceneParameters::point_at(const StartPoint& values) const {
   std::vector<double> x(size(), 0.0);
   for (std::size_t i = 0; i < size(); ++i) {
     const Parameter& p = parameter(i);

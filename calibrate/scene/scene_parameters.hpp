@@ -35,7 +35,7 @@ class SceneParameters {
   double value(std::size_t i, double coordinate) const;  ///< within the bounds [SI]
   double slope(std::size_t i, double value) const;       ///< d value / d coordinate
   /// The point that has these values, held within the bounds, and else the start (n).
-  std::vector<double> point_at(const SceneStartPoint& values) const;
+  std::vector<double> point_at(const StartPoint& values) const;
 
   /// Fields that a scene is run with: those searched, then those tied to them (n_fields).
   const std::vector<const Field*>& fields() const { return fields_; }

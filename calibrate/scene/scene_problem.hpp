@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "calibrate/fit/least_squares.hpp"
 #include "calibrate/scene/part_noise.hpp"
 #include "calibrate/scene/scene_fit.hpp"
 #include "calibrate/scene/scene_model.hpp"
 #include "calibrate/scene/scene_parameters.hpp"
+#include "calibrate/search/least_squares.hpp"
 
 namespace plastica::calibrate {
 

@@ -7,10 +7,10 @@
 #include <numeric>
 #include <utility>
 
-#include "calibrate/fit/choose_starts.hpp"
-#include "calibrate/fit/least_squares_search.hpp"
 #include "calibrate/scene/part_noise.hpp"
 #include "calibrate/scene/scene_errors.hpp"
+#include "calibrate/search/least_squares_search.hpp"
+#include "calibrate/search/screening.hpp"
 #include "plastica/theory/sampling.hpp"
 
 namespace plastica::calibrate {
@@ -227,7 +227,7 @@ void SceneSearch::polish(std::vector<SearchRecord>& records) {
 void SceneSearch::search() {
   const std::size_t n = problem_.squares().start.size();
   Points starts{problem_.squares().start};
-  for (const SceneStartPoint& further : options_.further_starts) {
+  for (const StartPoint& further : options_.further_starts) {
     starts.push_back(problem_.parameters().point_at(further));
   }
   const bool several = n > 0 && options_.starts > 1;

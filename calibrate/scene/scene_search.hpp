@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "calibrate/fit/least_squares.hpp"
 #include "calibrate/scene/scene_fit.hpp"
 #include "calibrate/scene/scene_problem.hpp"
 #include "calibrate/scene/search_record.hpp"
+#include "calibrate/search/least_squares.hpp"
 
 namespace plastica::calibrate {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/fit/least_squares.hpp"
 #include "calibrate/scene/scene_problem.hpp"
+#include "calibrate/search/least_squares.hpp"
 
 namespace plastica::calibrate {
 

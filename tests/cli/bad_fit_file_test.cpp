@@ -79,8 +79,9 @@ INSTANTIATE_TEST_SUITE_P(
                    "4: fit.parameters.youngs_modulus.fixed = 'yes': must be true or false"),
         fit_change("UnknownObjective", "strain-path", "chi",
                    "2: fit.objective = 'chi': must be one of \"strain-path\", \"least-squares\""),
-        fit_change("UnknownAlgorithm", kObjective, "algorithm = 'simplex'",
-                   "2: fit.algorithm = 'simplex': must be one of \"auto\", \"crs\", …"),
+        fit_change(
+            "UnknownAlgorithm", kObjective, "algorithm = 'simplex'",
+            "2: fit.algorithm = 'simplex': must be one of \"auto\", \"gauss-newton\", \"crs\", …"),
         fit_change("NoiseWithoutLeastSquares", kObjective, "noise = '1 MPa'",
                    "2: fit.noise = 1 MPa: goes with objective = \"least-squares\" alone"),
         fit_change("NegativeSeed", kObjective, "seed = -1",

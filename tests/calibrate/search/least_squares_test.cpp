@@ -1,4 +1,4 @@
-#include "calibrate/fit/least_squares.hpp"
+#include "calibrate/search/least_squares.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "calibrate/fit/optimizer.hpp"
+#include "calibrate/search/optimizer.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlopt.hpp>
 
+#include "calibrate/search/gauss_newton.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::calibrate {
@@ -99,9 +100,8 @@ std::string_view outcome_name(nlopt::result result) {
 
 std::span<const std::string_view> algorithm_names() {
   static constexpr auto kNames = [] {
-    std::array<std::string_view, kAlgorithms.size() + 1> names{};
-    names[0] = "auto";
-    for (std::size_t i = 0; i < kAlgorithms.size(); ++i) names[i + 1] = kAlgorithms[i].name;
+    std::array<std::string_view, kAlgorithms.size() + 2> names{"auto", kGaussNewton};
+    for (std::size_t i = 0; i < kAlgorithms.size(); ++i) names[i + 2] = kAlgorithms[i].name;
     return names;
   }();
   return kNames;
@@ -112,11 +112,16 @@ std::string nlopt_version() {
          "." + std::to_string(nlopt::version_bugfix());
 }
 
-bool is_global(std::string_view algorithm) { return find(algorithm).global; }
+bool is_global(std::string_view algorithm) {
+  return algorithm != kGaussNewton && find(algorithm).global;
+}
 
-bool needs_gradient(std::string_view algorithm) { return find(algorithm).gradient; }
+bool needs_gradient(std::string_view algorithm) {
+  return algorithm == kGaussNewton || find(algorithm).gradient;
+}
 
 Minimum minimize(const Problem& problem, const MinimizeOptions& options) {
+  if (options.algorithm == kGaussNewton) return minimize_exact_squares(problem, options);
   const Algorithm& algorithm = find(options.algorithm);
   const auto n = static_cast<unsigned>(problem.start.size());
   Run run{problem, options.max_evaluations, {}, nullptr};

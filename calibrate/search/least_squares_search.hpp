@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "calibrate/fit/least_squares.hpp"
+#include "calibrate/search/least_squares.hpp"
+#include "calibrate/search/marquardt_steps.hpp"
 
 namespace plastica::calibrate {
 
@@ -41,15 +42,14 @@ class LeastSquaresSearch {
   void begin_trials();
   void try_step();
   void take_trial(std::span<const double> residuals, bool found);
-  Eigen::VectorXd step_of() const;
 
   LeastSquaresOptions options_;
   Eigen::VectorXd lower_, upper_;
   Eigen::VectorXd x_, r_;
-  Eigen::MatrixXd jacobian_, normal_;
-  Eigen::VectorXd pull_, step_;
+  Eigen::MatrixXd jacobian_;
   double cost_ = 0.0;
-  double lambda_;
+  MarquardtSteps steps_;
+  SquaresModel model_;
   int evaluations_ = 0;
   LeastSquaresOutcome outcome_ = LeastSquaresOutcome::NoStart;
 

@@ -1,10 +1,23 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace plastica::calibrate {
+
+/// Bounds of coordinates.
+struct Box {
+  std::vector<double> lower;  ///< (n), finite
+  std::vector<double> upper;  ///< (n), finite, not below lower
+};
+
+/// Sobol's points within a box. The first of seed 0 is a corner; with another all are scrambled.
+/// More coordinates than Sobol's sequence has dimensions stay in the middle of the box.
+/// @return (count, n)
+std::vector<std::vector<double>> sobol_points(const Box& box, std::size_t count,
+                                              std::uint64_t seed);
 
 /// The best of the points that a global stage has looked at, each in a basin of its own as far as
 /// the points show: one with a better one nearby is passed over, until none else is left.
@@ -20,5 +33,13 @@ namespace plastica::calibrate {
 ///         if fewer have a cost
 std::vector<std::size_t> choose_starts(std::span<const double> points,
                                        std::span<const double> costs, std::size_t count);
+
+/// The same for points of a box: the starts themselves (at most count, n).
+std::vector<std::vector<double>> starts_among(const std::vector<std::vector<double>>& points,
+                                              std::span<const double> costs, const Box& box,
+                                              std::size_t count);
+
+/// Indices of the least finite costs in rising order, ties in their order; at most `count`.
+std::vector<std::size_t> ranked(std::span<const double> costs, std::size_t count);
 
 }  // namespace plastica::calibrate

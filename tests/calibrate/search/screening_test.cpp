@@ -1,4 +1,4 @@
-#include "calibrate/fit/choose_starts.hpp"
+#include "calibrate/search/screening.hpp"
 
 #include <gtest/gtest.h>
 

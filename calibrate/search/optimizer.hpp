@@ -9,7 +9,7 @@
 
 namespace plastica::calibrate {
 
-/// A minimization over a box, in scaled coordinates of order one.
+/// What a stage of a search minimizes: a cost over a box, in scaled coordinates of order one.
 struct Problem {
   std::vector<double> lower;  ///< (n), finite
   std::vector<double> upper;  ///< (n), finite, above lower
@@ -17,8 +17,15 @@ struct Problem {
   /// Cost at x (n); fills `gradient` (n) if it is not empty. May throw: the exception leaves
   /// `minimize` whole. Not-a-number or infinite costs are taken as very bad points.
   std::function<double(std::span<const double> x, std::span<double> gradient)> cost;
+  /// The same cost as a sum of squares |r|^2 with exact slopes J = dr/dx, for "gauss-newton": fills
+  /// `gradient` with J^T r (n), half of that of the cost, and `normal` with J^T J (n x n), row by
+  /// row. May be empty: then there is no such stage. May throw, as `cost`.
+  std::function<double(std::span<const double> x, std::span<double> gradient,
+                       std::span<double> normal)>
+      squares = nullptr;
 };
 
+/// A stage of a search.
 struct MinimizeOptions {
   std::string algorithm;          ///< one of `algorithm_names()` but "auto"
   int max_evaluations = 500;      ///< >= 1; never exceeded
@@ -33,10 +40,17 @@ struct Minimum {
   int evaluations = 0;
   std::string outcome;  ///< "xtol-reached", "ftol-reached", "maxeval-reached", "roundoff-limited"…
   bool usable = false;  ///< whether x is worth keeping; true for "roundoff-limited"
+  /// Of "gauss-newton": what its linear model promises to take off the cost at x. Where that is
+  /// much, the cost has a kink there.
+  double promised = 0.0;
 };
 
-/// Names that a fit file may use: "auto" and those of NLopt that need bounds and no constraints,
-/// in lower case ("crs", "direct-l", "slsqp", "lbfgs", "nelder-mead", "sbplx", "bobyqa", …).
+/// The stage that is not NLopt's: Levenberg and Marquardt's (least_squares.hpp).
+inline constexpr std::string_view kGaussNewton = "gauss-newton";
+
+/// Names that a fit file may use: "auto", "gauss-newton" and those of NLopt that need bounds and no
+/// constraints, in lower case ("crs", "direct-l", "slsqp", "lbfgs", "nelder-mead", "sbplx",
+/// "bobyqa", …).
 std::span<const std::string_view> algorithm_names();
 bool is_global(std::string_view algorithm);
 bool needs_gradient(std::string_view algorithm);
@@ -44,8 +58,9 @@ bool needs_gradient(std::string_view algorithm);
 /// "2.7.1": the NLopt that runs.
 std::string nlopt_version();
 
-/// Minimizes with NLopt. The same problem and options give the same bits, in any thread.
-/// @throws whatever `cost` threw; InputError for an unknown algorithm
+/// Runs a stage: one of NLopt's algorithms, or Levenberg and Marquardt's with exact slopes. The
+/// same problem and options give the same bits, in any thread.
+/// @throws whatever the problem's functions threw; InputError for an unknown algorithm
 Minimum minimize(const Problem& problem, const MinimizeOptions& options);
 
 }  // namespace plastica::calibrate

@@ -1,6 +1,5 @@
-#include "calibrate/fit/least_squares_search.hpp"
+#include "calibrate/search/least_squares_search.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,10 +12,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double kFirstLambda = 1e-3;
-constexpr double kLeastLambda = 1e-12;
-constexpr double kMostLambda = 1e12;
 
 VectorXd vector_of(std::span<const double> v) {
   return Eigen::Map<const VectorXd>(v.data(), static_cast<Index>(v.size()));
@@ -36,7 +31,7 @@ LeastSquaresSearch::LeastSquaresSearch(const LeastSquaresProblem& problem,
       upper_(vector_of(problem.upper)),
       x_(vector_of(problem.start)),
       r_(static_cast<Index>(problem.residuals)),
-      lambda_(kFirstLambda) {
+      steps_(lower_, upper_, options) {
   ++evaluations_;
   ask(Phase::Start, problem.start, 1);
 }
@@ -142,22 +137,13 @@ void LeastSquaresSearch::take_slopes(std::span<const double> residuals,
 }
 
 void LeastSquaresSearch::begin_trials() {
-  pull_ = jacobian_.transpose() * r_;
-  normal_ = jacobian_.transpose() * jacobian_;
+  model_ = {cost_, jacobian_.transpose() * r_, jacobian_.transpose() * jacobian_};
   try_step();
 }
 
 void LeastSquaresSearch::try_step() {
-  step_ = step_of();
-  if (!step_.allFinite()) {
-    end(LeastSquaresOutcome::Stalled);
-    return;
-  }
-  const VectorXd fitted = r_ + jacobian_ * step_;
-  const double gain = cost_ - fitted.squaredNorm();
-  if (gain <= options_.cost_tolerance * cost_) {
-    const bool small = step_.cwiseAbs().maxCoeff() <= options_.x_tolerance;
-    end(small ? LeastSquaresOutcome::StepReached : LeastSquaresOutcome::CostReached);
+  if (const auto ended = steps_.propose(x_, model_)) {
+    end(*ended);
     return;
   }
   if (evaluations_ >= options_.max_evaluations) {
@@ -165,74 +151,26 @@ void LeastSquaresSearch::try_step() {
     return;
   }
   ++evaluations_;
-  const VectorXd to = x_ + step_;
+  const VectorXd to = steps_.target(x_);
   ask(Phase::Trial, std::vector<double>(to.data(), to.data() + to.size()), 1);
 }
 
 void LeastSquaresSearch::take_trial(std::span<const double> residuals, bool found) {
   const VectorXd r = vector_of(residuals);
   const double cost = found ? cost_of(r) : std::numeric_limits<double>::infinity();
-  const bool small = step_.cwiseAbs().maxCoeff() <= options_.x_tolerance;
-  if (cost < cost_) {
-    x_ += step_;
+  const auto ended = steps_.judge(cost_, cost);
+  if (steps_.accepted()) {
+    x_ = vector_of(points_);
     r_ = r;
     cost_ = cost;
-    lambda_ = std::max(0.1 * lambda_, kLeastLambda);
-    if (small) {
-      end(LeastSquaresOutcome::StepReached);
-    } else {
-      begin_slopes();
-    }
-    return;
   }
-  if (small) {
-    end(LeastSquaresOutcome::StepReached);
-    return;
-  }
-  lambda_ = std::max(10.0 * lambda_, kFirstLambda);
-  if (lambda_ > kMostLambda) {
-    end(LeastSquaresOutcome::Stalled);
+  if (ended) {
+    end(*ended);
+  } else if (steps_.accepted()) {
+    begin_slopes();
   } else {
     try_step();
   }
-}
-
-/// The damped step within the box. What a bound stops is held, and the others are solved again.
-VectorXd LeastSquaresSearch::step_of() const {
-  const Index n = x_.size();
-  std::vector<Index> free;
-  for (Index k = 0; k < n; ++k) {
-    const bool out =
-        (x_[k] <= lower_[k] && pull_[k] > 0.0) || (x_[k] >= upper_[k] && pull_[k] < 0.0);
-    if (!out && normal_(k, k) > 0.0) free.push_back(k);
-  }
-  VectorXd step = VectorXd::Zero(n);
-  while (!free.empty()) {
-    const auto m = static_cast<Index>(free.size());
-    MatrixXd a(m, m);
-    VectorXd b(m);
-    for (Index i = 0; i < m; ++i) {
-      const Index row = free[static_cast<std::size_t>(i)];
-      b[i] = -pull_[row];
-      // What is held at its bound has moved all the same.
-      for (Index k = 0; k < n; ++k) b[i] -= normal_(row, k) * step[k];
-      for (Index j = 0; j < m; ++j) a(i, j) = normal_(row, free[static_cast<std::size_t>(j)]);
-      a(i, i) *= 1.0 + lambda_;
-    }
-    const VectorXd solved = a.ldlt().solve(b);
-    const std::size_t before = free.size();
-    for (Index i = m; i-- > 0;) {
-      const Index k = free[static_cast<std::size_t>(i)];
-      const double to = x_[k] + solved[i];
-      if (to > lower_[k] && to < upper_[k]) continue;
-      step[k] = (to <= lower_[k] ? lower_[k] : upper_[k]) - x_[k];
-      free.erase(free.begin() + i);
-    }
-    if (free.size() < before) continue;
-    for (Index i = 0; i < m; ++i) step[free[static_cast<std::size_t>(i)]] = solved[i];
-    break;
-  }
-  return step;
 }
 
 }  // namespace plastica::calibrate

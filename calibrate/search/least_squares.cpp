@@ -1,10 +1,10 @@
-#include "calibrate/fit/least_squares.hpp"
+#include "calibrate/search/least_squares.hpp"
 
 #include <algorithm>
 #include <memory>
 #include <utility>
 
-#include "calibrate/fit/least_squares_search.hpp"
+#include "calibrate/search/least_squares_search.hpp"
 
 namespace plastica::calibrate {
 
