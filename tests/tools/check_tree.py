@@ -9,6 +9,7 @@ import re
 import subprocess
 import sys
 
+from dead_links import check_links
 from public_headers import check_public_headers
 
 LONGEST_FILE = 400
@@ -97,20 +98,25 @@ def tracked_files(root):
 
 def breaches(root):
     """All breaches in the repository at ROOT, as lines of text."""
-    found, sources = [], {}
-    for path in tracked_files(root):
+    found, sources, pages = [], {}, {}
+    files = tracked_files(root)
+    for path in files:
         try:
             text = (root / path).read_text(encoding="utf-8")
         except UnicodeDecodeError:
             continue  # data in another encoding, as laboratories write it
         found += check_length(path, text)
         found += check_words(path, text)
+        if path.suffix == ".md":
+            pages[path] = text
         if path.suffix in SOURCE:
             found += check_includes(path, text)
             found += check_pragma_once(path, text)
             if layer_of(str(path)) is not None:
                 sources[path] = text
-    return found + list(check_single_places(sources)) + list(check_public_headers(root))
+    found += check_single_places(sources)
+    found += check_public_headers(root)
+    return found + list(check_links(pages, files))
 
 
 def main():

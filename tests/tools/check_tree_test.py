@@ -79,6 +79,25 @@ class CheckTree(unittest.TestCase):
         found = self.breaches(README_dot_md="see /" + "home/someone/file\n")
         self.assert_one(found, "README.md:1: '/" + "home/' is a machine's path")
 
+    def test_a_link_to_a_file_a_folder_or_a_heading_is_kept(self):
+        self.assertEqual([], self.breaches(
+            README_dot_md="[a](docs/a.md#two-words-and-code) [b](docs) ![c](docs/c.svg)\n"
+                          "[d](https://example.org/x) [e](#here) `[f](nowhere)`\n"
+                          "```sh\necho '[g](nowhere)'\n```\n# Here\n",
+            docs__a_dot_md="## Two words, and `code`\n[home](../README.md)\n", docs__c_dot_svg="<svg/>\n"))
+
+    def test_a_link_that_leads_nowhere_is_a_breach_with_its_line(self):
+        self.assert_one(self.breaches(README_dot_md="\n[a](docs/b.md)\n", docs__a_dot_md="# A\n"),
+                        "README.md:2: the link docs/b.md leads nowhere")
+
+    def test_a_link_to_a_heading_that_is_not_there_is_a_breach(self):
+        self.assert_one(self.breaches(README_dot_md="[a](docs/a.md#b)\n", docs__a_dot_md="# A\n"),
+                        "leads to no heading of docs/a.md")
+        self.assert_one(self.breaches(README_dot_md="```\n# B\n```\n[b](#b)\n"), "no heading")
+
+    def test_the_second_heading_of_a_name_has_a_number(self):
+        self.assertEqual([], self.breaches(README_dot_md="# A\n# A\n[a](#a) [b](#a-1)\n"))
+
     def test_what_is_left_to_do_is_a_breach(self):
         self.assert_one(self.breaches(cli__a_dot_cpp="// TO" + "DO: mend\n"), "is left to do")
 
