@@ -8,7 +8,7 @@
 
 namespace plastica::calibrate {
 
-/// What a fit file says; calibrate/config/README.md lists its keys.
+/// What a fit file says; docs/file-formats.md lists its keys.
 struct FitFile {
   std::string path;  ///< as the user gave it; empty for curves named on the command line
   std::string text;

@@ -9,7 +9,7 @@
 
 namespace plastica::calibrate {
 
-/// A fit file whose targets name scenes; calibrate/config/README.md lists its keys.
+/// A fit file whose targets name scenes; docs/file-formats.md lists its keys.
 struct SceneFitFile {
   std::string path;                     ///< as the user gave it
   std::vector<io::InputText> inputs;    ///< the fit file, then its scenes, each once

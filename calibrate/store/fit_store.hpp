@@ -26,7 +26,7 @@ struct FitStoreContents {
   std::string run{};
 };
 
-/// Writes a result file (HDF5; layout: data/README.md). The records are stored in the order of
+/// Writes a result file (HDF5; layout: docs/hdf5.md). The records are stored in the order of
 /// their targets' names and laws, so that the same contents give the same bytes outside /meta
 /// whatever the order in which they come. The file appears under its name when it is whole, in
 /// place of what is there if that is allowed.

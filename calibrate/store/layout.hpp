@@ -6,7 +6,7 @@
 #include "calibrate/result/describe_fit.hpp"
 #include "calibrate/result/describe_target.hpp"
 
-/// What of a record stands where in a result file; not installed. Documented in data/README.md.
+/// What of a record stands where in a result file; not installed. Documented in docs/hdf5.md.
 namespace plastica::calibrate::store {
 
 /// Walks through all that a file holds of its records.

@@ -54,7 +54,7 @@ struct CheckFile {
   std::vector<Claim> claims;
 };
 
-/// Reads a check file; see data/README.md for the keys.
+/// Reads a check file; see docs/file-formats.md for the keys.
 /// @throws InputError for the first thing that is wrong, in it or in a sweep that it names
 CheckFile read_check_file(const std::string& path);
 

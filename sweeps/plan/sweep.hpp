@@ -91,7 +91,7 @@ class CaseTable {
 /// Most cases that a sweep may have.
 inline constexpr std::size_t kMostCases = 10'000'000;
 
-/// Reads a sweep file and the scene that it names; see data/README.md for the keys.
+/// Reads a sweep file and the scene that it names; see docs/file-formats.md for the keys.
 /// @throws InputError for the first thing that is wrong, unknown keys included
 Sweep read_sweep_file(const std::string& path);
 /// @param name  stands for the file in errors; its folder is where relative paths begin

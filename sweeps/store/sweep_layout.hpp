@@ -8,7 +8,7 @@
 #include "plastica/io/hdf5.hpp"
 #include "sweeps/store/sweep_record.hpp"
 
-/// Parts of a sweep's file; not installed. Documented in data/README.md.
+/// Parts of a sweep's file; not installed. Documented in docs/hdf5.md.
 namespace plastica::sweeps {
 
 /// How hard numbers are deflated: more costs much time and saves little.

@@ -12,7 +12,7 @@ namespace plastica::sweeps {
 inline constexpr std::string_view kSweepSchema = "plastica/sweep";
 inline constexpr int kSweepVersion = 1;
 
-/// Writes the result file of a sweep (HDF5; layout: data/README.md). The same record gives the
+/// Writes the result file of a sweep (HDF5; layout: docs/hdf5.md). The same record gives the
 /// same bytes outside /meta. The file appears under its name when it is whole,
 /// in place of what is there if that is allowed.
 /// @throws io::StorageError if it cannot be written

@@ -1,4 +1,4 @@
-"""What data/README.md says of the datasets of a result, and of the keys of its summary."""
+"""What docs/hdf5.md says of the datasets of a result, and of the keys of its summary."""
 
 import pathlib
 import re
@@ -11,12 +11,12 @@ BY_THEIR_OWN_NAMES = ("options/setup/", "meta/versions/", "regions/material/", "
 
 
 class Undocumented:
-    """Datasets of a file whose names the README does not say."""
+    """Datasets of a file whose names the page does not say."""
 
-    def __init__(self, readme):
+    def __init__(self, page):
         self.names = []
         self.seen = 0
-        self.documented = set(re.findall(r"`([a-z0-9_/]+)`", pathlib.Path(readme).read_text()))
+        self.documented = set(re.findall(r"`([a-z0-9_/]+)`", pathlib.Path(page).read_text()))
         self.documented |= {name.split("/")[-1] for name in self.documented}
 
     def visit(self, name, item):
@@ -26,8 +26,8 @@ class Undocumented:
                 self.names.append(name)
 
 
-def undocumented(file, readme):
-    found = Undocumented(readme)
+def undocumented(file, page):
+    found = Undocumented(page)
     file.visititems(found.visit)
     return found
 
@@ -49,7 +49,7 @@ def keys_of(value):
     return keys
 
 
-def undocumented_keys(summary, readme):
+def undocumented_keys(summary, page):
     """Keys of a scene's summary that the summary's own section does not say."""
-    text = pathlib.Path(readme).read_text().split("(JSON)\n")[1].split("\n## ")[0]
+    text = pathlib.Path(page).read_text().split("(JSON)\n")[1].split("\n## ")[0]
     return sorted(keys_of(summary) - set(re.findall(r"`([a-z_]+)`", text)))

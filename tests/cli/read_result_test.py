@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Reads a result with h5py alone, as data/README.md documents it.
+"""Reads a result with h5py alone, as docs/hdf5.md documents it.
 
-read_result_test.py COMMAND README: runs the command on curves of its own, of which one is bad.
+read_result_test.py COMMAND PAGE: runs the command on curves of its own, of which one is bad.
 """
 
 import json
@@ -16,7 +16,7 @@ import numpy
 
 from documented import undocumented, undocumented_keys
 
-COMMAND, README = sys.argv[1:3]
+COMMAND, PAGE = sys.argv[1:3]
 
 COLUMNS = {
     "fits": "name status reason file test measure loading target_status target_reason samples seed "
@@ -163,7 +163,7 @@ class ReadResult(unittest.TestCase):
         self.assertIn("plastica", meta["versions"])
 
     def test_has_nothing_that_is_not_documented(self):
-        found = undocumented(self.file, README)
+        found = undocumented(self.file, PAGE)
         self.assertGreater(found.seen, 80)
         self.assertEqual(found.names, [])
 
@@ -258,10 +258,10 @@ class ReadScene(unittest.TestCase):
         self.assertEqual(list(self.file["inputs/text"].asstr()), [SCENE])
 
     def test_has_nothing_that_is_not_documented(self):
-        found = undocumented(self.file, README)
+        found = undocumented(self.file, PAGE)
         self.assertGreater(found.seen, 70)
         self.assertEqual(found.names, [])
-        self.assertEqual(undocumented_keys(self.summary, README), [])
+        self.assertEqual(undocumented_keys(self.summary, PAGE), [])
 
 
 MOTION = """[beam]
@@ -351,7 +351,7 @@ class ReadMotion(unittest.TestCase):
         self.assertLess(self.file["outcome/ledger_error"][()], 0.01)
 
     def test_has_nothing_that_is_not_documented(self):
-        self.assertEqual(undocumented(self.file, README).names, [])
+        self.assertEqual(undocumented(self.file, PAGE).names, [])
 
 
 if __name__ == "__main__":

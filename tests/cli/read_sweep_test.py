@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Reads the result of a sweep with h5py alone, as data/README.md documents it.
+"""Reads the result of a sweep with h5py alone, as docs/hdf5.md documents it.
 
-read_sweep_test.py COMMAND README
+read_sweep_test.py COMMAND PAGE
 """
 
 import pathlib
@@ -15,7 +15,7 @@ import numpy
 
 from documented import undocumented
 
-COMMAND, README = sys.argv[1:3]
+COMMAND, PAGE = sys.argv[1:3]
 
 SWEEP = """scene = "cantilever.toml"
 
@@ -119,7 +119,7 @@ class ReadSweep(unittest.TestCase):
 
     def test_has_nothing_that_is_not_documented(self):
         for file in self.files:
-            self.assertEqual(undocumented(file, README).names, [])
+            self.assertEqual(undocumented(file, PAGE).names, [])
 
 
 if __name__ == "__main__":

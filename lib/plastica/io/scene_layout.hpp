@@ -14,7 +14,7 @@
 #include "plastica/io/scene_store.hpp"
 #include "plastica/model/support_kind.hpp"
 
-/// What of a simulated scene stands where in its file; not installed. Documented in data/README.md.
+/// What of a simulated scene stands where in its file; not installed. Documented in docs/hdf5.md.
 namespace plastica::io::scene_layout {
 
 using Shape = std::vector<std::size_t>;

@@ -34,7 +34,7 @@ struct SceneRecord {
 /// @param model  of the scene
 SceneRecord make_scene_record(const SceneFile& file, const Model& model, Response response);
 
-/// Writes the result file of a scene (HDF5; layout: data/README.md). The same record gives the
+/// Writes the result file of a scene (HDF5; layout: docs/hdf5.md). The same record gives the
 /// same bytes outside /meta. The file appears under its name when it is whole,
 /// in place of what is there if that is allowed.
 /// @param record  from `make_scene_record`

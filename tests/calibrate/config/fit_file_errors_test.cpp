@@ -241,7 +241,7 @@ TEST_F(FitFileErrors, AMaterialMustNotBeLeftToTheLibrarysDefaults) {
 }
 
 TEST_F(FitFileErrors, EveryKeyStandsInTheReadme) {
-  std::ifstream file(PLASTICA_SOURCE_DIR "/calibrate/config/README.md");
+  std::ifstream file(PLASTICA_SOURCE_DIR "/docs/file-formats.md");
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
   ASSERT_FALSE(readme.empty());
   const std::string target = "[[target]]\nfiles = 'a.csv'\nstrain = 'e'\nstress = 's'\n";

@@ -215,7 +215,7 @@ TEST(FitStore, GivesEveryRealColumnAUnitOrSaysThatItIsMixed) {
 TEST(FitStore, HasNoDatasetThatItsDocumentationDoesNotName) {
   const io::ScratchFolder folder;
   write_fit_store(folder.file("a.h5"), contents_of(mixed_records()));
-  const std::string page = io::content_of(PLASTICA_SOURCE_DIR "/data/README.md");
+  const std::string page = io::content_of(PLASTICA_SOURCE_DIR "/docs/hdf5.md");
   ASSERT_NE(page.find("## The result file of fits (HDF5)"), std::string::npos);
   const io::Hdf5File file = io::Hdf5File::open(folder.file("a.h5"));
   for (const auto& [path, text] : objects_of(folder.file("a.h5"))) {

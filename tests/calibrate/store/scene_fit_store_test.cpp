@@ -125,7 +125,7 @@ TEST_F(SceneFitStore, DiffersBetweenTwoRunsInMetaAlone) {
 
 TEST_F(SceneFitStore, HasNoDatasetThatItsDocumentationDoesNotName) {
   write_scene_fit_store(path_, scene_contents_of(mixed_scene_records()));
-  const std::string page = io::content_of(PLASTICA_SOURCE_DIR "/data/README.md");
+  const std::string page = io::content_of(PLASTICA_SOURCE_DIR "/docs/hdf5.md");
   const std::size_t from = page.find("## The result file of fits through scenes (HDF5)");
   ASSERT_NE(from, std::string::npos);
   const std::string chapter = page.substr(from, page.find("\n## ", from) - from);
