@@ -1,4 +1,4 @@
-"""The tables, as text and for the READMEs."""
+"""The tables, as text and for the pages."""
 
 import re
 

@@ -64,7 +64,7 @@ class Row:
     inverse: bool = False  # ratio = theirs / ours: times as fast
     want: str = ""
     unit: str = "s"
-    brief: bool = False    # in README.md, too
+    brief: bool = False    # in docs/speed.md, too
     share: float = 1.0     # ours is divided by it: points, specimens
 
     def measure(self, figures):

@@ -60,7 +60,7 @@ TEST(SceneWarnings, TakeTheDepthInThePlaneOfBending) {
                     "5 times as long as deep"));
 }
 
-/// Segments longer than the section is deep cost nothing of their own: README, table of N.
+/// Segments longer than the section is deep cost nothing of their own: docs/accuracy.md.
 TEST(SceneWarnings, AreNoneForSegmentsLongerThanTheSectionIsDeep) {
   for (const int segments : {2, 8, 49}) {
     EXPECT_EQ(warnings_of([&](Scene& s) { s.beam.segments = segments; }),
