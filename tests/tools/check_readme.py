@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Holds the README to what the program does: its examples are the ones that tests build and run,
-and the report that it shows is the one that the command prints.
+"""Holds README.md and docs/*.md to what the program does: the examples in them are the ones that
+tests build and run, and the reports are those that the command prints. A block stands in a page
+between `<!-- NAME -->` and `<!-- /NAME -->`; which page that is, is found out.
 
     check_readme.py COMMAND          checks
-    check_readme.py COMMAND --write  writes what comes out into the README
+    check_readme.py COMMAND --write  writes what comes out into the pages
 """
 import pathlib
 import re
@@ -13,6 +14,9 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+CONSUMER = ROOT / "tests/consumer"
+# Written by tests/benchmarks/compare.
+WRITTEN_ELSEWHERE = {"speed"}
 
 
 def marked(name):
@@ -23,16 +27,20 @@ def fenced(language, text):
     return f"```{language}\n{text.rstrip()}\n```\n"
 
 
-def run(command, *arguments, folder):
-    done = subprocess.run([command, *arguments], cwd=folder, capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(arguments)}: exit code {done.returncode}: {done.stderr}")
-    return done.stdout
-
-
 def first_group(report):
     """A sweep's report up to the end of its first table."""
     return "\n\n".join(report.split("\n\n")[:2])
+
+
+def chapters(report, *titles):
+    """The head of a report, and those of its chapters that have these titles."""
+    head, *rest = report.split("\n\n")
+    return "\n\n".join([head] + [each for each in rest if each.split("\n")[0].startswith(titles)])
+
+
+def until(report, title):
+    """A report up to a chapter, without this."""
+    return report[:report.index(f"\n{title}")]
 
 
 def without_time(report):
@@ -50,53 +58,106 @@ def one_joint(text):
     return re.search(r"# joint_1\n.*?\n(?=# joint_2)", text, re.DOTALL).group(0)
 
 
-def main():
-    command = str(pathlib.Path(sys.argv[1]).resolve())
-    write = "--write" in sys.argv[2:]
-    path = ROOT / "README.md"
-    text = path.read_text()
-    with tempfile.TemporaryDirectory() as folder:
-        shutil.copytree(ROOT / "data", pathlib.Path(folder) / "data")
-        report = run(command, "calibrate", "data/fits/demo.toml", "-o", "demo.h5", folder=folder)
-        through = run(command, "calibrate", "data/fits/bend_test.toml", "-o", "bend.h5",
-                      folder=folder)
-        scene = run(command, "simulate", "data/scenes/report_fig06_bent.toml", "-o", "bent.h5",
-                    folder=folder)
-        beam = run(command, "export", "bent.h5", "--to", "opensees", "--segments", "4",
-                   folder=folder)
-        shutil.copytree(ROOT / "tests/reference", pathlib.Path(folder) / "tests/reference")
-        sweep = run(command, "sweep", "data/sweeps/cantilever_deflection.toml", "-o", "sweep.h5",
-                    folder=folder)
-        chosen = run(command, "recommend", "sweep.h5", "--within", "0.1 %", folder=folder)
-        checked = run(command, "check", "data/checks/motion.toml", folder=folder)
-        expected = {
-            "sweep-report": fenced("text", first_group(sweep)),
-            "recommend-report": fenced("text", chosen),
-            "check-report": fenced("text", without_time(checked)),
-            "export-example": fenced("tcl", one_joint(beam)),
-            "scene-fit-example": fenced("toml", without_comment(
-                (ROOT / "data/fits/bend_test.toml").read_text())),
-            "scene-fit-report": fenced("text", through),
-            "scene-report": fenced("text", scene),
-            "demo-report": fenced("text", report),
-            "library-example": fenced("cpp", (ROOT / "tests/consumer/main.cpp").read_text()),
-            "breaking-example": fenced("cpp", (ROOT / "tests/consumer/breaking.cpp").read_text()),
-            "beam-example": fenced("cpp", (ROOT / "tests/consumer/beam.cpp").read_text()),
-        }
-        example = marked("fit-example").search(text).group(2)
-        toml = re.search(r"```toml\n(.*?)```", example, re.DOTALL).group(1)
-        (pathlib.Path(folder) / "data/fits/example.toml").write_text(toml)
-        run(command, "calibrate", "data/fits/example.toml", "-o", "example.h5", folder=folder)
+def build_of(program):
+    """How the user's project of the tests finds the library and builds one of its programs."""
+    lines = (CONSUMER / "CMakeLists.txt").read_text().splitlines()
+    return "\n".join(line for line in lines
+                     if line.startswith("find_package") or f"({program} " in line)
 
+
+def printed_by(program):
+    """What that program is tested to print."""
+    text = (CONSUMER / "check.cmake").read_text()
+    return re.search(rf'prints\({program}\s+"(.*?)"\)', text, re.DOTALL).group(1).replace("\\n", "\n")
+
+
+class Command:
+    """Runs the command in a folder that has the shipped data, as a clone has them."""
+
+    def __init__(self, command, folder):
+        self.command = command
+        self.folder = folder
+        shutil.copytree(ROOT / "data", folder / "data")
+        shutil.copytree(ROOT / "tests/reference", folder / "tests/reference")
+
+    def __call__(self, *arguments):
+        done = subprocess.run([self.command, *arguments], cwd=self.folder, capture_output=True,
+                              text=True)
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(arguments)}: exit code {done.returncode}: {done.stderr}")
+        return done.stdout
+
+
+def blocks(run):
+    """What each block has to be, by its name."""
+    shutil.copy(run.folder / "data/targets/al6061-t651-20c.csv", run.folder / "specimen.csv")
+    fit = run("calibrate", "specimen.csv", "-o", "specimen.h5")
+    laws = run("calibrate", "specimen.csv", "--laws", "ideal,linear,voce", "-o", "laws.h5")
+    sure = run("calibrate", "specimen.csv", "--profile", "--bootstrap", "400", "-o", "sure.h5")
+    batch = run("calibrate", "data/fits/demo.toml", "-o", "demo.h5")
+    through = run("calibrate", "data/fits/bend_test.toml", "-o", "bend_test.h5")
+    scene = run("simulate", "data/scenes/report_fig06_bent.toml", "-o", "bent.h5")
+    crash = run("simulate", "data/scenes/crash_bumper.toml", "-o", "crash.h5")
+    beam = run("export", "bent.h5", "--to", "opensees", "--segments", "4")
+    sweep = run("sweep", "data/sweeps/cantilever_deflection.toml", "-o", "sweep.h5")
+    chosen = run("recommend", "sweep.h5", "--within", "0.1 %")
+    checked = run("check", "data/checks/motion.toml")
+    reports = {
+        "fit-report": chapters(fit, "Characteristics", "Parameters", "Warnings"),
+        "laws-report": laws.split("\n\nspecimen: ")[0],
+        "intervals-report": re.search(r"Intervals of .*?\n\n", sure, re.DOTALL).group(0),
+        "batch-report": batch.split("\n\n")[0],
+        "scene-fit-report": through,
+        "scene-report": until(scene, "Joints"),
+        "motion-report": chapters(crash, "Breaks", "Pieces", "Energies"),
+        "sweep-report": first_group(sweep),
+        "recommend-report": chosen,
+        "check-report": without_time(checked),
+        "beam-prints": printed_by("beam"),
+        "breaking-prints": printed_by("breaking"),
+    }
+    expected = {name: fenced("text", text) for name, text in reports.items()}
+    for name, program in (("beam-example", "beam"), ("breaking-example", "breaking"),
+                          ("coupon-example", "main")):
+        expected[name] = fenced("cpp", (CONSUMER / f"{program}.cpp").read_text())
+    expected["cmake-example"] = fenced("cmake", build_of("beam"))
+    expected["export-example"] = fenced("tcl", one_joint(beam))
+    expected["scene-fit-example"] = fenced("toml", without_comment(
+        (ROOT / "data/fits/bend_test.toml").read_text()))
+    return expected
+
+
+def refreshed(text, expected, seen):
+    """A page with the blocks as they have to be, and the names of those that were not."""
     stale = []
-    for name, block in expected.items():
+    for name in re.findall(r"^<!-- /([\w-]+) -->$", text, re.MULTILINE):
+        seen.add(name)
+        if name in WRITTEN_ELSEWHERE:
+            continue
+        block = expected.get(name)
+        if block is None or not marked(name).search(text):
+            sys.exit(f"<!-- {name} --> is no block that can be written")
         if marked(name).search(text).group(2) != block:
             stale.append(name)
             text = marked(name).sub(lambda match: match.group(1) + block + match.group(3), text)
-    if write:
-        path.write_text(text)
-    elif stale:
-        sys.exit(f"README.md is stale: {', '.join(stale)}; tests/tools/check_readme.py --write")
+    return text, stale
+
+
+def main():
+    command = str(pathlib.Path(sys.argv[1]).resolve())
+    with tempfile.TemporaryDirectory() as folder:
+        expected = blocks(Command(command, pathlib.Path(folder)))
+    outdated, seen = [], set()
+    for path in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+        text, stale = refreshed(path.read_text(), expected, seen)
+        if stale and "--write" in sys.argv[2:]:
+            path.write_text(text)
+        elif stale:
+            outdated.append(f"{path.relative_to(ROOT)}: {', '.join(stale)}")
+    for name in sorted(set(expected) - seen):
+        outdated.append(f"no page shows {name}")
+    if outdated:
+        sys.exit("\n".join(outdated) + "\nis stale; tests/tools/check_readme.py COMMAND --write")
 
 
 if __name__ == "__main__":
