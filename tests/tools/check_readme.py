@@ -113,13 +113,13 @@ def blocks(run):
         "sweep-report": first_group(sweep),
         "recommend-report": chosen,
         "check-report": without_time(checked),
-        "beam-prints": printed_by("beam"),
         "breaking-prints": printed_by("breaking"),
     }
     expected = {name: fenced("text", text) for name, text in reports.items()}
     for name, program in (("beam-example", "beam"), ("breaking-example", "breaking"),
                           ("coupon-example", "main")):
         expected[name] = fenced("cpp", (CONSUMER / f"{program}.cpp").read_text())
+    expected["beam-prints"] = f"It prints `{printed_by('beam').rstrip()}`.\n"
     expected["cmake-example"] = fenced("cmake", build_of("beam"))
     expected["export-example"] = fenced("tcl", one_joint(beam))
     expected["scene-fit-example"] = fenced("toml", without_comment(
