@@ -49,6 +49,10 @@ class CheckTree(unittest.TestCase):
         self.assertEqual([], self.breaches(cli__a_dot_cpp="//\n" * 400))
         self.assert_one(self.breaches(cli__a_dot_cpp="//\n" * 401), "401 lines")
 
+    def test_a_readme_of_251_lines_is_a_breach_and_another_page_is_not(self):
+        self.assertEqual([], self.breaches(README_dot_md="a\n" * 250, docs__a_dot_md="a\n" * 251))
+        self.assert_one(self.breaches(README_dot_md="a\n" * 251), "251 lines")
+
     def test_a_header_without_pragma_once_is_a_breach(self):
         self.assert_one(self.breaches(cli__a_dot_hpp="int a();\n"), "no #pragma once")
 
