@@ -22,8 +22,8 @@ COMMAND = pathlib.Path(sys.argv[1]).resolve()
 PAGES = sys.argv[2:] or [
     "README.md", "docs/laboratory.md", "docs/simulation-engineer.md", "docs/ci.md", "docs/hdf5.md",
     "docs/accuracy.md", "docs/speed.md", "docs/extending.md"]
-FEWEST_COMMANDS = 40
-MOST_LEFT_OUT = 6
+FEWEST_COMMANDS = 80
+MOST_LEFT_OUT = 3
 
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 MARK = re.compile(r"<!-- (file|not run): (.+?) -->\n\Z")
