@@ -240,10 +240,10 @@ TEST_F(FitFileErrors, AMaterialMustNotBeLeftToTheLibrarysDefaults) {
             "in [material]");
 }
 
-TEST_F(FitFileErrors, EveryKeyStandsInTheReadme) {
+TEST_F(FitFileErrors, EveryKeyStandsInItsDocumentation) {
   std::ifstream file(PLASTICA_SOURCE_DIR "/docs/file-formats.md");
-  const std::string readme{std::istreambuf_iterator<char>(file), {}};
-  ASSERT_FALSE(readme.empty());
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_FALSE(page.empty());
   const std::string target = "[[target]]\nfiles = 'a.csv'\nstrain = 'e'\nstress = 's'\n";
   const std::string q = "qqqqqqqqqqqqqqqqqqqqqqqqqq = 1\n";
   for (const std::string& text :
@@ -256,10 +256,10 @@ TEST_F(FitFileErrors, EveryKeyStandsInTheReadme) {
     std::istringstream keys(message.substr(at + 13));
     for (std::string key; std::getline(keys, key, ',');) {
       key.erase(0, key.find_first_not_of(' '));
-      const bool found = readme.find('`' + key + '`') != std::string::npos ||
-                         readme.find("`stop." + key + '`') != std::string::npos ||
-                         readme.find(key + " = ") != std::string::npos ||
-                         readme.find("[fit." + key + "]") != std::string::npos;
+      const bool found = page.find('`' + key + '`') != std::string::npos ||
+                         page.find("`stop." + key + '`') != std::string::npos ||
+                         page.find(key + " = ") != std::string::npos ||
+                         page.find("[fit." + key + "]") != std::string::npos;
       EXPECT_TRUE(found || key == "stop") << key;
     }
   }
