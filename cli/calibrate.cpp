@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -21,6 +22,7 @@
 #include "cli/calibrate_arguments.hpp"
 #include "cli/calibrate_scenes.hpp"
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/dry_run.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
@@ -170,47 +172,41 @@ int calibrate_files(const CalibrateArguments& arguments) {
 constexpr const char* kBareGroup = "Curves without a fit file";
 
 void add_bare_options(CLI::App& sub, calibrate::BareFiles& bare) {
-  const std::string group = kBareGroup;
-  sub.add_option("--strain", bare.strain, "column of the strain: NAME, NAME:UNIT or a number")
-      ->group(group);
-  sub.add_option("--elongation", bare.elongation, "column of the elongation, with --gauge-length")
-      ->group(group);
-  sub.add_option("--gauge-length", bare.gauge_length, "\"50 mm\", or a column of --table")
-      ->group(group);
-  sub.add_option("--stress", bare.stress, "column of the stress: NAME, NAME:UNIT or a number")
-      ->group(group);
-  sub.add_option("--load", bare.force, "column of the force, with --area")->group(group);
-  sub.add_option("--area", bare.area, "\"120 mm^2\", or a column of --table")->group(group);
-  sub.add_option("--test", bare.test, "tension, bending or torsion")->group(group);
-  sub.add_option("--measure", bare.measure, "engineering or true")->group(group);
-  sub.add_option("--table", bare.table, "FILE:KEY, a row per specimen")->group(group);
-  sub.add_option("--group", bare.group, "column of the table that forms groups")
-      ->allow_extra_args(false)
-      ->group(group);
-  sub.add_option("--fix", bare.fixed, "NAME=VALUE, e.g. youngs_modulus=\"200 GPa\"")
-      ->allow_extra_args(false)
-      ->group(group);
+  const auto add = [&](const char* name, auto& value, const char* takes, const char* text) {
+    return sub.add_option(name, value, text)->option_text(takes)->group(kBareGroup);
+  };
+  add("--strain", bare.strain, "COLUMN[:UNIT]", "Take strains from a column, by name or number");
+  add("--elongation", bare.elongation, "COLUMN[:UNIT]",
+      "Take elongations from a column, with --gauge-length");
+  add("--gauge-length", bare.gauge_length, "LENGTH", "\"50 mm\", or a column of --table");
+  add("--stress", bare.stress, "COLUMN[:UNIT]", "Take stresses from a column, by name or number");
+  add("--load", bare.force, "COLUMN[:UNIT]", "Take forces from a column, with --area");
+  add("--area", bare.area, "AREA", "\"120 mm^2\", or a column of --table");
+  add("--test", bare.test, "KIND", "tension, bending or torsion");
+  add("--measure", bare.measure, "KIND", "engineering or true");
+  add("--table", bare.table, "FILE:KEY", "Read a row per specimen, found by the column KEY");
+  add("--group", bare.group, "COLUMN", "Form groups by a column of the table")
+      ->allow_extra_args(false);
+  add("--fix", bare.fixed, "NAME=VALUE", "Hold a parameter: youngs_modulus=\"200 GPa\"")
+      ->allow_extra_args(false);
 }
 
-constexpr const char* kIntervalGroup = "Intervals beside those of the covariance";
+constexpr const char* kIntervalGroup = "Other intervals than those of the covariance";
 
 void add_interval_options(CLI::App& sub, CalibrateArguments& arguments) {
-  const std::string group = kIntervalGroup;
-  sub.add_flag("--profile", arguments.profile, "likelihood intervals of all parameters")
-      ->group(group);
-  sub.add_option("--bootstrap", arguments.bootstrap, "resamples of the residuals, e.g. 400")
-      ->check(CLI::Range(0, calibrate::kMostResamples))
-      ->group(group);
-  sub.add_option("--bootstrap-block", arguments.bootstrap_block,
-                 "neighbouring residuals that are drawn together")
-      ->check(CLI::Range(1, calibrate::kMostResamples))
-      ->group(group);
-  sub.add_option(
-         "--bootstrap-specimens", arguments.bootstrap_specimens,
-         "resamples of the specimens: of targets that share the parameters of a fit through "
-         "scenes; of the fits of a group, for their mean")
-      ->check(CLI::Range(0, calibrate::kMostResamples))
-      ->group(group);
+  sub.add_flag("--profile", arguments.profile, "Find likelihood intervals of all parameters")
+      ->group(kIntervalGroup);
+  const auto add = [&](const char* name, auto& value, int least, const char* text) {
+    sub.add_option(name, value, text)
+        ->check(CLI::Range(least, calibrate::kMostResamples))
+        ->option_text("N")
+        ->group(kIntervalGroup);
+  };
+  add("--bootstrap", arguments.bootstrap, 0, "Resample the residuals N times, such as 400");
+  add("--bootstrap-block", arguments.bootstrap_block, 1, "Draw N neighbouring residuals together");
+  add("--bootstrap-specimens", arguments.bootstrap_specimens, 0,
+      "Resample the specimens N times: targets that share the parameters of a fit through scenes; "
+      "fits of a group, for their mean");
 }
 
 /// The first option of a group that was given; empty if none was.
@@ -224,23 +220,26 @@ std::string first_given(const CLI::App& sub, const char* group) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, const std::string& command_line, Action& action) {
-  CLI::App* sub = app.add_subcommand("calibrate", "fit every target of a fit file, or bare curves");
+  CLI::App* sub = app.add_subcommand(
+      "calibrate", "Fit parameters to measured curves: a fit file, or bare curves");
   auto arguments = std::make_shared<CalibrateArguments>();
-  sub->add_option("inputs", arguments->inputs, "FIT.toml, or CSV files of curves")->required();
+  sub->add_option("inputs", arguments->inputs, "A fit file, or CSV files of curves")
+      ->required()
+      ->option_text("FIT.toml|FILE.csv...");
   sub->add_option("-o,--output", arguments->output,
-                  "result file (HDF5); default: the input's name with .h5, here");
-  sub->add_option("--json", arguments->json, "also write the summary for scripts");
+                  "Write the result file (HDF5) here; default: the input's name with .h5")
+      ->option_text("FILE");
+  add_json_option(*sub, arguments->json);
   sub->add_option("--laws", arguments->laws,
-                  "fit each of these and compare: ideal, linear, voce, chaboche; of curves and "
-                  "through scenes")
+                  "Fit each of these laws and compare them: ideal, linear, voce, chaboche")
       ->delimiter(',')
-      ->allow_extra_args(false);
-  sub->add_option("--threads", arguments->threads, "0: as many as the machine has")
-      ->check(CLI::Range(0, 4096));
-  sub->add_flag("--dry-run", arguments->dry_run, "only say what would run");
-  sub->add_flag("--resume", arguments->resume, "go on with an interrupted run");
-  sub->add_flag("--force", arguments->force, "overwrite the output, and an interrupted run");
-  sub->add_flag("--quiet", arguments->quiet, "no report, no progress");
+      ->allow_extra_args(false)
+      ->option_text("LAW,...");
+  add_threads_option(*sub, arguments->threads);
+  add_dry_run_option(*sub, arguments->dry_run);
+  sub->add_flag("--resume", arguments->resume, "Continue an interrupted run");
+  add_force_option(*sub, arguments->force, "the output, and an interrupted run");
+  add_quiet_option(*sub, arguments->quiet, "no report, no progress");
   add_interval_options(*sub, *arguments);
   add_bare_options(*sub, arguments->bare);
   sub->footer(
@@ -248,8 +247,8 @@ void add_calibrate(CLI::App& app, const std::string& command_line, Action& actio
       "  plastica calibrate fit.toml -o fit.h5 --json fit.json\n"
       "  plastica calibrate curve.csv --laws ideal,linear,voce\n"
       "  plastica calibrate fit.toml --profile --bootstrap 400\n"
-      "  plastica calibrate a.csv b.csv --strain Strain --stress Stress:MPa "
-      "--fix youngs_modulus=\"200 GPa\"");
+      "  plastica calibrate a.csv b.csv --strain Strain --stress Stress:MPa \\\n"
+      "    --fix youngs_modulus=\"200 GPa\"");
   arguments->command_line = command_line;
   sub->callback([&action, arguments, sub] {
     arguments->bare_option = first_given(*sub, kBareGroup);

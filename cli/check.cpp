@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
@@ -103,17 +105,20 @@ int check(const CheckArguments& arguments) {
 }  // namespace
 
 void add_check(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("check", "hold a scene's convergence against named claims");
+  CLI::App* sub = app.add_subcommand("check", "Check named claims on accuracy and stability");
   auto arguments = std::make_shared<CheckArguments>();
-  sub->add_option("files", arguments->files, "CHECK.toml, one or several")->required();
-  sub->add_option("--junit", arguments->junit, "also write the verdicts as JUnit's XML");
-  sub->add_option("--threads", arguments->threads, "0: as many as the machine has")
-      ->check(CLI::Range(0, 4096));
-  sub->add_flag("--dry-run", arguments->dry_run, "only say what would run");
-  sub->add_flag("--force", arguments->force, "overwrite the XML");
-  sub->add_flag("--quiet", arguments->quiet, "no progress");
+  sub->add_option("files", arguments->files, "Check files")
+      ->required()
+      ->option_text("CHECK.toml...");
+  sub->add_option("--junit", arguments->junit, "Also write the verdicts as JUnit's XML")
+      ->option_text("FILE");
+  add_threads_option(*sub, arguments->threads);
+  add_dry_run_option(*sub, arguments->dry_run);
+  add_force_option(*sub, arguments->force, "the XML");
+  add_quiet_option(*sub, arguments->quiet, "no progress");
   sub->footer(
-      "Example: plastica check checks/*.toml --junit checks.xml\n"
+      "Example:\n"
+      "  plastica check checks/*.toml --junit checks.xml\n"
       "Exit code 0 if every claim holds, 1 if one does not, 2 for a bad file.");
   sub->callback([&action, arguments] { action = [arguments] { return check(*arguments); }; });
 }

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,7 @@
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/export_beam.hpp"
 #include "cli/result_kind.hpp"
@@ -199,39 +201,50 @@ int run_export(const ExportArguments& arguments) {
 }  // namespace
 
 void add_export(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("export", "the numbers of a result file");
+  CLI::App* sub =
+      app.add_subcommand("export", "Write numbers of a result file, or its beam for an engine");
   auto arguments = std::make_shared<ExportArguments>();
-  sub->add_option("file", arguments->file, "result of `plastica calibrate`, `simulate` or `sweep`")
-      ->required();
-  sub->add_option(
-         "--to", arguments->to,
-         "csv or json; of a sweep also its table as markdown or latex; of a fit or a scene "
-         "its beam for an engine: mjcf (MuJoCo), agx, chrono or opensees")
-      ->capture_default_str();
-  sub->add_option(
-         "--what", arguments->what,
-         "csv of fits: specimens, or curves, a row per sample; of fits through scenes: fits, "
-         "targets or curves; of a scene: probes or energies, a "
-         "row per sample, joints, a row per joint at --time T, events, a row per joint that broke, "
-         "pieces, or spectrum, a row per frequency; of a sweep: cases, or curves; of fits with "
-         "--scene "
-         "and of scenes also beam, a row per joint with stiffness, yield moments, break angles")
+  sub->add_option("file", arguments->file, "Result of calibrate, simulate or sweep")
+      ->required()
+      ->option_text("FILE.h5");
+  sub->add_option("--to", arguments->to,
+                  "Write csv (the default) or json; of a sweep also markdown or latex; the beam as "
+                  "mjcf (MuJoCo), agx, chrono or opensees")
+      ->option_text("FORMAT");
+  sub->add_option("--what", arguments->what, "Write these numbers as CSV; names below")
       ->check(CLI::IsMember({"specimens", "fits", "targets", "curves", "probes", "joints",
-                             "energies", "events", "pieces", "spectrum", "cases", "beam"}));
-  sub->add_option("--time", arguments->time, "of joints: \"12 ms\"; else the last frame's");
-  sub->add_option("--scene", arguments->scene,
-                  "beam of a fit: a scene file, whose material gets the fitted numbers; of a fit "
-                  "through scenes, whose result has them, needed only where there are several");
-  sub->add_option("--case", arguments->which, "beam of a fit: whose, where there are several");
-  sub->add_option("--segments", arguments->segments, "of the beam, instead of the scene's");
-  sub->add_option("-o,--output", arguments->output, "file, or - for the terminal")
-      ->capture_default_str();
-  sub->add_flag("--force", arguments->force, "overwrite the output");
+                             "energies", "events", "pieces", "spectrum", "cases", "beam"}))
+      ->option_text("NAME");
+  sub->add_option("--time", arguments->time,
+                  "Write joints at this time: \"12 ms\"; default: the last frame")
+      ->option_text("TIME");
+  sub->add_option("-o,--output", arguments->output, "Write here; - (the default): the terminal")
+      ->option_text("FILE");
+  add_force_option(*sub, arguments->force, "the output");
+  const char* beam = "Beam of a fit";
+  sub->add_option(
+         "--scene", arguments->scene,
+         "Take this scene, with the fitted material; of a fit through several scenes: which")
+      ->option_text("SCENE.toml")
+      ->group(beam);
+  sub->add_option("--case", arguments->which, "Take this specimen's fit")
+      ->option_text("NAME")
+      ->group(beam);
+  sub->add_option("--segments", arguments->segments, "Divide the beam into N segments")
+      ->option_text("N")
+      ->group(beam);
   sub->footer(
+      "Names of --what, by the kind of result:\n"
+      "  fits of curves       specimens; curves, a row per sample\n"
+      "  fits through scenes  fits, targets, curves\n"
+      "  scene                probes, energies (a row per sample), joints, events,\n"
+      "                       pieces, spectrum\n"
+      "  sweep                cases, curves\n"
+      "  scene, fit           beam: a row per joint with stiffness, yield moments,\n"
+      "                       break angles\n"
       "Examples:\n"
       "  plastica export fit.h5 --to csv -o fit.csv\n"
-      "  plastica export fit.h5 --case s355 --scene scene.toml --segments 32 --to mjcf -o "
-      "beam.xml\n"
+      "  plastica export fit.h5 --case s355 --scene scene.toml --to mjcf -o beam.xml\n"
       "  plastica export scene-fit.h5 --to mjcf -o beam.xml");
   sub->callback([&action, arguments] { action = [arguments] { return run_export(*arguments); }; });
 }

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <string>
 
@@ -45,10 +46,13 @@ int list_fields() {
 }  // namespace
 
 void add_fields(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("fields", "every name that a file may use");
+  CLI::App* sub = app.add_subcommand(
+      "fields", "List every name that a file may use, with unit, range and default");
   sub->footer(
-      "Example: plastica fields | grep break\nDefaults and limits are in the unit shown; "
-      "files give theirs: yield_stress = \"355 MPa\".");
+      "Example:\n"
+      "  plastica fields | grep break\n"
+      "Defaults and limits are in the unit shown; files give theirs:\n"
+      "yield_stress = \"355 MPa\".");
   sub->callback([&action] { action = list_fields; });
 }
 

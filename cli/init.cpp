@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -7,6 +8,7 @@
 
 #include "calibrate/config/templates.hpp"
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
@@ -63,19 +65,21 @@ int init(const InitArguments& arguments) {
 }  // namespace
 
 void add_init(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("init", "write a commented file that runs as it is");
+  CLI::App* sub = app.add_subcommand("init", "Write a commented file that runs as it is");
   auto arguments = std::make_shared<InitArguments>();
   std::vector<std::string> kinds;
   for (const auto& kind : calibrate::template_kinds()) kinds.emplace_back(kind);
   for (const auto& kind : sweeps::template_kinds()) kinds.emplace_back(kind);
-  sub->add_option(
-         "kind", arguments->kind,
-         "what to begin: fit, scene-fit (a fit through a beam), scene, coupon, sweep or check")
+  sub->add_option("kind", arguments->kind,
+                  "What to begin: fit, scene-fit (a fit through a beam), scene, coupon, sweep or "
+                  "check")
       ->required()
-      ->check(CLI::IsMember(kinds));
-  sub->add_option("-d,--directory", arguments->folder, "where to write")->capture_default_str();
-  sub->add_flag("--force", arguments->force, "overwrite files that exist");
-  sub->footer("Example: plastica init fit && plastica calibrate fit.toml");
+      ->check(CLI::IsMember(kinds))
+      ->option_text("KIND");
+  sub->add_option("-d,--directory", arguments->folder, "Write there; default: here")
+      ->option_text("FOLDER");
+  add_force_option(*sub, arguments->force, "files that exist");
+  sub->footer("Example:\n  plastica init fit && plastica calibrate fit.toml");
   sub->callback([&action, arguments] { action = [arguments] { return init(*arguments); }; });
 }
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <string>
@@ -71,11 +72,11 @@ void inspect_file(const std::string& path) {
 }  // namespace
 
 void add_inspect(CLI::App& app, Action& action) {
-  CLI::App* sub =
-      app.add_subcommand("inspect", "columns, units, repairs and the block for a fit file");
+  CLI::App* sub = app.add_subcommand(
+      "inspect", "Show columns, units and repairs of measured files, and the block to paste");
   auto files = std::make_shared<std::vector<std::string>>();
-  sub->add_option("files", *files, "CSV files of curves")->required();
-  sub->footer("Example: plastica inspect specimen.csv");
+  sub->add_option("files", *files, "CSV files of curves")->required()->option_text("FILE.csv...");
+  sub->footer("Example:\n  plastica inspect specimen.csv");
   sub->callback([&action, files] {
     action = [files] {
       for (std::size_t i = 0; i < files->size(); ++i) {

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
@@ -11,6 +13,7 @@
 
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/help_format.hpp"
 #include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
 #include "plastica/base/version.hpp"
@@ -22,20 +25,18 @@ using plastica::cli::Action;
 
 constexpr const char* kFooter =
     "Examples:\n"
-    "  plastica inspect specimen.csv           what is in the file, and the block to paste\n"
-    "  plastica init fit                       a commented fit file that runs as it is\n"
-    "  plastica calibrate fit.toml -o fit.h5   fit every target\n"
-    "  plastica show fit.h5                    the report\n"
-    "  plastica plot fit.h5 -o fit.svg         the picture\n"
-    "  plastica simulate scene.toml -o s.h5    what a beam does under its loads\n"
-    "  plastica sweep sweep.toml -o sweep.h5   vary a scene: what accuracy costs\n"
+    "  plastica inspect specimen.csv          what is in the file; the block to paste\n"
+    "  plastica init fit                      a commented fit file that runs as it is\n"
+    "  plastica calibrate fit.toml -o fit.h5  fit every target\n"
+    "  plastica show fit.h5                   the report\n"
+    "  plastica plot fit.h5 -o fit.svg        the picture\n"
+    "  plastica simulate scene.toml -o s.h5   what a beam does under its loads\n"
+    "  plastica sweep sweep.toml -o sweep.h5  vary a scene: what accuracy costs\n"
     "  plastica recommend sweep.h5 --within \"1 %\"\n"
-    "  plastica check check.toml               hold convergence against claims, for CI\n"
-    "Exit codes: 0 done, 1 a target has no usable fit, a scene no equilibrium or balance, or a "
-    "claim\n"
-    "does not hold, 2 bad input, 3 the machine failed, 130 interrupted by Ctrl-C (what was "
-    "finished is "
-    "kept).\n"
+    "  plastica check check.toml              check claims on accuracy, for CI\n"
+    "Exit codes: 0 done; 1 a target has no usable fit, a scene no equilibrium or\n"
+    "balance, or a claim does not hold; 2 bad input; 3 the machine failed;\n"
+    "130 interrupted by Ctrl-C (what was finished is kept).\n"
     "`plastica COMMAND --help` says more.";
 
 void add_commands(CLI::App& app, const std::string& command_line, Action& action) {
@@ -89,11 +90,14 @@ int finish_output(int code) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{
-      "Plastica: lumped beams of rigid segments: fits them to measured curves, and simulates them",
-      "plastica"};
-  app.set_version_flag("--version", std::string(plastica::version()));
+  CLI::App app{"Fit lumped beams of rigid segments to measured curves, and simulate them",
+               "plastica"};
+  app.set_version_flag("--version", std::string(plastica::version()), "Print the version");
   app.require_subcommand(1);
+  app.formatter(std::make_shared<plastica::cli::HelpFormat>());
+  app.get_formatter()->label("Positionals", "Arguments");
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app.set_help_flag("-h,--help", "Print this help");
   app.footer(kFooter);
   std::string command_line;
   for (int i = 0; i < argc; ++i) command_line += (i == 0 ? "" : " ") + std::string(argv[i]);

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <array>
 #include <iostream>
@@ -12,6 +13,7 @@
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
@@ -141,32 +143,56 @@ int plot(const PlotArguments& arguments) {
 }  // namespace
 
 void add_plot(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("plot", "the picture of a result file");
+  CLI::App* sub = app.add_subcommand("plot", "Draw a picture of a result file");
   auto arguments = std::make_shared<PlotArguments>();
   sub->add_option(
-      "files", arguments->files,
-      "result of `plastica calibrate`, `sweep`, or of `simulate`; several scenes over each other");
+         "files", arguments->files,
+         "Result of calibrate, sweep or simulate; several scenes are drawn over each other")
+      ->option_text("FILE.h5...");
   sub->add_option("-o,--output", arguments->request.output,
-                  ".svg, .png, .pdf; .gp for script and data; - for the terminal")
-      ->capture_default_str();
-  sub->add_option("--what", arguments->request.what, "which picture, see --list");
+                  "Write .svg, .png or .pdf; .gp: script and data; - (the default): the terminal")
+      ->option_text("FILE");
+  sub->add_option("--what", arguments->request.what, "Draw this picture; see --list")
+      ->option_text("NAME");
+  sub->add_flag("--list", arguments->list, "List the pictures there are");
+  add_force_option(*sub, arguments->force, "a picture that is there");
+  const char* fits = "Fits and sweeps";
   sub->add_option("--case", arguments->request.specimen,
-                  "specimen of a curve; of a sweep an id, or \"AXIS = VALUE, AXIS = VALUE\"");
+                  "Draw this specimen, or this case of a sweep: an id, or \"AXIS = VALUE, AXIS = "
+                  "VALUE\"")
+      ->option_text("CASE")
+      ->group(fits);
   sub->add_option("--law", arguments->request.law,
-                  "of a file that compares laws: whose fits; default: the advised one's");
-  sub->add_option("--joint", arguments->joint, "of the picture \"joint\" of a scene");
+                  "Draw the fits of this law, where laws are compared; default: the advised one")
+      ->option_text("LAW")
+      ->group(fits);
+  const char* scenes = "Scenes";
+  sub->add_option("--joint", arguments->joint, "Draw this joint (picture \"joint\")")
+      ->option_text("N")
+      ->group(scenes);
   sub->add_option("--probe", arguments->probe,
-                  "of the pictures \"load\", \"history\" and \"spectrum\" of a scene");
+                  "Draw this probe (pictures \"load\", \"history\", \"spectrum\")")
+      ->option_text("NAME")
+      ->group(scenes);
   sub->add_option("--time", arguments->time,
-                  "of the pictures \"shape\" and \"moment\" of a scene: \"12 ms\"");
-  sub->add_option("--frames", arguments->film_frames, "of the picture \"film\" of a scene")
-      ->check(CLI::Range(1, 100));
-  sub->add_option("--from", arguments->film_from, "of the picture \"film\": \"12 ms\"");
-  sub->add_option("--to", arguments->film_to, "of the picture \"film\": \"20 ms\"");
-  sub->add_flag("--list", arguments->list, "the pictures there are");
-  sub->add_flag("--force", arguments->force, "overwrite a picture that is there");
+                  "Draw the beam at this time (pictures \"shape\", \"moment\"): \"12 ms\"")
+      ->option_text("TIME")
+      ->group(scenes);
+  sub->add_option("--frames", arguments->film_frames, "Draw N shapes, 1 to 100 (picture \"film\")")
+      ->check(CLI::Range(1, 100))
+      ->option_text("N")
+      ->group(scenes);
+  sub->add_option("--from", arguments->film_from, "Begin the film at this time: \"12 ms\"")
+      ->option_text("TIME")
+      ->group(scenes);
+  sub->add_option("--to", arguments->film_to, "End the film at this time: \"20 ms\"")
+      ->option_text("TIME")
+      ->group(scenes);
   arguments->request.output = "-";
-  sub->footer("Example: plastica plot fit.h5 -o fit.svg");
+  sub->footer(
+      "Examples:\n"
+      "  plastica plot fit.h5 -o fit.svg\n"
+      "  plastica plot scene.h5 --what film -o film.svg");
   sub->callback([&action, arguments] {
     if (arguments->files.empty() && !arguments->list) throw CLI::RequiredError("files");
     arguments->request.overwrite = io::overwrite_if(arguments->force);

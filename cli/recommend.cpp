@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
@@ -123,22 +125,29 @@ int recommend(const RecommendArguments& arguments) {
 }  // namespace
 
 void add_recommend(CLI::App& app, Action& action) {
-  CLI::App* sub =
-      app.add_subcommand("recommend", "the cheapest setting of a sweep that meets an accuracy");
+  CLI::App* sub = app.add_subcommand("recommend",
+                                     "Find the cheapest setting of a sweep that meets an accuracy");
   auto arguments = std::make_shared<RecommendArguments>();
-  sub->add_option("file", arguments->file, "result of `plastica sweep`, with errors")->required();
-  sub->add_option("--within", arguments->within, "the wanted error: \"1 %\"");
+  sub->add_option("file", arguments->file, "Result of `plastica sweep`, with errors")
+      ->required()
+      ->option_text("SWEEP.h5");
+  sub->add_option("--within", arguments->within, "Meet this error: \"1 %\"")->option_text("ERROR");
   sub->add_option("--budget", arguments->budget,
-                  "the most it may cost: \"2 ms\", or a number of segment-iterations");
+                  "Cost at most this: \"2 ms\", or a number of segment-iterations")
+      ->option_text("COST");
   sub->add_option("--by", arguments->by,
-                  "what --within counts as cost; default: time where the sweep has it")
-      ->check(CLI::IsMember({"time", "work"}));
-  sub->add_option("-o,--output", arguments->output, "also write the scene with that setting");
+                  "Count time or work as cost of --within; default: time, where the sweep has it")
+      ->check(CLI::IsMember({"time", "work"}))
+      ->option_text("COST");
+  sub->add_option("-o,--output", arguments->output, "Also write the scene with that setting")
+      ->option_text("FILE");
   sub->add_option("--next", arguments->next,
-                  "also write the scene of the setting that is named next, if there is one");
-  sub->add_flag("--force", arguments->force, "overwrite a scene that is there");
+                  "Also write the scene of the setting that is named next, if there is one")
+      ->option_text("FILE");
+  add_force_option(*sub, arguments->force, "a scene that is there");
   sub->footer(
-      "Example: plastica recommend sweep.h5 --within \"1 %\" -o scene.toml\n"
+      "Example:\n"
+      "  plastica recommend sweep.h5 --within \"1 %\" -o scene.toml\n"
       "Exit code 1 if no case meets it.");
   sub->callback([&action, arguments] { action = [arguments] { return recommend(*arguments); }; });
 }

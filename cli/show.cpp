@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <array>
 #include <cstdio>
@@ -127,16 +128,18 @@ int show(const ShowArguments& arguments) {
 }  // namespace
 
 void add_show(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("show", "the report of a result file");
+  CLI::App* sub = app.add_subcommand("show", "Print the report of a result file");
   auto arguments = std::make_shared<ShowArguments>();
-  sub->add_option("file", arguments->file, "result of `plastica calibrate`, `simulate` or `sweep`")
-      ->required();
+  sub->add_option("file", arguments->file, "Result of calibrate, simulate or sweep")
+      ->required()
+      ->option_text("FILE.h5");
   sub->add_option(
-      "--case", arguments->which,
-      "the whole report of one specimen, or all of cases of a sweep: an id, or \"AXIS = "
-      "VALUE, AXIS = VALUE\"");
+         "--case", arguments->which,
+         "Print the whole report of one specimen, or of cases of a sweep: an id, or \"AXIS "
+         "= VALUE, AXIS = VALUE\"")
+      ->option_text("CASE");
   sub->add_flag("--all", arguments->all,
-                "the whole report of every specimen; every case of a sweep, however many");
+                "Print the whole report of every specimen, or every case of a sweep");
   sub->footer(
       "Examples:\n"
       "  plastica show fit.h5 --case CA-RD-01\n"

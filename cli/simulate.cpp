@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <cmath>
@@ -10,10 +11,10 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/frequency_line.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/isa_option.hpp"
 #include "cli/motion_progress.hpp"
 #include "cli/run_files.hpp"
 #include "cli/tell.hpp"
@@ -212,18 +213,19 @@ int simulate_file(const SimulateArguments& arguments) {
 }  // namespace
 
 void add_simulate(CLI::App& app, const std::string& command_line, Action& action) {
-  CLI::App* sub = app.add_subcommand("simulate", "one scene: what the beam does");
+  CLI::App* sub = app.add_subcommand("simulate", "Simulate a scene: what the beam does");
   auto arguments = std::make_shared<SimulateArguments>();
-  sub->add_option("file", arguments->file, "scene file")->required();
+  sub->add_option("file", arguments->file, "Scene file")->required()->option_text("SCENE.toml");
   sub->add_option("-o,--output", arguments->output,
-                  ".h5: the result file; .csv: the probes; - for the probes on the terminal")
-      ->capture_default_str();
-  sub->add_option("--json", arguments->json, "also write the summary for scripts");
+                  "Write a result file (.h5), or the probes (.csv, or - for the terminal: the "
+                  "default)")
+      ->option_text("FILE");
+  add_json_option(*sub, arguments->json);
   add_isa_option(*sub, arguments->isa);
-  sub->add_flag("--dry-run", arguments->dry_run, "only say what would run");
-  sub->add_flag("--force", arguments->force, "overwrite the output");
-  sub->add_flag("--quiet", arguments->quiet, "no summary");
-  sub->footer("Example: plastica init scene && plastica simulate scene.toml -o scene.h5");
+  add_dry_run_option(*sub, arguments->dry_run);
+  add_force_option(*sub, arguments->force, "the output");
+  add_quiet_option(*sub, arguments->quiet, "no summary");
+  sub->footer("Example:\n  plastica init scene && plastica simulate scene.toml -o scene.h5");
   arguments->command_line = command_line;
   sub->callback(
       [&action, arguments] { action = [arguments] { return simulate_file(*arguments); }; });

@@ -1,6 +1,7 @@
 #include "sweeps/stability/stability.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <iostream>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
@@ -82,27 +84,32 @@ int run_study(const StabilityArguments& arguments) {
 }  // namespace
 
 void add_stability(CLI::App& app, Action& action) {
-  CLI::App* sub =
-      app.add_subcommand("stability", "walk scenes to the edge of what the library can do");
+  CLI::App* sub = app.add_subcommand(
+      "stability", "Run scenes up to the limits of the library, and judge each result");
   auto arguments = std::make_shared<StabilityArguments>();
   stability::StabilityOptions& options = arguments->options;
   sub->add_option("--only", options.only,
-                  "points with this in their name: planar, \"time step\", \"twist spin/\"");
-  sub->add_option("--sample", options.sample, "so many of them, drawn at random; 0: all")
-      ->check(CLI::Range(0, 1'000'000));
-  sub->add_option("--seed", options.seed, "of the sample");
-  sub->add_option("--most-work", options.most_segment_steps,
-                  "leave out points of more segment-steps");
-  sub->add_option("-o,--output", arguments->output, "every point, as CSV");
-  sub->add_option("--map", arguments->map, "the picture: .svg, .png, .pdf, .gp");
-  sub->add_option("--threads", options.threads, "0: as many as the machine has")
-      ->check(CLI::Range(0, 4096));
-  sub->add_flag("--force", arguments->force, "overwrite files that are there");
-  sub->add_flag("--quiet", arguments->quiet, "no tables, no progress");
+                  "Run points with this in their name: planar, \"time step\", \"twist spin/\"")
+      ->option_text("TEXT...");
+  sub->add_option("--sample", options.sample, "Draw N points at random; 0: all")
+      ->check(CLI::Range(0, 1'000'000))
+      ->option_text("N");
+  sub->add_option("--seed", options.seed, "Seed of the sample")->option_text("N");
+  sub->add_option("--max-work", options.max_segment_steps, "Leave out points of more segment-steps")
+      ->option_text("N");
+  add_old_option(*sub, "--most-work", "--max-work");
+  sub->add_option("-o,--output", arguments->output, "Write every point as CSV")
+      ->option_text("FILE");
+  sub->add_option("--map", arguments->map, "Draw the map: .svg, .png, .pdf or .gp")
+      ->option_text("FILE");
+  add_threads_option(*sub, options.threads);
+  add_force_option(*sub, arguments->force, "files that are there");
+  add_quiet_option(*sub, arguments->quiet, "no tables, no progress");
   sub->footer(
-      "Example: plastica stability --sample 100 --most-work 2e4 -o points.csv --map map.svg\n"
-      "All points take some 10 minutes on two cores. Exit code 1 if a point is wrong without\n"
-      "saying so.");
+      "Example:\n"
+      "  plastica stability --sample 100 --max-work 2e4 -o points.csv --map map.svg\n"
+      "All points take some 10 minutes on two cores. Exit code 1 if a point has an\n"
+      "undetected error.");
   sub->callback([&action, arguments] { action = [arguments] { return run_study(*arguments); }; });
 }
 

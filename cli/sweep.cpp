@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -10,9 +11,9 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/isa_option.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/result_kind.hpp"
 #include "cli/run_files.hpp"
@@ -169,25 +170,27 @@ int sweep_file(const SweepArguments& arguments) {
 }  // namespace
 
 void add_sweep(CLI::App& app, const std::string& command_line, Action& action) {
-  CLI::App* sub = app.add_subcommand("sweep", "vary a scene over axes, compare and time its cases");
+  CLI::App* sub =
+      app.add_subcommand("sweep", "Vary a scene over axes; compare its cases and what they cost");
   auto arguments = std::make_shared<SweepArguments>();
-  sub->add_option("file", arguments->file, "SWEEP.toml")->required();
+  sub->add_option("file", arguments->file, "Sweep file")->required()->option_text("SWEEP.toml");
   sub->add_option("-o,--output", arguments->output,
-                  "result file (HDF5); default: the sweep's name with .h5, here");
-  sub->add_option("--json", arguments->json, "also write the summary for scripts");
-  sub->add_option("--threads", arguments->threads,
-                  "0: as many as the machine has, or one where cases are timed")
-      ->check(CLI::Range(0, 4096));
+                  "Write the result file (HDF5) here; default: the sweep's name with .h5")
+      ->option_text("FILE");
+  add_json_option(*sub, arguments->json);
+  add_threads_option(*sub, arguments->threads,
+                     "as many as the machine has, or one where cases are timed");
   add_isa_option(*sub, arguments->isa);
-  sub->add_flag("--dry-run", arguments->dry_run, "only say what would run");
+  add_dry_run_option(*sub, arguments->dry_run);
   sub->add_flag("--resume", arguments->resume,
-                "run only what is missing or changed in an interrupted run, or in the output");
+                "Run only what an interrupted run or the output lacks, or what has changed");
   sub->add_flag("--rerun-failed", arguments->rerun_failed,
-                "the same, and the failed cases once more");
-  sub->add_flag("--force", arguments->force, "overwrite the output, and an interrupted run");
-  sub->add_flag("--quiet", arguments->quiet, "no report, no progress");
+                "As --resume, and run the failed cases again");
+  add_force_option(*sub, arguments->force, "the output, and an interrupted run");
+  add_quiet_option(*sub, arguments->quiet, "no report, no progress");
   sub->footer(
-      "Example: plastica sweep sweep.toml -o sweep.h5\n"
+      "Example:\n"
+      "  plastica sweep sweep.toml -o sweep.h5\n"
       "Exit code 1 if no case has a usable result, 130 after Ctrl-C: --resume goes on.");
   arguments->command_line = command_line;
   sub->callback([&action, arguments] { action = [arguments] { return sweep_file(*arguments); }; });

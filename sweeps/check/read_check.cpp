@@ -38,7 +38,7 @@ void read_walk(const TomlTable& walk, Claim& claim) {
     options.seed = static_cast<std::uint64_t>(seed->integer(0, 1'000'000'000));
   }
   if (const auto most = walk.find("most_work")) {
-    options.most_segment_steps = most->number_within(0.0, 1e9, true);
+    options.max_segment_steps = most->number_within(0.0, 1e9, true);
   }
 }
 

@@ -26,7 +26,7 @@ std::vector<StabilityPoint> chosen_points(const StabilityOptions& options) {
     const auto named = [&](const std::string& part) {
       return point.id.find(part) != std::string::npos;
     };
-    if (point.segment_steps > options.most_segment_steps) continue;
+    if (point.segment_steps > options.max_segment_steps) continue;
     if (!options.only.empty() && std::none_of(options.only.begin(), options.only.end(), named))
       continue;
     chosen.push_back(std::move(point));

@@ -44,7 +44,7 @@ struct StabilityOptions {
   std::size_t sample = 0;  ///< so many of them, drawn at random; 0: all
   std::uint64_t seed = 1;  ///< of the sample
   /// Points beyond this estimate are left out, segments times steps [1].
-  double most_segment_steps = 1e9;
+  double max_segment_steps = 1e9;
   /// A point is stopped, as failed, when it has taken four times its estimated segment-steps, but
   /// not before so many [1].
   double least_segment_steps = 2e5;

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
 
 #include "plastica/base/version.hpp"
 #include "plastica/model/field.hpp"
@@ -14,8 +15,9 @@
 namespace plastica::testing {
 namespace {
 
-constexpr const char* kCommands[] = {"calibrate", "inspect", "init",   "simulate",
-                                     "show",      "plot",    "export", "fields"};
+constexpr const char* kCommands[] = {"calibrate", "inspect", "init",      "simulate",
+                                     "sweep",     "check",   "recommend", "stability",
+                                     "show",      "plot",    "export",    "fields"};
 
 /// Runs what must succeed without a word on stderr. @return what it wrote
 std::string output_of(const Workplace& place, const std::vector<std::string>& arguments) {
@@ -49,6 +51,32 @@ TEST(Command, HelpsWithAnExampleForEachCommand) {
     ASSERT_NE(example, std::string::npos) << help;
     EXPECT_TRUE(has(help.substr(example), "plastica " + command)) << help;
   }
+}
+
+TEST(Command, HelpsIn80ColumnsAndSaysWhatAnOptionTakes) {
+  const Workplace place;
+  std::string all = output_of(place, {"--help"});
+  for (const std::string command : kCommands) all += output_of(place, {command, "--help"});
+  std::istringstream lines(all);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+  EXPECT_TRUE(has(all, "--output FILE"));
+  EXPECT_TRUE(has(all, "--threads N"));
+  EXPECT_TRUE(has(all, "--stress COLUMN[:UNIT]"));
+  for (const char* type : {"TEXT ", "INT:", "UINT", "FLOAT"}) EXPECT_FALSE(has(all, type)) << type;
+}
+
+TEST(Command, StillTakesTheOldNameOfAnOptionAndSaysTheNewOne) {
+  const Workplace place;
+  const auto run_with = [&](const char* option) {
+    return place.run({"stability", "--only", "coupon", "--sample", "2", option, "10"});
+  };
+  const auto now = run_with("--max-work");
+  const auto old = run_with("--most-work");
+  EXPECT_EQ(now.code, 0) << now.err;
+  EXPECT_EQ(now.err, "");
+  EXPECT_EQ(old.code, 0) << old.err;
+  EXPECT_EQ(old.err, "plastica: --most-work is now --max-work\n");
+  EXPECT_EQ(old.out, now.out);
 }
 
 TEST(Command, ListsEveryFieldAtTheBeginningOfALine) {

@@ -31,7 +31,7 @@ TEST(Stability, IsNowhereWrongWithoutSayingSo) {
   StabilityOptions options;
   if (!full) {
     options.sample = 100;
-    options.most_segment_steps = 2e4;
+    options.max_segment_steps = 2e4;
     options.least_segment_steps = 5e4;
   }
   options.progress = [](const StabilityRow& row, std::size_t finished, std::size_t all) {

@@ -1,0 +1,66 @@
+#include "cli/common_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <vector>
+
+#include "cli/tell.hpp"
+#include "plastica/base/check.hpp"
+
+namespace plastica::cli {
+
+void add_json_option(CLI::App& sub, std::string& path) {
+  sub.add_option("--json", path, "Also write the summary for scripts")->option_text("FILE");
+}
+
+void add_threads_option(CLI::App& sub, int& threads, const std::string& idle) {
+  sub.add_option("--threads", threads, "Use N threads; 0: " + idle)
+      ->check(CLI::Range(0, 4096))
+      ->option_text("N");
+}
+
+void add_dry_run_option(CLI::App& sub, bool& dry_run) {
+  sub.add_flag("--dry-run", dry_run, "Check inputs, print the plan, run nothing");
+}
+
+void add_force_option(CLI::App& sub, bool& force, const std::string& what) {
+  sub.add_flag("--force", force, "Overwrite " + what);
+}
+
+void add_quiet_option(CLI::App& sub, bool& quiet, const std::string& what) {
+  sub.add_flag("--quiet", quiet, "Print " + what);
+}
+
+void add_old_option(CLI::App& sub, const std::string& old_name, const std::string& new_name) {
+  CLI::Option* now = sub.get_option(new_name);
+  sub.add_option_function<std::string>(old_name,
+                                       [now, old_name, new_name](const std::string& value) {
+                                         tell("plastica: {} is now {}\n", old_name, new_name);
+                                         now->add_result(value);
+                                         now->run_callback();
+                                       })
+      ->group("");  // not in --help
+}
+
+void add_isa_option(CLI::App& sub, std::string& isa) {
+  const std::vector<std::string> words(kInstructionSets.begin(), kInstructionSets.end());
+  sub.add_option("--isa", isa,
+                 fmt::format("Use a CPU instruction set ({}) in place of solver.isa; results may "
+                             "differ in the last digits",
+                             fmt::join(words, ", ")))
+      ->check(CLI::IsMember(words))
+      ->option_text("SET");
+}
+
+void take_isa(const std::string& isa, SolverOptions& options) {
+  if (isa.empty()) return;
+  const auto word = std::find(kInstructionSets.begin(), kInstructionSets.end(), isa);
+  options.isa = static_cast<InstructionSet>(word - kInstructionSets.begin());
+  if (!has_instruction_set(options.isa)) {
+    throw InputError({}, "--isa", isa, "is not what this processor has");
+  }
+}
+
+}  // namespace plastica::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "plastica/model/scene.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace plastica::cli {
+
+// Options that several commands have, each said once.
+void add_json_option(CLI::App& sub, std::string& path);
+/// @param idle  what 0 stands for
+void add_threads_option(CLI::App& sub, int& threads,
+                        const std::string& idle = "as many as the machine has");
+void add_dry_run_option(CLI::App& sub, bool& dry_run);
+/// @param what  it overwrites
+void add_force_option(CLI::App& sub, bool& force, const std::string& what);
+/// @param what  it leaves out
+void add_quiet_option(CLI::App& sub, bool& quiet, const std::string& what);
+/// Still takes a name that an option had in the last version, and says the new one on stderr.
+void add_old_option(CLI::App& sub, const std::string& old_name, const std::string& new_name);
+/// Adds `--isa`.
+void add_isa_option(CLI::App& sub, std::string& isa);
+
+/// Lets `--isa`, if it was given, take the place of what the file says.
+/// @throws InputError if this processor does not have it
+void take_isa(const std::string& isa, SolverOptions& options);
+
+}  // namespace plastica::cli
