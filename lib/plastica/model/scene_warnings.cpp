@@ -268,13 +268,23 @@ std::optional<std::string> per_axis(const Facts& facts) {
 std::optional<std::string> warping(const Facts& facts) {
   const Scene& scene = facts.scene;
   if (facts.level.level != Level::Twist && !twisted(facts)) return std::nullopt;
-  const auto warps = [](const Section& section) { return section_kind(section).warps(); };
-  const bool any = warps(scene.section) ||
-                   std::any_of(scene.regions.begin(), scene.regions.end(),
-                               [&](const Region& region) { return warps(region.section); });
-  if (!any) return std::nullopt;
-  return "the beam twists, and its section is open: torsion is Saint-Venant's alone. Where warping "
-         "is held (a clamped end, a torque along the way) the true beam is stiffer and stronger";
+  const auto any = [&](SectionWarping warping) {
+    const auto is = [&](const Section& section) {
+      return section_kind(section).warping() == warping;
+    };
+    return is(scene.section) ||
+           std::any_of(scene.regions.begin(), scene.regions.end(),
+                       [&](const Region& region) { return is(region.section); });
+  };
+  if (any(SectionWarping::Much)) {
+    return "the beam twists, and its section is open: torsion is Saint-Venant's alone. Where "
+           "warping is held (a clamped end, a torque along the way) the true beam is stiffer and "
+           "stronger";
+  }
+  if (!any(SectionWarping::Unknown)) return std::nullopt;
+  return "the beam twists, and of its section only the numbers are known: torsion is "
+         "Saint-Venant's alone. If the section is open, the true beam is stiffer and stronger "
+         "where warping is held (a clamped end, a torque along the way)";
 }
 
 /// Supports, loads and masses inside of segments whose lengths the scene sets.

@@ -89,7 +89,7 @@ class ByNumbers final : public SectionKind {
     p.shear_coefficient_x = p.shear_coefficient_y = 0.0;
     return p;
   }
-  bool warps() const override { return true; }
+  SectionWarping warping() const override { return SectionWarping::Unknown; }
 };
 
 }  // namespace
