@@ -220,9 +220,11 @@ TEST(ChainScene, ReadsRegionsOnTopOfTheBeam) {
 }
 
 TEST(ChainScene, KnowsWhatARegionSaysItself) {
-  const auto own = [](const std::string& says) {
-    return scene_of("[beam]\nlength = '1 m'\n[[region]]\nfrom = 0.5\nto = 'end'\n" + says + kClamp +
-                    kForce)
+  const auto own = [](const std::string& says, const std::string& before = "") {
+    return scene_of(before +
+                    "[rules]\nyield_model = 'per_axis'\n[beam]\nlength = '1 m'\n[[region]]\nfrom = "
+                    "0.5\nto = 'end'\n" +
+                    says + kClamp + kForce)
         .regions[0]
         .own;
   };
@@ -232,10 +234,10 @@ TEST(ChainScene, KnowsWhatARegionSaysItself) {
   EXPECT_EQ(own("material = { name = 'S235', density = '8 g/cm^3' }\n"), (Paths{"material"}));
   EXPECT_EQ(own("material.density = '8 g/cm^3'\nsection.width = '50 mm'\n"),
             (Paths{"section.width", "material.density"}));
-  EXPECT_EQ(own("material.hardening = { law = 'multilinear', plastic_strain = [0.1], flow_stress = "
-                "['500 MPa'] }\n")
-                .front(),
-            "material.hardening.law");
+  const std::string table =
+      "material.hardening = { law = 'multilinear', plastic_strain = [0.1], flow_stress = "
+      "['500 MPa'] }\n";
+  EXPECT_EQ(own(table, table).front(), "material.hardening.law");
 }
 
 TEST(ChainScene, ReadsProbesOfEveryKind) {
