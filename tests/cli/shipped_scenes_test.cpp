@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string>
 
+#include "tests/cli/bad_input.hpp"
 #include "tests/cli/command.hpp"
 
 /// What users try first: the files of data/scenes, through the command.
@@ -24,6 +25,21 @@ TEST(ShippedScenesCommand, RunEachToAnAnswer) {
     ++scenes;
   }
   EXPECT_GE(scenes, 42);
+}
+
+/// An IPE of this span tips out before its plastic moment: nobody is left to think that this is the
+/// load of a real one, which warps.
+TEST(ShippedScenesCommand, SayThatAnOpenSectionTipsOutLaterThanTorsionAlone) {
+  const Workplace place;
+  std::ifstream file(kData / "scenes/profile_limit_load.toml");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  place.write("ipe.toml", changed(text, "section = \"HEB 200\"", "section = \"IPE 200\""));
+  const CommandResult result = place.run({"simulate", "ipe.toml", "-o", "out.h5"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_NE(result.out.find("out of its plane"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("the beam leaves its plane, and its section is open"),
+            std::string::npos)
+      << result.out;
 }
 
 TEST(ShippedScenesCommand, AreAllInTheTableOfTheData) {

@@ -240,6 +240,22 @@ TEST(ChainScene, KnowsWhatARegionSaysItself) {
   EXPECT_EQ(own(table, table).front(), "material.hardening.law");
 }
 
+/// A list of a region is all of its table: points of the beam's that it does not have are none.
+TEST(ChainScene, HasOfARegionsTableWhatItsListsSay) {
+  const auto table = [](const std::string& strains, const std::string& stresses) {
+    return "material.hardening = { law = 'multilinear', plastic_strain = " + strains +
+           ", flow_stress = " + stresses + " }\n";
+  };
+  const Scene scene = scene_of(table("[0.01, 0.1]", "['400 MPa', '450 MPa']") +
+                               "[beam]\nlength = '1 m'\n[[region]]\nfrom = 0.5\nto = 'end'\n" +
+                               table("[0.2]", "['500 MPa']") + kClamp + kForce);
+  const Hardening& h = scene.regions[0].material.hardening;
+  EXPECT_EQ(h.plastic_strain[0], 0.2);
+  EXPECT_EQ(h.plastic_strain[1], 0.0);
+  EXPECT_EQ(h.flow_stress[1], 0.0);
+  EXPECT_DOUBLE_EQ(scene.material.hardening.flow_stress[1], 450e6);
+}
+
 TEST(ChainScene, ReadsProbesOfEveryKind) {
   for (std::size_t i = 0; i < probe_kinds().size(); ++i) {
     const auto quantity = static_cast<ProbeQuantity>(i);
