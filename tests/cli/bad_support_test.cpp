@@ -48,10 +48,12 @@ INSTANTIATE_TEST_SUITE_P(
                      "at = 0.25\nto = 0.75\nkind = 'elastic'\nstiffness = ['0 MPa', '0 MPa', "
                      "'0 MPa']\n",
                      "28: support[4]: an elastic support needs stiffness or rotational_stiffness"),
-        with_support("OfASpringsUnit",
-                     "at = 0.25\nto = 0.75\nkind = 'elastic'\nstiffness = ['0 N/m', '5 N/m', "
-                     "'0 N/m']\n",
-                     "32: support[4].stiffness[1] = 0 N/m: \"N/m\" is not a unit of …"),
+        with_support(
+            "OfASpringsUnit",
+            "at = 0.25\nto = 0.75\nkind = 'elastic'\nstiffness = ['0 N/m', '5 N/m', "
+            "'0 N/m']\n",
+            "32: support[4].stiffness[1] = 0 N/m: \"N/m\" is not a unit of stress (examples: "
+            "Pa, MPa, ksi): with to, a stiffness is per length"),
         with_support("ThatIsNegative",
                      "at = 0.25\nto = 0.75\nkind = 'elastic'\nstiffness = ['0 MPa', '-5 MPa', "
                      "'0 MPa']\n",
