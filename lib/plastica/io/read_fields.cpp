@@ -119,7 +119,7 @@ void refuse_others(const TomlTable& table, std::string_view word, const Kinds& k
 std::optional<TomlValue> read_row(const TomlTable& table, std::span<const Field> row,
                                   Setup& setup) {
   const std::string_view stem = stem_of(row.front());
-  const auto list = table.find(stem.substr(0, stem.size() - 1));
+  auto list = table.find(stem.substr(0, stem.size() - 1));
   if (!list) return std::nullopt;
   const auto items = list->array();
   if (items.size() > row.size()) {

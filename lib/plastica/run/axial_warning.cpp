@@ -42,7 +42,7 @@ std::vector<std::string> axial_warnings(const Scene& scene, const SolverOptions&
     if (!text.empty()) all.push_back(std::move(text));
   }
   if (response.unheld_thrust) {
-    all.push_back(
+    all.emplace_back(
         "the beam is under thrust, and no support keeps it from leaving its plane: whether it "
         "does is not looked at; supports that hold it there, or solver.level = \"spatial\", tell");
   }
