@@ -95,7 +95,26 @@ INSTANTIATE_TEST_SUITE_P(
         edit("TableWithoutStress", "[drive]",
              "[material.hardening]\nlaw = 'multilinear'\nplastic_strain = [0.01, 0.02]\n"
              "flow_stress = ['400 MPa']\n[drive]",
-             "13: material.hardening.flow_stress_2 = 0: must be above 0"),
+             "13: material.hardening.flow_stress = ['400 MPa']: must have as many numbers as "
+             "material.hardening.plastic_strain, 2"),
+        edit(
+            "TableWithoutStresses", "[drive]",
+            "[material.hardening]\nlaw = 'multilinear'\nplastic_strain = [0.01]\n[drive]",
+            "10: material.hardening.flow_stress_1 = 0: must be above 0: the point's plastic strain "
+            "has none"),
+        edit("TableWithoutStrains", "[drive]",
+             "[material.hardening]\nlaw = 'multilinear'\nflow_stress = ['400 MPa']\n[drive]",
+             "10: material.hardening.plastic_strain_1 = 0: must be above 0, where the stress is "
+             "material.yield_stress"),
+        edit("TableWithoutItsLaw", "[drive]",
+             "[material.hardening]\nplastic_strain = [0.01]\nflow_stress = ['400 MPa']\n[drive]",
+             "11: material.hardening.plastic_strain = [0.01]: is of law = \"multilinear\", and not "
+             "of law = \"ideal\""),
+        edit(
+            "TableThatFallsTooSteeply", "[drive]",
+            "[material.hardening]\nlaw = 'multilinear'\nplastic_strain = [0.001]\n"
+            "flow_stress = ['300 MPa']\n[drive]",
+            "13: material.hardening.flow_stress_1 = 3e+08: falls from 3.7e+08 more steeply than …"),
         edit("TableThatDoesNotRise", "[drive]",
              "[material.hardening]\nlaw = 'multilinear'\nplastic_strain = [0.01, 0.01]\n"
              "flow_stress = ['400 MPa', '410 MPa']\n[drive]",

@@ -16,6 +16,18 @@ void read_number(const TomlValue& value, const ItemField<Item>& field, Item& ite
   }
 }
 
+/// Of a bed of springs a unit that does not fit is most likely that of one spring.
+void read_of_support(const TomlValue& value, const SupportField& field, Support& support) {
+  try {
+    read_number(value, field, support);
+  } catch (const InputError& error) {
+    const bool of_unit = error.rule().find("unit of") != std::string::npos;
+    if (!support.to || !of_unit || field.of != &SupportTraits::springs) throw;
+    throw InputError(error.where(), error.field(), error.value(),
+                     error.rule() + ": with to, a stiffness is per length");
+  }
+}
+
 /// Those numbers that a table gives, at least one.
 template <class Item>
 void read_any(const TomlTable& table, std::span<const ItemField<Item>> fields, Item& item) {
@@ -57,7 +69,7 @@ Support read_support(const TomlTable& table) {
     if (field.of == &SupportTraits::normal) {
       support.normal = read_direction(*value);
     } else {
-      read_number(*value, field, support);
+      read_of_support(*value, field, support);
     }
   }
   if (kind.normal && !kind.any_normal) (void)table.at("normal");

@@ -77,6 +77,20 @@ namespace {
 
 std::string_view key_of(const Field& field) { return field.path.substr(field.path.rfind('.') + 1); }
 
+/// "plastic_strain_" of "plastic_strain_3"; a key without a number is its own.
+std::string_view stem_of(const Field& field) {
+  const std::string_view key = key_of(field);
+  return key.substr(0, key.find_last_not_of("0123456789") + 1);
+}
+
+/// The key that says a field, which may be that of a list.
+std::optional<std::string_view> said_key(const TomlTable& table, const Field& field) {
+  if (table.contains(key_of(field))) return key_of(field);
+  const std::string_view stem = stem_of(field);
+  const std::string_view list = stem.substr(0, stem.size() - 1);
+  return stem.ends_with('_') && table.contains(list) ? std::optional(list) : std::nullopt;
+}
+
 /// Refuses fields that are of another kind: a forgotten `shape` would make a tube a solid bar, a
 /// forgotten `law` hardening ideal plasticity.
 /// @param word       the key that says the kind
@@ -89,27 +103,24 @@ void refuse_others(const TomlTable& table, std::string_view word, const Kinds& k
     for (const Field& field : fields_of(*other)) {
       const bool known =
           std::any_of(own.begin(), own.end(), [&](const Field& f) { return f.path == field.path; });
-      if (known || !table.contains(key_of(field))) continue;
+      const auto key = known ? std::nullopt : said_key(table, field);
+      if (!key) continue;
       const auto equals = [&](const Kind& k) {
         return std::string(word) + " = \"" + std::string(k.word()) + "\"";
       };
-      throw table.at(key_of(field))
-          .error("is of " + equals(*other) + ", and not of " + equals(kind));
+      throw table.at(*key).error("is of " + equals(*other) + ", and not of " + equals(kind));
     }
   }
 }
 
-/// "plastic_strain_" of "plastic_strain_3"; a key without a number is its own.
-std::string_view stem_of(const Field& field) {
-  const std::string_view key = key_of(field);
-  return key.substr(0, key.find_last_not_of("0123456789") + 1);
-}
-
-/// Sets fields "strain_1", "strain_2" … from a list "strain".
-void read_row(const TomlTable& table, std::span<const Field> row, Setup& setup) {
+/// Sets fields "strain_1", "strain_2" … from a list "strain", and those that it has no number for
+/// to 0: a region's list has nothing of the beam's.
+/// @return the list
+std::optional<TomlValue> read_row(const TomlTable& table, std::span<const Field> row,
+                                  Setup& setup) {
   const std::string_view stem = stem_of(row.front());
-  const auto list = table.find(stem.substr(0, stem.size() - 1));
-  if (!list) return;
+  auto list = table.find(stem.substr(0, stem.size() - 1));
+  if (!list) return std::nullopt;
   const auto items = list->array();
   if (items.size() > row.size()) {
     throw list->error("has " + std::to_string(items.size()) + " numbers: there is room for " +
@@ -119,17 +130,30 @@ void read_row(const TomlTable& table, std::span<const Field> row, Setup& setup) 
     if (!table.contains(key_of(field))) continue;
     throw table.at(key_of(field)).error("is given twice: there is a list, too");
   }
-  for (std::size_t i = 0; i < items.size(); ++i) set_from(setup, row[i], items[i]);
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (i < items.size()) {
+      set_from(setup, row[i], items[i]);
+    } else {
+      set_field(setup, row[i], 0.0);
+    }
+  }
+  return list;
 }
 
 void read_hardening(const TomlTable& table, Setup& setup) {
   const HardeningKind& kind = hardening_kind(setup.scene.material.hardening.law);
   refuse_others(table, "law", hardening_kinds(), kind,
                 [](const HardeningKind& k) { return k.parameters(); });
+  std::optional<TomlValue> before;
   for (auto rest = kind.parameters(); !rest.empty();) {
     std::size_t length = 1;
     while (length < rest.size() && stem_of(rest[length]) == stem_of(rest[0])) ++length;
-    if (length > 1) read_row(table, rest.first(length), setup);
+    const auto list = length > 1 ? read_row(table, rest.first(length), setup) : std::nullopt;
+    if (list && before && list->array().size() != before->array().size()) {
+      throw list->error("must have as many numbers as " + std::string(before->key()) + ", " +
+                        std::to_string(before->array().size()));
+    }
+    if (list) before = list;
     rest = rest.subspan(length);
   }
 }

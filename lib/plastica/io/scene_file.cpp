@@ -10,6 +10,7 @@
 #include "plastica/io/read_drive.hpp"
 #include "plastica/io/read_fields.hpp"
 #include "plastica/model/check_parts.hpp"
+#include "plastica/run/check_regions.hpp"
 
 namespace plastica::io {
 namespace {
@@ -104,7 +105,10 @@ SceneFile parse_scene_file(std::string text, std::string name) {
     read_chain(root, file.setup);
   }
   root.check_unused();
-  at_its_key(root, [&] { check_scene(scene, file.setup.solver); });
+  at_its_key(root, [&] {
+    check_scene(scene, file.setup.solver);
+    check_regions(scene);
+  });
   return file;
 }
 

@@ -11,6 +11,7 @@
 #include "plastica/io/scene_writer.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/scene_warnings.hpp"
+#include "plastica/model/yield_warnings.hpp"
 #include "plastica/run/axial_warning.hpp"
 
 namespace plastica::io {
@@ -45,6 +46,14 @@ bool has_yielded(const Response& response) {
   return last.plastic > 1e-9 * std::max(std::fabs(last.external), last.elastic);
 }
 
+/// Whether a beam that bends in a plane comes to leave it, or would.
+bool leaves_plane(const Response& response) {
+  const auto any = [](const auto& modes) {
+    return modes && std::ranges::find(modes->out_of_plane, 1) != modes->out_of_plane.end();
+  };
+  return any(response.critical) || any(response.buckling);
+}
+
 }  // namespace
 
 std::span<const std::string_view> scene_layout::choices_of(std::string_view field) {
@@ -59,6 +68,11 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
   record.warnings = scene_warnings(file.setup.scene, file.setup.solver);
   if (has_yielded(response)) {
     if (auto warning = first_yield_warning(file.setup.scene, file.setup.solver)) {
+      record.warnings.push_back(std::move(*warning));
+    }
+  }
+  if (leaves_plane(response)) {
+    if (auto warning = model_detail::tipping_warning(file.setup.scene)) {
       record.warnings.push_back(std::move(*warning));
     }
   }

@@ -40,6 +40,8 @@ class HardeningKind {
   /// What of the numbers, each of which is within its field's range, does not fit together.
   virtual std::optional<BrokenRule> broken_rule(const MaterialValues<double>& values) const = 0;
   virtual HardeningGrowth growth(const Hardening& hardening) const = 0;
+  /// Whether the stress of a tension test falls anywhere.
+  virtual bool softens(const Material& /*material*/) const { return false; }
   /// Stress of a tension test that goes one way [Pa].
   /// @param plastic_strain  [1], >= 0
   virtual double monotonic_stress(double plastic_strain, const Material& material) const = 0;

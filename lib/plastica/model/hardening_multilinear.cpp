@@ -84,14 +84,17 @@ class Multilinear final : public HardeningKind {
       }
       if (ended || next_strain <= strain) {
         return BrokenRule{at(MaterialField::PlasticStrain1, i),
-                          i == 0  ? "must be above 0, where the stress is material.yield_stress"
-                          : ended ? "must follow the points before it without a gap"
+                          i == 0 ? "must be above 0, where the stress is material.yield_stress"
+                          : next_strain == 0.0 ? "must be above 0: the point's flow stress has none"
+                          : ended              ? "must follow the points before it without a gap"
                                   : "must be above the one before, " + number_text(strain)};
       }
       const double least = stress - steepest * (next_strain - strain);
       if (next_stress <= 0.0 || next_stress < least) {
         return BrokenRule{at(MaterialField::FlowStress1, i),
-                          next_stress <= 0.0
+                          next_stress == 0.0
+                              ? "must be above 0: the point's plastic strain has none"
+                          : next_stress < 0.0
                               ? "must be above 0"
                               : "falls from " + number_text(stress) + " more steeply than " +
                                     number_text(steepest) + " Pa, a tenth of the elastic modulus"};
@@ -101,6 +104,15 @@ class Multilinear final : public HardeningKind {
     }
     if (strain > 0.0) return {};
     return BrokenRule{MaterialField::PlasticStrain1, "must be above 0: the table has no point"};
+  }
+  bool softens(const Material& material) const override {
+    const Hardening& h = material.hardening;
+    double stress = material.yield_stress;
+    for (std::size_t i = 0; i < kPoints && h.plastic_strain[i] > 0.0; ++i) {
+      if (h.flow_stress[i] < stress) return true;
+      stress = h.flow_stress[i];
+    }
+    return false;
   }
   HardeningGrowth growth(const Hardening& /*h*/) const override {
     return HardeningGrowth::Saturates;

@@ -57,7 +57,7 @@ History History::smooth_step(double from, double to) {
 History History::sine(double period, double cycles, double phase, double offset) {
   constexpr double kPieces = 128.0;
   const double rate = 2.0 * std::numbers::pi / period;
-  const auto pieces = static_cast<std::size_t>(std::ceil(kPieces * cycles - 1e-9));
+  const auto pieces = static_cast<std::size_t>(std::max(1.0, std::ceil(kPieces * cycles - 1e-9)));
   History history{{}, {}};
   for (std::size_t i = 0; i <= pieces; ++i) {
     const double periods = std::min(static_cast<double>(i) / kPieces, cycles);

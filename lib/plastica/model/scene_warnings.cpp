@@ -14,8 +14,8 @@
 #include "plastica/model/choose_level.hpp"
 #include "plastica/model/local_buckling.hpp"
 #include "plastica/model/motion_warnings.hpp"
-#include "plastica/model/scene_actions.hpp"
 #include "plastica/model/section_kind.hpp"
+#include "plastica/model/yield_warnings.hpp"
 
 namespace plastica {
 namespace {
@@ -83,9 +83,16 @@ std::optional<std::string> short_beam(const Facts& facts) {
   if (slenderness >= 10.0 || facts.options.translation == JointTranslation::Elastic) {
     return std::nullopt;
   }
-  return "the beam is " + figure(slenderness) +
-         " times as long as deep (below 10): shear, which rigid joints leave out, is " +
-         figure(100.0 * shear_share(facts.scene, about_x)) +
+  const std::string text =
+      "the beam is " + figure(slenderness) +
+      " times as long as deep (below 10): shear, which rigid joints leave out, ";
+  const double share = shear_share(facts.scene, about_x);
+  if (!std::isfinite(share)) {
+    return text +
+           "may count; with section.shear_coefficient, which numbers do not tell, "
+           "solver.translation = \"elastic\" has it";
+  }
+  return text + "is " + figure(100.0 * share) +
          " % of a cantilever's tip deflection (Timoshenko); solver.translation = \"elastic\" has "
          "it";
 }
@@ -223,58 +230,16 @@ std::optional<std::string> thin_wall(const Facts& facts) {
   return warning;
 }
 
-/// Whether anything bends the beam about x, and about y.
-std::array<bool, 2> bent_axes(const Scene& scene) {
-  std::array<bool, 2> bent{};
-  for (const model_detail::SceneAction& action : model_detail::actions_of(scene)) {
-    const bool turns = action.sense == VectorSense::Turn;
-    bent[0] = bent[0] || action.vector[turns ? 0 : 1] != 0.0;
-    bent[1] = bent[1] || action.vector[turns ? 1 : 0] != 0.0;
-  }
-  return bent;
-}
-
-/// Whether anything twists the beam: about its axis, or by its shape.
-bool twisted(const Facts& facts) {
-  const Scene& scene = facts.scene;
-  const bool curved = scene.beam.shape != BeamShape::Straight;
-  return facts.level.level == Level::Spatial &&
-         (curved ||
-          std::any_of(scene.loads.begin(), scene.loads.end(),
-                      [](const Load& load) { return load.moment[2] != 0.0; }) ||
-          std::any_of(scene.supports.begin(), scene.supports.end(),
-                      [](const Support& support) { return support.rotation[2] != 0.0; }) ||
-          std::any_of(scene.initial_motions.begin(), scene.initial_motions.end(),
-                      [](const InitialMotion& motion) { return motion.spin[2] != 0.0; }));
-}
-
 std::optional<std::string> per_axis(const Facts& facts) {
-  if (facts.scene.yield_model != YieldModel::PerAxis) return std::nullopt;
-  const auto bent = bent_axes(facts.scene);
-  if ((bent[0] || bent[1]) && !(bent[0] && bent[1]) && twisted(facts)) {
-    // The corner (1, 1) against m^2 + t^2 = 1.
-    return "rules.yield_model = \"per_axis\" with bending and torsion: the joint carries up to 41 "
-           "% "
-           "more than the section; \"interaction\" and \"fibre\" do not";
-  }
-  if (!bent[0] || !bent[1]) return std::nullopt;
-  const bool plastic = facts.scene.yield_cap == YieldCap::FullyPlastic;
-  const std::string beyond(section_kind(facts.scene.section).beyond_caps(plastic));
-  return "rules.yield_model = \"per_axis\" with bending about both axes: the joint carries up to " +
-         beyond + " more than the section, with torsion still more; \"interaction\" does not";
+  return model_detail::per_axis_warning(facts.scene, facts.level);
 }
 
-/// Open sections warp when they twist, and what holds that is not modelled.
 std::optional<std::string> warping(const Facts& facts) {
-  const Scene& scene = facts.scene;
-  if (facts.level.level != Level::Twist && !twisted(facts)) return std::nullopt;
-  const auto warps = [](const Section& section) { return section_kind(section).warps(); };
-  const bool any = warps(scene.section) ||
-                   std::any_of(scene.regions.begin(), scene.regions.end(),
-                               [&](const Region& region) { return warps(region.section); });
-  if (!any) return std::nullopt;
-  return "the beam twists, and its section is open: torsion is Saint-Venant's alone. Where warping "
-         "is held (a clamped end, a torque along the way) the true beam is stiffer and stronger";
+  return model_detail::warping_warning(facts.scene, facts.level);
+}
+
+std::optional<std::string> softening(const Facts& facts) {
+  return model_detail::softening_warning(facts.scene);
 }
 
 /// Supports, loads and masses inside of segments whose lengths the scene sets.
@@ -358,8 +323,8 @@ std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions&
   if (scene.is_coupon()) return {};
   const Facts facts{scene, options, choose_level(scene, options), segment_ends(scene)};
   std::vector<std::string> warnings;
-  for (const auto find : {short_beam, hinge, cap, thin_wall, per_axis, warping, inner_places,
-                          cut_corners, no_potential}) {
+  for (const auto find : {short_beam, hinge, cap, thin_wall, per_axis, warping, softening,
+                          inner_places, cut_corners, no_potential}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (options.analysis == Analysis::Dynamics) {

@@ -207,7 +207,7 @@ class ISection final : public SectionKind {
     }
     return shear;
   }
-  bool warps() const override { return true; }
+  SectionWarping warping() const override { return SectionWarping::Much; }
   std::vector<SectionWall> walls(const Section& s) const override {
     const double r = s.fillet_radius;
     const double outstand = 0.5 * (s.width - s.web_thickness) - r;

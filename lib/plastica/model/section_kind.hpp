@@ -45,6 +45,13 @@ enum class SectionEdge {
   Walls,      ///< taken as the largest everywhere, which is safe
 };
 
+/// How much a section warps when it is twisted: holding that makes the beam stiffer.
+enum class SectionWarping {
+  Little,   ///< solid and closed sections
+  Much,     ///< open sections
+  Unknown,  ///< sections that are given by their numbers
+};
+
 /// A wall that local buckling is about: EN 1993-1-1, table 5.2.
 struct SectionWall {
   enum class Kind {
@@ -94,8 +101,8 @@ class SectionKind {
   virtual std::string_view beyond_caps(bool /*fully_plastic*/) const { return "100 %"; }
   /// Whether the report has formulas for it.
   virtual bool in_report() const { return false; }
-  /// Whether torsion makes it warp so much that holding that changes its stiffness.
-  virtual bool warps() const { return false; }
+  /// What is known of warping when it is twisted.
+  virtual SectionWarping warping() const { return SectionWarping::Little; }
   virtual std::vector<SectionWall> walls(const Section& /*section*/) const { return {}; }
 };
 

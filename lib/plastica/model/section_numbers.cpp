@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 
 #include "plastica/model/check_value.hpp"
 #include "plastica/model/section_fields.hpp"
@@ -6,6 +7,9 @@
 
 namespace plastica::model_detail {
 namespace {
+
+/// Published numbers have three digits or more.
+constexpr double kRounded = 1.005;
 
 class ByNumbers final : public SectionKind {
  public:
@@ -71,6 +75,20 @@ class ByNumbers final : public SectionKind {
     };
     fits(n.second_moment_x, n.section_modulus_x, "section.second_moment_x");
     fits(n.second_moment_y, n.section_modulus_y, "section.second_moment_y");
+    // Z is the integral of |y|: Z^2 <= A I (Cauchy and Schwarz).
+    const auto leaves = [&](double plastic, double moment, std::string_view field) {
+      const double most = std::sqrt(n.area * moment);
+      require(plastic <= kRounded * most, where, field, plastic,
+              "is more than sqrt(A I) = " + number_text(most) +
+                  " m^3, which no section of this area and second moment has");
+    };
+    leaves(n.plastic_section_modulus_x, n.second_moment_x, "section.plastic_section_modulus_x");
+    leaves(n.plastic_section_modulus_y, n.second_moment_y, "section.plastic_section_modulus_y");
+    // Warping makes a section softer than one that stays plane, whose J is the polar moment.
+    const double polar = n.second_moment_x + n.second_moment_y;
+    require(n.torsion_constant <= kRounded * polar, where, "section.torsion_constant",
+            n.torsion_constant,
+            "is more than I_x + I_y = " + number_text(polar) + " m^4, which a round section has");
   }
   SectionProperties properties(const Section& s, double /*nu*/) const override {
     const SectionNumbers& n = s.numbers;
@@ -89,7 +107,7 @@ class ByNumbers final : public SectionKind {
     p.shear_coefficient_x = p.shear_coefficient_y = 0.0;
     return p;
   }
-  bool warps() const override { return true; }
+  SectionWarping warping() const override { return SectionWarping::Unknown; }
 };
 
 }  // namespace

@@ -104,6 +104,15 @@ std::string history_label(const History& history, double end) {
                                          : fmt::format(", up to {} times that", brief(largest));
 }
 
+/// "y", "-y", "(0, 0.8, -0.6)"
+std::string direction_label(const std::array<double, 3>& direction) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::fabs(direction[k]) < 1.0) continue;
+    return (direction[k] < 0.0 ? "-" : "") + std::string(kAxes[k]);
+  }
+  return fmt::format("({}, {}, {})", brief(direction[0]), brief(direction[1]), brief(direction[2]));
+}
+
 std::string support_label(const Support& support, double end) {
   const SupportTraits& kind = traits_of(support);
   std::string label =
@@ -115,8 +124,7 @@ std::string support_label(const Support& support, double end) {
   for (const SupportField& field : support_fields()) {
     if (!field.of || !field.belongs_to(support)) continue;
     if (field.of == &SupportTraits::normal) {
-      more = parts_of(support.normal, kind.one_sided ? "pushes " : "holds along ", "");
-      while (!more.empty() && more.back() == ' ') more.pop_back();
+      more = (kind.one_sided ? "pushes along " : "holds along ") + direction_label(support.normal);
     } else {
       more = joined(more, label_of(field, support));
     }

@@ -16,8 +16,8 @@ std::string yield_warning(const Scene& scene, const SolverOptions& options, cons
            " N_p: next to no moment, and out of the plane, one yield surface lets it bend as if it "
            "were elastic; rules.yield_model = \"fibre\" finds where it buckles";
   }
+  if (!per_axis && options.translation == JointTranslation::Elastic) return {};
   if (!per_axis && options.analysis == Analysis::Statics) {
-    if (options.translation == JointTranslation::Elastic) return {};
     return "a joint yielded under an axial force of up to " + force +
            ": it lengthens, which joints that are rigid along the beam do not show; "
            "solver.translation = \"elastic\" does";
@@ -42,7 +42,7 @@ std::vector<std::string> axial_warnings(const Scene& scene, const SolverOptions&
     if (!text.empty()) all.push_back(std::move(text));
   }
   if (response.unheld_thrust) {
-    all.push_back(
+    all.emplace_back(
         "the beam is under thrust, and no support keeps it from leaving its plane: whether it "
         "does is not looked at; supports that hold it there, or solver.level = \"spatial\", tell");
   }

@@ -26,7 +26,4 @@ std::unique_ptr<chain::SectionJointsBase<L, kElastic>> make_joints(
     const std::vector<MaterialValues<typename L::Scalar>>& materials,
     std::vector<chain::SectionJoint<L>> joints, const chain::View<L>& view, int fibres);
 
-/// @throws InputError if a region cannot follow the law of the rest of the beam
-void check_regions(const Scene& scene);
-
 }  // namespace plastica

@@ -220,9 +220,11 @@ TEST(ChainScene, ReadsRegionsOnTopOfTheBeam) {
 }
 
 TEST(ChainScene, KnowsWhatARegionSaysItself) {
-  const auto own = [](const std::string& says) {
-    return scene_of("[beam]\nlength = '1 m'\n[[region]]\nfrom = 0.5\nto = 'end'\n" + says + kClamp +
-                    kForce)
+  const auto own = [](const std::string& says, const std::string& before = "") {
+    return scene_of(before +
+                    "[rules]\nyield_model = 'per_axis'\n[beam]\nlength = '1 m'\n[[region]]\nfrom = "
+                    "0.5\nto = 'end'\n" +
+                    says + kClamp + kForce)
         .regions[0]
         .own;
   };
@@ -232,10 +234,26 @@ TEST(ChainScene, KnowsWhatARegionSaysItself) {
   EXPECT_EQ(own("material = { name = 'S235', density = '8 g/cm^3' }\n"), (Paths{"material"}));
   EXPECT_EQ(own("material.density = '8 g/cm^3'\nsection.width = '50 mm'\n"),
             (Paths{"section.width", "material.density"}));
-  EXPECT_EQ(own("material.hardening = { law = 'multilinear', plastic_strain = [0.1], flow_stress = "
-                "['500 MPa'] }\n")
-                .front(),
-            "material.hardening.law");
+  const std::string table =
+      "material.hardening = { law = 'multilinear', plastic_strain = [0.1], flow_stress = "
+      "['500 MPa'] }\n";
+  EXPECT_EQ(own(table, table).front(), "material.hardening.law");
+}
+
+/// A list of a region is all of its table: points of the beam's that it does not have are none.
+TEST(ChainScene, HasOfARegionsTableWhatItsListsSay) {
+  const auto table = [](const std::string& strains, const std::string& stresses) {
+    return "material.hardening = { law = 'multilinear', plastic_strain = " + strains +
+           ", flow_stress = " + stresses + " }\n";
+  };
+  const Scene scene = scene_of(table("[0.01, 0.1]", "['400 MPa', '450 MPa']") +
+                               "[beam]\nlength = '1 m'\n[[region]]\nfrom = 0.5\nto = 'end'\n" +
+                               table("[0.2]", "['500 MPa']") + kClamp + kForce);
+  const Hardening& h = scene.regions[0].material.hardening;
+  EXPECT_EQ(h.plastic_strain[0], 0.2);
+  EXPECT_EQ(h.plastic_strain[1], 0.0);
+  EXPECT_EQ(h.flow_stress[1], 0.0);
+  EXPECT_DOUBLE_EQ(scene.material.hardening.flow_stress[1], 450e6);
 }
 
 TEST(ChainScene, ReadsProbesOfEveryKind) {

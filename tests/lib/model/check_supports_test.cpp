@@ -26,6 +26,21 @@ TEST(CheckSupports, RefusePlacesOffTheBeam) {
             "support[2].at = { segment = -1 }: must be a segment from 1 to 8, or 0 for the start");
 }
 
+TEST(CheckSupports, MoveAnInclinedRollerAlongItsNormal) {
+  const auto moved = [](const std::array<double, 3>& way) {
+    return error_of([&](Scene& s) {
+      Support roller{.at = Place::end(), .kind = SupportKind::InclinedRoller};
+      roller.normal = {0.0, 0.6, 0.8};
+      roller.translation = way;
+      s.supports.push_back(roller);
+    });
+  };
+  EXPECT_EQ(moved({0.0, 0.004, -0.003}),
+            "support[2].translation = 0.005: goes across the normal, along which alone the support "
+            "holds");
+  EXPECT_EQ(moved({0.0, 0.004, 0.0}), "no error");
+}
+
 TEST(CheckSupports, HoldRotationsAtSegmentEndsAlone) {
   EXPECT_EQ(error_of([](Scene& s) {
               s.beam.segment_shares.assign(8, 0.125);

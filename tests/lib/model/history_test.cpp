@@ -72,6 +72,13 @@ TEST(History, OfASineIsThatWithin2e8) {
   EXPECT_EQ(sine.corners(), (std::vector<double>{0.0, sine.end()}));
 }
 
+TEST(History, OfASineThatHardlyBeginsHasTwoPoints) {
+  const History sine = History::sine(1.0, 1e-12, 0.0, 0.5);
+  ASSERT_EQ(sine.time.size(), 2U);
+  EXPECT_EQ(sine.at(0.0), 0.5);
+  EXPECT_NEAR(sine.at(1.0), 0.5, 1e-11);
+}
+
 TEST(History, OfASineTurnsAtItsPeaks) {
   const auto turns = History::sine(1.0, 2.0, 0.3).turns();
   ASSERT_EQ(turns.size(), 4U);

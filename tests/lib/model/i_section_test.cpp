@@ -150,16 +150,17 @@ TEST(ISection, ShearsAsItsShearFlowSays) {
   EXPECT_NEAR(p.shear_coefficient_x * p.area, 5.0 / 6.0 * 2.0 * b * tf, 1e-12);
 }
 
+bool refused(const Section& section, const std::string& text) {
+  try {
+    check_section(section);
+  } catch (const InputError& error) {
+    return std::string(error.what()).find(text) != std::string::npos;
+  }
+  return false;
+}
+
 TEST(ISection, IsRefusedIfItIsNone) {
   Section s = named_profile("IPE 100");
-  const auto refused = [](const Section& section, const std::string& text) {
-    try {
-      check_section(section);
-    } catch (const InputError& error) {
-      return std::string(error.what()).find(text) != std::string::npos;
-    }
-    return false;
-  };
   Section thick = s;
   thick.flange_thickness = 0.049;
   EXPECT_TRUE(refused(thick, "leaves no web"));
@@ -198,6 +199,12 @@ TEST(SectionNumbers, AreTakenAsTheyAreAndChecked) {
   Section weak = s;
   weak.numbers.plastic_section_modulus_y = 0.9 * weak.numbers.section_modulus_y;
   EXPECT_THROW(check_section(weak), InputError);
+  Section stiff = s;
+  stiff.numbers.torsion_constant = 1.01 * (i.second_moment_x + i.second_moment_y);
+  EXPECT_TRUE(refused(stiff, "section.torsion_constant = "));
+  Section strong = s;
+  strong.numbers.plastic_section_modulus_x = 1.01 * std::sqrt(i.area * i.second_moment_x);
+  EXPECT_TRUE(refused(strong, "section.plastic_section_modulus_x = "));
   Section lacking = s;
   lacking.numbers.torsion_constant = 0.0;
   EXPECT_THROW(check_section(lacking), InputError);

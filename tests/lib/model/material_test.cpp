@@ -126,12 +126,13 @@ INSTANTIATE_TEST_SUITE_P(
                     },
                     "hardening.plastic_strain_3 = 0.02: must follow the points before it without "
                     "a gap"},
-        BadMaterial{[](Material& m) {
-                      m.hardening = {.law = HardeningLaw::Multilinear,
-                                     .plastic_strain = {0.01, 0.02},
-                                     .flow_stress = {400e6}};
-                    },
-                    "hardening.flow_stress_2 = 0: must be above 0"},
+        BadMaterial{
+            [](Material& m) {
+              m.hardening = {.law = HardeningLaw::Multilinear,
+                             .plastic_strain = {0.01, 0.02},
+                             .flow_stress = {400e6}};
+            },
+            "hardening.flow_stress_2 = 0: must be above 0: the point's plastic strain has none"},
         BadMaterial{[](Material& m) {
                       m.hardening = {.law = HardeningLaw::Multilinear,
                                      .plastic_strain = {0.001},

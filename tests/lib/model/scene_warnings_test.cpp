@@ -91,6 +91,42 @@ TEST(SceneWarnings, SayWhatJointsLongerThanTheHingeDoToABreak) {
   EXPECT_FALSE(warns(warnings_of([](Scene& s) { s.beam.segments = 10; }), "hinge"));
 }
 
+TEST(SceneWarnings, SayThatATableThatFallsDependsOnTheSegments) {
+  const auto table = [](double stress) {
+    return [stress](Scene& s) {
+      s.material.hardening.law = HardeningLaw::Multilinear;
+      s.material.hardening.plastic_strain[0] = 0.1;
+      s.material.hardening.flow_stress[0] = stress;
+      s.yield_model = YieldModel::Interaction;
+    };
+  };
+  const double yield = cantilever().material.yield_stress;
+  EXPECT_TRUE(warns(warnings_of(table(0.9 * yield)), "the table of material.hardening falls"));
+  EXPECT_FALSE(warns(warnings_of(table(yield)), "the table of material.hardening falls"));
+}
+
+/// Numbers do not say how stiffly a section shears: no percentage can be given.
+TEST(SceneWarnings, OfShearDoNotMakeUpWhatNumbersDoNotTell) {
+  const auto warnings = warnings_of([](Scene& s) {
+    const SectionProperties p = section_properties({.width = 0.2, .height = 0.2}, 0.3);
+    s.section.shape = SectionShape::Numbers;
+    s.section.numbers = {p.area,
+                         p.second_moment_x,
+                         p.second_moment_y,
+                         p.section_modulus_x,
+                         p.section_modulus_y,
+                         p.plastic_section_modulus_x,
+                         p.plastic_section_modulus_y,
+                         p.torsion_constant,
+                         p.torsion_modulus,
+                         p.plastic_torsion_modulus};
+  });
+  EXPECT_TRUE(warns(warnings,
+                    "shear, which rigid joints leave out, may count; with "
+                    "section.shear_coefficient"));
+  EXPECT_FALSE(warns(warnings, "nan"));
+}
+
 TEST(SceneWarnings, SayThatABreakWithoutHingeLengthDependsOnTheSegments) {
   const std::string text = "without a hinge length a break depends on the segments";
   EXPECT_TRUE(warns(warnings_of([](Scene& s) {
@@ -141,9 +177,9 @@ TEST(SceneWarnings, NameFibresToABeamThatIsLetGoWhetherItBendsOrTwists) {
     });
   };
   const std::string fibres = " times as much; rules.yield_model = \"fibre\" follows the section";
-  EXPECT_TRUE(has(let_go({0.0, 1.0, 0.0}, 0.0), "1.7" + fibres));   // 16/(3 pi)
-  EXPECT_TRUE(has(let_go({0.0, 0.0, 0.0}, 1.0), "1.33" + fibres));  // 4/3 of a circle's torque
-  EXPECT_TRUE(has(let_go({1.0, 1.0, 0.0}, 1.0), "1.7" + fibres));
+  EXPECT_TRUE(warns(let_go({0.0, 1.0, 0.0}, 0.0), "1.7" + fibres));   // 16/(3 pi)
+  EXPECT_TRUE(warns(let_go({0.0, 0.0, 0.0}, 1.0), "1.33" + fibres));  // 4/3 of a circle's torque
+  EXPECT_TRUE(warns(let_go({1.0, 1.0, 0.0}, 1.0), "1.7" + fibres));
 }
 
 TEST(SceneWarnings, TakeALoadBackThatGrowsForOneThatDoesNotLetGo) {

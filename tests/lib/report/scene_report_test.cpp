@@ -70,13 +70,18 @@ TEST(SceneReport, SaysWhatRanDefaultsIncluded) {
   for (const char* line :
        {"\n  material        S355, E 210.0 GPa, yield stress 355.0 MPa\n",
         "\n  section         rectangle, 100 x 100 mm\n",
-        "\n  supports        clamp at start; pillar at 0.5 (pushes y 1, gap 2.000 mm, restitution "
+        "\n  supports        clamp at start; pillar at 0.5 (pushes along y, gap 2.000 mm, "
+        "restitution "
         "0.5)\n",
         "\n  loads           F_y -500 N, M_z 20 N m at end, up to 2 times that; F_y -10 N/m from "
         "start "
         "to end;\n                  g_y -9.81 m/s^2\n"}) {
     EXPECT_TRUE(has(text, line)) << line << text;
   }
+  Support slope{.at = Place::end(), .kind = SupportKind::InclinedRoller};
+  slope.normal = {0.0, 0.8, -0.6};
+  scene.supports = {slope};
+  EXPECT_TRUE(has(scene_report(record), "inclined_roller at end (holds along (0, 0.8, -0.6))"));
   scene.yield_model = YieldModel::Elastic;
   EXPECT_TRUE(has(scene_report(record), "\n  yield           elastic: joints never yield\n"));
   scene.yield_model = YieldModel::Interaction;

@@ -215,6 +215,26 @@ TEST(AxialWarning, SaysThatABarLengthens) {
   EXPECT_NE(axial_warnings(scene, {}, response).at(0).find("elastic"), std::string::npos);
 }
 
+/// In a motion, too, joints that stretch yield by the axial force, and hardening may carry more.
+TEST(AxialWarning, IsNoneOfAMotionWhoseJointsStretch) {
+  Scene scene = cantilever_scene(4);
+  scene.yield_model = YieldModel::Interaction;
+  scene.material.hardening.law = HardeningLaw::Linear;
+  scene.material.hardening.tangent_modulus = 20e9;
+  scene.loads.push_back({.at = Place::end(), .moment = {1.0, 0.0, 0.0}});
+  scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Clamp});
+  scene.supports[1].hold = HeldFreedoms{false, false, true, false, false, false};
+  scene.supports[1].translation = {0.0, 0.0, 0.005};
+  scene.supports[1].history = {{0.0, 0.05}, {0.0, 1.0}};
+  SolverOptions options{.level = Level::Planar, .analysis = Analysis::Dynamics, .duration = 0.05};
+  options.translation = JointTranslation::Elastic;
+  const Response response = testing::completed(scene, options);
+  ASSERT_TRUE(response.axial);
+  EXPECT_GT(response.axial->ratio, 1.1);
+  EXPECT_GT(response.chain.energy.back().plastic, 0.0);
+  EXPECT_TRUE(axial_warnings(scene, options, response).empty());
+}
+
 /// A bar beyond N_p that nothing bends: no joint yields, and per_axis would say nothing.
 TEST(AxialWarning, SaysThatPerAxisCarriesMoreThanAllOfTheSection) {
   for (const double n : {0.9, 2.0, -2.0}) {

@@ -139,7 +139,7 @@ TEST(ISectionBeam, WarnsOfWarpingWhereItTwistsAndOfThinFlanges) {
   scene.loads.push_back({.force = {0.0, 1.0, 0.0}});
   EXPECT_FALSE(warns(scene, "Saint-Venant's alone"));
   scene.loads.back().moment[2] = 1.0;
-  EXPECT_TRUE(warns(scene, "Saint-Venant's alone"));
+  EXPECT_TRUE(warns(scene, "its section is open: torsion is Saint-Venant's alone"));
   // S355: e = 0.81, flanges of class 1 up to c/t = 7.3. HEA 260: 8.2, class 3 beyond 8.1.
   EXPECT_FALSE(warns(scene, "EN 1993-1-1"));
   scene.material.yield_stress = 355e6;
@@ -147,6 +147,20 @@ TEST(ISectionBeam, WarnsOfWarpingWhereItTwistsAndOfThinFlanges) {
   scene.section = named_profile("HEA 260");
   scene.yield_cap = YieldCap::FullyPlastic;
   EXPECT_TRUE(warns(scene, "class 3 of EN 1993-1-1"));
+}
+
+/// Numbers do not say whether a section is open.
+TEST(SectionByItsNumbers, IsNotCalledOpenWhereItTwists) {
+  Scene scene = ipe_200(8);
+  scene.section = by_numbers(scene.section);
+  scene.loads.push_back({.force = {0.0, 1.0, 0.0}});
+  EXPECT_FALSE(warns(scene, "Saint-Venant's alone"));
+  scene.loads.back().moment[2] = 1.0;
+  EXPECT_TRUE(warns(scene, "of its section only the numbers are known: torsion is Saint-Venant's"));
+  EXPECT_FALSE(warns(scene, "its section is open"));
+  // A stretch of the beam whose section is known to be open is.
+  scene.regions = {{Place::start(), {0.5, {}}, named_profile("IPE 200"), scene.material}};
+  EXPECT_TRUE(warns(scene, "its section is open"));
 }
 
 }  // namespace

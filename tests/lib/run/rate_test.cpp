@@ -222,8 +222,18 @@ TEST(Rates, RefusesARateLawWhereThereIsNoRate) {
   scene.regions = {{Place::start(), {0.5, {}}, scene.section, scene.material}};
   scene.regions[0].material.rate = kSteel;
   EXPECT_EQ(refusal(scene, in_motion(Level::Planar, 1.0, 10)),
-            "region[1].material = S355: must have the rate law of the rest of the beam, and a "
-            "strain_rate where that has one");
+            "region[1].material.rate.law = cowper_symonds: must be that of the rest of the beam, "
+            "none");
+  // The law is one for all, and so is whether each joint has its own rate.
+  scene.material.rate = kSteel;
+  scene.regions[0].material.rate.strain_rate = 1.0;
+  EXPECT_EQ(refusal(scene, in_motion(Level::Planar, 1.0, 10)),
+            "region[1].material.rate.strain_rate: is said, but the rest of the beam has rates of "
+            "its joints");
+  std::swap(scene.material.rate.strain_rate, scene.regions[0].material.rate.strain_rate);
+  EXPECT_EQ(refusal(scene, in_motion(Level::Planar, 1.0, 10)),
+            "region[1].material.rate.strain_rate: is missing: the rest of the beam has a rate that "
+            "all has");
 }
 
 }  // namespace

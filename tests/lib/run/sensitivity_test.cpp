@@ -144,6 +144,30 @@ TEST(Sensitivity, OfATableAgreesWithDifferencesOverDecades) {
   }
 }
 
+/// A rate that all has multiplies the yield stress and its growth by a factor of its parameters.
+TEST(Sensitivity, OfARateLawAgreesWithDifferencesOverDecades) {
+  const std::vector<Parameter> cowper_symonds{{"reference_rate", 40.4}, {"exponent", 5.0}};
+  const std::vector<Parameter> johnson_cook{{"reference_rate", 0.01}, {"coefficient", 0.03}};
+  for (const Deformation deformation : kDeformations) {
+    for (const HardeningLaw law : {HardeningLaw::Ideal, HardeningLaw::Linear,
+                                   HardeningLaw::VoceChaboche, HardeningLaw::Multilinear}) {
+      Scene scene = scene_of(law, deformation);
+      scene.material.rate = {RateLaw::CowperSymonds, 40.4, 5.0, {}, 7.0};
+      expect_derivatives(scene, joined(kIdeal, cowper_symonds));
+      scene.material.rate = {RateLaw::JohnsonCook, 0.01, {}, 0.03, 7.0};
+      expect_derivatives(scene, joined(kIdeal, johnson_cook));
+    }
+  }
+}
+
+/// Below its reference rate Johnson and Cook's factor is 1: nothing depends on its parameters.
+TEST(Sensitivity, OfJohnsonAndCookBelowTheReferenceRateIsZero) {
+  Scene scene = scene_of(HardeningLaw::Linear, Deformation::Tension);
+  scene.material.rate = {RateLaw::JohnsonCook, 10.0, {}, 0.03, 7.0};
+  const Differentiated d = differentiate(scene, {{"reference_rate", 10.0}, {"coefficient", 0.03}});
+  for (const double slope : d.sensitivity.stress) EXPECT_EQ(slope, 0.0);
+}
+
 TEST(Sensitivity, OfShearParametersAgreesWithDifferencesInTorsion) {
   for (const HardeningLaw law : {HardeningLaw::Ideal, HardeningLaw::Linear,
                                  HardeningLaw::VoceChaboche, HardeningLaw::Multilinear}) {
