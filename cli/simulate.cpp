@@ -21,7 +21,6 @@
 #include "plastica/io/output_file.hpp"
 #include "plastica/io/scene_store.hpp"
 #include "plastica/io/text_file.hpp"
-#include "plastica/model/scene_warnings.hpp"
 #include "plastica/report/format.hpp"
 #include "plastica/report/scene_csv.hpp"
 #include "plastica/report/scene_json.hpp"
@@ -29,6 +28,7 @@
 #include "plastica/run/chain_model.hpp"
 #include "plastica/run/path_stops.hpp"
 #include "plastica/run/response_size.hpp"
+#include "plastica/run/scene_warnings.hpp"
 #include "plastica/run/simulate.hpp"
 
 namespace plastica::cli {
@@ -104,7 +104,7 @@ int print_dry_run(const SimulateArguments& arguments, const Setup& setup, const 
   if (is_motion(model)) {
     say("{}{}", motion_label(setup, *model.chain), frequency_line(model, setup));
   }
-  for (const std::string& warning : scene_warnings(setup.scene, setup.solver)) {
+  for (const std::string& warning : scene_warnings(model)) {
     say("warning: {}\n", warning);
   }
   try {

@@ -33,10 +33,6 @@ class BeamReader {
  public:
   explicit BeamReader(const ChainModel& model) : model_(model), body_(model, {}) {
     body_.reset(material_values(model.scene.material));
-    for (const chain::PartForm& part : body_.parts) {
-      materials_.push_back(material_values(*part.material));
-      of_part_.push_back(chain::joint_of_part(model.scene, part, materials_.back()));
-    }
   }
 
   EngineBeam read() {
@@ -70,8 +66,8 @@ class BeamReader {
   }
 
   void add_parts() {
-    for (const chain::PartForm& form : body_.parts) {
-      EnginePart part{*form.material, *form.section, form.properties, {}, {}};
+    for (const chain::BeamPart& form : model_.layout.parts) {
+      EnginePart part{form.material, form.section, form.properties, {}, {}};
       for (std::size_t k = 0; k < 3; ++k) {
         part.stiffness_factor[k] = form.form.axis[k].stiffness_factor;
         part.cap_factor[k] = form.form.axis[k].cap_factor;
@@ -195,8 +191,9 @@ class BeamReader {
   void set_law(const chain::SectionJoint<Space>& law, double length, std::size_t node,
                EngineJoint& joint) const {
     joint.part = law.law;
-    const chain::PartForm& part = body_.parts[law.law];
-    const chain::JointModel& model = of_part_[law.law];
+    const chain::BeamPart& part = model_.layout.parts[law.law];
+    const auto material = material_values(part.material);
+    const chain::JointModel model = chain::joint_of_part(model_.scene, part, material);
     for (std::size_t k = 0; k < 3; ++k) {
       if (law.acting[k] == 0.0) continue;
       joint.turning[k] = JointHold::Sprung;
@@ -204,9 +201,9 @@ class BeamReader {
       joint.stiffness[k] = law.turning_stiffness(k, k);
       if (model_.scene.yield_model == YieldModel::Elastic) continue;
       joint.yield_moment[k] = model.cap[k];
-      if (part.material->hardening.law == HardeningLaw::Linear) {
-        const auto uniaxial = law::uniaxial_material(part.form.axis[k], materials_[law.law]);
-        const auto linear = law::LinearHardening<double>::of(uniaxial, materials_[law.law]);
+      if (part.material.hardening.law == HardeningLaw::Linear) {
+        const auto uniaxial = law::uniaxial_material(part.form.axis[k], material);
+        const auto linear = law::LinearHardening<double>::of(uniaxial, material);
         const double modulus = linear.isotropic + linear.kinematic;
         joint.hardened_stiffness[k] = joint.stiffness[k] * modulus / (uniaxial.stiffness + modulus);
       }
@@ -247,8 +244,6 @@ class BeamReader {
 
   const ChainModel& model_;
   Body body_;
-  std::vector<MaterialValues<double>> materials_;  ///< of the parts
-  std::vector<chain::JointModel> of_part_;         ///< what all joints of a part have in common
   EngineBeam beam_;
 };
 

@@ -1,6 +1,7 @@
 #include "calibrate/scene/redivide.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "plastica/base/check.hpp"
@@ -47,10 +48,10 @@ std::vector<double> bare_ends(const Scene& scene) {
 
 /// The segments' shares of the length where they are not even; empty where they are, or where the
 /// rule Half, which does not go with shares, divides the beam anew.
-std::vector<double> uneven_shares(const Scene& scene) {
+/// @param ends  of its segments
+std::vector<double> uneven_shares(const Scene& scene, const std::vector<double>& ends) {
   if (scene.end_rule == EndRule::Half) return {};
   if (!scene.beam.segment_shares.empty()) return scene.beam.segment_shares;
-  const std::vector<double> ends = segment_ends(scene);
   if (ends == bare_ends(scene)) return {};
   std::vector<double> shares;
   for (std::size_t i = 1; i < ends.size(); ++i) shares.push_back(ends[i] - ends[i - 1]);
@@ -61,8 +62,9 @@ std::vector<double> uneven_shares(const Scene& scene) {
 /// else the values of three divisions would not lie on one curve of N.
 class Places {
  public:
-  Places(const Scene& from, const Scene& to)
-      : from_(segment_ends(from)),
+  /// @param from  the ends of the old segments
+  Places(std::vector<double> from, const Scene& to)
+      : from_(std::move(from)),
         to_(to.end_rule == EndRule::Half ? segment_ends(to) : bare_ends(to)) {}
 
   void move(Place& place) const { place = {share_of(place, from_), {}}; }
@@ -82,9 +84,9 @@ std::string name_of(const char* list, std::size_t index, const char* key) {
   return std::string(list) + "[" + std::to_string(index + 1) + "]." + key;
 }
 
-void move_places(const Scene& original, Setup& setup) {
+void move_places(std::vector<double> from, Setup& setup) {
   Scene& scene = setup.scene;
-  const Places places(original, scene);
+  const Places places(std::move(from), scene);
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     places.move_end(scene.supports[i].at, name_of("support", i, "at"));
   }
@@ -118,8 +120,9 @@ Setup redivided(const Setup& setup, Division division) {
   }
   Setup made = setup;
   made.scene.beam.segments = divided(original, division);
-  made.scene.beam.segment_shares = divided(uneven_shares(original), division);
-  move_places(original, made);
+  std::vector<double> ends = segment_ends(original);
+  made.scene.beam.segment_shares = divided(uneven_shares(original, ends), division);
+  move_places(std::move(ends), made);
   return made;
 }
 

@@ -8,7 +8,7 @@
 
 #include "calibrate/scene/scene_drive.hpp"
 #include "plastica/model/region.hpp"
-#include "plastica/run/chain_model.hpp"
+#include "plastica/run/scene_joints.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -51,7 +51,7 @@ void take_limits_off(Scene& scene) {
   scene.break_limit_z.reset();
 }
 
-/// Which joints take a limit of the scene's material. A joint has that of the segment after it.
+/// Which joints take a limit of the scene's material: those that such a part owns.
 std::vector<bool> joints_of_the_limit(const Setup& setup, const ChainModel& chain) {
   const Field& field = find_field(chain.level == Level::Twist ? "material.break_shear_strain"
                                                               : "material.break_strain");
@@ -60,11 +60,9 @@ std::vector<bool> joints_of_the_limit(const Setup& setup, const ChainModel& chai
     parts.push_back(!is_own(region, field.path));
   }
   std::vector<bool> joints;
-  const chain::Layout& layout = chain.layout;
-  for (const chain::SegmentParts& segment : layout.segment_part) {
-    joints.push_back(parts[layout.parts[segment.middle].region]);
+  for (const chain::JointModel& joint : scene_joints(chain)) {
+    joints.push_back(parts[chain.layout.parts[joint.owner].region]);
   }
-  joints.push_back(joints.back());
   return joints;
 }
 

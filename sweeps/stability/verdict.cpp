@@ -4,8 +4,9 @@
 #include <cmath>
 #include <span>
 
-#include "plastica/model/scene_warnings.hpp"
 #include "plastica/report/format.hpp"
+#include "plastica/run/scene_warnings.hpp"
+#include "plastica/run/simulate.hpp"
 #include "sweeps/stability/audit.hpp"
 
 namespace plastica::sweeps::stability {
@@ -17,7 +18,7 @@ std::string percent(double share) { return report::significant(100.0 * share, 3)
 
 /// The warning of a scene that names its steps; empty if there is none.
 std::optional<std::string> step_warning(const Setup& setup) {
-  for (const std::string& warning : scene_warnings(setup.scene, setup.solver)) {
+  for (const std::string& warning : scene_warnings(prepare(setup.scene, setup.solver))) {
     for (const std::string_view named : {"steps of ", "is of first order", "rho_infinity"}) {
       if (warning.find(named) != std::string::npos) return warning;
     }

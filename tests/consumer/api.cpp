@@ -11,11 +11,11 @@
 #include <plastica/model/profile_table.hpp>
 #include <plastica/model/region.hpp>
 #include <plastica/model/scene.hpp>
-#include <plastica/model/scene_warnings.hpp>
 #include <plastica/report/scene_text.hpp>
 #include <plastica/run/batch.hpp>
 #include <plastica/run/natural_frequencies.hpp>
 #include <plastica/run/response.hpp>
+#include <plastica/run/scene_warnings.hpp>
 #include <plastica/run/simulate.hpp>
 #include <plastica/theory/beam_cases.hpp>
 #include <plastica/theory/beam_ends.hpp>
@@ -72,7 +72,8 @@ int main() try {
   std::printf("%s\n", version().empty() ? "no version" : "a version");
   const io::SceneFile file = io::parse_scene_file(kScene, "cantilever.toml");
   Setup setup = file.setup;
-  std::printf("%zu warnings\n", scene_warnings(setup.scene, setup.solver).size());
+  const Model model = prepare(setup.scene, setup.solver);
+  std::printf("%zu warnings\n", scene_warnings(model).size());
 
   // The tip against the closed form.
   const double modulus = named_material("S235").material.youngs_modulus;
@@ -83,7 +84,6 @@ int main() try {
                               .length = 2.0,
                               .bending_stiffness = modulus * second_moment,
                               .load = {.position = 2.0, .force = -kForce}};
-  const Model model = prepare(setup.scene, setup.solver);
   Response response = make_response(model);
   Workspace workspace = make_workspace(model);
   run(model, {}, workspace, response);

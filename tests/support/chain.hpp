@@ -8,6 +8,7 @@
 #include "plastica/chain/joint_numbers.hpp"
 #include "plastica/chain/section_joints.hpp"
 #include "plastica/law/per_axis.hpp"
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/model/choose_level.hpp"
 #include "plastica/solve/newton.hpp"
 
@@ -21,7 +22,6 @@ struct SolvedChain {
   using S = typename L::Scalar;
 
   chain::Layout layout;
-  std::vector<chain::PartForm> parts;
   chain::Build<L> build;
   std::unique_ptr<chain::SectionJoints<L, kElastic, Law>> joints;
   solve::NewtonWork<L, kElastic> work;
@@ -37,11 +37,11 @@ struct SolvedChain {
   template <class LawOf>
   SolvedChain(const Scene& scene, const MaterialValues<S>& material, const chain::View<L>& view,
               const LawOf& law_of, double spring = 0.0)
-      : layout(chain::make_layout(scene)), parts(chain::part_forms(scene, layout)) {
+      : layout(chain::make_layout(scene, segment_ends(scene))) {
     build = chain::Builder<L>(scene, layout, view, RotaryInertia::On, false, law::kSeesAxial<Law>)
                 .build();
     const std::vector<MaterialValues<S>> materials{material};
-    auto numbers = chain::joint_numbers(build.joints, parts, materials, view);
+    auto numbers = chain::joint_numbers(build.joints, layout.parts, materials, view);
     const S stiffness = numbers[0].stiffness[0];
     const S length = constant<S>(scene.beam.length);
     build.chain.closure_stiffness = constant<S>(100) * stiffness / (length * length * length);
@@ -53,7 +53,7 @@ struct SolvedChain {
       }
     }
     joints = std::make_unique<chain::SectionJoints<L, kElastic, Law>>(
-        view.section_axes(), std::vector<Law>{law_of(parts[0].form)}, std::move(numbers));
+        view.section_axes(), std::vector<Law>{law_of(layout.parts[0].form)}, std::move(numbers));
     work.resize(build.chain);
   }
 

@@ -80,7 +80,7 @@ class Builder {
       segment.inner = view_.frame(back * layout_.joint_frame[i]);
       segment.outer = view_.frame(back * layout_.joint_frame[i + 1]);
       build_.chain.segments.push_back(segment);
-      build_.joints.push_back(joint_plan(scene_, layout_, i));
+      build_.joints.push_back(joint_plan(layout_, i));
     }
   }
 
@@ -142,7 +142,7 @@ class Builder {
     root.turn = view_.spin(vector(support.rotation));
     root.held = view_.translations(support.held());
     const auto held = view_.rotations(support.held());
-    if (resolved_end_rule(scene_) == EndRule::HalfJoint) {
+    if (layout_.end_rule == EndRule::HalfJoint) {
       build_.joints[0].acting = held;
     } else {
       root.welded = held;
@@ -173,7 +173,7 @@ class Builder {
                      const SegmentPoint& point) {
     const auto held = view_.rotations(support.held());
     if (std::none_of(held.begin(), held.begin() + kR, [](bool h) { return h; })) return;
-    const bool half = resolved_end_rule(scene_) == EndRule::HalfJoint;
+    const bool half = layout_.end_rule == EndRule::HalfJoint;
     const std::size_t beyond = point.segment + 1;
     const auto rotation = view_.spin(vector(support.rotation));
     const auto add = [&](std::size_t segment, bool outer) {
@@ -278,7 +278,7 @@ class Builder {
       add_point_load(load, history, point, 1.0);
       return;
     }
-    const ComplianceBefore share_before = compliance_before(scene_, layout_, beyond);
+    const ComplianceBefore share_before = compliance_before(layout_, beyond);
     const auto outer_part = [&](const std::array<double, 3>& whole,
                                 const std::array<double, 3>& shares) {
       const auto& frame = layout_.joint_frame[beyond];
@@ -321,12 +321,12 @@ class Builder {
   void add_gravity() {
     const Vec<double, 3> g = vector(scene_.gravity);
     if (dot(g, g) == 0.0) return;
-    const std::vector<double> line_mass = line_masses(layout_);
     Load weight;
     const std::size_t history = add_history(scene_.gravity_history);
     for (std::size_t i = 0; i < layout_.size(); ++i) {
       const double middle = 0.5 * (layout_.ends[i] + layout_.ends[i + 1]);
-      const Vec<double, 3> force = line_mass[layout_.segment_part[i].middle] * g;
+      const BeamPart& part = layout_.parts[layout_.segment_part[i].middle];
+      const Vec<double, 3> force = part.line_mass() * g;
       weight.force = force.at;
       add_point_load(weight, history, segment_point(layout_, middle), layout_.segment_length[i]);
     }

@@ -9,16 +9,6 @@
 
 namespace plastica::chain {
 
-/// Mass per length of each part of a beam [kg/m].
-inline std::vector<double> line_masses(const Layout& layout) {
-  std::vector<double> masses;
-  for (const BeamPart& part : layout.parts) {
-    const double area = section_properties(part.section, part.material.poisson_ratio).area;
-    masses.push_back(part.material.density * area);
-  }
-  return masses;
-}
-
 /// Masses and inertias of a chain's segments.
 ///
 /// A segment is a rod of even mass along its chord c, with m c^2/12 across it; its section adds
@@ -28,22 +18,17 @@ template <class L>
 std::vector<Inertia<L>> segment_inertias(const Layout& layout, const View<L>& view,
                                          RotaryInertia rotary) {
   using S = typename L::Scalar;
-  const std::vector<double> line_mass = line_masses(layout);
-  std::vector<SectionProperties> properties;
-  for (const BeamPart& part : layout.parts) {
-    properties.push_back(section_properties(part.section, part.material.poisson_ratio));
-  }
   std::vector<Inertia<L>> inertias;
   inertias.reserve(layout.size());
   for (std::size_t i = 0; i < layout.size(); ++i) {
-    const std::size_t part = layout.segment_part[i].middle;
+    const BeamPart& part = layout.parts[layout.segment_part[i].middle];
     const Vec<double, 3> chord = layout.node[i + 1] - layout.node[i];
     const double length = layout.segment_length[i];
-    const double mass = line_mass[part] * length;
+    const double mass = part.line_mass() * length;
     const double rod = mass * dot(chord, chord) / 12.0;
-    const double line = layout.parts[part].material.density * length;
+    const double line = part.material.density * length;
     const double section = rotary == RotaryInertia::On ? line : 0.0;
-    const SectionProperties& p = properties[part];
+    const SectionProperties& p = part.properties;
     const std::array<double, 6> about{0.0,
                                       0.0,
                                       0.0,

@@ -11,7 +11,8 @@
 #include "plastica/model/section_kind.hpp"
 
 /// What a joint is made of, in numbers that anyone may read: probes, the break watch, pictures,
-/// exports and the kernels of lanes.
+/// exports and the kernels of lanes. Made once for each set of material numbers: a model runs with
+/// many where some are its parameters.
 namespace plastica::chain {
 
 /// The joint at a node, where two segments meet or the beam ends. Components are those of its
@@ -27,10 +28,11 @@ struct JointModel {
   double share = 0.0;         ///< where it is, of the beam's length [1]
   double begin = 0.0;         ///< the part of the axis that it stands for [m]
   double end = 0.0;
-  Components length{};   ///< tributary, of the owner's section [m]
-  Components lever{};    ///< strain of the extreme fibre over the section's: I/W, J/W_t [m], 1
-  Components modulus{};  ///< force over the stress there: W_x, W_y, W_t [m^3], A [m^2]
-  Components cap{};      ///< at which it yields [N m], [N]; infinite: never
+  Components length{};     ///< tributary, of the owner's section [m]
+  Components lever{};      ///< strain of the extreme fibre over the section's: I/W, J/W_t [m], 1
+  Components modulus{};    ///< force over the stress there: W_x, W_y, W_t [m^3], A [m^2]
+  Components stiffness{};  ///< per length: EI_x, EI_y, GJ [N m^2], EA [N]
+  Components cap{};        ///< at which it yields [N m], [N]; infinite: never
   /// Permanent strains of bending about x, about y, torsion and bending about both at which it
   /// breaks [1]; infinite: never.
   std::array<double, 4> limit{kNever, kNever, kNever, kNever};
@@ -65,48 +67,55 @@ inline std::array<double, 4> break_limits(const Scene& scene, const Material& ma
 }
 
 /// What all joints that a part owns have in common.
-inline JointModel joint_of_part(const Scene& scene, const PartForm& part,
+inline JointModel joint_of_part(const Scene& scene, const BeamPart& part,
                                 const MaterialValues<double>& material) {
   JointModel joint;
-  for (std::size_t k = 0; k < law::kSectionAxes; ++k) {
-    const double yield = law::uniaxial_material(part.form.axis[k], material).yield;
-    joint.cap[k] = scene.yield_model == YieldModel::Elastic ? JointModel::kNever
-                                                            : part.form.modulus[k] * yield;
-  }
+  const PartNumbers<double> numbers = part_numbers(part, material);
+  joint.stiffness = numbers.stiffness.at;
+  joint.cap = numbers.yield.at;
+  if (scene.yield_model == YieldModel::Elastic) joint.cap.fill(JointModel::kNever);
   joint.lever = part.form.lever;
   joint.modulus = part.form.modulus;
-  joint.limit = break_limits(scene, *part.material);
+  joint.limit = break_limits(scene, part.material);
   joint.width = 2.0 * part.properties.outer_distance_y;
   joint.height = 2.0 * part.properties.outer_distance_x;
-  joint.round = section_kind(*part.section).round();
+  joint.round = section_kind(part.section).round();
   return joint;
 }
 
-/// The joints at the nodes of a chain (N + 1).
-/// @param materials  numbers of each part (parts)
-/// @param numbers    those of the chain's joints
+/// A chain's joints with one set of material numbers.
 template <class L>
-std::vector<JointModel> joint_models(const Scene& scene, const Layout& layout,
-                                     const Build<L>& build, const std::vector<PartForm>& parts,
-                                     const std::vector<MaterialValues<double>>& materials,
-                                     const std::vector<SectionJoint<L>>& numbers,
-                                     const View<L>& view) {
+struct JointSet {
+  std::vector<MaterialValues<typename L::Scalar>> materials;  ///< of the parts (parts)
+  std::vector<SectionJoint<L>> numbers;                       ///< of all joints (joints)
+  std::vector<JointModel> at_nodes;                           ///< (N + 1)
+};
+
+/// @param material  numbers of the scene's own; regions have theirs
+template <class L>
+JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& build,
+                      const MaterialValues<double>& material, const View<L>& view) {
   const std::size_t n = layout.size();
+  JointSet<L> set;
   std::vector<JointModel> of_part;
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    of_part.push_back(joint_of_part(scene, parts[p], materials[p]));
+  for (const BeamPart& part : layout.parts) {
+    const auto values = of_part.empty() ? material : material_values(part.material);
+    of_part.push_back(joint_of_part(scene, part, values));
+    auto& own = set.materials.emplace_back();
+    for (std::size_t i = 0; i < kMaterialFields; ++i) {
+      own[i] = constant<typename L::Scalar>(values[i]);
+    }
   }
+  set.numbers = joint_numbers(build.joints, layout.parts, set.materials, view);
   std::size_t at_end = JointModel::kNone;
   for (const GroundJoint<L>& ground : build.chain.ground_joints) {
     if (ground.node == n) at_end = ground.joint;
   }
-  std::vector<JointModel> joints;
-  joints.reserve(n + 1);
   for (std::size_t node = 0; node <= n; ++node) {
     const std::size_t number = node < n ? node : at_end;
     const bool acts = number != JointModel::kNone;
-    const std::size_t owner = acts ? numbers[number].law : layout.segment_part[n - 1].outer;
-    JointModel& joint = joints.emplace_back(of_part[owner]);
+    const std::size_t owner = acts ? set.numbers[number].law : layout.segment_part[n - 1].outer;
+    JointModel& joint = set.at_nodes.emplace_back(of_part[owner]);
     joint.joint = number;
     joint.owner = owner;
     joint.first = view.section_axes().rotation(0);
@@ -117,7 +126,7 @@ std::vector<JointModel> joint_models(const Scene& scene, const Layout& layout,
     joint.end = node == n ? at : at + 0.5 * layout.segment_length[node];
     if (!acts) continue;
     for (std::size_t k = 0; k < law::kSectionAxes; ++k) {
-      joint.length[k] = static_cast<double>(numbers[number].length[k]);
+      joint.length[k] = static_cast<double>(set.numbers[number].length[k]);
     }
     // With what it takes over of an end; between unlike parts, of its owner alone.
     if (node == 1) joint.begin -= layout.bare_half[0][joint.first];
@@ -125,7 +134,7 @@ std::vector<JointModel> joint_models(const Scene& scene, const Layout& layout,
     const JointPlan& plan = build.joints[number];
     if (plan.part_a != plan.part_b) (owner == plan.part_a ? joint.end : joint.begin) = at;
   }
-  return joints;
+  return set;
 }
 
 }  // namespace plastica::chain

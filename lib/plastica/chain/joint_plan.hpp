@@ -4,9 +4,8 @@
 #include <array>
 #include <cstddef>
 
-#include "plastica/chain/inertia.hpp"
-#include "plastica/chain/layout.hpp"
-#include "plastica/model/beam_axis.hpp"
+#include "plastica/chain/part_numbers.hpp"
+#include "plastica/model/material_field.hpp"
 
 namespace plastica::chain {
 
@@ -24,7 +23,7 @@ struct JointPlan {
 };
 
 /// The tributary lengths of the joint at the inner end of a segment.
-inline JointPlan joint_plan(const Scene& scene, const Layout& layout, std::size_t i) {
+inline JointPlan joint_plan(const Layout& layout, std::size_t i) {
   const std::size_t n = layout.size();
   const bool first = i == 1;
   const bool last = i + 1 == n;
@@ -36,19 +35,11 @@ inline JointPlan joint_plan(const Scene& scene, const Layout& layout, std::size_
   joint.stretches = i > 0;
   joint.length.fill(layout.joint_length[i]);
   if (i > 0) joint.before.fill(layout.length_before[i]);
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < joint.length.size(); ++k) {
     if (first) joint.length[k] += layout.bare_half[0][k];
     if (first) joint.before[k] += layout.bare_half[0][k];
     if (last) joint.length[k] += layout.bare_half[1][k];
   }
-  // The halves at both ends, which no joint at the end stretches and shears.
-  const EndRule rule = resolved_end_rule(scene);
-  const bool whole = rule == EndRule::Half || rule == EndRule::ThreeHalves;
-  if (first && !whole) {
-    joint.length[3] += 0.5 * layout.segment_length.front();
-    joint.before[3] += 0.5 * layout.segment_length.front();
-  }
-  if (last && !whole) joint.length[3] += 0.5 * layout.segment_length.back();
   return joint;
 }
 
@@ -59,21 +50,18 @@ struct ComplianceBefore {
   std::array<double, 3> shifting{};  ///< shear along x, along y, and stretch
 };
 
-inline ComplianceBefore compliance_before(const Scene& scene, const Layout& layout,
-                                          std::size_t node) {
-  const JointPlan plan = joint_plan(scene, layout, node);
+inline ComplianceBefore compliance_before(const Layout& layout, std::size_t node) {
+  const JointPlan plan = joint_plan(layout, node);
   const auto stiffness = [&](std::size_t number) -> std::array<double, 6> {
-    const Material& material = layout.parts[number].material;
-    const SectionProperties p =
-        section_properties(layout.parts[number].section, material.poisson_ratio);
-    const double young = material.youngs_modulus;
-    const double shear = resolved_shear_modulus(material);
-    return {young * p.second_moment_x,
-            young * p.second_moment_y,
-            shear * p.torsion_constant,
-            shear * p.shear_coefficient_x * p.area,
-            shear * p.shear_coefficient_y * p.area,
-            young * p.area};
+    const BeamPart& part = layout.parts[number];
+    const auto of = part_numbers(part, material_values(part.material));
+    const double shear = of.shear_modulus * part.properties.area;
+    return {of.stiffness[0],
+            of.stiffness[1],
+            of.stiffness[2],
+            shear * part.properties.shear_coefficient_x,
+            shear * part.properties.shear_coefficient_y,
+            of.stiffness[3]};
   };
   std::array<double, 6> a{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   std::array<double, 6> b = a;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "plastica/chain/rotation.hpp"
 #include "plastica/model/beam_axis.hpp"
@@ -55,6 +56,11 @@ void place_frames(const Beam& beam, Layout& layout) {
   }
 }
 
+/// Whether the end segments belong whole to their only joint.
+bool has_whole_ends(const Layout& layout) {
+  return layout.end_rule == EndRule::Half || layout.end_rule == EndRule::ThreeHalves;
+}
+
 void set_joint_lengths(const Scene& scene, Layout& layout) {
   const std::size_t n = layout.size();
   const auto& length = layout.segment_length;
@@ -68,8 +74,7 @@ void set_joint_lengths(const Scene& scene, Layout& layout) {
     joint[i] = 0.5 * (length[i - 1] + length[i]);
     before[i] = 0.5 * length[i - 1];
   }
-  const EndRule rule = resolved_end_rule(scene);
-  if (n > 1 && (rule == EndRule::Half || rule == EndRule::ThreeHalves)) {
+  if (n > 1 && has_whole_ends(layout)) {
     joint[1] += 0.5 * length.front();
     before[1] += 0.5 * length.front();
     joint[n - 1] += 0.5 * length.back();
@@ -84,7 +89,12 @@ void set_joint_lengths(const Scene& scene, Layout& layout) {
 
 /// See `Layout::bare_half`.
 void set_bare_halves(const Scene& scene, Layout& layout) {
-  if (resolved_end_rule(scene) != EndRule::HalfJoint || !scene.beam.joint_lengths.empty()) return;
+  const std::array<double, 2> half{0.5 * layout.segment_length.front(),
+                                   0.5 * layout.segment_length.back()};
+  if (!has_whole_ends(layout)) {
+    for (std::size_t e = 0; e < 2; ++e) layout.bare_half[e][3] = half[e];
+  }
+  if (layout.end_rule != EndRule::HalfJoint || !scene.beam.joint_lengths.empty()) return;
   constexpr std::array<double, 3> kNothing{};
   for (std::size_t e = 0; e < 2; ++e) {
     const double share = layout.ends[e == 0 ? 0 : layout.size()];
@@ -103,10 +113,7 @@ void set_bare_halves(const Scene& scene, Layout& layout) {
       const HeldFreedoms holds = support.held();
       for (std::size_t k = 0; k < 3; ++k) held[k] = held[k] || holds[3 + k];
     }
-    const double segment = e == 0 ? layout.segment_length.front() : layout.segment_length.back();
-    for (std::size_t k = 0; k < 3; ++k) {
-      layout.bare_half[e][k] = turned && !held[k] ? 0.5 * segment : 0.0;
-    }
+    for (std::size_t k = 0; k < 3; ++k) layout.bare_half[e][k] = turned && !held[k] ? half[e] : 0.0;
   }
 }
 
@@ -121,10 +128,24 @@ std::size_t region_at(const Scene& scene, double share, const std::vector<double
   return number;
 }
 
-void set_parts(const Scene& scene, Layout& layout) {
-  layout.parts.push_back({0, scene.section, scene.material});
+void set_parts(const Scene& scene, std::optional<law::GaugePlane> yields, Layout& layout) {
+  const bool one_surface = yields && (scene.yield_model == YieldModel::Interaction ||
+                                      scene.yield_model == YieldModel::Conservative);
+  const auto add = [&](std::size_t region, const Section& section, const Material& material) {
+    BeamPart part{.region = region, .section = section, .material = material};
+    part.properties = section_properties(section, material.poisson_ratio);
+    part.form =
+        law::section_form(section, part.properties, material, scene.yield_cap, scene.formulas);
+    if (one_surface) {
+      part.gauge =
+          law::gauge_form(section, scene.yield_model, scene.yield_cap, scene.formulas, *yields);
+    }
+    layout.parts.push_back(std::move(part));
+    return layout.parts.size() - 1;
+  };
+  add(0, scene.section, scene.material);
   for (const Region& region : scene.regions) {
-    layout.parts.push_back({layout.parts.size(), region.section, region.material});
+    add(layout.parts.size(), region.section, region.material);
   }
   for (std::size_t i = 0; i < layout.size(); ++i) {
     const double begin = layout.ends[i], end = layout.ends[i + 1];
@@ -136,9 +157,7 @@ void set_parts(const Scene& scene, Layout& layout) {
     const double from = share_of(region.from, layout.ends);
     const double way = share_of(region.to, layout.ends) - from;
     const auto part_at = [&](double share) {
-      const Section section = tapered_section(region, (share - from) / way);
-      layout.parts.push_back({number, section, region.material});
-      return layout.parts.size() - 1;
+      return add(number, tapered_section(region, (share - from) / way), region.material);
     };
     SegmentParts& own = layout.segment_part[i];
     // The joint between two segments of one taper has one section.
@@ -151,11 +170,11 @@ void set_parts(const Scene& scene, Layout& layout) {
 
 }  // namespace
 
-Layout make_layout(const Scene& scene) { return make_layout(scene, segment_ends(scene)); }
-
-Layout make_layout(const Scene& scene, std::vector<double> ends) {
+Layout make_layout(const Scene& scene, std::vector<double> ends,
+                   std::optional<law::GaugePlane> yields) {
   Layout layout;
   layout.ends = std::move(ends);
+  layout.end_rule = resolved_end_rule(scene);
   for (const double share : layout.ends) {
     const auto at = axis_point(scene.beam, share);
     layout.node.push_back({{at[0], at[1], at[2]}});
@@ -166,7 +185,7 @@ Layout make_layout(const Scene& scene, std::vector<double> ends) {
   place_frames(scene.beam, layout);
   set_joint_lengths(scene, layout);
   set_bare_halves(scene, layout);
-  set_parts(scene, layout);
+  set_parts(scene, yields, layout);
   return layout;
 }
 

@@ -2,18 +2,26 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "plastica/base/matrix.hpp"
+#include "plastica/law/gauge_form.hpp"
+#include "plastica/law/section_form.hpp"
 #include "plastica/model/scene.hpp"
 
 namespace plastica::chain {
 
-/// A section and a material that the beam has somewhere.
+/// A section and a material that the beam has somewhere, and what follows from them.
 struct BeamPart {
   std::size_t region = 0;  ///< 0: the scene's own, else the region's number from 1
   Section section{};
   Material material{};
+  SectionProperties properties{};
+  law::SectionForm form{};
+  law::GaugeForm gauge{};  ///< of a yield model with one surface, where the level yields on one
+
+  double line_mass() const { return material.density * properties.area; }  ///< [kg/m]
 };
 
 /// The parts of a segment: one of the last region that holds its middle, or the scene's own. In a
@@ -40,11 +48,12 @@ struct Layout {
   std::vector<double> joint_length;    ///< tributary lengths l [m] (N + 1)
   /// What of these lies in the segment before the node [m] (N + 1).
   std::vector<double> length_before;
-  /// Half of the segment at the start, and at the end, where a moment, a rotational spring or the
-  /// inertia of a point mass acts on it and nothing holds its rotation: no joint at the end strains
-  /// it, so the next one does. For bending about x, about y and twist [m]; 0 where there is no
-  /// need.
-  std::array<std::array<double, 3>, 2> bare_half{};
+  /// Half of the segment at the start, and at the end, where no joint at the end strains it, so
+  /// that the next one does [m]. For bending about x, about y and twist: where a moment, a
+  /// rotational spring or the inertia of a point mass acts on the end and nothing holds its
+  /// rotation. For stretch and shear: always. 0 where there is no need, or the end rule sees to it.
+  std::array<std::array<double, 4>, 2> bare_half{};
+  EndRule end_rule = EndRule::HalfJoint;  ///< never Auto
 
   std::vector<BeamPart> parts;             ///< the scene's own, its regions', those of tapers
   std::vector<SegmentParts> segment_part;  ///< numbers of parts (N)
@@ -62,9 +71,10 @@ struct SegmentPoint {
 /// scene gives them; half the end segment at the ends, where a half joint may be; with
 /// EndRule::Half and ThreeHalves the end segments belong whole to their only joint. With half
 /// joints, and no lengths given, the joint next to an end also has what `bare_half` says.
-/// @param ends  of `segment_ends`, if they are known
-Layout make_layout(const Scene& scene, std::vector<double> ends);
-Layout make_layout(const Scene& scene);
+/// @param ends    of `segment_ends`
+/// @param yields  what the level bends about, if it may yield on one surface
+Layout make_layout(const Scene& scene, std::vector<double> ends,
+                   std::optional<law::GaugePlane> yields = {});
 
 /// The point at a share of the beam's length; a node belongs to the segment before it.
 SegmentPoint segment_point(const Layout& layout, double share);

@@ -5,21 +5,9 @@
 #include <cstddef>
 
 #include "plastica/chain/section_joints.hpp"
-#include "plastica/law/gauge_form.hpp"
 
 /// How a level sees space: x, y, z to its own coordinates, and back for the response.
 namespace plastica::chain {
-
-/// What the sections of a level bend about.
-template <class L, class View>
-law::GaugePlane gauge_plane(const View& view) {
-  if constexpr (L::kRotations == 3) {
-    return law::GaugePlane::Both;
-  } else {
-    const bool about_y = view.section_axes().rotation(0) == law::kBendingY;
-    return about_y ? law::GaugePlane::AboutY : law::GaugePlane::AboutX;
-  }
-}
 
 template <class L>
 struct View;

@@ -10,9 +10,9 @@
 #include "plastica/io/scene_rules.hpp"
 #include "plastica/io/scene_writer.hpp"
 #include "plastica/model/beam_axis.hpp"
-#include "plastica/model/scene_warnings.hpp"
 #include "plastica/model/yield_warnings.hpp"
 #include "plastica/run/axial_warning.hpp"
+#include "plastica/run/scene_warnings.hpp"
 
 namespace plastica::io {
 namespace {
@@ -65,9 +65,9 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
   record.setup = file.setup;
   record.level = model.level;
   record.level_reason = model.level_reason;
-  record.warnings = scene_warnings(file.setup.scene, file.setup.solver);
+  record.warnings = scene_warnings(model);
   if (has_yielded(response)) {
-    if (auto warning = first_yield_warning(file.setup.scene, file.setup.solver)) {
+    if (auto warning = first_yield_warning(model)) {
       record.warnings.push_back(std::move(*warning));
     }
   }

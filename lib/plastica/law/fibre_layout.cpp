@@ -240,18 +240,13 @@ void add_polar(const Section& s, int intervals, FibreLayout& layout) {
   }
 }
 
-/// Saint-Venant's shear per twist of each fibre of a grid [m].
-std::vector<double> elastic_shear(const Section& s, const FibreLayout& layout) {
-  std::vector<std::array<double, 2>> points;
-  points.reserve(layout.area.size());
-  for (std::size_t i = 0; i < layout.area.size(); ++i) {
-    points.push_back({layout.across[i], layout.depth[i]});
-  }
-  return section_kind(s).twist_shear(s, points);
-}
-
 void set_levers(const Section& s, const SectionProperties& p, FibreLayout& layout) {
-  layout.lever = shear_levers(layout.area, elastic_shear(s, layout),
+  std::vector<double> elastic;
+  elastic.reserve(layout.area.size());
+  for (std::size_t i = 0; i < layout.area.size(); ++i) {
+    elastic.push_back(section_kind(s).twist_shear(s, p, {layout.across[i], layout.depth[i]}));
+  }
+  layout.lever = shear_levers(layout.area, elastic,
                               {p.torsion_constant, p.torsion_modulus, p.plastic_torsion_modulus});
 }
 

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
-#include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "plastica/model/torsion.hpp"
@@ -184,71 +186,77 @@ constexpr int kElements = 20;
 
 double extrapolated(double coarse, double fine) { return fine + (fine - coarse) / 3.0; }
 
-/// What is known of a box.
-struct Solved {
-  BoxDimensions box;
-  BoxTorsion torsion;
+struct BoxOnGrid final : SolvedBox {
+  explicit BoxOnGrid(const BoxDimensions& box) : coarse(box, kElements) {
+    const QuarterSection fine(box, 2 * kElements);
+    QuarterSection::Solution on_coarse = coarse.solve();
+    const BoxTorsion low = coarse.torsion(on_coarse);
+    const BoxTorsion high = fine.torsion(fine.solve());
+    torsion = {extrapolated(low.constant, high.constant), extrapolated(low.modulus, high.modulus)};
+    plastic_modulus = sand_heap_modulus_box(box);
+    phi = std::move(on_coarse.phi);
+  }
+  double shear_at(const std::array<double, 2>& point) const override {
+    return coarse.slope_at(phi, point);
+  }
+
   QuarterSection coarse;
   Eigen::VectorXd phi;  ///< of the coarse grid
 };
 
-std::shared_ptr<const Solved> solve(const BoxDimensions& box) {
-  const QuarterSection coarse(box, kElements);
-  const QuarterSection fine(box, 2 * kElements);
-  const QuarterSection::Solution on_coarse = coarse.solve();
-  const BoxTorsion low = coarse.torsion(on_coarse);
-  const BoxTorsion high = fine.torsion(fine.solve());
-  return std::make_shared<const Solved>(
-      Solved{box,
-             {extrapolated(low.constant, high.constant), extrapolated(low.modulus, high.modulus)},
-             coarse,
-             on_coarse.phi});
-}
-
-/// The last boxes that were solved, for all threads: a model, its checks and its fibres ask for the
-/// same one over and over.
+/// The last boxes that were solved, for all threads. A model solves each of its boxes once; a sweep
+/// or a fit prepares a model of the same boxes for each of thousands of cases, and most of these
+/// run in less than the 10 ms that a box takes.
 class LastBoxes {
  public:
-  std::shared_ptr<const Solved> of(const BoxDimensions& box) {
+  std::shared_ptr<const SolvedBox> of(const BoxDimensions& box) {
     if (auto known = find(box)) return known;
     // Two threads may solve the same box at first; both get the same numbers.
-    auto solved = solve(box);
+    auto solved = std::make_shared<const BoxOnGrid>(box);
     const std::lock_guard lock(mutex_);
-    kept_[next_++ % kept_.size()] = solved;
+    ++solved_;
+    const auto [at, is_new] = kept_.emplace(box, solved);
+    if (is_new) order_.push_back(at);
+    if (order_.size() > kKept) {
+      kept_.erase(order_.front());
+      order_.pop_front();
+    }
     return solved;
+  }
+  std::size_t solved() {
+    const std::lock_guard lock(mutex_);
+    return solved_;
   }
 
  private:
-  std::shared_ptr<const Solved> find(const BoxDimensions& box) {
+  /// As many as a taper of 500 segments has, in some 10 MB.
+  static constexpr std::size_t kKept = 1024;
+  using Kept = std::map<BoxDimensions, std::shared_ptr<const SolvedBox>>;
+
+  std::shared_ptr<const SolvedBox> find(const BoxDimensions& box) {
     const std::lock_guard lock(mutex_);
-    for (const auto& known : kept_) {
-      if (known && known->box == box) return known;
-    }
-    return nullptr;
+    const auto known = kept_.find(box);
+    return known == kept_.end() ? nullptr : known->second;
   }
 
   std::mutex mutex_;
-  std::array<std::shared_ptr<const Solved>, 32> kept_;
-  std::size_t next_ = 0;
+  Kept kept_;
+  std::deque<Kept::iterator> order_;  ///< the oldest first
+  std::size_t solved_ = 0;
 };
 
-std::shared_ptr<const Solved> solved(const BoxDimensions& box) {
+LastBoxes& last_boxes() {
   static LastBoxes boxes;
-  return boxes.of(box);
+  return boxes;
 }
 
 }  // namespace
 
-BoxTorsion box_torsion(const BoxDimensions& box) { return solved(box)->torsion; }
-
-std::vector<double> box_shear(const BoxDimensions& box,
-                              std::span<const std::array<double, 2>> points) {
-  const auto known = solved(box);
-  std::vector<double> shear;
-  shear.reserve(points.size());
-  for (const auto& point : points) shear.push_back(known->coarse.slope_at(known->phi, point));
-  return shear;
+std::shared_ptr<const SolvedBox> solved_box(const BoxDimensions& box) {
+  return last_boxes().of(box);
 }
+
+std::size_t boxes_solved() { return last_boxes().solved(); }
 
 BoxTorsion bredt_box(const BoxDimensions& box) {
   const double side_wall = (box.width - box.inner_width) / 2.0;

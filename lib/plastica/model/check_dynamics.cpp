@@ -118,20 +118,22 @@ void check_dynamics(const Scene& scene, const SolverOptions& options, Ends ends)
   }
 }
 
-void check_cuts(const Scene& scene, const LevelChoice& level, Ends ends) {
-  const auto number = [&](const Cut& cut) { return nearest_segment_end(cut.at, ends); };
+std::vector<int> check_cuts(const Scene& scene, const LevelChoice& level, Ends ends) {
+  std::vector<int> joints;
   for (std::size_t i = 0; i < scene.cuts.size(); ++i) {
     const Cut& cut = scene.cuts[i];
     const std::string field = item_name("cut", i, ".at");
     check_place(cut.at, scene.beam.segments, field);
     require_not_negative(cut.time, {}, item_name("cut", i, ".time"));
-    const int joint = number(cut);
-    for (std::size_t other = 0; other < i; ++other) {
-      if (number(scene.cuts[other]) != joint) continue;
+    const int joint = nearest_segment_end(cut.at, ends);
+    const auto same = std::find(joints.begin(), joints.end(), joint);
+    if (same != joints.end()) {
+      const auto other = static_cast<std::size_t>(same - joints.begin());
       throw InputError({}, field, place_text(cut.at),
                        item_name("cut", other) + " cuts the nearest joint, that at segment end " +
                            std::to_string(joint) + ", too");
     }
+    joints.push_back(joint);
     if (joint > 0 && joint < scene.beam.segments) continue;
     const EndJoint end = end_joint(scene, joint == 0 ? 0.0 : 1.0, level, ends);
     if (end.there) continue;
@@ -141,6 +143,7 @@ void check_cuts(const Scene& scene, const LevelChoice& level, Ends ends) {
             ", where no joint is: " +
             (end.welded ? "it is welded (rules.end_rule)" : "no support holds its rotation"));
   }
+  return joints;
 }
 
 }  // namespace plastica::model_detail

@@ -64,7 +64,8 @@ void check_statics(const Scene& scene, const SolverOptions& options);
 void check_dynamics(const Scene& scene, const SolverOptions& options, Ends ends);
 
 /// Cuts, on a level that holds the scene.
-void check_cuts(const Scene& scene, const LevelChoice& level, Ends ends);
+/// @return the segment end at the nearest joint of each (cuts)
+std::vector<int> check_cuts(const Scene& scene, const LevelChoice& level, Ends ends);
 
 /// What articulated schemes cannot do.
 void check_articulated(const Scene& scene, const SolverOptions& options, const LevelChoice& level,

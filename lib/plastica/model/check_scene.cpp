@@ -151,17 +151,19 @@ model_detail::CheckedScene model_detail::checked_scene(const Scene& scene,
   if (!scene.is_coupon()) model_detail::check_hinges(scene, ends);
   LevelChoice level = choose_level(scene, options);
   model_detail::check_modes(scene, options, level);
-  if (scene.is_coupon()) return {std::move(level), {}};
-  model_detail::check_cuts(scene, level, ends);
+  if (scene.is_coupon()) return {std::move(level), {}, {}};
+  std::vector<int> cuts = model_detail::check_cuts(scene, level, ends);
   model_detail::check_articulated(scene, options, level, ends);
-  if (options.analysis == Analysis::Dynamics) return {std::move(level), std::move(ends)};
+  if (options.analysis == Analysis::Dynamics) {
+    return {std::move(level), std::move(ends), std::move(cuts)};
+  }
   if (const auto free = model_detail::free_motion(scene, level, ends)) {
     const std::string name = level.reason.substr(0, level.reason.find(':'));
     throw InputError(
         {}, "support", "",
         "the supports together leave the beam free to " + *free + " (level " + name + ")");
   }
-  return {std::move(level), std::move(ends)};
+  return {std::move(level), std::move(ends), std::move(cuts)};
 }
 
 void check_scene(const Scene& scene, const SolverOptions& options) {

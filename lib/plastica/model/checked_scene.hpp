@@ -11,6 +11,7 @@ namespace plastica::model_detail {
 struct CheckedScene {
   LevelChoice level;
   std::vector<double> ends;  ///< where segments end (`segment_ends`); of a coupon empty
+  std::vector<int> cuts;     ///< the segment end that each cut of the scene is nearest to (cuts)
 };
 
 /// As `check_scene`.

@@ -89,6 +89,7 @@ struct Facts {
   const Scene& scene;
   const SolverOptions& options;
   const LevelChoice& level;
+  const SectionProperties& section;       // of the scene's own
   double duration = 0.0;                  // [s]
   double step = 0.0;                      // of fixed steps [s]
   std::optional<FirstFrequency> first{};  // only with fixed steps
@@ -156,16 +157,15 @@ std::optional<std::string> undamped_alpha(const Facts& facts) {
 /// the nodes displaced by w (-1)^i, each of the rods of mass m = rho A l has the kinetic energy
 /// m w'^2/6 and, of its section, rho I l (2 w'/l)^2/2, and each joint the energy
 /// (E I/l)(4 w/l)^2/2; so omega^2 = 48 E I/(rho A l^4)/(1 + 12 I/(A l^2)).
-double highest_frequency(const Scene& scene, const SolverOptions& options,
-                         const LevelChoice& level) {
-  const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
-  const double area_moment = level.level == Level::Planar && level.bending == BendingAxis::Y
-                                 ? section.second_moment_y
-                                 : section.second_moment_x;
+double highest_frequency(const Facts& facts) {
+  const Scene& scene = facts.scene;
+  const SectionProperties& section = facts.section;
+  const bool about_y = facts.level.level == Level::Planar && facts.level.bending == BendingAxis::Y;
+  const double area_moment = about_y ? section.second_moment_y : section.second_moment_x;
   const double radius_squared = area_moment / section.area;
   const double l = scene.beam.length / scene.beam.segments;
   const double rotary =
-      options.rotary_inertia == RotaryInertia::On ? 12.0 * radius_squared / (l * l) : 0.0;
+      facts.options.rotary_inertia == RotaryInertia::On ? 12.0 * radius_squared / (l * l) : 0.0;
   const double omega = std::sqrt(48.0 * scene.material.youngs_modulus * radius_squared /
                                  (scene.material.density * (1.0 + rotary))) /
                        (l * l);
@@ -183,7 +183,7 @@ std::optional<std::string> ringing(const Facts& facts) {
       facts.level.level == Level::Twist) {
     return std::nullopt;
   }
-  const double highest = highest_frequency(facts.scene, facts.options, facts.level);
+  const double highest = highest_frequency(facts);
   if (1.0 / highest >= kEnoughSteps * facts.step) return std::nullopt;
   const std::string word =
       scheme == Scheme::EnergyMomentum ? "energy_momentum" : "linearly_implicit_midpoint";
@@ -238,9 +238,9 @@ std::optional<std::string> late_cut(const Facts& facts) {
 }  // namespace
 
 std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelChoice& level,
+                                              const SectionProperties& section,
                                               std::span<const double> ends) {
   if (scene.beam.segments < 2) return std::nullopt;
-  const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
   const Material& material = scene.material;
   const double length = scene.beam.length;
   if (level.level == Level::Twist) {
@@ -262,11 +262,12 @@ std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelCho
 }
 
 std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions& options,
-                                         const LevelChoice& level, std::span<const double> ends) {
-  Facts facts{scene, options, level};
+                                         const LevelChoice& level, const SectionProperties& section,
+                                         std::span<const double> ends) {
+  Facts facts{scene, options, level, section};
   facts.duration = options.duration > 0.0 ? options.duration : last_time(scene);
   facts.step = std::min(options.time_step, facts.duration / options.steps);
-  if (options.step_error == 0.0) facts.first = first_frequency(scene, level, ends);
+  if (options.step_error == 0.0) facts.first = first_frequency(scene, level, section, ends);
   std::vector<std::string> warnings;
   for (const auto find : {coarse_steps, coarse_histories, first_order, undamped_alpha, ringing,
                           local_restitution, growing_gravity, late_cut, articulated_yield}) {

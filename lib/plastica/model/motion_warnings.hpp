@@ -22,14 +22,17 @@ struct FirstFrequency {
 /// clamp. Springs and pillars count as nothing. Empty for a single segment.
 ///
 /// Bending: omega = (beta L)^2 sqrt(E I/(rho A L^4)), in the weaker of the planes of the level.
-/// @param ends  of `segment_ends`
+/// @param section  of the scene's own
+/// @param ends     of `segment_ends`
 /// Torsion: omega = (pi/L, one end free of two: pi/2L) sqrt(G J/(rho (I_x + I_y))).
 /// Source: Blevins, Formulas for Natural Frequency and Mode Shape (1979), ch. 8.
 std::optional<FirstFrequency> first_frequency(const Scene& scene, const LevelChoice& level,
+                                              const SectionProperties& section,
                                               std::span<const double> ends);
 
 /// The part of `scene_warnings` that only dynamics have.
 std::vector<std::string> motion_warnings(const Scene& scene, const SolverOptions& options,
-                                         const LevelChoice& level, std::span<const double> ends);
+                                         const LevelChoice& level, const SectionProperties& section,
+                                         std::span<const double> ends);
 
 }  // namespace plastica::model_detail

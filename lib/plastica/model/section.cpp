@@ -38,8 +38,8 @@ SectionQuarter exchanged(SectionQuarter quarter) {
   return quarter;
 }
 
-std::vector<double> SectionKind::twist_shear(
-    const Section& /*section*/, std::span<const std::array<double, 2>> /*points*/) const {
+double SectionKind::twist_shear(const Section& /*section*/, const SectionProperties& /*properties*/,
+                                const std::array<double, 2>& /*point*/) const {
   throw std::logic_error("a section without fibres has no shear stress at points");
 }
 

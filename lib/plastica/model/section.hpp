@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -52,6 +53,8 @@ struct Section {
   std::string name{};  ///< of a profile, "IPE 200"; what it is calculated with are its dimensions
 };
 
+struct SolvedBox;
+
 /// What mechanics needs of a cross section. "x" in a name means: bending about x.
 struct SectionProperties {
   double area = 0.0;                       ///< A [m^2]
@@ -71,14 +74,15 @@ struct SectionProperties {
   /// Bredt's thin-wall values of J [m^4] and W_t [m^3], for comparison: tubes only.
   std::optional<double> bredt_torsion_constant{};
   std::optional<double> bredt_torsion_modulus{};
+  std::shared_ptr<const SolvedBox> box{};  ///< of a rectangular tube: how shear is spread over it
 };
 
 /// Computes the properties of a cross section.
 ///
 /// - Rectangle: Saint-Venant series, to rounding. Fully plastic torque by Nadai's sand heap.
 /// - Rectangular tube: Prandtl's stress function by finite elements, within 0.01 %; takes some
-///   10 ms, which the last few sections keep. The stress at the sharp re-entrant corners of the
-///   hole is infinite in elasticity, whatever the torque; tau_max of the torsion modulus is
+///   10 ms, but for a box that has been solved before. The stress at the sharp re-entrant corners
+///   of the hole is infinite in elasticity, whatever the torque; tau_max of the torsion modulus is
 ///   therefore the largest at the middles of the outer sides. It tends to the solid rectangle's and
 ///   to Bredt's value in their limits. Real corners are rounded and yield there first without
 ///   consequence for the torque.

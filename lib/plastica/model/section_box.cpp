@@ -62,10 +62,10 @@ class RectangularTube final : public SectionKind {
     set_bending(p, b / 2.0, h / 2.0);
     p.plastic_section_modulus_x = (b * h * h - bi * hi * hi) / 4.0;
     p.plastic_section_modulus_y = (h * b * b - hi * bi * bi) / 4.0;
-    const BoxTorsion torsion = box_torsion(box_of(s));
-    p.torsion_constant = torsion.constant;
-    p.torsion_modulus = torsion.modulus;
-    p.plastic_torsion_modulus = sand_heap_modulus_box(box_of(s));
+    p.box = solved_box(box_of(s));
+    p.torsion_constant = p.box->torsion.constant;
+    p.torsion_modulus = p.box->torsion.modulus;
+    p.plastic_torsion_modulus = p.box->plastic_modulus;
     const BoxTorsion bredt = bredt_box(box_of(s));
     p.bredt_torsion_constant = bredt.constant;
     p.bredt_torsion_modulus = bredt.modulus;
@@ -82,9 +82,9 @@ class RectangularTube final : public SectionKind {
     const double yi = 0.5 * s.inner_height;
     return SectionQuarter{{{0.0, xi, yi, y}, {xi, x, 0.0, yi}, {xi, x, yi, y}}, {}};
   }
-  std::vector<double> twist_shear(const Section& s,
-                                  std::span<const std::array<double, 2>> points) const override {
-    return box_shear(box_of(s), points);
+  double twist_shear(const Section& /*section*/, const SectionProperties& p,
+                     const std::array<double, 2>& point) const override {
+    return p.box->shear_at(point);
   }
   bool holds_plastic_block() const override { return true; }
   std::string_view beyond_caps(bool fully_plastic) const override {

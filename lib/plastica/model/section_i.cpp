@@ -191,21 +191,15 @@ class ISection final : public SectionKind {
     return quarter;
   }
   /// Of thin walls: twice the distance from the middle of the wall.
-  std::vector<double> twist_shear(const Section& s,
-                                  std::span<const std::array<double, 2>> points) const override {
+  double twist_shear(const Section& s, const SectionProperties& /*properties*/,
+                     const std::array<double, 2>& point) const override {
     const Corner corner = corner_of(s);
-    const double middle = 0.5 * (s.height - s.flange_thickness);
-    std::vector<double> shear;
-    shear.reserve(points.size());
-    for (const auto& [x, y] : points) {
-      const bool in_web = std::fabs(y) < corner.y;
-      // A fillet has the largest there is.
-      const double way = !in_web                   ? std::fabs(std::fabs(y) - middle)
-                         : std::fabs(x) > corner.x ? 0.5 * s.flange_thickness
-                                                   : std::fabs(x);
-      shear.push_back(2.0 * way);
+    const auto [x, y] = point;
+    if (std::fabs(y) >= corner.y) {
+      return 2.0 * std::fabs(std::fabs(y) - 0.5 * (s.height - s.flange_thickness));
     }
-    return shear;
+    // A fillet has the largest there is.
+    return std::fabs(x) > corner.x ? s.flange_thickness : 2.0 * std::fabs(x);
   }
   SectionWarping warping() const override { return SectionWarping::Much; }
   std::vector<SectionWall> walls(const Section& s) const override {

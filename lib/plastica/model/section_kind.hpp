@@ -91,9 +91,9 @@ class SectionKind {
   /// Of sections that are not round; none: only its numbers are known, so that it has no fibres.
   virtual std::optional<SectionQuarter> quarter(const Section& /*section*/) const { return {}; }
   bool has_fibres() const { return round() || quarter(Section{}).has_value(); }
-  /// Saint-Venant's shear per twist [m] at points (x, y) of a section that is not round.
-  virtual std::vector<double> twist_shear(const Section& section,
-                                          std::span<const std::array<double, 2>> points) const;
+  /// Saint-Venant's shear per twist [m] at a point (x, y) of a section that is not round.
+  virtual double twist_shear(const Section& section, const SectionProperties& properties,
+                             const std::array<double, 2>& point) const;
   /// Whether the fully plastic surface in both moments is nowhere inside of m_1 + 3/4 m_2^2 = 1,
   /// the larger being m_1.
   virtual bool holds_plastic_block() const { return false; }

@@ -47,12 +47,9 @@ class Rectangle final : public SectionKind {
   std::optional<SectionQuarter> quarter(const Section& s) const override {
     return SectionQuarter{{{0.0, 0.5 * s.width, 0.0, 0.5 * s.height}}, {}};
   }
-  std::vector<double> twist_shear(const Section& s,
-                                  std::span<const std::array<double, 2>> points) const override {
-    std::vector<double> shear;
-    shear.reserve(points.size());
-    for (const auto& [x, y] : points) shear.push_back(saint_venant_shear(s.width, s.height, x, y));
-    return shear;
+  double twist_shear(const Section& s, const SectionProperties& /*properties*/,
+                     const std::array<double, 2>& point) const override {
+    return saint_venant_shear(s.width, s.height, point[0], point[1]);
   }
   bool holds_plastic_block() const override { return true; }
   std::string_view beyond_caps(bool fully_plastic) const override {

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <array>
-#include <span>
-#include <vector>
+#include <compare>
+#include <cstddef>
+#include <memory>
 
 namespace plastica {
 
@@ -48,7 +49,7 @@ struct BoxDimensions {
   double height = 0.0;
   double inner_width = 0.0;
   double inner_height = 0.0;
-  bool operator==(const BoxDimensions&) const = default;
+  auto operator<=>(const BoxDimensions&) const = default;
 };
 
 /// Torsion of a rectangular tube.
@@ -59,22 +60,29 @@ struct BoxTorsion {
                           ///< elasticity has no finite stress)
 };
 
-/// Solves Prandtl's stress function of a rectangular tube.
+/// A rectangular tube, solved: `solved_box`.
+struct SolvedBox {
+  virtual ~SolvedBox() = default;
+  /// Shear stress over G theta [m] at a point (x, y) of the wall, from the middle [m]. The elements
+  /// are coarser than `torsion` (1 %, more at the sharp corners of the hole, where it is infinite).
+  virtual double shear_at(const std::array<double, 2>& point) const = 0;
+
+  BoxTorsion torsion;
+  double plastic_modulus = 0.0;  ///< `sand_heap_modulus_box` [m^3]
+};
+
+/// Solves Prandtl's stress function of a rectangular tube, or finds the box among the last thousand
+/// that were solved.
 ///
 /// laplace(phi) = -2 in the wall, 0 on the outer boundary, an unknown constant on the hole that
 /// follows from the circulation of the shear stress, 2 G theta A_i. Bilinear finite elements on a
 /// quarter of the section, graded towards the re-entrant corner, two grids and Richardson's
 /// extrapolation; the circulation condition is the natural one of the constant over the hole.
 /// Within 0.01 % (against grids three times as fine) for walls from 1e-4 to 0.5 of a side.
-BoxTorsion box_torsion(const BoxDimensions& box);
+std::shared_ptr<const SolvedBox> solved_box(const BoxDimensions& box);
 
-/// Shear stress over G theta [m] at points of the wall of a rectangular tube, from the
-/// finite elements of `box_torsion`, which are coarser than it (1 %, more at the sharp corners of
-/// the hole, where it is infinite).
-/// @param points  (x, y) from the middle [m]
-/// @return a number per point
-std::vector<double> box_shear(const BoxDimensions& box,
-                              std::span<const std::array<double, 2>> points);
+/// How many boxes have been solved so far, by all threads: for tests.
+std::size_t boxes_solved();
 
 /// J and W_t of a rectangular tube by Bredt's thin-wall formulas on the middle lines.
 BoxTorsion bredt_box(const BoxDimensions& box);

@@ -2,42 +2,36 @@
 
 #include <algorithm>
 
-#include "plastica/chain/joint_model.hpp"
 #include "plastica/model/section_kind.hpp"
-#include "plastica/run/chain_model.hpp"
+#include "plastica/run/scene_joints.hpp"
 
 namespace plastica {
 namespace {
 
-/// What the joints of a level stand for; an end without a joint, what the segment there does.
 template <class L>
-void add_joints(const ChainModel& model, const std::vector<chain::PartForm>& parts,
-                const chain::View<L>& view, BeamOutline& outline) {
-  const chain::Layout& layout = model.layout;
-  const chain::Build<L> build =
-      chain::Builder<L>(model.scene, layout, view, model.options.rotary_inertia).build();
-  std::vector<MaterialValues<double>> materials;
-  materials.reserve(parts.size());
-  for (const chain::PartForm& part : parts) materials.push_back(material_values(*part.material));
-  const auto joints = chain::joint_numbers(build.joints, parts, materials, view);
-  for (const chain::JointModel& joint :
-       chain::joint_models(model.scene, layout, build, parts, materials, joints, view)) {
-    outline.joint_length.push_back(joint.own_length());
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      outline.modulus.push_back(joint.modulus[axis]);
-      outline.strain_per_angle.push_back(joint.strain_per_angle(axis));
-    }
-  }
+std::vector<chain::JointModel> joints_of(const ChainModel& model, const chain::View<L>& view) {
+  const Scene& scene = model.scene;
+  const auto build =
+      chain::Builder<L>(scene, model.layout, view, model.options.rotary_inertia).build();
+  return chain::joint_set(scene, model.layout, build, material_values(scene.material), view)
+      .at_nodes;
 }
 
 }  // namespace
+
+std::vector<chain::JointModel> scene_joints(const ChainModel& model) {
+  switch (model.level) {
+    case Level::Twist: return joints_of<chain::Twist<double>>(model, {});
+    case Level::Planar: return joints_of<chain::Planar<double>>(model, {model.across});
+    default: return joints_of<chain::Spatial<double>>(model, {});
+  }
+}
 
 BeamOutline beam_outline(const Model& model) {
   BeamOutline outline;
   if (!model.chain) return outline;
   const ChainModel& chain = *model.chain;
   const chain::Layout& layout = chain.layout;
-  const std::vector<chain::PartForm> parts = chain::part_forms(chain.scene, layout);
   const std::size_t n = layout.size();
   outline.ends = layout.ends;
   for (const auto& node : layout.node) {
@@ -49,17 +43,18 @@ BeamOutline beam_outline(const Model& model) {
         outline.axes.push_back(layout.segment_frame[i](k, axis));
       }
     }
-    const chain::PartForm& part = parts[layout.segment_part[i].middle];
+    const chain::BeamPart& part = layout.parts[layout.segment_part[i].middle];
     outline.width.push_back(2.0 * part.properties.outer_distance_y);
     outline.height.push_back(2.0 * part.properties.outer_distance_x);
-    outline.round.push_back(section_kind(*part.section).round() ? 1 : 0);
+    outline.round.push_back(section_kind(part.section).round() ? 1 : 0);
   }
-  switch (chain.level) {
-    case Level::Twist: add_joints<chain::Twist<double>>(chain, parts, {}, outline); break;
-    case Level::Planar:
-      add_joints<chain::Planar<double>>(chain, parts, {chain.across}, outline);
-      break;
-    default: add_joints<chain::Spatial<double>>(chain, parts, {}, outline);
+  // An end without a joint stands for what the segment there does.
+  for (const chain::JointModel& joint : scene_joints(chain)) {
+    outline.joint_length.push_back(joint.own_length());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      outline.modulus.push_back(joint.modulus[axis]);
+      outline.strain_per_angle.push_back(joint.strain_per_angle(axis));
+    }
   }
   return outline;
 }

@@ -48,7 +48,6 @@ class ChainBody {
 
   const ChainModel& model;
   chain::View<L> view;
-  std::vector<chain::PartForm> parts;
   chain::Build<L> build;
   std::unique_ptr<Joints> joints;
   std::vector<chain::JointModel> joint_models;  ///< at the nodes, with the material that runs
@@ -60,7 +59,6 @@ class ChainBody {
 
  private:
   void set_material(const MaterialValues<double>& material);
-  void set_closure_stiffness();
 
   void find_axial_forces(bool in_motion);
   /// Whether a joint transmits more than the force at which its section yields by N alone.

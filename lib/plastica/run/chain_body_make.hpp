@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "plastica/chain/axial.hpp"
 #include "plastica/law/gauge_form.hpp"
@@ -23,10 +24,7 @@ inline bool sees_axial(const ChainModel& model) {
 
 template <class L, bool kElastic>
 ChainBody<L, kElastic>::ChainBody(const ChainModel& of, const chain::View<L>& seen)
-    : model(of),
-      view(seen),
-      parts(chain::part_forms(of.scene, of.layout, !kOneForce<L, kElastic>,
-                              chain::gauge_plane<L>(seen))) {
+    : model(of), view(seen) {
   build = chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia, kElastic,
                             detail::sees_axial(model))
               .build();
@@ -45,18 +43,6 @@ void ChainBody<L, kElastic>::reset(const MaterialValues<double>& material) {
   strains.reset(strains.strain.size());
 }
 
-/// A hundred times the stiffness of the beam's tip, of its largest section.
-template <class L, bool kElastic>
-void ChainBody<L, kElastic>::set_closure_stiffness() {
-  double bending = 0.0;
-  for (const auto& joint : joints->joints()) {
-    for (std::size_t k = 0; k < 3; ++k) bending = std::max<double>(bending, joint.stiffness[k]);
-  }
-  const double length = model.scene.beam.length;
-  build.chain.closure_stiffness = constant<S>(100.0 * bending / (length * length * length));
-  build.chain.closure_turning_stiffness = constant<S>(100.0 * bending / length);
-}
-
 /// Lays out the joints' laws; the same numbers as in the run before only need the virgin state.
 template <class L, bool kElastic>
 void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material) {
@@ -64,21 +50,15 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
     joints->reset();
     return;
   }
-  std::vector<MaterialValues<double>> values;
-  std::vector<MaterialValues<S>> materials(parts.size());
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    values.push_back(p == 0 ? material : material_values(*parts[p].material));
-    for (std::size_t i = 0; i < kMaterialFields; ++i) materials[p][i] = constant<S>(values[p][i]);
-  }
-  joints = make_joints<L, kElastic>(model.scene, parts, materials,
-                                    chain::joint_numbers(build.joints, parts, materials, view),
-                                    view, model.options.fibres);
+  auto made = chain::joint_set(model.scene, model.layout, build, material, view);
+  joints = make_joints<L, kElastic>(model.scene, model.layout.parts, made.materials,
+                                    std::move(made.numbers), view, model.options.fibres);
   material_ = material;
-  joint_models =
-      chain::joint_models(model.scene, model.layout, build, parts, values, joints->joints(), view);
+  joint_models = std::move(made.at_nodes);
   // Which part owns a joint between two follows from the material.
-  if (watch.size() == 0 || parts.size() > 1) watch = BreakWatch(model.scene, joint_models);
-  set_closure_stiffness();
+  if (watch.size() == 0 || model.layout.parts.size() > 1)
+    watch = BreakWatch(model.scene, joint_models);
+  chain::set_closure_stiffness(joints->joints(), model.scene.beam.length, build.chain);
 }
 
 template <class L, bool kElastic>
@@ -174,8 +154,9 @@ bool ChainBody<L, kElastic>::carries_axial_yield() const {
 template <class L, bool kElastic>
 void ChainBody<L, kElastic>::finish_axial(Response& response) const {
   if (!response.axial) return;
-  response.axial->left = law::moment_left(*parts[axial_part_].section, model.scene.yield_cap,
-                                          model.scene.formulas, response.axial->ratio);
+  response.axial->left =
+      law::moment_left(model.layout.parts[axial_part_].section, model.scene.yield_cap,
+                       model.scene.formulas, response.axial->ratio);
 }
 
 template <class L, bool kElastic>

@@ -22,7 +22,7 @@ inline constexpr bool kOneForce = L::kTranslations == 0 && !kElastic;
 /// @param fibres     of a fibre section, along its depth
 template <class L, bool kElastic>
 std::unique_ptr<chain::SectionJointsBase<L, kElastic>> make_joints(
-    const Scene& scene, const std::vector<chain::PartForm>& parts,
+    const Scene& scene, const std::vector<chain::BeamPart>& parts,
     const std::vector<MaterialValues<typename L::Scalar>>& materials,
     std::vector<chain::SectionJoint<L>> joints, const chain::View<L>& view, int fibres);
 

@@ -20,7 +20,7 @@ struct JointsMaker {
   using Made = std::unique_ptr<chain::SectionJointsBase<L, kElastic>>;
 
   const Scene& scene;
-  const std::vector<chain::PartForm>& parts;
+  const std::vector<chain::BeamPart>& parts;
   std::vector<MaterialValues<S>> materials;
   std::vector<chain::SectionJoint<L>> joints;
   const chain::View<L>& view;
@@ -77,8 +77,8 @@ struct JointsMaker {
   template <class Uniaxial>
   Made fibre() {
     auto layouts = std::make_shared<std::vector<law::FibreLayout>>();
-    for (const chain::PartForm& part : parts) {
-      layouts->push_back(law::fibre_layout(*part.section, part.properties, fibre_plane(), fibres));
+    for (const chain::BeamPart& part : parts) {
+      layouts->push_back(law::fibre_layout(part.section, part.properties, fibre_plane(), fibres));
     }
     const auto all = [&](const auto& make_law) {
       std::vector<std::remove_cvref_t<decltype(make_law(std::size_t{}))>> laws;
@@ -146,7 +146,7 @@ struct JointsMaker {
 
 template <class L, bool kElastic>
 std::unique_ptr<chain::SectionJointsBase<L, kElastic>> make_joints(
-    const Scene& scene, const std::vector<chain::PartForm>& parts,
+    const Scene& scene, const std::vector<chain::BeamPart>& parts,
     const std::vector<MaterialValues<typename L::Scalar>>& materials,
     std::vector<chain::SectionJoint<L>> joints, const chain::View<L>& view, int fibres) {
   return detail::JointsMaker<L, kElastic>{scene, parts, materials, std::move(joints), view, fibres}

@@ -4,7 +4,7 @@ namespace plastica {
 
 using ChainLevel = chain::Planar<double>;
 template std::unique_ptr<chain::SectionJointsBase<ChainLevel, false>>
-make_joints<ChainLevel, false>(const Scene&, const std::vector<chain::PartForm>&,
+make_joints<ChainLevel, false>(const Scene&, const std::vector<chain::BeamPart>&,
                                const std::vector<MaterialValues<double>>&,
                                std::vector<chain::SectionJoint<ChainLevel>>,
                                const chain::View<ChainLevel>&, int);

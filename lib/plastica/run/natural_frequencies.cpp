@@ -19,7 +19,7 @@ namespace {
 template <class L, bool kElastic, class Use>
 void with_modes_of(const ChainModel& model, const chain::View<L>& view, const Use& use) {
   ChainBody<L, kElastic> body(model, view);
-  body.reset(material_values(*body.parts[0].material));
+  body.reset(material_values(model.scene.material));
   for (History& history : body.build.chain.histories) history = {{0.0}, {0.0}};
   for (std::size_t k = 0; k < body.build.chain.closures.size(); ++k) {
     // Pillars push on one side alone.

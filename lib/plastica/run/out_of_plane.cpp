@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
-#include "plastica/chain/build.hpp"
+#include "plastica/chain/joint_model.hpp"
 #include "plastica/run/chain_laws.hpp"
 #include "plastica/run/growing_histories.hpp"
 #include "plastica/solve/buckling_mode.hpp"
@@ -116,21 +117,10 @@ class SpatialTangent final : public OutOfPlane {
   }
 
   void set_joints(const ChainModel& model, const MaterialValues<double>& material) {
-    const auto parts = chain::part_forms(scene_, model.layout, !kOneForce<L, kElastic>);
-    std::vector<MaterialValues<double>> materials;
-    materials.reserve(parts.size());
-    for (const auto& part : parts) materials.push_back(material_values(*part.material));
-    materials[0] = material;
-    joints_ = make_joints<L, kElastic>(scene_, parts, materials,
-                                       chain::joint_numbers(build_.joints, parts, materials, view_),
-                                       view_, model.options.fibres);
-    double bending = 0.0;
-    for (const auto& joint : joints_->joints()) {
-      for (std::size_t k = 0; k < 3; ++k) bending = std::max(bending, joint.stiffness[k]);
-    }
-    const double length = build_.chain.length;
-    build_.chain.closure_stiffness = 100.0 * bending / (length * length * length);
-    build_.chain.closure_turning_stiffness = 100.0 * bending / length;
+    auto made = chain::joint_set(scene_, model.layout, build_, material, view_);
+    joints_ = make_joints<L, kElastic>(scene_, model.layout.parts, made.materials,
+                                       std::move(made.numbers), view_, model.options.fibres);
+    chain::set_closure_stiffness(joints_->joints(), scene_.beam.length, build_.chain);
   }
 
   bool holds_at_rest() {

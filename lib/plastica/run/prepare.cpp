@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
-#include "plastica/model/beam_axis.hpp"
 #include "plastica/model/checked_scene.hpp"
 #include "plastica/model/region.hpp"
 #include "plastica/run/chain_run.hpp"
@@ -15,11 +15,21 @@
 namespace plastica {
 namespace {
 
-/// The joints that the scene cuts: each that nearest to its place.
-void set_cuts(ChainModel& chain) {
-  const auto& ends = chain.layout.ends;
-  for (const Cut& cut : chain.scene.cuts) {
-    chain.cuts.push_back({cut.time, static_cast<std::size_t>(nearest_segment_end(cut.at, ends))});
+/// What the sections of a level bend about; empty where there is one force: the closest point of
+/// any yield surface is then the clipped force.
+std::optional<law::GaugePlane> yields_about(const LevelChoice& level) {
+  switch (level.level) {
+    case Level::Twist: return {};
+    case Level::Planar:
+      return level.bending == BendingAxis::X ? law::GaugePlane::AboutX : law::GaugePlane::AboutY;
+    default: return law::GaugePlane::Both;
+  }
+}
+
+/// @param nodes  of the joint that each cut of the scene is nearest to
+void set_cuts(const std::vector<int>& nodes, ChainModel& chain) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    chain.cuts.push_back({chain.scene.cuts[i].time, static_cast<std::size_t>(nodes[i])});
   }
   std::sort(chain.cuts.begin(), chain.cuts.end(), [](const JointCut& a, const JointCut& b) {
     return a.time != b.time ? a.time < b.time : a.node < b.node;
@@ -54,8 +64,8 @@ std::shared_ptr<const ChainModel> prepare_chain(const Scene& scene, const Solver
   chain->options = options;
   chain->level = checked.level.level;
   chain->across = checked.level.bending == BendingAxis::X ? 1 : 0;
-  chain->layout = chain::make_layout(scene, std::move(checked.ends));
-  set_cuts(*chain);
+  chain->layout = chain::make_layout(scene, std::move(checked.ends), yields_about(checked.level));
+  set_cuts(checked.cuts, *chain);
   set_stops(*chain);
   set_frames(*chain);
   return chain;

@@ -164,6 +164,22 @@ TEST(ScenePath, TakesTheBreakStrainOfTheMaterialThatIsFitted) {
   EXPECT_EQ(strain_at_break(other), of_the_rest);
 }
 
+/// The joint at a thick part belongs to the thin one, on whichever side of it that is.
+TEST(ScenePath, TakesTheBreakStrainAtAPartOfAnotherMaterialFromEitherEnd) {
+  plastica::Setup setup = bar_of_two(0.5);
+  setup.scene.regions[0].section.height = 0.032;
+  setup.scene.regions[0].own.push_back("section.height");
+  plastica::Setup mirrored = setup;
+  mirrored.scene.regions[0].from = Place{0.5, {}};
+  mirrored.scene.regions[0].to = Place::end();
+  mirrored.scene.supports[0].at = Place::end();
+  mirrored.scene.supports[1].at = Place::start();
+  for (Probe& probe : mirrored.scene.probes) probe.at = Place::start();
+  const double strain = strain_at_break(setup);
+  EXPECT_GT(strain, 0.005);
+  EXPECT_NEAR(strain_at_break(mirrored), strain, 1e-6 * strain);
+}
+
 TEST(ScenePath, RefusesALimitThatNoJointTakes) {
   plastica::Setup setup = bar_of_two(0.5);
   setup.scene.regions[0].to = Place::end();

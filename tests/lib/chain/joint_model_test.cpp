@@ -14,13 +14,9 @@ using testing::cantilever;
 
 template <class L>
 std::vector<JointModel> models_of(const Scene& scene, const View<L>& view = {}) {
-  const Layout layout = make_layout(scene);
-  const auto parts = part_forms(scene, layout);
+  const Layout layout = make_layout(scene, segment_ends(scene));
   const Build<L> build = Builder<L>(scene, layout, view, RotaryInertia::On).build();
-  std::vector<MaterialValues<double>> materials;
-  for (const PartForm& part : parts) materials.push_back(material_values(*part.material));
-  return joint_models(scene, layout, build, parts, materials,
-                      joint_numbers(build.joints, parts, materials, view), view);
+  return joint_set(scene, layout, build, material_values(scene.material), view).at_nodes;
 }
 
 /// A cantilever of a solid circle of 20 mm, 250 MPa, shear 250/sqrt(3) MPa, E = 200 GPa.
@@ -45,11 +41,14 @@ TEST(JointModel, HasTheCapsAndLeversOfACircle) {
     ASSERT_EQ(joints.size(), 5U);
     const JointModel& inner = joints[2];
     const double bending = 250e6 * d * d * d * (plastic ? 1.0 / 6.0 : pi / 32.0);
+    const double scene_stiffness = 200e9 * pi / 64.0 * d * d * d * d;
     const double torsion =
         250e6 / std::sqrt(3.0) * pi * d * d * d * (plastic ? 1.0 / 12.0 : 1.0 / 16.0);
     EXPECT_NEAR(inner.cap[0], bending, 1e-12 * bending);
     EXPECT_NEAR(inner.cap[1], bending, 1e-12 * bending);
     EXPECT_NEAR(inner.cap[2], torsion, 1e-12 * torsion);
+    EXPECT_NEAR(inner.stiffness[0], scene_stiffness, 1e-12 * scene_stiffness);
+    EXPECT_NEAR(inner.stiffness[3], 200e9 * pi / 4.0 * d * d, 1e-4);
     EXPECT_NEAR(inner.cap[3], 250e6 * pi / 4.0 * d * d, 1e-6);
     for (const std::size_t k : {0, 1, 2}) {
       EXPECT_NEAR(inner.strain_per_angle(k), 0.5 * d / 0.25, 1e-14) << k;

@@ -11,10 +11,12 @@ namespace {
 
 using testing::cantilever;
 
+Layout layout_of(const Scene& scene) { return make_layout(scene, segment_ends(scene)); }
+
 TEST(Layout, GivesEachInnerJointHalfOfBothSegmentsAndTheEndsHalfOfOne) {
   Scene scene = cantilever(4, {});
   scene.beam.segment_shares = {0.1, 0.2, 0.3, 0.4};
-  const Layout layout = make_layout(scene);
+  const Layout layout = layout_of(scene);
   const std::vector<double> expected{0.05, 0.15, 0.25, 0.35, 0.2};
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_NEAR(layout.joint_length[i], expected[i], 1e-15) << i;
@@ -24,12 +26,12 @@ TEST(Layout, GivesEachInnerJointHalfOfBothSegmentsAndTheEndsHalfOfOne) {
 TEST(Layout, GivesEndSegmentsWholeToTheirOnlyJoint) {
   Scene scene = cantilever(5, {});
   scene.end_rule = EndRule::Half;
-  const Layout half = make_layout(scene);  // 1/8, 1/4, 1/4, 1/4, 1/8
+  const Layout half = layout_of(scene);  // 1/8, 1/4, 1/4, 1/4, 1/8
   EXPECT_NEAR(half.segment_length[0], 0.125, 1e-15);
   EXPECT_NEAR(half.joint_length[1], 0.25, 1e-15);
   EXPECT_NEAR(half.joint_length[4], 0.25, 1e-15);
   scene.end_rule = EndRule::ThreeHalves;
-  const Layout whole = make_layout(scene);
+  const Layout whole = layout_of(scene);
   EXPECT_NEAR(whole.joint_length[1], 0.3, 1e-15);
   EXPECT_NEAR(whole.joint_length[2], 0.2, 1e-15);
   EXPECT_NEAR(whole.joint_length[4], 0.3, 1e-15);
@@ -39,7 +41,7 @@ TEST(Layout, InscribesTheSegmentsOfAnArcAndPutsItsJointsAlongTheTangent) {
   Scene scene = cantilever(6, {});
   scene.beam.shape = BeamShape::Arc;
   scene.beam.arc_angle = 1.2;
-  const Layout layout = make_layout(scene);
+  const Layout layout = layout_of(scene);
   const double radius = 1.0 / 1.2;
   for (std::size_t i = 0; i <= 6; ++i) {
     const double turned = 0.2 * static_cast<double>(i);
@@ -57,7 +59,7 @@ TEST(Layout, InscribesTheSegmentsOfAnArcAndPutsItsJointsAlongTheTangent) {
 }
 
 TEST(Layout, FindsTheSegmentOfAPoint) {
-  const Layout layout = make_layout(cantilever(4, {}));
+  const Layout layout = layout_of(cantilever(4, {}));
   EXPECT_EQ(segment_point(layout, 0.0).segment, 0U);
   EXPECT_EQ(segment_point(layout, 0.25).segment, 0U);  // a node belongs to the segment before it
   EXPECT_EQ(segment_point(layout, 0.26).segment, 1U);
@@ -69,7 +71,7 @@ TEST(Layout, LetsTheLastRegionThatHoldsAPointWin) {
   Scene scene = cantilever(4, {});
   scene.regions.push_back({{0.5, {}}, Place::end(), scene.section, scene.material});
   scene.regions.push_back({{0.75, {}}, Place::end(), scene.section, scene.material});
-  const Layout layout = make_layout(scene);
+  const Layout layout = layout_of(scene);
   ASSERT_EQ(layout.parts.size(), 3U);
   const std::vector<std::size_t> expected{0, 0, 1, 2};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -85,7 +87,7 @@ TEST(Layout, GivesEachSegmentAndJointOfATaperItsOwnSection) {
   scene.regions.push_back({{0.5, {}}, Place::end(), scene.section, scene.material});
   scene.regions[0].to_section = scene.section;
   scene.regions[0].to_section->height = 0.02;
-  const Layout layout = make_layout(scene);
+  const Layout layout = layout_of(scene);
   const auto height = [&](std::size_t part) { return layout.parts[part].section.height; };
   EXPECT_EQ(layout.segment_part[1].outer, 0U);
   EXPECT_DOUBLE_EQ(height(layout.segment_part[2].inner), 0.1);

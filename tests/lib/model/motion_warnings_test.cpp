@@ -7,7 +7,8 @@
 #include <numbers>
 
 #include "plastica/model/beam_axis.hpp"
-#include "plastica/model/scene_warnings.hpp"
+#include "plastica/run/scene_warnings.hpp"
+#include "plastica/run/simulate.hpp"
 #include "tests/lib/model/chain_scenes.hpp"
 
 namespace plastica {
@@ -20,7 +21,9 @@ using Change = std::function<void(Scene&, SolverOptions&)>;
 
 std::optional<model_detail::FirstFrequency> frequency_of(const Scene& scene,
                                                          const LevelChoice& level) {
-  return model_detail::first_frequency(scene, level, segment_ends(scene));
+  return model_detail::first_frequency(
+      scene, level, section_properties(scene.section, scene.material.poisson_ratio),
+      segment_ends(scene));
 }
 
 /// Warnings of the slender cantilever in motion for a second, well resolved.
@@ -31,7 +34,7 @@ std::vector<std::string> warnings_of(const Change& change) {
   options.steps = 100;
   change(scene, options);
   check_scene(scene, options);
-  return scene_warnings(scene, options);
+  return scene_warnings(prepare(scene, options));
 }
 
 bool has(const std::vector<std::string>& warnings, const std::string& text) {

@@ -4,7 +4,8 @@
 #include <string>
 
 #include "plastica/model/profile_table.hpp"
-#include "plastica/model/scene_warnings.hpp"
+#include "plastica/run/scene_warnings.hpp"
+#include "plastica/run/simulate.hpp"
 #include "tests/support/chain_scene.hpp"
 
 // Beams of I-sections, against beam theory with published numbers, and sections that are given by
@@ -127,7 +128,7 @@ TEST(SectionByItsNumbers, IsRefusedWhereItIsNotEnough) {
 }
 
 bool warns(const Scene& scene, const std::string& text) {
-  for (const std::string& warning : scene_warnings(scene, {})) {
+  for (const std::string& warning : scene_warnings(prepare(scene, {}))) {
     if (warning.find(text) != std::string::npos) return true;
   }
   return false;

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "plastica/model/scene_warnings.hpp"
 #include "plastica/run/natural_frequencies.hpp"
+#include "plastica/run/scene_warnings.hpp"
+#include "plastica/run/simulate.hpp"
 #include "tests/support/chain_scene.hpp"
 
 // Loads with smooth histories, against the closed form of one mass on one spring.
@@ -57,7 +58,7 @@ TEST(SmoothHistory, ThatStepsAreTooLongForIsWarnedOf) {
   SolverOptions options{.analysis = Analysis::Dynamics, .duration = 0.01, .steps = 5};
   const auto warned = [&](double time_step) {
     options.time_step = time_step;
-    for (const std::string& warning : scene_warnings(scene, options)) {
+    for (const std::string& warning : scene_warnings(prepare(scene, options))) {
       if (warning.find("in a period of load[1].history") != std::string::npos) return true;
     }
     return false;

@@ -1,9 +1,12 @@
-#include "plastica/model/scene_warnings.hpp"
+#include "plastica/run/scene_warnings.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
+#include <string>
 
+#include "plastica/run/simulate.hpp"
 #include "tests/lib/model/chain_scenes.hpp"
 
 namespace plastica {
@@ -15,7 +18,7 @@ std::vector<std::string> warnings_of(const std::function<void(Scene&)>& change) 
   Scene scene = cantilever();
   change(scene);
   check_scene(scene, {});
-  return scene_warnings(scene, {});
+  return scene_warnings(prepare(scene, {}));
 }
 
 bool warns(const std::vector<std::string>& warnings, const std::string& text) {
@@ -32,7 +35,7 @@ TEST(SceneWarnings, AreNoneForASlenderBeamOfShortSegments) {
 TEST(SceneWarnings, AreNoneForACoupon) {
   Scene scene;
   scene.drive.strain = {0.0, 0.01};
-  EXPECT_EQ(scene_warnings(scene, {}), std::vector<std::string>{});
+  EXPECT_EQ(scene_warnings(prepare(scene, {})), std::vector<std::string>{});
 }
 
 TEST(SceneWarnings, SayWhatShearAShortBeamLeavesOut) {
@@ -40,7 +43,7 @@ TEST(SceneWarnings, SayWhatShearAShortBeamLeavesOut) {
   scene.section.height = 0.2;
   // phi = 3 (E/G) (h^2/12)/(kappa L^2) = 3 2.6 0.04/12/0.85 = 0.0306, with nu = 0.3 and Cowper's
   // kappa = 13/15.3.
-  const auto warnings = scene_warnings(scene, {});
+  const auto warnings = scene_warnings(prepare(scene, {}));
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings[0],
             "the beam is 5 times as long as deep (below 10): shear, which rigid joints leave out, "
@@ -48,7 +51,7 @@ TEST(SceneWarnings, SayWhatShearAShortBeamLeavesOut) {
             "\"elastic\" has it");
   SolverOptions sheared;
   sheared.translation = JointTranslation::Elastic;
-  EXPECT_EQ(scene_warnings(scene, sheared), std::vector<std::string>{});
+  EXPECT_EQ(scene_warnings(prepare(scene, sheared)), std::vector<std::string>{});
 }
 
 TEST(SceneWarnings, TakeTheDepthInThePlaneOfBending) {
@@ -125,6 +128,36 @@ TEST(SceneWarnings, OfShearDoNotMakeUpWhatNumbersDoNotTell) {
                     "shear, which rigid joints leave out, may count; with "
                     "section.shear_coefficient"));
   EXPECT_FALSE(warns(warnings, "nan"));
+}
+
+/// The joint beside an end that a moment turns, and that of three halves, stand for 3L/2N.
+TEST(SceneWarnings, NameAsManySegmentsAsBringTheLongestJointDownToTheHinge) {
+  struct Case {
+    std::string longest;
+    std::string wanted;
+    std::function<void(Scene&)> change;
+  };
+  const std::array<Case, 4> cases{
+      {{"0.03 m", "75",
+        [](Scene& s) {
+          s.loads[0].moment = {1.0, 0.0, 0.0};
+        }},
+       {"0.03 m", "75", [](Scene& s) { s.end_rule = EndRule::ThreeHalves; }},
+       {"0.0204 m", "51", [](Scene& s) { s.end_rule = EndRule::Half; }},
+       {"0.0204 m", "50", [](Scene& s) { s.beam.segments = 49; }}}};
+  for (const Case& one : cases) {
+    Scene scene = cantilever();
+    scene.beam.segments = 50;
+    scene.break_limit_x = 0.1;
+    one.change(scene);
+    const auto warnings = scene_warnings(prepare(scene, {}));
+    EXPECT_TRUE(warns(warnings, "joints that can break stand for " + one.longest)) << one.longest;
+    EXPECT_TRUE(warns(warnings, one.wanted + " equal segments would do")) << one.wanted;
+    scene.beam.segments = std::stoi(one.wanted);
+    EXPECT_FALSE(warns(scene_warnings(prepare(scene, {})), "hinge")) << one.wanted;
+    --scene.beam.segments;
+    EXPECT_TRUE(warns(scene_warnings(prepare(scene, {})), "hinge")) << one.wanted;
+  }
 }
 
 TEST(SceneWarnings, SayThatABreakWithoutHingeLengthDependsOnTheSegments) {

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "plastica/model/scene.hpp"
+#include "plastica/run/model.hpp"
 
 namespace plastica {
 
-/// What a scene asks for that its model does badly, a line each with the figure that it costs;
-/// empty for a coupon.
+/// What a prepared scene asks for that its model does badly, a line each with the figure that it
+/// costs; empty for a coupon.
 /// - A beam shorter than ten times its depth: the share of shear in a cantilever's deflection
 ///   (Timoshenko), unless joints shear.
 /// - A break limit with joints longer than the hinge length, or without a hinge length.
@@ -25,13 +25,11 @@ namespace plastica {
 /// - A scheme that leaves an impact on a pillar ringing.
 /// - A restitution of an impact, which is that of the touched point.
 /// - Gravity that grows without end, and cuts that never come.
-/// @param scene, options  that check_scene accepts
-std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions& options);
+std::vector<std::string> scene_warnings(const Model& model);
 
 /// What the results of a beam whose joints have yielded leave out where ideal plasticity has the
 /// cap of first yield: the rest of the section. Of a scene that is let go `scene_warnings` tells
 /// it.
-/// @param scene, options  that check_scene accepts
-std::optional<std::string> first_yield_warning(const Scene& scene, const SolverOptions& options);
+std::optional<std::string> first_yield_warning(const Model& model);
 
 }  // namespace plastica

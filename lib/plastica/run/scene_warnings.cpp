@@ -1,21 +1,21 @@
-#include "plastica/model/scene_warnings.hpp"
+#include "plastica/run/scene_warnings.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 
+#include "plastica/chain/joint_plan.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
-#include "plastica/model/choose_level.hpp"
 #include "plastica/model/local_buckling.hpp"
 #include "plastica/model/motion_warnings.hpp"
 #include "plastica/model/section_kind.hpp"
 #include "plastica/model/yield_warnings.hpp"
+#include "plastica/run/chain_model.hpp"
 
 namespace plastica {
 namespace {
@@ -24,10 +24,18 @@ using model_detail::figure;
 
 /// What the warnings need to know of a scene.
 struct Facts {
+  explicit Facts(const Model& model)
+      : scene(model.chain->scene),
+        options(model.chain->options),
+        layout(model.chain->layout),
+        section(layout.parts[0].properties),
+        level{model.level, model.chain->across == 1 ? BendingAxis::X : BendingAxis::Y, {}} {}
+
   const Scene& scene;
   const SolverOptions& options;
+  const chain::Layout& layout;
+  const SectionProperties& section;  ///< of the scene's own
   LevelChoice level;
-  std::vector<double> ends;
 };
 
 bool bends_about_x(const LevelChoice& level) {
@@ -39,33 +47,41 @@ bool bends_about_y(const LevelChoice& level) {
          (level.level == Level::Planar && level.bending == BendingAxis::Y);
 }
 
-/// The two outer dimensions: along x and along y [m].
-std::array<double, 2> sides(const Section& section) {
-  const SectionProperties p = section_properties(section, 0.0);
-  return {2.0 * p.outer_distance_y, 2.0 * p.outer_distance_x};
+/// Depth of the scene's own section in bending about an axis [m].
+double depth_of(const Facts& facts, bool about_x) {
+  return 2.0 * (about_x ? facts.section.outer_distance_x : facts.section.outer_distance_y);
 }
 
-/// The tributary lengths of the inner joints over the beam's length (segments - 1).
-std::vector<double> inner_joint_shares(const Facts& facts) {
-  const Beam& beam = facts.scene.beam;
-  std::vector<double> shares;
-  for (std::size_t i = 1; i + 1 < facts.ends.size(); ++i) {
-    shares.push_back(beam.joint_lengths.empty() ? (facts.ends[i + 1] - facts.ends[i - 1]) / 2.0
-                                                : beam.joint_lengths[i - 1] / beam.length);
+/// The longest tributary length of the beam's joints in bending [m].
+double longest_joint(const Facts& facts) {
+  double longest = 0.0;
+  for (std::size_t i = 0; i < facts.layout.size(); ++i) {
+    const chain::JointPlan joint = chain::joint_plan(facts.layout, i);
+    if (bends_about_x(facts.level)) longest = std::max(longest, joint.length[0]);
+    if (bends_about_y(facts.level)) longest = std::max(longest, joint.length[1]);
   }
-  const EndRule rule = facts.scene.end_rule;
-  if ((rule == EndRule::Half || rule == EndRule::ThreeHalves) && !shares.empty()) {
-    // An end segment belongs whole to its only joint.
-    shares.front() += facts.ends[1] / 2.0;
-    shares.back() += (1.0 - facts.ends[facts.ends.size() - 2]) / 2.0;
+  return longest;
+}
+
+/// How many equal segments, or with EndRule::Half equal ones but for the ends, have no longer joint
+/// than a length.
+double segments_for(double longest, const Facts& facts) {
+  const chain::Layout& layout = facts.layout;
+  bool bare = layout.end_rule == EndRule::ThreeHalves;
+  for (const auto& half : layout.bare_half) {
+    bare = bare || (bends_about_x(facts.level) && half[0] > 0.0) ||
+           (bends_about_y(facts.level) && half[1] > 0.0);
   }
-  return shares;
+  const double least =
+      std::ceil((bare ? 1.5 : 1.0) * facts.scene.beam.length / longest * (1.0 - 1e-9));
+  return layout.end_rule == EndRule::Half ? least + 1.0 : least;
 }
 
 /// Shear's share of the tip deflection of a cantilever under a tip force: with
 /// phi = 3 E I/(kappa G A L^2), phi/(1 + phi). Source: Timoshenko's beam.
-double shear_share(const Scene& scene, bool about_x) {
-  const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
+double shear_share(const Facts& facts, bool about_x) {
+  const Scene& scene = facts.scene;
+  const SectionProperties& section = facts.section;
   const double second_moment = about_x ? section.second_moment_x : section.second_moment_y;
   const double kappa = about_x ? section.shear_coefficient_y : section.shear_coefficient_x;
   const double phi = 3.0 * scene.material.youngs_modulus * second_moment /
@@ -75,18 +91,18 @@ double shear_share(const Scene& scene, bool about_x) {
 }
 
 std::optional<std::string> short_beam(const Facts& facts) {
-  const auto [width, height] = sides(facts.scene.section);
   const bool about_x =
-      bends_about_x(facts.level) && (height >= width || !bends_about_y(facts.level));
+      bends_about_x(facts.level) &&
+      (!bends_about_y(facts.level) || depth_of(facts, true) >= depth_of(facts, false));
   if (!about_x && !bends_about_y(facts.level)) return std::nullopt;
-  const double slenderness = facts.scene.beam.length / (about_x ? height : width);
+  const double slenderness = facts.scene.beam.length / depth_of(facts, about_x);
   if (slenderness >= 10.0 || facts.options.translation == JointTranslation::Elastic) {
     return std::nullopt;
   }
   const std::string text =
       "the beam is " + figure(slenderness) +
       " times as long as deep (below 10): shear, which rigid joints leave out, ";
-  const double share = shear_share(facts.scene, about_x);
+  const double share = shear_share(facts, about_x);
   if (!std::isfinite(share)) {
     return text +
            "may count; with section.shear_coefficient, which numbers do not tell, "
@@ -117,28 +133,24 @@ bool is_ideal(const Scene& scene) {
 std::optional<std::string> hinge(const Facts& facts) {
   const Scene& scene = facts.scene;
   if (!can_break(scene) || facts.level.level == Level::Twist) return std::nullopt;
-  const auto [width, height] = sides(scene.section);
-  const double depth = bends_about_x(facts.level) ? height : width;
-  const double reports = scene.formulas == Formulas::Report ? 0.0 : depth;
+  const double reports =
+      scene.formulas == Formulas::Report ? 0.0 : depth_of(facts, bends_about_x(facts.level));
   const double hinge_length = scene.hinge_length.value_or(reports);
   if (hinge_length == 0.0) {
     if (!is_ideal(scene)) return std::nullopt;
     return "without a hinge length a break depends on the segments: an ideal joint takes all of "
            "the rotation, which at break falls as 1/N";
   }
-  double longest = model_detail::has_half_joints(scene) ? facts.ends[1] / 2.0 : 0.0;
-  for (const double share : inner_joint_shares(facts)) longest = std::max(longest, share);
-  longest *= scene.beam.length;
+  const double longest = longest_joint(facts);
   if (longest <= hinge_length * (1.0 + 1e-9)) return std::nullopt;
   const double over = longest / hinge_length;
-  const auto wanted = std::ceil(scene.beam.length / hinge_length * (1.0 - 1e-9));
   const std::string cost =
       is_ideal(scene) ? "under an even moment their strain is " + figure(over) + " times too large"
                       : "where less than such a length yields, its strain is up to " +
                             figure(over) + " times too small";
   return "joints that can break stand for " + figure(longest) +
          " m, more than the hinge length of " + figure(hinge_length) + " m: " + cost + "; " +
-         figure(wanted) + " equal segments would do";
+         figure(segments_for(hinge_length, facts)) + " equal segments would do";
 }
 
 /// Whether a history lets go of what it had reached.
@@ -160,12 +172,12 @@ bool scene_lets_go(const Scene& scene) {
 }
 
 /// Fully plastic moment (or torque) over that at first yield, of the scene's own section.
-double shape_factor(const Scene& scene, const LevelChoice& level) {
-  const SectionProperties section = section_properties(scene.section, scene.material.poisson_ratio);
-  if (bends_about_x(level)) {
+double shape_factor(const Facts& facts) {
+  const SectionProperties& section = facts.section;
+  if (bends_about_x(facts.level)) {
     return section.plastic_section_modulus_x / section.section_modulus_x;
   }
-  if (bends_about_y(level)) {
+  if (bends_about_y(facts.level)) {
     return section.plastic_section_modulus_y / section.section_modulus_y;
   }
   return section.plastic_torsion_modulus / section.torsion_modulus;
@@ -176,7 +188,7 @@ std::optional<std::string> cap(const Facts& facts) {
   if (scene.yield_model == YieldModel::Elastic || !is_ideal(scene) || !scene_lets_go(scene)) {
     return std::nullopt;
   }
-  const double factor = shape_factor(scene, facts.level);
+  const double factor = shape_factor(facts);
   // Fibres know bending and torsion, so that this holds at every level.
   const std::string fibres = "; rules.yield_model = \"fibre\" follows the section";
   if (scene.yield_cap == YieldCap::FullyPlastic) {
@@ -247,7 +259,7 @@ std::optional<std::string> inner_places(const Facts& facts) {
   for (const NodePlace& place : node_places(facts.scene)) {
     const std::string_view list = place.list;
     const bool acts = list == "support" || list == "load" || list == "mass";
-    if (!acts || segment_end_at({place.fraction, {}}, facts.ends)) continue;
+    if (!acts || segment_end_at({place.fraction, {}}, facts.layout.ends)) continue;
     return model_detail::item_name(place.list, place.index, place.key) + " = " +
            figure(place.fraction) +
            " lies inside of a segment, which is rigid; without segment_lengths and joint_lengths a "
@@ -262,8 +274,8 @@ std::optional<std::string> cut_corners(const Facts& facts) {
   double deepest = 0.0;
   for (std::size_t i = 2; i < beam.points.size(); ++i) {
     const double along = polyline_length(std::span(beam.points).first(i)) / beam.length;
-    if (segment_end_at({along, {}}, facts.ends)) continue;
-    const auto after = std::upper_bound(facts.ends.begin(), facts.ends.end(), along);
+    if (segment_end_at({along, {}}, facts.layout.ends)) continue;
+    const auto after = std::upper_bound(facts.layout.ends.begin(), facts.layout.ends.end(), along);
     const auto from = axis_point(beam, *(after - 1));
     const auto to = axis_point(beam, *after);
     const auto corner = beam.points[i - 1];
@@ -307,29 +319,31 @@ std::optional<std::string> no_potential(const Facts& facts) {
 
 }  // namespace
 
-std::optional<std::string> first_yield_warning(const Scene& scene, const SolverOptions& options) {
-  if (scene.is_coupon() || scene.yield_model == YieldModel::Elastic || !is_ideal(scene) ||
-      scene.yield_cap != YieldCap::FirstYield || scene_lets_go(scene)) {
+std::optional<std::string> first_yield_warning(const Model& model) {
+  if (!model.chain) return std::nullopt;
+  const Facts facts(model);
+  if (facts.scene.yield_model == YieldModel::Elastic || !is_ideal(facts.scene) ||
+      facts.scene.yield_cap != YieldCap::FirstYield || scene_lets_go(facts.scene)) {
     return std::nullopt;
   }
   return "joints have yielded, and their caps are those of first yield: the section carries up "
          "to " +
-         figure(shape_factor(scene, choose_level(scene, options))) +
+         figure(shape_factor(facts)) +
          " times as much, and so does a limit load; rules.yield_cap = \"fully_plastic\" has that, "
          "\"fibre\" for rules.yield_model follows it from first yield on";
 }
 
-std::vector<std::string> scene_warnings(const Scene& scene, const SolverOptions& options) {
-  if (scene.is_coupon()) return {};
-  const Facts facts{scene, options, choose_level(scene, options), segment_ends(scene)};
+std::vector<std::string> scene_warnings(const Model& model) {
+  if (!model.chain) return {};
+  const Facts facts(model);
   std::vector<std::string> warnings;
   for (const auto find : {short_beam, hinge, cap, thin_wall, per_axis, warping, softening,
                           inner_places, cut_corners, no_potential}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
-  if (options.analysis == Analysis::Dynamics) {
-    for (std::string& warning :
-         model_detail::motion_warnings(scene, options, facts.level, facts.ends)) {
+  if (facts.options.analysis == Analysis::Dynamics) {
+    for (std::string& warning : model_detail::motion_warnings(
+             facts.scene, facts.options, facts.level, facts.section, facts.layout.ends)) {
       warnings.push_back(std::move(warning));
     }
   }
