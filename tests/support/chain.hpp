@@ -38,8 +38,7 @@ struct SolvedChain {
   SolvedChain(const Scene& scene, const MaterialValues<S>& material, const chain::View<L>& view,
               const LawOf& law_of, double spring = 0.0)
       : layout(chain::make_layout(scene, segment_ends(scene))) {
-    build = chain::Builder<L>(scene, layout, view, RotaryInertia::On, false, law::kSeesAxial<Law>)
-                .build();
+    build = chain::build_chain<L>(scene, layout, view, {.sees_axial = law::kSeesAxial<Law>});
     const std::vector<MaterialValues<S>> materials{material};
     auto numbers = chain::joint_numbers(build.joints, layout.parts, materials, view);
     const S stiffness = numbers[0].stiffness[0];

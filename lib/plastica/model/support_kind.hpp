@@ -8,7 +8,7 @@
 #include "plastica/model/support.hpp"
 
 /// What the kinds of support are, a line each in support_kind.cpp. What they do to the beam is in
-/// chain/build.hpp, by the traits and not by the kinds.
+/// chain/builder.hpp, by the traits and not by the kinds.
 namespace plastica {
 
 struct SupportTraits {

@@ -12,7 +12,7 @@ template <class L>
 std::vector<chain::JointModel> joints_of(const ChainModel& model, const chain::View<L>& view) {
   const Scene& scene = model.scene;
   const auto build =
-      chain::Builder<L>(scene, model.layout, view, model.options.rotary_inertia).build();
+      chain::build_chain<L>(scene, model.layout, view, {model.options.rotary_inertia});
   return chain::joint_set(scene, model.layout, build, material_values(scene.material), view)
       .at_nodes;
 }

@@ -13,7 +13,7 @@
 namespace plastica {
 
 /// What a path and a motion of one beam have in common: the chain, its joints with their material,
-/// what breaks them, and the record.
+/// what breaks them, and the record. Compiled once for each level (chain_body.cpp).
 template <class L, bool kElastic>
 class ChainBody {
  public:
@@ -74,5 +74,3 @@ class ChainBody {
 };
 
 }  // namespace plastica
-
-#include "plastica/run/chain_body_make.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/run/chain_record.hpp"
 
 /// What the probes of a chain record.

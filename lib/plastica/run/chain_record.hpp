@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plastica/chain/joint_model.hpp"
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/run/break_watch.hpp"
 #include "plastica/run/chain_model.hpp"
 #include "plastica/run/chain_shape.hpp"

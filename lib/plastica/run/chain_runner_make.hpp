@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/run/break_policy.hpp"
 #include "plastica/run/chain_modes.hpp"
 #include "plastica/run/chain_motion.hpp"

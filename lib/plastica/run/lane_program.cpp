@@ -18,7 +18,7 @@ bool same_histories(const Scene& a, const Scene& b) {
                     [](const Load& x, const Load& y) { return x.history == y.history; });
 }
 
-/// As chain/build.hpp asks.
+/// As chain/builder.hpp asks.
 bool has_gravity(const Scene& scene) {
   double square = 0.0;
   for (const double g : scene.gravity) square += g * g;

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "plastica/model/beam_axis.hpp"
 #include "plastica/run/chain_body.hpp"
 #include "plastica/run/path_stops.hpp"
 #include "plastica/solve/motion_options.hpp"

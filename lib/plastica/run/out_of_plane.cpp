@@ -29,8 +29,8 @@ class SpatialTangent final : public OutOfPlane {
   SpatialTangent(const ChainModel& model, const MaterialValues<double>& material)
       : scene_(model.scene), normal_(1 - model.across) {
     scene_.yield_model = YieldModel::Elastic;
-    build_ = chain::Builder<L>(scene_, model.layout, view_, model.options.rotary_inertia, kElastic)
-                 .build();
+    build_ = chain::build_chain<L>(scene_, model.layout, view_,
+                                   {model.options.rotary_inertia, kElastic});
     set_joints(model, material);
     work_.resize(build_.chain);
     conservative_ = solve::is_conservative(build_.chain);

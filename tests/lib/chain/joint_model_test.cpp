@@ -15,7 +15,7 @@ using testing::cantilever;
 template <class L>
 std::vector<JointModel> models_of(const Scene& scene, const View<L>& view = {}) {
   const Layout layout = make_layout(scene, segment_ends(scene));
-  const Build<L> build = Builder<L>(scene, layout, view, RotaryInertia::On).build();
+  const Build<L> build = build_chain<L>(scene, layout, view);
   return joint_set(scene, layout, build, material_values(scene.material), view).at_nodes;
 }
 

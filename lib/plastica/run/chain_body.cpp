@@ -1,4 +1,4 @@
-#pragma once
+#include "plastica/run/chain_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,28 +6,25 @@
 
 #include "plastica/chain/axial.hpp"
 #include "plastica/law/gauge_form.hpp"
-#include "plastica/run/chain_body.hpp"
 #include "plastica/run/chain_laws.hpp"
 
-/// Defines `ChainBody`.
 namespace plastica {
-namespace detail {
+namespace {
 
 /// Whether joints of a path yield by their axial force, too; in motion they do not.
-inline bool sees_axial(const ChainModel& model) {
+bool sees_axial(const ChainModel& model) {
   const YieldModel yields = model.scene.yield_model;
   return model.options.analysis == Analysis::Statics && yields != YieldModel::Elastic &&
          yields != YieldModel::PerAxis;
 }
 
-}  // namespace detail
+}  // namespace
 
 template <class L, bool kElastic>
 ChainBody<L, kElastic>::ChainBody(const ChainModel& of, const chain::View<L>& seen)
     : model(of), view(seen) {
-  build = chain::Builder<L>(model.scene, model.layout, view, model.options.rotary_inertia, kElastic,
-                            detail::sees_axial(model))
-              .build();
+  build = chain::build_chain<L>(model.scene, model.layout, view,
+                                {model.options.rotary_inertia, kElastic, sees_axial(model)});
   work.resize(build.chain);
   record.prepare(model, view, build, joint_models, watch);
   const std::size_t nodes = model.layout.size() + 1;
@@ -174,5 +171,14 @@ std::vector<BrokenJoint> ChainBody<L, kElastic>::broken() {
   for (BrokenJoint& joint : all) describe(joint);
   return all;
 }
+
+template class ChainBody<chain::Twist<double>, false>;
+template class ChainBody<chain::Planar<double>, false>;
+template class ChainBody<chain::Planar<double>, true>;
+template class ChainBody<chain::Spatial<double>, false>;
+template class ChainBody<chain::Spatial<double>, true>;
+template class ChainBody<chain::Twist<float>, false>;
+template class ChainBody<chain::Planar<float>, false>;
+template class ChainBody<chain::Spatial<float>, false>;
 
 }  // namespace plastica

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "plastica/chain/build.hpp"
+#include "plastica/chain/builder.hpp"
 
 /// Supports that hold along a normal, springs to the ground, and hinges.
 namespace plastica::chain {
@@ -75,7 +75,7 @@ void Builder<L>::add_springs(const Support& support, std::size_t index, std::siz
   spring.arm = view_.point(point.arm);
   const std::size_t beyond = point.segment + 1;
   const bool joins = beyond < layout_.size() && share == layout_.ends[beyond];
-  const double part = joins && (shifts_ || sees_axial_) ? 0.5 : 1.0;
+  const double part = joins && (options_.shifts || options_.sees_axial) ? 0.5 : 1.0;
   const auto stiffness = view_.translations(six(support.stiffness, {}));
   for (std::size_t k = 0; k < kT; ++k) spring.stiffness[k] = constant<S>(part * stiffness[k]);
   spring.rest = undeformed_point(point);
