@@ -6,6 +6,9 @@
 
 namespace plastica {
 
+PLASTICA_MAKE_JOINTS(chain::Twist<float>, false);
+PLASTICA_MAKE_JOINTS(chain::Planar<float>, false);
+
 std::unique_ptr<ChainProgram> make_float_program(const ChainModel& model,
                                                  const chain::View<chain::Twist<float>>& view) {
   return make_program<chain::Twist<float>, false>(model, view);

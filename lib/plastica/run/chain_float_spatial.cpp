@@ -5,6 +5,8 @@
 
 namespace plastica {
 
+PLASTICA_MAKE_JOINTS(chain::Spatial<float>, false);
+
 std::unique_ptr<ChainProgram> make_float_program(const ChainModel& model,
                                                  const chain::View<chain::Spatial<float>>& view) {
   return make_program<chain::Spatial<float>, false>(model, view);

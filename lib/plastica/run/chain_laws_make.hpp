@@ -153,4 +153,11 @@ std::unique_ptr<chain::SectionJointsBase<L, kElastic>> make_joints(
       .make();
 }
 
+/// Instantiates it for a level.
+#define PLASTICA_MAKE_JOINTS(L, kElastic)                                                          \
+  template std::unique_ptr<chain::SectionJointsBase<L, kElastic>> make_joints<L, kElastic>(        \
+      const Scene&, const std::vector<chain::BeamPart>&,                                           \
+      const std::vector<MaterialValues<typename L::Scalar>>&, std::vector<chain::SectionJoint<L>>, \
+      const chain::View<L>&, int)
+
 }  // namespace plastica

@@ -2,9 +2,6 @@
 
 namespace plastica {
 
-using ChainLevel = chain::Planar<double>;
-template std::unique_ptr<chain::SectionJointsBase<ChainLevel, true>> make_joints<ChainLevel, true>(
-    const Scene&, const std::vector<chain::BeamPart>&, const std::vector<MaterialValues<double>>&,
-    std::vector<chain::SectionJoint<ChainLevel>>, const chain::View<ChainLevel>&, int);
+PLASTICA_MAKE_JOINTS(chain::Planar<double>, true);
 
 }  // namespace plastica

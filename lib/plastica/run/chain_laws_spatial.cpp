@@ -2,11 +2,6 @@
 
 namespace plastica {
 
-using ChainLevel = chain::Spatial<double>;
-template std::unique_ptr<chain::SectionJointsBase<ChainLevel, false>>
-make_joints<ChainLevel, false>(const Scene&, const std::vector<chain::BeamPart>&,
-                               const std::vector<MaterialValues<double>>&,
-                               std::vector<chain::SectionJoint<ChainLevel>>,
-                               const chain::View<ChainLevel>&, int);
+PLASTICA_MAKE_JOINTS(chain::Spatial<double>, false);
 
 }  // namespace plastica
