@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "calibrate/config/bare_files.hpp"
-#include "calibrate/fit/intervals.hpp"
+#include "calibrate/inference/intervals.hpp"
 #include "cli/tell.hpp"
 
 namespace plastica::cli {

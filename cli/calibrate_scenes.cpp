@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "calibrate/config/scene_fit_file.hpp"
+#include "calibrate/fit/scene_laws.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/scene_fit_json.hpp"
 #include "calibrate/report/scene_fit_text.hpp"
-#include "calibrate/scene/scene_laws.hpp"
 #include "calibrate/search/optimizer.hpp"
 #include "calibrate/store/journaled_scene_fits.hpp"
 #include "calibrate/store/scene_fit_store.hpp"

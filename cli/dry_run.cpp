@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "calibrate/fit/parameter_set.hpp"
-#include "calibrate/scene/redivide.hpp"
+#include "calibrate/problem/parameter_set.hpp"
+#include "calibrate/trial/redivide.hpp"
 #include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
 

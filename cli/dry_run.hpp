@@ -4,7 +4,7 @@
 #include <string>
 
 #include "calibrate/fit/options.hpp"
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 #include "calibrate/target/target.hpp"
 
 namespace plastica::cli {

@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
-#include "calibrate/fit/result.hpp"
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/result.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 
 namespace plastica::cli {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "calibrate/scene/scene_fit_hooks.hpp"
+#include "calibrate/fit/scene_fit_hooks.hpp"
 #include "cli/terminal_line.hpp"
 
 namespace plastica::cli {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibrate/fit/intervals.hpp"
+#include "calibrate/inference/intervals.hpp"
 #include "plastica/io/toml.hpp"
 
 namespace plastica::calibrate {

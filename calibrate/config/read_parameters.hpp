@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "calibrate/fit/parameter.hpp"
+#include "calibrate/problem/parameter.hpp"
 #include "plastica/io/toml.hpp"
 #include "plastica/model/drive.hpp"
 

@@ -15,7 +15,7 @@
 #include "calibrate/config/read_parameters.hpp"
 #include "calibrate/config/target_files.hpp"
 #include "calibrate/config/unique_names.hpp"
-#include "calibrate/scene/scene_model.hpp"
+#include "calibrate/trial/scene_model.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/text_file.hpp"

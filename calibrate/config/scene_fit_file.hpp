@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 #include "plastica/io/result_file.hpp"
 #include "plastica/io/toml.hpp"
 

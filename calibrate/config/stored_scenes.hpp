@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/fit/parameter.hpp"
+#include "calibrate/problem/parameter.hpp"
 #include "plastica/io/result_file.hpp"
 #include "plastica/model/field.hpp"
 

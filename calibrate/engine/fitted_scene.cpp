@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/fit/scene_laws.hpp"
 #include "calibrate/report/format.hpp"
-#include "calibrate/scene/scene_laws.hpp"
 #include "plastica/model/region.hpp"
 
 namespace plastica::calibrate {

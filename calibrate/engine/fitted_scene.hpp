@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "calibrate/fit/options.hpp"
-#include "calibrate/fit/result.hpp"
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/result.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 #include "plastica/model/field.hpp"
 #include "plastica/model/scene.hpp"
 

@@ -7,15 +7,16 @@
 #include <limits>
 #include <mutex>
 
-#include "calibrate/fit/compare_laws.hpp"
-#include "calibrate/fit/fit_interrupted.hpp"
-#include "calibrate/fit/fit_intervals.hpp"
 #include "calibrate/fit/fit_law.hpp"
-#include "calibrate/fit/given_weights.hpp"
-#include "calibrate/fit/minimize_misfit.hpp"
-#include "calibrate/fit/misfit.hpp"
-#include "calibrate/fit/shown_yield.hpp"
-#include "calibrate/fit/uncertainty.hpp"
+#include "calibrate/fit/require.hpp"
+#include "calibrate/inference/compare_laws.hpp"
+#include "calibrate/inference/fit_intervals.hpp"
+#include "calibrate/inference/shown_yield.hpp"
+#include "calibrate/inference/uncertainty.hpp"
+#include "calibrate/problem/given_weights.hpp"
+#include "calibrate/problem/misfit.hpp"
+#include "calibrate/search/fit_interrupted.hpp"
+#include "calibrate/search/minimize_misfit.hpp"
 #include "calibrate/search/optimizer.hpp"
 #include "plastica/base/parallel_for.hpp"
 
@@ -222,10 +223,6 @@ std::string defect_of(const Curve& curve) {
   if (*low == *high) return "the strain of the corrected curve never changes";
   if (largest_stress(curve) == 0.0) return "the corrected curve never carries a stress";
   return "";
-}
-
-void require(bool holds, std::string_view field, double value, std::string_view rule) {
-  if (!holds) throw InputError({}, field, fmt::format("{:g}", value), rule);
 }
 
 void check_options(const FitOptions& options) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "calibrate/fit/options.hpp"
-#include "calibrate/fit/result.hpp"
+#include "calibrate/result/result.hpp"
 #include "calibrate/search/ladder.hpp"
 #include "calibrate/target/target.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "calibrate/fit/fit.hpp"
-#include "calibrate/fit/parameter_set.hpp"
+#include "calibrate/problem/parameter_set.hpp"
 #include "calibrate/search/ladder.hpp"
 
 namespace plastica::calibrate {

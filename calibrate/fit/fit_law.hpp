@@ -1,8 +1,8 @@
 #pragma once
 
-#include "calibrate/fit/law.hpp"
 #include "calibrate/fit/options.hpp"
-#include "calibrate/fit/result.hpp"
+#include "calibrate/problem/law.hpp"
+#include "calibrate/result/result.hpp"
 
 namespace plastica::calibrate {
 

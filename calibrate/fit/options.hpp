@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/fit/intervals.hpp"
-#include "calibrate/fit/law.hpp"
-#include "calibrate/fit/parameter.hpp"
+#include "calibrate/inference/intervals.hpp"
+#include "calibrate/problem/law.hpp"
+#include "calibrate/problem/parameter.hpp"
 #include "plastica/base/stop_flag.hpp"
 #include "plastica/model/field.hpp"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "calibrate/fit/bootstrap.hpp"
-#include "calibrate/fit/not_a_number.hpp"
+#include "calibrate/inference/bootstrap.hpp"
+#include "calibrate/inference/not_a_number.hpp"
 #include "plastica/theory/statistics.hpp"
 
 namespace plastica::calibrate {

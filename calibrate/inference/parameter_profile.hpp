@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "calibrate/fit/intervals.hpp"
-#include "calibrate/fit/profile.hpp"
+#include "calibrate/inference/intervals.hpp"
+#include "calibrate/inference/profile.hpp"
 #include "calibrate/search/least_squares.hpp"
 
 /// The likelihood profile of one free parameter of a fit, whatever its targets; not installed.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "calibrate/fit/compare_laws.hpp"
+#include "calibrate/inference/compare_laws.hpp"
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/parameter_words.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/fit/result.hpp"
+#include "calibrate/result/result.hpp"
 
 namespace plastica::calibrate::report {
 

@@ -3,7 +3,7 @@
 #include <iosfwd>
 #include <span>
 
-#include "calibrate/fit/result.hpp"
+#include "calibrate/result/result.hpp"
 
 namespace plastica::calibrate {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "calibrate/fit/result.hpp"
+#include "calibrate/result/result.hpp"
 #include "calibrate/result/words.hpp"
 #include "calibrate/target/target.hpp"
 #include "plastica/report/format.hpp"

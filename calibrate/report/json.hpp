@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
-#include "calibrate/fit/result.hpp"
 #include "calibrate/report/summary.hpp"
+#include "calibrate/result/result.hpp"
 
 namespace plastica::calibrate {
 

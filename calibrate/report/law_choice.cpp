@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "calibrate/scene/scene_laws.hpp"
+#include "calibrate/fit/scene_laws.hpp"
 
 namespace plastica::calibrate {
 namespace {

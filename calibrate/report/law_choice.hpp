@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/fit/compare_laws.hpp"
-#include "calibrate/fit/result.hpp"
+#include "calibrate/inference/compare_laws.hpp"
 #include "calibrate/report/text.hpp"
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/result.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 
 namespace plastica::calibrate {
 

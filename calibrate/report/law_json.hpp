@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "calibrate/fit/result.hpp"
 #include "calibrate/report/json_values.hpp"
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/result.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 
 namespace plastica::calibrate::report {
 

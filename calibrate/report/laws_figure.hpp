@@ -3,9 +3,9 @@
 #include <span>
 #include <string>
 
-#include "calibrate/fit/result.hpp"
 #include "calibrate/report/plot.hpp"
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/result.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 #include "plastica/report/scene_figure.hpp"
 
 /// Pictures of the laws of a comparison; not installed.

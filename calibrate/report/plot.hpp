@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "calibrate/fit/result.hpp"
+#include "calibrate/result/result.hpp"
 #include "plastica/io/output_file.hpp"
 
 namespace plastica::calibrate {

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <span>
 
-#include "calibrate/fit/result.hpp"
 #include "calibrate/report/plot_data.hpp"
+#include "calibrate/result/result.hpp"
 
 namespace plastica::calibrate::report {
 

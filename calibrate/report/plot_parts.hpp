@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "calibrate/fit/result.hpp"
+#include "calibrate/result/result.hpp"
 
 /// What the pictures for a page and for a terminal have in common.
 namespace plastica::calibrate::report {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 #include "plastica/report/ink.hpp"
 
 /// The parts of a report that say how much to trust the numbers; not installed.

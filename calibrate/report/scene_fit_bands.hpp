@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "calibrate/report/format.hpp"
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 #include "plastica/report/scene_figure.hpp"
 
 /// Confidence bands in pictures of fits through scenes; not installed.

@@ -3,7 +3,7 @@
 #include <iosfwd>
 #include <span>
 
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 
 namespace plastica::calibrate {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 #include "plastica/report/scene_figure.hpp"
 
 /// What the pictures of fits through scenes show; not installed.

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 
 namespace plastica::calibrate {
 

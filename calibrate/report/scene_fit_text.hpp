@@ -4,7 +4,7 @@
 #include <string>
 
 #include "calibrate/report/text.hpp"
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 
 namespace plastica::calibrate {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "calibrate/report/format.hpp"
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 
 /// How fits through scenes look in everything that people read; not installed.
 namespace plastica::calibrate::report {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "calibrate/fit/bootstrap.hpp"
+#include "calibrate/inference/bootstrap.hpp"
 
 namespace plastica::calibrate {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 
 namespace plastica::calibrate {
 

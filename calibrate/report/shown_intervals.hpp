@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/fit/result.hpp"
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/json_values.hpp"
 #include "calibrate/report/text.hpp"
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/result.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 
 /// Intervals of a fit, of a coupon or through scenes, as reports, tables and pictures show them;
 /// not installed.

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "calibrate/fit/bootstrap.hpp"
-#include "calibrate/fit/result.hpp"
+#include "calibrate/inference/bootstrap.hpp"
+#include "calibrate/result/result.hpp"
 #include "calibrate/target/target.hpp"
 #include "plastica/base/quantity.hpp"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "calibrate/fit/result.hpp"
+#include "calibrate/result/result.hpp"
 
 namespace plastica::calibrate {
 

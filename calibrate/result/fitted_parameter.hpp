@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "calibrate/fit/parameter.hpp"
-#include "calibrate/fit/verdict.hpp"
+#include "calibrate/inference/verdict.hpp"
+#include "calibrate/problem/parameter.hpp"
 #include "plastica/base/quantity.hpp"
 
 namespace plastica::calibrate {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "calibrate/fit/options.hpp"
-#include "calibrate/fit/result.hpp"
-#include "calibrate/scene/scene_fit.hpp"
+#include "calibrate/fit/scene_fit.hpp"
+#include "calibrate/result/result.hpp"
 #include "plastica/model/field.hpp"
 
 /// The words of enumerations, the same in result files, summaries, tables and reports.

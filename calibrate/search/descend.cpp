@@ -16,7 +16,7 @@ constexpr double kNoiseFloor = 1e-24;
 /// Up to how many parameters a simplex looks around for SLSQP, as far as this share of the root of
 /// the cost.
 constexpr std::size_t kFewParameters = 2;
-constexpr double kAround = 0.1;
+constexpr double kSimplexSize = 0.1;
 /// How far SLSQP may go, beyond all that the squares could gain: costs are of order one.
 constexpr double kFar = 1e3;
 
@@ -39,7 +39,7 @@ class Descent {
       const bool better = improve("slsqp", kFar);
       const bool few = best_.x.size() <= kFewParameters;
       if (!better && !few) break;
-      if (few && !improve("nelder-mead", kAround * std::sqrt(best_.cost))) break;
+      if (few && !improve("nelder-mead", kSimplexSize * std::sqrt(best_.cost))) break;
       if (before - best_.cost <= how_.cost_tolerance * before) break;
     }
     return std::move(best_);

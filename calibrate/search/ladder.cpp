@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "calibrate/fit/law.hpp"
+#include "calibrate/problem/law.hpp"
 
 namespace plastica::calibrate {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "calibrate/fit/parameter.hpp"
+#include "calibrate/problem/parameter.hpp"
 
 namespace plastica::calibrate {
 

@@ -6,9 +6,6 @@
 namespace plastica::calibrate {
 namespace {
 
-/// Below this a curvature is rounding; the coordinate keeps its scale.
-constexpr double kLeastCurvature = 1e-20;
-
 double power_of_two_near(double x) {
   int exponent = 0;
   std::frexp(x, &exponent);

@@ -4,6 +4,9 @@
 
 namespace plastica::calibrate {
 
+/// Below this a curvature is rounding: the coordinate keeps its scale.
+inline constexpr double kLeastCurvature = 1e-20;
+
 /// Runs one algorithm alone over the whole box, from the problem's start.
 ///
 /// Those of NLopt see coordinates over the root of the curvature at the start after Gauss and

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "calibrate/fit/options.hpp"
-#include "calibrate/fit/result.hpp"
+#include "calibrate/fit/scene_fit.hpp"
 #include "calibrate/result/describe.hpp"
+#include "calibrate/result/result.hpp"
 #include "calibrate/result/words.hpp"
-#include "calibrate/scene/scene_fit.hpp"
 #include "plastica/io/value_rule.hpp"
 
 /// Tables of a result file: a group with one dataset a column and an element a row; not installed.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "calibrate/fit/options.hpp"
-#include "calibrate/fit/result.hpp"
+#include "calibrate/result/result.hpp"
 #include "plastica/io/result_file.hpp"
 
 namespace plastica::calibrate {

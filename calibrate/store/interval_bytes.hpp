@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibrate/fit/intervals.hpp"
+#include "calibrate/inference/intervals.hpp"
 #include "calibrate/store/coders.hpp"
 
 /// How intervals become bytes and come back; not installed.

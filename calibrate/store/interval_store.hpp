@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/fit/intervals.hpp"
+#include "calibrate/inference/intervals.hpp"
 #include "plastica/io/hdf5.hpp"
 
 /// The tables of profiles and bootstraps in a file of fits, of coupons or through scenes; not

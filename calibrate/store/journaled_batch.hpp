@@ -10,7 +10,7 @@
 
 #include "calibrate/fit/fit.hpp"
 #include "calibrate/fit/options.hpp"
-#include "calibrate/fit/result.hpp"
+#include "calibrate/result/result.hpp"
 #include "calibrate/target/target.hpp"
 #include "plastica/io/case_journal.hpp"
 

@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "calibrate/scene/scene_fit_digest.hpp"
-#include "calibrate/scene/scene_laws.hpp"
-#include "calibrate/scene/search_record.hpp"
+#include "calibrate/fit/scene_laws.hpp"
+#include "calibrate/search/search_record.hpp"
+#include "calibrate/store/scene_fit_digest.hpp"
 #include "calibrate/store/scene_result_bytes.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/base/version.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 #include "calibrate/store/journaled_batch.hpp"
 
 namespace plastica::calibrate {

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "calibrate/fit/result.hpp"
 #include "calibrate/result/describe_fit.hpp"
 #include "calibrate/result/describe_target.hpp"
+#include "calibrate/result/result.hpp"
 
 /// What of a record stands where in a result file; not installed. Documented in docs/hdf5.md.
 namespace plastica::calibrate::store {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "calibrate/fit/result.hpp"
+#include "calibrate/result/result.hpp"
 #include "plastica/io/bytes.hpp"
 
 namespace plastica::calibrate {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 #include "plastica/io/result_file.hpp"
 
 namespace plastica::calibrate {

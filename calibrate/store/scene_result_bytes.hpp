@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "calibrate/scene/scene_fit.hpp"
+#include "calibrate/fit/scene_fit.hpp"
 
 namespace plastica::calibrate {
 

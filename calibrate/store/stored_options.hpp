@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "calibrate/fit/options.hpp"
-#include "calibrate/fit/result.hpp"
+#include "calibrate/result/result.hpp"
 #include "plastica/io/hdf5.hpp"
 
 /// The group /options of a result file; not installed.

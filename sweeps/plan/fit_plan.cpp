@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "calibrate/config/read_parameters.hpp"
-#include "calibrate/scene/scene_fit_digest.hpp"
+#include "calibrate/store/scene_fit_digest.hpp"
 #include "plastica/io/digest.hpp"
 #include "plastica/io/read_input.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "calibrate/scene/scene_fit.hpp"
+#include "calibrate/fit/scene_fit.hpp"
 #include "plastica/io/toml.hpp"
 #include "plastica/model/scene.hpp"
 

@@ -3,7 +3,7 @@
 #include <mutex>
 #include <utility>
 
-#include "calibrate/fit/fit_interrupted.hpp"
+#include "calibrate/search/fit_interrupted.hpp"
 #include "plastica/base/machine_memory.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/io/digest.hpp"

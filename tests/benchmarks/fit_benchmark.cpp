@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "calibrate/fit/fit.hpp"
-#include "calibrate/fit/misfit.hpp"
+#include "calibrate/problem/misfit.hpp"
 #include "calibrate/target/make.hpp"
 
 namespace plastica::calibrate {

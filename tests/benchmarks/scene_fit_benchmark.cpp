@@ -6,8 +6,8 @@
 
 #include <random>
 
-#include "calibrate/scene/scene_model.hpp"
-#include "tests/calibrate/scene/bent_bar.hpp"
+#include "calibrate/trial/scene_model.hpp"
+#include "tests/calibrate/fit/bent_bar.hpp"
 #include "tests/studies/trips.hpp"
 
 namespace plastica::calibrate {

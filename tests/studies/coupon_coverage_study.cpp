@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/fit/bootstrap.hpp"
 #include "calibrate/fit/fit.hpp"
+#include "calibrate/inference/bootstrap.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "tests/calibrate/fit/targets.hpp"
 

@@ -16,7 +16,7 @@
 
 #include "calibrate/report/scene_population.hpp"
 #include "plastica/base/parallel_for.hpp"
-#include "tests/calibrate/scene/bilinear_coupon.hpp"
+#include "tests/calibrate/fit/bilinear_coupon.hpp"
 #include "tests/support/shared.hpp"
 
 namespace plastica::calibrate {
@@ -151,7 +151,7 @@ TEST(Coverage, IntervalsHoldTheTruthAsOftenAsTheySay) {
         return low <= truth[k] && truth[k] <= high;
       };
       const FittedParameter& p = result.parameters.at(k);
-      const SceneProfile& profile = result.intervals.profiles.at(k);
+      const LikelihoodProfile& profile = result.intervals.profiles.at(k);
       const BootstrapInterval& bootstrap = result.intervals.residuals.intervals.at(k);
       held[2 * seed + k] = {holds(p.interval_low, p.interval_high),
                             holds(profile.low, profile.high), holds(bootstrap.low, bootstrap.high)};
@@ -234,7 +234,7 @@ TEST(Coverage, JointFitsHoldTheTruthWhoeverDeterminesIt) {
           return low <= truth[k] && truth[k] <= high;
         };
         const FittedParameter& p = result.parameters.at(k);
-        const SceneProfile& profile = result.intervals.profiles.at(k);
+        const LikelihoodProfile& profile = result.intervals.profiles.at(k);
         held[3 * seed + k].covariance = holds(p.interval_low, p.interval_high);
         held[3 * seed + k].profile = holds(profile.low, profile.high);
       }

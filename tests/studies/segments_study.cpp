@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/scene/scene_model.hpp"
+#include "calibrate/trial/scene_model.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/io/scene_file.hpp"
-#include "tests/calibrate/scene/bent_bar.hpp"
+#include "tests/calibrate/fit/bent_bar.hpp"
 #include "tests/studies/trips.hpp"
 
 namespace plastica::calibrate {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "calibrate/scene/scene_model.hpp"
-#include "tests/calibrate/scene/way_over.hpp"
+#include "calibrate/trial/scene_model.hpp"
+#include "tests/calibrate/fit/way_over.hpp"
 #include "tests/support/normal.hpp"
 
 namespace plastica::studies {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/scene/scene_fit.hpp"
+#include "calibrate/fit/scene_fit.hpp"
 
 /// Scenes and curves that the study of starts fits.
 namespace plastica::studies {

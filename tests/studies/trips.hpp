@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "calibrate/scene/scene_fit.hpp"
+#include "calibrate/fit/scene_fit.hpp"
 #include "plastica/model/field.hpp"
 
 /// Scenes of a bar of known material that studies fit back, 400 mm long and 20 mm square.

@@ -93,10 +93,10 @@ TEST_F(SceneFitFileTest, ReadsFitsOfTheirOwn) {
 }
 
 TEST_F(SceneFitFileTest, ReadsWhichIntervalsAreWanted) {
-  const SceneIntervalOptions none = parse(kFit + kTarget).options.intervals;
+  const IntervalOptions none = parse(kFit + kTarget).options.intervals;
   EXPECT_FALSE(none.profile);
   EXPECT_EQ(none.bootstrap, 0);
-  const SceneIntervalOptions all =
+  const IntervalOptions all =
       parse(kFit +
             "profile = true\nbootstrap = 400\nbootstrap_block = 3\nbootstrap_specimens = 20\n" +
             kTarget)

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "calibrate/fit/fit.hpp"
-#include "calibrate/fit/misfit.hpp"
+#include "calibrate/problem/misfit.hpp"
 #include "tests/calibrate/fit/targets.hpp"
 #include "tests/support/message.hpp"
 

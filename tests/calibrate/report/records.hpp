@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "calibrate/fit/result.hpp"
+#include "calibrate/result/result.hpp"
 
 /// Records of made-up fits, for tests of what is written of them.
 namespace plastica::calibrate::testing {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 
 /// Records of made-up fits through scenes, for tests of what is written of them.
 namespace plastica::calibrate::testing {
@@ -106,7 +106,7 @@ inline SceneFitRecord scene_record(const std::string& name = "both", double modu
 /// sides, and with a bootstrap of four resamples.
 inline SceneFitRecord record_with_intervals() {
   SceneFitRecord record = scene_record();
-  SceneIntervals& all = record.result.intervals;
+  FitIntervals& all = record.result.intervals;
   all.profiles = {{202e9,
                    209e9,
                    ProfileEnd::Crossed,

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "calibrate/fit/result.hpp"
+#include "calibrate/result/result.hpp"
 
 namespace plastica::calibrate {
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "calibrate/scene/scene_fit_record.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
 #include "tests/calibrate/store/same_bits.hpp"
 
 namespace plastica::calibrate {

@@ -1,0 +1,323 @@
+#include "calibrate/fit/scene_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "calibrate/fit/check_scene_fit.hpp"
+#include "calibrate/fit/scene_laws.hpp"
+#include "calibrate/inference/fitted_scenes.hpp"
+#include "calibrate/inference/not_a_number.hpp"
+#include "calibrate/inference/scene_errors.hpp"
+#include "calibrate/inference/scene_segments.hpp"
+#include "calibrate/inference/scene_verdict.hpp"
+#include "calibrate/inference/scene_work.hpp"
+#include "calibrate/problem/scene_problem.hpp"
+#include "calibrate/search/scene_search.hpp"
+#include "plastica/theory/statistics.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+class SceneFit {
+ public:
+  SceneFit(std::span<const ScenePart> parts, const SceneFitOptions& options)
+      : parts_(parts),
+        options_(options),
+        problem_(parts, options),
+        search_(problem_, options),
+        work_(problem_, options.hooks) {
+    result_.law = law_of(parts.front().setup.scene.material.hardening, options.parameters);
+    check_break_levels(problem_, options);
+    if (problem_.samples() <= problem_.parameters().size()) {
+      throw InputError({}, "target", parts.front().target.name,
+                       "has no more samples than the fit has parameters");
+    }
+  }
+
+  SceneFitResult run() {
+    search_.run();
+    result_.search_runs = problem_.counters().runs;
+    result_.starts = search_.starts();
+    if (search_.found()) {
+      explain();
+    } else {
+      // Bad input where no value of a parameter could help.
+      if (search_.start_turns()) {
+        const SceneTarget& target = first_along_a_probe();
+        throw InputError(target.abscissa_where, "abscissa.probe", target.abscissa_probe,
+                         search_.first_reason());
+      }
+      result_.reason = "the scene gives no curve from the start values: " + search_.first_reason();
+    }
+    RunCounters counters = problem_.counters();
+    counters.add(work_.counters());
+    result_.runs = counters.runs;
+    result_.failed_runs = counters.failed;
+    result_.segment_iterations = counters.segment_iterations;
+    return std::move(result_);
+  }
+
+ private:
+  const SceneTarget& first_along_a_probe() const {
+    const auto part = std::ranges::find_if(parts_, [](const ScenePart& each) {
+      return each.target.kind == Abscissa::Probe || each.target.kind == Abscissa::Time;
+    });
+    return part == parts_.end() ? parts_.front().target : part->target;
+  }
+
+  void explain() {
+    result_.status = FitStatus::Fitted;
+    result_.outcome = search_.best().outcome;
+    result_.degrees_of_freedom = degrees_of_freedom(problem_.noise());
+    for (std::size_t part = 0; part < parts_.size(); ++part) add_part(part);
+    const auto curves = problem_.curves(search_.best().x, 1);
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      if (parts_[part].target.broke) result_.parts[part].break_strain = curves[part][0].strain.at;
+    }
+    SceneErrors errors(problem_, search_.best().x, search_.best().residual);
+    add_parameters(errors);
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      result_.parts[part].fitted_error = errors.fitted_errors(part);
+    }
+    if (options_.segments_error) add_segments();
+    for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
+      judge(halves_[i], segments_of(i), prior_shares_[i], result_.parameters[i]);
+    }
+    if (search_.best().outcome == LeastSquaresOutcome::EvaluationsReached) {
+      result_.warnings.push_back(fmt::format(
+          "the search ended at its {} evaluations (fit.evaluations): better values may be near",
+          options_.evaluations));
+    }
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      warn_of_noise(part);
+      warn_of_sign(part);
+      warn_of_path(part, curves[part][0]);
+    }
+    for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
+      add_warning(result_.parameters[i], segments_of(i), result_.warnings);
+    }
+    const std::string next = laws_to_try(result_.law, loading_of(parts_), options_.laws);
+    for (const ScenePartFit& part : result_.parts) {
+      add_warning(part, result_.law, next, result_.warnings);
+    }
+    warn_of_specimens(parts_, result_.parts, result_.warnings);
+    const FittedScenes fitted(problem_, options_, search_.best(), errors);
+    result_.intervals = find_intervals(fitted, work_, result_.warnings);
+  }
+
+  void add_segments() {
+    result_.segments =
+        divide_anew({problem_, options_, search_.best().x, result_.parameters, shares_}, work_);
+    if (!result_.segments) return;
+    const auto unknown = [](const SegmentsError& e) { return e.trend == SegmentsTrend::Unknown; };
+    const SceneSegments& made = *result_.segments;
+    if (made.note.empty() || !std::ranges::all_of(made.parameters, unknown)) return;
+    result_.warnings.push_back("the error of the segments is not known: " + made.note);
+  }
+
+  /// What the segments do to a parameter; of coupons, or if not asked for, nothing that is known.
+  const SegmentsError& segments_of(std::size_t i) const {
+    static const SegmentsError kUnknown;
+    return result_.segments ? result_.segments->parameters[i] : kUnknown;
+  }
+
+  /// A stated noise that the residuals contradict.
+  void warn_of_noise(std::size_t part) {
+    constexpr double kFactor = 2.0;
+    const auto& given = parts_[part].target.noise;
+    if (!given || problem_.noise()[part].is_from_elsewhere()) return;
+    const double left = search_.noise_left(part);
+    if (left < kFactor * *given && left > *given / kFactor) return;
+    result_.warnings.push_back(
+        fmt::format("{}: a noise of {:.3g} is stated, but the residuals are of {:.3g} (SI)",
+                    parts_[part].target.name, *given, left));
+  }
+
+  /// A curve that runs against the fitted one: no value of a parameter mends it.
+  void warn_of_sign(std::size_t part) {
+    constexpr double kAgainst = -0.9;
+    const SceneTarget& target = parts_[part].target;
+    const std::vector<double>& fitted = result_.parts[part].fitted;
+    double both = 0.0, measured = 0.0, made = 0.0;
+    for (std::size_t i = 0; i < fitted.size(); ++i) {
+      both += fitted[i] * target.ordinate[i];
+      measured += target.ordinate[i] * target.ordinate[i];
+      made += fitted[i] * fitted[i];
+    }
+    if (!(both < kAgainst * std::sqrt(measured * made))) return;
+    result_.warnings.push_back(fmt::format(
+        "{}: the scene's curve runs against the measured one; if the machine counts the other way, "
+        "ordinate.factor = {:g} turns it",
+        target.name, -target.ordinate_factor));
+  }
+
+  /// A scene that stops short of what was measured, even with the fitted values.
+  void warn_of_path(std::size_t part, const SceneCurve& fitted) {
+    if (!fitted.went_on) return;
+    result_.warnings.push_back(
+        fmt::format("{}: with the fitted values the scene's path ends before the measured one; it "
+                    "was compared where the ramps go on beyond the scene's end",
+                    parts_[part].target.name));
+  }
+
+  void add_part(std::size_t index) {
+    const SceneTarget& target = parts_[index].target;
+    ScenePartFit part;
+    part.name = target.name;
+    part.level = problem_.model(index).level();
+    part.samples = target.ordinate.size();
+    part.cost = search_.cost_of(index);
+    const PartNoise& noise = problem_.noise()[index];
+    part.noise = noise.pooled ? noise.deviation : target.noise.value_or(search_.noise_left(index));
+    part.degrees_of_freedom = noise.degrees_of_freedom;
+    if (noise.pooled) {
+      result_.warnings.push_back(
+          fmt::format("{}: its {} samples leave {:.2g} degrees of freedom to its noise, too few to "
+                      "weigh it by: it is given the share of the largest value that all targets "
+                      "have, {:.3g} (SI); state it (noise) if it is known",
+                      target.name, part.samples, noise.degrees_left, part.noise));
+    }
+    const double largest = largest_size(target.ordinate);
+    const double rms = std::sqrt(part.cost / static_cast<double>(part.samples));
+    part.misfit_share = largest > 0.0 ? rms / largest : 0.0;
+    const double unit = problem_.scale(index) / std::sqrt(parts_[index].weight);
+    std::vector<double> residual;
+    for (std::size_t i = 0; i < part.samples; ++i) {
+      residual.push_back(unit * search_.best().residual[problem_.first_residual(index) + i]);
+      part.fitted.push_back(target.ordinate[i] + residual.back());
+    }
+    part.runs_probability = runs_probability(residual);
+    part.break_strain = kNan;
+    result_.parts.push_back(std::move(part));
+  }
+
+  void add_parameters(SceneErrors& errors) {
+    const SceneParameters& searched = problem_.parameters();
+    const Eigen::MatrixXd& covariance = errors.covariance();
+    // By the coordinates: of a searched one its slope, of a limit its gradient.
+    std::vector<Eigen::VectorXd> slopes;
+    std::size_t next = 0;
+    for (const Parameter& p : options_.parameters) {
+      if (p.role != ParameterRole::Free) continue;
+      FittedParameter fitted;
+      fitted.path = p.field->path;
+      fitted.dimension = p.field->dimension;
+      fitted.lower = *p.lower;
+      fitted.upper = *p.upper;
+      std::vector<double> halves;
+      shares_.emplace_back();
+      Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
+      if (is_break(p)) {
+        const BreakLimit limit = errors.break_limit(p);
+        fitted.value = fitted.start = std::clamp(limit.value, *p.lower, *p.upper);
+        fitted.at_lower = limit.value < *p.lower;
+        fitted.at_upper = limit.value > *p.upper;
+        halves = limit.halves;
+        shares_.back() = limit.shares;
+        if (limit.disagree) {
+          result_.warnings.push_back(fmt::format(
+              "{}: the targets disagree, from {:.4g} to {:.4g}; the value is a mean of unlike ones",
+              fitted.path, limit.least, limit.most));
+        }
+        slope = limit.slope;
+      } else {
+        fitted.value = searched.value(next, search_.best().x[next]);
+        fitted.start = searched.value(next, 0.0);
+        fitted.logarithmic = searched.is_logarithmic(next);
+        const bool low = std::abs(search_.best().x[next] - searched.lower(next)) <
+                         std::abs(search_.best().x[next] - searched.upper(next));
+        fitted.at_lower = errors.at_bound(next) && low;
+        fitted.at_upper = errors.at_bound(next) && !low;
+        slope[static_cast<Eigen::Index>(next)] = std::abs(searched.slope(next, fitted.value));
+        ++next;
+      }
+      fitted.degrees_of_freedom = errors.degrees_of_freedom(slope);
+      const auto error = [&](const Eigen::MatrixXd& c) {
+        return fitted.at_bound() ? kNan : std::sqrt(joint_moment(c, slope, slope));
+      };
+      fitted.noise_error = error(errors.covariance());
+      // Where the residuals are independent both estimate the same, and either may be larger.
+      const double in_runs = error(errors.correlated_covariance());
+      fitted.misfit_error =
+          std::isnan(in_runs)
+              ? kNan
+              : std::sqrt(
+                    std::max(0.0, in_runs * in_runs - fitted.noise_error * fitted.noise_error));
+      double sampling = 0.0;
+      for (const double half : halves) sampling += half * half / 3.0;
+      fitted.sampling_error = std::sqrt(sampling);
+      fitted.standard_error = std::hypot(fitted.noise_error, fitted.sampling_error);
+      const double reach = std::isnan(fitted.noise_error)
+                               ? kNan
+                               : theory::half_interval(options_.confidence, fitted.noise_error,
+                                                       fitted.degrees_of_freedom, halves);
+      fitted.interval_low = fitted.value - reach;
+      fitted.interval_high = fitted.value + reach;
+      // Both count by one over the square of their standard deviations.
+      const double prior = p.prior ? fitted.noise_error / p.prior->standard_deviation : 0.0;
+      prior_shares_.push_back(prior * prior);
+      // As wide as one interval with the same standard error.
+      halves_.push_back(std::sqrt(3.0) * fitted.sampling_error);
+      result_.parameters.push_back(std::move(fitted));
+      slopes.push_back(std::move(slope));
+    }
+    add_correlation(slopes, covariance);
+  }
+
+  void add_correlation(const std::vector<Eigen::VectorXd>& slopes,
+                       const Eigen::MatrixXd& covariance) {
+    const std::size_t n = slopes.size();
+    result_.correlation.assign(n * n, kNan);
+    for (std::size_t a = 0; a < n; ++a) {
+      for (std::size_t b = 0; b < n; ++b) {
+        const double both =
+            result_.parameters[a].standard_error * result_.parameters[b].standard_error;
+        result_.correlation[a * n + b] =
+            a == b && both > 0.0 ? 1.0 : joint_moment(covariance, slopes[a], slopes[b]) / both;
+      }
+    }
+  }
+
+  std::span<const ScenePart> parts_;
+  const SceneFitOptions& options_;
+  SceneProblem problem_;
+  SceneSearch search_;
+  SceneWork work_;                           ///< after the search
+  std::vector<double> halves_;               ///< of the sampling intervals of parameters [SI]
+  std::vector<double> prior_shares_;         ///< in what is known of the parameters (n_free)
+  std::vector<std::vector<double>> shares_;  ///< of the parts in a break limit, by parameter
+  SceneFitResult result_;
+};
+
+}  // namespace
+
+const FittedParameter& SceneFitResult::parameter(std::string_view name) const {
+  for (const FittedParameter& p : parameters) {
+    const std::string_view path = p.path;
+    if (path == name || path.substr(path.rfind('.') + 1) == name) return p;
+  }
+  throw std::out_of_range("no fitted parameter " + std::string(name));
+}
+
+SceneFitResult fit_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options) {
+  check_scene_fit(parts, options);
+  return SceneFit(parts, options).run();
+}
+
+void check_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options) {
+  check_scene_fit(parts, options);
+  (void)SceneFit(parts, options);
+}
+
+SceneFitResult fit_scene(const Setup& setup, const SceneTarget& target,
+                         const SceneFitOptions& options) {
+  const std::vector<ScenePart> parts{{setup, target}};
+  return fit_scenes(parts, options);
+}
+
+}  // namespace plastica::calibrate

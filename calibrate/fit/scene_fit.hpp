@@ -1,0 +1,147 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "calibrate/fit/scene_fit_hooks.hpp"
+#include "calibrate/inference/intervals.hpp"
+#include "calibrate/inference/segments_error.hpp"
+#include "calibrate/inference/verdict.hpp"
+#include "calibrate/problem/law.hpp"
+#include "calibrate/problem/parameter.hpp"
+#include "calibrate/result/result.hpp"
+#include "calibrate/search/ladder.hpp"
+#include "calibrate/search/least_squares.hpp"
+#include "calibrate/target/scene_target.hpp"
+
+namespace plastica::calibrate {
+
+/// A measured curve and the scene that it is fitted through.
+struct ScenePart {
+  Setup setup;
+  SceneTarget target;
+  double weight = 1.0;  ///< of its squares, beside those of other parts, > 0
+};
+
+/// What a fit through scenes may move, and how long it searches.
+struct SceneFitOptions {
+  /// Numbers of the field table, which all parts share. Free ones need both bounds; their start is
+  /// `value`, else what the first part's scene has, else the middle of the bounds.
+  ///
+  /// A break strain (`material.break_strain` of a beam that bends in a plane or is stretched,
+  /// `material.break_shear_strain` of a twisted one) is not searched but set, within its bounds, to
+  /// the permanent strain that the fitted model has where the target broke (see misfit.hpp), half
+  /// way between that at its last whole sample and at its first broken one. No
+  /// other may be tied to it, nor may it have a prior. The hinge length (`rules.hinge_length`),
+  /// which curves do not depend on, is fitted to the break in its place, where the break strain is
+  /// known and hinges do not harden (a hardening one spreads as far as its joint).
+  std::vector<Parameter> parameters;
+  int evaluations = 200;    ///< largest number of points of a search, >= 1
+  double tolerance = 1e-9;  ///< a step that moves no scaled parameter by more is the last [1], > 0
+  /// Points of the global stage: Sobol's, within the bounds, of which the best that lie apart are
+  /// starts beside the given one, >= 0; 0: the starts are Sobol's points as they come, and each
+  /// search goes to its end.
+  int screen = 64;
+  /// Searches, side by side: the first from the given start; the best counts, >= 1. 1: no global
+  /// stage. After a screening each takes some six steps, and the two best go on to their ends.
+  int starts = 10;
+  /// Starts besides these; what a point does not name begins at its start.
+  std::vector<StartPoint> further_starts{};
+  /// Laws that are compared (scene_laws.hpp); `fit_scenes` has that of the scenes.
+  std::vector<Law> laws{};
+  std::uint64_t seed = 1;    ///< of the points' scrambling, and of resamples
+  double confidence = 0.95;  ///< of the intervals, within (0, 1)
+  /// Whether the fit is repeated with half and with twice the segments, to say what they do to it.
+  bool segments_error = true;
+  int threads = 1;              ///< 0: as many as the machine has; changes no bit
+  IntervalOptions intervals{};  ///< besides those of the covariance
+  SceneFitHooks hooks{};        ///< change none either
+};
+
+/// What a fit made of one target.
+struct ScenePartFit {
+  std::string name;
+  Level level = Level::Auto;
+  std::size_t samples = 0;
+  double cost = 0.0;  ///< sum of the squared residuals [SI^2]
+  /// Standard deviation of the ordinate that errors stand on, and that parts are weighted by: the
+  /// target's, else by its residuals (part_noise.hpp) [SI].
+  double noise = 0.0;
+  double degrees_of_freedom = 0.0;  ///< of this; infinite where the target states it
+  double misfit_share = 0.0;        ///< rms residual over the largest measured ordinate [1]
+  /// Wald and Wolfowitz: probability of as few runs of residuals of one sign, if they were
+  /// independent, or of so few of one sign [1]; NaN for fewer than 20. Small where the model
+  /// cannot follow.
+  double runs_probability = 0.0;
+  std::vector<double> fitted;  ///< the model's ordinate at the measured abscissa [SI] (n_samples)
+  /// Standard error of each of these from the covariance, sqrt(diag(J C J^T)) [SI] (n_samples).
+  std::vector<double> fitted_error;
+  /// Permanent strain of the fitted model where the target broke [1]; NaN if it did not.
+  double break_strain = 0.0;
+};
+
+/// One search of several. Ranked by their costs, they are the waterfall of the starts.
+struct SceneStart {
+  std::vector<double> from;  ///< values of the searched parameters [SI] (n)
+  std::vector<double> to;    ///< where it ended [SI] (n); empty without a start
+  /// There: sum of the squares over the noise, or over each target's largest ordinate while the
+  /// noise was not known [1]; infinite without a start.
+  double cost = 0.0;
+  LeastSquaresOutcome outcome = LeastSquaresOutcome::NoStart;
+  int evaluations = 0;
+};
+
+struct SceneFitResult {
+  FitStatus status = FitStatus::Failed;     ///< Fitted or Failed
+  std::string reason;                       ///< one sentence for Failed
+  std::vector<FittedParameter> parameters;  ///< the free ones, in the order of the options
+  std::vector<double> correlation;          ///< of these (n_free x n_free); NaN where there is none
+  std::vector<ScenePartFit> parts;
+  double degrees_of_freedom = 0.0;  ///< of an estimated noise; infinite if all targets have theirs
+  std::vector<SceneStart> starts;   ///< in their order
+  LeastSquaresOutcome outcome = LeastSquaresOutcome::NoStart;  ///< of the best search
+  int runs = 0;                         ///< of scenes, those of differences and errors included
+  int search_runs = 0;                  ///< of these, what the search took
+  int failed_runs = 0;                  ///< of all, without a curve over the measured abscissa
+  std::int64_t segment_iterations = 0;  ///< of all runs
+  /// Where the options ask for it and a target was measured on a beam, no coupon.
+  std::optional<SceneSegments> segments;
+  std::vector<std::string> warnings;
+  FitIntervals intervals;  ///< those that were asked for
+  Law law = Law::Ideal;    ///< of the first target's material
+
+  /// The parameter of a path, or of its last part. @throws std::out_of_range
+  const FittedParameter& parameter(std::string_view name) const;
+};
+
+/// Fits fields of one or several scenes to measured curves, by least squares of the ordinates.
+///
+/// Parts are weighted by their noise: sum over parts of weight/noise^2 sum r_i^2. Where a target
+/// states none, each part's ordinate range stands for it at first; then the parts' residuals say
+/// it, each with the degrees of freedom that the fit leaves to the part, and the fit is repeated,
+/// four times at most, until it changes by less than 5 %. A part with fewer than five of these has
+/// the noise that all parts have in common, as a share of the largest ordinate.
+///
+/// Errors are those of Gauss and Newton: C = A^-1 B A^-1 with A = J^T W J, B = J^T W^2 J, J the
+/// residuals' slopes over the noise by central differences and W the given weights (for weights
+/// of 1: A^-1). A prior counts as a residual. A break strain has g^T C g + (a - b)^2/12, with g its
+/// slope by the parameters and a, b its values at both ends of the sampling interval of the break;
+/// of several broken targets the mean, weighted by these. Where the model cannot follow a curve the
+/// residuals are no noise and the errors are too small; what steps and fibres do to the
+/// values is not in them, nor is what segments do: see `SceneSegments`.
+/// @throws InputError for a scene, target or parameter that is bad input, and if the probe of an
+///         abscissa turns round on the path from the start values; FitInterrupted by the hooks
+SceneFitResult fit_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options);
+
+/// Refuses what `fit_scenes` would refuse before its first run. @throws InputError
+void check_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options);
+
+/// The same as `fit_scenes` for one target.
+SceneFitResult fit_scene(const Setup& setup, const SceneTarget& target,
+                         const SceneFitOptions& options);
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,207 @@
+#include "calibrate/fit/scene_laws.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "calibrate/problem/scene_parameters.hpp"
+#include "calibrate/search/ladder.hpp"
+#include "plastica/model/region.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+/// A number of the first part's material where the search begins.
+double start_of(MaterialField which, const SceneFitOptions& options, const Setup& setup) {
+  for (const Parameter& p : options.parameters) {
+    if (p.field->material != which || p.role == ParameterRole::Tied) continue;
+    const FieldValue scene = p.field->get(setup);
+    const double* given = std::get_if<double>(&scene);
+    double start = p.value ? *p.value : given != nullptr ? *given : 0.0;
+    if (p.lower) start = std::max(start, *p.lower);
+    if (p.upper) start = std::min(start, *p.upper);
+    return start;
+  }
+  const Material& material = setup.scene.material;
+  return which == MaterialField::YieldStress ? material.yield_stress : material.youngs_modulus;
+}
+
+/// The least Young's modulus that a search may try.
+double least_modulus(const SceneFitOptions& options, double start) {
+  for (const Parameter& p : options.parameters) {
+    const bool searched =
+        p.field->material == MaterialField::YoungsModulus && p.role == ParameterRole::Free;
+    if (searched && p.lower) return *p.lower;
+  }
+  return start;
+}
+
+struct Usual {
+  double start = 0.0, lower = 0.0, upper = 0.0;
+};
+
+Usual around(double start) { return {start, start / 100.0, start * 100.0}; }
+
+/// Start and bounds of a hardening parameter; empty for others.
+std::optional<Usual> usual(const Field& field, const SceneFitOptions& options, const Setup& setup) {
+  if (!field.material) return std::nullopt;
+  const double S = start_of(MaterialField::YieldStress, options, setup);
+  const double E = start_of(MaterialField::YoungsModulus, options, setup);
+  switch (*field.material) {
+    case MaterialField::TangentModulus: {
+      const double most = std::min(0.25 * E, 0.9 * least_modulus(options, E));
+      return Usual{std::min(0.01 * E, most), 0.0, most};
+    }
+    case MaterialField::KinematicShare: return Usual{0.5, 0.0, 1.0};
+    case MaterialField::SaturationStress: return Usual{0.3 * S, 0.0, 3.0 * S};
+    case MaterialField::SaturationRate: return around(0.1 * E / S);
+    case MaterialField::BackModulus1: return around(0.2 * E);
+    case MaterialField::BackModulus2: return around(0.02 * E);
+    case MaterialField::BackModulus3: return around(0.002 * E);
+    case MaterialField::BackRate1: return around(E / S);
+    case MaterialField::BackRate2: return around(0.1 * E / S);
+    case MaterialField::BackRate3: return around(0.01 * E / S);
+    default: break;
+  }
+  if (!is_of_table(*field.material)) return std::nullopt;
+  const double given = number_of(material_values(setup.scene.material), *field.material);
+  return Usual{given, 0.0, 10.0 * given};
+}
+
+/// Fills in what a free hardening parameter leaves open.
+void complete(const SceneFitOptions& options, const Setup& setup, Parameter& p) {
+  const auto found = usual(*p.field, options, setup);
+  if (!found || p.role != ParameterRole::Free) return;
+  const double lower = p.lower.value_or(found->lower);
+  const double upper = p.upper.value_or(found->upper);
+  // Given at one end, it may leave the usual ones on the wrong side of that.
+  if (!p.lower) p.lower = lower < upper ? lower : 0.01 * upper;
+  if (!p.upper) p.upper = lower < upper ? upper : 100.0 * lower;
+  if (p.value) return;
+  const double scene = std::get<double>(p.field->get(setup));
+  p.value = std::clamp(scene != 0.0 ? scene : found->start, *p.lower, *p.upper);
+}
+
+/// What the residuals of a fit leave, as in compare_laws.hpp.
+double deviance(const SceneFitResult& result, std::span<const ScenePart> parts) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < result.parts.size(); ++i) {
+    const ScenePartFit& part = result.parts[i];
+    const auto& noise = parts[i].target.noise;
+    sum += parts[i].weight * (noise ? part.cost / (*noise * *noise)
+                                    : static_cast<double>(part.samples) * std::log(part.cost));
+  }
+  return sum;
+}
+
+}  // namespace
+
+Loading loading_of(std::span<const ScenePart> parts) {
+  constexpr double kBeyond = 0.05;
+  const bool cyclic = std::ranges::any_of(parts, [](const ScenePart& part) {
+    if (part.target.ordinate.empty()) return false;
+    const auto [low, high] = std::ranges::minmax(part.target.ordinate);
+    const double beyond = kBeyond * std::max(-low, high);
+    return low < -beyond && high > beyond;
+  });
+  return cyclic ? Loading::Cyclic : Loading::Monotonic;
+}
+
+Setup setup_of(Law law, const Setup& setup) {
+  Setup changed = setup;
+  Hardening& hardening = changed.scene.material.hardening;
+  hardening = hardening_of(law, hardening);
+  follow_beam(changed.scene);
+  return changed;
+}
+
+std::vector<ScenePart> parts_of(Law law, std::span<const ScenePart> parts) {
+  std::vector<ScenePart> changed(parts.begin(), parts.end());
+  for (ScenePart& part : changed) part.setup = setup_of(law, part.setup);
+  return changed;
+}
+
+SceneFitOptions options_of(Law law, const SceneFitOptions& options,
+                           std::span<const ScenePart> parts) {
+  SceneFitOptions own = options;
+  const std::vector<Law> laws{law};
+  own.parameters = parameters_of(law, loading_of(parts), parameters_of(laws, options.parameters),
+                                 options.parameters);
+  for (Parameter& p : own.parameters) complete(options, parts.front().setup, p);
+  return own;
+}
+
+void start_from(const SceneFitResult& simpler, SceneFitOptions& options) {
+  std::vector<SearchedParameter> searched;
+  for (const Parameter& p : options.parameters) {
+    const bool moves = p.role == ParameterRole::Free && !is_break(p);
+    if (moves) searched.push_back({&p, *p.lower, *p.upper});
+  }
+  const auto value_of = [&](std::string_view path) {
+    const auto found = std::ranges::find(simpler.parameters, path, &FittedParameter::path);
+    return found == simpler.parameters.end() ? std::nullopt : std::optional(found->value);
+  };
+  for (StartPoint& start : starts_from_simpler(searched, value_of)) {
+    options.further_starts.push_back(std::move(start));
+  }
+}
+
+void compare_with(const SceneFitResult& simpler, std::span<const ScenePart> parts,
+                  SceneFitResult& result) {
+  if (result.status != FitStatus::Fitted || simpler.status != FitStatus::Fitted) return;
+  double samples = 0.0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    samples += parts[i].weight * static_cast<double>(parts[i].target.ordinate.size());
+  }
+  if (!(deviance(result, parts) > deviance(simpler, parts) + kNoBetter * samples)) return;
+  result.warnings.push_back(
+      fmt::format("{} ends with a larger misfit than {}, which it contains: its search has not "
+                  "found its best",
+                  name_of(result.law), name_of(simpler.law)));
+}
+
+LawFit law_fit_of(const SceneFitRecord& record) {
+  const SceneFitResult& result = record.result;
+  LawFit fit;
+  fit.law = result.law;
+  fit.fitted = result.status == FitStatus::Fitted;
+  if (!fit.fitted) return fit;
+  const double weights = std::accumulate(record.weights.begin(), record.weights.end(), 0.0);
+  for (std::size_t i = 0; i < result.parts.size(); ++i) {
+    const ScenePartFit& part = result.parts[i];
+    const SceneTarget& target = record.targets[i];
+    std::vector<double> residual(part.fitted.size());
+    double largest = 0.0;
+    for (std::size_t k = 0; k < residual.size(); ++k) {
+      residual[k] = part.fitted[k] - target.ordinate[k];
+      largest = std::max(largest, std::fabs(target.ordinate[k]));
+    }
+    const auto samples = static_cast<double>(part.samples);
+    const double share = record.weights[i] * static_cast<double>(result.parts.size()) / weights;
+    fit.curves.push_back({.mean_square = part.cost / samples,
+                          .largest = largest,
+                          .samples = share * samples,
+                          .autocorrelation = autocorrelation(residual),
+                          .noise = target.noise});
+    fit.misfit_share = std::max(fit.misfit_share, part.misfit_share);
+    fit.lacks_fit = fit.lacks_fit || lacks_fit(part.misfit_share, part.runs_probability);
+  }
+  for (const FittedParameter& p : result.parameters) {
+    if (p.path == "material.break_strain" || p.path == "material.break_shear_strain") continue;
+    fit.parameters.push_back(p.path.substr(p.path.rfind('.') + 1));
+    fit.verdicts.push_back(p.verdict());
+  }
+  for (const SceneStart& start : result.starts) {
+    fit.evaluations += static_cast<std::size_t>(start.evaluations);
+  }
+  fit.runs = static_cast<std::size_t>(result.search_runs);
+  fit.seconds = record.seconds;
+  return fit;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,213 @@
+#include "calibrate/inference/compare_laws.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plastica::calibrate {
+namespace {
+
+/// Differences of BIC below this are none.
+constexpr double kBareMention = 2.0;
+/// A misfit below this share of the largest value is none.
+constexpr double kNothingLeft = 1e-6;
+/// Residuals of neighbours more alike than this would leave no samples.
+constexpr double kMostAlike = 0.999;
+/// Misfits, as shares of the largest value, above which a law may lack something: with residuals in
+/// long runs; without a count of runs.
+constexpr double kLacking = 0.01;
+constexpr double kLackingForSure = 0.05;
+
+double square_of(const Leftover& left) {
+  const double least = kNothingLeft * left.largest;
+  return std::max(left.mean_square, least * least);
+}
+
+/// What the samples of each curve are worth, by the law that leaves least of it.
+std::vector<double> worth_of(const std::vector<LawFit>& fits) {
+  std::vector<double> worth;
+  std::vector<double> least;
+  for (const LawFit& fit : fits) {
+    if (!fit.fitted) continue;
+    worth.resize(fit.curves.size());
+    least.resize(fit.curves.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t c = 0; c < fit.curves.size(); ++c) {
+      const Leftover& left = fit.curves[c];
+      if (!(left.mean_square < least[c])) continue;
+      least[c] = left.mean_square;
+      const double alike = std::clamp(left.autocorrelation, 0.0, kMostAlike);
+      worth[c] = std::max(1.0, left.samples * (1.0 - alike) / (1.0 + alike));
+    }
+  }
+  return worth;
+}
+
+void set_criteria(const std::vector<double>& worth, double samples, ComparedLaw& law) {
+  double deviance = 0.0;
+  auto parameters = static_cast<double>(law.fit.parameters.size());
+  for (std::size_t c = 0; c < law.fit.curves.size(); ++c) {
+    const Leftover& left = law.fit.curves[c];
+    if (left.noise) {
+      deviance += worth[c] * left.mean_square / (*left.noise * *left.noise);
+    } else {
+      deviance += worth[c] * std::log(square_of(left));
+      parameters += 1.0;
+    }
+  }
+  law.aic = deviance + 2.0 * parameters;
+  const double spare = samples - parameters - 1.0;
+  law.aicc = spare > 0.0 ? law.aic + 2.0 * parameters * (parameters + 1.0) / spare
+                         : std::numeric_limits<double>::infinity();
+  law.bic = deviance + parameters * std::log(samples);
+}
+
+/// "2 parameters weak", "1 parameter at bound and 1 not identified".
+std::string doubts_on(const LawFit& fit) {
+  std::string text;
+  for (const Verdict doubt : {Verdict::NotIdentified, Verdict::AtBound, Verdict::Weak}) {
+    const auto count = std::ranges::count(fit.verdicts, doubt);
+    if (count == 0) continue;
+    text += text.empty() ? fmt::format("{} of its parameters {} ", count, count == 1 ? "is" : "are")
+                         : fmt::format(", {} ", count);
+    text += name_of(doubt);
+  }
+  return text;
+}
+
+std::string share_text(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
+
+std::string advice_of(const std::vector<ComparedLaw>& laws, std::size_t advised) {
+  const ComparedLaw& best = laws[advised];
+  std::string text(name_of(best.fit.law));
+  const std::size_t other = advised == 0 ? 1 : 0;
+  if (other < laws.size() && laws[other].fit.fitted) {
+    const ComparedLaw& next = laws[other];
+    const double gain = next.bic - best.bic;
+    if (gain >= kBareMention) {
+      text += fmt::format(": BIC lower by {:.3g} than {}", gain, name_of(next.fit.law));
+    } else {
+      text += fmt::format(": simpler than {}, whose BIC is {} by {:.2g} only",
+                          name_of(next.fit.law), gain < 0.0 ? "lower" : "higher", std::fabs(gain));
+    }
+    for (const ComparedLaw& law : laws) {
+      if (law.fit.parameters.size() <= best.fit.parameters.size() || !law.fit.fitted) continue;
+      const std::string doubts = doubts_on(law.fit);
+      text += fmt::format(
+          "; {} gains nothing: {}", name_of(law.fit.law),
+          !doubts.empty()
+              ? doubts
+              : fmt::format("its misfit is {}, that of {} {}", share_text(law.fit.misfit_share),
+                            name_of(best.fit.law), share_text(best.fit.misfit_share)));
+    }
+  }
+  if (best.fit.lacks_fit) {
+    text += fmt::format("; even so it does not describe the curve (misfit {} of the largest value)",
+                        share_text(best.fit.misfit_share));
+  }
+  return text;
+}
+
+/// Adds one target's fit of a law to that of others.
+void add(LawFit&& fit, LawFit& sum) {
+  const auto append = [](auto&& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
+  append(fit.curves, sum.curves);
+  append(fit.parameters, sum.parameters);
+  append(fit.verdicts, sum.verdicts);
+  sum.evaluations += fit.evaluations;
+  sum.runs += fit.runs;
+  sum.seconds = sum.fitted ? sum.seconds + fit.seconds : fit.seconds;
+  sum.misfit_share = std::max(sum.misfit_share, fit.misfit_share);
+  sum.lacks_fit = sum.lacks_fit || fit.lacks_fit;
+  sum.fitted = true;
+}
+
+}  // namespace
+
+LawComparison compare_laws_over(std::vector<std::vector<LawFit>> targets) {
+  std::vector<LawFit> sums;
+  const bool any_whole = std::ranges::any_of(targets, [](const std::vector<LawFit>& fits) {
+    return std::ranges::all_of(fits, &LawFit::fitted);
+  });
+  std::vector<Law> failed_somewhere;
+  for (const std::vector<LawFit>& fits : targets) {
+    for (const LawFit& fit : fits) {
+      if (!fit.fitted) failed_somewhere.push_back(fit.law);
+      if (std::ranges::find(sums, fit.law, &LawFit::law) == sums.end()) {
+        sums.emplace_back().law = fit.law;
+      }
+    }
+  }
+  for (std::vector<LawFit>& fits : targets) {
+    if (any_whole && !std::ranges::all_of(fits, &LawFit::fitted)) continue;
+    for (LawFit& fit : fits) {
+      const bool failed = std::ranges::find(failed_somewhere, fit.law) != failed_somewhere.end();
+      if (!any_whole && failed) continue;
+      add(std::move(fit), *std::ranges::find(sums, fit.law, &LawFit::law));
+    }
+  }
+  return compare_laws(std::move(sums));
+}
+
+LawComparison compare_laws(std::vector<LawFit> fits) {
+  LawComparison comparison;
+  const std::vector<double> worth = worth_of(fits);
+  for (const double n : worth) comparison.samples += n;
+  for (LawFit& fit : fits) {
+    ComparedLaw law{std::move(fit)};
+    law.aic = law.aicc = law.bic = std::numeric_limits<double>::infinity();
+    if (law.fit.fitted) set_criteria(worth, comparison.samples, law);
+    comparison.laws.push_back(std::move(law));
+  }
+  std::vector<ComparedLaw>& laws = comparison.laws;
+  std::ranges::stable_sort(laws, {}, &ComparedLaw::bic);
+  if (laws.empty() || !laws.front().fit.fitted) return comparison;
+  std::size_t advised = 0;
+  for (std::size_t i = 1; i < laws.size(); ++i) {
+    const bool alike = laws[i].bic - laws.front().bic < kBareMention;
+    if (alike && laws[i].fit.parameters.size() < laws[advised].fit.parameters.size()) advised = i;
+  }
+  comparison.advised = advised;
+  comparison.advice = advice_of(laws, advised);
+  return comparison;
+}
+
+double effective_samples(std::span<const double> weight) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const double w : weight) {
+    sum += w;
+    squares += w * w;
+  }
+  return squares > 0.0 ? sum * sum / squares : 0.0;
+}
+
+double autocorrelation(std::span<const double> residual) {
+  double products = 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < residual.size(); ++i) {
+    squares += residual[i] * residual[i];
+    if (i > 0) products += residual[i] * residual[i - 1];
+  }
+  return squares > 0.0 ? products / squares : 0.0;
+}
+
+bool lacks_fit(double share, double runs_probability) {
+  return std::isnan(runs_probability) ? share > kLackingForSure
+                                      : runs_probability < kFewRuns && share > kLacking;
+}
+
+std::string lack_of_fit(std::string_view law, double share, double runs_probability,
+                        std::string_view try_next) {
+  if (!lacks_fit(share, runs_probability)) return {};
+  const bool counted = !std::isnan(runs_probability);
+  std::string text = fmt::format("{} does not describe this curve (misfit {} of the largest value",
+                                 law, share_text(share));
+  if (counted) text += fmt::format(", runs probability {:.1g}", runs_probability);
+  text += "): standard errors are too small";
+  if (!try_next.empty()) text += fmt::format("; try --laws {}", try_next);
+  return text;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "calibrate/inference/verdict.hpp"
+#include "calibrate/problem/law.hpp"
+
+namespace plastica::calibrate {
+
+/// What a fit leaves of one curve: what its likelihood is made of.
+struct Leftover {
+  double mean_square = 0.0;      ///< of the residuals, as the fit weighs them [SI^2]
+  double largest = 0.0;          ///< largest measured value, the size of "nothing left" [SI]
+  double samples = 0.0;          ///< effective number by the weights, see `effective_samples`
+  double autocorrelation = 0.0;  ///< of neighbouring residuals, see `autocorrelation`
+  std::optional<double> noise;   ///< standard deviation, if it is known [SI]
+};
+
+/// One law's fit of some curves.
+struct LawFit {
+  Law law = Law::Ideal;
+  bool fitted = false;
+  std::vector<Leftover> curves;  ///< the same for all laws, in the same order
+  /// Free ones that shape the curves (k); not break strains.
+  std::vector<std::string> parameters;
+  std::vector<Verdict> verdicts;  ///< of these
+  std::size_t evaluations = 0;    ///< of the search, and of those that gave it its starts
+  std::size_t runs = 0;           ///< of scenes in the search; 0: a coupon
+  /// Time that the fit took [s]; NaN: not known.
+  double seconds = std::numeric_limits<double>::quiet_NaN();
+  double misfit_share = 0.0;  ///< rms over the largest measured value [1]
+  bool lacks_fit = false;     ///< whether it does not describe a curve: `lacks_fit` below
+};
+
+/// A law among others, all fitted to the same curves.
+///
+/// Independent normal residuals r of standard deviation s have
+///   -2 ln L = sum over the curves of (sum r^2/s^2 + n ln(2 pi s^2)).
+/// Where s is not known it is a parameter as any other; L is greatest at the mean square of the
+/// residuals, s^2 = sum r^2/n, and n ln s^2 is left, but for what all laws have alike. Where s is
+/// stated it is the same for all laws, and sum r^2/s^2 = n (mean square)/s^2 is left: chi^2. Then
+///   AIC = -2 ln L + 2 K,  AICc = AIC + 2 K (K + 1)/(N - K - 1),  BIC = -2 ln L + K ln N
+/// with K the law's parameters and one for each unknown noise, N the sum of n.
+///
+/// n is no count of samples but of what they are worth. Weighted ones count (sum w)^2/sum w^2
+/// (Kish); the objective over the strain path is such a weighted sum. Neighbours alike, as in an
+/// autoregressive process of correlation rho, count (1 - rho)/(1 + rho) of that (Bayley and
+/// Hammersley). rho is that of the law with the least misfit: of all it shows best what is noise.
+/// Where no law describes the curve, that is too large, n too small, and the differences between
+/// laws come out too small rather than too large.
+/// Sources: Burnham & Anderson, Model Selection and Multimodel Inference (2002), ch. 2 and 6;
+/// Kish, Survey Sampling (1965), 11.7; Bayley & Hammersley, J. R. Stat. Soc. Suppl. 8 (1946) 184.
+struct ComparedLaw {
+  LawFit fit;
+  double aic = 0.0;
+  double aicc = 0.0;  ///< infinite where N <= K + 1
+  double bic = 0.0;
+};
+
+struct LawComparison {
+  std::vector<ComparedLaw> laws;       ///< by rising BIC; those that have no fit last
+  double samples = 0.0;                ///< N
+  std::optional<std::size_t> advised;  ///< index into `laws`; empty if none was fitted
+  std::string advice;                  ///< one sentence: which law and why
+};
+
+/// Compares fits of several laws to the same curves. The law with the least BIC is advised, but of
+/// those within 2 of it the one with the fewest parameters (a smaller difference is "not worth more
+/// than a bare mention", Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773).
+LawComparison compare_laws(std::vector<LawFit> fits);
+
+/// The laws over several targets, as if each target had the law's parameters of its own: sums of
+/// the targets that every law was fitted to; where there is none, of the laws that were fitted to
+/// every target.
+/// @param targets  the fits of each, a law each, the same laws
+LawComparison compare_laws_over(std::vector<std::vector<LawFit>> targets);
+
+/// (sum w)^2/sum w^2.
+double effective_samples(std::span<const double> weight);
+
+/// sum r_i r_{i-1}/sum r_i^2; 0 for residuals that all vanish.
+double autocorrelation(std::span<const double> residual);
+
+/// Whether a law does not describe a curve, as far as the residuals tell: where they lie in runs
+/// that noise would not (`kFewRuns`) and are more than 1 % of the largest value. For curves too
+/// short to count runs, where they are more than 5 % of it.
+/// @param share  rms of the residuals over the largest measured value
+bool lacks_fit(double share, double runs_probability);
+
+/// Says that it does not, and what to try; empty where it does.
+/// @param try_next  `laws_to_try`
+std::string lack_of_fit(std::string_view law, double share, double runs_probability,
+                        std::string_view try_next);
+
+}  // namespace plastica::calibrate

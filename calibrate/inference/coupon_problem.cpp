@@ -1,0 +1,160 @@
+#include "calibrate/inference/coupon_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "calibrate/inference/shown_yield.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+/// Share of the largest stress below which a noise is rounding.
+constexpr double kLeastNoise = 1e-12;
+
+}  // namespace
+
+CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
+                             const FitResult& result)
+    : set_(target, options), misfit_(target, options, set_) {
+  const std::size_t n_active = set_.active().size();
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < set_.size(); ++i) {
+    const ResolvedParameter& p = set_.all()[i];
+    if (p.role != ParameterRole::Free) continue;
+    Free free;
+    free.fitted = &result.parameters[i];
+    if (!p.idle) {
+      active_.push_back(free.fitted->value);
+      free.is_break = p.is_break;
+      if (!p.is_break) {
+        free.coordinate = searched_.size();
+        searched_.push_back(k);
+        squares_.lower.push_back(set_.lower(k));
+        squares_.upper.push_back(set_.coordinate(k, p.upper));
+        const double at = set_.coordinate(k, free.fitted->value);
+        squares_.start.push_back(std::clamp(at, squares_.lower.back(), squares_.upper.back()));
+      }
+      ++k;
+    }
+    free_.push_back(free);
+  }
+  details_ = misfit_.details(active_);
+  hide_unseen_yield(misfit_, set_, active_, options, details_);
+  uncertainty_ = uncertainty(details_, active_, set_, target, options, misfit_.break_factor());
+  spread_ = spread_of(details_, active_, set_, target, options);
+  noise_ = std::max(uncertainty_.noise, kLeastNoise * std::sqrt(misfit_.cost_unit()));
+  for (std::size_t i = 0; i < n_active; ++i) {
+    if (set_.all()[set_.active()[i]].is_break) {
+      limit_half_ = uncertainty_.sampling[i];
+    } else if (uncertainty_.identified[i]) {
+      ++determined_;
+    }
+  }
+  const std::span<const double> weights = misfit_.weights();
+  const double squared = std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);
+  const double unit = 1.0 / (noise_ * noise_ * squared);
+  weight_unit_ = unit / std::accumulate(details_.weight.begin(), details_.weight.end(), 0.0);
+  pull_scale_ = std::sqrt(unit);
+  for (std::size_t s = 0; s < weights.size(); ++s) {
+    scale_.push_back(std::sqrt(unit * weights[s]));
+    if (weights[s] > 0.0) entered_.push_back(s);
+  }
+  squares_.residuals = weights.size() + 1;
+  squares_.evaluate = one_by_one([this](std::span<const double> x, std::span<double> residual) {
+    return residuals(x, residual);
+  });
+  std::vector<double> residual(squares_.residuals);
+  if (!residuals(squares_.start, residual)) {
+    cost_ = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
+  cost_ = std::inner_product(residual.begin(), residual.end(), residual.begin(), 0.0);
+}
+
+std::span<const double> CouponProblem::active_of(std::span<const double> x) {
+  for (std::size_t i = 0; i < searched_.size(); ++i) active_[searched_[i]] = value(i, x[i]);
+  return active_;
+}
+
+bool CouponProblem::residuals(std::span<const double> x, std::span<double> residual) {
+  const std::size_t samples = scale_.size();
+  if (!misfit_.residuals(active_of(x), residual.first(samples))) return false;
+  for (std::size_t s = 0; s < samples; ++s) residual[s] *= scale_[s];
+  residual[samples] = pull_scale_ * misfit_.break_residual();
+  return true;
+}
+
+LeastSquaresProblem CouponProblem::with_limit() {
+  LeastSquaresProblem both = squares_;
+  ++both.residuals;
+  both.evaluate = one_by_one([this](std::span<const double> x, std::span<double> residual) {
+    const std::size_t m = squares_.residuals;
+    if (!residuals(x, residual.first(m))) return false;
+    residual[m] = misfit_.permanent_strain() / misfit_.break_factor();
+    return true;
+  });
+  return both;
+}
+
+std::vector<double> CouponProblem::residual_of_entered() const {
+  std::vector<double> residual;
+  for (const std::size_t s : entered_) residual.push_back(details_.residual[s]);
+  return residual;
+}
+
+std::optional<CouponProblem::Moments> CouponProblem::moments(
+    std::span<const double> gradient) const {
+  const std::size_t n = searched_.size();
+  const std::size_t n_active = active_.size();
+  // The matrices are in SI: d value/d coordinate turns them.
+  std::vector<double> slope(n);
+  for (std::size_t i = 0; i < n; ++i) slope[i] = set_.slope(searched_[i], value(i, solution()[i]));
+  const auto inverse = [&](std::size_t i, std::size_t j) {
+    return spread_.inverse[searched_[i] * n_active + searched_[j]] /
+           (slope[i] * slope[j] * weight_unit_);
+  };
+  Moments all;
+  all.along.assign(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!uncertainty_.identified[searched_[i]]) {
+      // What the curve does not determine says nothing of what does not depend on it.
+      if (gradient[i] != 0.0) return std::nullopt;
+      continue;
+    }
+    for (std::size_t j = 0; j < n; ++j) {
+      if (!uncertainty_.identified[searched_[j]]) continue;
+      const double spread = spread_.spread[searched_[i] * n_active + searched_[j]];
+      all.squared_error +=
+          gradient[i] * gradient[j] * noise_ * noise_ * spread / (slope[i] * slope[j]);
+      all.inverse += gradient[i] * gradient[j] * inverse(i, j);
+      all.along[i] += inverse(i, j) * gradient[j];
+    }
+  }
+  if (!(all.squared_error > 0.0) || !(all.inverse > 0.0)) return std::nullopt;
+  for (double& a : all.along) a /= all.inverse;
+  return all;
+}
+
+std::vector<double> CouponProblem::limit_slope() const {
+  std::vector<double> by_coordinate;
+  for (std::size_t i = 0; i < searched_.size(); ++i) {
+    const std::size_t k = searched_[i];
+    by_coordinate.push_back(details_.permanent_gradient[k] *
+                            set_.slope(k, value(i, solution()[i])) / misfit_.break_factor());
+  }
+  return by_coordinate;
+}
+
+double CouponProblem::limit_at(std::span<const double> x, double place) {
+  std::vector<double> residual(scale_.size());
+  if (!misfit_.residuals(active_of(x), residual)) return std::numeric_limits<double>::quiet_NaN();
+  return misfit_.permanent_strain() / misfit_.break_factor() + (2.0 * place - 1.0) * limit_half_;
+}
+
+double CouponProblem::value(std::size_t coordinate, double x) const {
+  return set_.value(searched_[coordinate], x);
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,259 @@
+#include "calibrate/inference/scene_errors.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "calibrate/inference/not_a_number.hpp"
+#include "calibrate/inference/score_covariance.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Of the central differences at the solution, in scaled parameters: fibres that yield one after
+/// the other, and Newton's tolerance, are smooth over it.
+constexpr double kErrorStep = 1e-4;
+
+/// Drops coordinates that only combinations determine: the largest part of each unseen one.
+void drop_unseen(const MatrixXd& normal, std::vector<Index>& kept) {
+  while (!kept.empty()) {
+    const MatrixXd a = normal(kept, kept);
+    const VectorXd size = a.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(size.asDiagonal() * a * size.asDiagonal());
+    if (solver.eigenvalues()[0] > kUnseen) return;
+    const VectorXd unseen = solver.eigenvectors().col(0).cwiseAbs();
+    // All that take part: what is left says nothing of any of them.
+    std::vector<Index> left;
+    for (Index i = 0; i < unseen.size(); ++i) {
+      if (unseen[i] < 0.1) left.push_back(kept[static_cast<std::size_t>(i)]);
+    }
+    kept = std::move(left);
+  }
+}
+
+}  // namespace
+
+bool breaks_by(const Parameter& p, const SceneModel& model, const ScenePart& part) {
+  if (!part.target.broke) return false;
+  const bool torsion =
+      model.level() == Level::Twist || (model.level() == Level::Coupon &&
+                                        part.setup.scene.drive.deformation == Deformation::Torsion);
+  const bool bends = !torsion && model.level() != Level::Spatial;
+  return p.field->material == MaterialField::BreakStrain ? bends : torsion;
+}
+
+double limit_within(const StrainAtBreak& strain, bool ends) {
+  return ends ? strain.at : 0.5 * (strain.before + strain.after);
+}
+
+double joint_moment(const MatrixXd& c, const VectorXd& a, const VectorXd& b) {
+  double sum = 0.0;
+  for (Index i = 0; i < a.size(); ++i) {
+    for (Index j = 0; j < b.size(); ++j) {
+      const double product = a[i] * b[j];
+      if (product != 0.0) sum += product * c(i, j);
+    }
+  }
+  return sum;
+}
+
+double BreakLimit::half() const { return std::accumulate(halves.begin(), halves.end(), 0.0); }
+
+SceneErrors::SceneErrors(SceneProblem& problem, std::span<const double> x,
+                         std::span<const double> residual)
+    : problem_(problem), x_(x.begin(), x.end()) {
+  const LeastSquaresProblem& squares = problem.squares();
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    const double reach = 1e-9 * (squares.upper[i] - squares.lower[i]);
+    at_bound_.push_back(x_[i] <= squares.lower[i] + reach || x_[i] >= squares.upper[i] - reach);
+  }
+  set_covariance(residual);
+}
+
+VectorXd SceneErrors::weights() const {
+  VectorXd w = VectorXd::Ones(static_cast<Index>(problem_.squares().residuals));
+  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
+    const auto first = static_cast<Index>(problem_.first_residual(part));
+    const auto count = static_cast<Index>(problem_.parts()[part].target.ordinate.size());
+    w.segment(first, count).setConstant(problem_.parts()[part].weight);
+  }
+  return w;
+}
+
+void SceneErrors::set_covariance(std::span<const double> residual) {
+  const auto n = static_cast<Index>(x_.size());
+  covariance_ = inverse_ = correlated_covariance_ = MatrixXd::Constant(n, n, kNan);
+  if (n == 0) return;
+  slopes_ = residual_slopes(problem_.squares(), x_, residual, kErrorStep);
+  seen_ = SeenSlopes(slopes_, at_bound_);
+  // Rows over the noise, times the root of their weight.
+  const Eigen::Map<const Slopes> j(slopes_.data(), static_cast<Index>(problem_.squares().residuals),
+                                   n);
+  const MatrixXd normal = j.transpose() * j;
+  std::vector<Index> kept;
+  for (Index k = 0; k < n; ++k) {
+    if (!at_bound_[static_cast<std::size_t>(k)] && normal(k, k) > 0.0) kept.push_back(k);
+  }
+  drop_unseen(normal, kept);
+  if (kept.empty()) return;
+  const MatrixXd weighted = j.transpose() * weights().asDiagonal() * j;
+  const MatrixXd a = normal(kept, kept);
+  const MatrixXd inverse = a.ldlt().solve(MatrixXd::Identity(a.rows(), a.cols()));
+  const MatrixXd b = weighted(kept, kept);
+  covariance_(kept, kept) = inverse * b * inverse;
+  inverse_(kept, kept) = inverse;
+  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
+    const auto rows =
+        j.middleRows(static_cast<Index>(problem_.first_residual(part)),
+                     static_cast<Index>(problem_.parts()[part].target.ordinate.size()));
+    const MatrixXd scores = problem_.parts()[part].weight * rows.transpose() * rows;
+    by_part_.push_back(MatrixXd::Constant(n, n, kNan));
+    by_part_.back()(kept, kept) = inverse * scores(kept, kept) * inverse;
+  }
+  const MatrixXd correlated = correlated_scores(slopes_, residual)(kept, kept);
+  correlated_covariance_(kept, kept) = inverse * correlated * inverse;
+}
+
+/// Of the scores of all parts, each of which may leave residuals in runs, and of the priors.
+MatrixXd SceneErrors::correlated_scores(std::span<const double> slopes,
+                                        std::span<const double> residual) const {
+  const auto n = static_cast<Index>(x_.size());
+  const std::size_t samples = problem_.samples();
+  const Eigen::Map<const Slopes> of_priors(slopes.data() + samples * x_.size(),
+                                           static_cast<Index>(residual.size() - samples), n);
+  MatrixXd sum = of_priors.transpose() * of_priors;
+  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
+    const std::size_t first = problem_.first_residual(part);
+    const std::size_t count = problem_.parts()[part].target.ordinate.size();
+    const std::vector<double> scores = score_covariance(
+        slopes.subspan(first * x_.size(), count * x_.size()), residual.subspan(first, count));
+    sum += Eigen::Map<const Slopes>(scores.data(), n, n);
+  }
+  return sum;
+}
+
+double SceneErrors::degrees_of_freedom(const VectorXd& gradient) const {
+  const double variance = joint_moment(covariance_, gradient, gradient);
+  // What no curve determines has the freedom of all.
+  if (!(variance > 0.0)) return calibrate::degrees_of_freedom(problem_.noise());
+  // Who is pooled has one estimate with the others that are.
+  double pooled = 0.0, pooled_degrees = 0.0, squares = 0.0;
+  for (std::size_t part = 0; part < by_part_.size(); ++part) {
+    const PartNoise& noise = problem_.noise()[part];
+    const double own = joint_moment(by_part_[part], gradient, gradient);
+    if (noise.pooled) {
+      pooled += own;
+      pooled_degrees = noise.degrees_of_freedom;
+    } else if (own > 0.0) {
+      squares += own * own / noise.degrees_of_freedom;
+    }
+  }
+  if (pooled > 0.0) squares += pooled * pooled / pooled_degrees;
+  return variance * variance / squares;
+}
+
+std::vector<double> SceneErrors::fitted_errors(std::size_t part) const {
+  const std::size_t samples = problem_.parts()[part].target.ordinate.size();
+  std::vector<double> errors(samples, 0.0);
+  if (seen_.slopes().cols() == 0) return errors;
+  // What no curve sees moves none of them: the inverse over the directions that are seen.
+  const MatrixXd& j = seen_.slopes();
+  const MatrixXd covariance =
+      seen_.inverse() * (j.transpose() * weights().asDiagonal() * j) * seen_.inverse();
+  const double unit = problem_.scale(part) / std::sqrt(problem_.parts()[part].weight);
+  const auto first = static_cast<Index>(problem_.first_residual(part));
+  for (std::size_t i = 0; i < samples; ++i) {
+    const VectorXd row = j.row(first + static_cast<Index>(i));
+    errors[i] = unit * std::sqrt(std::max(row.dot(covariance * row), 0.0));
+  }
+  return errors;
+}
+
+void SceneErrors::run_neighbours() {
+  const std::size_t n = x_.size();
+  std::vector<double> points = x_;
+  for (std::size_t k = 0; k < n; ++k) {
+    for (const double step : {kErrorStep, -kErrorStep}) {
+      points.insert(points.end(), x_.begin(), x_.end());
+      points[points.size() - n + k] += at_bound_[k] ? 0.0 : step;
+    }
+  }
+  neighbours_ = problem_.curves(points, 1 + 2 * n);
+}
+
+BreakLimit SceneErrors::limit_of(std::size_t part) const {
+  const std::vector<SceneCurve>& curves = neighbours_[part];
+  const StrainAtBreak& strain = curves[0].strain;
+  BreakLimit limit;
+  const bool ends = std::isnan(strain.after);
+  const auto middle = [&](const StrainAtBreak& s) { return limit_within(s, ends); };
+  limit.value = middle(strain);
+  limit.halves = {limit.value - strain.before};
+  const std::size_t n = x_.size();
+  limit.slope = VectorXd::Zero(static_cast<Index>(n));
+  for (std::size_t k = 0; k < n; ++k) {
+    if (at_bound_[k]) continue;
+    // One-sided where the path does not get there on the other side.
+    double above = middle(curves[1 + 2 * k].strain), below = middle(curves[2 + 2 * k].strain);
+    double way = 2.0 * kErrorStep;
+    for (double* end : {&above, &below}) {
+      if (!std::isnan(*end)) continue;
+      *end = limit.value;
+      way = kErrorStep;
+    }
+    limit.slope[static_cast<Index>(k)] = (above - below) / way;
+  }
+  return limit;
+}
+
+BreakLimit SceneErrors::break_limit(const Parameter& p) {
+  if (neighbours_.empty()) run_neighbours();
+  std::vector<BreakLimit> limits;
+  std::vector<double> certainty;
+  std::vector<std::size_t> broken;
+  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
+    if (!breaks_by(p, problem_.model(part), problem_.parts()[part])) continue;
+    limits.push_back(limit_of(part));
+    broken.push_back(part);
+    const BreakLimit& limit = limits.back();
+    double variance = limit.half() * limit.half() / 3.0;
+    variance += joint_moment(covariance_, limit.slope, limit.slope);
+    certainty.push_back(1.0 / variance);
+  }
+  double total = 0.0;
+  for (const double c : certainty) total += c;
+  BreakLimit mean;
+  mean.shares.assign(problem_.parts().size(), 0.0);
+  if (limits.size() == 1) {
+    limits.front().shares = std::move(mean.shares);
+    limits.front().shares[broken.front()] = 1.0;
+    return limits.front();
+  }
+  mean.slope = VectorXd::Zero(static_cast<Index>(x_.size()));
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    // Without noise, or where it says nothing, all count alike.
+    const double share =
+        std::isfinite(total) ? certainty[k] / total : 1.0 / static_cast<double>(limits.size());
+    mean.shares[broken[k]] = share;
+    mean.value += share * limits[k].value;
+    mean.halves.push_back(share * limits[k].half());
+    mean.slope += share * limits[k].slope;
+  }
+  mean.least = mean.most = limits.front().value;
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    constexpr double kFar = 4.0;
+    mean.least = std::min(mean.least, limits[k].value);
+    mean.most = std::max(mean.most, limits[k].value);
+    const double off = limits[k].value - mean.value;
+    mean.disagree = mean.disagree || off * off * certainty[k] > kFar * kFar;
+  }
+  return mean;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "calibrate/inference/seen_slopes.hpp"
+#include "calibrate/problem/scene_problem.hpp"
+
+namespace plastica::calibrate {
+
+/// A break limit as the fitted scenes have it.
+struct BreakLimit {
+  double value = 0.0;  ///< [1]; NaN if no scene gets there
+  /// Half the intervals that the samplings of all targets leave, times their shares [1].
+  std::vector<double> halves;
+  Eigen::VectorXd slope;  ///< by the coordinates (n)
+  /// Of several targets: the least and the largest, and whether any is further from the mean than
+  /// four of its standard errors.
+  double least = 0.0, most = 0.0;
+  bool disagree = false;
+  /// What each part counts in the value, 0 if it did not break in its way (n_parts).
+  std::vector<double> shares;
+
+  double half() const;  ///< the sum of the halves
+};
+
+/// The limit that is half way between a strain that held and one that broke [1].
+/// @param ends  whether the path ends before the beam was broken for sure: what lies beyond is then
+///        taken to be as wide as what lies before
+double limit_within(const StrainAtBreak& strain, bool ends);
+
+/// a^T C b over the coordinates that both have anything of: what C does not know of others does not
+/// count.
+double joint_moment(const Eigen::MatrixXd& c, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
+/// What the curves say of the coordinates at a solution, and of the break limits.
+class SceneErrors {
+ public:
+  /// @param x  coordinates of the solution (n)
+  /// @param residual  there, over the scales
+  SceneErrors(SceneProblem& problem, std::span<const double> x, std::span<const double> residual);
+
+  const SeenSlopes& seen() const { return seen_; }
+  bool at_bound(std::size_t i) const { return at_bound_[i]; }
+  /// Covariance of the coordinates; NaN in rows and columns that are not determined (n x n).
+  const Eigen::MatrixXd& covariance() const { return covariance_; }
+  /// The same for residuals that lie in runs: see score_covariance.hpp (n x n).
+  const Eigen::MatrixXd& correlated_covariance() const { return correlated_covariance_; }
+  /// The inverse of J^T W J, likewise: the covariance if all weights are 1 (n x n).
+  const Eigen::MatrixXd& inverse() const { return inverse_; }
+  /// Of the noise in a function of the coordinates, by Welch and Satterthwaite: (sum of v)^2 over
+  /// the sum of v^2/d, with v what the noise of each estimate puts into the variance and d its
+  /// degrees of freedom. Infinite where all noise is known.
+  /// Source: Satterthwaite, Biometrics Bull. 2 (1946) 110.
+  /// @param gradient  by the coordinates (n)
+  double degrees_of_freedom(const Eigen::VectorXd& gradient) const;
+  /// Standard errors of a part's fitted ordinates, by what its curves determine [SI] (n_samples).
+  std::vector<double> fitted_errors(std::size_t part) const;
+
+  /// The limit of one break parameter, by all targets that broke in its way.
+  BreakLimit break_limit(const Parameter& p);
+
+ private:
+  void set_covariance(std::span<const double> residual);
+  Eigen::MatrixXd correlated_scores(std::span<const double> slopes,
+                                    std::span<const double> residual) const;
+  Eigen::VectorXd weights() const;
+  /// The break strains at the solution and on both sides of it in each coordinate, by part.
+  void run_neighbours();
+  BreakLimit limit_of(std::size_t part) const;
+
+  SceneProblem& problem_;
+  std::vector<double> x_;
+  std::vector<bool> at_bound_;
+  Eigen::MatrixXd covariance_, inverse_;
+  Eigen::MatrixXd correlated_covariance_;
+  std::vector<Eigen::MatrixXd> by_part_;  ///< what each part's noise puts into the covariance
+  std::vector<double> slopes_;            ///< of the residuals (m x n), row by row
+  SeenSlopes seen_;
+  std::vector<std::vector<SceneCurve>> neighbours_;
+};
+
+/// Whether a target broke in the way that a break parameter limits.
+bool breaks_by(const Parameter& p, const SceneModel& model, const ScenePart& part);
+
+}  // namespace plastica::calibrate

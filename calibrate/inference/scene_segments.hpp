@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "calibrate/inference/scene_work.hpp"
+#include "calibrate/inference/segments_error.hpp"
+#include "calibrate/problem/scene_problem.hpp"
+
+namespace plastica::calibrate {
+
+/// A fit that is done, to be repeated with other segments.
+struct DividedFit {
+  const SceneProblem& problem;  ///< with the scales that the noise left
+  const SceneFitOptions& options;
+  std::span<const double> x;                    ///< its solution (n)
+  std::span<const FittedParameter> parameters;  ///< what it reports (n_free)
+  /// Of a break limit what each part counts in its mean; empty of what is searched (n_free,
+  /// n_parts).
+  std::span<const std::vector<double>> shares;
+};
+
+/// Repeats a fit with half and with twice the segments of all its chains, from its solution, with
+/// its weights and scales. A repetition that cannot be made is left out and said so.
+/// @return empty if all parts are coupons, which have no segments
+std::optional<SceneSegments> divide_anew(const DividedFit& fit, SceneWork& work);
+
+}  // namespace plastica::calibrate

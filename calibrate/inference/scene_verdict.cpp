@@ -1,0 +1,82 @@
+#include "calibrate/inference/scene_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "calibrate/fit/check_scene_fit.hpp"
+#include "calibrate/inference/compare_laws.hpp"
+
+namespace plastica::calibrate {
+
+namespace {
+
+/// How many times as many segments leave as much as the noise does: "; about 1.9 times as many …".
+std::string enough_segments(const FittedParameter& p, const SegmentsError& segments) {
+  constexpr double kMost = 1000.0;
+  const double over = segments.error / (std::sqrt(3.0) * p.noise_error);
+  const double times = std::pow(over, 1.0 / segments.order);
+  if (!(times < kMost)) return "";
+  return fmt::format("; about {:.1f} times as many segments would make both alike",
+                     std::ceil(10.0 * times) / 10.0);
+}
+
+}  // namespace
+
+void judge(double half, const SegmentsError& segments, double prior, FittedParameter& p) {
+  const bool seen = segments.trend > SegmentsTrend::Settled;
+  p.judgement = calibrate::judge({.value = p.value,
+                                  .lower = p.lower,
+                                  .upper = p.upper,
+                                  .at_bound = p.at_bound(),
+                                  .noise_error = p.noise_error,
+                                  .half = half,
+                                  .standard_error = p.standard_error,
+                                  .segments = seen ? segments.error : 0.0,
+                                  .prior = prior});
+}
+
+void add_warning(const FittedParameter& p, const SegmentsError& segments,
+                 std::vector<std::string>& warnings) {
+  const std::string name = p.name();
+  if (p.verdict() == Verdict::LimitedBySegments) {
+    warnings.push_back(fmt::format(
+        "{} is limited by segments: what they do to it, {:.2g} % of it, {}{}", name,
+        100.0 * p.verdict_number(),
+        std::isnan(segments.order) ? "does not fall steadily with their number"
+                                   : fmt::format("is more than the noise does, {:.2g} %",
+                                                 100.0 * p.noise_error / std::abs(p.value)),
+        enough_segments(p, segments)));
+    return;
+  }
+  std::string warning = warning_of(name, {p.verdict(), p.verdict_number()}, p.lower);
+  if (!warning.empty()) warnings.push_back(std::move(warning));
+}
+
+void add_warning(const ScenePartFit& part, Law law, std::string_view try_next,
+                 std::vector<std::string>& warnings) {
+  const std::string lack =
+      lack_of_fit(phrase_of(law), part.misfit_share, part.runs_probability, try_next);
+  if (!lack.empty()) warnings.push_back(part.name + ": " + lack);
+}
+
+void warn_of_specimens(std::span<const ScenePart> targets, std::span<const ScenePartFit> parts,
+                       std::vector<std::string>& warnings) {
+  constexpr double kFar = 3.0;
+  for (std::size_t a = 0; a < parts.size(); ++a) {
+    for (std::size_t b = 0; b < parts.size(); ++b) {
+      const bool alike = are_of_one_kind(targets[a].target, targets[b].target);
+      if (!alike || !(parts[b].misfit_share > kFar * parts[a].misfit_share)) continue;
+      if (!lacks_fit(parts[b].misfit_share, parts[b].runs_probability)) continue;
+      warnings.push_back(fmt::format(
+          "{} is met far less closely than {}, which measured the same: if these are specimens "
+          "that "
+          "differ, shared = false fits each by itself; the errors above know nothing of it",
+          parts[b].name, parts[a].name));
+      return;
+    }
+  }
+}
+
+}  // namespace plastica::calibrate

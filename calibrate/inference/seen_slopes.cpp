@@ -1,0 +1,65 @@
+#include "calibrate/inference/seen_slopes.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+namespace plastica::calibrate {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+}  // namespace
+
+SeenSlopes::SeenSlopes(std::span<const double> slopes, const std::vector<bool>& at_bound) {
+  const auto n = static_cast<Index>(at_bound.size());
+  const Index m = n > 0 ? static_cast<Index>(slopes.size()) / n : 0;
+  const Eigen::Map<const Slopes> j(slopes.data(), m, n);
+  std::vector<Index> moving;
+  for (Index k = 0; k < n; ++k) {
+    const bool held = at_bound[static_cast<std::size_t>(k)];
+    if (!held && j.col(k).squaredNorm() > 0.0) moving.push_back(k);
+  }
+  slopes_ = j(Eigen::all, moving);
+  if (moving.empty()) return;
+  const MatrixXd normal = slopes_.transpose() * slopes_;
+  const VectorXd size = normal.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(size.asDiagonal() * normal *
+                                                       size.asDiagonal());
+  VectorXd stiffness = solver.eigenvalues();
+  for (double& value : stiffness) value = value > kUnseen ? 1.0 / value : 0.0;
+  inverse_ = size.asDiagonal() * solver.eigenvectors() * stiffness.asDiagonal() *
+             solver.eigenvectors().transpose() * size.asDiagonal();
+}
+
+std::vector<double> degrees_left(const SceneProblem& problem, const SeenSlopes& seen) {
+  std::vector<double> left;
+  for (const ScenePart& part : problem.parts()) {
+    left.push_back(static_cast<double>(part.target.ordinate.size()));
+  }
+  if (seen.slopes().cols() == 0) return left;
+  // The parts, and the priors as one more.
+  std::vector<MatrixXd> seen_by;
+  std::vector<double> weights;
+  for (std::size_t part = 0; part <= problem.parts().size(); ++part) {
+    const bool priors = part == problem.parts().size();
+    const std::size_t first = priors ? problem.samples() : problem.first_residual(part);
+    const std::size_t count =
+        priors ? problem.squares().residuals - first : problem.parts()[part].target.ordinate.size();
+    const auto rows =
+        seen.slopes().middleRows(static_cast<Index>(first), static_cast<Index>(count));
+    seen_by.emplace_back(seen.inverse() * (rows.transpose() * rows));
+    weights.push_back(priors ? 1.0 : problem.parts()[part].weight);
+  }
+  for (std::size_t p = 0; p < left.size(); ++p) {
+    for (std::size_t q = 0; q < seen_by.size(); ++q) {
+      left[p] += (weights[q] / weights[p] - 2.0) * (seen_by[p] * seen_by[q]).trace();
+    }
+    left[p] = std::max(left[p], 0.0);
+  }
+  return left;
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,229 @@
+#include "calibrate/inference/uncertainty.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "calibrate/inference/not_a_number.hpp"
+#include "calibrate/problem/weighted_squares.hpp"
+#include "plastica/theory/statistics.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kRankTolerance = 1e-12;
+
+/// Parameters that shape the stress (not the break strain), and what the curve says of them.
+struct StressPart {
+  std::vector<std::size_t> columns;  ///< active indices that are identified
+  MatrixXd covariance;               ///< of those, SI
+  MatrixXd inverse, weighted;        ///< A^-1 and J^T W^2 J of those, over the sizes of both
+  std::vector<double> size;          ///< of the active parameters, SI (n)
+  double variance = 0.0;             ///< of the noise [Pa^2]
+  double degrees_of_freedom = 1.0;
+};
+
+/// A = J^T W J and B = J^T W^2 J of some columns, scaled by `size`.
+struct Normal {
+  MatrixXd a, b;
+
+  /// The rows and columns of those that are kept.
+  Normal of(const std::vector<Eigen::Index>& kept) const { return {a(kept, kept), b(kept, kept)}; }
+};
+
+Normal normal_matrices(const Misfit::Details& d, const std::vector<std::size_t>& columns,
+                       const std::vector<double>& size) {
+  const auto m = static_cast<Eigen::Index>(columns.size());
+  Normal normal{MatrixXd::Zero(m, m), MatrixXd::Zero(m, m)};
+  std::vector<double> squared_weight(d.weight);
+  for (double& w : squared_weight) w *= w;
+  const std::size_t samples = d.residual.size();
+  const auto column = [&](Eigen::Index k) {
+    const std::size_t begin = columns[static_cast<std::size_t>(k)] * samples;
+    return std::span(d.jacobian).subspan(begin, samples);
+  };
+  const auto size_of = [&](Eigen::Index k) { return size[columns[static_cast<std::size_t>(k)]]; };
+  for (Eigen::Index j = 0; j < m; ++j) {
+    for (Eigen::Index i = j; i < m; ++i) {
+      const double unit = size_of(i) * size_of(j);
+      normal.a(i, j) = unit * weighted_product(d.weight, column(i), column(j));
+      normal.b(i, j) = unit * weighted_product(squared_weight, column(i), column(j));
+    }
+  }
+  normal.a.triangularView<Eigen::StrictlyUpper>() = normal.a.transpose();
+  normal.b.triangularView<Eigen::StrictlyUpper>() = normal.b.transpose();
+  return normal;
+}
+
+/// Drops columns that vanish or that only combinations determine.
+/// @return the normal matrices of those kept
+Normal keep_identified(const Misfit::Details& d, const std::vector<double>& size, double stress,
+                       std::vector<std::size_t>& columns) {
+  double total = 0.0;
+  for (const double w : d.weight) total += w;
+  Normal normal = normal_matrices(d, columns, size);
+  const auto keep = [&](const std::vector<Eigen::Index>& kept) {
+    std::vector<std::size_t> left;
+    left.reserve(kept.size());
+    for (const Eigen::Index k : kept) left.push_back(columns[static_cast<std::size_t>(k)]);
+    columns = left;
+    normal = normal.of(kept);
+  };
+  std::vector<Eigen::Index> seen;
+  for (Eigen::Index i = 0; i < normal.a.rows(); ++i) {
+    if (normal.a(i, i) > kRankTolerance * kRankTolerance * stress * stress * total) {
+      seen.push_back(i);
+    }
+  }
+  keep(seen);
+  if (columns.empty()) return normal;
+  const VectorXd scale = normal.a.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixXd unit = scale.asDiagonal() * normal.a * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < unit.rows(); ++k) {
+    bool lost = false;
+    for (Eigen::Index e = 0; e < eigen.eigenvalues().size(); ++e) {
+      const bool unseen = eigen.eigenvalues()(e) < kRankTolerance;
+      lost = lost || (unseen && std::fabs(eigen.eigenvectors()(k, e)) > 1e-3);
+    }
+    if (!lost) kept.push_back(k);
+  }
+  keep(kept);
+  return normal;
+}
+
+StressPart stress_part(const Misfit::Details& d, std::span<const double> active,
+                       const ParameterSet& parameters, const Target& target,
+                       const FitOptions& options) {
+  StressPart part;
+  const std::size_t n = active.size();
+  std::vector<double>& size = part.size;
+  size.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    size[i] = active[i] != 0.0 ? std::fabs(active[i]) : 1.0;
+    if (!parameters.all()[parameters.active()[i]].is_break) part.columns.push_back(i);
+  }
+  const double stress = largest_magnitude(target.corrected.stress);
+  const Normal normal = keep_identified(d, size, stress, part.columns);
+
+  const auto m = static_cast<Eigen::Index>(part.columns.size());
+  part.covariance = MatrixXd::Zero(m, m);
+  double squares = 0.0;
+  double counted = 0.0;
+  for (std::size_t s = 0; s < d.residual.size(); ++s) {
+    if (d.weight[s] <= 0.0) continue;
+    squares += d.residual[s] * d.residual[s];
+    counted += 1.0;
+  }
+  part.degrees_of_freedom = std::max(1.0, counted - static_cast<double>(m));
+  part.variance = squares / part.degrees_of_freedom;
+  if (options.objective == Objective::LeastSquares && options.noise) {
+    part.variance = *options.noise * *options.noise;
+    part.degrees_of_freedom = std::numeric_limits<double>::infinity();
+  }
+  if (m == 0) return part;
+  part.inverse = normal.a.ldlt().solve(MatrixXd::Identity(m, m));
+  const MatrixXd c = part.variance * part.inverse * normal.b * part.inverse;
+  for (Eigen::Index i = 0; i < m; ++i) {
+    for (Eigen::Index j = 0; j < m; ++j) {
+      part.covariance(i, j) = c(i, j) * size[part.columns[static_cast<std::size_t>(i)]] *
+                              size[part.columns[static_cast<std::size_t>(j)]];
+    }
+  }
+  part.weighted = normal.b;
+  return part;
+}
+
+}  // namespace
+
+Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> active,
+                        const ParameterSet& parameters, const Target& target,
+                        const FitOptions& options, double break_factor) {
+  const std::size_t n = active.size();
+  const StressPart part = stress_part(details, active, parameters, target, options);
+  const auto m = static_cast<Eigen::Index>(part.columns.size());
+
+  // Every active parameter as a linear map of the identified stress parameters; the break strain
+  // follows the permanent strain at the break.
+  MatrixXd map = MatrixXd::Zero(static_cast<Eigen::Index>(n), m);
+  VectorXd sampling = VectorXd::Zero(static_cast<Eigen::Index>(n));
+  Uncertainty u;
+  u.identified.assign(n, false);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const std::size_t column = part.columns[static_cast<std::size_t>(k)];
+    map(static_cast<Eigen::Index>(column), k) = 1.0;
+    u.identified[column] = true;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!parameters.all()[parameters.active()[i]].is_break) continue;
+    u.identified[i] = true;
+    const auto row = static_cast<Eigen::Index>(i);
+    for (Eigen::Index k = 0; k < m; ++k) {
+      map(row, k) =
+          details.permanent_gradient[part.columns[static_cast<std::size_t>(k)]] / break_factor;
+    }
+    sampling(row) = target.characteristics.observed_break->half_interval() / break_factor;
+  }
+  const MatrixXd covariance = map * part.covariance * map.transpose();
+  const double quantile =
+      theory::student_t_quantile(0.5 * (1.0 + options.confidence), part.degrees_of_freedom);
+  u.standard_error.assign(n, kNan);
+  u.noise_error.assign(n, kNan);
+  u.sampling.assign(n, 0.0);
+  u.half_interval.assign(n, kNan);
+  u.correlation.assign(n * n, kNan);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!u.identified[i]) continue;
+    const auto row = static_cast<Eigen::Index>(i);
+    const double variance = std::max(0.0, covariance(row, row));
+    const double half = std::fabs(sampling(row));
+    u.noise_error[i] = std::sqrt(variance);
+    u.sampling[i] = half;
+    u.standard_error[i] = std::sqrt(variance + half * half / 3.0);
+    u.half_interval[i] = quantile * u.noise_error[i];
+    if (half > 0.0) {
+      u.half_interval[i] = theory::half_interval(options.confidence, u.noise_error[i],
+                                                 part.degrees_of_freedom, {&half, 1});
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      if (!u.identified[i] || !u.identified[j]) continue;
+      const double product = u.standard_error[i] * u.standard_error[j];
+      const double c = covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      u.correlation[i * n + j] = i == j ? 1.0 : product > 0.0 ? c / product : 0.0;
+    }
+  }
+  u.noise = std::sqrt(part.variance);
+  u.degrees_of_freedom = part.degrees_of_freedom;
+  return u;
+}
+
+Spread spread_of(const Misfit::Details& details, std::span<const double> active,
+                 const ParameterSet& parameters, const Target& target, const FitOptions& options) {
+  const StressPart part = stress_part(details, active, parameters, target, options);
+  const std::size_t n = active.size();
+  Spread all;
+  all.inverse.assign(n * n, kNan);
+  all.spread.assign(n * n, kNan);
+  if (part.columns.empty()) return all;
+  const MatrixXd spread = part.inverse * part.weighted * part.inverse;
+  for (std::size_t i = 0; i < part.columns.size(); ++i) {
+    for (std::size_t j = 0; j < part.columns.size(); ++j) {
+      const std::size_t a = part.columns[i], b = part.columns[j];
+      const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
+      const double unit = part.size[a] * part.size[b];
+      all.inverse[a * n + b] = unit * part.inverse(row, column);
+      all.spread[a * n + b] = unit * spread(row, column);
+    }
+  }
+  return all;
+}
+
+}  // namespace plastica::calibrate

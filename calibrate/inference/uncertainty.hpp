@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "calibrate/fit/options.hpp"
+#include "calibrate/problem/misfit.hpp"
+#include "calibrate/problem/parameter_set.hpp"
+
+namespace plastica::calibrate {
+
+/// How well a curve determines the active parameters (n of them).
+///
+/// With the residuals' Jacobian J (n_samples x n), weights W = diag(w_i), A = J^T W J:
+///   C = s^2 A^-1 (J^T W^2 J) A^-1,
+/// the covariance of a weighted fit of samples with independent errors of equal size s (the
+/// "sandwich"; for equal weights it is s^2 (J^T J)^-1, and with them and a given noise A^-1).
+///   least squares with a given noise: s = noise, whatever the given weights;
+///   otherwise: s^2 = sum r_i^2/(n_samples - n) over the samples whose weight is above 0.
+/// So given weights are no inverse variances: they say which part of the curve the parameters have
+/// to follow, and a fit that leans on fewer samples gets larger errors.
+/// Where the model cannot follow the curve the residuals are not independent and the errors are too
+/// small: the report says so beside them.
+/// A break strain adds its sampling interval: its variance is that of the model's permanent strain
+/// at the break (through C) plus h^2/3 of a break that lies anywhere within +-h; its confidence
+/// interval is that of the sum of both errors (theory::half_interval), 0.95 h where there is no
+/// noise.
+///
+/// Not identified is a parameter whose column of J vanishes (its share of the misfit is below
+/// 1e-12 of the largest stress for a relative change of one), or which takes part in a
+/// combination that J does not see (an eigenvalue of A, scaled to a unit diagonal, below 1e-12);
+/// and a yield stress that the curve does not show (shown_yield.hpp).
+struct Uncertainty {
+  std::vector<bool> identified;        ///< (n)
+  std::vector<double> standard_error;  ///< SI (n); NaN if not identified
+  /// The part of the standard error that is the residuals', SI (n); NaN if not identified.
+  std::vector<double> noise_error;
+  std::vector<double> sampling;       ///< half a break's sampling interval, SI (n); 0 of all others
+  std::vector<double> half_interval;  ///< half width of the confidence interval, SI (n); NaN if not
+  std::vector<double> correlation;    ///< (n x n); NaN in rows and columns not identified
+  double noise = 0.0;                 ///< s [Pa]
+  double degrees_of_freedom = 1.0;    ///< of s; infinite if it is given
+};
+
+/// @param active  solution, SI (n)
+Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> active,
+                        const ParameterSet& parameters, const Target& target,
+                        const FitOptions& options, double break_factor);
+
+/// What C is made of, without the noise; NaN in rows and columns of breaks and of what is not
+/// identified, SI (n x n).
+struct Spread {
+  std::vector<double> inverse;  ///< A^-1, with the weights of the details
+  std::vector<double> spread;   ///< A^-1 (J^T W^2 J) A^-1
+};
+Spread spread_of(const Misfit::Details& details, std::span<const double> active,
+                 const ParameterSet& parameters, const Target& target, const FitOptions& options);
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,118 @@
+#include "calibrate/inference/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plastica::calibrate {
+namespace {
+
+/// ln of n over k; of none, minus infinity. (lgamma writes a global; fits run on several threads.)
+double log_choices(int n, int k) {
+  if (k < 0 || k > n) return -std::numeric_limits<double>::infinity();
+  int sign = 1;
+  return lgamma_r(n + 1.0, &sign) - lgamma_r(k + 1.0, &sign) - lgamma_r(n - k + 1.0, &sign);
+}
+
+/// Of all orders of so many of each sign the share with no more runs: of 2 k runs there are k of
+/// each sign, which C(above - 1, k - 1) C(below - 1, k - 1) ways make, and either may be first.
+double as_few_runs(int runs, int above, int below) {
+  const double all = log_choices(above + below, above);
+  if (above == 0 || below == 0) return 1.0;
+  double sum = 0.0;
+  for (int r = 2; r <= runs; ++r) {
+    const int more = (r + 1) / 2 - 1, less = r / 2 - 1;
+    sum += std::exp(log_choices(above - 1, more) + log_choices(below - 1, less) - all) +
+           std::exp(log_choices(above - 1, less) + log_choices(below - 1, more) - all);
+  }
+  return std::min(sum, 1.0);
+}
+
+/// Probability that no more than so many of all have the rarer of two signs that are alike.
+double as_few_of_a_sign(int few, int all) {
+  double sum = 0.0;
+  for (int k = 0; k <= few; ++k) sum += std::exp(log_choices(all, k) - all * std::log(2.0));
+  return std::min(2.0 * sum, 1.0);
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Identified: return "identified";
+    case Verdict::Weak: return "weak";
+    case Verdict::NotIdentified: return "not identified";
+    case Verdict::AtBound: return "at bound";
+    case Verdict::LimitedBySampling: return "limited by sampling";
+    case Verdict::LimitedBySegments: return "limited by segments";
+    case Verdict::FromPrior: return "from its prior";
+  }
+  return "";
+}
+
+Judgement judge(const Evidence& e) {
+  const double size = std::abs(e.value);
+  if (e.at_bound) {
+    const bool low = e.value - e.lower < e.upper - e.value;
+    return {Verdict::AtBound, low ? e.lower : e.upper};
+  }
+  if (std::isnan(e.noise_error)) {
+    return {Verdict::NotIdentified, std::numeric_limits<double>::infinity()};
+  }
+  if (e.prior > kOfPrior) return {Verdict::FromPrior, e.prior};
+  // Evenly likely over it, a half interval is as wide as a standard error of its 1/sqrt(3).
+  const double widest = std::max(e.half, e.segments);
+  if (widest > std::sqrt(3.0) * e.noise_error && widest > 0.0) {
+    return {e.segments > e.half ? Verdict::LimitedBySegments : Verdict::LimitedBySampling,
+            widest / size};
+  }
+  const double share = e.standard_error / size;
+  return {share > kWeak ? Verdict::Weak : Verdict::Identified, share};
+}
+
+std::string warning_of(std::string_view name, const Judgement& judgement, double lower) {
+  const double share = 100.0 * judgement.number;
+  switch (judgement.verdict) {
+    case Verdict::Identified:
+    case Verdict::LimitedBySegments: break;  // of fits through scenes, which say more of it
+    case Verdict::Weak:
+      return fmt::format("{} is weak: its standard error is {:.0f} % of it", name, share);
+    case Verdict::NotIdentified:
+      return fmt::format("{} is not identified: the curves do not depend on it by itself", name);
+    case Verdict::AtBound:
+      return fmt::format("{} is at its {} bound", name,
+                         judgement.number == lower ? "lower" : "upper");
+    case Verdict::FromPrior:
+      return fmt::format(
+          "{} is from its prior: of what is known of it, {:.0f} % is the prior's and the rest the "
+          "curves'",
+          name, share);
+    case Verdict::LimitedBySampling:
+      return fmt::format(
+          "{} is limited by sampling: the break lies between two samples, which leaves {:.2g} % of "
+          "it open",
+          name, share);
+  }
+  return {};
+}
+
+double runs_probability(std::span<const double> residual) {
+  constexpr int kFewest = 10;
+  int above = 0, below = 0, runs = 0;
+  bool up = false;
+  for (const double r : residual) {
+    if (r == 0.0) continue;
+    if (above + below == 0 || up != (r > 0.0)) ++runs;
+    up = r > 0.0;
+    ++(up ? above : below);
+  }
+  if (above + below < 2 * kFewest) return std::numeric_limits<double>::quiet_NaN();
+  const double of_runs = as_few_runs(runs, above, below);
+  if (std::min(above, below) >= kFewest) return of_runs;
+  return std::min(1.0,
+                  2.0 * std::min(of_runs, as_few_of_a_sign(std::min(above, below), above + below)));
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,328 @@
+#include "calibrate/problem/misfit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "calibrate/problem/given_weights.hpp"
+#include "calibrate/problem/weighted_squares.hpp"
+#include "calibrate/search/fit_interrupted.hpp"
+#include "plastica/model/hardening_kind.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+/// How far a break limit may be from the measured permanent strain at no cost, as a factor.
+constexpr double kLikelyReach = 30.0;
+
+std::vector<double> path_weights(const std::vector<double>& strain) {
+  std::vector<double> weight(strain.size(), 0.0);
+  for (std::size_t i = 1; i < strain.size(); ++i) {
+    const double half = 0.5 * std::fabs(strain[i] - strain[i - 1]);
+    weight[i - 1] += half;
+    weight[i] += half;
+  }
+  return weight;
+}
+
+std::vector<double> sample_weights(const std::vector<double>& strain, const FitOptions& options) {
+  if (options.objective == Objective::StrainPath) return path_weights(strain);
+  const double unit = options.noise ? 1.0 / (*options.noise * *options.noise) : 1.0;
+  std::vector<double> weight;
+  weight.reserve(strain.size());
+  for (const double e : strain) weight.push_back(unit * given_weight(options.weights, e));
+  return weight;
+}
+
+/// The test as a scene: fixed parameters set, one stress probe, and no limit, since the cost
+/// compares breaks itself.
+Scene unbroken_scene(const Target& target, const FitOptions& options) {
+  Setup setup = options.setup;
+  for (const Parameter& p : options.parameters) {
+    if (p.role == ParameterRole::Fixed) set_field(setup, *p.field, *p.value, p.where);
+  }
+  Scene scene = std::move(setup.scene);
+  scene.material.break_strain.reset();
+  scene.material.break_shear_strain.reset();
+  take_test(target, scene);
+  if (target.characteristics.observed_break) {
+    scene.drive.strain.push_back(target.characteristics.observed_break->strain());
+  }
+  scene.probes = {{"stress", ProbeQuantity::Stress}};
+  return scene;
+}
+
+}  // namespace
+
+void take_test(const Target& target, Scene& scene) {
+  scene.drive.deformation = target.test;
+  scene.drive.strain = target.corrected.strain;
+  const auto rate = target.property("strain_rate");
+  if (!rate) return;
+  if (scene.material.rate.law == RateLaw::None) {
+    throw InputError({}, "target.strain_rate", "",
+                     "is of no use without a law, material.rate.law: it would move nothing");
+  }
+  scene.material.rate.strain_rate = rate;
+}
+
+Misfit::Misfit(const Target& target, const FitOptions& options, const ParameterSet& parameters)
+    : target_(target),
+      parameters_(parameters),
+      stop_(options.stop),
+      samples_(target.corrected.size()) {
+  raw_weight_ = sample_weights(target.corrected.strain, options);
+  const double sum = std::accumulate(raw_weight_.begin(), raw_weight_.end(), 0.0);
+  weight_ = raw_weight_;
+  for (double& w : weight_) w /= sum;
+
+  const double stress = largest_magnitude(target.corrected.stress);
+  if (stress > 0.0) cost_unit_ = stress * stress;
+
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const ResolvedParameter& p = parameters.all()[i];
+    if (p.is_break || p.role == ParameterRole::Fixed) continue;
+    paths.emplace_back(p.field->path);
+    model_index_.push_back(i);
+  }
+  const auto& observed = target.characteristics.observed_break;
+  const auto& decides = parameters.break_parameter();
+  const bool free = decides && parameters.all()[decides->index].is_break &&
+                    parameters.all()[decides->index].role == ParameterRole::Free;
+  if (free && observed && options.break_weight > 0.0) {
+    const double permanent = target.characteristics.break_strain_plastic.value_or(0.0);
+    const double scale = permanent > 0.0 ? permanent : std::fabs(observed->strain());
+    break_scale_ = options.break_weight * cost_unit_ / (scale * scale);
+    break_size_ = scale;
+    break_index_ = decides->index;
+  }
+  if (decides) break_factor_ = decides->factor;
+
+  model_ = prepare(unbroken_scene(target, options), options.setup.solver, paths);
+  workspace_ = make_workspace(model_);
+  response_ = make_response(model_);
+  sensitivity_ = make_sensitivity(model_);
+  all_values_.resize(parameters.size());
+  by_all_.resize(parameters.size());
+  model_values_.resize(paths.size());
+  stress_slope_.resize(paths.size());
+}
+
+std::size_t Misfit::samples() const {
+  const auto counts = [](double weight) { return weight > 0.0; };
+  return static_cast<std::size_t>(std::count_if(weight_.begin(), weight_.end(), counts));
+}
+
+bool Misfit::set_values(std::span<const double> active) {
+  parameters_.expand(active, all_values_);
+  MaterialValues<double> material = model_.material;
+  for (std::size_t i = 0; i < model_index_.size(); ++i) {
+    model_values_[i] = all_values_[model_index_[i]];
+    material[static_cast<std::size_t>(*model_.parameters[i]->material)] = model_values_[i];
+  }
+  // A box cannot say E_t < E.
+  return !hardening_kind(model_.coupon.hardening).broken_rule(material);
+}
+
+double Misfit::limit() const { return break_factor_ * all_values_[break_index_]; }
+
+double Misfit::likely_limit() const {
+  return std::clamp(response_.permanent_strain, break_size_ / kLikelyReach,
+                    break_size_ * kLikelyReach);
+}
+
+double Misfit::break_cost(double limit, std::span<double> by_all, bool limit_moves) const {
+  if (break_scale_ == 0.0) return 0.0;
+  const double gap = response_.permanent_strain - limit;
+  if (!by_all.empty()) {
+    const double slope = 2.0 * break_scale_ * gap;
+    for (std::size_t i = 0; i < model_index_.size(); ++i) {
+      by_all[model_index_[i]] += slope * sensitivity_.permanent_strain[i];
+    }
+    if (limit_moves) by_all[break_index_] -= slope * break_factor_;
+  }
+  return break_scale_ * gap * gap;
+}
+
+double Misfit::cost(std::span<const double> active, std::span<double> gradient) {
+  const double stress = evaluate(active, gradient, true);
+  return std::isfinite(stress) ? stress + break_cost(limit(), {}, true) : stress;
+}
+
+double Misfit::search_cost(std::span<const double> active, std::span<double> gradient) {
+  const double stress = evaluate(active, gradient, false);
+  return std::isfinite(stress) ? stress + break_cost(likely_limit(), {}, false) : stress;
+}
+
+double Misfit::search_squares(std::span<const double> active, std::span<double> gradient,
+                              std::span<double> normal) {
+  const double cost = search_cost(active, gradient);
+  if (!std::isfinite(cost)) return cost;
+  for (double& g : gradient) g *= 0.5;
+  const std::size_t width = model_index_.size();
+  const std::size_t n = active.size();
+  model_normal_.resize(width * width);
+  weighted_normal(weight_, sensitivity_.stress, width, model_normal_);
+  if (break_scale_ > 0.0 && break_residual() != 0.0) {
+    for (std::size_t i = 0; i < width; ++i) {
+      for (std::size_t j = 0; j < width; ++j) {
+        model_normal_[i * width + j] +=
+            break_scale_ * sensitivity_.permanent_strain[i] * sensitivity_.permanent_strain[j];
+      }
+    }
+  }
+  // J by the active parameters is J by the model's times the map of ties.
+  const std::vector<double> map = model_by_active(n);
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = 0; b < n; ++b) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < width; ++i) {
+        if (map[i * n + a] == 0.0) continue;
+        for (std::size_t j = 0; j < width; ++j) {
+          sum += map[i * n + a] * model_normal_[i * width + j] * map[j * n + b];
+        }
+      }
+      normal[a * n + b] = sum;
+    }
+  }
+  return cost;
+}
+
+bool Misfit::residuals(std::span<const double> active, std::span<double> residual) {
+  if (!set_values(active) || !run_model(false)) return false;
+  const double* stress = response_.probes[0].data();
+  for (std::size_t s = 0; s < samples_; ++s) {
+    residual[s] = stress[s] - target_.corrected.stress[s];
+  }
+  return true;
+}
+
+double Misfit::break_residual() const {
+  return std::sqrt(break_scale_) * (response_.permanent_strain - likely_limit());
+}
+
+double Misfit::evaluate(std::span<const double> active, std::span<double> gradient,
+                        bool with_break) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  was_run_ = true;
+  if (!set_values(active) || !run_model(!gradient.empty())) return infinite;
+  if (gradient.empty()) return stress_cost_;
+  std::fill(by_all_.begin(), by_all_.end(), 0.0);
+  for (std::size_t i = 0; i < model_index_.size(); ++i) {
+    by_all_[model_index_[i]] += stress_slope_[i];
+  }
+  break_cost(with_break ? limit() : likely_limit(), by_all_, with_break);
+  parameters_.contract(by_all_, gradient);
+  return stress_cost_;
+}
+
+bool Misfit::run_model(bool with_slopes) {
+  was_run_ = run_values_ != model_values_ || (with_slopes && !run_slopes_);
+  if (was_run_) {
+    if (is_raised(stop_)) throw FitInterrupted();
+    run_values_ = model_values_;
+    run_slopes_ = with_slopes;
+    if (with_slopes) {
+      run_sensitivity(model_, model_values_, workspace_, response_, sensitivity_);
+    } else {
+      run(model_, model_values_, workspace_, response_);
+    }
+    if (usable(response_.status)) sum_stress_cost(with_slopes);
+  }
+  return usable(response_.status) && std::isfinite(stress_cost_);
+}
+
+void Misfit::sum_stress_cost(bool with_slopes) {
+  const std::span model(response_.probes[0].data(), samples_);
+  if (!with_slopes) {
+    stress_cost_ = weighted_squares(model, target_.corrected.stress, weight_);
+    return;
+  }
+  stress_cost_ = weighted_squares(model, target_.corrected.stress, weight_, sensitivity_.stress,
+                                  stress_slope_);
+}
+
+std::vector<double> Misfit::model_by_active(std::size_t active) {
+  const std::size_t width = model_index_.size();
+  std::vector<double> map(width * active);
+  for (std::size_t i = 0; i < width; ++i) {
+    std::fill(by_all_.begin(), by_all_.end(), 0.0);
+    by_all_[model_index_[i]] = 1.0;
+    parameters_.contract(by_all_, std::span(map).subspan(i * active, active));
+  }
+  return map;
+}
+
+void Misfit::stress_slopes(std::span<const double> map, std::size_t parameter,
+                           std::span<double> slopes) const {
+  const std::size_t width = model_index_.size();
+  const std::size_t n = parameters_.active().size();
+  bool first = true;
+  for (std::size_t i = 0; i < width; ++i) {
+    const double factor = map[i * n + parameter];
+    if (factor == 0.0) continue;
+    const double* slope = sensitivity_.stress.data() + i;
+    if (first) {
+      for (std::size_t s = 0; s < slopes.size(); ++s) slopes[s] = factor * slope[s * width];
+    } else {
+      for (std::size_t s = 0; s < slopes.size(); ++s) slopes[s] += factor * slope[s * width];
+    }
+    first = false;
+  }
+  if (first) std::fill(slopes.begin(), slopes.end(), 0.0);
+}
+
+std::vector<double> Misfit::curvature(std::span<const double> active) {
+  const std::size_t n = active.size();
+  std::vector<double> curvature(n, 0.0);
+  std::vector<double> by_active(n);
+  if (!std::isfinite(cost(active, by_active))) return curvature;
+  const std::vector<double> map = model_by_active(n);
+  std::vector<double> slope(samples_);
+  for (std::size_t k = 0; k < n; ++k) {
+    stress_slopes(map, k, slope);
+    curvature[k] = 2.0 * weighted_product(weight_, slope, slope);
+  }
+  if (break_scale_ > 0.0) {
+    std::fill(by_all_.begin(), by_all_.end(), 0.0);
+    by_all_[break_index_] = break_factor_;
+    parameters_.contract(by_all_, by_active);
+    for (std::size_t k = 0; k < n; ++k) {
+      curvature[k] += 2.0 * break_scale_ * by_active[k] * by_active[k];
+    }
+  }
+  return curvature;
+}
+
+Misfit::Details Misfit::details(std::span<const double> active) {
+  Details d;
+  std::vector<double> gradient(active.size());
+  const double total = cost(active, gradient);
+  d.break_cost = break_cost(limit(), {}, true);
+  d.stress_cost = total - d.break_cost;
+  d.residual.resize(samples_);
+  d.weight = raw_weight_;
+  d.jacobian.resize(samples_ * active.size());
+  const std::size_t n = active.size();
+  const std::size_t width = model_index_.size();
+  const std::vector<double> map = model_by_active(n);
+  const double* stress = response_.probes[0].data();
+  for (std::size_t s = 0; s < samples_; ++s) {
+    d.residual[s] = stress[s] - target_.corrected.stress[s];
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    stress_slopes(map, k, std::span(d.jacobian).subspan(k * samples_, samples_));
+  }
+  d.permanent = response_.permanent_strain;
+  d.permanent_gradient.resize(n);
+  for (std::size_t i = 0; i < width; ++i) {
+    for (std::size_t k = 0; k < n; ++k) {
+      d.permanent_gradient[k] += sensitivity_.permanent_strain[i] * map[i * n + k];
+    }
+  }
+  return d;
+}
+
+}  // namespace plastica::calibrate

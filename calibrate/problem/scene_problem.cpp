@@ -1,0 +1,219 @@
+#include "calibrate/problem/scene_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "plastica/base/parallel_for.hpp"
+#include "plastica/model/region.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+Setup with_fixed(const Setup& setup, const SceneFitOptions& options) {
+  Setup fixed = setup;
+  for (const Parameter& p : options.parameters) {
+    if (p.role == ParameterRole::Fixed) set_everywhere(fixed, *p.field, *p.value);
+  }
+  for (const Parameter& p : options.parameters) {
+    if (p.role != ParameterRole::Tied) continue;
+    for (const Parameter& base : options.parameters) {
+      if (base.field != p.tied_to || base.role != ParameterRole::Fixed) continue;
+      set_everywhere(fixed, *p.field, p.factor * *base.value);
+    }
+  }
+  return fixed;
+}
+
+RunCounters counters_of(const SceneCurve& curve) {
+  return {curve.went_on ? 2 : 1, curve.usable ? 0 : 1, curve.segment_iterations};
+}
+
+}  // namespace
+
+SceneProblem::SceneProblem(std::span<const ScenePart> parts, const SceneFitOptions& options)
+    : parts_(parts),
+      options_(options),
+      parameters_(options.parameters, parts.front().setup),
+      noise_(parts.size()) {
+  for (const ScenePart& part : parts) {
+    models_.emplace_back(with_fixed(part.setup, options), part.target, parameters_.fields());
+    first_.push_back(squares_.residuals);
+    squares_.residuals += part.target.ordinate.size();
+  }
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    squares_.lower.push_back(parameters_.lower(i));
+    squares_.upper.push_back(parameters_.upper(i));
+    squares_.start.push_back(0.0);
+    if (!parameters_.parameter(i).prior) continue;
+    priors_.push_back(i);
+    ++squares_.residuals;
+  }
+  if (std::ranges::any_of(options.parameters, [](const Parameter& p) {
+        return p.role == ParameterRole::Free && is_hinge_length(p);
+      })) {
+    add_known_breaks();
+  }
+  squares_.evaluate = [this](std::span<const double> points, std::span<double> residuals,
+                             std::span<bool> found) { set_residuals(points, residuals, found); };
+}
+
+std::size_t SceneProblem::samples() const {
+  return squares_.residuals - priors_.size() - known_breaks_.size();
+}
+
+void SceneProblem::add_known_breaks() {
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    const bool bends = models_[part].level() == Level::Planar;
+    const Setup setup = with_fixed(parts_[part].setup, options_);
+    const std::optional<double>& strain = setup.scene.material.break_strain;
+    const bool breaks = bends && models_[part].takes_a_limit();
+    if (parts_[part].target.broke && breaks && strain) known_breaks_.push_back({part, *strain});
+  }
+  squares_.residuals += known_breaks_.size();
+  if (!known_breaks_.empty()) return;
+  throw InputError({}, "rules.hinge_length", "",
+                   "is fitted to where a beam in bending broke, by a break strain that its scene "
+                   "has or that is fixed");
+}
+
+bool SceneProblem::add_breaks(const std::vector<std::vector<SceneCurve>>& curves, std::size_t point,
+                              std::span<double> residuals) const {
+  constexpr double kLeast = 1e-3;
+  std::size_t next = samples() + priors_.size();
+  for (const KnownBreak& known : known_breaks_) {
+    const StrainAtBreak& strain = curves[known.part][point].strain;
+    if (std::isnan(strain.at) || std::isnan(strain.before)) return false;
+    const double half =
+        std::isnan(strain.after) ? strain.at - strain.before : 0.5 * (strain.after - strain.before);
+    const double deviation = std::max(half / std::sqrt(3.0), kLeast * strain.at);
+    if (!(deviation > 0.0)) return false;
+    residuals[next++] = (strain.at - known.strain) / deviation;
+  }
+  return true;
+}
+
+std::vector<double> SceneProblem::point(std::span<const double> points, std::size_t index) const {
+  const std::span<const double> x = points.subspan(index * parameters_.size(), parameters_.size());
+  return {x.begin(), x.end()};
+}
+
+std::vector<std::vector<SceneCurve>> SceneProblem::curves(std::span<const double> points,
+                                                          std::size_t count) {
+  const auto find_missing = [&] {
+    std::vector<std::vector<double>> missing;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::vector<double> x = point(points, i);
+      const bool known = known_.contains(x) || std::ranges::find(missing, x) != missing.end();
+      if (!known) missing.push_back(x);
+    }
+    return missing;
+  };
+  std::vector<std::vector<double>> missing = find_missing();
+  if (!missing.empty() && known_.size() > kMostKnown) {
+    known_.clear();
+    missing = find_missing();
+  }
+  std::vector<std::vector<SceneCurve>> found = run(missing);
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    std::vector<SceneCurve>& of_parts = known_[missing[i]];
+    of_parts.clear();
+    for (std::vector<SceneCurve>& part : found) of_parts.push_back(std::move(part[i]));
+  }
+  std::vector<std::vector<SceneCurve>> curves(models_.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::vector<SceneCurve>& of_parts = known_.at(point(points, i));
+    for (std::size_t part = 0; part < curves.size(); ++part) curves[part].push_back(of_parts[part]);
+  }
+  return curves;
+}
+
+std::vector<std::vector<SceneCurve>> SceneProblem::run(
+    const std::vector<std::vector<double>>& points) {
+  std::vector<std::vector<SceneCurve>> curves(models_.size());
+  if (points.empty()) return curves;
+  if (options_.hooks.stopped()) throw FitInterrupted();
+  std::vector<double> values;
+  for (const std::vector<double>& x : points) {
+    const std::vector<double> at = parameters_.values(x);
+    values.insert(values.end(), at.begin(), at.end());
+  }
+  // A lone point has its parts side by side, several points each part's runs.
+  const bool by_part = points.size() == 1;
+  const int threads = options_.threads;
+  parallel_for(models_.size(), {by_part ? threads : 1}, [&](std::size_t part, int) {
+    curves[part] =
+        models_[part].run(values, points.size(), by_part ? 1 : threads, options_.hooks.stop);
+  });
+  // What was not begun has no curve, and must not count as a scene without one.
+  if (options_.hooks.stopped()) throw FitInterrupted();
+  for (const std::vector<SceneCurve>& of_part : curves) {
+    for (const SceneCurve& curve : of_part) {
+      counters_.add(counters_of(curve));
+      if (!curve.usable) reason_ = curve.reason;
+    }
+  }
+  return curves;
+}
+
+void SceneProblem::set_residuals(std::span<const double> points, std::span<double> residuals,
+                                 std::span<bool> found) {
+  const std::vector<PointRun> runs = compare(curves(points, found.size()), points, residuals);
+  for (std::size_t i = 0; i < found.size(); ++i) found[i] = runs[i].found;
+}
+
+std::vector<PointRun> SceneProblem::evaluate(std::span<const double> points, std::size_t count,
+                                             std::span<double> residuals) {
+  std::vector<std::vector<double>> each;
+  for (std::size_t i = 0; i < count; ++i) each.push_back(point(points, i));
+  return compare(run(each), points, residuals);
+}
+
+std::vector<PointRun> SceneProblem::compare(const std::vector<std::vector<SceneCurve>>& curves,
+                                            std::span<const double> points,
+                                            std::span<double> residuals) const {
+  const std::size_t n = parameters_.size();
+  const std::size_t m = squares_.residuals;
+  std::vector<PointRun> all(curves.front().size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    PointRun& here = all[i];
+    const std::span<double> to = residuals.subspan(i * m, m);
+    here.found = true;
+    for (std::size_t part = 0; part < curves.size(); ++part) {
+      const SceneCurve& curve = curves[part][i];
+      here.runs.add(counters_of(curve));
+      if (here.found && !curve.usable) {
+        here.found = false;
+        here.reason = curve.reason;
+        here.turned = curve.turns;
+      }
+      if (here.found) add_residuals(part, curve, to);
+    }
+    if (here.found && !add_breaks(curves, i, to)) {
+      here.found = false;
+      here.reason = "the scene does not yield up to where the target broke";
+    }
+    add_priors(points.subspan(i * n, n), to);
+  }
+  return all;
+}
+
+void SceneProblem::add_priors(std::span<const double> x, std::span<double> residuals) const {
+  for (std::size_t k = 0; k < priors_.size(); ++k) {
+    const std::size_t p = priors_[k];
+    const Prior& prior = *parameters_.parameter(p).prior;
+    const double value = parameters_.value(p, x[p]);
+    residuals[samples() + k] = (value - prior.mean) / prior.standard_deviation;
+  }
+}
+
+void SceneProblem::add_residuals(std::size_t part, const SceneCurve& curve,
+                                 std::span<double> residuals) const {
+  const std::vector<double>& measured = parts_[part].target.ordinate;
+  const double factor = std::sqrt(parts_[part].weight) / scale(part);
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    residuals[first_[part] + i] = factor * (curve.ordinate[i] - measured[i]);
+  }
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "calibrate/inference/intervals.hpp"
+#include "calibrate/problem/law.hpp"
+#include "calibrate/result/fitted_parameter.hpp"
+#include "calibrate/target/target.hpp"
+#include "plastica/base/status.hpp"
+
+namespace plastica::calibrate {
+
+/// How a fit ended. Ranked: a smaller one is better.
+enum class FitStatus {
+  Fitted,    ///< parameters found; look at the warnings
+  Failed,    ///< the optimizer or the model gave nothing usable; `reason` says what
+  Rejected,  ///< the target could not be fitted at all: see the target's status and reason
+};
+
+std::string_view name_of(FitStatus status);
+
+/// One stage of the optimizer.
+struct OptimizerStage {
+  std::string algorithm;  ///< NLopt's name, "GN_CRS2_LM"
+  std::string outcome;    ///< "xtol-reached", "roundoff-limited", …
+  int evaluations = 0;
+  double cost = 0.0;  ///< best cost of the stage [Pa^2]
+};
+
+/// Every cost evaluation in order, for the file.
+struct Trace {
+  /// The parameters that the fit moved, as indices into those of the fit: the free ones that
+  /// the target can say something of, in rising order (n).
+  std::vector<std::uint32_t> active;
+  std::vector<double> values;  ///< (n_evaluations x n), SI, row by row
+  std::vector<double> costs;   ///< (n_evaluations) [Pa^2]
+};
+
+/// The result of one fit; can explain itself (see report.hpp).
+struct FitResult {
+  FitStatus status = FitStatus::Rejected;
+  std::string reason;  ///< one sentence for all but Fitted
+  std::vector<FittedParameter> parameters;
+  /// Of the parameters in `trace.active` (n x n), row by row; NaN where unidentified.
+  std::vector<double> correlation;
+  Law law = Law::Ideal;       ///< that was fitted
+  double cost = 0.0;          ///< f at the solution, break term included [Pa^2]
+  double misfit_rms = 0.0;    ///< sqrt of f without the break term [Pa]
+  double misfit_share = 0.0;  ///< misfit_rms / largest measured stress [1]
+  std::string misfit_word;    ///< "close", "fair", "poor": how well the model can follow
+  /// Probability of so few runs of one sign, if the residuals were noise (verdict.hpp); NaN for
+  /// fewer than 20.
+  double runs_probability = std::numeric_limits<double>::quiet_NaN();
+  double autocorrelation = 0.0;    ///< of neighbouring residuals (compare_laws.hpp) [1]
+  double effective_samples = 0.0;  ///< by their weights (compare_laws.hpp) [1]
+  std::size_t samples = 0;         ///< that entered the fit
+  std::optional<double> noise;     ///< that was stated, of the stress [Pa]; empty: none was
+  /// Of fits of the simpler laws that this one contains, whose values were tried as starts.
+  std::size_t simpler_evaluations = 0;
+  std::optional<double> break_strain_total;  ///< total strain at which the fitted model breaks [1]
+  std::uint64_t seed = 0;
+  std::vector<OptimizerStage> stages;
+  Trace trace;
+  FitIntervals intervals;  ///< of the free parameters, in their order: those that were asked for
+  Curve fitted;            ///< the model at the corrected samples, and at the break if there is one
+  std::vector<std::string> warnings;
+
+  /// The parameter of a name. @throws std::out_of_range
+  const FittedParameter& parameter(std::string_view name) const;
+  /// The free ones, in their order: the rows of `intervals` (n_free).
+  std::vector<const FittedParameter*> free_parameters() const;
+  std::size_t evaluations() const { return trace.costs.size(); }
+};
+
+/// A target and what its fit gave: one row of a batch, what journal and file hold.
+struct FitRecord {
+  Target target;
+  FitResult result;
+};
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "calibrate/fit/scene_fit.hpp"
+#include "calibrate/problem/scene_problem.hpp"
+#include "calibrate/search/least_squares.hpp"
+#include "calibrate/search/search_record.hpp"
+
+namespace plastica::calibrate {
+
+/// The search for the least sum of squares of a fit through scenes, and for the noise that weights
+/// its parts.
+///
+/// Sobol's points within the bounds are screened; from the start and from the best of them that lie
+/// apart go short searches side by side, and the best of these go on to their ends.
+class SceneSearch {
+ public:
+  /// Sets the problem's scales: the noise of parts that state theirs, else their largest ordinate.
+  /// @param problem, options  must outlive this
+  SceneSearch(SceneProblem& problem, const SceneFitOptions& options);
+
+  /// Searches, then settles the noise. To be called once. @throws FitInterrupted
+  void run();
+
+  /// Whether any start gave a curve.
+  bool found() const { return best_.outcome != LeastSquaresOutcome::NoStart; }
+  /// The best point, with residuals over the scales that the problem has at the end.
+  const LeastSquares& best() const { return best_; }
+  const std::vector<SceneStart>& starts() const { return starts_; }  ///< in their order
+
+  /// Whether all parts state their noise.
+  bool knows_noise() const { return knows_noise_; }
+  /// Sum of the squares of a part at the best point, without its weight and scale [SI^2].
+  double cost_of(std::size_t part) const;
+  /// What the residuals of a part say of its noise, whatever the target states [SI].
+  double noise_left(std::size_t part) const;
+
+  /// Why the start's own scene gave no curve, and whether it was its abscissa's probe that turned.
+  const std::string& first_reason() const { return first_reason_; }
+  bool start_turns() const { return start_turns_; }
+
+ private:
+  using Points = std::vector<std::vector<double>>;
+
+  std::vector<double> searched_values(std::span<const double> x) const;
+  Points drawn(int count) const;
+  std::vector<double> screened_costs(const Points& points);
+  Points screened_starts(int count);
+  std::vector<SearchRecord> search_from(std::string_view stage, const Points& starts,
+                                        int evaluations);
+  void search_together(std::string_view stage, const Points& starts, int evaluations,
+                       std::span<const std::size_t> which, std::vector<SearchRecord>& records);
+  void polish(std::vector<SearchRecord>& records);
+  void search();
+  void settle_noise();
+  std::vector<double> costs() const;
+  double rescale(std::vector<PartNoise> noise);
+  void tell(std::string_view stage, std::size_t done, std::size_t total) const;
+
+  SceneProblem& problem_;
+  const SceneFitOptions& options_;
+  bool knows_noise_ = false;
+  std::vector<double> degrees_left_;  ///< by the residuals of each part
+  LeastSquares best_;
+  std::vector<SceneStart> starts_;
+  std::string first_reason_;
+  bool start_turns_ = false;
+};
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,51 @@
+#include "calibrate/store/scene_fit_digest.hpp"
+
+#include "calibrate/inference/not_a_number.hpp"
+#include "plastica/io/scene_digest.hpp"
+
+namespace plastica::calibrate {
+void add_to(io::Digest& digest, const SceneTarget& t) {
+  digest.integer(static_cast<std::uint64_t>(t.kind)).integer(t.driven);
+  digest.reals(t.abscissa).reals(t.ordinate).text(t.abscissa_probe).text(t.ordinate_probe);
+  digest.real(t.abscissa_factor).real(t.ordinate_factor).real(t.noise.value_or(kNan));
+  digest.real(t.broke ? t.broke->at : kNan).real(t.broke ? t.broke->half_interval : kNan);
+}
+
+void add_to(io::Digest& digest, const SceneFitOptions& options) {
+  for (const Parameter& p : options.parameters) {
+    digest.text(p.field->path).integer(static_cast<std::uint64_t>(p.role));
+    digest.integer(static_cast<std::uint64_t>(p.scale)).real(p.value.value_or(kNan));
+    digest.real(p.lower.value_or(kNan)).real(p.upper.value_or(kNan));
+    digest.text(p.tied_to != nullptr ? p.tied_to->path : "").real(p.factor);
+    digest.real(p.prior ? p.prior->mean : kNan);
+    digest.real(p.prior ? p.prior->standard_deviation : kNan);
+  }
+  digest.integer(static_cast<std::uint64_t>(options.evaluations)).real(options.tolerance);
+  digest.integer(static_cast<std::uint64_t>(options.starts)).integer(options.seed);
+  digest.integer(static_cast<std::uint64_t>(options.screen));
+  digest.integer(options.further_starts.size());
+  for (const StartPoint& start : options.further_starts) {
+    digest.integer(start.size());
+    for (const auto& [field, value] : start) digest.text(field->path).real(value);
+  }
+  digest.integer(options.laws.size());
+  for (const Law law : options.laws) digest.text(name_of(law));
+  digest.real(options.confidence).integer(options.segments_error ? 1 : 0);
+  const IntervalOptions& intervals = options.intervals;
+  digest.integer(intervals.profile ? 1 : 0);
+  for (const int number : {intervals.bootstrap, intervals.block, intervals.specimens}) {
+    digest.integer(static_cast<std::uint64_t>(number));
+  }
+}
+
+std::uint64_t digest_of(std::span<const ScenePart> parts, const SceneFitOptions& options) {
+  io::Digest digest;
+  for (const ScenePart& part : parts) {
+    digest.text(part.target.name).integer(io::scene_digest(part.setup)).real(part.weight);
+    add_to(digest, part.target);
+  }
+  add_to(digest, options);
+  return digest.value();
+}
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,340 @@
+#include "calibrate/trial/scene_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "calibrate/trial/scene_drive.hpp"
+#include "plastica/model/region.hpp"
+#include "plastica/run/scene_joints.hpp"
+
+namespace plastica::calibrate {
+namespace {
+
+/// The path may end short of the measured abscissa by this share of it: rounding of a motion that
+/// is prescribed to end there.
+constexpr double kRounding = 1e-9;
+
+/// Whether a prepared model takes a field's value at run time just as if the scene had it.
+bool is_run_parameter(const Field& field, const Setup& setup) {
+  if (!field.material) return false;
+  switch (*field.material) {
+    case MaterialField::YoungsModulus:
+    case MaterialField::YieldStress:
+    case MaterialField::KinematicShare:
+    case MaterialField::SaturationStress:
+    case MaterialField::SaturationRate:
+    case MaterialField::ReferenceRate:
+    case MaterialField::RateExponent:
+    case MaterialField::RateCoefficient: return true;
+    // A chain asks the scene whether these are given.
+    case MaterialField::ShearModulus: return setup.scene.material.shear_modulus.has_value();
+    case MaterialField::ShearYieldStress:
+      return setup.scene.material.shear_yield_stress.has_value();
+    // … and how its strains spread, of which hardening at all decides.
+    case MaterialField::TangentModulus: return setup.scene.material.hardening.tangent_modulus > 0.0;
+    default: return is_flow_stress(*field.material);
+  }
+}
+
+void take_limits_off(Scene& scene) {
+  const auto take_off = [](Material& material) {
+    material.break_strain.reset();
+    material.break_shear_strain.reset();
+  };
+  take_off(scene.material);
+  for (Region& region : scene.regions) take_off(region.material);
+  scene.break_limit_x.reset();
+  scene.break_limit_y.reset();
+  scene.break_limit_z.reset();
+}
+
+/// Which joints take a limit of the scene's material: those that such a part owns.
+std::vector<bool> joints_of_the_limit(const Setup& setup, const ChainModel& chain) {
+  const Field& field = find_field(chain.level == Level::Twist ? "material.break_shear_strain"
+                                                              : "material.break_strain");
+  std::vector<bool> parts{true};
+  for (const Region& region : setup.scene.regions) {
+    parts.push_back(!is_own(region, field.path));
+  }
+  std::vector<bool> joints;
+  for (const chain::JointModel& joint : scene_joints(chain)) {
+    joints.push_back(parts[chain.layout.parts[joint.owner].region]);
+  }
+  return joints;
+}
+
+void check_kind(const Scene& scene, const SceneTarget& target) {
+  if (scene.is_coupon() == (target.kind == Abscissa::Strain)) return;
+  if (scene.is_coupon()) {
+    throw InputError(target.abscissa_where, "drive.strain", "",
+                     "makes the scene a coupon, which follows a measured strain");
+  }
+  throw InputError(target.abscissa_where, "abscissa.drive", "strain",
+                   "needs a coupon: a scene with drive.strain");
+}
+
+std::string how_it_ended(Status status, const Setup& setup) {
+  const bool in_motion = setup.solver.analysis == Analysis::Dynamics;
+  return fmt::format("the scene ended {}: {}", name_of(status), advice(status, in_motion));
+}
+
+SceneCurve failed(std::string reason) {
+  SceneCurve curve;
+  curve.reason = std::move(reason);
+  return curve;
+}
+
+}  // namespace
+
+std::size_t probe_index(const Scene& scene, const std::string& name, std::string_view field,
+                        const SourceLocation& where) {
+  std::string names;
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    if (scene.probes[i].name == name) return i;
+    names += (names.empty() ? "" : ", ") + scene.probes[i].name;
+  }
+  throw InputError(
+      where, field, name,
+      names.empty() ? "the scene has no probes" : "is not one of the scene's probes: " + names);
+}
+
+SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
+                       std::vector<const Field*> fields)
+    : setup_(setup), target_(target), fields_(std::move(fields)) {
+  check_kind(setup_.scene, target);
+  if (is_driven(target.kind)) setup_ = driven_setup(setup, target);
+  Scene& scene = setup_.scene;
+  if (target.kind == Abscissa::Probe) {
+    abscissa_probe_ =
+        probe_index(scene, target.abscissa_probe, "abscissa.probe", target.abscissa_where);
+  }
+  ordinate_probe_ =
+      probe_index(scene, target.ordinate_probe, "ordinate.probe", target.ordinate_where);
+  const Setup limited = setup_;
+  take_limits_off(scene);
+  if (scene.is_coupon()) {
+    const bool net = scene.break_measure == BreakMeasure::Net;
+    strain_probe_ = scene.probes.size();
+    scene.probes.push_back(
+        {"permanent", net ? ProbeQuantity::PlasticStrain : ProbeQuantity::AccumulatedStrain});
+  }
+  setup_.solver.frames = 0;  // the permanent strain of every sample
+  prepared_ = std::all_of(fields_.begin(), fields_.end(), [&](const Field* field) {
+    return is_run_parameter(*field, setup_) && !stands_in_regions(setup_.scene, *field);
+  });
+  std::vector<std::string> paths;
+  if (prepared_) {
+    for (const Field* field : fields_) paths.emplace_back(field->path);
+  }
+  model_ = prepare(scene, setup_.solver, paths);
+  if (model_.chain) counts_ = joints_of_the_limit(limited, *model_.chain);
+  if (target.kind == Abscissa::Probe) longer_setup_ = gone_on(setup_, kMostTimes);
+  if (longer_setup_) longer_ = prepare(longer_setup_->scene, longer_setup_->solver, paths);
+}
+
+Setup SceneModel::setup_at(const Setup& base, std::span<const double> values) const {
+  Setup setup = base;
+  for (std::size_t i = 0; i < fields_.size(); ++i) set_everywhere(setup, *fields_[i], values[i]);
+  return setup;
+}
+
+std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::size_t count,
+                                        int threads, StopFlag stop) const {
+  BatchOptions how;
+  how.threads = threads;
+  how.stop = stop;
+  std::vector<SceneCurve> curves = run(false, values, count, how);
+  if (longer_) go_on(values, how, curves);
+  return curves;
+}
+
+bool SceneModel::takes_a_limit() const {
+  return !model_.chain || std::ranges::find(counts_, true) != counts_.end();
+}
+
+/// Runs those again whose path ends early.
+void SceneModel::go_on(std::span<const double> values, const BatchOptions& how,
+                       std::vector<SceneCurve>& curves) const {
+  std::vector<std::size_t> early;
+  std::vector<double> their_values;
+  const std::size_t n = fields_.size();
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (!curves[i].ends_early) continue;
+    early.push_back(i);
+    const std::span<const double> at = values.subspan(i * n, n);
+    their_values.insert(their_values.end(), at.begin(), at.end());
+  }
+  if (early.empty()) return;
+  std::vector<SceneCurve> longer = run(true, their_values, early.size(), how);
+  for (std::size_t k = 0; k < early.size(); ++k) {
+    SceneCurve& curve = curves[early[k]];
+    longer[k].segment_iterations += curve.segment_iterations;
+    if (!longer[k].usable) {
+      longer[k].reason += fmt::format(" (its ramps going on to {} times their ends)", kMostTimes);
+    }
+    curve = std::move(longer[k]);
+  }
+}
+
+std::vector<SceneCurve> SceneModel::run(bool longer, std::span<const double> values,
+                                        std::size_t count, const BatchOptions& how) const {
+  const Setup& setup = longer ? *longer_setup_ : setup_;
+  const Model& model = longer ? *longer_ : model_;
+  std::vector<SceneCurve> curves(count);
+  if (prepared_) {
+    run_batch(
+        model, values, count,
+        [&](std::size_t i, Response&& response) { curves[i] = curve_of(response, longer); }, how);
+    return curves;
+  }
+  const std::size_t n = fields_.size();
+  run_batch(
+      count,
+      [&](std::size_t i) {
+        const Setup at = setup_at(setup, values.subspan(i * n, n));
+        return BatchCase{std::to_string(i), at.scene, at.solver};
+      },
+      [&](std::size_t i, BatchRow&& row) {
+        curves[i] = row.reason.empty() ? curve_of(row.response, longer) : failed(row.reason);
+      },
+      how);
+  return curves;
+}
+
+SceneCurve SceneModel::curve_of(const Response& response, bool longer) const {
+  SceneCurve curve;
+  curve.went_on = longer;
+  curve.segment_iterations =
+      static_cast<std::int64_t>(setup_.scene.beam.segments) * response.counters.iterations;
+  // A longer path may fail beyond what was measured.
+  const bool whole = usable(response.status);
+  if (!whole && !(longer && response.status == Status::NotConverged)) {
+    curve.reason = how_it_ended(response.status, setup_);
+    return curve;
+  }
+  std::vector<double> path;
+  if (!place(response, path, curve)) {
+    if (!whole) curve.reason = how_it_ended(response.status, setup_);
+    return curve;
+  }
+  curve.usable = true;
+  set_ordinate(response, path, curve);
+  set_strain(response, path, curve);
+  return curve;
+}
+
+/// Where the response's samples are: on the abscissa, or their numbers if it was driven.
+/// @return whether they reach over all that was measured
+bool SceneModel::place(const Response& response, std::vector<double>& path,
+                       SceneCurve& curve) const {
+  const std::size_t samples = response.samples;
+  path.resize(samples);
+  if (is_driven(target_.kind)) {
+    // A chain's first sample is the beam at rest.
+    const double first = target_.kind == Abscissa::Strain ? 0.0 : -1.0;
+    for (std::size_t i = 0; i < samples; ++i) path[i] = first + static_cast<double>(i);
+    const double last = static_cast<double>(target_.abscissa.size() - 1);
+    if (samples > 0 && path.back() >= last) return true;
+    curve.reason = fmt::format("the path ends after {} of {} measured samples",
+                               samples > 0 ? path.back() + 1.0 : 0.0, target_.abscissa.size());
+    return false;
+  }
+  const std::vector<double>& from =
+      target_.kind == Abscissa::Time ? response.chain.time : response.probes[abscissa_probe_];
+  for (std::size_t i = 0; i < samples; ++i) {
+    path[i] = target_.abscissa_factor * from[i] + 0.0;  // no -0
+    if (i == 0 || path[i] > path[i - 1]) continue;
+    curve.turns = true;
+    curve.reason = fmt::format(
+        "the probe {} must grow along the path (times {:g}), and does not at sample {}; a scene "
+        "whose drive follows what was measured may turn",
+        target_.abscissa_probe, target_.abscissa_factor, i);
+    if (path[i] < path.front()) {
+      curve.reason += fmt::format("; if the machine counts the other way: abscissa.factor = {:g}",
+                                  -target_.abscissa_factor);
+    }
+    return false;
+  }
+  const double least = target_.abscissa.front();
+  double most = target_.abscissa.back();
+  if (target_.broke) most = std::max(most, target_.broke->at);
+  const double slack = kRounding * std::max(std::abs(least), std::abs(most));
+  if (samples >= 2 && path.front() <= least + slack && path.back() >= most - slack) return true;
+  // A limit load, or a path that begins late, is no better for going on.
+  curve.ends_early =
+      response.status == Status::Completed && samples >= 2 && path.front() <= least + slack;
+  curve.reason =
+      fmt::format("the path goes from {:g} to {:g}, and was measured from {:g} to {:g}",
+                  samples > 0 ? path.front() : 0.0, samples > 0 ? path.back() : 0.0, least, most);
+  return false;
+}
+
+void SceneModel::set_ordinate(const Response& response, const std::vector<double>& path,
+                              SceneCurve& curve) const {
+  const std::vector<double>& height = response.probes[ordinate_probe_];
+  const std::size_t n = target_.abscissa.size();
+  curve.ordinate.resize(n);
+  if (is_driven(target_.kind)) {
+    const auto first = static_cast<std::size_t>(-path.front());
+    for (std::size_t i = 0; i < n; ++i) {
+      curve.ordinate[i] = target_.ordinate_factor * height[first + i];
+    }
+    return;
+  }
+  std::size_t k = 1;
+  for (std::size_t i = 0; i < n; ++i) {
+    while (k + 1 < path.size() && path[k] < target_.abscissa[i]) ++k;
+    const double share = (target_.abscissa[i] - path[k - 1]) / (path[k] - path[k - 1]);
+    curve.ordinate[i] =
+        target_.ordinate_factor * (height[k - 1] + share * (height[k] - height[k - 1]));
+  }
+}
+
+double SceneModel::strain_of(const Response& response, std::size_t sample) const {
+  if (setup_.scene.is_coupon()) return std::fabs(response.probes[strain_probe_][sample]);
+  const std::size_t joints = response.chain.joints;
+  double largest = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t j = 0; j < joints; ++j) {
+    if (counts_[j]) {
+      largest = std::fmax(largest, response.chain.plastic_strain[sample * joints + j]);
+    }
+  }
+  return largest;
+}
+
+/// Between samples on a straight line.
+double SceneModel::strain_at(const Response& response, const std::vector<double>& path,
+                             double at) const {
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  if (path.size() < 2) return kNowhere;
+  const double slack = kRounding * std::max(std::abs(path.front()), std::abs(path.back()));
+  if (at < path.front() - slack || at > path.back() + slack) return kNowhere;
+  const auto above = std::lower_bound(path.begin() + 1, path.end() - 1, at);
+  const auto k = static_cast<std::size_t>(above - path.begin());
+  const double share = (at - path[k - 1]) / (path[k] - path[k - 1]);
+  const double low = strain_of(response, k - 1);
+  return low + share * (strain_of(response, k) - low);
+}
+
+void SceneModel::set_strain(const Response& response, const std::vector<double>& path,
+                            SceneCurve& curve) const {
+  const auto at = [&](double place) { return strain_at(response, path, place); };
+  if (!target_.broke) {
+    curve.strain.at = at(is_driven(target_.kind) ? static_cast<double>(target_.abscissa.size() - 1)
+                                                 : target_.abscissa.back());
+    return;
+  }
+  if (is_driven(target_.kind)) {
+    const auto last = static_cast<double>(target_.abscissa.size() - 1);
+    curve.strain = {at(last + 0.5), at(last), at(last + 1.0)};
+    return;
+  }
+  const SceneBreak& broke = *target_.broke;
+  curve.strain = {at(broke.at), at(broke.at - broke.half_interval),
+                  at(broke.at + broke.half_interval)};
+}
+
+}  // namespace plastica::calibrate

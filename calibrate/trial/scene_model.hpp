@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "calibrate/target/scene_target.hpp"
+#include "plastica/run/batch.hpp"
+
+namespace plastica::calibrate {
+
+/// The index of a scene's probe. @throws InputError naming those that there are
+std::size_t probe_index(const Scene& scene, const std::string& name, std::string_view field,
+                        const SourceLocation& where = {});
+
+/// A scene whose path ends before the measured abscissa does goes on to so many times its end.
+inline constexpr int kMostTimes = 4;
+
+/// Largest permanent strains of a joint that takes the fitted limit, in the scene's break measure
+/// [1]; NaN where the path does not get there.
+struct StrainAtBreak {
+  double at =
+      std::numeric_limits<double>::quiet_NaN();  ///< where the target broke, or its last one
+  double before = std::numeric_limits<double>::quiet_NaN();  ///< where it was whole for sure
+  double after = std::numeric_limits<double>::quiet_NaN();   ///< where it was broken for sure
+};
+
+/// What a scene gives where a target was measured.
+struct SceneCurve {
+  bool usable = false;      ///< whether there is a curve over the whole measured abscissa
+  std::string reason;       ///< else why not
+  bool turns = false;       ///< whether that is because the abscissa's probe turns round on the way
+  bool ends_early = false;  ///< … or because the scene's path ends before the measured one
+  bool went_on = false;     ///< whether it is of a path beyond the scene's end (`kMostTimes`)
+  std::vector<double> ordinate;  ///< at the measured abscissa and by the target's factor [SI] (n)
+  StrainAtBreak strain;
+  /// Work, in a measure that no machine changes: segments x Newton iterations.
+  std::int64_t segment_iterations = 0;
+};
+
+/// A scene as a function of some of its fields, held against a target.
+///
+/// The scene never breaks: its limits are taken off, so that no value of them makes the curve jump;
+/// `StrainAtBreak` says what its limit would have to be. Driven by the target, the scene has a
+/// sample where the target has one; else the curve is straight between the recorded samples
+/// (solver.steps), and where the scene's path ends early its ramps go on (`gone_on`). Never
+/// changes, so that threads share it.
+class SceneModel {
+ public:
+  /// @param fields  what `run` sets, in its order; numbers of the field table
+  /// @throws InputError if the scene is bad input, cannot follow the target or lacks its probes
+  SceneModel(const Setup& setup, const SceneTarget& target, std::vector<const Field*> fields);
+
+  /// Runs the scene at several points, in parallel, with the same bits in every company.
+  /// @param values  of the fields [SI] (count x n_fields), row by row
+  /// @param threads  0: as many as the machine has
+  /// @param stop  once raised, no further run is begun, and what is not finished has no curve; may
+  /// be
+  ///              null
+  std::vector<SceneCurve> run(std::span<const double> values, std::size_t count, int threads = 1,
+                              StopFlag stop = nullptr) const;
+
+  Level level() const { return model_.level; }
+  /// Whether any joint takes a limit of the scene's material: not if regions of others cover it
+  /// all.
+  bool takes_a_limit() const;
+
+ private:
+  Setup setup_at(const Setup& base, std::span<const double> values) const;
+  std::vector<SceneCurve> run(bool longer, std::span<const double> values, std::size_t count,
+                              const BatchOptions& how) const;
+  void go_on(std::span<const double> values, const BatchOptions& how,
+             std::vector<SceneCurve>& curves) const;
+  SceneCurve curve_of(const Response& response, bool longer) const;
+  bool place(const Response& response, std::vector<double>& path, SceneCurve& curve) const;
+  double strain_of(const Response& response, std::size_t sample) const;
+  double strain_at(const Response& response, const std::vector<double>& path, double at) const;
+  void set_ordinate(const Response& response, const std::vector<double>& path,
+                    SceneCurve& curve) const;
+  void set_strain(const Response& response, const std::vector<double>& path,
+                  SceneCurve& curve) const;
+
+  Setup setup_;
+  SceneTarget target_;
+  std::vector<const Field*> fields_;
+  std::size_t abscissa_probe_ = 0;
+  std::size_t ordinate_probe_ = 0;
+  std::size_t strain_probe_ = 0;  ///< of a coupon
+  /// Whether all fields are parameters of one model; else each run lays out its own.
+  bool prepared_ = false;
+  Model model_;
+  std::optional<Setup> longer_setup_;  ///< whose path goes on, if it does
+  std::optional<Model> longer_;
+  std::vector<bool> counts_;  ///< joints that take the fitted limit (N + 1); of a coupon none
+};
+
+}  // namespace plastica::calibrate
