@@ -51,19 +51,15 @@ void take_limits_off(Scene& scene) {
   scene.break_limit_z.reset();
 }
 
-/// Which joints take a limit of the scene's material: those that such a part owns.
-std::vector<bool> joints_of_the_limit(const Setup& setup, const ChainModel& chain) {
-  const Field& field = find_field(chain.level == Level::Twist ? "material.break_shear_strain"
-                                                              : "material.break_strain");
-  std::vector<bool> parts{true};
+/// Which regions take a limit of the scene's material, the beam beside them first.
+std::vector<bool> regions_of_the_limit(const Setup& setup, Level level) {
+  const Field& field =
+      find_field(level == Level::Twist ? "material.break_shear_strain" : "material.break_strain");
+  std::vector<bool> regions{true};
   for (const Region& region : setup.scene.regions) {
-    parts.push_back(!is_own(region, field.path));
+    regions.push_back(!is_own(region, field.path));
   }
-  std::vector<bool> joints;
-  for (const chain::JointModel& joint : scene_joints(chain)) {
-    joints.push_back(parts[chain.layout.parts[joint.owner].region]);
-  }
-  return joints;
+  return regions;
 }
 
 void check_kind(const Scene& scene, const SceneTarget& target) {
@@ -130,7 +126,7 @@ SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
     for (const Field* field : fields_) paths.emplace_back(field->path);
   }
   model_ = prepare(scene, setup_.solver, paths);
-  if (model_.chain) counts_ = joints_of_the_limit(limited, *model_.chain);
+  if (model_.chain) limited_ = regions_of_the_limit(limited, model_.level);
   if (target.kind == Abscissa::Probe) longer_setup_ = gone_on(setup_, kMostTimes);
   if (longer_setup_) longer_ = prepare(longer_setup_->scene, longer_setup_->solver, paths);
 }
@@ -152,7 +148,21 @@ std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::siz
 }
 
 bool SceneModel::takes_a_limit() const {
-  return !model_.chain || std::ranges::find(counts_, true) != counts_.end();
+  return !model_.chain || std::ranges::any_of(model_.chain->layout.parts, [&](const auto& part) {
+    return limited_[part.region];
+  });
+}
+
+std::vector<bool> SceneModel::joints_of_the_limit(const Setup& setup, const Model& model) const {
+  if (!model.chain) return {};
+  const ChainModel& chain = *model.chain;
+  // Without regions all joints are the scene's.
+  if (setup.scene.regions.empty()) return std::vector<bool>(chain.layout.size() + 1, true);
+  std::vector<bool> joints;
+  for (const auto& joint : scene_joints(chain, material_values(setup.scene.material))) {
+    joints.push_back(limited_[chain.layout.parts[joint.owner].region]);
+  }
+  return joints;
 }
 
 /// Runs those again whose path ends early.
@@ -184,27 +194,40 @@ std::vector<SceneCurve> SceneModel::run(bool longer, std::span<const double> val
   const Setup& setup = longer ? *longer_setup_ : setup_;
   const Model& model = longer ? *longer_ : model_;
   std::vector<SceneCurve> curves(count);
+  const std::size_t n = fields_.size();
+  const auto at = [&](std::size_t i) { return setup_at(setup, values.subspan(i * n, n)); };
   if (prepared_) {
     run_batch(
         model, values, count,
-        [&](std::size_t i, Response&& response) { curves[i] = curve_of(response, longer); }, how);
+        [&](std::size_t i, Response&& response) {
+          curves[i] = curve_of(response, joints_of_the_limit(at(i), model), longer);
+        },
+        how);
     return curves;
   }
-  const std::size_t n = fields_.size();
   run_batch(
       count,
       [&](std::size_t i) {
-        const Setup at = setup_at(setup, values.subspan(i * n, n));
-        return BatchCase{std::to_string(i), at.scene, at.solver};
+        const Setup of = at(i);
+        return BatchCase{std::to_string(i), of.scene, of.solver};
       },
       [&](std::size_t i, BatchRow&& row) {
-        curves[i] = row.reason.empty() ? curve_of(row.response, longer) : failed(row.reason);
+        if (!row.reason.empty()) {
+          curves[i] = failed(row.reason);
+          return;
+        }
+        const Setup of = at(i);
+        const bool regions = !of.scene.regions.empty();
+        curves[i] = curve_of(
+            row.response, joints_of_the_limit(of, regions ? prepare(of.scene, of.solver) : model),
+            longer);
       },
       how);
   return curves;
 }
 
-SceneCurve SceneModel::curve_of(const Response& response, bool longer) const {
+SceneCurve SceneModel::curve_of(const Response& response, const std::vector<bool>& limited,
+                                bool longer) const {
   SceneCurve curve;
   curve.went_on = longer;
   curve.segment_iterations =
@@ -222,7 +245,7 @@ SceneCurve SceneModel::curve_of(const Response& response, bool longer) const {
   }
   curve.usable = true;
   set_ordinate(response, path, curve);
-  set_strain(response, path, curve);
+  set_strain(response, path, limited, curve);
   return curve;
 }
 
@@ -293,12 +316,13 @@ void SceneModel::set_ordinate(const Response& response, const std::vector<double
   }
 }
 
-double SceneModel::strain_of(const Response& response, std::size_t sample) const {
+double SceneModel::strain_of(const Response& response, const std::vector<bool>& limited,
+                             std::size_t sample) const {
   if (setup_.scene.is_coupon()) return std::fabs(response.probes[strain_probe_][sample]);
   const std::size_t joints = response.chain.joints;
   double largest = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t j = 0; j < joints; ++j) {
-    if (counts_[j]) {
+    if (limited[j]) {
       largest = std::fmax(largest, response.chain.plastic_strain[sample * joints + j]);
     }
   }
@@ -307,7 +331,7 @@ double SceneModel::strain_of(const Response& response, std::size_t sample) const
 
 /// Between samples on a straight line.
 double SceneModel::strain_at(const Response& response, const std::vector<double>& path,
-                             double at) const {
+                             const std::vector<bool>& limited, double at) const {
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   if (path.size() < 2) return kNowhere;
   const double slack = kRounding * std::max(std::abs(path.front()), std::abs(path.back()));
@@ -315,13 +339,13 @@ double SceneModel::strain_at(const Response& response, const std::vector<double>
   const auto above = std::lower_bound(path.begin() + 1, path.end() - 1, at);
   const auto k = static_cast<std::size_t>(above - path.begin());
   const double share = (at - path[k - 1]) / (path[k] - path[k - 1]);
-  const double low = strain_of(response, k - 1);
-  return low + share * (strain_of(response, k) - low);
+  const double low = strain_of(response, limited, k - 1);
+  return low + share * (strain_of(response, limited, k) - low);
 }
 
 void SceneModel::set_strain(const Response& response, const std::vector<double>& path,
-                            SceneCurve& curve) const {
-  const auto at = [&](double place) { return strain_at(response, path, place); };
+                            const std::vector<bool>& limited, SceneCurve& curve) const {
+  const auto at = [&](double place) { return strain_at(response, path, limited, place); };
   if (!target_.broke) {
     curve.strain.at = at(is_driven(target_.kind) ? static_cast<double>(target_.abscissa.size() - 1)
                                                  : target_.abscissa.back());

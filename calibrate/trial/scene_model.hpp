@@ -65,7 +65,7 @@ class SceneModel {
                               StopFlag stop = nullptr) const;
 
   Level level() const { return model_.level; }
-  /// Whether any joint takes a limit of the scene's material: not if regions of others cover it
+  /// Whether any part takes a limit of the scene's material: not if regions of others cover it
   /// all.
   bool takes_a_limit() const;
 
@@ -75,14 +75,21 @@ class SceneModel {
                               const BatchOptions& how) const;
   void go_on(std::span<const double> values, const BatchOptions& how,
              std::vector<SceneCurve>& curves) const;
-  SceneCurve curve_of(const Response& response, bool longer) const;
+  /// Which joints take a limit of the scene's material (N + 1): those of its parts, the weaker one
+  /// of two that meet, which the values decide. Of a coupon none.
+  std::vector<bool> joints_of_the_limit(const Setup& setup, const Model& model) const;
+  /// @param limited  `joints_of_the_limit`, of this and what it calls
+  SceneCurve curve_of(const Response& response, const std::vector<bool>& limited,
+                      bool longer) const;
   bool place(const Response& response, std::vector<double>& path, SceneCurve& curve) const;
-  double strain_of(const Response& response, std::size_t sample) const;
-  double strain_at(const Response& response, const std::vector<double>& path, double at) const;
+  double strain_of(const Response& response, const std::vector<bool>& limited,
+                   std::size_t sample) const;
+  double strain_at(const Response& response, const std::vector<double>& path,
+                   const std::vector<bool>& limited, double at) const;
   void set_ordinate(const Response& response, const std::vector<double>& path,
                     SceneCurve& curve) const;
   void set_strain(const Response& response, const std::vector<double>& path,
-                  SceneCurve& curve) const;
+                  const std::vector<bool>& limited, SceneCurve& curve) const;
 
   Setup setup_;
   SceneTarget target_;
@@ -95,7 +102,8 @@ class SceneModel {
   Model model_;
   std::optional<Setup> longer_setup_;  ///< whose path goes on, if it does
   std::optional<Model> longer_;
-  std::vector<bool> counts_;  ///< joints that take the fitted limit (N + 1); of a coupon none
+  /// Regions that take a limit of the scene's material, the beam beside them first; of a chain.
+  std::vector<bool> limited_;
 };
 
 }  // namespace plastica::calibrate

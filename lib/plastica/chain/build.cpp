@@ -4,12 +4,6 @@
 
 namespace plastica::chain {
 
-template <class L>
-Build<L> build_chain(const Scene& scene, const Layout& layout, const View<L>& view,
-                     const BuildOptions& options) {
-  return Builder<L>(scene, layout, view, options).build();
-}
-
 #define PLASTICA_BUILD_CHAIN(L) \
   template Build<L> build_chain<L>(const Scene&, const Layout&, const View<L>&, const BuildOptions&)
 

@@ -19,7 +19,8 @@
 
 namespace plastica::chain {
 
-/// Turns a laid-out scene into the chain of a level, for `build_chain` alone.
+/// Turns a laid-out scene into the chain of a level, for `build_chain` alone: who needs that for
+/// other scalars than it is compiled for includes this.
 template <class L>
 class Builder {
  public:
@@ -225,7 +226,7 @@ class Builder {
     }
   }
 
-  // What acts along a normal, and springs: build_supports.hpp.
+  // What acts along a normal, and springs: builder_supports.hpp.
   void add_along_normal(const Support& support, std::size_t index, double share);
   void add_bed(const Support& support, std::size_t index, std::size_t history, double from,
                double to);
@@ -350,6 +351,12 @@ class Builder {
   Build<L> build_;
   bool root_is_held_ = false;
 };
+
+template <class L>
+Build<L> build_chain(const Scene& scene, const Layout& layout, const View<L>& view,
+                     const BuildOptions& options) {
+  return Builder<L>(scene, layout, view, options).build();
+}
 
 }  // namespace plastica::chain
 

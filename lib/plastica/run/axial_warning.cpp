@@ -16,17 +16,22 @@ std::string yield_warning(const Scene& scene, const SolverOptions& options, cons
            " N_p: next to no moment, and out of the plane, one yield surface lets it bend as if it "
            "were elastic; rules.yield_model = \"fibre\" finds where it buckles";
   }
-  if (!per_axis && options.translation == JointTranslation::Elastic) return {};
+  const bool stretches = options.translation == JointTranslation::Elastic;
   if (!per_axis && options.analysis == Analysis::Statics) {
+    if (stretches) return {};
     return "a joint yielded under an axial force of up to " + force +
            ": it lengthens, which joints that are rigid along the beam do not show; "
            "solver.translation = \"elastic\" does";
   }
   const std::string text =
-      std::string(per_axis ? "rules.yield_model = \"per_axis\"" : "a motion of rigid joints") +
+      std::string(per_axis    ? "rules.yield_model = \"per_axis\""
+                  : stretches ? "a motion of joints at the ends, which do not stretch,"
+                              : "a motion of rigid joints") +
       " leaves the axial force out of yielding: up to " + force;
-  const std::string seen =
-      per_axis ? "; \"interaction\" sees it" : "; solver.translation = \"elastic\" sees it";
+  const std::string seen = per_axis    ? "; \"interaction\" sees it"
+                           : stretches ? ""
+                                       : "; solver.translation = \"elastic\" sees it within the "
+                                         "beam";
   if (note.left <= 0.0) return text + ", beyond which nothing is carried" + seen;
   return text + ", where a joint yielded; a joint carries up to " +
          figure(100.0 * (1.0 / note.left - 1.0)) + " % more than the section" + seen;

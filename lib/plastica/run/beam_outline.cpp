@@ -9,21 +9,22 @@ namespace plastica {
 namespace {
 
 template <class L>
-std::vector<chain::JointModel> joints_of(const ChainModel& model, const chain::View<L>& view) {
+std::vector<chain::JointModel> joints_of(const ChainModel& model, const chain::View<L>& view,
+                                         const MaterialValues<double>& material) {
   const Scene& scene = model.scene;
   const auto build =
       chain::build_chain<L>(scene, model.layout, view, {model.options.rotary_inertia});
-  return chain::joint_set(scene, model.layout, build, material_values(scene.material), view)
-      .at_nodes;
+  return chain::joint_set(scene, model.layout, build, material, view).at_nodes;
 }
 
 }  // namespace
 
-std::vector<chain::JointModel> scene_joints(const ChainModel& model) {
+std::vector<chain::JointModel> scene_joints(const ChainModel& model,
+                                            const MaterialValues<double>& material) {
   switch (model.level) {
-    case Level::Twist: return joints_of<chain::Twist<double>>(model, {});
-    case Level::Planar: return joints_of<chain::Planar<double>>(model, {model.across});
-    default: return joints_of<chain::Spatial<double>>(model, {});
+    case Level::Twist: return joints_of<chain::Twist<double>>(model, {}, material);
+    case Level::Planar: return joints_of<chain::Planar<double>>(model, {model.across}, material);
+    default: return joints_of<chain::Spatial<double>>(model, {}, material);
   }
 }
 
@@ -49,7 +50,8 @@ BeamOutline beam_outline(const Model& model) {
     outline.round.push_back(section_kind(part.section).round() ? 1 : 0);
   }
   // An end without a joint stands for what the segment there does.
-  for (const chain::JointModel& joint : scene_joints(chain)) {
+  for (const chain::JointModel& joint :
+       scene_joints(chain, material_values(chain.scene.material))) {
     outline.joint_length.push_back(joint.own_length());
     for (std::size_t axis = 0; axis < 3; ++axis) {
       outline.modulus.push_back(joint.modulus[axis]);

@@ -126,7 +126,11 @@ void ChainBody<L, kElastic>::note_axial(bool in_motion, Response& response) {
     const double force = stretches ? joints->section_forces()[j][law::kAxial] : axial[j];
     const double ratio = std::fabs(force) / static_cast<double>(joint.axial_yield);
     const bool seen = stretches && !per_axis;
-    if (!yields(j) && !(left_out && ratio > 1.0)) continue;
+    // In a motion, nothing is left out of a joint that stretches; its neighbours that do not, at
+    // the ends, may have more than N_p from the hardening of those that do.
+    if (in_motion && seen) continue;
+    const bool is_beside = kElastic && in_motion && !per_axis;
+    if (!yields(j) && !(left_out && !is_beside && ratio > 1.0)) continue;
     const bool grows = takes_thrust && force < 0.0 && ratio > 1.0;
     const double least = grows ? 1.0 : seen ? chain::JointModel::kNever : left_out ? 1e-3 : 1.0;
     if (ratio < std::max(least, response.axial ? response.axial->ratio : 0.0)) continue;

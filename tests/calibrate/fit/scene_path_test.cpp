@@ -180,6 +180,28 @@ TEST(ScenePath, TakesTheBreakStrainAtAPartOfAnotherMaterialFromEitherEnd) {
   EXPECT_NEAR(strain_at_break(mirrored), strain, 1e-6 * strain);
 }
 
+/// Which of two parts is the weaker one is decided by the values of the trial, not by what the
+/// scene began with.
+TEST(ScenePath, TakesTheBreakStrainOfThePartThatIsWeakerAtTheValues) {
+  plastica::Setup setup = bar_of_two(0.5);
+  Region& region = setup.scene.regions[0];
+  region.own.push_back("material.yield_stress");
+  region.own.push_back("section.height");
+  region.section.height = 0.025;
+  const auto strain_from = [&](double nominal, double at) {
+    setup.scene.material.yield_stress = nominal;
+    const SceneModel model(setup, measured(bend_test(10)), {&find_field("material.yield_stress")});
+    return model.run(std::vector{at}, 1).front().strain.at;
+  };
+  const double own = region.material.yield_stress;
+  for (const double at : {0.5 * own, 3.0 * own}) {
+    const double strain = strain_from(at, at);
+    EXPECT_EQ(strain_from(0.5 * own, at), strain) << at;
+    EXPECT_EQ(strain_from(3.0 * own, at), strain) << at;
+  }
+  EXPECT_GT(strain_from(own, 0.5 * own), 0.0);
+}
+
 TEST(ScenePath, RefusesALimitThatNoJointTakes) {
   plastica::Setup setup = bar_of_two(0.5);
   setup.scene.regions[0].to = Place::end();

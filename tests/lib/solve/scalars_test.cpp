@@ -4,6 +4,7 @@
 
 #include "plastica/base/dual.hpp"
 #include "plastica/base/pack.hpp"
+#include "plastica/chain/builder.hpp"
 #include "tests/support/chain.hpp"
 
 /// The same kernels with a scenario in each lane, and with derivatives by the material.

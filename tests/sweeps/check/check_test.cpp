@@ -68,7 +68,7 @@ TEST_F(CheckTest, JudgesWhatElseASweepSays) {
 
 TEST_F(CheckTest, JudgesWalksToTheEdge) {
   write("check.toml",
-        "[[claim]]\nname = 'a'\nstability = { only = ['coupon'], most_work = 1e3 }\n"
+        "[[claim]]\nname = 'a'\nstability = { only = ['coupon'], max_work = 1e3 }\n"
         "silent = { at_most = 0 }\n"
         "[[claim]]\nname = 'b'\nstability = { only = ['none of them'] }\n"
         "unsound = { at_most = 0 }\n");
@@ -76,6 +76,21 @@ TEST_F(CheckTest, JudgesWalksToTheEdge) {
   EXPECT_TRUE(verdicts[0].holds);
   EXPECT_FALSE(verdicts[1].holds);
   EXPECT_EQ(verdicts[1].reason, "no case is chosen");
+}
+
+TEST_F(CheckTest, TakesAnOldKeyAndNamesTheNewOne) {
+  const auto read = [&](const std::string& work) {
+    write("check.toml",
+          "[[claim]]\nname = 'a'\nstability = { " + work + " }\nsilent = { at_most = 0 }\n");
+    return read_check_file(folder_.file("check.toml"));
+  };
+  const CheckFile now = read("max_work = 1e3"), old = read("most_work = 1e3");
+  EXPECT_TRUE(now.notes.empty());
+  ASSERT_EQ(old.notes.size(), 1u);
+  EXPECT_EQ(old.notes[0], folder_.file("check.toml") + ":3: most_work is now max_work");
+  EXPECT_EQ(old.claims[0].walk->max_segment_steps, now.claims[0].walk->max_segment_steps);
+  EXPECT_EQ(now.claims[0].walk->max_segment_steps, 1e3);
+  EXPECT_THROW(read("max_work = 1e3, most_work = 1e3"), InputError);
 }
 
 TEST_F(CheckTest, DoesNotHoldWhereThereIsNoNumber) {
