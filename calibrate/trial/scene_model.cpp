@@ -148,8 +148,10 @@ std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::siz
 }
 
 bool SceneModel::takes_a_limit() const {
-  return !model_.chain || std::ranges::any_of(model_.chain->layout.parts, [&](const auto& part) {
-    return limited_[part.region];
+  if (!model_.chain) return true;
+  const chain::Layout& layout = model_.chain->layout;
+  return std::ranges::any_of(layout.segment_part, [&](const auto& of) {
+    return limited_[layout.parts[of.middle].region];
   });
 }
 

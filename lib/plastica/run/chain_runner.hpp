@@ -63,7 +63,8 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
     return {body_.joints->section_forces(), body_.joints->stiffness_aside()};
   }
   void see(const chain::Coordinates<L>& q, double time, const Sections* sections);
-  void look_beside(const chain::Coordinates<L>& q, double time, const Sections& sections);
+  /// @param sections  there; null where nothing has yielded
+  void look_beside(const chain::Coordinates<L>& q, double time, const Sections* sections);
   void look_while_moments_grow(const Work& w);
 
   ChainBody<L, kElastic> body_;

@@ -108,7 +108,11 @@ template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::finish() {
   Response& response = *response_;
   bool cut_short = false;
-  if (response.samples > 0) look_beside(committed_, last_time_, {last_forces_, last_aside_});
+  if (response.samples > 0) {
+    // Where the path ends without an equilibrium, the joints hold a trial, which may yield first.
+    const Sections last{last_forces_, last_aside_};
+    look_beside(committed_, last_time_, has_yielded_ ? &last : nullptr);
+  }
   if (leaves_plane_ && !is_raised(hooks_->stop)) {
     // The path once more, with an eye on where that begins.
     asks_beside_ = true;
@@ -273,8 +277,10 @@ bool ChainRunner<L, kElastic>::record(const Work& w) {
   response_->chain.iterations[response_->samples] = walker_->counters().iterations;
   ++response_->samples;
   if (!response_->unheld_thrust) response_->unheld_thrust = is_pushed(w) && !has_space_beside();
-  if (solve::is_corner(body_.build.chain, w.time, 1e-9 * options_.stops.back()))
-    look_beside(w.q, w.time, sections());
+  if (solve::is_corner(body_.build.chain, w.time, 1e-9 * options_.stops.back())) {
+    const Sections now = sections();
+    look_beside(w.q, w.time, &now);
+  }
   return response_->samples < body_.model.samples;
 }
 

@@ -121,13 +121,13 @@ void ChainRunner<L, kElastic>::see(const chain::Coordinates<L>& q, double time,
 /// Looks whether the plane is left at an equilibrium.
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::look_beside(const chain::Coordinates<L>& q, double time,
-                                           const Sections& sections) {
+                                           const Sections* sections) {
   if constexpr (L::kTranslations == 2) {
     // At time 0 little acts; what acts is there later, too.
     const bool known = asks_beside_ || leaves_plane_ || !(time > looked_at_ || time < looked_at_);
     if (known || !has_space_beside()) return;
     looked_at_ = time;
-    see(q, time, &sections);
+    see(q, time, sections);
     leaves_plane_ = beside_->ways(seen_) > 0;
   }
 }
@@ -159,7 +159,8 @@ void ChainRunner<L, kElastic>::look_while_moments_grow(const Work& w) {
   }
   if (largest < (has_yielded_ ? 1.02 : 2.0) * looked_moment_) return;
   looked_moment_ = largest;
-  look_beside(w.q, w.time, sections());
+  const Sections now = sections();
+  look_beside(w.q, w.time, &now);
 }
 
 template <class L, bool kElastic>

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <string>
 #include <thread>
 #include <vector>
@@ -229,6 +230,23 @@ TEST(StoppedBatch, OfPathsSideBySideDropsThoseThatHaveNotEnded) {
   }
   EXPECT_EQ(completed, finished);
   EXPECT_LT(completed, values.size());
+}
+
+/// What the joints hold then is a trial that yields, as none of the path's equilibria has.
+TEST(StoppedRun, EndsAtTheFirstStepThatYieldsAsAnyOther) {
+  const Scene scene = bent(20);
+  int ended = 0;
+  for (int most = 1; most <= 8; ++most) {
+    SolverOptions options{.level = Level::Planar, .steps = 2};
+    options.most_iterations = most;
+    options.smallest_step = 1.0;
+    const Response response = simulate(scene, options);
+    const bool first_alone = response.status == Status::NotConverged && response.samples == 2;
+    if (!first_alone) continue;
+    ++ended;
+    EXPECT_TRUE(std::isfinite(response.probes[0][1]));
+  }
+  EXPECT_GT(ended, 0);
 }
 
 TEST(StoppedBatch, HasTheSameBitsWithAFlagThatIsNeverRaised) {
