@@ -4,7 +4,7 @@
 # steps that is done, so that whoever waits sees how far it is.
 build_progress() { # build_progress UNIT: "steps", "tests"
   local line tenth last=0 start=$SECONDS
-  while IFS= read -r line; do
+  while IFS= read -r line || [ -n "$line" ]; do
     printf '%s\n' "$line"
     [[ $line =~ ^(\[|\ *)([0-9]+)/([0-9]+)(\]|\ Test\ ) ]] || continue
     tenth=$((10 * BASH_REMATCH[2] / BASH_REMATCH[3]))
