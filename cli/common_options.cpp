@@ -4,7 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <vector>
+#include <array>
+#include <string_view>
 
 #include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
@@ -33,15 +34,21 @@ void add_quiet_option(CLI::App& sub, bool& quiet, const std::string& what) {
   sub.add_flag("--quiet", quiet, "Print " + what);
 }
 
-void add_old_option(CLI::App& sub, const std::string& old_name, const std::string& new_name) {
-  CLI::Option* now = sub.get_option(new_name);
-  sub.add_option_function<std::string>(old_name,
-                                       [now, old_name, new_name](const std::string& value) {
-                                         tell("plastica: {} is now {}\n", old_name, new_name);
-                                         now->add_result(value);
-                                         now->run_callback();
-                                       })
-      ->group("");  // not in --help
+std::vector<std::string> with_new_names(std::vector<std::string> words) {
+  struct Renamed {
+    std::string_view command, before, now;
+  };
+  constexpr std::array kRenamed{Renamed{"stability", "--most-work", "--max-work"}};
+  for (const Renamed& one : kRenamed) {
+    if (words.empty() || words.front() != one.command) continue;
+    for (std::string& word : words) {
+      const std::string_view name = std::string_view(word).substr(0, word.find('='));
+      if (name != one.before) continue;
+      tell("plastica: {} is now {}\n", one.before, one.now);
+      word.replace(0, name.size(), one.now);
+    }
+  }
+  return words;
 }
 
 void add_isa_option(CLI::App& sub, std::string& isa) {

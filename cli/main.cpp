@@ -1,6 +1,6 @@
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/help_format.hpp"
 #include "cli/tell.hpp"
@@ -104,7 +105,9 @@ int run(int argc, char** argv) {
   Action action;
   add_commands(app, command_line, action);
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = plastica::cli::with_new_names({argv + 1, argv + argc});
+    std::reverse(words.begin(), words.end());  // as the parser takes them
+    app.parse(words);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return finish_output(app.exit(error));  // --help, --version
     return complain(rule_of(app, error, argc > 1 ? argv[1] : ""), plastica::cli::kBadInput);

@@ -1,8 +1,8 @@
 #include "sweeps/stability/stability.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -60,8 +60,11 @@ int run_study(const StabilityArguments& arguments) {
   if (bar) bar->clear();
   std::erase_if(rows, [](const auto& row) { return !row.begun; });
   if (rows.empty() && !interrupt.flag()) {
-    throw InputError({}, "--only", fmt::format("{}", fmt::join(options.only, ", ")),
-                     "is in the name of no point");
+    const bool limited =
+        options.max_segment_steps < stability::StabilityOptions{}.max_segment_steps;
+    throw InputError(
+        {}, "--only", fmt::format("{}", fmt::join(options.only, ", ")),
+        limited ? "is in the name of no point within --max-work" : "is in the name of no point");
   }
   // What was walked is kept, whether all was or not.
   const io::Overwrite overwrite = io::overwrite_if(arguments.force);
@@ -97,7 +100,6 @@ void add_stability(CLI::App& app, Action& action) {
   sub->add_option("--seed", options.seed, "Seed of the sample")->option_text("N");
   sub->add_option("--max-work", options.max_segment_steps, "Leave out points of more segment-steps")
       ->option_text("N");
-  add_old_option(*sub, "--most-work", "--max-work");
   sub->add_option("-o,--output", arguments->output, "Write every point as CSV")
       ->option_text("FILE");
   sub->add_option("--map", arguments->map, "Draw the map: .svg, .png, .pdf or .gp")
