@@ -155,13 +155,17 @@ bool SceneModel::takes_a_limit() const {
   });
 }
 
-std::vector<bool> SceneModel::joints_of_the_limit(const Setup& setup, const Model& model) const {
+std::vector<bool> SceneModel::joints_of_the_limit(const Setup& setup, const Model& model,
+                                                  std::span<const double> values) const {
   if (!model.chain) return {};
-  const ChainModel& chain = *model.chain;
   // Without regions all joints are the scene's.
-  if (setup.scene.regions.empty()) return std::vector<bool>(chain.layout.size() + 1, true);
+  if (setup.scene.regions.empty()) return std::vector<bool>(model.chain->layout.size() + 1, true);
+  const Setup at = setup_at(setup, values);
+  std::optional<Model> own;
+  if (!prepared_) own = prepare(at.scene, at.solver);
+  const ChainModel& chain = own ? *own->chain : *model.chain;
   std::vector<bool> joints;
-  for (const auto& joint : scene_joints(chain, material_values(setup.scene.material))) {
+  for (const auto& joint : scene_joints(chain, material_values(at.scene.material))) {
     joints.push_back(limited_[chain.layout.parts[joint.owner].region]);
   }
   return joints;
@@ -197,32 +201,24 @@ std::vector<SceneCurve> SceneModel::run(bool longer, std::span<const double> val
   const Model& model = longer ? *longer_ : model_;
   std::vector<SceneCurve> curves(count);
   const std::size_t n = fields_.size();
-  const auto at = [&](std::size_t i) { return setup_at(setup, values.subspan(i * n, n)); };
+  const auto values_of = [&](std::size_t i) { return values.subspan(i * n, n); };
+  const auto curve = [&](std::size_t i, const Response& response) {
+    return curve_of(response, joints_of_the_limit(setup, model, values_of(i)), longer);
+  };
   if (prepared_) {
     run_batch(
         model, values, count,
-        [&](std::size_t i, Response&& response) {
-          curves[i] = curve_of(response, joints_of_the_limit(at(i), model), longer);
-        },
-        how);
+        [&](std::size_t i, Response&& response) { curves[i] = curve(i, response); }, how);
     return curves;
   }
   run_batch(
       count,
       [&](std::size_t i) {
-        const Setup of = at(i);
-        return BatchCase{std::to_string(i), of.scene, of.solver};
+        const Setup at = setup_at(setup, values_of(i));
+        return BatchCase{std::to_string(i), at.scene, at.solver};
       },
       [&](std::size_t i, BatchRow&& row) {
-        if (!row.reason.empty()) {
-          curves[i] = failed(row.reason);
-          return;
-        }
-        const Setup of = at(i);
-        const bool regions = !of.scene.regions.empty();
-        curves[i] = curve_of(
-            row.response, joints_of_the_limit(of, regions ? prepare(of.scene, of.solver) : model),
-            longer);
+        curves[i] = row.reason.empty() ? curve(i, row.response) : failed(row.reason);
       },
       how);
   return curves;

@@ -77,7 +77,8 @@ class SceneModel {
              std::vector<SceneCurve>& curves) const;
   /// Which joints take a limit of the scene's material (N + 1): those of its parts, the weaker one
   /// of two that meet, which the values decide. Of a coupon none.
-  std::vector<bool> joints_of_the_limit(const Setup& setup, const Model& model) const;
+  std::vector<bool> joints_of_the_limit(const Setup& setup, const Model& model,
+                                        std::span<const double> values) const;
   /// @param limited  `joints_of_the_limit`, of this and what it calls
   SceneCurve curve_of(const Response& response, const std::vector<bool>& limited,
                       bool longer) const;
