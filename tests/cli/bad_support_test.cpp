@@ -58,6 +58,11 @@ INSTANTIATE_TEST_SUITE_P(
                      "at = 0.25\nto = 0.75\nkind = 'elastic'\nstiffness = ['0 MPa', '-5 MPa', "
                      "'0 MPa']\n",
                      "32: support[4].stiffness = -5e+06: must be at least 0"),
+        with_support("WithTwoBegins",
+                     std::string("at = 0.25\nfrom = 0.25\nto = 0.75\nkind = 'elastic'\n") + kBed,
+                     "29: support[4].at = 0.25: stands beside from: one of them is enough"),
+        with_support("ThatDoesNotEnd", std::string("from = 0.25\nkind = 'elastic'\n") + kBed,
+                     "29: support[4].from = 0.25: needs to; a single place is at"),
         with_support("OfAClamp", "at = 0.25\nto = 0.75\nkind = 'clamp'\n",
                      "30: support[4].to = 0.75: belongs to kind = \"elastic\"")),
     name_of_case);

@@ -25,6 +25,9 @@ struct JointModel {
   std::size_t joint = kNone;  ///< its number among the chain's; none: an end that nothing holds
   std::size_t owner = 0;      ///< the part of the beam whose section and law it has
   std::size_t first = 0;      ///< the first component that turns on the level
+  /// Bending about x, about y, torsion: whether the section resists it there. It does not in a pin,
+  /// in a hinge, nor at an end that nothing holds.
+  std::array<bool, 3> resists{};
   double share = 0.0;         ///< where it is, of the beam's length [1]
   double begin = 0.0;         ///< the part of the axis that it stands for [m]
   double end = 0.0;
@@ -51,6 +54,11 @@ struct JointModel {
     return round ? std::hypot(by_x, by_y) : std::fabs(by_x) + std::fabs(by_y);
   }
 };
+
+/// L_p of a joint: of the scene, or the depth of its section; 0 in the report's formulas [m].
+inline double hinge_length(const Scene& scene, const JointModel& joint) {
+  return scene.hinge_length.value_or(scene.formulas == Formulas::Report ? 0.0 : joint.height);
+}
 
 /// `JointModel::limit` of the joints that a part owns.
 inline std::array<double, 4> break_limits(const Scene& scene, const Material& material) {
@@ -127,6 +135,9 @@ JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& 
     if (!acts) continue;
     for (std::size_t k = 0; k < law::kSectionAxes; ++k) {
       joint.length[k] = static_cast<double>(set.numbers[number].length[k]);
+    }
+    for (std::size_t k = 0; k < L::kRotations; ++k) {
+      joint.resists[view.section_axes().rotation(k)] = build.joints[number].acting[k];
     }
     // With what it takes over of an end; between unlike parts, of its owner alone.
     if (node == 1) joint.begin -= layout.bare_half[0][joint.first];

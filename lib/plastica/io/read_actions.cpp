@@ -52,9 +52,19 @@ HeldFreedoms read_hold(const TomlValue& list) {
   return held;
 }
 
+/// Where something is, or begins: `at`, or `from` beside `to`, as regions say it.
+Place read_begin(const TomlTable& table) {
+  const auto from = table.find("from");
+  if (!from) return read_place(table.at("at"));
+  if (const auto at = table.find("at"))
+    throw at->error("stands beside from: one of them is enough");
+  if (!table.find("to")) throw from->error("needs to; a single place is at");
+  return read_place(*from);
+}
+
 Support read_support(const TomlTable& table) {
   Support support;
-  support.at = read_place(table.at("at"));
+  support.at = read_begin(table);
   support.kind = static_cast<SupportKind>(table.at("kind").word(support_kinds()));
   const SupportTraits& kind = traits_of(support);
   if (const auto hold = table.find("hold")) support.hold = read_hold(*hold);
@@ -84,7 +94,7 @@ Support read_support(const TomlTable& table) {
 
 Load read_load(const TomlTable& table) {
   Load load;
-  load.at = read_place(table.at("at"));
+  load.at = read_begin(table);
   const auto to = table.find("to");
   if (to) load.to = read_place(*to);
   read_any(table, load_fields(), load);

@@ -210,6 +210,11 @@ struct BoxOnGrid final : SolvedBox {
 class LastBoxes {
  public:
   std::shared_ptr<const SolvedBox> of(const BoxDimensions& box) {
+    for (const double side : {box.width, box.height, box.inner_width, box.inner_height}) {
+      // No order among boxes has a place for it.
+      if (!std::isfinite(side))
+        throw std::invalid_argument("a rectangular tube needs finite sides");
+    }
     if (auto known = find(box)) return known;
     // Two threads may solve the same box at first; both get the same numbers.
     auto solved = std::make_shared<const BoxOnGrid>(box);

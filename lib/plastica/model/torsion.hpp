@@ -79,6 +79,7 @@ struct SolvedBox {
 /// quarter of the section, graded towards the re-entrant corner, two grids and Richardson's
 /// extrapolation; the circulation condition is the natural one of the constant over the hole.
 /// Within 0.01 % (against grids three times as fine) for walls from 1e-4 to 0.5 of a side.
+/// @throws std::invalid_argument for a side that is not finite
 std::shared_ptr<const SolvedBox> solved_box(const BoxDimensions& box);
 
 /// How many boxes have been solved so far, by all threads: for tests.

@@ -46,7 +46,7 @@ BreakWatch::BreakWatch(const Scene& scene, std::vector<chain::JointModel> joints
       report_(scene.formulas == Formulas::Report),
       accumulated_(scene.break_measure == BreakMeasure::Accumulated) {
   for (const chain::JointModel& joint : joints_) {
-    hinge_.push_back(scene.hinge_length.value_or(report_ ? 0.0 : joint.height));
+    hinge_.push_back(chain::hinge_length(scene, joint));
     same_hinges_ = same_hinges_ && hinge_.back() == hinge_.front();
     for (std::size_t k = 0; k < 3; ++k) scales_ = scales_ || scale_of(joint, k) != 1.0;
   }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "plastica/chain/joint_plan.hpp"
+#include "plastica/chain/joint_model.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
@@ -16,6 +16,7 @@
 #include "plastica/model/section_kind.hpp"
 #include "plastica/model/yield_warnings.hpp"
 #include "plastica/run/chain_model.hpp"
+#include "plastica/run/scene_joints.hpp"
 
 namespace plastica {
 namespace {
@@ -24,13 +25,15 @@ using model_detail::figure;
 
 /// What the warnings need to know of a scene.
 struct Facts {
-  explicit Facts(const Model& model)
-      : scene(model.chain->scene),
-        options(model.chain->options),
-        layout(model.chain->layout),
+  explicit Facts(const Model& of)
+      : model(of),
+        scene(of.chain->scene),
+        options(of.chain->options),
+        layout(of.chain->layout),
         section(layout.parts[0].properties),
-        level{model.level, model.chain->across == 1 ? BendingAxis::X : BendingAxis::Y, {}} {}
+        level{of.level, of.chain->across == 1 ? BendingAxis::X : BendingAxis::Y, {}} {}
 
+  const Model& model;
   const Scene& scene;
   const SolverOptions& options;
   const chain::Layout& layout;
@@ -47,18 +50,47 @@ bool bends_about_y(const LevelChoice& level) {
          (level.level == Level::Planar && level.bending == BendingAxis::Y);
 }
 
-/// Depth of the scene's own section in bending about an axis [m].
-double depth_of(const Facts& facts, bool about_x) {
-  return 2.0 * (about_x ? facts.section.outer_distance_x : facts.section.outer_distance_y);
+/// Calls `use` with each segment's length [m] and the part of the beam that it is of.
+template <class Use>
+void for_each_segment(const Facts& facts, const Use& use) {
+  const chain::Layout& layout = facts.layout;
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    use(layout.segment_length[i], layout.parts[layout.segment_part[i].middle]);
+  }
 }
 
-/// The longest tributary length of the beam's joints in bending [m].
-double longest_joint(const Facts& facts) {
-  double longest = 0.0;
-  for (std::size_t i = 0; i < facts.layout.size(); ++i) {
-    const chain::JointPlan joint = chain::joint_plan(facts.layout, i);
-    if (bends_about_x(facts.level)) longest = std::max(longest, joint.length[0]);
-    if (bends_about_y(facts.level)) longest = std::max(longest, joint.length[1]);
+/// Depth in bending about an axis, the mean over the beam [m].
+double depth_of(const Facts& facts, bool about_x) {
+  double sum = 0.0;
+  double length = 0.0;
+  for_each_segment(facts, [&](double along, const chain::BeamPart& part) {
+    const SectionProperties& section = part.properties;
+    sum += along * 2.0 * (about_x ? section.outer_distance_x : section.outer_distance_y);
+    length += along;
+  });
+  return sum / length;
+}
+
+/// A joint that can break, and how many hinge lengths it stands for.
+struct LongJoint {
+  double length = 0.0;  ///< [m]
+  double hinge = 0.0;   ///< L_p [m]
+  double times() const { return length / hinge; }
+};
+
+/// Of all joints that can break the one that stands for the most hinge lengths; if hinges have no
+/// length, any of them.
+std::optional<LongJoint> longest_joint(const Facts& facts) {
+  std::optional<LongJoint> longest;
+  const Scene& scene = facts.scene;
+  for (const chain::JointModel& joint :
+       scene_joints(*facts.model.chain, material_values(scene.material))) {
+    for (std::size_t k = 0; k < joint.resists.size(); ++k) {
+      const double limit = k < 2 ? std::min(joint.limit[k], joint.limit[3]) : joint.limit[k];
+      if (!joint.resists[k] || !std::isfinite(limit)) continue;
+      const LongJoint found{joint.length[k], chain::hinge_length(scene, joint)};
+      if (!longest || found.times() > longest->times()) longest = found;
+    }
   }
   return longest;
 }
@@ -77,16 +109,24 @@ double segments_for(double longest, const Facts& facts) {
   return layout.end_rule == EndRule::Half ? least + 1.0 : least;
 }
 
-/// Shear's share of the tip deflection of a cantilever under a tip force: with
-/// phi = 3 E I/(kappa G A L^2), phi/(1 + phi). Source: Timoshenko's beam.
+/// Shear's share of the tip deflection of a cantilever, clamped where the beam begins, under a tip
+/// force: phi/(1 + phi), phi = integral(dz/(kappa G A)) over integral((L - z)^2 dz/(E I)), for one
+/// section 3 E I/(kappa G A L^2). Source: Timoshenko's beam.
 double shear_share(const Facts& facts, bool about_x) {
-  const Scene& scene = facts.scene;
-  const SectionProperties& section = facts.section;
-  const double second_moment = about_x ? section.second_moment_x : section.second_moment_y;
-  const double kappa = about_x ? section.shear_coefficient_y : section.shear_coefficient_x;
-  const double phi = 3.0 * scene.material.youngs_modulus * second_moment /
-                     (kappa * resolved_shear_modulus(scene.material) * section.area *
-                      scene.beam.length * scene.beam.length);
+  double shear = 0.0;
+  double bending = 0.0;
+  double left = facts.scene.beam.length;
+  for_each_segment(facts, [&](double along, const chain::BeamPart& part) {
+    const SectionProperties& section = part.properties;
+    const double second_moment = about_x ? section.second_moment_x : section.second_moment_y;
+    const double kappa = about_x ? section.shear_coefficient_y : section.shear_coefficient_x;
+    shear += along / (kappa * resolved_shear_modulus(part.material) * section.area);
+    const double beyond = std::max(left - along, 0.0);
+    bending += (left * left * left - beyond * beyond * beyond) / 3.0 /
+               (part.material.youngs_modulus * second_moment);
+    left = beyond;
+  });
+  const double phi = shear / bending;
   return phi / (1.0 + phi);
 }
 
@@ -113,17 +153,6 @@ std::optional<std::string> short_beam(const Facts& facts) {
          "it";
 }
 
-bool can_break(const Scene& scene) {
-  if (scene.yield_model == YieldModel::Elastic) return false;
-  const auto limited = [](const Material& material) {
-    return material.break_strain || material.break_shear_strain;
-  };
-  return scene.break_limit_x || scene.break_limit_y || scene.break_limit_z ||
-         limited(scene.material) ||
-         std::any_of(scene.regions.begin(), scene.regions.end(),
-                     [&](const Region& region) { return limited(region.material); });
-}
-
 /// Whether yielding gathers in one joint: no hardening, and not a section of fibres.
 bool is_ideal(const Scene& scene) {
   return scene.yield_model != YieldModel::Fibre &&
@@ -132,25 +161,25 @@ bool is_ideal(const Scene& scene) {
 
 std::optional<std::string> hinge(const Facts& facts) {
   const Scene& scene = facts.scene;
-  if (!can_break(scene) || facts.level.level == Level::Twist) return std::nullopt;
-  const double reports =
-      scene.formulas == Formulas::Report ? 0.0 : depth_of(facts, bends_about_x(facts.level));
-  const double hinge_length = scene.hinge_length.value_or(reports);
-  if (hinge_length == 0.0) {
+  if (scene.yield_model == YieldModel::Elastic || facts.level.level == Level::Twist) {
+    return std::nullopt;
+  }
+  const std::optional<LongJoint> longest = longest_joint(facts);
+  if (!longest) return std::nullopt;
+  if (longest->hinge == 0.0) {
     if (!is_ideal(scene)) return std::nullopt;
     return "without a hinge length a break depends on the segments: an ideal joint takes all of "
            "the rotation, which at break falls as 1/N";
   }
-  const double longest = longest_joint(facts);
-  if (longest <= hinge_length * (1.0 + 1e-9)) return std::nullopt;
-  const double over = longest / hinge_length;
+  const double over = longest->times();
+  if (over <= 1.0 + 1e-9) return std::nullopt;
   const std::string cost =
       is_ideal(scene) ? "under an even moment their strain is " + figure(over) + " times too large"
                       : "where less than such a length yields, its strain is up to " +
                             figure(over) + " times too small";
-  return "joints that can break stand for " + figure(longest) +
-         " m, more than the hinge length of " + figure(hinge_length) + " m: " + cost + "; " +
-         figure(segments_for(hinge_length, facts)) + " equal segments would do";
+  return "joints that can break stand for " + figure(longest->length) +
+         " m, more than the hinge length of " + figure(longest->hinge) + " m: " + cost + "; " +
+         figure(segments_for(longest->hinge, facts)) + " equal segments would do";
 }
 
 /// Whether a history lets go of what it had reached.

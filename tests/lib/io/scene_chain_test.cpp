@@ -158,6 +158,18 @@ TEST(ChainScene, ReadsLoadsAtAPointAndSpread) {
   EXPECT_FALSE(scene.loads[2].follows);
 }
 
+/// As regions say it.
+TEST(ChainScene, ReadsFromAndToOfSpreadLoadsAndBeds) {
+  const Scene scene = with(
+      "[[load]]\nfrom = 0.25\nto = 0.75\nforce = ['0 N/m', '-1 N/m', '0 N/m']\n"
+      "[[support]]\nfrom = 0.5\nto = 'end'\nkind = 'elastic'\n"
+      "stiffness = ['0 Pa', '1 Pa', '0 Pa']\n");
+  EXPECT_EQ(scene.loads.at(1).at.fraction, 0.25);
+  EXPECT_EQ(scene.loads.at(1).to.value().fraction, 0.75);
+  EXPECT_EQ(scene.supports.at(1).at.fraction, 0.5);
+  EXPECT_EQ(scene.supports.at(1).to.value().fraction, 1.0);
+}
+
 TEST(ChainScene, ReadsGravityAsAListOrATable) {
   const Vector down{0.0, -9.81, 0.0};
   const Scene list = scene_of("gravity = ['0 m/s^2', '-9.81 m/s^2', '0 m/s^2']\n" + kClamp);

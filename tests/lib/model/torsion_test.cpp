@@ -117,6 +117,17 @@ TEST(BoxTorsion, LiesBetweenItsBounds) {
   }
 }
 
+/// NaN has no place among the boxes that are kept: it would find another box, or none after it.
+TEST(BoxTorsion, RefusesSidesThatAreNotFinite) {
+  const BoxDimensions box{1.0, 1.0, 0.25, 0.75};
+  const double constant = solved_box(box)->torsion.constant;
+  for (const double side :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(solved_box({1.0, side, 0.25, 0.75}), std::invalid_argument);
+  }
+  EXPECT_EQ(solved_box(box)->torsion.constant, constant);
+}
+
 TEST(BoxTorsion, DoesNotDependOnWhichSideIsTheWidth) {
   const BoxTorsion lying = solved_box({2.0, 1.0, 1.9, 0.5})->torsion;
   const BoxTorsion standing = solved_box({1.0, 2.0, 0.5, 1.9})->torsion;

@@ -160,6 +160,63 @@ TEST(SceneWarnings, NameAsManySegmentsAsBringTheLongestJointDownToTheHinge) {
   }
 }
 
+/// At a support's turned end the next joint stands for 3L/2N; a hinge there has no law that breaks.
+TEST(SceneWarnings, LeaveOutJointsThatNothingResists) {
+  const auto hinged = [](double at) {
+    return [at](Scene& s) {
+      s.end_rule = EndRule::ThreeHalves;
+      s.beam.segments = 50;
+      s.break_limit_x = 0.1;
+      s.hinge_length = 0.025;
+      s.supports[0].kind = SupportKind::Pin;
+      s.supports.push_back({Place::end(), SupportKind::Roller});
+      s.supports.push_back({{at, {}}, SupportKind::Hinge});
+      s.supports.push_back({{0.5, {}}, SupportKind::Roller});
+    };
+  };
+  EXPECT_TRUE(warns(warnings_of(hinged(0.3)), "joints that can break stand for 0.03 m"));
+  const auto first = [&](Scene& s) {
+    hinged(0.02)(s);
+    s.supports.push_back({{0.98, {}}, SupportKind::Hinge});
+    s.supports.push_back({{0.25, {}}, SupportKind::Roller});
+    s.supports.push_back({{0.75, {}}, SupportKind::Roller});
+  };
+  EXPECT_FALSE(warns(warnings_of(first), "hinge length"));
+}
+
+/// Half of the beam is five times as deep: its joints have five times the hinge length, and the
+/// mean depth and the stiffness of each segment say what shear is.
+TEST(SceneWarnings, AskEachRegionForItsSection) {
+  const auto thick = [](double from, double to, int segments) {
+    return [=](Scene& s) {
+      s.beam.segments = segments;
+      s.material.break_strain = 0.1;
+      Region region{
+          .from = {from, {}}, .to = {to, {}}, .section = s.section, .material = s.material};
+      region.section.height = 0.1;
+      s.regions.push_back(region);
+    };
+  };
+  EXPECT_TRUE(warns(warnings_of(thick(0.5, 1.0, 20)),
+                    "stand for 0.05 m, more than the hinge "
+                    "length of 0.02 m"));
+  EXPECT_FALSE(warns(warnings_of(thick(0.0, 1.0, 20)), "hinge length"));
+  EXPECT_FALSE(warns(warnings_of(thick(0.0, 1.0, 20)), "as long as deep"));
+  const auto short_of = [&](double from) {
+    return warnings_of([&](Scene& s) {
+      thick(from, 1.0, 16)(s);
+      s.regions[0].section.height = 0.2;
+    });
+  };
+  // All of it: as for a beam of that section. Half, from the middle on: mean depth 0.11 m, and with
+  // E/G = 2.6, kappa G A and I_0 = b h^3/12 of h = 0.02 m and 0.2 m
+  //   phi = 2.6/0.85 (50 + 5)/2/(7/24 * 12 50^3 + 1/24 * 12 5^3) 1/m^2 = 1.923e-4.
+  EXPECT_TRUE(warns(short_of(0.0), "is 5 times as long as deep"));
+  EXPECT_TRUE(warns(short_of(0.0), "is 2.97 % of"));
+  EXPECT_TRUE(warns(short_of(0.5), "is 9.09 times as long as deep"));
+  EXPECT_TRUE(warns(short_of(0.5), "is 0.0192 % of"));
+}
+
 TEST(SceneWarnings, SayThatABreakWithoutHingeLengthDependsOnTheSegments) {
   const std::string text = "without a hinge length a break depends on the segments";
   EXPECT_TRUE(warns(warnings_of([](Scene& s) {
