@@ -125,8 +125,8 @@ void add_case(const Claim& claim, const SweepRecord& record, std::size_t i, Wors
       return;
     }
     case ClaimKind::Value: worst.add(result.value, why(record, i)); return;
-    case ClaimKind::Ledger:
-      worst.add(usable(result.status) ? std::optional(result.ledger_error) : std::nullopt,
+    case ClaimKind::EnergyBalance:
+      worst.add(usable(result.status) ? std::optional(result.energy_balance_error) : std::nullopt,
                 why(record, i));
       return;
     default:
@@ -169,7 +169,7 @@ ClaimVerdict judge(const Claim& claim, const SweepRecord& record) {
       case ClaimKind::Spread: add_spread(record, group, worst); break;
       case ClaimKind::Error:
       case ClaimKind::Value:
-      case ClaimKind::Ledger:
+      case ClaimKind::EnergyBalance:
       case ClaimKind::Work:
         for (const std::size_t i : group.cases) add_case(claim, record, i, worst);
         break;

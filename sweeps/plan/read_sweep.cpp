@@ -94,6 +94,8 @@ Sweep read_document(const TomlDocument& document) {
                      "times runs of a scene; this quantity is none of a run");
   }
   root.check_unused();
+  sweep.notes = sweep.scene.notes;
+  sweep.notes.insert(sweep.notes.end(), root.notes().begin(), root.notes().end());
   return sweep;
 }
 

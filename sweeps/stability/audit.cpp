@@ -298,7 +298,7 @@ bool is_finite(const Setup& setup, const Response& response) {
                                e.fracture, e.external, e.residual}))
       return false;
   }
-  return std::isfinite(response.ledger_error) && std::isfinite(response.permanent_strain) &&
+  return std::isfinite(response.energy_balance_error) && std::isfinite(response.permanent_strain) &&
          all_finite(chain.position) && all_finite(chain.moment) && all_finite(chain.force) &&
          all_finite(chain.angle) && all_finite(chain.plastic_angle) && all_finite(chain.rotation) &&
          all_finite(chain.plastic_strain) && all_finite(chain.stress) && all_finite(chain.reaction);

@@ -31,9 +31,9 @@ struct StabilityRow {
   bool begun = false;           ///< false after a stop
   Verdict verdict{};
   Status status = Status::NotRun;
-  double ledger_error = 0.0;   ///< of a motion [1]
-  double segment_steps = 0.0;  ///< segments times steps that were taken [1]
-  double seconds = 0.0;        ///< with preparation [s]
+  double energy_balance_error = 0.0;  ///< of a motion [1]
+  double segment_steps = 0.0;         ///< segments times steps that were taken [1]
+  double seconds = 0.0;               ///< with preparation [s]
 };
 
 /// Which points of the stability study are run, and how.

@@ -195,7 +195,8 @@ std::string summary_text(std::span<const StabilityRow> rows) {
 
 std::string rows_csv(std::span<const StabilityRow> rows) {
   std::string text =
-      "id,scene,level,analysis,axis,value,axis_2,value_2,verdict,reason,status,ledger_error,"
+      "id,scene,level,analysis,axis,value,axis_2,value_2,verdict,reason,status,energy_balance_"
+      "error,"
       "segment_steps,seconds\n";
   for (const StabilityRow& row : rows) {
     if (!row.begun) continue;
@@ -207,7 +208,7 @@ std::string rows_csv(std::span<const StabilityRow> rows) {
     }
     text += ',' + std::string(kSoundness[static_cast<std::size_t>(row.verdict.soundness)]) + ',' +
             report::csv_cell(row.verdict.reason) + ',' + std::string(name_of(row.status)) + ',' +
-            report::significant(row.ledger_error, 3) + ',' +
+            report::significant(row.energy_balance_error, 3) + ',' +
             report::significant(row.segment_steps, 6) + ',' + report::significant(row.seconds, 3) +
             '\n';
   }

@@ -39,7 +39,7 @@ std::vector<SafeRange> safe_ranges(std::span<const StabilityRow> rows);
 /// The counts and the safe ranges as tables of Markdown.
 std::string summary_text(std::span<const StabilityRow> rows);
 
-/// All rows as CSV: id, level, analysis, axes, verdict, reason, status, ledger error,
+/// All rows as CSV: id, level, analysis, axes, verdict, reason, status, energy balance error,
 /// segment-steps, seconds.
 std::string rows_csv(std::span<const StabilityRow> rows);
 

@@ -80,7 +80,7 @@ class Reader {
       for (std::size_t i = 0; i < texts.size(); ++i) set(results_[i].*member, name, texts[i]);
     } else {
       using Stored = std::conditional_t<std::is_integral_v<Value>, std::int64_t, double>;
-      const auto values = checked(name, group_.read<Stored>(name));
+      const auto values = checked(name, group_.read<Stored>(io::path_in_file(group_, name)));
       using Wanted = std::conditional_t<std::is_integral_v<Value>, Value, double>;
       io::ValueRule rule = io::rule_of(kSweepRules, "cases/" + name);
       if constexpr (std::is_same_v<Value, std::optional<double>>) rule.may_lack = true;
@@ -133,7 +133,7 @@ void walk(Columns& column, const std::string& unit) {
   column("segments", "1", &CaseResult::segments);
   column("iterations", "1", &CaseResult::iterations);
   column("cutbacks", "1", &CaseResult::cutbacks);
-  column("ledger_error", "1", &CaseResult::ledger_error);
+  column("energy_balance_error", "1", &CaseResult::energy_balance_error);
 }
 
 std::vector<double> row_of(const io::Ragged<double>& rows, std::size_t i) {

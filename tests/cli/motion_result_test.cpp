@@ -67,7 +67,7 @@ TEST_F(MotionResult, IsShownAsItWasPrintedAndHasNoProgressInALog) {
   const auto json = nlohmann::json::parse(place_.read("beam.json"));
   EXPECT_EQ(nlohmann::json::parse(place_.run({"export", "beam.h5", "--to", "json"}).out), json);
   EXPECT_EQ(json.at("events").at(0).at("pieces").size(), 2U);
-  EXPECT_EQ(json.at("energies").at("closes"), true);
+  EXPECT_EQ(json.at("energies").at("balanced"), true);
 }
 
 TEST_F(MotionResult, OfTwoRunsDiffersInMetaAlone) {

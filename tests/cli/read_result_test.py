@@ -342,13 +342,13 @@ class ReadMotion(unittest.TestCase):
         table = list(zip(pieces["event"], pieces["first"], pieces["last"]))
         self.assertEqual(table, [(0, 0, 2), (0, 3, 3), (1, 0, 1), (1, 2, 2), (1, 3, 3)])
 
-    def test_has_a_ledger_that_closes(self):
+    def test_has_energies_that_are_balanced(self):
         energy = {name: values[:] for name, values in self.file["energy"].items()}
         rest = energy["external"] - sum(values for name, values in energy.items()
                                         if name not in ("external", "residual"))
         largest = max(numpy.max(numpy.abs(values)) for values in energy.values())
         numpy.testing.assert_allclose(energy["residual"], rest, atol=1e-12 * largest)
-        self.assertLess(self.file["outcome/ledger_error"][()], 0.01)
+        self.assertLess(self.file["outcome/energy_balance_error"][()], 0.01)
 
     def test_has_nothing_that_is_not_documented(self):
         self.assertEqual(undocumented(self.file, PAGE).names, [])

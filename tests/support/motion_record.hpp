@@ -70,7 +70,7 @@ energy = "kinetic"
   chain.supports = 2;
   response.samples = made.samples;
   response.counters = {static_cast<int>(10 * made.samples), static_cast<int>(23 * made.samples), 4};
-  response.ledger_error = 3e-4;
+  response.energy_balance_error = 3e-4;
   response.momentum_error = 2e-5;
   response.shortest_step = response.longest_step = record.setup.solver.time_step;
   const double first_break = made.breaks ? 0.4 * made.duration : 2.0 * made.duration;

@@ -150,7 +150,7 @@ void walk_outcome(Store& store, Response& response, std::size_t joints) {
   store.word("outcome/status", response.status, status_words());
   store.number("outcome/samples", response.samples, "1");
   store.number("outcome/permanent_strain", response.permanent_strain, "1");
-  store.number("outcome/ledger_error", response.ledger_error, "1");
+  store.number("outcome/energy_balance_error", response.energy_balance_error, "1");
   store.number_since("outcome/momentum_error", response.momentum_error, "1");
   store.number_since("outcome/shortest_step", response.shortest_step, "s");
   store.number_since("outcome/longest_step", response.longest_step, "s");

@@ -221,7 +221,7 @@ class SceneReader {
   /// The numbers of a dataset, of a shape and as `kSceneRules` want them.
   template <class T>
   std::vector<Stored<T>> values_of(std::string_view path, const Shape& shape) const {
-    auto values = root_.read_array<Stored<T>>(path, shape);
+    auto values = root_.read_array<Stored<T>>(path_in_file(root_, path), shape);
     check_numbers<T>(root_, path, values, rule_of(kSceneRules, path));
     return values;
   }
@@ -238,7 +238,7 @@ class SceneReader {
   template <class Enum>
   Enum enumerator(std::string_view path, const std::string& word,
                   std::span<const std::string_view> words) const {
-    const auto found = std::find(words.begin(), words.end(), word);
+    const auto found = std::find(words.begin(), words.end(), new_name(kRenamedWords, word));
     if (found == words.end()) refuse_value(root_, path, word, "is not a word of it");
     return static_cast<Enum>(found - words.begin());
   }

@@ -74,7 +74,7 @@ enum class Component { X, Y, Z, Size };
 /// The words of files for the components, in their order.
 inline constexpr std::array<std::string_view, 4> kComponents{"x", "y", "z", "size"};
 
-/// Entries of the energy ledger, see `Energies`.
+/// Entries of the energy balance, see `Energies`.
 enum class EnergyKind {
   Elastic,
   Plastic,

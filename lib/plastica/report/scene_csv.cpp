@@ -71,11 +71,11 @@ void write_energies_csv(std::ostream& out, const io::SceneRecord& record) {
   refuse_coupon(record, "energies");
   const ChainHistory& chain = record.response.chain;
   out << "sample,time [s]";
-  for (const LedgerEntry& entry : ledger_entries()) out << fmt::format(",{} [J]", entry.name);
+  for (const EnergyEntry& entry : energy_entries()) out << fmt::format(",{} [J]", entry.name);
   out << ",residual [J]\n";
   for (std::size_t i = 0; i < chain.energy.size(); ++i) {
     out << fmt::format("{},{}", i, chain.time[i]);
-    for (const LedgerEntry& entry : ledger_entries()) {
+    for (const EnergyEntry& entry : energy_entries()) {
       out << fmt::format(",{}", chain.energy[i].*entry.member);
     }
     out << fmt::format(",{}\n", chain.energy[i].residual);

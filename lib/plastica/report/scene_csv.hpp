@@ -19,7 +19,7 @@ void write_probes_csv(std::ostream& out, const io::SceneRecord& record);
 void write_joints_csv(std::ostream& out, const io::SceneRecord& record,
                       std::optional<double> time = {});
 
-/// The energy ledger: a row per sample and a column per entry. @throws InputError for a coupon
+/// The energy balance: a row per sample and a column per entry. @throws InputError for a coupon
 void write_energies_csv(std::ostream& out, const io::SceneRecord& record);
 
 /// A row per joint that broke or was cut, with the number and time of its event.

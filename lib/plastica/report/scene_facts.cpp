@@ -26,7 +26,7 @@ void raise(std::optional<Peak>& peak, const Peak& candidate) {
 double largest_entry(const io::SceneRecord& record) {
   double largest = 0.0;
   for (const Energies& energy : record.response.chain.energy) {
-    for (const LedgerEntry& entry : ledger_entries()) {
+    for (const EnergyEntry& entry : energy_entries()) {
       largest = std::max(largest, std::fabs(energy.*entry.member));
     }
   }
@@ -159,8 +159,8 @@ std::string outcome_line(const io::SceneRecord& record) {
   return std::string(name_of(response.status));
 }
 
-std::span<const LedgerEntry> ledger_entries() {
-  static constexpr std::array<LedgerEntry, 8> kEntries{{
+std::span<const EnergyEntry> energy_entries() {
+  static constexpr std::array<EnergyEntry, 8> kEntries{{
       {&Energies::external, "external", "work of loads and moving supports"},
       {&Energies::kinetic, "kinetic", "of the motion"},
       {&Energies::elastic, "elastic", "stored in joints and springs"},
@@ -173,7 +173,7 @@ std::span<const LedgerEntry> ledger_entries() {
   return kEntries;
 }
 
-bool is_idle(const io::SceneRecord& record, const LedgerEntry& entry) {
+bool is_idle(const io::SceneRecord& record, const EnergyEntry& entry) {
   const double least = kNoEnergy * largest_entry(record);
   const auto& all = record.response.chain.energy;
   return std::all_of(all.begin(), all.end(), [&](const Energies& energy) {

@@ -61,14 +61,14 @@ void add_events(FigurePanel& panel, const io::SceneRecord& record) {
 double largest_of_entries(const io::SceneRecord& record) {
   double largest = 0.0;
   for (const Energies& energy : record.response.chain.energy) {
-    for (const LedgerEntry& entry : ledger_entries()) {
+    for (const EnergyEntry& entry : energy_entries()) {
       largest = std::max(largest, std::fabs(energy.*entry.member));
     }
   }
   return largest;
 }
 
-bool goes_negative(const io::SceneRecord& record, const LedgerEntry& entry) {
+bool goes_negative(const io::SceneRecord& record, const EnergyEntry& entry) {
   const auto& all = record.response.chain.energy;
   const double least = -kHardlyNegative * largest_of_entries(record);
   return std::any_of(all.begin(), all.end(),
@@ -86,7 +86,7 @@ FigureCurve energy_line(const io::SceneRecord& record, double Energies::*member,
 }
 
 /// An entry on top of what is below it, and adds it to that.
-FigureCurve energy_area(const io::SceneRecord& record, const LedgerEntry& entry,
+FigureCurve energy_area(const io::SceneRecord& record, const EnergyEntry& entry,
                         std::vector<double>& below) {
   const ChainHistory& chain = record.response.chain;
   FigureCurve curve{{}, std::string(entry.name), color_of(entry.name), Stroke::Area};
@@ -158,8 +158,8 @@ Figure energy_figure(const io::SceneRecord& record, bool stacked) {
   figure.title = printable(record.setup.scene.name);
   FigurePanel panel{outcome_line(record), "time [s]", "energy [J]"};
   std::vector<FigureCurve> lines;
-  std::vector<const LedgerEntry*> stack;
-  for (const LedgerEntry& entry : ledger_entries()) {
+  std::vector<const EnergyEntry*> stack;
+  for (const EnergyEntry& entry : energy_entries()) {
     if (is_idle(record, entry)) continue;
     const bool external = entry.member == &Energies::external;
     if (stacked && is_motion(record) && !external && !goes_negative(record, entry)) {
@@ -173,13 +173,13 @@ Figure energy_figure(const io::SceneRecord& record, bool stacked) {
   // What is lost for good lies below, what comes and goes on top of it.
   std::rotate(stack.begin(),
               std::find_if(stack.begin(), stack.end(),
-                           [](const LedgerEntry* entry) {
+                           [](const EnergyEntry* entry) {
                              return entry->member != &Energies::kinetic &&
                                     entry->member != &Energies::elastic;
                            }),
               stack.end());
   std::vector<double> below(record.response.chain.time.size(), 0.0);
-  for (const LedgerEntry* entry : stack) {
+  for (const EnergyEntry* entry : stack) {
     panel.curves.push_back(energy_area(record, *entry, below));
   }
   for (FigureCurve& line : lines) panel.curves.push_back(std::move(line));

@@ -337,15 +337,15 @@ Json energies_of(const io::SceneRecord& record) {
   const auto& energy = record.response.chain.energy;
   if (energy.empty()) return nullptr;
   Json all = Json::object();
-  for (const LedgerEntry& entry : ledger_entries()) {
+  for (const EnergyEntry& entry : energy_entries()) {
     all[std::string(entry.name)] = number(energy.back().*entry.member);
   }
   all["residual"] = number(energy.back().residual);
   const auto share = residual_share(record);
   all["residual_share"] = share ? number(*share) : Json(nullptr);
-  all["ledger_error"] = number(record.response.ledger_error);
+  all["energy_balance_error"] = number(record.response.energy_balance_error);
   all["momentum_error"] = number(record.response.momentum_error);
-  all["closes"] = record.response.balances();
+  all["balanced"] = record.response.balances();
   return all;
 }
 

@@ -181,7 +181,7 @@ std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
   const auto add = [&](std::string_view name, double value, int digits, std::string note) {
     table.add({std::string(name), significant(value, digits), "J", std::move(note)});
   };
-  for (const LedgerEntry& entry : ledger_entries()) {
+  for (const EnergyEntry& entry : energy_entries()) {
     if (is_idle(record, entry)) continue;
     const bool begins = entry.member == &Energies::external && is_motion(record);
     add(entry.name, last.*entry.member, 5,
@@ -192,18 +192,18 @@ std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
                   is_motion(record) ? "largest" : "energy on the path"));
   std::string text = '\n' + ink.heading("Energies at the last sample\n") + table.text(2, kWidth);
   const double momentum = record.response.momentum_error;
-  if (momentum > kLedgerTolerance) {
+  if (momentum > kBalanceTolerance) {
     text +=
         ink.bad(fmt::format("  the momentum of what flies freely is off by {:.2g} %: take smaller "
                             "steps, or scheme = \"energy_momentum\"\n",
                             100.0 * momentum));
   }
-  const double wrong = record.response.ledger_error;
-  if (wrong > kLedgerTolerance) {
+  const double wrong = record.response.energy_balance_error;
+  if (wrong > kBalanceTolerance) {
     const std::string percent = fmt::format("{:.2g} %", 100.0 * wrong);
     text += ink.bad(
         wrong > *share ? "  the scheme has made " + percent + " of the energy: take smaller steps\n"
-                       : "  the energy ledger is off by " + percent + ": take smaller steps\n");
+                       : "  the energy balance is off by " + percent + ": take smaller steps\n");
   }
   return text;
 }

@@ -101,7 +101,8 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   body_.record.end_motion();
   body_.finish_axial(response);
   body_.record.end_frames(response);
-  response.ledger_error = ledger_error(std::span(response.chain.energy).first(response.samples));
+  response.energy_balance_error =
+      energy_balance_error(std::span(response.chain.energy).first(response.samples));
   response.momentum_error = step_->momentum_error();
   judge_balance(response);
   const auto& strain = body_.strains.strain;

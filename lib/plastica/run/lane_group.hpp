@@ -73,12 +73,12 @@ class LaneGroup final : public LaneProgram {
     counts_loads_ = loads_change_ || (!Form::kMomentsHavePotential && !model.scene.loads.empty());
     set_loads(memory_, 0.0, loads_change_ ? 0.0 : model.stops.back());
     look();
-    ledgers_.assign(count_, {});
+    last_balances_.assign(count_, {});
     for (std::size_t lane = 0; lane < count_; ++lane) {
-      ledgers_[lane].potential = memory_.sum(Sums::Potential, lane);
+      last_balances_[lane].potential = memory_.sum(Sums::Potential, lane);
       const Balance begin = balance_of(memory_, lane, lane);
-      ledgers_[lane].sum = begin.sum;
-      ledgers_[lane].size = begin.size;
+      last_balances_[lane].sum = begin.sum;
+      last_balances_[lane].size = begin.size;
     }
     record();
   }
@@ -185,7 +185,7 @@ class LaneGroup final : public LaneProgram {
     auto& counters = scenarios_[lane].response().counters;
     counters.iterations += static_cast<int>(steps);
     // A number that is not finite leaves no energies that balance.
-    if (turns_little(memory_, lane, step) && ledger_closes(memory_, lane, lane)) {
+    if (turns_little(memory_, lane, step) && energy_is_balanced(memory_, lane, lane)) {
       counters.steps += static_cast<int>(steps);
       note_step(step, scenarios_[lane].response());
       return;
@@ -212,20 +212,20 @@ class LaneGroup final : public LaneProgram {
 
   /// Whether the energies of the last steps balance; takes them if they do. Where the explicit
   /// geometry is too coarse (a beam that whips, a string under tension) they do not.
-  bool ledger_closes(const Memory& memory, std::size_t memory_lane, std::size_t lane) {
-    Ledger& ledger = ledgers_[lane];
+  bool energy_is_balanced(const Memory& memory, std::size_t memory_lane, std::size_t lane) {
+    LastBalance& last = last_balances_[lane];
     const Balance now = balance_of(memory, memory_lane, lane);
-    const double size = std::max(ledger.size, now.size);
+    const double size = std::max(last.size, now.size);
     constexpr double kRounding = 256.0 * std::numeric_limits<Real>::epsilon();
-    if (!(std::fabs(now.sum - ledger.sum) <= kLedgerTolerance * size + kRounding * now.terms)) {
+    if (!(std::fabs(now.sum - last.sum) <= kBalanceTolerance * size + kRounding * now.terms)) {
       return false;
     }
-    ledger.sum = now.sum;
-    ledger.size = size;
+    last.sum = now.sum;
+    last.size = size;
     return true;
   }
 
-  /// What an energy ledger says of a lane.
+  /// The energy balance of a lane.
   struct Balance {
     double sum;    ///< of what is there and what has gone, less what has come in [J]
     double size;   ///< the largest of the entries [J]
@@ -238,12 +238,12 @@ class LaneGroup final : public LaneProgram {
                         memory.sum(Sums::Numerical, memory_lane) +
                         scenarios_[lane].plastic_work(memory, memory_lane);
     const double potential = memory.sum(Sums::Potential, memory_lane);
-    const double came =
-        counts_loads_ ? memory.sum(Sums::Loads, memory_lane) : potential - ledgers_[lane].potential;
-    return {
-        kinetic + elastic + gone - came,
-        std::max({kinetic, elastic, std::fabs(gone), std::fabs(came)}),
-        std::max({kinetic, elastic, std::fabs(potential), std::fabs(ledgers_[lane].potential)})};
+    const double came = counts_loads_ ? memory.sum(Sums::Loads, memory_lane)
+                                      : potential - last_balances_[lane].potential;
+    return {kinetic + elastic + gone - came,
+            std::max({kinetic, elastic, std::fabs(gone), std::fabs(came)}),
+            std::max({kinetic, elastic, std::fabs(potential),
+                      std::fabs(last_balances_[lane].potential)})};
   }
 
   /// Goes from the last state that held with shorter steps, alone. @return whether it got there
@@ -258,7 +258,7 @@ class LaneGroup final : public LaneProgram {
       alone_.copy_lane(0, *before_, lane);
       if (!march_alone(lane, step / cut, steps * cut)) continue;
       sight_.one(alone_.beam(counts_loads_));
-      if (!ledger_closes(alone_, 0, lane)) continue;
+      if (!energy_is_balanced(alone_, 0, lane)) continue;
       memory_.copy_lane(lane, alone_, 0);
       last_step_ = 0.0;  // this lane aims anew, with the same bits for all others
       looked_ = false;
@@ -306,10 +306,10 @@ class LaneGroup final : public LaneProgram {
   std::size_t alone_lane_ = kNone;  ///< which
   bool looked_ = false;             ///< whether the memory's sight is of its states
   /// Energies of a lane so far [J].
-  struct Ledger {
+  struct LastBalance {
     double sum = 0.0, size = 0.0, potential = 0.0;
   };
-  std::vector<Ledger> ledgers_;
+  std::vector<LastBalance> last_balances_;
   bool loads_change_ = false;
   bool counts_loads_ = false;
   double time_ = 0.0;

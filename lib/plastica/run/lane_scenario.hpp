@@ -138,7 +138,7 @@ class LaneScenario {
     }
     body_->record.end_motion();
     body_->record.end_frames(out);
-    out.ledger_error = ledger_error(std::span(out.chain.energy).first(out.samples));
+    out.energy_balance_error = energy_balance_error(std::span(out.chain.energy).first(out.samples));
     judge_balance(out);
     const auto& strain = body_->strains.strain;
     out.permanent_strain = *std::max_element(strain.begin(), strain.end());

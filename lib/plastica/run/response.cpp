@@ -5,7 +5,7 @@
 
 namespace plastica {
 
-double ledger_error(std::span<const Energies> samples) {
+double energy_balance_error(std::span<const Energies> samples) {
   double largest = 0.0;
   double wrong = 0.0;
   for (const Energies& energy : samples) {
@@ -19,7 +19,7 @@ double ledger_error(std::span<const Energies> samples) {
 }
 
 void clear_motion(Response& response) {
-  response.ledger_error = response.momentum_error = 0.0;
+  response.energy_balance_error = response.momentum_error = 0.0;
   response.shortest_step = response.longest_step = 0.0;
 }
 

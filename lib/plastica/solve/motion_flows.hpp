@@ -2,7 +2,7 @@
 
 #include "plastica/solve/motion_step.hpp"
 
-/// The energy ledger of a step. Work is that of the forces as the scheme takes them (half way, at
+/// The energy balance of a step. Work is that of the forces as the scheme takes them (half way, at
 /// the end, or the mean of both ends) over the step's motion.
 namespace plastica::solve {
 

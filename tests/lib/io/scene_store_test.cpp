@@ -172,7 +172,7 @@ TEST_F(SceneStore, KeepsTheFramesOfAMotionApartFromItsSamples) {
   EXPECT_EQ(read.response.chain.reaction.size(), 5U * 2U * 6U);
   EXPECT_EQ(read.response.probes.at(0).size(), 41U);
   EXPECT_EQ(read.response.probes, record.response.probes);
-  EXPECT_EQ(read.response.ledger_error, 3e-4);
+  EXPECT_EQ(read.response.energy_balance_error, 3e-4);
   EXPECT_EQ(read.response.momentum_error, 2e-5);
   EXPECT_EQ(read.response.longest_step, record.response.longest_step);
   EXPECT_GT(read.response.longest_step, 0.0);

@@ -166,7 +166,7 @@ TEST(PlanarSteps, LeaveLanesAloneWhereAnotherFails) {
   EXPECT_TRUE(std::isnan(all.at(4, PlanarState::Angle, 3)));
 }
 
-TEST(PlanarSteps, KeepTheEnergyOfTheirLedger) {
+TEST(PlanarSteps, KeepTheirEnergyBalanced) {
   // Euler's losses are counted on their own: they are what is missing of the energy.
   for (const int yields : {0, 1}) {
     const RandomBeams<double> b(5, 1, 11);

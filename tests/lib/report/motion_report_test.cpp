@@ -98,7 +98,7 @@ TEST(MotionReport, SaysThatMomentumIsOff) {
   const auto json = nlohmann::json::parse(scene_json(record));
   EXPECT_EQ(json.at("status"), "not-balanced");
   EXPECT_EQ(json.at("energies").at("momentum_error"), 0.12);
-  EXPECT_EQ(json.at("energies").at("closes"), false);
+  EXPECT_EQ(json.at("energies").at("balanced"), false);
 }
 
 TEST(MotionReport, ListsTheJointsOfAllEventsAndThePiecesAfterTheLast) {
@@ -146,7 +146,7 @@ TEST(MotionReport, ListsAtMostTwentyJoints) {
   EXPECT_EQ(rows, 20U);
 }
 
-TEST(MotionReport, HasTheLedgersEntriesThatAreNotZero) {
+TEST(MotionReport, HasTheEnergiesThatAreNotZero) {
   const std::string text = scene_report(motion_record());
   for (const char* line : {"\n  external    20.000  J  ", "\n  kinetic  ", "\n  elastic  ",
                            "\n  plastic     3.2000  J  ", "\n  damping     2.0000  J  ",
@@ -159,19 +159,19 @@ TEST(MotionReport, HasTheLedgersEntriesThatAreNotZero) {
       << text;
 }
 
-TEST(MotionReport, WarnsOfALedgerThatDoesNotClose) {
+TEST(MotionReport, WarnsOfEnergyThatIsNotBalanced) {
   io::SceneRecord record = motion_record();
-  record.response.ledger_error = 0.0099;
+  record.response.energy_balance_error = 0.0099;
   EXPECT_FALSE(has(scene_report(record), "take smaller steps"));
-  record.response.ledger_error = 0.032;
+  record.response.energy_balance_error = 0.032;
   EXPECT_TRUE(has(scene_report(record),
                   "\n  the scheme has made 3.2 % of the energy: take smaller steps\n"));
   for (Energies& energy : record.response.chain.energy) energy.residual = 0.64;
   EXPECT_TRUE(
-      has(scene_report(record), "\n  the energy ledger is off by 3.2 %: take smaller steps\n"));
+      has(scene_report(record), "\n  the energy balance is off by 3.2 %: take smaller steps\n"));
   const auto json = nlohmann::json::parse(scene_json(record));
-  EXPECT_EQ(json.at("energies").at("closes"), false);
-  EXPECT_EQ(json.at("energies").at("ledger_error"), 0.032);
+  EXPECT_EQ(json.at("energies").at("balanced"), false);
+  EXPECT_EQ(json.at("energies").at("energy_balance_error"), 0.032);
 }
 
 TEST(MotionReport, ListsTheFrequenciesOfDisplacementsAndVelocities) {
@@ -256,7 +256,7 @@ TEST(MotionJson, GivesWhatTheReportSaysInSi) {
   EXPECT_EQ(first.at("pieces").at(1).at("length"), 0.5);
   EXPECT_EQ(json.at("events").at(1).at("joints").at(0).at("cause"), "cut");
   EXPECT_EQ(json.at("energies").at("fracture"), 1.0);
-  EXPECT_EQ(json.at("energies").at("closes"), true);
+  EXPECT_EQ(json.at("energies").at("balanced"), true);
   EXPECT_NEAR(json.at("energies").at("residual_share").get<double>(), 3e-4, 1e-12);
   EXPECT_NEAR(json.at("frequencies").at("tip").at(1).at("frequency"), 150.0, 0.01);
   EXPECT_FALSE(json.at("frequencies").contains("kinetic"));

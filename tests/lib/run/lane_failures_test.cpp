@@ -61,7 +61,7 @@ TEST(LaneFailures, DoNotBelieveStepsWhoseEnergiesDoNotBalance) {
   const Response fine = simulate(scene, options_of(2e-5, 0.2, 10));
   ASSERT_EQ(fine.status, Status::Completed);
   if (coarse.status == Status::Completed) {
-    EXPECT_LT(coarse.ledger_error, 0.05);
+    EXPECT_LT(coarse.energy_balance_error, 0.05);
     double largest = 0.0, off = 0.0;
     for (std::size_t i = 0; i < fine.samples; ++i) {
       largest = std::max(largest, std::fabs(fine.probes[0][i]));

@@ -149,7 +149,7 @@ TEST(MotionBreak, CutsWhereTheSceneSaysAndKeepsMomentum) {
               (std::vector<Piece>{{0, 2}, {3, 5}, {6, 8}, {9, 11}}));
     EXPECT_LT(drift_of(response, 0), 1e-10);
     EXPECT_LT(drift_of(response, 1), 1e-10);
-    EXPECT_LT(response.ledger_error, 1e-8);
+    EXPECT_LT(response.energy_balance_error, 1e-8);
   }
 }
 

@@ -59,7 +59,7 @@ TEST_P(Spin, OfAFreeBarIsKeptByTheLinearlyImplicitMidpointAtEveryStep) {
     const double momentum = kSpin * inertia_of(scene);
     EXPECT_NEAR(last_of(response, 0) / momentum, 1.0, testing::tolerance(1e-10)) << step;
     EXPECT_LT(response.momentum_error, 1e-9) << step;
-    EXPECT_LT(response.ledger_error, 1e-8) << step;
+    EXPECT_LT(response.energy_balance_error, 1e-8) << step;
   }
 }
 

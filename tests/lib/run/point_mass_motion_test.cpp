@@ -176,7 +176,7 @@ TEST_P(Space, ArticulatedSchemesCarryThemAsTheOthersDo) {
     EXPECT_LT(relative_distance(exact, fine, p), 1e-3) << p;
     EXPECT_LT(relative_distance(exact, fine, p), 0.35 * relative_distance(exact, coarse, p)) << p;
   }
-  EXPECT_LT(fine.ledger_error, 1e-3);
+  EXPECT_LT(fine.energy_balance_error, 1e-3);
   EXPECT_NEAR(last_energy(fine).external / last_energy(exact).external, 1.0, 1e-3);
   const Response euler = run(Scheme::ArticulatedEuler, 1e-5);
   EXPECT_LT(relative_distance(exact, euler, 0), 1e-2);

@@ -93,6 +93,14 @@ TEST_F(CheckTest, TakesAnOldKeyAndNamesTheNewOne) {
   EXPECT_THROW(read("max_work = 1e3, most_work = 1e3"), InputError);
 }
 
+TEST_F(CheckTest, TakesAnOldClaimAndNamesTheNewOne) {
+  const CheckFile old = read("ledger = { at_most = 0.01 }");
+  EXPECT_EQ(old.claims[0].kind, ClaimKind::EnergyBalance);
+  ASSERT_EQ(old.notes.size(), 1u);
+  EXPECT_EQ(old.notes[0], folder_.file("check.toml") + ":4: ledger is now energy_balance");
+  EXPECT_TRUE(read("energy_balance = { at_most = 0.01 }").notes.empty());
+}
+
 TEST_F(CheckTest, DoesNotHoldWhereThereIsNoNumber) {
   const ClaimVerdict found = verdict(
       "where = { rules.end_rule = 'equal', beam.segments = [4] }\norder = { at_most = 9 }\n");
@@ -136,7 +144,7 @@ TEST_F(CheckTest, SaysEachVerdictOnce) {
 TEST_F(CheckTest, RefusesBadClaimsInOneLine) {
   EXPECT_EQ(message(""),
             ":1: claim[1]: claims nothing: it needs one of order, correlation, error, "
-            "extrapolated_error, gci, work, spread, value, ledger, failed, silent, "
+            "extrapolated_error, gci, work, spread, value, energy_balance, failed, silent, "
             "unsound");
   EXPECT_EQ(message("silent = { at_most = 0 }\n"),
             ":4: claim[1].silent = { at_most = 0 }: is about stability = { … }, not about a sweep");

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+
+/// Names of input and result files that have changed. The old ones are read for one version: the
+/// user is told the new one. Not installed.
+namespace plastica {
+
+struct Renamed {
+  std::string_view before;
+  std::string_view now;
+};
+
+/// Keys and words of input files; the words of result files, too.
+inline constexpr std::array kRenamedWords{
+    Renamed{"ledger", "energy_balance"},              // check files, [[claim]]
+    Renamed{"ledger_error", "energy_balance_error"},  // sweep files, error.quantity
+    Renamed{"most_work", "max_work"},                 // check files, stability
+};
+
+/// Datasets of result files, by their path from the root.
+inline constexpr std::array kRenamedStored{
+    Renamed{"outcome/ledger_error", "outcome/energy_balance_error"},
+    Renamed{"cases/ledger_error", "cases/energy_balance_error"},
+};
+
+/// The old name of what has this one now; empty if it never had another one.
+constexpr std::string_view old_name(std::span<const Renamed> names, std::string_view now) {
+  const auto found = std::ranges::find(names, now, &Renamed::now);
+  return found == names.end() ? std::string_view{} : found->before;
+}
+
+/// The new name of what had this one; the name itself if it has not changed.
+constexpr std::string_view new_name(std::span<const Renamed> names, std::string_view before) {
+  const auto found = std::ranges::find(names, before, &Renamed::before);
+  return found == names.end() ? before : found->now;
+}
+
+}  // namespace plastica
