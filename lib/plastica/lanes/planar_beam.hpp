@@ -73,7 +73,7 @@ struct PlanarSums {
     Numerical,    ///< dissipated by the scheme: see README.md [J]
     Loads,        ///< work of the loads, where it is counted [J]
     FastestSpin,  ///< largest |spin| of a segment at the end of a step [rad/s]
-    // What `PlanarSight` goes with, at one time:
+    // What `PlanarObservables` goes with, at one time:
     Kinetic,    ///< energy [J]
     Elastic,    ///< energy of the joints [J]
     Potential,  ///< work of the loads from the origin, were they always as they are now [J]
@@ -82,7 +82,7 @@ struct PlanarSums {
 };
 
 /// Where a segment is, between two steps.
-struct PlanarSight {
+struct PlanarObservables {
   enum : std::size_t {
     Place,  ///< of its inner joint, from the beam's start [m]
     X = Place,
@@ -105,7 +105,7 @@ struct PlanarBeam {
   Real* state;                ///< (segments x PlanarState::kCount)
   Real* work;                 ///< (segments x PlanarWork::kCount)
   Real* sums;                 ///< (PlanarSums::kCount)
-  Real* sight;                ///< (segments x PlanarSight::kCount)
+  Real* observables;          ///< (segments x PlanarObservables::kCount)
   bool counts_loads;          ///< whether PlanarSums::Loads is counted
 };
 

@@ -11,7 +11,7 @@
 namespace plastica::lanes {
 PLASTICA_KERNELS_BEGIN
 
-/// What articulated_step.hpp and articulated_sight.hpp ask of beams in a plane.
+/// What articulated_step.hpp and articulated_observables.hpp ask of beams in a plane.
 /// @tparam kStride  lanes of the beams' memory
 template <class S, std::size_t kStride>
 struct PlanarForm {
@@ -22,7 +22,7 @@ struct PlanarForm {
   using Load = ConstantEntry<S, PlanarLoad, kStride>;
   using State = Entry<S, PlanarState, kStride>;
   using Work = Entry<S, PlanarWork, kStride>;
-  using Sight = Entry<S, PlanarSight, kStride>;
+  using Observables = Entry<S, PlanarObservables, kStride>;
   using Sums = Entry<S, PlanarSums, kStride>;
   using Body = ArticulatedBody<L>;
   using Point = typename L::Point;
@@ -44,9 +44,10 @@ struct PlanarForm {
     const auto at = L::rotation({{ahead * aim.spin[0] + aim.direction}});
     return {{{at.cosine, at.sine}}};
   }
-  PLASTICA_ALWAYS_INLINE static void show(const Aim& aim, const Axes& axes, const Sight& sight) {
-    sight.set(PlanarSight::Direction, aim.direction);
-    set_vec(sight, PlanarSight::Cosine, axes.along);
+  PLASTICA_ALWAYS_INLINE static void observe(const Aim& aim, const Axes& axes,
+                                             const Observables& observables) {
+    observables.set(PlanarObservables::Direction, aim.direction);
+    set_vec(observables, PlanarObservables::Cosine, axes.along);
   }
   /// Foretells the segment's direction by its spin.
   PLASTICA_ALWAYS_INLINE static void aim(const Kind& kind, const Work& work, const S& ahead,

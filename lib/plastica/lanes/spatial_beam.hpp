@@ -73,7 +73,7 @@ struct SpatialSums {
     Loads,         ///< work of the loads, where it is counted [J]
     FastestSpin,   ///< largest |spin| of a segment at the end of a step [rad/s]
     LargestAngle,  ///< of a joint at the end of a step [rad]; the steps hold below 2 pi
-    // What `SpatialSight` goes with, at one time:
+    // What `SpatialObservables` goes with, at one time:
     Kinetic,    ///< energy [J]
     Elastic,    ///< energy of the joints [J]
     Potential,  ///< work of the loads' forces from the origin, were they always as now [J]
@@ -82,7 +82,7 @@ struct SpatialSums {
 };
 
 /// Where a segment is, between two steps; world axes.
-struct SpatialSight {
+struct SpatialObservables {
   enum : std::size_t {
     Place,             ///< of its inner joint, from the beam's start [m]
     Axes = Place + 3,  ///< its axes: a column each
@@ -101,7 +101,7 @@ struct SpatialBeam {
   Real* state;                ///< (segments x SpatialState::kCount)
   Real* work;                 ///< (segments x SpatialWork::kCount)
   Real* sums;                 ///< (SpatialSums::kCount)
-  Real* sight;                ///< (segments x SpatialSight::kCount)
+  Real* observables;          ///< (segments x SpatialObservables::kCount)
   bool counts_loads;          ///< whether SpatialSums::Loads is counted
 };
 

@@ -11,12 +11,12 @@
 namespace plastica::lanes {
 PLASTICA_KERNELS_BEGIN
 
-/// What articulated_step.hpp and articulated_sight.hpp ask of straight beams in space. The energy
-/// of a joint is that of three springs along the components of the rotation vector, each of which
-/// may yield on its own, so that its moments m are those of three planar joints; B, the rows that
-/// turn a joint's rate into its angle's, brings them to world axes: moment B^T m, resistance B^T
-/// diag(k) B. As the angle goes by h B (mean rate), what the moments do in a step is exactly what
-/// the springs store.
+/// What articulated_step.hpp and articulated_observables.hpp ask of straight beams in space. The
+/// energy of a joint is that of three springs along the components of the rotation vector, each of
+/// which may yield on its own, so that its moments m are those of three planar joints; B, the rows
+/// that turn a joint's rate into its angle's, brings them to world axes: moment B^T m, resistance
+/// B^T diag(k) B. As the angle goes by h B (mean rate), what the moments do in a step is exactly
+/// what the springs store.
 /// @tparam kStride  lanes of the beams' memory
 template <class S, std::size_t kStride>
 struct SpatialForm {
@@ -27,7 +27,7 @@ struct SpatialForm {
   using Load = ConstantEntry<S, SpatialLoad, kStride>;
   using State = Entry<S, SpatialState, kStride>;
   using Work = Entry<S, SpatialWork, kStride>;
-  using Sight = Entry<S, SpatialSight, kStride>;
+  using Observables = Entry<S, SpatialObservables, kStride>;
   using Sums = Entry<S, SpatialSums, kStride>;
   using Body = ArticulatedBody<L>;
   using Vector = Vec<S, 3>;
@@ -45,10 +45,10 @@ struct SpatialForm {
     assign(L::then(aim.frame, L::rotation(angle)).axes, aim.frame.axes);
     return {column<3>(aim.frame.axes, 2), column<3>(aim.frame.axes, 1)};
   }
-  PLASTICA_ALWAYS_INLINE static void show(const Aim& aim, const Axes& /*axes*/,
-                                          const Sight& sight) {
+  PLASTICA_ALWAYS_INLINE static void observe(const Aim& aim, const Axes& /*axes*/,
+                                             const Observables& observables) {
     for_each_of<3>([&](std::size_t k) PLASTICA_ALWAYS_INLINE {
-      set_vec(sight, SpatialSight::Axes + 3 * k, column<3>(aim.frame.axes, k));
+      set_vec(observables, SpatialObservables::Axes + 3 * k, column<3>(aim.frame.axes, k));
     });
   }
   /// Foretells the joint's angle by its mean rate. With T^-1 of chain/rotation.hpp, for a spin in

@@ -64,7 +64,7 @@ class AxialSearch {
     const S zero = constant<S>(0);
     force_ = force;
     S e = before_.strain + (force - before_.force) / stiffness_;
-    look(e);
+    evaluate(e);
     S low = e;
     S high = e;
     S reach = unit_;
@@ -91,7 +91,7 @@ class AxialSearch {
       e = select(active, select(between, inward, outward), strain_[kAxial]);
       reach = constant<S>(4) * reach;
       last = miss_;
-      look(e);
+      evaluate(e);
       slow = abs(miss_) > constant<S>(0.5) * abs(last);
       // The strain cannot be told from its neighbours any more.
       const S width = constant<S>(kDouble ? 1e-15 : 5e-7) * max(abs(e), unit_);
@@ -104,7 +104,7 @@ class AxialSearch {
       active = active & !far;
     }
     lost = lost | active;
-    if constexpr (kCarriesDerivatives<S>) look(next_by_newton());
+    if constexpr (kCarriesDerivatives<S>) evaluate(next_by_newton());
     return lost;
   }
 
@@ -115,7 +115,7 @@ class AxialSearch {
   static constexpr bool kDouble = sizeof(real_t<S>) == 8;
   static constexpr int kMostSteps = 100;
 
-  void look(const S& e) {
+  void evaluate(const S& e) {
     strain_[kAxial] = e;
     now_ = respond_(strain_);
     miss_ = force_ - now_.force[kAxial];

@@ -51,7 +51,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   void note_limit_mode(LimitLoad& limit);
   void set_path_options();
   void note_break(const Work& w);
-  // Out of the plane of a planar chain: look_beside.hpp.
+  // Out of the plane of a planar chain: check_plane.hpp.
   bool has_space_beside();
   bool is_pushed(const Work& w) const;
   /// What joints' sections carry, and how stiff they are about the other axis.
@@ -64,8 +64,8 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   }
   void see(const chain::Coordinates<L>& q, double time, const Sections* sections);
   /// @param sections  there; null where nothing has yielded
-  void look_beside(const chain::Coordinates<L>& q, double time, const Sections* sections);
-  void look_while_moments_grow(const Work& w);
+  void check_plane(const chain::Coordinates<L>& q, double time, const Sections* sections);
+  void check_plane_while_moments_grow(const Work& w);
 
   ChainBody<L, kElastic> body_;
   solve::PathOptions options_;
@@ -83,10 +83,10 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   chain::Coordinates<L> stable_;
   double stable_time_ = 0.0;
   bool has_stable_ = false;
-  int ways_beside_ = 0;         ///< as known last
-  double looked_at_ = 0.0;      ///< time of the last look out of the plane
-  double looked_moment_ = 0.0;  ///< largest of a joint at the last such look on the way [N m]
-  double last_time_ = 0.0;      ///< of the last step
+  int ways_beside_ = 0;          ///< as known last
+  double checked_at_ = 0.0;      ///< time of the last check of stability out of the plane
+  double checked_moment_ = 0.0;  ///< largest of a joint at the last such check [N m]
+  double last_time_ = 0.0;       ///< of the last step
   /// `sections` there, of a planar chain that has yielded.
   std::vector<law::SectionForce<typename L::Scalar>> last_forces_;
   std::vector<typename L::Scalar> last_aside_;

@@ -10,7 +10,7 @@
 #include "plastica/run/chain_modes.hpp"
 #include "plastica/run/chain_motion.hpp"
 #include "plastica/run/chain_runner.hpp"
-#include "plastica/run/look_beside.hpp"
+#include "plastica/run/check_plane.hpp"
 
 /// Defines `ChainRunner`, and which program a scene of one level has.
 namespace plastica {
@@ -91,7 +91,7 @@ bool ChainRunner<L, kElastic>::begin_path() {
   has_stable_ = false;
   has_yielded_ = leaves_plane_ = false;
   ways_beside_ = 0;
-  looked_at_ = looked_moment_ = 0.0;
+  checked_at_ = checked_moment_ = 0.0;
   body_.record.begin_frames(*response_);
   solve::PathObserver<L, kElastic>& observer = *this;
   walker_.emplace(body_.build.chain, *body_.joints, options_, control_, body_.work, committed_,
@@ -111,7 +111,7 @@ void ChainRunner<L, kElastic>::finish() {
   if (response.samples > 0) {
     // Where the path ends without an equilibrium, the joints hold a trial, which may yield first.
     const Sections last{last_forces_, last_aside_};
-    look_beside(committed_, last_time_, has_yielded_ ? &last : nullptr);
+    check_plane(committed_, last_time_, has_yielded_ ? &last : nullptr);
   }
   if (leaves_plane_ && !is_raised(hooks_->stop)) {
     // The path once more, with an eye on where that begins.
@@ -248,7 +248,7 @@ bool ChainRunner<L, kElastic>::accept(const Work& w) {
   body_.record.add_work(w, *body_.joints);
   has_yielded_ = has_yielded_ || yields();
   last_time_ = w.time;
-  if (L::kTranslations == 2) look_while_moments_grow(w);
+  if (L::kTranslations == 2) check_plane_while_moments_grow(w);
   if (body_.model.options.buckling > 0 && walker_->known_ways() == 0 && !has_yielded_) {
     stable_ = w.q;
     stable_time_ = w.time;
@@ -279,7 +279,7 @@ bool ChainRunner<L, kElastic>::record(const Work& w) {
   if (!response_->unheld_thrust) response_->unheld_thrust = is_pushed(w) && !has_space_beside();
   if (solve::is_corner(body_.build.chain, w.time, 1e-9 * options_.stops.back())) {
     const Sections now = sections();
-    look_beside(w.q, w.time, &now);
+    check_plane(w.q, w.time, &now);
   }
   return response_->samples < body_.model.samples;
 }

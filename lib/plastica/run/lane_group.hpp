@@ -27,7 +27,7 @@ class LaneGroup final : public LaneProgram {
         kernels_(Form::template kernels<Real>(
             lanes::of_precision<Real>(lanes::kernels(resolved(model.options.isa))), order_,
             model.scene.yield_model != YieldModel::Elastic)),
-        sight_(Form::template sight<Real>(
+        observables_(Form::template observables<Real>(
             lanes::of_precision<Real>(lanes::kernels(resolved(model.options.isa))))) {}
 
   void run(std::span<const LaneCase> cases) override {
@@ -59,7 +59,7 @@ class LaneGroup final : public LaneProgram {
     if (scenarios_.size() < count_) scenarios_.resize(count_);
     for (std::size_t lane = 0; lane < count_; ++lane) scenarios_[lane].begin(cases[lane]);
     time_ = last_step_ = 0.0;
-    looked_ = false;
+    observed_ = false;
     alone_lane_ = kNone;
     memory_.set(scenarios(), count_ == 1 ? 1 : lanes::kManyLanes<Real>);
     const ChainModel& model = *cases.front().model;
@@ -72,7 +72,7 @@ class LaneGroup final : public LaneProgram {
     // Of all cases of a shape, or a case's bits would depend on its company.
     counts_loads_ = loads_change_ || (!Form::kMomentsHavePotential && !model.scene.loads.empty());
     set_loads(memory_, 0.0, loads_change_ ? 0.0 : model.stops.back());
-    look();
+    observe();
     last_balances_.assign(count_, {});
     for (std::size_t lane = 0; lane < count_; ++lane) {
       last_balances_[lane].potential = memory_.sum(Sums::Potential, lane);
@@ -85,7 +85,7 @@ class LaneGroup final : public LaneProgram {
 
   /// Writes a sample of all that run.
   void record() {
-    look();
+    observe();
     for (std::size_t lane = 0; lane < count_; ++lane) {
       Scenario& scenario = scenarios_[lane];
       if (!scenario.running()) continue;
@@ -96,16 +96,17 @@ class LaneGroup final : public LaneProgram {
     sampled_time_ = time_;
   }
 
-  void look() {
-    if (!looked_) (count_ == 1 ? sight_.one : sight_.many)(memory_.beam(counts_loads_));
-    looked_ = true;
+  void observe() {
+    if (!observed_)
+      (count_ == 1 ? observables_.one : observables_.many)(memory_.beam(counts_loads_));
+    observed_ = true;
   }
 
   /// Ends a lane where its last sample was.
   void stop(std::size_t lane, Status status) {
     memory_.copy_lane(lane, sampled_, lane);
-    looked_ = false;
-    look();
+    observed_ = false;
+    observe();
     scenarios_[lane].arrive(sampled_time_, memory_, lane, counts_loads_, true);
     scenarios_[lane].stop(status);
   }
@@ -163,14 +164,14 @@ class LaneGroup final : public LaneProgram {
       }
       march(memory_, count_ == 1 ? kernels_.one : kernels_.many, time_, step,
             static_cast<std::size_t>(steps), step == last_step_);
-      looked_ = false;
+      observed_ = false;
       last_step_ = step;
       for (std::size_t lane = 0; lane < count_; ++lane) {
         if (scenarios_[lane].running() && is_raised(scenarios_[lane].hooks().stop)) {
           stop(lane, Status::Interrupted);
         }
       }
-      look();
+      observe();
       for (std::size_t lane = 0; lane < count_; ++lane) {
         if (scenarios_[lane].running()) judge(lane, step, steps);
       }
@@ -257,12 +258,12 @@ class LaneGroup final : public LaneProgram {
       ++scenario.response().counters.cutbacks;
       alone_.copy_lane(0, *before_, lane);
       if (!march_alone(lane, step / cut, steps * cut)) continue;
-      sight_.one(alone_.beam(counts_loads_));
+      observables_.one(alone_.beam(counts_loads_));
       if (!energy_is_balanced(alone_, 0, lane)) continue;
       memory_.copy_lane(lane, alone_, 0);
       last_step_ = 0.0;  // this lane aims anew, with the same bits for all others
-      looked_ = false;
-      look();
+      observed_ = false;
+      observe();
       scenario.response().counters.steps += static_cast<int>(steps * cut);
       note_step(step / cut, scenario.response());
       return true;
@@ -283,9 +284,9 @@ class LaneGroup final : public LaneProgram {
     return true;
   }
 
-  /// Steps between two looks.
+  /// Steps between two observations.
   static constexpr double kSteps = 256.0;
-  /// Steps times segments times lanes between two looks at whether to stop: some 20 ms.
+  /// Steps times segments times lanes between two questions whether to stop: some 20 ms.
   static constexpr std::size_t kStepsOfSegments = std::size_t{1} << 20;
   /// Steps are cut back to no less than this part, whatever `smallest_step` allows: what is not
   /// stable then will not be.
@@ -293,7 +294,7 @@ class LaneGroup final : public LaneProgram {
 
   int order_;
   const lanes::StepKernels<Beam>& kernels_;
-  const lanes::SightKernels<Beam>& sight_;
+  const lanes::ObservablesKernels<Beam>& observables_;
   std::vector<Scenario> scenarios_;
   std::size_t count_ = 0;  ///< of them that run
   Memory memory_;
@@ -304,7 +305,7 @@ class LaneGroup final : public LaneProgram {
   Memory alone_;  ///< of a lane that needs shorter steps
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::size_t alone_lane_ = kNone;  ///< which
-  bool looked_ = false;             ///< whether the memory's sight is of its states
+  bool observed_ = false;           ///< whether the memory's observables are of its states
   /// Energies of a lane so far [J].
   struct LastBalance {
     double sum = 0.0, size = 0.0, potential = 0.0;

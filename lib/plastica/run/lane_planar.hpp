@@ -22,7 +22,7 @@ struct PlanarLanes {
   using State = lanes::PlanarState;
   using Work = lanes::PlanarWork;
   using Sums = lanes::PlanarSums;
-  using Sight = lanes::PlanarSight;
+  using Observables = lanes::PlanarObservables;
   template <class Real>
   using Beam = lanes::PlanarBeam<Real>;
   /// Whether the work of a moment that does not change follows from where the beam is.
@@ -35,8 +35,9 @@ struct PlanarLanes {
   }
 
   template <class Real>
-  static const lanes::SightKernels<Beam<Real>>& sight(const lanes::KernelsOf<Real>& table) {
-    return table.planar_sight;
+  static const lanes::ObservablesKernels<Beam<Real>>& observables(
+      const lanes::KernelsOf<Real>& table) {
+    return table.planar_observables;
   }
 
   static std::array<double, Kind::kCount> kind(const Body& body, const GivenJoints<Level>& joints,
@@ -107,15 +108,18 @@ struct PlanarLanes {
   }
 
   /// Takes where a segment is.
-  static void place(const std::array<double, Sight::kCount>& sight, std::size_t i, Body& body) {
+  static void place(const std::array<double, Observables::kCount>& observables, std::size_t i,
+                    Body& body) {
     const Level::Point& start = body.build.chain.root.position;
-    body.work.placement.position[i] = start + Level::Point{{sight[Sight::X], sight[Sight::Y]}};
-    body.work.placement.frame[i] = {sight[Sight::Direction], sight[Sight::Cosine],
-                                    sight[Sight::Sine]};
+    body.work.placement.position[i] =
+        start + Level::Point{{observables[Observables::X], observables[Observables::Y]}};
+    body.work.placement.frame[i] = {observables[Observables::Direction],
+                                    observables[Observables::Cosine],
+                                    observables[Observables::Sine]};
   }
   /// How a segment turns, in its own axes.
-  static Level::Spin spin(const std::array<double, Sight::kCount>& sight) {
-    return {{sight[Sight::Spin]}};
+  static Level::Spin spin(const std::array<double, Observables::kCount>& observables) {
+    return {{observables[Observables::Spin]}};
   }
 
  private:

@@ -94,7 +94,7 @@ class LaneScenario {
     if (whole || yields() || body_->record.needs_chain(response().samples, response())) {
       read_chain(memory, lane);
     } else {
-      for (const std::size_t i : probed_) Form::place(memory.sight(i, lane), i, *body_);
+      for (const std::size_t i : probed_) Form::place(memory.observables(i, lane), i, *body_);
     }
   }
 
@@ -180,13 +180,13 @@ class LaneScenario {
       Form::read(state, i, *body_, *joints_, turning_[i]);
       const auto flowed = in_double(body_->view.spin_in_space(Form::accumulated(state)));
       for (std::size_t k = 0; k < 3; ++k) accumulated_[i][k] = std::fabs(flowed[k]);
-      const auto sight = memory.sight(i, lane);
-      Form::place(sight, i, *body_);
+      const auto observables = memory.observables(i, lane);
+      Form::place(observables, i, *body_);
       const auto& frame = placement.frame[i];
       placement.near[i] = near;
       placement.far[i] = L::then(frame, segment.inner);
       near = L::then(frame, segment.outer);
-      motion_[i].spin = Form::spin(sight);
+      motion_[i].spin = Form::spin(observables);
       const typename L::Spin spin = L::axes(frame) * motion_[i].spin;
       motion_[i].velocity = velocity + L::spun(spin, L::turn(frame, chain().inertias[i].center));
       velocity += L::spun(spin, L::turn(frame, segment.arm));

@@ -23,7 +23,7 @@ struct SpatialLanes {
   using State = lanes::SpatialState;
   using Work = lanes::SpatialWork;
   using Sums = lanes::SpatialSums;
-  using Sight = lanes::SpatialSight;
+  using Observables = lanes::SpatialObservables;
   template <class Real>
   using Beam = lanes::SpatialBeam<Real>;
   static constexpr bool kMomentsHavePotential = false;
@@ -34,8 +34,9 @@ struct SpatialLanes {
     return table.spatial[order - 1][yields ? 1 : 0];
   }
   template <class Real>
-  static const lanes::SightKernels<Beam<Real>>& sight(const lanes::KernelsOf<Real>& table) {
-    return table.spatial_sight;
+  static const lanes::ObservablesKernels<Beam<Real>>& observables(
+      const lanes::KernelsOf<Real>& table) {
+    return table.spatial_observables;
   }
 
   static std::array<double, Kind::kCount> kind(const Body& body, const GivenJoints<Level>& joints,
@@ -117,22 +118,24 @@ struct SpatialLanes {
   }
 
   /// Takes where a segment is.
-  static void place(const std::array<double, Sight::kCount>& sight, std::size_t i, Body& body) {
+  static void place(const std::array<double, Observables::kCount>& observables, std::size_t i,
+                    Body& body) {
     const Level::Point& start = body.build.chain.root.position;
     auto& placement = body.work.placement;
     for (std::size_t k = 0; k < 3; ++k) {
-      placement.position[i][k] = start[k] + sight[Sight::Place + k];
+      placement.position[i][k] = start[k] + observables[Observables::Place + k];
       for (std::size_t column = 0; column < 3; ++column) {
-        placement.frame[i].axes(k, column) = sight[Sight::Axes + 3 * column + k];
+        placement.frame[i].axes(k, column) = observables[Observables::Axes + 3 * column + k];
       }
     }
   }
   /// How a segment turns, in its own axes.
-  static Level::Spin spin(const std::array<double, Sight::kCount>& sight) {
+  static Level::Spin spin(const std::array<double, Observables::kCount>& observables) {
     Level::Spin spin;
     for (std::size_t column = 0; column < 3; ++column) {
       for (std::size_t k = 0; k < 3; ++k) {
-        spin[column] += sight[Sight::Axes + 3 * column + k] * sight[Sight::Spin + k];
+        spin[column] +=
+            observables[Observables::Axes + 3 * column + k] * observables[Observables::Spin + k];
       }
     }
     return spin;

@@ -41,13 +41,13 @@ Square angle_map(const Vector& theta) {
 }
 Vector spun(const Vector& w, const Vector& arm) { return cross(w, cross(w, arm)); }
 
-/// Where a step of the scheme looks, worked out by the chain's own rotations.
-struct Looked {
+/// Where a step of the scheme evaluates forces, worked out by the chain's own rotations.
+struct Observed {
   std::vector<Square> frame, to_angle;
   std::vector<Vector> joint, spin, pull;  ///< of the inner joint
 };
-Looked looked(const Beams& b, double ahead) {
-  Looked at;
+Observed observed(const Beams& b, double ahead) {
+  Observed at;
   Square frame = identity<double, 3>();
   Vector spin, joint, pull;
   for (std::size_t i = 0; i < b.segments; ++i) {
@@ -72,7 +72,7 @@ Looked looked(const Beams& b, double ahead) {
 std::vector<Vector> accelerations(const Beams& b, int order, double h) {
   const std::size_t n = b.segments;
   const double share = order == 2 ? 0.5 * h : h;
-  const Looked at = looked(b, order == 2 ? 0.5 * h : 0.0);
+  const Observed at = observed(b, order == 2 ? 0.5 * h : 0.0);
   std::vector<std::vector<double>> mass(3 * n, std::vector<double>(3 * n, 0.0));
   std::vector<double> force(3 * n, 0.0);
   const auto add = [&](std::size_t k, std::size_t j, const Square& m) {
@@ -131,7 +131,7 @@ TEST(SpatialSteps, SolveTheEquationsOfMotionOfTheWholeChain) {
         b->at(4, SpatialState::Rate) = -9.0;
       }
       const std::vector<Vector> expected = accelerations(before, order, h);
-      const Looked at = looked(before, order == 2 ? 0.5 * h : 0.0);
+      const Observed at = observed(before, order == 2 ? 0.5 * h : 0.0);
       kBaselineKernels.in_double.spatial[order - 1][0].one(after.beam(), h, 1, false);
       for (std::size_t i = 0; i < 6; ++i) {
         const Vector rate = spatial_state(before, i, SpatialState::Rate);
@@ -316,17 +316,17 @@ TEST(SpatialSteps, LeaveLanesAloneWhereAnotherFails) {
 }
 
 TEST(SpatialSteps, GoOnWhereTheyLeftOff) {
-  const Beams whole(5, 1), parts(5, 1), looked_again(5, 1);
+  const Beams whole(5, 1), parts(5, 1), observed_again(5, 1);
   const auto& kernel = kBaselineKernels.in_double.spatial[1][1];
   kernel.one(whole.beam(), 1e-3, 20, false);
   kernel.one(parts.beam(), 1e-3, 9, false);
   kernel.one(parts.beam(), 1e-3, 11, true);
-  kernel.one(looked_again.beam(), 1e-3, 9, false);
-  kernel.one(looked_again.beam(), 1e-3, 11, false);
+  kernel.one(observed_again.beam(), 1e-3, 9, false);
+  kernel.one(observed_again.beam(), 1e-3, 11, false);
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(spatial_state(parts, i, SpatialState::Angle).at,
               spatial_state(whole, i, SpatialState::Angle).at);
-    EXPECT_EQ(spatial_state(looked_again, i, SpatialState::Angle).at,
+    EXPECT_EQ(spatial_state(observed_again, i, SpatialState::Angle).at,
               spatial_state(whole, i, SpatialState::Angle).at);
   }
 }

@@ -118,25 +118,25 @@ void ChainRunner<L, kElastic>::see(const chain::Coordinates<L>& q, double time,
   }
 }
 
-/// Looks whether the plane is left at an equilibrium.
+/// Checks whether the plane is left at an equilibrium.
 template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::look_beside(const chain::Coordinates<L>& q, double time,
+void ChainRunner<L, kElastic>::check_plane(const chain::Coordinates<L>& q, double time,
                                            const Sections* sections) {
   if constexpr (L::kTranslations == 2) {
     // At time 0 little acts; what acts is there later, too.
-    const bool known = asks_beside_ || leaves_plane_ || !(time > looked_at_ || time < looked_at_);
+    const bool known = asks_beside_ || leaves_plane_ || !(time > checked_at_ || time < checked_at_);
     if (known || !has_space_beside()) return;
-    looked_at_ = time;
+    checked_at_ = time;
     see(q, time, sections);
     leaves_plane_ = beside_->ways(seen_) > 0;
   }
 }
 
 /// A beam that leaves its plane may come back to rest in it: one that hangs down from a hinge is as
-/// stable as before it was bent. So a path is looked at on its way, too, where it yields or has
+/// stable as before it was bent. So a path is checked between its ends, too, where it yields or has
 /// turned far, each time that its largest moment has grown, which ends at the section's own.
 template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::look_while_moments_grow(const Work& w) {
+void ChainRunner<L, kElastic>::check_plane_while_moments_grow(const Work& w) {
   constexpr double kFar = 1.0;  // [rad]
   if (has_yielded_) {
     last_forces_ = sections().force;
@@ -157,10 +157,10 @@ void ChainRunner<L, kElastic>::look_while_moments_grow(const Work& w) {
   for (const auto& force : sections().force) {
     largest = std::max(largest, std::fabs(static_cast<double>(force[axis])));
   }
-  if (largest < (has_yielded_ ? 1.02 : 2.0) * looked_moment_) return;
-  looked_moment_ = largest;
+  if (largest < (has_yielded_ ? 1.02 : 2.0) * checked_moment_) return;
+  checked_moment_ = largest;
   const Sections now = sections();
-  look_beside(w.q, w.time, &now);
+  check_plane(w.q, w.time, &now);
 }
 
 template <class L, bool kElastic>
