@@ -214,14 +214,14 @@ ProfileSide profile_coordinate(const LeastSquaresProblem& problem, const Profile
 ProfileSide profile_function(const LeastSquaresProblem& problem, const ProfileStart& best, bool up,
                              const ProfileOptions& options) {
   const LeastSquaresOptions how = search_options(best, options);
-  // Of the pull towards the wanted value: a third of the standard error, so that a point gets nine
-  // tenths of the way and the squares stay well scaled.
+  // Of the residual that leads to the wanted value: a third of the standard error, so that a point
+  // gets nine tenths of the way and the squares stay well scaled.
   const double width = best.step / (3.0 * std::sqrt(options.rise));
   const std::size_t m = problem.residuals;
   const PointAt point_at = [&](double wanted, std::vector<double> x) {
-    LeastSquaresProblem pulled = problem;
-    pulled.evaluate = [&](std::span<const double> points, std::span<double> residuals,
-                          std::span<bool> found) {
+    LeastSquaresProblem constrained = problem;
+    constrained.evaluate = [&](std::span<const double> points, std::span<double> residuals,
+                               std::span<bool> found) {
       problem.evaluate(points, residuals, found);
       for (std::size_t p = 0; p < found.size(); ++p) {
         double& last = residuals[p * m + m - 1];
@@ -232,12 +232,12 @@ ProfileSide profile_function(const LeastSquaresProblem& problem, const ProfileSt
     for (std::size_t i = 0; i < x.size(); ++i) {
       x[i] = std::clamp(x[i], problem.lower[i], problem.upper[i]);
     }
-    pulled.start = std::move(x);
-    const LeastSquares found = minimize_squares(pulled, how);
+    constrained.start = std::move(x);
+    const LeastSquares found = minimize_squares(constrained, how);
     std::optional<ProfilePoint> point;
     if (found.outcome == LeastSquaresOutcome::NoStart) return point;
-    const double pull = found.residual.back();
-    point = ProfilePoint{wanted + width * pull, found.cost - pull * pull, found.x};
+    const double residual = found.residual.back();
+    point = ProfilePoint{wanted + width * residual, found.cost - residual * residual, found.x};
     return point;
   };
   return Walk(point_at, best, up, kInfinite, options).run();

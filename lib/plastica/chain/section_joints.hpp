@@ -58,7 +58,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
 
   void evaluate(std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts,
                 JointForces<L, kElastic>& forces) override {
-    if constexpr (kSeesAxial) this->overpulled_ = false;
+    if constexpr (kSeesAxial) this->overloaded_ = false;
     axes_.with_first([&](auto first) {
       for (std::size_t j = 0; j < joints_.size(); ++j) {
         const typename L::Point shift =
@@ -226,7 +226,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
         [&](const law::SectionStrain<S>& at) { return respond_to<law::AllComponents>(j, at); },
         strain, axial, axial_before_[j], joint.stiffness[kAxial], joint.axial_yield, tolerance);
     axial_after_[j] = found.after;
-    this->overpulled_ = this->overpulled_ || any(!found.carries);
+    this->overloaded_ = this->overloaded_ || any(!found.carries);
     for (std::size_t k = 0; k < kR; ++k) by_axial[k] = joint.acting[k] * found.by_force[First + k];
     return found.section;
   }

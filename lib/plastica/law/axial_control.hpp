@@ -168,8 +168,8 @@ ForcedResponse<S> respond_to_force(const Respond& respond, const SectionStrain<S
           now.tangent(i, j) - now.tangent(i, kAxial) * now.tangent(kAxial, j) / slope;
     }
   }
-  const S pulled = found.after.force - before.force;
-  const S permanent = found.after.strain - before.strain - pulled / stiffness;
+  const S change = found.after.force - before.force;
+  const S permanent = found.after.strain - before.strain - change / stiffness;
   now.elastic_energy =
       now.elastic_energy - half * found.after.force * found.after.force / stiffness;
   // An elastic increment does none, and not what rounding makes of it.

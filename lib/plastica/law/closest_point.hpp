@@ -361,17 +361,17 @@ class ClosestPoint {
   void let_in_beside(Projection<S>& now) const {
     const S zero = constant<S>(0);
     const SectionTangent<S> bent = hessian_.full();
-    SectionForce<S> pull;
+    SectionForce<S> gradient;
     for (std::size_t k = 0; k < kPieces; ++k) {
       const GaugePiece<S> f = gauge_.piece(k, now.point);
       const auto holds = f.value > constant<S>(0.5 - (kIsDouble<S> ? 1e-9 : 1e-4));
       for (std::size_t i = 0; i < kSectionAxes; ++i) {
-        pull[i] = max(pull[i], select(holds, f.gradient[i], zero));
+        gradient[i] = max(gradient[i], select(holds, f.gradient[i], zero));
       }
     }
     for (std::size_t i = 0; i < kSectionAxes; ++i) {
       if (Gauge::kRound && i == kBendingY) continue;
-      const auto kink = pull[i] > constant<S>(kIsDouble<S> ? 1e-8 : 1e-4);
+      const auto kink = gradient[i] > constant<S>(kIsDouble<S> ? 1e-8 : 1e-4);
       const S alone = select(kink, zero, weight_[i] / bent(i, i));
       now.slope(i, i) = select(present_[i] > zero, now.slope(i, i), alone);
     }

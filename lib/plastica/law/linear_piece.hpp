@@ -95,9 +95,9 @@ inline Projection<S> project_on_line(const LinearPiece<S>& piece, const SectionF
   S left = zero;
   for (std::size_t m = 0; m < kMembers; ++m) {
     const std::size_t i = kMember[m];
-    const S pull = mu * compliance[i] * piece.direction[i] * reached;
-    const S u = target[i] - pull;
-    const auto gone = (u <= zero) & (pull > zero);
+    const S shift = mu * compliance[i] * piece.direction[i] * reached;
+    const S u = target[i] - shift;
+    const auto gone = (u <= zero) & (shift > zero);
     stays[i] = select(gone, zero, one);
     now.point[i] = select(gone, zero, u);
     bend[i] = stays[i] * compliance[i] * piece.direction[i];

@@ -211,7 +211,7 @@ class LaneScenario {
     auto& work = body_->work;
     const auto& placement = work.placement;
     const std::size_t n = motion_.size();
-    center_pull_.resize(n);
+    center_acceleration_.resize(n);
     typename L::Point at{};
     for (std::size_t i = 0; i < n; ++i) {
       const auto& frame = placement.frame[i];
@@ -220,7 +220,7 @@ class LaneScenario {
         const typename L::Point arm = L::turn(frame, local);
         return at + L::spun(turning_[i], arm) + L::spun(spin, L::spun(spin, arm));
       };
-      center_pull_[i] = moved(chain().inertias[i].center);
+      center_acceleration_[i] = moved(chain().inertias[i].center);
       at = moved(chain().segments[i].arm);
     }
     auto& outer = work.transmitted.outer;
@@ -240,7 +240,7 @@ class LaneScenario {
       const typename L::Spin resists =
           axes *
           (inertia.turning * transposed_times(axes, turning_[i]) + L::turned_by(momentum) * -spin);
-      const typename L::Point force = -(inertia.mass * center_pull_[i]);
+      const typename L::Point force = -(inertia.mass * center_acceleration_[i]);
       const typename L::Point arm = L::turn(placement.frame[i], inertia.center);
       sum.force += outer[i].force + force;
       sum.moment += outer[i].moment + L::moment(arm, force) - resists;
@@ -257,12 +257,13 @@ class LaneScenario {
   std::unique_ptr<chain::SectionJointsBase<L, false>> laws_;  ///< while the body has given joints
   GivenJoints<L>* joints_ = nullptr;
   Motions motion_;
-  std::vector<JointAngles> accumulated_;        ///< sums of the permanent angles' changes (N)
-  std::vector<typename L::Spin> turning_;       ///< angular accelerations, in world axes (N)
-  std::vector<typename L::Point> center_pull_;  ///< accelerations of the centers of mass (N)
-  std::vector<std::size_t> probed_;             ///< segments of points that probes are at
-  double kinetic_ = 0.0;                        ///< energy [J]
-  double potential_ = 0.0;                      ///< of the loads at time 0 [J]
+  std::vector<JointAngles> accumulated_;   ///< sums of the permanent angles' changes (N)
+  std::vector<typename L::Spin> turning_;  ///< angular accelerations, in world axes (N)
+  std::vector<typename L::Point>
+      center_acceleration_;          ///< accelerations of the centers of mass (N)
+  std::vector<std::size_t> probed_;  ///< segments of points that probes are at
+  double kinetic_ = 0.0;             ///< energy [J]
+  double potential_ = 0.0;           ///< of the loads at time 0 [J]
   solve::EnergyFlows flows_;
   Status status_ = Status::NotRun;
 };

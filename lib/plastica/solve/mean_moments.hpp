@@ -65,9 +65,9 @@ MeanMoment<L, kElastic> mean_moment(
   }
   MeanMoment<L, kElastic> result{mean, half * slope};
 
-  Vec<S, kJ> pull;
-  for (std::size_t k = 0; k < kJ; ++k) pull[k] = joint.stiffness[k] * joint.step[k];
-  const S size = dot(joint.step, pull);
+  Vec<S, kJ> elastic;
+  for (std::size_t k = 0; k < kJ; ++k) elastic[k] = joint.stiffness[k] * joint.step[k];
+  const S size = dot(joint.step, elastic);
   S stored = zero;  // twice the elastic energy
   for (std::size_t k = 0; k < kJ; ++k) {
     const S stress = max(abs(joint.stress_before[k]), abs(joint.stress_now[k]));
@@ -79,12 +79,12 @@ MeanMoment<L, kElastic> mean_moment(
   if (!any(corrected)) return result;
   const S divisor = select(corrected, size, one);
   const S kappa = select(corrected, (joint.energy - dot(mean, joint.step)) / divisor, zero);
-  result.force += kappa * pull;
+  result.force += kappa * elastic;
   // d(energy) = end . d(step); d(step) is taken for that of the end.
   Vec<S, kJ> by = end - mean - transposed_times(result.tangent, joint.step);
-  by -= (constant<S>(2) * kappa) * pull;
+  by -= (constant<S>(2) * kappa) * elastic;
   const S scale = select(corrected, one / divisor, zero);
-  result.tangent += outer(scale * pull, by);
+  result.tangent += outer(scale * elastic, by);
   for (std::size_t k = 0; k < kJ; ++k) {
     result.tangent(k, k) = result.tangent(k, k) + kappa * joint.stiffness[k];
   }

@@ -77,12 +77,12 @@ double MotionStep<L, kElastic>::ground_work() {
     const S foot = moved(spring.history);
     if (foot == constant<S>(0)) continue;
     for (std::size_t k = 0; k < L::kTranslations; ++k) {
-      const auto pull = [&](const Placement& placement, double time) {
+      const auto force = [&](const Placement& placement, double time) {
         const S at = constant<S>(chain_.histories[spring.history].at(time)) * spring.motion[k];
         return -spring.stiffness[k] *
                (placement.point(spring.segment, spring.arm)[k] - spring.rest[k] - at);
       };
-      work += constant<S>(0.5) * (pull(begin_, time_) + pull(w_.placement, w_.time)) * foot *
+      work += constant<S>(0.5) * (force(begin_, time_) + force(w_.placement, w_.time)) * foot *
               spring.motion[k];
     }
   }

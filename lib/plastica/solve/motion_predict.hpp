@@ -78,7 +78,7 @@ double MotionStep<L, kElastic>::error() const {
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const S h = constant<S>(h_);
     typename L::Point off = step_[i].way - h * motion_[i].velocity;
-    if (known) off -= constant<S>(0.5 * h_ * h_) * pull_[i];
+    if (known) off -= constant<S>(0.5 * h_ * h_) * acceleration_[i];
     double size = size_of(off);
     if constexpr (L::kTranslations == 0) {
       size = chain_.length * size_of(step_[i].spin - h * motion_[i].spin);

@@ -45,7 +45,7 @@ class MotionStep {
     inertia_.resize(n);
     inertia_now_.resize(n);
     step_.resize(n);
-    pull_.resize(n);
+    acceleration_.resize(n);
     const std::size_t closures = chain.closures.size();
     rates_.acts.resize(closures);
     rates_.rate.resize(closures);
@@ -125,7 +125,7 @@ class MotionStep {
     inertia_ = inertia_now_;
     time_ = w_.time;
     for (std::size_t i = 0; i < chain_.size(); ++i) {
-      pull_[i] = constant<S>(1.0 / h_) * (motion_now_[i].velocity - motion_[i].velocity);
+      acceleration_[i] = constant<S>(1.0 / h_) * (motion_now_[i].velocity - motion_[i].velocity);
     }
     h_before_ = h_;
     std::swap(motion_, motion_now_);
@@ -275,8 +275,8 @@ class MotionStep {
   Placement begin_;
   chain::Coordinates<L> q_begin_;
   Motions motion_;
-  std::vector<typename L::Point> pull_;  ///< accelerations over the step before
-  double h_before_ = 0.0;                ///< its length; 0: none, or a jump since
+  std::vector<typename L::Point> acceleration_;  ///< accelerations over the step before
+  double h_before_ = 0.0;                        ///< its length; 0: none, or a jump since
   std::vector<CenterForce<L>> inertia_;
   std::vector<bool> rests_on_;                   ///< one-sided closures that are closed (closures)
   std::vector<int> bounces_;                     ///< in a row (closures)

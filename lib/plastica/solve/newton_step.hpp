@@ -196,9 +196,9 @@ void solve_imbalance(const chain::Chain<L>& chain, const PathCondition<L>& condi
   w.right.reset(chain.size());
   for (std::size_t k = 0; k < chain.closures.size(); ++k) {
     const auto& closure = chain.closures[k];
-    const S pull =
+    const S force =
         select(w.closed[k], -(stiffness_of<S>(chain, closure) * w.gap[k]), constant<S>(0));
-    add_scaled(pull, acting_wrench(closure, w), w.right.wrench[closure.segment]);
+    add_scaled(force, acting_wrench(closure, w), w.right.wrench[closure.segment]);
   }
   if (condition.active) {
     add_scaled(-(chain.closure_stiffness * condition.value), condition.covector,
@@ -267,8 +267,8 @@ void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
   }
   for (std::size_t k = 0; k < chain.closures.size(); ++k) {
     const auto& closure = chain.closures[k];
-    const S pull = stiffness_of<S>(chain, closure) * slope(closure.history) * closure.motion;
-    add_scaled(select(w.closed[k], pull, constant<S>(0)), chain::unit_wrench(closure, w.placement),
+    const S force = stiffness_of<S>(chain, closure) * slope(closure.history) * closure.motion;
+    add_scaled(select(w.closed[k], force, constant<S>(0)), chain::unit_wrench(closure, w.placement),
                w.right.wrench[closure.segment]);
   }
   add_scaled(-(chain.closure_stiffness * condition.time_slope), condition.covector,

@@ -139,7 +139,7 @@ class PathWalker {
   /// How a path ends that finds nothing more: where a section would have to carry more axial force
   /// than it can, at a limit load.
   Status end_lost() {
-    if (!overpulled_) return Status::NotConverged;
+    if (!overloaded_) return Status::NotConverged;
     limit_ = LimitLoad{time_, w_.time};
     return Status::LimitLoad;
   }
@@ -194,8 +194,8 @@ class PathWalker {
     counters_.iterations += iterations;
     iterations_ = iterations;
     if (stopped()) return Trial::Ended;
-    overpulled_ = converged && laws_.overpulled();
-    if (!converged || overpulled_) return Trial::Failed;
+    overloaded_ = converged && laws_.overloaded();
+    if (!converged || overloaded_) return Trial::Failed;
     if ((beyond_ = !at_time_ && w_.time > latest_)) return Trial::Failed;
     if (turns_too_far() || !points_on() || !may_change_ways(shortest)) return Trial::Failed;
     const double slope = watches_slope_ && observer_.yields() ? relative_slope() : 1.0;
@@ -358,7 +358,7 @@ class PathWalker {
   Status status_ = Status::NotRun;
   int iterations_ = 0;
   bool interrupted_ = false;  ///< the observer does not want to go on, or the path was stopped
-  bool overpulled_ = false;   ///< the last trial was an equilibrium that no section carries
+  bool overloaded_ = false;   ///< the last trial was an equilibrium that no section carries
   bool factored_ = false;     ///< `w_` holds the tangent at the committed unknowns
   bool solved_ = false;       ///< and all columns
 

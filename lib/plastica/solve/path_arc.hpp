@@ -199,7 +199,7 @@ void PathWalker<L, kElastic>::bracket_limit(double highest) {
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
     counters_.iterations += outcome.iterations;
     if (stopped()) return;
-    if (outcome.converged && !laws_.overpulled() && !turns_too_far()) continue;
+    if (outcome.converged && !laws_.overloaded() && !turns_too_far()) continue;
     limit.above = time;
     break;
   }

@@ -32,7 +32,7 @@ Status PathWalker<L, kElastic>::find_first() {
   if (!(w_.recursion.least_pivot() > kMechanism)) return Status::Mechanism;
   if (holds_twice()) return Status::HeldTwice;
   if (!outcome.converged) return finite(outcome) ? Status::NotConverged : Status::NonFinite;
-  if (laws_.overpulled()) return Status::NotConverged;
+  if (laws_.overloaded()) return Status::NotConverged;
   at_time_ = holds_tangent_ = true;
   trial_ways_ = count_ways();
   if (observer_.judge(w_, true) == Verdict::End) return end_broken();
@@ -111,7 +111,7 @@ bool PathWalker<L, kElastic>::go_on(Trial trial) {
       step_ = std::max(0.5 * length_, smallest());
       return seek();
     }
-    if (overpulled_) return end(end_lost());
+    if (overloaded_) return end(end_lost());
     trial = cross_by_arc(options_.stops[stop_]);
   } else if (trial == Trial::Accepted) {
     goes_on_ = true;

@@ -65,12 +65,12 @@ class Pencil {
     for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
       if (!w_.closed[k]) continue;
       const chain::Closure<L>& closure = chain_.closures[k];
-      const S pull = w_.small.b(k);
+      const S force = w_.small.b(k);
       if (closure.turning) {
-        rate_.wrench[closure.segment].moment += pull * closure.axis;
+        rate_.wrench[closure.segment].moment += force * closure.axis;
       } else {
         const typename L::Point arm = L::turn(w_.placement.frame[closure.segment], closure.arm);
-        add_force(closure.segment, arm, pull * closure.direction);
+        add_force(closure.segment, arm, force * closure.direction);
       }
     }
     set_moment_rates();

@@ -30,8 +30,8 @@ std::vector<double> accelerations(const RandomBeams<double>& b, int order, doubl
   const std::size_t n = b.segments;
   const double ahead = order == 2 ? 0.5 * h : 0.0;
   const double share = order == 2 ? 0.5 * h : h;
-  std::vector<Plane> joint(n), direction(n), center(n), pull(n);
-  Plane end{}, end_pull{};
+  std::vector<Plane> joint(n), direction(n), center(n), centripetal(n);
+  Plane end{}, end_centripetal{};
   double angle = 0.0, spin = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     angle += b.kind(i, PlanarKind::Rest) + b.at(i, PlanarState::Angle);
@@ -40,13 +40,13 @@ std::vector<double> accelerations(const RandomBeams<double>& b, int order, doubl
     const double there = spin + ahead * b.at(i, PlanarState::Turning);
     direction[i] = {std::cos(at), std::sin(at)};
     joint[i] = center[i] = end;
-    pull[i] = end_pull;
+    centripetal[i] = end_centripetal;
     const double distance = b.kind(i, PlanarKind::FirstMoment) / b.kind(i, PlanarKind::Mass);
     add(distance, direction[i], center[i]);
-    add(-distance * there * there, direction[i], pull[i]);
+    add(-distance * there * there, direction[i], centripetal[i]);
     const double length = b.kind(i, PlanarKind::Length);
     add(length, direction[i], end);
-    add(-length * there * there, direction[i], end_pull);
+    add(-length * there * there, direction[i], end_centripetal);
   }
   Matrix mass(n, std::vector<double>(n, 0.0));
   std::vector<double> force(n, 0.0);
@@ -60,7 +60,7 @@ std::vector<double> accelerations(const RandomBeams<double>& b, int order, doubl
                           b.load(i, PlanarLoad::Moment);
     for (std::size_t k = 0; k <= i; ++k) {
       const Plane by_k = across(joint[k], center[i]);
-      force[k] += moment + dot(load, across(joint[k], joint[i])) - m * dot(by_k, pull[i]);
+      force[k] += moment + dot(load, across(joint[k], joint[i])) - m * dot(by_k, centripetal[i]);
       for (std::size_t j = 0; j <= i; ++j) {
         mass[k][j] += inertia + m * dot(by_k, across(joint[j], center[i]));
       }

@@ -44,12 +44,12 @@ Vector spun(const Vector& w, const Vector& arm) { return cross(w, cross(w, arm))
 /// Where a step of the scheme evaluates forces, worked out by the chain's own rotations.
 struct Observed {
   std::vector<Square> frame, to_angle;
-  std::vector<Vector> joint, spin, pull;  ///< of the inner joint
+  std::vector<Vector> joint, spin, centripetal;  ///< of the inner joint
 };
 Observed observed(const Beams& b, double ahead) {
   Observed at;
   Square frame = identity<double, 3>();
-  Vector spin, joint, pull;
+  Vector spin, joint, centripetal;
   for (std::size_t i = 0; i < b.segments; ++i) {
     const Vector angle = spatial_state(b, i, SpatialState::Angle);
     const Vector rate = spatial_state(b, i, SpatialState::Rate);
@@ -59,11 +59,11 @@ Observed observed(const Beams& b, double ahead) {
     spin += rate;
     at.frame.push_back(frame);
     at.joint.push_back(joint);
-    at.pull.push_back(pull);
+    at.centripetal.push_back(centripetal);
     at.spin.push_back(spin + ahead * spatial_state(b, i, SpatialState::Turning));
     const Vector arm = frame * Vector{{0, 0, b.kind(i, SpatialKind::Length)}};
     joint += arm;
-    pull += spun(at.spin.back(), arm);
+    centripetal += spun(at.spin.back(), arm);
   }
   return at;
 }
@@ -88,7 +88,7 @@ std::vector<Vector> accelerations(const Beams& b, int order, double h) {
         transpose(at.frame[i]);
     const Vector loaded = load(b, i, SpatialLoad::Force);
     const Vector center = at.joint[i] + arm;
-    const Vector thrust = loaded - m * (at.pull[i] + spun(at.spin[i], arm));
+    const Vector thrust = loaded - m * (at.centripetal[i] + spun(at.spin[i], arm));
     const Vector moment = cross((1 / zeta) * arm, load(b, i, SpatialLoad::Lever)) +
                           load(b, i, SpatialLoad::Moment) - cross(arm, loaded) -
                           cross(at.spin[i], inertia * at.spin[i]);
