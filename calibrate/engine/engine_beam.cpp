@@ -139,14 +139,14 @@ class BeamReader {
     set_place(share, (model_.layout.node[point.segment] + frame * point.arm).at, held);
     held.child = point.segment;
     held.axes = axes_of(identity<double, 3>());
-    for (const chain::Closure<Space>& closure : chain.closures) {
-      if (closure.support != index || closure.one_sided) continue;
-      if (closure.turning) {
-        add_weld(closure, held);
+    for (const chain::LoopConstraint<Space>& constraint : chain.constraints) {
+      if (constraint.support != index || constraint.one_sided) continue;
+      if (constraint.rotational) {
+        add_weld(constraint, held);
         continue;
       }
       for (std::size_t k = 0; k < 3; ++k) {
-        held.holds[k] = held.holds[k] || closure.direction[k] != 0.0;
+        held.holds[k] = held.holds[k] || constraint.direction[k] != 0.0;
       }
     }
     bool is_first = true;
@@ -171,14 +171,14 @@ class BeamReader {
   }
 
   /// A weld holds the segment before the support, and where there is one, that behind it.
-  void add_weld(const chain::Closure<Space>& closure, EngineJoint& held) {
+  void add_weld(const chain::LoopConstraint<Space>& constraint, EngineJoint& held) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (closure.axis[k] == 0.0) continue;
-      if (closure.segment == held.child) {
+      if (constraint.axis[k] == 0.0) continue;
+      if (constraint.segment == held.child) {
         held.turning[k] = JointHold::Rigid;
       } else {
         beam_.notes.push_back(fmt::format("{} also welds segment_{} to the ground about {}",
-                                          held.name, closure.segment + 1, "xyz"[k]));
+                                          held.name, constraint.segment + 1, "xyz"[k]));
       }
     }
   }

@@ -87,11 +87,11 @@ void set_node_forces(const Chain<L>& chain, const Coordinates<L>& q, const Place
       node.tr += k * L::spun_by(arm);
     });
   }
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    const Closure<L>& closure = chain.closures[k];
-    if (closure.turning) continue;
-    at_nodes(chain, closure.segment, closure.arm, axial, [&](NodeForce<L>& node) {
-      node.force += select(closed[k], q.multiplier[k], constant<S>(0)) * closure.direction;
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    const LoopConstraint<L>& constraint = chain.constraints[k];
+    if (constraint.rotational) continue;
+    at_nodes(chain, constraint.segment, constraint.arm, axial, [&](NodeForce<L>& node) {
+      node.force += select(closed[k], q.multiplier[k], constant<S>(0)) * constraint.direction;
     });
   }
 }

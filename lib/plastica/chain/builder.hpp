@@ -144,13 +144,13 @@ class Builder {
     const auto held = view_.translations(support.held());
     for (std::size_t k = 0; k < kT; ++k) {
       if (!held[k]) continue;
-      Closure<L> closure = closure_at(index, point);
-      closure.node = node_of(point, share);
-      closure.history = history;
-      closure.direction = unit_vector<typename L::Point>(k);
-      closure.target = undeformed_point(point)[k];
-      closure.motion = translation[k];
-      build_.chain.closures.push_back(closure);
+      LoopConstraint<L> constraint = constraint_at(index, point);
+      constraint.node = node_of(point, share);
+      constraint.history = history;
+      constraint.direction = unit_vector<typename L::Point>(k);
+      constraint.target = undeformed_point(point)[k];
+      constraint.motion = translation[k];
+      build_.chain.constraints.push_back(constraint);
     }
     hold_rotation(support, index, history, point);
   }
@@ -213,16 +213,16 @@ class Builder {
                     const std::array<bool, 3>& held, const typename L::Spin& rotation) {
     for (std::size_t k = 0; k < kR; ++k) {
       if (!held[k]) continue;
-      Closure<L> closure;
-      closure.support = support;
-      closure.segment = segment;
-      closure.node = outer ? segment + 1 : segment;
-      closure.history = history;
-      closure.turning = true;
-      closure.axis = unit_vector<typename L::Spin>(k);
-      closure.frame = undeformed_.frame[segment];
-      closure.motion = rotation[k];
-      build_.chain.closures.push_back(closure);
+      LoopConstraint<L> constraint;
+      constraint.support = support;
+      constraint.segment = segment;
+      constraint.node = outer ? segment + 1 : segment;
+      constraint.history = history;
+      constraint.rotational = true;
+      constraint.axis = unit_vector<typename L::Spin>(k);
+      constraint.frame = undeformed_.frame[segment];
+      constraint.motion = rotation[k];
+      build_.chain.constraints.push_back(constraint);
     }
   }
 
@@ -326,12 +326,12 @@ class Builder {
     }
   }
 
-  Closure<L> closure_at(std::size_t support, const SegmentPoint& point) const {
-    Closure<L> closure;
-    closure.support = support;
-    closure.segment = point.segment;
-    closure.arm = view_.point(point.arm);
-    return closure;
+  LoopConstraint<L> constraint_at(std::size_t support, const SegmentPoint& point) const {
+    LoopConstraint<L> constraint;
+    constraint.support = support;
+    constraint.segment = point.segment;
+    constraint.arm = view_.point(point.arm);
+    return constraint;
   }
 
   typename L::Point undeformed_point(const SegmentPoint& point) const {

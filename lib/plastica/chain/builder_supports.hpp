@@ -12,14 +12,14 @@ namespace plastica::chain {
 template <class L>
 void Builder<L>::add_along_normal(const Support& support, std::size_t index, double share) {
   const SegmentPoint point = segment_point(layout_, share);
-  Closure<L> closure = closure_at(index, point);
-  closure.node = node_of(point, share);
-  closure.one_sided = traits_of(support).one_sided;
-  closure.direction = view_.point(vector(support.normal));
-  closure.history = support.moves() ? add_history(support.history) : 0;
-  closure.motion = dot(closure.direction, view_.point(vector(support.translation)));
-  closure.target = dot(closure.direction, undeformed_point(point)) - constant<S>(support.gap);
-  build_.chain.closures.push_back(closure);
+  LoopConstraint<L> constraint = constraint_at(index, point);
+  constraint.node = node_of(point, share);
+  constraint.one_sided = traits_of(support).one_sided;
+  constraint.direction = view_.point(vector(support.normal));
+  constraint.history = support.moves() ? add_history(support.history) : 0;
+  constraint.motion = dot(constraint.direction, view_.point(vector(support.translation)));
+  constraint.target = dot(constraint.direction, undeformed_point(point)) - constant<S>(support.gap);
+  build_.chain.constraints.push_back(constraint);
 }
 
 /// The joint there has no law for bending. The halves of its segments are not strained, as at an

@@ -46,21 +46,22 @@ struct SegmentLoad {
 /// The node of what is inside of a segment.
 inline constexpr std::size_t kInside = static_cast<std::size_t>(-1);
 
-/// A rigid constraint of one freedom of a point: direction . x = target, kept by a multiplier,
-/// which is the force along the direction. Turning closures hold the spin about an axis, for welds.
+/// A rigid constraint of one freedom of a point, which makes a loop of chain and ground:
+/// direction . x = target, kept by a multiplier, which is the force along the direction. Rotational
+/// constraints hold the spin about an axis, for welds.
 template <class L>
-struct Closure {
+struct LoopConstraint {
   std::size_t support = 0;  ///< of the scene
   std::size_t segment = 0;
   std::size_t node = kInside;  ///< the segment end that it holds, if it holds one
   std::size_t history = 0;
   typename L::Point arm;
-  typename L::Point direction;  ///< unit vector; zero for a turning closure
-  typename L::Spin axis;        ///< unit vector of a turning closure, else zero
-  typename L::Frame frame;      ///< turning: the segment's frame where it is held
+  typename L::Point direction;  ///< unit vector; zero for a rotational constraint
+  typename L::Spin axis;        ///< unit vector of a rotational constraint, else zero
+  typename L::Frame frame;      ///< rotational: the segment's frame where it is held
   typename L::Scalar target;    ///< direction . x of the undeformed beam (less a pillar's gap) [m]
-  typename L::Scalar motion;    ///< how far it moves, times the history [m] (turning: [rad])
-  bool turning = false;
+  typename L::Scalar motion;    ///< how far it moves, times the history [m] (rotational: [rad])
+  bool rotational = false;
   bool one_sided = false;  ///< the multiplier is not negative: a pillar
 };
 
@@ -133,16 +134,16 @@ struct Chain {
   std::vector<Segment<L>> segments;   ///< (N)
   std::vector<Inertia<L>> inertias;   ///< (N)
   std::vector<SegmentLoad<L>> loads;  ///< by rising segment
-  std::vector<Closure<L>> closures;
+  std::vector<LoopConstraint<L>> constraints;
   std::vector<Spring<L>> springs;
   std::vector<GroundJoint<L>> ground_joints;
   Root<L> root;
   std::vector<typename HistoryOf<L>::Type> histories;  ///< that the others name
   S length = constant<S>(1);                           ///< of the beam [m]: the scale of gaps
-  /// What stiffens the point of a closure in the factorization without changing the solution
+  /// What stiffens the point of a constraint in the factorization without changing the solution
   /// (README.md), along directions [N/m] and about axes [N m/rad].
-  S closure_stiffness = constant<S>(1);
-  S closure_turning_stiffness = constant<S>(1);
+  S constraint_stiffness = constant<S>(1);
+  S constraint_rotational_stiffness = constant<S>(1);
 
   std::size_t size() const { return segments.size(); }
   /// Joints with a law: those of the segments, then those to the ground.

@@ -80,8 +80,8 @@ class Recursion {
 
   /// Law minus transmitted moment (and force) of each joint: what Newton makes zero (N).
   const std::vector<JointVector>& balance() const { return balance_; }
-  /// Of all eliminated freedoms, the least stiffness there was, relative to what stiffens closures;
-  /// about 0: the beam can move freely.
+  /// Of all eliminated freedoms, the least stiffness there was, relative to what stiffens
+  /// constraints; about 0: the beam can move freely.
   const S& least_pivot() const { return least_pivot_; }
   /// Pivots of the factored tangent, inverted: recursion_pivots.hpp.
   template <class Visit>
@@ -259,7 +259,7 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
     w.moment += L::moment(joint.work_arm, w.force);
   }
   const S one = constant<S>(1);
-  least_pivot_ = one / max(chain.closure_turning_stiffness * softest, one);
+  least_pivot_ = one / max(chain.constraint_rotational_stiffness * softest, one);
   factor_root(chain, q.open[0], a);
   set_root_balance(chain, w);
 }

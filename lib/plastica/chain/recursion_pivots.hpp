@@ -23,8 +23,8 @@ void for_each_pivot(Mat<S, N, N> m, const Visit& visit) {
 }
 
 /// Visits the pivots of D^-1 of all joints and of the root's inverse: eliminated one after another
-/// by their freedoms, these make up the chain's tangent, closures' stiffness included, so that as
-/// many of them are negative as the tangent has negative eigenvalues (at an equilibrium of
+/// by their freedoms, these make up the chain's tangent, constraints' stiffness included, so that
+/// as many of them are negative as the tangent has negative eigenvalues (at an equilibrium of
 /// conservative loads, where it is symmetric). Open joints, of statics none, are not visited.
 template <class L, bool kElastic>
 template <class Visit>

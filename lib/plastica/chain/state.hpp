@@ -104,10 +104,10 @@ struct Coordinates {
   std::vector<typename L::Spin> angle;   ///< of each joint (N)
   std::vector<typename L::Point> shift;  ///< of each joint, in its axes; rigid joints: empty (N)
   typename L::Point root;                ///< free translation of the start
-  std::vector<typename L::Scalar> multiplier;  ///< of each closure
+  std::vector<typename L::Scalar> multiplier;  ///< of each constraint
   std::vector<Mask> open;                      ///< whether a joint lets go (N)
   std::vector<Pose<L>> pose;                   ///< of the segments outside of open joints (N)
-  std::vector<Mask> released_closure;          ///< whether it was cut, like the next (closures)
+  std::vector<Mask> released_constraint;       ///< whether it was cut, like the next (constraints)
   std::vector<Mask> released_ground_joint;     ///< (ground joints)
 };
 
@@ -131,8 +131,8 @@ struct Placement {
 };
 
 /// Where the forces of a step act, if not where it ends: half way, by the means of the placements
-/// at its begin and end. With them the step keeps momentum and angular momentum, and what closures
-/// and joints transmit does no work of its own (README.md).
+/// at its begin and end. With them the step keeps momentum and angular momentum, and what
+/// constraints and joints transmit does no work of its own (README.md).
 template <class L>
 struct Stage {
   static constexpr std::size_t kR = L::kRotations;

@@ -19,7 +19,7 @@ namespace {
 constexpr double kUnresisted = 1e-10;
 /// Of the largest stiffness: below, it is the rounding of lever arms that should be zero, squared.
 constexpr double kNoStiffness = 1e-24;
-/// Share of the way that a closure's own stiffness would leave, below which it holds nothing.
+/// Share of the way that a constraint's own stiffness would leave, below which it holds nothing.
 constexpr double kHeldTwice = 1e-10;
 /// How little joints are unloaded, of their elastic deformation.
 constexpr double kUnloading = 1e-9;
@@ -72,7 +72,7 @@ void ChainModes<L, kElastic>::gather() {
       chain, w_.q, w_.placement, w_.stage, w_.joints,
       [&](std::size_t history) { return chain.histories[history].at(w_.time); }, w_.outer_forces);
   w_.outer_forces.axial.along.clear();
-  solve::detail::set_closures(chain, w_);
+  solve::detail::set_constraints(chain, w_);
 }
 
 template <class L, bool kElastic>
@@ -284,16 +284,16 @@ int ChainModes<L, kElastic>::freedoms() {
 }
 
 template <class L, bool kElastic>
-std::size_t ChainModes<L, kElastic>::idle_closure(double square) {
+std::size_t ChainModes<L, kElastic>::idle_constraint(double square) {
   const chain::Chain<L>& chain = body_.build.chain;
   solve::Pencil<L, kElastic> pencil(chain, w_);
   pencil.let_inertia_resist();
   pencil.factor(square);
   std::size_t k = 0;
-  std::size_t idle = chain.closures.size();
-  solve::detail::for_each_closure_pivot(
+  std::size_t idle = chain.constraints.size();
+  solve::detail::for_each_constraint_pivot(
       chain, solve::PathCondition<L>{}, false, w_, [&](const S& pivot) {
-        const S stiffness = solve::detail::stiffness_of<S>(chain, chain.closures[k]);
+        const S stiffness = solve::detail::stiffness_of<S>(chain, chain.constraints[k]);
         const bool holds = std::fabs(static_cast<double>(pivot * stiffness)) > kHeldTwice;
         if (w_.closed[k] && !holds) idle = std::min(idle, k);
         ++k;
@@ -302,13 +302,13 @@ std::size_t ChainModes<L, kElastic>::idle_closure(double square) {
 }
 
 template <class L, bool kElastic>
-void ChainModes<L, kElastic>::release_idle_closures() {
+void ChainModes<L, kElastic>::release_idle_constraints() {
   const double least = softest();
   const double square = std::isfinite(least) ? kUnresisted * least : 1.0;
   for (;;) {
-    const std::size_t idle = idle_closure(square);
+    const std::size_t idle = idle_constraint(square);
     if (idle == w_.closed.size()) return;
-    w_.q.released_closure[idle] = true;
+    w_.q.released_constraint[idle] = true;
     gather();
   }
 }

@@ -36,7 +36,7 @@ class ChainModes {
   int freedoms();
   /// Lets supports go that hold what others hold already: a straight chain's end does not move
   /// along it.
-  void release_idle_closures();
+  void release_idle_constraints();
 
  private:
   /// A single unit motion of a joint, or of the start, with all beyond locked.
@@ -58,8 +58,8 @@ class ChainModes {
   std::vector<Coordinate> coordinates();
   /// Least omega^2 of a single coordinate that something resists [1/s^2].
   double softest();
-  /// The first closure that holds nothing with the inertia of a motion at omega^2, or none.
-  std::size_t idle_closure(double square);
+  /// The first constraint that holds nothing with the inertia of a motion at omega^2, or none.
+  std::size_t idle_constraint(double square);
   /// Appends the mode of the tangent that is factored.
   /// @param again  whether it is that of the root before, which is there more than once
   void add_mode(bool again, std::vector<double>& mode);

@@ -131,11 +131,11 @@ std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::siz
   const auto& chain = build_->chain;
   Space force{};
   Space moment{};
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    const auto& closure = chain.closures[k];
-    if (closure.support != support || !w.closed[k]) continue;
-    force += in_space(w.q.multiplier[k] * closure.direction);
-    moment += joint_spin(w.q.multiplier[k] * closure.axis);
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    const auto& constraint = chain.constraints[k];
+    if (constraint.support != support || !w.closed[k]) continue;
+    force += in_space(w.q.multiplier[k] * constraint.direction);
+    moment += joint_spin(w.q.multiplier[k] * constraint.axis);
   }
   for (const auto& spring : chain.springs) {
     if (spring.support != support) continue;

@@ -36,10 +36,10 @@ void see_in_space(const chain::Chain<L>& chain, const chain::View<L>& view,
   for (const auto& angle : q.angle) at.angle.push_back(doubles(view.spin_in_space(angle)));
   for (const auto& shift : q.shift) at.shift.push_back(doubles(view.point_in_space(shift)));
   at.root = doubles(view.point_in_space(q.root));
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    const auto& closure = chain.closures[k];
-    at.held.push_back({closure.support, doubles(view.point_in_space(closure.direction)),
-                       doubles(view.spin_in_space(closure.axis)),
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    const auto& constraint = chain.constraints[k];
+    at.held.push_back({constraint.support, doubles(view.point_in_space(constraint.direction)),
+                       doubles(view.spin_in_space(constraint.axis)),
                        static_cast<double>(q.multiplier[k]), closed[k]});
   }
 }

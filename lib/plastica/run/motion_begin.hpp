@@ -33,8 +33,8 @@ solve::MotionOptions motion_options(const ChainBody<L, kElastic>& body) {
   options.largest_turn = solver.largest_turn;
   options.stops = body.model.stops;
   options.recorded = body.model.recorded;
-  for (const auto& closure : body.build.chain.closures) {
-    options.restitution.push_back(body.model.scene.supports[closure.support].restitution);
+  for (const auto& constraint : body.build.chain.constraints) {
+    options.restitution.push_back(body.model.scene.supports[constraint.support].restitution);
   }
   return options;
 }

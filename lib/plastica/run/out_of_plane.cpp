@@ -110,8 +110,8 @@ class SpatialTangent final : public OutOfPlane {
   int count_ways() {
     int count = 0;
     for_each_pivot([&](double pivot) { count += pivot < 0.0 ? 1 : 0; });
-    for (std::size_t k = 0; k < build_.chain.closures.size(); ++k) {
-      if (work_.closed[k] && leaves_plane(build_.chain.closures[k])) --count;
+    for (std::size_t k = 0; k < build_.chain.constraints.size(); ++k) {
+      if (work_.closed[k] && leaves_plane(build_.chain.constraints[k])) --count;
     }
     return conservative_ ? count : std::abs(count) % 2;
   }
@@ -120,7 +120,7 @@ class SpatialTangent final : public OutOfPlane {
     auto made = chain::joint_set(scene_, model.layout, build_, material, view_);
     joints_ = make_joints<L, kElastic>(scene_, model.layout.parts, made.materials,
                                        std::move(made.numbers), view_, model.options.fibres);
-    chain::set_closure_stiffness(joints_->joints(), scene_.beam.length, build_.chain);
+    chain::set_constraint_stiffness(joints_->joints(), scene_.beam.length, build_.chain);
   }
 
   bool holds_at_rest() {
@@ -147,18 +147,18 @@ class SpatialTangent final : public OutOfPlane {
       if (!at.shift.empty()) work_.q.shift[i].at = at.shift[i];
     }
     work_.q.root.at = at.root;
-    auto& closures = build_.chain.closures;
-    for (std::size_t k = 0; k < closures.size(); ++k) {
+    auto& constraints = build_.chain.constraints;
+    for (std::size_t k = 0; k < constraints.size(); ++k) {
       work_.q.multiplier[k] = 0.0;
       for (const PlanarEquilibrium::Held& held : at.held) {
-        const bool same = held.support == closures[k].support &&
-                          held.direction == closures[k].direction.at &&
-                          held.axis == closures[k].axis.at;
+        const bool same = held.support == constraints[k].support &&
+                          held.direction == constraints[k].direction.at &&
+                          held.axis == constraints[k].axis.at;
         if (!same) continue;
         work_.q.multiplier[k] = held.multiplier;
-        work_.q.released_closure[k] = !held.closed;
+        work_.q.released_constraint[k] = !held.closed;
       }
-      work_.closed[k] = !work_.q.released_closure[k];
+      work_.closed[k] = !work_.q.released_constraint[k];
     }
     solve::detail::assemble(build_.chain, *joints_, work_);
     if (!at.elastic.empty()) unload(at);
@@ -184,7 +184,7 @@ class SpatialTangent final : public OutOfPlane {
         build_.chain, work_.q, work_.placement, work_.stage, work_.joints,
         [&](std::size_t history) { return build_.chain.histories[history].at(work_.time); },
         work_.outer_forces);
-    solve::detail::set_closures(build_.chain, work_);
+    solve::detail::set_constraints(build_.chain, work_);
   }
 
   /// Leaves a joint a share of its stiffness for bending out of the plane.
@@ -209,10 +209,10 @@ class SpatialTangent final : public OutOfPlane {
                            work_.outer_forces, work_.transmitted);
   }
 
-  /// Whether a closure holds a motion out of the plane.
-  bool leaves_plane(const chain::Closure<L>& closure) const {
-    if (closure.turning) return std::fabs(closure.axis[normal_]) < 0.5;
-    return std::fabs(closure.direction[normal_]) > 0.5;
+  /// Whether a constraint holds a motion out of the plane.
+  bool leaves_plane(const chain::LoopConstraint<L>& constraint) const {
+    if (constraint.rotational) return std::fabs(constraint.axis[normal_]) < 0.5;
+    return std::fabs(constraint.direction[normal_]) > 0.5;
   }
 
   /// Joint freedoms and translations of the start out of the plane, all but those that are held.
@@ -231,11 +231,12 @@ class SpatialTangent final : public OutOfPlane {
       ++index;
       if (spin == (axis != normal_)) visit(pivot);
     });
-    std::size_t closure = 0;
+    std::size_t constraint = 0;
     const solve::PathCondition<L> at_time;
-    solve::detail::for_each_closure_pivot(build_.chain, at_time, false, work_, [&](double pivot) {
-      if (leaves_plane(build_.chain.closures[closure++])) visit(pivot);
-    });
+    solve::detail::for_each_constraint_pivot(
+        build_.chain, at_time, false, work_, [&](double pivot) {
+          if (leaves_plane(build_.chain.constraints[constraint++])) visit(pivot);
+        });
   }
 
   Scene scene_;

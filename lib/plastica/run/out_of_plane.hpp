@@ -29,7 +29,7 @@ struct PlanarEquilibrium {
   /// other axis, over the elastic one (as `elastic`), or empty where all is left.
   std::vector<double> aside;
   std::array<double, 3> root{};  ///< free translation of the start [m]
-  std::vector<Held> held;        ///< closures
+  std::vector<Held> held;        ///< constraints
 };
 
 /// Whether a planar chain would leave its plane: the spatial tangent about its equilibria, of which

@@ -83,16 +83,16 @@ bool PathLanes<L>::begin(int lane, const LaneCase& next) {
     with_joints(runner, [&](auto& joints) {
       joints.visit(writer, [](auto& v, auto& law) { chain::visit_law(v, law); });
     });
-    const auto one_sided = [](const auto& closure) { return closure.one_sided; };
+    const auto one_sided = [](const auto& constraint) { return constraint.one_sided; };
     // A lone beam is faster without lanes, and has the same bits.
     const bool lone = waiting_.empty() && !any_seeks();
     const bool fits =
-        !lone && std::none_of(chain.closures.begin(), chain.closures.end(), one_sided);
+        !lone && std::none_of(chain.constraints.begin(), chain.constraints.end(), one_sided);
     if (fits && shape_ != new_shape_ && !any_seeks()) {
       shape_ = new_shape_;
       newton_->take_shape(shape_.data());
       constexpr std::size_t kOfJoint = 20;  // more than its trial in space, with hardening
-      found_.resize(kOfJoint * (chain.joints() + 1) + chain.closures.size());
+      found_.resize(kOfJoint * (chain.joints() + 1) + chain.constraints.size());
     }
     if (fits && shape_ == new_shape_) {
       newton_->take_chain(lane, numbers_.data());

@@ -50,8 +50,8 @@ void set_apart(const chain::Chain<L>& chain,
 }  // namespace detail
 
 /// The motion of the segments that a factored tangent resists least, the largest spin being 1: by
-/// inverse iteration K x' = B x among the motions that the closures allow. B weighs translations by
-/// 1/length^2 and spins by 1. The eigenvalue sought is near zero, so that a few iterations leave
+/// inverse iteration K x' = B x among the motions that the constraints allow. B weighs translations
+/// by 1/length^2 and spins by 1. The eigenvalue sought is near zero, so that a few iterations leave
 /// nothing of the others.
 /// @param w       holds the tangent; its columns, small system and right side are used
 /// @param others  of an eigenvalue that is there more than once: those that are known already
@@ -81,11 +81,12 @@ std::vector<chain::Motion<L>> softest_motion(
       w.right.wrench[i] = {weight * motion[i].shift, motion[i].spin};
     }
     w.recursion.solve(w.right, false, w.columns[0]);
-    for (std::size_t k = 0; k < chain.closures.size(); ++k) detail::solve_closure(chain, k, w);
+    for (std::size_t k = 0; k < chain.constraints.size(); ++k)
+      detail::solve_constraint(chain, k, w);
     detail::join_columns(chain, at_time, w);
     for (std::size_t i = 0; i < n; ++i) {
       motion[i] = w.columns[0].motion[i];
-      for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+      for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
         const S share = select(w.closed[k], w.small.b(k), constant<S>(0));
         motion[i].shift += share * w.columns[1 + k].motion[i].shift;
         motion[i].spin += share * w.columns[1 + k].motion[i].spin;

@@ -61,14 +61,14 @@ double MotionStep<L, kElastic>::ground_work() {
   }
   root_wrench_ = passed;
 
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-    const auto& closure = chain_.closures[k];
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+    const auto& constraint = chain_.constraints[k];
     const S now = w_.closed[k] ? w_.q.multiplier[k] : constant<S>(0);
     const S mean = end * now + begin * multiplier_[k];
-    work += mean * moved(closure.history) * closure.motion;
-    if (closure.one_sided && !w_.q.released_closure[k]) {
-      const S closed = chain::closure_gap(chain_, closure, w_.placement, w_.time) -
-                       chain::closure_gap(chain_, closure, begin_, time_);
+    work += mean * moved(constraint.history) * constraint.motion;
+    if (constraint.one_sided && !w_.q.released_constraint[k]) {
+      const S closed = chain::constraint_gap(chain_, constraint, w_.placement, w_.time) -
+                       chain::constraint_gap(chain_, constraint, begin_, time_);
       flows_.numerical -= mean * closed;
     }
     multiplier_[k] = now;

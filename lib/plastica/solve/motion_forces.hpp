@@ -103,7 +103,7 @@ void MotionStep<L, kElastic>::assemble() {
     add_inertia(rule_, h_, inertia, i, w_.placement, acting, inertia_now_[i], turning,
                 w_.outer_forces);
   }
-  detail::set_closures(chain_, w_);
+  detail::set_constraints(chain_, w_);
 }
 
 /// Velocities foretell a smooth motion; joints that ring faster than the step are better sought

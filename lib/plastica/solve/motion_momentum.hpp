@@ -9,8 +9,8 @@ namespace plastica::solve {
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::is_held(std::size_t first, std::size_t end) const {
   const auto within = [&](std::size_t segment) { return segment >= first && segment < end; };
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-    if (w_.closed[k] && within(chain_.closures[k].segment)) return true;
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+    if (w_.closed[k] && within(chain_.constraints[k].segment)) return true;
   }
   for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
     if (!w_.q.released_ground_joint[g] && within(chain_.ground_joints[g].segment)) return true;

@@ -20,7 +20,7 @@ struct MotionOptions {
   double largest_turn = 0.2;     ///< of a joint in a step [rad]
   std::vector<double> stops{};   ///< times at which a step must end, rising; the last is the end
   std::vector<bool> recorded{};  ///< which of them are samples
-  std::vector<double> restitution{};  ///< of each closure that is one-sided [1] (closures)
+  std::vector<double> restitution{};  ///< of each constraint that is one-sided [1] (constraints)
 };
 
 /// A segment may turn by no more than this in a step [rad]: Cayley's map ends at pi.

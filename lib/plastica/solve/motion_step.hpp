@@ -46,11 +46,11 @@ class MotionStep {
     inertia_now_.resize(n);
     step_.resize(n);
     acceleration_.resize(n);
-    const std::size_t closures = chain.closures.size();
-    rates_.acts.resize(closures);
-    rates_.rate.resize(closures);
-    bounce_.resize(closures);
-    acts_.resize(closures);
+    const std::size_t constraints = chain.constraints.size();
+    rates_.acts.resize(constraints);
+    rates_.rate.resize(constraints);
+    bounce_.resize(constraints);
+    acts_.resize(constraints);
     carried_.shift.resize(n);
     carried_.spin.resize(n);
     ground_moment_.resize(chain.ground_joints.size());
@@ -68,10 +68,10 @@ class MotionStep {
   /// @return false if a support holds what others hold already
   bool start(const Motions& motion) {
     motion_ = motion;
-    const std::size_t closures = chain_.closures.size();
-    rests_on_.assign(closures, false);
-    bounces_.assign(closures, 0);
-    multiplier_.assign(closures, constant<S>(0));
+    const std::size_t constraints = chain_.constraints.size();
+    rests_on_.assign(constraints, false);
+    bounces_.assign(constraints, 0);
+    multiplier_.assign(constraints, constant<S>(0));
     root_wrench_.reset();
     flows_ = {};
     momentum_.assign(chain_.size(), {});
@@ -88,8 +88,8 @@ class MotionStep {
     for (std::size_t g = 0; g < ground_moment_.size(); ++g) ground_moment_[g] = ground_moment(g);
     begin_ = w_.placement;
     q_begin_ = w_.q;
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-      rests_on_[k] = chain_.closures[k].one_sided && gap_of(k, begin_, 0.0) <= 0.0;
+    for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+      rests_on_[k] = chain_.constraints[k].one_sided && gap_of(k, begin_, 0.0) <= 0.0;
     }
     const bool holds = fit_velocities(motion_, rests_on_, {});
     note_fastest();
@@ -152,9 +152,9 @@ class MotionStep {
       w_.q.released_ground_joint[g] = true;
       flows_.fracture += joints_.elastic_energy()[ground.joint];
     }
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-      const auto& closure = chain_.closures[k];
-      if (closure.node == n && !closure.one_sided) w_.q.released_closure[k] = true;
+    for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+      const auto& constraint = chain_.constraints[k];
+      if (constraint.node == n && !constraint.one_sided) w_.q.released_constraint[k] = true;
     }
   }
 
@@ -234,14 +234,14 @@ class MotionStep {
   void balance_momentum();
   void balance_piece(std::size_t first, std::size_t end, const chain::Wrench<L>& lacks);
   // motion_impact.hpp
-  double gap_of(std::size_t closure, const Placement& placement, double time) const;
+  double gap_of(std::size_t constraint, const Placement& placement, double time) const;
   double free_share() const;
   void meet_at_begin();
   bool leaves_loaded();
   S slope_of(std::size_t history) const {
     return constant<S>(chain_.histories[history].slope_at(w_.time));
   }
-  double approach_of(std::size_t closure) const;
+  double approach_of(std::size_t constraint) const;
   bool fit_velocities(Motions& motion, const std::vector<bool>& acts,
                       const std::vector<double>& bounce);
   void settle();
@@ -259,11 +259,11 @@ class MotionStep {
   JointMotion<L, kElastic> joint_motion_;
   chain::JointForces<L, kElastic> no_laws_;     ///< zeros: what impulses see of the joints
   chain::JointForces<L, kElastic> laws_alone_;  ///< forces without slopes
-  ClosureRates<L> rates_;
+  ConstraintRates<L> rates_;
   CarriedMotion<L> carried_;
   Motions given_;               ///< velocities that are to fit
-  std::vector<double> bounce_;  ///< (closures)
-  std::vector<bool> acts_;      ///< (closures)
+  std::vector<double> bounce_;  ///< (constraints)
+  std::vector<bool> acts_;      ///< (constraints)
   chain::Stage<L> no_motion_;   ///< forces act at the end, and follow nothing
   double mass_ = 0.0;
   double h_ = 0.0;
@@ -278,9 +278,9 @@ class MotionStep {
   std::vector<typename L::Point> acceleration_;  ///< accelerations over the step before
   double h_before_ = 0.0;                        ///< its length; 0: none, or a jump since
   std::vector<CenterForce<L>> inertia_;
-  std::vector<bool> rests_on_;                   ///< one-sided closures that are closed (closures)
-  std::vector<int> bounces_;                     ///< in a row (closures)
-  std::vector<S> multiplier_;                    ///< (closures)
+  std::vector<bool> rests_on_;  ///< one-sided constraints that are closed (constraints)
+  std::vector<int> bounces_;    ///< in a row (constraints)
+  std::vector<S> multiplier_;   ///< (constraints)
   std::optional<chain::Wrench<L>> root_wrench_;  ///< what the root passed on; none: not known
   std::vector<typename L::Spin> ground_moment_;  ///< of ground joints on their segments
   // At its end:

@@ -38,8 +38,8 @@ class PathWalker {
         previous_(previous),
         observer_(observer),
         conservative_(is_conservative(chain)),
-        has_pillars_(std::any_of(chain.closures.begin(), chain.closures.end(),
-                                 [](const auto& closure) { return closure.one_sided; })) {}
+        has_pillars_(std::any_of(chain.constraints.begin(), chain.constraints.end(),
+                                 [](const auto& constraint) { return constraint.one_sided; })) {}
 
   // A walk comes in pieces, cut where an equilibrium at a given time is sought, so that several
   // beams may seek theirs side by side.
@@ -93,7 +93,7 @@ class PathWalker {
 
   /// Relative stiffness below which the supports leave the beam free to move.
   static constexpr double kMechanism = kIsDouble<S> ? 1e-11 : 1e-6;
-  /// Share of the way that a closure's own stiffness would leave, below which it holds nothing.
+  /// Share of the way that a constraint's own stiffness would leave, below which it holds nothing.
   static constexpr double kHeldTwice = kIsDouble<S> ? 1e-8 : 1e-6;
   /// The least way of the control point that is no rounding, over the beam's length.
   static constexpr double kLeastWay = kIsDouble<S> ? 1e-13 : 1e-6;
@@ -153,7 +153,7 @@ class PathWalker {
   /// How a path ends whose last trial has ended it.
   Status ended() const { return interrupted_ ? Status::Interrupted : Status::Broken; }
 
-  /// Whether a closure holds what the rigid segments and the other supports hold already: a unit
+  /// Whether a constraint holds what the rigid segments and the other supports hold already: a unit
   /// force along it moves nothing.
   bool holds_twice();
 
@@ -266,7 +266,8 @@ class PathWalker {
     }
     if (!solved_) {
       detail::solve_imbalance(chain_, at_time, w_);
-      for (std::size_t k = 0; k < chain_.closures.size(); ++k) detail::solve_closure(chain_, k, w_);
+      for (std::size_t k = 0; k < chain_.constraints.size(); ++k)
+        detail::solve_constraint(chain_, k, w_);
       detail::solve_time(chain_, at_time, w_);
       solved_ = true;
     }
@@ -316,7 +317,7 @@ class PathWalker {
 
   /// How u and t go on elastically from the committed state: sets the scales of an arc.
   bool begin_arcs();
-  /// Motion of a segment in a unit of time, with the closures kept; after `solve_rates`.
+  /// Motion of a segment in a unit of time, with the constraints kept; after `solve_rates`.
   chain::Motion<L> rate_of(std::size_t segment) const;
   /// Takes the segment end that moves most, since one that is held tells nothing of the path.
   void find_control();

@@ -116,7 +116,7 @@ void PathWalker<L, kElastic>::extrapolate(double share) {
     }
   }
   w_.q.root += part * (committed_.root - previous_.root);
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
     w_.q.multiplier[k] += part * (committed_.multiplier[k] - previous_.multiplier[k]);
   }
   w_.time += share * (time_ - previous_time_);

@@ -60,14 +60,15 @@ double PathWalker<L, kElastic>::turning_rate() {
     holds_tangent_ = true;
   }
   detail::solve_imbalance(chain_, condition, w_);
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) detail::solve_closure(chain_, k, w_);
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k)
+    detail::solve_constraint(chain_, k, w_);
   detail::solve_time(chain_, condition, w_);
   detail::join_columns(chain_, condition, w_);
   return size_of_turns([&](std::size_t i) {
     typename L::Spin turn;
     for (std::size_t k = 0; k < L::kRotations; ++k) {
       turn[k] = w_.columns.back().joint[i][k];
-      for (std::size_t j = 0; j < chain_.closures.size(); ++j) {
+      for (std::size_t j = 0; j < chain_.constraints.size(); ++j) {
         if (w_.closed[j]) turn[k] += w_.small.b(j) * w_.columns[1 + j].joint[i][k];
       }
     }

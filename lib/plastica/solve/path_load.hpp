@@ -7,13 +7,13 @@ namespace plastica::solve {
 
 template <class L, bool kElastic>
 bool PathWalker<L, kElastic>::holds_twice() {
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
     if (!w_.closed[k]) continue;
-    const auto& closure = chain_.closures[k];
-    detail::solve_closure(chain_, k, w_);
-    const S way = detail::power(chain::unit_wrench(closure, w_.placement),
-                                w_.columns[1 + k].motion[closure.segment]);
-    if (!(way * detail::stiffness_of<S>(chain_, closure) > kHeldTwice)) return true;
+    const auto& constraint = chain_.constraints[k];
+    detail::solve_constraint(chain_, k, w_);
+    const S way = detail::power(chain::unit_wrench(constraint, w_.placement),
+                                w_.columns[1 + k].motion[constraint.segment]);
+    if (!(way * detail::stiffness_of<S>(chain_, constraint) > kHeldTwice)) return true;
   }
   return false;
 }

@@ -62,15 +62,16 @@ class Pencil {
       // With the half that its law's tangent has, as below.
       rate_.impedance[joint.segment].rr -= constant<S>(0.5) * L::turned_by(moment);
     }
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+    for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
       if (!w_.closed[k]) continue;
-      const chain::Closure<L>& closure = chain_.closures[k];
+      const chain::LoopConstraint<L>& constraint = chain_.constraints[k];
       const S force = w_.small.b(k);
-      if (closure.turning) {
-        rate_.wrench[closure.segment].moment += force * closure.axis;
+      if (constraint.rotational) {
+        rate_.wrench[constraint.segment].moment += force * constraint.axis;
       } else {
-        const typename L::Point arm = L::turn(w_.placement.frame[closure.segment], closure.arm);
-        add_force(closure.segment, arm, force * closure.direction);
+        const typename L::Point arm =
+            L::turn(w_.placement.frame[constraint.segment], constraint.arm);
+        add_force(constraint.segment, arm, force * constraint.direction);
       }
     }
     set_moment_rates();
@@ -138,7 +139,8 @@ class Pencil {
     w_.columns[0] = {};
     w_.columns[0].resize(chain_.size());
     for (S& gap : w_.gap) gap = constant<S>(0);
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) detail::solve_closure(chain_, k, w_);
+    for (std::size_t k = 0; k < chain_.constraints.size(); ++k)
+      detail::solve_constraint(chain_, k, w_);
     detail::solve_time(chain_, unit_time, w_);
     detail::join_columns(chain_, unit_time, w_);
   }

@@ -10,11 +10,11 @@
 /// with nothing but inertia in it.
 namespace plastica::solve {
 
-/// What a velocity of each closure must be, once they act.
+/// What a velocity of each constraint must be, once they act.
 template <class L>
-struct ClosureRates {
-  std::vector<mask_t<typename L::Scalar>> acts;  ///< (closures)
-  std::vector<typename L::Scalar> rate;          ///< along the closure's direction (closures)
+struct ConstraintRates {
+  std::vector<mask_t<typename L::Scalar>> acts;  ///< (constraints)
+  std::vector<typename L::Scalar> rate;          ///< along the constraint's direction (constraints)
 };
 
 /// What joints that do not accelerate would give each segment; memory of `set_accelerations`.
@@ -24,7 +24,7 @@ struct CarriedMotion {
   std::vector<typename L::Spin> spin;    ///< (N)
 };
 
-/// A closure moves nothing that is free if a unit impulse along it does less than this share of
+/// A constraint moves nothing that is free if a unit impulse along it does less than this share of
 /// what it would do to the beam's mass, free.
 template <class S>
 inline constexpr double kHoldsNothing = kIsDouble<S> ? 1e-10 : 1e-6;
@@ -41,12 +41,12 @@ void factor_inertia(const chain::Chain<L>& chain, const chain::Stage<L>& stage,
   w.recursion.factor(chain, w.q, w.placement, stage, laws, w.outer_forces, w.impulses);
 }
 
-/// Solves for a right-hand side (w.right) under the closures' conditions; leaves the motion in
-/// w.columns[0] and the closures' impulses in w.small.
-/// @return whether every acting closure has something to hold
+/// Solves for a right-hand side (w.right) under the constraints' conditions; leaves the motion in
+/// w.columns[0] and the constraints' impulses in w.small.
+/// @return whether every acting constraint has something to hold
 template <class L, bool kElastic>
-bool solve_rates(const chain::Chain<L>& chain, const ClosureRates<L>& closures, bool with_balance,
-                 NewtonWork<L, kElastic>& w) {
+bool solve_rates(const chain::Chain<L>& chain, const ConstraintRates<L>& constraints,
+                 bool with_balance, NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
   const S zero = constant<S>(0);
   const S one = constant<S>(1);
@@ -59,35 +59,35 @@ bool solve_rates(const chain::Chain<L>& chain, const ClosureRates<L>& closures, 
   }
   turning = turning + mass * chain.length * chain.length;
   bool all_hold = true;
-  const std::size_t count = chain.closures.size();
+  const std::size_t count = chain.constraints.size();
   for (std::size_t k = 0; k < count; ++k) {
-    const auto& closure = chain.closures[k];
+    const auto& constraint = chain.constraints[k];
     w.right.reset(chain.size());
-    w.right.wrench[closure.segment] = chain::unit_wrench(closure, w.placement);
+    w.right.wrench[constraint.segment] = chain::unit_wrench(constraint, w.placement);
     w.recursion.solve(w.right, false, w.columns[1 + k]);
   }
   for (std::size_t k = 0; k < count; ++k) {
-    const auto& closure = chain.closures[k];
-    const auto wrench = chain::unit_wrench(closure, w.placement);
+    const auto& constraint = chain.constraints[k];
+    const auto wrench = chain::unit_wrench(constraint, w.placement);
     for (std::size_t j = 0; j < count; ++j) {
-      const S moved = power(wrench, w.columns[1 + j].motion[closure.segment]);
-      w.small.a(k, j) =
-          select(closures.acts[k], select(closures.acts[j], moved, zero), k == j ? one : zero);
+      const S moved = power(wrench, w.columns[1 + j].motion[constraint.segment]);
+      w.small.a(k, j) = select(constraints.acts[k], select(constraints.acts[j], moved, zero),
+                               k == j ? one : zero);
     }
-    const S own = power(wrench, w.columns[1 + k].motion[closure.segment]);
-    const S free = one / (closure.turning ? turning : mass);
-    if (any(closures.acts[k] & !(own > constant<S>(kHoldsNothing<S>) * free))) all_hold = false;
+    const S own = power(wrench, w.columns[1 + k].motion[constraint.segment]);
+    const S free = one / (constraint.rotational ? turning : mass);
+    if (any(constraints.acts[k] & !(own > constant<S>(kHoldsNothing<S>) * free))) all_hold = false;
     w.small.a(k, count) = zero;
     w.small.a(count, k) = zero;
-    const S lacks = closures.rate[k] - power(wrench, w.columns[0].motion[closure.segment]);
-    w.small.b(k) = select(closures.acts[k], lacks, zero);
+    const S lacks = constraints.rate[k] - power(wrench, w.columns[0].motion[constraint.segment]);
+    w.small.b(k) = select(constraints.acts[k], lacks, zero);
   }
   w.small.a(count, count) = one;
   w.small.b(count) = zero;
   w.small.solve();
   auto& sum = w.columns[0];
   for (std::size_t k = 0; k < count; ++k) {
-    const S weight = select(closures.acts[k], w.small.b(k), zero);
+    const S weight = select(constraints.acts[k], w.small.b(k), zero);
     for (std::size_t i = 0; i < chain.size(); ++i) {
       sum.motion[i].shift += weight * w.columns[1 + k].motion[i].shift;
       sum.motion[i].spin += weight * w.columns[1 + k].motion[i].spin;
@@ -98,13 +98,13 @@ bool solve_rates(const chain::Chain<L>& chain, const ClosureRates<L>& closures, 
 
 }  // namespace detail
 
-/// Makes velocities such as joints and closures allow, by impulses: of all such velocities those
+/// Makes velocities such as joints and constraints allow, by impulses: of all such velocities those
 /// whose kinetic distance to the given ones is least. What the joints pass on is impulsive; their
 /// laws are not asked.
 /// @param ground  how the ground moves at the root
-/// @return whether every closure has something to hold
+/// @return whether every constraint has something to hold
 template <class L, bool kElastic>
-bool make_velocities_fit(const chain::Chain<L>& chain, const ClosureRates<L>& closures,
+bool make_velocities_fit(const chain::Chain<L>& chain, const ConstraintRates<L>& constraints,
                          const chain::Motion<L>& ground,
                          const chain::JointForces<L, kElastic>& no_laws,
                          const chain::Stage<L>& no_motion, std::vector<SegmentMotion<L>>& motion,
@@ -120,7 +120,7 @@ bool make_velocities_fit(const chain::Chain<L>& chain, const ClosureRates<L>& cl
                                        L::moment(L::turn(frame, inertia.center), momentum)};
   }
   w.right.ground = ground;
-  const bool all_hold = detail::solve_rates(chain, closures, false, w);
+  const bool all_hold = detail::solve_rates(chain, constraints, false, w);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const chain::Motion<L>& moves = w.columns[0].motion[i];
     const auto& frame = w.placement.frame[i];
@@ -133,11 +133,11 @@ bool make_velocities_fit(const chain::Chain<L>& chain, const ClosureRates<L>& cl
 
 /// The accelerations of a chain under the forces in `w` (assembled, without inertia), for the
 /// beginning of a scheme that carries them. Shifts of elastic joints are taken as at rest.
-/// @param rates  which closures act; their rates are set
+/// @param rates  which constraints act; their rates are set
 template <class L, bool kElastic>
 void set_accelerations(const chain::Chain<L>& chain, const chain::JointForces<L, kElastic>& laws,
                        const chain::Stage<L>& no_motion, CarriedMotion<L>& carried_motion,
-                       ClosureRates<L>& rates, std::vector<SegmentMotion<L>>& motion,
+                       ConstraintRates<L>& rates, std::vector<SegmentMotion<L>>& motion,
                        NewtonWork<L, kElastic>& w) {
   detail::factor_inertia(chain, no_motion, laws, w);
   w.right.reset(chain.size());
@@ -173,15 +173,15 @@ void set_accelerations(const chain::Chain<L>& chain, const chain::JointForces<L,
     at += centripetal(L::turn(frame, chain.segments[i].arm));
     inner_spin = spin;
   }
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    const auto& closure = chain.closures[k];
-    const std::size_t i = closure.segment;
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    const auto& constraint = chain.constraints[k];
+    const std::size_t i = constraint.segment;
     const auto& frame = w.placement.frame[i];
     const typename L::Spin spin = L::axes(frame) * motion[i].spin;
-    const typename L::Point arm = L::turn(frame, closure.arm);
+    const typename L::Point arm = L::turn(frame, constraint.arm);
     const typename L::Point bias =
         carried[i] + L::spun(turned[i], arm) + L::spun(spin, L::spun(spin, arm));
-    rates.rate[k] = -(dot(closure.direction, bias) + dot(closure.axis, turned[i]));
+    rates.rate[k] = -(dot(constraint.direction, bias) + dot(constraint.axis, turned[i]));
   }
   detail::solve_rates(chain, rates, true, w);
   for (std::size_t i = 0; i < chain.size(); ++i) {

@@ -44,7 +44,7 @@ Scene busy_scene() {
   return scene;
 }
 
-/// The Newton step d of a state out of balance r solves r + (dr/dq) d = 0, closures included; so
+/// The Newton step d of a state out of balance r solves r + (dr/dq) d = 0, constraints included; so
 /// the difference of r over a small part of d is -r. That checks every term of the tangent.
 ///
 /// @param make  a chain in its virgin state
