@@ -21,7 +21,7 @@ std::string_view word_of(Division division) {
 
 /// A repetition with another number of segments: a row of the parameters' values [SI], NaN at a
 /// bound (n_free), or none and one sentence why.
-using Repetition = PieceRecord;
+using Repetition = TaskRecord;
 
 std::vector<ScenePart> divided_parts(std::span<const ScenePart> parts, Division division) {
   std::vector<ScenePart> made(parts.begin(), parts.end());

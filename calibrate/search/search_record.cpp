@@ -73,7 +73,7 @@ ScreenRecord screen_record_from(std::span<const std::byte> bytes) {
   return record;
 }
 
-std::vector<std::byte> bytes_of(const PieceRecord& record) {
+std::vector<std::byte> bytes_of(const TaskRecord& record) {
   io::ByteWriter to;
   to.put(kSearchRecordVersion).put(std::uint64_t{record.rows.size()});
   for (const std::vector<double>& row : record.rows) to.put(row);
@@ -82,9 +82,9 @@ std::vector<std::byte> bytes_of(const PieceRecord& record) {
   return to.take();
 }
 
-PieceRecord piece_record_from(std::span<const std::byte> bytes) {
+TaskRecord task_record_from(std::span<const std::byte> bytes) {
   io::ByteReader from = open(bytes);
-  PieceRecord record;
+  TaskRecord record;
   const auto rows = from.get<std::uint64_t>();
   for (std::uint64_t i = 0; i < rows; ++i) record.rows.push_back(from.get<std::vector<double>>());
   record.text = from.get<std::string>();

@@ -83,6 +83,10 @@ class OlderFiles(unittest.TestCase):
         self.check_names("scenes/report_fig06_bent.toml",
                          ("outcome/energy_balance_error", "outcome/ledger_error"))
 
+    def test_of_broken_beams_with_old_names(self):
+        self.check_names("scenes/report_fig11_broken.toml",
+                         ("events/fragments", "events/pieces"))
+
     def test_of_sweeps_with_old_names(self):
         self.check_names("sweeps/cantilever_deflection.toml",
                          ("cases/energy_balance_error", "cases/ledger_error"))

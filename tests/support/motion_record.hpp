@@ -20,7 +20,7 @@ struct MadeUpMotion {
 
 /// The record of a cantilever above a pillar that was never simulated: it swings, breaks at 40 % of
 /// the time in joint N/2 (the joint beside it goes over its limit but holds), and at 70 % the scene
-/// cuts joint 3N/4; the outer pieces fall, turning. Energies balance but for a residual.
+/// cuts joint 3N/4; the outer fragments fall, turning. Energies balance but for a residual.
 inline io::SceneRecord motion_record(const MadeUpMotion& made = {}) {
   std::string text = R"([beam]
 length = "1 m"

@@ -24,6 +24,9 @@ inline constexpr std::array kRenamedWords{
 /// Datasets of result files, by their path from the root.
 inline constexpr std::array kRenamedStored{
     Renamed{"outcome/ledger_error", "outcome/energy_balance_error"},
+    Renamed{"events/pieces/event", "events/fragments/event"},
+    Renamed{"events/pieces/first", "events/fragments/first"},
+    Renamed{"events/pieces/last", "events/fragments/last"},
     Renamed{"cases/ledger_error", "cases/energy_balance_error"},
 };
 

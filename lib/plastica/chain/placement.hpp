@@ -11,10 +11,11 @@ inline typename L::Frame root_frame(const Chain<L>& chain, double time) {
   return L::then(L::rotation(factor * chain.root.turn), chain.root.ground);
 }
 
-/// Places a segment with which a piece begins, in the lanes where it does.
+/// Places a segment with which a fragment begins, in the lanes where it does.
 template <class L>
-void place_piece(const Segment<L>& segment, const Pose<L>& pose,
-                 const mask_t<typename L::Scalar>& open, std::size_t i, Placement<L>& placement) {
+void place_fragment(const Segment<L>& segment, const Pose<L>& pose,
+                    const mask_t<typename L::Scalar>& open, std::size_t i,
+                    Placement<L>& placement) {
   const typename L::Frame joint = L::then(pose.frame, segment.inner);
   placement.near[i] = L::select(open, joint, placement.near[i]);
   placement.far[i] = L::select(open, joint, placement.far[i]);
@@ -39,7 +40,7 @@ void place(const Chain<L>& chain, const Coordinates<L>& q, double time, Placemen
     placement.far[i] = far;
     placement.frame[i] = L::then_back(far, segment.inner);
     placement.position[i] = at;
-    if (any(q.open[i])) place_piece(segment, q.pose[i], q.open[i], i, placement);
+    if (any(q.open[i])) place_fragment(segment, q.pose[i], q.open[i], i, placement);
     at = placement.position[i] + L::turn(placement.frame[i], segment.arm);
     near = L::then(placement.frame[i], segment.outer);
   }

@@ -88,10 +88,10 @@ class Recursion {
   void for_each_pivot(const Chain<L>& chain, const Visit& visit) const;
   /// The force that the free translations of the root lack.
   const typename L::Point& root_balance() const { return root_balance_; }
-  /// What the pieces lack: force and moment at the start of each.
+  /// What the fragments lack: force and moment at the start of each.
   template <class Visit>
-  void for_each_piece(const Visit& visit) const {
-    for (const PieceStart& start : starts_) visit(start.joint, start.balance);
+  void for_each_fragment(const Visit& visit) const {
+    for (const FragmentStart& start : starts_) visit(start.joint, start.balance);
   }
 
   /// @param with_balance  whether the right-hand side is minus the imbalance, plus `right`
@@ -140,12 +140,12 @@ class Recursion {
     typename L::Point along;
   };
   static constexpr std::size_t kFree = kR + kT;
-  /// The start of a piece: its spin and shift are solved there, and nothing goes further in.
-  struct PieceStart {
+  /// The start of a fragment: its spin and shift are solved there, and nothing goes further in.
+  struct FragmentStart {
     std::size_t joint = 0;
     mask_t<S> open{};
-    Mat<S, kFree, kFree> inverse;  ///< of the piece's impedance, spins first
-    Wrench<L> balance;             ///< what acts on the piece
+    Mat<S, kFree, kFree> inverse;  ///< of the fragment's impedance, spins first
+    Wrench<L> balance;             ///< what acts on the fragment
     Motion<L> motion;              ///< of its first segment, in the solution that is sought
   };
 
@@ -196,12 +196,12 @@ class Recursion {
   }
   void factor_root(const Chain<L>& chain, const mask_t<S>& open, const Impedance<L>& outside);
 
-  static void solve_piece(PieceStart& start, bool with_balance, Wrench<L>& b);
-  void factor_piece(std::size_t i, const mask_t<S>& open, const Impedance<L>& a, Wrench<L>& w,
-                    Impedance<L>& given, Joint& joint);
+  static void solve_fragment(FragmentStart& start, bool with_balance, Wrench<L>& b);
+  void factor_fragment(std::size_t i, const mask_t<S>& open, const Impedance<L>& a, Wrench<L>& w,
+                       Impedance<L>& given, Joint& joint);
 
   std::vector<Joint> joints_;
-  std::vector<PieceStart> starts_;  ///< from the tip to the root
+  std::vector<FragmentStart> starts_;  ///< from the tip to the root
   std::vector<JointVector> balance_;
   typename L::Point root_balance_{};
   Impedance<L> root_impedance_{};  ///< of the whole chain, about the start
@@ -247,7 +247,7 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
     }
     softest = largest_entry(joint.inverse, softest);
     if (any(q.open[i])) {
-      factor_piece(i, q.open[i], whole, w, a, joint);
+      factor_fragment(i, q.open[i], whole, w, a, joint);
       transmitted.outer[i] = w;
     }
     if (i == 0) break;

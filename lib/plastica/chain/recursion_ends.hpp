@@ -2,8 +2,8 @@
 
 #include "plastica/chain/recursion.hpp"
 
-/// Where the recursion along the chain turns: the root and the starts of pieces; and the sweeps for
-/// a right-hand side.
+/// Where the recursion along the chain turns: the root and the starts of fragments; and the sweeps
+/// for a right-hand side.
 namespace plastica::chain {
 
 template <class L, bool kElastic>
@@ -51,7 +51,7 @@ void Recursion<L, kElastic>::sum(const Chain<L>& chain, const Coordinates<L>& q,
     set_joint(q, placement, stage, i);
     set_balance(chain, stage, laws.force[i], w, i);
     if (any(q.open[i])) {
-      PieceStart start;
+      FragmentStart start;
       start.joint = i;
       start.open = q.open[i];
       start.balance = {select(q.open[i], w.force, {}), select(q.open[i], w.moment, {})};
@@ -65,15 +65,15 @@ void Recursion<L, kElastic>::sum(const Chain<L>& chain, const Coordinates<L>& q,
   set_root_balance(chain, w);
 }
 
-/// Solves a piece at its start, in the lanes where one begins, and leaves nothing for the joint.
-/// @param a  the piece's impedance
+/// Solves a fragment at its start, in the lanes where one begins, and leaves nothing for the joint.
+/// @param a  the fragment's impedance
 /// @param w  what acts on it; nothing afterwards
 /// @param given  the impedance with the joint eliminated; nothing afterwards
 template <class L, bool kElastic>
-void Recursion<L, kElastic>::factor_piece(std::size_t i, const mask_t<S>& open,
-                                          const Impedance<L>& a, Wrench<L>& w, Impedance<L>& given,
-                                          Joint& joint) {
-  PieceStart start;
+void Recursion<L, kElastic>::factor_fragment(std::size_t i, const mask_t<S>& open,
+                                             const Impedance<L>& a, Wrench<L>& w,
+                                             Impedance<L>& given, Joint& joint) {
+  FragmentStart start;
   start.joint = i;
   start.open = open;
   start.balance = {select(open, w.force, {}), select(open, w.moment, {})};
@@ -117,7 +117,7 @@ void Recursion<L, kElastic>::solve(const RightSide<L>& right, bool with_balance,
     const JointVector gives = joint.inverse * rest;
     solution.joint[i] = gives;
     if (start != starts_.end() && start->joint == i) {
-      solve_piece(*start, with_balance, b);
+      solve_fragment(*start, with_balance, b);
       ++start;
     }
     b.force -= joint.u_shift * gives;
@@ -131,7 +131,7 @@ void Recursion<L, kElastic>::solve(const RightSide<L>& right, bool with_balance,
   Motion<L> motion = right.ground;
   solution.root = root_inverse_ * lack;
   motion.shift += solution.root;
-  auto piece = starts_.rbegin();
+  auto fragment = starts_.rbegin();
   for (std::size_t i = 0; i < n; ++i) {
     const Joint& joint = joints_[i];
     if (i > 0) motion.shift += L::spun(motion.spin, joint.arm);
@@ -139,18 +139,18 @@ void Recursion<L, kElastic>::solve(const RightSide<L>& right, bool with_balance,
         solution.joint[i] - joint.give_spin * motion.spin - joint.give_shift * motion.shift;
     move(joint, moved, motion);
     solution.joint[i] = moved;
-    if (piece != starts_.rend() && piece->joint == i) {
-      motion = {select(piece->open, piece->motion.shift, motion.shift),
-                select(piece->open, piece->motion.spin, motion.spin)};
-      ++piece;
+    if (fragment != starts_.rend() && fragment->joint == i) {
+      motion = {select(fragment->open, fragment->motion.shift, motion.shift),
+                select(fragment->open, fragment->motion.spin, motion.spin)};
+      ++fragment;
     }
     solution.motion[i] = motion;
   }
 }
 
-/// The motion of a piece's first segment; in the lanes where it begins no force goes further in.
+/// The motion of a fragment's first segment; in the lanes where it begins no force goes further in.
 template <class L, bool kElastic>
-void Recursion<L, kElastic>::solve_piece(PieceStart& start, bool with_balance, Wrench<L>& b) {
+void Recursion<L, kElastic>::solve_fragment(FragmentStart& start, bool with_balance, Wrench<L>& b) {
   Wrench<L> acting = b;
   if (with_balance) acting = acting + start.balance;
   Vec<S, kFree> rest;

@@ -96,8 +96,8 @@ struct Pose {
 
 /// What the unknowns of a chain are.
 ///
-/// An open joint lets go of its segment, with which a piece begins: its pose takes the place of the
-/// joint's angle, which keeps the value that it had.
+/// An open joint lets go of its segment, with which a fragment begins: its pose takes the place of
+/// the joint's angle, which keeps the value that it had.
 template <class L>
 struct Coordinates {
   using Mask = mask_t<typename L::Scalar>;

@@ -192,7 +192,7 @@ void walk_outcome(Store& store, Response& response, std::size_t joints) {
   });
 }
 
-/// What broke or was cut, and the pieces after that.
+/// What broke or was cut, and the fragments after that.
 template <class Store, class Chain>
 void walk_events(Store& store, Chain& chain) {
   EventTable table = event_table(chain.events);
@@ -208,10 +208,10 @@ void walk_events(Store& store, Chain& chain) {
   store.vectors("events/joints/moment", joints, PLASTICA_MEMBER(broken.moment), "N m");
   store.vectors("events/joints/plastic_angle", joints, PLASTICA_MEMBER(broken.angle), "rad");
   store.column("events/joints/dissipation", joints, PLASTICA_MEMBER(broken.dissipation), "J");
-  auto& pieces = table.pieces;
-  store.column("events/pieces/event", pieces, PLASTICA_MEMBER(event), "");
-  store.column("events/pieces/first", pieces, PLASTICA_MEMBER(piece.first), "");
-  store.column("events/pieces/last", pieces, PLASTICA_MEMBER(piece.last), "");
+  auto& fragments = table.fragments;
+  store.column("events/fragments/event", fragments, PLASTICA_MEMBER(event), "");
+  store.column("events/fragments/first", fragments, PLASTICA_MEMBER(fragment.first), "");
+  store.column("events/fragments/last", fragments, PLASTICA_MEMBER(fragment.last), "");
   if constexpr (!std::is_const_v<Chain>) {
     store.check_events(table);
     chain.events = events_of(table);

@@ -139,7 +139,7 @@ class SceneReader {
       check_values(root_, path + "/factor", f, {});
       rows[i].history = {{t.begin(), t.end()}, {f.begin(), f.end()}};
     }
-    // Files of older versions have straight pieces alone.
+    // Files of older versions have straight segments alone.
     if (root_.exists(path + "/slope")) {
       const auto slope = root_.read_ragged<double>(path + "/slope");
       if (slope.rows() != rows.size()) {
@@ -183,7 +183,7 @@ class SceneReader {
     };
     for (const auto& [path, holds] :
          {std::pair("events/joints/event", std::ranges::all_of(table.joints, known)),
-          std::pair("events/pieces/event", std::ranges::all_of(table.pieces, known))}) {
+          std::pair("events/fragments/event", std::ranges::all_of(table.fragments, known))}) {
       if (!holds) refuse_value(root_, path, "", "must be the number of an event");
     }
   }

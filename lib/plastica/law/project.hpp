@@ -5,7 +5,7 @@
 #include "plastica/base/matrix.hpp"
 #include "plastica/law/closest_point.hpp"
 #include "plastica/law/gauge.hpp"
-#include "plastica/law/linear_piece.hpp"
+#include "plastica/law/linear_facet.hpp"
 #include "plastica/law/section_response.hpp"
 
 /// Closest-point projection onto a yield surface.
@@ -17,7 +17,7 @@
 /// In the orthant of `gauge.hpp` it is a convex problem with inequalities phi_k(u) <= 1 and u >= 0.
 /// One method is right for every target on every surface (`closest_point.hpp`). Two cases that are
 /// common have a form of their own: a target on an axis, and a surface that is one circle of
-/// torsion and a sum of the others (`linear_piece.hpp`). README.md says what each of them takes.
+/// torsion and a sum of the others (`linear_facet.hpp`). README.md says what each of them takes.
 namespace plastica::law {
 namespace detail {
 
@@ -65,12 +65,12 @@ inline Projection<typename Gauge::Scalar> project_orthant(
       }
     }
   };
-  if constexpr (requires { gauge.linear_piece(target); }) {
+  if constexpr (requires { gauge.linear_facet(target); }) {
     if (any(hard)) {
-      const LinearPiece<S> piece = gauge.linear_piece(target);
-      const auto simple = hard & piece.applies;
+      const LinearFacet<S> facet = gauge.linear_facet(target);
+      const auto simple = hard & facet.applies;
       if (any(simple)) {
-        take(project_on_line<Gauge::kRound>(piece, compliance, target, simple), simple);
+        take(project_on_line<Gauge::kRound>(facet, compliance, target, simple), simple);
       }
       hard = hard & !simple;
     }

@@ -109,15 +109,15 @@ std::optional<std::string> coarse_steps(const Facts& facts) {
          " (below 20); solver.time_step = \"" + figure(period / kEnoughSteps) + " s\" makes 20";
 }
 
-/// Steps do not end at the pieces of smooth histories, so that they must be short beside these.
+/// Steps do not end at the segments of smooth histories, so that they must be short beside these.
 std::optional<std::string> coarse_histories(const Facts& facts) {
-  // Of a sine 128 pieces are a period, and 20 steps in it are enough.
-  constexpr double kPieces = 128.0;
+  // Of a sine 128 segments are a period, and 20 steps in it are enough.
+  constexpr double kSegments = 128.0;
   if (facts.options.step_error > 0.0) return std::nullopt;
   std::optional<std::string> warning;
   const auto look_at = [&](const History& history, const std::string& name) {
     if (warning || history.slope.size() < 3) return;
-    const double period = kPieces * (history.time[1] - history.time[0]);
+    const double period = kSegments * (history.time[1] - history.time[0]);
     if (period >= kEnoughSteps * facts.step) return;
     warning = "steps of " + figure(facts.step) + " s are " + figure(period / facts.step) +
               " in a period of " + name + " (below 20); solver.time_step = \"" +

@@ -34,7 +34,7 @@ enum class BreakMeasure { Net, Accumulated };
 
 /// What happens to joints over their limit: all are cut, or the worst of them (the first of the
 /// worst, in a tie), or the break is only recorded. What is cut carries nothing from then on and
-/// keeps the permanent strain that it broke with. Statics end there, dynamics go on in pieces. A
+/// keeps the permanent strain that it broke with. Statics end there, dynamics go on in fragments. A
 /// `BreakListener` decides in the policy's place.
 enum class BreakPolicy { CutAll, CutWorst, RecordOnly };
 

@@ -35,11 +35,11 @@ BeamPose::BeamPose(const io::SceneRecord& record, std::size_t frame)
   const bool undeformed = frame == kUndeformed;
   if (undeformed) {
     cut_.assign(n + 1, false);
-    pieces_ = {{0, static_cast<int>(n) - 1}};
+    fragments_ = {{0, static_cast<int>(n) - 1}};
   } else {
     time_ = time_of_frame(record, frame);
     cut_ = cut_joints(record, time_);
-    pieces_ = pieces_at(record, time_);
+    fragments_ = fragments_at(record, time_);
   }
   const auto node = [&](std::size_t i) {
     return undeformed ? three(record.outline.node, i)
@@ -77,18 +77,18 @@ Point3 BeamPose::point_at(double share) const {
   return sum(inner_[i], t, sum(outer_[i], -1.0, inner_[i]));
 }
 
-std::vector<Point2> BeamPose::axis_of(const Piece& piece, const Eye& eye) const {
+std::vector<Point2> BeamPose::axis_of(const Fragment& fragment, const Eye& eye) const {
   std::vector<Point2> axis;
-  for (int i = piece.first; i <= piece.last; ++i) {
+  for (int i = fragment.first; i <= fragment.last; ++i) {
     axis.push_back(eye.at(inner_[static_cast<std::size_t>(i)]));
   }
-  axis.push_back(eye.at(outer_[static_cast<std::size_t>(piece.last)]));
+  axis.push_back(eye.at(outer_[static_cast<std::size_t>(fragment.last)]));
   return axis;
 }
 
 std::vector<std::vector<Point2>> BeamPose::axes(const Eye& eye) const {
   std::vector<std::vector<Point2>> axes;
-  for (const Piece& piece : pieces_) axes.push_back(axis_of(piece, eye));
+  for (const Fragment& fragment : fragments_) axes.push_back(axis_of(fragment, eye));
   return axes;
 }
 

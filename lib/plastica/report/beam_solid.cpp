@@ -111,9 +111,9 @@ BeamSolid beam_solid(const BeamPose& pose, const Eye& eye, double thickness) {
   const std::size_t segments = pose.segments();
   const std::size_t step = (segments + kMostSegments - 1) / kMostSegments;
   Drawing drawing(eye);
-  for (const Piece& piece : pose.pieces()) {
-    const auto first = static_cast<std::size_t>(piece.first);
-    const std::size_t behind = static_cast<std::size_t>(piece.last) + 1;
+  for (const Fragment& fragment : pose.fragments()) {
+    const auto first = static_cast<std::size_t>(fragment.first);
+    const std::size_t behind = static_cast<std::size_t>(fragment.last) + 1;
     const auto beyond = [&](std::size_t joint) {
       if (joint != first && joint != behind) return Beyond::Segment;
       return joint == 0 || joint == segments ? Beyond::End : Beyond::Cut;

@@ -33,7 +33,7 @@ double largest_entry(const io::SceneRecord& record) {
   return largest;
 }
 
-/// "3 joints over their limit in 2 events from 80 ms on, 1 joint cut by the scene; 3 pieces".
+/// "3 joints over their limit in 2 events from 80 ms on, 1 joint cut by the scene; 3 fragments".
 std::string events_line(const io::SceneRecord& record) {
   const ChainHistory& chain = record.response.chain;
   std::size_t over = 0;
@@ -61,8 +61,8 @@ std::string events_line(const io::SceneRecord& record) {
     line +=
         fmt::format("{}{} cut by the scene", line.empty() ? "" : ", ", counted(by_scene, "joint"));
   }
-  const std::size_t pieces = pieces_at(record, end).size();
-  if (pieces > 1) line += fmt::format("; {}", counted(pieces, "piece"));
+  const std::size_t fragments = fragments_at(record, end).size();
+  if (fragments > 1) line += fmt::format("; {}", counted(fragments, "fragment"));
   return line;
 }
 

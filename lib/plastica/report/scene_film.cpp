@@ -77,11 +77,11 @@ Grid grid_of(const Extent& extent, std::size_t count, double width, double heigh
   return best;
 }
 
-/// "12.5 ms, 3 pieces".
+/// "12.5 ms, 3 fragments".
 std::string label_of(const io::SceneRecord& record, std::size_t frame, double last) {
   const double time = time_of_frame(record, frame);
-  const std::size_t pieces = pieces_at(record, time).size();
-  return time_text(time, last) + (pieces > 1 ? ", " + counted(pieces, "piece") : "");
+  const std::size_t fragments = fragments_at(record, time).size();
+  return time_text(time, last) + (fragments > 1 ? ", " + counted(fragments, "fragment") : "");
 }
 
 std::string title_of(const io::SceneRecord& record, double thickness, std::size_t width) {

@@ -108,20 +108,20 @@ Json joints_of(const io::SceneRecord& record, const ChainBreak& event) {
   return joints;
 }
 
-Json pieces_of(const io::SceneRecord& record, const ChainBreak& event) {
+Json fragments_of(const io::SceneRecord& record, const ChainBreak& event) {
   const std::vector<double>& ends = record.outline.ends;
   const double length = record.setup.scene.beam.length;
-  Json pieces = Json::array();
-  for (const Piece& piece : event.pieces) {
-    const double from = ends[static_cast<std::size_t>(piece.first)];
-    const double to = ends[static_cast<std::size_t>(piece.last) + 1];
-    pieces.push_back({{"first", piece.first},
-                      {"last", piece.last},
-                      {"from", from},
-                      {"to", to},
-                      {"length", length * (to - from)}});
+  Json fragments = Json::array();
+  for (const Fragment& fragment : event.fragments) {
+    const double from = ends[static_cast<std::size_t>(fragment.first)];
+    const double to = ends[static_cast<std::size_t>(fragment.last) + 1];
+    fragments.push_back({{"first", fragment.first},
+                         {"last", fragment.last},
+                         {"from", from},
+                         {"to", to},
+                         {"length", length * (to - from)}});
   }
-  return pieces;
+  return fragments;
 }
 
 Json events_of(const io::SceneRecord& record) {
@@ -130,7 +130,7 @@ Json events_of(const io::SceneRecord& record) {
     events.push_back({{"time", number(event.time)},
                       {"factor", number(event.factor)},
                       {"joints", joints_of(record, event)},
-                      {"pieces", pieces_of(record, event)}});
+                      {"fragments", fragments_of(record, event)}});
   }
   return events;
 }

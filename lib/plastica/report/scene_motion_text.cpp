@@ -19,7 +19,7 @@ namespace {
 
 using Align = Table::Align;
 
-constexpr std::size_t kMostRows = 20;      ///< joints, and pieces, that are listed
+constexpr std::size_t kMostRows = 20;      ///< joints, and fragments, that are listed
 constexpr std::size_t kMostToldPeaks = 5;  ///< frequencies of a probe
 constexpr double kLeastToldPeak = 1e-3;    ///< of the strongest one
 
@@ -111,27 +111,27 @@ std::string joints_table(const io::SceneRecord& record, const std::vector<EventR
   return table.text(2, kWidth);
 }
 
-std::string pieces_text(const io::SceneRecord& record, const Ink& ink) {
-  const std::vector<Piece>& pieces = record.response.chain.events.back().pieces;
-  if (pieces.empty()) return {};
+std::string fragments_text(const io::SceneRecord& record, const Ink& ink) {
+  const std::vector<Fragment>& fragments = record.response.chain.events.back().fragments;
+  if (fragments.empty()) return {};
   const std::vector<double>& ends = record.outline.ends;
   const double length = record.setup.scene.beam.length;
-  Table table({{"piece"},
+  Table table({{"fragment"},
                {"segments", Align::Range},
                {"count"},
                {"length", Align::Right, "m"},
                {"from", Align::Right, "share"},
                {"to", Align::Right, "share"}});
-  for (std::size_t i = 0; i < std::min(pieces.size(), kMostRows); ++i) {
-    const Piece& piece = pieces[i];
-    const double from = ends[static_cast<std::size_t>(piece.first)];
-    const double to = ends[static_cast<std::size_t>(piece.last) + 1];
-    table.add({std::to_string(i + 1), fmt::format("{} … {}", piece.first, piece.last),
-               std::to_string(piece.last - piece.first + 1), significant(length * (to - from), 4),
-               place_label(from), place_label(to)});
+  for (std::size_t i = 0; i < std::min(fragments.size(), kMostRows); ++i) {
+    const Fragment& fragment = fragments[i];
+    const double from = ends[static_cast<std::size_t>(fragment.first)];
+    const double to = ends[static_cast<std::size_t>(fragment.last) + 1];
+    table.add({std::to_string(i + 1), fmt::format("{} … {}", fragment.first, fragment.last),
+               std::to_string(fragment.last - fragment.first + 1),
+               significant(length * (to - from), 4), place_label(from), place_label(to)});
   }
-  return '\n' + ink.heading("Pieces after the last event\n") + table.text(2, kWidth) +
-         more(pieces.size(), "piece");
+  return '\n' + ink.heading("Fragments after the last event\n") + table.text(2, kWidth) +
+         more(fragments.size(), "fragment");
 }
 
 std::string events_heading(const std::vector<ChainBreak>& events) {
@@ -170,7 +170,7 @@ std::string events_text(const io::SceneRecord& record, const Ink& ink) {
   if (events.empty()) return {};
   const std::vector<EventRow> rows = rows_of(events);
   return '\n' + ink.heading(events_heading(events)) + joints_table(record, rows) +
-         more(rows.size(), "joint") + pieces_text(record, ink);
+         more(rows.size(), "joint") + fragments_text(record, ink);
 }
 
 std::string energy_text(const io::SceneRecord& record, const Ink& ink) {

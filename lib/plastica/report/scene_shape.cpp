@@ -63,8 +63,8 @@ std::vector<std::string> facts_of(const io::SceneRecord& record, std::size_t sho
   const double end = record.response.chain.time.back();
   const double time = time_of_frame(record, shown);
   if (is_motion(record) || time != end) add("at " + time_text(time, end));
-  const std::size_t pieces = pieces_at(record, time).size();
-  if (pieces > 1 && time != end) add(counted(pieces, "piece"));
+  const std::size_t fragments = fragments_at(record, time).size();
+  if (fragments > 1 && time != end) add(counted(fragments, "fragment"));
   if (most > 0.0) add(fmt::format("largest displacement {:.4g} mm", 1e3 * now));
   if (now < 0.99 * most) facts += fmt::format(" ({:.4g} mm on the way)", 1e3 * most);
   if (in_space(record)) add(fmt::format("end turned by {:.4g} rad", end_rotation(record, shown)));

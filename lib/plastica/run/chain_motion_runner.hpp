@@ -37,7 +37,7 @@ class ChainMotionRunner final : public ChainProgram {
   void break_joints(Step& step, const BreakListener& listener, Response& response);
   void cut_joints(double time, Step& step, Response& response);
   void let_go(ChainBreak event, Step& step, Response& response);
-  std::vector<Piece> pieces() const;
+  std::vector<Fragment> fragments() const;
   void record(const Step& step, Response& response);
 
   ChainBody<L, kElastic> body_;
@@ -182,7 +182,7 @@ void ChainMotionRunner<L, kElastic>::break_joints(Step& step, const BreakListene
   mark_cuts(body_.model.scene.on_break, event);
   if (listener) {
     event.factor = body_.record.factor_at(event.time);
-    event.pieces = pieces();
+    event.fragments = fragments();
     listener(event);
   }
   // A joint that is spared for another is asked about again, one that the scene only records is
@@ -224,21 +224,21 @@ void ChainMotionRunner<L, kElastic>::let_go(ChainBreak event, Step& step, Respon
     step.open(static_cast<std::size_t>(joint.joint));
   }
   if (any_cut) step.opened();
-  event.pieces = pieces();
+  event.fragments = fragments();
   response.chain.events.push_back(std::move(event));
 }
 
 template <class L, bool kElastic>
-std::vector<Piece> ChainMotionRunner<L, kElastic>::pieces() const {
-  std::vector<Piece> pieces{{0, 0}};
+std::vector<Fragment> ChainMotionRunner<L, kElastic>::fragments() const {
+  std::vector<Fragment> fragments{{0, 0}};
   const int n = static_cast<int>(body_.build.chain.size());
   for (int i = 1; i < n; ++i) {
     if (!body_.work.q.open[static_cast<std::size_t>(i)]) continue;
-    pieces.back().last = i - 1;
-    pieces.push_back({i, i});
+    fragments.back().last = i - 1;
+    fragments.push_back({i, i});
   }
-  pieces.back().last = n - 1;
-  return pieces;
+  fragments.back().last = n - 1;
+  return fragments;
 }
 
 template <class L, bool kElastic>

@@ -19,7 +19,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   void run(const MaterialValues<double>& material, const Workspace& hooks,
            Response& response) override;
 
-  // The same in pieces, for beams whose equilibria are sought side by side.
+  // The same in steps, for beams whose equilibria are sought side by side.
   /// @return whether an equilibrium is sought at the time in `body().work`, from the unknowns there
   bool begin(const MaterialValues<double>& material, const Workspace& hooks, Response& response);
   /// See PathWalker::take.

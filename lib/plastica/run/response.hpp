@@ -43,12 +43,12 @@ struct BrokenJoint {
   double dissipation = 0.0;        ///< plastic work of the joint so far [J]
 };
 
-/// A piece of a beam: a range of its segments. Segments and joints keep their numbers for life.
-struct Piece {
+/// A fragment of a beam: a range of its segments. Segments and joints keep their numbers for life.
+struct Fragment {
   int first = 0;  ///< segment
   int last = 0;   ///< segment, the last one included
 
-  friend bool operator==(const Piece&, const Piece&) = default;
+  friend bool operator==(const Fragment&, const Fragment&) = default;
 };
 
 /// All joints that broke, or were cut, at one time; statics end there.
@@ -56,7 +56,7 @@ struct ChainBreak {
   double time = 0.0;    ///< [s]
   double factor = 0.0;  ///< as `ChainHistory::factor` there [1]
   std::vector<BrokenJoint> joints{};
-  std::vector<Piece> pieces{};  ///< of the beam after it, by rising segment
+  std::vector<Fragment> fragments{};  ///< of the beam after it, by rising segment
 };
 
 /// Decides at each break which of its joints are cut: it sets `BrokenJoint::cut`, which the scene's
@@ -151,7 +151,7 @@ struct Response {
   /// `plastica::energy_balance_error` of a motion [1]; above `kBalanceTolerance` its status is
   /// `NotBalanced`.
   double energy_balance_error = 0.0;
-  /// Of a motion: what the momentum of pieces that no support holds has changed by beyond the
+  /// Of a motion: what the momentum of fragments that no support holds has changed by beyond the
   /// impulses of their loads, at most, over the largest sum of the segments' momenta so far; the
   /// same of the angular momentum about their mass centres (see chain/README.md) [1]. Above
   /// `kBalanceTolerance` the status is `NotBalanced`.

@@ -135,12 +135,12 @@ bool MotionStep<L, kElastic>::solve_from(bool predicted) {
   w_.q = q_begin_;
   w_.time = time_ + h_;
   if (predicted) predict(h_);
-  // Nothing outside holds the momentum of a piece: it is kept to rounding. With float the rounding
-  // of positions is so coarse a floor that what the velocities foretell may be below it.
-  const bool in_pieces = std::find(w_.q.open.begin(), w_.q.open.end(), true) != w_.q.open.end();
-  // One solve leaves more than rounding, which `balance_piece` gives back.
+  // Nothing outside holds the momentum of a fragment: it is kept to rounding. With float the
+  // rounding of positions is so coarse a floor that what the velocities foretell may be below it.
+  const bool in_fragments = std::find(w_.q.open.begin(), w_.q.open.end(), true) != w_.q.open.end();
+  // One solve leaves more than rounding, which `balance_fragment` gives back.
   newton_.polishes = !kIsDouble<S> || (claims_of(options_.scheme, options_.rho_infinity).momentum &&
-                                       !newton_.one_solve && in_pieces);
+                                       !newton_.one_solve && in_fragments);
   w_.stage.half_way = rule_.half_way;
   w_.stage.follows = rule_.half_way ? 0.5 : 1.0;
   const auto outcome = equilibrate(

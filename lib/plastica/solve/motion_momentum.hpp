@@ -2,10 +2,10 @@
 
 #include "plastica/solve/motion_step.hpp"
 
-/// Momentum of the pieces that nothing outside of the beam holds: README.md, "Momentum".
+/// Momentum of the fragments that nothing outside of the beam holds: README.md, "Momentum".
 namespace plastica::solve {
 
-/// Whether a support acts on a piece.
+/// Whether a support acts on a fragment.
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::is_held(std::size_t first, std::size_t end) const {
   const auto within = [&](std::size_t segment) { return segment >= first && segment < end; };
@@ -19,30 +19,31 @@ bool MotionStep<L, kElastic>::is_held(std::size_t first, std::size_t end) const 
                      [&](const auto& spring) { return within(spring.segment); });
 }
 
-/// Looks at the pieces of the step that was tried, before it is taken.
+/// Looks at the fragments of the step that was tried, before it is taken.
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::balance_momentum() {
   std::size_t end = chain_.size();
-  w_.recursion.for_each_piece([&](std::size_t first, const chain::Wrench<L>& lacks) {
+  w_.recursion.for_each_fragment([&](std::size_t first, const chain::Wrench<L>& lacks) {
     if (is_held(first, end)) {
       momentum_[first].knows_outside = false;
     } else {
-      balance_piece(first, end, lacks);
+      balance_fragment(first, end, lacks);
     }
     end = first;
   });
 }
 
-/// @param lacks  what Newton's method has left out of balance, about the start of the piece where
+/// @param lacks  what Newton's method has left out of balance, about the start of the fragment
+/// where
 ///               forces act
 template <class L, bool kElastic>
-void MotionStep<L, kElastic>::balance_piece(std::size_t first, std::size_t end,
-                                            const chain::Wrench<L>& lacks) {
+void MotionStep<L, kElastic>::balance_fragment(std::size_t first, std::size_t end,
+                                               const chain::Wrench<L>& lacks) {
   const S h = constant<S>(h_);
   const auto& inertias = chain_.inertias;
   const Placement& acting = rule_.half_way ? w_.stage.placement : w_.placement;
   const typename L::Point& start = acting.position[first];
-  const PieceMotion<L> before = piece_motion(inertias, begin_, motion_, first, end);
+  const FragmentMotion<L> before = fragment_motion(inertias, begin_, motion_, first, end);
   if (newton_.one_solve && rule_.half_way) {
     add_momentum(inertias, w_.placement, start, {h * lacks.force, h * lacks.moment}, first, end,
                  motion_now_);
@@ -50,7 +51,7 @@ void MotionStep<L, kElastic>::balance_piece(std::size_t first, std::size_t end,
     flows_.numerical += dot(lacks.force, w_.placement.position[first] - begin_.position[first]) +
                         dot(lacks.moment, step_[first].spin);
   }
-  const PieceMotion<L> after = piece_motion(inertias, w_.placement, motion_now_, first, end);
+  const FragmentMotion<L> after = fragment_motion(inertias, w_.placement, motion_now_, first, end);
 
   chain::Wrench<L> outside = lacks;
   for (std::size_t i = first; i < end; ++i) {
@@ -81,8 +82,8 @@ void MotionStep<L, kElastic>::balance_piece(std::size_t first, std::size_t end,
 template <class L, bool kElastic>
 double MotionStep<L, kElastic>::momentum_error() const {
   double error = 0.0;
-  for (const MomentumError<L>& piece : momentum_) {
-    error = std::max(error, piece.share(chain_.length));
+  for (const MomentumError<L>& fragment : momentum_) {
+    error = std::max(error, fragment.share(chain_.length));
   }
   return error;
 }

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "plastica/solve/fragment_momentum.hpp"
 #include "plastica/solve/joint_motion.hpp"
 #include "plastica/solve/newton.hpp"
-#include "plastica/solve/piece_momentum.hpp"
 #include "plastica/solve/rates.hpp"
 
 namespace plastica::solve {
@@ -232,7 +232,7 @@ class MotionStep {
   // motion_momentum.hpp
   bool is_held(std::size_t first, std::size_t end) const;
   void balance_momentum();
-  void balance_piece(std::size_t first, std::size_t end, const chain::Wrench<L>& lacks);
+  void balance_fragment(std::size_t first, std::size_t end, const chain::Wrench<L>& lacks);
   // motion_impact.hpp
   double gap_of(std::size_t constraint, const Placement& placement, double time) const;
   double free_share() const;
@@ -289,7 +289,7 @@ class MotionStep {
   std::vector<SegmentStep<L>> step_;
   std::vector<typename L::Spin> spins_;  ///< of joints, where damping asks for them
   EnergyFlows flows_;
-  std::vector<MomentumError<L>> momentum_;  ///< of the piece that begins with a segment (N)
+  std::vector<MomentumError<L>> momentum_;  ///< of the fragment that begins with a segment (N)
 };
 
 }  // namespace plastica::solve

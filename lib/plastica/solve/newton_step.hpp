@@ -132,7 +132,7 @@ typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L
   for (std::size_t k = 0; k < L::kTranslations; ++k) {
     force = larger_size(force, w.recursion.root_balance()[k]);
   }
-  w.recursion.for_each_piece([&](std::size_t /*joint*/, const chain::Wrench<L>& balance) {
+  w.recursion.for_each_fragment([&](std::size_t /*joint*/, const chain::Wrench<L>& balance) {
     for (std::size_t k = 0; k < L::kTranslations; ++k) force = larger_size(force, balance.force[k]);
     for (std::size_t k = 0; k < L::kRotations; ++k) moment = larger_size(moment, balance.moment[k]);
   });
@@ -178,15 +178,15 @@ typename L::Scalar power(const chain::Wrench<L>& wrench, const chain::Motion<L>&
 }
 
 template <class S, class L>
-S stiffness_of(const chain::Chain<L>& chain, const chain::LoopConstraint<L>& constraint) {
-  return constraint.rotational ? chain.constraint_rotational_stiffness : chain.constraint_stiffness;
+S stiffness_of(const chain::Chain<L>& chain, const chain::LoopConstraint<L>& loop) {
+  return loop.rotational ? chain.constraint_rotational_stiffness : chain.constraint_stiffness;
 }
 
 /// A constraint's wrench at a unit multiplier, where the forces act.
 template <class L, bool kElastic>
-chain::Wrench<L> acting_wrench(const chain::LoopConstraint<L>& constraint,
+chain::Wrench<L> acting_wrench(const chain::LoopConstraint<L>& loop,
                                const NewtonWork<L, kElastic>& w) {
-  return chain::unit_wrench(constraint, w.stage.of(w.placement));
+  return chain::unit_wrench(loop, w.stage.of(w.placement));
 }
 
 /// Column 0: the imbalance; and the constraints' gaps through their stiffness.
@@ -196,10 +196,9 @@ void solve_imbalance(const chain::Chain<L>& chain, const PathCondition<L>& condi
   using S = typename L::Scalar;
   w.right.reset(chain.size());
   for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
-    const auto& constraint = chain.constraints[k];
-    const S force =
-        select(w.closed[k], -(stiffness_of<S>(chain, constraint) * w.gap[k]), constant<S>(0));
-    add_scaled(force, acting_wrench(constraint, w), w.right.wrench[constraint.segment]);
+    const auto& loop = chain.constraints[k];
+    const S force = select(w.closed[k], -(stiffness_of<S>(chain, loop) * w.gap[k]), constant<S>(0));
+    add_scaled(force, acting_wrench(loop, w), w.right.wrench[loop.segment]);
   }
   if (condition.active) {
     add_scaled(-(chain.constraint_stiffness * condition.value), condition.covector,
@@ -224,11 +223,10 @@ void add_at_nodes(const chain::Chain<L>& chain, std::size_t segment, const typen
 /// The column of a constraint: what a unit force along it moves.
 template <class L, bool kElastic>
 void solve_constraint(const chain::Chain<L>& chain, std::size_t k, NewtonWork<L, kElastic>& w) {
-  const auto& constraint = chain.constraints[k];
+  const auto& loop = chain.constraints[k];
   w.right.reset(chain.size());
-  w.right.wrench[constraint.segment] = acting_wrench(constraint, w);
-  if (!constraint.rotational)
-    add_at_nodes(chain, constraint.segment, constraint.arm, constraint.direction, w);
+  w.right.wrench[loop.segment] = acting_wrench(loop, w);
+  if (!loop.rotational) add_at_nodes(chain, loop.segment, loop.arm, loop.direction, w);
   w.recursion.solve(w.right, false, w.columns[1 + k]);
 }
 
@@ -268,11 +266,10 @@ void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
     w.right.wrench[joint.segment].moment += axes * moment;
   }
   for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
-    const auto& constraint = chain.constraints[k];
-    const S force =
-        stiffness_of<S>(chain, constraint) * slope(constraint.history) * constraint.motion;
-    add_scaled(select(w.closed[k], force, constant<S>(0)),
-               chain::unit_wrench(constraint, w.placement), w.right.wrench[constraint.segment]);
+    const auto& loop = chain.constraints[k];
+    const S force = stiffness_of<S>(chain, loop) * slope(loop.history) * loop.motion;
+    add_scaled(select(w.closed[k], force, constant<S>(0)), chain::unit_wrench(loop, w.placement),
+               w.right.wrench[loop.segment]);
   }
   add_scaled(-(chain.constraint_stiffness * condition.time_slope), condition.covector,
              w.right.wrench[condition.segment]);
@@ -291,21 +288,20 @@ void join_columns(const chain::Chain<L>& chain, const PathCondition<L>& conditio
   const S one = constant<S>(1);
   auto& small = w.small;
   for (std::size_t k = 0; k < constraints; ++k) {
-    const auto& constraint = chain.constraints[k];
-    const auto wrench = chain::unit_wrench(constraint, w.placement);
+    const auto& loop = chain.constraints[k];
+    const auto wrench = chain::unit_wrench(loop, w.placement);
     for (std::size_t j = 0; j < constraints; ++j) {
-      const S moved = power(wrench, w.columns[1 + j].motion[constraint.segment]);
+      const S moved = power(wrench, w.columns[1 + j].motion[loop.segment]);
       const S open = k == j ? one : zero;
       small.a(k, j) = select(w.closed[k], select(w.closed[j], moved, zero), open);
     }
     S by_time = zero;
     if (condition.active) {
-      const S slope = chain::factor_as<S>(chain.histories[constraint.history].slope_at(w.time));
-      by_time =
-          power(wrench, w.columns.back().motion[constraint.segment]) - slope * constraint.motion;
+      const S slope = chain::factor_as<S>(chain.histories[loop.history].slope_at(w.time));
+      by_time = power(wrench, w.columns.back().motion[loop.segment]) - slope * loop.motion;
     }
     small.a(k, constraints) = select(w.closed[k], by_time, zero);
-    const S moved = power(wrench, w.columns[0].motion[constraint.segment]);
+    const S moved = power(wrench, w.columns[0].motion[loop.segment]);
     small.b(k) = select(w.closed[k], -w.gap[k] - moved, zero);
   }
   for (std::size_t j = 0; j <= constraints; ++j) small.a(constraints, j) = zero;

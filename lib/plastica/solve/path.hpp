@@ -39,10 +39,10 @@ class PathWalker {
         observer_(observer),
         conservative_(is_conservative(chain)),
         has_pillars_(std::any_of(chain.constraints.begin(), chain.constraints.end(),
-                                 [](const auto& constraint) { return constraint.one_sided; })) {}
+                                 [](const auto& loop) { return loop.one_sided; })) {}
 
-  // A walk comes in pieces, cut where an equilibrium at a given time is sought, so that several
-  // beams may seek theirs side by side.
+  // A path is followed in steps, each up to where an equilibrium at a given time is sought, so that
+  // several beams may seek theirs side by side.
 
   /// Goes up to the first one, or to the path's end.
   /// @return whether one is sought: at `work.time`, from the unknowns in `work`

@@ -8,7 +8,7 @@
 
 namespace plastica::solve {
 
-/// At a corner of a history, a time of the piece that ends there.
+/// At a corner of a history, a time of the segment that ends there.
 inline double just_before(double time) { return (1.0 - 1e-12) * time; }
 
 /// The tangent of an equilibrium that changes with one number at the same shape: K(x) = K + x K'

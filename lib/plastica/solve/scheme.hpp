@@ -24,8 +24,8 @@ struct SchemeClaims {
 ///   Differential Equations II), one Newton iteration from where the velocities point to.
 /// - Linearly implicit midpoint: the energy-momentum step below, one such iteration. Its error is
 /// of
-///   third order in the step, so that second order is kept; what it leaves of a free piece's
-///   momentum is given back (piece_momentum.hpp).
+///   third order in the step, so that second order is kept; what it leaves of a free fragment's
+///   momentum is given back (fragment_momentum.hpp).
 /// - Generalized-alpha (Chung & Hulbert, J. Appl. Mech. 60, 1993, 371) on the rotation group
 ///   (Bruls & Cardona, J. Comput. Nonlinear Dyn. 5, 2010, 031002), with Cayley's map; Newton's
 ///   method to its end.

@@ -71,7 +71,7 @@ void expect_same_events(const std::vector<ChainBreak>& a, const std::vector<Chai
   for (std::size_t e = 0; e < a.size(); ++e) {
     EXPECT_EQ(a[e].time, b[e].time);
     EXPECT_EQ(a[e].factor, b[e].factor);
-    EXPECT_EQ(a[e].pieces, b[e].pieces);
+    EXPECT_EQ(a[e].fragments, b[e].fragments);
     ASSERT_EQ(a[e].joints.size(), b[e].joints.size());
     for (std::size_t j = 0; j < a[e].joints.size(); ++j) {
       expect_same_joint(a[e].joints[j], b[e].joints[j]);
@@ -179,14 +179,15 @@ TEST_F(SceneStore, KeepsTheFramesOfAMotionApartFromItsSamples) {
   expect_same_chain(read.response.chain, record.response.chain);
 }
 
-TEST_F(SceneStore, KeepsEveryEventWithItsJointsAndPieces) {
+TEST_F(SceneStore, KeepsEveryEventWithItsJointsAndFragments) {
   SceneRecord record = motion_record({.segments = 8, .samples = 11, .frames = 3});
   record.response.chain.events.push_back({0.2, 0.5, {}, {}});  // nobody was cut
   record.response.chain.events[0].joints[0].cause = BreakCause::Torsion;
   const SceneRecord read = stored(record);
   EXPECT_EQ(read.response.status, Status::Broken);
   expect_same_events(read.response.chain.events, record.response.chain.events);
-  EXPECT_EQ(read.response.chain.events[1].pieces, (std::vector<Piece>{{0, 3}, {4, 5}, {6, 7}}));
+  EXPECT_EQ(read.response.chain.events[1].fragments,
+            (std::vector<Fragment>{{0, 3}, {4, 5}, {6, 7}}));
 }
 
 TEST_F(SceneStore, KeepsOfAnInterruptedMotionTheFramesUpToThere) {
@@ -335,8 +336,8 @@ TEST_F(SceneStore, WhoseFramesOrEventsAreNotOfTheBeamIsRefused) {
             path_ + ": /path/frame_sample: must rise from each to the next");
   EXPECT_EQ(refusal([](ChainHistory& chain) { chain.events[1].joints[0].joint = 5; }),
             path_ + ": /events/joints/joint: must be a joint of the beam");
-  EXPECT_EQ(refusal([](ChainHistory& chain) { chain.events[0].pieces[1].last = 4; }),
-            path_ + ": /events/pieces: must be ranges of the beam's segments");
+  EXPECT_EQ(refusal([](ChainHistory& chain) { chain.events[0].fragments[1].last = 4; }),
+            path_ + ": /events/fragments: must be ranges of the beam's segments");
 }
 
 /// What is said of a record that is written as it should not be.

@@ -39,7 +39,7 @@ TEST(MotionReport, BeginsWithOutcomeSchemeStepAndFrames) {
   const std::string text = scene_report(motion_record());
   EXPECT_TRUE(
       text.starts_with("beam: broken: 2 joints over their limit at 80 ms, 1 joint cut by the "
-                       "scene; 3 pieces\n"))
+                       "scene; 3 fragments\n"))
       << text;
   EXPECT_TRUE(has(text,
                   "\n  scheme          generalized_alpha, rho_infinity 0.8\n"
@@ -101,7 +101,7 @@ TEST(MotionReport, SaysThatMomentumIsOff) {
   EXPECT_EQ(json.at("energies").at("balanced"), false);
 }
 
-TEST(MotionReport, ListsTheJointsOfAllEventsAndThePiecesAfterTheLast) {
+TEST(MotionReport, ListsTheJointsOfAllEventsAndTheFragmentsAfterTheLast) {
   const std::string text = scene_report(motion_record());
   EXPECT_TRUE(has(text, R"(
 Breaks and cuts
@@ -111,12 +111,12 @@ Breaks and cuts
   80.000      7  0.5833  bending x   10.01  10.00  -702.25    0    0      7.0000   no
   140.00      9    0.75  the scene   0.000      -   12.500    0    0           0  yes
 
-Pieces after the last event
-  piece  segments  count  length   from     to
-                               m  share  share
-      1    0 … 5       6  0.5000  start    0.5
-      2    6 … 8       3  0.2500    0.5   0.75
-      3    9 … 11      3  0.2500   0.75    end
+Fragments after the last event
+  fragment  segments  count  length   from     to
+                                  m  share  share
+         1    0 … 5       6  0.5000  start    0.5
+         2    6 … 8       3  0.2500    0.5   0.75
+         3    9 … 11      3  0.2500   0.75    end
 )")) << text;
 }
 
@@ -203,16 +203,16 @@ TEST(MotionReport, OfAnInterruptedRunSaysWhen) {
   EXPECT_EQ(outcome_line(record), "completed");
 }
 
-TEST(MotionReport, CountsEventsAndPieces) {
+TEST(MotionReport, CountsEventsAndFragments) {
   io::SceneRecord record = motion_record();
   auto& events = record.response.chain.events;
   events[1].joints[0].cause = BreakCause::Torsion;
   EXPECT_EQ(outcome_line(record),
-            "broken: 3 joints over their limit in 2 events from 80 ms on; 3 pieces");
+            "broken: 3 joints over their limit in 2 events from 80 ms on; 3 fragments");
   events.erase(events.begin());
   events[0].joints[0].cause = BreakCause::Cut;
   record.response.status = Status::Completed;
-  EXPECT_EQ(outcome_line(record), "completed: 1 joint cut by the scene; 2 pieces");
+  EXPECT_EQ(outcome_line(record), "completed: 1 joint cut by the scene; 2 fragments");
 }
 
 TEST(MotionReport, TakesPeaksAndReactionsFromTheFramesThatThereAre) {
@@ -251,9 +251,9 @@ TEST(MotionJson, GivesWhatTheReportSaysInSi) {
   EXPECT_EQ(first.at("joints").at(0).at("cut"), true);
   EXPECT_EQ(first.at("joints").at(1).at("cut"), false);
   EXPECT_EQ(first.at("joints").at(1).at("at"), 7.0 / 12.0);
-  EXPECT_EQ(first.at("pieces").at(1).at("first"), 6);
-  EXPECT_EQ(first.at("pieces").at(1).at("last"), 11);
-  EXPECT_EQ(first.at("pieces").at(1).at("length"), 0.5);
+  EXPECT_EQ(first.at("fragments").at(1).at("first"), 6);
+  EXPECT_EQ(first.at("fragments").at(1).at("last"), 11);
+  EXPECT_EQ(first.at("fragments").at(1).at("length"), 0.5);
   EXPECT_EQ(json.at("events").at(1).at("joints").at(0).at("cause"), "cut");
   EXPECT_EQ(json.at("energies").at("fracture"), 1.0);
   EXPECT_EQ(json.at("energies").at("balanced"), true);
@@ -284,9 +284,9 @@ TEST(MotionTable, OfTheEventsHasARowPerJoint) {
   EXPECT_TRUE(has(text, ",6,0.75,cut,1,0,0,12.5,0,0,0,0,0,0\n")) << text;
 }
 
-TEST(MotionTable, OfThePiecesHasARowPerPieceAfterEachEvent) {
+TEST(MotionTable, OfTheFragmentsHasARowPerFragmentAfterEachEvent) {
   const std::string text =
-      csv_of([](std::ostream& out) { write_pieces_csv(out, motion_record({.segments = 8})); });
+      csv_of([](std::ostream& out) { write_fragments_csv(out, motion_record({.segments = 8})); });
   EXPECT_EQ(lines_of(text), 6U);
   EXPECT_TRUE(has(text, ",4,7,0.5,1\n") && has(text, ",4,5,0.5,0.75\n")) << text;
 }
@@ -314,7 +314,7 @@ TEST(MotionTable, OfTheJointsIsOfTheFrameNextToATime) {
 TEST(MotionTable, IsRefusedOfACoupon) {
   const io::SceneRecord coupon = record_of(coupon_text());
   std::ostringstream out;
-  for (const auto& write : {write_energies_csv, write_events_csv, write_pieces_csv}) {
+  for (const auto& write : {write_energies_csv, write_events_csv, write_fragments_csv}) {
     EXPECT_THROW(write(out, coupon), InputError);
   }
   EXPECT_EQ(message_of([&] { write_events_csv(out, coupon); }),

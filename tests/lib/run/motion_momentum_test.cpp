@@ -169,7 +169,7 @@ TEST(ArticulatedSchemes, KeepTheAngularMomentumAboutAPinByTheirOrder) {
 }
 
 // What a cut has freed keeps the momentum that it then has, though the rest is held.
-TEST(MomentumAccount, IsOfThePiecesThatNothingHolds) {
+TEST(MomentumAccount, IsOfTheFragmentsThatNothingHolds) {
   Scene scene = testing::struck_scene(8, 10.0, YieldModel::Elastic);
   scene.cuts.push_back({{0.5, {}}, 0.02});
   SolverOptions options = motion_options(Scheme::LinearlyImplicitEuler, 1e-4, 10);

@@ -33,7 +33,7 @@ TEST(MotionScenes, BreaksFigure11InTheMiddle) {
   EXPECT_EQ(response.status, Status::Broken);
   ASSERT_EQ(response.chain.events.size(), 1U);
   EXPECT_EQ(response.chain.events[0].joints.size(), 1U);
-  EXPECT_EQ(response.chain.events[0].pieces, (std::vector<Piece>{{0, 9}, {10, 19}}));
+  EXPECT_EQ(response.chain.events[0].fragments, (std::vector<Fragment>{{0, 9}, {10, 19}}));
   // Energy-momentum makes a little where joints yield in a step's midst.
   EXPECT_LT(testing::largest_residual(response), 1e-8);
   EXPECT_LT(response.energy_balance_error, 1e-5);

@@ -92,7 +92,7 @@ TYPED_TEST(MotionStepOf, ChangesNoMomentumAndNoPlaceByACut) {
     EXPECT_EQ(size_of(step.motions()[i].spin - before[i].spin), 0.0);
     EXPECT_LT(size_of(step.begin().position[i] - placed.position[i]), 1e-15);
   }
-  // From then on each piece keeps its own.
+  // From then on each fragment keeps its own.
   const auto momentum = [&](std::size_t first, std::size_t last) {
     typename TypeParam::Point sum{};
     for (std::size_t i = first; i <= last; ++i) {
