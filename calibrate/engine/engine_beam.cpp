@@ -57,10 +57,10 @@ class BeamReader {
   /// What `BreakWatch` does with a joint whose neighbours are straight, in words.
   std::string break_length() const {
     if (beam_.hinge_length == 0.0) return "l";
-    switch (spreading_of(model_.scene)) {
-      case Spreading::Gathers: return "L_p";
-      case Spreading::Saturates: return "L_p where l < L_p, else l";
-      case Spreading::Hardens: break;
+    switch (localization_of(model_.scene)) {
+      case Localization::Concentrated: return "L_p";
+      case Localization::Saturating: return "L_p where l < L_p, else l";
+      case Localization::Distributed: break;
     }
     return "l";
   }

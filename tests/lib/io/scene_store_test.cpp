@@ -183,11 +183,10 @@ TEST_F(SceneStore, KeepsEveryEventWithItsJointsAndFragments) {
   SceneRecord record = motion_record({.segments = 8, .samples = 11, .frames = 3});
   record.response.chain.events.push_back({0.2, 0.5, {}, {}});  // nobody was cut
   record.response.chain.events[0].joints[0].cause = BreakCause::Torsion;
-  const SceneRecord read = stored(record);
-  EXPECT_EQ(read.response.status, Status::Broken);
-  expect_same_events(read.response.chain.events, record.response.chain.events);
-  EXPECT_EQ(read.response.chain.events[1].fragments,
-            (std::vector<Fragment>{{0, 3}, {4, 5}, {6, 7}}));
+  const Response read = stored(record).response;
+  EXPECT_EQ(read.status, Status::Broken);
+  expect_same_events(read.chain.events, record.response.chain.events);
+  EXPECT_EQ(read.chain.events[1].fragments, (std::vector<Fragment>{{0, 3}, {4, 5}, {6, 7}}));
 }
 
 TEST_F(SceneStore, KeepsOfAnInterruptedMotionTheFramesUpToThere) {
