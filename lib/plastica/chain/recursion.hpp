@@ -35,7 +35,7 @@ struct RightSide {
   }
 };
 
-/// The motion that a right-hand side gives.
+/// The motion that a right-hand side correction.
 template <class L, bool kElastic>
 struct Solution {
   using S = typename L::Scalar;
@@ -73,7 +73,7 @@ class Recursion {
               const Stage<L>& stage, const JointForces<L, kElastic>& laws,
               const OuterForces<L>& outer_forces, Transmitted<L>& transmitted);
 
-  /// Sums what each joint transmits and lacks, as `factor` does, and eliminates nothing.
+  /// Sums what each joint transmits and its residual, as `factor` does, and eliminates nothing.
   void sum(const Chain<L>& chain, const Coordinates<L>& q, const Placement<L>& placement,
            const Stage<L>& stage, const JointForces<L, kElastic>& laws,
            const OuterForces<L>& outer_forces, Transmitted<L>& transmitted);
@@ -86,9 +86,9 @@ class Recursion {
   /// Pivots of the factored tangent, inverted: recursion_pivots.hpp.
   template <class Visit>
   void for_each_pivot(const Chain<L>& chain, const Visit& visit) const;
-  /// The force that the free translations of the root lack.
+  /// The residual force of the free translations of the root.
   const typename L::Point& root_balance() const { return root_balance_; }
-  /// What the fragments lack: force and moment at the start of each.
+  /// The residual of each fragment: force and moment at its start.
   template <class Visit>
   void for_each_fragment(const Visit& visit) const {
     for (const FragmentStart& start : starts_) visit(start.joint, start.balance);
@@ -114,9 +114,9 @@ class Recursion {
     Mat<S, kT, kJ> u_shift;     ///< A S, rows of the force; A: impedance of all outside of it
     Mat<S, kR, kJ> u_spin;      ///< A S, rows of the moment
     Mat<S, kJ, kJ> inverse;     ///< of D
-    Mat<S, kJ, kT> give_shift;  ///< D^-1 V: how it gives way to a motion of the inner segment
+    Mat<S, kJ, kT> give_shift;  ///< D^-1 V: how it yields to a motion of the inner segment
     Mat<S, kJ, kR> give_spin;
-    JointVector lacks;           ///< the balance, in these freedoms
+    JointVector residual;        ///< the balance, in these freedoms
     Spins near;                  ///< world axes of the joint's own
     typename L::Point arm;       ///< from the inner neighbour's joint, for motion
     typename L::Point work_arm;  ///< the same for forces

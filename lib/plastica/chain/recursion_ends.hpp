@@ -112,16 +112,16 @@ void Recursion<L, kElastic>::solve(const RightSide<L>& right, bool with_balance,
       b = b + right.wrench[i];
       rest = in_freedoms(joint, b);
     }
-    if (with_balance) rest -= joint.lacks;
+    if (with_balance) rest -= joint.residual;
     // Between the two sweeps the solution holds D^-1 (P b - balance).
-    const JointVector gives = joint.inverse * rest;
-    solution.joint[i] = gives;
+    const JointVector correction = joint.inverse * rest;
+    solution.joint[i] = correction;
     if (start != starts_.end() && start->joint == i) {
       solve_fragment(*start, with_balance, b);
       ++start;
     }
-    b.force -= joint.u_shift * gives;
-    b.moment -= joint.u_spin * gives;
+    b.force -= joint.u_shift * correction;
+    b.moment -= joint.u_spin * correction;
     if (i > 0) b.moment += L::moment(joint.work_arm, b.force);
   }
   // The root's translations; the ground's own motion is given.

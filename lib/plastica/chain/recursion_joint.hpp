@@ -45,13 +45,13 @@ void Recursion<L, kElastic>::set_balance(const Chain<L>& chain, const Stage<L>& 
     balance_[i][k] = lack[k];
   }
   const typename L::Spin in_world = stage.half_way ? stage.from_joint[i] * lack : joint.near * lack;
-  for (std::size_t k = 0; k < kR; ++k) joint.lacks[k] = in_world[k];
+  for (std::size_t k = 0; k < kR; ++k) joint.residual[k] = in_world[k];
   if constexpr (kElastic) {
     const typename L::Point force = transposed_times(joint.works.along, w.force);
     const bool shifts = i > 0 || chain.root.shifts;
     for (std::size_t k = 0; k < kT; ++k) {
       const S off = shifts ? law[kR + k] - force[k] : constant<S>(0);
-      joint.lacks[kR + k] = balance_[i][kR + k] = off;
+      joint.residual[kR + k] = balance_[i][kR + k] = off;
     }
   }
 }

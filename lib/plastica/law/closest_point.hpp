@@ -54,9 +54,9 @@ class ClosestPoint {
     });
     free_ = present_;
     const S others = present_[kBendingX] + present_[kBendingY] + present_[kAxial];
-    const auto walks =
+    const auto from_afar =
         (overshoot > constant<S>(0.5)) & (present_[kTorsion] > zero) & (others > constant<S>(1.5));
-    round_ = select(walks, one, zero);
+    round_ = select(from_afar, one, zero);
     rounding_ = constant<S>(kExact) * reach;
     settled_ =
         constant<S>(kSettled) * min(one, overshoot) + constant<S>(kExact) * (one + overshoot);
@@ -94,9 +94,9 @@ class ClosestPoint {
         now.slope(j, i) = left * weight_[i];
       }
     }
-    mask_t<S> lacks = present_[kTorsion] < one;
-    for (const std::size_t i : kBounded) lacks = lacks | (present_[i] < one);
-    if (any(lacks)) let_in_beside(now);
+    mask_t<S> absent = present_[kTorsion] < one;
+    for (const std::size_t i : kBounded) absent = absent | (present_[i] < one);
+    if (any(absent)) let_in_beside(now);
     return now;
   }
 

@@ -23,37 +23,36 @@ bool MotionStep<L, kElastic>::is_held(std::size_t first, std::size_t end) const 
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::balance_momentum() {
   std::size_t end = chain_.size();
-  w_.recursion.for_each_fragment([&](std::size_t first, const chain::Wrench<L>& lacks) {
+  w_.recursion.for_each_fragment([&](std::size_t first, const chain::Wrench<L>& residual) {
     if (is_held(first, end)) {
       momentum_[first].knows_outside = false;
     } else {
-      balance_fragment(first, end, lacks);
+      balance_fragment(first, end, residual);
     }
     end = first;
   });
 }
 
-/// @param lacks  what Newton's method has left out of balance, about the start of the fragment
-/// where
-///               forces act
+/// @param residual  what Newton's method has left out of balance, about the start of the fragment
+///                  where forces act
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::balance_fragment(std::size_t first, std::size_t end,
-                                               const chain::Wrench<L>& lacks) {
+                                               const chain::Wrench<L>& residual) {
   const S h = constant<S>(h_);
   const auto& inertias = chain_.inertias;
   const Placement& acting = rule_.half_way ? w_.stage.placement : w_.placement;
   const typename L::Point& start = acting.position[first];
   const FragmentMotion<L> before = fragment_motion(inertias, begin_, motion_, first, end);
   if (newton_.one_solve && rule_.half_way) {
-    add_momentum(inertias, w_.placement, start, {h * lacks.force, h * lacks.moment}, first, end,
-                 motion_now_);
-    // What was left over has done no work then: the inertia of the step has less to take up.
-    flows_.numerical += dot(lacks.force, w_.placement.position[first] - begin_.position[first]) +
-                        dot(lacks.moment, step_[first].spin);
+    add_momentum(inertias, w_.placement, start, {h * residual.force, h * residual.moment}, first,
+                 end, motion_now_);
+    // The residual has done no work then: the inertia of the step has less to take up.
+    flows_.numerical += dot(residual.force, w_.placement.position[first] - begin_.position[first]) +
+                        dot(residual.moment, step_[first].spin);
   }
   const FragmentMotion<L> after = fragment_motion(inertias, w_.placement, motion_now_, first, end);
 
-  chain::Wrench<L> outside = lacks;
+  chain::Wrench<L> outside = residual;
   for (std::size_t i = first; i < end; ++i) {
     const CenterForce<L>& resists = inertia_now_[i];
     const typename L::Point arm = acting.point(i, inertias[i].center) - start;

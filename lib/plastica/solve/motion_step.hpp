@@ -232,7 +232,7 @@ class MotionStep {
   // motion_momentum.hpp
   bool is_held(std::size_t first, std::size_t end) const;
   void balance_momentum();
-  void balance_fragment(std::size_t first, std::size_t end, const chain::Wrench<L>& lacks);
+  void balance_fragment(std::size_t first, std::size_t end, const chain::Wrench<L>& residual);
   // motion_impact.hpp
   double gap_of(std::size_t constraint, const Placement& placement, double time) const;
   double free_share() const;

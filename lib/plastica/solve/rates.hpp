@@ -79,8 +79,8 @@ bool solve_rates(const chain::Chain<L>& chain, const ConstraintRates<L>& constra
     if (any(constraints.acts[k] & !(own > constant<S>(kHoldsNothing<S>) * free))) all_hold = false;
     w.small.a(k, count) = zero;
     w.small.a(count, k) = zero;
-    const S lacks = constraints.rate[k] - power(wrench, w.columns[0].motion[constraint.segment]);
-    w.small.b(k) = select(constraints.acts[k], lacks, zero);
+    const S residual = constraints.rate[k] - power(wrench, w.columns[0].motion[constraint.segment]);
+    w.small.b(k) = select(constraints.acts[k], residual, zero);
   }
   w.small.a(count, count) = one;
   w.small.b(count) = zero;
