@@ -32,7 +32,7 @@ struct NodeStrains {
 };
 
 /// Energies at a sample that kernels have summed [J].
-struct GivenEnergies {
+struct PrescribedEnergies {
   double elastic = 0.0;
   double plastic = 0.0;
 };
@@ -95,7 +95,7 @@ class ChainRecord {
     return !on_demand_ || probes_read_chain_ || is_kept(sample, response.chain);
   }
   /// Dynamics: energies of the next sample that are known already.
-  void give_energies(const GivenEnergies& energies) { given_ = energies; }
+  void prescribe_energies(const PrescribedEnergies& energies) { prescribed_ = energies; }
   void shape_now(const Work& w, const Joints& joints, const NodeStrains& strains) {
     set_shape(w, joints, strains);
   }
@@ -172,7 +172,7 @@ class ChainRecord {
   bool on_demand_ = false;
   bool probes_read_shape_ = false;
   bool probes_read_chain_ = false;  ///< more than where some points are
-  std::optional<GivenEnergies> given_{};
+  std::optional<PrescribedEnergies> prescribed_{};
   bool begun_ = false;
   double time_ = 0.0;
   double external_ = 0.0;

@@ -8,8 +8,8 @@
 
 #include "plastica/lanes/kernel_table.hpp"
 #include "plastica/run/chain_body.hpp"
-#include "plastica/run/given_joints.hpp"
 #include "plastica/run/lane_numbers.hpp"
+#include "plastica/run/prescribed_joints.hpp"
 
 namespace plastica {
 
@@ -40,7 +40,8 @@ struct PlanarLanes {
     return table.planar_observables;
   }
 
-  static std::array<double, Kind::kCount> kind(const Body& body, const GivenJoints<Level>& joints,
+  static std::array<double, Kind::kCount> kind(const Body& body,
+                                               const PrescribedJoints<Level>& joints,
                                                std::size_t i) {
     const auto& chain = body.build.chain;
     const auto& inertia = chain.inertias[i];
@@ -89,10 +90,10 @@ struct PlanarLanes {
 
   /// Takes a joint's state into the chain.
   static void read(const std::array<double, State::kCount>& state, std::size_t i, Body& body,
-                   GivenJoints<Level>& joints, Level::Spin& turning) {
+                   PrescribedJoints<Level>& joints, Level::Spin& turning) {
     const double angle = state[State::Angle];
     body.work.q.angle[i] = {{angle}};
-    joints.give(i, {{angle - state[State::Plastic]}}, plastic_work(state, body, i));
+    joints.prescribe(i, {{angle - state[State::Plastic]}}, plastic_work(state, body, i));
     turning = {{state[State::Turning]}};
   }
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "plastica/run/given_joints.hpp"
 #include "plastica/run/lane_program.hpp"
 #include "plastica/run/motion_begin.hpp"
+#include "plastica/run/prescribed_joints.hpp"
 #include "plastica/solve/motion_step.hpp"
 
 namespace plastica {
@@ -44,7 +44,7 @@ class LaneScenario {
     set_initial_motion(*body_, motion_);
     const Status status = fit_initial_motion();
     auto given =
-        std::make_unique<GivenJoints<L>>(body_->joints->joints(), body_->view.section_axes());
+        std::make_unique<PrescribedJoints<L>>(body_->joints->joints(), body_->view.section_axes());
     given->reset();
     joints_ = given.get();
     laws_ = std::move(given);
@@ -90,7 +90,7 @@ class LaneScenario {
     const double potential = memory.sum(Sums::Potential, lane);
     if (time == 0.0) potential_ = potential;
     flows_.external = loads_work ? memory.sum(Sums::Loads, lane) : potential - potential_;
-    body_->record.give_energies({memory.sum(Sums::Elastic, lane), plastic_work(memory, lane)});
+    body_->record.prescribe_energies({memory.sum(Sums::Elastic, lane), plastic_work(memory, lane)});
     if (whole || yields() || body_->record.needs_chain(response().samples, response())) {
       read_chain(memory, lane);
     } else {
@@ -184,8 +184,8 @@ class LaneScenario {
       Form::place(observables, i, *body_);
       const auto& frame = placement.frame[i];
       placement.near[i] = near;
-      placement.far[i] = L::then(frame, segment.inner);
-      near = L::then(frame, segment.outer);
+      placement.far[i] = L::compose(frame, segment.inner);
+      near = L::compose(frame, segment.outer);
       motion_[i].spin = Form::spin(observables);
       const typename L::Spin spin = L::axes(frame) * motion_[i].spin;
       motion_[i].velocity = velocity + L::spun(spin, L::turn(frame, chain().inertias[i].center));
@@ -254,8 +254,9 @@ class LaneScenario {
   const ChainModel* model_ = nullptr;
   LaneCase case_;
   std::unique_ptr<Body> body_;
-  std::unique_ptr<chain::SectionJointsBase<L, false>> laws_;  ///< while the body has given joints
-  GivenJoints<L>* joints_ = nullptr;
+  std::unique_ptr<chain::SectionJointsBase<L, false>>
+      laws_;  ///< while the body has prescribed joints
+  PrescribedJoints<L>* joints_ = nullptr;
   Motions motion_;
   std::vector<JointAngles> accumulated_;   ///< sums of the permanent angles' changes (N)
   std::vector<typename L::Spin> turning_;  ///< angular accelerations, in world axes (N)

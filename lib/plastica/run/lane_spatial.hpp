@@ -9,8 +9,8 @@
 
 #include "plastica/lanes/kernel_table.hpp"
 #include "plastica/run/chain_body.hpp"
-#include "plastica/run/given_joints.hpp"
 #include "plastica/run/lane_numbers.hpp"
+#include "plastica/run/prescribed_joints.hpp"
 
 namespace plastica {
 
@@ -39,7 +39,8 @@ struct SpatialLanes {
     return table.spatial_observables;
   }
 
-  static std::array<double, Kind::kCount> kind(const Body& body, const GivenJoints<Level>& joints,
+  static std::array<double, Kind::kCount> kind(const Body& body,
+                                               const PrescribedJoints<Level>& joints,
                                                std::size_t i) {
     const auto& chain = body.build.chain;
     const auto& inertia = chain.inertias[i];
@@ -91,14 +92,14 @@ struct SpatialLanes {
 
   /// Takes a joint's state into the chain.
   static void read(const std::array<double, State::kCount>& state, std::size_t i, Body& body,
-                   GivenJoints<Level>& joints, Level::Spin& turning) {
+                   PrescribedJoints<Level>& joints, Level::Spin& turning) {
     Level::Spin elastic;
     for (std::size_t k = 0; k < 3; ++k) {
       body.work.q.angle[i][k] = state[State::Angle + k];
       elastic[k] = state[State::Angle + k] - state[State::Plastic + k];
       turning[k] = state[State::Turning + k];
     }
-    joints.give(i, elastic, plastic_work(state, body, i));
+    joints.prescribe(i, elastic, plastic_work(state, body, i));
   }
 
   static double plastic_work(const std::array<double, State::kCount>& state, const Body& body,

@@ -11,17 +11,17 @@ namespace plastica {
 
 /// Joints of rigid translation whose state comes from kernels, for what reads joints.
 template <class L>
-class GivenJoints final : public chain::SectionJointsBase<L, false> {
+class PrescribedJoints final : public chain::SectionJointsBase<L, false> {
  public:
   using Base = chain::SectionJointsBase<L, false>;
   using S = typename L::Scalar;
 
-  GivenJoints(std::vector<chain::SectionJoint<L>> joints, chain::SectionAxes<L> axes)
+  PrescribedJoints(std::vector<chain::SectionJoint<L>> joints, chain::SectionAxes<L> axes)
       : Base(std::move(joints)), axes_(axes) {}
 
   /// @param elastic  part of the joint's angle [rad]
   /// @param work     plastic work so far [J]
-  void give(std::size_t j, const typename L::Spin& elastic, const S& work) {
+  void prescribe(std::size_t j, const typename L::Spin& elastic, const S& work) {
     const chain::SectionJoint<L>& joint = this->joints_[j];
     S stored = constant<S>(0);
     for (std::size_t k = 0; k < L::kRotations; ++k) {
