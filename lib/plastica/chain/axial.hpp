@@ -104,7 +104,7 @@ inline typename L::Point ground_joint_mean(const Chain<L>& chain, const GroundJo
                                            const Placement<L>& placement, double time) {
   using S = typename L::Scalar;
   const S factor = factor_as<S>(chain.histories[joint.history].at(time));
-  const typename L::Frame ground = L::then(L::rotation(factor * joint.motion), joint.ground);
+  const typename L::Frame ground = L::compose(L::rotation(factor * joint.motion), joint.ground);
   const typename L::Point e = along_beam<L>();
   return constant<S>(0.5) * (L::turn(ground_joint_axes(joint, placement), e) + L::turn(ground, e));
 }

@@ -190,7 +190,7 @@ class Builder {
     joint.joint = build_.joints.size();
     joint.outer = outer;
     joint.local = outer ? shape.outer : shape.inner;
-    joint.ground = L::then(undeformed_.frame[segment], joint.local);
+    joint.ground = L::compose(undeformed_.frame[segment], joint.local);
     joint.motion = rotation;
     build_.chain.ground_joints.push_back(joint);
     JointPlan plan;

@@ -13,8 +13,8 @@
 /// spin), wrenches (force, moment about the inner joint); both in world axes.
 /// Each level has: kTranslations, kRotations, Point, Spin, Frame, and
 ///   turn(frame, local), turn_back(frame, world)   a vector to and from world axes;
-///   then(frame, local)                            the frame `local` seen from `frame`;
-///   then_back(frame, local)                       frame times the inverse of `local`;
+///   compose(frame, local)                         the frame `local` seen from `frame`;
+///   compose_inverse(frame, local)                 frame times the inverse of `local`;
 ///   rotation(theta)                               the frame turned by a rotation vector;
 ///   angle_from(frame, other)                      the rotation vector from one to the other, in
 ///                                                 the first's axes;
@@ -51,8 +51,10 @@ struct Twist {
 
   static Point turn(const Frame& /*frame*/, const Point& local) { return local; }
   static Point turn_back(const Frame& /*frame*/, const Point& world) { return world; }
-  static Frame then(const Frame& frame, const Frame& local) { return {frame.angle + local.angle}; }
-  static Frame then_back(const Frame& frame, const Frame& local) {
+  static Frame compose(const Frame& frame, const Frame& local) {
+    return {frame.angle + local.angle};
+  }
+  static Frame compose_inverse(const Frame& frame, const Frame& local) {
     return {frame.angle - local.angle};
   }
   static Frame rotation(const Spin& theta) { return {theta[0]}; }
@@ -102,11 +104,11 @@ struct Planar {
   static Point turn_back(const Frame& f, const Point& p) {
     return {{f.cosine * p[0] + f.sine * p[1], f.cosine * p[1] - f.sine * p[0]}};
   }
-  static Frame then(const Frame& f, const Frame& g) {
+  static Frame compose(const Frame& f, const Frame& g) {
     return {f.angle + g.angle, f.cosine * g.cosine - f.sine * g.sine,
             f.sine * g.cosine + f.cosine * g.sine};
   }
-  static Frame then_back(const Frame& f, const Frame& g) {
+  static Frame compose_inverse(const Frame& f, const Frame& g) {
     return {f.angle - g.angle, f.cosine * g.cosine + f.sine * g.sine,
             f.sine * g.cosine - f.cosine * g.sine};
   }
@@ -168,8 +170,10 @@ struct Spatial {
 
   static Point turn(const Frame& f, const Point& p) { return f.axes * p; }
   static Point turn_back(const Frame& f, const Point& p) { return transposed_times(f.axes, p); }
-  static Frame then(const Frame& f, const Frame& g) { return {f.axes * g.axes}; }
-  static Frame then_back(const Frame& f, const Frame& g) { return {f.axes * transpose(g.axes)}; }
+  static Frame compose(const Frame& f, const Frame& g) { return {f.axes * g.axes}; }
+  static Frame compose_inverse(const Frame& f, const Frame& g) {
+    return {f.axes * transpose(g.axes)};
+  }
   static Frame rotation(const Spin& theta) { return {rotation_matrix(theta)}; }
   static Spin angle_from(const Frame& f, const Frame& g) {
     return rotation_vector(transpose(f.axes) * g.axes);

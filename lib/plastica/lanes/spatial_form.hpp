@@ -42,7 +42,7 @@ struct SpatialForm {
   };
   /// Goes on to the next segment, beyond a joint of that angle.
   PLASTICA_ALWAYS_INLINE static Axes turned(const Kind& /*kind*/, const Vector& angle, Aim& aim) {
-    assign(L::then(aim.frame, L::rotation(angle)).axes, aim.frame.axes);
+    assign(L::compose(aim.frame, L::rotation(angle)).axes, aim.frame.axes);
     return {column<3>(aim.frame.axes, 2), column<3>(aim.frame.axes, 1)};
   }
   PLASTICA_ALWAYS_INLINE static void observe(const Aim& aim, const Axes& /*axes*/,

@@ -20,7 +20,7 @@ void MotionStep<L, kElastic>::predict(double length) {
       const S share = min(constant<S>(1), constant<S>(0.5 * kLargestStepSpin) / size);
       const typename L::Spin turn = share * (h * spin);
       w_.q.pose[i].position += h * velocity;
-      w_.q.pose[i].frame = L::then(L::rotation(turn), w_.q.pose[i].frame);
+      w_.q.pose[i].frame = L::compose(L::rotation(turn), w_.q.pose[i].frame);
     } else {
       if (i == 0) {
         const typename L::Point ground = slope_of(chain_.root.history) * chain_.root.motion;

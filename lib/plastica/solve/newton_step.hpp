@@ -378,7 +378,7 @@ void take_step(const chain::Chain<L>& chain, const PathCondition<L>& condition,
     if (any(w.q.open[i])) {
       chain::Pose<L>& pose = w.q.pose[i];
       pose.position += part * step.motion[i].shift;
-      pose.frame = L::then(L::rotation(part * step.motion[i].spin), pose.frame);
+      pose.frame = L::compose(L::rotation(part * step.motion[i].spin), pose.frame);
     }
     if constexpr (kElastic) {
       for (std::size_t k = 0; k < L::kTranslations; ++k) {
