@@ -90,9 +90,9 @@ std::string segment_row(const EngineSegment& segment) {
 
 /// The joint's frame as a body sees it, whose origin is its center.
 std::string frame_in(const EngineSegment& body, const EngineJoint& joint) {
-  std::array<double, 3> way = joint.point;
-  for (std::size_t k = 0; k < 3; ++k) way[k] -= body.center()[k];
-  return fmt::format("({}, {})", triple(seen_from(body.axes, way)),
+  std::array<double, 3> offset = joint.point;
+  for (std::size_t k = 0; k < 3; ++k) offset[k] -= body.center()[k];
+  return fmt::format("({}, {})", triple(seen_from(body.axes, offset)),
                      rotation(seen_from(body.axes, joint.axes)));
 }
 

@@ -16,12 +16,12 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// The profile's point where this is wanted, searched from `x`; none where there are no residuals.
 using PointAt = std::function<std::optional<ProfilePoint>(double wanted, std::vector<double> x)>;
 
-/// Walks outwards on one side. Distances are those of the wanted value from the best one.
-class Walk {
+/// Scans outwards on one side. Distances are those of the wanted value from the best one.
+class ProfileScan {
  public:
   /// @param room  largest distance there is
-  Walk(PointAt point_at, const ProfileStart& best, bool up, double room,
-       const ProfileOptions& options)
+  ProfileScan(PointAt point_at, const ProfileStart& best, bool up, double room,
+              const ProfileOptions& options)
       : point_at_(std::move(point_at)),
         best_(best),
         sign_(up ? 1.0 : -1.0),
@@ -208,7 +208,7 @@ ProfileSide profile_coordinate(const LeastSquaresProblem& problem, const Profile
     return point;
   };
   const double room = up ? upper - best.value : best.value - lower;
-  return Walk(point_at, best, up, room, options).run();
+  return ProfileScan(point_at, best, up, room, options).run();
 }
 
 ProfileSide profile_function(const LeastSquaresProblem& problem, const ProfileStart& best, bool up,
@@ -240,7 +240,7 @@ ProfileSide profile_function(const LeastSquaresProblem& problem, const ProfileSt
     point = ProfilePoint{wanted + width * residual, found.cost - residual * residual, found.x};
     return point;
   };
-  return Walk(point_at, best, up, kInfinite, options).run();
+  return ProfileScan(point_at, best, up, kInfinite, options).run();
 }
 
 }  // namespace plastica::calibrate

@@ -108,11 +108,11 @@ Dimension abscissa_dimension(const Scene& scene, const SceneTarget& target,
 Setup driven_setup(const Setup& setup, const SceneTarget& target) {
   Setup followed = setup;
   Scene& scene = followed.scene;
-  std::vector<double> way = target.abscissa;
-  if (target.broke) way.push_back(target.broke->broken_from(way.back()));
+  std::vector<double> values = target.abscissa;
+  if (target.broke) values.push_back(target.broke->broken_from(values.back()));
   if (target.kind == Abscissa::Strain) {
-    for (double& strain : way) strain /= target.abscissa_factor;
-    scene.drive.strain = std::move(way);
+    for (double& strain : values) strain /= target.abscissa_factor;
+    scene.drive.strain = std::move(values);
     return followed;
   }
   if (setup.solver.analysis == Analysis::Dynamics) {
@@ -122,13 +122,13 @@ Setup driven_setup(const Setup& setup, const SceneTarget& target) {
   const Driven driven = driven_of(scene, target, target.abscissa_where);
   check_others(scene, driven.history);
   History history{{0.0}, {0.0}};
-  for (std::size_t i = 0; i < way.size(); ++i) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
     history.time.push_back(static_cast<double>(i + 1));
-    history.factor.push_back(way[i] / (target.abscissa_factor * driven.size()));
+    history.factor.push_back(values[i] / (target.abscissa_factor * driven.size()));
   }
   *driven.history = history;
   followed.solver.duration = history.end();
-  followed.solver.steps = static_cast<int>(way.size());
+  followed.solver.steps = static_cast<int>(values.size());
   return followed;
 }
 

@@ -28,21 +28,21 @@ double read_limit(const TomlValue& value, const Claim& claim, const Sweep* sweep
   return value.is_string() ? value.quantity(Dimension::Strain) : value.number();
 }
 
-void read_walk(const TomlTable& walk, Claim& claim) {
-  stability::StabilityOptions& options = claim.walk.emplace();
-  if (const auto only = walk.find("only")) options.only = only->strings();
-  if (const auto sample = walk.find("sample")) {
+void read_stability(const TomlTable& scan, Claim& claim) {
+  stability::StabilityOptions& options = claim.scan.emplace();
+  if (const auto only = scan.find("only")) options.only = only->strings();
+  if (const auto sample = scan.find("sample")) {
     options.sample = static_cast<std::size_t>(sample->integer(0, 1'000'000));
   }
-  if (const auto seed = walk.find("seed")) {
+  if (const auto seed = scan.find("seed")) {
     options.seed = static_cast<std::uint64_t>(seed->integer(0, 1'000'000'000));
   }
-  if (const auto work = walk.find("max_work")) {
+  if (const auto work = scan.find("max_work")) {
     options.max_segment_steps = work->number_within(0.0, 1e9, true);
   }
 }
 
-/// @param sweep  null for a claim about a walk
+/// @param sweep  null for a claim about a scan
 void read_kind(const TomlTable& table, const Sweep* sweep, Claim& claim) {
   std::optional<TomlValue> limits;
   for (std::size_t k = 0; k < kClaimKinds.size(); ++k) {
@@ -59,9 +59,9 @@ void read_kind(const TomlTable& table, const Sweep* sweep, Claim& claim) {
     }
     throw InputError(table.where(), table.key(), "", "claims nothing: it needs one of " + all);
   }
-  const bool of_walk = claim.kind == ClaimKind::Silent || claim.kind == ClaimKind::Unsound;
-  if (of_walk != (sweep == nullptr)) {
-    throw limits->error(of_walk ? "is about stability = { … }, not about a sweep"
+  const bool of_scan = claim.kind == ClaimKind::Silent || claim.kind == ClaimKind::Unsound;
+  if (of_scan != (sweep == nullptr)) {
+    throw limits->error(of_scan ? "is about stability = { … }, not about a sweep"
                                 : "is about a sweep, not about stability");
   }
   const TomlTable range = limits->table();
@@ -71,7 +71,7 @@ void read_kind(const TomlTable& table, const Sweep* sweep, Claim& claim) {
   if (claim.at_least && claim.at_most && *claim.at_least > *claim.at_most) {
     throw limits->error("at_least must not be above at_most");
   }
-  if (of_walk) return;
+  if (of_scan) return;
   const bool of_errors = claim.kind == ClaimKind::Order || claim.kind == ClaimKind::Correlation ||
                          claim.kind == ClaimKind::Error ||
                          claim.kind == ClaimKind::ExtrapolatedError;
@@ -117,8 +117,8 @@ CheckFile read_check_file(const std::string& path) {
     Claim claim;
     claim.where = table.where();
     claim.name = table.at("name").string();
-    if (const auto walk = table.find_table("stability")) {
-      read_walk(*walk, claim);
+    if (const auto scan = table.find_table("stability")) {
+      read_stability(*scan, claim);
       read_kind(table, nullptr, claim);
       file.claims.push_back(std::move(claim));
       continue;

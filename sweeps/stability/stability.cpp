@@ -9,7 +9,7 @@
 #include "plastica/base/check.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/run/simulate.hpp"
-#include "sweeps/stability/walk.hpp"
+#include "sweeps/stability/scan.hpp"
 
 namespace plastica::sweeps::stability {
 namespace {

@@ -122,7 +122,7 @@ class Reader {
 
 /// Which columns there are, said once for both directions.
 template <class Columns>
-void walk(Columns& column, const std::string& unit) {
+void traverse(Columns& column, const std::string& unit) {
   column("status", "", &CaseResult::status);
   column("reason", "", &CaseResult::reason);
   column("level", "", &CaseResult::level);
@@ -146,7 +146,7 @@ std::vector<double> row_of(const io::Ragged<double>& rows, std::size_t i) {
 void write_results(Hdf5Group& root, const SweepRecord& record) {
   Hdf5Group cases = root.group("cases");
   Writer writer(cases, record.results);
-  walk(writer, record.quantity.unit);
+  traverse(writer, record.quantity.unit);
   std::vector<std::int64_t> work;
   for (const CaseResult& result : record.results) work.push_back(result.segment_iterations());
   cases.write("segment_iterations", work, {"1", kDeflate});
@@ -165,7 +165,7 @@ void read_results(const Hdf5Group& root, SweepRecord& record) {
   record.results.resize(record.cases());
   const Hdf5Group cases = root.open_group("cases");
   Reader reader(cases, record.results);
-  walk(reader, record.quantity.unit);
+  traverse(reader, record.quantity.unit);
   for (const CaseResult& result : record.results) {
     if (result.segments > 0 && result.iterations > kMaxWork / result.segments) {
       io::refuse_value(cases, "iterations", std::to_string(result.iterations),

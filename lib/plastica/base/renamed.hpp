@@ -24,6 +24,7 @@ inline constexpr std::array kRenamedWords{
 /// Datasets of result files, by their path from the root.
 inline constexpr std::array kRenamedStored{
     Renamed{"outcome/ledger_error", "outcome/energy_balance_error"},
+    Renamed{"critical_points/unstable_ways", "critical_points/unstable_modes"},
     Renamed{"events/pieces/event", "events/fragments/event"},
     Renamed{"events/pieces/first", "events/fragments/first"},
     Renamed{"events/pieces/last", "events/fragments/last"},

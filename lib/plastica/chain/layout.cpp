@@ -155,9 +155,9 @@ void set_parts(const Scene& scene, std::optional<law::GaugePlane> yields, Layout
     if (number == 0 || !scene.regions[number - 1].to_section) continue;
     const Region& region = scene.regions[number - 1];
     const double from = share_of(region.from, layout.ends);
-    const double way = share_of(region.to, layout.ends) - from;
+    const double extent = share_of(region.to, layout.ends) - from;
     const auto part_at = [&](double share) {
-      return add(number, tapered_section(region, (share - from) / way), region.material);
+      return add(number, tapered_section(region, (share - from) / extent), region.material);
     };
     SegmentParts& own = layout.segment_part[i];
     // The joint between two segments of one taper has one section.

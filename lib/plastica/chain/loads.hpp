@@ -122,7 +122,7 @@ void add_ground_joints(const Chain<L>& chain, const Coordinates<L>& q, const Sta
   for (std::size_t g = 0; g < chain.ground_joints.size(); ++g) {
     const GroundJoint<L>& joint = chain.ground_joints[g];
     const auto whole =
-        stage.half_way ? stage.ground_axes[g] : L::axes(ground_joint_axes(joint, placement));
+        stage.midpoint ? stage.ground_axes[g] : L::axes(ground_joint_axes(joint, placement));
     const auto axes = select(q.released_ground_joint[g], {}, whole);
     typename L::Spin force;
     Mat<S, L::kRotations, L::kRotations> tangent;
@@ -154,7 +154,7 @@ void add_constraints(const Chain<L>& chain, const Placement<L>& placement, const
     const LoopConstraint<L>& constraint = chain.constraints[k];
     const S force = select(closed[k], q.multiplier[k], zero);
     const Wrench<L> unit = unit_wrench(constraint, stage.of(placement));
-    const Wrench<L> way = unit_wrench(constraint, placement);
+    const Wrench<L> along = unit_wrench(constraint, placement);
     Wrench<L>& wrench = outer_forces.wrench[constraint.segment];
     Impedance<L>& impedance = outer_forces.impedance[constraint.segment];
     wrench.force += force * unit.force;
@@ -162,10 +162,10 @@ void add_constraints(const Chain<L>& chain, const Placement<L>& placement, const
     const S whole =
         constraint.rotational ? chain.constraint_rotational_stiffness : chain.constraint_stiffness;
     const S stiffness = select(closed[k], whole, zero);
-    impedance.tt += outer(stiffness * unit.force, way.force);
-    impedance.tr += outer(stiffness * unit.force, way.moment);
-    impedance.rt += outer(stiffness * unit.moment, way.force);
-    impedance.rr += outer(stiffness * unit.moment, way.moment);
+    impedance.tt += outer(stiffness * unit.force, along.force);
+    impedance.tr += outer(stiffness * unit.force, along.moment);
+    impedance.rt += outer(stiffness * unit.moment, along.force);
+    impedance.rr += outer(stiffness * unit.moment, along.moment);
     if (constraint.rotational) continue;
     const typename L::Point arm = L::turn(placement.frame[constraint.segment], constraint.arm);
     impedance.rr -= (stage.share() * force) * L::moment_by(arm, constraint.direction);

@@ -26,7 +26,7 @@ void Recursion<L, kElastic>::set_joint(const Coordinates<L>& q, const Placement<
   joint.near = L::axes(placement.near[i]);
   if constexpr (kElastic) {
     joint.moves = carrier(placement, i, q.shift[i]);
-    joint.works = stage.half_way ? carrier(stage.placement, i, stage.shift[i]) : joint.moves;
+    joint.works = stage.midpoint ? carrier(stage.placement, i, stage.shift[i]) : joint.moves;
   }
 }
 
@@ -38,13 +38,13 @@ void Recursion<L, kElastic>::set_balance(const Chain<L>& chain, const Stage<L>& 
   Joint& joint = joints_[i];
   typename L::Spin moment = w.moment;
   if constexpr (kElastic) moment += transposed_times(joint.works.by_spin, w.force);
-  moment = stage.half_way ? stage.to_joint[i] * moment : transposed_times(joint.near, moment);
+  moment = stage.midpoint ? stage.to_joint[i] * moment : transposed_times(joint.near, moment);
   typename L::Spin lack;
   for (std::size_t k = 0; k < kR; ++k) {
     lack[k] = i == 0 && chain.root.welded[k] ? constant<S>(0) : law[k] - moment[k];
     balance_[i][k] = lack[k];
   }
-  const typename L::Spin in_world = stage.half_way ? stage.from_joint[i] * lack : joint.near * lack;
+  const typename L::Spin in_world = stage.midpoint ? stage.from_joint[i] * lack : joint.near * lack;
   for (std::size_t k = 0; k < kR; ++k) joint.residual[k] = in_world[k];
   if constexpr (kElastic) {
     const typename L::Point force = transposed_times(joint.works.along, w.force);
@@ -64,7 +64,7 @@ void Recursion<L, kElastic>::eliminate(const Chain<L>& chain, const Stage<L>& st
                                        const Placement<L>& at, const Wrench<L>& w, std::size_t i,
                                        Impedance<L>& a) {
   Joint& joint = joints_[i];
-  const Spins& from_joint = stage.half_way ? stage.from_joint[i] : joint.near;
+  const Spins& from_joint = stage.midpoint ? stage.from_joint[i] : joint.near;
   const Spins back = transpose(joint.near);
   const Spins spinning = from_joint * (block<kR, kR>(tangent, 0, 0) * back);
   Mat<S, kJ, kJ> d;
@@ -110,7 +110,7 @@ void Recursion<L, kElastic>::eliminate(const Chain<L>& chain, const Stage<L>& st
   const bool welds = std::find(welded.begin(), welded.end(), true) != welded.end();
   if (i == 0 && (welds || (kElastic && !chain.root.shifts))) {
     joint.inverse =
-        inverse_held(d, joint.near, stage.half_way ? stage.to_joint[0] : back, chain.root);
+        inverse_held(d, joint.near, stage.midpoint ? stage.to_joint[0] : back, chain.root);
   } else {
     joint.inverse = inverse(d);
   }
@@ -133,14 +133,14 @@ void Recursion<L, kElastic>::add_turning(const Stage<L>& stage, const typename L
                                          Mat<S, kJ, kJ>& d) {
   const S share = stage.share();
   const auto rows = [&](const auto& m) {
-    return stage.half_way ? stage.from_joint[i] * (transpose(L::axes(at.near[i])) * m) : m;
+    return stage.midpoint ? stage.from_joint[i] * (transpose(L::axes(at.near[i])) * m) : m;
   };
   if constexpr (!kElastic) {
     v_spin += rows(share * L::turned_by(w.moment));
   } else {
     const S half = constant<S>(0.5);
     const auto columns = [&](const auto& m) {
-      return stage.half_way ? m * (L::axes(at.near[i]) * transpose(near)) : m;
+      return stage.midpoint ? m * (L::axes(at.near[i]) * transpose(near)) : m;
     };
     const typename L::Point p = L::turn(at.far[i], shift);
     const typename L::Spin g = w.moment + L::moment(half * p, w.force);

@@ -137,7 +137,7 @@ template <class L>
 struct Stage {
   static constexpr std::size_t kR = L::kRotations;
   using S = typename L::Scalar;
-  bool half_way = false;  ///< else forces act where the step ends
+  bool midpoint = false;  ///< else forces act where the step ends
   /// How far their arms and axes follow a motion of the end: half of it half way; not at all where
   /// velocities or accelerations are sought.
   double follows = 1.0;
@@ -148,7 +148,7 @@ struct Stage {
   std::vector<Mat<S, kR, kR>> ground_axes;  ///< and of ground joints back to the world
 
   S share() const { return constant<S>(follows); }
-  const Placement<L>& of(const Placement<L>& end) const { return half_way ? placement : end; }
+  const Placement<L>& of(const Placement<L>& end) const { return midpoint ? placement : end; }
 };
 
 /// What the laws say of each joint: its moments as they work on spins and shifts, and their slope.

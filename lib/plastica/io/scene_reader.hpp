@@ -13,7 +13,8 @@
 
 namespace plastica::io {
 
-/// Reads what `scene_layout::walk` meets, and refuses what does not fit together; not installed.
+/// Reads what `scene_layout::traverse` meets, and refuses what does not fit together; not
+/// installed.
 class SceneReader {
  public:
   template <class T>
@@ -187,9 +188,9 @@ class SceneReader {
       if (!holds) refuse_value(root_, path, "", "must be the number of an event");
     }
   }
-  template <class Part, class Walk>
-  void part(std::string_view path, std::optional<Part>& part, const Walk& walk) {
-    if (root_.exists(path)) walk(part.emplace());
+  template <class Part, class Visit>
+  void part(std::string_view path, std::optional<Part>& part, const Visit& visit) {
+    if (root_.exists(path)) visit(part.emplace());
   }
 
  private:

@@ -84,8 +84,8 @@ class AxialSearch {
       const S newton = next_by_newton();
       // Where N rests while the section flows, its slope tells nothing of how far.
       const S least = select(slow, reach, zero);
-      const S way = max(least, min(reach, abs(newton - strain_[kAxial])));
-      const S outward = strain_[kAxial] + select(below, way, -way);
+      const S distance = max(least, min(reach, abs(newton - strain_[kAxial])));
+      const S outward = strain_[kAxial] + select(below, distance, -distance);
       const mask_t<S> fits = (newton > low) & (newton < high) & !slow;
       const S inward = select(fits, newton, constant<S>(0.5) * (low + high));
       e = select(active, select(between, inward, outward), strain_[kAxial]);

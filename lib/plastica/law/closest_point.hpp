@@ -253,11 +253,11 @@ class ClosestPoint {
       const SectionForce<S> done = step_;
       solve();
       step_ = select(open, step_, done);  // not of lanes whose multipliers have been taken
-      S way = one;
+      S length = one;
       std::array<S, kPlanes> ends;
       for (std::size_t k = 0; k < used(); ++k) {
         ends[k] = part(working_[k].multiplier, working_[k].multiplier + rise_[k]);
-        way = min(way, ends[k]);
+        length = min(length, ends[k]);
       }
       SectionForce<S> press, bound_ends;
       const SectionForce<S> along = hessian_.times(step_);
@@ -267,24 +267,24 @@ class ClosestPoint {
         for (std::size_t k = 0; k < used(); ++k) sum += rise_[k] * working_[k].normal[i];
         press[i] = select(held(i), sum, zero);
         bound_ends[i] = part(press_[i], press[i]);
-        way = min(way, bound_ends[i]);
+        length = min(length, bound_ends[i]);
       }
-      auto leaves = open & (way < one);
+      auto leaves = open & (length < one);
       const auto again = leaves;
       for (std::size_t k = 0; k < used(); ++k) {
         Plane& plane = working_[k];
-        const auto out = leaves & !(ends[k] > way);
+        const auto out = leaves & !(ends[k] > length);
         leaves = leaves & !out;
-        plane.multiplier = select(open, plane.multiplier + way * rise_[k], plane.multiplier);
+        plane.multiplier = select(open, plane.multiplier + length * rise_[k], plane.multiplier);
         plane.multiplier = select(out, zero, plane.multiplier);
         plane.facet = select(out, constant<S>(-1), plane.facet);
         plane.normal = select(out, SectionForce<S>{}, plane.normal);
       }
       for (const std::size_t i : kBounded) {
         if (!any(held(i))) continue;
-        const auto out = leaves & held(i) & !(bound_ends[i] > way);
+        const auto out = leaves & held(i) & !(bound_ends[i] > length);
         leaves = leaves & !out;
-        press_[i] = select(open, press_[i] + way * (press[i] - press_[i]), press_[i]);
+        press_[i] = select(open, press_[i] + length * (press[i] - press_[i]), press_[i]);
         press_[i] = select(out, zero, press_[i]);
         free_[i] = select(out, present_[i], free_[i]);
       }

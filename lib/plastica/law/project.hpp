@@ -91,13 +91,13 @@ inline Projection<typename Gauge::Scalar> turned_back(
     const Projection<typename Gauge::Scalar>& inside) requires(!Gauge::kRound) {
   using S = typename Gauge::Scalar;
   Projection<S> now;
-  SectionForce<S> way;
+  SectionForce<S> side;
   for_each_of<kSectionAxes>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
-    way[i] = sign(target[i]);
-    now.point[i] = way[i] * inside.point[i];
+    side[i] = sign(target[i]);
+    now.point[i] = side[i] * inside.point[i];
   });
   for_each_of<kSectionAxes * kSectionAxes>([&](std::size_t at) PLASTICA_ALWAYS_INLINE {
-    now.slope.at[at] = way[at / kSectionAxes] * way[at % kSectionAxes] * inside.slope.at[at];
+    now.slope.at[at] = side[at / kSectionAxes] * side[at % kSectionAxes] * inside.slope.at[at];
   });
   static_cast<void>(u);
   return now;
@@ -127,15 +127,15 @@ inline Projection<typename Gauge::Scalar> turned_back(
   now.slope(kBendingY, kBendingX) = now.slope(kBendingX, kBendingY);
   now.slope(kBendingY, kBendingY) = along_y * along_y * stays + along_x * along_x * across;
   for (const std::size_t i : {kTorsion, kAxial}) {
-    const S way = sign(target[i]);
-    now.point[i] = way * inside.point[i];
+    const S side = sign(target[i]);
+    now.point[i] = side * inside.point[i];
     for (const std::size_t j : {kTorsion, kAxial}) {
-      now.slope(i, j) = way * sign(target[j]) * inside.slope(i, j);
+      now.slope(i, j) = side * sign(target[j]) * inside.slope(i, j);
     }
-    now.slope(i, kBendingX) = way * along_x * inside.slope(i, kBendingX);
-    now.slope(i, kBendingY) = way * along_y * inside.slope(i, kBendingX);
-    now.slope(kBendingX, i) = way * along_x * inside.slope(kBendingX, i);
-    now.slope(kBendingY, i) = way * along_y * inside.slope(kBendingX, i);
+    now.slope(i, kBendingX) = side * along_x * inside.slope(i, kBendingX);
+    now.slope(i, kBendingY) = side * along_y * inside.slope(i, kBendingX);
+    now.slope(kBendingX, i) = side * along_x * inside.slope(kBendingX, i);
+    now.slope(kBendingY, i) = side * along_y * inside.slope(kBendingX, i);
   }
   return now;
 }

@@ -14,8 +14,8 @@ std::size_t frame_at(const io::SceneRecord& record, std::optional<double> time) 
   if (!time) return frames - 1;
   std::size_t nearest = 0;
   for (std::size_t f = 1; f < frames; ++f) {
-    const double way = std::fabs(time_of_frame(record, f) - *time);
-    if (way < std::fabs(time_of_frame(record, nearest) - *time)) nearest = f;
+    const double distance = std::fabs(time_of_frame(record, f) - *time);
+    if (distance < std::fabs(time_of_frame(record, nearest) - *time)) nearest = f;
   }
   return nearest;
 }

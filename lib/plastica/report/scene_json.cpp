@@ -58,7 +58,7 @@ Json critical_points_of(const Response& response) {
     return Json{{"factor", number(critical.factor[i])},
                 {"below", number(critical.below[i])},
                 {"above", number(critical.above[i])},
-                {"unstable_ways", critical.unstable_ways[i]},
+                {"unstable_modes", critical.unstable_modes[i]},
                 {"out_of_plane", critical.out_of_plane[i] != 0}};
   });
 }

@@ -29,10 +29,10 @@ Most most_of(const io::SceneRecord& record, std::span<const double> all, std::si
   double largest = 0.0;
   for (std::size_t joint = 0; joint < ends.size(); ++joint) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double way = std::fabs(all[(mode * ends.size() + joint) * 3 + axis]);
+      const double size = std::fabs(all[(mode * ends.size() + joint) * 3 + axis]);
       // Of alike ones the first, whatever rounding says.
-      if (way <= largest * (1.0 + 1e-6)) continue;
-      largest = way;
+      if (size <= largest * (1.0 + 1e-6)) continue;
+      largest = size;
       most = {ends[joint], axis, true};
     }
   }

@@ -19,7 +19,7 @@ constexpr double kLeastThickness = 1.0 / 60.0;
 constexpr double kLeastThicknessInSpace = 1.0 / 16.0;
 
 /// How far any joint has moved in a frame [m].
-double largest_way(const io::SceneRecord& record, std::size_t frame) {
+double largest_displacement(const io::SceneRecord& record, std::size_t frame) {
   const ChainHistory& chain = record.response.chain;
   double most = 0.0;
   for (std::size_t i = 0; i < chain.joints; ++i) {
@@ -35,10 +35,11 @@ double largest_way(const io::SceneRecord& record, std::size_t frame) {
 std::vector<std::size_t> earlier_frames(const io::SceneRecord& record, std::size_t shown) {
   std::size_t farthest = 0;
   for (std::size_t i = 0; i < shown; ++i) {
-    if (largest_way(record, i) > largest_way(record, farthest)) farthest = i;
+    if (largest_displacement(record, i) > largest_displacement(record, farthest)) farthest = i;
   }
   std::vector<std::size_t> frames{shown / 4, shown / 2, 3 * shown / 4};
-  if (largest_way(record, farthest) > 1.05 * largest_way(record, shown)) frames.push_back(farthest);
+  if (largest_displacement(record, farthest) > 1.05 * largest_displacement(record, shown))
+    frames.push_back(farthest);
   std::sort(frames.begin(), frames.end());
   frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
   std::erase_if(frames, [&](std::size_t frame) { return frame == 0 || frame == shown; });
@@ -56,8 +57,8 @@ double end_rotation(const io::SceneRecord& record, std::size_t frame) {
 std::vector<std::string> facts_of(const io::SceneRecord& record, std::size_t shown,
                                   double thickness) {
   double most = 0.0;
-  for (std::size_t i = 0; i <= shown; ++i) most = std::max(most, largest_way(record, i));
-  const double now = largest_way(record, shown);
+  for (std::size_t i = 0; i <= shown; ++i) most = std::max(most, largest_displacement(record, i));
+  const double now = largest_displacement(record, shown);
   std::string facts;
   const auto add = [&](const std::string& fact) { facts += (facts.empty() ? "" : "; ") + fact; };
   const double end = record.response.chain.time.back();

@@ -19,7 +19,8 @@ namespace {
 constexpr double kUnresisted = 1e-10;
 /// Of the largest stiffness: below, it is the rounding of lever arms that should be zero, squared.
 constexpr double kNoStiffness = 1e-24;
-/// Share of the way that a constraint's own stiffness would leave, below which it holds nothing.
+/// Share of the displacement that a constraint's own stiffness would leave, below which it holds
+/// nothing.
 constexpr double kHeldTwice = 1e-10;
 /// How little joints are unloaded, of their elastic deformation.
 constexpr double kUnloading = 1e-9;
@@ -76,9 +77,9 @@ void ChainModes<L, kElastic>::gather() {
 }
 
 template <class L, bool kElastic>
-int ChainModes<L, kElastic>::unstable_ways() {
+int ChainModes<L, kElastic>::unstable_modes() {
   return static_cast<int>(
-      solve::unstable_ways(body_.build.chain, solve::PathCondition<L>{}, false, w_));
+      solve::unstable_modes(body_.build.chain, solve::PathCondition<L>{}, false, w_));
 }
 
 template <class L, bool kElastic>
@@ -135,11 +136,12 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
   };
   const auto in_plane = [&](double x) {
     pencil.factor(x);
-    return unstable_ways();
+    return unstable_modes();
   };
-  if (in_plane(0.0) > 0 || (beside != nullptr && beside->ways_after(0.0) > 0)) return std::nullopt;
+  if (in_plane(0.0) > 0 || (beside != nullptr && beside->unstable_after(0.0) > 0))
+    return std::nullopt;
   add_roots(false, in_plane);
-  if (beside != nullptr) add_roots(true, [&](double x) { return beside->ways_after(x); });
+  if (beside != nullptr) add_roots(true, [&](double x) { return beside->unstable_after(x); });
   if (falls) return std::nullopt;
   std::stable_sort(roots.begin(), roots.end(),
                    [](const Root& a, const Root& b) { return a.time < b.time; });
@@ -165,8 +167,8 @@ template <class L, bool kElastic>
 void ChainModes<L, kElastic>::add_mode(bool again, std::vector<double>& mode) {
   if (!again) known_.clear();
   known_.push_back(solve::softest_motion(body_.build.chain, w_, known_));
-  for (const auto& way : solve::mode_of(body_.build.chain, known_.back(), w_)) {
-    const auto in_space = body_.view.point_in_space(way);
+  for (const auto& displacement : solve::mode_of(body_.build.chain, known_.back(), w_)) {
+    const auto in_space = body_.view.point_in_space(displacement);
     for (std::size_t k = 0; k < 3; ++k) mode.push_back(static_cast<double>(in_space[k]));
   }
 }
@@ -180,7 +182,7 @@ std::optional<VibrationModes> ChainModes<L, kElastic>::vibration(int count, Stop
   pencil.let_inertia_resist();
   const auto passed = [&](double square) {
     pencil.factor(square);
-    return unstable_ways();
+    return unstable_modes();
   };
   std::vector<double> squares(wanted, 0.0);
   if (std::isfinite(softest_square)) {

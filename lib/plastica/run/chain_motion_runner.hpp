@@ -31,7 +31,7 @@ class ChainMotionRunner final : public ChainProgram {
 
  private:
   bool starts_free() const;
-  Status walk(Step& step, const Workspace& hooks, Response& response);
+  Status take_steps(Step& step, const Workspace& hooks, Response& response);
   /// Takes steps up to a time. @return Completed if it got there
   Status go_to(double stop, StepSize& size, Step& step, const Workspace& hooks, Response& response);
   void break_joints(Step& step, const BreakListener& listener, Response& response);
@@ -97,7 +97,7 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   step_->stop_by(hooks.stop);
   set_initial_motion(body_, initial_motion_);
   response.status =
-      step_->start(initial_motion_) ? walk(*step_, hooks, response) : Status::HeldTwice;
+      step_->start(initial_motion_) ? take_steps(*step_, hooks, response) : Status::HeldTwice;
   body_.record.end_motion();
   body_.finish_axial(response);
   body_.record.end_frames(response);
@@ -112,8 +112,8 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
 }
 
 template <class L, bool kElastic>
-Status ChainMotionRunner<L, kElastic>::walk(Step& step, const Workspace& hooks,
-                                            Response& response) {
+Status ChainMotionRunner<L, kElastic>::take_steps(Step& step, const Workspace& hooks,
+                                                  Response& response) {
   body_.record.begin_motion(body_.work, *body_.joints, step.motions(), step.kinetic());
   record(step, response);
   StepSize size(options_);

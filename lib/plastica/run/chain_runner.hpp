@@ -22,19 +22,19 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   // The same in steps, for beams whose equilibria are sought side by side.
   /// @return whether an equilibrium is sought at the time in `body().work`, from the unknowns there
   bool begin(const MaterialValues<double>& material, const Workspace& hooks, Response& response);
-  /// See PathWalker::take.
-  bool take(bool converged, int iterations, bool factored, double ways) {
-    return walker_->take(converged, iterations, factored, ways);
+  /// See PathContinuation::take.
+  bool take(bool converged, int iterations, bool factored, double unstable_modes) {
+    return continuation_->take(converged, iterations, factored, unstable_modes);
   }
   /// Seeks the equilibrium, and all that follow, alone.
-  void walk_on();
+  void proceed();
   /// After the path has ended.
   void finish();
   ChainBody<L, kElastic>& body() { return body_; }
   /// Whether what is sought next is looked at for more than where points are and what the laws say:
   /// `work` must then hold all that `equilibrate` leaves in it.
   bool needs_all() const;
-  bool records_next() const { return walker_->records_next(); }
+  bool records_next() const { return continuation_->records_next(); }
   const solve::NewtonOptions& newton() const { return options_.newton; }
 
  private:
@@ -42,7 +42,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   solve::Verdict judge(const Work& w, bool shortest) override;
   bool accept(const Work& w) override;
   bool record(const Work& w) override;
-  int ways_beside(const Work& w) override;
+  int unstable_beside(const Work& w) override;
   double log_determinant_beside(const Work& w) override;
   void note_mode(bool out_of_plane, Work& w, std::vector<double>& mode) override;
 
@@ -73,8 +73,8 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   chain::Coordinates<L> committed_, previous_;
   Response* response_ = nullptr;
   MaterialValues<double> material_{};
-  const Workspace* hooks_ = nullptr;  ///< while a path is walked
-  std::optional<solve::PathWalker<L, kElastic>> walker_;
+  const Workspace* hooks_ = nullptr;  ///< while a path is followed
+  std::optional<solve::PathContinuation<L, kElastic>> continuation_;
   std::unique_ptr<OutOfPlane> beside_;  ///< of a planar chain, made when first asked for
   bool asks_beside_ = false;            ///< at each step, to tell where the plane is left
   bool leaves_plane_ = false;           ///< seen in a path that did not ask
@@ -83,7 +83,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   chain::Coordinates<L> stable_;
   double stable_time_ = 0.0;
   bool has_stable_ = false;
-  int ways_beside_ = 0;          ///< as known last
+  int unstable_beside_ = 0;      ///< as known last
   double checked_at_ = 0.0;      ///< time of the last check of stability out of the plane
   double checked_moment_ = 0.0;  ///< largest of a joint at the last such check [N m]
   double last_time_ = 0.0;       ///< of the last step

@@ -12,17 +12,17 @@ double ChainRecord<L, kElastic>::load_work(const chain::SegmentLoad<L>& load, co
   const S then = constant<S>(0.5 * history.at(time_));
   const auto& frame = w.placement.frame[load.segment];
   const auto& old_frame = placement_.frame[load.segment];
-  const typename L::Point way =
+  const typename L::Point displacement =
       w.placement.point(load.segment, load.arm) - placement_.point(load.segment, load.arm);
   const typename L::Spin turn = L::axes(old_frame) * L::angle_from(old_frame, frame);
   if (!load.follows) {
-    return (now + then) * (dot(load.force, way) + dot(load.moment, turn));
+    return (now + then) * (dot(load.force, displacement) + dot(load.moment, turn));
   }
   const typename L::Point force =
       now * L::turn(frame, load.force) + then * L::turn(old_frame, load.force);
   const typename L::Spin moment =
       now * (L::axes(frame) * load.moment) + then * (L::axes(old_frame) * load.moment);
-  return dot(force, way) + dot(moment, turn);
+  return dot(force, displacement) + dot(moment, turn);
 }
 
 template <class L, bool kElastic>

@@ -128,7 +128,7 @@ void ChainRunner<L, kElastic>::check_plane(const chain::Coordinates<L>& q, doubl
     if (known || !has_space_beside()) return;
     checked_at_ = time;
     see(q, time, sections);
-    leaves_plane_ = beside_->ways(seen_) > 0;
+    leaves_plane_ = beside_->unstable_modes(seen_) > 0;
   }
 }
 
@@ -164,13 +164,13 @@ void ChainRunner<L, kElastic>::check_plane_while_moments_grow(const Work& w) {
 }
 
 template <class L, bool kElastic>
-int ChainRunner<L, kElastic>::ways_beside(const Work& w) {
+int ChainRunner<L, kElastic>::unstable_beside(const Work& w) {
   if constexpr (L::kTranslations == 2) {
-    if (!asks_beside_ || !has_space_beside()) return ways_beside_;
+    if (!asks_beside_ || !has_space_beside()) return unstable_beside_;
     const Sections now = sections();
     see(w.q, w.time, &now);
-    ways_beside_ = beside_->ways(seen_);
-    return ways_beside_;
+    unstable_beside_ = beside_->unstable_modes(seen_);
+    return unstable_beside_;
   } else {
     return 0;
   }
@@ -198,8 +198,8 @@ void ChainRunner<L, kElastic>::note_mode(bool out_of_plane, Work& w, std::vector
       return;
     }
   }
-  for (const auto& way : solve::buckling_mode(body_.build.chain, w)) {
-    const auto in_space = detail::doubles(body_.view.point_in_space(way));
+  for (const auto& displacement : solve::buckling_mode(body_.build.chain, w)) {
+    const auto in_space = detail::doubles(body_.view.point_in_space(displacement));
     mode.insert(mode.end(), in_space.begin(), in_space.end());
   }
 }

@@ -94,7 +94,7 @@ InputError wrong_count(int count, int most) {
   return {{},
           "count",
           std::to_string(count),
-          "must be 1 … " + std::to_string(most) + ", the ways in which the chain can move"};
+          "must be 1 … " + std::to_string(most) + ", the degrees of freedom of the chain"};
 }
 
 }  // namespace

@@ -39,12 +39,12 @@ struct LoadedFrequencies {
 /// stiffness, supports that touch hold, and joints that have yielded unload. Ways in which an
 /// unstable state would be left have the frequency 0.
 /// @param options  as for `simulate`
-/// @param count    1 … the ways in which the chain can move
+/// @param count    1 … the chain's degrees of freedom
 /// @throws InputError as `prepare`, and as above; where loads have no potential (they follow their
 ///         segment, or in space are moments of a fixed axis)
 LoadedFrequencies natural_frequencies(const Scene& scene, const SolverOptions& options, int count);
 
-/// In how many independent ways a chain can move a little: its number of natural frequencies.
+/// Degrees of freedom of a chain: its number of natural frequencies.
 /// @throws InputError if the model is a coupon
 int chain_freedoms(const Model& model);
 

@@ -44,9 +44,9 @@ class SpatialTangent final : public OutOfPlane {
 
   bool applies() const override { return applies_; }
 
-  int ways(const PlanarEquilibrium& at) override {
+  int unstable_modes(const PlanarEquilibrium& at) override {
     factor(at);
-    return count_ways();
+    return count_unstable_modes();
   }
 
   double log_determinant(const PlanarEquilibrium& at) override {
@@ -80,9 +80,9 @@ class SpatialTangent final : public OutOfPlane {
     build_.chain.histories = kept;
   }
 
-  int ways_after(double time) override {
+  int unstable_after(double time) override {
     pencil_->factor(time);
-    return count_ways();
+    return count_unstable_modes();
   }
 
   void add_mode_after(double time, std::vector<double>& mode) override {
@@ -95,19 +95,19 @@ class SpatialTangent final : public OutOfPlane {
 
   void append_mode(std::vector<double>& mode) {
     // A mode in the plane may have the same load; at a planar state both stand apart.
-    const auto ways = solve::buckling_mode(build_.chain, work_);
+    const auto displacements = solve::buckling_mode(build_.chain, work_);
     double largest = 0.0;
-    for (const auto& way : ways) {
-      if (std::fabs(way[normal_]) > std::fabs(largest)) largest = way[normal_];
+    for (const auto& displacement : displacements) {
+      if (std::fabs(displacement[normal_]) > std::fabs(largest)) largest = displacement[normal_];
     }
-    for (const auto& way : ways) {
+    for (const auto& displacement : displacements) {
       for (std::size_t k = 0; k < 3; ++k) {
-        mode.push_back(k == normal_ ? way[normal_] / largest : 0.0);
+        mode.push_back(k == normal_ ? displacement[normal_] / largest : 0.0);
       }
     }
   }
 
-  int count_ways() {
+  int count_unstable_modes() {
     int count = 0;
     for_each_pivot([&](double pivot) { count += pivot < 0.0 ? 1 : 0; });
     for (std::size_t k = 0; k < build_.chain.constraints.size(); ++k) {

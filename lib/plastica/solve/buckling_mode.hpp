@@ -102,12 +102,12 @@ template <class Point, class S>
 void make_largest_one(std::vector<Point>& mode, const S& least) {
   S largest = constant<S>(0);
   for (const Point& of_joint : mode) {
-    for (const S& way : of_joint.at) {
-      if (abs(way) > abs(largest)) largest = way;
+    for (const S& displacement : of_joint.at) {
+      if (abs(displacement) > abs(largest)) largest = displacement;
     }
   }
   const S scale = abs(largest) > least ? constant<S>(1) / largest : constant<S>(0);
-  for (Point& way : mode) way = scale * way;
+  for (Point& displacement : mode) displacement = scale * displacement;
 }
 
 /// Translations of the segments' inner joints and of the end (N + 1), the largest being 1; zero

@@ -64,7 +64,7 @@ class JointMotion {
       const JointStep<L, kElastic> step = step_of(j, angles[j], shift);
       step_[j] = step.step;
       const Matrix slope = forces.tangent[j];
-      if (rule.half_way) {
+      if (rule.midpoint) {
         const auto mean = mean_moment<L, kElastic>(step, forces.force[j], slope);
         forces.force[j] = mean.force;
         forces.tangent[j] = mean.tangent;
@@ -208,7 +208,7 @@ class JointMotion {
   /// Stresses of angles as they work on spins; where the tangent is of angles, it, too.
   static void to_spins(const StepRule& rule, const JointStep<L, kElastic>& step, bool of_angles,
                        Vector& stress, Matrix& tangent) {
-    const S share = constant<S>(rule.half_way ? 0.5 : 1.0);
+    const S share = constant<S>(rule.midpoint ? 0.5 : 1.0);
     const Vec<S, 3> angle = share * step.angle_now + (constant<S>(1) - share) * step.angle_before;
     const auto to_angle =
         chain::inverse_tangent_map(angle, chain::RotationCoefficients<S>(dot(angle, angle)));

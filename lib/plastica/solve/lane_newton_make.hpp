@@ -80,8 +80,8 @@ class LaneNewtonOf final : public LaneNewton {
     detail::relative_imbalance(chain_, work_).store(imbalance);
   }
 
-  void count_ways(double* ways) override {
-    unstable_ways(chain_, PathCondition<L>{}, false, work_).store(ways);
+  void count_unstable_modes(double* counts) override {
+    unstable_modes(chain_, PathCondition<L>{}, false, work_).store(counts);
   }
 
   void step() override {

@@ -15,12 +15,12 @@ double MotionStep<L, kElastic>::load_work() const {
     const auto over = [&](const Placement& placement, double factor) {
       const auto unit = chain::unit_wrench(load, placement);
       const auto arm = L::turn(placement.frame[i], chain_.inertias[i].center);
-      // Moved to the center of mass, whose way the step knows.
+      // Moved to the center of mass, whose displacement the step knows.
       const typename L::Spin moment = unit.moment - L::moment(arm, unit.force);
-      return factor * (dot(unit.force, step_[i].way) + dot(moment, step_[i].spin));
+      return factor * (dot(unit.force, step_[i].displacement) + dot(moment, step_[i].spin));
     };
     const History& history = chain_.histories[load.history];
-    if (rule_.half_way) {
+    if (rule_.midpoint) {
       work += over(w_.stage.placement, factor_at(load.history));
     } else {
       work += end * over(w_.placement, history.at(w_.time));
@@ -36,7 +36,7 @@ typename L::Spin MotionStep<L, kElastic>::ground_moment(std::size_t g) const {
   const auto& joint = chain_.ground_joints[g];
   typename L::Spin force;
   for (std::size_t k = 0; k < L::kRotations; ++k) force[k] = w_.joints.force[joint.joint][k];
-  if (rule_.half_way) return w_.stage.ground_axes[g] * force;
+  if (rule_.midpoint) return w_.stage.ground_axes[g] * force;
   return L::axes(chain::ground_joint_axes(joint, w_.placement)) * force;
 }
 
@@ -106,7 +106,7 @@ double MotionStep<L, kElastic>::inertia_work() const {
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const typename L::Point force = end * inertia_now_[i].force + begin * inertia_[i].force;
     const typename L::Spin moment = end * inertia_now_[i].moment + begin * inertia_[i].moment;
-    work -= dot(force, step_[i].way) + dot(moment, step_[i].spin);
+    work -= dot(force, step_[i].displacement) + dot(moment, step_[i].spin);
   }
   return work;
 }

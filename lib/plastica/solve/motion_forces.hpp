@@ -21,7 +21,7 @@ void MotionStep<L, kElastic>::evaluate_laws() {
 template <class L, bool kElastic>
 double MotionStep<L, kElastic>::factor_at(std::size_t history) const {
   const History& factor = chain_.histories[history];
-  return rule_.half_way ? 0.5 * (factor.at(time_) + factor.at(w_.time)) : factor.at(w_.time);
+  return rule_.midpoint ? 0.5 * (factor.at(time_) + factor.at(w_.time)) : factor.at(w_.time);
 }
 
 /// Means of the step's begin and end, and how moments go between them and the joints.
@@ -82,9 +82,9 @@ void MotionStep<L, kElastic>::assemble() {
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     step_[i] = segment_step<L>(chain_.inertias[i], i, begin_, w_.placement);
     const auto spin = transposed_times(L::axes(w_.placement.frame[i]), step_[i].spin);
-    motion_now_[i] = motion_after(rule_, h_, motion_[i], step_[i].way, spin);
+    motion_now_[i] = motion_after(rule_, h_, motion_[i], step_[i].displacement, spin);
   }
-  if (rule_.half_way) set_stage();
+  if (rule_.midpoint) set_stage();
   evaluate_laws();
   set_joint_spins();
   joint_motion_.take(options_, rule_, h_, w_.angles, w_.q.shift, spins_, w_.joints);
@@ -141,12 +141,12 @@ bool MotionStep<L, kElastic>::solve_from(bool predicted) {
   // One solve leaves more than rounding, which `balance_fragment` gives back.
   newton_.polishes = !kIsDouble<S> || (claims_of(options_.scheme, options_.rho_infinity).momentum &&
                                        !newton_.one_solve && in_fragments);
-  w_.stage.half_way = rule_.half_way;
-  w_.stage.follows = rule_.half_way ? 0.5 : 1.0;
+  w_.stage.midpoint = rule_.midpoint;
+  w_.stage.follows = rule_.midpoint ? 0.5 : 1.0;
   const auto outcome = equilibrate(
       chain_, [this](Work& /*w*/) { assemble(); }, newton_, w_,
       [](const Work&) { return PathCondition<L>{}; });
-  w_.stage.half_way = false;
+  w_.stage.midpoint = false;
   w_.stage.follows = 1.0;
   iterations_ += outcome.iterations;
   return outcome.converged && turns_little() && is_finite();

@@ -56,7 +56,7 @@ void MotionStep<L, kElastic>::meet_at_begin() {
 /// again
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::leaves_loaded() {
-  if (rule_.end_work == 1.0 || rule_.half_way) return false;
+  if (rule_.end_work == 1.0 || rule_.midpoint) return false;
   bool leaves = false;
   for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
     if (!chain_.constraints[k].one_sided || !rests_on_[k] || w_.closed[k]) continue;

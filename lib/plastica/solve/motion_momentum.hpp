@@ -40,10 +40,10 @@ void MotionStep<L, kElastic>::balance_fragment(std::size_t first, std::size_t en
                                                const chain::Wrench<L>& residual) {
   const S h = constant<S>(h_);
   const auto& inertias = chain_.inertias;
-  const Placement& acting = rule_.half_way ? w_.stage.placement : w_.placement;
+  const Placement& acting = rule_.midpoint ? w_.stage.placement : w_.placement;
   const typename L::Point& start = acting.position[first];
   const FragmentMotion<L> before = fragment_motion(inertias, begin_, motion_, first, end);
-  if (newton_.one_solve && rule_.half_way) {
+  if (newton_.one_solve && rule_.midpoint) {
     add_momentum(inertias, w_.placement, start, {h * residual.force, h * residual.moment}, first,
                  end, motion_now_);
     // The residual has done no work then: the inertia of the step has less to take up.
@@ -60,7 +60,7 @@ void MotionStep<L, kElastic>::balance_fragment(std::size_t first, std::size_t en
     outside.moment -= resists.moment + L::moment(arm, resists.force);
   }
   const typename L::Point center =
-      rule_.half_way ? constant<S>(0.5) * (before.center + after.center) : after.center;
+      rule_.midpoint ? constant<S>(0.5) * (before.center + after.center) : after.center;
   outside.moment -= L::moment(center - start, outside.force);
 
   MomentumError<L>& error = momentum_[first];

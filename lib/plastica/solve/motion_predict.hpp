@@ -64,7 +64,7 @@ void MotionStep<L, kElastic>::predict_joint(std::size_t i, const S& h,
   }
 }
 
-/// The way of a segment less what its velocity and acceleration before the step foretell.
+/// The displacement of a segment less what its velocity and acceleration before the step foretell.
 ///
 /// With a jerk j, a step h after one of h0 differs by j h^3 (1/6 + h0/(4 h)), of which a second
 /// order midpoint scheme makes j h^3/12 of error; an Euler step of acceleration a differs from its
@@ -77,7 +77,7 @@ double MotionStep<L, kElastic>::error() const {
   double largest = 0.0;
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const S h = constant<S>(h_);
-    typename L::Point off = step_[i].way - h * motion_[i].velocity;
+    typename L::Point off = step_[i].displacement - h * motion_[i].velocity;
     if (known) off -= constant<S>(0.5 * h_ * h_) * acceleration_[i];
     double size = size_of(off);
     if constexpr (L::kTranslations == 0) {

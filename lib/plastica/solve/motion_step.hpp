@@ -78,7 +78,7 @@ class MotionStep {
     rests_ = 0;
     fastest_ = 0.0;
     h_ = h_before_ = time_ = 0.0;
-    w_.stage.half_way = false;
+    w_.stage.midpoint = false;
     w_.forgets = true;
     w_.time = 0.0;
     chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);

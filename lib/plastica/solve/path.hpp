@@ -18,7 +18,7 @@ namespace plastica::solve {
 
 /// Follows an equilibrium path: README.md.
 template <class L, bool kElastic>
-class PathWalker {
+class PathContinuation {
  public:
   using Laws = chain::JointLaws<L, kElastic>;
   using Work = NewtonWork<L, kElastic>;
@@ -26,9 +26,9 @@ class PathWalker {
   using S = typename L::Scalar;
   using Value = typename ControlPoint<L>::Value;
 
-  PathWalker(const chain::Chain<L>& chain, Laws& laws, const PathOptions& options,
-             const ControlPoint<L>& control, Work& work, chain::Coordinates<L>& committed,
-             chain::Coordinates<L>& previous, Observer& observer)
+  PathContinuation(const chain::Chain<L>& chain, Laws& laws, const PathOptions& options,
+                   const ControlPoint<L>& control, Work& work, chain::Coordinates<L>& committed,
+                   chain::Coordinates<L>& previous, Observer& observer)
       : chain_(chain),
         laws_(laws),
         options_(options),
@@ -53,10 +53,10 @@ class PathWalker {
 
   /// Takes what was found, which is in `work`, and goes on to the next.
   /// @param factored  whether `work` holds the tangent, too
-  /// @param ways      `unstable_ways`, if that was asked for; else below 0
-  bool take(bool converged, int iterations, bool factored, double ways = -1.0) {
+  /// @param unstable_modes  of the same name, if that was asked for; else below 0
+  bool take(bool converged, int iterations, bool factored, double unstable_modes = -1.0) {
     holds_tangent_ = factored;
-    found_ways_ = ways;
+    found_unstable_modes_ = unstable_modes;
     const Trial trial = judge(converged, iterations, shortest_);
     factored_ = factored_ && factored;
     return go_on(trial);
@@ -66,7 +66,7 @@ class PathWalker {
   bool records_next() const { return next_ == options_.stops[stop_] && options_.recorded[stop_]; }
 
   /// Seeks this one and all that follow.
-  void walk_on() {
+  void proceed() {
     bool seeks = true;
     while (seeks) {
       const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
@@ -77,8 +77,8 @@ class PathWalker {
   /// How the path has ended.
   Status status() const;
 
-  /// In how many ways the last equilibrium would be left; -1: not known.
-  int known_ways() const { return ways_; }
+  /// Number of unstable modes of the last equilibrium; -1: not known.
+  int known_unstable_modes() const { return unstable_modes_; }
   const PathCounters& counters() const { return counters_; }
   const std::optional<LimitLoad>& limit() const { return limit_; }
   /// With times in the place of factors.
@@ -93,14 +93,15 @@ class PathWalker {
 
   /// Relative stiffness below which the supports leave the beam free to move.
   static constexpr double kMechanism = kIsDouble<S> ? 1e-11 : 1e-6;
-  /// Share of the way that a constraint's own stiffness would leave, below which it holds nothing.
+  /// Share of the displacement that a constraint's own stiffness would leave, below which it holds
+  /// nothing.
   static constexpr double kHeldTwice = kIsDouble<S> ? 1e-8 : 1e-6;
-  /// The least way of the control point that is no rounding, over the beam's length.
-  static constexpr double kLeastWay = kIsDouble<S> ? 1e-13 : 1e-6;
+  /// The least displacement of the control point that is no rounding, over the beam's length.
+  static constexpr double kMinPath = kIsDouble<S> ? 1e-13 : 1e-6;
   static constexpr double kTiny = std::numeric_limits<double>::min();
   static constexpr double kForever = std::numeric_limits<double>::infinity();
   static constexpr int kMostArcs = 400;  ///< that cross what load control does not
-  /// How much longer than the first an arc may become: a way that bends sharply is long.
+  /// How much longer than the first an arc may become: a path that bends sharply is long.
   static constexpr double kArcGrowth = 32.0;
 
   static bool finite(const NewtonOutcome<S>& outcome) {
@@ -117,17 +118,19 @@ class PathWalker {
   }
 
   void accept() {
-    if (trial_ways_ >= 0 && ways_ >= 0 && trial_ways_ != ways_) note_critical();
-    ways_ = trial_ways_;
+    if (trial_unstable_modes_ >= 0 && unstable_modes_ >= 0 &&
+        trial_unstable_modes_ != unstable_modes_)
+      note_critical();
+    unstable_modes_ = trial_unstable_modes_;
     // Arcs go over unstable equilibria on purpose: what counts is where they end.
-    unstable_ = ways_ > 0 || (unstable_ && options_.control != PathControl::ArcLength);
+    unstable_ = unstable_modes_ > 0 || (unstable_ && options_.control != PathControl::ArcLength);
     laws_.commit();
     std::swap(previous_, committed_);
     committed_ = w_.q;
     previous_time_ = time_;
     time_ = w_.time;
     const Value at = control_.value(w_.placement);
-    gone_ += size_of(at - at_);
+    traversed_ += size_of(at - at_);
     at_ = at;
     // Where nothing has flowed the laws are as they were in the last iteration.
     factored_ = !observer_.yields();
@@ -168,8 +171,8 @@ class PathWalker {
 
   /// Whether the equilibria are stable: path_stability.hpp.
   void factor_tangent();
-  int count_ways();
-  bool may_change_ways(bool shortest);
+  int count_unstable_modes();
+  bool may_change_stability(bool shortest);
   void note_critical();
 
   /// Seeks an equilibrium from the unknowns in `w_` and takes it, if it is near enough.
@@ -177,7 +180,7 @@ class PathWalker {
   Trial attempt(const Condition& condition, bool shortest) {
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_, condition);
     holds_tangent_ = true;
-    found_ways_ = -1.0;
+    found_unstable_modes_ = -1.0;
     condition_ = condition(w_);
     return judge(outcome.converged, outcome.iterations, shortest);
   }
@@ -197,7 +200,7 @@ class PathWalker {
     overloaded_ = converged && laws_.overloaded();
     if (!converged || overloaded_) return Trial::Failed;
     if ((beyond_ = !at_time_ && w_.time > latest_)) return Trial::Failed;
-    if (turns_too_far() || !points_on() || !may_change_ways(shortest)) return Trial::Failed;
+    if (turns_too_far() || !points_on() || !may_change_stability(shortest)) return Trial::Failed;
     const double slope = watches_slope_ && observer_.yields() ? relative_slope() : 1.0;
     flat_ = slope < kLimitSlope;
     // A bend of the path is looked at closely: from far off a limit that the beam escapes by
@@ -274,10 +277,10 @@ class PathWalker {
     detail::join_columns(chain_, at_time, w_);
   }
 
-  /// Load over the control point's way in this step, relative to the first slope.
+  /// Load over the control point's displacement in this step, relative to the first slope.
   double relative_slope() const {
     const Value moved = control_.value(w_.placement) - at_;
-    return (w_.time - time_) / std::max(span_ / way_ * size_of(moved), kTiny);
+    return (w_.time - time_) / std::max(span_ / elastic_path_ * size_of(moved), kTiny);
   }
 
   /// Of a joint, from the undeformed beam.
@@ -306,7 +309,7 @@ class PathWalker {
   bool is_corner(double time) const;
 
   /// The plane n . (u - u0) + weight (t - t0) = length in which the next equilibrium is sought;
-  /// (n, weight) is a unit vector in (u/way, t/span), times `way`.
+  /// (n, weight) is a unit vector in (u/path, t/span), times `path`.
   struct Arc {
     Value from{};
     Value direction{};
@@ -329,14 +332,14 @@ class PathWalker {
   /// Starts where the last step points to, `part` of it further.
   void extrapolate(double part);
   void set_arc_length(double length, double growth);
-  Status walk_arc();
+  Status follow_arcs();
   /// Load control has found nothing before `stop`: follows the path by arcs, until it gets there
   /// (then it went around a turn), or carries no more (a limit load), or is lost.
   Trial cross_by_arc(double stop);
   /// The limit from above: the least time at which load control finds nothing, starting from the
   /// last equilibrium.
   void bracket_limit(double highest);
-  Status walk_displacement();
+  Status follow_displacement();
 
   const chain::Chain<L>& chain_;
   Laws& laws_;
@@ -363,9 +366,9 @@ class PathWalker {
   bool factored_ = false;     ///< `w_` holds the tangent at the committed unknowns
   bool solved_ = false;       ///< and all columns
 
-  double span_ = 1.0;  ///< scale of time
-  double way_ = 1.0;   ///< of the control point, the way that it would go elastically in `span_`
-  Value rate_{};       ///< of the control point, elastically
+  double span_ = 1.0;          ///< scale of time
+  double elastic_path_ = 1.0;  ///< displacement of the control point in `span_`, if elastic
+  Value rate_{};               ///< of the control point, elastically
   double arc_length_ = 0.0, largest_arc_ = 0.0, smallest_arc_ = 0.0;
   double latest_ = kForever;  ///< time at which arcs end
   bool beyond_ = false;       ///< whether the last trial of an arc was after it
@@ -374,10 +377,10 @@ class PathWalker {
   bool has_secant_ = false;
   bool conservative_ = true, has_pillars_ = false;
   CriticalPoints critical_{};
-  PathCondition<L> condition_{};  ///< of the trial
-  double found_ways_ = -1.0;      ///< see `take`
-  int ways_ = -1;                 ///< unstable ones of the last step; -1: not counted
-  int trial_ways_ = -1;
+  PathCondition<L> condition_{};        ///< of the trial
+  double found_unstable_modes_ = -1.0;  ///< see `take`
+  int unstable_modes_ = -1;             ///< unstable ones of the last step; -1: not counted
+  int trial_unstable_modes_ = -1;
   bool unstable_ = false;
   bool at_time_ = false;        ///< whether the trial was sought at a given time
   bool holds_tangent_ = false;  ///< whether `w_` holds the tangent of the trial
@@ -387,10 +390,10 @@ class PathWalker {
   bool has_scale_ = false;      ///< whether arcs have one: something moves
   bool watches_slope_ = false;  ///< load control: see `attempt`
   bool flat_ = false;
-  bool gradual_ = false;  ///< whether the step before was nearly flat, too
-  double gone_ = 0.0;     ///< the control point's way so far, all turns of it
-  double slope_ = 1.0;    ///< of the last step, see `relative_slope`
-  bool goes_on_ = false;  ///< whether the last step may be continued
+  bool gradual_ = false;    ///< whether the step before was nearly flat, too
+  double traversed_ = 0.0;  ///< length of the control point's path so far
+  double slope_ = 1.0;      ///< of the last step, see `relative_slope`
+  bool goes_on_ = false;    ///< whether the last step may be continued
 };
 
 }  // namespace plastica::solve

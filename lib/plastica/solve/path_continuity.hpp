@@ -12,7 +12,7 @@ namespace plastica::solve {
 /// @param turn  of joint i, in its inner axes
 template <class L, bool kElastic>
 template <class TurnOf, class Visit>
-void PathWalker<L, kElastic>::for_each_turn(const TurnOf& turn, const Visit& visit) const {
+void PathContinuation<L, kElastic>::for_each_turn(const TurnOf& turn, const Visit& visit) const {
   typename L::Spin sum{};
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const typename L::Spin own = turn(i);
@@ -24,7 +24,7 @@ void PathWalker<L, kElastic>::for_each_turn(const TurnOf& turn, const Visit& vis
 /// Root of the mean square of the segments' turns [rad].
 template <class L, bool kElastic>
 template <class TurnOf>
-double PathWalker<L, kElastic>::size_of_turns(const TurnOf& turn) const {
+double PathContinuation<L, kElastic>::size_of_turns(const TurnOf& turn) const {
   double squares = 0.0;
   for_each_turn(turn, [&](const typename L::Spin& /*own*/, const typename L::Spin& sum) {
     squares += static_cast<double>(dot(sum, sum));
@@ -33,7 +33,7 @@ double PathWalker<L, kElastic>::size_of_turns(const TurnOf& turn) const {
 }
 
 template <class L, bool kElastic>
-bool PathWalker<L, kElastic>::turns_too_far() const {
+bool PathContinuation<L, kElastic>::turns_too_far() const {
   const double largest = options_.largest_turn;
   bool too_far = false;
   for_each_turn([&](std::size_t i) { return w_.q.angle[i] - committed_.angle[i]; },
@@ -51,7 +51,7 @@ bool PathWalker<L, kElastic>::turns_too_far() const {
 
 /// Of the turns in a unit of time, along the tangent at the unknowns in `w_` [rad/s].
 template <class L, bool kElastic>
-double PathWalker<L, kElastic>::turning_rate() {
+double PathContinuation<L, kElastic>::turning_rate() {
   const PathCondition<L> condition = PathCondition<L>::unit_time();
   if (!holds_tangent_) {
     detail::assemble(chain_, laws_, w_);
@@ -82,7 +82,7 @@ double PathWalker<L, kElastic>::turning_rate() {
 /// step that does not continue another is held to the rule of the trapezoid, too, which a path that
 /// is nearly straight in the step meets.
 template <class L, bool kElastic>
-bool PathWalker<L, kElastic>::points_on() {
+bool PathContinuation<L, kElastic>::points_on() {
   turned_ = size_of_turns([&](std::size_t i) { return w_.q.angle[i] - committed_.angle[i]; });
   if constexpr (L::kTranslations == 0) return true;  // the angle of a twisted chain has no other
   const double span = w_.time - time_;

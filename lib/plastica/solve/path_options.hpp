@@ -11,8 +11,8 @@
 
 namespace plastica::solve {
 
-/// Below this share of the first slope of time over the control point's way, and downwards, a path
-/// carries no more load.
+/// Below this share of the first slope of time over the control point's displacement, and
+/// downwards, a path carries no more load.
 inline constexpr double kLimitSlope = 1e-3;
 
 /// A path whose slope falls to less than this part of the step before bends.
@@ -94,8 +94,8 @@ class PathObserver {
   /// After a step was accepted and its state committed.
   /// @return whether to go on; if not, the path is interrupted
   virtual bool accept(const NewtonWork<L, kElastic>& w) = 0;
-  /// Unstable ways that the chain itself does not have: out of its plane.
-  virtual int ways_beside(const NewtonWork<L, kElastic>& /*w*/) { return 0; }
+  /// Unstable modes that the chain itself does not have: out of its plane.
+  virtual int unstable_beside(const NewtonWork<L, kElastic>& /*w*/) { return 0; }
   /// Of their determinant; see `log_determinant`.
   virtual double log_determinant_beside(const NewtonWork<L, kElastic>& /*w*/) { return 0.0; }
   /// Keeps the mode of a bifurcation just beyond the equilibrium in `w`, which holds the tangent.

@@ -26,10 +26,10 @@ struct CenterForce {
   typename L::Spin moment{};
 };
 
-/// The way of a segment in a step: of its center of mass, and Cayley's spin in world axes.
+/// The displacement of a segment in a step: of its center of mass, and Cayley's spin in world axes.
 template <class L>
 struct SegmentStep {
-  typename L::Point way{};
+  typename L::Point displacement{};
   typename L::Spin spin{};
 };
 
@@ -45,7 +45,7 @@ inline SegmentStep<L> segment_step(const chain::Inertia<L>& inertia, std::size_t
 /// @param spin  of the step, in the segment's axes
 template <class L>
 SegmentMotion<L> motion_after(const StepRule& rule, double h, const SegmentMotion<L>& before,
-                              const typename L::Point& way, const typename L::Spin& spin) {
+                              const typename L::Point& displacement, const typename L::Spin& spin) {
   using S = typename L::Scalar;
   const auto c = [](double x) { return constant<S>(x); };
   const auto follow = [&](const auto& moved, const auto& v0, const auto& a0, const auto& r0,
@@ -56,7 +56,7 @@ SegmentMotion<L> motion_after(const StepRule& rule, double h, const SegmentMotio
     r = c(rule.scale) * (a + c(rule.weight_a) * a0 - c(rule.weight_r) * r0);
   };
   SegmentMotion<L> now;
-  follow(way, before.velocity, before.acceleration, before.resisting, now.velocity,
+  follow(displacement, before.velocity, before.acceleration, before.resisting, now.velocity,
          now.acceleration, now.resisting);
   follow(spin, before.spin, before.spin_rate, before.resisting_spin_rate, now.spin, now.spin_rate,
          now.resisting_spin_rate);
@@ -156,7 +156,7 @@ void add_inertia(const StepRule& rule, double h, const chain::Inertia<L>& inerti
   a.tr += mass * by;
   a.rt += mass * transpose(work_by);
   a.rr += turning + mass * (transpose(work_by) * by) -
-          constant<S>(rule.half_way ? 0.5 : 1.0) * L::moment_by(arm, resists.force);
+          constant<S>(rule.midpoint ? 0.5 : 1.0) * L::moment_by(arm, resists.force);
 }
 
 }  // namespace plastica::solve

@@ -95,8 +95,8 @@ void for_each_constraint_pivot(const chain::Chain<L>& chain, const PathCondition
 /// is taken then, which tells divergence, and not flutter. `w` holds what `equilibrate` has left;
 /// its columns and small system are used.
 template <class L, bool kElastic>
-typename L::Scalar unstable_ways(const chain::Chain<L>& chain, const PathCondition<L>& condition,
-                                 bool holds, NewtonWork<L, kElastic>& w) {
+typename L::Scalar unstable_modes(const chain::Chain<L>& chain, const PathCondition<L>& condition,
+                                  bool holds, NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
   const S zero = constant<S>(0);
   const S one = constant<S>(1);
@@ -115,7 +115,7 @@ typename L::Scalar unstable_ways(const chain::Chain<L>& chain, const PathConditi
   return condition.active && holds ? count - one : count;
 }
 
-/// Logarithm of the size of the determinant whose sign changes with the parity of `unstable_ways`,
+/// Logarithm of the size of the determinant whose sign changes with the parity of `unstable_modes`,
 /// up to a constant of the chain and the set of constraints that act.
 template <class L, bool kElastic>
 double log_determinant(const chain::Chain<L>& chain, const PathCondition<L>& condition, bool holds,

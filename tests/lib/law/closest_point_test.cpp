@@ -63,17 +63,17 @@ Trial random_trial(Shaker& shake, const Gauge& gauge, unsigned components, Nasty
   trial.target = (1.0 / orthant_gauge(gauge, trial.target)) * trial.target;
   if (nasty == Nasty::NearKink) {
     // Along some of the normals nearby: the closest point is near where their facets meet.
-    SectionForce<double> way;
+    SectionForce<double> direction;
     for (std::size_t k = 0; k < Gauge::kFacets; ++k) {
       const auto f = gauge.facet(k, trial.target);
       if (k > 0 && (f.value < 0.45 || shake() > 0.0)) continue;
-      way += between(0.1, 1.0) * f.gradient;
+      direction += between(0.1, 1.0) * f.gradient;
     }
     for (std::size_t i = 0; i < kSectionAxes; ++i) {
-      way[i] *= trial.target[i] > 0.0 ? trial.compliance[i] : 0.0;
+      direction[i] *= trial.target[i] > 0.0 ? trial.compliance[i] : 0.0;
     }
-    const double beyond = orthant_gauge(gauge, way);
-    if (beyond > 0.0) trial.target += ((size - 1.0) / beyond) * way;
+    const double beyond = orthant_gauge(gauge, direction);
+    if (beyond > 0.0) trial.target += ((size - 1.0) / beyond) * direction;
   } else {
     trial.target = size * trial.target;
   }

@@ -12,8 +12,8 @@ namespace {
 using plastica::testing::motion_record;
 
 double distance(const Point3& a, const Point3& b) {
-  const Point3 way = sum(a, -1.0, b);
-  return std::sqrt(dot(way, way));
+  const Point3 displacement = sum(a, -1.0, b);
+  return std::sqrt(dot(displacement, displacement));
 }
 
 TEST(BeamPose, OfAWholeBeamJoinsEachSegmentToTheNext) {

@@ -59,8 +59,8 @@ TEST(BucklingModes, OfAPinnedChainAreExactFromAnyLoad) {
       const double top = std::sin(m * pi * (m == 1 ? 0.5 : 0.25));
       for (std::size_t node = 0; node <= kSegments; ++node) {
         const double sine = std::sin(m * pi * static_cast<double>(node) / kSegments) / top;
-        const double way = modes.mode[(k * (kSegments + 1) + node) * 3 + across];
-        EXPECT_NEAR(std::fabs(way), std::fabs(sine), 1e-7) << k << ' ' << node;
+        const double displacement = modes.mode[(k * (kSegments + 1) + node) * 3 + across];
+        EXPECT_NEAR(std::fabs(displacement), std::fabs(sine), 1e-7) << k << ' ' << node;
       }
     }
     EXPECT_EQ(modes.out_of_plane[0] + modes.out_of_plane[1], 1);
@@ -225,7 +225,7 @@ TEST(BucklingModes, OfStripsAreThoseOfTheirPathsHoweverCoarseTheChain) {
         ASSERT_EQ(modes.factor.size(), 2U);
         EXPECT_NEAR(1e-5 * modes.factor[0] / path.critical->factor[0], 1.0, 1e-4);
         EXPECT_LT(modes.turn[0], 1e-2);
-        if (path.critical->factor.size() < 2 || path.critical->unstable_ways[1] != 2) continue;
+        if (path.critical->factor.size() < 2 || path.critical->unstable_modes[1] != 2) continue;
         EXPECT_NEAR(1e-5 * modes.factor[1] / path.critical->factor[1], 1.0, 1e-4);
       }
     }

@@ -12,7 +12,7 @@
 #include "tests/support/chain_scene.hpp"
 #include "tests/support/response_bits.hpp"
 
-/// Batches of beams at rest, whose paths are walked side by side: each has the bits that it has
+/// Batches of beams at rest, whose paths are followed side by side: each has the bits that it has
 /// alone, whatever the others do.
 namespace plastica {
 namespace {

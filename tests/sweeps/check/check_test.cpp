@@ -66,7 +66,7 @@ TEST_F(CheckTest, JudgesWhatElseASweepSays) {
   EXPECT_FALSE(verdict("value = { at_most = '-700 mm' }\n").holds);
 }
 
-TEST_F(CheckTest, JudgesWalksToTheEdge) {
+TEST_F(CheckTest, JudgesScansToTheEdge) {
   write("check.toml",
         "[[claim]]\nname = 'a'\nstability = { only = ['coupon'], max_work = 1e3 }\n"
         "silent = { at_most = 0 }\n"
@@ -88,8 +88,8 @@ TEST_F(CheckTest, TakesAnOldKeyAndNamesTheNewOne) {
   EXPECT_TRUE(now.notes.empty());
   ASSERT_EQ(old.notes.size(), 1u);
   EXPECT_EQ(old.notes[0], folder_.file("check.toml") + ":3: most_work is now max_work");
-  EXPECT_EQ(old.claims[0].walk->max_segment_steps, now.claims[0].walk->max_segment_steps);
-  EXPECT_EQ(now.claims[0].walk->max_segment_steps, 1e3);
+  EXPECT_EQ(old.claims[0].scan->max_segment_steps, now.claims[0].scan->max_segment_steps);
+  EXPECT_EQ(now.claims[0].scan->max_segment_steps, 1e3);
   EXPECT_THROW(read("max_work = 1e3, most_work = 1e3"), InputError);
 }
 
