@@ -91,8 +91,9 @@ void read_only(const TomlTable& where, const std::string& prefix, const Sweep& s
       read_only(value.table(), prefix + key + ".", sweep, claim);
       continue;
     }
+    const std::string path = value.new_path(prefix + key);
     const auto axis = std::find_if(sweep.axes.begin(), sweep.axes.end(),
-                                   [&](const Axis& a) { return a.field->path == prefix + key; });
+                                   [&](const Axis& a) { return a.field->path == path; });
     if (axis == sweep.axes.end()) throw value.error("is not the field of an axis of the sweep");
     std::vector<FieldValue> wanted;
     for (const TomlValue& one : value.is_array() ? value.array() : std::vector{value}) {

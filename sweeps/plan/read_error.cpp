@@ -173,7 +173,7 @@ void read_refined(const TomlTable& table, Sweep& sweep) {
   for (std::size_t a = 0; a < sweep.axes.size() && !sweep.refined; ++a) {
     const Field& field = *sweep.axes[a].field;
     const bool varies = sweep.axes[a].values.size() > 1 && !sweep.axes[a].sampled;
-    if (named ? field.path == named->string()
+    if (named ? field.path == named->new_path(named->string())
               : varies && refinement_of(field) != Refinement::None) {
       sweep.refined = a;
     }

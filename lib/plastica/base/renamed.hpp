@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
 
 /// Names of input and result files that have changed. The old ones are read for one version: the
@@ -18,11 +19,13 @@ struct Renamed {
 inline constexpr std::array kRenamedWords{
     Renamed{"ledger", "energy_balance"},              // check files, [[claim]]
     Renamed{"ledger_error", "energy_balance_error"},  // sweep files, error.quantity
+    Renamed{"most_iterations", "max_iterations"},     // scenes, solver
     Renamed{"most_work", "max_work"},                 // check files, stability
 };
 
 /// Datasets of result files, by their path from the root.
 inline constexpr std::array kRenamedStored{
+    Renamed{"options/setup/solver/most_iterations", "options/setup/solver/max_iterations"},
     Renamed{"outcome/ledger_error", "outcome/energy_balance_error"},
     Renamed{"critical_points/unstable_ways", "critical_points/unstable_modes"},
     Renamed{"events/pieces/event", "events/fragments/event"},
@@ -41,6 +44,12 @@ constexpr std::string_view old_name(std::span<const Renamed> names, std::string_
 constexpr std::string_view new_name(std::span<const Renamed> names, std::string_view before) {
   const auto found = std::ranges::find(names, before, &Renamed::before);
   return found == names.end() ? before : found->now;
+}
+
+/// The path of a field, "solver.max_iterations", of one whose last name may be an old one.
+inline std::string new_path(std::string_view path) {
+  const std::size_t last = path.rfind('.') + 1;
+  return std::string(path.substr(0, last)).append(new_name(kRenamedWords, path.substr(last)));
 }
 
 }  // namespace plastica

@@ -82,7 +82,7 @@ class Recursion {
   const std::vector<JointVector>& balance() const { return balance_; }
   /// Of all eliminated freedoms, the least stiffness there was, relative to what stiffens
   /// constraints; about 0: the beam can move freely.
-  const S& least_pivot() const { return least_pivot_; }
+  const S& min_pivot() const { return min_pivot_; }
   /// Pivots of the factored tangent, inverted: recursion_pivots.hpp.
   template <class Visit>
   void for_each_pivot(const Chain<L>& chain, const Visit& visit) const;
@@ -206,7 +206,7 @@ class Recursion {
   typename L::Point root_balance_{};
   Impedance<L> root_impedance_{};  ///< of the whole chain, about the start
   Mat<S, kT, kT> root_inverse_{};
-  S least_pivot_{};
+  S min_pivot_{};
   // Where moments follow axial forces:
   bool follows_axial_ = false;
   std::vector<AxialCoupling> couplings_;          ///< of rigid joints (N)
@@ -259,7 +259,7 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
     w.moment += L::moment(joint.work_arm, w.force);
   }
   const S one = constant<S>(1);
-  least_pivot_ = one / max(chain.constraint_rotational_stiffness * softest, one);
+  min_pivot_ = one / max(chain.constraint_rotational_stiffness * softest, one);
   factor_root(chain, q.open[0], a);
   set_root_balance(chain, w);
 }

@@ -27,7 +27,7 @@ void Recursion<L, kElastic>::factor_root(const Chain<L>& chain, const mask_t<S>&
   S softest = constant<S>(0);
   for (const S& entry : root_inverse_.at) softest = max(abs(entry), softest);
   const S one = constant<S>(1);
-  least_pivot_ = min(one / max(chain.constraint_stiffness * softest, one), least_pivot_);
+  min_pivot_ = min(one / max(chain.constraint_stiffness * softest, one), min_pivot_);
 }
 
 template <class L, bool kElastic>

@@ -172,6 +172,12 @@ std::size_t TomlValue::word(std::span<const std::string_view> words) const {
   throw wrong_kind(*node_, (words.size() > 1 ? "one of " : "") + list);
 }
 
+std::string TomlValue::new_path(std::string_view path) const {
+  std::string now = plastica::new_path(path);
+  if (now != path) note_renamed(*node_, path, now);
+  return now;
+}
+
 double TomlValue::quantity(Dimension dimension) const {
   if (is_number()) return parse_quantity(text_of(number()), dimension, where(), key());
   if (!is_string()) {

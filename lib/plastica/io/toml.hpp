@@ -46,6 +46,9 @@ class TomlValue {
   double number_within(double low, double high, bool closed) const;
   /// One of some words; an old word (`kRenamedWords`) is read, too, and noted. @return its index
   std::size_t word(std::span<const std::string_view> words) const;
+  /// The path of a field that this value is, or is the value of, with the new name of one that was
+  /// renamed; notes an old one.
+  std::string new_path(std::string_view path) const;
   /// "355 MPa" in SI; numbers without quotes where the dimension needs no unit.
   double quantity(Dimension dimension) const;
   std::vector<TomlValue> array() const;

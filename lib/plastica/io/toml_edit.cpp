@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string_view>
 #include <vector>
 
+#include "plastica/base/renamed.hpp"
 #include "plastica/io/toml.hpp"
 #include "plastica/io/toml_layout.hpp"
 #include "plastica/io/toml_lines.hpp"
@@ -84,6 +86,8 @@ Descent descend(const toml::table& root, const Steps& steps) {
       found.steps_to_braces = found.steps;
     }
     const toml::node* next = table->get(step.name);
+    const std::string_view before = old_name(kRenamedWords, step.name);
+    if (next == nullptr && !before.empty()) next = table->get(before);
     if (step.element > 0) {
       const toml::array* list = next == nullptr ? nullptr : next->as_array();
       if (list == nullptr || step.element > list->size()) {

@@ -74,7 +74,7 @@ class AxialSearch {
     mask_t<S> active = abs(miss_) > enough_;
     S last = miss_;
     mask_t<S> slow = has_low;
-    for (int step = 0; step < kMostSteps && any(active); ++step) {
+    for (int step = 0; step < kMaxSteps && any(active); ++step) {
       const mask_t<S> below = miss_ > zero;
       low = select(active & below, strain_[kAxial], low);
       high = select(active & !below, strain_[kAxial], high);
@@ -113,7 +113,7 @@ class AxialSearch {
 
  private:
   static constexpr bool kDouble = sizeof(real_t<S>) == 8;
-  static constexpr int kMostSteps = 100;
+  static constexpr int kMaxSteps = 100;
 
   void evaluate(const S& e) {
     strain_[kAxial] = e;

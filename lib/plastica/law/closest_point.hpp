@@ -64,7 +64,7 @@ class ClosestPoint {
     working_[0].facet = number_of(values, largest_of(values));
     // The sum of all multipliers if this point were the closest, as a.point = 1.
     working_[0].curving = working_[0].multiplier = reach * overshoot * inverse;
-    for (; steps_ < kMostSteps && any(unfinished_); ++steps_) advance();
+    for (; steps_ < kMaxSteps && any(unfinished_); ++steps_) advance();
     // One more step squares the error, and gives a dual scalar its derivative.
     linearize();
     solve();
@@ -111,7 +111,7 @@ class ClosestPoint {
     if constexpr (kBounds == 3) axis[2] = kBendingY;
     return axis;
   }();
-  static constexpr int kMostSteps = 100;
+  static constexpr int kMaxSteps = 100;
   static constexpr int kFirstSteps = 2;
   static constexpr double kSmallStep = 0.3;  ///< of those that are not watched
   static constexpr double kExact = kIsDouble<S> ? 1e-13 : 1e-6;

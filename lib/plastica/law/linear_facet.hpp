@@ -44,7 +44,7 @@ inline Projection<S> project_on_line(const LinearFacet<S>& facet, const SectionF
   constexpr std::size_t kMember[] = {kBendingX, kAxial, kBendingY};
   constexpr std::size_t kSubsets = (1U << kMembers) - 1;
   constexpr bool kDouble = sizeof(real_t<S>) == 8;
-  constexpr int kMostSteps = 40;
+  constexpr int kMaxSteps = 40;
   const S zero = constant<S>(0);
   const S one = constant<S>(1);
 
@@ -61,7 +61,7 @@ inline Projection<S> project_on_line(const LinearFacet<S>& facet, const SectionF
   const S soft_t = facet.tau_squared * compliance[kTorsion];
   S mu = zero;
   S s, s_soft, t, inverse_s, inverse_t;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     s = s_soft = zero;
     for (std::size_t i = 0; i < kSubsets; ++i) {
       const S reached = length[i] / (one + mu * soft[i]);

@@ -25,7 +25,7 @@ namespace detail {
 /// = 1 flows along its axis x, a small m_y meets no resistance, and the tangent of a beam that
 /// bends in a plane would be singular across it. With this slope, rounding errors stay there what
 /// they are; the force is not changed.
-inline constexpr double kLeastSlope = 1e-5;
+inline constexpr double kMinSlope = 1e-5;
 
 /// Projects in the orthant where the mask holds.
 ///
@@ -158,7 +158,7 @@ inline Projection<typename Gauge::Scalar> project(
   Projection<S> inside = detail::project_orthant(gauge, compliance, u, overshoot, mask);
   for (std::size_t i = 0; i < kSectionAxes; ++i) {
     const auto gone = inside.point[i] < constant<S>(sizeof(real_t<S>) == 8 ? 1e-9 : 1e-5);
-    const S slope = max(inside.slope(i, i), constant<S>(detail::kLeastSlope));
+    const S slope = max(inside.slope(i, i), constant<S>(detail::kMinSlope));
     inside.slope(i, i) = select(gone, slope, inside.slope(i, i));
   }
   return detail::turned_back<Gauge>(target, u, inside);

@@ -88,7 +88,7 @@ bool weaker_about_y(const Section& section) {
 }
 
 /// The least level that holds the actions, and what the next smaller one does not hold.
-LevelChoice least_level(const Scene& scene, const std::vector<Action>& actions) {
+LevelChoice lowest_level(const Scene& scene, const std::vector<Action>& actions) {
   if (!misfit_of(actions, kTwist)) {
     return {Level::Twist, {}, "twist: every load and motion is about the beam's axis"};
   }
@@ -128,7 +128,7 @@ LevelChoice coupon_level(const SolverOptions& options) {
 LevelChoice choose_level(const Scene& scene, const SolverOptions& options) {
   if (scene.is_coupon()) return coupon_level(options);
   const std::vector<Action> actions = all_actions(scene);
-  LevelChoice least = least_level(scene, actions);
+  LevelChoice least = lowest_level(scene, actions);
   if (options.level == Level::Auto) return least;
   const auto asked = [&](Level level, std::string_view word) {
     const std::string smaller = least.reason.substr(0, least.reason.find(':'));

@@ -263,8 +263,8 @@ std::vector<Field> make_table() {
       integer<PLASTICA_REACH(solver.frequencies)>(
           "solver.frequencies", Range{0.0, 1000.0},
           "statics: how many natural frequencies and modes about the loaded state"),
-      integer<PLASTICA_REACH(solver.most_iterations)>(
-          "solver.most_iterations", Range{1.0, 1e4}, "Newton iterations before a step is cut back"),
+      integer<PLASTICA_REACH(solver.max_iterations)>("solver.max_iterations", Range{1.0, 1e4},
+                                                     "Newton iterations before a step is cut back"),
       number<PLASTICA_REACH(solver.tolerance)>("solver.tolerance", None,
                                                Range{0.0, 1.0, true, true},
                                                "largest imbalance of a converged step, relative"),

@@ -90,7 +90,7 @@ struct SolverOptions {
   /// about the loaded state, >= 0 (`Response::buckling`, `Response::vibration`).
   int buckling = 0;
   int frequencies = 0;
-  int most_iterations = 25;  ///< Newton iterations of a step before it is cut back, >= 1
+  int max_iterations = 25;  ///< Newton iterations of a step before it is cut back, >= 1
   /// A step has converged when no joint is out of balance by more than this times the largest
   /// moment of the step, and no support is off by more than this times the length [1], > 0; in
   /// dynamics at least 1e-11 is taken, since forces are differences of positions there; with float

@@ -8,7 +8,7 @@ namespace plastica::report {
 namespace {
 
 /// Segments that a picture can show; more are drawn in groups.
-constexpr std::size_t kMostSegments = 150;
+constexpr std::size_t kMaxSegments = 150;
 constexpr std::size_t kSidesOfRound = 16;
 
 /// Corners of a segment's section about its axis.
@@ -109,7 +109,7 @@ class Drawing {
 
 BeamSolid beam_solid(const BeamPose& pose, const Eye& eye, double thickness) {
   const std::size_t segments = pose.segments();
-  const std::size_t step = (segments + kMostSegments - 1) / kMostSegments;
+  const std::size_t step = (segments + kMaxSegments - 1) / kMaxSegments;
   Drawing drawing(eye);
   for (const Fragment& fragment : pose.fragments()) {
     const auto first = static_cast<std::size_t>(fragment.first);

@@ -19,9 +19,9 @@ namespace {
 
 /// A negative entry of at most this share of the largest can be part of a stack.
 constexpr double kHardlyNegative = 0.005;
-constexpr std::size_t kMostPeaks = 6;  ///< that a spectrum is lettered with
-constexpr double kLeastPeak = 1e-3;    ///< of the strongest one
-constexpr double kNoteWidth = 0.09;    ///< of the letters of a peak [share of the picture's width]
+constexpr std::size_t kMaxPeaks = 6;  ///< that a spectrum is lettered with
+constexpr double kMinPeak = 1e-3;     ///< of the strongest one
+constexpr double kNoteWidth = 0.09;   ///< of the letters of a peak [share of the picture's width]
 
 std::string_view color_of(std::string_view entry) {
   if (entry == "external") return kDark;
@@ -113,7 +113,7 @@ std::array<double, 2> range_of(const std::vector<FigureCurve>& curves) {
 }
 
 double largest_frequency(const theory::Spectrum& spectrum) {
-  const auto peaks = theory::spectral_peaks(spectrum, kLeastPeak);
+  const auto peaks = theory::spectral_peaks(spectrum, kMinPeak);
   double highest = 0.0;
   for (const theory::SpectralPeak& peak : peaks) highest = std::max(highest, peak.frequency);
   return peaks.empty() ? spectrum.frequency.back()
@@ -229,11 +229,11 @@ Figure spectrum_figure(std::span<const io::SceneRecord> records, const std::stri
     panel.curves.push_back(std::move(curve));
   }
   if (records.size() == 1 && !letters) {
-    for (const theory::SpectralPeak& peak : theory::spectral_peaks(spectra.front(), kLeastPeak)) {
+    for (const theory::SpectralPeak& peak : theory::spectral_peaks(spectra.front(), kMinPeak)) {
       const bool covered = std::any_of(panel.notes.begin(), panel.notes.end(), [&](const auto& n) {
         return std::fabs(n.x - peak.frequency) < kNoteWidth * highest;
       });
-      if (covered || panel.notes.size() == kMostPeaks) continue;
+      if (covered || panel.notes.size() == kMaxPeaks) continue;
       panel.notes.push_back(
           {peak.frequency, height(peak.amplitude), significant(peak.frequency, 4) + " Hz"});
     }

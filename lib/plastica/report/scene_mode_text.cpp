@@ -17,15 +17,15 @@ namespace {
 constexpr double kFarTurn = 0.1;
 
 /// Where a mode goes most: the joint, as a share of the length, and the axis.
-struct Most {
+struct Largest {
   double at = 0.0;
   std::size_t axis = 0;
   bool moves = false;  ///< else sections turn about the beam alone
 };
 
-Most most_of(const io::SceneRecord& record, std::span<const double> all, std::size_t mode) {
+Largest largest_of(const io::SceneRecord& record, std::span<const double> all, std::size_t mode) {
   const auto& ends = record.outline.ends;
-  Most most;
+  Largest most;
   double largest = 0.0;
   for (std::size_t joint = 0; joint < ends.size(); ++joint) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -41,7 +41,7 @@ Most most_of(const io::SceneRecord& record, std::span<const double> all, std::si
 
 void add_row(const io::SceneRecord& record, std::span<const double> modes, std::size_t mode,
              std::string value, Table& table) {
-  const Most most = most_of(record, modes, mode);
+  const Largest most = largest_of(record, modes, mode);
   table.add({std::to_string(mode + 1), std::move(value),
              most.moves ? std::string(1, "xyz"[most.axis]) : "twist",
              most.moves ? place_label(most.at) : ""});

@@ -19,9 +19,9 @@ namespace {
 
 using Align = Table::Align;
 
-constexpr std::size_t kMostRows = 20;      ///< joints, and fragments, that are listed
-constexpr std::size_t kMostToldPeaks = 5;  ///< frequencies of a probe
-constexpr double kLeastToldPeak = 1e-3;    ///< of the strongest one
+constexpr std::size_t kMaxRows = 20;          ///< joints, and fragments, that are listed
+constexpr std::size_t kMaxReportedPeaks = 5;  ///< frequencies of a probe
+constexpr double kMinReportedPeak = 1e-3;     ///< of the strongest one
 
 /// Time in the unit in which the last sample's is read best.
 DisplayUnit unit_of_time(const io::SceneRecord& record) {
@@ -45,7 +45,7 @@ std::vector<EventRow> rows_of(const std::vector<ChainBreak>& events) {
 }
 
 std::string more(std::size_t count, std::string_view noun) {
-  return count <= kMostRows ? std::string() : fmt::format("  … {} in all\n", counted(count, noun));
+  return count <= kMaxRows ? std::string() : fmt::format("  … {} in all\n", counted(count, noun));
 }
 
 /// The steps that a motion has taken, and why they are not those that were asked for.
@@ -92,7 +92,7 @@ std::string joints_table(const io::SceneRecord& record, const std::vector<EventR
                {"T", Align::Right, moment_unit},
                {"dissipated", Align::Right, "J"},
                {"cut"}});
-  for (std::size_t i = 0; i < std::min(rows.size(), kMostRows); ++i) {
+  for (std::size_t i = 0; i < std::min(rows.size(), kMaxRows); ++i) {
     const BrokenJoint& joint = *rows[i].joint;
     const bool limited = joint.cause != BreakCause::Cut;
     std::vector<std::string> cells{
@@ -122,7 +122,7 @@ std::string fragments_text(const io::SceneRecord& record, const Ink& ink) {
                {"length", Align::Right, "m"},
                {"from", Align::Right, "share"},
                {"to", Align::Right, "share"}});
-  for (std::size_t i = 0; i < std::min(fragments.size(), kMostRows); ++i) {
+  for (std::size_t i = 0; i < std::min(fragments.size(), kMaxRows); ++i) {
     const Fragment& fragment = fragments[i];
     const double from = ends[static_cast<std::size_t>(fragment.first)];
     const double to = ends[static_cast<std::size_t>(fragment.last) + 1];
@@ -218,11 +218,11 @@ std::string frequency_text(const io::SceneRecord& record, const Ink& ink) {
                {"", Align::Left}});
   for (const std::size_t p : probes) {
     const Probe& probe = record.setup.scene.probes[p];
-    const auto peaks = theory::spectral_peaks(spectrum_of(record, p), kLeastToldPeak);
+    const auto peaks = theory::spectral_peaks(spectrum_of(record, p), kMinReportedPeak);
     if (peaks.empty()) continue;
     const Dimension dimension = dimension_of(probe.quantity, {});
     const DisplayUnit unit = shown_unit(dimension, peaks.front().amplitude);
-    for (std::size_t k = 0; k < std::min(peaks.size(), kMostToldPeaks); ++k) {
+    for (std::size_t k = 0; k < std::min(peaks.size(), kMaxReportedPeaks); ++k) {
       table.add({k == 0 ? printable(probe.name) : std::string(), significant(peaks[k].frequency),
                  significant(1e3 / peaks[k].frequency),
                  significant(peaks[k].amplitude / unit.scale, 4), std::string(unit.name)});

@@ -15,8 +15,8 @@ namespace plastica::report {
 namespace {
 
 /// A section is drawn at least this share of the beam's extent thick, in its plane and in space.
-constexpr double kLeastThickness = 1.0 / 60.0;
-constexpr double kLeastThicknessInSpace = 1.0 / 16.0;
+constexpr double kMinThickness = 1.0 / 60.0;
+constexpr double kMinThicknessInSpace = 1.0 / 16.0;
 
 /// How far any joint has moved in a frame [m].
 double largest_displacement(const io::SceneRecord& record, std::size_t frame) {
@@ -94,13 +94,12 @@ struct Window {
 
 /// As high as the beam needs.
 Window window_of(const Extent& extent, double size, double width) {
-  constexpr double kLeastHeight = 150.0;
-  constexpr double kMostHeight = 640.0;
+  constexpr double kMinHeight = 150.0;
+  constexpr double kMaxHeight = 640.0;
   const double pad = 0.04 * size;
   Window window;
   window.scale = (extent.size(0) + 2.0 * pad) / width;
-  window.height =
-      std::clamp((extent.size(1) + 2.0 * pad) / window.scale, kLeastHeight, kMostHeight);
+  window.height = std::clamp((extent.size(1) + 2.0 * pad) / window.scale, kMinHeight, kMaxHeight);
   window.scale = std::max(window.scale, (extent.size(1) + 2.0 * pad) / window.height);
   window.left = extent.middle(0) - 0.5 * width * window.scale;
   window.low = extent.middle(1) - 0.5 * window.height * window.scale;
@@ -120,7 +119,7 @@ PlotScript shape_page(const io::SceneRecord& record, std::optional<double> time)
   extent.add(pose.axes(eye));
   const double size = std::max(extent.size(0), extent.size(1));
   const double thickness =
-      drawn_thickness(record, eye, size, space ? kLeastThicknessInSpace : kLeastThickness);
+      drawn_thickness(record, eye, size, space ? kMinThicknessInSpace : kMinThickness);
   const double arrow_length = 0.11 * size;
   for (const Face& face : beam_solid(pose, eye, thickness).faces) extent.add(face.corners);
   if (space) extent.low[1] -= 0.11 * size;  // room for scale and axes

@@ -24,7 +24,7 @@ ChainRunner<L, kElastic>::ChainRunner(const ChainModel& model, const chain::View
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::set_path_options() {
   const SolverOptions& solver = body_.model.options;
-  options_.newton.most_iterations = std::min(solver.most_iterations, solve::kMostIterations);
+  options_.newton.max_iterations = std::min(solver.max_iterations, solve::kMaxIterations);
   options_.newton.tolerance = solver.tolerance;
   options_.stops = body_.model.stops;
   options_.recorded = body_.model.recorded;

@@ -17,7 +17,7 @@ template <class L, bool kElastic>
 solve::MotionOptions motion_options(const ChainBody<L, kElastic>& body) {
   const SolverOptions& solver = body.model.options;
   solve::MotionOptions options;
-  options.newton.most_iterations = std::min(solver.most_iterations, solve::kMostIterations);
+  options.newton.max_iterations = std::min(solver.max_iterations, solve::kMaxIterations);
   options.newton.tolerance = solver.tolerance;
   options.scheme = solver.scheme;
   options.rho_infinity = solver.rho_infinity;

@@ -132,7 +132,7 @@ class SpatialTangent final : public OutOfPlane {
     bool finite = true;
     work_.recursion.for_each_pivot(build_.chain,
                                    [&](double pivot) { finite = finite && std::isfinite(pivot); });
-    return finite && work_.recursion.least_pivot() > kFree;
+    return finite && work_.recursion.min_pivot() > kFree;
   }
 
   void factor(const PlanarEquilibrium& at) {

@@ -129,7 +129,7 @@ void PathLanes<L>::judge(int lane, double imbalance) {
   const solve::NewtonOptions& options = one.runner->newton();
   one.converged = imbalance <= options.tolerance;
   one.found = !solve::may_improve(imbalance, options.tolerance) ||
-              one.iteration == options.most_iterations || is_raised(options.stop);
+              one.iteration == options.max_iterations || is_raised(options.stop);
   if (!one.found) {
     ++one.iteration;
     return;

@@ -34,7 +34,7 @@ struct MeanMoment {
 /// correction is below 1e-10 of the stored energy, and its rounding above 1e-11 of the moment (of
 /// float 3e-5 and 2e-5).
 template <class S>
-inline constexpr double kLeastStep = kIsDouble<S> ? 1e-5 : 5e-3;
+inline constexpr double kMinStep = kIsDouble<S> ? 1e-5 : 5e-3;
 
 /// Generalized forces m that work on a step just what a joint stores and dissipates in it:
 /// m . step = energy. The mean of both ends does that for a linear law; what yields, or turns in
@@ -75,7 +75,7 @@ MeanMoment<L, kElastic> mean_moment(
     stored =
         stored + select(resists, stress * stress / select(resists, joint.stiffness[k], one), zero);
   }
-  const auto corrected = size > constant<S>(kLeastStep<S> * kLeastStep<S>) * stored;
+  const auto corrected = size > constant<S>(kMinStep<S> * kMinStep<S>) * stored;
   if (!any(corrected)) return result;
   const S divisor = select(corrected, size, one);
   const S kappa = select(corrected, (joint.energy - dot(mean, joint.step)) / divisor, zero);

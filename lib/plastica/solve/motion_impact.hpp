@@ -192,7 +192,7 @@ void MotionStep<L, kElastic>::strike(bool corner) {
     if (gap_of(k, w_.placement, w_.time) > 0.0) continue;
     const double speed = approach_of(k);
     if (speed <= 0.0) continue;
-    const bool bounces = speed > kRestingSpeed * fastest_ && ++bounces_[k] <= kMostBounces;
+    const bool bounces = speed > kRestingSpeed * fastest_ && ++bounces_[k] <= kMaxBounces;
     bounce[k] = bounces ? options_.restitution[k] * speed : 0.0;
     rests_on_[k] = bounce[k] == 0.0;
     acts[k] = true;

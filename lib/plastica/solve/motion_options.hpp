@@ -28,7 +28,7 @@ inline constexpr double kLargestStepSpin = 1.5;
 
 /// Newton's method goes no further than this: below is the rounding of positions (see
 /// MotionStep::set_force_floor).
-inline constexpr double kLeastTolerance = 1e-11;
+inline constexpr double kMinTolerance = 1e-11;
 
 /// How far a contact may be crossed when its impact is found, over the beam's length [1].
 template <class S>

@@ -37,7 +37,7 @@ class MotionStep {
         w_(work),
         joint_motion_(joints, axes) {
     newton_.patience = 5;
-    newton_.tolerance = std::max(newton_.tolerance, kLeastTolerance);
+    newton_.tolerance = std::max(newton_.tolerance, kMinTolerance);
     newton_.one_solve = claims_of(options.scheme, options.rho_infinity).one_solve;
     const std::size_t n = chain.size();
     motion_.resize(n);
@@ -101,7 +101,7 @@ class MotionStep {
   /// @return whether it has a solution that turns no joint too far
   bool attempt(double h) {
     iterations_ = 0;
-    for (int tries = 0; tries < kMostContactTries; ++tries) {
+    for (int tries = 0; tries < kMaxContactTries; ++tries) {
       if (!solve(h)) return false;
       if (leaves_loaded()) continue;
       const double share = free_share();
@@ -203,9 +203,9 @@ class MotionStep {
  private:
   /// Steps for which a start from rest is tried first, once it has found what the other did not.
   static constexpr int kRests = 10;
-  static constexpr int kMostContactTries = 30;
+  static constexpr int kMaxContactTries = 30;
   /// A contact that strikes in as many steps in a row comes to rest.
-  static constexpr int kMostBounces = 5;
+  static constexpr int kMaxBounces = 5;
 
   // motion_predict.hpp
   void predict(double h);

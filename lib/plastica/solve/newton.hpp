@@ -24,7 +24,7 @@ mask_t<S> may_improve(const S& imbalance, const S& enough) {
 /// @param assemble  places the chain and gathers all that acts on it
 /// @param condition  asked for at each iteration with the placed chain; its default makes time
 /// fixed
-/// @return not converged after `most_iterations`, or as soon as a number is not finite
+/// @return not converged after `max_iterations`, or as soon as a number is not finite
 template <class L, bool kElastic, class Assemble, class Condition>
 NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
                                               const Assemble& assemble,
@@ -60,7 +60,7 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     }
     // A value that is there gets its derivatives from one more step.
     const bool polishes = (kCarriesDerivatives<S> || options.polishes) && !any(going) && !polished;
-    if ((!any(going) && !polishes) || iteration == options.most_iterations ||
+    if ((!any(going) && !polishes) || iteration == options.max_iterations ||
         is_raised(options.stop)) {
       break;
     }

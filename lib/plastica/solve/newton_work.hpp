@@ -112,7 +112,7 @@ struct NewtonWork {
   }
 };
 
-inline constexpr int kMostIterations = 64;
+inline constexpr int kMaxIterations = 64;
 
 /// A tolerance that a scalar can meet: as asked for; with float no less than 170 units of its
 /// rounding, since what joints transmit are sums over the chain. If after six iterations that is
@@ -130,7 +130,7 @@ template <class S>
 inline constexpr double kConstraintTolerance = kIsDouble<S> ? 1e-7 : 1e-5;
 
 struct NewtonOptions {
-  int most_iterations = 25;  ///< <= kMostIterations
+  int max_iterations = 25;   ///< <= kMaxIterations
   double tolerance = 1e-10;  ///< see SolverOptions::tolerance
   /// One linear solve is enough; more are made only while a constraint is off by more than
   /// `kConstraintTolerance` of the length, or a joint is out of balance by more than
@@ -150,7 +150,7 @@ struct NewtonOutcome {
   mask_t<S> converged{};
   int iterations = 0;  ///< factorizations
   /// Relative imbalance at the beginning of each iteration, and at the end (iterations + 1).
-  std::array<S, kMostIterations + 1> imbalance{};
+  std::array<S, kMaxIterations + 1> imbalance{};
 };
 
 }  // namespace plastica::solve

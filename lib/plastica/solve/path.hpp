@@ -41,8 +41,7 @@ class PathContinuation {
         has_pillars_(std::any_of(chain.constraints.begin(), chain.constraints.end(),
                                  [](const auto& loop) { return loop.one_sided; })) {}
 
-  // A path is followed in steps, each up to where an equilibrium at a given time is sought, so that
-  // several beams may seek theirs side by side.
+  // A path is followed from one trial to the next, so that beams may seek equilibria side by side.
 
   /// Goes up to the first one, or to the path's end.
   /// @return whether one is sought: at `work.time`, from the unknowns in `work`
@@ -56,7 +55,7 @@ class PathContinuation {
   /// @param unstable_modes  of the same name, if that was asked for; else below 0
   bool take(bool converged, int iterations, bool factored, double unstable_modes = -1.0) {
     holds_tangent_ = factored;
-    found_unstable_modes_ = unstable_modes;
+    found_modes_ = unstable_modes;
     const Trial trial = judge(converged, iterations, shortest_);
     factored_ = factored_ && factored;
     return go_on(trial);
@@ -78,7 +77,7 @@ class PathContinuation {
   Status status() const;
 
   /// Number of unstable modes of the last equilibrium; -1: not known.
-  int known_unstable_modes() const { return unstable_modes_; }
+  int known_unstable_modes() const { return modes_; }
   const PathCounters& counters() const { return counters_; }
   const std::optional<LimitLoad>& limit() const { return limit_; }
   /// With times in the place of factors.
@@ -93,14 +92,13 @@ class PathContinuation {
 
   /// Relative stiffness below which the supports leave the beam free to move.
   static constexpr double kMechanism = kIsDouble<S> ? 1e-11 : 1e-6;
-  /// Share of the displacement that a constraint's own stiffness would leave, below which it holds
-  /// nothing.
+  /// Share of a motion that a constraint's own stiffness would leave, below which it holds nothing.
   static constexpr double kHeldTwice = kIsDouble<S> ? 1e-8 : 1e-6;
   /// The least displacement of the control point that is no rounding, over the beam's length.
   static constexpr double kMinPath = kIsDouble<S> ? 1e-13 : 1e-6;
   static constexpr double kTiny = std::numeric_limits<double>::min();
   static constexpr double kForever = std::numeric_limits<double>::infinity();
-  static constexpr int kMostArcs = 400;  ///< that cross what load control does not
+  static constexpr int kMaxArcs = 400;  ///< that cross what load control does not
   /// How much longer than the first an arc may become: a path that bends sharply is long.
   static constexpr double kArcGrowth = 32.0;
 
@@ -118,12 +116,10 @@ class PathContinuation {
   }
 
   void accept() {
-    if (trial_unstable_modes_ >= 0 && unstable_modes_ >= 0 &&
-        trial_unstable_modes_ != unstable_modes_)
-      note_critical();
-    unstable_modes_ = trial_unstable_modes_;
+    if (trial_modes_ >= 0 && modes_ >= 0 && trial_modes_ != modes_) note_critical();
+    modes_ = trial_modes_;
     // Arcs go over unstable equilibria on purpose: what counts is where they end.
-    unstable_ = unstable_modes_ > 0 || (unstable_ && options_.control != PathControl::ArcLength);
+    unstable_ = modes_ > 0 || (unstable_ && options_.control != PathControl::ArcLength);
     laws_.commit();
     std::swap(previous_, committed_);
     committed_ = w_.q;
@@ -180,7 +176,7 @@ class PathContinuation {
   Trial attempt(const Condition& condition, bool shortest) {
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_, condition);
     holds_tangent_ = true;
-    found_unstable_modes_ = -1.0;
+    found_modes_ = -1.0;
     condition_ = condition(w_);
     return judge(outcome.converged, outcome.iterations, shortest);
   }
@@ -377,10 +373,10 @@ class PathContinuation {
   bool has_secant_ = false;
   bool conservative_ = true, has_pillars_ = false;
   CriticalPoints critical_{};
-  PathCondition<L> condition_{};        ///< of the trial
-  double found_unstable_modes_ = -1.0;  ///< see `take`
-  int unstable_modes_ = -1;             ///< unstable ones of the last step; -1: not counted
-  int trial_unstable_modes_ = -1;
+  PathCondition<L> condition_{};  ///< of the trial
+  double found_modes_ = -1.0;     ///< see `take`
+  int modes_ = -1;                ///< unstable modes after the last step; -1: not counted
+  int trial_modes_ = -1;
   bool unstable_ = false;
   bool at_time_ = false;        ///< whether the trial was sought at a given time
   bool holds_tangent_ = false;  ///< whether `w_` holds the tangent of the trial

@@ -168,7 +168,7 @@ typename PathContinuation<L, kElastic>::Trial PathContinuation<L, kElastic>::cro
   latest_ = may_turn ? stop : kForever;
   double highest = time_;
   const double first_slope = span_ / elastic_path_;
-  for (int k = 0; k < kMostArcs; ++k) {
+  for (int k = 0; k < kMaxArcs; ++k) {
     const Trial trial = advance_arc();
     if (trial == Trial::Ended) return trial;
     if (trial == Trial::Failed) return Trial::Failed;

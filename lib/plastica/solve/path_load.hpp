@@ -23,18 +23,18 @@ Status PathContinuation<L, kElastic>::find_first() {
   auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
   counters_.iterations += outcome.iterations;
   if (stopped()) return Status::Interrupted;
-  const bool is_mechanism = !(w_.recursion.least_pivot() > kMechanism);
+  const bool is_mechanism = !(w_.recursion.min_pivot() > kMechanism);
   if (!is_mechanism && (!outcome.converged || turns_too_far())) {
     // What acts at time 0 already bends the beam far.
     outcome = load_gradually();
     if (stopped()) return Status::Interrupted;
   }
-  if (!(w_.recursion.least_pivot() > kMechanism)) return Status::Mechanism;
+  if (!(w_.recursion.min_pivot() > kMechanism)) return Status::Mechanism;
   if (holds_twice()) return Status::HeldTwice;
   if (!outcome.converged) return finite(outcome) ? Status::NotConverged : Status::NonFinite;
   if (laws_.overloaded()) return Status::NotConverged;
   at_time_ = holds_tangent_ = true;
-  trial_unstable_modes_ = count_unstable_modes();
+  trial_modes_ = count_unstable_modes();
   if (observer_.judge(w_, true) == Verdict::End) return end_broken();
   accept();
   observer_.record(w_);

@@ -31,7 +31,7 @@ inline constexpr double kFarTurn = 1.2;
 /// A bifurcation is bracketed within this share of the time, and then told by the determinant.
 inline constexpr double kCriticalWidth = 1e-3;
 /// As many are looked for.
-inline constexpr std::size_t kMostCritical = 16;
+inline constexpr std::size_t kMaxCritical = 16;
 
 /// A segment may turn in a step by this times what a joint may: small turns of many joints add up
 /// to another equilibrium.

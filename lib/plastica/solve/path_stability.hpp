@@ -31,8 +31,8 @@ void PathContinuation<L, kElastic>::factor_tangent() {
 template <class L, bool kElastic>
 int PathContinuation<L, kElastic>::count_unstable_modes() {
   if constexpr (L::kTranslations == 0) return 0;  // the joints' own stiffness is all there is
-  double count = found_unstable_modes_;
-  found_unstable_modes_ = -1.0;
+  double count = found_modes_;
+  found_modes_ = -1.0;
   if (!at_time_ && options_.control != PathControl::Displacement) return -1;
   if (!(count >= 0.0)) {
     if (!holds_tangent_) factor_tangent();
@@ -47,11 +47,9 @@ int PathContinuation<L, kElastic>::count_unstable_modes() {
 /// Whether a step that changes the number of unstable modes is short enough to be taken.
 template <class L, bool kElastic>
 bool PathContinuation<L, kElastic>::may_change_stability(bool shortest) {
-  trial_unstable_modes_ = count_unstable_modes();
-  if (trial_unstable_modes_ == unstable_modes_ || trial_unstable_modes_ < 0 ||
-      unstable_modes_ < 0 || shortest)
-    return true;
-  if (critical_.factor.size() >= kMostCritical) return true;
+  trial_modes_ = count_unstable_modes();
+  if (trial_modes_ == modes_ || trial_modes_ < 0 || modes_ < 0 || shortest) return true;
+  if (critical_.factor.size() >= kMaxCritical) return true;
   return std::fabs(w_.time - time_) <= kCriticalWidth * std::fabs(w_.time);
 }
 
@@ -59,7 +57,7 @@ bool PathContinuation<L, kElastic>::may_change_stability(bool shortest) {
 /// goes along a straight line in so short a step.
 template <class L, bool kElastic>
 void PathContinuation<L, kElastic>::note_critical() {
-  if (critical_.factor.size() >= kMostCritical) return;
+  if (critical_.factor.size() >= kMaxCritical) return;
   const bool holds = options_.control == PathControl::Displacement;
   const auto logarithm = [&] {
     return log_determinant(chain_, condition_, holds, w_) + observer_.log_determinant_beside(w_);
@@ -74,12 +72,12 @@ void PathContinuation<L, kElastic>::note_critical() {
   const double begin = logarithm();
   const bool out_of_plane = observer_.unstable_beside(w_) != beside;
   // As many factors of the determinant as modes change their signs, at one place.
-  const double changes = std::abs(trial_unstable_modes_ - unstable_modes_);
+  const double changes = std::abs(trial_modes_ - modes_);
   const double share = 1.0 / (1.0 + std::exp((end - begin) / changes));
   critical_.below.push_back(std::min(time_, trial_time));
   critical_.above.push_back(std::max(time_, trial_time));
   critical_.factor.push_back(time_ + share * (trial_time - time_));
-  critical_.unstable_modes.push_back(trial_unstable_modes_);
+  critical_.unstable_modes.push_back(trial_modes_);
   critical_.out_of_plane.push_back(out_of_plane ? 1 : 0);
   observer_.note_mode(out_of_plane, w_, critical_.mode);
   w_.q = previous_;

@@ -91,7 +91,7 @@ TEST(ScenePath, CountsAlsoWhereItFailsBeyondWhatWasMeasured) {
   plastica::Setup setup = pushed_bar();
   setup.scene.loads[0].force[1] = -450.0;
   setup.solver.steps = 3;
-  setup.solver.most_iterations = 2;
+  setup.solver.max_iterations = 2;
   setup.solver.smallest_step = 1.0;
   plastica::Setup longer = setup;
   longer.solver.duration = 4.0;

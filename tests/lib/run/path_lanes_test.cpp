@@ -204,7 +204,7 @@ TEST(PathLanes, LeaveTheOthersAloneWhenOneEnds) {
       },
       InstructionSet::Auto);
   cases[4].scene.loads[0].force[1] = -1e9;
-  cases[5].options.most_iterations = 2;
+  cases[5].options.max_iterations = 2;
   std::vector<Status> statuses;
   for (const BatchRow& row : run_batch(cases)) statuses.push_back(row.response.status);
   EXPECT_GT(std::count(statuses.begin(), statuses.end(), Status::Broken), 1);

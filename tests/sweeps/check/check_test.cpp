@@ -115,13 +115,13 @@ TEST_F(CheckTest, DoesNotHoldWhereACaseFails) {
                           "cantilever.toml'\n[set]\nsolver.steps = 1\n"
                           "solver.smallest_step = 1\n"
                           "[[axis]]\nfield = 'beam.segments'\nvalues = [4, 8, 16, 32]\nzip = 'a'\n"
-                          "[[axis]]\nfield = 'solver.most_iterations'\n"
+                          "[[axis]]\nfield = 'solver.max_iterations'\n"
                           "values = [25, 25, 25, 1]\nzip = 'a'\n[error]\nprobe = 'tip'\n"
                           "against = 'theory:elastica'\nalong = 'beam.segments'\n");
   for (const std::string claim :
        {"order = { at_least = 0 }", "gci = { at_most = 9 }", "work = { at_most = 1e9 }",
         "error = { at_most = 9 }", "failed = { at_most = 0 }"}) {
-    EXPECT_FALSE(verdict("where = { solver.most_iterations = [25, 1] }\n" + claim + "\n").holds)
+    EXPECT_FALSE(verdict("where = { solver.max_iterations = [25, 1] }\n" + claim + "\n").holds)
         << claim;
   }
 }
