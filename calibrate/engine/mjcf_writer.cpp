@@ -91,7 +91,7 @@ class MjcfWriter {
     };
     for (const EngineJoint& joint : beam_.joints) {
       for (std::size_t k = 0; k < 3; ++k) {
-        if (joint.turning[k] != JointHold::Sprung) continue;
+        if (joint.rotation[k] != JointHold::Sprung) continue;
         const std::string name = hinge_name(joint, k);
         if (std::isfinite(joint.yield_moment[k])) {
           add(name, "yield_moment", joint.yield_moment[k]);
@@ -135,7 +135,7 @@ class MjcfWriter {
   void add_freedoms(const EngineJoint& joint, const EngineAxes& axes, std::string_view indent) {
     if (!joint.off_start) add_slides(joint, axes, indent);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (joint.turning[k] == JointHold::Rigid) continue;
+      if (joint.rotation[k] == JointHold::Rigid) continue;
       text_ += fmt::format(
           "{}  <joint name=\"{}\" type=\"hinge\" axis=\"{}\" stiffness=\"{}\" damping=\"{}\"/>\n",
           indent, hinge_name(joint, k), of_vector(seen_from(axes, joint.axes[k])),

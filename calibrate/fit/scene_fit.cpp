@@ -47,7 +47,7 @@ class SceneFit {
       explain();
     } else {
       // Bad input where no value of a parameter could help.
-      if (search_.start_turns()) {
+      if (search_.start_reverses()) {
         const SceneTarget& target = first_along_a_probe();
         throw InputError(target.abscissa_where, "abscissa.probe", target.abscissa_probe,
                          search_.first_reason());

@@ -185,7 +185,7 @@ std::vector<PointRun> SceneProblem::compare(const std::vector<std::vector<SceneC
       if (here.found && !curve.usable) {
         here.found = false;
         here.reason = curve.reason;
-        here.turned = curve.turns;
+        here.reversed = curve.reverses;
       }
       if (here.found) add_residuals(part, curve, to);
     }

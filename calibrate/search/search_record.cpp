@@ -34,7 +34,7 @@ std::vector<std::byte> bytes_of(const SearchRecord& record) {
   to.put(kSearchRecordVersion).put(static_cast<std::int32_t>(record.found.outcome));
   to.put(record.found.x).put(record.found.residual).put(record.found.cost);
   to.put(record.found.evaluations);
-  to.put(record.start.found).put(record.start.reason).put(record.start.turned);
+  to.put(record.start.found).put(record.start.reason).put(record.start.reversed);
   put(to, record.start.runs);
   put(to, record.runs);
   return to.take();
@@ -50,7 +50,7 @@ SearchRecord search_record_from(std::span<const std::byte> bytes) {
   record.found.evaluations = from.get<int>();
   record.start.found = from.get<bool>();
   record.start.reason = from.get<std::string>();
-  record.start.turned = from.get<bool>();
+  record.start.reversed = from.get<bool>();
   record.start.runs = counters_from(from);
   record.runs = counters_from(from);
   from.expect_end();

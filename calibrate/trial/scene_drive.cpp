@@ -25,13 +25,13 @@ bool is_constant(const History& history) {
 struct Driven {
   std::string name;  ///< of the second support "support[2]", as files name it
   Vector straight{};
-  Vector turning{};
+  Vector rotation{};
   Dimension straight_is = Dimension::None;
-  Dimension turning_is = Dimension::None;
+  Dimension rotation_is = Dimension::None;
   History* history = nullptr;
 
-  double size() const { return size_of(straight) + size_of(turning); }
-  bool turns() const { return size_of(turning) > 0.0; }
+  double size() const { return size_of(straight) + size_of(rotation); }
+  bool rotates() const { return size_of(rotation) > 0.0; }
 };
 
 std::vector<Driven> histories_of(Scene& scene) {
@@ -63,7 +63,7 @@ std::size_t index_of(const Scene& scene, const SceneTarget& target, const Source
 
 Driven driven_of(Scene& scene, const SceneTarget& target, const SourceLocation& where) {
   Driven driven = histories_of(scene)[index_of(scene, target, where)];
-  if ((size_of(driven.straight) > 0.0) == driven.turns()) {
+  if ((size_of(driven.straight) > 0.0) == driven.rotates()) {
     throw InputError(where, "abscissa.drive", driven.name,
                      target.kind == Abscissa::Support
                          ? "must be moved by a translation or by a rotation, to follow a number"
@@ -102,7 +102,7 @@ Dimension abscissa_dimension(const Scene& scene, const SceneTarget& target,
   }
   Scene copy = scene;
   const Driven driven = driven_of(copy, target, where);
-  return driven.turns() ? driven.turning_is : driven.straight_is;
+  return driven.rotates() ? driven.rotation_is : driven.straight_is;
 }
 
 Setup driven_setup(const Setup& setup, const SceneTarget& target) {

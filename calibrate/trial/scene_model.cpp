@@ -268,7 +268,7 @@ bool SceneModel::place(const Response& response, std::vector<double>& path,
   for (std::size_t i = 0; i < samples; ++i) {
     path[i] = target_.abscissa_factor * from[i] + 0.0;  // no -0
     if (i == 0 || path[i] > path[i - 1]) continue;
-    curve.turns = true;
+    curve.reverses = true;
     curve.reason = fmt::format(
         "the probe {} must grow along the path (times {:g}), and does not at sample {}; a scene "
         "whose drive follows what was measured may turn",

@@ -33,7 +33,7 @@ struct StrainAtBreak {
 struct SceneCurve {
   bool usable = false;      ///< whether there is a curve over the whole measured abscissa
   std::string reason;       ///< else why not
-  bool turns = false;       ///< whether that is because the abscissa's probe turns round on the way
+  bool reverses = false;    ///< whether that is because the abscissa's probe turns round on the way
   bool ends_early = false;  ///< … or because the scene's path ends before the measured one
   bool went_on = false;     ///< whether it is of a path beyond the scene's end (`kMostTimes`)
   std::vector<double> ordinate;  ///< at the measured abscissa and by the target's factor [SI] (n)

@@ -101,7 +101,7 @@ std::optional<Verdict> check_limit(const Setup& setup, const Response& response,
         Silent, "went on beyond the limit load factor of " + report::significant(*expected.limit)};
   }
   if (setup.scene.yield_model == YieldModel::Elastic) {
-    if (expected.may_turn) return Verdict{Failed, "limit-load"};
+    if (expected.may_reverse) return Verdict{Failed, "limit-load"};
     return Verdict{Silent, "a limit load of an elastic beam"};
   }
   if (!expected.limit) return std::nullopt;

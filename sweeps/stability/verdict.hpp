@@ -57,7 +57,7 @@ struct Expectation {
   /// Load factor beyond which there is no equilibrium [1]; met within 1 %.
   std::optional<double> limit{};
   /// Whether an elastic beam may lose its equilibrium: its loads are not conservative, or it snaps.
-  bool may_turn = false;
+  bool may_reverse = false;
   bool breaks = false;  ///< whether the run must end broken
   /// Whether the equilibrium that an even path leads to is unstable, so that the run must not pass
   /// it off as completed.

@@ -260,8 +260,9 @@ INSTANTIATE_TEST_SUITE_P(
                      "1e+07"),
         change_chain("ToleranceOfZero", "steps = 10", "tolerance = 0",
                      "9: solver.tolerance = 0: must be above 0 and below 1"),
-        change_chain("TurnWithoutUnit", "steps = 10", "largest_turn = 0.1",
-                     "9: solver.largest_turn = 0.1: an angle needs a unit (examples: rad, deg)"),
+        change_chain(
+            "TurnWithoutUnit", "steps = 10", "largest_rotation = 0.1",
+            "9: solver.largest_rotation = 0.1: an angle needs a unit (examples: rad, deg)"),
         change_chain(
             "WatchOffTheBeam", "steps = 10", "control_at = { segment = 12 }",
             "9: solver.control_at = { segment = 12 }: must be a segment from 1 to 8, or 0 for "

@@ -82,6 +82,8 @@ class OlderFiles(unittest.TestCase):
     def test_of_scenes_with_old_names(self):
         self.check_names("scenes/report_fig06_bent.toml",
                          ("outcome/energy_balance_error", "outcome/ledger_error"),
+                         ("options/setup/solver/largest_rotation",
+                          "options/setup/solver/largest_turn"),
                          ("options/setup/solver/max_iterations",
                           "options/setup/solver/most_iterations"))
 

@@ -17,6 +17,7 @@ struct Renamed {
 
 /// Keys and words of input files; the words of result files, too.
 inline constexpr std::array kRenamedWords{
+    Renamed{"largest_turn", "largest_rotation"},      // scenes, solver
     Renamed{"ledger", "energy_balance"},              // check files, [[claim]]
     Renamed{"ledger_error", "energy_balance_error"},  // sweep files, error.quantity
     Renamed{"most_iterations", "max_iterations"},     // scenes, solver
@@ -25,8 +26,10 @@ inline constexpr std::array kRenamedWords{
 
 /// Datasets of result files, by their path from the root.
 inline constexpr std::array kRenamedStored{
+    Renamed{"options/setup/solver/largest_turn", "options/setup/solver/largest_rotation"},
     Renamed{"options/setup/solver/most_iterations", "options/setup/solver/max_iterations"},
     Renamed{"outcome/ledger_error", "outcome/energy_balance_error"},
+    Renamed{"buckling/turn", "buckling/rotation"},
     Renamed{"critical_points/unstable_ways", "critical_points/unstable_modes"},
     Renamed{"events/pieces/event", "events/fragments/event"},
     Renamed{"events/pieces/first", "events/fragments/first"},

@@ -127,7 +127,7 @@ class Builder {
     root.support = index;
     root.history = history;
     root.motion = view_.point(vector(support.translation));
-    root.turn = view_.spin(vector(support.rotation));
+    root.rotation = view_.spin(vector(support.rotation));
     root.held = view_.translations(support.held());
     const auto held = view_.rotations(support.held());
     if (layout_.end_rule == EndRule::HalfJoint) {
@@ -259,10 +259,10 @@ class Builder {
     const std::size_t beyond = point.segment + 1;
     const bool at_joint =
         beyond < layout_.size() && std::abs(share - layout_.ends[beyond]) < kSamePlace;
-    const bool turns = load.moment != std::array<double, 3>{};
+    const bool has_moment = load.moment != std::array<double, 3>{};
     // A follower's direction is then the mean of both segments', that of the axis at the joint.
     const bool halves = options_.sees_axial || load.follows;
-    if (!at_joint || (!turns && !options_.shifts && !halves)) {
+    if (!at_joint || (!has_moment && !options_.shifts && !halves)) {
       add_point_load(load, history, point, 1.0);
       return;
     }
@@ -276,7 +276,7 @@ class Builder {
       return (frame * own).at;
     };
     Load outer = load;
-    outer.moment = outer_part(load.moment, share_before.turning);
+    outer.moment = outer_part(load.moment, share_before.rotational);
     // A force does so where the joint stretches and shears; where it has an axial force, or the
     // load follows, half of it acts on each segment, so that start and end are alike.
     const std::array<double, 3> none{};
@@ -302,9 +302,9 @@ class Builder {
     part.follows = load.follows;
     // A follower's axes are the world's as the segment was laid out.
     const auto& frame = layout_.segment_frame[point.segment];
-    const auto turn = load.follows ? transpose(frame) : identity<double, 3>();
-    part.force = view_.point(turn * (size * vector(load.force)));
-    part.moment = view_.spin(turn * (size * vector(load.moment)));
+    const auto to_load = load.follows ? transpose(frame) : identity<double, 3>();
+    part.force = view_.point(to_load * (size * vector(load.force)));
+    part.moment = view_.spin(to_load * (size * vector(load.moment)));
     build_.chain.loads.push_back(part);
   }
 

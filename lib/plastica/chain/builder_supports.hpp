@@ -86,18 +86,18 @@ void Builder<L>::add_springs(const Support& support, std::size_t index, std::siz
     spring.arm = {};
     build_.chain.springs.push_back(spring);
   }
-  const auto turning = view_.rotations(six({}, support.rotational_stiffness));
-  if (std::none_of(turning.begin(), turning.begin() + kR, [](double k) { return k > 0.0; })) {
+  const auto rotational = view_.rotations(six({}, support.rotational_stiffness));
+  if (std::none_of(rotational.begin(), rotational.begin() + kR, [](double k) { return k > 0.0; })) {
     return;
   }
   if (share == 0.0) {
-    build_.joints[0].spring = turning;
+    build_.joints[0].spring = rotational;
     return;
   }
   const auto motion = view_.spin(vector(support.rotation));
   const auto add = [&](std::size_t segment, bool outer) {
     add_ground_joint(index, history, segment, outer, {}, motion);
-    build_.joints.back().spring = turning;
+    build_.joints.back().spring = rotational;
     for (double& k : build_.joints.back().spring) k *= joins ? 0.5 : 1.0;
   };
   add(point.segment, true);

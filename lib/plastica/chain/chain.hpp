@@ -26,9 +26,9 @@ struct Segment {
 template <class L>
 struct Inertia {
   using S = typename L::Scalar;
-  S mass{};                                      ///< [kg]
-  typename L::Point center;                      ///< of mass, from the inner joint [m]
-  Mat<S, L::kRotations, L::kRotations> turning;  ///< about the center of mass [kg m^2]
+  S mass{};                                         ///< [kg]
+  typename L::Point center;                         ///< of mass, from the inner joint [m]
+  Mat<S, L::kRotations, L::kRotations> rotational;  ///< about the center of mass [kg m^2]
 };
 
 /// A load at a point of a segment, times a history. What acts on a whole segment (gravity, spread
@@ -98,7 +98,7 @@ struct Root {
   typename L::Point position;  ///< of joint 0 [m]
   typename L::Frame ground;    ///< of its axes
   typename L::Point motion;    ///< prescribed, times the history [m]
-  typename L::Spin turn;       ///< prescribed, times the history [rad]
+  typename L::Spin rotation;   ///< prescribed, times the history [rad]
   std::size_t history = 0;
   std::array<bool, 3> held{};    ///< translations that the ground holds (kTranslations used)
   std::array<bool, 3> welded{};  ///< rotations that joint 0 does not let go (kRotations used)

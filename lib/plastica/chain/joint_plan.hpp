@@ -46,8 +46,8 @@ inline JointPlan joint_plan(const Layout& layout, std::size_t i) {
 /// What of a joint's compliance is that of its length in the segment before [1]; of the scene's own
 /// materials, whatever is fitted.
 struct ComplianceBefore {
-  std::array<double, 3> turning{};   ///< bending about x, about y, and twist
-  std::array<double, 3> shifting{};  ///< shear along x, along y, and stretch
+  std::array<double, 3> rotational{};  ///< bending about x, about y, and twist
+  std::array<double, 3> shifting{};    ///< shear along x, along y, and stretch
 };
 
 inline ComplianceBefore compliance_before(const Layout& layout, std::size_t node) {
@@ -74,7 +74,7 @@ inline ComplianceBefore compliance_before(const Layout& layout, std::size_t node
     const std::size_t length = std::min<std::size_t>(k, 3);
     const double before = plan.before[length] / a[k];
     const double behind = (plan.length[length] - plan.before[length]) / b[k];
-    (k < 3 ? share.turning[k] : share.shifting[k - 3]) = before / (before + behind);
+    (k < 3 ? share.rotational[k] : share.shifting[k - 3]) = before / (before + behind);
   }
   return share;
 }

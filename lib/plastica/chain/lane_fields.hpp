@@ -126,7 +126,7 @@ void visit_attached(V& v, C& chain) {
   visit_numbers(v, chain.root.position);
   visit_frame(v, chain.root.ground);
   visit_numbers(v, chain.root.motion);
-  visit_numbers(v, chain.root.turn);
+  visit_numbers(v, chain.root.rotation);
 }
 
 /// Of the histories, nothing but how many there are.

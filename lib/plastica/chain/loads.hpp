@@ -24,9 +24,9 @@ struct OuterForces {
 template <class L>
 inline Wrench<L> unit_wrench(const SegmentLoad<L>& load, const Placement<L>& placement) {
   const typename L::Frame& frame = placement.frame[load.segment];
-  const typename L::Point arm = L::turn(frame, load.arm);
+  const typename L::Point arm = L::rotate(frame, load.arm);
   if (!load.follows) return {load.force, L::moment(arm, load.force) + load.moment};
-  const typename L::Point force = L::turn(frame, load.force);
+  const typename L::Point force = L::rotate(frame, load.force);
   return {force, L::moment(arm, force) + L::axes(frame) * load.moment};
 }
 
@@ -34,7 +34,7 @@ inline Wrench<L> unit_wrench(const SegmentLoad<L>& load, const Placement<L>& pla
 /// segment.
 template <class L>
 inline Wrench<L> unit_wrench(const LoopConstraint<L>& constraint, const Placement<L>& placement) {
-  const typename L::Point arm = L::turn(placement.frame[constraint.segment], constraint.arm);
+  const typename L::Point arm = L::rotate(placement.frame[constraint.segment], constraint.arm);
   return {constraint.direction, L::moment(arm, constraint.direction) + constraint.axis};
 }
 
@@ -45,10 +45,10 @@ inline typename L::Scalar constraint_gap(const Chain<L>& chain, const LoopConstr
   using S = typename L::Scalar;
   const S factor = factor_as<S>(chain.histories[constraint.history].at(time));
   if (constraint.rotational) {
-    const typename L::Spin turned =
+    const typename L::Spin rotated =
         L::axes(constraint.frame) *
         L::angle_from(constraint.frame, placement.frame[constraint.segment]);
-    return dot(constraint.axis, turned) - factor * constraint.motion;
+    return dot(constraint.axis, rotated) - factor * constraint.motion;
   }
   const typename L::Point at = placement.point(constraint.segment, constraint.arm);
   return dot(constraint.direction, at) - constraint.target - factor * constraint.motion;
@@ -83,9 +83,9 @@ void add_loads(const Chain<L>& chain, const Placement<L>& placement, const Facto
     wrench.moment += factor * unit.moment;
     if (load.follows) {
       impedance.tr -= slope * L::spun_by(unit.force);
-      impedance.rr -= slope * L::turned_by(unit.moment);
+      impedance.rr -= slope * L::spin_derivative(unit.moment);
     } else {
-      const typename L::Point arm = L::turn(placement.frame[load.segment], load.arm);
+      const typename L::Point arm = L::rotate(placement.frame[load.segment], load.arm);
       impedance.rr -= slope * L::moment_by(arm, load.force);
     }
   }
@@ -97,7 +97,7 @@ void add_springs(const Chain<L>& chain, const Placement<L>& placement, const Fac
   using S = typename L::Scalar;
   for (const Spring<L>& spring : chain.springs) {
     const S factor = factor_as<S>(factor_at(spring.history));
-    const typename L::Point arm = L::turn(placement.frame[spring.segment], spring.arm);
+    const typename L::Point arm = L::rotate(placement.frame[spring.segment], spring.arm);
     const typename L::Point off =
         placement.position[spring.segment] + arm - spring.rest - factor * spring.motion;
     Mat<S, L::kTranslations, L::kTranslations> k;
@@ -135,7 +135,7 @@ void add_ground_joints(const Chain<L>& chain, const Coordinates<L>& q, const Sta
     const typename L::Spin moment = axes * force;
     outer_forces.wrench[joint.segment].moment += moment;
     outer_forces.impedance[joint.segment].rr +=
-        axes * tangent * transpose(axes) - stage.share() * L::turned_by(moment);
+        axes * tangent * transpose(axes) - stage.share() * L::spin_derivative(moment);
   }
 }
 
@@ -167,7 +167,7 @@ void add_constraints(const Chain<L>& chain, const Placement<L>& placement, const
     impedance.rt += outer(stiffness * unit.moment, along.force);
     impedance.rr += outer(stiffness * unit.moment, along.moment);
     if (constraint.rotational) continue;
-    const typename L::Point arm = L::turn(placement.frame[constraint.segment], constraint.arm);
+    const typename L::Point arm = L::rotate(placement.frame[constraint.segment], constraint.arm);
     impedance.rr -= (stage.share() * force) * L::moment_by(arm, constraint.direction);
   }
 }

@@ -8,7 +8,7 @@ namespace plastica::chain {
 template <class L>
 inline typename L::Frame root_frame(const Chain<L>& chain, double time) {
   const auto factor = factor_as<typename L::Scalar>(chain.histories[chain.root.history].at(time));
-  return L::compose(L::rotation(factor * chain.root.turn), chain.root.ground);
+  return L::compose(L::rotation(factor * chain.root.rotation), chain.root.ground);
 }
 
 /// Places a segment with which a fragment begins, in the lanes where it does.
@@ -34,14 +34,14 @@ void place(const Chain<L>& chain, const Coordinates<L>& q, double time, Placemen
     const Segment<L>& segment = chain.segments[i];
     const typename L::Frame far = L::compose(near, L::rotation(q.angle[i]));
     if constexpr (kElastic) {
-      at += constant<S>(0.5) * (L::turn(near, q.shift[i]) + L::turn(far, q.shift[i]));
+      at += constant<S>(0.5) * (L::rotate(near, q.shift[i]) + L::rotate(far, q.shift[i]));
     }
     placement.near[i] = near;
     placement.far[i] = far;
     placement.frame[i] = L::compose_inverse(far, segment.inner);
     placement.position[i] = at;
     if (any(q.open[i])) place_fragment(segment, q.pose[i], q.open[i], i, placement);
-    at = placement.position[i] + L::turn(placement.frame[i], segment.arm);
+    at = placement.position[i] + L::rotate(placement.frame[i], segment.arm);
     near = L::compose(placement.frame[i], segment.outer);
   }
 }

@@ -125,12 +125,12 @@ class Recursion {
         works;  ///< P; S, but half way
   };
   /// How the moment of a joint that does not stretch follows its axial force:
-  /// dm = by (along . df + turns_inner . d(inner spin) + turns_joint . d(joint's spin)).
+  /// dm = by (along . df + rotates_inner . d(inner spin) + rotates_joint . d(joint's spin)).
   struct AxialCoupling {
     typename L::Spin by;  ///< world axes
     typename L::Point along;
-    typename L::Spin turns_inner;
-    typename L::Spin turns_joint;
+    typename L::Spin rotates_inner;
+    typename L::Spin rotates_joint;
   };
   /// The same of a joint to the ground, whose moment acts on its segment.
   struct GroundCoupling {
@@ -161,9 +161,9 @@ class Recursion {
   void eliminate(const Chain<L>& chain, const Stage<L>& stage, const Mat<S, kJ, kJ>& tangent,
                  const Coordinates<L>& q, const Placement<L>& at, const Wrench<L>& w, std::size_t i,
                  Impedance<L>& a);
-  static void add_turning(const Stage<L>& stage, const typename L::Point& shift,
-                          const Placement<L>& at, const Spins& near, const Wrench<L>& w,
-                          std::size_t i, Mat<S, kJ, kR>& v_spin, Mat<S, kJ, kJ>& d);
+  static void add_rotation_terms(const Stage<L>& stage, const typename L::Point& shift,
+                                 const Placement<L>& at, const Spins& near, const Wrench<L>& w,
+                                 std::size_t i, Mat<S, kJ, kR>& v_spin, Mat<S, kJ, kJ>& d);
   static Mat<S, kJ, kJ> inverse_held(const Mat<S, kJ, kJ>& d, const Spins& near,
                                      const Spins& to_joint, const Root<L>& root);
   // recursion_axial.hpp

@@ -74,7 +74,7 @@ struct SectionJoint {
   }
   /// The law's elastic moment per angle [N m/rad].
   /// @param k  rotation of the level, about `axis` of the section
-  S turning_stiffness(std::size_t k, std::size_t axis) const {
+  S rotational_stiffness(std::size_t k, std::size_t axis) const {
     return acting[k] * stiffness[axis] / length[axis];
   }
 };

@@ -53,8 +53,8 @@ PLASTICA_ALWAYS_INLINE inline Mat<typename L::Scalar, R, L::kRotations> times_sp
   Mat<typename L::Scalar, R, L::kRotations> product;
   for_each_of<R>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
     const auto row = block<1, L::kTranslations>(m, i, 0);
-    const typename L::Spin turned = L::moment(arm, {row.at});
-    put(product, i, 0, Mat<typename L::Scalar, 1, L::kRotations>{turned.at});
+    const typename L::Spin moment = L::moment(arm, {row.at});
+    put(product, i, 0, Mat<typename L::Scalar, 1, L::kRotations>{moment.at});
   });
   return product;
 }
@@ -66,8 +66,8 @@ PLASTICA_ALWAYS_INLINE inline Mat<typename L::Scalar, L::kRotations, C> spun_by_
   Mat<typename L::Scalar, L::kRotations, C> product;
   for_each_of<C>([&](std::size_t j) PLASTICA_ALWAYS_INLINE {
     const auto column = block<L::kTranslations, 1>(m, 0, j);
-    const typename L::Spin turned = L::moment(arm, {column.at});
-    put(product, 0, j, Mat<typename L::Scalar, L::kRotations, 1>{turned.at});
+    const typename L::Spin moment = L::moment(arm, {column.at});
+    put(product, 0, j, Mat<typename L::Scalar, L::kRotations, 1>{moment.at});
   });
   return product;
 }
@@ -126,7 +126,7 @@ struct Placement {
     far.resize(n);
   }
   typename L::Point point(std::size_t segment, const typename L::Point& arm) const {
-    return position[segment] + L::turn(frame[segment], arm);
+    return position[segment] + L::rotate(frame[segment], arm);
   }
 };
 

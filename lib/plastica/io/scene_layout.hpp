@@ -176,7 +176,7 @@ void traverse_outcome(Store& store, Response& response, std::size_t joints) {
     store.number("buckling/about", buckling.about, "1");
     store.array("buckling/factor", buckling.factor, {}, "1");
     const std::size_t modes = buckling.factor.size();
-    store.array("buckling/turn", buckling.turn, {modes}, "rad");
+    store.array("buckling/rotation", buckling.rotation, {modes}, "rad");
     store.array("buckling/out_of_plane", buckling.out_of_plane, {modes}, "");
     store.array("buckling/mode", buckling.mode, {modes, joints, 3}, "1");
   });

@@ -32,7 +32,7 @@ template <class Form>
     const State state(beam.state, i);
     const typename Form::Observables observables(beam.observables, i);
     const auto angle = get_vec<kR>(state, OfState::Angle);
-    const typename Form::Axes axes = Form::turned(kind, angle, aim);
+    const typename Form::Axes axes = Form::rotated(kind, angle, aim);
     aim.spin += get_vec<kR>(state, OfState::Rate);
     set_vec(observables, Form::Observables::Fields::Place, place);
     Form::observe(aim, axes, observables);

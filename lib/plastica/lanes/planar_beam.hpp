@@ -43,11 +43,11 @@ struct PlanarLoad {
 /// What a segment and its joint are between two steps.
 struct PlanarState {
   enum : std::size_t {
-    Angle,        ///< of the joint [rad]
-    Rate,         ///< [rad/s]
-    Plastic,      ///< permanent angle of the joint [rad]
-    Accumulated,  ///< sum of its changes' sizes [rad]
-    Turning,      ///< angular acceleration of the segment over the step before [rad/s^2]
+    Angle,                ///< of the joint [rad]
+    Rate,                 ///< [rad/s]
+    Plastic,              ///< permanent angle of the joint [rad]
+    Accumulated,          ///< sum of its changes' sizes [rad]
+    AngularAcceleration,  ///< angular acceleration of the segment over the step before [rad/s^2]
     kCount
   };
 };
@@ -58,7 +58,7 @@ struct PlanarWork {
     Cosine,  ///< of the segment's direction where the step's forces act
     Sine,
     Spin,                        ///< of the segment there [rad/s]
-    ByTurning,                   ///< angular acceleration of the joint by the inner
+    ByAngularAcceleration,       ///< angular acceleration of the joint by the inner
                                  ///< neighbour's …
     ByAcceleration,              ///< … and by the joint's, along x and y,
     Given = ByAcceleration + 2,  ///< and what remains [rad/s^2]

@@ -38,8 +38,8 @@ struct PlanarForm {
   };
   /// Goes on to the next segment, beyond a joint of that angle.
   /// @param ahead  to look ahead by, with the segment's spin [s]
-  PLASTICA_ALWAYS_INLINE static Axes turned(const Kind& kind, const Spin& angle, Aim& aim,
-                                            const S& ahead = S{}) {
+  PLASTICA_ALWAYS_INLINE static Axes rotated(const Kind& kind, const Spin& angle, Aim& aim,
+                                             const S& ahead = S{}) {
     aim.direction += kind.get(PlanarKind::Rest) + angle[0];
     const auto at = L::rotation({{ahead * aim.spin[0] + aim.direction}});
     return {{{at.cosine, at.sine}}};
@@ -52,7 +52,7 @@ struct PlanarForm {
   /// Foretells the segment's direction by its spin.
   PLASTICA_ALWAYS_INLINE static void aim(const Kind& kind, const Work& work, const S& ahead,
                                          const Spin& angle, const Spin& /*angle_rate*/, Aim& aim) {
-    set_vec(work, PlanarWork::Cosine, turned(kind, angle, aim, ahead).along);
+    set_vec(work, PlanarWork::Cosine, rotated(kind, angle, aim, ahead).along);
   }
 
   /// A segment where the step's forces act.
@@ -73,8 +73,9 @@ struct PlanarForm {
     a.rt(0, 1) += arm[0];
   }
   /// turning . inertia turning.
-  PLASTICA_ALWAYS_INLINE static S spun(const Kind& kind, const Axes& /*at*/, const Spin& turning) {
-    return kind.get(PlanarKind::Inertia) * turning[0] * turning[0];
+  PLASTICA_ALWAYS_INLINE static S spun(const Kind& kind, const Axes& /*at*/,
+                                       const Spin& angular_acceleration) {
+    return kind.get(PlanarKind::Inertia) * angular_acceleration[0] * angular_acceleration[0];
   }
 
   PLASTICA_ALWAYS_INLINE static Spin angle_rate(const Work& /*work*/, const Spin& rate) {

@@ -35,15 +35,16 @@ struct SpatialLoad {
 };
 
 /// What a segment and its joint are between two steps. Where a motion begins, AngleRate is the
-/// rate that the angle has then, and Turning 0 or the acceleration; both matter to order 2 alone.
+/// rate that the angle has then, and AngularAcceleration 0 or the acceleration; both matter to
+/// order 2 alone.
 struct SpatialState {
   enum : std::size_t {
-    Angle,                    ///< rotation vector of the joint, in its inner neighbour's axes [rad]
-    Rate = Angle + 3,         ///< spin less the inner neighbour's, world axes [rad/s]
-    Turning = Rate + 3,       ///< of the segment over the step before, world axes [rad/s^2]
-    AngleRate = Turning + 3,  ///< mean of d(Angle)/dt over the step before [rad/s]
-    Plastic = AngleRate + 3,  ///< permanent part of the angle [rad]
-    Accumulated = Plastic + 3,  ///< sum of its changes' sizes [rad]
+    Angle,             ///< rotation vector of the joint, in its inner neighbour's axes [rad]
+    Rate = Angle + 3,  ///< spin less the inner neighbour's, world axes [rad/s]
+    AngularAcceleration = Rate + 3,  ///< of the segment over the step before, world axes [rad/s^2]
+    AngleRate = AngularAcceleration + 3,  ///< mean of d(Angle)/dt over the step before [rad/s]
+    Plastic = AngleRate + 3,              ///< permanent part of the angle [rad]
+    Accumulated = Plastic + 3,            ///< sum of its changes' sizes [rad]
     kCount = Accumulated + 3
   };
 };
@@ -57,10 +58,10 @@ struct SpatialWork {
     AngleX = Spin + 3,  ///< d(joint's angle)/dt by its rate: a row a component
     AngleY = AngleX + 3,
     AngleZ = AngleY + 3,
-    ByTurning = AngleZ + 3,          ///< angular acceleration of the joint by the inner
-                                     ///< neighbour's: a column a component …
-    ByAcceleration = ByTurning + 9,  ///< … and by the joint's acceleration
-    Given = ByAcceleration + 9,      ///< and what remains [rad/s^2]
+    ByAngularAcceleration = AngleZ + 3,          ///< angular acceleration of the joint by the inner
+                                                 ///< neighbour's: a column a component …
+    ByAcceleration = ByAngularAcceleration + 9,  ///< … and by the joint's acceleration
+    Given = ByAcceleration + 9,                  ///< and what remains [rad/s^2]
     kCount = Given + 3
   };
 };

@@ -41,7 +41,7 @@ struct SpatialForm {
     Vector along, y;  ///< its axes z and y
   };
   /// Goes on to the next segment, beyond a joint of that angle.
-  PLASTICA_ALWAYS_INLINE static Axes turned(const Kind& /*kind*/, const Vector& angle, Aim& aim) {
+  PLASTICA_ALWAYS_INLINE static Axes rotated(const Kind& /*kind*/, const Vector& angle, Aim& aim) {
     assign(L::compose(aim.frame, L::rotation(angle)).axes, aim.frame.axes);
     return {column<3>(aim.frame.axes, 2), column<3>(aim.frame.axes, 1)};
   }
@@ -60,7 +60,7 @@ struct SpatialForm {
         chain::inverse_tangent_map(theta, chain::RotationCoefficients<S>(dot(theta, theta)));
     const Mat<S, 3, 3> rows = to_angle * transpose(aim.frame.axes);
     set_vec(work, SpatialWork::AngleX, Vec<S, 9>{rows.at});
-    const Axes axes = turned(kind, theta, aim);
+    const Axes axes = rotated(kind, theta, aim);
     set_vec(work, SpatialWork::AxisZ, axes.along);
     set_vec(work, SpatialWork::AxisY, axes.y);
   }
@@ -99,11 +99,12 @@ struct SpatialForm {
     a.rt(1, 2) -= arm[0];
   }
   /// turning . inertia turning.
-  PLASTICA_ALWAYS_INLINE static S spun(const Kind& kind, const Axes& at, const Vector& turning) {
+  PLASTICA_ALWAYS_INLINE static S spun(const Kind& kind, const Axes& at,
+                                       const Vector& angular_acceleration) {
     const S across = kind.get(SpatialKind::Inertia);
-    const S by_y = dot(at.y, turning);
-    const S by_z = dot(at.along, turning);
-    return across * dot(turning, turning) +
+    const S by_y = dot(at.y, angular_acceleration);
+    const S by_z = dot(at.along, angular_acceleration);
+    return across * dot(angular_acceleration, angular_acceleration) +
            ((kind.get(SpatialKind::Inertia + 1) - across) * by_y * by_y +
             (kind.get(SpatialKind::Inertia + 2) - across) * by_z * by_z);
   }

@@ -85,7 +85,7 @@ inline Projection<typename Gauge::Scalar> project_orthant(
 
 /// What was found in the orthant, for the force itself: the sizes' directions are signs.
 template <class Gauge>
-inline Projection<typename Gauge::Scalar> turned_back(
+inline Projection<typename Gauge::Scalar> with_signs(
     const SectionForce<typename Gauge::Scalar>& target,
     const SectionForce<typename Gauge::Scalar>& u,
     const Projection<typename Gauge::Scalar>& inside) requires(!Gauge::kRound) {
@@ -106,7 +106,7 @@ inline Projection<typename Gauge::Scalar> turned_back(
 /// The same of a round section, whose resultant moment keeps its direction: what is across it
 /// shrinks with it.
 template <class Gauge>
-inline Projection<typename Gauge::Scalar> turned_back(
+inline Projection<typename Gauge::Scalar> with_signs(
     const SectionForce<typename Gauge::Scalar>& target,
     const SectionForce<typename Gauge::Scalar>& u,
     const Projection<typename Gauge::Scalar>& inside) requires(Gauge::kRound) {
@@ -161,7 +161,7 @@ inline Projection<typename Gauge::Scalar> project(
     const S slope = max(inside.slope(i, i), constant<S>(detail::kMinSlope));
     inside.slope(i, i) = select(gone, slope, inside.slope(i, i));
   }
-  return detail::turned_back<Gauge>(target, u, inside);
+  return detail::with_signs<Gauge>(target, u, inside);
 }
 
 }  // namespace plastica::law

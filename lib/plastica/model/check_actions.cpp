@@ -223,8 +223,8 @@ void check_masses(const Scene& scene) {
     const PointMass& mass = scene.masses[i];
     check_place(mass.at, scene.beam.segments, item_name("mass", i, ".at"));
     check_item(mass, mass_fields(), item_name("mass", i));
-    require(mass.mass > 0.0 || mass.turns_inertly(), {}, item_name("mass", i, ".mass"), mass.mass,
-            "must be above 0 kg, or have inertia");
+    require(mass.mass > 0.0 || mass.has_rotational_inertia(), {}, item_name("mass", i, ".mass"),
+            mass.mass, "must be above 0 kg, or have inertia");
   }
 }
 

@@ -268,9 +268,9 @@ std::vector<Field> make_table() {
       number<PLASTICA_REACH(solver.tolerance)>("solver.tolerance", None,
                                                Range{0.0, 1.0, true, true},
                                                "largest imbalance of a converged step, relative"),
-      number<PLASTICA_REACH(solver.largest_turn)>(
-          "solver.largest_turn", Angle, kPositive,
-          "largest turn of a joint in one step; in statics, a fifth of a segment's"),
+      number<PLASTICA_REACH(solver.largest_rotation)>(
+          "solver.largest_rotation", Angle, kPositive,
+          "largest rotation of a joint in one step; in statics, a fifth of a segment's"),
       number<PLASTICA_REACH(solver.smallest_step)>(
           "solver.smallest_step", None, Range{0.0, 1.0, true, false},
           "shortest part of a recorded step, or of time_step"),

@@ -67,11 +67,11 @@ class Bodies {
   /// What a resistance along `direction` at `point` resists: the velocity there of a motion (v, w)
   /// is v + w x point, so along the direction it is v.d + w.(point x d).
   static void put(const Point& d, const Point& p, double factor, double* motion) {
-    const Point turning{p[1] * d[2] - p[2] * d[1], p[2] * d[0] - p[0] * d[2],
-                        p[0] * d[1] - p[1] * d[0]};
+    const Point moment{p[1] * d[2] - p[2] * d[1], p[2] * d[0] - p[0] * d[2],
+                       p[0] * d[1] - p[1] * d[0]};
     for (std::size_t i = 0; i < 3; ++i) {
       motion[i] += factor * d[i];
-      motion[i + 3] += factor * turning[i];
+      motion[i + 3] += factor * moment[i];
     }
   }
   static Point unit(std::size_t axis) {

@@ -76,7 +76,7 @@ std::vector<double> History::corners() const {
   return {time.front(), time.back()};
 }
 
-std::vector<double> History::turns() const {
+std::vector<double> History::reversals() const {
   std::vector<double> times;
   for (std::size_t segment = 0; segment + 1 < slope.size(); ++segment) {
     const double begin = time[segment];

@@ -38,7 +38,7 @@ struct History {
   std::vector<double> corners() const;
   /// Times inside of smooth segments at which the factor turns back [s], rising: between corners
   /// and these it goes one way, which is all that a path of equilibria depends on.
-  std::vector<double> turns() const;
+  std::vector<double> reversals() const;
   bool operator==(const History&) const = default;
 };
 

@@ -97,7 +97,7 @@ struct SolverOptions {
   /// at least 2e-5 everywhere, after six iterations 5e-4 (170 and 4200 units of its rounding).
   double tolerance = 1e-10;
   /// A step may turn no joint by more (statics: no segment by five times) [rad], > 0; or is cut.
-  double largest_turn = 0.2;
+  double largest_rotation = 0.2;
   /// Steps are cut back to no less than this part of a recorded step, in dynamics of `time_step`
   /// [1], > 0.
   double smallest_step = 1e-6;

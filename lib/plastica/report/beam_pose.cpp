@@ -12,7 +12,7 @@ Point3 cross(const Point3& a, const Point3& b) {
 }
 
 /// A vector turned by a rotation vector (Rodrigues' formula).
-Point3 turned(const Point3& rotation, const Point3& v) {
+Point3 rotated(const Point3& rotation, const Point3& v) {
   const double angle = std::sqrt(dot(rotation, rotation));
   if (angle == 0.0) return v;
   const Point3 axis{rotation[0] / angle, rotation[1] / angle, rotation[2] / angle};
@@ -53,14 +53,15 @@ BeamPose::BeamPose(const io::SceneRecord& record, std::size_t frame)
     }
     const Point3 chord =
         sum(three(record.outline.node, i + 1), -1.0, three(record.outline.node, i));
-    outer_.push_back(sum(inner_[i], 1.0, turned(three(chain.rotation, frame * n + i), chord)));
+    outer_.push_back(sum(inner_[i], 1.0, rotated(three(chain.rotation, frame * n + i), chord)));
   }
 }
 
 Point3 BeamPose::section_axis(std::size_t segment, std::size_t axis) const {
   const Point3 undeformed = three(record_->outline.axes, 3 * segment + axis);
   if (frame_ == kUndeformed) return undeformed;
-  return turned(three(record_->response.chain.rotation, frame_ * segments() + segment), undeformed);
+  return rotated(three(record_->response.chain.rotation, frame_ * segments() + segment),
+                 undeformed);
 }
 
 std::size_t BeamPose::segment_at(double share) const {

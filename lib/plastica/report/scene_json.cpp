@@ -69,7 +69,7 @@ Json buckling_of(const Response& response) {
   return {{"about", number(modes.about)},
           {"modes", modes_of(modes.mode, modes.factor.size(), [&](std::size_t i) {
              return Json{{"factor", number(modes.factor[i])},
-                         {"turn", number(modes.turn[i])},
+                         {"rotation", number(modes.rotation[i])},
                          {"out_of_plane", modes.out_of_plane[i] != 0}};
            })}};
 }

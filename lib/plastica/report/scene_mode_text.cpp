@@ -14,7 +14,7 @@ namespace plastica::report {
 namespace {
 
 /// Segments that will have turned by more have another shape [rad].
-constexpr double kFarTurn = 0.1;
+constexpr double kLargeRotation = 0.1;
 
 /// Where a mode goes most: the joint, as a share of the length, and the axis.
 struct Largest {
@@ -70,23 +70,23 @@ std::string buckling_text(const io::SceneRecord& record, const Ink& ink) {
   text += fmt::format(" about factor {:.5g}, elastic, all forces growing on at its shape\n",
                       modes.about);
   Table table = table_of("factor", "1");
-  bool turns = false;
+  bool rotates = false;
   for (std::size_t k = 0; k < modes.factor.size(); ++k) {
     add_row(record, modes.mode, k, fmt::format("{:.6g}", modes.factor[k]), table);
-    turns = turns || modes.turn[k] > kFarTurn;
+    rotates = rotates || modes.rotation[k] > kLargeRotation;
   }
   if (!modes.factor.empty()) text += table.text(2, kWidth);
   if (modes.factor.size() < asked) {
     text +=
         fmt::format("  no{} below 1e15 times the load\n", modes.factor.empty() ? "ne" : " more");
   }
-  if (turns) {
+  if (rotates) {
     text +=
         wrapped("  ",
                 fmt::format("up to the last of them segments will have turned by {:.2g} rad, as "
                             "they begin to here: the shape there is another, and so may be the "
                             "factors; nearer to them they are surer",
-                            modes.turn.back()),
+                            modes.rotation.back()),
                 kWidth);
   }
   return text;

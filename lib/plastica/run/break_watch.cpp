@@ -118,8 +118,8 @@ JointAngles BreakWatch::concentrated(const std::vector<JointAngles>& angles,
     const double own = angles[joint][k];
     double shared = 0.0;
     const auto look_at = [&](std::size_t neighbour) {
-      const double turned = angles[neighbour][k] * length / joints_[neighbour].own_length();
-      if (turned * own > 0.0) shared = std::max(shared, std::fabs(turned));
+      const double rotation = angles[neighbour][k] * length / joints_[neighbour].own_length();
+      if (rotation * own > 0.0) shared = std::max(shared, std::fabs(rotation));
     };
     if (joint > 0) look_at(joint - 1);
     if (joint + 1 < joints_.size()) look_at(joint + 1);

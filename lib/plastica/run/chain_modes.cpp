@@ -123,9 +123,9 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
   pencil.let_forces_grow();
   histories = kept;
   if (slope == 0.0) return std::nullopt;
-  double turning = 0.0;
+  double rotational = 0.0;
   for (std::size_t i = 0; i < body_.build.chain.size(); ++i) {
-    turning = std::max(turning, static_cast<double>(pencil.turning_rate(i)));
+    rotational = std::max(rotational, static_cast<double>(pencil.rotation_rate(i)));
   }
   std::vector<Root> roots;
   bool falls = false;
@@ -150,7 +150,7 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
   for (const Root& root : roots) {
     if (is_raised(stop)) break;
     modes.factor.push_back(modes.about + root.time * slope);
-    modes.turn.push_back(root.time * turning);
+    modes.rotation.push_back(root.time * rotational);
     modes.out_of_plane.push_back(root.out_of_plane ? 1 : 0);
     if (root.out_of_plane) {
       beside->add_mode_after(root.time, modes.mode);
@@ -242,12 +242,12 @@ std::vector<typename ChainModes<L, kElastic>::Coordinate> ChainModes<L, kElastic
     chain::carry(back, back, about);
     stiffness += held.impedance[i];
     const auto axes = L::axes(w_.placement.near[i]);
-    const auto turning = transpose(axes) * about.rr * axes;
+    const auto rotational = transpose(axes) * about.rr * axes;
     const auto resisting = transpose(axes) * stiffness.rr * axes;
     const auto& tangent = w_.joints.tangent[i];
     for (std::size_t k = 0; k < L::kRotations; ++k) {
       if (i == 0 && chain.root.welded[k]) continue;
-      add(tangent(k, k) + resisting(k, k), turning(k, k));
+      add(tangent(k, k) + resisting(k, k), rotational(k, k));
     }
     if constexpr (kElastic) {
       for (std::size_t k = 0; k < L::kTranslations && (i > 0 || chain.root.shifts); ++k) {

@@ -291,7 +291,7 @@ void ChainRecord<L, kElastic>::set_shape(const Work& w, const Joints& joints,
     for (std::size_t k = 0; k < 3; ++k) shape_.plastic_angle[3 * i + k] = strains.permanent[i][k];
     if (i < n) {
       const typename L::Point force =
-          L::turn_back(w.placement.near[i], w.transmitted.outer[i].force);
+          L::rotate_back(w.placement.near[i], w.transmitted.outer[i].force);
       put(shape_.force, 3 * i, in_space(force));
     }
     shape_.plastic_strain[i] = strains.strain[i];

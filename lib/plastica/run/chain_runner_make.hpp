@@ -31,7 +31,7 @@ void ChainRunner<L, kElastic>::set_path_options() {
   options_.control = solver.control;
   options_.finds_control = !solver.control_at && solver.control != PathControl::Displacement;
   options_.steps = solver.steps;
-  options_.largest_turn = solver.largest_turn;
+  options_.largest_rotation = solver.largest_rotation;
   options_.smallest_step = solver.smallest_step;
   options_.control_motion = solver.control_motion;
   const Scene& scene = body_.model.scene;

@@ -69,7 +69,7 @@ bool ChainRunner<L, kElastic>::is_pushed(const Work& w) const {
     S thrust = constant<S>(0);
     S largest = constant<S>(0);
     for (std::size_t i = 0; i < w.transmitted.outer.size(); ++i) {
-      const auto force = L::turn_back(w.placement.near[i], w.transmitted.outer[i].force);
+      const auto force = L::rotate_back(w.placement.near[i], w.transmitted.outer[i].force);
       thrust = max(thrust, -force[kAlong]);
       largest = max(largest, dot(force, force));
     }
@@ -144,11 +144,11 @@ void ChainRunner<L, kElastic>::check_plane_while_moments_grow(const Work& w) {
   }
   if (asks_beside_ || leaves_plane_) return;
   if (!has_yielded_) {
-    double turn = 0.0;
+    double rotation = 0.0;
     double farthest = 0.0;
     for (const auto& angle : w.q.angle) {
-      turn += static_cast<double>(angle[0]);
-      farthest = std::max(farthest, std::fabs(turn));
+      rotation += static_cast<double>(angle[0]);
+      farthest = std::max(farthest, std::fabs(rotation));
     }
     if (farthest < kFar) return;
   }

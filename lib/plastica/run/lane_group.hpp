@@ -186,7 +186,7 @@ class LaneGroup final : public LaneProgram {
     auto& counters = scenarios_[lane].response().counters;
     counters.iterations += static_cast<int>(steps);
     // A number that is not finite leaves no energies that balance.
-    if (turns_little(memory_, lane, step) && energy_is_balanced(memory_, lane, lane)) {
+    if (rotates_little(memory_, lane, step) && energy_is_balanced(memory_, lane, lane)) {
       counters.steps += static_cast<int>(steps);
       note_step(step, scenarios_[lane].response());
       return;
@@ -203,8 +203,8 @@ class LaneGroup final : public LaneProgram {
   }
 
   /// Whether the steps of a memory's lane are short enough for how fast it turns.
-  bool turns_little(const Memory& memory, std::size_t lane, double step) const {
-    const double most = scenarios_.front().model().options.largest_turn;
+  bool rotates_little(const Memory& memory, std::size_t lane, double step) const {
+    const double most = scenarios_.front().model().options.largest_rotation;
     if constexpr (requires { Sums::LargestAngle; }) {
       if (!(memory.sum(Sums::LargestAngle, lane) < Form::kLargestAngle)) return false;
     }
@@ -279,7 +279,7 @@ class LaneGroup final : public LaneProgram {
             done > 0.0);
       scenarios_[lane].response().counters.iterations += static_cast<int>(now);
       if (is_raised(scenarios_[lane].hooks().stop)) return false;
-      if (!alone_.is_finite(0) || !turns_little(alone_, 0, step)) return false;
+      if (!alone_.is_finite(0) || !rotates_little(alone_, 0, step)) return false;
     }
     return true;
   }

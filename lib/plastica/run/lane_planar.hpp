@@ -54,7 +54,7 @@ struct PlanarLanes {
     kind[Kind::Length] = chain.segments[i].arm[0];
     kind[Kind::Mass] = inertia.mass;
     kind[Kind::FirstMoment] = inertia.mass * center;
-    kind[Kind::Inertia] = inertia.turning(0, 0) + inertia.mass * center * center;
+    kind[Kind::Inertia] = inertia.rotational(0, 0) + inertia.mass * center * center;
     kind[Kind::Rest] = outer - chain.segments[i].inner.angle;
     kind[Kind::Stiffness] = stiffness;
     kind[Kind::Compliance] = 1.0 / stiffness;
@@ -90,11 +90,11 @@ struct PlanarLanes {
 
   /// Takes a joint's state into the chain.
   static void read(const std::array<double, State::kCount>& state, std::size_t i, Body& body,
-                   PrescribedJoints<Level>& joints, Level::Spin& turning) {
+                   PrescribedJoints<Level>& joints, Level::Spin& angular_acceleration) {
     const double angle = state[State::Angle];
     body.work.q.angle[i] = {{angle}};
     joints.prescribe(i, {{angle - state[State::Plastic]}}, plastic_work(state, body, i));
-    turning = {{state[State::Turning]}};
+    angular_acceleration = {{state[State::AngularAcceleration]}};
   }
 
   static double plastic_work(const std::array<double, State::kCount>& state, const Body& body,

@@ -27,7 +27,8 @@ bool has_gravity(const Scene& scene) {
 
 bool same_steps(const SolverOptions& a, const SolverOptions& b) {
   return a.scheme == b.scheme && a.time_step == b.time_step && a.precision == b.precision &&
-         a.isa == b.isa && a.largest_turn == b.largest_turn && a.smallest_step == b.smallest_step;
+         a.isa == b.isa && a.largest_rotation == b.largest_rotation &&
+         a.smallest_step == b.smallest_step;
 }
 
 template <class Form>

@@ -49,7 +49,7 @@ class LaneScenario {
     joints_ = given.get();
     laws_ = std::move(given);
     std::swap(body_->joints, laws_);
-    turning_.assign(body_->build.chain.size(), {});
+    angular_acceleration_.assign(body_->build.chain.size(), {});
     accumulated_.assign(body_->build.chain.size(), {});
     probed_.clear();
     for (const Probe& probe : model_->scene.probes) {
@@ -177,7 +177,7 @@ class LaneScenario {
     for (std::size_t i = 0; i < n; ++i) {
       const auto& segment = chain().segments[i];
       const auto state = memory.state(i, lane);
-      Form::read(state, i, *body_, *joints_, turning_[i]);
+      Form::read(state, i, *body_, *joints_, angular_acceleration_[i]);
       const auto flowed = in_double(body_->view.spin_in_space(Form::accumulated(state)));
       for (std::size_t k = 0; k < 3; ++k) accumulated_[i][k] = std::fabs(flowed[k]);
       const auto observables = memory.observables(i, lane);
@@ -188,8 +188,8 @@ class LaneScenario {
       near = L::compose(frame, segment.outer);
       motion_[i].spin = Form::spin(observables);
       const typename L::Spin spin = L::axes(frame) * motion_[i].spin;
-      motion_[i].velocity = velocity + L::spun(spin, L::turn(frame, chain().inertias[i].center));
-      velocity += L::spun(spin, L::turn(frame, segment.arm));
+      motion_[i].velocity = velocity + L::spun(spin, L::rotate(frame, chain().inertias[i].center));
+      velocity += L::spun(spin, L::rotate(frame, segment.arm));
       work.angles[i] = work.q.angle[i];
       typename L::Spin moment;
       for (std::size_t k = 0; k < L::kRotations; ++k) {
@@ -217,8 +217,8 @@ class LaneScenario {
       const auto& frame = placement.frame[i];
       const typename L::Spin spin = L::axes(frame) * motion_[i].spin;
       const auto moved = [&](const typename L::Point& local) {
-        const typename L::Point arm = L::turn(frame, local);
-        return at + L::spun(turning_[i], arm) + L::spun(spin, L::spun(spin, arm));
+        const typename L::Point arm = L::rotate(frame, local);
+        return at + L::spun(angular_acceleration_[i], arm) + L::spun(spin, L::spun(spin, arm));
       };
       center_acceleration_[i] = moved(chain().inertias[i].center);
       at = moved(chain().segments[i].arm);
@@ -236,12 +236,12 @@ class LaneScenario {
       const auto& inertia = chain().inertias[i];
       const auto axes = L::axes(placement.frame[i]);
       const typename L::Spin spin = motion_[i].spin;
-      const typename L::Spin momentum = inertia.turning * spin;
+      const typename L::Spin momentum = inertia.rotational * spin;
       const typename L::Spin resists =
-          axes *
-          (inertia.turning * transposed_times(axes, turning_[i]) + L::turned_by(momentum) * -spin);
+          axes * (inertia.rotational * transposed_times(axes, angular_acceleration_[i]) +
+                  L::spin_derivative(momentum) * -spin);
       const typename L::Point force = -(inertia.mass * center_acceleration_[i]);
-      const typename L::Point arm = L::turn(placement.frame[i], inertia.center);
+      const typename L::Point arm = L::rotate(placement.frame[i], inertia.center);
       sum.force += outer[i].force + force;
       sum.moment += outer[i].moment + L::moment(arm, force) - resists;
       outer[i] = sum;
@@ -258,8 +258,9 @@ class LaneScenario {
       laws_;  ///< while the body has prescribed joints
   PrescribedJoints<L>* joints_ = nullptr;
   Motions motion_;
-  std::vector<JointAngles> accumulated_;   ///< sums of the permanent angles' changes (N)
-  std::vector<typename L::Spin> turning_;  ///< angular accelerations, in world axes (N)
+  std::vector<JointAngles> accumulated_;  ///< sums of the permanent angles' changes (N)
+  std::vector<typename L::Spin>
+      angular_acceleration_;  ///< angular accelerations, in world axes (N)
   std::vector<typename L::Point>
       center_acceleration_;          ///< accelerations of the centers of mass (N)
   std::vector<std::size_t> probed_;  ///< segments of points that probes are at

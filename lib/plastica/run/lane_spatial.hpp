@@ -54,7 +54,7 @@ struct SpatialLanes {
     const double lever = inertia.mass * center * center;
     for (std::size_t k = 0; k < 3; ++k) {
       const double stiffness = joints.stiffness(i, k);
-      kind[Kind::Inertia + k] = inertia.turning(k, k) + (k < 2 ? lever : 0.0);
+      kind[Kind::Inertia + k] = inertia.rotational(k, k) + (k < 2 ? lever : 0.0);
       kind[Kind::Stiffness + k] = stiffness;
       kind[Kind::Compliance + k] = 1.0 / stiffness;
       kind[Kind::Damping + k] = damped ? options.damping_time * stiffness : 0.0;
@@ -92,12 +92,12 @@ struct SpatialLanes {
 
   /// Takes a joint's state into the chain.
   static void read(const std::array<double, State::kCount>& state, std::size_t i, Body& body,
-                   PrescribedJoints<Level>& joints, Level::Spin& turning) {
+                   PrescribedJoints<Level>& joints, Level::Spin& angular_acceleration) {
     Level::Spin elastic;
     for (std::size_t k = 0; k < 3; ++k) {
       body.work.q.angle[i][k] = state[State::Angle + k];
       elastic[k] = state[State::Angle + k] - state[State::Plastic + k];
-      turning[k] = state[State::Turning + k];
+      angular_acceleration[k] = state[State::AngularAcceleration + k];
     }
     joints.prescribe(i, elastic, plastic_work(state, body, i));
   }

@@ -30,7 +30,7 @@ solve::MotionOptions motion_options(const ChainBody<L, kElastic>& body) {
           : fixed_steps({body.model.stops, body.model.recorded}, solver.time_step).longest;
   options.step_error = solver.step_error;
   options.smallest_step = solver.smallest_step;
-  options.largest_turn = solver.largest_turn;
+  options.largest_rotation = solver.largest_rotation;
   options.stops = body.model.stops;
   options.recorded = body.model.recorded;
   for (const auto& constraint : body.build.chain.constraints) {

@@ -15,7 +15,7 @@ PathStops path_stops(const Scene& scene, const SolverOptions& options) {
       corners.insert(corners.end(), times.begin(), times.end());
     };
     take(history.corners());
-    if (options.analysis == Analysis::Statics) take(history.turns());
+    if (options.analysis == Analysis::Statics) take(history.reversals());
   };
   for (const Load& load : scene.loads) add(load.history);
   for (const Support& support : scene.supports) {

@@ -26,7 +26,7 @@ class PrescribedJoints final : public chain::SectionJointsBase<L, false> {
     S stored = constant<S>(0);
     for (std::size_t k = 0; k < L::kRotations; ++k) {
       const std::size_t axis = axes_.rotation(k);
-      const S moment = joint.turning_stiffness(k, axis) * elastic[k];
+      const S moment = joint.rotational_stiffness(k, axis) * elastic[k];
       this->force_[j][axis] = moment;
       stored = stored + constant<S>(0.5) * (moment + joint.spring[k] * elastic[k]) * elastic[k];
     }
@@ -37,7 +37,7 @@ class PrescribedJoints final : public chain::SectionJointsBase<L, false> {
   /// Stiffness of a joint and of the spring beside it [N m/rad].
   S stiffness(std::size_t j, std::size_t k) const {
     const chain::SectionJoint<L>& joint = this->joints_[j];
-    return joint.turning_stiffness(k, axes_.rotation(k)) + joint.spring[k];
+    return joint.rotational_stiffness(k, axes_.rotation(k)) + joint.spring[k];
   }
 
   void evaluate(std::span<const typename L::Spin> /*angles*/,

@@ -123,7 +123,7 @@ std::vector<typename L::Point> mode_of(const chain::Chain<L>& chain,
     if (i < n) {
       mode[i] = motion[i].shift;
     } else {
-      const typename L::Point arm = L::turn(w.placement.frame[n - 1], chain.segments[n - 1].arm);
+      const typename L::Point arm = L::rotate(w.placement.frame[n - 1], chain.segments[n - 1].arm);
       mode[i] = motion[n - 1].shift + L::spun(motion[n - 1].spin, arm);
     }
   }

@@ -18,9 +18,9 @@ struct FragmentMotion {
   S mass{};
   typename L::Point center{};    ///< of mass [m]
   typename L::Point momentum{};  ///< [N s]
-  typename L::Spin turning{};    ///< angular momentum about the center of mass [N m s]
+  typename L::Spin angular{};    ///< angular momentum about the center of mass [N m s]
   double size = 0.0;             ///< sum of the sizes of the segments' momenta [N s]
-  double turning_size = 0.0;     ///< the same of their angular momenta about the center [N m s]
+  double angular_size = 0.0;     ///< the same of their angular momenta about the center [N m s]
 };
 
 /// @param first, end  segments of the fragment, `end` not included
@@ -44,9 +44,9 @@ FragmentMotion<L> fragment_motion(const std::vector<chain::Inertia<L>>& inertias
   for (std::size_t i = first; i < end; ++i) {
     const typename L::Point arm = placement.point(i, inertias[i].center) - fragment.center;
     const typename L::Spin own = L::moment(arm, inertias[i].mass * (motion[i].velocity - mean)) +
-                                 turning_momentum(inertias[i], placement.frame[i], motion[i].spin);
-    fragment.turning += own;
-    fragment.turning_size += size_of(own);
+                                 angular_momentum(inertias[i], placement.frame[i], motion[i].spin);
+    fragment.angular += own;
+    fragment.angular_size += size_of(own);
   }
   return fragment;
 }
@@ -71,7 +71,7 @@ void add_momentum(const std::vector<chain::Inertia<L>>& inertias,
     for (std::size_t k = 0; k < kT; ++k) a.tt(k, k) = a.tt(k, k) + mass;
     a.tr += mass * by;
     a.rt += mass * transpose(by);
-    a.rr += axes * inertias[i].turning * transpose(axes) + mass * (transpose(by) * by);
+    a.rr += axes * inertias[i].rotational * transpose(axes) + mass * (transpose(by) * by);
   }
   Mat<S, kR + kT, kR + kT> m;
   put(m, 0, 0, a.rr);
@@ -95,23 +95,23 @@ void add_momentum(const std::vector<chain::Inertia<L>>& inertias,
 /// What a fragment's momentum has changed by beyond the impulses of its loads, so far.
 template <class L>
 struct MomentumError {
-  typename L::Point lost{};     ///< [N s]
-  typename L::Spin turned{};    ///< [N m s]
-  double largest_lost = 0.0;    ///< of them, so far
-  double largest_turned = 0.0;  ///< likewise
-  double size = 0.0;            ///< `FragmentMotion::size`, the largest so far
-  double turning_size = 0.0;    ///< likewise
-  chain::Wrench<L> outside{};   ///< what acted on it at the step's begin, about its center
+  typename L::Point lost{};      ///< [N s]
+  typename L::Spin angular{};    ///< [N m s]
+  double largest_lost = 0.0;     ///< of them, so far
+  double largest_angular = 0.0;  ///< likewise
+  double size = 0.0;             ///< `FragmentMotion::size`, the largest so far
+  double angular_size = 0.0;     ///< likewise
+  chain::Wrench<L> outside{};    ///< what acted on it at the step's begin, about its center
   bool knows_outside = false;
 
   /// The largest over the largest momentum so far [1].
   /// @param length  of the beam [m]
   double share(double length) const {
     // A fragment that hardly turns has no angular momentum but rounding.
-    constexpr double kNoTurning = kIsDouble<typename L::Scalar> ? 1e-9 : 1e-3;
-    const double turning = std::max(turning_size, kNoTurning * size * length);
+    constexpr double kNoRotation = kIsDouble<typename L::Scalar> ? 1e-9 : 1e-3;
+    const double angular = std::max(angular_size, kNoRotation * size * length);
     return std::max(size > 0.0 ? largest_lost / size : 0.0,
-                    turning > 0.0 ? largest_turned / turning : 0.0);
+                    angular > 0.0 ? largest_angular / angular : 0.0);
   }
 };
 

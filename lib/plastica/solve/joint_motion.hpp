@@ -115,7 +115,7 @@ class JointMotion {
     Vector k;
     for (std::size_t m = 0; m < kR; ++m) {
       const std::size_t axis = axes_.rotation(m);
-      k[m] = joint.turning_stiffness(m, axis) + joint.spring[m];
+      k[m] = joint.rotational_stiffness(m, axis) + joint.spring[m];
     }
     if constexpr (kElastic) {
       constexpr std::size_t kAxial = 3;
@@ -187,7 +187,7 @@ class JointMotion {
       }
       S by_spin = constant<S>(1);
       if (spin != nullptr) {
-        const typename L::Spin at_end = L::turn_by(constant<S>(h) * *spin, step.angle_now);
+        const typename L::Spin at_end = L::add_rotation(constant<S>(h) * *spin, step.angle_now);
         for (std::size_t m = 0; m < kR; ++m) moved[m] = at_end[m] - step.angle_now[m];
         by_spin = constant<S>(rule.velocity);
       }
@@ -214,15 +214,15 @@ class JointMotion {
         chain::inverse_tangent_map(angle, chain::RotationCoefficients<S>(dot(angle, angle)));
     const Vec<S, 3> moment =
         transposed_times(to_angle, Vec<S, 3>{{stress[0], stress[1], stress[2]}});
-    Mat<S, 3, 3> turning;
+    Mat<S, 3, 3> rotational;
     for (std::size_t k = 0; k < 3; ++k) {
       stress[k] = moment[k];
-      for (std::size_t m = 0; m < 3; ++m) turning(k, m) = tangent(k, m);
+      for (std::size_t m = 0; m < 3; ++m) rotational(k, m) = tangent(k, m);
     }
     if (!of_angles) return;
-    turning = transpose(to_angle) * turning * to_angle;
+    rotational = transpose(to_angle) * rotational * to_angle;
     for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t m = 0; m < 3; ++m) tangent(k, m) = turning(k, m);
+      for (std::size_t m = 0; m < 3; ++m) tangent(k, m) = rotational(k, m);
     }
   }
 

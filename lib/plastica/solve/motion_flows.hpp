@@ -14,7 +14,7 @@ double MotionStep<L, kElastic>::load_work() const {
     const std::size_t i = load.segment;
     const auto over = [&](const Placement& placement, double factor) {
       const auto unit = chain::unit_wrench(load, placement);
-      const auto arm = L::turn(placement.frame[i], chain_.inertias[i].center);
+      const auto arm = L::rotate(placement.frame[i], chain_.inertias[i].center);
       // Moved to the center of mass, whose displacement the step knows.
       const typename L::Spin moment = unit.moment - L::moment(arm, unit.force);
       return factor * (dot(unit.force, step_[i].displacement) + dot(moment, step_[i].spin));
@@ -56,8 +56,8 @@ double MotionStep<L, kElastic>::ground_work() {
     const chain::Wrench<L> before = root_wrench_.value_or(passed);
     const chain::Wrench<L> mean{end * passed.force + begin * before.force,
                                 end * passed.moment + begin * before.moment};
-    const typename L::Spin turn = L::step_spin(begin_.near[0], w_.placement.near[0]);
-    work -= dot(mean.force, root * chain_.root.motion) + dot(mean.moment, turn);
+    const typename L::Spin increment = L::step_spin(begin_.near[0], w_.placement.near[0]);
+    work -= dot(mean.force, root * chain_.root.motion) + dot(mean.moment, increment);
   }
   root_wrench_ = passed;
 

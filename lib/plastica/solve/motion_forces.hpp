@@ -46,11 +46,12 @@ void MotionStep<L, kElastic>::set_stage() {
   }
   for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
     const auto& joint = chain_.ground_joints[g];
-    const auto turn = [&](double time) {
+    const auto rotation_at = [&](double time) {
       return L::rotation(constant<S>(chain_.histories[joint.history].at(time)) * joint.motion);
     };
     stage.ground_axes[g] =
-        L::work_from_joint(step_[joint.segment].spin, L::step_spin(turn(time_), turn(w_.time))) *
+        L::work_from_joint(step_[joint.segment].spin,
+                           L::step_spin(rotation_at(time_), rotation_at(w_.time))) *
         L::axes(chain::ground_joint_axes(joint, begin_));
   }
 }
@@ -60,7 +61,7 @@ template <class L, bool kElastic>
 void MotionStep<L, kElastic>::set_joint_spins() {
   if (rule_.conserves || options_.damping != Damping::Stiffness) return;
   spins_.resize(chain_.joints());
-  typename L::Spin inner = slope_of(chain_.root.history) * chain_.root.turn;
+  typename L::Spin inner = slope_of(chain_.root.history) * chain_.root.rotation;
   const auto spin_of = [&](std::size_t i) {
     return L::axes(w_.placement.frame[i]) * motion_now_[i].spin;
   };
@@ -97,10 +98,10 @@ void MotionStep<L, kElastic>::assemble() {
     const auto& end = w_.placement.frame[i];
     inertia_now_[i] =
         inertia_force(rule_, h_, inertia, begin_.frame[i], end, motion_[i], motion_now_[i]);
-    const auto turning =
-        turning_impedance<L>(rule_, h_, inertia, end, motion_now_[i],
-                             transposed_times(L::axes(end), step_[i].spin), inertia_now_[i].moment);
-    add_inertia(rule_, h_, inertia, i, w_.placement, acting, inertia_now_[i], turning,
+    const auto rotational = rotational_impedance<L>(rule_, h_, inertia, end, motion_now_[i],
+                                                    transposed_times(L::axes(end), step_[i].spin),
+                                                    inertia_now_[i].moment);
+    add_inertia(rule_, h_, inertia, i, w_.placement, acting, inertia_now_[i], rotational,
                 w_.outer_forces);
   }
   detail::set_constraints(chain_, w_);
@@ -149,17 +150,17 @@ bool MotionStep<L, kElastic>::solve_from(bool predicted) {
   w_.stage.midpoint = false;
   w_.stage.follows = 1.0;
   iterations_ += outcome.iterations;
-  return outcome.converged && turns_little() && is_finite();
+  return outcome.converged && rotates_little() && is_finite();
 }
 
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::turns_little() const {
+bool MotionStep<L, kElastic>::rotates_little() const {
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     if (!(size_of(step_[i].spin) <= kLargestStepSpin)) return false;
     if (w_.q.open[i]) continue;
-    const typename L::Spin turn = w_.q.angle[i] - q_begin_.angle[i];
+    const typename L::Spin increment = w_.q.angle[i] - q_begin_.angle[i];
     for (std::size_t k = 0; k < L::kRotations; ++k) {
-      if (!(std::fabs(turn[k]) <= options_.largest_turn)) return false;
+      if (!(std::fabs(increment[k]) <= options_.largest_rotation)) return false;
     }
   }
   return true;

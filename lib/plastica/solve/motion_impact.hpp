@@ -81,7 +81,7 @@ double MotionStep<L, kElastic>::approach_of(std::size_t k) const {
   const std::size_t i = constraint.segment;
   const typename L::Spin spin = L::axes(placement.frame[i]) * motion[i].spin;
   const typename L::Point arm =
-      L::turn(placement.frame[i], constraint.arm - chain_.inertias[i].center);
+      L::rotate(placement.frame[i], constraint.arm - chain_.inertias[i].center);
   const double speed = dot(constraint.direction, motion[i].velocity + L::spun(spin, arm)) +
                        dot(constraint.axis, spin);
   const History& history = chain_.histories[constraint.history];
@@ -105,7 +105,7 @@ bool MotionStep<L, kElastic>::fit_velocities(Motions& motion, const std::vector<
     rates.rate[k] = slope_of(constraint.history) * constraint.motion + away;
   }
   const S slope = slope_of(chain_.root.history);
-  const chain::Motion<L> ground{slope * chain_.root.motion, slope * chain_.root.turn};
+  const chain::Motion<L> ground{slope * chain_.root.motion, slope * chain_.root.rotation};
   given_ = motion;
   for (;;) {
     motion = given_;
@@ -122,7 +122,7 @@ bool MotionStep<L, kElastic>::fit_velocities(Motions& motion, const std::vector<
 
 /// Whether a support's speed jumps at the end of the step.
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::turns_a_corner() const {
+bool MotionStep<L, kElastic>::passes_corner() const {
   const auto jumps = [&](std::size_t history) {
     const History& factor = chain_.histories[history];
     const double before = (factor.at(w_.time) - factor.at(w_.time - h_)) / h_;
@@ -131,7 +131,8 @@ bool MotionStep<L, kElastic>::turns_a_corner() const {
   };
   const auto moves = [](const auto& v) { return dot(v, v) > 0.0; };
   const auto& root = chain_.root;
-  if (!w_.q.open[0] && (moves(root.motion) || moves(root.turn)) && jumps(root.history)) return true;
+  if (!w_.q.open[0] && (moves(root.motion) || moves(root.rotation)) && jumps(root.history))
+    return true;
   return std::any_of(chain_.constraints.begin(), chain_.constraints.end(),
                      [&](const auto& constraint) {
                        return constraint.motion != 0.0 && jumps(constraint.history);
@@ -154,7 +155,7 @@ void MotionStep<L, kElastic>::settle() {
       bounces_[k] = 0;
     }
   }
-  const bool corner = turns_a_corner();
+  const bool corner = passes_corner();
   if (!touches && !corner) return;
   // What a scheme's velocities lack to fit the joints is its own affair, not the impact's.
   double before = kinetic();

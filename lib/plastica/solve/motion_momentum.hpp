@@ -68,14 +68,14 @@ void MotionStep<L, kElastic>::balance_fragment(std::size_t first, std::size_t en
   const S rest = constant<S>(1) - share;
   error.lost +=
       after.momentum - before.momentum - h * (share * outside.force + rest * error.outside.force);
-  error.turned +=
-      after.turning - before.turning - h * (share * outside.moment + rest * error.outside.moment);
+  error.angular +=
+      after.angular - before.angular - h * (share * outside.moment + rest * error.outside.moment);
   error.outside = outside;
   error.knows_outside = true;
   error.size = std::max({error.size, before.size, after.size});
-  error.turning_size = std::max({error.turning_size, before.turning_size, after.turning_size});
+  error.angular_size = std::max({error.angular_size, before.angular_size, after.angular_size});
   error.largest_lost = std::max<double>(error.largest_lost, size_of(error.lost));
-  error.largest_turned = std::max<double>(error.largest_turned, size_of(error.turned));
+  error.largest_angular = std::max<double>(error.largest_angular, size_of(error.angular));
 }
 
 template <class L, bool kElastic>

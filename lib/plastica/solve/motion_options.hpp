@@ -13,13 +13,13 @@ struct MotionOptions {
   Scheme scheme = Scheme::GeneralizedAlpha;
   double rho_infinity = 0.8;
   Damping damping = Damping::None;
-  double damping_time = 0.0;     ///< [s]
-  double time_step = 1e-3;       ///< [s]; the largest one if steps are adaptive
-  double step_error = 0.0;       ///< of a step, over the beam's length [1]; 0: fixed steps
-  double smallest_step = 1e-6;   ///< of `time_step` [1]
-  double largest_turn = 0.2;     ///< of a joint in a step [rad]
-  std::vector<double> stops{};   ///< times at which a step must end, rising; the last is the end
-  std::vector<bool> recorded{};  ///< which of them are samples
+  double damping_time = 0.0;      ///< [s]
+  double time_step = 1e-3;        ///< [s]; the largest one if steps are adaptive
+  double step_error = 0.0;        ///< of a step, over the beam's length [1]; 0: fixed steps
+  double smallest_step = 1e-6;    ///< of `time_step` [1]
+  double largest_rotation = 0.2;  ///< of a joint in a step [rad]
+  std::vector<double> stops{};    ///< times at which a step must end, rising; the last is the end
+  std::vector<bool> recorded{};   ///< which of them are samples
   std::vector<double> restitution{};  ///< of each constraint that is one-sided [1] (constraints)
 };
 

@@ -221,7 +221,7 @@ class MotionStep {
   void set_stage();
   void set_joint_spins();
   double factor_at(std::size_t history) const;
-  bool turns_little() const;
+  bool rotates_little() const;
   bool is_finite() const;
   // motion_flows.hpp
   void add_flows();
@@ -247,7 +247,7 @@ class MotionStep {
   void settle();
   void jumped();
   void strike(bool corner);
-  bool turns_a_corner() const;
+  bool passes_corner() const;
   void restart();
 
   const chain::Chain<L>& chain_;

@@ -249,18 +249,19 @@ void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
     for (std::size_t i = 0; i < L::kTranslations; ++i) {
       wrench.force[i] = slope(spring.history) * spring.stiffness[i] * spring.motion[i];
     }
-    wrench.moment = L::moment(L::turn(w.placement.frame[spring.segment], spring.arm), wrench.force);
+    wrench.moment =
+        L::moment(L::rotate(w.placement.frame[spring.segment], spring.arm), wrench.force);
     add_scaled(constant<S>(1), wrench, w.right.wrench[spring.segment]);
     add_at_nodes(chain, spring.segment, spring.arm, wrench.force, w);
   }
   for (const auto& joint : chain.ground_joints) {
     // The ground turns against the segment, which the joint's law resists.
     const auto axes = L::axes(chain::ground_joint_axes(joint, w.placement));
-    const typename L::Spin turn = transposed_times(axes, slope(joint.history) * joint.motion);
+    const typename L::Spin increment = transposed_times(axes, slope(joint.history) * joint.motion);
     typename L::Spin moment;
     for (std::size_t i = 0; i < L::kRotations; ++i) {
       for (std::size_t k = 0; k < L::kRotations; ++k) {
-        moment[i] += w.joints.tangent[joint.joint](i, k) * turn[k];
+        moment[i] += w.joints.tangent[joint.joint](i, k) * increment[k];
       }
     }
     w.right.wrench[joint.segment].moment += axes * moment;
@@ -274,7 +275,7 @@ void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
   add_scaled(-(chain.constraint_stiffness * condition.time_slope), condition.covector,
              w.right.wrench[condition.segment]);
   w.right.ground = {slope(chain.root.history) * chain.root.motion,
-                    slope(chain.root.history) * chain.root.turn};
+                    slope(chain.root.history) * chain.root.rotation};
   w.recursion.solve(w.right, false, w.columns.back());
 }
 
@@ -374,7 +375,7 @@ void take_step(const chain::Chain<L>& chain, const PathCondition<L>& condition,
   for (std::size_t i = 0; i < chain.size(); ++i) {
     typename L::Spin spin;
     for (std::size_t k = 0; k < L::kRotations; ++k) spin[k] = part * step.joint[i][k];
-    w.q.angle[i] = L::turn_by(spin, w.q.angle[i]);
+    w.q.angle[i] = L::add_rotation(spin, w.q.angle[i]);
     if (any(w.q.open[i])) {
       chain::Pose<L>& pose = w.q.pose[i];
       pose.position += part * step.motion[i].shift;

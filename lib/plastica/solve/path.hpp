@@ -130,7 +130,7 @@ class PathContinuation {
     at_ = at;
     // Where nothing has flowed the laws are as they were in the last iteration.
     factored_ = !observer_.yields();
-    rate_before_ = time_ > previous_time_ ? turned_ / (time_ - previous_time_) : 0.0;
+    rate_before_ = time_ > previous_time_ ? rotated_ / (time_ - previous_time_) : 0.0;
     ++counters_.steps;
     interrupted_ = !observer_.accept(w_);
   }
@@ -157,12 +157,12 @@ class PathContinuation {
   bool holds_twice();
 
   /// How the last step has turned the segments: path_continuity.hpp.
-  template <class TurnOf, class Visit>
-  void for_each_turn(const TurnOf& turn, const Visit& visit) const;
-  template <class TurnOf>
-  double size_of_turns(const TurnOf& turn) const;
-  bool turns_too_far() const;
-  double turning_rate();
+  template <class IncrementOf, class Visit>
+  void for_each_rotation(const IncrementOf& increment, const Visit& visit) const;
+  template <class IncrementOf>
+  double size_of_rotations(const IncrementOf& increment) const;
+  bool rotates_too_far() const;
+  double rotation_rate();
   bool points_on();
 
   /// Whether the equilibria are stable: path_stability.hpp.
@@ -196,7 +196,7 @@ class PathContinuation {
     overloaded_ = converged && laws_.overloaded();
     if (!converged || overloaded_) return Trial::Failed;
     if ((beyond_ = !at_time_ && w_.time > latest_)) return Trial::Failed;
-    if (turns_too_far() || !points_on() || !may_change_stability(shortest)) return Trial::Failed;
+    if (rotates_too_far() || !points_on() || !may_change_stability(shortest)) return Trial::Failed;
     const double slope = watches_slope_ && observer_.yields() ? relative_slope() : 1.0;
     flat_ = slope < kLimitSlope;
     // A bend of the path is looked at closely: from far off a limit that the beam escapes by
@@ -245,11 +245,11 @@ class PathContinuation {
     solve_rates(at_time);
     detail::combine_columns(chain_, at_time, w_);
     solved_ = false;
-    rate_before_ = size_of_turns([&](std::size_t i) {
-                     typename L::Spin turn;
+    rate_before_ = size_of_rotations([&](std::size_t i) {
+                     typename L::Spin increment;
                      for (std::size_t k = 0; k < L::kRotations; ++k)
-                       turn[k] = w_.columns[0].joint[i][k];
-                     return turn;
+                       increment[k] = w_.columns[0].joint[i][k];
+                     return increment;
                    }) /
                    (time - time_);
     detail::take_step(chain_, at_time, false, w_);
@@ -280,7 +280,7 @@ class PathContinuation {
   }
 
   /// Of a joint, from the undeformed beam.
-  double farthest_turn() const {
+  double largest_rotation() const {
     double farthest = 0.0;
     for (const typename L::Spin& angle : w_.q.angle) {
       farthest = std::max(farthest, static_cast<double>(size_of(angle)));
@@ -380,7 +380,7 @@ class PathContinuation {
   bool unstable_ = false;
   bool at_time_ = false;        ///< whether the trial was sought at a given time
   bool holds_tangent_ = false;  ///< whether `w_` holds the tangent of the trial
-  double turned_ = 0.0;         ///< by the trial, of all segments: see `size_of_turns`
+  double rotated_ = 0.0;        ///< by the trial, of all segments: see `size_of_rotations`
   double rate_before_ = 0.0;    ///< likewise, in a unit of time before it, or where it begins
   Value at_{};                  ///< the control point at the last step
   bool has_scale_ = false;      ///< whether arcs have one: something moves

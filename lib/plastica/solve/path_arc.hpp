@@ -164,8 +164,8 @@ typename PathContinuation<L, kElastic>::Trial PathContinuation<L, kElastic>::cro
   if (!watches_slope_) return Trial::Failed;
   watches_slope_ = false;
   set_arc_length(1e-2, 1.0);
-  const bool may_turn = options_.control != PathControl::Load;
-  latest_ = may_turn ? stop : kForever;
+  const bool may_reverse = options_.control != PathControl::Load;
+  latest_ = may_reverse ? stop : kForever;
   double highest = time_;
   const double first_slope = span_ / elastic_path_;
   for (int k = 0; k < kMaxArcs; ++k) {
@@ -173,7 +173,7 @@ typename PathContinuation<L, kElastic>::Trial PathContinuation<L, kElastic>::cro
     if (trial == Trial::Ended) return trial;
     if (trial == Trial::Failed) return Trial::Failed;
     if (time_ >= stop) {
-      if (!may_turn) return Trial::Failed;
+      if (!may_reverse) return Trial::Failed;
       step_ = smallest();
       watches_slope_ = true;
       return trial;
@@ -181,7 +181,7 @@ typename PathContinuation<L, kElastic>::Trial PathContinuation<L, kElastic>::cro
     highest = std::max(highest, time_);
     const double least = observer_.yields() ? kLimitSlope * first_slope : 0.0;
     if (secant_time_ <= least * size_of(secant_)) {
-      if (observer_.yields() || farthest_turn() <= kFarTurn) bracket_limit(highest);
+      if (observer_.yields() || largest_rotation() <= kLargeRotation) bracket_limit(highest);
       return stopped() ? Trial::Ended : Trial::Failed;
     }
   }
@@ -201,7 +201,7 @@ void PathContinuation<L, kElastic>::bracket_limit(double highest) {
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
     counters_.iterations += outcome.iterations;
     if (stopped()) return;
-    if (outcome.converged && !laws_.overloaded() && !turns_too_far()) continue;
+    if (outcome.converged && !laws_.overloaded() && !rotates_too_far()) continue;
     limit.above = time;
     break;
   }

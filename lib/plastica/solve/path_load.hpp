@@ -24,7 +24,7 @@ Status PathContinuation<L, kElastic>::find_first() {
   counters_.iterations += outcome.iterations;
   if (stopped()) return Status::Interrupted;
   const bool is_mechanism = !(w_.recursion.min_pivot() > kMechanism);
-  if (!is_mechanism && (!outcome.converged || turns_too_far())) {
+  if (!is_mechanism && (!outcome.converged || rotates_too_far())) {
     // What acts at time 0 already bends the beam far.
     outcome = load_gradually();
     if (stopped()) return Status::Interrupted;
@@ -59,7 +59,7 @@ NewtonOutcome<typename L::Scalar> PathContinuation<L, kElastic>::load_gradually(
         w_, [](const Work&) { return PathCondition<L>{}; });
     counters_.iterations += outcome.iterations;
     if (stopped()) break;
-    if (outcome.converged && !turns_too_far()) {
+    if (outcome.converged && !rotates_too_far()) {
       part = next;
       step = std::min(2.0 * step, most);
       if (part < 1.0) laws_.commit();

@@ -42,7 +42,7 @@ struct BucklingModes {
   /// By how much some segment will have turned up to there, if all turn on as they do at `about`: 0
   /// where the shape stays; where it is large, the factor is that of a shape that will be another
   /// [rad] (n).
-  std::vector<double> turn;
+  std::vector<double> rotation;
   std::vector<int> out_of_plane;  ///< as of `CriticalPoints` (n)
   std::vector<double> mode;       ///< likewise (n x n_joints x 3)
 };

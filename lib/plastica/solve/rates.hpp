@@ -52,12 +52,13 @@ bool solve_rates(const chain::Chain<L>& chain, const ConstraintRates<L>& constra
   const S one = constant<S>(1);
   w.recursion.solve(w.right, with_balance, w.columns[0]);
   S mass = zero;
-  S turning = zero;
+  S rotational = zero;
   for (const chain::Inertia<L>& inertia : chain.inertias) {
     mass = mass + inertia.mass;
-    for (std::size_t k = 0; k < L::kRotations; ++k) turning = max(turning, inertia.turning(k, k));
+    for (std::size_t k = 0; k < L::kRotations; ++k)
+      rotational = max(rotational, inertia.rotational(k, k));
   }
-  turning = turning + mass * chain.length * chain.length;
+  rotational = rotational + mass * chain.length * chain.length;
   bool all_hold = true;
   const std::size_t count = chain.constraints.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -75,7 +76,7 @@ bool solve_rates(const chain::Chain<L>& chain, const ConstraintRates<L>& constra
                                k == j ? one : zero);
     }
     const S own = power(wrench, w.columns[1 + k].motion[constraint.segment]);
-    const S free = one / (constraint.rotational ? turning : mass);
+    const S free = one / (constraint.rotational ? rotational : mass);
     if (any(constraints.acts[k] & !(own > constant<S>(kHoldsNothing<S>) * free))) all_hold = false;
     w.small.a(k, count) = zero;
     w.small.a(count, k) = zero;
@@ -116,8 +117,8 @@ bool make_velocities_fit(const chain::Chain<L>& chain, const ConstraintRates<L>&
     const chain::Inertia<L>& inertia = chain.inertias[i];
     const auto& frame = w.placement.frame[i];
     const typename L::Point momentum = inertia.mass * motion[i].velocity;
-    w.right.wrench[i] = {momentum, turning_momentum(inertia, frame, motion[i].spin) +
-                                       L::moment(L::turn(frame, inertia.center), momentum)};
+    w.right.wrench[i] = {momentum, angular_momentum(inertia, frame, motion[i].spin) +
+                                       L::moment(L::rotate(frame, inertia.center), momentum)};
   }
   w.right.ground = ground;
   const bool all_hold = detail::solve_rates(chain, constraints, false, w);
@@ -125,7 +126,7 @@ bool make_velocities_fit(const chain::Chain<L>& chain, const ConstraintRates<L>&
     const chain::Motion<L>& moves = w.columns[0].motion[i];
     const auto& frame = w.placement.frame[i];
     motion[i].velocity =
-        moves.shift + L::spun(moves.spin, L::turn(frame, chain.inertias[i].center));
+        moves.shift + L::spun(moves.spin, L::rotate(frame, chain.inertias[i].center));
     motion[i].spin = transposed_times(L::axes(frame), moves.spin);
   }
   return all_hold;
@@ -143,7 +144,7 @@ void set_accelerations(const chain::Chain<L>& chain, const chain::JointForces<L,
   w.right.reset(chain.size());
   // Arms and joint axes are carried along.
   std::vector<typename L::Point>& carried = carried_motion.shift;
-  std::vector<typename L::Spin>& turned = carried_motion.spin;
+  std::vector<typename L::Spin>& spin_acceleration = carried_motion.spin;
   typename L::Point at{};
   typename L::Spin spin_rate{};
   typename L::Spin inner_spin{};
@@ -156,21 +157,21 @@ void set_accelerations(const chain::Chain<L>& chain, const chain::JointForces<L,
       inner_spin = select(w.q.open[i], spin, inner_spin);
     }
     // d/dt of (axes x rate) at a constant rate: the inner side's spin x the relative one.
-    spin_rate += L::turned_by(spin - inner_spin) * inner_spin;
+    spin_rate += L::spin_derivative(spin - inner_spin) * inner_spin;
     const auto centripetal = [&](const typename L::Point& arm) {
       return L::spun(spin_rate, arm) + L::spun(spin, L::spun(spin, arm));
     };
     carried[i] = at;
-    turned[i] = spin_rate;
+    spin_acceleration[i] = spin_rate;
     const chain::Inertia<L>& inertia = chain.inertias[i];
-    const typename L::Point arm = L::turn(frame, inertia.center);
+    const typename L::Point arm = L::rotate(frame, inertia.center);
     const typename L::Point force = inertia.mass * (at + centripetal(arm));
-    const typename L::Spin momentum = inertia.turning * motion[i].spin;
+    const typename L::Spin momentum = inertia.rotational * motion[i].spin;
     const auto axes = L::axes(frame);
-    const typename L::Spin moment = axes * (inertia.turning * transposed_times(axes, spin_rate) +
-                                            L::turned_by(momentum) * motion[i].spin);
+    const typename L::Spin moment = axes * (inertia.rotational * transposed_times(axes, spin_rate) +
+                                            L::spin_derivative(momentum) * motion[i].spin);
     w.right.wrench[i] = {-force, -(moment + L::moment(arm, force))};
-    at += centripetal(L::turn(frame, chain.segments[i].arm));
+    at += centripetal(L::rotate(frame, chain.segments[i].arm));
     inner_spin = spin;
   }
   for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
@@ -178,21 +179,21 @@ void set_accelerations(const chain::Chain<L>& chain, const chain::JointForces<L,
     const std::size_t i = constraint.segment;
     const auto& frame = w.placement.frame[i];
     const typename L::Spin spin = L::axes(frame) * motion[i].spin;
-    const typename L::Point arm = L::turn(frame, constraint.arm);
+    const typename L::Point arm = L::rotate(frame, constraint.arm);
     const typename L::Point bias =
-        carried[i] + L::spun(turned[i], arm) + L::spun(spin, L::spun(spin, arm));
-    rates.rate[k] = -(dot(constraint.direction, bias) + dot(constraint.axis, turned[i]));
+        carried[i] + L::spun(spin_acceleration[i], arm) + L::spun(spin, L::spun(spin, arm));
+    rates.rate[k] = -(dot(constraint.direction, bias) + dot(constraint.axis, spin_acceleration[i]));
   }
   detail::solve_rates(chain, rates, true, w);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const auto& frame = w.placement.frame[i];
     const chain::Motion<L>& moves = w.columns[0].motion[i];
     const typename L::Spin spin = L::axes(frame) * motion[i].spin;
-    const typename L::Spin turns = moves.spin + turned[i];
-    const typename L::Point arm = L::turn(frame, chain.inertias[i].center);
+    const typename L::Spin spins = moves.spin + spin_acceleration[i];
+    const typename L::Point arm = L::rotate(frame, chain.inertias[i].center);
     motion[i].acceleration =
-        moves.shift + carried[i] + L::spun(turns, arm) + L::spun(spin, L::spun(spin, arm));
-    motion[i].spin_rate = transposed_times(L::axes(frame), turns);
+        moves.shift + carried[i] + L::spun(spins, arm) + L::spun(spin, L::spun(spin, arm));
+    motion[i].spin_rate = transposed_times(L::axes(frame), spins);
     motion[i].resisting = motion[i].acceleration;
     motion[i].resisting_spin_rate = motion[i].spin_rate;
   }

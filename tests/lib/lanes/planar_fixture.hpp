@@ -73,7 +73,7 @@ struct RandomBeams {
     }
     at(i, PlanarState::Angle, lane) = between(-0.2, 0.2);
     at(i, PlanarState::Rate, lane) = between(-1.0, 1.0);
-    at(i, PlanarState::Turning, lane) = between(-5.0, 5.0);
+    at(i, PlanarState::AngularAcceleration, lane) = between(-5.0, 5.0);
   }
 };
 

@@ -37,7 +37,7 @@ std::vector<double> accelerations(const RandomBeams<double>& b, int order, doubl
     angle += b.kind(i, PlanarKind::Rest) + b.at(i, PlanarState::Angle);
     spin += b.at(i, PlanarState::Rate);
     const double at = angle + ahead * spin;
-    const double there = spin + ahead * b.at(i, PlanarState::Turning);
+    const double there = spin + ahead * b.at(i, PlanarState::AngularAcceleration);
     direction[i] = {std::cos(at), std::sin(at)};
     joint[i] = center[i] = end;
     centripetal[i] = end_centripetal;
@@ -175,7 +175,7 @@ TEST(PlanarSteps, KeepTheirEnergyBalanced) {
       b.kind(i, PlanarKind::Damping) = 0.0;
       b.at(i, PlanarState::Rate) *= 0.01;
       b.at(i, PlanarState::Angle) = 0.0;
-      b.at(i, PlanarState::Turning) = 0.0;
+      b.at(i, PlanarState::AngularAcceleration) = 0.0;
       b.kind(i, PlanarKind::Cap) *= 1e-5;
     }
     const auto energy = [&] {

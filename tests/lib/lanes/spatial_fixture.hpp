@@ -72,7 +72,7 @@ struct RandomSpatialBeams {
       kind(i, SpatialKind::Cap + k, lane) = stiffness * between(0.1, 0.3);
       at(i, SpatialState::Angle + k, lane) = between(-0.3, 0.3);
       at(i, SpatialState::Rate + k, lane) = between(-1.0, 1.0);
-      at(i, SpatialState::Turning + k, lane) = between(-5.0, 5.0);
+      at(i, SpatialState::AngularAcceleration + k, lane) = between(-5.0, 5.0);
       at(i, SpatialState::AngleRate + k, lane) = between(-1.0, 1.0);
     }
     for (std::size_t field = 0; field < SpatialLoad::kCount; ++field) {

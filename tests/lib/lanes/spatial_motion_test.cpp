@@ -51,7 +51,7 @@ Beams lively() {
       b.kind(i, SpatialKind::Cap + k) *= 0.05;
       b.kind(i, SpatialKind::Damping + k) *= 0.02;
       b.at(i, SpatialState::Rate + k) *= 2.0;
-      b.at(i, SpatialState::Turning + k) = 0.0;
+      b.at(i, SpatialState::AngularAcceleration + k) = 0.0;
       b.at(i, SpatialState::AngleRate + k) = b.at(i, SpatialState::Rate + k);
     }
   }

@@ -60,7 +60,7 @@ Observed observed(const Beams& b, double ahead) {
     at.frame.push_back(frame);
     at.joint.push_back(joint);
     at.centripetal.push_back(centripetal);
-    at.spin.push_back(spin + ahead * spatial_state(b, i, SpatialState::Turning));
+    at.spin.push_back(spin + ahead * spatial_state(b, i, SpatialState::AngularAcceleration));
     const Vector arm = frame * Vector{{0, 0, b.kind(i, SpatialKind::Length)}};
     joint += arm;
     centripetal += spun(at.spin.back(), arm);
@@ -178,7 +178,8 @@ struct Pair {
       space.at(i, SpatialState::Angle) = plane.at(i, PlanarState::Angle);
       space.at(i, SpatialState::Rate) = plane.at(i, PlanarState::Rate);
       space.at(i, SpatialState::AngleRate) = plane.at(i, PlanarState::Rate);
-      space.at(i, SpatialState::Turning) = plane.at(i, PlanarState::Turning);
+      space.at(i, SpatialState::AngularAcceleration) =
+          plane.at(i, PlanarState::AngularAcceleration);
     }
   }
   void step(int order, int yields, double time, std::size_t count) const {

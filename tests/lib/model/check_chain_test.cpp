@@ -253,8 +253,8 @@ TEST(CheckSolver, RefusesAPathThatCannotBeFollowed) {
             "no error");
   EXPECT_EQ(error_of([](Scene&, SolverOptions& o) { o.steps = 0; }),
             "solver.steps = 0: must be from 1 to 1e+07");
-  EXPECT_EQ(error_of([](Scene&, SolverOptions& o) { o.largest_turn = 0.0; }),
-            "solver.largest_turn = 0: must be above 0 rad");
+  EXPECT_EQ(error_of([](Scene&, SolverOptions& o) { o.largest_rotation = 0.0; }),
+            "solver.largest_rotation = 0: must be above 0 rad");
 }
 
 TEST(CheckProbes, RefuseWhatTheChainDoesNotHave) {

@@ -224,7 +224,7 @@ TEST(BucklingModes, OfStripsAreThoseOfTheirPathsHoweverCoarseTheChain) {
         const BucklingModes modes = buckling_of(near, {.level = level}, 2);
         ASSERT_EQ(modes.factor.size(), 2U);
         EXPECT_NEAR(1e-5 * modes.factor[0] / path.critical->factor[0], 1.0, 1e-4);
-        EXPECT_LT(modes.turn[0], 1e-2);
+        EXPECT_LT(modes.rotation[0], 1e-2);
         if (path.critical->factor.size() < 2 || path.critical->unstable_modes[1] != 2) continue;
         EXPECT_NEAR(1e-5 * modes.factor[1] / path.critical->factor[1], 1.0, 1e-4);
       }
@@ -256,8 +256,8 @@ TEST(BucklingModes, SayHowFarTheShapeChangesUpToThem) {
   scene.loads.push_back({.force = {0.0, -100.0, 0.0}});
   const BucklingModes modes = buckling_of(scene, {.level = Level::Planar}, 1);
   const double turn = 50.0 / testing::bending_stiffness_of(scene);  // P L^2/2EI
-  EXPECT_NEAR(modes.turn.at(0) / (turn * (modes.factor.at(0) - 1.0)), 1.0, 0.05);
-  EXPECT_GT(modes.turn[0], 0.1);
+  EXPECT_NEAR(modes.rotation.at(0) / (turn * (modes.factor.at(0) - 1.0)), 1.0, 0.05);
+  EXPECT_GT(modes.rotation[0], 0.1);
 }
 
 TEST(BucklingModes, OfABeamInTensionAreNone) {

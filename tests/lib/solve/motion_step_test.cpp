@@ -106,7 +106,7 @@ TYPED_TEST(MotionStepOf, ChangesNoMomentumAndNoPlaceByACut) {
       const auto& inertia = solved.build.chain.inertias[i];
       sum += TypeParam::moment(step.begin().point(i, inertia.center),
                                inertia.mass * step.motions()[i].velocity) +
-             solve::turning_momentum(inertia, step.begin().frame[i], step.motions()[i].spin);
+             solve::angular_momentum(inertia, step.begin().frame[i], step.motions()[i].spin);
     }
     return sum;
   };

@@ -58,8 +58,8 @@ void expect_rates(bool in_space) {
       }
       spin[k] *= kStep;
     }
-    const auto ahead = L::turn_by(spin, angles[1][i]);
-    const auto behind = L::turn_by(-1.0 * spin, angles[1][i]);
+    const auto ahead = L::add_rotation(spin, angles[1][i]);
+    const auto behind = L::add_rotation(-1.0 * spin, angles[1][i]);
     for (std::size_t k = 0; k < L::kRotations; ++k) {
       const double rate = (ahead[k] - behind[k]) / (2.0 * kStep);
       const double difference = (angles[2][i][k] - angles[0][i][k]) / (2.0 * kStep);
