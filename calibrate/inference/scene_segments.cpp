@@ -9,7 +9,7 @@
 
 #include "calibrate/inference/not_a_number.hpp"
 #include "calibrate/inference/scene_errors.hpp"
-#include "calibrate/trial/redivide.hpp"
+#include "calibrate/trial/remesh.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::calibrate {
@@ -28,7 +28,7 @@ std::vector<ScenePart> divided_parts(std::span<const ScenePart> parts, Division 
   for (ScenePart& part : made) {
     if (part.setup.scene.is_coupon()) continue;
     try {
-      part.setup = redivided(part, division);
+      part.setup = remeshed(part, division);
     } catch (const InputError& error) {
       if (parts.size() == 1) throw;
       throw InputError({}, part.target.name + ": " + error.field(), error.value(), error.rule());
