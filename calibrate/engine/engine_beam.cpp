@@ -152,7 +152,7 @@ class BeamReader {
     bool is_first = true;
     for (const chain::GroundJoint<Space>& ground : chain.ground_joints) {
       const chain::JointPlan& plan = body_.build.joints[ground.joint];
-      if (ground.support != index || !any_of(plan.acting)) continue;
+      if (ground.support != index || !any_of(plan.active)) continue;
       EngineJoint half = held;
       if (!is_first) {
         half.name += "_beyond";
@@ -195,7 +195,7 @@ class BeamReader {
     const auto material = material_values(part.material);
     const chain::JointModel model = chain::joint_of_part(model_.scene, part, material);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (law.acting[k] == 0.0) continue;
+      if (law.active[k] == 0.0) continue;
       joint.rotation[k] = JointHold::Sprung;
       joint.length = length;
       joint.stiffness[k] = law.rotational_stiffness(k, k);

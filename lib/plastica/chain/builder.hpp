@@ -131,7 +131,7 @@ class Builder {
     root.held = view_.translations(support.held());
     const auto held = view_.rotations(support.held());
     if (layout_.end_rule == EndRule::HalfJoint) {
-      build_.joints[0].acting = held;
+      build_.joints[0].active = held;
     } else {
       root.welded = held;
     }
@@ -175,7 +175,7 @@ class Builder {
     if (beyond >= layout_.size()) return;
     add(beyond, false);
     for (std::size_t k = 0; k < kR; ++k) {
-      if (held[k]) build_.joints[beyond].acting[k] = false;
+      if (held[k]) build_.joints[beyond].active[k] = false;
     }
   }
 
@@ -202,7 +202,7 @@ class Builder {
       if (!outer && segment + 1 == layout_.size()) plan.length[k] += layout_.bare_half[1][k];
     }
     if (outer) plan.before = plan.length;
-    plan.acting = held;
+    plan.active = held;
     plan.node = joint.node;
     const SegmentParts& parts = layout_.segment_part[segment];
     plan.part_a = plan.part_b = outer ? parts.outer : parts.inner;

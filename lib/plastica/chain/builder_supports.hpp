@@ -29,7 +29,7 @@ void Builder<L>::release_bending(double share) {
   const std::size_t node = segment_point(layout_, share).segment + 1;
   const auto released = view_.rotations(HeldFreedoms{false, false, false, true, true, false});
   for (std::size_t k = 0; k < kR; ++k) {
-    if (released[k]) build_.joints[node].acting[k] = false;
+    if (released[k]) build_.joints[node].active[k] = false;
   }
 }
 

@@ -73,7 +73,7 @@ std::vector<SectionJoint<L>> joint_numbers(
                                           numbers[b].stiffness[k]);
     }
     for (std::size_t k = 0; k < L::kRotations; ++k) {
-      joint.acting[k] = constant<S>(plan.acting[k] ? 1.0 : 0.0);
+      joint.active[k] = constant<S>(plan.active[k] ? 1.0 : 0.0);
       joint.spring[k] = constant<S>(plan.spring[k]);
     }
     joint.shear_stiffness = shear[joint.law];

@@ -14,7 +14,7 @@ struct JointPlan {
   /// Tributary length of bending about x and y, twist, and stretch with shear [m].
   std::array<double, 4> length{};
   std::array<double, 4> before{};  ///< what of it lies in part a, if that is not b [m]
-  std::array<bool, 3> acting{};    ///< rotations of the level that the section resists
+  std::array<bool, 3> active{};    ///< rotations of the level that the section resists
   std::array<double, 3> spring{};  ///< beside it, of a rotational spring [N m/rad]
   bool stretches = false;          ///< where joints do: whether this one stretches and shears
   std::size_t node = 0;            ///< where it is
@@ -31,7 +31,7 @@ inline JointPlan joint_plan(const Layout& layout, std::size_t i) {
   joint.node = i;
   joint.part_b = layout.segment_part[i].inner;
   joint.part_a = i == 0 ? joint.part_b : layout.segment_part[i - 1].outer;
-  joint.acting.fill(i > 0);
+  joint.active.fill(i > 0);
   joint.stretches = i > 0;
   joint.length.fill(layout.joint_length[i]);
   if (i > 0) joint.before.fill(layout.length_before[i]);

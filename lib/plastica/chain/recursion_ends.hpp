@@ -151,11 +151,11 @@ void Recursion<L, kElastic>::solve(const RightSide<L>& right, bool with_balance,
 /// The motion of a fragment's first segment; in the lanes where it begins no force goes further in.
 template <class L, bool kElastic>
 void Recursion<L, kElastic>::solve_fragment(FragmentStart& start, bool with_balance, Wrench<L>& b) {
-  Wrench<L> acting = b;
-  if (with_balance) acting = acting + start.balance;
+  Wrench<L> active = b;
+  if (with_balance) active = active + start.balance;
   Vec<S, kFree> rest;
-  for (std::size_t k = 0; k < kR; ++k) rest[k] = acting.moment[k];
-  for (std::size_t k = 0; k < kT; ++k) rest[kR + k] = acting.force[k];
+  for (std::size_t k = 0; k < kR; ++k) rest[k] = active.moment[k];
+  for (std::size_t k = 0; k < kT; ++k) rest[kR + k] = active.force[k];
   const Vec<S, kFree> moved = start.inverse * rest;
   for (std::size_t k = 0; k < kR; ++k) start.motion.spin[k] = moved[k];
   for (std::size_t k = 0; k < kT; ++k) start.motion.shift[k] = moved[kR + k];

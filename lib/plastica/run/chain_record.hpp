@@ -218,7 +218,7 @@ std::array<double, 3> ChainRecord<L, kElastic>::permanent_angle(const Joints& jo
   for (std::size_t k = 0; k < L::kRotations; ++k) {
     const std::size_t axis = axes.rotation(k);
     const S elastic = numbers.elastic_angle(axis, joints.section_forces()[joint][axis]);
-    left[k] = numbers.acting[k] * (w.angles[joint][k] - elastic);
+    left[k] = numbers.active[k] * (w.angles[joint][k] - elastic);
   }
   return joint_spin(left).at;
 }
@@ -258,7 +258,7 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::moment(const 
   const auto axes = view_.section_axes();
   typename L::Spin m;
   for (std::size_t k = 0; k < L::kRotations; ++k) {
-    m[k] = numbers.acting[k] * joints.section_forces()[joint][axes.rotation(k)] +
+    m[k] = numbers.active[k] * joints.section_forces()[joint][axes.rotation(k)] +
            numbers.spring[k] * w.angles[joint][k];
   }
   if (node == 0) weld_moment(w, m);

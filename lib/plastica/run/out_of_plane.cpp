@@ -191,7 +191,7 @@ class SpatialTangent final : public OutOfPlane {
   void soften(std::size_t joint, double share) {
     const std::size_t aside = 1 - normal_;
     const auto& numbers = joints_->joints()[joint];
-    const double lost = (1.0 - share) * numbers.acting[aside] * numbers.acting[aside] *
+    const double lost = (1.0 - share) * numbers.active[aside] * numbers.active[aside] *
                         numbers.stiffness[aside] / numbers.length[aside];
     const auto& angle = work_.angles[joint];
     const chain::RotationCoefficients<double> k(dot(angle, angle));

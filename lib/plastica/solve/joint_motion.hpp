@@ -135,7 +135,7 @@ class JointMotion {
     const auto& force = joints_->section_forces()[j];
     Vector s;
     for (std::size_t m = 0; m < kR; ++m) {
-      s[m] = joint.acting[m] * force[axes_.rotation(m)] + joint.spring[m] * angle[m];
+      s[m] = joint.active[m] * force[axes_.rotation(m)] + joint.spring[m] * angle[m];
     }
     if constexpr (kElastic) {
       constexpr std::size_t kAxial = 3;

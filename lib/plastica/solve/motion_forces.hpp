@@ -92,7 +92,7 @@ void MotionStep<L, kElastic>::assemble() {
   chain::gather_forces(
       chain_, w_.q, w_.placement, w_.stage, w_.joints,
       [this](std::size_t history) { return factor_at(history); }, w_.outer_forces);
-  const Placement& acting = w_.stage.of(w_.placement);
+  const Placement& active = w_.stage.of(w_.placement);
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const chain::Inertia<L>& inertia = chain_.inertias[i];
     const auto& end = w_.placement.frame[i];
@@ -101,7 +101,7 @@ void MotionStep<L, kElastic>::assemble() {
     const auto rotational = rotational_impedance<L>(rule_, h_, inertia, end, motion_now_[i],
                                                     transposed_times(L::axes(end), step_[i].spin),
                                                     inertia_now_[i].moment);
-    add_inertia(rule_, h_, inertia, i, w_.placement, acting, inertia_now_[i], rotational,
+    add_inertia(rule_, h_, inertia, i, w_.placement, active, inertia_now_[i], rotational,
                 w_.outer_forces);
   }
   detail::set_constraints(chain_, w_);

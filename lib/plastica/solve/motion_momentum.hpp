@@ -40,8 +40,8 @@ void MotionStep<L, kElastic>::balance_fragment(std::size_t first, std::size_t en
                                                const chain::Wrench<L>& residual) {
   const S h = constant<S>(h_);
   const auto& inertias = chain_.inertias;
-  const Placement& acting = rule_.midpoint ? w_.stage.placement : w_.placement;
-  const typename L::Point& start = acting.position[first];
+  const Placement& active = rule_.midpoint ? w_.stage.placement : w_.placement;
+  const typename L::Point& start = active.position[first];
   const FragmentMotion<L> before = fragment_motion(inertias, begin_, motion_, first, end);
   if (newton_.one_solve && rule_.midpoint) {
     add_momentum(inertias, w_.placement, start, {h * residual.force, h * residual.moment}, first,
@@ -55,7 +55,7 @@ void MotionStep<L, kElastic>::balance_fragment(std::size_t first, std::size_t en
   chain::Wrench<L> outside = residual;
   for (std::size_t i = first; i < end; ++i) {
     const CenterForce<L>& resists = inertia_now_[i];
-    const typename L::Point arm = acting.point(i, inertias[i].center) - start;
+    const typename L::Point arm = active.point(i, inertias[i].center) - start;
     outside.force -= resists.force;
     outside.moment -= resists.moment + L::moment(arm, resists.force);
   }

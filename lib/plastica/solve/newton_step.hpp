@@ -184,7 +184,7 @@ S stiffness_of(const chain::Chain<L>& chain, const chain::LoopConstraint<L>& loo
 
 /// A constraint's wrench at a unit multiplier, where the forces act.
 template <class L, bool kElastic>
-chain::Wrench<L> acting_wrench(const chain::LoopConstraint<L>& loop,
+chain::Wrench<L> active_wrench(const chain::LoopConstraint<L>& loop,
                                const NewtonWork<L, kElastic>& w) {
   return chain::unit_wrench(loop, w.stage.of(w.placement));
 }
@@ -198,7 +198,7 @@ void solve_imbalance(const chain::Chain<L>& chain, const PathCondition<L>& condi
   for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
     const auto& loop = chain.constraints[k];
     const S force = select(w.closed[k], -(stiffness_of<S>(chain, loop) * w.gap[k]), constant<S>(0));
-    add_scaled(force, acting_wrench(loop, w), w.right.wrench[loop.segment]);
+    add_scaled(force, active_wrench(loop, w), w.right.wrench[loop.segment]);
   }
   if (condition.active) {
     add_scaled(-(chain.constraint_stiffness * condition.value), condition.covector,
@@ -225,7 +225,7 @@ template <class L, bool kElastic>
 void solve_constraint(const chain::Chain<L>& chain, std::size_t k, NewtonWork<L, kElastic>& w) {
   const auto& loop = chain.constraints[k];
   w.right.reset(chain.size());
-  w.right.wrench[loop.segment] = acting_wrench(loop, w);
+  w.right.wrench[loop.segment] = active_wrench(loop, w);
   if (!loop.rotational) add_at_nodes(chain, loop.segment, loop.arm, loop.direction, w);
   w.recursion.solve(w.right, false, w.columns[1 + k]);
 }
@@ -245,14 +245,13 @@ void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
     add_at_nodes(chain, load.segment, load.arm, slope(load.history) * unit.force, w);
   }
   for (const auto& spring : chain.springs) {
-    chain::Wrench<L> wrench{};
+    chain::Wrench<L> rate{};
     for (std::size_t i = 0; i < L::kTranslations; ++i) {
-      wrench.force[i] = slope(spring.history) * spring.stiffness[i] * spring.motion[i];
+      rate.force[i] = slope(spring.history) * spring.stiffness[i] * spring.motion[i];
     }
-    wrench.moment =
-        L::moment(L::rotate(w.placement.frame[spring.segment], spring.arm), wrench.force);
-    add_scaled(constant<S>(1), wrench, w.right.wrench[spring.segment]);
-    add_at_nodes(chain, spring.segment, spring.arm, wrench.force, w);
+    rate.moment = L::moment(L::rotate(w.placement.frame[spring.segment], spring.arm), rate.force);
+    add_scaled(constant<S>(1), rate, w.right.wrench[spring.segment]);
+    add_at_nodes(chain, spring.segment, spring.arm, rate.force, w);
   }
   for (const auto& joint : chain.ground_joints) {
     // The ground turns against the segment, which the joint's law resists.

@@ -43,7 +43,7 @@ void factor_inertia(const chain::Chain<L>& chain, const chain::Stage<L>& stage,
 
 /// Solves for a right-hand side (w.right) under the constraints' conditions; leaves the motion in
 /// w.columns[0] and the constraints' impulses in w.small.
-/// @return whether every acting constraint has something to hold
+/// @return whether every active constraint has something to hold
 template <class L, bool kElastic>
 bool solve_rates(const chain::Chain<L>& chain, const ConstraintRates<L>& constraints,
                  bool with_balance, NewtonWork<L, kElastic>& w) {

@@ -139,13 +139,13 @@ Mat<typename L::Scalar, L::kRotations, L::kRotations> rotational_impedance(
 /// Adds what a segment resists, and how that changes.
 template <class L>
 void add_inertia(const StepRule& rule, double h, const chain::Inertia<L>& inertia, std::size_t i,
-                 const chain::Placement<L>& end, const chain::Placement<L>& acting,
+                 const chain::Placement<L>& end, const chain::Placement<L>& active,
                  const CenterForce<L>& resists,
                  const Mat<typename L::Scalar, L::kRotations, L::kRotations>& rotational,
                  chain::OuterForces<L>& outer_forces) {
   using S = typename L::Scalar;
   const typename L::Point arm = L::rotate(end.frame[i], inertia.center);
-  const typename L::Point work_arm = L::rotate(acting.frame[i], inertia.center);
+  const typename L::Point work_arm = L::rotate(active.frame[i], inertia.center);
   chain::Wrench<L>& wrench = outer_forces.wrench[i];
   wrench.force += resists.force;
   wrench.moment += resists.moment + L::moment(work_arm, resists.force);
