@@ -158,7 +158,7 @@ class SceneFit {
 
   /// A scene that stops short of what was measured, even with the fitted values.
   void warn_of_path(std::size_t part, const SceneCurve& fitted) {
-    if (!fitted.went_on) return;
+    if (!fitted.is_extended) return;
     result_.warnings.push_back(
         fmt::format("{}: with the fitted values the scene's path ends before the measured one; it "
                     "was compared where the ramps go on beyond the scene's end",

@@ -132,7 +132,7 @@ Setup driven_setup(const Setup& setup, const SceneTarget& target) {
   return followed;
 }
 
-std::optional<Setup> gone_on(const Setup& setup, int times) {
+std::optional<Setup> extended_setup(const Setup& setup, int times) {
   const Scene& scene = setup.scene;
   const SolverOptions& solver = setup.solver;
   const bool by_load = solver.control == PathControl::Auto || solver.control == PathControl::Load;

@@ -97,9 +97,9 @@ inline Projection<S> project_on_line(const LinearFacet<S>& facet, const SectionF
     const std::size_t i = kMember[m];
     const S shift = mu * compliance[i] * facet.direction[i] * reached;
     const S u = target[i] - shift;
-    const auto gone = (u <= zero) & (shift > zero);
-    stays[i] = select(gone, zero, one);
-    now.point[i] = select(gone, zero, u);
+    const auto vanishes = (u <= zero) & (shift > zero);
+    stays[i] = select(vanishes, zero, one);
+    now.point[i] = select(vanishes, zero, u);
     bend[i] = stays[i] * compliance[i] * facet.direction[i];
     left += bend[i] * facet.direction[i];
   }

@@ -157,9 +157,9 @@ inline Projection<typename Gauge::Scalar> project(
   const SectionForce<S> u = orthant_of<Gauge>(target);
   Projection<S> inside = detail::project_orthant(gauge, compliance, u, overshoot, mask);
   for (std::size_t i = 0; i < kSectionAxes; ++i) {
-    const auto gone = inside.point[i] < constant<S>(sizeof(real_t<S>) == 8 ? 1e-9 : 1e-5);
+    const auto vanishes = inside.point[i] < constant<S>(sizeof(real_t<S>) == 8 ? 1e-9 : 1e-5);
     const S slope = max(inside.slope(i, i), constant<S>(detail::kMinSlope));
-    inside.slope(i, i) = select(gone, slope, inside.slope(i, i));
+    inside.slope(i, i) = select(vanishes, slope, inside.slope(i, i));
   }
   return detail::with_signs<Gauge>(target, u, inside);
 }

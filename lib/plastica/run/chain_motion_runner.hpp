@@ -45,8 +45,8 @@ class ChainMotionRunner final : public ChainProgram {
   std::unique_ptr<Step> step_;  ///< of the joints below, which a material change renews
   const void* joints_of_step_ = nullptr;
   std::vector<solve::SegmentMotion<L>> initial_motion_;  ///< (N)
-  std::vector<bool> gone_;                               ///< joints that are cut (nodes)
-  std::vector<bool> told_;                               ///< joints whose break was told (nodes)
+  std::vector<bool> cut_;                                ///< joints that are cut (nodes)
+  std::vector<bool> reported_;        ///< joints whose break was reported (nodes)
   std::vector<JointAngles> watched_;  ///< angles of the joints that are left (nodes)
   std::size_t next_cut_ = 0;
 };
@@ -60,7 +60,7 @@ bool ChainMotionRunner<L, kElastic>::starts_free() const {
     if (root.held[k]) return false;
   }
   for (std::size_t k = 0; k < L::kRotations; ++k) {
-    if (root.welded[k] || joint.acting[k] || joint.spring[k] != 0.0) return false;
+    if (root.welded[k] || joint.active[k] || joint.spring[k] != 0.0) return false;
   }
   return true;
 }
@@ -71,8 +71,8 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   const auto began = std::chrono::steady_clock::now();
   body_.reset(material);
   const std::size_t nodes = body_.model.layout.size() + 1;
-  gone_.assign(nodes, false);
-  told_.assign(nodes, false);
+  cut_.assign(nodes, false);
+  reported_.assign(nodes, false);
   watched_.assign(nodes, {});
   next_cut_ = 0;
   response.samples = 0;
@@ -167,13 +167,13 @@ void ChainMotionRunner<L, kElastic>::break_joints(Step& step, const BreakListene
   if (!body_.watch.active()) return;
   const auto& angles = body_.measured(body_.strains);
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    watched_[i] = gone_[i] ? JointAngles{} : angles[i];
+    watched_[i] = cut_[i] ? JointAngles{} : angles[i];
   }
   if (body_.watch.excess(watched_) <= 0.0) return;
   ChainBreak event;
   for (const BrokenJoint& joint : body_.watch.broken(watched_)) {
     const auto node = static_cast<std::size_t>(joint.joint);
-    if (told_[node] || gone_[node]) continue;
+    if (reported_[node] || cut_[node]) continue;
     event.joints.push_back(joint);
     body_.describe(event.joints.back());
   }
@@ -189,7 +189,7 @@ void ChainMotionRunner<L, kElastic>::break_joints(Step& step, const BreakListene
   // not.
   const bool once = listener || body_.model.scene.on_break == BreakPolicy::RecordOnly;
   for (const BrokenJoint& joint : event.joints) {
-    if (once) told_[static_cast<std::size_t>(joint.joint)] = true;
+    if (once) reported_[static_cast<std::size_t>(joint.joint)] = true;
   }
   let_go(std::move(event), step, response);
 }
@@ -201,7 +201,7 @@ void ChainMotionRunner<L, kElastic>::cut_joints(double time, Step& step, Respons
   event.time = time;
   for (; next_cut_ < cuts.size() && cuts[next_cut_].time <= time; ++next_cut_) {
     const std::size_t node = cuts[next_cut_].node;
-    if (gone_[node]) continue;
+    if (cut_[node]) continue;
     BrokenJoint joint;
     joint.joint = static_cast<int>(node);
     joint.cause = BreakCause::Cut;
@@ -220,7 +220,7 @@ void ChainMotionRunner<L, kElastic>::let_go(ChainBreak event, Step& step, Respon
   for (const BrokenJoint& joint : event.joints) {
     if (!joint.cut) continue;
     any_cut = true;
-    gone_[static_cast<std::size_t>(joint.joint)] = true;
+    cut_[static_cast<std::size_t>(joint.joint)] = true;
     step.open(static_cast<std::size_t>(joint.joint));
   }
   if (any_cut) step.opened();

@@ -198,8 +198,8 @@ class LaneGroup final : public LaneProgram {
 
   void tell(std::size_t lane) {
     Scenario& scenario = scenarios_[lane];
-    const auto& told = scenario.hooks().on_progress;
-    if (scenario.running() && told && !told(time_)) stop(lane, Status::Interrupted);
+    const auto& report = scenario.hooks().on_progress;
+    if (scenario.running() && report && !report(time_)) stop(lane, Status::Interrupted);
   }
 
   /// Whether the steps of a memory's lane are short enough for how fast it turns.
@@ -235,14 +235,14 @@ class LaneGroup final : public LaneProgram {
   Balance balance_of(const Memory& memory, std::size_t memory_lane, std::size_t lane) const {
     const double kinetic = memory.sum(Sums::Kinetic, memory_lane);
     const double elastic = memory.sum(Sums::Elastic, memory_lane);
-    const double gone = memory.sum(Sums::Damping, memory_lane) +
-                        memory.sum(Sums::Numerical, memory_lane) +
-                        scenarios_[lane].plastic_work(memory, memory_lane);
+    const double dissipated = memory.sum(Sums::Damping, memory_lane) +
+                              memory.sum(Sums::Numerical, memory_lane) +
+                              scenarios_[lane].plastic_work(memory, memory_lane);
     const double potential = memory.sum(Sums::Potential, memory_lane);
     const double came = counts_loads_ ? memory.sum(Sums::Loads, memory_lane)
                                       : potential - last_balances_[lane].potential;
-    return {kinetic + elastic + gone - came,
-            std::max({kinetic, elastic, std::fabs(gone), std::fabs(came)}),
+    return {kinetic + elastic + dissipated - came,
+            std::max({kinetic, elastic, std::fabs(dissipated), std::fabs(came)}),
             std::max({kinetic, elastic, std::fabs(potential),
                       std::fabs(last_balances_[lane].potential)})};
   }

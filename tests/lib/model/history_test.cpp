@@ -81,10 +81,10 @@ TEST(History, OfASineThatHardlyBeginsHasTwoPoints) {
 
 TEST(History, OfASineTurnsAtItsPeaks) {
   const auto reversals = History::sine(1.0, 2.0, 0.3).reversals();
-  ASSERT_EQ(turns.size(), 4U);
+  ASSERT_EQ(reversals.size(), 4U);
   const double first = 0.25 - 0.3 / (2.0 * std::numbers::pi);
   for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_NEAR(turns[k], first + 0.5 * static_cast<double>(k), 1e-6);
+    EXPECT_NEAR(reversals[k], first + 0.5 * static_cast<double>(k), 1e-6);
   }
   // The peaks are points of the table.
   EXPECT_EQ(History::sine(1.0, 3.0).reversals().size(), 6U);

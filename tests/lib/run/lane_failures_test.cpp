@@ -94,14 +94,14 @@ TEST(LaneFailures, TellWithinALongInterval) {
   const Model model = prepare(struck(4, 1.0), options_of(1e-5, 1.0, 1));
   Workspace workspace = make_workspace(model);
   Response response = make_response(model);
-  int told = 0;
+  int reported = 0;
   workspace.on_progress = [&](double time) {
-    ++told;
+    ++reported;
     EXPECT_GT(time, 0.0);
-    return told < 3;
+    return reported < 3;
   };
   run(model, {}, workspace, response);
-  EXPECT_EQ(told, 3);
+  EXPECT_EQ(reported, 3);
   EXPECT_EQ(response.status, Status::Interrupted);
   EXPECT_EQ(response.samples, 1U);
 }

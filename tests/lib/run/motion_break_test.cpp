@@ -53,13 +53,13 @@ TEST(MotionBreak, RecordsEachJointOnceWhereNothingIsToBeCut) {
   scene.on_break = BreakPolicy::RecordOnly;
   const Response response = simulate(scene, motion_options(Scheme::EnergyMomentum, 1e-4, 300));
   ASSERT_FALSE(response.chain.events.empty());
-  std::vector<int> told;
+  std::vector<int> reported;
   for (const ChainBreak& event : response.chain.events) {
     EXPECT_EQ(event.fragments.size(), 1U);
     for (const BrokenJoint& joint : event.joints) {
       EXPECT_FALSE(joint.cut);
-      EXPECT_EQ(std::count(told.begin(), told.end(), joint.joint), 0);
-      told.push_back(joint.joint);
+      EXPECT_EQ(std::count(reported.begin(), reported.end(), joint.joint), 0);
+      reported.push_back(joint.joint);
     }
   }
   EXPECT_EQ(last_energy(response).fracture, 0.0);

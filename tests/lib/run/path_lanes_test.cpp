@@ -266,15 +266,15 @@ TEST(PathLanes, StopWhereTheyAreTold) {
   const Model model = prepare(bent(0, YieldModel::PerAxis), {});
   std::vector<Response> responses(3, make_response(model));
   std::vector<Workspace> hooks(3);
-  int told = 0;
-  hooks[1].on_progress = [&](double) { return ++told < 4; };
+  int reported = 0;
+  hooks[1].on_progress = [&](double) { return ++reported < 4; };
   std::vector<LaneCase> lanes;
   for (std::size_t i = 0; i < 3; ++i) {
     lanes.push_back({model.chain.get(), &model.material, &hooks[i], &responses[i]});
   }
   const auto program = make_lane_program(*model.chain);
   program->run(lanes);
-  EXPECT_EQ(told, 4);
+  EXPECT_EQ(reported, 4);
   EXPECT_EQ(responses[1].status, Status::Interrupted);
   EXPECT_EQ(responses[0].status, Status::Completed);
   EXPECT_TRUE(bits_of(responses[0]) == bits_of(responses[2]));
