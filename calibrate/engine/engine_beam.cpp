@@ -120,7 +120,7 @@ class BeamReader {
     }
     set_law(body_.joints->joints()[i], body_.build.joints[i].length[0], i, joint);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (i == 0 && root.welded[k]) joint.rotation[k] = JointHold::Rigid;
+      if (i == 0 && root.clamped[k]) joint.rotation[k] = JointHold::Rigid;
     }
     joint.half_joint = i == 0 && joint.length > 0.0;
     const bool acts = any_of(joint.holds) || joint.rotation != std::array<JointHold, 3>{};

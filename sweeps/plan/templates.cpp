@@ -54,7 +54,7 @@ values = [5, 10, 20, 40, 80]
 
 [[axis]]
 field  = "rules.end_rule"
-values = ["half_joint", "equal"]   # the clamp as a joint of half a segment, or as a weld
+values = ["half_joint", "equal"]   # the clamp as a joint of half a segment, or rigid
 # zip  = "a"                       # axes with the same word move together
 
 # Axes may be sampled instead, all of them together:

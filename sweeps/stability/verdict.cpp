@@ -38,12 +38,12 @@ EnergyBalance balance_of(const Response& response) {
   EnergyBalance balance;
   for (const Energies& e : std::span(response.chain.energy).first(response.samples)) {
     for (const double part : {e.elastic, e.kinetic, e.plastic, e.damping, e.impact, e.fracture,
-                              e.external, e.numerical}) {
+                              e.external, e.numerical_dissipation}) {
       balance.size = std::max(balance.size, std::fabs(part));
     }
     balance.residual = std::max(balance.residual, std::fabs(e.residual));
-    balance.made = std::max(balance.made, -e.numerical);
-    balance.dissipated = std::max(balance.dissipated, e.numerical);
+    balance.made = std::max(balance.made, -e.numerical_dissipation);
+    balance.dissipated = std::max(balance.dissipated, e.numerical_dissipation);
   }
   return balance;
 }

@@ -208,10 +208,11 @@ INSTANTIATE_TEST_SUITE_P(
             "which clip each moment on its own"),
         change_chain("TubeThatDoesNotFit", "shape = 'rectangle'", "shape = 'rectangular_tube'",
                      "4: section.inner_width = 0.08: must be below section.width = 0.02"),
-        change_chain("ReportWithHalfJoints", "yield_model = 'interaction'",
-                     "yield_model = 'per_axis'\nformulas = 'report'\nend_rule = 'half_joint'",
-                     "9: rules.end_rule = half_joint: the report welds its ends: equal, half or "
-                     "three_halves"),
+        change_chain(
+            "ReportWithHalfJoints", "yield_model = 'interaction'",
+            "yield_model = 'per_axis'\nformulas = 'report'\nend_rule = 'half_joint'",
+            "9: rules.end_rule = half_joint: the report clamps its ends rigidly: equal, half or "
+            "three_halves"),
         change_chain(
             "ReportWithHingeLength", "yield_model = 'interaction'",
             "yield_model = 'per_axis'\nformulas = 'report'\nhinge_length = '20 mm'",

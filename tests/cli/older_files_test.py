@@ -89,7 +89,8 @@ class OlderFiles(unittest.TestCase):
 
     def test_of_broken_beams_with_old_names(self):
         self.check_names("scenes/report_fig11_broken.toml",
-                         ("events/fragments", "events/pieces"))
+                         ("events/fragments", "events/pieces"),
+                         ("energy/numerical_dissipation", "energy/numerical"))
 
     def test_of_sweeps_with_old_names(self):
         self.check_names("sweeps/cantilever_deflection.toml",

@@ -93,10 +93,11 @@ energy = "kinetic"
     energy.external = 20.0;
     energy.plastic = 8.0 * std::min(time, first_break) / made.duration;
     energy.damping = 2.0 * time / made.duration;
-    energy.numerical = 0.4 * time / made.duration;
+    energy.numerical_dissipation = 0.4 * time / made.duration;
     energy.fracture = late > 0.0 ? 1.0 : 0.0;
-    const double rest = energy.external - energy.plastic - energy.damping - energy.numerical -
-                        energy.fracture - 0.006 * time / made.duration;
+    const double rest = energy.external - energy.plastic - energy.damping -
+                        energy.numerical_dissipation - energy.fracture -
+                        0.006 * time / made.duration;
     energy.elastic = 0.5 * rest * (1.0 + std::cos(2.0 * phase)) * (late > 0.0 ? 0.2 : 1.0);
     energy.kinetic = rest - energy.elastic;
     energy.residual = 0.006 * time / made.duration;

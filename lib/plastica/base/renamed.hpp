@@ -22,6 +22,7 @@ inline constexpr std::array kRenamedWords{
     Renamed{"ledger_error", "energy_balance_error"},  // sweep files, error.quantity
     Renamed{"most_iterations", "max_iterations"},     // scenes, solver
     Renamed{"most_work", "max_work"},                 // check files, stability
+    Renamed{"numerical", "numerical_dissipation"},    // scenes, energy of a probe
 };
 
 /// Datasets of result files, by their path from the root.
@@ -31,6 +32,7 @@ inline constexpr std::array kRenamedStored{
     Renamed{"outcome/ledger_error", "outcome/energy_balance_error"},
     Renamed{"buckling/turn", "buckling/rotation"},
     Renamed{"critical_points/unstable_ways", "critical_points/unstable_modes"},
+    Renamed{"energy/numerical", "energy/numerical_dissipation"},
     Renamed{"events/pieces/event", "events/fragments/event"},
     Renamed{"events/pieces/first", "events/fragments/first"},
     Renamed{"events/pieces/last", "events/fragments/last"},

@@ -133,7 +133,7 @@ class Builder {
     if (layout_.end_rule == EndRule::HalfJoint) {
       build_.joints[0].active = held;
     } else {
-      root.welded = held;
+      root.clamped = held;
     }
   }
 
@@ -156,7 +156,8 @@ class Builder {
   }
 
   /// A rotation that is held at a segment's end: half joints to the ground on both sides, where
-  /// there is a segment, in place of the joint between; welds hold the segments rigidly.
+  /// there is a segment, in place of the joint between; a rigid clamp holds the segments
+  /// themselves.
   void hold_rotation(const Support& support, std::size_t index, std::size_t history,
                      const SegmentPoint& point) {
     const auto held = view_.rotations(support.held());
@@ -168,7 +169,7 @@ class Builder {
       if (half) {
         add_ground_joint(index, history, segment, outer, held, rotation);
       } else {
-        weld_segment(index, history, segment, outer, held, rotation);
+        clamp_segment(index, history, segment, outer, held, rotation);
       }
     };
     add(point.segment, true);
@@ -209,8 +210,8 @@ class Builder {
     build_.joints.push_back(plan);
   }
 
-  void weld_segment(std::size_t support, std::size_t history, std::size_t segment, bool outer,
-                    const std::array<bool, 3>& held, const typename L::Spin& rotation) {
+  void clamp_segment(std::size_t support, std::size_t history, std::size_t segment, bool outer,
+                     const std::array<bool, 3>& held, const typename L::Spin& rotation) {
     for (std::size_t k = 0; k < kR; ++k) {
       if (!held[k]) continue;
       LoopConstraint<L> constraint;

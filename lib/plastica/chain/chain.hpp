@@ -48,7 +48,7 @@ inline constexpr std::size_t kInside = static_cast<std::size_t>(-1);
 
 /// A rigid constraint of one freedom of a point, which makes a loop of chain and ground:
 /// direction . x = target, kept by a multiplier, which is the force along the direction. Rotational
-/// constraints hold the spin about an axis, for welds.
+/// constraints hold the spin about an axis, for rigid clamps.
 template <class L>
 struct LoopConstraint {
   std::size_t support = 0;  ///< of the scene
@@ -100,8 +100,8 @@ struct Root {
   typename L::Point motion;    ///< prescribed, times the history [m]
   typename L::Spin rotation;   ///< prescribed, times the history [rad]
   std::size_t history = 0;
-  std::array<bool, 3> held{};    ///< translations that the ground holds (kTranslations used)
-  std::array<bool, 3> welded{};  ///< rotations that joint 0 does not let go (kRotations used)
+  std::array<bool, 3> held{};     ///< translations that the ground holds (kTranslations used)
+  std::array<bool, 3> clamped{};  ///< rotations that joint 0 does not let go (kRotations used)
   /// Whether joint 0 stretches and shears where joints do: only if it is the one joint of all and
   /// all translations are held. Else the joints next to both ends have the ends' halves, so that
   /// start and end are alike; and beside a free translation a shift would be the same motion twice.

@@ -122,7 +122,7 @@ void visit_attached(V& v, C& chain) {
   }
   v.index(chain.root.history);
   visit_flags(v, chain.root.held);
-  visit_flags(v, chain.root.welded);
+  visit_flags(v, chain.root.clamped);
   visit_numbers(v, chain.root.position);
   visit_frame(v, chain.root.ground);
   visit_numbers(v, chain.root.motion);

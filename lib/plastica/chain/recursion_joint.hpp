@@ -41,7 +41,7 @@ void Recursion<L, kElastic>::set_balance(const Chain<L>& chain, const Stage<L>& 
   moment = stage.midpoint ? stage.to_joint[i] * moment : transposed_times(joint.near, moment);
   typename L::Spin lack;
   for (std::size_t k = 0; k < kR; ++k) {
-    lack[k] = i == 0 && chain.root.welded[k] ? constant<S>(0) : law[k] - moment[k];
+    lack[k] = i == 0 && chain.root.clamped[k] ? constant<S>(0) : law[k] - moment[k];
     balance_[i][k] = lack[k];
   }
   const typename L::Spin in_world = stage.midpoint ? stage.from_joint[i] * lack : joint.near * lack;
@@ -107,9 +107,9 @@ void Recursion<L, kElastic>::eliminate(const Chain<L>& chain, const Stage<L>& st
     add(joint.u_spin, 0, 0, follows * joint.moves.by_spin);
     add(joint.u_spin, 0, kR, follows * joint.moves.along);
   }
-  const auto& welded = chain.root.welded;
-  const bool welds = std::find(welded.begin(), welded.end(), true) != welded.end();
-  if (i == 0 && (welds || (kElastic && !chain.root.shifts))) {
+  const auto& clamped = chain.root.clamped;
+  const bool clamps = std::find(clamped.begin(), clamped.end(), true) != clamped.end();
+  if (i == 0 && (clamps || (kElastic && !chain.root.shifts))) {
     joint.inverse =
         inverse_held(d, joint.near, stage.midpoint ? stage.to_joint[0] : back, chain.root);
   } else {
@@ -158,7 +158,7 @@ void Recursion<L, kElastic>::add_rotation_terms(const Stage<L>& stage,
   }
 }
 
-/// A welded freedom of the joint's own axes does not move, nor a shift of joint 0 that is not let
+/// A clamped freedom of the joint's own axes does not move, nor a shift of joint 0 that is not let
 /// go.
 template <class L, bool kElastic>
 Mat<typename L::Scalar, Recursion<L, kElastic>::kJ, Recursion<L, kElastic>::kJ>
@@ -171,7 +171,7 @@ Recursion<L, kElastic>::inverse_held(const Mat<S, kJ, kJ>& d, const Spins& near,
   Mat<S, kJ, kJ> own = rows * d * columns;
   const auto clear = [&](const S& diagonal) {
     for (std::size_t k = 0; k < kJ; ++k) {
-      if (k < kR ? !root.welded[k] : root.shifts) continue;
+      if (k < kR ? !root.clamped[k] : root.shifts) continue;
       for (std::size_t i = 0; i < kJ; ++i) own(k, i) = own(i, k) = constant<S>(0);
       own(k, k) = diagonal;
     }

@@ -34,12 +34,12 @@ void Recursion<L, kElastic>::for_each_pivot(const Chain<L>& chain, const Visit& 
       chain::for_each_pivot(joints_[i].inverse, visit);
       continue;
     }
-    // Welded freedoms of the first joint are rows of zeros in its own axes.
+    // Clamped freedoms of the first joint are rows of zeros in its own axes.
     auto axes = identity<S, kJ>();
     put(axes, 0, 0, joints_[0].near);
     Mat<S, kJ, kJ> own = transpose(axes) * (joints_[0].inverse * axes);
     for (std::size_t k = 0; k < kR; ++k) {
-      if (!chain.root.welded[k]) continue;
+      if (!chain.root.clamped[k]) continue;
       for (std::size_t j = 0; j < kJ; ++j) own(k, j) = own(j, k) = constant<S>(0);
     }
     chain::for_each_pivot(own, visit);

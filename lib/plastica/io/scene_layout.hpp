@@ -131,7 +131,8 @@ void traverse_chain(Store& store, Chain& chain, std::size_t joints, std::size_t 
   store.column("energy/external", chain.energy, PLASTICA_MEMBER(external), "J");
   store.column("energy/kinetic", chain.energy, PLASTICA_MEMBER(kinetic), "J");
   store.column("energy/damping", chain.energy, PLASTICA_MEMBER(damping), "J");
-  store.column("energy/numerical", chain.energy, PLASTICA_MEMBER(numerical), "J");
+  store.column("energy/numerical_dissipation", chain.energy, PLASTICA_MEMBER(numerical_dissipation),
+               "J");
   store.column("energy/impact", chain.energy, PLASTICA_MEMBER(impact), "J");
   store.column("energy/fracture", chain.energy, PLASTICA_MEMBER(fracture), "J");
   store.column("energy/residual", chain.energy, PLASTICA_MEMBER(residual), "J");

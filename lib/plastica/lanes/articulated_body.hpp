@@ -93,7 +93,7 @@ struct ArticulatedBody {
   /// inner neighbour) - by_acceleration (acceleration of the joint), which the sink takes, the last
   /// two by columns. With resistance k and D = rr + k, what is left of rr is rr - rr D^-1 rr = k
   /// D^-1 rr, without a difference of large numbers; likewise of rt.
-  /// @param free  0 for a welded joint, whose body may not be carried on then
+  /// @param free  0 for a clamped joint, whose body may not be carried on then
   template <class Sink>
   PLASTICA_ALWAYS_INLINE void release(const JointMoment<L>& joint, const S& free,
                                       const Sink& sink) {

@@ -133,7 +133,7 @@ class ArticulatedSteps {
   /// From the start to the free end: accelerations, and the state at the end of the step.
   PLASTICA_ALWAYS_INLINE void outward() const {
     const typename Form::Sums sums(beam_.sums, 0);
-    Losses<S> losses{sums.get(Sums::Damping), sums.get(Sums::Numerical)};
+    Losses<S> losses{sums.get(Sums::Damping), sums.get(Sums::NumericalDissipation)};
     S fastest{}, largest{};  // squared
     S loads = sums.get(Sums::Loads);
     typename Form::Aim aim;
@@ -160,7 +160,8 @@ class ArticulatedSteps {
       });
       if constexpr (kKeepsAngleRate) set_vec(state, OfState::AngleRate, angle_rate);
       const Place at(work);
-      if constexpr (kOrder == 1) losses.numerical += lost(of, at, angular_acceleration, free);
+      if constexpr (kOrder == 1)
+        losses.numerical_dissipation += lost(of, at, angular_acceleration, free);
       aim.spin += rate;
       fastest = max(fastest, dot(aim.spin, aim.spin));
       largest = max(largest, dot(angle, angle));
@@ -177,7 +178,7 @@ class ArticulatedSteps {
       if constexpr (kOrder == 1) free += L::spun(angular_acceleration, e);
     }
     sums.set(Sums::Damping, losses.damping);
-    sums.set(Sums::Numerical, losses.numerical);
+    sums.set(Sums::NumericalDissipation, losses.numerical_dissipation);
     sums.set(Sums::Loads, loads);
     sums.set(Sums::FastestSpin, max(sums.get(Sums::FastestSpin), sqrt(fastest)));
     if constexpr (requires { Sums::LargestAngle; }) {

@@ -21,7 +21,7 @@ struct PlanarKind {
     Compliance,   ///< its inverse; infinite for a joint without any [rad/(N m)]
     Damping,      ///< of the joint [N m s/rad]
     Cap,          ///< moment at which the joint yields [N m]
-    Hold,         ///< infinite for a welded joint, else 0 [kg m^2]
+    Hold,         ///< infinite for a clamped joint, else 0 [kg m^2]
     kCount
   };
 };
@@ -69,10 +69,10 @@ struct PlanarWork {
 /// Sums over steps and segments of each scenario.
 struct PlanarSums {
   enum : std::size_t {
-    Damping,      ///< dissipated by the joints' damping [J]
-    Numerical,    ///< dissipated by the scheme: see README.md [J]
-    Loads,        ///< work of the loads, where it is counted [J]
-    FastestSpin,  ///< largest |spin| of a segment at the end of a step [rad/s]
+    Damping,               ///< dissipated by the joints' damping [J]
+    NumericalDissipation,  ///< dissipated by the scheme: see README.md [J]
+    Loads,                 ///< work of the loads, where it is counted [J]
+    FastestSpin,           ///< largest |spin| of a segment at the end of a step [rad/s]
     // What `PlanarObservables` goes with, at one time:
     Kinetic,    ///< energy [J]
     Elastic,    ///< energy of the joints [J]

@@ -19,7 +19,7 @@ struct SpatialKind {
     Compliance = Stiffness + 3,  ///< its inverse; infinite without any [rad/(N m)]
     Damping = Compliance + 3,    ///< of the joint [N m s/rad]
     Cap = Damping + 3,           ///< moments at which the joint yields [N m]
-    Free = Cap + 3,              ///< 1; 0 for a welded joint, which only the first may be
+    Free = Cap + 3,              ///< 1; 0 for a clamped joint, which only the first may be
     kCount
   };
 };
@@ -69,11 +69,11 @@ struct SpatialWork {
 /// Sums over steps and segments of each scenario.
 struct SpatialSums {
   enum : std::size_t {
-    Damping,       ///< dissipated by the joints' damping [J]
-    Numerical,     ///< dissipated by the scheme: see README.md [J]
-    Loads,         ///< work of the loads, where it is counted [J]
-    FastestSpin,   ///< largest |spin| of a segment at the end of a step [rad/s]
-    LargestAngle,  ///< of a joint at the end of a step [rad]; the steps hold below 2 pi
+    Damping,               ///< dissipated by the joints' damping [J]
+    NumericalDissipation,  ///< dissipated by the scheme: see README.md [J]
+    Loads,                 ///< work of the loads, where it is counted [J]
+    FastestSpin,           ///< largest |spin| of a segment at the end of a step [rad/s]
+    LargestAngle,          ///< of a joint at the end of a step [rad]; the steps hold below 2 pi
     // What `SpatialObservables` goes with, at one time:
     Kinetic,    ///< energy [J]
     Elastic,    ///< energy of the joints [J]

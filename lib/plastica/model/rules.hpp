@@ -23,9 +23,9 @@ enum class YieldCap { FirstYield, FullyPlastic };
 enum class EndRule {
   Auto,         ///< HalfJoint; with the report's formulas, Equal
   HalfJoint,    ///< a joint to the ground with the tributary length of half a segment
-  Equal,        ///< the end segment is welded; all joints have l = (L_a + L_b)/2
-  Half,         ///< welded; end segments are half as long and belong whole to their only joint
-  ThreeHalves,  ///< welded; equal segments, the end ones belong whole to their only joint
+  Equal,        ///< the end segment is clamped; all joints have l = (L_a + L_b)/2
+  Half,         ///< clamped; end segments are half as long and belong whole to their only joint
+  ThreeHalves,  ///< clamped; equal segments, the end ones belong whole to their only joint
 };
 
 /// What of the permanent strain is held against the break limit: its present size (the report),

@@ -13,6 +13,13 @@
 namespace plastica::report {
 namespace {
 
+/// A name of files as people read it: "numerical dissipation".
+std::string words_of(std::string_view name) {
+  std::string words(name);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
 /// A plastic strain below this is what rounding leaves of an elastic one.
 constexpr double kRoundedStrain = 1e-12;
 /// An energy below this share of the largest is round-off.
@@ -166,12 +173,14 @@ std::span<const EnergyEntry> energy_entries() {
       {&Energies::elastic, "elastic", "stored in joints and springs"},
       {&Energies::plastic, "plastic", "work of yielding so far"},
       {&Energies::damping, "damping", "taken by the joints' damping so far"},
-      {&Energies::numerical, "numerical", "taken by the scheme so far"},
+      {&Energies::numerical_dissipation, "numerical_dissipation", "taken by the scheme so far"},
       {&Energies::impact, "impact", "lost in impacts so far"},
       {&Energies::fracture, "fracture", "elastic energy of joints that were cut, so far"},
   }};
   return kEntries;
 }
+
+std::string label_of(const EnergyEntry& entry) { return words_of(entry.name); }
 
 bool is_idle(const io::SceneRecord& record, const EnergyEntry& entry) {
   const double least = kNoEnergy * largest_entry(record);
@@ -223,7 +232,7 @@ std::string probe_label(const io::SceneRecord& record, const Probe& probe) {
   std::string label(probe_kinds()[static_cast<std::size_t>(probe.quantity)]);
   if (record.level == Level::Coupon || probe.quantity == ProbeQuantity::LoadFactor) return label;
   if (probe.quantity == ProbeQuantity::Energy) {
-    return label + ' ' + std::string(kEnergyKinds[static_cast<std::size_t>(probe.energy)]);
+    return label + ' ' + words_of(kEnergyKinds[static_cast<std::size_t>(probe.energy)]);
   }
   const std::string_view component = kComponents[static_cast<std::size_t>(probe.component)];
   if (probe.quantity == ProbeQuantity::Momentum ||

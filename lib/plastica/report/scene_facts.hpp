@@ -46,6 +46,8 @@ struct EnergyEntry {
 
 /// All entries but the residual: first what comes in, then where it is or has gone.
 std::span<const EnergyEntry> energy_entries();
+/// Its name for people: "numerical dissipation".
+std::string label_of(const EnergyEntry& entry);
 /// Whether an entry is zero, or round-off, at all samples.
 bool is_idle(const io::SceneRecord& record, const EnergyEntry& entry);
 

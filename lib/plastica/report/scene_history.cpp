@@ -29,7 +29,7 @@ std::string_view color_of(std::string_view entry) {
   if (entry == "elastic") return kBlue;
   if (entry == "plastic") return kVermillion;
   if (entry == "damping") return "#009E73";
-  if (entry == "numerical") return "#CC79A7";
+  if (entry == "numerical_dissipation") return "#CC79A7";
   return entry == "impact" ? "#E69F00" : "#7A1F1F";
 }
 
@@ -89,7 +89,7 @@ FigureCurve energy_line(const io::SceneRecord& record, double Energies::*member,
 FigureCurve energy_area(const io::SceneRecord& record, const EnergyEntry& entry,
                         std::vector<double>& below) {
   const ChainHistory& chain = record.response.chain;
-  FigureCurve curve{{}, std::string(entry.name), color_of(entry.name), Stroke::Area};
+  FigureCurve curve{{}, label_of(entry), color_of(entry.name), Stroke::Area};
   for (std::size_t i = 0; i < chain.time.size(); ++i) {
     const double low = below[i];
     below[i] += chain.energy[i].*entry.member;
@@ -165,8 +165,7 @@ Figure energy_figure(const io::SceneRecord& record, bool stacked) {
     if (stacked && is_motion(record) && !external && !goes_negative(record, entry)) {
       stack.push_back(&entry);
     } else {
-      lines.push_back(energy_line(record, entry.member,
-                                  external ? "external" : std::string(entry.name),
+      lines.push_back(energy_line(record, entry.member, external ? "external" : label_of(entry),
                                   color_of(entry.name)));
     }
   }

@@ -184,7 +184,7 @@ std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
   for (const EnergyEntry& entry : energy_entries()) {
     if (is_idle(record, entry)) continue;
     const bool begins = entry.member == &Energies::external && is_motion(record);
-    add(entry.name, last.*entry.member, 5,
+    add(label_of(entry), last.*entry.member, 5,
         std::string(entry.doc) + (begins ? ", and what it began with" : ""));
   }
   add("residual", last.residual, 3,

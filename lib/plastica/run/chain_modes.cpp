@@ -246,7 +246,7 @@ std::vector<typename ChainModes<L, kElastic>::Coordinate> ChainModes<L, kElastic
     const auto resisting = transpose(axes) * stiffness.rr * axes;
     const auto& tangent = w_.joints.tangent[i];
     for (std::size_t k = 0; k < L::kRotations; ++k) {
-      if (i == 0 && chain.root.welded[k]) continue;
+      if (i == 0 && chain.root.clamped[k]) continue;
       add(tangent(k, k) + resisting(k, k), rotational(k, k));
     }
     if constexpr (kElastic) {

@@ -60,7 +60,7 @@ bool ChainMotionRunner<L, kElastic>::starts_free() const {
     if (root.held[k]) return false;
   }
   for (std::size_t k = 0; k < L::kRotations; ++k) {
-    if (root.welded[k] || joint.active[k] || joint.spring[k] != 0.0) return false;
+    if (root.clamped[k] || joint.active[k] || joint.spring[k] != 0.0) return false;
   }
   return true;
 }

@@ -158,7 +158,7 @@ double ChainRecord<L, kElastic>::probe_value(const Probe& probe, const Work& w,
         case EnergyKind::Residual: return energy.residual;
         case EnergyKind::Kinetic: return energy.kinetic;
         case EnergyKind::Damping: return energy.damping;
-        case EnergyKind::Numerical: return energy.numerical;
+        case EnergyKind::NumericalDissipation: return energy.numerical_dissipation;
         case EnergyKind::Impact: return energy.impact;
         case EnergyKind::Fracture: return energy.fracture;
       }

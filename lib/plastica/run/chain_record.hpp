@@ -151,12 +151,12 @@ class ChainRecord {
     for (std::size_t k = 0; k < L::kTranslations; ++k) one[k] = constant<S>(1);
     return in_space(one)[axis] != 0.0;
   }
-  /// A welded start has no law: its joint's moment is what it transmits.
-  void weld_moment(const Work& w, typename L::Spin& moment) const {
+  /// A clamped start has no law: its joint's moment is what it transmits.
+  void clamp_moment(const Work& w, typename L::Spin& moment) const {
     const auto in_joint =
         transposed_times(L::axes(w.placement.near[0]), w.transmitted.outer[0].moment);
     for (std::size_t k = 0; k < L::kRotations; ++k) {
-      if (build_->chain.root.welded[k]) moment[k] = in_joint[k];
+      if (build_->chain.root.clamped[k]) moment[k] = in_joint[k];
     }
   }
 
@@ -261,7 +261,7 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::moment(const 
     m[k] = numbers.active[k] * joints.section_forces()[joint][axes.rotation(k)] +
            numbers.spring[k] * w.angles[joint][k];
   }
-  if (node == 0) weld_moment(w, m);
+  if (node == 0) clamp_moment(w, m);
   return joint_spin(m);
 }
 

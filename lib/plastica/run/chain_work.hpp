@@ -101,12 +101,12 @@ Energies ChainRecord<L, kElastic>::energies(const Work& w, const Joints& joints)
     sum.kinetic = kinetic_;
     sum.external = energy_at_start_ + flows_.external;
     sum.damping = flows_.damping;
-    sum.numerical = flows_.numerical;
+    sum.numerical_dissipation = flows_.numerical_dissipation;
     sum.impact = flows_.impact;
     sum.fracture = flows_.fracture;
   }
   sum.residual = sum.external - sum.elastic - sum.plastic - sum.kinetic - sum.damping -
-                 sum.numerical - sum.impact - sum.fracture;
+                 sum.numerical_dissipation - sum.impact - sum.fracture;
   return sum;
 }
 
@@ -167,7 +167,7 @@ std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::siz
     const auto near = L::axes(w.placement.near[0]);
     typename L::Spin in_joint = transposed_times(near, w.transmitted.outer[0].moment);
     for (std::size_t k = 0; k < L::kRotations; ++k) {
-      if (chain.root.welded[k]) moment_in_joint[k] = -in_joint[k];
+      if (chain.root.clamped[k]) moment_in_joint[k] = -in_joint[k];
     }
     moment += joint_spin(near * moment_in_joint);
   }

@@ -236,7 +236,7 @@ class LaneGroup final : public LaneProgram {
     const double kinetic = memory.sum(Sums::Kinetic, memory_lane);
     const double elastic = memory.sum(Sums::Elastic, memory_lane);
     const double dissipated = memory.sum(Sums::Damping, memory_lane) +
-                              memory.sum(Sums::Numerical, memory_lane) +
+                              memory.sum(Sums::NumericalDissipation, memory_lane) +
                               scenarios_[lane].plastic_work(memory, memory_lane);
     const double potential = memory.sum(Sums::Potential, memory_lane);
     const double came = counts_loads_ ? memory.sum(Sums::Loads, memory_lane)

@@ -60,8 +60,8 @@ struct PlanarLanes {
     kind[Kind::Compliance] = 1.0 / stiffness;
     kind[Kind::Damping] = damped ? options.damping_time * stiffness : 0.0;
     kind[Kind::Cap] = cap(body, i);
-    const bool welded = i == 0 && chain.root.welded[0];
-    kind[Kind::Hold] = welded ? std::numeric_limits<double>::infinity() : 0.0;
+    const bool clamped = i == 0 && chain.root.clamped[0];
+    kind[Kind::Hold] = clamped ? std::numeric_limits<double>::infinity() : 0.0;
     for (double& number : kind) number = without_noise(number);
     kind[Kind::Rest] = std::nearbyint(kind[Kind::Rest] * 0x1p50) * 0x1p-50;
     return kind;

@@ -86,7 +86,7 @@ class LaneScenario {
     work.time = time;
     kinetic_ = memory.sum(Sums::Kinetic, lane);
     flows_.damping = memory.sum(Sums::Damping, lane);
-    flows_.numerical = memory.sum(Sums::Numerical, lane);
+    flows_.numerical_dissipation = memory.sum(Sums::NumericalDissipation, lane);
     const double potential = memory.sum(Sums::Potential, lane);
     if (time == 0.0) potential_ = potential;
     flows_.external = loads_work ? memory.sum(Sums::Loads, lane) : potential - potential_;

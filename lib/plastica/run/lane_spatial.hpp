@@ -60,7 +60,7 @@ struct SpatialLanes {
       kind[Kind::Damping + k] = damped ? options.damping_time * stiffness : 0.0;
       kind[Kind::Cap + k] = body.joint_models[i].cap[k];
     }
-    kind[Kind::Free] = i == 0 && chain.root.welded[0] ? 0.0 : 1.0;
+    kind[Kind::Free] = i == 0 && chain.root.clamped[0] ? 0.0 : 1.0;
     for (double& number : kind) number = without_noise(number);
     return kind;
   }

@@ -10,9 +10,9 @@ namespace plastica {
 /// its undeformed shape, rising [Hz] (count).
 ///
 /// The chain is that of the scene's level, with the tangent of its joints' laws at rest, springs,
-/// half joints and welds, and the inertia that `solver.rotary_inertia` asks for. Supports hold
-/// their directions still, whatever motion they prescribe; pillars, which push on one side alone,
-/// are left out, and so is all that loads and gravity do to the stiffness. Ways to move that
+/// half joints and rigid clamps, and the inertia that `solver.rotary_inertia` asks for. Supports
+/// hold their directions still, whatever motion they prescribe; pillars, which push on one side
+/// alone, are left out, and so is all that loads and gravity do to the stiffness. Ways to move that
 /// nothing resists (rigid-body motions of a free beam, hinges) have the frequency 0: that is said
 /// of every frequency below 1e-5 of what the softest joint or support and the mass that it moves
 /// make. Found by counting negative pivots, in time proportional to segments and `count`.

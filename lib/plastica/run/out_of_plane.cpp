@@ -37,7 +37,7 @@ class SpatialTangent final : public OutOfPlane {
     applies_ = holds_at_rest();
     if (!applies_) {
       // A start that is held in the plane alone is taken as held against twist, as by a fork.
-      build_.chain.root.welded[2] = true;
+      build_.chain.root.clamped[2] = true;
       applies_ = holds_at_rest();
     }
   }

@@ -68,13 +68,13 @@ using BreakListener = std::function<void(ChainBreak&)>;
 struct Energies {
   double elastic = 0.0;  ///< stored in the joints and in springs
   double kinetic = 0.0;
-  double plastic = 0.0;    ///< plastic work done so far
-  double damping = 0.0;    ///< dissipated by the joints' damping so far
-  double numerical = 0.0;  ///< dissipated by the scheme so far; negative: made by it
-  double impact = 0.0;     ///< lost in impacts so far
-  double fracture = 0.0;   ///< elastic energy of joints that were cut, so far
-  double external = 0.0;   ///< work of loads and moving supports so far, and the energy at time 0
-  double residual = 0.0;   ///< external less all others: what the balance cannot explain
+  double plastic = 0.0;                ///< plastic work done so far
+  double damping = 0.0;                ///< dissipated by the joints' damping so far
+  double numerical_dissipation = 0.0;  ///< dissipated by the scheme so far; negative: made by it
+  double impact = 0.0;                 ///< lost in impacts so far
+  double fracture = 0.0;               ///< elastic energy of joints that were cut, so far
+  double external = 0.0;  ///< work of loads and moving supports so far, and the energy at time 0
+  double residual = 0.0;  ///< external less all others: what the balance cannot explain
 };
 
 /// Error of the energy balance, over the largest of its entries but the residual [1]: the largest

@@ -86,7 +86,8 @@ class JointMotion {
       const S now = constant<S>(rule.end_work);
       const S then = constant<S>(1.0 - rule.end_work);
       flows.damping += dot(now * damped_[j] + then * damped_before_[j], step_[j]);
-      flows.numerical += dot(now * law_[j] + then * law_before_[j], step_[j]) - energy(j);
+      flows.numerical_dissipation +=
+          dot(now * law_[j] + then * law_before_[j], step_[j]) - energy(j);
     }
   }
 

@@ -69,7 +69,7 @@ double MotionStep<L, kElastic>::ground_work() {
     if (constraint.one_sided && !w_.q.released_constraint[k]) {
       const S closed = chain::constraint_gap(chain_, constraint, w_.placement, w_.time) -
                        chain::constraint_gap(chain_, constraint, begin_, time_);
-      flows_.numerical -= mean * closed;
+      flows_.numerical_dissipation -= mean * closed;
     }
     multiplier_[k] = now;
   }
@@ -119,7 +119,7 @@ void MotionStep<L, kElastic>::add_flows() {
     gained += kinetic_energy(chain_.inertias[i], motion_now_[i]) -
               kinetic_energy(chain_.inertias[i], motion_[i]);
   }
-  flows_.numerical += inertia_work() - gained;
+  flows_.numerical_dissipation += inertia_work() - gained;
   joint_motion_.add_flows(
       rule_, [this](std::size_t joint) { return joins(joint); }, flows_);
 }

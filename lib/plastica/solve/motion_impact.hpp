@@ -161,7 +161,7 @@ void MotionStep<L, kElastic>::settle() {
   double before = kinetic();
   if (touches) {
     fit_velocities(motion_, rests_on_, {});
-    flows_.numerical += before - kinetic();
+    flows_.numerical_dissipation += before - kinetic();
     before = kinetic();
   }
   strike(corner);

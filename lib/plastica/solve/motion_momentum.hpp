@@ -47,8 +47,9 @@ void MotionStep<L, kElastic>::balance_fragment(std::size_t first, std::size_t en
     add_momentum(inertias, w_.placement, start, {h * residual.force, h * residual.moment}, first,
                  end, motion_now_);
     // The residual has done no work then: the inertia of the step has less to take up.
-    flows_.numerical += dot(residual.force, w_.placement.position[first] - begin_.position[first]) +
-                        dot(residual.moment, step_[first].spin);
+    flows_.numerical_dissipation +=
+        dot(residual.force, w_.placement.position[first] - begin_.position[first]) +
+        dot(residual.moment, step_[first].spin);
   }
   const FragmentMotion<L> after = fragment_motion(inertias, w_.placement, motion_now_, first, end);
 

@@ -42,7 +42,7 @@ inline constexpr double kRestingSpeed = 1e-3;
 struct EnergyFlows {
   double external = 0.0;
   double damping = 0.0;
-  double numerical = 0.0;
+  double numerical_dissipation = 0.0;
   double impact = 0.0;
   double fracture = 0.0;
 };

@@ -48,7 +48,7 @@ void MotionStep<L, kElastic>::predict_joint(std::size_t i, const S& h,
   if (size > most) increment = (most / size) * increment;
   w_.q.angle[i] = L::add_rotation(increment, w_.q.angle[i]);
   for (std::size_t k = 0; k < L::kRotations; ++k) {
-    if (i == 0 && chain_.root.welded[k]) w_.q.angle[i][k] = q_begin_.angle[i][k];
+    if (i == 0 && chain_.root.clamped[k]) w_.q.angle[i][k] = q_begin_.angle[i][k];
   }
   if constexpr (kElastic) {
     // The gap (near + far) u/2 grows with the shift and turns with both sides.

@@ -95,7 +95,7 @@ TEST(PlanarSteps, SolveTheEquationsOfMotionOfTheWholeChain) {
   }
 }
 
-TEST(PlanarSteps, DoNotTurnAWeldedJoint) {
+TEST(PlanarSteps, DoNotTurnAClampedJoint) {
   const RandomBeams<double> b(4, 1, 3);
   b.kind(0, PlanarKind::Hold) = std::numeric_limits<double>::infinity();
   b.at(0, PlanarState::Rate) = 0.0;
@@ -200,7 +200,7 @@ TEST(PlanarSteps, KeepTheirEnergyBalanced) {
     kBaselineKernels.in_double.planar[0][yields].one(b.beam(), 1e-4, 2000, false);
     const double lost = begin - energy();
     EXPECT_GT(lost, 1e-5 * begin);
-    EXPECT_NEAR(b.sum(PlanarSums::Numerical) / lost, 1.0, 2e-3) << yields;
+    EXPECT_NEAR(b.sum(PlanarSums::NumericalDissipation) / lost, 1.0, 2e-3) << yields;
     const double flowed = b.at(0, PlanarState::Accumulated);
     EXPECT_EQ(flowed > 0.0, yields == 1);
   }

@@ -104,14 +104,14 @@ std::vector<Vector> accelerations(const Beams& b, int order, double h) {
     const Vector rate = to_angle * spatial_state(b, i, SpatialState::Rate);
     const Square k = diagonal(kind(b, i, SpatialKind::Stiffness));
     const Square d = diagonal(kind(b, i, SpatialKind::Damping));
-    // Order 2 is calmed by a tenth of the change of the angle's rate.
-    const double calm = order == 2 ? 0.1 * share : 0.0;
+    // Order 2 is damped by a tenth of the change of the angle's rate.
+    const double damping = order == 2 ? 0.1 * share : 0.0;
     const Vector change = rate - spatial_state(b, i, SpatialState::AngleRate);
     const Vector spring = transposed_times(
-        to_angle,
-        k * (spatial_state(b, i, SpatialState::Angle) + share * rate + calm * change) + d * rate);
+        to_angle, k * (spatial_state(b, i, SpatialState::Angle) + share * rate + damping * change) +
+                      d * rate);
     for (std::size_t c = 0; c < 3; ++c) force[3 * i + c] -= spring[c];
-    add(i, i, transpose(to_angle) * (share * ((share + calm) * k + d)) * to_angle);
+    add(i, i, transpose(to_angle) * (share * ((share + damping) * k + d)) * to_angle);
   }
   const std::vector<double> all = testing::solved(std::move(mass), std::move(force));
   std::vector<Vector> joints;
@@ -221,7 +221,7 @@ TEST(SpatialSteps, MoveInAPlaneAsPlanarOnes) {
   EXPECT_NEAR(coarse.apart() / fine.apart(), 4.0, 0.4);
 }
 
-TEST(SpatialSteps, DoNotTurnAWeldedJoint) {
+TEST(SpatialSteps, DoNotTurnAClampedJoint) {
   const Beams b(4, 1, 3);
   b.kind(0, SpatialKind::Free) = 0.0;
   for (std::size_t k = 0; k < 3; ++k) b.at(0, SpatialState::Rate + k) = 0.0;

@@ -113,8 +113,9 @@ TEST(ShapeOfAMotion, LeavesASupportWhereItIsWhenItsJointLetsGo) {
 TEST(EnergyOfAMotion, IsStackedUpToWhatCameIn) {
   const std::string script = script_of(motion_record(), {"energy"});
   EXPECT_EQ(count_of(script, "using 1:2:3 with filledcurves"), 6U);
-  for (const char* name : {"'kinetic'", "'elastic'", "'plastic'", "'damping'", "'numerical'",
-                           "'fracture'", "'external'", "'residual'", "'break or cut'"}) {
+  for (const char* name :
+       {"'kinetic'", "'elastic'", "'plastic'", "'damping'", "'numerical dissipation'", "'fracture'",
+        "'external'", "'residual'", "'break or cut'"}) {
     EXPECT_TRUE(has(script, name)) << name;
   }
   EXPECT_FALSE(has(script, "'impact'")) << "there was none";
@@ -125,7 +126,7 @@ TEST(EnergyOfAMotion, IsStackedUpToWhatCameIn) {
 
 TEST(EnergyOfAMotion, DrawsWhatASchemeMakesAsALine) {
   io::SceneRecord record = motion_record();
-  for (Energies& energy : record.response.chain.energy) energy.numerical *= -1.0;
+  for (Energies& energy : record.response.chain.energy) energy.numerical_dissipation *= -1.0;
   EXPECT_EQ(count_of(script_of(record, {"energy"}), "using 1:2:3 with filledcurves"), 5U);
   const std::string statics = script_of(record_of(cantilever_text()), {"energy"});
   EXPECT_EQ(count_of(statics, "filledcurves"), 0U);

@@ -70,9 +70,9 @@ TEST(ArticulatedInSpace, ConvergesWithItsOrder) {
   const Scene scene = twisted_scene(5);
   expect_order(scene, Scheme::ArticulatedMidpoint, 4e-5, 2.0);
   expect_order(scene, Scheme::ArticulatedEuler, 1e-5, 1.0);
-  Scene weld = scene;
-  weld.end_rule = EndRule::Equal;
-  expect_order(weld, Scheme::ArticulatedMidpoint, 4e-5, 2.0);
+  Scene clamped = scene;
+  clamped.end_rule = EndRule::Equal;
+  expect_order(clamped, Scheme::ArticulatedMidpoint, 4e-5, 2.0);
   Scene pin = scene;
   pin.supports[0].kind = SupportKind::Pin;
   expect_order(pin, Scheme::ArticulatedMidpoint, 4e-5, 2.0);

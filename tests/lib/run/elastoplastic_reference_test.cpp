@@ -9,7 +9,8 @@
 #include "tests/support/chain_scene.hpp"
 #include "tests/support/tolerance.hpp"
 
-/// Beams of fibre section beyond yield, at rest: the cantilever, W3 and limit loads.
+/// Beams of fibre section beyond yield, at rest: the cantilever, one bent and released, and limit
+/// loads.
 namespace plastica {
 namespace {
 

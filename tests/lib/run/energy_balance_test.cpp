@@ -14,9 +14,9 @@ TEST(EnergyBalance, CountsWhatItCannotExplain) {
 }
 
 TEST(EnergyBalance, CountsWhatASchemeMakesAndNotWhatItDissipates) {
-  const std::array makes{Energies{.kinetic = 3.0, .numerical = -1.0, .external = 2.0}};
+  const std::array makes{Energies{.kinetic = 3.0, .numerical_dissipation = -1.0, .external = 2.0}};
   EXPECT_DOUBLE_EQ(energy_balance_error(makes), 1.0 / 3.0);
-  const std::array takes{Energies{.kinetic = 1.0, .numerical = 1.0, .external = 2.0}};
+  const std::array takes{Energies{.kinetic = 1.0, .numerical_dissipation = 1.0, .external = 2.0}};
   EXPECT_DOUBLE_EQ(energy_balance_error(takes), 0.0);
 }
 

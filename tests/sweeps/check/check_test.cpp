@@ -41,7 +41,7 @@ TEST_F(CheckTest, JudgesTheOrder) {
   EXPECT_TRUE(verdict(kHalf + "order = { at_least = 1.98, at_most = 2.02 }\n").holds);
   const ClaimVerdict of_both = verdict("order = { at_least = 1.98 }\n");
   EXPECT_FALSE(of_both.holds);
-  EXPECT_NEAR(of_both.number.value_or(0.0), 0.95, 0.05);  // the worst: that of the weld
+  EXPECT_NEAR(of_both.number.value_or(0.0), 0.95, 0.05);  // the worst: that of the rigid clamp
 }
 
 TEST_F(CheckTest, JudgesErrorsOfTheChosenCases) {

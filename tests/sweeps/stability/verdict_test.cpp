@@ -122,10 +122,10 @@ TEST(Verdict, CallsAMotionInaccurateThatSaysSo) {
   EXPECT_EQ(class_of(made), Inaccurate);
   made = flying(Scheme::EnergyMomentum);
   Energies& last = made.response.chain.energy.back();
-  last.numerical = 0.02 * last.external;
+  last.numerical_dissipation = 0.02 * last.external;
   EXPECT_EQ(class_of(made), Inaccurate);
   // Energy that the scheme has made and the energy balance error does not tell.
-  last.numerical = -0.02 * last.external;
+  last.numerical_dissipation = -0.02 * last.external;
   EXPECT_EQ(class_of(made), Silent);
 }
 
