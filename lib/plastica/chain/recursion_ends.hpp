@@ -125,11 +125,11 @@ void Recursion<L, kElastic>::solve(const RightSide<L>& right, bool with_balance,
     if (i > 0) b.moment += L::moment(joint.work_arm, b.force);
   }
   // The root's translations; the ground's own motion is given.
-  typename L::Point lack =
+  typename L::Point residual =
       b.force - root_impedance_.tt * right.ground.shift - root_impedance_.tr * right.ground.spin;
-  if (with_balance) lack += root_balance_;
+  if (with_balance) residual += root_balance_;
   Motion<L> motion = right.ground;
-  solution.root = root_inverse_ * lack;
+  solution.root = root_inverse_ * residual;
   motion.shift += solution.root;
   auto fragment = starts_.rbegin();
   for (std::size_t i = 0; i < n; ++i) {

@@ -39,12 +39,13 @@ void Recursion<L, kElastic>::set_balance(const Chain<L>& chain, const Stage<L>& 
   typename L::Spin moment = w.moment;
   if constexpr (kElastic) moment += transposed_times(joint.works.by_spin, w.force);
   moment = stage.midpoint ? stage.to_joint[i] * moment : transposed_times(joint.near, moment);
-  typename L::Spin lack;
+  typename L::Spin residual;
   for (std::size_t k = 0; k < kR; ++k) {
-    lack[k] = i == 0 && chain.root.clamped[k] ? constant<S>(0) : law[k] - moment[k];
-    balance_[i][k] = lack[k];
+    residual[k] = i == 0 && chain.root.clamped[k] ? constant<S>(0) : law[k] - moment[k];
+    balance_[i][k] = residual[k];
   }
-  const typename L::Spin in_world = stage.midpoint ? stage.from_joint[i] * lack : joint.near * lack;
+  const typename L::Spin in_world =
+      stage.midpoint ? stage.from_joint[i] * residual : joint.near * residual;
   for (std::size_t k = 0; k < kR; ++k) joint.residual[k] = in_world[k];
   if constexpr (kElastic) {
     const typename L::Point force = transposed_times(joint.works.along, w.force);

@@ -46,11 +46,11 @@ void expect_same_chain(const ChainHistory& a, const ChainHistory& b) {
   EXPECT_EQ(a.stress, b.stress);
   EXPECT_EQ(a.reaction, b.reaction);
   ASSERT_EQ(a.energy.size(), b.energy.size());
+  using E = Energies;
   for (std::size_t i = 0; i < a.energy.size(); ++i) {
     for (const auto entry :
-         {&Energies::elastic, &Energies::kinetic, &Energies::plastic, &Energies::damping,
-          &Energies::numerical_dissipation, &Energies::impact, &Energies::fracture,
-          &Energies::external, &Energies::residual}) {
+         {&E::elastic, &E::kinetic, &E::plastic, &E::damping, &E::numerical_dissipation, &E::impact,
+          &E::fracture, &E::external, &E::residual}) {
       EXPECT_EQ(a.energy[i].*entry, b.energy[i].*entry) << i;
     }
   }
