@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include "tests/lib/io/scratch_folder.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/motion_record.hpp"
