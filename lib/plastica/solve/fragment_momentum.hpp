@@ -108,10 +108,10 @@ struct MomentumError {
   /// @param length  of the beam [m]
   double share(double length) const {
     // A fragment that hardly turns has no angular momentum but rounding.
-    constexpr double kNoRotation = kIsDouble<typename L::Scalar> ? 1e-9 : 1e-3;
-    const double angular = std::max(angular_size, kNoRotation * size * length);
+    constexpr double kNoSpin = kIsDouble<typename L::Scalar> ? 1e-9 : 1e-3;
+    const double scale = std::max(angular_size, kNoSpin * size * length);
     return std::max(size > 0.0 ? largest_lost / size : 0.0,
-                    angular > 0.0 ? largest_angular / angular : 0.0);
+                    scale > 0.0 ? largest_angular / scale : 0.0);
   }
 };
 
