@@ -56,7 +56,9 @@ calibrate::FitFile read_inputs(const CalibrateArguments& arguments) {
     throw InputError({}, arguments.bare_option, "",
                      "is for curves without a fit file; this is what " + *toml + " says");
   }
-  return calibrate::read_fit_file(*toml);
+  calibrate::FitFile file = calibrate::read_fit_file(*toml);
+  tell_notes(file.notes);
+  return file;
 }
 
 void write_json(const std::string& path, std::span<const calibrate::FitRecord> records,

@@ -108,6 +108,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string output = output_of(arguments);
   SceneFitFile file = calibrate::read_scene_fit_file(arguments.inputs.front());
+  tell_notes(file.notes);
   set_intervals(arguments, file.options.intervals);
   if (!arguments.laws.empty()) file.options.laws = calibrate::laws_of(arguments.laws, "--laws");
   check(file);

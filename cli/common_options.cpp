@@ -35,17 +35,31 @@ void add_quiet_option(CLI::App& sub, bool& quiet, const std::string& what) {
 }
 
 std::vector<std::string> with_new_names(std::vector<std::string> words) {
-  struct Renamed {
+  struct RenamedOption {
     std::string_view command, before, now;
   };
-  constexpr std::array kRenamed{Renamed{"stability", "--most-work", "--max-work"}};
-  for (const Renamed& one : kRenamed) {
+  constexpr std::array kOptions{RenamedOption{"stability", "--most-work", "--max-work"}};
+  for (const RenamedOption& one : kOptions) {
     if (words.empty() || words.front() != one.command) continue;
     for (std::string& word : words) {
       const std::string_view name = std::string_view(word).substr(0, word.find('='));
       if (name != one.before) continue;
       tell("plastica: {} is now {}\n", one.before, one.now);
       word.replace(0, name.size(), one.now);
+    }
+  }
+  struct RenamedValue {
+    std::string_view command, option, before, now;
+  };
+  constexpr std::array kValues{RenamedValue{"export", "--what", "pieces", "fragments"}};
+  for (const RenamedValue& one : kValues) {
+    if (words.empty() || words.front() != one.command) continue;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const std::string joined = fmt::format("{}={}", one.option, one.before);
+      const bool follows = words[i] == one.before && words[i - 1] == one.option;
+      if (!follows && words[i] != joined) continue;
+      tell("plastica: {} {} is now {}\n", one.option, one.before, one.now);
+      words[i].replace(words[i].size() - one.before.size(), one.before.size(), one.now);
     }
   }
   return words;

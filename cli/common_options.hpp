@@ -21,8 +21,8 @@ void add_dry_run_option(CLI::App& sub, bool& dry_run);
 void add_force_option(CLI::App& sub, bool& force, const std::string& what);
 /// @param what  it leaves out
 void add_quiet_option(CLI::App& sub, bool& quiet, const std::string& what);
-/// The words of a command line, the command first, with the new names of options that had others in
-/// the last version; says so on stderr.
+/// The words of a command line, the command first, with the new names of options and of their
+/// values that had others in the last version; says so on stderr.
 std::vector<std::string> with_new_names(std::vector<std::string> words);
 /// Adds `--isa`.
 void add_isa_option(CLI::App& sub, std::string& isa);

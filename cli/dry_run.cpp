@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "calibrate/problem/parameter_set.hpp"
-#include "calibrate/trial/redivide.hpp"
+#include "calibrate/trial/remesh.hpp"
 #include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
 
@@ -43,7 +43,7 @@ void print_parameters(const Target& target, const FitOptions& options) {
 /// "16 segments", or "none with half (why not)".
 std::string repetition(const calibrate::ScenePart& part, calibrate::Division division) {
   try {
-    return fmt::format("{} segments", calibrate::redivided(part, division).scene.beam.segments);
+    return fmt::format("{} segments", calibrate::remeshed(part, division).scene.beam.segments);
   } catch (const InputError& error) {
     const bool half = division == calibrate::Division::Half;
     return fmt::format("none with {} ({})", half ? "half" : "twice", error.what());

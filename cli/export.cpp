@@ -89,7 +89,7 @@ std::string what_of(const ExportArguments& arguments, const std::vector<std::str
 
 std::string text_of_scene(const ExportArguments& arguments) {
   const std::string what =
-      what_of(arguments, {"probes", "joints", "energies", "events", "pieces", "spectrum"});
+      what_of(arguments, {"probes", "joints", "energies", "events", "fragments", "spectrum"});
   const std::optional<double> time = seconds_of("--time", arguments.time);
   refuse_option(time && what != "joints", "--time", "goes with --what joints only");
   const io::SceneRecord record = io::read_scene_store(arguments.file);
@@ -99,7 +99,7 @@ std::string text_of_scene(const ExportArguments& arguments) {
   if (what == "joints") report::write_joints_csv(out, record, time);
   if (what == "energies") report::write_energies_csv(out, record);
   if (what == "events") report::write_events_csv(out, record);
-  if (what == "pieces") report::write_pieces_csv(out, record);
+  if (what == "fragments") report::write_fragments_csv(out, record);
   if (what == "spectrum") report::write_spectrum_csv(out, record);
   return out.str();
 }
@@ -213,7 +213,7 @@ void add_export(CLI::App& app, Action& action) {
       ->option_text("FORMAT");
   sub->add_option("--what", arguments->what, "Write these numbers as CSV; names below")
       ->check(CLI::IsMember({"specimens", "fits", "targets", "curves", "probes", "joints",
-                             "energies", "events", "pieces", "spectrum", "cases", "beam"}))
+                             "energies", "events", "fragments", "spectrum", "cases", "beam"}))
       ->option_text("NAME");
   sub->add_option("--time", arguments->time,
                   "Write joints at this time: \"12 ms\"; default: the last frame")
@@ -238,7 +238,7 @@ void add_export(CLI::App& app, Action& action) {
       "  fits of curves       specimens; curves, a row per sample\n"
       "  fits through scenes  fits, targets, curves\n"
       "  scene                probes, energies (a row per sample), joints, events,\n"
-      "                       pieces, spectrum\n"
+      "                       fragments, spectrum\n"
       "  sweep                cases, curves\n"
       "  scene, fit           beam: a row per joint with stiffness, yield moments,\n"
       "                       break angles\n"

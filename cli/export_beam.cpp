@@ -34,7 +34,11 @@ const Record& record_of(const BeamRequest& request, const std::vector<Record>& r
 }
 
 Setup setup_of(const BeamRequest& request) {
-  if (!request.scene.empty()) return io::read_scene_file(request.scene).setup;
+  if (!request.scene.empty()) {
+    io::SceneFile file = io::read_scene_file(request.scene);
+    tell_notes(file.notes);
+    return std::move(file.setup);
+  }
   throw InputError({}, "--scene", "",
                    "is missing: a fit knows the material; a scene file has the beam");
 }

@@ -165,6 +165,7 @@ int exit_code_of(const Response& response, bool in_motion, const std::string& ou
 int simulate_file(const SimulateArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   io::SceneFile file = io::read_scene_file(arguments.file);
+  tell_notes(file.notes);
   take_isa(arguments.isa, file.setup.solver);
   if (!arguments.dry_run) check_memory(file.setup.scene, file.setup.solver);
   const Model model = prepare(file.setup.scene, file.setup.solver);

@@ -53,7 +53,7 @@ int run_study(const StabilityArguments& arguments) {
   std::unique_ptr<ProgressBar> bar;
   options.progress = [&](const stability::StabilityRow& /*row*/, std::size_t finished,
                          std::size_t all) {
-    if (!bar) bar = std::make_unique<ProgressBar>("walking", all, arguments.quiet);
+    if (!bar) bar = std::make_unique<ProgressBar>("scanning", all, arguments.quiet);
     bar->update(finished, 0);
   };
   std::vector<stability::StabilityRow> rows = stability::run_stability(options);
@@ -66,7 +66,7 @@ int run_study(const StabilityArguments& arguments) {
         {}, "--only", fmt::format("{}", fmt::join(options.only, ", ")),
         limited ? "is in the name of no point within --max-work" : "is in the name of no point");
   }
-  // What was walked is kept, whether all was or not.
+  // What was scanned is kept, whether all was or not.
   const io::Overwrite overwrite = io::overwrite_if(arguments.force);
   if (!arguments.output.empty()) write_file(arguments.output, stability::rows_csv(rows), overwrite);
   if (!arguments.map.empty()) {

@@ -115,6 +115,7 @@ int sweep_file(const SweepArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string output = output_of(arguments);
   sweeps::Sweep sweep = sweeps::read_sweep_file(arguments.file);
+  tell_notes(sweep.notes);
   take_isa(arguments.isa, sweep.setup.solver);
   if (!arguments.dry_run) check_outputs(arguments, output, sweep);
   sweeps::check_reference(sweep, sweeps::CaseTable(sweep));

@@ -36,6 +36,10 @@ void tell(const std::string& lines) noexcept {
   }
 }
 
+void tell_notes(std::span<const std::string> notes) {
+  for (const std::string& note : notes) tell("plastica: {}\n", note);
+}
+
 void say(const std::string& lines) { fmt::print("{}", shown(lines)); }
 
 void put(const std::string& text) {

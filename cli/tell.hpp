@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <span>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,9 @@ template <typename... Arguments>
 void tell(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
   tell(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
+
+/// Tells the old names that files have, each with the new one.
+void tell_notes(std::span<const std::string> notes);
 
 /// Writes lines to the standard output, as `report::printable` shows them: for text that has names
 /// of the user in it.

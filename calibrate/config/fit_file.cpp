@@ -63,10 +63,11 @@ FitFile parse_fit_file(std::string text, const std::string& path) {
   const auto document = io::TomlDocument::parse(std::move(text), path);
   const TomlTable& root = document.root();
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  FitFile file{path, document.text(), read_fit_options(root), {}};
+  FitFile file{path, document.text(), read_fit_options(root), {}, {}};
   io::refuse_rules_of_chains(root);
   file.targets = read_targets(root, folder, file.options.parameters);
   root.check_unused();
+  file.notes = root.notes();
   return file;
 }
 

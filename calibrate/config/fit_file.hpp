@@ -14,6 +14,7 @@ struct FitFile {
   std::string text;
   FitOptions options;
   std::vector<TargetBlock> targets;  ///< in the order of the file
+  std::vector<std::string> notes{};  ///< old names in it, each with the new one, for the user
 };
 
 /// Reads a fit file and finds the files of its targets; does not read those.

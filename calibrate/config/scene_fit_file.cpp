@@ -111,6 +111,7 @@ class Reader {
     const bool together = !shared || shared->boolean();
     for (const TomlTable& table : root_.find_tables("target")) read_target(table, together);
     root_.check_unused();
+    add_notes(root_.notes());
     return std::move(file_);
   }
 
@@ -123,6 +124,14 @@ class Reader {
     }
     file_.read_files.push_back(path);
     file_.inputs.push_back({name, std::move(text)});
+  }
+
+  void add_notes(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) {
+      if (std::find(file_.notes.begin(), file_.notes.end(), note) == file_.notes.end()) {
+        file_.notes.push_back(note);
+      }
+    }
   }
 
   void read_options(const TomlTable& fit) {
@@ -213,6 +222,7 @@ class Reader {
     const std::string file = path.lexically_normal().string();
     io::SceneFile scene = io::read_scene_file(file);
     add_input(file, scene.text);
+    add_notes(scene.notes);
     return std::move(scene.setup);
   }
 

@@ -16,6 +16,7 @@ struct SceneFitFile {
   std::vector<std::string> read_files;  ///< all that was read, for those who must not write there
   SceneFitOptions options;
   std::vector<SceneFitCase> cases;
+  std::vector<std::string> notes{};  ///< old names in the files, each with the new one
 };
 
 /// Whether any target of a fit file names a scene.

@@ -57,7 +57,7 @@ def build(simulation):
         simulation.add(body)
         bodies.append(body)
     joints = {}
-    for (name, parent, child, half, in_parent, in_child, held, turning, length, stiffness,
+    for (name, parent, child, half, in_parent, in_child, held, rotation, length, stiffness,
          hardened, yield_moment, break_angle) in JOINTS:
         if parent < 0:
             joint = agx.LockJoint(bodies[child], frame_of(*in_child))
@@ -67,9 +67,9 @@ def build(simulation):
         for k in range(3):
             if not held[k]:
                 joint.setForceRange(agx.RangeReal(0.0, 0.0), TRANSLATIONS[k])
-            if turning[k] == 0:
+            if rotation[k] == 0:
                 joint.setForceRange(agx.RangeReal(0.0, 0.0), ROTATIONS[k])
-            elif turning[k] == 1:
+            elif rotation[k] == 1:
                 joint.setCompliance(1.0 / stiffness[k], ROTATIONS[k])
         simulation.add(joint)
         joints[name] = joint
@@ -90,18 +90,18 @@ std::string segment_row(const EngineSegment& segment) {
 
 /// The joint's frame as a body sees it, whose origin is its center.
 std::string frame_in(const EngineSegment& body, const EngineJoint& joint) {
-  std::array<double, 3> way = joint.point;
-  for (std::size_t k = 0; k < 3; ++k) way[k] -= body.center()[k];
-  return fmt::format("({}, {})", triple(seen_from(body.axes, way)),
+  std::array<double, 3> offset = joint.point;
+  for (std::size_t k = 0; k < 3; ++k) offset[k] -= body.center()[k];
+  return fmt::format("({}, {})", triple(seen_from(body.axes, offset)),
                      rotation(seen_from(body.axes, joint.axes)));
 }
 
 std::string joint_row(const EngineBeam& beam, const EngineJoint& joint) {
   std::array<int, 3> held{};
-  std::array<int, 3> turning{};
+  std::array<int, 3> rotation{};
   for (std::size_t k = 0; k < 3; ++k) {
     held[k] = joint.holds[k] ? 1 : 0;
-    turning[k] = static_cast<int>(joint.turning[k]);
+    rotation[k] = static_cast<int>(joint.rotation[k]);
   }
   const std::string in_parent =
       joint.parent ? frame_in(beam.segments[*joint.parent], joint)
@@ -111,7 +111,7 @@ std::string joint_row(const EngineBeam& beam, const EngineJoint& joint) {
       "{}),\n",
       joint.name, joint.parent ? static_cast<long>(*joint.parent) : -1L, joint.child,
       joint.half_joint ? 1 : 0, in_parent, frame_in(beam.segments[joint.child], joint),
-      fmt::join(held, ", "), fmt::join(turning, ", "), joint.length, triple(joint.stiffness),
+      fmt::join(held, ", "), fmt::join(rotation, ", "), joint.length, triple(joint.stiffness),
       triple(joint.hardened_stiffness), triple(joint.yield_moment), triple(joint.break_angle));
 }
 

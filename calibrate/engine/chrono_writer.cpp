@@ -43,7 +43,7 @@ struct Joint {
   bool half_joint;
   double point[3], rotation[4];
   bool held[3];     // translations
-  int turning[3];   // 0 free, 1 sprung, 2 rigid
+  int rotation[3];   // 0 free, 1 sprung, 2 rigid
   double tributary_length;
   double stiffness[3], hardened_stiffness[3], yield_moment[3], break_angle[3];
 };
@@ -78,8 +78,8 @@ inline std::vector<std::shared_ptr<chrono::ChBody>> Build(
     const auto& parent = joint.parent < 0 ? ground : bodies[joint.parent];
     const chrono::ChFrame<> frame(Vector(joint.point), Rotation(joint.rotation));
     auto mate = chrono_types::make_shared<chrono::ChLinkMateGeneric>(
-        joint.held[0], joint.held[1], joint.held[2], joint.turning[0] == 2, joint.turning[1] == 2,
-        joint.turning[2] == 2);
+        joint.held[0], joint.held[1], joint.held[2], joint.rotation[0] == 2, joint.rotation[1] == 2,
+        joint.rotation[2] == 2);
     mate->Initialize(child, parent, frame);
     system.AddLink(mate);
     const chrono::ChVector3d none(0, 0, 0);
@@ -105,14 +105,15 @@ std::string chrono_row(const EngineSegment& segment) {
 }
 
 std::string joint_row(const EngineJoint& joint) {
-  std::array<int, 3> turning{};
-  for (std::size_t k = 0; k < 3; ++k) turning[k] = static_cast<int>(joint.turning[k]);
+  std::array<int, 3> rotation{};
+  for (std::size_t k = 0; k < 3; ++k) rotation[k] = static_cast<int>(joint.rotation[k]);
   return fmt::format(
       "    {{\"{}\", {}, {}, {}, {}, {},\n     {{{}}}, {{{}}}, {}, {},\n     {}, {}, {}}},\n",
       joint.name, joint.parent ? static_cast<long>(*joint.parent) : -1L, joint.child,
       joint.half_joint, braced(joint.point), braced_rotation(joint.axes),
-      fmt::join(joint.holds, ", "), fmt::join(turning, ", "), joint.length, braced(joint.stiffness),
-      braced(joint.hardened_stiffness), braced(joint.yield_moment), braced(joint.break_angle));
+      fmt::join(joint.holds, ", "), fmt::join(rotation, ", "), joint.length,
+      braced(joint.stiffness), braced(joint.hardened_stiffness), braced(joint.yield_moment),
+      braced(joint.break_angle));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace plastica::calibrate {
 namespace {
 
-constexpr std::array<std::string_view, 3> kTurning{"free", "sprung", "rigid"};
+constexpr std::array<std::string_view, 3> kRotation{"free", "sprung", "rigid"};
 
 /// The number of a segment as files name it, from 1; 0 is the ground.
 std::size_t segment_number(const std::optional<std::size_t>& segment) {
@@ -38,7 +38,7 @@ std::string csv_text(const EngineBeam& beam) {
       "the joint holds.\n";
   text += "joint,at [m],from segment,to segment,half joint,hold,tributary length [m]";
   for (const std::string_view what :
-       {"turning {}", "stiffness {} [N m/rad]", "hardened stiffness {} [N m/rad]",
+       {"rotation {}", "stiffness {} [N m/rad]", "hardened stiffness {} [N m/rad]",
         "yield moment {} [N m]", "break angle {} [rad]"}) {
     for (const char axis : {'x', 'y', 'z'}) text += ',' + fmt::format(fmt::runtime(what), axis);
   }
@@ -47,8 +47,8 @@ std::string csv_text(const EngineBeam& beam) {
     std::string row =
         fmt::format("{},{},{},{},{:d},{},{}", joint.name, joint.at, segment_number(joint.parent),
                     joint.child + 1, joint.half_joint, held(joint.holds), joint.length);
-    for (const JointHold turning : joint.turning) {
-      row += fmt::format(",{}", kTurning[static_cast<std::size_t>(turning)]);
+    for (const JointHold rotation : joint.rotation) {
+      row += fmt::format(",{}", kRotation[static_cast<std::size_t>(rotation)]);
     }
     add_cells(joint.stiffness, row);
     add_cells(joint.hardened_stiffness, row);

@@ -57,10 +57,10 @@ class BeamReader {
   /// What `BreakWatch` does with a joint whose neighbours are straight, in words.
   std::string break_length() const {
     if (beam_.hinge_length == 0.0) return "l";
-    switch (spreading_of(model_.scene)) {
-      case Spreading::Gathers: return "L_p";
-      case Spreading::Saturates: return "L_p where l < L_p, else l";
-      case Spreading::Hardens: break;
+    switch (localization_of(model_.scene)) {
+      case Localization::Concentrated: return "L_p";
+      case Localization::Saturating: return "L_p where l < L_p, else l";
+      case Localization::Distributed: break;
     }
     return "l";
   }
@@ -81,7 +81,7 @@ class BeamReader {
     EngineSegment segment;
     segment.length = model_.layout.segment_length[i];
     segment.mass = inertia.mass;
-    for (std::size_t k = 0; k < 3; ++k) segment.inertia[k] = inertia.turning(k, k);
+    for (std::size_t k = 0; k < 3; ++k) segment.inertia[k] = inertia.rotational(k, k);
     segment.start = model_.layout.node[i].at;
     segment.end = model_.layout.node[i + 1].at;
     segment.axes = axes_of(model_.layout.segment_frame[i]);
@@ -95,7 +95,7 @@ class BeamReader {
     const chain::Inertia<Space>& inertia = body_.build.chain.inertias[i];
     const auto& arm = body_.build.chain.segments[i].arm;
     segment.balance = dot(inertia.center, arm) / dot(arm, arm);
-    const auto& about = inertia.turning;
+    const auto& about = inertia.rotational;
     const double products =
         std::fabs(about(0, 1)) + std::fabs(about(0, 2)) + std::fabs(about(1, 2));
     if (products <= 1e-12 * (about(0, 0) + about(1, 1) + about(2, 2))) return;
@@ -120,10 +120,10 @@ class BeamReader {
     }
     set_law(body_.joints->joints()[i], body_.build.joints[i].length[0], i, joint);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (i == 0 && root.welded[k]) joint.turning[k] = JointHold::Rigid;
+      if (i == 0 && root.clamped[k]) joint.rotation[k] = JointHold::Rigid;
     }
     joint.half_joint = i == 0 && joint.length > 0.0;
-    const bool acts = any_of(joint.holds) || joint.turning != std::array<JointHold, 3>{};
+    const bool acts = any_of(joint.holds) || joint.rotation != std::array<JointHold, 3>{};
     if (acts) beam_.joints.push_back(std::move(joint));
   }
 
@@ -139,20 +139,20 @@ class BeamReader {
     set_place(share, (model_.layout.node[point.segment] + frame * point.arm).at, held);
     held.child = point.segment;
     held.axes = axes_of(identity<double, 3>());
-    for (const chain::Closure<Space>& closure : chain.closures) {
-      if (closure.support != index || closure.one_sided) continue;
-      if (closure.turning) {
-        add_weld(closure, held);
+    for (const chain::LoopConstraint<Space>& constraint : chain.constraints) {
+      if (constraint.support != index || constraint.one_sided) continue;
+      if (constraint.rotational) {
+        add_weld(constraint, held);
         continue;
       }
       for (std::size_t k = 0; k < 3; ++k) {
-        held.holds[k] = held.holds[k] || closure.direction[k] != 0.0;
+        held.holds[k] = held.holds[k] || constraint.direction[k] != 0.0;
       }
     }
     bool is_first = true;
     for (const chain::GroundJoint<Space>& ground : chain.ground_joints) {
       const chain::JointPlan& plan = body_.build.joints[ground.joint];
-      if (ground.support != index || !any_of(plan.acting)) continue;
+      if (ground.support != index || !any_of(plan.active)) continue;
       EngineJoint half = held;
       if (!is_first) {
         half.name += "_beyond";
@@ -165,20 +165,20 @@ class BeamReader {
       beam_.joints.push_back(std::move(half));
       is_first = false;
     }
-    if (is_first && (any_of(held.holds) || held.turning != std::array<JointHold, 3>{})) {
+    if (is_first && (any_of(held.holds) || held.rotation != std::array<JointHold, 3>{})) {
       beam_.joints.push_back(std::move(held));
     }
   }
 
   /// A weld holds the segment before the support, and where there is one, that behind it.
-  void add_weld(const chain::Closure<Space>& closure, EngineJoint& held) {
+  void add_weld(const chain::LoopConstraint<Space>& constraint, EngineJoint& held) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (closure.axis[k] == 0.0) continue;
-      if (closure.segment == held.child) {
-        held.turning[k] = JointHold::Rigid;
+      if (constraint.axis[k] == 0.0) continue;
+      if (constraint.segment == held.child) {
+        held.rotation[k] = JointHold::Rigid;
       } else {
         beam_.notes.push_back(fmt::format("{} also welds segment_{} to the ground about {}",
-                                          held.name, closure.segment + 1, "xyz"[k]));
+                                          held.name, constraint.segment + 1, "xyz"[k]));
       }
     }
   }
@@ -195,10 +195,10 @@ class BeamReader {
     const auto material = material_values(part.material);
     const chain::JointModel model = chain::joint_of_part(model_.scene, part, material);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (law.acting[k] == 0.0) continue;
-      joint.turning[k] = JointHold::Sprung;
+      if (law.active[k] == 0.0) continue;
+      joint.rotation[k] = JointHold::Sprung;
       joint.length = length;
-      joint.stiffness[k] = law.turning_stiffness(k, k);
+      joint.stiffness[k] = law.rotational_stiffness(k, k);
       if (model_.scene.yield_model == YieldModel::Elastic) continue;
       joint.yield_moment[k] = model.cap[k];
       if (part.material.hardening.law == HardeningLaw::Linear) {

@@ -63,11 +63,11 @@ struct EngineJoint {
   double at = 0.0;                ///< along the beam's axis [m]
   std::array<double, 3> point{};  ///< world axes [m]
   EngineAxes axes{};
-  std::array<bool, 3> holds{};         ///< translations along the world's x, y, z
-  std::array<JointHold, 3> turning{};  ///< about its own axes
-  double length = 0.0;                 ///< tributary length l [m]; 0 where nothing is sprung
-  OfJointAxes stiffness{};             ///< [N m/rad]; 0 where it is not sprung
-  OfJointAxes hardened_stiffness{};    ///< d moment/d angle behind first yield [N m/rad]; 0: ideal
+  std::array<bool, 3> holds{};          ///< translations along the world's x, y, z
+  std::array<JointHold, 3> rotation{};  ///< about its own axes
+  double length = 0.0;                  ///< tributary length l [m]; 0 where nothing is sprung
+  OfJointAxes stiffness{};              ///< [N m/rad]; 0 where it is not sprung
+  OfJointAxes hardened_stiffness{};     ///< d moment/d angle behind first yield [N m/rad]; 0: ideal
   OfJointAxes yield_moment{kNever, kNever, kNever};  ///< [N m]
   /// Permanent angle at which it breaks if it turns alone and about one axis alone [rad].
   OfJointAxes break_angle{kNever, kNever, kNever};

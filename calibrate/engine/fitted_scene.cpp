@@ -77,8 +77,8 @@ FittedScene fitted_scene(const Scene& scene, const FitRecord& record, const FitO
         parameter.at_lower || parameter.at_upper ? ", at a bound of the fit" : ""));
   }
   follow_beam(out);
-  const Scene& told = options.setup.scene;
-  if (record.target.test != Test::Tension && told.yield_cap != scene.yield_cap) {
+  const Scene& stated = options.setup.scene;
+  if (record.target.test != Test::Tension && stated.yield_cap != scene.yield_cap) {
     fitted.notes.emplace_back(
         "the fit and the scene have different rules.yield_cap: the yield stress means another "
         "moment there");

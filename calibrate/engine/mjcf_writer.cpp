@@ -91,7 +91,7 @@ class MjcfWriter {
     };
     for (const EngineJoint& joint : beam_.joints) {
       for (std::size_t k = 0; k < 3; ++k) {
-        if (joint.turning[k] != JointHold::Sprung) continue;
+        if (joint.rotation[k] != JointHold::Sprung) continue;
         const std::string name = hinge_name(joint, k);
         if (std::isfinite(joint.yield_moment[k])) {
           add(name, "yield_moment", joint.yield_moment[k]);
@@ -109,12 +109,12 @@ class MjcfWriter {
   void begin_segment(std::size_t i) {
     const EngineSegment& segment = beam_.segments[i];
     const EngineAxes before = i == 0 ? world_axes() : beam_.segments[i - 1].axes;
-    std::array<double, 3> way = segment.start;
+    std::array<double, 3> offset = segment.start;
     if (i > 0) {
-      for (std::size_t k = 0; k < 3; ++k) way[k] -= beam_.segments[i - 1].start[k];
+      for (std::size_t k = 0; k < 3; ++k) offset[k] -= beam_.segments[i - 1].start[k];
     }
     text_ += fmt::format("<body name=\"segment_{}\" pos=\"{}\" quat=\"{}\">\n", i + 1,
-                         of_vector(seen_from(before, way)),
+                         of_vector(seen_from(before, offset)),
                          of_quaternion(seen_from(before, segment.axes)));
     const auto joint = std::find_if(beam_.joints.begin(), beam_.joints.end(),
                                     [&](const auto& j) { return !j.off_start && j.child == i; });
@@ -135,7 +135,7 @@ class MjcfWriter {
   void add_freedoms(const EngineJoint& joint, const EngineAxes& axes, std::string_view indent) {
     if (!joint.off_start) add_slides(joint, axes, indent);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (joint.turning[k] == JointHold::Rigid) continue;
+      if (joint.rotation[k] == JointHold::Rigid) continue;
       text_ += fmt::format(
           "{}  <joint name=\"{}\" type=\"hinge\" axis=\"{}\" stiffness=\"{}\" damping=\"{}\"/>\n",
           indent, hinge_name(joint, k), of_vector(seen_from(axes, joint.axes[k])),
@@ -170,10 +170,10 @@ class MjcfWriter {
   }
 
   void add_support(const EngineJoint& support, const EngineSegment& segment) {
-    std::array<double, 3> way = support.point;
-    for (std::size_t k = 0; k < 3; ++k) way[k] -= segment.start[k];
+    std::array<double, 3> offset = support.point;
+    for (std::size_t k = 0; k < 3; ++k) offset[k] -= segment.start[k];
     text_ += fmt::format("  <body name=\"{}\" pos=\"{}\">\n", support.name,
-                         of_vector(seen_from(segment.axes, way)));
+                         of_vector(seen_from(segment.axes, offset)));
     add_freedoms(support, segment.axes, "  ");
     text_ +=
         fmt::format("    <inertial pos=\"0 0 0\" mass=\"{}\" diaginertia=\"{}\"/>\n  </body>\n",

@@ -96,7 +96,7 @@ class TclWriter {
     std::string materials;
     std::string directions;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (joint.turning[k] != JointHold::Sprung) continue;
+      if (joint.rotation[k] != JointHold::Sprung) continue;
       materials += fmt::format(" {}", add_material(joint, k));
       directions += fmt::format(" {}", 4 + k);
     }
@@ -116,8 +116,8 @@ class TclWriter {
   void fix(const EngineJoint& joint, std::size_t node) {
     std::string flags;
     for (const bool holds : joint.holds) flags += holds ? " 1" : " 0";
-    for (const JointHold turning : joint.turning) {
-      flags += turning == JointHold::Rigid ? " 1" : " 0";
+    for (const JointHold rotation : joint.rotation) {
+      flags += rotation == JointHold::Rigid ? " 1" : " 0";
     }
     if (flags.find('1') != std::string::npos) text_ += fmt::format("fix {}{}\n", node, flags);
   }

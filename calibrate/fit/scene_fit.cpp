@@ -47,7 +47,7 @@ class SceneFit {
       explain();
     } else {
       // Bad input where no value of a parameter could help.
-      if (search_.start_turns()) {
+      if (search_.start_reverses()) {
         const SceneTarget& target = first_along_a_probe();
         throw InputError(target.abscissa_where, "abscissa.probe", target.abscissa_probe,
                          search_.first_reason());
@@ -158,7 +158,7 @@ class SceneFit {
 
   /// A scene that stops short of what was measured, even with the fitted values.
   void warn_of_path(std::size_t part, const SceneCurve& fitted) {
-    if (!fitted.went_on) return;
+    if (!fitted.is_extended) return;
     result_.warnings.push_back(
         fmt::format("{}: with the fitted values the scene's path ends before the measured one; it "
                     "was compared where the ramps go on beyond the scene's end",

@@ -17,7 +17,7 @@ struct SceneFitProgress {
   /// "screen", "search" or "polish", or what follows the search: "weights 0", "segments",
   /// "profile", "bootstrap", "bootstrap of specimens".
   std::string_view stage;
-  int done = 0;  ///< pieces of the stage that have ended, such as searches
+  int done = 0;  ///< tasks of the stage that have ended, such as searches
   int total = 0;
   int runs = 0;  ///< of scenes, since the fit began
 };
@@ -32,7 +32,7 @@ struct SceneFitHooks {
   /// What an earlier, interrupted fit of the same input kept by this name; null if nothing. May be
   /// empty, as `keep` may.
   std::function<const std::vector<std::byte>*(const std::string& name)> find{};
-  /// Called with each piece of work that is finished, by one thread at a time, and not beside
+  /// Called with each task that is finished, by one thread at a time, and not beside
   /// `find`.
   std::function<void(const std::string& name, std::span<const std::byte> bytes)> keep{};
 

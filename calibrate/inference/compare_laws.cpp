@@ -20,9 +20,9 @@ constexpr double kMostAlike = 0.999;
 constexpr double kLacking = 0.01;
 constexpr double kLackingForSure = 0.05;
 
-double square_of(const Leftover& left) {
-  const double least = kNothingLeft * left.largest;
-  return std::max(left.mean_square, least * least);
+double square_of(const CurveResidual& residual) {
+  const double least = kNothingLeft * residual.largest;
+  return std::max(residual.mean_square, least * least);
 }
 
 /// What the samples of each curve are worth, by the law that leaves least of it.
@@ -34,11 +34,11 @@ std::vector<double> worth_of(const std::vector<LawFit>& fits) {
     worth.resize(fit.curves.size());
     least.resize(fit.curves.size(), std::numeric_limits<double>::infinity());
     for (std::size_t c = 0; c < fit.curves.size(); ++c) {
-      const Leftover& left = fit.curves[c];
-      if (!(left.mean_square < least[c])) continue;
-      least[c] = left.mean_square;
-      const double alike = std::clamp(left.autocorrelation, 0.0, kMostAlike);
-      worth[c] = std::max(1.0, left.samples * (1.0 - alike) / (1.0 + alike));
+      const CurveResidual& residual = fit.curves[c];
+      if (!(residual.mean_square < least[c])) continue;
+      least[c] = residual.mean_square;
+      const double alike = std::clamp(residual.autocorrelation, 0.0, kMostAlike);
+      worth[c] = std::max(1.0, residual.samples * (1.0 - alike) / (1.0 + alike));
     }
   }
   return worth;
@@ -48,11 +48,11 @@ void set_criteria(const std::vector<double>& worth, double samples, ComparedLaw&
   double deviance = 0.0;
   auto parameters = static_cast<double>(law.fit.parameters.size());
   for (std::size_t c = 0; c < law.fit.curves.size(); ++c) {
-    const Leftover& left = law.fit.curves[c];
-    if (left.noise) {
-      deviance += worth[c] * left.mean_square / (*left.noise * *left.noise);
+    const CurveResidual& residual = law.fit.curves[c];
+    if (residual.noise) {
+      deviance += worth[c] * residual.mean_square / (*residual.noise * *residual.noise);
     } else {
-      deviance += worth[c] * std::log(square_of(left));
+      deviance += worth[c] * std::log(square_of(residual));
       parameters += 1.0;
     }
   }

@@ -13,10 +13,10 @@
 
 namespace plastica::calibrate {
 
-/// What a fit leaves of one curve: what its likelihood is made of.
-struct Leftover {
+/// Residual of a fit to one curve: what its likelihood is made of.
+struct CurveResidual {
   double mean_square = 0.0;      ///< of the residuals, as the fit weighs them [SI^2]
-  double largest = 0.0;          ///< largest measured value, the size of "nothing left" [SI]
+  double largest = 0.0;          ///< largest measured value, the size of "no residual" [SI]
   double samples = 0.0;          ///< effective number by the weights, see `effective_samples`
   double autocorrelation = 0.0;  ///< of neighbouring residuals, see `autocorrelation`
   std::optional<double> noise;   ///< standard deviation, if it is known [SI]
@@ -26,7 +26,7 @@ struct Leftover {
 struct LawFit {
   Law law = Law::Ideal;
   bool fitted = false;
-  std::vector<Leftover> curves;  ///< the same for all laws, in the same order
+  std::vector<CurveResidual> curves;  ///< the same for all laws, in the same order
   /// Free ones that shape the curves (k); not break strains.
   std::vector<std::string> parameters;
   std::vector<Verdict> verdicts;  ///< of these

@@ -56,7 +56,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
   const double squared = std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);
   const double unit = 1.0 / (noise_ * noise_ * squared);
   weight_unit_ = unit / std::accumulate(details_.weight.begin(), details_.weight.end(), 0.0);
-  pull_scale_ = std::sqrt(unit);
+  break_scale_ = std::sqrt(unit);
   for (std::size_t s = 0; s < weights.size(); ++s) {
     scale_.push_back(std::sqrt(unit * weights[s]));
     if (weights[s] > 0.0) entered_.push_back(s);
@@ -82,7 +82,7 @@ bool CouponProblem::residuals(std::span<const double> x, std::span<double> resid
   const std::size_t samples = scale_.size();
   if (!misfit_.residuals(active_of(x), residual.first(samples))) return false;
   for (std::size_t s = 0; s < samples; ++s) residual[s] *= scale_[s];
-  residual[samples] = pull_scale_ * misfit_.break_residual();
+  residual[samples] = break_scale_ * misfit_.break_residual();
   return true;
 }
 

@@ -89,7 +89,7 @@ class CouponProblem {
   double limit_half_ = 0.0;
   double weight_unit_ = 1.0;   ///< squares over the weighted ones of the details [1/Pa^2]
   std::vector<double> scale_;  ///< (n_samples) [1/Pa]
-  double pull_scale_ = 0.0;
+  double break_scale_ = 0.0;
   std::vector<std::size_t> entered_;
   std::size_t determined_ = 0;
   LeastSquaresProblem squares_;

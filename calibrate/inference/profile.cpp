@@ -16,12 +16,12 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// The profile's point where this is wanted, searched from `x`; none where there are no residuals.
 using PointAt = std::function<std::optional<ProfilePoint>(double wanted, std::vector<double> x)>;
 
-/// Walks outwards on one side. Distances are those of the wanted value from the best one.
-class Walk {
+/// Scans outwards on one side. Distances are those of the wanted value from the best one.
+class ProfileScan {
  public:
   /// @param room  largest distance there is
-  Walk(PointAt point_at, const ProfileStart& best, bool up, double room,
-       const ProfileOptions& options)
+  ProfileScan(PointAt point_at, const ProfileStart& best, bool up, double room,
+              const ProfileOptions& options)
       : point_at_(std::move(point_at)),
         best_(best),
         sign_(up ? 1.0 : -1.0),
@@ -208,20 +208,20 @@ ProfileSide profile_coordinate(const LeastSquaresProblem& problem, const Profile
     return point;
   };
   const double room = up ? upper - best.value : best.value - lower;
-  return Walk(point_at, best, up, room, options).run();
+  return ProfileScan(point_at, best, up, room, options).run();
 }
 
 ProfileSide profile_function(const LeastSquaresProblem& problem, const ProfileStart& best, bool up,
                              const ProfileOptions& options) {
   const LeastSquaresOptions how = search_options(best, options);
-  // Of the pull towards the wanted value: a third of the standard error, so that a point gets nine
-  // tenths of the way and the squares stay well scaled.
+  // Of the residual that leads to the wanted value: a third of the standard error, so that a point
+  // gets nine tenths of the way and the squares stay well scaled.
   const double width = best.step / (3.0 * std::sqrt(options.rise));
   const std::size_t m = problem.residuals;
   const PointAt point_at = [&](double wanted, std::vector<double> x) {
-    LeastSquaresProblem pulled = problem;
-    pulled.evaluate = [&](std::span<const double> points, std::span<double> residuals,
-                          std::span<bool> found) {
+    LeastSquaresProblem constrained = problem;
+    constrained.evaluate = [&](std::span<const double> points, std::span<double> residuals,
+                               std::span<bool> found) {
       problem.evaluate(points, residuals, found);
       for (std::size_t p = 0; p < found.size(); ++p) {
         double& last = residuals[p * m + m - 1];
@@ -232,15 +232,15 @@ ProfileSide profile_function(const LeastSquaresProblem& problem, const ProfileSt
     for (std::size_t i = 0; i < x.size(); ++i) {
       x[i] = std::clamp(x[i], problem.lower[i], problem.upper[i]);
     }
-    pulled.start = std::move(x);
-    const LeastSquares found = minimize_squares(pulled, how);
+    constrained.start = std::move(x);
+    const LeastSquares found = minimize_squares(constrained, how);
     std::optional<ProfilePoint> point;
     if (found.outcome == LeastSquaresOutcome::NoStart) return point;
-    const double pull = found.residual.back();
-    point = ProfilePoint{wanted + width * pull, found.cost - pull * pull, found.x};
+    const double residual = found.residual.back();
+    point = ProfilePoint{wanted + width * residual, found.cost - residual * residual, found.x};
     return point;
   };
-  return Walk(point_at, best, up, kInfinite, options).run();
+  return ProfileScan(point_at, best, up, kInfinite, options).run();
 }
 
 }  // namespace plastica::calibrate

@@ -73,7 +73,7 @@ BootstrapResult bootstrap(const FittedScenes& fitted, std::string_view stage, in
       1e-8;  // a ten-thousandth of a standard error, or a thousandth of few samples
   const auto group_of = [&](std::size_t group) {
     const auto problem = fitted.copy();
-    PieceRecord made;
+    TaskRecord made;
     for (std::size_t b = group * kTogether; b < std::min(count, (group + 1) * kTogether); ++b) {
       Draws draws(seed, b);
       const Resample resample = draw(draws);
@@ -89,7 +89,7 @@ BootstrapResult bootstrap(const FittedScenes& fitted, std::string_view stage, in
   };
   const SceneWork::Stage all{stage, groups, fitted.options().threads, count};
   std::vector<std::vector<double>> values;
-  for (PieceRecord& made : work.make(all, group_of)) {
+  for (TaskRecord& made : work.make(all, group_of)) {
     for (std::vector<double>& row : made.rows) values.push_back(std::move(row));
   }
   const std::vector<bool> known(fitted.free().size(), true);

@@ -201,13 +201,13 @@ BreakLimit SceneErrors::limit_of(std::size_t part) const {
     if (at_bound_[k]) continue;
     // One-sided where the path does not get there on the other side.
     double above = middle(curves[1 + 2 * k].strain), below = middle(curves[2 + 2 * k].strain);
-    double way = 2.0 * kErrorStep;
+    double distance = 2.0 * kErrorStep;
     for (double* end : {&above, &below}) {
       if (!std::isnan(*end)) continue;
       *end = limit.value;
-      way = kErrorStep;
+      distance = kErrorStep;
     }
-    limit.slope[static_cast<Index>(k)] = (above - below) / way;
+    limit.slope[static_cast<Index>(k)] = (above - below) / distance;
   }
   return limit;
 }

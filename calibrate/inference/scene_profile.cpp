@@ -64,8 +64,8 @@ ProfiledParameter profiled(const FittedScenes& fitted, const FittedScenes::FreeP
 }
 
 /// A row for each point, value, cost and coordinates, and one for the end.
-PieceRecord record_of(const ProfileSide& side) {
-  PieceRecord record;
+TaskRecord record_of(const ProfileSide& side) {
+  TaskRecord record;
   for (const ProfilePoint& point : side.points) {
     record.rows.push_back({point.value, point.cost});
     record.rows.back().insert(record.rows.back().end(), point.x.begin(), point.x.end());
@@ -74,7 +74,7 @@ PieceRecord record_of(const ProfileSide& side) {
   return record;
 }
 
-ProfileSide side_from(const PieceRecord& record) {
+ProfileSide side_from(const TaskRecord& record) {
   ProfileSide side;
   side.end = record.rows.back()[0];
   side.why = static_cast<ProfileEnd>(static_cast<int>(record.rows.back()[1]));
@@ -94,14 +94,14 @@ std::vector<LikelihoodProfile> profile_scenes(const FittedScenes& fitted, SceneW
                             fitted.best().cost, fitted.options().confidence);
   }
   const SceneWork::Stage stage{"profile", 2 * parameters.size(), fitted.options().threads};
-  const std::vector<PieceRecord> made = work.make(stage, [&](std::size_t i) {
+  const std::vector<TaskRecord> made = work.make(stage, [&](std::size_t i) {
     const ParameterProfile& parameter = parameters[i / 2];
-    if (!parameter.depends()) return PieceRecord();
+    if (!parameter.depends()) return TaskRecord();
     const auto problem = fitted.copy();
     const LeastSquaresProblem squares =
         parameter.is_break() ? with_limit(*problem, fitted.free()[i / 2].limit.shares)
                              : problem->squares();
-    PieceRecord side = record_of(parameter.side(squares, i % 2 == 1));
+    TaskRecord side = record_of(parameter.side(squares, i % 2 == 1));
     side.runs = problem->counters();
     return side;
   });

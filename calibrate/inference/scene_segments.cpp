@@ -9,7 +9,7 @@
 
 #include "calibrate/inference/not_a_number.hpp"
 #include "calibrate/inference/scene_errors.hpp"
-#include "calibrate/trial/redivide.hpp"
+#include "calibrate/trial/remesh.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::calibrate {
@@ -21,14 +21,14 @@ std::string_view word_of(Division division) {
 
 /// A repetition with another number of segments: a row of the parameters' values [SI], NaN at a
 /// bound (n_free), or none and one sentence why.
-using Repetition = PieceRecord;
+using Repetition = TaskRecord;
 
 std::vector<ScenePart> divided_parts(std::span<const ScenePart> parts, Division division) {
   std::vector<ScenePart> made(parts.begin(), parts.end());
   for (ScenePart& part : made) {
     if (part.setup.scene.is_coupon()) continue;
     try {
-      part.setup = redivided(part, division);
+      part.setup = remeshed(part, division);
     } catch (const InputError& error) {
       if (parts.size() == 1) throw;
       throw InputError({}, part.target.name + ": " + error.field(), error.value(), error.rule());

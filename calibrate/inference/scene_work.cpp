@@ -8,14 +8,14 @@ namespace plastica::calibrate {
 
 void SceneWork::tell(const Stage& stage, std::size_t done) const {
   if (!hooks_.progress) return;
-  const std::size_t total = stage.total > 0 ? stage.total : stage.pieces;
-  hooks_.progress({stage.name, static_cast<int>(done * total / stage.pieces),
+  const std::size_t total = stage.total > 0 ? stage.total : stage.tasks;
+  hooks_.progress({stage.name, static_cast<int>(done * total / stage.tasks),
                    static_cast<int>(total), problem_.counters().runs + counters_.runs});
 }
 
-std::vector<PieceRecord> SceneWork::make(const Stage& stage,
-                                         const std::function<PieceRecord(std::size_t)>& piece) {
-  std::vector<PieceRecord> made(stage.pieces);
+std::vector<TaskRecord> SceneWork::make(const Stage& stage,
+                                        const std::function<TaskRecord(std::size_t)>& task) {
+  std::vector<TaskRecord> made(stage.tasks);
   if (made.empty()) return made;
   const auto name_of = [&](std::size_t i) {
     return std::string(stage.name) + " " + std::to_string(i);
@@ -29,7 +29,7 @@ std::vector<PieceRecord> SceneWork::make(const Stage& stage,
       missing.push_back(i);
       continue;
     }
-    made[i] = piece_record_from(*kept);
+    made[i] = task_record_from(*kept);
     counters_.add(made[i].runs);
     ++done;
   }
@@ -37,7 +37,7 @@ std::vector<PieceRecord> SceneWork::make(const Stage& stage,
   std::mutex mutex;
   parallel_for(missing.size(), {stage.threads}, [&](std::size_t k, int) {
     const std::size_t i = missing[k];
-    made[i] = piece(i);
+    made[i] = task(i);
     const std::lock_guard lock(mutex);
     if (hooks_.keep) hooks_.keep(name_of(i), bytes_of(made[i]));
     counters_.add(made[i].runs);

@@ -36,8 +36,9 @@ void take_test(const Target& target, Scene& scene);
 /// model and specimen are compared by f_break alone. Whatever the other parameters are, it is zero
 /// at break_strain = p/k. So a free one is not searched but set to that, within its bounds, at each
 /// evaluation; the others are searched with the limit that is likely, p clamped to P/30 … 30 P, in
-/// place of k break_strain: a break limit that is at a bound, fixed or tied does not pull at them,
-/// but a model that does not yield at all, when the specimen broke with a permanent strain, costs.
+/// place of k break_strain: a break limit that is at a bound, fixed or tied does not add to their
+/// gradient, but a model that does not yield at all, when the specimen broke with a permanent
+/// strain, costs.
 class Misfit {
  public:
   /// @throws InputError if the scene or a parameter does not suit the test

@@ -26,7 +26,7 @@ Setup with_fixed(const Setup& setup, const SceneFitOptions& options) {
 }
 
 RunCounters counters_of(const SceneCurve& curve) {
-  return {curve.went_on ? 2 : 1, curve.usable ? 0 : 1, curve.segment_iterations};
+  return {curve.is_extended ? 2 : 1, curve.usable ? 0 : 1, curve.segment_iterations};
 }
 
 }  // namespace
@@ -185,7 +185,7 @@ std::vector<PointRun> SceneProblem::compare(const std::vector<std::vector<SceneC
       if (here.found && !curve.usable) {
         here.found = false;
         here.reason = curve.reason;
-        here.turned = curve.turns;
+        here.reversed = curve.reverses;
       }
       if (here.found) add_residuals(part, curve, to);
     }

@@ -31,9 +31,9 @@ struct RunCounters {
 
 /// What came of a point at which all parts were run.
 struct PointRun {
-  bool found = false;   ///< whether all parts have a curve
-  std::string reason;   ///< else why not
-  bool turned = false;  ///< whether because the probe of an abscissa turns round
+  bool found = false;     ///< whether all parts have a curve
+  std::string reason;     ///< else why not
+  bool reversed = false;  ///< whether because the probe of an abscissa turns round
   RunCounters runs;
 };
 

@@ -49,12 +49,12 @@ PlotScript parameters_plot(std::span<const FitRecord> records) {
   // Labels that would run into each other are turned; very many are left out.
   const bool crowded = axis.letters * std::min<std::size_t>(shown.size(), 3) > 90;
   const bool many = groups.size() > 40;
-  const bool turned = crowded && !many;
-  script.begin_panels(shown.size(), {}, 1, turned ? 3.0 * static_cast<double>(axis.longest) : 0.0);
+  const bool rotated = crowded && !many;
+  script.begin_panels(shown.size(), {}, 1, rotated ? 3.0 * static_cast<double>(axis.longest) : 0.0);
   script.command(
       many ? "unset xtics"
-           : fmt::format("set xtics {}({})", turned ? "rotate by 35 right " : "", axis.tics));
-  script.command("set xlabel " + in_quotes(turned ? "" : cut(axis.keys, 40)));
+           : fmt::format("set xtics {}({})", rotated ? "rotate by 35 right " : "", axis.tics));
+  script.command("set xlabel " + in_quotes(rotated ? "" : cut(axis.keys, 40)));
   script.command(fmt::format("set xrange [0.4:{}.6]", groups.size()));
   script.command("set offsets graph 0, graph 0, graph 0.08, graph 0.08");
   for (const FittedParameter& parameter : shown) {

@@ -241,7 +241,7 @@ void SceneSearch::search() {
   std::vector<SearchRecord> records = search_from(
       "search", starts, screens ? std::min(few, options_.evaluations) : options_.evaluations);
   first_reason_ = records.front().start.reason;
-  start_turns_ = records.front().start.turned;
+  start_reverses_ = records.front().start.reversed;
   if (screens) polish(records);
   for (std::size_t k = 0; k < records.size(); ++k) {
     const LeastSquares& found = records[k].found;

@@ -42,7 +42,7 @@ class SceneSearch {
 
   /// Why the start's own scene gave no curve, and whether it was its abscissa's probe that turned.
   const std::string& first_reason() const { return first_reason_; }
-  bool start_turns() const { return start_turns_; }
+  bool start_reverses() const { return start_reverses_; }
 
  private:
   using Points = std::vector<std::vector<double>>;
@@ -69,7 +69,7 @@ class SceneSearch {
   LeastSquares best_;
   std::vector<SceneStart> starts_;
   std::string first_reason_;
-  bool start_turns_ = false;
+  bool start_reverses_ = false;
 };
 
 }  // namespace plastica::calibrate

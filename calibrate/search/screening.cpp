@@ -42,8 +42,8 @@ std::vector<std::size_t> choose_starts(std::span<const double> points,
   const auto close = [&](std::size_t a, std::size_t b) {
     double squares = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
-      const double way = points[a * n + k] - points[b * n + k];
-      squares += way * way;
+      const double difference = points[a * n + k] - points[b * n + k];
+      squares += difference * difference;
     }
     return squares <= near * near;
   };

@@ -34,7 +34,7 @@ std::vector<std::byte> bytes_of(const SearchRecord& record) {
   to.put(kSearchRecordVersion).put(static_cast<std::int32_t>(record.found.outcome));
   to.put(record.found.x).put(record.found.residual).put(record.found.cost);
   to.put(record.found.evaluations);
-  to.put(record.start.found).put(record.start.reason).put(record.start.turned);
+  to.put(record.start.found).put(record.start.reason).put(record.start.reversed);
   put(to, record.start.runs);
   put(to, record.runs);
   return to.take();
@@ -50,7 +50,7 @@ SearchRecord search_record_from(std::span<const std::byte> bytes) {
   record.found.evaluations = from.get<int>();
   record.start.found = from.get<bool>();
   record.start.reason = from.get<std::string>();
-  record.start.turned = from.get<bool>();
+  record.start.reversed = from.get<bool>();
   record.start.runs = counters_from(from);
   record.runs = counters_from(from);
   from.expect_end();
@@ -73,7 +73,7 @@ ScreenRecord screen_record_from(std::span<const std::byte> bytes) {
   return record;
 }
 
-std::vector<std::byte> bytes_of(const PieceRecord& record) {
+std::vector<std::byte> bytes_of(const TaskRecord& record) {
   io::ByteWriter to;
   to.put(kSearchRecordVersion).put(std::uint64_t{record.rows.size()});
   for (const std::vector<double>& row : record.rows) to.put(row);
@@ -82,9 +82,9 @@ std::vector<std::byte> bytes_of(const PieceRecord& record) {
   return to.take();
 }
 
-PieceRecord piece_record_from(std::span<const std::byte> bytes) {
+TaskRecord task_record_from(std::span<const std::byte> bytes) {
   io::ByteReader from = open(bytes);
-  PieceRecord record;
+  TaskRecord record;
   const auto rows = from.get<std::uint64_t>();
   for (std::uint64_t i = 0; i < rows; ++i) record.rows.push_back(from.get<std::vector<double>>());
   record.text = from.get<std::string>();

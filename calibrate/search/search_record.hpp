@@ -24,8 +24,8 @@ struct ScreenRecord {
   RunCounters runs;
 };
 
-/// A finished piece of what follows the search, as numbers whose meaning its maker knows.
-struct PieceRecord {
+/// A finished task of what follows the search, as numbers whose meaning its maker knows.
+struct TaskRecord {
   std::vector<std::vector<double>> rows;
   std::string text;
   RunCounters runs;
@@ -36,10 +36,10 @@ inline constexpr std::uint32_t kSearchRecordVersion = 2;
 
 std::vector<std::byte> bytes_of(const SearchRecord& record);
 std::vector<std::byte> bytes_of(const ScreenRecord& record);
-std::vector<std::byte> bytes_of(const PieceRecord& record);
+std::vector<std::byte> bytes_of(const TaskRecord& record);
 /// @throws io::StorageError if the bytes are no such record
 SearchRecord search_record_from(std::span<const std::byte> bytes);
 ScreenRecord screen_record_from(std::span<const std::byte> bytes);
-PieceRecord piece_record_from(std::span<const std::byte> bytes);
+TaskRecord task_record_from(std::span<const std::byte> bytes);
 
 }  // namespace plastica::calibrate

@@ -11,7 +11,7 @@
 /// How structures become bytes and come back; not installed.
 namespace plastica::calibrate::store {
 
-/// Each structure is walked by one function, `code`, for both directions, so that reading cannot
+/// Each structure is coded by one function, `code`, for both directions, so that reading cannot
 /// forget a field that writing has: a coder puts the field, or gets it.
 class Putter {
  public:

@@ -201,7 +201,7 @@ FitStoreContents read_fit_store(const std::string& path) {
   contents.options = store::read_options(root.open_group("options"));
   contents.records.resize(root.read_texts("fits/name").size());
   StoreReader reader(root, version, contents.records, contents.options);
-  store::walk_records(reader);
+  store::traverse_records(reader);
   check_order(root, contents.records);
   contents.inputs = io::read_inputs(root);
   contents.meta = io::read_meta(root);

@@ -197,7 +197,7 @@ void write_fit_store(const std::string& path, const FitStoreContents& contents,
   io::write_schema(root, kFitStoreSchema, kFitStoreVersion);
   io::write_run_id(root, contents.run);
   StoreWriter writer(root, std::move(records), contents.options);
-  store::walk_records(writer);
+  store::traverse_records(writer);
   io::Hdf5Group options = root.group("options");
   store::write_options(options, contents.options);
   io::write_inputs(root, contents.inputs);

@@ -9,10 +9,10 @@
 /// What of a record stands where in a result file; not installed. Documented in docs/hdf5.md.
 namespace plastica::calibrate::store {
 
-/// Walks through all that a file holds of its records.
+/// Visits all that a file holds of its records.
 /// @tparam Store  a StoreWriter or a StoreReader
 template <typename Store>
-void walk_records(Store& store) {
+void traverse_records(Store& store) {
   store.table(
       "fits", kDescribeFit, [](auto& record) -> auto& { return record; });
   store.table("characteristics", kDescribeCharacteristics, PLASTICA_MEMBER(target.characteristics));

@@ -47,7 +47,7 @@ class Reader {
 
   void segments() {
     const auto member = [this](SceneFitRecord & record) -> auto& {
-      if (!record.result.segments) refuse("segments/fit", "names a fit that was not divided anew");
+      if (!record.result.segments) refuse("segments/fit", "names a fit that was not remeshed");
       return record.result.segments->parameters;
     };
     (void)tables_.items("segments", records_, member, kDescribeSegments);

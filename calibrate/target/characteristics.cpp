@@ -26,8 +26,8 @@ std::size_t end_of_loading(const Curve& curve, Loading loading, double& sign) {
   std::size_t peak = 0;
   for (std::size_t i = 0; i < stress.size(); ++i) {
     if (std::abs(stress[i]) > std::abs(stress[peak])) peak = i;
-    const bool turned = stress[i] * stress[peak] < 0.5 * stress[peak] * stress[peak];
-    if (turned && std::abs(stress[peak]) >= 0.5 * largest) break;
+    const bool reversed = stress[i] * stress[peak] < 0.5 * stress[peak] * stress[peak];
+    if (reversed && std::abs(stress[peak]) >= 0.5 * largest) break;
   }
   if (stress[peak] < 0.0) sign = -1.0;
   return peak + 1;

@@ -25,13 +25,13 @@ bool is_constant(const History& history) {
 struct Driven {
   std::string name;  ///< of the second support "support[2]", as files name it
   Vector straight{};
-  Vector turning{};
+  Vector rotation{};
   Dimension straight_is = Dimension::None;
-  Dimension turning_is = Dimension::None;
+  Dimension rotation_is = Dimension::None;
   History* history = nullptr;
 
-  double size() const { return size_of(straight) + size_of(turning); }
-  bool turns() const { return size_of(turning) > 0.0; }
+  double size() const { return size_of(straight) + size_of(rotation); }
+  bool rotates() const { return size_of(rotation) > 0.0; }
 };
 
 std::vector<Driven> histories_of(Scene& scene) {
@@ -63,7 +63,7 @@ std::size_t index_of(const Scene& scene, const SceneTarget& target, const Source
 
 Driven driven_of(Scene& scene, const SceneTarget& target, const SourceLocation& where) {
   Driven driven = histories_of(scene)[index_of(scene, target, where)];
-  if ((size_of(driven.straight) > 0.0) == driven.turns()) {
+  if ((size_of(driven.straight) > 0.0) == driven.rotates()) {
     throw InputError(where, "abscissa.drive", driven.name,
                      target.kind == Abscissa::Support
                          ? "must be moved by a translation or by a rotation, to follow a number"
@@ -102,17 +102,17 @@ Dimension abscissa_dimension(const Scene& scene, const SceneTarget& target,
   }
   Scene copy = scene;
   const Driven driven = driven_of(copy, target, where);
-  return driven.turns() ? driven.turning_is : driven.straight_is;
+  return driven.rotates() ? driven.rotation_is : driven.straight_is;
 }
 
 Setup driven_setup(const Setup& setup, const SceneTarget& target) {
   Setup followed = setup;
   Scene& scene = followed.scene;
-  std::vector<double> way = target.abscissa;
-  if (target.broke) way.push_back(target.broke->broken_from(way.back()));
+  std::vector<double> values = target.abscissa;
+  if (target.broke) values.push_back(target.broke->broken_from(values.back()));
   if (target.kind == Abscissa::Strain) {
-    for (double& strain : way) strain /= target.abscissa_factor;
-    scene.drive.strain = std::move(way);
+    for (double& strain : values) strain /= target.abscissa_factor;
+    scene.drive.strain = std::move(values);
     return followed;
   }
   if (setup.solver.analysis == Analysis::Dynamics) {
@@ -122,17 +122,17 @@ Setup driven_setup(const Setup& setup, const SceneTarget& target) {
   const Driven driven = driven_of(scene, target, target.abscissa_where);
   check_others(scene, driven.history);
   History history{{0.0}, {0.0}};
-  for (std::size_t i = 0; i < way.size(); ++i) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
     history.time.push_back(static_cast<double>(i + 1));
-    history.factor.push_back(way[i] / (target.abscissa_factor * driven.size()));
+    history.factor.push_back(values[i] / (target.abscissa_factor * driven.size()));
   }
   *driven.history = history;
   followed.solver.duration = history.end();
-  followed.solver.steps = static_cast<int>(way.size());
+  followed.solver.steps = static_cast<int>(values.size());
   return followed;
 }
 
-std::optional<Setup> gone_on(const Setup& setup, int times) {
+std::optional<Setup> extended_setup(const Setup& setup, int times) {
   const Scene& scene = setup.scene;
   const SolverOptions& solver = setup.solver;
   const bool by_load = solver.control == PathControl::Auto || solver.control == PathControl::Load;

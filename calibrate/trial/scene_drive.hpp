@@ -27,6 +27,6 @@ Setup driven_setup(const Setup& setup, const SceneTarget& target);
 /// @param times  > 1
 /// @return none if nothing would go on: in dynamics, where displacement or arc length leads, with
 ///         no ramp, or with a gravity that grows, which no test goes beyond
-std::optional<Setup> gone_on(const Setup& setup, int times);
+std::optional<Setup> extended_setup(const Setup& setup, int times);
 
 }  // namespace plastica::calibrate

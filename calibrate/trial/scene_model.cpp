@@ -127,8 +127,8 @@ SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
   }
   model_ = prepare(scene, setup_.solver, paths);
   if (model_.chain) limited_ = regions_of_the_limit(limited, model_.level);
-  if (target.kind == Abscissa::Probe) longer_setup_ = gone_on(setup_, kMostTimes);
-  if (longer_setup_) longer_ = prepare(longer_setup_->scene, longer_setup_->solver, paths);
+  if (target.kind == Abscissa::Probe) extended_setup_ = extended_setup(setup_, kMostTimes);
+  if (extended_setup_) extended_ = prepare(extended_setup_->scene, extended_setup_->solver, paths);
 }
 
 Setup SceneModel::setup_at(const Setup& base, std::span<const double> values) const {
@@ -143,7 +143,7 @@ std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::siz
   how.threads = threads;
   how.stop = stop;
   std::vector<SceneCurve> curves = run(false, values, count, how);
-  if (longer_) go_on(values, how, curves);
+  if (extended_) extend(values, how, curves);
   return curves;
 }
 
@@ -172,8 +172,8 @@ std::vector<bool> SceneModel::joints_of_the_limit(const Setup& setup, const Mode
 }
 
 /// Runs those again whose path ends early.
-void SceneModel::go_on(std::span<const double> values, const BatchOptions& how,
-                       std::vector<SceneCurve>& curves) const {
+void SceneModel::extend(std::span<const double> values, const BatchOptions& how,
+                        std::vector<SceneCurve>& curves) const {
   std::vector<std::size_t> early;
   std::vector<double> their_values;
   const std::size_t n = fields_.size();
@@ -184,26 +184,26 @@ void SceneModel::go_on(std::span<const double> values, const BatchOptions& how,
     their_values.insert(their_values.end(), at.begin(), at.end());
   }
   if (early.empty()) return;
-  std::vector<SceneCurve> longer = run(true, their_values, early.size(), how);
+  std::vector<SceneCurve> extended = run(true, their_values, early.size(), how);
   for (std::size_t k = 0; k < early.size(); ++k) {
     SceneCurve& curve = curves[early[k]];
-    longer[k].segment_iterations += curve.segment_iterations;
-    if (!longer[k].usable) {
-      longer[k].reason += fmt::format(" (its ramps going on to {} times their ends)", kMostTimes);
+    extended[k].segment_iterations += curve.segment_iterations;
+    if (!extended[k].usable) {
+      extended[k].reason += fmt::format(" (its ramps going on to {} times their ends)", kMostTimes);
     }
-    curve = std::move(longer[k]);
+    curve = std::move(extended[k]);
   }
 }
 
-std::vector<SceneCurve> SceneModel::run(bool longer, std::span<const double> values,
+std::vector<SceneCurve> SceneModel::run(bool is_extended, std::span<const double> values,
                                         std::size_t count, const BatchOptions& how) const {
-  const Setup& setup = longer ? *longer_setup_ : setup_;
-  const Model& model = longer ? *longer_ : model_;
+  const Setup& setup = is_extended ? *extended_setup_ : setup_;
+  const Model& model = is_extended ? *extended_ : model_;
   std::vector<SceneCurve> curves(count);
   const std::size_t n = fields_.size();
   const auto values_of = [&](std::size_t i) { return values.subspan(i * n, n); };
   const auto curve = [&](std::size_t i, const Response& response) {
-    return curve_of(response, joints_of_the_limit(setup, model, values_of(i)), longer);
+    return curve_of(response, joints_of_the_limit(setup, model, values_of(i)), is_extended);
   };
   if (prepared_) {
     run_batch(
@@ -225,14 +225,14 @@ std::vector<SceneCurve> SceneModel::run(bool longer, std::span<const double> val
 }
 
 SceneCurve SceneModel::curve_of(const Response& response, const std::vector<bool>& limited,
-                                bool longer) const {
+                                bool is_extended) const {
   SceneCurve curve;
-  curve.went_on = longer;
+  curve.is_extended = is_extended;
   curve.segment_iterations =
       static_cast<std::int64_t>(setup_.scene.beam.segments) * response.counters.iterations;
   // A longer path may fail beyond what was measured.
   const bool whole = usable(response.status);
-  if (!whole && !(longer && response.status == Status::NotConverged)) {
+  if (!whole && !(is_extended && response.status == Status::NotConverged)) {
     curve.reason = how_it_ended(response.status, setup_);
     return curve;
   }
@@ -268,7 +268,7 @@ bool SceneModel::place(const Response& response, std::vector<double>& path,
   for (std::size_t i = 0; i < samples; ++i) {
     path[i] = target_.abscissa_factor * from[i] + 0.0;  // no -0
     if (i == 0 || path[i] > path[i - 1]) continue;
-    curve.turns = true;
+    curve.reverses = true;
     curve.reason = fmt::format(
         "the probe {} must grow along the path (times {:g}), and does not at sample {}; a scene "
         "whose drive follows what was measured may turn",

@@ -33,9 +33,9 @@ struct StrainAtBreak {
 struct SceneCurve {
   bool usable = false;      ///< whether there is a curve over the whole measured abscissa
   std::string reason;       ///< else why not
-  bool turns = false;       ///< whether that is because the abscissa's probe turns round on the way
+  bool reverses = false;    ///< whether that is because the abscissa's probe turns round on the way
   bool ends_early = false;  ///< … or because the scene's path ends before the measured one
-  bool went_on = false;     ///< whether it is of a path beyond the scene's end (`kMostTimes`)
+  bool is_extended = false;      ///< whether it is of a path beyond the scene's end (`kMostTimes`)
   std::vector<double> ordinate;  ///< at the measured abscissa and by the target's factor [SI] (n)
   StrainAtBreak strain;
   /// Work, in a measure that no machine changes: segments x Newton iterations.
@@ -71,17 +71,17 @@ class SceneModel {
 
  private:
   Setup setup_at(const Setup& base, std::span<const double> values) const;
-  std::vector<SceneCurve> run(bool longer, std::span<const double> values, std::size_t count,
+  std::vector<SceneCurve> run(bool is_extended, std::span<const double> values, std::size_t count,
                               const BatchOptions& how) const;
-  void go_on(std::span<const double> values, const BatchOptions& how,
-             std::vector<SceneCurve>& curves) const;
+  void extend(std::span<const double> values, const BatchOptions& how,
+              std::vector<SceneCurve>& curves) const;
   /// Which joints take a limit of the scene's material (N + 1): those of its parts, the weaker one
   /// of two that meet, which the values decide. Of a coupon none.
   std::vector<bool> joints_of_the_limit(const Setup& setup, const Model& model,
                                         std::span<const double> values) const;
   /// @param limited  `joints_of_the_limit`, of this and what it calls
   SceneCurve curve_of(const Response& response, const std::vector<bool>& limited,
-                      bool longer) const;
+                      bool is_extended) const;
   bool place(const Response& response, std::vector<double>& path, SceneCurve& curve) const;
   double strain_of(const Response& response, const std::vector<bool>& limited,
                    std::size_t sample) const;
@@ -101,8 +101,8 @@ class SceneModel {
   /// Whether all fields are parameters of one model; else each run lays out its own.
   bool prepared_ = false;
   Model model_;
-  std::optional<Setup> longer_setup_;  ///< whose path goes on, if it does
-  std::optional<Model> longer_;
+  std::optional<Setup> extended_setup_;  ///< whose path goes on, if it does
+  std::optional<Model> extended_;
   /// Regions that take a limit of the scene's material, the beam beside them first; of a chain.
   std::vector<bool> limited_;
 };

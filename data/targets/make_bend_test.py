@@ -5,7 +5,7 @@
 
 PLASTICA is the command. The specimen is data/scenes/bend_test.toml with 1280 segments, 800 steps,
 and E = 205 GPa, a yield stress of 380 MPa and a break strain of 2 %. Its force is read every 0.5 mm
-of the end's way and gets normal noise with a standard deviation of 5 N, from the generator
+of the end's displacement and gets normal noise with a standard deviation of 5 N, from the generator
 random.Random(2026).random() by Box and Muller's formula; rows have 0.1 N. The last row, of no
 force, says that the bar broke before it.
 """
@@ -58,13 +58,13 @@ def main():
         curve = simulated(sys.argv[1], here.parent / "scenes" / "bend_test.toml",
                           pathlib.Path(folder))
     generator = random.Random(2026)
-    rows, below, way = [], curve[0], 0.0
+    rows, below, displacement = [], curve[0], 0.0
     for above in curve[1:]:
-        while way <= above[0]:
-            share = (way - below[0]) / (above[0] - below[0])
+        while displacement <= above[0]:
+            share = (displacement - below[0]) / (above[0] - below[0])
             force = below[1] + share * (above[1] - below[1]) + NOISE * normal(generator)
             rows.append(f"{way:.1f},{force:.1f}")
-            way += EVERY
+            displacement += EVERY
         below = above
     rows.append(f"{way:.1f},0")
     output.write_text("Displacement (mm),Force (N)\n" + "\n".join(rows) + "\n", encoding="utf-8")

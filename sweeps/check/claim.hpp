@@ -23,23 +23,23 @@ enum class ClaimKind {
   Work,               ///< segment-iterations of a case [1]
   Spread,             ///< largest less least value over the size of their mean [1]
   Value,              ///< the quantity [SI]
-  Ledger,             ///< ledger error [1]
+  EnergyBalance,      ///< energy balance error of each case [1]
   Failed,             ///< number of cases without a usable status [1]
-  Silent,             ///< of a walk: number of points that are wrong without saying so [1]
-  Unsound,            ///< of a walk: number of points that are not sound, whatever they say [1]
+  Silent,             ///< of a scan: number of points that are wrong without saying so [1]
+  Unsound,            ///< of a scan: number of points that are not sound, whatever they say [1]
 };
 
 inline constexpr std::array<std::string_view, 12> kClaimKinds{
-    "order",  "correlation", "error",  "extrapolated_error",
-    "gci",    "work",        "spread", "value",
-    "ledger", "failed",      "silent", "unsound"};
+    "order",  "correlation", "error", "extrapolated_error", "gci",
+    "work",   "spread",      "value", "energy_balance",     "failed",
+    "silent", "unsound"};
 
-/// One statement about a sweep, or about walks to the edge of stability, that holds or does not.
+/// One statement about a sweep, or about scans to the edge of stability, that holds or does not.
 struct Claim {
   std::string name;
   SourceLocation where;
-  std::size_t sweep = 0;  ///< number in `CheckFile::sweeps`, unless it is about a walk:
-  std::optional<stability::StabilityOptions> walk{};
+  std::size_t sweep = 0;  ///< number in `CheckFile::sweeps`, unless it is about a scan:
+  std::optional<stability::StabilityOptions> scan{};
   ClaimKind kind = ClaimKind::Order;
   std::optional<double> at_least{};  ///< [SI]
   std::optional<double> at_most{};   ///< [SI]
@@ -52,7 +52,7 @@ struct CheckFile {
   std::string path;
   std::vector<Sweep> sweeps;
   std::vector<Claim> claims;
-  std::vector<std::string> notes{};  ///< old names of keys, each with the new one, for the user
+  std::vector<std::string> notes{};  ///< old names in it and its sweeps, each with the new one
 };
 
 /// Reads a check file; see docs/file-formats.md for the keys.

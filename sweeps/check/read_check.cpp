@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -30,27 +28,21 @@ double read_limit(const TomlValue& value, const Claim& claim, const Sweep* sweep
   return value.is_string() ? value.quantity(Dimension::Strain) : value.number();
 }
 
-/// @param notes  gets a line for a key's old name
-void read_walk(const TomlTable& walk, Claim& claim, std::vector<std::string>& notes) {
-  stability::StabilityOptions& options = claim.walk.emplace();
-  if (const auto only = walk.find("only")) options.only = only->strings();
-  if (const auto sample = walk.find("sample")) {
+void read_stability(const TomlTable& scan, Claim& claim) {
+  stability::StabilityOptions& options = claim.scan.emplace();
+  if (const auto only = scan.find("only")) options.only = only->strings();
+  if (const auto sample = scan.find("sample")) {
     options.sample = static_cast<std::size_t>(sample->integer(0, 1'000'000));
   }
-  if (const auto seed = walk.find("seed")) {
+  if (const auto seed = scan.find("seed")) {
     options.seed = static_cast<std::uint64_t>(seed->integer(0, 1'000'000'000));
   }
-  auto work = walk.find("max_work");
-  if (const auto old = walk.find("most_work")) {
-    if (work) throw old->error("is the old name of max_work, which is there, too");
-    work = old;
-    notes.push_back(
-        fmt::format("{}:{}: most_work is now max_work", old->where().file, old->where().line));
+  if (const auto work = scan.find("max_work")) {
+    options.max_segment_steps = work->number_within(0.0, 1e9, true);
   }
-  if (work) options.max_segment_steps = work->number_within(0.0, 1e9, true);
 }
 
-/// @param sweep  null for a claim about a walk
+/// @param sweep  null for a claim about a scan
 void read_kind(const TomlTable& table, const Sweep* sweep, Claim& claim) {
   std::optional<TomlValue> limits;
   for (std::size_t k = 0; k < kClaimKinds.size(); ++k) {
@@ -67,9 +59,9 @@ void read_kind(const TomlTable& table, const Sweep* sweep, Claim& claim) {
     }
     throw InputError(table.where(), table.key(), "", "claims nothing: it needs one of " + all);
   }
-  const bool of_walk = claim.kind == ClaimKind::Silent || claim.kind == ClaimKind::Unsound;
-  if (of_walk != (sweep == nullptr)) {
-    throw limits->error(of_walk ? "is about stability = { … }, not about a sweep"
+  const bool of_scan = claim.kind == ClaimKind::Silent || claim.kind == ClaimKind::Unsound;
+  if (of_scan != (sweep == nullptr)) {
+    throw limits->error(of_scan ? "is about stability = { … }, not about a sweep"
                                 : "is about a sweep, not about stability");
   }
   const TomlTable range = limits->table();
@@ -79,7 +71,7 @@ void read_kind(const TomlTable& table, const Sweep* sweep, Claim& claim) {
   if (claim.at_least && claim.at_most && *claim.at_least > *claim.at_most) {
     throw limits->error("at_least must not be above at_most");
   }
-  if (of_walk) return;
+  if (of_scan) return;
   const bool of_errors = claim.kind == ClaimKind::Order || claim.kind == ClaimKind::Correlation ||
                          claim.kind == ClaimKind::Error ||
                          claim.kind == ClaimKind::ExtrapolatedError;
@@ -99,8 +91,9 @@ void read_only(const TomlTable& where, const std::string& prefix, const Sweep& s
       read_only(value.table(), prefix + key + ".", sweep, claim);
       continue;
     }
+    const std::string path = value.new_path(prefix + key);
     const auto axis = std::find_if(sweep.axes.begin(), sweep.axes.end(),
-                                   [&](const Axis& a) { return a.field->path == prefix + key; });
+                                   [&](const Axis& a) { return a.field->path == path; });
     if (axis == sweep.axes.end()) throw value.error("is not the field of an axis of the sweep");
     std::vector<FieldValue> wanted;
     for (const TomlValue& one : value.is_array() ? value.array() : std::vector{value}) {
@@ -125,8 +118,8 @@ CheckFile read_check_file(const std::string& path) {
     Claim claim;
     claim.where = table.where();
     claim.name = table.at("name").string();
-    if (const auto walk = table.find_table("stability")) {
-      read_walk(*walk, claim, file.notes);
+    if (const auto scan = table.find_table("stability")) {
+      read_stability(*scan, claim);
       read_kind(table, nullptr, claim);
       file.claims.push_back(std::move(claim));
       continue;
@@ -145,6 +138,11 @@ CheckFile read_check_file(const std::string& path) {
     file.claims.push_back(std::move(claim));
   }
   document.root().check_unused();
+  for (const Sweep& sweep : file.sweeps) {
+    file.notes.insert(file.notes.end(), sweep.notes.begin(), sweep.notes.end());
+  }
+  const std::vector<std::string>& own = document.root().notes();
+  file.notes.insert(file.notes.end(), own.begin(), own.end());
   if (file.claims.empty()) throw InputError({path, 0}, "claim", "", "is missing: nothing to check");
   return file;
 }

@@ -12,7 +12,7 @@ namespace {
 /// Whether the numbers of a claim are shares, shown in percent.
 bool is_share(ClaimKind kind) {
   return kind == ClaimKind::Error || kind == ClaimKind::ExtrapolatedError ||
-         kind == ClaimKind::Gci || kind == ClaimKind::Spread || kind == ClaimKind::Ledger;
+         kind == ClaimKind::Gci || kind == ClaimKind::Spread || kind == ClaimKind::EnergyBalance;
 }
 
 std::string number_text(const CheckFile& file, const Claim& claim, double number) {

@@ -125,8 +125,8 @@ void add_case(const Claim& claim, const SweepRecord& record, std::size_t i, Wors
       return;
     }
     case ClaimKind::Value: worst.add(result.value, why(record, i)); return;
-    case ClaimKind::Ledger:
-      worst.add(usable(result.status) ? std::optional(result.ledger_error) : std::nullopt,
+    case ClaimKind::EnergyBalance:
+      worst.add(usable(result.status) ? std::optional(result.energy_balance_error) : std::nullopt,
                 why(record, i));
       return;
     default:
@@ -169,12 +169,12 @@ ClaimVerdict judge(const Claim& claim, const SweepRecord& record) {
       case ClaimKind::Spread: add_spread(record, group, worst); break;
       case ClaimKind::Error:
       case ClaimKind::Value:
-      case ClaimKind::Ledger:
+      case ClaimKind::EnergyBalance:
       case ClaimKind::Work:
         for (const std::size_t i : group.cases) add_case(claim, record, i, worst);
         break;
       case ClaimKind::Silent:
-      case ClaimKind::Unsound: break;  // of walks
+      case ClaimKind::Unsound: break;  // of scans
       case ClaimKind::Failed:
         for (const std::size_t i : group.cases) {
           failed = failed.value_or(0.0) + (usable(record.results[i].status) ? 0.0 : 1.0);
@@ -224,11 +224,11 @@ std::vector<ClaimVerdict> run_check(const CheckFile& file, const CheckOptions& o
   }
   std::vector<ClaimVerdict> verdicts;
   for (const Claim& claim : file.claims) {
-    if (!claim.walk) {
+    if (!claim.scan) {
       verdicts.push_back(judge(claim, records[claim.sweep]));
       continue;
     }
-    stability::StabilityOptions how = *claim.walk;
+    stability::StabilityOptions how = *claim.scan;
     how.threads = options.threads;
     how.stop = options.stop;
     how.most_seconds = std::numeric_limits<double>::infinity();  // no verdict hangs on the machine

@@ -19,7 +19,7 @@ struct ClaimVerdict {
   std::string reason{};            ///< why there is no number
 };
 
-/// Judges a claim by the walks that were run.
+/// Judges a claim by the scans that were run.
 ClaimVerdict judge(const Claim& claim, std::span<const stability::StabilityRow> rows);
 
 /// Judges a claim by the sweep that was run.

@@ -65,7 +65,7 @@ NamedChain chain_of(const Setup& setup) {
                     scene.beam.joint_lengths.empty(),
                 "is for rules.formulas = \"mechanics\" and segments that the rule divides");
   NamedChain chain{ChainConvention::HalfJoint, scene.beam.segments};
-  if (scene.end_rule == EndRule::Equal) chain.convention = ChainConvention::Weld;
+  if (scene.end_rule == EndRule::Equal) chain.convention = ChainConvention::Clamp;
   if (scene.end_rule == EndRule::ThreeHalves) chain.convention = ChainConvention::ThreeHalvesEnds;
   // Two of the segments are half as long.
   if (scene.end_rule == EndRule::Half) chain = {ChainConvention::HalfEnds, scene.beam.segments - 1};

@@ -167,7 +167,7 @@ Refinement refinement_of(const Field& field) {
                                                     "solver.steps"};
   constexpr std::array<std::string_view, 5> kSizes{"beam.segment_depth", "solver.time_step",
                                                    "solver.step_error", "solver.tolerance",
-                                                   "solver.largest_turn"};
+                                                   "solver.largest_rotation"};
   const auto among = [&](const auto& paths) {
     return std::find(paths.begin(), paths.end(), field.path) != paths.end();
   };

@@ -17,15 +17,16 @@ enum class QuantityKind {
   BreakLoad,    ///< factor of the first load at the first break [1]; of a coupon its stress [Pa]
   BreakTime,    ///< of the first break [s]
   BreakStrain,  ///< of a coupon: its total strain at the break [1]
-  LedgerError,  ///< `Response::ledger_error`: what the energies leave unexplained [1]
-  Fit,          ///< a parameter that [fit] finds in the scene
-  LoadedFrequency,  ///< natural frequency about the loaded state [Hz]
-  BucklingFactor,   ///< load factor at which it buckles, about the loaded state [1]
+  EnergyBalanceError,  ///< `Response::energy_balance_error`: what the energies leave unexplained
+                       ///< [1]
+  Fit,                 ///< a parameter that [fit] finds in the scene
+  LoadedFrequency,     ///< natural frequency about the loaded state [Hz]
+  BucklingFactor,      ///< load factor at which it buckles, about the loaded state [1]
 };
 
 inline constexpr std::array<std::string_view, 10> kQuantityKinds{
-    "probe",        "natural_frequency", "limit_load", "break_load",       "break_time",
-    "break_strain", "ledger_error",      "fit",        "loaded_frequency", "buckling_factor"};
+    "probe",        "natural_frequency",    "limit_load", "break_load",       "break_time",
+    "break_strain", "energy_balance_error", "fit",        "loaded_frequency", "buckling_factor"};
 
 /// Whether a quantity is one of several modes.
 constexpr bool has_modes(QuantityKind kind) {

@@ -215,7 +215,7 @@ void read_axes(const TomlTable& root, Sweep& sweep) {
     const TomlValue name = table.at("field");
     Axis axis{.where = name.where()};
     try {
-      axis.field = &find_axis_field(name.string(), name.where());
+      axis.field = &find_axis_field(name.new_path(name.string()), name.where());
     } catch (const InputError& error) {
       throw name.error(error.rule());
     }

@@ -44,7 +44,7 @@ Quantity read_probe(const TomlTable& table, const TomlValue& probe, const Scene&
 Quantity read_kind(const TomlTable& table, const TomlValue& word, const Scene& scene) {
   Quantity quantity;
   quantity.kind = static_cast<QuantityKind>(word.word(kQuantityKinds));
-  quantity.name = word.string();
+  quantity.name = kQuantityKinds[static_cast<std::size_t>(quantity.kind)];
   switch (quantity.kind) {
     case QuantityKind::Probe: throw word.error("is meant by probe = NAME");
     case QuantityKind::NaturalFrequency:
@@ -76,7 +76,7 @@ Quantity read_kind(const TomlTable& table, const TomlValue& word, const Scene& s
     }
     case QuantityKind::LimitLoad:
     case QuantityKind::BreakStrain:
-    case QuantityKind::LedgerError: break;
+    case QuantityKind::EnergyBalanceError: break;
   }
   return quantity;
 }
@@ -173,7 +173,7 @@ void read_refined(const TomlTable& table, Sweep& sweep) {
   for (std::size_t a = 0; a < sweep.axes.size() && !sweep.refined; ++a) {
     const Field& field = *sweep.axes[a].field;
     const bool varies = sweep.axes[a].values.size() > 1 && !sweep.axes[a].sampled;
-    if (named ? field.path == named->string()
+    if (named ? field.path == named->new_path(named->string())
               : varies && refinement_of(field) != Refinement::None) {
       sweep.refined = a;
     }

@@ -26,7 +26,7 @@ void read_settings(const TomlTable& table, const std::string& prefix, Sweep& swe
     }
     Axis axis{.where = value.where()};
     try {
-      axis.field = &find_axis_field(prefix + key, value.where());
+      axis.field = &find_axis_field(value.new_path(prefix + key), value.where());
     } catch (const InputError& error) {
       throw value.error(error.rule());
     }
@@ -94,6 +94,8 @@ Sweep read_document(const TomlDocument& document) {
                      "times runs of a scene; this quantity is none of a run");
   }
   root.check_unused();
+  sweep.notes = sweep.scene.notes;
+  sweep.notes.insert(sweep.notes.end(), root.notes().begin(), root.notes().end());
   return sweep;
 }
 

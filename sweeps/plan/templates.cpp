@@ -54,7 +54,7 @@ values = [5, 10, 20, 40, 80]
 
 [[axis]]
 field  = "rules.end_rule"
-values = ["half_joint", "equal"]   # the clamp as a joint of half a segment, or as a weld
+values = ["half_joint", "equal"]   # the clamp as a joint of half a segment, or rigid
 # zip  = "a"                       # axes with the same word move together
 
 # Axes may be sampled instead, all of them together:
@@ -92,7 +92,7 @@ constexpr std::string_view kCheck =
 #   extrapolated_error, gci    of the value extrapolated from the three finest; its uncertainty
 #   value, spread              of the quantity: within limits; independent of what is varied
 #   work                       in segment-iterations, which no machine changes
-#   ledger, failed             how far energies are open; how many cases fail
+#   energy_balance, failed     energy balance error of every case; how many cases fail
 # each with at_least, at_most, or both. `where` chooses cases by the values of axes.
 
 [[claim]]

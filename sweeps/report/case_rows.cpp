@@ -221,9 +221,9 @@ std::string remark_of(const SweepRecord& record, std::size_t index) {
   std::string text = result.status == Status::Completed ? "" : std::string(name_of(result.status));
   const std::string& why = result.reason.empty() ? record.comparison.reason[index] : result.reason;
   if (!why.empty()) text += (text.empty() ? "" : ": ") + why;
-  if (result.ledger_error > kLedgerTolerance) {
-    text += fmt::format("{}ledger open by {} %", text.empty() ? "" : ", ",
-                        percent_text(result.ledger_error));
+  if (result.energy_balance_error > kBalanceTolerance) {
+    text += fmt::format("{}energy balance off by {} %", text.empty() ? "" : ", ",
+                        percent_text(result.energy_balance_error));
   }
   return text.empty() && !same.empty() ? same.substr(2) : text + same;
 }

@@ -38,7 +38,8 @@ void write_cases_csv(std::ostream& out, const SweepRecord& record) {
   }
   out << fmt::format(
       ",status,reason,level,value [{0}],reference [{0}],error [1],error_reason,"
-      "standard_error [{0}],segments,iterations,segment_iterations,cutbacks,ledger_error [1],"
+      "standard_error [{0}],segments,iterations,segment_iterations,cutbacks,energy_balance_error "
+      "[1],"
       "last_time [s],last_value [{0}],seconds [s]\n",
       unit);
   for (std::size_t i = 0; i < record.cases(); ++i) {
@@ -50,7 +51,7 @@ void write_cases_csv(std::ostream& out, const SweepRecord& record) {
                        cell_of(record.comparison.reference[i]), cell_of(record.comparison.error[i]),
                        csv_cell(record.comparison.reason[i]), cell_of(result.standard_error),
                        result.segments, result.iterations, result.segment_iterations(),
-                       result.cutbacks, result.ledger_error, result.last_time,
+                       result.cutbacks, result.energy_balance_error, result.last_time,
                        cell_of(result.last_value), result.seconds);
   }
 }

@@ -106,7 +106,7 @@ Json case_of(const SweepRecord& record, std::size_t i) {
           {"iterations", result.iterations},
           {"segment_iterations", result.segment_iterations()},
           {"cutbacks", result.cutbacks},
-          {"ledger_error", number(result.ledger_error)},
+          {"energy_balance_error", number(result.energy_balance_error)},
           {"last_time", number(result.last_time)},
           {"last_value", number(result.last_value)},
           {"seconds", number(result.seconds)}};

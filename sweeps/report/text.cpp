@@ -87,7 +87,7 @@ std::string case_report(const SweepRecord& record, std::size_t index) {
   add("iterations", fmt::format("{}", result.iterations));
   add("cut-backs", fmt::format("{}", result.cutbacks));
   add("segment-iterations", fmt::format("{}", result.segment_iterations()));
-  add("ledger error", percent_text(result.ledger_error) + " %");
+  add("energy balance error", percent_text(result.energy_balance_error) + " %");
   add("last good state", fmt::format("{:.6g} s", result.last_time));
   add_number("probe there", result.last_value, unit);
   add("time", fmt::format("{:.4g} ms", 1e3 * result.seconds));

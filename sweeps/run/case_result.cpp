@@ -57,7 +57,7 @@ Measured coupon_quantity(const Response& response, const Quantity& quantity) {
 Measured quantity_of(const Response& response, const Quantity& quantity) {
   const bool is_chain = response.chain.joints > 0;
   switch (quantity.kind) {
-    case QuantityKind::LedgerError: return {response.ledger_error, {}};
+    case QuantityKind::EnergyBalanceError: return {response.energy_balance_error, {}};
     case QuantityKind::BreakLoad:
       return is_chain ? chain_quantity(response, quantity) : coupon_quantity(response, quantity);
     case QuantityKind::LimitLoad:
@@ -94,8 +94,8 @@ void measure_probe(const Response& response, const Quantity& quantity, CaseResul
 }
 
 std::string imbalance_of(const Response& response) {
-  const bool energy = !(response.ledger_error <= kLedgerTolerance);
-  const double wrong = energy ? response.ledger_error : response.momentum_error;
+  const bool energy = !(response.energy_balance_error <= kBalanceTolerance);
+  const double wrong = energy ? response.energy_balance_error : response.momentum_error;
   return std::string(energy ? "energy" : "momentum") + " off by " +
          report::significant(100.0 * wrong, 3) +
          " %: " + std::string(advice(response.status, true));
@@ -127,7 +127,7 @@ CaseResult result_of_run(const BatchRow& row, const Quantity& quantity) {
   result.iterations =
       is_chain ? response.counters.iterations : static_cast<std::int64_t>(response.samples);
   result.cutbacks = response.counters.cutbacks;
-  result.ledger_error = response.ledger_error;
+  result.energy_balance_error = response.energy_balance_error;
   result.seconds = response.seconds;
   if (response.samples > 0) {
     result.last_time = is_chain ? response.chain.time[response.samples - 1]

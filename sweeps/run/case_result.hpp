@@ -27,7 +27,7 @@ struct CaseResult {
   int cutbacks = 0;                    ///< steps that were tried again shorter
   double last_time = 0.0;              ///< of the last good state [s]; of a coupon its samples
   std::optional<double> last_value{};  ///< of the probe there [SI]
-  double ledger_error = 0.0;           ///< `Response::ledger_error` [1]
+  double energy_balance_error = 0.0;   ///< `Response::energy_balance_error` [1]
   std::optional<double> standard_error{};  ///< of a fitted value, from the noise of the data [SI]
   double seconds = 0.0;                    ///< CPU time of the run, see BatchCase::timed_runs [s]
 

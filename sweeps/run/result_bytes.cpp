@@ -5,11 +5,11 @@
 namespace plastica::sweeps {
 namespace {
 
-/// Walks all of a result, so that reading cannot forget what writing has.
+/// Visits all of a result, so that reading cannot forget what writing has.
 template <class Result, class Coder>
-void walk(Result& r, Coder& code) {
+void traverse(Result& r, Coder& code) {
   code(r.status, r.reason, r.level, r.value, r.time, r.curve, r.segments, r.iterations, r.cutbacks,
-       r.last_time, r.last_value, r.ledger_error, r.standard_error, r.seconds);
+       r.last_time, r.last_value, r.energy_balance_error, r.standard_error, r.seconds);
 }
 
 }  // namespace
@@ -17,7 +17,7 @@ void walk(Result& r, Coder& code) {
 std::vector<std::byte> bytes_of(const CaseResult& result) {
   io::ByteWriter writer;
   const auto put = [&](const auto&... values) { (writer.put(values), ...); };
-  walk(result, put);
+  traverse(result, put);
   return writer.take();
 }
 
@@ -27,7 +27,7 @@ CaseResult result_from_bytes(std::span<const std::byte> bytes) {
   const auto get = [&](auto&... values) {
     ((values = reader.get<std::remove_reference_t<decltype(values)>>()), ...);
   };
-  walk(result, get);
+  traverse(result, get);
   reader.expect_end();
   return result;
 }

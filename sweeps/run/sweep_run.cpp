@@ -80,7 +80,7 @@ void SweepRun::take(std::size_t index, CaseResult result) {
   progress_.done += shared_by_[index];
   if (!usable(result.status)) progress_.failed += shared_by_[index];
   results_[index] = std::move(result);
-  if (told_) told_(progress_);
+  if (report_) report_(progress_);
 }
 
 /// The largest of them may meet.
@@ -137,7 +137,7 @@ std::vector<CaseResult> SweepRun::run() {
     progress_.done += shared_by_[i];
     if (!usable(results_[i]->status)) progress_.failed += shared_by_[i];
   }
-  if (told_) told_(progress_);
+  if (report_) report_(progress_);
   run_missing(missing);
   complete_ = progress_.done == ids_.size();
   if (!complete_ && journal_) journal_->sync();

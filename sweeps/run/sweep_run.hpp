@@ -56,7 +56,9 @@ class SweepRun {
 
   /// Sets what is told how far the sweep is: once before the first case and after each, one call at
   /// a time, from any thread.
-  void on_progress(std::function<void(const SweepProgress&)> told) { told_ = std::move(told); }
+  void on_progress(std::function<void(const SweepProgress&)> report) {
+    report_ = std::move(report);
+  }
 
   /// Runs what is missing. Result i is that of case i, NotRun for one that was not begun. To be
   /// called once. @throws io::StorageError if the journal cannot be written; InputError if cases
@@ -83,7 +85,7 @@ class SweepRun {
   std::vector<std::optional<CaseResult>> results_;  ///< of owners (n_cases)
   std::size_t taken_ = 0;
   SweepProgress progress_;
-  std::function<void(const SweepProgress&)> told_;
+  std::function<void(const SweepProgress&)> report_;
   bool complete_ = false;
 };
 

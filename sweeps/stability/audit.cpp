@@ -294,11 +294,11 @@ bool is_finite(const Setup& setup, const Response& response) {
   if (setup.scene.is_coupon()) return std::isfinite(response.permanent_strain);
   const ChainHistory& chain = response.chain;
   for (const Energies& e : std::span(chain.energy).first(response.samples)) {
-    if (!all_finite(std::array{e.elastic, e.kinetic, e.plastic, e.damping, e.numerical, e.impact,
-                               e.fracture, e.external, e.residual}))
+    if (!all_finite(std::array{e.elastic, e.kinetic, e.plastic, e.damping, e.numerical_dissipation,
+                               e.impact, e.fracture, e.external, e.residual}))
       return false;
   }
-  return std::isfinite(response.ledger_error) && std::isfinite(response.permanent_strain) &&
+  return std::isfinite(response.energy_balance_error) && std::isfinite(response.permanent_strain) &&
          all_finite(chain.position) && all_finite(chain.moment) && all_finite(chain.force) &&
          all_finite(chain.angle) && all_finite(chain.plastic_angle) && all_finite(chain.rotation) &&
          all_finite(chain.plastic_strain) && all_finite(chain.stress) && all_finite(chain.reaction);

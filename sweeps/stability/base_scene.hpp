@@ -10,7 +10,7 @@
 
 namespace plastica::sweeps::stability {
 
-/// What a walk turns, one or two at a time; the values here are a scene's normal ones, unless it
+/// What a scan varies, one or two at a time; the values here are a scene's normal ones, unless it
 /// has its own. A beam is a square of L/slenderness.
 struct Knobs {
   double youngs_modulus = 200e9;  ///< E [Pa]
@@ -42,15 +42,15 @@ struct StabilityCase {
   Expectation expected;
 };
 
-/// One of the scenes that the walks start from.
+/// One of the scenes that the scans start from.
 struct BaseScene {
   std::string_view name;  ///< unique: "planar tip force"
   Level level = Level::Planar;
   Analysis analysis = Analysis::Statics;
   StabilityCase (*make)(const Knobs&) = nullptr;
   Knobs normal{};
-  /// Names of the axes that the scene is walked along, see walk.hpp; pairs of two names are walked
-  /// together.
+  /// Names of the axes that the scene is scanned along, see scan.hpp; pairs of two names are
+  /// scanned together.
   std::vector<std::string_view> axes{};
   std::vector<std::pair<std::string_view, std::string_view>> pairs{};
 };

@@ -41,7 +41,8 @@ StabilityCase vibration_on(const Knobs& knobs, Level level) {
     scene.initial_motions.push_back(motion);
   }
   const int middle = n / 2;
-  const std::size_t way = probe(made, ProbeQuantity::Displacement, {0.0, middle}, Component::Y);
+  const std::size_t displacement =
+      probe(made, ProbeQuantity::Displacement, {0.0, middle}, Component::Y);
   const SolverOptions& solver = made.setup.solver;
   const double phase = omega * solver.time_step;
   const bool damped = knobs.damping > 0.0 || solver.scheme == Scheme::LinearlyImplicitEuler;
@@ -53,7 +54,7 @@ StabilityCase vibration_on(const Knobs& knobs, Level level) {
                            ? std::min(2.0, steps * phase * phase * phase / 4.0)
                            : 0.0;
     made.expected.references.push_back({.what = "deflection",
-                                        .probe = way,
+                                        .probe = displacement,
                                         .value = size * std::sin(turned),
                                         .size = size,
                                         .tolerance = 0.01 + own,

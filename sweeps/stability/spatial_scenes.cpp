@@ -24,7 +24,7 @@ StabilityCase forces_of(const Knobs& knobs, YieldModel model) {
 }
 StabilityCase forces(const Knobs& knobs) {
   StabilityCase made = forces_of(knobs, YieldModel::Elastic);
-  made.expected.may_turn = true;  // a torque about an axis that stays
+  made.expected.may_reverse = true;  // a torque about an axis that stays
   const Numbers b(knobs);
   const double P = knobs.load * b.yield / b.L;
   const double alpha = P * b.L * b.L / b.EI;

@@ -9,7 +9,7 @@
 #include "plastica/base/check.hpp"
 #include "plastica/base/parallel_for.hpp"
 #include "plastica/run/simulate.hpp"
-#include "sweeps/stability/walk.hpp"
+#include "sweeps/stability/scan.hpp"
 
 namespace plastica::sweeps::stability {
 namespace {
@@ -81,7 +81,7 @@ void run_point(const StabilityPoint& point, const StabilityOptions& options, Sta
     }
     row.verdict = judge(made.setup, response, made.expected);
     row.status = response.status;
-    row.ledger_error = response.ledger_error;
+    row.energy_balance_error = response.energy_balance_error;
     row.segment_steps = response.counters.steps * point.knobs.segments;
   } catch (const InputError& error) {
     row.verdict = {Soundness::Failed, error.what()};

@@ -14,8 +14,8 @@
 
 namespace plastica::sweeps::stability {
 
-/// A number of a walk at a point.
-struct WalkedValue {
+/// A number of a scan at a point.
+struct ScannedValue {
   std::string axis;  ///< "time step"
   std::string unit;  ///< of SI
   double value = 0.0;
@@ -27,13 +27,13 @@ struct StabilityRow {
   std::string scene;  ///< "planar tip force"
   Level level = Level::Planar;
   Analysis analysis = Analysis::Statics;
-  std::vector<WalkedValue> at;  ///< none (the normal point), one or two
-  bool begun = false;           ///< false after a stop
+  std::vector<ScannedValue> at;  ///< none (the normal point), one or two
+  bool begun = false;            ///< false after a stop
   Verdict verdict{};
   Status status = Status::NotRun;
-  double ledger_error = 0.0;   ///< of a motion [1]
-  double segment_steps = 0.0;  ///< segments times steps that were taken [1]
-  double seconds = 0.0;        ///< with preparation [s]
+  double energy_balance_error = 0.0;  ///< of a motion [1]
+  double segment_steps = 0.0;         ///< segments times steps that were taken [1]
+  double seconds = 0.0;               ///< with preparation [s]
 };
 
 /// Which points of the stability study are run, and how.
@@ -59,7 +59,7 @@ struct StabilityOptions {
   std::function<void(const StabilityRow& row, std::size_t finished, std::size_t all)> progress{};
 };
 
-/// Walks scenes towards the edge and judges each point (`judge`): E from 1 kPa to 1 TPa, N from 2
+/// Scans scenes towards the edge and judges each point (`judge`): E from 1 kPa to 1 TPa, N from 2
 /// to 100 000, steps from 10 ns to 1 s, and so on (`axes`), one or two at a time from the normal
 /// values of each of the scenes (`base_scenes`). Rows are in the order of `stability_points`, the
 /// same for every number of threads but for times.

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "plastica/report/format.hpp"
+#include "sweeps/stability/scan.hpp"
 #include "sweeps/stability/summary.hpp"
-#include "sweeps/stability/walk.hpp"
 
 namespace plastica::sweeps::stability {
 namespace {
@@ -116,15 +116,15 @@ void add_axis(const Axis& axis, std::span<const StabilityRow> rows, const Lines&
 report::PlotScript stability_map(std::span<const StabilityRow> rows) {
   report::PlotScript script;
   const Lines lines = lines_of(rows);
-  std::vector<const Axis*> walked;
+  std::vector<const Axis*> scanned;
   for (const Axis& axis : axes()) {
     const bool any = std::any_of(rows.begin(), rows.end(), [&](const StabilityRow& row) {
       return row.at.size() == 1 && row.at[0].axis == axis.name;
     });
-    if (any) walked.push_back(&axis);
+    if (any) scanned.push_back(&axis);
   }
-  script.begin_panels(walked.size(), "each row a scene, (t) in motion; each point a run", 1);
-  for (const Axis* axis : walked) add_axis(*axis, rows, lines, script);
+  script.begin_panels(scanned.size(), "each row a scene, (t) in motion; each point a run", 1);
+  for (const Axis* axis : scanned) add_axis(*axis, rows, lines, script);
   return script;
 }
 

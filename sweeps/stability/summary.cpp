@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "plastica/report/format.hpp"
-#include "sweeps/stability/walk.hpp"
+#include "sweeps/stability/scan.hpp"
 
 namespace plastica::sweeps::stability {
 namespace {
@@ -19,12 +19,12 @@ const BaseScene& scene_of(const StabilityRow& row) {
 }
 
 /// The points of one scene along one axis, by value.
-struct Walk {
+struct Scan {
   const BaseScene* scene = nullptr;
   std::vector<std::pair<double, Soundness>> points;
 };
 
-/// Where on a walk the normal value is; 0 where steps follow the period.
+/// Where on a scan the normal value is; 0 where steps follow the period.
 double normal_value(const BaseScene& scene, const Axis& axis) { return scene.normal.*axis.knob; }
 
 struct Ends {
@@ -34,9 +34,9 @@ struct Ends {
   bool open_high;
 };
 
-/// The sound range around a value; a walk without a normal value has its longest one.
-std::optional<Ends> sound_range(const Walk& walk, double normal) {
-  const auto& points = walk.points;
+/// The sound range around a value; a scan without a normal value has its longest one.
+std::optional<Ends> sound_range(const Scan& scan, double normal) {
+  const auto& points = scan.points;
   std::optional<Ends> best;
   for (std::size_t i = 0; i < points.size();) {
     if (points[i].second != Soundness::Sound) {
@@ -87,8 +87,8 @@ std::vector<LevelCount> count_soundness(std::span<const StabilityRow> rows) {
 }
 
 std::vector<SafeRange> safe_ranges(std::span<const StabilityRow> rows) {
-  // By axis, level and analysis: the walk of each scene.
-  std::map<std::tuple<std::size_t, int, int>, std::map<std::string, Walk>> walks;
+  // By axis, level and analysis: the scan of each scene.
+  std::map<std::tuple<std::size_t, int, int>, std::map<std::string, Scan>> scans;
   for (const StabilityRow& row : rows) {
     if (!row.begun || row.at.size() > 1) continue;
     const BaseScene& scene = scene_of(row);
@@ -98,14 +98,14 @@ std::vector<SafeRange> safe_ranges(std::span<const StabilityRow> rows) {
       const bool here = !row.at.empty() && row.at[0].axis == axis.name;
       const double normal = normal_value(scene, axis);
       if (!here && (!row.at.empty() || normal <= 0.0)) continue;
-      Walk& walk =
-          walks[{a, static_cast<int>(row.level), static_cast<int>(row.analysis)}][row.scene];
-      walk.scene = &scene;
-      walk.points.emplace_back(here ? row.at[0].value : normal, row.verdict.soundness);
+      Scan& scan =
+          scans[{a, static_cast<int>(row.level), static_cast<int>(row.analysis)}][row.scene];
+      scan.scene = &scene;
+      scan.points.emplace_back(here ? row.at[0].value : normal, row.verdict.soundness);
     }
   }
   std::vector<SafeRange> ranges;
-  for (auto& [key, scenes] : walks) {
+  for (auto& [key, scenes] : scans) {
     const Axis& axis = axes()[std::get<0>(key)];
     SafeRange range;
     range.level = static_cast<Level>(std::get<1>(key));
@@ -116,9 +116,9 @@ std::vector<SafeRange> safe_ranges(std::span<const StabilityRow> rows) {
     range.open_low = range.open_high = true;
     range.low = -std::numeric_limits<double>::infinity();
     range.high = std::numeric_limits<double>::infinity();
-    for (auto& [name, walk] : scenes) {
-      std::sort(walk.points.begin(), walk.points.end());
-      const auto ends = sound_range(walk, normal_value(*walk.scene, axis));
+    for (auto& [name, scan] : scenes) {
+      std::sort(scan.points.begin(), scan.points.end());
+      const auto ends = sound_range(scan, normal_value(*scan.scene, axis));
       if (!ends) {
         range.low = 1.0;
         range.high = 0.0;
@@ -195,7 +195,8 @@ std::string summary_text(std::span<const StabilityRow> rows) {
 
 std::string rows_csv(std::span<const StabilityRow> rows) {
   std::string text =
-      "id,scene,level,analysis,axis,value,axis_2,value_2,verdict,reason,status,ledger_error,"
+      "id,scene,level,analysis,axis,value,axis_2,value_2,verdict,reason,status,energy_balance_"
+      "error,"
       "segment_steps,seconds\n";
   for (const StabilityRow& row : rows) {
     if (!row.begun) continue;
@@ -207,7 +208,7 @@ std::string rows_csv(std::span<const StabilityRow> rows) {
     }
     text += ',' + std::string(kSoundness[static_cast<std::size_t>(row.verdict.soundness)]) + ',' +
             report::csv_cell(row.verdict.reason) + ',' + std::string(name_of(row.status)) + ',' +
-            report::significant(row.ledger_error, 3) + ',' +
+            report::significant(row.energy_balance_error, 3) + ',' +
             report::significant(row.segment_steps, 6) + ',' + report::significant(row.seconds, 3) +
             '\n';
   }

@@ -26,20 +26,20 @@ struct SafeRange {
   Analysis analysis = Analysis::Statics;
   std::string axis;
   std::string unit;
-  std::size_t scenes = 0;  ///< that are walked along the axis
+  std::size_t scenes = 0;  ///< that are scanned along the axis
   double low = 0.0;   ///< the widest range around the scenes' normal values in which every point
   double high = 0.0;  ///< is sound
-  bool open_low = false;  ///< whether the range ends where the walk does, not at an unsound point
+  bool open_low = false;  ///< whether the range ends where the scan does, not at an unsound point
   bool open_high = false;
 };
 
-/// Safe ranges of the walks along one axis; those of two are in the map alone.
+/// Safe ranges of the scans along one axis; those of two are in the map alone.
 std::vector<SafeRange> safe_ranges(std::span<const StabilityRow> rows);
 
 /// The counts and the safe ranges as tables of Markdown.
 std::string summary_text(std::span<const StabilityRow> rows);
 
-/// All rows as CSV: id, level, analysis, axes, verdict, reason, status, ledger error,
+/// All rows as CSV: id, level, analysis, axes, verdict, reason, status, energy balance error,
 /// segment-steps, seconds.
 std::string rows_csv(std::span<const StabilityRow> rows);
 

@@ -27,25 +27,25 @@ std::optional<std::string> step_warning(const Setup& setup) {
 }
 
 /// The energies of a path or motion [J]: the largest entry, and what counts most against it.
-struct Ledger {
+struct EnergyBalance {
   double size = 0.0;
   double residual = 0.0;    ///< largest |residual|
   double made = 0.0;        ///< by the scheme, at most
   double dissipated = 0.0;  ///< by the scheme, at most
 };
 
-Ledger ledger_of(const Response& response) {
-  Ledger ledger;
+EnergyBalance balance_of(const Response& response) {
+  EnergyBalance balance;
   for (const Energies& e : std::span(response.chain.energy).first(response.samples)) {
     for (const double part : {e.elastic, e.kinetic, e.plastic, e.damping, e.impact, e.fracture,
-                              e.external, e.numerical}) {
-      ledger.size = std::max(ledger.size, std::fabs(part));
+                              e.external, e.numerical_dissipation}) {
+      balance.size = std::max(balance.size, std::fabs(part));
     }
-    ledger.residual = std::max(ledger.residual, std::fabs(e.residual));
-    ledger.made = std::max(ledger.made, -e.numerical);
-    ledger.dissipated = std::max(ledger.dissipated, e.numerical);
+    balance.residual = std::max(balance.residual, std::fabs(e.residual));
+    balance.made = std::max(balance.made, -e.numerical_dissipation);
+    balance.dissipated = std::max(balance.dissipated, e.numerical_dissipation);
   }
-  return ledger;
+  return balance;
 }
 
 /// A miss that nothing but a warning about the steps excuses.
@@ -101,7 +101,7 @@ std::optional<Verdict> check_limit(const Setup& setup, const Response& response,
         Silent, "went on beyond the limit load factor of " + report::significant(*expected.limit)};
   }
   if (setup.scene.yield_model == YieldModel::Elastic) {
-    if (expected.may_turn) return Verdict{Failed, "limit-load"};
+    if (expected.may_reverse) return Verdict{Failed, "limit-load"};
     return Verdict{Silent, "a limit load of an elastic beam"};
   }
   if (!expected.limit) return std::nullopt;
@@ -120,15 +120,15 @@ Verdict judge(const Setup& setup, const Response& response, const Expectation& e
   if (!is_finite(setup, response)) return {Silent, "a number is not finite"};
 
   const bool moves = setup.solver.analysis == Analysis::Dynamics && !setup.scene.is_coupon();
-  const Ledger ledger = setup.scene.is_coupon() ? Ledger{} : ledger_of(response);
-  if (moves && response.ledger_error > kLedgerTolerance) {
-    if (ledger.made > kAccurate * ledger.size) {
-      return {Inaccurate, "the scheme makes " + percent(ledger.made / ledger.size) +
-                              " of the energy, as the ledger states"};
+  const EnergyBalance balance = setup.scene.is_coupon() ? EnergyBalance{} : balance_of(response);
+  if (moves && response.energy_balance_error > kBalanceTolerance) {
+    if (balance.made > kAccurate * balance.size) {
+      return {Inaccurate, "the scheme makes " + percent(balance.made / balance.size) +
+                              " of the energy, as the energy balance states"};
     }
-    return {Inaccurate, "the ledger does not close by " + percent(response.ledger_error)};
+    return {Inaccurate, "the energy balance is off by " + percent(response.energy_balance_error)};
   }
-  if (moves && response.momentum_error > kLedgerTolerance) {
+  if (moves && response.momentum_error > kBalanceTolerance) {
     return {Inaccurate, "momentum is off by " + percent(response.momentum_error)};
   }
   if (const auto wrong = audit(setup, response)) return {Silent, *wrong};
@@ -136,13 +136,13 @@ Verdict judge(const Setup& setup, const Response& response, const Expectation& e
     return {Silent, "an unstable equilibrium"};
   }
   if (expected.breaks && response.status != Status::Broken) return {Silent, "did not break"};
-  if (ledger.made > kAccurate * ledger.size) {
+  if (balance.made > kAccurate * balance.size) {
     return missed(setup,
-                  "the scheme makes " + percent(ledger.made / ledger.size) + " of the energy");
+                  "the scheme makes " + percent(balance.made / balance.size) + " of the energy");
   }
-  const bool dissipates = ledger.dissipated > kAccurate * ledger.size;
-  Verdict stated{Inaccurate, "the scheme dissipates " + percent(ledger.dissipated / ledger.size) +
-                                 " of the energy, as the ledger states"};
+  const bool dissipates = balance.dissipated > kAccurate * balance.size;
+  Verdict stated{Inaccurate, "the scheme dissipates " + percent(balance.dissipated / balance.size) +
+                                 " of the energy, as the energy balance states"};
   if (auto found = check_kept(setup, response, expected)) return dissipates ? stated : *found;
   if (auto found = check_limit(setup, response, expected)) return *found;
   if (response.status == Status::Completed) {
@@ -151,8 +151,8 @@ Verdict judge(const Setup& setup, const Response& response, const Expectation& e
     }
   }
   if (dissipates) return stated;
-  if (!moves && ledger.residual > kLedgerTolerance * ledger.size) {
-    return {Inaccurate, "the ledger does not close by " + percent(ledger.residual / ledger.size) +
+  if (!moves && balance.residual > kBalanceTolerance * balance.size) {
+    return {Inaccurate, "the energy balance is off by " + percent(balance.residual / balance.size) +
                             ", as its residual states"};
   }
   return {};

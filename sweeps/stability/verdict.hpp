@@ -14,7 +14,7 @@ namespace plastica::sweeps::stability {
 
 /// What a run's result is worth.
 enum class Soundness {
-  Sound,       ///< the ledger closes, every audit passes and every reference is met
+  Sound,       ///< energy is balanced, every audit passes and every reference is met
   Inaccurate,  ///< off, and the run says so: see `judge`
   Failed,      ///< refused as input, or ended with a status that says that it is not usable
   Silent,      ///< wrong without saying so: a defect
@@ -57,7 +57,7 @@ struct Expectation {
   /// Load factor beyond which there is no equilibrium [1]; met within 1 %.
   std::optional<double> limit{};
   /// Whether an elastic beam may lose its equilibrium: its loads are not conservative, or it snaps.
-  bool may_turn = false;
+  bool may_reverse = false;
   bool breaks = false;  ///< whether the run must end broken
   /// Whether the equilibrium that an even path leads to is unstable, so that the run must not pass
   /// it off as completed.
@@ -74,11 +74,11 @@ inline constexpr double kAccurate = 0.01;
 /// - Silent: the status is usable and yet a number is not finite; the recorded beam is no chain of
 ///   rigid segments, is out of balance (statics) or has a joint beyond its cap (`audit`); the
 ///   scheme made energy, or a kept quantity or a reference of the chain is missed, and neither the
-///   ledger nor a warning says so.
-/// - Inaccurate: the ledger does not close (`kLedgerTolerance`), or the scheme dissipated more than
-///   `kAccurate` of the energy, which the ledger states; or a reference of the chain is missed and
-///   a warning of `scene_warnings` names the steps; or the chain's reference is met and the
-///   continuum's is not, by more than `kAccurate`: the price of few segments.
+///   energy balance nor a warning says so.
+/// - Inaccurate: energy is not balanced (`kBalanceTolerance`), or the scheme dissipated more than
+///   `kAccurate` of the energy, which the energy balance states; or a reference of the chain is
+///   missed and a warning of `scene_warnings` names the steps; or the chain's reference is met and
+///   the continuum's is not, by more than `kAccurate`: the price of few segments.
 /// - Sound: none of these.
 /// @param setup  what was run; its probes are those that the expectation numbers
 Verdict judge(const Setup& setup, const Response& response, const Expectation& expected);

@@ -80,7 +80,7 @@ class Reader {
       for (std::size_t i = 0; i < texts.size(); ++i) set(results_[i].*member, name, texts[i]);
     } else {
       using Stored = std::conditional_t<std::is_integral_v<Value>, std::int64_t, double>;
-      const auto values = checked(name, group_.read<Stored>(name));
+      const auto values = checked(name, group_.read<Stored>(io::path_in_file(group_, name)));
       using Wanted = std::conditional_t<std::is_integral_v<Value>, Value, double>;
       io::ValueRule rule = io::rule_of(kSweepRules, "cases/" + name);
       if constexpr (std::is_same_v<Value, std::optional<double>>) rule.may_lack = true;
@@ -122,7 +122,7 @@ class Reader {
 
 /// Which columns there are, said once for both directions.
 template <class Columns>
-void walk(Columns& column, const std::string& unit) {
+void traverse(Columns& column, const std::string& unit) {
   column("status", "", &CaseResult::status);
   column("reason", "", &CaseResult::reason);
   column("level", "", &CaseResult::level);
@@ -133,7 +133,7 @@ void walk(Columns& column, const std::string& unit) {
   column("segments", "1", &CaseResult::segments);
   column("iterations", "1", &CaseResult::iterations);
   column("cutbacks", "1", &CaseResult::cutbacks);
-  column("ledger_error", "1", &CaseResult::ledger_error);
+  column("energy_balance_error", "1", &CaseResult::energy_balance_error);
 }
 
 std::vector<double> row_of(const io::Ragged<double>& rows, std::size_t i) {
@@ -146,7 +146,7 @@ std::vector<double> row_of(const io::Ragged<double>& rows, std::size_t i) {
 void write_results(Hdf5Group& root, const SweepRecord& record) {
   Hdf5Group cases = root.group("cases");
   Writer writer(cases, record.results);
-  walk(writer, record.quantity.unit);
+  traverse(writer, record.quantity.unit);
   std::vector<std::int64_t> work;
   for (const CaseResult& result : record.results) work.push_back(result.segment_iterations());
   cases.write("segment_iterations", work, {"1", kDeflate});
@@ -165,7 +165,7 @@ void read_results(const Hdf5Group& root, SweepRecord& record) {
   record.results.resize(record.cases());
   const Hdf5Group cases = root.open_group("cases");
   Reader reader(cases, record.results);
-  walk(reader, record.quantity.unit);
+  traverse(reader, record.quantity.unit);
   for (const CaseResult& result : record.results) {
     if (result.segments > 0 && result.iterations > kMaxWork / result.segments) {
       io::refuse_value(cases, "iterations", std::to_string(result.iterations),

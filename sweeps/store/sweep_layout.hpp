@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "plastica/base/renamed.hpp"
 #include "plastica/io/hdf5.hpp"
 #include "sweeps/store/sweep_record.hpp"
 
@@ -19,12 +20,13 @@ std::string_view word_at(const std::array<std::string_view, n>& words, Enum valu
   return words[static_cast<std::size_t>(value)];
 }
 
-/// @throws InputError if the word is none of them
+/// An old word is read as the new one. @throws InputError if the word is none of them
 template <class Enum, std::size_t n>
 Enum enumerator_at(const std::array<std::string_view, n>& words, const std::string& word,
                    const std::string& file) {
+  const std::string_view now = new_name(kRenamedWords, word);
   for (std::size_t i = 0; i < n; ++i) {
-    if (words[i] == word) return static_cast<Enum>(i);
+    if (words[i] == now) return static_cast<Enum>(i);
   }
   throw InputError({file, 0}, "", word, "is no word of this file");
 }

@@ -13,7 +13,7 @@ inline constexpr std::array kSweepRules{
     io::may_lack("cases/reference"),
     io::may_lack("cases/error"),
     io::ValueRule{"cases/last_time", io::kNotNegative},
-    io::anything("cases/ledger_error"),
+    io::anything("cases/energy_balance_error"),
     io::ValueRule{"curves/time/values", io::kNotNegative},
     io::ValueRule{"groups/size/values", io::kAboveZero},
     io::ValueRule{"meta/case_seconds", io::kNotNegative},

@@ -208,10 +208,11 @@ INSTANTIATE_TEST_SUITE_P(
             "which clip each moment on its own"),
         change_chain("TubeThatDoesNotFit", "shape = 'rectangle'", "shape = 'rectangular_tube'",
                      "4: section.inner_width = 0.08: must be below section.width = 0.02"),
-        change_chain("ReportWithHalfJoints", "yield_model = 'interaction'",
-                     "yield_model = 'per_axis'\nformulas = 'report'\nend_rule = 'half_joint'",
-                     "9: rules.end_rule = half_joint: the report welds its ends: equal, half or "
-                     "three_halves"),
+        change_chain(
+            "ReportWithHalfJoints", "yield_model = 'interaction'",
+            "yield_model = 'per_axis'\nformulas = 'report'\nend_rule = 'half_joint'",
+            "9: rules.end_rule = half_joint: the report clamps its ends rigidly: equal, half or "
+            "three_halves"),
         change_chain(
             "ReportWithHingeLength", "yield_model = 'interaction'",
             "yield_model = 'per_axis'\nformulas = 'report'\nhinge_length = '20 mm'",
@@ -260,8 +261,9 @@ INSTANTIATE_TEST_SUITE_P(
                      "1e+07"),
         change_chain("ToleranceOfZero", "steps = 10", "tolerance = 0",
                      "9: solver.tolerance = 0: must be above 0 and below 1"),
-        change_chain("TurnWithoutUnit", "steps = 10", "largest_turn = 0.1",
-                     "9: solver.largest_turn = 0.1: an angle needs a unit (examples: rad, deg)"),
+        change_chain(
+            "TurnWithoutUnit", "steps = 10", "largest_rotation = 0.1",
+            "9: solver.largest_rotation = 0.1: an angle needs a unit (examples: rad, deg)"),
         change_chain(
             "WatchOffTheBeam", "steps = 10", "control_at = { segment = 12 }",
             "9: solver.control_at = { segment = 12 }: must be a segment from 1 to 8, or 0 for "

@@ -85,7 +85,8 @@ TEST(BadRequest, OfAResultIsRefusedInOneLine) {
        "--to = xls: must be one of csv, json, markdown, latex, mjcf, agx, chrono, opensees"},
       {{"export", "x.h5", "--what", "all"},
        "--what: all not in "
-       "{specimens,fits,targets,curves,probes,joints,energies,events,pieces,spectrum,cases,beam} "
+       "{specimens,fits,targets,curves,probes,joints,energies,events,fragments,spectrum,cases,beam}"
+       " "
        "(see "
        "plastica export --help)"},
       {{"export", "x.h5", "--to", "latex"}, "--to latex: is for sweeps; this is a result of fits"},

@@ -102,7 +102,7 @@ Fault setting(std::string name, const std::string& sweep, const std::string& lin
 INSTANTIATE_TEST_SUITE_P(
     Checks, SeededFault,
     ::testing::Values(
-        setting("ClampWelded", "cantilever_frequency.toml", "rules.end_rule = 'equal'\n",
+        setting("ClampRigid", "cantilever_frequency.toml", "rules.end_rule = 'equal'\n",
                 "statics.toml", "the first frequency converges with order 2"),
         setting("FirstOrderJoint", "segment_depth.toml", "rules.end_rule = 'equal'\n",
                 "statics.toml", "segments of any depth: order 2 from stocky to slender"),

@@ -59,15 +59,15 @@ TEST_F(MotionResult, IsShownAsItWasPrintedAndHasNoProgressInALog) {
   const CommandResult result = simulate(kHalfASecond);
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(result.err, "wrote beam.h5\n");
-  EXPECT_TRUE(result.out.starts_with("beam: broken: 1 joint cut by the scene; 2 pieces\n"))
+  EXPECT_TRUE(result.out.starts_with("beam: broken: 1 joint cut by the scene; 2 fragments\n"))
       << result.out;
   EXPECT_TRUE(has(result.out, "  samples         251, with the shape of 11 frames\n"));
   EXPECT_TRUE(has(result.out, "\nFrequencies\n  probe"));
   EXPECT_EQ(place_.run({"show", "beam.h5"}).out, result.out);
   const auto json = nlohmann::json::parse(place_.read("beam.json"));
   EXPECT_EQ(nlohmann::json::parse(place_.run({"export", "beam.h5", "--to", "json"}).out), json);
-  EXPECT_EQ(json.at("events").at(0).at("pieces").size(), 2U);
-  EXPECT_EQ(json.at("energies").at("closes"), true);
+  EXPECT_EQ(json.at("events").at(0).at("fragments").size(), 2U);
+  EXPECT_EQ(json.at("energies").at("balanced"), true);
 }
 
 TEST_F(MotionResult, OfTwoRunsDiffersInMetaAlone) {
@@ -87,13 +87,13 @@ TEST_F(MotionResult, IsDrawnAsEachPictureThatItHas) {
   }
   EXPECT_EQ(place_.run({"plot", "beam.h5", "-o", "again.svg"}).code, 0);
   EXPECT_EQ(place_.read("again.svg"), place_.read("film.svg"));
-  EXPECT_TRUE(has(place_.read("film.svg"), "500 ms, 2 pieces"));
+  EXPECT_TRUE(has(place_.read("film.svg"), "500 ms, 2 fragments"));
   EXPECT_EQ(place_
                 .run({"plot", "beam.h5", "--what", "film", "--frames", "3", "--from", "400 ms",
                       "--to", "0.5 s", "-o", "end.svg"})
                 .code,
             0);
-  EXPECT_TRUE(has(place_.read("end.svg"), "450 ms, 2 pieces"));
+  EXPECT_TRUE(has(place_.read("end.svg"), "450 ms, 2 fragments"));
   EXPECT_FALSE(has(place_.read("end.svg"), "350 ms"));
   EXPECT_EQ(
       place_.run({"plot", "beam.h5", "--what", "shape", "--time", "199 ms", "-o", "early.svg"})
@@ -113,7 +113,10 @@ TEST_F(MotionResult, IsExportedAsEachTableThatItHas) {
   EXPECT_EQ(lines_of(exported("energies")), 252U);
   EXPECT_EQ(lines_of(exported("joints")), 10U);
   EXPECT_EQ(lines_of(exported("events")), 2U);
-  EXPECT_EQ(lines_of(exported("pieces")), 3U);
+  EXPECT_EQ(lines_of(exported("fragments")), 3U);
+  const CommandResult old = place_.run({"export", "beam.h5", "--what=pieces"});
+  EXPECT_EQ(old.out, exported("fragments"));
+  EXPECT_EQ(old.err, "plastica: --what pieces is now fragments\n");
   EXPECT_TRUE(exported("spectrum").starts_with("frequency [Hz],tip [m],speed [m/s]\n"));
   const CommandResult early =
       place_.run({"export", "beam.h5", "--what", "joints", "--time", "100 ms"});

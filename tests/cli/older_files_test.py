@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Files of fits of version 3 are read as they were: the same report, but for what they do not have.
+"""Older result files are read as they were: the same report, but for what they do not have.
 
 older_files_test.py COMMAND DATA: fits shipped curves, makes files of version 3 of the results, whose
-parameters had other columns, and has the command show both.
+parameters had other columns, and has the command show both. The same of scenes and sweeps, whose
+files had other names.
 """
 
 import pathlib
@@ -67,6 +68,33 @@ class OlderFiles(unittest.TestCase):
             for column in ("logarithmic", "at_lower", "at_upper", "identified", "judged"):
                 del group[column]
         self.assertEqual(run(self.folder, "show", "older.h5"), now)
+
+    def check_names(self, scene_or_sweep, *renamed):
+        """Shows a result the same when its datasets have the names that they had before."""
+        command = "sweep" if "sweeps" in scene_or_sweep else "simulate"
+        run(self.folder, command, str(DATA / scene_or_sweep), "-o", "fit.h5", "--quiet")
+        now = run(self.folder, "show", "fit.h5")
+        with copy_of(self.folder) as file:
+            for name, before in renamed:
+                file.move(name, before)
+        self.assertEqual(run(self.folder, "show", "older.h5"), now)
+
+    def test_of_scenes_with_old_names(self):
+        self.check_names("scenes/report_fig06_bent.toml",
+                         ("outcome/energy_balance_error", "outcome/ledger_error"),
+                         ("options/setup/solver/largest_rotation",
+                          "options/setup/solver/largest_turn"),
+                         ("options/setup/solver/max_iterations",
+                          "options/setup/solver/most_iterations"))
+
+    def test_of_broken_beams_with_old_names(self):
+        self.check_names("scenes/report_fig11_broken.toml",
+                         ("events/fragments", "events/pieces"),
+                         ("energy/numerical_dissipation", "energy/numerical"))
+
+    def test_of_sweeps_with_old_names(self):
+        self.check_names("sweeps/cantilever_deflection.toml",
+                         ("cases/energy_balance_error", "cases/ledger_error"))
 
     def test_of_an_older_version_are_refused(self):
         run(self.folder, "calibrate", str(DATA / "fits/demo.toml"), "-o", "fit.h5", "--quiet")

@@ -195,7 +195,7 @@ SHAPES = {
     "energy/kinetic": (6,), "joints/moment": (6, 5, 3), "joints/position": (6, 5, 3),
     "joints/plastic_strain": (6, 5), "segments/rotation": (6, 4, 3), "reactions/wrench": (6, 1, 6),
     "beam/ends": (5,), "beam/node": (5, 3), "beam/axes": (4, 3, 3), "events/time": (0,),
-    "events/joints/strain": (0,), "events/joints/moment": (0, 3), "events/pieces/first": (0,),
+    "events/joints/strain": (0,), "events/joints/moment": (0, 3), "events/fragments/first": (0,),
     "initial_motions/velocity": (0, 3), "cuts/time": (0,), "regions/from": (1,),
     "regions/material/name": (1,), "regions/material/youngs_modulus": (1,),
     "beam/width": (4,), "beam/modulus": (5, 3), "supports/held": (1, 6), "loads/force": (1, 3),
@@ -298,7 +298,7 @@ MOTION_SHAPES = {
     "probes/values": (1, 41), "path/time": (41,), "path/frame_sample": (5,),
     "energy/kinetic": (41,), "joints/position": (5, 5, 3), "joints/plastic_strain": (5, 5),
     "segments/rotation": (5, 4, 3), "reactions/wrench": (5, 1, 6), "events/time": (2,),
-    "events/joints/joint": (2,), "events/joints/moment": (2, 3), "events/pieces/first": (5,),
+    "events/joints/joint": (2,), "events/joints/moment": (2, 3), "events/fragments/first": (5,),
     "initial_motions/velocity": (1, 3), "cuts/time": (2,),
 }
 
@@ -332,23 +332,23 @@ class ReadMotion(unittest.TestCase):
         moved = file["joints/position"][:, -1, 1] - file["beam/node"][-1, 1]
         numpy.testing.assert_allclose(tip, moved, rtol=1e-12, atol=1e-15)
 
-    def test_tells_the_cuts_and_the_pieces_after_each(self):
+    def test_tells_the_cuts_and_the_fragments_after_each(self):
         file = self.file
         numpy.testing.assert_allclose(file["events/time"][:], [0.025, 0.075])
         self.assertEqual(list(file["events/joints/cause"].asstr()), ["cut", "cut"])
         self.assertEqual(list(file["events/joints/joint"]), [3, 2])
         self.assertEqual(list(file["events/joints/cut"]), [1, 1])
-        pieces = file["events/pieces"]
-        table = list(zip(pieces["event"], pieces["first"], pieces["last"]))
+        fragments = file["events/fragments"]
+        table = list(zip(fragments["event"], fragments["first"], fragments["last"]))
         self.assertEqual(table, [(0, 0, 2), (0, 3, 3), (1, 0, 1), (1, 2, 2), (1, 3, 3)])
 
-    def test_has_a_ledger_that_closes(self):
+    def test_has_energies_that_are_balanced(self):
         energy = {name: values[:] for name, values in self.file["energy"].items()}
         rest = energy["external"] - sum(values for name, values in energy.items()
                                         if name not in ("external", "residual"))
         largest = max(numpy.max(numpy.abs(values)) for values in energy.values())
         numpy.testing.assert_allclose(energy["residual"], rest, atol=1e-12 * largest)
-        self.assertLess(self.file["outcome/ledger_error"][()], 0.01)
+        self.assertLess(self.file["outcome/energy_balance_error"][()], 0.01)
 
     def test_has_nothing_that_is_not_documented(self):
         self.assertEqual(undocumented(self.file, PAGE).names, [])

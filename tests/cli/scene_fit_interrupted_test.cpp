@@ -57,8 +57,9 @@ class InterruptedSceneFit : public ::testing::Test {
     place_.write("fit.toml", kInterruptedFit);
     std::string curve = "Way (mm),Force (N)\n";
     for (int i = 1; i <= 120; ++i) {
-      const double way = 0.5 * i;
-      curve += fmt::format("{},{}\n", way, 2300.0 * std::tanh(way / 18.0) + 3.0 * way);
+      const double displacement = 0.5 * i;
+      curve += fmt::format("{},{}\n", displacement,
+                           2300.0 * std::tanh(displacement / 18.0) + 3.0 * displacement);
     }
     place_.write("curve.csv", curve);
   }

@@ -123,7 +123,8 @@ TEST(BadSceneRequest, IsRefusedInOneLine) {
       {{"show", "x.h5", "--all"},
        "--all: is for results of fits and sweeps; this is a simulated scene"},
       {{"export", "x.h5", "--what", "curves"},
-       "--what = curves: must be probes or joints or energies or events or pieces or spectrum of "
+       "--what = curves: must be probes or joints or energies or events or fragments or spectrum "
+       "of "
        "this "
        "file"},
       {{"export", "x.h5", "--time", "1 s"}, "--time: goes with --what joints only"},

@@ -98,7 +98,7 @@ probe = "tip"
 TIMED = SWEEP + 'against = "theory:elastica"\n[cost]\ntimed_runs = 1\n'
 CURVES = SWEEP + 'take = "curve"\nagainst = "finest"\n'
 
-SCENE_TABLES = ("probes", "joints", "energies", "events", "pieces", "spectrum", "beam")
+SCENE_TABLES = ("probes", "joints", "energies", "events", "fragments", "spectrum", "beam")
 ENGINES = ("mjcf", "agx", "chrono", "opensees")
 
 

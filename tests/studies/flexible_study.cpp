@@ -34,7 +34,7 @@ TEST(FlexibleCantilevers, LandNowhereElse) {
           const bool right =
               response.status == Status::Completed &&
               testing::flexible_error(response, n, exact) <= testing::flexible_tolerance(load, n) &&
-              std::fabs(testing::turned_in_all(response, n) - exact.slope) <= 0.05;
+              std::fabs(testing::rotated_in_all(response, n) - exact.slope) <= 0.05;
           ++all;
           wrong += right ? 0 : 1;
           EXPECT_TRUE(right) << (kind == FlexibleLoad::Weight ? "weight " : "tip force ") << load

@@ -1,4 +1,4 @@
-// Stability at the extremes: every point of the walks (sweeps/stability) is sound, says that it is
+// Stability at the extremes: every point of the scans (sweeps/stability) is sound, says that it is
 // not, or is refused; none is wrong without saying so. PLASTICA_STUDY=full runs all, =sample a
 // seeded 100 of the cheap ones. With PLASTICA_STABILITY_OUT=NAME in the environment NAME.csv,
 // NAME.md and NAME.svg hold the points, the tables and the map.

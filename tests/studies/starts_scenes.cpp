@@ -83,12 +83,12 @@ StartsProblem problem(std::string name, ScenePart part, const std::vector<std::s
   return made;
 }
 
-ScenePart driven(Setup setup, Abscissa kind, std::size_t driven, std::vector<double> way) {
+ScenePart driven(Setup setup, Abscissa kind, std::size_t driven, std::vector<double> path) {
   ScenePart part;
   part.target.kind = kind;
   part.target.driven = driven;
   part.target.ordinate_probe = setup.scene.probes.front().name;
-  part.target.abscissa = std::move(way);
+  part.target.abscissa = std::move(path);
   part.setup = std::move(setup);
   return part;
 }

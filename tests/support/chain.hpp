@@ -43,8 +43,8 @@ struct SolvedChain {
     auto numbers = chain::joint_numbers(build.joints, layout.parts, materials, view);
     const S stiffness = numbers[0].stiffness[0];
     const S length = constant<S>(scene.beam.length);
-    build.chain.closure_stiffness = constant<S>(100) * stiffness / (length * length * length);
-    build.chain.closure_turning_stiffness = constant<S>(100) * stiffness / length;
+    build.chain.constraint_stiffness = constant<S>(100) * stiffness / (length * length * length);
+    build.chain.constraint_rotational_stiffness = constant<S>(100) * stiffness / length;
     for (auto& joint : numbers) {
       for (std::size_t k = 0; k < L::kRotations; ++k) {
         const std::size_t axis = view.section_axes().rotation(k);

@@ -87,7 +87,7 @@ inline double flexible_tolerance(double load, std::size_t segments) {
 }
 
 /// The angle by which a chain has turned from clamp to tip, full turns counted [rad].
-inline double turned_in_all(const Response& response, std::size_t segments) {
+inline double rotated_in_all(const Response& response, std::size_t segments) {
   double all = 0.0;
   double before = 0.0;
   for (std::size_t i = 0; i < segments; ++i) {

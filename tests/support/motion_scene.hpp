@@ -70,7 +70,7 @@ inline const Energies& last_energy(const Response& response) {
   return response.chain.energy.at(response.samples - 1);
 }
 
-/// Largest residual of the ledger over the largest energy.
+/// Largest residual of the energy balance over the largest energy.
 inline double largest_residual(const Response& response) {
   double size = 0.0;
   double residual = 0.0;

@@ -11,8 +11,8 @@ class Normal {
  public:
   explicit Normal(std::uint64_t seed) : random_(seed) {}
   double draw() {
-    constexpr double kTurn = 6.283185307179586;
-    return std::sqrt(-2.0 * std::log(1.0 - uniform())) * std::cos(kTurn * uniform());
+    constexpr double kRotation = 6.283185307179586;
+    return std::sqrt(-2.0 * std::log(1.0 - uniform())) * std::cos(kRotation * uniform());
   }
 
  private:

@@ -109,7 +109,7 @@ def blocks(run):
         "batch-report": batch.split("\n\n")[0],
         "scene-fit-report": through,
         "scene-report": until(scene, "Joints"),
-        "motion-report": chapters(crash, "Breaks", "Pieces", "Energies"),
+        "motion-report": chapters(crash, "Breaks", "Fragments", "Energies"),
         "sweep-report": first_group(sweep),
         "recommend-report": chosen,
         "check-report": without_time(checked),

@@ -21,7 +21,8 @@ enum class Status {
   Unstable,          ///< went to the end over equilibria that are not stable, which a beam would
                      ///< leave at the least push (see `Response::critical`)
   NotBalanced,       ///< a motion went to its end, but its energy or momentum is off by more than
-                     ///< 1 % (`Response::ledger_error`, `momentum_error`): whole, not to be trusted
+                     ///< 1 % (`Response::energy_balance_error`, `momentum_error`): whole, not to be
+                     ///< trusted
 };
 
 /// One word for tables and files: "completed", "broken", …

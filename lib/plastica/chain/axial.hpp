@@ -77,7 +77,7 @@ void set_node_forces(const Chain<L>& chain, const Coordinates<L>& q, const Place
   }
   for (const Spring<L>& spring : chain.springs) {
     at_nodes(chain, spring.segment, spring.arm, axial, [&](NodeForce<L>& node) {
-      const typename L::Point arm = L::turn(placement.frame[spring.segment], spring.arm);
+      const typename L::Point arm = L::rotate(placement.frame[spring.segment], spring.arm);
       const typename L::Point off = placement.position[spring.segment] + arm - spring.rest -
                                     factor_as<S>(factor_at(spring.history)) * spring.motion;
       Mat<S, L::kTranslations, L::kTranslations> k;
@@ -87,11 +87,11 @@ void set_node_forces(const Chain<L>& chain, const Coordinates<L>& q, const Place
       node.tr += k * L::spun_by(arm);
     });
   }
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    const Closure<L>& closure = chain.closures[k];
-    if (closure.turning) continue;
-    at_nodes(chain, closure.segment, closure.arm, axial, [&](NodeForce<L>& node) {
-      node.force += select(closed[k], q.multiplier[k], constant<S>(0)) * closure.direction;
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    const LoopConstraint<L>& constraint = chain.constraints[k];
+    if (constraint.rotational) continue;
+    at_nodes(chain, constraint.segment, constraint.arm, axial, [&](NodeForce<L>& node) {
+      node.force += select(closed[k], q.multiplier[k], constant<S>(0)) * constraint.direction;
     });
   }
 }
@@ -104,9 +104,10 @@ inline typename L::Point ground_joint_mean(const Chain<L>& chain, const GroundJo
                                            const Placement<L>& placement, double time) {
   using S = typename L::Scalar;
   const S factor = factor_as<S>(chain.histories[joint.history].at(time));
-  const typename L::Frame ground = L::then(L::rotation(factor * joint.motion), joint.ground);
+  const typename L::Frame ground = L::compose(L::rotation(factor * joint.motion), joint.ground);
   const typename L::Point e = along_beam<L>();
-  return constant<S>(0.5) * (L::turn(ground_joint_axes(joint, placement), e) + L::turn(ground, e));
+  return constant<S>(0.5) *
+         (L::rotate(ground_joint_axes(joint, placement), e) + L::rotate(ground, e));
 }
 
 /// Finds the axial force of each joint: of what is beyond it; of joint 0 and of joints to the
@@ -131,7 +132,7 @@ void find_axial_forces(const Chain<L>& chain, const Coordinates<L>& q,
     if (any(q.open[i])) beyond = select(q.open[i], {}, beyond);
     axial.force[i] = beyond;
     axial.along[i] =
-        constant<S>(0.5) * (L::turn(placement.near[i], e) + L::turn(placement.far[i], e));
+        constant<S>(0.5) * (L::rotate(placement.near[i], e) + L::rotate(placement.far[i], e));
   }
   for (std::size_t g = 0; g < chain.ground_joints.size(); ++g) {
     const GroundJoint<L>& joint = chain.ground_joints[g];
@@ -172,11 +173,11 @@ void add_ground_joints_with_axial(const Chain<L>& chain, const Coordinates<L>& q
     const NodeForce<L>& node = axial.at_ground[g];
     const S sign = node_sign<S>(joint.outer);
     const typename L::Point& along = axial.along[joint.joint];
-    const typename L::Spin turns =
-        L::moment(constant<S>(0.5) * L::turn(axes, e), axial.across[joint.joint]);
+    const typename L::Spin rotated =
+        L::moment(constant<S>(0.5) * L::rotate(axes, e), axial.across[joint.joint]);
     Impedance<L>& impedance = outer_forces.impedance[joint.segment];
     impedance.rt += outer(by, sign * transposed_times(node.tt, along));
-    impedance.rr += outer(by, sign * transposed_times(node.tr, along) - turns);
+    impedance.rr += outer(by, sign * transposed_times(node.tr, along) - rotated);
   }
 }
 

@@ -127,13 +127,13 @@ class Builder {
     root.support = index;
     root.history = history;
     root.motion = view_.point(vector(support.translation));
-    root.turn = view_.spin(vector(support.rotation));
+    root.rotation = view_.spin(vector(support.rotation));
     root.held = view_.translations(support.held());
     const auto held = view_.rotations(support.held());
     if (layout_.end_rule == EndRule::HalfJoint) {
-      build_.joints[0].acting = held;
+      build_.joints[0].active = held;
     } else {
-      root.welded = held;
+      root.clamped = held;
     }
   }
 
@@ -144,19 +144,20 @@ class Builder {
     const auto held = view_.translations(support.held());
     for (std::size_t k = 0; k < kT; ++k) {
       if (!held[k]) continue;
-      Closure<L> closure = closure_at(index, point);
-      closure.node = node_of(point, share);
-      closure.history = history;
-      closure.direction = unit_vector<typename L::Point>(k);
-      closure.target = undeformed_point(point)[k];
-      closure.motion = translation[k];
-      build_.chain.closures.push_back(closure);
+      LoopConstraint<L> constraint = constraint_at(index, point);
+      constraint.node = node_of(point, share);
+      constraint.history = history;
+      constraint.direction = unit_vector<typename L::Point>(k);
+      constraint.target = undeformed_point(point)[k];
+      constraint.motion = translation[k];
+      build_.chain.constraints.push_back(constraint);
     }
     hold_rotation(support, index, history, point);
   }
 
   /// A rotation that is held at a segment's end: half joints to the ground on both sides, where
-  /// there is a segment, in place of the joint between; welds hold the segments rigidly.
+  /// there is a segment, in place of the joint between; a rigid clamp holds the segments
+  /// themselves.
   void hold_rotation(const Support& support, std::size_t index, std::size_t history,
                      const SegmentPoint& point) {
     const auto held = view_.rotations(support.held());
@@ -168,14 +169,14 @@ class Builder {
       if (half) {
         add_ground_joint(index, history, segment, outer, held, rotation);
       } else {
-        weld_segment(index, history, segment, outer, held, rotation);
+        clamp_segment(index, history, segment, outer, held, rotation);
       }
     };
     add(point.segment, true);
     if (beyond >= layout_.size()) return;
     add(beyond, false);
     for (std::size_t k = 0; k < kR; ++k) {
-      if (held[k]) build_.joints[beyond].acting[k] = false;
+      if (held[k]) build_.joints[beyond].active[k] = false;
     }
   }
 
@@ -190,7 +191,7 @@ class Builder {
     joint.joint = build_.joints.size();
     joint.outer = outer;
     joint.local = outer ? shape.outer : shape.inner;
-    joint.ground = L::then(undeformed_.frame[segment], joint.local);
+    joint.ground = L::compose(undeformed_.frame[segment], joint.local);
     joint.motion = rotation;
     build_.chain.ground_joints.push_back(joint);
     JointPlan plan;
@@ -202,27 +203,27 @@ class Builder {
       if (!outer && segment + 1 == layout_.size()) plan.length[k] += layout_.bare_half[1][k];
     }
     if (outer) plan.before = plan.length;
-    plan.acting = held;
+    plan.active = held;
     plan.node = joint.node;
     const SegmentParts& parts = layout_.segment_part[segment];
     plan.part_a = plan.part_b = outer ? parts.outer : parts.inner;
     build_.joints.push_back(plan);
   }
 
-  void weld_segment(std::size_t support, std::size_t history, std::size_t segment, bool outer,
-                    const std::array<bool, 3>& held, const typename L::Spin& rotation) {
+  void clamp_segment(std::size_t support, std::size_t history, std::size_t segment, bool outer,
+                     const std::array<bool, 3>& held, const typename L::Spin& rotation) {
     for (std::size_t k = 0; k < kR; ++k) {
       if (!held[k]) continue;
-      Closure<L> closure;
-      closure.support = support;
-      closure.segment = segment;
-      closure.node = outer ? segment + 1 : segment;
-      closure.history = history;
-      closure.turning = true;
-      closure.axis = unit_vector<typename L::Spin>(k);
-      closure.frame = undeformed_.frame[segment];
-      closure.motion = rotation[k];
-      build_.chain.closures.push_back(closure);
+      LoopConstraint<L> constraint;
+      constraint.support = support;
+      constraint.segment = segment;
+      constraint.node = outer ? segment + 1 : segment;
+      constraint.history = history;
+      constraint.rotational = true;
+      constraint.axis = unit_vector<typename L::Spin>(k);
+      constraint.frame = undeformed_.frame[segment];
+      constraint.motion = rotation[k];
+      build_.chain.constraints.push_back(constraint);
     }
   }
 
@@ -259,10 +260,10 @@ class Builder {
     const std::size_t beyond = point.segment + 1;
     const bool at_joint =
         beyond < layout_.size() && std::abs(share - layout_.ends[beyond]) < kSamePlace;
-    const bool turns = load.moment != std::array<double, 3>{};
+    const bool has_moment = load.moment != std::array<double, 3>{};
     // A follower's direction is then the mean of both segments', that of the axis at the joint.
     const bool halves = options_.sees_axial || load.follows;
-    if (!at_joint || (!turns && !options_.shifts && !halves)) {
+    if (!at_joint || (!has_moment && !options_.shifts && !halves)) {
       add_point_load(load, history, point, 1.0);
       return;
     }
@@ -276,7 +277,7 @@ class Builder {
       return (frame * own).at;
     };
     Load outer = load;
-    outer.moment = outer_part(load.moment, share_before.turning);
+    outer.moment = outer_part(load.moment, share_before.rotational);
     // A force does so where the joint stretches and shears; where it has an axial force, or the
     // load follows, half of it acts on each segment, so that start and end are alike.
     const std::array<double, 3> none{};
@@ -302,9 +303,9 @@ class Builder {
     part.follows = load.follows;
     // A follower's axes are the world's as the segment was laid out.
     const auto& frame = layout_.segment_frame[point.segment];
-    const auto turn = load.follows ? transpose(frame) : identity<double, 3>();
-    part.force = view_.point(turn * (size * vector(load.force)));
-    part.moment = view_.spin(turn * (size * vector(load.moment)));
+    const auto to_load = load.follows ? transpose(frame) : identity<double, 3>();
+    part.force = view_.point(to_load * (size * vector(load.force)));
+    part.moment = view_.spin(to_load * (size * vector(load.moment)));
     build_.chain.loads.push_back(part);
   }
 
@@ -326,12 +327,12 @@ class Builder {
     }
   }
 
-  Closure<L> closure_at(std::size_t support, const SegmentPoint& point) const {
-    Closure<L> closure;
-    closure.support = support;
-    closure.segment = point.segment;
-    closure.arm = view_.point(point.arm);
-    return closure;
+  LoopConstraint<L> constraint_at(std::size_t support, const SegmentPoint& point) const {
+    LoopConstraint<L> constraint;
+    constraint.support = support;
+    constraint.segment = point.segment;
+    constraint.arm = view_.point(point.arm);
+    return constraint;
   }
 
   typename L::Point undeformed_point(const SegmentPoint& point) const {

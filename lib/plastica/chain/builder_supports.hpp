@@ -12,14 +12,14 @@ namespace plastica::chain {
 template <class L>
 void Builder<L>::add_along_normal(const Support& support, std::size_t index, double share) {
   const SegmentPoint point = segment_point(layout_, share);
-  Closure<L> closure = closure_at(index, point);
-  closure.node = node_of(point, share);
-  closure.one_sided = traits_of(support).one_sided;
-  closure.direction = view_.point(vector(support.normal));
-  closure.history = support.moves() ? add_history(support.history) : 0;
-  closure.motion = dot(closure.direction, view_.point(vector(support.translation)));
-  closure.target = dot(closure.direction, undeformed_point(point)) - constant<S>(support.gap);
-  build_.chain.closures.push_back(closure);
+  LoopConstraint<L> constraint = constraint_at(index, point);
+  constraint.node = node_of(point, share);
+  constraint.one_sided = traits_of(support).one_sided;
+  constraint.direction = view_.point(vector(support.normal));
+  constraint.history = support.moves() ? add_history(support.history) : 0;
+  constraint.motion = dot(constraint.direction, view_.point(vector(support.translation)));
+  constraint.target = dot(constraint.direction, undeformed_point(point)) - constant<S>(support.gap);
+  build_.chain.constraints.push_back(constraint);
 }
 
 /// The joint there has no law for bending. The halves of its segments are not strained, as at an
@@ -29,7 +29,7 @@ void Builder<L>::release_bending(double share) {
   const std::size_t node = segment_point(layout_, share).segment + 1;
   const auto released = view_.rotations(HeldFreedoms{false, false, false, true, true, false});
   for (std::size_t k = 0; k < kR; ++k) {
-    if (released[k]) build_.joints[node].acting[k] = false;
+    if (released[k]) build_.joints[node].active[k] = false;
   }
 }
 
@@ -86,18 +86,18 @@ void Builder<L>::add_springs(const Support& support, std::size_t index, std::siz
     spring.arm = {};
     build_.chain.springs.push_back(spring);
   }
-  const auto turning = view_.rotations(six({}, support.rotational_stiffness));
-  if (std::none_of(turning.begin(), turning.begin() + kR, [](double k) { return k > 0.0; })) {
+  const auto rotational = view_.rotations(six({}, support.rotational_stiffness));
+  if (std::none_of(rotational.begin(), rotational.begin() + kR, [](double k) { return k > 0.0; })) {
     return;
   }
   if (share == 0.0) {
-    build_.joints[0].spring = turning;
+    build_.joints[0].spring = rotational;
     return;
   }
   const auto motion = view_.spin(vector(support.rotation));
   const auto add = [&](std::size_t segment, bool outer) {
     add_ground_joint(index, history, segment, outer, {}, motion);
-    build_.joints.back().spring = turning;
+    build_.joints.back().spring = rotational;
     for (double& k : build_.joints.back().spring) k *= joins ? 0.5 : 1.0;
   };
   add(point.segment, true);

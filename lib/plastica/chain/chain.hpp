@@ -26,9 +26,9 @@ struct Segment {
 template <class L>
 struct Inertia {
   using S = typename L::Scalar;
-  S mass{};                                      ///< [kg]
-  typename L::Point center;                      ///< of mass, from the inner joint [m]
-  Mat<S, L::kRotations, L::kRotations> turning;  ///< about the center of mass [kg m^2]
+  S mass{};                                         ///< [kg]
+  typename L::Point center;                         ///< of mass, from the inner joint [m]
+  Mat<S, L::kRotations, L::kRotations> rotational;  ///< about the center of mass [kg m^2]
 };
 
 /// A load at a point of a segment, times a history. What acts on a whole segment (gravity, spread
@@ -46,21 +46,22 @@ struct SegmentLoad {
 /// The node of what is inside of a segment.
 inline constexpr std::size_t kInside = static_cast<std::size_t>(-1);
 
-/// A rigid constraint of one freedom of a point: direction . x = target, kept by a multiplier,
-/// which is the force along the direction. Turning closures hold the spin about an axis, for welds.
+/// A rigid constraint of one freedom of a point, which makes a loop of chain and ground:
+/// direction . x = target, kept by a multiplier, which is the force along the direction. Rotational
+/// constraints hold the spin about an axis, for rigid clamps.
 template <class L>
-struct Closure {
+struct LoopConstraint {
   std::size_t support = 0;  ///< of the scene
   std::size_t segment = 0;
   std::size_t node = kInside;  ///< the segment end that it holds, if it holds one
   std::size_t history = 0;
   typename L::Point arm;
-  typename L::Point direction;  ///< unit vector; zero for a turning closure
-  typename L::Spin axis;        ///< unit vector of a turning closure, else zero
-  typename L::Frame frame;      ///< turning: the segment's frame where it is held
+  typename L::Point direction;  ///< unit vector; zero for a rotational constraint
+  typename L::Spin axis;        ///< unit vector of a rotational constraint, else zero
+  typename L::Frame frame;      ///< rotational: the segment's frame where it is held
   typename L::Scalar target;    ///< direction . x of the undeformed beam (less a pillar's gap) [m]
-  typename L::Scalar motion;    ///< how far it moves, times the history [m] (turning: [rad])
-  bool turning = false;
+  typename L::Scalar motion;    ///< how far it moves, times the history [m] (rotational: [rad])
+  bool rotational = false;
   bool one_sided = false;  ///< the multiplier is not negative: a pillar
 };
 
@@ -97,10 +98,10 @@ struct Root {
   typename L::Point position;  ///< of joint 0 [m]
   typename L::Frame ground;    ///< of its axes
   typename L::Point motion;    ///< prescribed, times the history [m]
-  typename L::Spin turn;       ///< prescribed, times the history [rad]
+  typename L::Spin rotation;   ///< prescribed, times the history [rad]
   std::size_t history = 0;
-  std::array<bool, 3> held{};    ///< translations that the ground holds (kTranslations used)
-  std::array<bool, 3> welded{};  ///< rotations that joint 0 does not let go (kRotations used)
+  std::array<bool, 3> held{};     ///< translations that the ground holds (kTranslations used)
+  std::array<bool, 3> clamped{};  ///< rotations that joint 0 does not let go (kRotations used)
   /// Whether joint 0 stretches and shears where joints do: only if it is the one joint of all and
   /// all translations are held. Else the joints next to both ends have the ends' halves, so that
   /// start and end are alike; and beside a free translation a shift would be the same motion twice.
@@ -133,16 +134,16 @@ struct Chain {
   std::vector<Segment<L>> segments;   ///< (N)
   std::vector<Inertia<L>> inertias;   ///< (N)
   std::vector<SegmentLoad<L>> loads;  ///< by rising segment
-  std::vector<Closure<L>> closures;
+  std::vector<LoopConstraint<L>> constraints;
   std::vector<Spring<L>> springs;
   std::vector<GroundJoint<L>> ground_joints;
   Root<L> root;
   std::vector<typename HistoryOf<L>::Type> histories;  ///< that the others name
   S length = constant<S>(1);                           ///< of the beam [m]: the scale of gaps
-  /// What stiffens the point of a closure in the factorization without changing the solution
+  /// What stiffens the point of a constraint in the factorization without changing the solution
   /// (README.md), along directions [N/m] and about axes [N m/rad].
-  S closure_stiffness = constant<S>(1);
-  S closure_turning_stiffness = constant<S>(1);
+  S constraint_stiffness = constant<S>(1);
+  S constraint_rotational_stiffness = constant<S>(1);
 
   std::size_t size() const { return segments.size(); }
   /// Joints with a law: those of the segments, then those to the ground.

@@ -38,8 +38,9 @@ std::vector<Inertia<L>> segment_inertias(const Layout& layout, const View<L>& vi
     Inertia<L> inertia;
     inertia.mass = constant<S>(mass);
     inertia.center = view.point(0.5 * (transpose(layout.segment_frame[i]) * chord));
-    const auto turning = view.rotations(about);
-    for (std::size_t k = 0; k < L::kRotations; ++k) inertia.turning(k, k) = constant<S>(turning[k]);
+    const auto rotational = view.rotations(about);
+    for (std::size_t k = 0; k < L::kRotations; ++k)
+      inertia.rotational(k, k) = constant<S>(rotational[k]);
     inertias.push_back(inertia);
   }
   return inertias;

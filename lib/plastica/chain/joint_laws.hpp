@@ -23,7 +23,7 @@ class JointLaws {
   /// says it.
   bool sees_axial() const { return sees_axial_; }
   /// Whether the last trial had more axial force than a section carries, whatever its moments.
-  bool overpulled() const { return overpulled_; }
+  bool overloaded() const { return overloaded_; }
 
   /// Forces and tangents of a trial, as they work on spins and shifts.
   /// @param angles  of all joints with a law (joints)
@@ -40,7 +40,7 @@ class JointLaws {
 
  protected:
   bool sees_axial_ = false;
-  bool overpulled_ = false;
+  bool overloaded_ = false;
 };
 
 }  // namespace plastica::chain

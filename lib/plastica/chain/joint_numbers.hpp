@@ -73,7 +73,7 @@ std::vector<SectionJoint<L>> joint_numbers(
                                           numbers[b].stiffness[k]);
     }
     for (std::size_t k = 0; k < L::kRotations; ++k) {
-      joint.acting[k] = constant<S>(plan.acting[k] ? 1.0 : 0.0);
+      joint.active[k] = constant<S>(plan.active[k] ? 1.0 : 0.0);
       joint.spring[k] = constant<S>(plan.spring[k]);
     }
     joint.shear_stiffness = shear[joint.law];
@@ -90,19 +90,19 @@ std::vector<SectionJoint<L>> joint_numbers(
   return joints;
 }
 
-/// What closures hold with beside their own equation: a hundred times the stiffness of the beam's
-/// tip, of its largest section.
+/// What constraints hold with beside their own equation: a hundred times the stiffness of the
+/// beam's tip, of its largest section.
 /// @param length  of the beam [m]
 template <class L>
-void set_closure_stiffness(const std::vector<SectionJoint<L>>& joints, double length,
-                           Chain<L>& chain) {
+void set_constraint_stiffness(const std::vector<SectionJoint<L>>& joints, double length,
+                              Chain<L>& chain) {
   double bending = 0.0;
   for (const SectionJoint<L>& joint : joints) {
     for (std::size_t k = 0; k < 3; ++k) bending = std::max<double>(bending, joint.stiffness[k]);
   }
   using S = typename L::Scalar;
-  chain.closure_stiffness = constant<S>(100.0 * bending / (length * length * length));
-  chain.closure_turning_stiffness = constant<S>(100.0 * bending / length);
+  chain.constraint_stiffness = constant<S>(100.0 * bending / (length * length * length));
+  chain.constraint_rotational_stiffness = constant<S>(100.0 * bending / length);
 }
 
 }  // namespace plastica::chain

@@ -14,7 +14,7 @@ struct JointPlan {
   /// Tributary length of bending about x and y, twist, and stretch with shear [m].
   std::array<double, 4> length{};
   std::array<double, 4> before{};  ///< what of it lies in part a, if that is not b [m]
-  std::array<bool, 3> acting{};    ///< rotations of the level that the section resists
+  std::array<bool, 3> active{};    ///< rotations of the level that the section resists
   std::array<double, 3> spring{};  ///< beside it, of a rotational spring [N m/rad]
   bool stretches = false;          ///< where joints do: whether this one stretches and shears
   std::size_t node = 0;            ///< where it is
@@ -31,7 +31,7 @@ inline JointPlan joint_plan(const Layout& layout, std::size_t i) {
   joint.node = i;
   joint.part_b = layout.segment_part[i].inner;
   joint.part_a = i == 0 ? joint.part_b : layout.segment_part[i - 1].outer;
-  joint.acting.fill(i > 0);
+  joint.active.fill(i > 0);
   joint.stretches = i > 0;
   joint.length.fill(layout.joint_length[i]);
   if (i > 0) joint.before.fill(layout.length_before[i]);
@@ -46,8 +46,8 @@ inline JointPlan joint_plan(const Layout& layout, std::size_t i) {
 /// What of a joint's compliance is that of its length in the segment before [1]; of the scene's own
 /// materials, whatever is fitted.
 struct ComplianceBefore {
-  std::array<double, 3> turning{};   ///< bending about x, about y, and twist
-  std::array<double, 3> shifting{};  ///< shear along x, along y, and stretch
+  std::array<double, 3> rotational{};  ///< bending about x, about y, and twist
+  std::array<double, 3> shifting{};    ///< shear along x, along y, and stretch
 };
 
 inline ComplianceBefore compliance_before(const Layout& layout, std::size_t node) {
@@ -74,7 +74,7 @@ inline ComplianceBefore compliance_before(const Layout& layout, std::size_t node
     const std::size_t length = std::min<std::size_t>(k, 3);
     const double before = plan.before[length] / a[k];
     const double behind = (plan.length[length] - plan.before[length]) / b[k];
-    (k < 3 ? share.turning[k] : share.shifting[k - 3]) = before / (before + behind);
+    (k < 3 ? share.rotational[k] : share.shifting[k - 3]) = before / (before + behind);
   }
   return share;
 }

@@ -89,18 +89,18 @@ void visit_attached(V& v, C& chain) {
     visit_numbers(v, load.force);
     visit_numbers(v, load.moment);
   }
-  v.size(chain.closures);
-  for (auto& closure : chain.closures) {
-    v.index(closure.segment);
-    v.index(closure.history);
-    v.flag(closure.turning);
-    v.flag(closure.one_sided);
-    visit_numbers(v, closure.arm);
-    visit_numbers(v, closure.direction);
-    visit_numbers(v, closure.axis);
-    visit_frame(v, closure.frame);
-    v.number(closure.target);
-    v.number(closure.motion);
+  v.size(chain.constraints);
+  for (auto& constraint : chain.constraints) {
+    v.index(constraint.segment);
+    v.index(constraint.history);
+    v.flag(constraint.rotational);
+    v.flag(constraint.one_sided);
+    visit_numbers(v, constraint.arm);
+    visit_numbers(v, constraint.direction);
+    visit_numbers(v, constraint.axis);
+    visit_frame(v, constraint.frame);
+    v.number(constraint.target);
+    v.number(constraint.motion);
   }
   v.size(chain.springs);
   for (auto& spring : chain.springs) {
@@ -122,11 +122,11 @@ void visit_attached(V& v, C& chain) {
   }
   v.index(chain.root.history);
   visit_flags(v, chain.root.held);
-  visit_flags(v, chain.root.welded);
+  visit_flags(v, chain.root.clamped);
   visit_numbers(v, chain.root.position);
   visit_frame(v, chain.root.ground);
   visit_numbers(v, chain.root.motion);
-  visit_numbers(v, chain.root.turn);
+  visit_numbers(v, chain.root.rotation);
 }
 
 /// Of the histories, nothing but how many there are.
@@ -141,8 +141,8 @@ void visit_chain(V& v, C& chain) {
   visit_attached(v, chain);
   v.size(chain.histories);
   v.number(chain.length);
-  v.number(chain.closure_stiffness);
-  v.number(chain.closure_turning_stiffness);
+  v.number(chain.constraint_stiffness);
+  v.number(chain.constraint_rotational_stiffness);
 }
 
 /// The unknowns of a chain in one piece.

@@ -17,7 +17,7 @@ using Frame = Mat<double, 3, 3>;
 Point unit(const Point& v) { return 1.0 / std::sqrt(dot(v, v)) * v; }
 
 /// The frame turned least so that its z axis points along `direction`.
-Frame turned_along(const Frame& frame, const Point& direction) {
+Frame rotated_along(const Frame& frame, const Point& direction) {
   const Point z{{frame(0, 2), frame(1, 2), frame(2, 2)}};
   const Point axis = cross(z, direction);
   const double sine = std::sqrt(dot(axis, axis));
@@ -42,7 +42,7 @@ void place_frames(const Beam& beam, Layout& layout) {
   const std::size_t n = layout.size();
   Frame frame = identity<double, 3>();
   for (std::size_t i = 0; i < n; ++i) {
-    frame = turned_along(frame, unit(layout.node[i + 1] - layout.node[i]));
+    frame = rotated_along(frame, unit(layout.node[i + 1] - layout.node[i]));
     layout.segment_frame.push_back(frame);
   }
   layout.joint_frame.push_back(layout.segment_frame.front());
@@ -98,22 +98,24 @@ void set_bare_halves(const Scene& scene, Layout& layout) {
   constexpr std::array<double, 3> kNothing{};
   for (std::size_t e = 0; e < 2; ++e) {
     const double share = layout.ends[e == 0 ? 0 : layout.size()];
-    bool turned = false;
+    bool has_moment = false;
     std::array<bool, 3> held{};
     for (const Load& load : scene.loads) {
       const bool here = !load.to && share_of(load.at, layout.ends) == share;
-      turned = turned || (here && load.moment != kNothing);
+      has_moment = has_moment || (here && load.moment != kNothing);
     }
     for (const PointMass& mass : scene.masses) {
-      turned = turned || (mass.turns_inertly() && share_of(mass.at, layout.ends) == share);
+      has_moment =
+          has_moment || (mass.has_rotational_inertia() && share_of(mass.at, layout.ends) == share);
     }
     for (const Support& support : scene.supports) {
       if (support.to || share_of(support.at, layout.ends) != share) continue;
-      turned = turned || support.rotational_stiffness != kNothing;
+      has_moment = has_moment || support.rotational_stiffness != kNothing;
       const HeldFreedoms holds = support.held();
       for (std::size_t k = 0; k < 3; ++k) held[k] = held[k] || holds[3 + k];
     }
-    for (std::size_t k = 0; k < 3; ++k) layout.bare_half[e][k] = turned && !held[k] ? half[e] : 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      layout.bare_half[e][k] = has_moment && !held[k] ? half[e] : 0.0;
   }
 }
 
@@ -155,9 +157,9 @@ void set_parts(const Scene& scene, std::optional<law::GaugePlane> yields, Layout
     if (number == 0 || !scene.regions[number - 1].to_section) continue;
     const Region& region = scene.regions[number - 1];
     const double from = share_of(region.from, layout.ends);
-    const double way = share_of(region.to, layout.ends) - from;
+    const double extent = share_of(region.to, layout.ends) - from;
     const auto part_at = [&](double share) {
-      return add(number, tapered_section(region, (share - from) / way), region.material);
+      return add(number, tapered_section(region, (share - from) / extent), region.material);
     };
     SegmentParts& own = layout.segment_part[i];
     // The joint between two segments of one taper has one section.

@@ -12,20 +12,20 @@
 /// A pose is a point and a frame. Small motions of a segment are (translation of its inner joint,
 /// spin), wrenches (force, moment about the inner joint); both in world axes.
 /// Each level has: kTranslations, kRotations, Point, Spin, Frame, and
-///   turn(frame, local), turn_back(frame, world)   a vector to and from world axes;
-///   then(frame, local)                            the frame `local` seen from `frame`;
-///   then_back(frame, local)                       frame times the inverse of `local`;
+///   rotate(frame, local), rotate_back(frame, world)   a vector to and from world axes;
+///   compose(frame, local)                         the frame `local` seen from `frame`;
+///   compose_inverse(frame, local)                 frame times the inverse of `local`;
 ///   rotation(theta)                               the frame turned by a rotation vector;
 ///   angle_from(frame, other)                      the rotation vector from one to the other, in
 ///                                                 the first's axes;
 ///   spun(spin, arm)                               velocity of the end of an arm;
 ///   moment(arm, force)                            arm x force;
 ///   axes(frame)                                   spins in the frame's axes to world axes;
-///   turn_matrix(frame)                            the matrix of `turn`;
+///   rotation_matrix(frame)                            the matrix of `rotate`;
 ///   spun_by(arm)          d(arm) / d(spin), the arm being fixed to a segment;
 ///   moment_by(arm, force) d(arm x force) / d(spin) at constant force;
-///   turned_by(moment)     d(moment) / d(spin), the moment being fixed to the segment;
-///   turn_by(spin, theta)  the rotation vector after a small spin;
+///   spin_derivative(moment)     d(moment) / d(spin), the moment being fixed to the segment;
+///   add_rotation(spin, theta)  the rotation vector after a small spin;
 ///   step_spin(f, g)       the finite spin s of a step from frame f to g by Cayley's map:
 ///                         g - f = s x (f + g)/2 for every axis of the frames;
 ///   step_spin_slope(s)    d s / d (spin of g), both in the axes of g (or f: s is the same);
@@ -49,10 +49,12 @@ struct Twist {
     S angle{};
   };
 
-  static Point turn(const Frame& /*frame*/, const Point& local) { return local; }
-  static Point turn_back(const Frame& /*frame*/, const Point& world) { return world; }
-  static Frame then(const Frame& frame, const Frame& local) { return {frame.angle + local.angle}; }
-  static Frame then_back(const Frame& frame, const Frame& local) {
+  static Point rotate(const Frame& /*frame*/, const Point& local) { return local; }
+  static Point rotate_back(const Frame& /*frame*/, const Point& world) { return world; }
+  static Frame compose(const Frame& frame, const Frame& local) {
+    return {frame.angle + local.angle};
+  }
+  static Frame compose_inverse(const Frame& frame, const Frame& local) {
     return {frame.angle - local.angle};
   }
   static Frame rotation(const Spin& theta) { return {theta[0]}; }
@@ -62,8 +64,8 @@ struct Twist {
   static Mat<S, 1, 1> axes(const Frame& /*frame*/) { return identity<S, 1>(); }
   static Mat<S, 0, 1> spun_by(const Point& /*arm*/) { return {}; }
   static Mat<S, 1, 1> moment_by(const Point& /*arm*/, const Point& /*force*/) { return {}; }
-  static Mat<S, 1, 1> turned_by(const Spin& /*moment*/) { return {}; }
-  static Spin turn_by(const Spin& spin, const Spin& theta) { return theta + spin; }
+  static Mat<S, 1, 1> spin_derivative(const Spin& /*moment*/) { return {}; }
+  static Spin add_rotation(const Spin& spin, const Spin& theta) { return theta + spin; }
   static Spin step_spin(const Frame& f, const Frame& g) { return angle_from(f, g); }
   static Mat<S, 1, 1> step_spin_slope(const Spin& /*s*/) { return identity<S, 1>(); }
   static Frame select(const mask_t<S>& mask, const Frame& f, const Frame& g) {
@@ -96,23 +98,23 @@ struct Planar {
     S sine{};
   };
 
-  static Point turn(const Frame& f, const Point& p) {
+  static Point rotate(const Frame& f, const Point& p) {
     return {{f.cosine * p[0] - f.sine * p[1], f.sine * p[0] + f.cosine * p[1]}};
   }
-  static Point turn_back(const Frame& f, const Point& p) {
+  static Point rotate_back(const Frame& f, const Point& p) {
     return {{f.cosine * p[0] + f.sine * p[1], f.cosine * p[1] - f.sine * p[0]}};
   }
-  static Frame then(const Frame& f, const Frame& g) {
+  static Frame compose(const Frame& f, const Frame& g) {
     return {f.angle + g.angle, f.cosine * g.cosine - f.sine * g.sine,
             f.sine * g.cosine + f.cosine * g.sine};
   }
-  static Frame then_back(const Frame& f, const Frame& g) {
+  static Frame compose_inverse(const Frame& f, const Frame& g) {
     return {f.angle - g.angle, f.cosine * g.cosine + f.sine * g.sine,
             f.sine * g.cosine - f.cosine * g.sine};
   }
   static Frame rotation(const Spin& theta) {
-    const SineCosine<S, false> turned(theta[0]);
-    return {theta[0], turned.cosine, turned.sine};
+    const SineCosine<S, false> rotated(theta[0]);
+    return {theta[0], rotated.cosine, rotated.sine};
   }
   static Spin angle_from(const Frame& f, const Frame& g) { return {{g.angle - f.angle}}; }
   static Point spun(const Spin& w, const Point& arm) { return {{-(w[0] * arm[1]), w[0] * arm[0]}}; }
@@ -120,15 +122,15 @@ struct Planar {
     return {{arm[0] * force[1] - arm[1] * force[0]}};
   }
   static Mat<S, 1, 1> axes(const Frame& /*f*/) { return identity<S, 1>(); }
-  static Mat<S, 2, 2> turn_matrix(const Frame& f) {
+  static Mat<S, 2, 2> rotation_matrix(const Frame& f) {
     return {{f.cosine, -f.sine, f.sine, f.cosine}};
   }
   static Mat<S, 2, 1> spun_by(const Point& arm) { return {{-arm[1], arm[0]}}; }
   static Mat<S, 1, 1> moment_by(const Point& arm, const Point& force) {
     return {{-dot(arm, force)}};
   }
-  static Mat<S, 1, 1> turned_by(const Spin& /*moment*/) { return {}; }
-  static Spin turn_by(const Spin& spin, const Spin& theta) { return theta + spin; }
+  static Mat<S, 1, 1> spin_derivative(const Spin& /*moment*/) { return {}; }
+  static Spin add_rotation(const Spin& spin, const Spin& theta) { return theta + spin; }
   static Spin step_spin(const Frame& f, const Frame& g) {
     const S cosine = f.cosine * g.cosine + f.sine * g.sine;
     const S sine = f.cosine * g.sine - f.sine * g.cosine;
@@ -166,10 +168,12 @@ struct Spatial {
     Mat<S, 3, 3> axes = identity<S, 3>();  ///< columns: the frame's axes in world axes
   };
 
-  static Point turn(const Frame& f, const Point& p) { return f.axes * p; }
-  static Point turn_back(const Frame& f, const Point& p) { return transposed_times(f.axes, p); }
-  static Frame then(const Frame& f, const Frame& g) { return {f.axes * g.axes}; }
-  static Frame then_back(const Frame& f, const Frame& g) { return {f.axes * transpose(g.axes)}; }
+  static Point rotate(const Frame& f, const Point& p) { return f.axes * p; }
+  static Point rotate_back(const Frame& f, const Point& p) { return transposed_times(f.axes, p); }
+  static Frame compose(const Frame& f, const Frame& g) { return {f.axes * g.axes}; }
+  static Frame compose_inverse(const Frame& f, const Frame& g) {
+    return {f.axes * transpose(g.axes)};
+  }
   static Frame rotation(const Spin& theta) { return {rotation_matrix(theta)}; }
   static Spin angle_from(const Frame& f, const Frame& g) {
     return rotation_vector(transpose(f.axes) * g.axes);
@@ -177,7 +181,7 @@ struct Spatial {
   static Point spun(const Spin& w, const Point& arm) { return cross(w, arm); }
   static Spin moment(const Point& arm, const Point& force) { return cross(arm, force); }
   static Mat<S, 3, 3> axes(const Frame& f) { return f.axes; }
-  static Mat<S, 3, 3> turn_matrix(const Frame& f) { return f.axes; }
+  static Mat<S, 3, 3> rotation_matrix(const Frame& f) { return f.axes; }
   static Mat<S, 3, 3> spun_by(const Point& arm) { return skew(-arm); }
   static Mat<S, 3, 3> moment_by(const Point& arm, const Point& force) {
     Mat<S, 3, 3> by = outer(arm, force);
@@ -185,11 +189,11 @@ struct Spatial {
     for (std::size_t i = 0; i < 3; ++i) by(i, i) = by(i, i) - along;
     return by;
   }
-  static Mat<S, 3, 3> turned_by(const Spin& moment) { return skew(-moment); }
-  static Spin turn_by(const Spin& spin, const Spin& theta) {
+  static Mat<S, 3, 3> spin_derivative(const Spin& moment) { return skew(-moment); }
+  static Spin add_rotation(const Spin& spin, const Spin& theta) {
     const RotationCoefficients<S> k(dot(theta, theta));
-    const Spin turned = cross(theta, spin);
-    return theta + spin - constant<S>(0.5) * turned + k.c * cross(theta, turned);
+    const Spin rotated = cross(theta, spin);
+    return theta + spin - constant<S>(0.5) * rotated + k.c * cross(theta, rotated);
   }
   /// Cayley: g f^T = 1 + (skew(s) + skew(s)^2/2)/(1 + s^2/4), so its axial part over 1 + trace is
   /// s/4.

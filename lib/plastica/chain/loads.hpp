@@ -24,33 +24,34 @@ struct OuterForces {
 template <class L>
 inline Wrench<L> unit_wrench(const SegmentLoad<L>& load, const Placement<L>& placement) {
   const typename L::Frame& frame = placement.frame[load.segment];
-  const typename L::Point arm = L::turn(frame, load.arm);
+  const typename L::Point arm = L::rotate(frame, load.arm);
   if (!load.follows) return {load.force, L::moment(arm, load.force) + load.moment};
-  const typename L::Point force = L::turn(frame, load.force);
+  const typename L::Point force = L::rotate(frame, load.force);
   return {force, L::moment(arm, force) + L::axes(frame) * load.moment};
 }
 
-/// The wrench of a closure at a unit multiplier: also its motion's derivative by that of its
+/// The wrench of a constraint at a unit multiplier: also its motion's derivative by that of its
 /// segment.
 template <class L>
-inline Wrench<L> unit_wrench(const Closure<L>& closure, const Placement<L>& placement) {
-  const typename L::Point arm = L::turn(placement.frame[closure.segment], closure.arm);
-  return {closure.direction, L::moment(arm, closure.direction) + closure.axis};
+inline Wrench<L> unit_wrench(const LoopConstraint<L>& constraint, const Placement<L>& placement) {
+  const typename L::Point arm = L::rotate(placement.frame[constraint.segment], constraint.arm);
+  return {constraint.direction, L::moment(arm, constraint.direction) + constraint.axis};
 }
 
-/// How far a closure's point is beyond its target, along its direction.
+/// How far a constraint's point is beyond its target, along its direction.
 template <class L>
-inline typename L::Scalar closure_gap(const Chain<L>& chain, const Closure<L>& closure,
-                                      const Placement<L>& placement, double time) {
+inline typename L::Scalar constraint_gap(const Chain<L>& chain, const LoopConstraint<L>& constraint,
+                                         const Placement<L>& placement, double time) {
   using S = typename L::Scalar;
-  const S factor = factor_as<S>(chain.histories[closure.history].at(time));
-  if (closure.turning) {
-    const typename L::Spin turned =
-        L::axes(closure.frame) * L::angle_from(closure.frame, placement.frame[closure.segment]);
-    return dot(closure.axis, turned) - factor * closure.motion;
+  const S factor = factor_as<S>(chain.histories[constraint.history].at(time));
+  if (constraint.rotational) {
+    const typename L::Spin rotated =
+        L::axes(constraint.frame) *
+        L::angle_from(constraint.frame, placement.frame[constraint.segment]);
+    return dot(constraint.axis, rotated) - factor * constraint.motion;
   }
-  const typename L::Point at = placement.point(closure.segment, closure.arm);
-  return dot(closure.direction, at) - closure.target - factor * closure.motion;
+  const typename L::Point at = placement.point(constraint.segment, constraint.arm);
+  return dot(constraint.direction, at) - constraint.target - factor * constraint.motion;
 }
 
 namespace detail {
@@ -82,9 +83,9 @@ void add_loads(const Chain<L>& chain, const Placement<L>& placement, const Facto
     wrench.moment += factor * unit.moment;
     if (load.follows) {
       impedance.tr -= slope * L::spun_by(unit.force);
-      impedance.rr -= slope * L::turned_by(unit.moment);
+      impedance.rr -= slope * L::spin_derivative(unit.moment);
     } else {
-      const typename L::Point arm = L::turn(placement.frame[load.segment], load.arm);
+      const typename L::Point arm = L::rotate(placement.frame[load.segment], load.arm);
       impedance.rr -= slope * L::moment_by(arm, load.force);
     }
   }
@@ -96,7 +97,7 @@ void add_springs(const Chain<L>& chain, const Placement<L>& placement, const Fac
   using S = typename L::Scalar;
   for (const Spring<L>& spring : chain.springs) {
     const S factor = factor_as<S>(factor_at(spring.history));
-    const typename L::Point arm = L::turn(placement.frame[spring.segment], spring.arm);
+    const typename L::Point arm = L::rotate(placement.frame[spring.segment], spring.arm);
     const typename L::Point off =
         placement.position[spring.segment] + arm - spring.rest - factor * spring.motion;
     Mat<S, L::kTranslations, L::kTranslations> k;
@@ -121,7 +122,7 @@ void add_ground_joints(const Chain<L>& chain, const Coordinates<L>& q, const Sta
   for (std::size_t g = 0; g < chain.ground_joints.size(); ++g) {
     const GroundJoint<L>& joint = chain.ground_joints[g];
     const auto whole =
-        stage.half_way ? stage.ground_axes[g] : L::axes(ground_joint_axes(joint, placement));
+        stage.midpoint ? stage.ground_axes[g] : L::axes(ground_joint_axes(joint, placement));
     const auto axes = select(q.released_ground_joint[g], {}, whole);
     typename L::Spin force;
     Mat<S, L::kRotations, L::kRotations> tangent;
@@ -134,39 +135,40 @@ void add_ground_joints(const Chain<L>& chain, const Coordinates<L>& q, const Sta
     const typename L::Spin moment = axes * force;
     outer_forces.wrench[joint.segment].moment += moment;
     outer_forces.impedance[joint.segment].rr +=
-        axes * tangent * transpose(axes) - stage.share() * L::turned_by(moment);
+        axes * tangent * transpose(axes) - stage.share() * L::spin_derivative(moment);
   }
 }
 
 }  // namespace detail
 
-/// The force of each closure now, and the stiffness that the factorization gives its point: both
-/// zero where a one-sided closure is open.
+/// The force of each constraint now, and the stiffness that the factorization gives its point: both
+/// zero where a one-sided constraint is open.
 /// @param placement  where the segments are, and move from
 template <class L>
-void add_closures(const Chain<L>& chain, const Placement<L>& placement, const Stage<L>& stage,
-                  const Coordinates<L>& q, const std::vector<mask_t<typename L::Scalar>>& closed,
-                  OuterForces<L>& outer_forces) {
+void add_constraints(const Chain<L>& chain, const Placement<L>& placement, const Stage<L>& stage,
+                     const Coordinates<L>& q, const std::vector<mask_t<typename L::Scalar>>& closed,
+                     OuterForces<L>& outer_forces) {
   using S = typename L::Scalar;
   const S zero = constant<S>(0);
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    const Closure<L>& closure = chain.closures[k];
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    const LoopConstraint<L>& constraint = chain.constraints[k];
     const S force = select(closed[k], q.multiplier[k], zero);
-    const Wrench<L> unit = unit_wrench(closure, stage.of(placement));
-    const Wrench<L> way = unit_wrench(closure, placement);
-    Wrench<L>& wrench = outer_forces.wrench[closure.segment];
-    Impedance<L>& impedance = outer_forces.impedance[closure.segment];
+    const Wrench<L> unit = unit_wrench(constraint, stage.of(placement));
+    const Wrench<L> along = unit_wrench(constraint, placement);
+    Wrench<L>& wrench = outer_forces.wrench[constraint.segment];
+    Impedance<L>& impedance = outer_forces.impedance[constraint.segment];
     wrench.force += force * unit.force;
     wrench.moment += force * unit.moment;
-    const S whole = closure.turning ? chain.closure_turning_stiffness : chain.closure_stiffness;
+    const S whole =
+        constraint.rotational ? chain.constraint_rotational_stiffness : chain.constraint_stiffness;
     const S stiffness = select(closed[k], whole, zero);
-    impedance.tt += outer(stiffness * unit.force, way.force);
-    impedance.tr += outer(stiffness * unit.force, way.moment);
-    impedance.rt += outer(stiffness * unit.moment, way.force);
-    impedance.rr += outer(stiffness * unit.moment, way.moment);
-    if (closure.turning) continue;
-    const typename L::Point arm = L::turn(placement.frame[closure.segment], closure.arm);
-    impedance.rr -= (stage.share() * force) * L::moment_by(arm, closure.direction);
+    impedance.tt += outer(stiffness * unit.force, along.force);
+    impedance.tr += outer(stiffness * unit.force, along.moment);
+    impedance.rt += outer(stiffness * unit.moment, along.force);
+    impedance.rr += outer(stiffness * unit.moment, along.moment);
+    if (constraint.rotational) continue;
+    const typename L::Point arm = L::rotate(placement.frame[constraint.segment], constraint.arm);
+    impedance.rr -= (stage.share() * force) * L::moment_by(arm, constraint.direction);
   }
 }
 
@@ -180,7 +182,7 @@ void gather_loads(const Chain<L>& chain, const Placement<L>& placement, const St
   detail::add_springs(chain, stage.of(placement), factor_at, stage.share(), outer_forces);
 }
 
-/// All that acts on the segments but closures.
+/// All that acts on the segments but constraints.
 template <bool kElastic, class L, class FactorAt>
 void gather_forces(const Chain<L>& chain, const Coordinates<L>& q, const Placement<L>& placement,
                    const Stage<L>& stage, const JointForces<L, kElastic>& joints,

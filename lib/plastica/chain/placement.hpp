@@ -8,14 +8,15 @@ namespace plastica::chain {
 template <class L>
 inline typename L::Frame root_frame(const Chain<L>& chain, double time) {
   const auto factor = factor_as<typename L::Scalar>(chain.histories[chain.root.history].at(time));
-  return L::then(L::rotation(factor * chain.root.turn), chain.root.ground);
+  return L::compose(L::rotation(factor * chain.root.rotation), chain.root.ground);
 }
 
-/// Places a segment with which a piece begins, in the lanes where it does.
+/// Places a segment with which a fragment begins, in the lanes where it does.
 template <class L>
-void place_piece(const Segment<L>& segment, const Pose<L>& pose,
-                 const mask_t<typename L::Scalar>& open, std::size_t i, Placement<L>& placement) {
-  const typename L::Frame joint = L::then(pose.frame, segment.inner);
+void place_fragment(const Segment<L>& segment, const Pose<L>& pose,
+                    const mask_t<typename L::Scalar>& open, std::size_t i,
+                    Placement<L>& placement) {
+  const typename L::Frame joint = L::compose(pose.frame, segment.inner);
   placement.near[i] = L::select(open, joint, placement.near[i]);
   placement.far[i] = L::select(open, joint, placement.far[i]);
   placement.frame[i] = L::select(open, pose.frame, placement.frame[i]);
@@ -31,17 +32,17 @@ void place(const Chain<L>& chain, const Coordinates<L>& q, double time, Placemen
   typename L::Point at = chain.root.position + factor * chain.root.motion + q.root;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Segment<L>& segment = chain.segments[i];
-    const typename L::Frame far = L::then(near, L::rotation(q.angle[i]));
+    const typename L::Frame far = L::compose(near, L::rotation(q.angle[i]));
     if constexpr (kElastic) {
-      at += constant<S>(0.5) * (L::turn(near, q.shift[i]) + L::turn(far, q.shift[i]));
+      at += constant<S>(0.5) * (L::rotate(near, q.shift[i]) + L::rotate(far, q.shift[i]));
     }
     placement.near[i] = near;
     placement.far[i] = far;
-    placement.frame[i] = L::then_back(far, segment.inner);
+    placement.frame[i] = L::compose_inverse(far, segment.inner);
     placement.position[i] = at;
-    if (any(q.open[i])) place_piece(segment, q.pose[i], q.open[i], i, placement);
-    at = placement.position[i] + L::turn(placement.frame[i], segment.arm);
-    near = L::then(placement.frame[i], segment.outer);
+    if (any(q.open[i])) place_fragment(segment, q.pose[i], q.open[i], i, placement);
+    at = placement.position[i] + L::rotate(placement.frame[i], segment.arm);
+    near = L::compose(placement.frame[i], segment.outer);
   }
 }
 
@@ -49,14 +50,14 @@ void place(const Chain<L>& chain, const Coordinates<L>& q, double time, Placemen
 template <class L>
 inline typename L::Frame ground_joint_axes(const GroundJoint<L>& joint,
                                            const Placement<L>& placement) {
-  return L::then(placement.frame[joint.segment], joint.local);
+  return L::compose(placement.frame[joint.segment], joint.local);
 }
 
 template <class L>
 inline typename L::Spin ground_joint_angle(const Chain<L>& chain, const GroundJoint<L>& joint,
                                            const Placement<L>& placement, double time) {
   const auto factor = factor_as<typename L::Scalar>(chain.histories[joint.history].at(time));
-  const typename L::Frame ground = L::then(L::rotation(factor * joint.motion), joint.ground);
+  const typename L::Frame ground = L::compose(L::rotation(factor * joint.motion), joint.ground);
   return L::angle_from(ground_joint_axes(joint, placement), ground);
 }
 

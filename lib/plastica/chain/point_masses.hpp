@@ -48,15 +48,15 @@ template <class L>
 Mat<typename L::Scalar, L::kRotations, L::kRotations> inertia_of_level(
     const View<L>& view, const Mat<double, 3, 3>& inertia) {
   using S = typename L::Scalar;
-  const auto turning = [&](double x, double y, double z) {
+  const auto rotational = [&](double x, double y, double z) {
     return view.rotations(std::array<double, 6>{0.0, 0.0, 0.0, x, y, z});
   };
-  const auto x = turning(inertia(0, 0), inertia(0, 1), inertia(0, 2));
-  const auto y = turning(inertia(1, 0), inertia(1, 1), inertia(1, 2));
-  const auto z = turning(inertia(2, 0), inertia(2, 1), inertia(2, 2));
+  const auto x = rotational(inertia(0, 0), inertia(0, 1), inertia(0, 2));
+  const auto y = rotational(inertia(1, 0), inertia(1, 1), inertia(1, 2));
+  const auto z = rotational(inertia(2, 0), inertia(2, 1), inertia(2, 2));
   Mat<S, L::kRotations, L::kRotations> seen;
   for (std::size_t k = 0; k < L::kRotations; ++k) {
-    const auto column = turning(x[k], y[k], z[k]);
+    const auto column = rotational(x[k], y[k], z[k]);
     for (std::size_t i = 0; i < L::kRotations; ++i) seen(i, k) = constant<S>(column[i]);
   }
   return seen;
@@ -66,11 +66,11 @@ Mat<typename L::Scalar, L::kRotations, L::kRotations> inertia_of_level(
 /// distance d turns like the reduced mass m M/(m + M) on an arm d.
 template <class L>
 void add_body(const typename L::Scalar& mass, const typename L::Point& at,
-              const Mat<typename L::Scalar, L::kRotations, L::kRotations>& turning,
+              const Mat<typename L::Scalar, L::kRotations, L::kRotations>& rotational,
               Inertia<L>& inertia) {
   const auto total = inertia.mass + mass;
   const auto by = L::spun_by(at - inertia.center);
-  inertia.turning += turning + (inertia.mass * mass / total) * (transpose(by) * by);
+  inertia.rotational += rotational + (inertia.mass * mass / total) * (transpose(by) * by);
   inertia.center += (mass / total) * (at - inertia.center);
   inertia.mass = total;
 }

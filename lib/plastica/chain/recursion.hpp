@@ -35,7 +35,7 @@ struct RightSide {
   }
 };
 
-/// The motion that a right-hand side gives.
+/// The motion that a right-hand side correction.
 template <class L, bool kElastic>
 struct Solution {
   using S = typename L::Scalar;
@@ -73,25 +73,25 @@ class Recursion {
               const Stage<L>& stage, const JointForces<L, kElastic>& laws,
               const OuterForces<L>& outer_forces, Transmitted<L>& transmitted);
 
-  /// Sums what each joint transmits and lacks, as `factor` does, and eliminates nothing.
+  /// Sums what each joint transmits and its residual, as `factor` does, and eliminates nothing.
   void sum(const Chain<L>& chain, const Coordinates<L>& q, const Placement<L>& placement,
            const Stage<L>& stage, const JointForces<L, kElastic>& laws,
            const OuterForces<L>& outer_forces, Transmitted<L>& transmitted);
 
   /// Law minus transmitted moment (and force) of each joint: what Newton makes zero (N).
   const std::vector<JointVector>& balance() const { return balance_; }
-  /// Of all eliminated freedoms, the least stiffness there was, relative to what stiffens closures;
-  /// about 0: the beam can move freely.
-  const S& least_pivot() const { return least_pivot_; }
+  /// Of all eliminated freedoms, the least stiffness there was, relative to what stiffens
+  /// constraints; about 0: the beam can move freely.
+  const S& min_pivot() const { return min_pivot_; }
   /// Pivots of the factored tangent, inverted: recursion_pivots.hpp.
   template <class Visit>
   void for_each_pivot(const Chain<L>& chain, const Visit& visit) const;
-  /// The force that the free translations of the root lack.
+  /// The residual force of the free translations of the root.
   const typename L::Point& root_balance() const { return root_balance_; }
-  /// What the pieces lack: force and moment at the start of each.
+  /// The residual of each fragment: force and moment at its start.
   template <class Visit>
-  void for_each_piece(const Visit& visit) const {
-    for (const PieceStart& start : starts_) visit(start.joint, start.balance);
+  void for_each_fragment(const Visit& visit) const {
+    for (const FragmentStart& start : starts_) visit(start.joint, start.balance);
   }
 
   /// @param with_balance  whether the right-hand side is minus the imbalance, plus `right`
@@ -114,9 +114,9 @@ class Recursion {
     Mat<S, kT, kJ> u_shift;     ///< A S, rows of the force; A: impedance of all outside of it
     Mat<S, kR, kJ> u_spin;      ///< A S, rows of the moment
     Mat<S, kJ, kJ> inverse;     ///< of D
-    Mat<S, kJ, kT> give_shift;  ///< D^-1 V: how it gives way to a motion of the inner segment
+    Mat<S, kJ, kT> give_shift;  ///< D^-1 V: how it yields to a motion of the inner segment
     Mat<S, kJ, kR> give_spin;
-    JointVector lacks;           ///< the balance, in these freedoms
+    JointVector residual;        ///< the balance, in these freedoms
     Spins near;                  ///< world axes of the joint's own
     typename L::Point arm;       ///< from the inner neighbour's joint, for motion
     typename L::Point work_arm;  ///< the same for forces
@@ -125,12 +125,12 @@ class Recursion {
         works;  ///< P; S, but half way
   };
   /// How the moment of a joint that does not stretch follows its axial force:
-  /// dm = by (along . df + turns_inner . d(inner spin) + turns_joint . d(joint's spin)).
+  /// dm = by (along . df + rotates_inner . d(inner spin) + rotates_joint . d(joint's spin)).
   struct AxialCoupling {
     typename L::Spin by;  ///< world axes
     typename L::Point along;
-    typename L::Spin turns_inner;
-    typename L::Spin turns_joint;
+    typename L::Spin rotates_inner;
+    typename L::Spin rotates_joint;
   };
   /// The same of a joint to the ground, whose moment acts on its segment.
   struct GroundCoupling {
@@ -140,12 +140,12 @@ class Recursion {
     typename L::Point along;
   };
   static constexpr std::size_t kFree = kR + kT;
-  /// The start of a piece: its spin and shift are solved there, and nothing goes further in.
-  struct PieceStart {
+  /// The start of a fragment: its spin and shift are solved there, and nothing goes further in.
+  struct FragmentStart {
     std::size_t joint = 0;
     mask_t<S> open{};
-    Mat<S, kFree, kFree> inverse;  ///< of the piece's impedance, spins first
-    Wrench<L> balance;             ///< what acts on the piece
+    Mat<S, kFree, kFree> inverse;  ///< of the fragment's impedance, spins first
+    Wrench<L> balance;             ///< what acts on the fragment
     Motion<L> motion;              ///< of its first segment, in the solution that is sought
   };
 
@@ -161,9 +161,9 @@ class Recursion {
   void eliminate(const Chain<L>& chain, const Stage<L>& stage, const Mat<S, kJ, kJ>& tangent,
                  const Coordinates<L>& q, const Placement<L>& at, const Wrench<L>& w, std::size_t i,
                  Impedance<L>& a);
-  static void add_turning(const Stage<L>& stage, const typename L::Point& shift,
-                          const Placement<L>& at, const Spins& near, const Wrench<L>& w,
-                          std::size_t i, Mat<S, kJ, kR>& v_spin, Mat<S, kJ, kJ>& d);
+  static void add_rotation_terms(const Stage<L>& stage, const typename L::Point& shift,
+                                 const Placement<L>& at, const Spins& near, const Wrench<L>& w,
+                                 std::size_t i, Mat<S, kJ, kR>& v_spin, Mat<S, kJ, kJ>& d);
   static Mat<S, kJ, kJ> inverse_held(const Mat<S, kJ, kJ>& d, const Spins& near,
                                      const Spins& to_joint, const Root<L>& root);
   // recursion_axial.hpp
@@ -196,17 +196,17 @@ class Recursion {
   }
   void factor_root(const Chain<L>& chain, const mask_t<S>& open, const Impedance<L>& outside);
 
-  static void solve_piece(PieceStart& start, bool with_balance, Wrench<L>& b);
-  void factor_piece(std::size_t i, const mask_t<S>& open, const Impedance<L>& a, Wrench<L>& w,
-                    Impedance<L>& given, Joint& joint);
+  static void solve_fragment(FragmentStart& start, bool with_balance, Wrench<L>& b);
+  void factor_fragment(std::size_t i, const mask_t<S>& open, const Impedance<L>& a, Wrench<L>& w,
+                       Impedance<L>& given, Joint& joint);
 
   std::vector<Joint> joints_;
-  std::vector<PieceStart> starts_;  ///< from the tip to the root
+  std::vector<FragmentStart> starts_;  ///< from the tip to the root
   std::vector<JointVector> balance_;
   typename L::Point root_balance_{};
   Impedance<L> root_impedance_{};  ///< of the whole chain, about the start
   Mat<S, kT, kT> root_inverse_{};
-  S least_pivot_{};
+  S min_pivot_{};
   // Where moments follow axial forces:
   bool follows_axial_ = false;
   std::vector<AxialCoupling> couplings_;          ///< of rigid joints (N)
@@ -247,7 +247,7 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
     }
     softest = largest_entry(joint.inverse, softest);
     if (any(q.open[i])) {
-      factor_piece(i, q.open[i], whole, w, a, joint);
+      factor_fragment(i, q.open[i], whole, w, a, joint);
       transmitted.outer[i] = w;
     }
     if (i == 0) break;
@@ -259,7 +259,7 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
     w.moment += L::moment(joint.work_arm, w.force);
   }
   const S one = constant<S>(1);
-  least_pivot_ = one / max(chain.closure_turning_stiffness * softest, one);
+  min_pivot_ = one / max(chain.constraint_rotational_stiffness * softest, one);
   factor_root(chain, q.open[0], a);
   set_root_balance(chain, w);
 }

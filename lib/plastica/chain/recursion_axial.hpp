@@ -16,7 +16,7 @@ void Recursion<L, kElastic>::set_couplings(const Chain<L>& chain, const Placemen
   const std::size_t rigid = chain.root.shifts ? 0 : 1;
   couplings_.resize(kElastic ? rigid : chain.size());
   for (std::size_t i = 0; i < couplings_.size(); ++i) {
-    const typename L::Point far = constant<S>(0.5) * L::turn(placement.far[i], e);
+    const typename L::Point far = constant<S>(0.5) * L::rotate(placement.far[i], e);
     couplings_[i] = {L::axes(placement.near[i]) * laws.by_axial[i], axial.along[i],
                      L::moment(axial.along[i], axial.force[i]), L::moment(far, axial.across[i])};
   }
@@ -87,8 +87,8 @@ void Recursion<L, kElastic>::couple(std::size_t i, const Impedance<L>& a, Mat<S,
   }
   const typename L::Spin by_spin = transposed_times(tr, c.along);
   add(v_shift, 0, 0, -constant<S>(1) * outer(c.by, transposed_times(tt, c.along)));
-  add(v_spin, 0, 0, outer(c.by, c.turns_inner - by_spin));
-  add(d, 0, 0, outer(c.by, c.turns_joint - by_spin));
+  add(v_spin, 0, 0, outer(c.by, c.rotates_inner - by_spin));
+  add(d, 0, 0, outer(c.by, c.rotates_joint - by_spin));
 }
 
 /// Adds what acts on a segment to the right-hand side beyond it.

@@ -2,8 +2,8 @@
 
 #include "plastica/chain/recursion.hpp"
 
-/// Where the recursion along the chain turns: the root and the starts of pieces; and the sweeps for
-/// a right-hand side.
+/// Where the recursion along the chain turns: the root and the starts of fragments; and the sweeps
+/// for a right-hand side.
 namespace plastica::chain {
 
 template <class L, bool kElastic>
@@ -27,7 +27,7 @@ void Recursion<L, kElastic>::factor_root(const Chain<L>& chain, const mask_t<S>&
   S softest = constant<S>(0);
   for (const S& entry : root_inverse_.at) softest = max(abs(entry), softest);
   const S one = constant<S>(1);
-  least_pivot_ = min(one / max(chain.closure_stiffness * softest, one), least_pivot_);
+  min_pivot_ = min(one / max(chain.constraint_stiffness * softest, one), min_pivot_);
 }
 
 template <class L, bool kElastic>
@@ -51,7 +51,7 @@ void Recursion<L, kElastic>::sum(const Chain<L>& chain, const Coordinates<L>& q,
     set_joint(q, placement, stage, i);
     set_balance(chain, stage, laws.force[i], w, i);
     if (any(q.open[i])) {
-      PieceStart start;
+      FragmentStart start;
       start.joint = i;
       start.open = q.open[i];
       start.balance = {select(q.open[i], w.force, {}), select(q.open[i], w.moment, {})};
@@ -65,15 +65,15 @@ void Recursion<L, kElastic>::sum(const Chain<L>& chain, const Coordinates<L>& q,
   set_root_balance(chain, w);
 }
 
-/// Solves a piece at its start, in the lanes where one begins, and leaves nothing for the joint.
-/// @param a  the piece's impedance
+/// Solves a fragment at its start, in the lanes where one begins, and leaves nothing for the joint.
+/// @param a  the fragment's impedance
 /// @param w  what acts on it; nothing afterwards
 /// @param given  the impedance with the joint eliminated; nothing afterwards
 template <class L, bool kElastic>
-void Recursion<L, kElastic>::factor_piece(std::size_t i, const mask_t<S>& open,
-                                          const Impedance<L>& a, Wrench<L>& w, Impedance<L>& given,
-                                          Joint& joint) {
-  PieceStart start;
+void Recursion<L, kElastic>::factor_fragment(std::size_t i, const mask_t<S>& open,
+                                             const Impedance<L>& a, Wrench<L>& w,
+                                             Impedance<L>& given, Joint& joint) {
+  FragmentStart start;
   start.joint = i;
   start.open = open;
   start.balance = {select(open, w.force, {}), select(open, w.moment, {})};
@@ -112,26 +112,26 @@ void Recursion<L, kElastic>::solve(const RightSide<L>& right, bool with_balance,
       b = b + right.wrench[i];
       rest = in_freedoms(joint, b);
     }
-    if (with_balance) rest -= joint.lacks;
+    if (with_balance) rest -= joint.residual;
     // Between the two sweeps the solution holds D^-1 (P b - balance).
-    const JointVector gives = joint.inverse * rest;
-    solution.joint[i] = gives;
+    const JointVector correction = joint.inverse * rest;
+    solution.joint[i] = correction;
     if (start != starts_.end() && start->joint == i) {
-      solve_piece(*start, with_balance, b);
+      solve_fragment(*start, with_balance, b);
       ++start;
     }
-    b.force -= joint.u_shift * gives;
-    b.moment -= joint.u_spin * gives;
+    b.force -= joint.u_shift * correction;
+    b.moment -= joint.u_spin * correction;
     if (i > 0) b.moment += L::moment(joint.work_arm, b.force);
   }
   // The root's translations; the ground's own motion is given.
-  typename L::Point lack =
+  typename L::Point residual =
       b.force - root_impedance_.tt * right.ground.shift - root_impedance_.tr * right.ground.spin;
-  if (with_balance) lack += root_balance_;
+  if (with_balance) residual += root_balance_;
   Motion<L> motion = right.ground;
-  solution.root = root_inverse_ * lack;
+  solution.root = root_inverse_ * residual;
   motion.shift += solution.root;
-  auto piece = starts_.rbegin();
+  auto fragment = starts_.rbegin();
   for (std::size_t i = 0; i < n; ++i) {
     const Joint& joint = joints_[i];
     if (i > 0) motion.shift += L::spun(motion.spin, joint.arm);
@@ -139,23 +139,23 @@ void Recursion<L, kElastic>::solve(const RightSide<L>& right, bool with_balance,
         solution.joint[i] - joint.give_spin * motion.spin - joint.give_shift * motion.shift;
     move(joint, moved, motion);
     solution.joint[i] = moved;
-    if (piece != starts_.rend() && piece->joint == i) {
-      motion = {select(piece->open, piece->motion.shift, motion.shift),
-                select(piece->open, piece->motion.spin, motion.spin)};
-      ++piece;
+    if (fragment != starts_.rend() && fragment->joint == i) {
+      motion = {select(fragment->open, fragment->motion.shift, motion.shift),
+                select(fragment->open, fragment->motion.spin, motion.spin)};
+      ++fragment;
     }
     solution.motion[i] = motion;
   }
 }
 
-/// The motion of a piece's first segment; in the lanes where it begins no force goes further in.
+/// The motion of a fragment's first segment; in the lanes where it begins no force goes further in.
 template <class L, bool kElastic>
-void Recursion<L, kElastic>::solve_piece(PieceStart& start, bool with_balance, Wrench<L>& b) {
-  Wrench<L> acting = b;
-  if (with_balance) acting = acting + start.balance;
+void Recursion<L, kElastic>::solve_fragment(FragmentStart& start, bool with_balance, Wrench<L>& b) {
+  Wrench<L> active = b;
+  if (with_balance) active = active + start.balance;
   Vec<S, kFree> rest;
-  for (std::size_t k = 0; k < kR; ++k) rest[k] = acting.moment[k];
-  for (std::size_t k = 0; k < kT; ++k) rest[kR + k] = acting.force[k];
+  for (std::size_t k = 0; k < kR; ++k) rest[k] = active.moment[k];
+  for (std::size_t k = 0; k < kT; ++k) rest[kR + k] = active.force[k];
   const Vec<S, kFree> moved = start.inverse * rest;
   for (std::size_t k = 0; k < kR; ++k) start.motion.spin[k] = moved[k];
   for (std::size_t k = 0; k < kT; ++k) start.motion.shift[k] = moved[kR + k];

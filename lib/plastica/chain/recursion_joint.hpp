@@ -13,8 +13,8 @@ typename Recursion<L, kElastic>::Carrier Recursion<L, kElastic>::carrier(
     const Placement<L>& placement, std::size_t i, const typename L::Point& shift) {
   const S half = constant<S>(0.5);
   const typename L::Frame& far = placement.far[i];
-  return {L::spun_by(half * L::turn(far, shift)),
-          half * (L::turn_matrix(placement.near[i]) + L::turn_matrix(far))};
+  return {L::spun_by(half * L::rotate(far, shift)),
+          half * (L::rotation_matrix(placement.near[i]) + L::rotation_matrix(far))};
 }
 
 /// What moves the outer segment, and what its wrench works on. Where forces act at the end, both
@@ -26,7 +26,7 @@ void Recursion<L, kElastic>::set_joint(const Coordinates<L>& q, const Placement<
   joint.near = L::axes(placement.near[i]);
   if constexpr (kElastic) {
     joint.moves = carrier(placement, i, q.shift[i]);
-    joint.works = stage.half_way ? carrier(stage.placement, i, stage.shift[i]) : joint.moves;
+    joint.works = stage.midpoint ? carrier(stage.placement, i, stage.shift[i]) : joint.moves;
   }
 }
 
@@ -38,20 +38,21 @@ void Recursion<L, kElastic>::set_balance(const Chain<L>& chain, const Stage<L>& 
   Joint& joint = joints_[i];
   typename L::Spin moment = w.moment;
   if constexpr (kElastic) moment += transposed_times(joint.works.by_spin, w.force);
-  moment = stage.half_way ? stage.to_joint[i] * moment : transposed_times(joint.near, moment);
-  typename L::Spin lack;
+  moment = stage.midpoint ? stage.to_joint[i] * moment : transposed_times(joint.near, moment);
+  typename L::Spin residual;
   for (std::size_t k = 0; k < kR; ++k) {
-    lack[k] = i == 0 && chain.root.welded[k] ? constant<S>(0) : law[k] - moment[k];
-    balance_[i][k] = lack[k];
+    residual[k] = i == 0 && chain.root.clamped[k] ? constant<S>(0) : law[k] - moment[k];
+    balance_[i][k] = residual[k];
   }
-  const typename L::Spin in_world = stage.half_way ? stage.from_joint[i] * lack : joint.near * lack;
-  for (std::size_t k = 0; k < kR; ++k) joint.lacks[k] = in_world[k];
+  const typename L::Spin in_world =
+      stage.midpoint ? stage.from_joint[i] * residual : joint.near * residual;
+  for (std::size_t k = 0; k < kR; ++k) joint.residual[k] = in_world[k];
   if constexpr (kElastic) {
     const typename L::Point force = transposed_times(joint.works.along, w.force);
     const bool shifts = i > 0 || chain.root.shifts;
     for (std::size_t k = 0; k < kT; ++k) {
       const S off = shifts ? law[kR + k] - force[k] : constant<S>(0);
-      joint.lacks[kR + k] = balance_[i][kR + k] = off;
+      joint.residual[kR + k] = balance_[i][kR + k] = off;
     }
   }
 }
@@ -64,7 +65,7 @@ void Recursion<L, kElastic>::eliminate(const Chain<L>& chain, const Stage<L>& st
                                        const Placement<L>& at, const Wrench<L>& w, std::size_t i,
                                        Impedance<L>& a) {
   Joint& joint = joints_[i];
-  const Spins& from_joint = stage.half_way ? stage.from_joint[i] : joint.near;
+  const Spins& from_joint = stage.midpoint ? stage.from_joint[i] : joint.near;
   const Spins back = transpose(joint.near);
   const Spins spinning = from_joint * (block<kR, kR>(tangent, 0, 0) * back);
   Mat<S, kJ, kJ> d;
@@ -99,18 +100,19 @@ void Recursion<L, kElastic>::eliminate(const Chain<L>& chain, const Stage<L>& st
     put(d, kR, kR, block<kT, kT>(tangent, kR, kR) + along * u_tt);
   }
   if constexpr (kAxial) couple(i, a, v_spin, v_shift, d);
-  add_turning(stage, kElastic ? q.shift[i] : typename L::Point{}, at, joint.near, w, i, v_spin, d);
+  add_rotation_terms(stage, kElastic ? q.shift[i] : typename L::Point{}, at, joint.near, w, i,
+                     v_spin, d);
   if constexpr (kElastic) {
     // The force acts on segment i - 1 where the shift has taken it.
     const Mat<S, kR, kT> follows = stage.share() * transpose(L::spun_by(w.force));
     add(joint.u_spin, 0, 0, follows * joint.moves.by_spin);
     add(joint.u_spin, 0, kR, follows * joint.moves.along);
   }
-  const auto& welded = chain.root.welded;
-  const bool welds = std::find(welded.begin(), welded.end(), true) != welded.end();
-  if (i == 0 && (welds || (kElastic && !chain.root.shifts))) {
+  const auto& clamped = chain.root.clamped;
+  const bool clamps = std::find(clamped.begin(), clamped.end(), true) != clamped.end();
+  if (i == 0 && (clamps || (kElastic && !chain.root.shifts))) {
     joint.inverse =
-        inverse_held(d, joint.near, stage.half_way ? stage.to_joint[0] : back, chain.root);
+        inverse_held(d, joint.near, stage.midpoint ? stage.to_joint[0] : back, chain.root);
   } else {
     joint.inverse = inverse(d);
   }
@@ -127,28 +129,29 @@ void Recursion<L, kElastic>::eliminate(const Chain<L>& chain, const Stage<L>& st
 /// Half way, rows and columns do not turn to world axes and back by the same.
 /// @param at  where the forces act
 template <class L, bool kElastic>
-void Recursion<L, kElastic>::add_turning(const Stage<L>& stage, const typename L::Point& shift,
-                                         const Placement<L>& at, const Spins& near,
-                                         const Wrench<L>& w, std::size_t i, Mat<S, kJ, kR>& v_spin,
-                                         Mat<S, kJ, kJ>& d) {
+void Recursion<L, kElastic>::add_rotation_terms(const Stage<L>& stage,
+                                                const typename L::Point& shift,
+                                                const Placement<L>& at, const Spins& near,
+                                                const Wrench<L>& w, std::size_t i,
+                                                Mat<S, kJ, kR>& v_spin, Mat<S, kJ, kJ>& d) {
   const S share = stage.share();
   const auto rows = [&](const auto& m) {
-    return stage.half_way ? stage.from_joint[i] * (transpose(L::axes(at.near[i])) * m) : m;
+    return stage.midpoint ? stage.from_joint[i] * (transpose(L::axes(at.near[i])) * m) : m;
   };
   if constexpr (!kElastic) {
-    v_spin += rows(share * L::turned_by(w.moment));
+    v_spin += rows(share * L::spin_derivative(w.moment));
   } else {
     const S half = constant<S>(0.5);
     const auto columns = [&](const auto& m) {
-      return stage.half_way ? m * (L::axes(at.near[i]) * transpose(near)) : m;
+      return stage.midpoint ? m * (L::axes(at.near[i]) * transpose(near)) : m;
     };
-    const typename L::Point p = L::turn(at.far[i], shift);
+    const typename L::Point p = L::rotate(at.far[i], shift);
     const typename L::Spin g = w.moment + L::moment(half * p, w.force);
     const Spins by_p = (share * half) * L::moment_by(p, w.force);
     const Mat<S, kT, kR> by_force = (share * half) * L::spun_by(w.force);
-    const Mat<S, kT, kR> far_by = transpose(L::turn_matrix(at.far[i])) * by_force;
-    add(v_spin, 0, 0, rows(share * L::turned_by(g) - by_p));
-    add(v_spin, kR, 0, transpose(L::turn_matrix(at.near[i])) * by_force + far_by);
+    const Mat<S, kT, kR> far_by = transpose(L::rotation_matrix(at.far[i])) * by_force;
+    add(v_spin, 0, 0, rows(share * L::spin_derivative(g) - by_p));
+    add(v_spin, kR, 0, transpose(L::rotation_matrix(at.near[i])) * by_force + far_by);
     add(d, 0, 0, -constant<S>(1) * rows(columns(by_p)));
     // d(S^T w) is symmetric in spins and shifts: p/2 x force changes with the shift alike.
     add(d, kR, 0, columns(far_by));
@@ -156,7 +159,7 @@ void Recursion<L, kElastic>::add_turning(const Stage<L>& stage, const typename L
   }
 }
 
-/// A welded freedom of the joint's own axes does not move, nor a shift of joint 0 that is not let
+/// A clamped freedom of the joint's own axes does not move, nor a shift of joint 0 that is not let
 /// go.
 template <class L, bool kElastic>
 Mat<typename L::Scalar, Recursion<L, kElastic>::kJ, Recursion<L, kElastic>::kJ>
@@ -169,7 +172,7 @@ Recursion<L, kElastic>::inverse_held(const Mat<S, kJ, kJ>& d, const Spins& near,
   Mat<S, kJ, kJ> own = rows * d * columns;
   const auto clear = [&](const S& diagonal) {
     for (std::size_t k = 0; k < kJ; ++k) {
-      if (k < kR ? !root.welded[k] : root.shifts) continue;
+      if (k < kR ? !root.clamped[k] : root.shifts) continue;
       for (std::size_t i = 0; i < kJ; ++i) own(k, i) = own(i, k) = constant<S>(0);
       own(k, k) = diagonal;
     }

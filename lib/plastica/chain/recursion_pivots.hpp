@@ -23,8 +23,8 @@ void for_each_pivot(Mat<S, N, N> m, const Visit& visit) {
 }
 
 /// Visits the pivots of D^-1 of all joints and of the root's inverse: eliminated one after another
-/// by their freedoms, these make up the chain's tangent, closures' stiffness included, so that as
-/// many of them are negative as the tangent has negative eigenvalues (at an equilibrium of
+/// by their freedoms, these make up the chain's tangent, constraints' stiffness included, so that
+/// as many of them are negative as the tangent has negative eigenvalues (at an equilibrium of
 /// conservative loads, where it is symmetric). Open joints, of statics none, are not visited.
 template <class L, bool kElastic>
 template <class Visit>
@@ -34,12 +34,12 @@ void Recursion<L, kElastic>::for_each_pivot(const Chain<L>& chain, const Visit& 
       chain::for_each_pivot(joints_[i].inverse, visit);
       continue;
     }
-    // Welded freedoms of the first joint are rows of zeros in its own axes.
+    // Clamped freedoms of the first joint are rows of zeros in its own axes.
     auto axes = identity<S, kJ>();
     put(axes, 0, 0, joints_[0].near);
     Mat<S, kJ, kJ> own = transpose(axes) * (joints_[0].inverse * axes);
     for (std::size_t k = 0; k < kR; ++k) {
-      if (!chain.root.welded[k]) continue;
+      if (!chain.root.clamped[k]) continue;
       for (std::size_t j = 0; j < kJ; ++j) own(k, j) = own(j, k) = constant<S>(0);
     }
     chain::for_each_pivot(own, visit);

@@ -129,31 +129,31 @@ struct RotationCoefficients {
 
 /// I + p [theta] + q [theta]^2.
 template <class S>
-inline Mat<S, 3, 3> turning_matrix(const Vec<S, 3>& theta, const S& p, const S& q) {
+inline Mat<S, 3, 3> polynomial_in_skew(const Vec<S, 3>& theta, const S& p, const S& q) {
   const S one = constant<S>(1);
-  const Vec<S, 3> turn = p * theta;
+  const Vec<S, 3> axial = p * theta;
   const S xx = theta[0] * theta[0];
   const S yy = theta[1] * theta[1];
   const S zz = theta[2] * theta[2];
   const S xy = q * (theta[0] * theta[1]);
   const S xz = q * (theta[0] * theta[2]);
   const S yz = q * (theta[1] * theta[2]);
-  return {{one - q * (yy + zz), xy - turn[2], xz + turn[1],  //
-           xy + turn[2], one - q * (xx + zz), yz - turn[0],  //
-           xz - turn[1], yz + turn[0], one - q * (xx + yy)}};
+  return {{one - q * (yy + zz), xy - axial[2], xz + axial[1],  //
+           xy + axial[2], one - q * (xx + zz), yz - axial[0],  //
+           xz - axial[1], yz + axial[0], one - q * (xx + yy)}};
 }
 
 /// exp(theta).
 template <class S>
 inline Mat<S, 3, 3> rotation_matrix(const Vec<S, 3>& theta) {
   const ExponentialCoefficients<S> k(dot(theta, theta));
-  return turning_matrix(theta, k.a, k.b);
+  return polynomial_in_skew(theta, k.a, k.b);
 }
 
 /// T^-1(theta): d theta = T^-1 spin.
 template <class S>
 inline Mat<S, 3, 3> inverse_tangent_map(const Vec<S, 3>& theta, const RotationCoefficients<S>& k) {
-  return turning_matrix(theta, constant<S>(-0.5), k.c);
+  return polynomial_in_skew(theta, constant<S>(-0.5), k.c);
 }
 
 /// d(T^-T s)/d theta at constant s. T^-T s = s + 1/2 theta x s + c theta x (theta x s).

@@ -61,7 +61,7 @@ struct SectionJoint {
   /// Tributary length l as each component of the section's strain sees it [m]: one length, but
   /// where two sections meet.
   law::SectionStrain<S> length;
-  typename L::Spin acting;            ///< 1 where the law acts, 0 where the joint is free
+  typename L::Spin active;            ///< 1 where the law acts, 0 where the joint is free
   typename L::Spin spring;            ///< stiffness beside the law [N m/rad]
   typename L::Point shear_stiffness;  ///< kappa G A of each shift across the beam [N]
   law::SectionForce<S> stiffness;     ///< EI_x, EI_y [N m^2], GJ [N m^2], EA [N]
@@ -74,8 +74,8 @@ struct SectionJoint {
   }
   /// The law's elastic moment per angle [N m/rad].
   /// @param k  rotation of the level, about `axis` of the section
-  S turning_stiffness(std::size_t k, std::size_t axis) const {
-    return acting[k] * stiffness[axis] / length[axis];
+  S rotational_stiffness(std::size_t k, std::size_t axis) const {
+    return active[k] * stiffness[axis] / length[axis];
   }
 };
 

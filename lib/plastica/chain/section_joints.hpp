@@ -58,7 +58,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
 
   void evaluate(std::span<const typename L::Spin> angles, std::span<const typename L::Point> shifts,
                 JointForces<L, kElastic>& forces) override {
-    if constexpr (kSeesAxial) this->overpulled_ = false;
+    if constexpr (kSeesAxial) this->overloaded_ = false;
     axes_.with_first([&](auto first) {
       for (std::size_t j = 0; j < joints_.size(); ++j) {
         const typename L::Point shift =
@@ -105,7 +105,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
       SectionJoint<L>& joint = joints_[j];
       v.index(joint.law);
       for (S& number : joint.length.at) v.number(number);
-      for (S& number : joint.acting.at) v.number(number);
+      for (S& number : joint.active.at) v.number(number);
       for (S& number : joint.spring.at) v.number(number);
       for (S& number : scales_[j].per_length.at) v.number(number);
       for (S& number : scales_[j].rest.at) v.number(number);
@@ -186,7 +186,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     for (std::size_t k = 0; k < kR; ++k) {
       const std::size_t axis = axes_.rotation(k);
       scale.rest[k] =
-          joint.spring[k] + rest_of(joint.acting[k] * joint.stiffness[axis], joint.length[axis]);
+          joint.spring[k] + rest_of(joint.active[k] * joint.stiffness[axis], joint.length[axis]);
     }
     scale.axial_rest = rest_of(joint.stiffness[kAxial], joint.length[kAxial]);
     return scale;
@@ -210,7 +210,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
   bool axial_is_given(std::size_t j, const JointForces<L, kElastic>& forces) const {
     if (forces.axial.empty() || (kElastic && joints_[j].stretches)) return false;
     bool acts = false;
-    for (const S& acting : joints_[j].acting.at) acts = acts || any(acting > constant<S>(0));
+    for (const S& active : joints_[j].active.at) acts = acts || any(active > constant<S>(0));
     return acts;
   }
 
@@ -226,8 +226,8 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
         [&](const law::SectionStrain<S>& at) { return respond_to<law::AllComponents>(j, at); },
         strain, axial, axial_before_[j], joint.stiffness[kAxial], joint.axial_yield, tolerance);
     axial_after_[j] = found.after;
-    this->overpulled_ = this->overpulled_ || any(!found.carries);
-    for (std::size_t k = 0; k < kR; ++k) by_axial[k] = joint.acting[k] * found.by_force[First + k];
+    this->overloaded_ = this->overloaded_ || any(!found.carries);
+    for (std::size_t k = 0; k < kR; ++k) by_axial[k] = joint.active[k] * found.by_force[First + k];
     return found.section;
   }
 
@@ -247,7 +247,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     const Scale& scale = scales_[j];
     law::SectionStrain<S> strain;
     for (std::size_t k = 0; k < kR; ++k) {
-      strain[First + k] = joint.acting[k] * angle[k] * scale.per_length[First + k];
+      strain[First + k] = joint.active[k] * angle[k] * scale.per_length[First + k];
     }
     if constexpr (kElastic) {
       strain[kAxial] = shift[SectionAxes<L>::kAxialShift] * scale.per_length[kAxial];
@@ -272,10 +272,10 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
     Mat<S, kR, kR> slope;
     for (std::size_t k = 0; k < kR; ++k) {
       const S sprung = joint.spring[k] * angle[k];
-      moment[k] = joint.acting[k] * now.force[First + k] + sprung;
+      moment[k] = joint.active[k] * now.force[First + k] + sprung;
       elastic_[j] = elastic_[j] + constant<S>(0.5) * sprung * angle[k];
       for (std::size_t m = 0; m < kR; ++m) {
-        slope(k, m) = joint.acting[k] * joint.acting[m] * now.tangent(First + k, First + m) *
+        slope(k, m) = joint.active[k] * joint.active[m] * now.tangent(First + k, First + m) *
                       scale.per_length[First + m];
       }
       slope(k, k) = slope(k, k) + scale.rest[k];
@@ -369,7 +369,7 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
       S down = constant<S>(0);
       S right = constant<S>(0);
       for (std::size_t m = 0; m < kR; ++m) {
-        const S part = joint.acting[m] * to_angle(m, k);
+        const S part = joint.active[m] * to_angle(m, k);
         down = down + part * now.tangent(First + m, kAxial) * scale.per_length[kAxial];
         right = right + part * now.tangent(kAxial, First + m) * scale.per_length[First + m];
       }

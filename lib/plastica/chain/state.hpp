@@ -53,8 +53,8 @@ PLASTICA_ALWAYS_INLINE inline Mat<typename L::Scalar, R, L::kRotations> times_sp
   Mat<typename L::Scalar, R, L::kRotations> product;
   for_each_of<R>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
     const auto row = block<1, L::kTranslations>(m, i, 0);
-    const typename L::Spin turned = L::moment(arm, {row.at});
-    put(product, i, 0, Mat<typename L::Scalar, 1, L::kRotations>{turned.at});
+    const typename L::Spin moment = L::moment(arm, {row.at});
+    put(product, i, 0, Mat<typename L::Scalar, 1, L::kRotations>{moment.at});
   });
   return product;
 }
@@ -66,8 +66,8 @@ PLASTICA_ALWAYS_INLINE inline Mat<typename L::Scalar, L::kRotations, C> spun_by_
   Mat<typename L::Scalar, L::kRotations, C> product;
   for_each_of<C>([&](std::size_t j) PLASTICA_ALWAYS_INLINE {
     const auto column = block<L::kTranslations, 1>(m, 0, j);
-    const typename L::Spin turned = L::moment(arm, {column.at});
-    put(product, 0, j, Mat<typename L::Scalar, L::kRotations, 1>{turned.at});
+    const typename L::Spin moment = L::moment(arm, {column.at});
+    put(product, 0, j, Mat<typename L::Scalar, L::kRotations, 1>{moment.at});
   });
   return product;
 }
@@ -96,18 +96,18 @@ struct Pose {
 
 /// What the unknowns of a chain are.
 ///
-/// An open joint lets go of its segment, with which a piece begins: its pose takes the place of the
-/// joint's angle, which keeps the value that it had.
+/// An open joint lets go of its segment, with which a fragment begins: its pose takes the place of
+/// the joint's angle, which keeps the value that it had.
 template <class L>
 struct Coordinates {
   using Mask = mask_t<typename L::Scalar>;
   std::vector<typename L::Spin> angle;   ///< of each joint (N)
   std::vector<typename L::Point> shift;  ///< of each joint, in its axes; rigid joints: empty (N)
   typename L::Point root;                ///< free translation of the start
-  std::vector<typename L::Scalar> multiplier;  ///< of each closure
+  std::vector<typename L::Scalar> multiplier;  ///< of each constraint
   std::vector<Mask> open;                      ///< whether a joint lets go (N)
   std::vector<Pose<L>> pose;                   ///< of the segments outside of open joints (N)
-  std::vector<Mask> released_closure;          ///< whether it was cut, like the next (closures)
+  std::vector<Mask> released_constraint;       ///< whether it was cut, like the next (constraints)
   std::vector<Mask> released_ground_joint;     ///< (ground joints)
 };
 
@@ -126,18 +126,18 @@ struct Placement {
     far.resize(n);
   }
   typename L::Point point(std::size_t segment, const typename L::Point& arm) const {
-    return position[segment] + L::turn(frame[segment], arm);
+    return position[segment] + L::rotate(frame[segment], arm);
   }
 };
 
 /// Where the forces of a step act, if not where it ends: half way, by the means of the placements
-/// at its begin and end. With them the step keeps momentum and angular momentum, and what closures
-/// and joints transmit does no work of its own (README.md).
+/// at its begin and end. With them the step keeps momentum and angular momentum, and what
+/// constraints and joints transmit does no work of its own (README.md).
 template <class L>
 struct Stage {
   static constexpr std::size_t kR = L::kRotations;
   using S = typename L::Scalar;
-  bool half_way = false;  ///< else forces act where the step ends
+  bool midpoint = false;  ///< else forces act where the step ends
   /// How far their arms and axes follow a motion of the end: half of it half way; not at all where
   /// velocities or accelerations are sought.
   double follows = 1.0;
@@ -148,7 +148,7 @@ struct Stage {
   std::vector<Mat<S, kR, kR>> ground_axes;  ///< and of ground joints back to the world
 
   S share() const { return constant<S>(follows); }
-  const Placement<L>& of(const Placement<L>& end) const { return half_way ? placement : end; }
+  const Placement<L>& of(const Placement<L>& end) const { return midpoint ? placement : end; }
 };
 
 /// What the laws say of each joint: its moments as they work on spins and shifts, and their slope.

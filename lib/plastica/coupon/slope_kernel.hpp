@@ -11,14 +11,14 @@
 namespace plastica::coupon {
 
 /// Derivatives that go along in one pass.
-inline constexpr std::size_t kMostSlopes = 8;
+inline constexpr std::size_t kMaxSlopes = 8;
 
 /// A curve to be followed, and where its derivatives by some material numbers go.
 struct SlopesRun {
   const CouponShape* shape;
   const double* material;     ///< SI (kMaterialFields)
   const std::size_t* fields;  ///< index of each number to differentiate by (n_slopes)
-  std::size_t n_slopes;       ///< 1 … kMostSlopes
+  std::size_t n_slopes;       ///< 1 … kMaxSlopes
   const double* strain;       ///< (n_samples)
   std::size_t n_samples;
   double* stress;            ///< (n_samples)

@@ -24,7 +24,7 @@ template <std::size_t N, bool kAccumulates, class Law>
   double* stress = run.stress;
   double* slopes = run.slopes;
   // Known to the compiler but for the widest, which also takes what does not fill it.
-  const std::size_t n = N == kMostSlopes ? run.n_slopes : N;
+  const std::size_t n = N == kMaxSlopes ? run.n_slopes : N;
   const std::size_t stride = run.stride;
   const std::size_t n_samples = run.n_samples;
   typename Law::State state;
@@ -76,7 +76,7 @@ inline void follow_any(const SlopesRun& run) {
     case 2: return follow<2>(run);
     case 3: return follow<3>(run);
     case 4: return follow<4>(run);
-    default: return follow<kMostSlopes>(run);
+    default: return follow<kMaxSlopes>(run);
   }
 }
 

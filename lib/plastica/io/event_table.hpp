@@ -13,14 +13,14 @@ struct EventTable {
     int event = 0;  ///< number of its event
     BrokenJoint broken;
   };
-  struct PieceRow {
+  struct FragmentRow {
     int event = 0;
-    Piece piece;
+    Fragment fragment;
   };
-  std::vector<double> time;      ///< [s] (n_events)
-  std::vector<double> factor;    ///< [1] (n_events)
-  std::vector<Joint> joints;     ///< (n_broken)
-  std::vector<PieceRow> pieces;  ///< (n_pieces)
+  std::vector<double> time;            ///< [s] (n_events)
+  std::vector<double> factor;          ///< [1] (n_events)
+  std::vector<Joint> joints;           ///< (n_broken)
+  std::vector<FragmentRow> fragments;  ///< (n_fragments)
 };
 
 inline EventTable event_table(const std::vector<ChainBreak>& events) {
@@ -30,7 +30,7 @@ inline EventTable event_table(const std::vector<ChainBreak>& events) {
     table.time.push_back(event.time);
     table.factor.push_back(event.factor);
     for (const BrokenJoint& joint : event.joints) table.joints.push_back({number, joint});
-    for (const Piece& piece : event.pieces) table.pieces.push_back({number, piece});
+    for (const Fragment& fragment : event.fragments) table.fragments.push_back({number, fragment});
   }
   return table;
 }
@@ -43,8 +43,8 @@ inline std::vector<ChainBreak> events_of(const EventTable& table) {
     for (const auto& row : table.joints) {
       if (row.event == static_cast<int>(e)) event.joints.push_back(row.broken);
     }
-    for (const auto& row : table.pieces) {
-      if (row.event == static_cast<int>(e)) event.pieces.push_back(row.piece);
+    for (const auto& row : table.fragments) {
+      if (row.event == static_cast<int>(e)) event.fragments.push_back(row.fragment);
     }
     events.push_back(std::move(event));
   }

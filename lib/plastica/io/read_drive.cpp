@@ -59,12 +59,12 @@ std::vector<double> read_strain(const TomlTable& drive, const std::string& file)
   }
   const TomlTable how = strain.table();
   const bool by_table = how.find("table").has_value();
-  const bool by_turns = how.find("turning_points").has_value();
-  if (by_table == by_turns) {
+  const bool by_turning_points = how.find("turning_points").has_value();
+  if (by_table == by_turning_points) {
     how.check_unused();
     throw strain.error("must have either table and column, or turning_points");
   }
-  if (by_turns) return programmed_strain(how);
+  if (by_turning_points) return programmed_strain(how);
   return tabled_strain(how, file);
 }
 

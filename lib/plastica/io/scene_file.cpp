@@ -93,7 +93,7 @@ void read_setup(const TomlTable& root, Setup& setup) {
 SceneFile parse_scene_file(std::string text, std::string name) {
   const TomlDocument document = TomlDocument::parse(std::move(text), std::move(name));
   const TomlTable& root = document.root();
-  SceneFile file{document.name(), document.text(), {}};
+  SceneFile file{document.name(), document.text(), {}, {}};
   Scene& scene = file.setup.scene;
   const auto title = root.find("name");
   scene.name = title ? title->string() : std::filesystem::path(file.path).stem().string();
@@ -109,6 +109,7 @@ SceneFile parse_scene_file(std::string text, std::string name) {
     check_scene(scene, file.setup.solver);
     check_regions(scene);
   });
+  file.notes = root.notes();
   return file;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "plastica/io/toml.hpp"
 #include "plastica/model/field.hpp"
@@ -12,6 +13,7 @@ struct SceneFile {
   std::string path;  ///< as the user gave it
   std::string text;
   Setup setup;
+  std::vector<std::string> notes{};  ///< old names in it, each with the new one, for the user
 };
 
 /// Reads a scene file: the tables [material], [section], [beam], [rules] and [solver] with the

@@ -34,7 +34,8 @@ std::span<const std::string_view> choices_of(std::string_view field);
 
 /// The numbers of each item of a list, a column or three each.
 template <class Store, class Rows, class Field>
-void walk_fields(Store& store, const std::string& list, Rows& rows, std::span<const Field> fields) {
+void traverse_fields(Store& store, const std::string& list, Rows& rows,
+                     std::span<const Field> fields) {
   for (const Field& field : fields) {
     const std::string path = list + '/' + std::string(field.key);
     std::visit(
@@ -51,26 +52,26 @@ void walk_fields(Store& store, const std::string& list, Rows& rows, std::span<co
 }
 
 template <class Store, class Scene>
-void walk_actions(Store& store, Scene& scene) {
+void traverse_actions(Store& store, Scene& scene) {
   auto& supports = scene.supports;
   store.words("supports/kind", supports, PLASTICA_MEMBER(kind), support_kinds());
   store.column("supports/at", supports, PLASTICA_MEMBER(at.fraction), "1");
   store.held("supports/held", supports);
   store.optional_places("supports/to", supports);
-  walk_fields(store, "supports", supports, support_fields());
+  traverse_fields(store, "supports", supports, support_fields());
   store.histories("supports/history", supports);
 
   auto& loads = scene.loads;
   store.column("loads/at", loads, PLASTICA_MEMBER(at.fraction), "1");
   store.optional_places("loads/to", loads);
-  walk_fields(store, "loads", loads, load_fields());
+  traverse_fields(store, "loads", loads, load_fields());
   store.column("loads/follows", loads, PLASTICA_MEMBER(follows), "");
   store.histories("loads/history", loads);
 
   auto& masses = scene.masses;
   if (store.has_rows("masses", masses)) {
     store.column("masses/at", masses, PLASTICA_MEMBER(at.fraction), "1");
-    walk_fields(store, "masses", masses, mass_fields());
+    traverse_fields(store, "masses", masses, mass_fields());
   }
 
   store.numbers("gravity/acceleration", scene.gravity, "m/s^2");
@@ -83,7 +84,7 @@ void walk_actions(Store& store, Scene& scene) {
   auto& motions = scene.initial_motions;
   store.column("initial_motions/from", motions, PLASTICA_MEMBER(from.fraction), "1");
   store.column("initial_motions/to", motions, PLASTICA_MEMBER(to.fraction), "1");
-  walk_fields(store, "initial_motions", motions, initial_motion_fields());
+  traverse_fields(store, "initial_motions", motions, initial_motion_fields());
   store.column("initial_motions/about", motions, PLASTICA_MEMBER(about.fraction), "1");
   store.column("cuts/at", scene.cuts, PLASTICA_MEMBER(at.fraction), "1");
   store.column("cuts/time", scene.cuts, PLASTICA_MEMBER(time), "s");
@@ -91,7 +92,7 @@ void walk_actions(Store& store, Scene& scene) {
 
 /// What the table of fields does not have of the axis and of the path's control.
 template <class Store, class Setup>
-void walk_rest_of_setup(Store& store, Setup& setup) {
+void traverse_rest_of_setup(Store& store, Setup& setup) {
   auto& beam = setup.scene.beam;
   store.array("options/beam/segment_shares", beam.segment_shares, {}, "1");
   store.array("options/beam/joint_lengths", beam.joint_lengths, {}, "m");
@@ -102,7 +103,7 @@ void walk_rest_of_setup(Store& store, Setup& setup) {
 }
 
 template <class Store, class Outline>
-void walk_outline(Store& store, Outline& outline) {
+void traverse_outline(Store& store, Outline& outline) {
   store.array("beam/ends", outline.ends, {}, "1");
   const std::size_t joints = outline.ends.size();
   const std::size_t segments = joints == 0 ? 0 : joints - 1;
@@ -117,7 +118,7 @@ void walk_outline(Store& store, Outline& outline) {
 }
 
 template <class Store, class Chain>
-void walk_chain(Store& store, Chain& chain, std::size_t joints, std::size_t supports) {
+void traverse_chain(Store& store, Chain& chain, std::size_t joints, std::size_t supports) {
   const std::size_t segments = joints == 0 ? 0 : joints - 1;
   store.array("path/time", chain.time, {}, "s");
   const std::size_t samples = chain.time.size();
@@ -130,7 +131,8 @@ void walk_chain(Store& store, Chain& chain, std::size_t joints, std::size_t supp
   store.column("energy/external", chain.energy, PLASTICA_MEMBER(external), "J");
   store.column("energy/kinetic", chain.energy, PLASTICA_MEMBER(kinetic), "J");
   store.column("energy/damping", chain.energy, PLASTICA_MEMBER(damping), "J");
-  store.column("energy/numerical", chain.energy, PLASTICA_MEMBER(numerical), "J");
+  store.column("energy/numerical_dissipation", chain.energy, PLASTICA_MEMBER(numerical_dissipation),
+               "J");
   store.column("energy/impact", chain.energy, PLASTICA_MEMBER(impact), "J");
   store.column("energy/fracture", chain.energy, PLASTICA_MEMBER(fracture), "J");
   store.column("energy/residual", chain.energy, PLASTICA_MEMBER(residual), "J");
@@ -146,11 +148,11 @@ void walk_chain(Store& store, Chain& chain, std::size_t joints, std::size_t supp
 }
 
 template <class Store, class Response>
-void walk_outcome(Store& store, Response& response, std::size_t joints) {
+void traverse_outcome(Store& store, Response& response, std::size_t joints) {
   store.word("outcome/status", response.status, status_words());
   store.number("outcome/samples", response.samples, "1");
   store.number("outcome/permanent_strain", response.permanent_strain, "1");
-  store.number("outcome/ledger_error", response.ledger_error, "1");
+  store.number("outcome/energy_balance_error", response.energy_balance_error, "1");
   store.number_since("outcome/momentum_error", response.momentum_error, "1");
   store.number_since("outcome/shortest_step", response.shortest_step, "s");
   store.number_since("outcome/longest_step", response.longest_step, "s");
@@ -167,7 +169,7 @@ void walk_outcome(Store& store, Response& response, std::size_t joints) {
     const std::size_t points = critical.factor.size();
     store.array("critical_points/below", critical.below, {points}, "1");
     store.array("critical_points/above", critical.above, {points}, "1");
-    store.array("critical_points/unstable_ways", critical.unstable_ways, {points}, "1");
+    store.array("critical_points/unstable_modes", critical.unstable_modes, {points}, "1");
     store.array("critical_points/out_of_plane", critical.out_of_plane, {points}, "");
     store.array("critical_points/mode", critical.mode, {points, joints, 3}, "1");
   });
@@ -175,7 +177,7 @@ void walk_outcome(Store& store, Response& response, std::size_t joints) {
     store.number("buckling/about", buckling.about, "1");
     store.array("buckling/factor", buckling.factor, {}, "1");
     const std::size_t modes = buckling.factor.size();
-    store.array("buckling/turn", buckling.turn, {modes}, "rad");
+    store.array("buckling/rotation", buckling.rotation, {modes}, "rad");
     store.array("buckling/out_of_plane", buckling.out_of_plane, {modes}, "");
     store.array("buckling/mode", buckling.mode, {modes, joints, 3}, "1");
   });
@@ -192,9 +194,9 @@ void walk_outcome(Store& store, Response& response, std::size_t joints) {
   });
 }
 
-/// What broke or was cut, and the pieces after that.
+/// What broke or was cut, and the fragments after that.
 template <class Store, class Chain>
-void walk_events(Store& store, Chain& chain) {
+void traverse_events(Store& store, Chain& chain) {
   EventTable table = event_table(chain.events);
   store.array("events/time", table.time, {}, "s");
   store.array("events/factor", table.factor, {table.time.size()}, "1");
@@ -208,20 +210,20 @@ void walk_events(Store& store, Chain& chain) {
   store.vectors("events/joints/moment", joints, PLASTICA_MEMBER(broken.moment), "N m");
   store.vectors("events/joints/plastic_angle", joints, PLASTICA_MEMBER(broken.angle), "rad");
   store.column("events/joints/dissipation", joints, PLASTICA_MEMBER(broken.dissipation), "J");
-  auto& pieces = table.pieces;
-  store.column("events/pieces/event", pieces, PLASTICA_MEMBER(event), "");
-  store.column("events/pieces/first", pieces, PLASTICA_MEMBER(piece.first), "");
-  store.column("events/pieces/last", pieces, PLASTICA_MEMBER(piece.last), "");
+  auto& fragments = table.fragments;
+  store.column("events/fragments/event", fragments, PLASTICA_MEMBER(event), "");
+  store.column("events/fragments/first", fragments, PLASTICA_MEMBER(fragment.first), "");
+  store.column("events/fragments/last", fragments, PLASTICA_MEMBER(fragment.last), "");
   if constexpr (!std::is_const_v<Chain>) {
     store.check_events(table);
     chain.events = events_of(table);
   }
 }
 
-/// Walks through all that a file holds but /options/setup, /regions, /inputs and /meta.
+/// Visits all that a file holds but /options/setup, /regions, /inputs and /meta.
 /// @tparam Store  writes or reads
 template <class Store, class Record>
-void walk(Store& store, Record& record) {
+void traverse(Store& store, Record& record) {
   auto& scene = record.setup.scene;
   store.text("scene/name", scene.name);
   store.text("scene/material", scene.material.name);
@@ -230,9 +232,9 @@ void walk(Store& store, Record& record) {
   store.text("scene/level_reason", record.level_reason);
   store.texts("scene/warnings", record.warnings);
   store.array("drive/strain", scene.drive.strain, {}, "1");
-  walk_actions(store, scene);
-  walk_rest_of_setup(store, record.setup);
-  walk_outline(store, record.outline);
+  traverse_actions(store, scene);
+  traverse_rest_of_setup(store, record.setup);
+  traverse_outline(store, record.outline);
 
   auto& probes = scene.probes;
   store.names("probes/name", probes);
@@ -242,9 +244,9 @@ void walk(Store& store, Record& record) {
   store.words("probes/energy", probes, PLASTICA_MEMBER(energy), kEnergyKinds);
   store.probe_values(record);
 
-  walk_outcome(store, record.response, record.outline.ends.size());
-  walk_events(store, record.response.chain);
-  walk_chain(store, record.response.chain, record.outline.ends.size(), scene.supports.size());
+  traverse_outcome(store, record.response, record.outline.ends.size());
+  traverse_events(store, record.response.chain);
+  traverse_chain(store, record.response.chain, record.outline.ends.size(), scene.supports.size());
 }
 
 #undef PLASTICA_MEMBER

@@ -13,7 +13,8 @@
 
 namespace plastica::io {
 
-/// Reads what `scene_layout::walk` meets, and refuses what does not fit together; not installed.
+/// Reads what `scene_layout::traverse` meets, and refuses what does not fit together; not
+/// installed.
 class SceneReader {
  public:
   template <class T>
@@ -139,7 +140,7 @@ class SceneReader {
       check_values(root_, path + "/factor", f, {});
       rows[i].history = {{t.begin(), t.end()}, {f.begin(), f.end()}};
     }
-    // Files of older versions have straight pieces alone.
+    // Files of older versions have straight segments alone.
     if (root_.exists(path + "/slope")) {
       const auto slope = root_.read_ragged<double>(path + "/slope");
       if (slope.rows() != rows.size()) {
@@ -183,13 +184,13 @@ class SceneReader {
     };
     for (const auto& [path, holds] :
          {std::pair("events/joints/event", std::ranges::all_of(table.joints, known)),
-          std::pair("events/pieces/event", std::ranges::all_of(table.pieces, known))}) {
+          std::pair("events/fragments/event", std::ranges::all_of(table.fragments, known))}) {
       if (!holds) refuse_value(root_, path, "", "must be the number of an event");
     }
   }
-  template <class Part, class Walk>
-  void part(std::string_view path, std::optional<Part>& part, const Walk& walk) {
-    if (root_.exists(path)) walk(part.emplace());
+  template <class Part, class Visit>
+  void part(std::string_view path, std::optional<Part>& part, const Visit& visit) {
+    if (root_.exists(path)) visit(part.emplace());
   }
 
  private:
@@ -221,7 +222,7 @@ class SceneReader {
   /// The numbers of a dataset, of a shape and as `kSceneRules` want them.
   template <class T>
   std::vector<Stored<T>> values_of(std::string_view path, const Shape& shape) const {
-    auto values = root_.read_array<Stored<T>>(path, shape);
+    auto values = root_.read_array<Stored<T>>(path_in_file(root_, path), shape);
     check_numbers<T>(root_, path, values, rule_of(kSceneRules, path));
     return values;
   }
@@ -238,7 +239,7 @@ class SceneReader {
   template <class Enum>
   Enum enumerator(std::string_view path, const std::string& word,
                   std::span<const std::string_view> words) const {
-    const auto found = std::find(words.begin(), words.end(), word);
+    const auto found = std::find(words.begin(), words.end(), new_name(kRenamedWords, word));
     if (found == words.end()) refuse_value(root_, path, word, "is not a word of it");
     return static_cast<Enum>(found - words.begin());
   }

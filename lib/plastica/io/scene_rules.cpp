@@ -22,11 +22,12 @@ bool are_joints(const SceneRecord& record) {
   return true;
 }
 
-bool are_pieces(const SceneRecord& record) {
+bool are_fragments(const SceneRecord& record) {
   const auto last = static_cast<int>(record.outline.segments()) - 1;
   for (const ChainBreak& event : record.response.chain.events) {
-    for (const Piece& piece : event.pieces) {
-      if (!within(piece.first, 0, last) || !within(piece.last, piece.first, last)) return false;
+    for (const Fragment& fragment : event.fragments) {
+      if (!within(fragment.first, 0, last) || !within(fragment.last, fragment.first, last))
+        return false;
     }
   }
   return true;
@@ -70,7 +71,8 @@ void check_agreement(const Hdf5Group& root, const SceneRecord& record) {
       Agreement{are_frames(response.chain.frame_sample, coupon ? 0 : samples), "path/frame_sample",
                 "must rise and be samples of the file"},
       Agreement{are_joints(record), "events/joints/joint", "must be a joint of the beam"},
-      Agreement{are_pieces(record), "events/pieces", "must be ranges of the beam's segments"}};
+      Agreement{are_fragments(record), "events/fragments",
+                "must be ranges of the beam's segments"}};
   for (const Agreement& agreement : agreements) {
     if (!agreement.holds) refuse_value(root, agreement.path, "", agreement.rule);
   }

@@ -36,7 +36,7 @@ inline constexpr std::array kSceneRules{
     ValueRule{"path/time", kNotNegative, Order::Rises},
     ValueRule{"path/frame_sample", {}, Order::RisesStrictly},
     ValueRule{"events/time", kNotNegative, Order::Rises},
-    ValueRule{"outcome/ledger_error", kNotNegative},
+    ValueRule{"outcome/energy_balance_error", kNotNegative},
     ValueRule{"outcome/momentum_error", kNotNegative},
     ValueRule{"outcome/shortest_step", kNotNegative},
     ValueRule{"outcome/longest_step", kNotNegative},

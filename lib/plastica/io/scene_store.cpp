@@ -115,7 +115,7 @@ void write_scene_store(const std::string& path, const SceneRecord& record, Overw
   Hdf5Group& root = file.root();
   write_schema(root, kSceneSchema, kSceneVersion);
   SceneWriter writer(root);
-  scene_layout::walk(writer, record);
+  scene_layout::traverse(writer, record);
   Hdf5Group options = root.group("options");
   write_setup(options, record.setup);
   Hdf5Group regions = root.group("regions");
@@ -133,7 +133,7 @@ SceneRecord read_scene_store(const std::string& path) {
   SceneRecord record;
   read_setup(root.open_group("options"), record.setup);
   SceneReader reader(root);
-  scene_layout::walk(reader, record);
+  scene_layout::traverse(reader, record);
   record.setup.scene.regions = read_regions(root.open_group("regions"));
   record.response.chain.joints = record.outline.ends.size();
   record.response.chain.supports = record.setup.scene.supports.size();

@@ -10,7 +10,7 @@
 
 namespace plastica::io {
 
-/// Writes what `scene_layout::walk` meets; not installed.
+/// Writes what `scene_layout::traverse` meets; not installed.
 class SceneWriter {
  public:
   template <class T>
@@ -151,9 +151,9 @@ class SceneWriter {
     const Shape shape{record.response.probes.size(), record.response.samples};
     root_.write_array<double>("probes/values", values, shape, {{}, kDeflate});
   }
-  template <class Part, class Walk>
-  void part(std::string_view /*path*/, const std::optional<Part>& part, const Walk& walk) {
-    if (part) walk(*part);
+  template <class Part, class Visit>
+  void part(std::string_view /*path*/, const std::optional<Part>& part, const Visit& visit) {
+    if (part) visit(*part);
   }
 
  private:

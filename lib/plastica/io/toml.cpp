@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "plastica/base/renamed.hpp"
 #include "plastica/io/nearest_word.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/toml_lines.hpp"
@@ -43,7 +44,7 @@ InputError parse_failure(const toml::parse_error& error, std::string_view text,
   return {{name, static_cast<int>(position.line)}, "", line, rule};
 }
 
-SourceLocation location(const TomlNode& node) { return {*node.file, node.line}; }
+SourceLocation location(const TomlNode& node) { return {node.tree->file, node.line}; }
 
 InputError wrong_kind(TomlNode& node, std::string_view wanted) {
   return {location(node), shown_of(node).key, node.written, "must be " + std::string(wanted)};
@@ -58,6 +59,28 @@ std::string text_of(double value) {
 /// A node of the tree that another one holds.
 std::shared_ptr<TomlNode> held_by(const std::shared_ptr<TomlNode>& holder, TomlNode* node) {
   return {holder, node};
+}
+
+/// Notes an old name that was read, for the user.
+void note_renamed(const TomlNode& node, std::string_view before, std::string_view now) {
+  std::string line = node.tree->file + ':' + std::to_string(node.line) + ": ";
+  line.append(before).append(" is now ").append(now);
+  std::vector<std::string>& notes = node.tree->notes;
+  if (std::find(notes.begin(), notes.end(), line) == notes.end()) notes.push_back(std::move(line));
+}
+
+/// The entry of a table under its name, or under the name that it had before.
+TomlNode* entry_now_or_before(const TomlNode& table, std::string_view name) {
+  TomlNode* entry = entry_of(table, name);
+  const std::string_view before = old_name(kRenamedWords, name);
+  TomlNode* old = before.empty() ? nullptr : entry_of(table, before);
+  if (old == nullptr) return entry;
+  if (entry != nullptr) {
+    throw InputError(location(*old), shown_of(*old).key, old->written,
+                     "is the old name of " + std::string(name) + ", which is there, too");
+  }
+  note_renamed(*old, before, name);
+  return old;
 }
 
 void check_known(TomlNode& node) {
@@ -138,7 +161,21 @@ std::size_t TomlValue::word(std::span<const std::string_view> words) const {
     if (is_string() && node_->string == words[i]) return i;
     list += (i == 0 ? "\"" : ", \"") + std::string(words[i]) + "\"";
   }
+  if (is_string()) {
+    const std::string_view now = new_name(kRenamedWords, node_->string);
+    const auto renamed = std::find(words.begin(), words.end(), now);
+    if (now != node_->string && renamed != words.end()) {
+      note_renamed(*node_, node_->string, now);
+      return static_cast<std::size_t>(renamed - words.begin());
+    }
+  }
   throw wrong_kind(*node_, (words.size() > 1 ? "one of " : "") + list);
+}
+
+std::string TomlValue::new_path(std::string_view path) const {
+  std::string now = plastica::new_path(path);
+  if (now != path) note_renamed(*node_, path, now);
+  return now;
 }
 
 double TomlValue::quantity(Dimension dimension) const {
@@ -190,10 +227,12 @@ std::vector<std::string> TomlTable::keys() const {
   return names;
 }
 
-bool TomlTable::contains(std::string_view name) const { return entry_of(*node_, name) != nullptr; }
+bool TomlTable::contains(std::string_view name) const {
+  return entry_now_or_before(*node_, name) != nullptr;
+}
 
 std::optional<TomlValue> TomlTable::find(std::string_view name) const {
-  TomlNode* entry = entry_of(*node_, name);
+  TomlNode* entry = entry_now_or_before(*node_, name);
   std::vector<std::string>& known = node_->known;
   const bool is_known = entry != nullptr
                             ? std::exchange(entry->is_known, true)
@@ -237,6 +276,8 @@ std::vector<TomlTable> TomlTable::find_tables(std::string_view name) const {
 }
 
 void TomlTable::check_unused() const { check_known(*node_); }
+
+const std::vector<std::string>& TomlTable::notes() const { return node_->tree->notes; }
 
 TomlDocument TomlDocument::read(const std::string& path) {
   return parse(read_input(path, kMaxTomlBytes), path);

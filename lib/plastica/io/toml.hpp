@@ -44,8 +44,11 @@ class TomlValue {
   std::int64_t integer(std::int64_t low, std::int64_t high) const;
   /// A number for which low < value < high, the ends included where `closed`.
   double number_within(double low, double high, bool closed) const;
-  /// One of some words. @return its index
+  /// One of some words; an old word (`kRenamedWords`) is read, too, and noted. @return its index
   std::size_t word(std::span<const std::string_view> words) const;
+  /// The path of a field that this value is, or is the value of, with the new name of one that was
+  /// renamed; notes an old one.
+  std::string new_path(std::string_view path) const;
   /// "355 MPa" in SI; numbers without quotes where the dimension needs no unit.
   double quantity(Dimension dimension) const;
   std::vector<TomlValue> array() const;
@@ -69,7 +72,8 @@ class TomlTable {
   SourceLocation where() const;           ///< line of its header or brace
   std::vector<std::string> keys() const;  ///< in the order of the file
 
-  /// The value of a key; the key counts as known from now on, whether it is there or not.
+  /// The value of a key; the key counts as known from now on, whether it is there or not. One under
+  /// its old name (`kRenamedWords`) is found, too, and noted.
   std::optional<TomlValue> find(std::string_view name) const;
   /// @throws InputError if it is not there
   TomlValue at(std::string_view name) const;
@@ -84,6 +88,10 @@ class TomlTable {
   /// Refuses every key, here and in all tables below, that nobody asked for.
   /// @throws InputError that names the first and the nearest known one
   void check_unused() const;
+
+  /// Old names that were read in this file so far, each with the new one:
+  /// "check.toml:3: most_work is now max_work".
+  const std::vector<std::string>& notes() const;
 
  private:
   std::shared_ptr<TomlNode> node_;

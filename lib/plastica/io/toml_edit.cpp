@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string_view>
 #include <vector>
 
+#include "plastica/base/renamed.hpp"
 #include "plastica/io/toml.hpp"
 #include "plastica/io/toml_layout.hpp"
 #include "plastica/io/toml_lines.hpp"
@@ -59,31 +61,33 @@ Steps steps_of(std::string_view path) {
 }
 
 /// How far a path leads into the tree.
-struct Way {
+struct Descent {
   const toml::node* end = nullptr;      // the last node there is
   std::size_t steps = 0;                // that lead to it
   const toml::table* braces = nullptr;  // the innermost inline table on the way
   std::size_t steps_to_braces = 0;
 };
 
-Way walk(const toml::table& root, const Steps& steps) {
-  Way way{&root};
+Descent descend(const toml::table& root, const Steps& steps) {
+  Descent found{&root};
   for (const Step& step : steps) {
     const auto so_far = [&] {
-      return text_of(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(way.steps));
+      return text_of(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(found.steps));
     };
-    const toml::table* table = way.end->as_table();
+    const toml::table* table = found.end->as_table();
     if (table == nullptr) {
-      const bool list = way.end->is_array();
+      const bool list = found.end->is_array();
       throw InputError(
           {}, so_far(), "",
           list ? "is a list: name the element, " + with_element(so_far(), 1) : "is no table");
     }
     if (table->is_inline()) {
-      way.braces = table;
-      way.steps_to_braces = way.steps;
+      found.braces = table;
+      found.steps_to_braces = found.steps;
     }
     const toml::node* next = table->get(step.name);
+    const std::string_view before = old_name(kRenamedWords, step.name);
+    if (next == nullptr && !before.empty()) next = table->get(before);
     if (step.element > 0) {
       const toml::array* list = next == nullptr ? nullptr : next->as_array();
       if (list == nullptr || step.element > list->size()) {
@@ -93,10 +97,10 @@ Way walk(const toml::table& root, const Steps& steps) {
       next = list->get(step.element - 1);
     }
     if (next == nullptr) break;
-    way.end = next;
-    ++way.steps;
+    found.end = next;
+    ++found.steps;
   }
-  return way;
+  return found;
 }
 
 /// Checks that a text is one TOML value and nothing more.
@@ -128,22 +132,22 @@ class Editor {
         line_end_(text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n") {}
 
   std::string set(const Steps& steps, const std::string& value) const {
-    const Way way = walk(layout_.root(), steps);
-    if (way.steps == steps.size()) {
-      if (!is_written_value(*way.end)) {
+    const Descent found = descend(layout_.root(), steps);
+    if (found.steps == steps.size()) {
+      if (!is_written_value(*found.end)) {
         throw InputError({}, text_of(steps.begin(), steps.end()), value,
                          "is a table and cannot become a value");
       }
-      const toml::source_region& region = way.end->source();
+      const toml::source_region& region = found.end->source();
       const std::size_t begin = layout_.lines().offset(region.begin);
       return replaced(begin, layout_.lines().offset(region.end) - begin, value);
     }
-    const toml::table* table = way.end->as_table();
-    if (table->is_inline()) return add_inside(*table, key_from(steps, way.steps), value);
-    if (way.braces != nullptr) {
-      return add_inside(*way.braces, key_from(steps, way.steps_to_braces), value);
+    const toml::table* table = found.end->as_table();
+    if (table->is_inline()) return add_inside(*table, key_from(steps, found.steps), value);
+    if (found.braces != nullptr) {
+      return add_inside(*found.braces, key_from(steps, found.steps_to_braces), value);
     }
-    return add_line(*table, steps, way.steps, value);
+    return add_line(*table, steps, found.steps, value);
   }
 
  private:

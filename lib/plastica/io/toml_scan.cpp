@@ -14,7 +14,7 @@ namespace {
 /// the parsers' recursion takes some kilobytes of the stack for each.
 constexpr std::size_t kMaxDepth = 64;
 
-/// Walks through a text: over strings and comments, counting names and brackets.
+/// Scans a text: over strings and comments, counting names and brackets.
 class Scan {
  public:
   Scan(std::string_view text, const std::string& file) : text_(text), file_(file) {}

@@ -5,8 +5,8 @@
 
 namespace plastica::io {
 
-/// Refuses what the parser must not be given, in one walk through a text:
-/// - tables and lists nested too deep to be walked through by recursion: by a key of many names,
+/// Refuses what the parser must not be given, in one scan of a text:
+/// - tables and lists nested too deep to be traversed by recursion: by a key of many names,
 ///   "a.a.a.…", by a header of such, or by brackets;
 /// - a character beyond ASCII outside of strings and comments, a quote amid a word, a header
 ///   without a name, and a bracket that another one closes: no TOML, which toml++ asserts not to

@@ -19,7 +19,7 @@ class Builder {
 
   TomlNode& build(const toml::node& from, const TomlNode* above, std::size_t line) {
     TomlNode& node = tree_.nodes.emplace_back();
-    node.file = &tree_.file;
+    node.tree = &tree_;
     node.line = static_cast<int>(line);
     node.above = above;
     const std::string_view piece = lines_.piece(from.source());
@@ -98,7 +98,7 @@ std::string full_key(const TomlNode& node) {
 }  // namespace
 
 std::shared_ptr<TomlNode> toml_tree(std::string_view text, const std::string& file) {
-  const auto tree = std::make_shared<TomlTree>(TomlTree{file, std::string(text), {}});
+  const auto tree = std::make_shared<TomlTree>(TomlTree{file, std::string(text), {}, {}});
   const toml::table table = toml::parse(tree->text, std::string_view(file));
   TomlNode& top = Builder(*tree).build(table, nullptr, 1);
   return {tree, &top};

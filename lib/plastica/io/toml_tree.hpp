@@ -10,6 +10,8 @@
 
 namespace plastica::io {
 
+struct TomlTree;
+
 /// A value of a TOML file with all that an error line needs. It lives as long as its tree.
 struct TomlNode {
   enum class Kind { Table, Array, String, Integer, Float, Boolean, Date };
@@ -23,7 +25,7 @@ struct TomlNode {
 
   Kind kind = Kind::Table;
   int line = 0;
-  const std::string* file = nullptr;
+  TomlTree* tree = nullptr;
   const TomlNode* above = nullptr;  // the table or array; null at the top of the file
   std::string name = {};            // in the table above
   std::size_t number = 0;           // in the array above, from 1
@@ -44,6 +46,7 @@ struct TomlTree {
   std::string file;
   std::string text;  // without byte order mark
   std::deque<TomlNode> nodes;
+  std::vector<std::string> notes = {};  // old names that were read, a line each
 };
 
 /// Parses a text into a tree; the node at its top holds the tree.

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "plastica/base/renamed.hpp"
 #include "plastica/io/hdf5.hpp"
 #include "plastica/model/check_value.hpp"
 #include "plastica/model/field.hpp"
@@ -60,6 +61,12 @@ inline std::string path_from_root(const Hdf5Group& group, std::string_view path)
   const std::string full =
       path.starts_with('/') ? std::string(path) : group.path() + '/' + std::string(path);
   return full.substr(full.find_first_not_of('/'));
+}
+
+/// The path at which a file has a dataset: its old one in files of before it was renamed.
+inline std::string path_in_file(const Hdf5Group& group, std::string_view path) {
+  const std::string_view before = old_name(kRenamedStored, path_from_root(group, path));
+  return before.empty() || group.exists(path) ? std::string(path) : '/' + std::string(before);
 }
 
 /// The rule of a path in a table; the default one where it is not named.

@@ -82,18 +82,18 @@ struct ArticulatedBody {
   PLASTICA_ALWAYS_INLINE void carry(const Point& e, const Point& centripetal) {
     t = times_add(tt, centripetal, t);
     r = times_add(rt, centripetal, r) + L::moment(e, t);
-    turn_rows<false>(e);
+    add_moments<false>(e);
     for_each_of<kT>([&](std::size_t k) PLASTICA_ALWAYS_INLINE {
       set_column(k, column<kR>(rt, k) + L::moment(e, column<kT>(tt, k)));
     });
-    turn_rows<true>(e);
+    add_moments<true>(e);
   }
 
-  /// Eliminates the joint's acceleration: it is given - by_turning (turning of the inner
-  /// neighbour) - by_acceleration (acceleration of the joint), which the sink takes, the last two
-  /// by columns. With resistance k and D = rr + k, what is left of rr is rr - rr D^-1 rr = k D^-1
-  /// rr, without a difference of large numbers; likewise of rt.
-  /// @param free  0 for a welded joint, whose body may not be carried on then
+  /// Eliminates the joint's acceleration: it is given - by_angular_acceleration (turning of the
+  /// inner neighbour) - by_acceleration (acceleration of the joint), which the sink takes, the last
+  /// two by columns. With resistance k and D = rr + k, what is left of rr is rr - rr D^-1 rr = k
+  /// D^-1 rr, without a difference of large numbers; likewise of rt.
+  /// @param free  0 for a clamped joint, whose body may not be carried on then
   template <class Sink>
   PLASTICA_ALWAYS_INLINE void release(const JointMoment<L>& joint, const S& free,
                                       const Sink& sink) {
@@ -106,7 +106,7 @@ struct ArticulatedBody {
     // Column by column, each put away once it is used: registers are short.
     for_each_of<kR>([&](std::size_t k) PLASTICA_ALWAYS_INLINE {
       const Spin by = d.solved(column<kR>(whole, k));
-      sink.by_turning(k, by);
+      sink.by_angular_acceleration(k, by);
       for_each_of<kR>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
         if (i >= k) rr(i, k) = dot(row<kR>(joint.resistance, i), by);
       });
@@ -126,11 +126,11 @@ struct ArticulatedBody {
   /// Adds e x row i of rt, of its component j, to the entry ij of rr: of one half of these before
   /// rt is carried, of the other half after that.
   template <bool kAfter>
-  PLASTICA_ALWAYS_INLINE void turn_rows(const Point& e) {
+  PLASTICA_ALWAYS_INLINE void add_moments(const Point& e) {
     for_each_of<kR>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
-      const Spin turned = L::moment(e, row<kT>(rt, i));
+      const Spin moment = L::moment(e, row<kT>(rt, i));
       for_each_of<kR>([&](std::size_t j) PLASTICA_ALWAYS_INLINE {
-        if (kAfter ? j <= i : i <= j) rr(i, j) += turned[j];
+        if (kAfter ? j <= i : i <= j) rr(i, j) += moment[j];
       });
     });
   }

@@ -52,7 +52,7 @@ class ArticulatedSteps {
       Spin angle_rate{};
       if constexpr (kKeepsAngleRate) angle_rate = get_vec<kR>(state, OfState::AngleRate);
       aim_segment(i, get_vec<kR>(state, OfState::Angle), angle_rate,
-                  get_vec<kR>(state, OfState::Turning), aim);
+                  get_vec<kR>(state, OfState::AngularAcceleration), aim);
     }
   }
 
@@ -68,10 +68,11 @@ class ArticulatedSteps {
   PLASTICA_ALWAYS_INLINE Load load(std::size_t i) const { return {beam_.loads, beam_.load[i]}; }
 
   PLASTICA_ALWAYS_INLINE void aim_segment(std::size_t i, const Spin& angle, const Spin& angle_rate,
-                                          const Spin& turning, typename Form::Aim& aim) const {
+                                          const Spin& angular_acceleration,
+                                          typename Form::Aim& aim) const {
     const Work work(beam_.work, i);
     Form::aim(kind(i), work, ahead_, angle, angle_rate, aim);
-    set_vec(work, OfWork::Spin, scale_add(ahead_, turning, aim.spin));
+    set_vec(work, OfWork::Spin, scale_add(ahead_, angular_acceleration, aim.spin));
   }
 
   /// Takes what a joint answers.
@@ -79,8 +80,8 @@ class ArticulatedSteps {
     Work work;
 
     PLASTICA_ALWAYS_INLINE void given(const Spin& v) const { set_vec(work, OfWork::Given, v); }
-    PLASTICA_ALWAYS_INLINE void by_turning(std::size_t column, const Spin& v) const {
-      set_vec(work, OfWork::ByTurning + kR * column, v);
+    PLASTICA_ALWAYS_INLINE void by_angular_acceleration(std::size_t column, const Spin& v) const {
+      set_vec(work, OfWork::ByAngularAcceleration + kR * column, v);
     }
     PLASTICA_ALWAYS_INLINE void by_acceleration(std::size_t column, const Spin& v) const {
       set_vec(work, OfWork::ByAcceleration + kR * column, v);
@@ -132,19 +133,19 @@ class ArticulatedSteps {
   /// From the start to the free end: accelerations, and the state at the end of the step.
   PLASTICA_ALWAYS_INLINE void outward() const {
     const typename Form::Sums sums(beam_.sums, 0);
-    Losses<S> losses{sums.get(Sums::Damping), sums.get(Sums::Numerical)};
+    Losses<S> losses{sums.get(Sums::Damping), sums.get(Sums::NumericalDissipation)};
     S fastest{}, largest{};  // squared
     S loads = sums.get(Sums::Loads);
     typename Form::Aim aim;
-    Spin turning{}, mean_spin{};
+    Spin angular_acceleration{}, mean_spin{};
     Point acceleration{}, velocity{};
     Point free{};  // acceleration without what spins add
     for (std::size_t i = 0; i < beam_.segments; ++i) {
       const Kind of = kind(i);
       const State state(beam_.state, i);
       const Work work(beam_.work, i);
-      const Spin joint = joint_acceleration(work, turning, acceleration);
-      turning += joint;
+      const Spin joint = joint_acceleration(work, angular_acceleration, acceleration);
+      angular_acceleration += joint;
       const Spin rate_before = get_vec<kR>(state, OfState::Rate);
       const Spin rate = scale_add(h_, joint, rate_before);
       const Spin mean = kOrder == 2 ? constant<S>(0.5) * (rate_before + rate) : rate;
@@ -153,17 +154,18 @@ class ArticulatedSteps {
       const Spin angle = scale_add(h_, angle_rate, angle_before);
       set_vec(state, OfState::Rate, rate);
       set_vec(state, OfState::Angle, angle);
-      set_vec(state, OfState::Turning, turning);
+      set_vec(state, OfState::AngularAcceleration, angular_acceleration);
       for_each_of<kR>([&](std::size_t k) PLASTICA_ALWAYS_INLINE {
         joints_.settle(of, state, k, angle_before[k], angle[k], angle_rate[k], losses);
       });
       if constexpr (kKeepsAngleRate) set_vec(state, OfState::AngleRate, angle_rate);
       const Place at(work);
-      if constexpr (kOrder == 1) losses.numerical += lost(of, at, turning, free);
+      if constexpr (kOrder == 1)
+        losses.numerical_dissipation += lost(of, at, angular_acceleration, free);
       aim.spin += rate;
       fastest = max(fastest, dot(aim.spin, aim.spin));
       largest = max(largest, dot(angle, angle));
-      aim_segment(i, angle, angle_rate, turning, aim);
+      aim_segment(i, angle, angle_rate, angular_acceleration, aim);
       const S length = of.get(OfKind::Length);
       const Point e = length * at.along;
       if (beam_.counts_loads) {
@@ -171,11 +173,12 @@ class ArticulatedSteps {
         loads += h_ * power(load(i), at, mean_spin, velocity);
         velocity += L::spun(mean_spin, e);
       }
-      acceleration = scale_add(length, at.centripetal, acceleration) + L::spun(turning, e);
-      if constexpr (kOrder == 1) free += L::spun(turning, e);
+      acceleration =
+          scale_add(length, at.centripetal, acceleration) + L::spun(angular_acceleration, e);
+      if constexpr (kOrder == 1) free += L::spun(angular_acceleration, e);
     }
     sums.set(Sums::Damping, losses.damping);
-    sums.set(Sums::Numerical, losses.numerical);
+    sums.set(Sums::NumericalDissipation, losses.numerical_dissipation);
     sums.set(Sums::Loads, loads);
     sums.set(Sums::FastestSpin, max(sums.get(Sums::FastestSpin), sqrt(fastest)));
     if constexpr (requires { Sums::LargestAngle; }) {
@@ -183,7 +186,8 @@ class ArticulatedSteps {
     }
   }
 
-  PLASTICA_ALWAYS_INLINE static Spin joint_acceleration(const Work& work, const Spin& turning,
+  PLASTICA_ALWAYS_INLINE static Spin joint_acceleration(const Work& work,
+                                                        const Spin& angular_acceleration,
                                                         const Point& acceleration) {
     Spin joint = get_vec<kR>(work, OfWork::Given);
     for_each_of<kT>([&](std::size_t k) PLASTICA_ALWAYS_INLINE {
@@ -191,7 +195,8 @@ class ArticulatedSteps {
           scale_add(-acceleration[k], get_vec<kR>(work, OfWork::ByAcceleration + kR * k), joint);
     });
     for_each_of<kR>([&](std::size_t k) PLASTICA_ALWAYS_INLINE {
-      joint = scale_add(-turning[k], get_vec<kR>(work, OfWork::ByTurning + kR * k), joint);
+      joint = scale_add(-angular_acceleration[k],
+                        get_vec<kR>(work, OfWork::ByAngularAcceleration + kR * k), joint);
     });
     return joint;
   }
@@ -203,12 +208,13 @@ class ArticulatedSteps {
 
   /// What Euler's rule loses of a segment's kinetic energy in a step: half of h^2 times the
   /// product of its inertia with the squares of its accelerations.
-  PLASTICA_ALWAYS_INLINE S lost(const Kind& kind, const Place& at, const Spin& turning,
+  PLASTICA_ALWAYS_INLINE S lost(const Kind& kind, const Place& at, const Spin& angular_acceleration,
                                 const Point& free) const {
-    const S mixed =
-        constant<S>(2) * kind.get(OfKind::FirstMoment) * dot(turning, L::moment(at.along, free));
+    const S mixed = constant<S>(2) * kind.get(OfKind::FirstMoment) *
+                    dot(angular_acceleration, L::moment(at.along, free));
     return constant<S>(0.5) * h_ * h_ *
-           (kind.get(OfKind::Mass) * dot(free, free) + Form::spun(kind, at, turning) + mixed);
+           (kind.get(OfKind::Mass) * dot(free, free) + Form::spun(kind, at, angular_acceleration) +
+            mixed);
   }
 
   const Beam& beam_;

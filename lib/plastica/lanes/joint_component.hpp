@@ -17,7 +17,7 @@ PLASTICA_KERNELS_BEGIN
 /// Energy lost in a step and those before [J].
 template <class S>
 struct Losses {
-  S damping, numerical;
+  S damping, numerical_dissipation;
 };
 
 /// A component's moment without the acceleration of the step, and how much it resists that.
@@ -73,7 +73,7 @@ class JointComponents {
                                      const S& angle_before, const S& angle, const S& rate,
                                      Losses<S>& losses) const {
     const Law law = law_of(kind, k);
-    const S turn = angle - angle_before;
+    const S increment = angle - angle_before;
     losses.damping += kind.get(Of::Damping + k) * h_ * rate * rate;
     S slope = law.stiffness;
     if constexpr (kYields) {
@@ -89,13 +89,14 @@ class JointComponents {
       const S mean = kOrder == 2 ? S(half * (moment_before + now.stress)) : now.stress;
       const S stored =
           half * (now.stress * (angle - now.state.plastic) - moment_before * elastic_before);
-      losses.numerical += mean * turn - stored - law::plastic_work(law, before, now);
+      losses.numerical_dissipation +=
+          mean * increment - stored - law::plastic_work(law, before, now);
     } else if constexpr (kOrder == 1) {
-      losses.numerical += constant<S>(0.5) * slope * turn * turn;
+      losses.numerical_dissipation += constant<S>(0.5) * slope * increment * increment;
     }
     if constexpr (kDissipates) {
       const S change = rate - state.get(At::AngleRate + k);
-      losses.numerical += dissipating_ * slope * change * turn;
+      losses.numerical_dissipation += dissipating_ * slope * change * increment;
     }
   }
 

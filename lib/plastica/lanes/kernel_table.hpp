@@ -23,9 +23,9 @@ struct StepKernels {
   StepKernel<Beam> many;
 };
 
-/// Looks where beams are and what energies they have.
+/// Computes where beams are and what energies they have.
 template <class Beam>
-struct SightKernels {
+struct ObservablesKernels {
   void (*one)(const Beam& beam);
   void (*many)(const Beam& beam);
 };
@@ -38,9 +38,9 @@ template <class Real>
 struct KernelsOf {
   /// By order of the scheme less 1, and whether joints yield.
   StepKernels<PlanarBeam<Real>> planar[2][2];
-  SightKernels<PlanarBeam<Real>> planar_sight;
+  ObservablesKernels<PlanarBeam<Real>> planar_observables;
   StepKernels<SpatialBeam<Real>> spatial[2][2];
-  SightKernels<SpatialBeam<Real>> spatial_sight;
+  ObservablesKernels<SpatialBeam<Real>> spatial_observables;
 };
 
 struct KernelTable {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plastica/lanes/articulated_sight.hpp"
+#include "plastica/lanes/articulated_observables.hpp"
 #include "plastica/lanes/articulated_step.hpp"
 #include "plastica/lanes/kernel_table.hpp"
 
@@ -28,21 +28,21 @@ constexpr StepKernels<SpatialBeam<Real>> spatial_kernels() {
 }
 
 template <template <class, std::size_t> class FormOf, class Real>
-constexpr auto sight_kernels() {
+constexpr auto observables_kernels() {
   constexpr std::size_t kW = kManyLanes<Real>;
   using One = FormOf<Fused<Real>, 1>;
-  return SightKernels<typename One::Beam>{articulated_sight<One>,
-                                          articulated_sight<FormOf<Fused<LanesOf<Real, kW>>, kW>>};
+  return ObservablesKernels<typename One::Beam>{
+      articulated_observables<One>, articulated_observables<FormOf<Fused<LanesOf<Real, kW>>, kW>>};
 }
 
 template <class Real>
 constexpr KernelsOf<Real> kernels_of() {
   return {{{planar_kernels<Real, 1, false>(), planar_kernels<Real, 1, true>()},
            {planar_kernels<Real, 2, false>(), planar_kernels<Real, 2, true>()}},
-          sight_kernels<PlanarForm, Real>(),
+          observables_kernels<PlanarForm, Real>(),
           {{spatial_kernels<Real, 1, false>(), spatial_kernels<Real, 1, true>()},
            {spatial_kernels<Real, 2, false>(), spatial_kernels<Real, 2, true>()}},
-          sight_kernels<SpatialForm, Real>()};
+          observables_kernels<SpatialForm, Real>()};
 }
 
 PLASTICA_KERNELS_END

@@ -21,7 +21,7 @@ struct PlanarKind {
     Compliance,   ///< its inverse; infinite for a joint without any [rad/(N m)]
     Damping,      ///< of the joint [N m s/rad]
     Cap,          ///< moment at which the joint yields [N m]
-    Hold,         ///< infinite for a welded joint, else 0 [kg m^2]
+    Hold,         ///< infinite for a clamped joint, else 0 [kg m^2]
     kCount
   };
 };
@@ -43,11 +43,11 @@ struct PlanarLoad {
 /// What a segment and its joint are between two steps.
 struct PlanarState {
   enum : std::size_t {
-    Angle,        ///< of the joint [rad]
-    Rate,         ///< [rad/s]
-    Plastic,      ///< permanent angle of the joint [rad]
-    Accumulated,  ///< sum of its changes' sizes [rad]
-    Turning,      ///< angular acceleration of the segment over the step before [rad/s^2]
+    Angle,                ///< of the joint [rad]
+    Rate,                 ///< [rad/s]
+    Plastic,              ///< permanent angle of the joint [rad]
+    Accumulated,          ///< sum of its changes' sizes [rad]
+    AngularAcceleration,  ///< angular acceleration of the segment over the step before [rad/s^2]
     kCount
   };
 };
@@ -58,7 +58,7 @@ struct PlanarWork {
     Cosine,  ///< of the segment's direction where the step's forces act
     Sine,
     Spin,                        ///< of the segment there [rad/s]
-    ByTurning,                   ///< angular acceleration of the joint by the inner
+    ByAngularAcceleration,       ///< angular acceleration of the joint by the inner
                                  ///< neighbour's …
     ByAcceleration,              ///< … and by the joint's, along x and y,
     Given = ByAcceleration + 2,  ///< and what remains [rad/s^2]
@@ -69,11 +69,11 @@ struct PlanarWork {
 /// Sums over steps and segments of each scenario.
 struct PlanarSums {
   enum : std::size_t {
-    Damping,      ///< dissipated by the joints' damping [J]
-    Numerical,    ///< dissipated by the scheme: see README.md [J]
-    Loads,        ///< work of the loads, where it is counted [J]
-    FastestSpin,  ///< largest |spin| of a segment at the end of a step [rad/s]
-    // What `PlanarSight` goes with, at one time:
+    Damping,               ///< dissipated by the joints' damping [J]
+    NumericalDissipation,  ///< dissipated by the scheme: see README.md [J]
+    Loads,                 ///< work of the loads, where it is counted [J]
+    FastestSpin,           ///< largest |spin| of a segment at the end of a step [rad/s]
+    // What `PlanarObservables` goes with, at one time:
     Kinetic,    ///< energy [J]
     Elastic,    ///< energy of the joints [J]
     Potential,  ///< work of the loads from the origin, were they always as they are now [J]
@@ -82,7 +82,7 @@ struct PlanarSums {
 };
 
 /// Where a segment is, between two steps.
-struct PlanarSight {
+struct PlanarObservables {
   enum : std::size_t {
     Place,  ///< of its inner joint, from the beam's start [m]
     X = Place,
@@ -105,7 +105,7 @@ struct PlanarBeam {
   Real* state;                ///< (segments x PlanarState::kCount)
   Real* work;                 ///< (segments x PlanarWork::kCount)
   Real* sums;                 ///< (PlanarSums::kCount)
-  Real* sight;                ///< (segments x PlanarSight::kCount)
+  Real* observables;          ///< (segments x PlanarObservables::kCount)
   bool counts_loads;          ///< whether PlanarSums::Loads is counted
 };
 

@@ -11,7 +11,7 @@
 namespace plastica::lanes {
 PLASTICA_KERNELS_BEGIN
 
-/// What articulated_step.hpp and articulated_sight.hpp ask of beams in a plane.
+/// What articulated_step.hpp and articulated_observables.hpp ask of beams in a plane.
 /// @tparam kStride  lanes of the beams' memory
 template <class S, std::size_t kStride>
 struct PlanarForm {
@@ -22,7 +22,7 @@ struct PlanarForm {
   using Load = ConstantEntry<S, PlanarLoad, kStride>;
   using State = Entry<S, PlanarState, kStride>;
   using Work = Entry<S, PlanarWork, kStride>;
-  using Sight = Entry<S, PlanarSight, kStride>;
+  using Observables = Entry<S, PlanarObservables, kStride>;
   using Sums = Entry<S, PlanarSums, kStride>;
   using Body = ArticulatedBody<L>;
   using Point = typename L::Point;
@@ -38,20 +38,21 @@ struct PlanarForm {
   };
   /// Goes on to the next segment, beyond a joint of that angle.
   /// @param ahead  to look ahead by, with the segment's spin [s]
-  PLASTICA_ALWAYS_INLINE static Axes turned(const Kind& kind, const Spin& angle, Aim& aim,
-                                            const S& ahead = S{}) {
+  PLASTICA_ALWAYS_INLINE static Axes rotated(const Kind& kind, const Spin& angle, Aim& aim,
+                                             const S& ahead = S{}) {
     aim.direction += kind.get(PlanarKind::Rest) + angle[0];
     const auto at = L::rotation({{ahead * aim.spin[0] + aim.direction}});
     return {{{at.cosine, at.sine}}};
   }
-  PLASTICA_ALWAYS_INLINE static void show(const Aim& aim, const Axes& axes, const Sight& sight) {
-    sight.set(PlanarSight::Direction, aim.direction);
-    set_vec(sight, PlanarSight::Cosine, axes.along);
+  PLASTICA_ALWAYS_INLINE static void observe(const Aim& aim, const Axes& axes,
+                                             const Observables& observables) {
+    observables.set(PlanarObservables::Direction, aim.direction);
+    set_vec(observables, PlanarObservables::Cosine, axes.along);
   }
   /// Foretells the segment's direction by its spin.
   PLASTICA_ALWAYS_INLINE static void aim(const Kind& kind, const Work& work, const S& ahead,
                                          const Spin& angle, const Spin& /*angle_rate*/, Aim& aim) {
-    set_vec(work, PlanarWork::Cosine, turned(kind, angle, aim, ahead).along);
+    set_vec(work, PlanarWork::Cosine, rotated(kind, angle, aim, ahead).along);
   }
 
   /// A segment where the step's forces act.
@@ -72,8 +73,9 @@ struct PlanarForm {
     a.rt(0, 1) += arm[0];
   }
   /// turning . inertia turning.
-  PLASTICA_ALWAYS_INLINE static S spun(const Kind& kind, const Axes& /*at*/, const Spin& turning) {
-    return kind.get(PlanarKind::Inertia) * turning[0] * turning[0];
+  PLASTICA_ALWAYS_INLINE static S spun(const Kind& kind, const Axes& /*at*/,
+                                       const Spin& angular_acceleration) {
+    return kind.get(PlanarKind::Inertia) * angular_acceleration[0] * angular_acceleration[0];
   }
 
   PLASTICA_ALWAYS_INLINE static Spin angle_rate(const Work& /*work*/, const Spin& rate) {

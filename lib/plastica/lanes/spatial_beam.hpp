@@ -19,7 +19,7 @@ struct SpatialKind {
     Compliance = Stiffness + 3,  ///< its inverse; infinite without any [rad/(N m)]
     Damping = Compliance + 3,    ///< of the joint [N m s/rad]
     Cap = Damping + 3,           ///< moments at which the joint yields [N m]
-    Free = Cap + 3,              ///< 1; 0 for a welded joint, which only the first may be
+    Free = Cap + 3,              ///< 1; 0 for a clamped joint, which only the first may be
     kCount
   };
 };
@@ -35,15 +35,16 @@ struct SpatialLoad {
 };
 
 /// What a segment and its joint are between two steps. Where a motion begins, AngleRate is the
-/// rate that the angle has then, and Turning 0 or the acceleration; both matter to order 2 alone.
+/// rate that the angle has then, and AngularAcceleration 0 or the acceleration; both matter to
+/// order 2 alone.
 struct SpatialState {
   enum : std::size_t {
-    Angle,                    ///< rotation vector of the joint, in its inner neighbour's axes [rad]
-    Rate = Angle + 3,         ///< spin less the inner neighbour's, world axes [rad/s]
-    Turning = Rate + 3,       ///< of the segment over the step before, world axes [rad/s^2]
-    AngleRate = Turning + 3,  ///< mean of d(Angle)/dt over the step before [rad/s]
-    Plastic = AngleRate + 3,  ///< permanent part of the angle [rad]
-    Accumulated = Plastic + 3,  ///< sum of its changes' sizes [rad]
+    Angle,             ///< rotation vector of the joint, in its inner neighbour's axes [rad]
+    Rate = Angle + 3,  ///< spin less the inner neighbour's, world axes [rad/s]
+    AngularAcceleration = Rate + 3,  ///< of the segment over the step before, world axes [rad/s^2]
+    AngleRate = AngularAcceleration + 3,  ///< mean of d(Angle)/dt over the step before [rad/s]
+    Plastic = AngleRate + 3,              ///< permanent part of the angle [rad]
+    Accumulated = Plastic + 3,            ///< sum of its changes' sizes [rad]
     kCount = Accumulated + 3
   };
 };
@@ -57,10 +58,10 @@ struct SpatialWork {
     AngleX = Spin + 3,  ///< d(joint's angle)/dt by its rate: a row a component
     AngleY = AngleX + 3,
     AngleZ = AngleY + 3,
-    ByTurning = AngleZ + 3,          ///< angular acceleration of the joint by the inner
-                                     ///< neighbour's: a column a component …
-    ByAcceleration = ByTurning + 9,  ///< … and by the joint's acceleration
-    Given = ByAcceleration + 9,      ///< and what remains [rad/s^2]
+    ByAngularAcceleration = AngleZ + 3,          ///< angular acceleration of the joint by the inner
+                                                 ///< neighbour's: a column a component …
+    ByAcceleration = ByAngularAcceleration + 9,  ///< … and by the joint's acceleration
+    Given = ByAcceleration + 9,                  ///< and what remains [rad/s^2]
     kCount = Given + 3
   };
 };
@@ -68,12 +69,12 @@ struct SpatialWork {
 /// Sums over steps and segments of each scenario.
 struct SpatialSums {
   enum : std::size_t {
-    Damping,       ///< dissipated by the joints' damping [J]
-    Numerical,     ///< dissipated by the scheme: see README.md [J]
-    Loads,         ///< work of the loads, where it is counted [J]
-    FastestSpin,   ///< largest |spin| of a segment at the end of a step [rad/s]
-    LargestAngle,  ///< of a joint at the end of a step [rad]; the steps hold below 2 pi
-    // What `SpatialSight` goes with, at one time:
+    Damping,               ///< dissipated by the joints' damping [J]
+    NumericalDissipation,  ///< dissipated by the scheme: see README.md [J]
+    Loads,                 ///< work of the loads, where it is counted [J]
+    FastestSpin,           ///< largest |spin| of a segment at the end of a step [rad/s]
+    LargestAngle,          ///< of a joint at the end of a step [rad]; the steps hold below 2 pi
+    // What `SpatialObservables` goes with, at one time:
     Kinetic,    ///< energy [J]
     Elastic,    ///< energy of the joints [J]
     Potential,  ///< work of the loads' forces from the origin, were they always as now [J]
@@ -82,7 +83,7 @@ struct SpatialSums {
 };
 
 /// Where a segment is, between two steps; world axes.
-struct SpatialSight {
+struct SpatialObservables {
   enum : std::size_t {
     Place,             ///< of its inner joint, from the beam's start [m]
     Axes = Place + 3,  ///< its axes: a column each
@@ -101,7 +102,7 @@ struct SpatialBeam {
   Real* state;                ///< (segments x SpatialState::kCount)
   Real* work;                 ///< (segments x SpatialWork::kCount)
   Real* sums;                 ///< (SpatialSums::kCount)
-  Real* sight;                ///< (segments x SpatialSight::kCount)
+  Real* observables;          ///< (segments x SpatialObservables::kCount)
   bool counts_loads;          ///< whether SpatialSums::Loads is counted
 };
 

@@ -11,12 +11,12 @@
 namespace plastica::lanes {
 PLASTICA_KERNELS_BEGIN
 
-/// What articulated_step.hpp and articulated_sight.hpp ask of straight beams in space. The energy
-/// of a joint is that of three springs along the components of the rotation vector, each of which
-/// may yield on its own, so that its moments m are those of three planar joints; B, the rows that
-/// turn a joint's rate into its angle's, brings them to world axes: moment B^T m, resistance B^T
-/// diag(k) B. As the angle goes by h B (mean rate), what the moments do in a step is exactly what
-/// the springs store.
+/// What articulated_step.hpp and articulated_observables.hpp ask of straight beams in space. The
+/// energy of a joint is that of three springs along the components of the rotation vector, each of
+/// which may yield on its own, so that its moments m are those of three planar joints; B, the rows
+/// that turn a joint's rate into its angle's, brings them to world axes: moment B^T m, resistance
+/// B^T diag(k) B. As the angle goes by h B (mean rate), what the moments do in a step is exactly
+/// what the springs store.
 /// @tparam kStride  lanes of the beams' memory
 template <class S, std::size_t kStride>
 struct SpatialForm {
@@ -27,7 +27,7 @@ struct SpatialForm {
   using Load = ConstantEntry<S, SpatialLoad, kStride>;
   using State = Entry<S, SpatialState, kStride>;
   using Work = Entry<S, SpatialWork, kStride>;
-  using Sight = Entry<S, SpatialSight, kStride>;
+  using Observables = Entry<S, SpatialObservables, kStride>;
   using Sums = Entry<S, SpatialSums, kStride>;
   using Body = ArticulatedBody<L>;
   using Vector = Vec<S, 3>;
@@ -41,14 +41,14 @@ struct SpatialForm {
     Vector along, y;  ///< its axes z and y
   };
   /// Goes on to the next segment, beyond a joint of that angle.
-  PLASTICA_ALWAYS_INLINE static Axes turned(const Kind& /*kind*/, const Vector& angle, Aim& aim) {
-    assign(L::then(aim.frame, L::rotation(angle)).axes, aim.frame.axes);
+  PLASTICA_ALWAYS_INLINE static Axes rotated(const Kind& /*kind*/, const Vector& angle, Aim& aim) {
+    assign(L::compose(aim.frame, L::rotation(angle)).axes, aim.frame.axes);
     return {column<3>(aim.frame.axes, 2), column<3>(aim.frame.axes, 1)};
   }
-  PLASTICA_ALWAYS_INLINE static void show(const Aim& aim, const Axes& /*axes*/,
-                                          const Sight& sight) {
+  PLASTICA_ALWAYS_INLINE static void observe(const Aim& aim, const Axes& /*axes*/,
+                                             const Observables& observables) {
     for_each_of<3>([&](std::size_t k) PLASTICA_ALWAYS_INLINE {
-      set_vec(sight, SpatialSight::Axes + 3 * k, column<3>(aim.frame.axes, k));
+      set_vec(observables, SpatialObservables::Axes + 3 * k, column<3>(aim.frame.axes, k));
     });
   }
   /// Foretells the joint's angle by its mean rate. With T^-1 of chain/rotation.hpp, for a spin in
@@ -60,7 +60,7 @@ struct SpatialForm {
         chain::inverse_tangent_map(theta, chain::RotationCoefficients<S>(dot(theta, theta)));
     const Mat<S, 3, 3> rows = to_angle * transpose(aim.frame.axes);
     set_vec(work, SpatialWork::AngleX, Vec<S, 9>{rows.at});
-    const Axes axes = turned(kind, theta, aim);
+    const Axes axes = rotated(kind, theta, aim);
     set_vec(work, SpatialWork::AxisZ, axes.along);
     set_vec(work, SpatialWork::AxisY, axes.y);
   }
@@ -99,11 +99,12 @@ struct SpatialForm {
     a.rt(1, 2) -= arm[0];
   }
   /// turning . inertia turning.
-  PLASTICA_ALWAYS_INLINE static S spun(const Kind& kind, const Axes& at, const Vector& turning) {
+  PLASTICA_ALWAYS_INLINE static S spun(const Kind& kind, const Axes& at,
+                                       const Vector& angular_acceleration) {
     const S across = kind.get(SpatialKind::Inertia);
-    const S by_y = dot(at.y, turning);
-    const S by_z = dot(at.along, turning);
-    return across * dot(turning, turning) +
+    const S by_y = dot(at.y, angular_acceleration);
+    const S by_z = dot(at.along, angular_acceleration);
+    return across * dot(angular_acceleration, angular_acceleration) +
            ((kind.get(SpatialKind::Inertia + 1) - across) * by_y * by_y +
             (kind.get(SpatialKind::Inertia + 2) - across) * by_z * by_z);
   }

@@ -64,7 +64,7 @@ class AxialSearch {
     const S zero = constant<S>(0);
     force_ = force;
     S e = before_.strain + (force - before_.force) / stiffness_;
-    look(e);
+    evaluate(e);
     S low = e;
     S high = e;
     S reach = unit_;
@@ -74,7 +74,7 @@ class AxialSearch {
     mask_t<S> active = abs(miss_) > enough_;
     S last = miss_;
     mask_t<S> slow = has_low;
-    for (int step = 0; step < kMostSteps && any(active); ++step) {
+    for (int step = 0; step < kMaxSteps && any(active); ++step) {
       const mask_t<S> below = miss_ > zero;
       low = select(active & below, strain_[kAxial], low);
       high = select(active & !below, strain_[kAxial], high);
@@ -84,14 +84,14 @@ class AxialSearch {
       const S newton = next_by_newton();
       // Where N rests while the section flows, its slope tells nothing of how far.
       const S least = select(slow, reach, zero);
-      const S way = max(least, min(reach, abs(newton - strain_[kAxial])));
-      const S outward = strain_[kAxial] + select(below, way, -way);
+      const S distance = max(least, min(reach, abs(newton - strain_[kAxial])));
+      const S outward = strain_[kAxial] + select(below, distance, -distance);
       const mask_t<S> fits = (newton > low) & (newton < high) & !slow;
       const S inward = select(fits, newton, constant<S>(0.5) * (low + high));
       e = select(active, select(between, inward, outward), strain_[kAxial]);
       reach = constant<S>(4) * reach;
       last = miss_;
-      look(e);
+      evaluate(e);
       slow = abs(miss_) > constant<S>(0.5) * abs(last);
       // The strain cannot be told from its neighbours any more.
       const S width = constant<S>(kDouble ? 1e-15 : 5e-7) * max(abs(e), unit_);
@@ -104,7 +104,7 @@ class AxialSearch {
       active = active & !far;
     }
     lost = lost | active;
-    if constexpr (kCarriesDerivatives<S>) look(next_by_newton());
+    if constexpr (kCarriesDerivatives<S>) evaluate(next_by_newton());
     return lost;
   }
 
@@ -113,9 +113,9 @@ class AxialSearch {
 
  private:
   static constexpr bool kDouble = sizeof(real_t<S>) == 8;
-  static constexpr int kMostSteps = 100;
+  static constexpr int kMaxSteps = 100;
 
-  void look(const S& e) {
+  void evaluate(const S& e) {
     strain_[kAxial] = e;
     now_ = respond_(strain_);
     miss_ = force_ - now_.force[kAxial];
@@ -168,8 +168,8 @@ ForcedResponse<S> respond_to_force(const Respond& respond, const SectionStrain<S
           now.tangent(i, j) - now.tangent(i, kAxial) * now.tangent(kAxial, j) / slope;
     }
   }
-  const S pulled = found.after.force - before.force;
-  const S permanent = found.after.strain - before.strain - pulled / stiffness;
+  const S change = found.after.force - before.force;
+  const S permanent = found.after.strain - before.strain - change / stiffness;
   now.elastic_energy =
       now.elastic_energy - half * found.after.force * found.after.force / stiffness;
   // An elastic increment does none, and not what rounding makes of it.

@@ -84,7 +84,7 @@ class BiaxialReturn {
     // the increment: from there Newton's method has two or three steps to go.
     S p = select(yields, first_guess(high), zero);
     at(p);
-    for (int step = 0; step < kMostReturnSteps; ++step) {
+    for (int step = 0; step < kMaxReturnSteps; ++step) {
       low = select(size_ > one, p, low);
       high = select(size_ < one, p, high);
       const S newton = stepped(law_.normal, p, newton_step());

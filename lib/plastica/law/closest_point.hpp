@@ -28,7 +28,7 @@ namespace plastica::law::detail {
 /// the program is solved again.
 ///
 /// After a step, components below zero are held there, the point returns to the surface along its
-/// radius, and the piece that the step went furthest beyond joins. The point is taken if the energy
+/// radius, and the facet that the step went furthest beyond joins. The point is taken if the energy
 /// falls by a fraction of what the program promises, or if the step is less than half of all before
 /// it, as Newton's method's are; else half of it is tried. Some small steps are taken untested (a
 /// watchdog; Chamberlain and others, Math. Program. Study 16, 1982, 1): edges that bend make tested
@@ -54,17 +54,17 @@ class ClosestPoint {
     });
     free_ = present_;
     const S others = present_[kBendingX] + present_[kBendingY] + present_[kAxial];
-    const auto walks =
+    const auto from_afar =
         (overshoot > constant<S>(0.5)) & (present_[kTorsion] > zero) & (others > constant<S>(1.5));
-    round_ = select(walks, one, zero);
+    round_ = select(from_afar, one, zero);
     rounding_ = constant<S>(kExact) * reach;
     settled_ =
         constant<S>(kSettled) * min(one, overshoot) + constant<S>(kExact) * (one + overshoot);
     const Values values = values_at(target);
-    working_[0].piece = number_of(values, largest_of(values));
+    working_[0].facet = number_of(values, largest_of(values));
     // The sum of all multipliers if this point were the closest, as a.point = 1.
     working_[0].curving = working_[0].multiplier = reach * overshoot * inverse;
-    for (; steps_ < kMostSteps && any(unfinished_); ++steps_) advance();
+    for (; steps_ < kMaxSteps && any(unfinished_); ++steps_) advance();
     // One more step squares the error, and gives a dual scalar its derivative.
     linearize();
     solve();
@@ -94,16 +94,16 @@ class ClosestPoint {
         now.slope(j, i) = left * weight_[i];
       }
     }
-    mask_t<S> lacks = present_[kTorsion] < one;
-    for (const std::size_t i : kBounded) lacks = lacks | (present_[i] < one);
-    if (any(lacks)) let_in_beside(now);
+    mask_t<S> absent = present_[kTorsion] < one;
+    for (const std::size_t i : kBounded) absent = absent | (present_[i] < one);
+    if (any(absent)) let_in_beside(now);
     return now;
   }
 
  private:
-  static constexpr std::size_t kPieces = Gauge::kPieces;
+  static constexpr std::size_t kFacets = Gauge::kFacets;
   /// At most as many planes are independent as there are components; one more replaces another.
-  static constexpr std::size_t kPlanes = kPieces < 5 ? kPieces : 5;
+  static constexpr std::size_t kPlanes = kFacets < 5 ? kFacets : 5;
   /// phi is smooth in torsion; a round section has only the resultant moment.
   static constexpr std::size_t kBounds = Gauge::kRound ? 2 : 3;
   static constexpr auto kBounded = [] {
@@ -111,7 +111,7 @@ class ClosestPoint {
     if constexpr (kBounds == 3) axis[2] = kBendingY;
     return axis;
   }();
-  static constexpr int kMostSteps = 100;
+  static constexpr int kMaxSteps = 100;
   static constexpr int kFirstSteps = 2;
   static constexpr double kSmallStep = 0.3;  ///< of those that are not watched
   static constexpr double kExact = kIsDouble<S> ? 1e-13 : 1e-6;
@@ -119,29 +119,29 @@ class ClosestPoint {
   /// The last step but one, over what it leads to.
   static constexpr double kNear = kIsDouble<S> ? 1e-6 : 1e-3;
 
-  /// Planes up to the last one in any lane. (That one piece has one plane a compiler cannot see.)
+  /// Planes up to the last one in any lane. (That one facet has one plane a compiler cannot see.)
   std::size_t used() const { return kPlanes == 1 ? 1 : used_; }
 
   /// A plane of the working set.
   struct Plane {
-    S piece{constant<S>(-1)};  ///< its number, -1 where there is none
+    S facet{constant<S>(-1)};  ///< its number, -1 where there is none
     S multiplier{};
     S curving{};             ///< the multiplier in H
     SectionForce<S> normal;  ///< a
   };
-  using Values = std::array<S, kPieces>;
+  using Values = std::array<S, kFacets>;
 
   Values values_at(const SectionForce<S>& u) const {
-    return each_of<kPieces>([&](std::size_t k)
-                                PLASTICA_ALWAYS_INLINE -> S { return gauge_.piece(k, u).value; });
+    return each_of<kFacets>([&](std::size_t k)
+                                PLASTICA_ALWAYS_INLINE -> S { return gauge_.facet(k, u).value; });
   }
   /// In four rows, which do not wait for each other.
   static S largest_of(const Values& values) {
-    constexpr std::size_t kRows = kPieces < 4 ? kPieces : 4;
+    constexpr std::size_t kRows = kFacets < 4 ? kFacets : 4;
     std::array<S, kRows> most;
     for_each_of<kRows>([&](std::size_t row) PLASTICA_ALWAYS_INLINE {
       most[row] = values[row];
-      for (std::size_t k = row + kRows; k < kPieces; k += kRows) {
+      for (std::size_t k = row + kRows; k < kFacets; k += kRows) {
         most[row] = max(most[row], values[k]);
       }
     });
@@ -152,7 +152,7 @@ class ClosestPoint {
   /// Of equals the first: it has the largest shear stress.
   static S number_of(const Values& values, const S& largest) {
     S number = constant<S>(0);
-    for (std::size_t k = kPieces; k-- > 0;) {
+    for (std::size_t k = kFacets; k-- > 0;) {
       number = select(values[k] >= largest, constant<S>(static_cast<double>(k)), number);
     }
     return number;
@@ -162,7 +162,7 @@ class ClosestPoint {
   void linearize() {
     const S zero = constant<S>(0);
     const S one = constant<S>(1);
-    // Off zero by what is lost beside any force: a piece that nothing bears on has a normal there.
+    // Off zero by what is lost beside any force: a facet that nothing bears on has a normal there.
     SectionForce<S> u;
     for_each_of<kSectionAxes>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
       u[i] = max(point_[i], constant<S>(1e-15) * present_[i]);
@@ -171,8 +171,8 @@ class ClosestPoint {
     hessian_ = SectionBlock<S>::diagonal(weight_);
     for (std::size_t k = 0; k < used(); ++k) {
       Plane& plane = working_[k];
-      const GaugePiece<S> f = gauge_.piece_at(plane.piece, u);
-      const auto there = plane.piece >= zero;
+      const GaugeFacet<S> f = gauge_.facet_at(plane.facet, u);
+      const auto there = plane.facet >= zero;
       const S inverse = select(there, one / sqrt(f.value + f.value + constant<S>(1e-35)), zero);
       plane.normal = inverse * f.gradient;
       const S curving = plane.curving * min(inverse, constant<S>(4));
@@ -184,7 +184,7 @@ class ClosestPoint {
 
   /// All steps but the last four of sixteen: so tested steps come first.
   bool watched() const { return steps_ % 16 < 12; }
-  /// From far beyond with torsion, the first steps take the surface for a ball: a piece may leave
+  /// From far beyond with torsion, the first steps take the surface for a ball: a facet may leave
   /// out torsion, or be flat in a moment, and the step along it would go far off.
   S round_now() const { return steps_ < kFirstSteps ? round_ : constant<S>(0); }
 
@@ -207,7 +207,7 @@ class ClosestPoint {
     std::array<S, kPlanes> beyond;
     std::array<std::array<S, kPlanes>, kPlanes> lower;
     for (std::size_t k = 0; k < used(); ++k) {
-      const auto there = working_[k].piece >= zero;
+      const auto there = working_[k].facet >= zero;
       const SectionForce<S> normal = of_free(working_[k].normal);
       soft_[k] = inverse_.times(normal);
       const S whole = dot(normal, soft_[k]);
@@ -253,11 +253,11 @@ class ClosestPoint {
       const SectionForce<S> done = step_;
       solve();
       step_ = select(open, step_, done);  // not of lanes whose multipliers have been taken
-      S way = one;
+      S length = one;
       std::array<S, kPlanes> ends;
       for (std::size_t k = 0; k < used(); ++k) {
         ends[k] = part(working_[k].multiplier, working_[k].multiplier + rise_[k]);
-        way = min(way, ends[k]);
+        length = min(length, ends[k]);
       }
       SectionForce<S> press, bound_ends;
       const SectionForce<S> along = hessian_.times(step_);
@@ -267,24 +267,24 @@ class ClosestPoint {
         for (std::size_t k = 0; k < used(); ++k) sum += rise_[k] * working_[k].normal[i];
         press[i] = select(held(i), sum, zero);
         bound_ends[i] = part(press_[i], press[i]);
-        way = min(way, bound_ends[i]);
+        length = min(length, bound_ends[i]);
       }
-      auto leaves = open & (way < one);
+      auto leaves = open & (length < one);
       const auto again = leaves;
       for (std::size_t k = 0; k < used(); ++k) {
         Plane& plane = working_[k];
-        const auto out = leaves & !(ends[k] > way);
+        const auto out = leaves & !(ends[k] > length);
         leaves = leaves & !out;
-        plane.multiplier = select(open, plane.multiplier + way * rise_[k], plane.multiplier);
+        plane.multiplier = select(open, plane.multiplier + length * rise_[k], plane.multiplier);
         plane.multiplier = select(out, zero, plane.multiplier);
-        plane.piece = select(out, constant<S>(-1), plane.piece);
+        plane.facet = select(out, constant<S>(-1), plane.facet);
         plane.normal = select(out, SectionForce<S>{}, plane.normal);
       }
       for (const std::size_t i : kBounded) {
         if (!any(held(i))) continue;
-        const auto out = leaves & held(i) & !(bound_ends[i] > way);
+        const auto out = leaves & held(i) & !(bound_ends[i] > length);
         leaves = leaves & !out;
-        press_[i] = select(open, press_[i] + way * (press[i] - press_[i]), press_[i]);
+        press_[i] = select(open, press_[i] + length * (press[i] - press_[i]), press_[i]);
         press_[i] = select(out, zero, press_[i]);
         free_[i] = select(out, present_[i], free_[i]);
       }
@@ -340,16 +340,16 @@ class ClosestPoint {
     unfinished_ = unfinished_ & ((left > settled_) | below | joins | (round_now() > zero));
   }
 
-  /// Puts a piece into the working set, where it is not in it.
+  /// Puts a facet into the working set, where it is not in it.
   /// @param where  in: where it is to join; out: where it does
-  void join(const S& piece, mask_t<S>& where) {
+  void join(const S& facet, mask_t<S>& where) {
     for (std::size_t k = 0; k < used(); ++k) {
-      where = where & ((working_[k].piece < piece) | (working_[k].piece > piece));
+      where = where & ((working_[k].facet < facet) | (working_[k].facet > facet));
     }
     auto open = where;
     for (std::size_t k = 0; k < kPlanes && any(open); ++k) {
-      const auto here = open & (working_[k].piece < constant<S>(0));
-      working_[k].piece = select(here, piece, working_[k].piece);
+      const auto here = open & (working_[k].facet < constant<S>(0));
+      working_[k].facet = select(here, facet, working_[k].facet);
       working_[k].curving = select(here, constant<S>(0), working_[k].curving);
       open = open & !here;
       if (k >= used_) used_ = k + 1;
@@ -357,21 +357,21 @@ class ClosestPoint {
   }
 
   /// What the target lacks a kink keeps away, and a smooth surface lets come in against its
-  /// curvature. A kink may be of any piece that the point is on.
+  /// curvature. A kink may be of any facet that the point is on.
   void let_in_beside(Projection<S>& now) const {
     const S zero = constant<S>(0);
     const SectionTangent<S> bent = hessian_.full();
-    SectionForce<S> pull;
-    for (std::size_t k = 0; k < kPieces; ++k) {
-      const GaugePiece<S> f = gauge_.piece(k, now.point);
+    SectionForce<S> gradient;
+    for (std::size_t k = 0; k < kFacets; ++k) {
+      const GaugeFacet<S> f = gauge_.facet(k, now.point);
       const auto holds = f.value > constant<S>(0.5 - (kIsDouble<S> ? 1e-9 : 1e-4));
       for (std::size_t i = 0; i < kSectionAxes; ++i) {
-        pull[i] = max(pull[i], select(holds, f.gradient[i], zero));
+        gradient[i] = max(gradient[i], select(holds, f.gradient[i], zero));
       }
     }
     for (std::size_t i = 0; i < kSectionAxes; ++i) {
       if (Gauge::kRound && i == kBendingY) continue;
-      const auto kink = pull[i] > constant<S>(kIsDouble<S> ? 1e-8 : 1e-4);
+      const auto kink = gradient[i] > constant<S>(kIsDouble<S> ? 1e-8 : 1e-4);
       const S alone = select(kink, zero, weight_[i] / bent(i, i));
       now.slope(i, i) = select(present_[i] > zero, now.slope(i, i), alone);
     }

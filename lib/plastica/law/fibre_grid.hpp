@@ -124,7 +124,7 @@ inline Mat<S, 2, 2> flexibility(const FibreGrid<S, Uniaxial>& law, Mat<S, 2, 2> 
   return f;
 }
 
-inline constexpr int kMostWarpings = 60;
+inline constexpr int kMaxWarpings = 60;
 
 }  // namespace detail
 
@@ -145,7 +145,7 @@ inline SectionResponse<S> respond(const FibreGrid<S, Uniaxial>& law,
   detail::GridSums<S> sum;
   mask_t<S> done{};
   bool polished = !kCarriesDerivatives<S>;
-  for (int pass = 0; pass < detail::kMostWarpings; ++pass) {
+  for (int pass = 0; pass < detail::kMaxWarpings; ++pass) {
     sum = detail::sum_grid(law, before, after, strain, beta);
     const S size =
         max(abs(sum.warping[0]) / law.warp_cap[0], abs(sum.warping[1]) / law.warp_cap[1]);

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "plastica/base/matrix.hpp"
-#include "plastica/law/linear_piece.hpp"
+#include "plastica/law/linear_facet.hpp"
 #include "plastica/law/section_form.hpp"
 #include "plastica/law/section_response.hpp"
 
@@ -16,9 +16,9 @@
 /// lives in the orthant u >= 0 and grows with each u_i: u = (|m_x|, |m_y|, |t|, |n|), or, where a
 /// round section sees only the resultant, u = (|(m_x, m_y)|, 0, |t|, |n|).
 ///
-/// There phi is the largest of `kPieces` pieces, of which each is given as the smooth function
-/// f = phi_piece^2/2 with gradient and Hessian. The kinks of phi on the axes become the
-/// bounds u >= 0, those between pieces are left to the projection (project.hpp): nothing is
+/// There phi is the largest of `kFacets` facets, of which each is given as the smooth function
+/// f = phi_facet^2/2 with gradient and Hessian. The kinks of phi on the axes become the
+/// bounds u >= 0, those between facets are left to the projection (project.hpp): nothing is
 /// rounded.
 namespace plastica::law {
 
@@ -27,9 +27,9 @@ namespace plastica::law {
 /// axis gives way to a small other component.
 inline constexpr double kKink = 1e30;
 
-/// One piece f(u) = phi_piece(u)^2/2 of a yield surface, which is f = 1/2.
+/// One facet f(u) = phi_facet(u)^2/2 of a yield surface, which is f = 1/2.
 template <class S>
-struct GaugePiece {
+struct GaugeFacet {
   S value;
   SectionForce<S> gradient;
   SectionTangent<S> hessian;
@@ -58,15 +58,15 @@ inline S pick(const std::array<S, K>& of, const S& number) {
 template <class S, std::size_t K, bool Round>
 struct FirstYieldGauge {
   using Scalar = S;
-  static constexpr std::size_t kPieces = K;
+  static constexpr std::size_t kFacets = K;
   static constexpr bool kRound = Round;
 
   std::array<S, K> xi, eta, tau_squared;  ///< the first has xi = 1, eta = 0; for y it is number K/2
 
-  GaugePiece<S> piece(std::size_t k, const SectionForce<S>& u) const {
+  GaugeFacet<S> facet(std::size_t k, const SectionForce<S>& u) const {
     const S stress = u[kAxial] + xi[k] * u[kBendingX] + eta[k] * u[kBendingY];
     const S shear = tau_squared[k] * u[kTorsion];
-    GaugePiece<S> f;
+    GaugeFacet<S> f;
     f.value = constant<S>(0.5) * (stress * stress + shear * u[kTorsion]);
     f.gradient = {{xi[k] * stress, eta[k] * stress, shear, stress}};
     const S zero = constant<S>(0);
@@ -78,15 +78,15 @@ struct FirstYieldGauge {
     return f;
   }
 
-  /// The piece of a number that may be another in each lane.
-  GaugePiece<S> piece_at(const S& number, const SectionForce<S>& u) const {
+  /// The facet of a number that may be another in each lane.
+  GaugeFacet<S> facet_at(const S& number, const SectionForce<S>& u) const {
     const FirstYieldGauge<S, 1, Round> alone{
         {pick(xi, number)}, {pick(eta, number)}, {pick(tau_squared, number)}};
-    return alone.piece(0, u);
+    return alone.facet(0, u);
   }
 
-  /// The only piece of a surface that has but one.
-  LinearPiece<S> linear_piece(const SectionForce<S>& u) const requires(K == 1) {
+  /// The only facet of a surface that has but one.
+  LinearFacet<S> linear_facet(const SectionForce<S>& u) const requires(K == 1) {
     const S zero = constant<S>(0);
     const S one = constant<S>(1);
     const S kink = constant<S>(kKink);
@@ -125,12 +125,12 @@ struct FirstYieldGauge {
 template <class S>
 struct PlasticGauge {
   using Scalar = S;
-  static constexpr std::size_t kPieces = 2;
+  static constexpr std::size_t kFacets = 2;
   static constexpr bool kRound = false;
 
   S axial;  ///< e [1], 0..1
 
-  GaugePiece<S> piece(std::size_t k, const SectionForce<S>& u) const {
+  GaugeFacet<S> facet(std::size_t k, const SectionForce<S>& u) const {
     const std::size_t a = k == 0 ? kBendingX : kBendingY;
     const std::size_t b = k == 0 ? kBendingY : kBendingX;
     const S one = constant<S>(1);
@@ -154,7 +154,7 @@ struct PlasticGauge {
     slope[a] = half * (one + bend[a]);
     slope[b] = half * bend[b];
     slope[kAxial] = half * (linear + bend[kAxial]);
-    GaugePiece<S> f;
+    GaugeFacet<S> f;
     f.value = half * (gamma * gamma + u[kTorsion] * u[kTorsion]);
     f.gradient = gamma * slope;
     f.gradient[kTorsion] = u[kTorsion];
@@ -172,20 +172,20 @@ struct PlasticGauge {
     return f;
   }
 
-  GaugePiece<S> piece_at(const S& number, const SectionForce<S>& u) const {
+  GaugeFacet<S> facet_at(const S& number, const SectionForce<S>& u) const {
     const auto second = number > constant<S>(0.5);
     if constexpr (std::is_floating_point_v<S>) {
-      return piece(second ? 1 : 0, u);
+      return facet(second ? 1 : 0, u);
     } else {
-      const GaugePiece<S> f = piece(0, u);
-      const GaugePiece<S> g = piece(1, u);
+      const GaugeFacet<S> f = facet(0, u);
+      const GaugeFacet<S> g = facet(1, u);
       return {select(second, g.value, f.value), select(second, g.gradient, f.gradient),
               select(second, g.hessian, f.hessian)};
     }
   }
 
   /// One moment and torsion, without axial force, are a circle.
-  LinearPiece<S> linear_piece(const SectionForce<S>& u) const {
+  LinearFacet<S> linear_facet(const SectionForce<S>& u) const {
     const S zero = constant<S>(0);
     const S one = constant<S>(1);
     const auto planar = static_cast<mask_t<S>>((u[kAxial] <= zero) &
@@ -222,12 +222,12 @@ inline constexpr std::size_t kRadiusTerms = 10;
 template <class S>
 struct PlasticCurveGauge {
   using Scalar = S;
-  static constexpr std::size_t kPieces = 1;
+  static constexpr std::size_t kFacets = 1;
   static constexpr bool kRound = true;
 
   std::array<S, kRadiusTerms> radius;  ///< R(p) = sum radius_k p^k
 
-  GaugePiece<S> piece(std::size_t /*k*/, const SectionForce<S>& u) const {
+  GaugeFacet<S> facet(std::size_t /*k*/, const SectionForce<S>& u) const {
     const S zero = constant<S>(0);
     const S one = constant<S>(1);
     // The tiny number keeps 0/0 away at the origin.
@@ -246,7 +246,7 @@ struct PlasticCurveGauge {
     SectionForce<S> across;
     across[kBendingX] = p;
     across[kAxial] = p - one;
-    GaugePiece<S> f;
+    GaugeFacet<S> f;
     f.value = constant<S>(0.5) * (gamma * gamma + u[kTorsion] * u[kTorsion]);
     f.gradient = gamma * by;
     f.gradient[kTorsion] = u[kTorsion];
@@ -255,12 +255,12 @@ struct PlasticCurveGauge {
     return f;
   }
 
-  GaugePiece<S> piece_at(const S& /*number*/, const SectionForce<S>& u) const {
-    return piece(0, u);
+  GaugeFacet<S> facet_at(const S& /*number*/, const SectionForce<S>& u) const {
+    return facet(0, u);
   }
 
   /// The moment and torsion, without axial force, are a circle.
-  LinearPiece<S> linear_piece(const SectionForce<S>& u) const {
+  LinearFacet<S> linear_facet(const SectionForce<S>& u) const {
     const S zero = constant<S>(0);
     const S one = constant<S>(1);
     const auto planar = static_cast<mask_t<S>>(u[kAxial] <= zero);
@@ -323,8 +323,8 @@ template <class Gauge>
 inline typename Gauge::Scalar orthant_gauge(const Gauge& gauge,
                                             const SectionForce<typename Gauge::Scalar>& u) {
   using S = typename Gauge::Scalar;
-  S largest = gauge.piece(0, u).value;
-  for (std::size_t k = 1; k < Gauge::kPieces; ++k) largest = max(largest, gauge.piece(k, u).value);
+  S largest = gauge.facet(0, u).value;
+  for (std::size_t k = 1; k < Gauge::kFacets; ++k) largest = max(largest, gauge.facet(k, u).value);
   const S square = constant<S>(2) * largest;
   const auto some = square > constant<S>(0);
   return select(some, sqrt(select(some, square, constant<S>(1))), constant<S>(0));
@@ -337,15 +337,15 @@ inline typename Gauge::Scalar gauge_value(const Gauge& gauge,
   return orthant_gauge(gauge, orthant_of<Gauge>(z));
 }
 
-/// d phi/d z; at a kink, of one of the pieces that meet there, and 0 by a component that is absent.
+/// d phi/d z; at a kink, of one of the facets that meet there, and 0 by a component that is absent.
 template <class Gauge>
 inline SectionForce<typename Gauge::Scalar> gauge_gradient(
     const Gauge& gauge, const SectionForce<typename Gauge::Scalar>& z) {
   using S = typename Gauge::Scalar;
   const SectionForce<S> u = orthant_of<Gauge>(z);
-  GaugePiece<S> largest = gauge.piece(0, u);
-  for (std::size_t k = 1; k < Gauge::kPieces; ++k) {
-    const GaugePiece<S> f = gauge.piece(k, u);
+  GaugeFacet<S> largest = gauge.facet(0, u);
+  for (std::size_t k = 1; k < Gauge::kFacets; ++k) {
+    const GaugeFacet<S> f = gauge.facet(k, u);
     const auto larger = f.value > largest.value;
     largest.value = select(larger, f.value, largest.value);
     for (std::size_t i = 0; i < kSectionAxes; ++i) {

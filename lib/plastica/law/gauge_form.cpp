@@ -168,7 +168,7 @@ Curve quarter_curve(const SectionQuarter& quarter) {
 
 /// R(p) of `PlasticCurveGauge` for a curve: with value and slope of its ends, where m = 1 with no
 /// slope and m = k (1 - n), so that R(0) = R(1) = 1, R'(0) = -1, R'(1) = 1 - 1/k; between them by
-/// least squares of R over m, as errors of R are of m. Straight pieces of a curve (flanges) have
+/// least squares of R over m, as errors of R are of m. Straight stretches of a curve (flanges) have
 /// R'' = 0, which a polynomial would undershoot: where it does, R'' is held at 0 by weights.
 std::array<double, kRadiusTerms> radius_terms(const Curve& curve) {
   constexpr Eigen::Index kFree = kRadiusTerms - 4;

@@ -14,7 +14,7 @@
 namespace plastica::law {
 
 /// As many as any hardening law has.
-inline constexpr std::size_t kMostBacks = 3;
+inline constexpr std::size_t kMaxBacks = 3;
 
 /// What a section with one yield surface remembers.
 /// @tparam kBacks  back stresses of its hardening law
@@ -30,7 +30,7 @@ struct InteractionState {
   template <std::size_t kOthers>
   explicit InteractionState(const InteractionState<S, kOthers>& other)
       : plastic(other.plastic), accumulated(other.accumulated), equivalent(other.equivalent) {
-    static_assert(kBacks <= kMostBacks && kOthers <= kMostBacks);
+    static_assert(kBacks <= kMaxBacks && kOthers <= kMaxBacks);
     for (std::size_t k = 0; k < std::min(kBacks, kOthers); ++k) back[k] = other.back[k];
   }
 };
@@ -169,7 +169,7 @@ class HardeningReturn {
   }
 
  private:
-  static constexpr int kMostSteps = 40;
+  static constexpr int kMaxSteps = 40;
 
   S decayed_at_end(std::size_t k) const {
     return back_flow(law_.rule, k, before_.equivalent, p_).decayed;
@@ -217,7 +217,7 @@ class HardeningReturn {
     constexpr bool kDouble = sizeof(real_t<S>) == 8;
     const S small = constant<S>(kDouble ? 1e-7 : 1e-3);
     const S smallest = constant<S>(kDouble ? 1e-17 : 1e-8);
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
       project_at(p_, yields);
       const S residual = lambda_ - needed_;
       low = select(residual > zero, p_, low);

@@ -12,7 +12,7 @@ namespace detail {
 
 /// How many Newton steps a return may take. It converges quadratically; the bracket halves the
 /// rest. Reached only by NaN.
-inline constexpr int kMostReturnSteps = 60;
+inline constexpr int kMaxReturnSteps = 60;
 
 }  // namespace detail
 
@@ -76,7 +76,7 @@ requires Law::kByNewton inline UniaxialResponse<typename Law::Scalar, typename L
     p = select(yields, first_flow(law, S(over / radius.value), high), zero);
     residual = residual_at(p);
   }
-  for (int step = 0; step < detail::kMostReturnSteps; ++step) {
+  for (int step = 0; step < detail::kMaxReturnSteps; ++step) {
     low = select(residual > zero, p, low);
     high = select(residual < zero, p, high);
     const S newton = stepped(law, p, S(residual / slope));

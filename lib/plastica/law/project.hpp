@@ -5,7 +5,7 @@
 #include "plastica/base/matrix.hpp"
 #include "plastica/law/closest_point.hpp"
 #include "plastica/law/gauge.hpp"
-#include "plastica/law/linear_piece.hpp"
+#include "plastica/law/linear_facet.hpp"
 #include "plastica/law/section_response.hpp"
 
 /// Closest-point projection onto a yield surface.
@@ -17,7 +17,7 @@
 /// In the orthant of `gauge.hpp` it is a convex problem with inequalities phi_k(u) <= 1 and u >= 0.
 /// One method is right for every target on every surface (`closest_point.hpp`). Two cases that are
 /// common have a form of their own: a target on an axis, and a surface that is one circle of
-/// torsion and a sum of the others (`linear_piece.hpp`). README.md says what each of them takes.
+/// torsion and a sum of the others (`linear_facet.hpp`). README.md says what each of them takes.
 namespace plastica::law {
 namespace detail {
 
@@ -25,7 +25,7 @@ namespace detail {
 /// = 1 flows along its axis x, a small m_y meets no resistance, and the tangent of a beam that
 /// bends in a plane would be singular across it. With this slope, rounding errors stay there what
 /// they are; the force is not changed.
-inline constexpr double kLeastSlope = 1e-5;
+inline constexpr double kMinSlope = 1e-5;
 
 /// Projects in the orthant where the mask holds.
 ///
@@ -65,12 +65,12 @@ inline Projection<typename Gauge::Scalar> project_orthant(
       }
     }
   };
-  if constexpr (requires { gauge.linear_piece(target); }) {
+  if constexpr (requires { gauge.linear_facet(target); }) {
     if (any(hard)) {
-      const LinearPiece<S> piece = gauge.linear_piece(target);
-      const auto simple = hard & piece.applies;
+      const LinearFacet<S> facet = gauge.linear_facet(target);
+      const auto simple = hard & facet.applies;
       if (any(simple)) {
-        take(project_on_line<Gauge::kRound>(piece, compliance, target, simple), simple);
+        take(project_on_line<Gauge::kRound>(facet, compliance, target, simple), simple);
       }
       hard = hard & !simple;
     }
@@ -85,19 +85,19 @@ inline Projection<typename Gauge::Scalar> project_orthant(
 
 /// What was found in the orthant, for the force itself: the sizes' directions are signs.
 template <class Gauge>
-inline Projection<typename Gauge::Scalar> turned_back(
+inline Projection<typename Gauge::Scalar> with_signs(
     const SectionForce<typename Gauge::Scalar>& target,
     const SectionForce<typename Gauge::Scalar>& u,
     const Projection<typename Gauge::Scalar>& inside) requires(!Gauge::kRound) {
   using S = typename Gauge::Scalar;
   Projection<S> now;
-  SectionForce<S> way;
+  SectionForce<S> side;
   for_each_of<kSectionAxes>([&](std::size_t i) PLASTICA_ALWAYS_INLINE {
-    way[i] = sign(target[i]);
-    now.point[i] = way[i] * inside.point[i];
+    side[i] = sign(target[i]);
+    now.point[i] = side[i] * inside.point[i];
   });
   for_each_of<kSectionAxes * kSectionAxes>([&](std::size_t at) PLASTICA_ALWAYS_INLINE {
-    now.slope.at[at] = way[at / kSectionAxes] * way[at % kSectionAxes] * inside.slope.at[at];
+    now.slope.at[at] = side[at / kSectionAxes] * side[at % kSectionAxes] * inside.slope.at[at];
   });
   static_cast<void>(u);
   return now;
@@ -106,7 +106,7 @@ inline Projection<typename Gauge::Scalar> turned_back(
 /// The same of a round section, whose resultant moment keeps its direction: what is across it
 /// shrinks with it.
 template <class Gauge>
-inline Projection<typename Gauge::Scalar> turned_back(
+inline Projection<typename Gauge::Scalar> with_signs(
     const SectionForce<typename Gauge::Scalar>& target,
     const SectionForce<typename Gauge::Scalar>& u,
     const Projection<typename Gauge::Scalar>& inside) requires(Gauge::kRound) {
@@ -127,15 +127,15 @@ inline Projection<typename Gauge::Scalar> turned_back(
   now.slope(kBendingY, kBendingX) = now.slope(kBendingX, kBendingY);
   now.slope(kBendingY, kBendingY) = along_y * along_y * stays + along_x * along_x * across;
   for (const std::size_t i : {kTorsion, kAxial}) {
-    const S way = sign(target[i]);
-    now.point[i] = way * inside.point[i];
+    const S side = sign(target[i]);
+    now.point[i] = side * inside.point[i];
     for (const std::size_t j : {kTorsion, kAxial}) {
-      now.slope(i, j) = way * sign(target[j]) * inside.slope(i, j);
+      now.slope(i, j) = side * sign(target[j]) * inside.slope(i, j);
     }
-    now.slope(i, kBendingX) = way * along_x * inside.slope(i, kBendingX);
-    now.slope(i, kBendingY) = way * along_y * inside.slope(i, kBendingX);
-    now.slope(kBendingX, i) = way * along_x * inside.slope(kBendingX, i);
-    now.slope(kBendingY, i) = way * along_y * inside.slope(kBendingX, i);
+    now.slope(i, kBendingX) = side * along_x * inside.slope(i, kBendingX);
+    now.slope(i, kBendingY) = side * along_y * inside.slope(i, kBendingX);
+    now.slope(kBendingX, i) = side * along_x * inside.slope(kBendingX, i);
+    now.slope(kBendingY, i) = side * along_y * inside.slope(kBendingX, i);
   }
   return now;
 }
@@ -157,11 +157,11 @@ inline Projection<typename Gauge::Scalar> project(
   const SectionForce<S> u = orthant_of<Gauge>(target);
   Projection<S> inside = detail::project_orthant(gauge, compliance, u, overshoot, mask);
   for (std::size_t i = 0; i < kSectionAxes; ++i) {
-    const auto gone = inside.point[i] < constant<S>(sizeof(real_t<S>) == 8 ? 1e-9 : 1e-5);
-    const S slope = max(inside.slope(i, i), constant<S>(detail::kLeastSlope));
-    inside.slope(i, i) = select(gone, slope, inside.slope(i, i));
+    const auto vanishes = inside.point[i] < constant<S>(sizeof(real_t<S>) == 8 ? 1e-9 : 1e-5);
+    const S slope = max(inside.slope(i, i), constant<S>(detail::kMinSlope));
+    inside.slope(i, i) = select(vanishes, slope, inside.slope(i, i));
   }
-  return detail::turned_back<Gauge>(target, u, inside);
+  return detail::with_signs<Gauge>(target, u, inside);
 }
 
 }  // namespace plastica::law

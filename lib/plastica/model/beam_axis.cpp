@@ -194,9 +194,9 @@ std::array<double, 3> axis_point(const Beam& beam, double share) {
     case BeamShape::Arc: {
       // From the start along z, turning towards arc_towards on a circle of radius L/angle.
       const double radius = beam.length / beam.arc_angle;
-      const double turned = beam.arc_angle * share;
-      const double aside = 2.0 * radius * std::sin(turned / 2.0) * std::sin(turned / 2.0);
-      return {aside * beam.arc_towards[0], aside * beam.arc_towards[1], radius * std::sin(turned)};
+      const double angle = beam.arc_angle * share;
+      const double aside = 2.0 * radius * std::sin(angle / 2.0) * std::sin(angle / 2.0);
+      return {aside * beam.arc_towards[0], aside * beam.arc_towards[1], radius * std::sin(angle)};
     }
     case BeamShape::Polyline: return polyline_point(beam.points, share * beam.length);
   }

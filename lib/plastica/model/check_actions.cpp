@@ -148,12 +148,12 @@ HeldFreedoms taken_freedoms(const Support& support) {
 }
 
 /// What moves across the normal moves nothing.
-void check_way(const Support& support, const std::string& name) {
-  const auto& way = support.translation;
+void check_translation(const Support& support, const std::string& name) {
+  const auto& translation = support.translation;
   const auto& n = support.normal;
-  const double size = std::hypot(way[0], way[1], way[2]);
+  const double size = std::hypot(translation[0], translation[1], translation[2]);
   if (!support.has_normal() || size == 0.0) return;
-  const double along = n[0] * way[0] + n[1] * way[1] + n[2] * way[2];
+  const double along = n[0] * translation[0] + n[1] * translation[1] + n[2] * translation[2];
   require(std::abs(along) > 1e-9 * size, {}, name + ".translation", size,
           "goes across the normal, along which alone the support holds");
 }
@@ -167,7 +167,7 @@ void check_motion(const Support& support, const std::string& name) {
         {}, name + (i < 3 ? ".translation" : ".rotation"), number_text(motion),
         "moves " + std::string(freedom_names()[i]) + ", which the support does not hold");
   }
-  check_way(support, name);
+  check_translation(support, name);
   if (support.moves()) check_history(support.history, name + ".history");
 }
 
@@ -223,8 +223,8 @@ void check_masses(const Scene& scene) {
     const PointMass& mass = scene.masses[i];
     check_place(mass.at, scene.beam.segments, item_name("mass", i, ".at"));
     check_item(mass, mass_fields(), item_name("mass", i));
-    require(mass.mass > 0.0 || mass.turns_inertly(), {}, item_name("mass", i, ".mass"), mass.mass,
-            "must be above 0 kg, or have inertia");
+    require(mass.mass > 0.0 || mass.has_rotational_inertia(), {}, item_name("mass", i, ".mass"),
+            mass.mass, "must be above 0 kg, or have inertia");
   }
 }
 

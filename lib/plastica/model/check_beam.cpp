@@ -42,8 +42,8 @@ void check_lengths(const Beam& beam) {
 }
 
 void check_arc(const Beam& beam) {
-  constexpr double kFullTurn = 6.283185307179586;
-  require(beam.arc_angle > 0.0 && beam.arc_angle <= kFullTurn * (1.0 + kTolerance), {},
+  constexpr double kFullCircle = 6.283185307179586;
+  require(beam.arc_angle > 0.0 && beam.arc_angle <= kFullCircle * (1.0 + kTolerance), {},
           "beam.arc_angle", beam.arc_angle, "must be above 0 and at most a full turn, 2 pi rad");
   const auto& towards = beam.arc_towards;
   check_finite(towards, "beam.arc_towards");

@@ -54,7 +54,7 @@ void check_start(const Support& support, const std::string& name) {
 /// Whether a joint ties an end of the beam to the ground, on a level.
 struct EndJoint {
   bool there = false;
-  bool welded = false;
+  bool clamped = false;
 };
 
 EndJoint end_joint(const Scene& scene, double share, const LevelChoice& level,
@@ -66,7 +66,7 @@ EndJoint end_joint(const Scene& scene, double share, const LevelChoice& level,
     const HeldFreedoms held = support.held();
     for (std::size_t i = 3; i < 6; ++i) {
       if (!freedoms[i]) continue;
-      joint.welded = joint.welded || (held[i] && !has_half_joints(scene));
+      joint.clamped = joint.clamped || (held[i] && !has_half_joints(scene));
       joint.there = joint.there || (held[i] && has_half_joints(scene)) ||
                     support.rotational_stiffness[i - 3] > 0.0;
     }
@@ -141,7 +141,7 @@ std::vector<int> check_cuts(const Scene& scene, const LevelChoice& level, Ends e
         {}, field, place_text(cut.at),
         std::string("is nearest to the beam's ") + (joint == 0 ? "start" : "end") +
             ", where no joint is: " +
-            (end.welded ? "it is welded (rules.end_rule)" : "no support holds its rotation"));
+            (end.clamped ? "it is clamped (rules.end_rule)" : "no support holds its rotation"));
   }
   return joints;
 }

@@ -62,8 +62,8 @@ void check_other_supports(const Scene& scene, std::size_t hinge, const Vector& a
     for (std::size_t k = 0; k < 3; ++k) {
       Vector about{};
       about[k] = 1.0;
-      const bool turns = held[3 + k] || other.rotational_stiffness[k] > 0.0;
-      if (!turns || !is_across(about, axis)) continue;
+      const bool resists = held[3 + k] || other.rotational_stiffness[k] > 0.0;
+      if (!resists || !is_across(about, axis)) continue;
       throw InputError({}, field, place_text(other.at),
                        "a rotation is held at a hinge (" + name +
                            " is at the same place): " + std::string(kBeside));
@@ -89,7 +89,7 @@ void check_loads(const Scene& scene, const Vector& axis, double share, Ends ends
 void check_masses_at(const Scene& scene, double share, Ends ends) {
   for (std::size_t i = 0; i < scene.masses.size(); ++i) {
     const PointMass& mass = scene.masses[i];
-    if (!mass.turns_inertly() || share_of(mass.at, ends) != share) continue;
+    if (!mass.has_rotational_inertia() || share_of(mass.at, ends) != share) continue;
     throw InputError({}, item_name("mass", i, ".inertia"), "",
                      "turns with one of the two sides of a hinge: " + std::string(kBeside));
   }

@@ -8,9 +8,10 @@ namespace plastica::model_detail {
 std::optional<std::size_t> load_without_potential(const Scene& scene, const LevelChoice& level) {
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
     const auto& moment = scene.loads[i].moment;
-    const bool turns = level.level == Level::Spatial &&
-                       std::any_of(moment.begin(), moment.end(), [](double m) { return m != 0.0; });
-    if (scene.loads[i].follows || turns) return i;
+    const bool has_moment =
+        level.level == Level::Spatial &&
+        std::any_of(moment.begin(), moment.end(), [](double m) { return m != 0.0; });
+    if (scene.loads[i].follows || has_moment) return i;
   }
   return std::nullopt;
 }

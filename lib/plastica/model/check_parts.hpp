@@ -91,7 +91,7 @@ void check_coupon_rules(const Scene& scene);
 /// Rules of a chain that contradict each other.
 void check_rules(const Scene& scene);
 
-/// Whether ends that are held against rotation are held by half joints, not by welds.
+/// Whether ends that are held against rotation are held by half joints, not by rigid clamps.
 bool has_half_joints(const Scene& scene);
 
 /// The end of the last history that anything follows [s].

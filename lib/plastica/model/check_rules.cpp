@@ -33,7 +33,7 @@ void check_report_rules(const Scene& scene) {
   }
   if (scene.end_rule == EndRule::HalfJoint) {
     throw refusal("rules.end_rule", "half_joint",
-                  "the report welds its ends: equal, half or three_halves");
+                  "the report clamps its ends rigidly: equal, half or three_halves");
   }
   if (scene.hinge_length.value_or(0.0) != 0.0) {
     throw refusal("rules.hinge_length", number_text(*scene.hinge_length),
@@ -71,7 +71,7 @@ void check_end_rule(const Scene& scene) {
   }
   if (!has_half_joints(scene) && scene.beam.segments < 2) {
     throw refusal("beam.segments", std::to_string(scene.beam.segments),
-                  "must be at least 2 where ends are welded: there is no joint");
+                  "must be at least 2 where ends are clamped: there is no joint");
   }
 }
 

@@ -26,7 +26,7 @@ struct Plane {
   std::string_view level;
   std::string_view where;  ///< of the pushes that it holds
   std::array<bool, 3> push{};
-  std::array<bool, 3> turn{};
+  std::array<bool, 3> rotate{};
   std::array<bool, 3> shape{};
 };
 
@@ -60,15 +60,15 @@ struct Misfit {
 std::optional<Misfit> misfit_of(const std::vector<Action>& actions, const Plane& plane) {
   for (std::size_t i = 0; i < actions.size(); ++i) {
     const Action& action = actions[i];
-    const bool turns = action.sense == VectorSense::Turn;
-    const auto& held = turns ? plane.turn : action.shapes ? plane.shape : plane.push;
+    const bool rotates = action.sense == VectorSense::Rotate;
+    const auto& held = rotates ? plane.rotate : action.shapes ? plane.shape : plane.push;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (action.vector[axis] == 0.0 || held[axis]) continue;
-      std::string reason = action.field + " has a component " + (turns ? "about " : "along ") +
+      std::string reason = action.field + " has a component " + (rotates ? "about " : "along ") +
                            std::string(kAxes[axis]);
       if (plane.where.empty()) {
         reason += ", and twist is about the beam's axis z alone";
-      } else if (turns && axis == 2) {
+      } else if (rotates && axis == 2) {
         reason += ", which twists the beam";
       } else {
         reason += ", out of the " + std::string(plane.where);
@@ -88,7 +88,7 @@ bool weaker_about_y(const Section& section) {
 }
 
 /// The least level that holds the actions, and what the next smaller one does not hold.
-LevelChoice least_level(const Scene& scene, const std::vector<Action>& actions) {
+LevelChoice lowest_level(const Scene& scene, const std::vector<Action>& actions) {
   if (!misfit_of(actions, kTwist)) {
     return {Level::Twist, {}, "twist: every load and motion is about the beam's axis"};
   }
@@ -128,7 +128,7 @@ LevelChoice coupon_level(const SolverOptions& options) {
 LevelChoice choose_level(const Scene& scene, const SolverOptions& options) {
   if (scene.is_coupon()) return coupon_level(options);
   const std::vector<Action> actions = all_actions(scene);
-  LevelChoice least = least_level(scene, actions);
+  LevelChoice least = lowest_level(scene, actions);
   if (options.level == Level::Auto) return least;
   const auto asked = [&](Level level, std::string_view word) {
     const std::string smaller = least.reason.substr(0, least.reason.find(':'));

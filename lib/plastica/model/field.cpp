@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "plastica/base/renamed.hpp"
 #include "plastica/model/check_value.hpp"
 #include "plastica/model/field_table.hpp"
 
@@ -69,7 +70,8 @@ const Field& model_detail::find_in(std::span<const Field> table, std::string_vie
 }
 
 const Field& find_field(std::string_view name, const SourceLocation& where) {
-  return model_detail::find_in(fields(), name, where);
+  const std::string now = new_path(name);
+  return model_detail::find_in(fields(), now == name ? name : now, where);
 }
 
 void check_field(const Field& field, double value, const SourceLocation& where,

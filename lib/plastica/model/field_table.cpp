@@ -263,14 +263,14 @@ std::vector<Field> make_table() {
       integer<PLASTICA_REACH(solver.frequencies)>(
           "solver.frequencies", Range{0.0, 1000.0},
           "statics: how many natural frequencies and modes about the loaded state"),
-      integer<PLASTICA_REACH(solver.most_iterations)>(
-          "solver.most_iterations", Range{1.0, 1e4}, "Newton iterations before a step is cut back"),
+      integer<PLASTICA_REACH(solver.max_iterations)>("solver.max_iterations", Range{1.0, 1e4},
+                                                     "Newton iterations before a step is cut back"),
       number<PLASTICA_REACH(solver.tolerance)>("solver.tolerance", None,
                                                Range{0.0, 1.0, true, true},
                                                "largest imbalance of a converged step, relative"),
-      number<PLASTICA_REACH(solver.largest_turn)>(
-          "solver.largest_turn", Angle, kPositive,
-          "largest turn of a joint in one step; in statics, a fifth of a segment's"),
+      number<PLASTICA_REACH(solver.largest_rotation)>(
+          "solver.largest_rotation", Angle, kPositive,
+          "largest rotation of a joint in one step; in statics, a fifth of a segment's"),
       number<PLASTICA_REACH(solver.smallest_step)>(
           "solver.smallest_step", None, Range{0.0, 1.0, true, false},
           "shortest part of a recorded step, or of time_step"),

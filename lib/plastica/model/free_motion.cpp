@@ -12,9 +12,9 @@
 namespace plastica::model_detail {
 namespace {
 
-/// A small rigid motion of each piece between hinges, or what a support or a hinge resists of it:
+/// A small rigid motion of each body between hinges, or what a support or a hinge resists of it:
 /// translation along x, y, z, and rotation about x, y, z through the beam's start, in radians times
-/// the beam's length (6 n_pieces).
+/// the beam's length (6 n_bodies).
 using Motion = std::vector<double>;
 using Point = std::array<double, 3>;
 
@@ -24,10 +24,10 @@ double dot(const Motion& a, const Motion& b) {
   return sum;
 }
 
-/// The pieces of a beam between its hinges.
-class Pieces {
+/// The bodies of a beam between its hinges.
+class Bodies {
  public:
-  Pieces(const Scene& scene, std::span<const double> ends) : scene_(scene), ends_(ends) {
+  Bodies(const Scene& scene, std::span<const double> ends) : scene_(scene), ends_(ends) {
     for (const Support& support : scene.supports) {
       if (traits_of(support).releases) hinges_.push_back(share_of(support.at, ends));
     }
@@ -45,15 +45,15 @@ class Pieces {
       } else if (support.to) {
         add_bed(support, share, share_of(*support.to, ends_));
       } else {
-        add_support(support, piece_at(share), share);
+        add_support(support, body_at(share), share);
       }
     }
     return std::move(motions_);
   }
 
  private:
-  /// A point at a hinge belongs to the piece before it.
-  std::size_t piece_at(double share) const {
+  /// A point at a hinge belongs to the body before it.
+  std::size_t body_at(double share) const {
     return static_cast<std::size_t>(std::lower_bound(hinges_.begin(), hinges_.end(), share) -
                                     hinges_.begin());
   }
@@ -67,11 +67,11 @@ class Pieces {
   /// What a resistance along `direction` at `point` resists: the velocity there of a motion (v, w)
   /// is v + w x point, so along the direction it is v.d + w.(point x d).
   static void put(const Point& d, const Point& p, double factor, double* motion) {
-    const Point turning{p[1] * d[2] - p[2] * d[1], p[2] * d[0] - p[0] * d[2],
-                        p[0] * d[1] - p[1] * d[0]};
+    const Point moment{p[1] * d[2] - p[2] * d[1], p[2] * d[0] - p[0] * d[2],
+                       p[0] * d[1] - p[1] * d[0]};
     for (std::size_t i = 0; i < 3; ++i) {
       motion[i] += factor * d[i];
-      motion[i + 3] += factor * turning[i];
+      motion[i + 3] += factor * moment[i];
     }
   }
   static Point unit(std::size_t axis) {
@@ -80,49 +80,49 @@ class Pieces {
     return direction;
   }
 
-  void add_support(const Support& support, std::size_t piece, double share) {
+  void add_support(const Support& support, std::size_t body, double share) {
     const Point point = point_at(share);
     const HeldFreedoms held = support.held();
     const auto add = [&](const Point& direction) {
       motions_.push_back(none());
-      put(direction, point, 1.0, &motions_.back()[6 * piece]);
+      put(direction, point, 1.0, &motions_.back()[6 * body]);
     };
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (held[axis] || support.stiffness[axis] > 0.0) add(unit(axis));
       if (!held[axis + 3] && !(support.rotational_stiffness[axis] > 0.0)) continue;
       motions_.push_back(none());
-      motions_.back()[6 * piece + 3 + axis] = 1.0;
+      motions_.back()[6 * body + 3 + axis] = 1.0;
     }
     if (support.has_normal()) add(support.normal);
   }
 
-  /// A bed holds each piece as springs at both ends of what lies on it.
+  /// A bed holds each body as springs at both ends of what lies on it.
   void add_bed(const Support& support, double from, double to) {
-    for (std::size_t piece = 0; piece < count(); ++piece) {
-      const double begin = std::max(from, piece == 0 ? 0.0 : hinges_[piece - 1]);
-      const double end = std::min(to, piece + 1 == count() ? 1.0 : hinges_[piece]);
+    for (std::size_t body = 0; body < count(); ++body) {
+      const double begin = std::max(from, body == 0 ? 0.0 : hinges_[body - 1]);
+      const double end = std::min(to, body + 1 == count() ? 1.0 : hinges_[body]);
       if (end <= begin) continue;
-      add_support(support, piece, begin);
-      add_support(support, piece, end);
+      add_support(support, body, begin);
+      add_support(support, body, end);
     }
   }
 
   /// A hinge ties both sides together but for bending.
   void add_hinge(double share) {
-    const std::size_t piece = piece_at(share);
+    const std::size_t body = body_at(share);
     const Point point = point_at(share);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       motions_.push_back(none());
-      put(unit(axis), point, 1.0, &motions_.back()[6 * piece]);
-      put(unit(axis), point, -1.0, &motions_.back()[6 * piece + 6]);
+      put(unit(axis), point, 1.0, &motions_.back()[6 * body]);
+      put(unit(axis), point, -1.0, &motions_.back()[6 * body + 6]);
     }
     const auto node = std::lower_bound(ends_.begin(), ends_.end(), share);
     const Point before = point_at(*(node - 1));
     const Point after = point_at(*(node + 1));
     motions_.push_back(none());
     for (std::size_t i = 0; i < 3; ++i) {
-      motions_.back()[6 * piece + 3 + i] = after[i] - before[i];
-      motions_.back()[6 * piece + 9 + i] = before[i] - after[i];
+      motions_.back()[6 * body + 3 + i] = after[i] - before[i];
+      motions_.back()[6 * body + 9 + i] = before[i] - after[i];
     }
   }
 
@@ -159,9 +159,9 @@ std::optional<std::string> free_motion(const Scene& scene, const LevelChoice& le
                                        std::span<const double> ends) {
   constexpr double kNothing = 1e-9;  // well above the rounding of unit vectors
   const std::array<bool, 6> freedoms = freedoms_of(level);
-  Pieces pieces(scene, ends);
+  Bodies bodies(scene, ends);
   std::vector<Motion> basis;
-  for (Motion motion : pieces.resisted()) {
+  for (Motion motion : bodies.resisted()) {
     for (std::size_t i = 0; i < motion.size(); ++i) motion[i] *= freedoms[i % 6] ? 1.0 : 0.0;
     subtract(basis, motion);
     const double size = std::sqrt(dot(motion, motion));
@@ -173,9 +173,9 @@ std::optional<std::string> free_motion(const Scene& scene, const LevelChoice& le
   // that is free altogether, all of it.
   std::size_t freest = 0;
   double most = 0.0;
-  for (std::size_t i = 0; i < 6 * pieces.count(); ++i) {
+  for (std::size_t i = 0; i < 6 * bodies.count(); ++i) {
     if (!freedoms[i % 6]) continue;
-    Motion motion = pieces.none();
+    Motion motion = bodies.none();
     motion[i] = 1.0;
     subtract(basis, motion);
     const double left = std::sqrt(dot(motion, motion));
@@ -186,7 +186,7 @@ std::optional<std::string> free_motion(const Scene& scene, const LevelChoice& le
   if (most < kNothing) return std::nullopt;
   constexpr std::array<const char*, 6> kNames{"move along x",   "move along y",   "move along z",
                                               "rotate about x", "rotate about y", "rotate about z"};
-  const std::string beside = pieces.count() > 1 ? " beside a hinge" : "";
+  const std::string beside = bodies.count() > 1 ? " beside a hinge" : "";
   return kNames[freest % 6] + beside;
 }
 

@@ -8,30 +8,31 @@
 namespace plastica {
 namespace {
 
-/// The piece that `time` lies in, by its first point: the last piece that begins at or before it.
-std::size_t piece_of(const History& history, double time) {
+/// The segment that `time` lies in, by its first point: the last segment that begins at or before
+/// it.
+std::size_t segment_of(const History& history, double time) {
   const auto after = std::upper_bound(history.time.begin(), history.time.end() - 1, time);
   return after == history.time.begin() ? 0
                                        : static_cast<std::size_t>(after - history.time.begin()) - 1;
 }
 
-double slope_of(const History& history, std::size_t piece) {
-  return (history.factor[piece + 1] - history.factor[piece]) /
-         (history.time[piece + 1] - history.time[piece]);
+double slope_of(const History& history, std::size_t segment) {
+  return (history.factor[segment + 1] - history.factor[segment]) /
+         (history.time[segment + 1] - history.time[segment]);
 }
 
-/// A piece as a cubic of s = 0 … 1: f0 + s (d + (1 - s) (a (1 - s) - b s)), with the rise d and
+/// A segment as a cubic of s = 0 … 1: f0 + s (d + (1 - s) (a (1 - s) - b s)), with the rise d and
 /// what the slopes at both ends are above the chord's, a and b, times the length.
 struct Cubic {
   double length, s, from, rise, a, b;
 
-  Cubic(const History& history, std::size_t piece, double when)
-      : length(history.time[piece + 1] - history.time[piece]),
-        s((when - history.time[piece]) / length),
-        from(history.factor[piece]),
-        rise(history.factor[piece + 1] - from),
-        a(length * history.slope[piece] - rise),
-        b(length * history.slope[piece + 1] - rise) {}
+  Cubic(const History& history, std::size_t segment, double when)
+      : length(history.time[segment + 1] - history.time[segment]),
+        s((when - history.time[segment]) / length),
+        from(history.factor[segment]),
+        rise(history.factor[segment + 1] - from),
+        a(length * history.slope[segment] - rise),
+        b(length * history.slope[segment + 1] - rise) {}
 
   double value() const { return from + s * (rise + (1.0 - s) * (a * (1.0 - s) - b * s)); }
   double slope() const {
@@ -55,12 +56,13 @@ History History::smooth_step(double from, double to) {
 }
 
 History History::sine(double period, double cycles, double phase, double offset) {
-  constexpr double kPieces = 128.0;
+  constexpr double kSegments = 128.0;
   const double rate = 2.0 * std::numbers::pi / period;
-  const auto pieces = static_cast<std::size_t>(std::max(1.0, std::ceil(kPieces * cycles - 1e-9)));
+  const auto segments =
+      static_cast<std::size_t>(std::max(1.0, std::ceil(kSegments * cycles - 1e-9)));
   History history{{}, {}};
-  for (std::size_t i = 0; i <= pieces; ++i) {
-    const double periods = std::min(static_cast<double>(i) / kPieces, cycles);
+  for (std::size_t i = 0; i <= segments; ++i) {
+    const double periods = std::min(static_cast<double>(i) / kSegments, cycles);
     const double angle = 2.0 * std::numbers::pi * periods + phase;
     history.time.push_back(periods * period);
     history.factor.push_back(offset + std::sin(angle));
@@ -74,20 +76,20 @@ std::vector<double> History::corners() const {
   return {time.front(), time.back()};
 }
 
-std::vector<double> History::turns() const {
+std::vector<double> History::reversals() const {
   std::vector<double> times;
-  for (std::size_t piece = 0; piece + 1 < slope.size(); ++piece) {
-    const double begin = time[piece];
-    const double end = time[piece + 1];
-    if (piece > 0 && slope[piece] == 0.0 && slope[piece - 1] * slope[piece + 1] < 0.0) {
+  for (std::size_t segment = 0; segment + 1 < slope.size(); ++segment) {
+    const double begin = time[segment];
+    const double end = time[segment + 1];
+    if (segment > 0 && slope[segment] == 0.0 && slope[segment - 1] * slope[segment + 1] < 0.0) {
       times.push_back(begin);
     }
-    if (!(slope[piece] * slope[piece + 1] < 0.0)) continue;
+    if (!(slope[segment] * slope[segment + 1] < 0.0)) continue;
     double low = begin;
     double high = end;
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (low + high);
-      const bool before = Cubic(*this, piece, middle).slope() * slope[piece] > 0.0;
+      const bool before = Cubic(*this, segment, middle).slope() * slope[segment] > 0.0;
       (before ? low : high) = middle;
     }
     times.push_back(high);
@@ -98,16 +100,16 @@ std::vector<double> History::turns() const {
 double History::at(double when) const {
   if (when <= time.front() && !continues) return factor.front();
   if (when >= time.back() && !continues) return factor.back();
-  const std::size_t piece = piece_of(*this, when);
-  if (!slope.empty()) return Cubic(*this, piece, when).value();
-  return factor[piece] + slope_of(*this, piece) * (when - time[piece]);
+  const std::size_t segment = segment_of(*this, when);
+  if (!slope.empty()) return Cubic(*this, segment, when).value();
+  return factor[segment] + slope_of(*this, segment) * (when - time[segment]);
 }
 
 double History::slope_at(double when) const {
   if ((when < time.front() || when >= time.back()) && !continues) return 0.0;
-  const std::size_t piece = piece_of(*this, when);
-  if (!slope.empty()) return Cubic(*this, piece, when).slope();
-  return slope_of(*this, piece);
+  const std::size_t segment = segment_of(*this, when);
+  if (!slope.empty()) return Cubic(*this, segment, when).slope();
+  return slope_of(*this, segment);
 }
 
 }  // namespace plastica

@@ -4,7 +4,7 @@
 
 namespace plastica {
 
-/// A factor over time: straight pieces, or with `slope` cubic ones (Hermite's) that go smoothly
+/// A factor over time: straight segments, or with `slope` cubic ones (Hermite's) that go smoothly
 /// into each other. What it multiplies (a load, a prescribed motion) says the unit. In statics time
 /// is the path parameter.
 struct History {
@@ -13,7 +13,7 @@ struct History {
   /// Whether it goes on along its last line after the end, and along its first one before the
   /// beginning (n >= 2); else it holds its last and first values.
   bool continues = false;
-  /// d factor / d time at each time [1/s] (n); empty: straight pieces. Then it does not continue.
+  /// d factor / d time at each time [1/s] (n); empty: straight segments. Then it does not continue.
   std::vector<double> slope{};
 
   /// 0 at time 0, 1 at time 1, on along the same line beyond both.
@@ -25,20 +25,20 @@ struct History {
   /// 0 up to `from`, then 3 s^2 - 2 s^3 with s from 0 to 1, and 1 from `to` on; `from` < `to` [s].
   static History smooth_step(double from, double to);
   /// offset + sin(2 pi t / period + phase) up to cycles periods, where it holds. Within 2e-8: 128
-  /// cubic pieces a period, which are off by h^4/384, h = 2 pi/128.
+  /// cubic segments a period, which are off by h^4/384, h = 2 pi/128.
   /// @param period  [s], > 0
   /// @param cycles  > 0, whole or not
   /// @param phase   [rad]
   static History sine(double period, double cycles, double phase = 0.0, double offset = 0.0);
 
   double at(double time) const;        ///< the factor
-  double slope_at(double time) const;  ///< d factor / d time, of the piece that begins at `time`
+  double slope_at(double time) const;  ///< d factor / d time, of the segment that begins at `time`
   double end() const { return time.back(); }
-  /// Times at which its slope may jump [s]: all of straight pieces, both ends of smooth ones.
+  /// Times at which its slope may jump [s]: all of straight segments, both ends of smooth ones.
   std::vector<double> corners() const;
-  /// Times inside of smooth pieces at which the factor turns back [s], rising: between corners and
-  /// these it goes one way, which is all that a path of equilibria depends on.
-  std::vector<double> turns() const;
+  /// Times inside of smooth segments at which the factor turns back [s], rising: between corners
+  /// and these it goes one way, which is all that a path of equilibria depends on.
+  std::vector<double> reversals() const;
   bool operator==(const History&) const = default;
 };
 

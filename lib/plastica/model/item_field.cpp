@@ -10,7 +10,7 @@ using model_detail::kNotNegative;
 std::span<const ItemField<Load>> load_fields() {
   static constexpr std::array<ItemField<Load>, 2> kFields{
       {{"force", &Load::force, Dimension::Force, Dimension::ForcePerLength, {}, "F_", Push},
-       {"moment", &Load::moment, Dimension::Moment, Dimension::MomentPerLength, {}, "M_", Turn}}};
+       {"moment", &Load::moment, Dimension::Moment, Dimension::MomentPerLength, {}, "M_", Rotate}}};
   return kFields;
 }
 
@@ -24,7 +24,7 @@ std::span<const ItemField<PointMass>> mass_fields() {
 std::span<const ItemField<InitialMotion>> initial_motion_fields() {
   static constexpr std::array<ItemField<InitialMotion>, 2> kFields{
       {{"velocity", &InitialMotion::velocity, Dimension::Velocity, {}, {}, "v_", Push},
-       {"spin", &InitialMotion::spin, Dimension::AngularVelocity, {}, {}, "w_", Turn}}};
+       {"spin", &InitialMotion::spin, Dimension::AngularVelocity, {}, {}, "w_", Rotate}}};
   return kFields;
 }
 

@@ -17,7 +17,7 @@
 namespace plastica {
 
 /// What a vector does to the beam, where a level may not hold it.
-enum class VectorSense { None, Push, Turn };
+enum class VectorSense { None, Push, Rotate };
 
 template <class Item>
 struct ItemField {

@@ -20,12 +20,12 @@ using std::numbers::pi;
 /// Steps in a period that a vibration needs at least to be followed.
 constexpr double kEnoughSteps = 20.0;
 
-/// How a point of the beam is held in one plane, or against twist: `turn` alone.
+/// How a point of the beam is held in one plane, or against twist: `rotation` alone.
 struct Hold {
   bool across = false;
-  bool turn = false;
+  bool rotation = false;
 
-  std::size_t row() const { return (across ? 1U : 0U) + (turn ? 2U : 0U); }
+  std::size_t row() const { return (across ? 1U : 0U) + (rotation ? 2U : 0U); }
 };
 
 /// beta L of the first mode that bends, by the ends: free, pinned, guided, clamped.
@@ -37,14 +37,14 @@ constexpr std::array<std::array<double, 4>, 4> kBetaL{{{4.7300, 3.9266, 2.3650, 
 /// Holds by their share of the length, both ends included.
 /// @param across, turn  the freedoms of a support that count
 std::map<double, Hold> holds_of(const Scene& scene, std::span<const double> ends,
-                                std::size_t across, std::size_t turn) {
+                                std::size_t across, std::size_t rotation) {
   std::map<double, Hold> holds{{0.0, {}}, {1.0, {}}};
   for (const Support& support : scene.supports) {
     const HeldFreedoms held = support.held();
-    if (!held[across] && !held[turn]) continue;
+    if (!held[across] && !held[rotation]) continue;
     Hold& hold = holds[share_of(support.at, ends)];
     hold.across = hold.across || held[across];
-    hold.turn = hold.turn || held[turn];
+    hold.rotation = hold.rotation || held[rotation];
   }
   return holds;
 }
@@ -60,8 +60,8 @@ double bending_number(const Scene& scene, std::span<const double> ends, BendingA
     if (!last && !to->second.across) continue;
     Hold start = from->second;
     Hold end = to->second;
-    if (from != holds.begin() && !end.across) start.turn = true;
-    if (!last && !start.across) end.turn = true;
+    if (from != holds.begin() && !end.across) start.rotation = true;
+    if (!last && !start.across) end.rotation = true;
     const double stretch = to->first - from->first;
     const double beta = kBetaL[start.row()][end.row()] / stretch;
     if (smallest == 0.0 || beta * beta < smallest) smallest = beta * beta;
@@ -75,7 +75,7 @@ double torsion_number(const Scene& scene, std::span<const double> ends) {
   const auto holds = holds_of(scene, ends, 5, 5);
   double smallest = 0.0;
   for (auto from = holds.begin(), to = std::next(from); to != holds.end(); ++from, ++to) {
-    const bool same = from->second.turn == to->second.turn;
+    const bool same = from->second.rotation == to->second.rotation;
     const double number = (same ? pi : pi / 2.0) / (to->first - from->first);
     if (smallest == 0.0 || number < smallest) smallest = number;
   }
@@ -109,15 +109,15 @@ std::optional<std::string> coarse_steps(const Facts& facts) {
          " (below 20); solver.time_step = \"" + figure(period / kEnoughSteps) + " s\" makes 20";
 }
 
-/// Steps do not end at the pieces of smooth histories, so that they must be short beside these.
+/// Steps do not end at the segments of smooth histories, so that they must be short beside these.
 std::optional<std::string> coarse_histories(const Facts& facts) {
-  // Of a sine 128 pieces are a period, and 20 steps in it are enough.
-  constexpr double kPieces = 128.0;
+  // Of a sine 128 segments are a period, and 20 steps in it are enough.
+  constexpr double kSegments = 128.0;
   if (facts.options.step_error > 0.0) return std::nullopt;
   std::optional<std::string> warning;
   const auto look_at = [&](const History& history, const std::string& name) {
     if (warning || history.slope.size() < 3) return;
-    const double period = kPieces * (history.time[1] - history.time[0]);
+    const double period = kSegments * (history.time[1] - history.time[0]);
     if (period >= kEnoughSteps * facts.step) return;
     warning = "steps of " + figure(facts.step) + " s are " + figure(period / facts.step) +
               " in a period of " + name + " (below 20); solver.time_step = \"" +

@@ -16,7 +16,7 @@ struct PointMass {
   /// where the beam is undeformed, and turn with the beam.
   std::array<double, 3> inertia{};
 
-  bool turns_inertly() const { return inertia != std::array<double, 3>{}; }
+  bool has_rotational_inertia() const { return inertia != std::array<double, 3>{}; }
 };
 
 }  // namespace plastica

@@ -74,7 +74,7 @@ enum class Component { X, Y, Z, Size };
 /// The words of files for the components, in their order.
 inline constexpr std::array<std::string_view, 4> kComponents{"x", "y", "z", "size"};
 
-/// Entries of the energy ledger, see `Energies`.
+/// Entries of the energy balance, see `Energies`.
 enum class EnergyKind {
   Elastic,
   Plastic,
@@ -82,15 +82,15 @@ enum class EnergyKind {
   Residual,
   Kinetic,
   Damping,
-  Numerical,
+  NumericalDissipation,
   Impact,
   Fracture,
 };
 
 /// The words of files for the energies, in their order.
-inline constexpr std::array<std::string_view, 9> kEnergyKinds{"elastic",   "plastic", "external",
-                                                              "residual",  "kinetic", "damping",
-                                                              "numerical", "impact",  "fracture"};
+inline constexpr std::array<std::string_view, 9> kEnergyKinds{
+    "elastic", "plastic", "external", "residual", "kinetic", "damping", "numerical_dissipation",
+    "impact",  "fracture"};
 
 struct Probe {
   std::string name;  ///< unique within a scene

@@ -23,9 +23,9 @@ enum class YieldCap { FirstYield, FullyPlastic };
 enum class EndRule {
   Auto,         ///< HalfJoint; with the report's formulas, Equal
   HalfJoint,    ///< a joint to the ground with the tributary length of half a segment
-  Equal,        ///< the end segment is welded; all joints have l = (L_a + L_b)/2
-  Half,         ///< welded; end segments are half as long and belong whole to their only joint
-  ThreeHalves,  ///< welded; equal segments, the end ones belong whole to their only joint
+  Equal,        ///< the end segment is clamped; all joints have l = (L_a + L_b)/2
+  Half,         ///< clamped; end segments are half as long and belong whole to their only joint
+  ThreeHalves,  ///< clamped; equal segments, the end ones belong whole to their only joint
 };
 
 /// What of the permanent strain is held against the break limit: its present size (the report),
@@ -34,7 +34,7 @@ enum class BreakMeasure { Net, Accumulated };
 
 /// What happens to joints over their limit: all are cut, or the worst of them (the first of the
 /// worst, in a tie), or the break is only recorded. What is cut carries nothing from then on and
-/// keeps the permanent strain that it broke with. Statics end there, dynamics go on in pieces. A
+/// keeps the permanent strain that it broke with. Statics end there, dynamics go on in fragments. A
 /// `BreakListener` decides in the policy's place.
 enum class BreakPolicy { CutAll, CutWorst, RecordOnly };
 

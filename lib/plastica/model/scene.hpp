@@ -90,14 +90,14 @@ struct SolverOptions {
   /// about the loaded state, >= 0 (`Response::buckling`, `Response::vibration`).
   int buckling = 0;
   int frequencies = 0;
-  int most_iterations = 25;  ///< Newton iterations of a step before it is cut back, >= 1
+  int max_iterations = 25;  ///< Newton iterations of a step before it is cut back, >= 1
   /// A step has converged when no joint is out of balance by more than this times the largest
   /// moment of the step, and no support is off by more than this times the length [1], > 0; in
   /// dynamics at least 1e-11 is taken, since forces are differences of positions there; with float
   /// at least 2e-5 everywhere, after six iterations 5e-4 (170 and 4200 units of its rounding).
   double tolerance = 1e-10;
   /// A step may turn no joint by more (statics: no segment by five times) [rad], > 0; or is cut.
-  double largest_turn = 0.2;
+  double largest_rotation = 0.2;
   /// Steps are cut back to no less than this part of a recorded step, in dynamics of `time_step`
   /// [1], > 0.
   double smallest_step = 1e-6;

@@ -80,7 +80,7 @@ std::span<const SupportField> support_fields() {
       {{"restitution", &Support::restitution, Dimension::None, {}, {0.0, 1.0}, "restitution "},
        kOneSided},
       {{"translation", &Support::translation, Dimension::Length, {}, {}, "", Push}},
-      {{"rotation", &Support::rotation, Dimension::Angle, {}, {}, "r", Turn}},
+      {{"rotation", &Support::rotation, Dimension::Angle, {}, {}, "r", Rotate}},
   }};
   return kFields;
 }

@@ -78,10 +78,10 @@ double saint_venant_shear(double width, double height, double x, double y) {
   const double b = 0.5 * std::max(width, height);
   const double s = width <= height ? x : y;
   const double t = std::fabs(width <= height ? y : x);
-  constexpr int kMostTerms = 4001;
+  constexpr int kMaxTerms = 4001;
   double by_s = 0.0;
   double by_t = 0.0;
-  for (int n = 1; n <= kMostTerms; n += 2) {
+  for (int n = 1; n <= kMaxTerms; n += 2) {
     const double k = n * pi / (2.0 * a);
     const double left = std::exp(k * (t - b)) / (n * n);
     if (left < 1e-10) break;

@@ -14,9 +14,9 @@ namespace {
 std::array<bool, 2> bent_axes(const Scene& scene) {
   std::array<bool, 2> bent{};
   for (const SceneAction& action : actions_of(scene)) {
-    const bool turns = action.sense == VectorSense::Turn;
-    bent[0] = bent[0] || action.vector[turns ? 0 : 1] != 0.0;
-    bent[1] = bent[1] || action.vector[turns ? 1 : 0] != 0.0;
+    const bool rotates = action.sense == VectorSense::Rotate;
+    bent[0] = bent[0] || action.vector[rotates ? 0 : 1] != 0.0;
+    bent[1] = bent[1] || action.vector[rotates ? 1 : 0] != 0.0;
   }
   return bent;
 }

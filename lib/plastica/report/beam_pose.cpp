@@ -12,7 +12,7 @@ Point3 cross(const Point3& a, const Point3& b) {
 }
 
 /// A vector turned by a rotation vector (Rodrigues' formula).
-Point3 turned(const Point3& rotation, const Point3& v) {
+Point3 rotated(const Point3& rotation, const Point3& v) {
   const double angle = std::sqrt(dot(rotation, rotation));
   if (angle == 0.0) return v;
   const Point3 axis{rotation[0] / angle, rotation[1] / angle, rotation[2] / angle};
@@ -35,11 +35,11 @@ BeamPose::BeamPose(const io::SceneRecord& record, std::size_t frame)
   const bool undeformed = frame == kUndeformed;
   if (undeformed) {
     cut_.assign(n + 1, false);
-    pieces_ = {{0, static_cast<int>(n) - 1}};
+    fragments_ = {{0, static_cast<int>(n) - 1}};
   } else {
     time_ = time_of_frame(record, frame);
     cut_ = cut_joints(record, time_);
-    pieces_ = pieces_at(record, time_);
+    fragments_ = fragments_at(record, time_);
   }
   const auto node = [&](std::size_t i) {
     return undeformed ? three(record.outline.node, i)
@@ -53,14 +53,15 @@ BeamPose::BeamPose(const io::SceneRecord& record, std::size_t frame)
     }
     const Point3 chord =
         sum(three(record.outline.node, i + 1), -1.0, three(record.outline.node, i));
-    outer_.push_back(sum(inner_[i], 1.0, turned(three(chain.rotation, frame * n + i), chord)));
+    outer_.push_back(sum(inner_[i], 1.0, rotated(three(chain.rotation, frame * n + i), chord)));
   }
 }
 
 Point3 BeamPose::section_axis(std::size_t segment, std::size_t axis) const {
   const Point3 undeformed = three(record_->outline.axes, 3 * segment + axis);
   if (frame_ == kUndeformed) return undeformed;
-  return turned(three(record_->response.chain.rotation, frame_ * segments() + segment), undeformed);
+  return rotated(three(record_->response.chain.rotation, frame_ * segments() + segment),
+                 undeformed);
 }
 
 std::size_t BeamPose::segment_at(double share) const {
@@ -77,18 +78,18 @@ Point3 BeamPose::point_at(double share) const {
   return sum(inner_[i], t, sum(outer_[i], -1.0, inner_[i]));
 }
 
-std::vector<Point2> BeamPose::axis_of(const Piece& piece, const Eye& eye) const {
+std::vector<Point2> BeamPose::axis_of(const Fragment& fragment, const Eye& eye) const {
   std::vector<Point2> axis;
-  for (int i = piece.first; i <= piece.last; ++i) {
+  for (int i = fragment.first; i <= fragment.last; ++i) {
     axis.push_back(eye.at(inner_[static_cast<std::size_t>(i)]));
   }
-  axis.push_back(eye.at(outer_[static_cast<std::size_t>(piece.last)]));
+  axis.push_back(eye.at(outer_[static_cast<std::size_t>(fragment.last)]));
   return axis;
 }
 
 std::vector<std::vector<Point2>> BeamPose::axes(const Eye& eye) const {
   std::vector<std::vector<Point2>> axes;
-  for (const Piece& piece : pieces_) axes.push_back(axis_of(piece, eye));
+  for (const Fragment& fragment : fragments_) axes.push_back(axis_of(fragment, eye));
   return axes;
 }
 

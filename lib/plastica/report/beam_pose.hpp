@@ -44,7 +44,7 @@ class BeamPose {
   const Point3& inner(std::size_t segment) const { return inner_[segment]; }
   const Point3& outer(std::size_t segment) const { return outer_[segment]; }
   bool is_cut(std::size_t joint) const { return cut_[joint]; }
-  const std::vector<Piece>& pieces() const { return pieces_; }
+  const std::vector<Fragment>& fragments() const { return fragments_; }
 
   /// Axis x, y or z of a segment's section, a unit vector.
   Point3 section_axis(std::size_t segment, std::size_t axis) const;
@@ -52,9 +52,9 @@ class BeamPose {
   Point3 point_at(double share) const;
   /// Number of the segment that `point_at` is on.
   std::size_t segment_at(double share) const;
-  /// The axis of a piece as points on the picture.
-  std::vector<Point2> axis_of(const Piece& piece, const Eye& eye) const;
-  /// The axes of all pieces.
+  /// The axis of a fragment as points on the picture.
+  std::vector<Point2> axis_of(const Fragment& fragment, const Eye& eye) const;
+  /// The axes of all fragments.
   std::vector<std::vector<Point2>> axes(const Eye& eye) const;
 
  private:
@@ -62,7 +62,7 @@ class BeamPose {
   std::size_t frame_;
   double time_ = 0.0;
   std::vector<bool> cut_;
-  std::vector<Piece> pieces_;
+  std::vector<Fragment> fragments_;
   std::vector<Point3> inner_;
   std::vector<Point3> outer_;
 };

@@ -8,7 +8,7 @@ namespace plastica::report {
 namespace {
 
 /// Segments that a picture can show; more are drawn in groups.
-constexpr std::size_t kMostSegments = 150;
+constexpr std::size_t kMaxSegments = 150;
 constexpr std::size_t kSidesOfRound = 16;
 
 /// Corners of a segment's section about its axis.
@@ -109,11 +109,11 @@ class Drawing {
 
 BeamSolid beam_solid(const BeamPose& pose, const Eye& eye, double thickness) {
   const std::size_t segments = pose.segments();
-  const std::size_t step = (segments + kMostSegments - 1) / kMostSegments;
+  const std::size_t step = (segments + kMaxSegments - 1) / kMaxSegments;
   Drawing drawing(eye);
-  for (const Piece& piece : pose.pieces()) {
-    const auto first = static_cast<std::size_t>(piece.first);
-    const std::size_t behind = static_cast<std::size_t>(piece.last) + 1;
+  for (const Fragment& fragment : pose.fragments()) {
+    const auto first = static_cast<std::size_t>(fragment.first);
+    const std::size_t behind = static_cast<std::size_t>(fragment.last) + 1;
     const auto beyond = [&](std::size_t joint) {
       if (joint != first && joint != behind) return Beyond::Segment;
       return joint == 0 || joint == segments ? Beyond::End : Beyond::Cut;

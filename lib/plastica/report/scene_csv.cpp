@@ -71,11 +71,11 @@ void write_energies_csv(std::ostream& out, const io::SceneRecord& record) {
   refuse_coupon(record, "energies");
   const ChainHistory& chain = record.response.chain;
   out << "sample,time [s]";
-  for (const LedgerEntry& entry : ledger_entries()) out << fmt::format(",{} [J]", entry.name);
+  for (const EnergyEntry& entry : energy_entries()) out << fmt::format(",{} [J]", entry.name);
   out << ",residual [J]\n";
   for (std::size_t i = 0; i < chain.energy.size(); ++i) {
     out << fmt::format("{},{}", i, chain.time[i]);
-    for (const LedgerEntry& entry : ledger_entries()) {
+    for (const EnergyEntry& entry : energy_entries()) {
       out << fmt::format(",{}", chain.energy[i].*entry.member);
     }
     out << fmt::format(",{}\n", chain.energy[i].residual);
@@ -101,15 +101,15 @@ void write_events_csv(std::ostream& out, const io::SceneRecord& record) {
   }
 }
 
-void write_pieces_csv(std::ostream& out, const io::SceneRecord& record) {
-  refuse_coupon(record, "pieces");
+void write_fragments_csv(std::ostream& out, const io::SceneRecord& record) {
+  refuse_coupon(record, "fragments");
   out << "event,time [s],first segment,last segment,from [1],to [1]\n";
   const std::vector<ChainBreak>& events = record.response.chain.events;
   for (std::size_t e = 0; e < events.size(); ++e) {
-    for (const Piece& piece : events[e].pieces) {
-      out << fmt::format("{},{},{},{},{},{}\n", e, events[e].time, piece.first, piece.last,
-                         record.outline.ends[static_cast<std::size_t>(piece.first)],
-                         record.outline.ends[static_cast<std::size_t>(piece.last) + 1]);
+    for (const Fragment& fragment : events[e].fragments) {
+      out << fmt::format("{},{},{},{},{},{}\n", e, events[e].time, fragment.first, fragment.last,
+                         record.outline.ends[static_cast<std::size_t>(fragment.first)],
+                         record.outline.ends[static_cast<std::size_t>(fragment.last) + 1]);
     }
   }
 }

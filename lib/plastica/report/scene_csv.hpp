@@ -19,16 +19,16 @@ void write_probes_csv(std::ostream& out, const io::SceneRecord& record);
 void write_joints_csv(std::ostream& out, const io::SceneRecord& record,
                       std::optional<double> time = {});
 
-/// The energy ledger: a row per sample and a column per entry. @throws InputError for a coupon
+/// The energy balance: a row per sample and a column per entry. @throws InputError for a coupon
 void write_energies_csv(std::ostream& out, const io::SceneRecord& record);
 
 /// A row per joint that broke or was cut, with the number and time of its event.
 /// @throws InputError for a coupon
 void write_events_csv(std::ostream& out, const io::SceneRecord& record);
 
-/// A row per piece after each event, with the number and time of it. @throws InputError for a
+/// A row per fragment after each event, with the number and time of it. @throws InputError for a
 /// coupon
-void write_pieces_csv(std::ostream& out, const io::SceneRecord& record);
+void write_fragments_csv(std::ostream& out, const io::SceneRecord& record);
 
 /// The spectra of all probes: a row per frequency, a column per probe.
 /// @throws InputError for what has none: paths, coupons, too few or uneven samples

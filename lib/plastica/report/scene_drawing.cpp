@@ -204,9 +204,9 @@ std::vector<std::array<double, 4>> force_arrows(const BeamPose& pose, const Eye&
       if (!(size > 1e-6 * largest_force(load))) continue;
       const double share = load.to ? 0.6 * size / largest_force(load) : size / largest;
       const double scale = length * std::max(share, 0.3) / size;
-      const Point2 way = eye.at(scaled(scale, force));
+      const Point2 arrow = eye.at(scaled(scale, force));
       const Point2 tip = eye.at(pose.point_at(at));
-      arrows.push_back({tip[0] - way[0], tip[1] - way[1], way[0], way[1]});
+      arrows.push_back({tip[0] - arrow[0], tip[1] - arrow[1], arrow[0], arrow[1]});
     }
   }
   return arrows;
@@ -306,16 +306,16 @@ void add_orientation(PlotScript& script, const Eye& eye, double meters_per_pixel
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Point3 unit{};
     unit[axis] = 1.0;
-    const Point2 way = eye.at(unit);
-    if (std::hypot(way[0], way[1]) < 1e-6) continue;  // seen from its end
+    const Point2 arrow = eye.at(unit);
+    if (std::hypot(arrow[0], arrow[1]) < 1e-6) continue;  // seen from its end
     const double length = 42.0 * meters_per_pixel;
     script.command(fmt::format(
         "set arrow {0} from graph 0.04, graph {6:.4f} rto first {1:.6g}, first {2:.6g} size screen "
         "0.008,20 filled linewidth 1.2 linecolor rgb '#333333'\n"
         "set label {0} '{3}' at graph 0.04, graph {6:.4f} offset first {4:.6g}, first {5:.6g} "
         "center textcolor rgb '#333333'",
-        910 + axis, length * way[0], length * way[1], kNames[axis], 1.4 * length * way[0],
-        1.4 * length * way[1], foot));
+        910 + axis, length * arrow[0], length * arrow[1], kNames[axis], 1.4 * length * arrow[0],
+        1.4 * length * arrow[1], foot));
   }
 }
 

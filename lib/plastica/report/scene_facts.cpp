@@ -13,6 +13,13 @@
 namespace plastica::report {
 namespace {
 
+/// A name of files as people read it: "numerical dissipation".
+std::string words_of(std::string_view name) {
+  std::string words(name);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
 /// A plastic strain below this is what rounding leaves of an elastic one.
 constexpr double kRoundedStrain = 1e-12;
 /// An energy below this share of the largest is round-off.
@@ -26,14 +33,14 @@ void raise(std::optional<Peak>& peak, const Peak& candidate) {
 double largest_entry(const io::SceneRecord& record) {
   double largest = 0.0;
   for (const Energies& energy : record.response.chain.energy) {
-    for (const LedgerEntry& entry : ledger_entries()) {
+    for (const EnergyEntry& entry : energy_entries()) {
       largest = std::max(largest, std::fabs(energy.*entry.member));
     }
   }
   return largest;
 }
 
-/// "3 joints over their limit in 2 events from 80 ms on, 1 joint cut by the scene; 3 pieces".
+/// "3 joints over their limit in 2 events from 80 ms on, 1 joint cut by the scene; 3 fragments".
 std::string events_line(const io::SceneRecord& record) {
   const ChainHistory& chain = record.response.chain;
   std::size_t over = 0;
@@ -61,8 +68,8 @@ std::string events_line(const io::SceneRecord& record) {
     line +=
         fmt::format("{}{} cut by the scene", line.empty() ? "" : ", ", counted(by_scene, "joint"));
   }
-  const std::size_t pieces = pieces_at(record, end).size();
-  if (pieces > 1) line += fmt::format("; {}", counted(pieces, "piece"));
+  const std::size_t fragments = fragments_at(record, end).size();
+  if (fragments > 1) line += fmt::format("; {}", counted(fragments, "fragment"));
   return line;
 }
 
@@ -159,21 +166,23 @@ std::string outcome_line(const io::SceneRecord& record) {
   return std::string(name_of(response.status));
 }
 
-std::span<const LedgerEntry> ledger_entries() {
-  static constexpr std::array<LedgerEntry, 8> kEntries{{
+std::span<const EnergyEntry> energy_entries() {
+  static constexpr std::array<EnergyEntry, 8> kEntries{{
       {&Energies::external, "external", "work of loads and moving supports"},
       {&Energies::kinetic, "kinetic", "of the motion"},
       {&Energies::elastic, "elastic", "stored in joints and springs"},
       {&Energies::plastic, "plastic", "work of yielding so far"},
       {&Energies::damping, "damping", "taken by the joints' damping so far"},
-      {&Energies::numerical, "numerical", "taken by the scheme so far"},
+      {&Energies::numerical_dissipation, "numerical_dissipation", "taken by the scheme so far"},
       {&Energies::impact, "impact", "lost in impacts so far"},
       {&Energies::fracture, "fracture", "elastic energy of joints that were cut, so far"},
   }};
   return kEntries;
 }
 
-bool is_idle(const io::SceneRecord& record, const LedgerEntry& entry) {
+std::string label_of(const EnergyEntry& entry) { return words_of(entry.name); }
+
+bool is_idle(const io::SceneRecord& record, const EnergyEntry& entry) {
   const double least = kNoEnergy * largest_entry(record);
   const auto& all = record.response.chain.energy;
   return std::all_of(all.begin(), all.end(), [&](const Energies& energy) {
@@ -223,7 +232,7 @@ std::string probe_label(const io::SceneRecord& record, const Probe& probe) {
   std::string label(probe_kinds()[static_cast<std::size_t>(probe.quantity)]);
   if (record.level == Level::Coupon || probe.quantity == ProbeQuantity::LoadFactor) return label;
   if (probe.quantity == ProbeQuantity::Energy) {
-    return label + ' ' + std::string(kEnergyKinds[static_cast<std::size_t>(probe.energy)]);
+    return label + ' ' + words_of(kEnergyKinds[static_cast<std::size_t>(probe.energy)]);
   }
   const std::string_view component = kComponents[static_cast<std::size_t>(probe.component)];
   if (probe.quantity == ProbeQuantity::Momentum ||

@@ -37,17 +37,19 @@ ScenePeaks peaks_of(const io::SceneRecord& record);
 /// 1.5003)".
 std::string outcome_line(const io::SceneRecord& record);
 
-/// An entry of the energy ledger.
-struct LedgerEntry {
+/// An entry of the energy balance.
+struct EnergyEntry {
   double Energies::*member = nullptr;
   std::string_view name;  ///< as in files
   std::string_view doc;
 };
 
 /// All entries but the residual: first what comes in, then where it is or has gone.
-std::span<const LedgerEntry> ledger_entries();
+std::span<const EnergyEntry> energy_entries();
+/// Its name for people: "numerical dissipation".
+std::string label_of(const EnergyEntry& entry);
 /// Whether an entry is zero, or round-off, at all samples.
-bool is_idle(const io::SceneRecord& record, const LedgerEntry& entry);
+bool is_idle(const io::SceneRecord& record, const EnergyEntry& entry);
 
 /// How far the energies are off: of a motion, what its response says; else the largest |residual|
 /// over the largest of external work and stored plus plastic energy on the path [1]. Empty where

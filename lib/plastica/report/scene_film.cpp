@@ -16,14 +16,14 @@ namespace plastica::report {
 namespace {
 
 /// A section is drawn at least this share of a frame's extent thick, in its plane and in space.
-constexpr double kLeastFilmThickness = 1.0 / 45.0;
-constexpr double kLeastFilmThicknessInSpace = 1.0 / 16.0;
-constexpr double kArrow = 0.16;             ///< length of the largest force [share of the extent]
-constexpr double kMostStripHeight = 720.0;  ///< of the strip [pixels]
-constexpr double kLabelHeight = 24.0;       ///< above each frame [pixels]
-constexpr double kPad = 10.0;               ///< around each frame [pixels]
-constexpr double kLeastSegment = 7.0;       ///< in which segments are told apart [pixels]
-constexpr double kFootHeight = 86.0;        ///< room for scale and axes [pixels]
+constexpr double kMinFilmThickness = 1.0 / 45.0;
+constexpr double kMinFilmThicknessInSpace = 1.0 / 16.0;
+constexpr double kArrow = 0.16;            ///< length of the largest force [share of the extent]
+constexpr double kMaxStripHeight = 720.0;  ///< of the strip [pixels]
+constexpr double kLabelHeight = 24.0;      ///< above each frame [pixels]
+constexpr double kPad = 10.0;              ///< around each frame [pixels]
+constexpr double kMinSegment = 7.0;        ///< in which segments are told apart [pixels]
+constexpr double kFootHeight = 86.0;       ///< room for scale and axes [pixels]
 
 std::vector<std::size_t> frames_of_film(const io::SceneRecord& record, const FilmRequest& request) {
   const double from = request.from.value_or(0.0);
@@ -77,11 +77,11 @@ Grid grid_of(const Extent& extent, std::size_t count, double width, double heigh
   return best;
 }
 
-/// "12.5 ms, 3 pieces".
+/// "12.5 ms, 3 fragments".
 std::string label_of(const io::SceneRecord& record, std::size_t frame, double last) {
   const double time = time_of_frame(record, frame);
-  const std::size_t pieces = pieces_at(record, time).size();
-  return time_text(time, last) + (pieces > 1 ? ", " + counted(pieces, "piece") : "");
+  const std::size_t fragments = fragments_at(record, time).size();
+  return time_text(time, last) + (fragments > 1 ? ", " + counted(fragments, "fragment") : "");
 }
 
 std::string title_of(const io::SceneRecord& record, double thickness, std::size_t width) {
@@ -127,7 +127,7 @@ PlotScript film_page(const io::SceneRecord& record, const FilmRequest& request) 
   Extent extent = extent_of(record, frames, eye);
   const double size = std::max(extent.size(0), extent.size(1));
   const double thickness = drawn_thickness(
-      record, eye, size, in_space(record) ? kLeastFilmThicknessInSpace : kLeastFilmThickness);
+      record, eye, size, in_space(record) ? kMinFilmThicknessInSpace : kMinFilmThickness);
   double strain = 0.0;
   for (const std::size_t frame : frames) {
     strain = std::max(strain, largest_strain(record, frame));
@@ -142,7 +142,7 @@ PlotScript film_page(const io::SceneRecord& record, const FilmRequest& request) 
   }
   const bool colored = strain > kNoStrain;
   const double width = kPlotWidth - (colored ? kBarWidth : 0.0);
-  const Grid grid = grid_of(extent, frames.size(), width, kMostStripHeight, kLabelHeight, kPad);
+  const Grid grid = grid_of(extent, frames.size(), width, kMaxStripHeight, kLabelHeight, kPad);
   const Strip strip(grid, extent, kPad);
 
   PlotScript script;
@@ -187,7 +187,7 @@ PlotScript film_page(const io::SceneRecord& record, const FilmRequest& request) 
   }
   const double segment =
       record.setup.scene.beam.length / static_cast<double>(record.outline.segments()) / grid.scale;
-  picture.put(script, segment > kLeastSegment, 0.008);
+  picture.put(script, segment > kMinSegment, 0.008);
   script.end_panel();
   return script;
 }

@@ -14,8 +14,8 @@ std::size_t frame_at(const io::SceneRecord& record, std::optional<double> time) 
   if (!time) return frames - 1;
   std::size_t nearest = 0;
   for (std::size_t f = 1; f < frames; ++f) {
-    const double way = std::fabs(time_of_frame(record, f) - *time);
-    if (way < std::fabs(time_of_frame(record, nearest) - *time)) nearest = f;
+    const double distance = std::fabs(time_of_frame(record, f) - *time);
+    if (distance < std::fabs(time_of_frame(record, nearest) - *time)) nearest = f;
   }
   return nearest;
 }
@@ -42,15 +42,15 @@ std::vector<bool> cut_joints(const io::SceneRecord& record, double time) {
   return cut;
 }
 
-std::vector<Piece> pieces_at(const io::SceneRecord& record, double time) {
+std::vector<Fragment> fragments_at(const io::SceneRecord& record, double time) {
   const std::vector<bool> cut = cut_joints(record, time);
   const auto segments = static_cast<int>(record.outline.segments());
-  std::vector<Piece> pieces;
+  std::vector<Fragment> fragments;
   for (int i = 0; i < segments; ++i) {
-    if (i == 0 || cut[static_cast<std::size_t>(i)]) pieces.push_back({i, i});
-    pieces.back().last = i;
+    if (i == 0 || cut[static_cast<std::size_t>(i)]) fragments.push_back({i, i});
+    fragments.back().last = i;
   }
-  return pieces;
+  return fragments;
 }
 
 std::string time_text(double time, double largest) {

@@ -33,8 +33,8 @@ std::vector<std::size_t> even_frames(const io::SceneRecord& record, std::size_t 
 /// Which joints are cut at a time (N + 1).
 std::vector<bool> cut_joints(const io::SceneRecord& record, double time);
 
-/// The pieces that the beam is in at a time, by rising segment.
-std::vector<Piece> pieces_at(const io::SceneRecord& record, double time);
+/// The fragments that the beam is in at a time, by rising segment.
+std::vector<Fragment> fragments_at(const io::SceneRecord& record, double time);
 
 /// "12.5 ms": a time beside others of the size `largest`.
 std::string time_text(double time, double largest);

@@ -19,9 +19,9 @@ namespace {
 
 /// A negative entry of at most this share of the largest can be part of a stack.
 constexpr double kHardlyNegative = 0.005;
-constexpr std::size_t kMostPeaks = 6;  ///< that a spectrum is lettered with
-constexpr double kLeastPeak = 1e-3;    ///< of the strongest one
-constexpr double kNoteWidth = 0.09;    ///< of the letters of a peak [share of the picture's width]
+constexpr std::size_t kMaxPeaks = 6;  ///< that a spectrum is lettered with
+constexpr double kMinPeak = 1e-3;     ///< of the strongest one
+constexpr double kNoteWidth = 0.09;   ///< of the letters of a peak [share of the picture's width]
 
 std::string_view color_of(std::string_view entry) {
   if (entry == "external") return kDark;
@@ -29,7 +29,7 @@ std::string_view color_of(std::string_view entry) {
   if (entry == "elastic") return kBlue;
   if (entry == "plastic") return kVermillion;
   if (entry == "damping") return "#009E73";
-  if (entry == "numerical") return "#CC79A7";
+  if (entry == "numerical_dissipation") return "#CC79A7";
   return entry == "impact" ? "#E69F00" : "#7A1F1F";
 }
 
@@ -61,14 +61,14 @@ void add_events(FigurePanel& panel, const io::SceneRecord& record) {
 double largest_of_entries(const io::SceneRecord& record) {
   double largest = 0.0;
   for (const Energies& energy : record.response.chain.energy) {
-    for (const LedgerEntry& entry : ledger_entries()) {
+    for (const EnergyEntry& entry : energy_entries()) {
       largest = std::max(largest, std::fabs(energy.*entry.member));
     }
   }
   return largest;
 }
 
-bool goes_negative(const io::SceneRecord& record, const LedgerEntry& entry) {
+bool goes_negative(const io::SceneRecord& record, const EnergyEntry& entry) {
   const auto& all = record.response.chain.energy;
   const double least = -kHardlyNegative * largest_of_entries(record);
   return std::any_of(all.begin(), all.end(),
@@ -86,10 +86,10 @@ FigureCurve energy_line(const io::SceneRecord& record, double Energies::*member,
 }
 
 /// An entry on top of what is below it, and adds it to that.
-FigureCurve energy_area(const io::SceneRecord& record, const LedgerEntry& entry,
+FigureCurve energy_area(const io::SceneRecord& record, const EnergyEntry& entry,
                         std::vector<double>& below) {
   const ChainHistory& chain = record.response.chain;
-  FigureCurve curve{{}, std::string(entry.name), color_of(entry.name), Stroke::Area};
+  FigureCurve curve{{}, label_of(entry), color_of(entry.name), Stroke::Area};
   for (std::size_t i = 0; i < chain.time.size(); ++i) {
     const double low = below[i];
     below[i] += chain.energy[i].*entry.member;
@@ -113,7 +113,7 @@ std::array<double, 2> range_of(const std::vector<FigureCurve>& curves) {
 }
 
 double largest_frequency(const theory::Spectrum& spectrum) {
-  const auto peaks = theory::spectral_peaks(spectrum, kLeastPeak);
+  const auto peaks = theory::spectral_peaks(spectrum, kMinPeak);
   double highest = 0.0;
   for (const theory::SpectralPeak& peak : peaks) highest = std::max(highest, peak.frequency);
   return peaks.empty() ? spectrum.frequency.back()
@@ -158,28 +158,27 @@ Figure energy_figure(const io::SceneRecord& record, bool stacked) {
   figure.title = printable(record.setup.scene.name);
   FigurePanel panel{outcome_line(record), "time [s]", "energy [J]"};
   std::vector<FigureCurve> lines;
-  std::vector<const LedgerEntry*> stack;
-  for (const LedgerEntry& entry : ledger_entries()) {
+  std::vector<const EnergyEntry*> stack;
+  for (const EnergyEntry& entry : energy_entries()) {
     if (is_idle(record, entry)) continue;
     const bool external = entry.member == &Energies::external;
     if (stacked && is_motion(record) && !external && !goes_negative(record, entry)) {
       stack.push_back(&entry);
     } else {
-      lines.push_back(energy_line(record, entry.member,
-                                  external ? "external" : std::string(entry.name),
+      lines.push_back(energy_line(record, entry.member, external ? "external" : label_of(entry),
                                   color_of(entry.name)));
     }
   }
   // What is lost for good lies below, what comes and goes on top of it.
   std::rotate(stack.begin(),
               std::find_if(stack.begin(), stack.end(),
-                           [](const LedgerEntry* entry) {
+                           [](const EnergyEntry* entry) {
                              return entry->member != &Energies::kinetic &&
                                     entry->member != &Energies::elastic;
                            }),
               stack.end());
   std::vector<double> below(record.response.chain.time.size(), 0.0);
-  for (const LedgerEntry* entry : stack) {
+  for (const EnergyEntry* entry : stack) {
     panel.curves.push_back(energy_area(record, *entry, below));
   }
   for (FigureCurve& line : lines) panel.curves.push_back(std::move(line));
@@ -229,11 +228,11 @@ Figure spectrum_figure(std::span<const io::SceneRecord> records, const std::stri
     panel.curves.push_back(std::move(curve));
   }
   if (records.size() == 1 && !letters) {
-    for (const theory::SpectralPeak& peak : theory::spectral_peaks(spectra.front(), kLeastPeak)) {
+    for (const theory::SpectralPeak& peak : theory::spectral_peaks(spectra.front(), kMinPeak)) {
       const bool covered = std::any_of(panel.notes.begin(), panel.notes.end(), [&](const auto& n) {
         return std::fabs(n.x - peak.frequency) < kNoteWidth * highest;
       });
-      if (covered || panel.notes.size() == kMostPeaks) continue;
+      if (covered || panel.notes.size() == kMaxPeaks) continue;
       panel.notes.push_back(
           {peak.frequency, height(peak.amplitude), significant(peak.frequency, 4) + " Hz"});
     }

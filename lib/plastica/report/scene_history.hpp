@@ -13,7 +13,7 @@ namespace plastica::report {
 /// @throws InputError for a probe that there is not
 Figure history_figure(std::span<const io::SceneRecord> records, const std::string& probe);
 
-/// The energy ledger over time: of a motion, areas on top of each other up to what came in, where
+/// The energy balance over time: of a motion, areas on top of each other up to what came in, where
 /// `stacked`; else a line per entry. Entries that are zero are left out.
 Figure energy_figure(const io::SceneRecord& record, bool stacked);
 

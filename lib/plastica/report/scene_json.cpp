@@ -58,7 +58,7 @@ Json critical_points_of(const Response& response) {
     return Json{{"factor", number(critical.factor[i])},
                 {"below", number(critical.below[i])},
                 {"above", number(critical.above[i])},
-                {"unstable_ways", critical.unstable_ways[i]},
+                {"unstable_modes", critical.unstable_modes[i]},
                 {"out_of_plane", critical.out_of_plane[i] != 0}};
   });
 }
@@ -69,7 +69,7 @@ Json buckling_of(const Response& response) {
   return {{"about", number(modes.about)},
           {"modes", modes_of(modes.mode, modes.factor.size(), [&](std::size_t i) {
              return Json{{"factor", number(modes.factor[i])},
-                         {"turn", number(modes.turn[i])},
+                         {"rotation", number(modes.rotation[i])},
                          {"out_of_plane", modes.out_of_plane[i] != 0}};
            })}};
 }
@@ -108,20 +108,20 @@ Json joints_of(const io::SceneRecord& record, const ChainBreak& event) {
   return joints;
 }
 
-Json pieces_of(const io::SceneRecord& record, const ChainBreak& event) {
+Json fragments_of(const io::SceneRecord& record, const ChainBreak& event) {
   const std::vector<double>& ends = record.outline.ends;
   const double length = record.setup.scene.beam.length;
-  Json pieces = Json::array();
-  for (const Piece& piece : event.pieces) {
-    const double from = ends[static_cast<std::size_t>(piece.first)];
-    const double to = ends[static_cast<std::size_t>(piece.last) + 1];
-    pieces.push_back({{"first", piece.first},
-                      {"last", piece.last},
-                      {"from", from},
-                      {"to", to},
-                      {"length", length * (to - from)}});
+  Json fragments = Json::array();
+  for (const Fragment& fragment : event.fragments) {
+    const double from = ends[static_cast<std::size_t>(fragment.first)];
+    const double to = ends[static_cast<std::size_t>(fragment.last) + 1];
+    fragments.push_back({{"first", fragment.first},
+                         {"last", fragment.last},
+                         {"from", from},
+                         {"to", to},
+                         {"length", length * (to - from)}});
   }
-  return pieces;
+  return fragments;
 }
 
 Json events_of(const io::SceneRecord& record) {
@@ -130,7 +130,7 @@ Json events_of(const io::SceneRecord& record) {
     events.push_back({{"time", number(event.time)},
                       {"factor", number(event.factor)},
                       {"joints", joints_of(record, event)},
-                      {"pieces", pieces_of(record, event)}});
+                      {"fragments", fragments_of(record, event)}});
   }
   return events;
 }
@@ -337,15 +337,15 @@ Json energies_of(const io::SceneRecord& record) {
   const auto& energy = record.response.chain.energy;
   if (energy.empty()) return nullptr;
   Json all = Json::object();
-  for (const LedgerEntry& entry : ledger_entries()) {
+  for (const EnergyEntry& entry : energy_entries()) {
     all[std::string(entry.name)] = number(energy.back().*entry.member);
   }
   all["residual"] = number(energy.back().residual);
   const auto share = residual_share(record);
   all["residual_share"] = share ? number(*share) : Json(nullptr);
-  all["ledger_error"] = number(record.response.ledger_error);
+  all["energy_balance_error"] = number(record.response.energy_balance_error);
   all["momentum_error"] = number(record.response.momentum_error);
-  all["closes"] = record.response.balances();
+  all["balanced"] = record.response.balances();
   return all;
 }
 

@@ -14,25 +14,25 @@ namespace plastica::report {
 namespace {
 
 /// Segments that will have turned by more have another shape [rad].
-constexpr double kFarTurn = 0.1;
+constexpr double kLargeRotation = 0.1;
 
 /// Where a mode goes most: the joint, as a share of the length, and the axis.
-struct Most {
+struct Largest {
   double at = 0.0;
   std::size_t axis = 0;
   bool moves = false;  ///< else sections turn about the beam alone
 };
 
-Most most_of(const io::SceneRecord& record, std::span<const double> all, std::size_t mode) {
+Largest largest_of(const io::SceneRecord& record, std::span<const double> all, std::size_t mode) {
   const auto& ends = record.outline.ends;
-  Most most;
+  Largest most;
   double largest = 0.0;
   for (std::size_t joint = 0; joint < ends.size(); ++joint) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double way = std::fabs(all[(mode * ends.size() + joint) * 3 + axis]);
+      const double size = std::fabs(all[(mode * ends.size() + joint) * 3 + axis]);
       // Of alike ones the first, whatever rounding says.
-      if (way <= largest * (1.0 + 1e-6)) continue;
-      largest = way;
+      if (size <= largest * (1.0 + 1e-6)) continue;
+      largest = size;
       most = {ends[joint], axis, true};
     }
   }
@@ -41,7 +41,7 @@ Most most_of(const io::SceneRecord& record, std::span<const double> all, std::si
 
 void add_row(const io::SceneRecord& record, std::span<const double> modes, std::size_t mode,
              std::string value, Table& table) {
-  const Most most = most_of(record, modes, mode);
+  const Largest most = largest_of(record, modes, mode);
   table.add({std::to_string(mode + 1), std::move(value),
              most.moves ? std::string(1, "xyz"[most.axis]) : "twist",
              most.moves ? place_label(most.at) : ""});
@@ -70,23 +70,23 @@ std::string buckling_text(const io::SceneRecord& record, const Ink& ink) {
   text += fmt::format(" about factor {:.5g}, elastic, all forces growing on at its shape\n",
                       modes.about);
   Table table = table_of("factor", "1");
-  bool turns = false;
+  bool rotates = false;
   for (std::size_t k = 0; k < modes.factor.size(); ++k) {
     add_row(record, modes.mode, k, fmt::format("{:.6g}", modes.factor[k]), table);
-    turns = turns || modes.turn[k] > kFarTurn;
+    rotates = rotates || modes.rotation[k] > kLargeRotation;
   }
   if (!modes.factor.empty()) text += table.text(2, kWidth);
   if (modes.factor.size() < asked) {
     text +=
         fmt::format("  no{} below 1e15 times the load\n", modes.factor.empty() ? "ne" : " more");
   }
-  if (turns) {
+  if (rotates) {
     text +=
         wrapped("  ",
                 fmt::format("up to the last of them segments will have turned by {:.2g} rad, as "
                             "they begin to here: the shape there is another, and so may be the "
                             "factors; nearer to them they are surer",
-                            modes.turn.back()),
+                            modes.rotation.back()),
                 kWidth);
   }
   return text;

@@ -19,9 +19,9 @@ namespace {
 
 using Align = Table::Align;
 
-constexpr std::size_t kMostRows = 20;      ///< joints, and pieces, that are listed
-constexpr std::size_t kMostToldPeaks = 5;  ///< frequencies of a probe
-constexpr double kLeastToldPeak = 1e-3;    ///< of the strongest one
+constexpr std::size_t kMaxRows = 20;          ///< joints, and fragments, that are listed
+constexpr std::size_t kMaxReportedPeaks = 5;  ///< frequencies of a probe
+constexpr double kMinReportedPeak = 1e-3;     ///< of the strongest one
 
 /// Time in the unit in which the last sample's is read best.
 DisplayUnit unit_of_time(const io::SceneRecord& record) {
@@ -45,7 +45,7 @@ std::vector<EventRow> rows_of(const std::vector<ChainBreak>& events) {
 }
 
 std::string more(std::size_t count, std::string_view noun) {
-  return count <= kMostRows ? std::string() : fmt::format("  … {} in all\n", counted(count, noun));
+  return count <= kMaxRows ? std::string() : fmt::format("  … {} in all\n", counted(count, noun));
 }
 
 /// The steps that a motion has taken, and why they are not those that were asked for.
@@ -92,7 +92,7 @@ std::string joints_table(const io::SceneRecord& record, const std::vector<EventR
                {"T", Align::Right, moment_unit},
                {"dissipated", Align::Right, "J"},
                {"cut"}});
-  for (std::size_t i = 0; i < std::min(rows.size(), kMostRows); ++i) {
+  for (std::size_t i = 0; i < std::min(rows.size(), kMaxRows); ++i) {
     const BrokenJoint& joint = *rows[i].joint;
     const bool limited = joint.cause != BreakCause::Cut;
     std::vector<std::string> cells{
@@ -111,27 +111,27 @@ std::string joints_table(const io::SceneRecord& record, const std::vector<EventR
   return table.text(2, kWidth);
 }
 
-std::string pieces_text(const io::SceneRecord& record, const Ink& ink) {
-  const std::vector<Piece>& pieces = record.response.chain.events.back().pieces;
-  if (pieces.empty()) return {};
+std::string fragments_text(const io::SceneRecord& record, const Ink& ink) {
+  const std::vector<Fragment>& fragments = record.response.chain.events.back().fragments;
+  if (fragments.empty()) return {};
   const std::vector<double>& ends = record.outline.ends;
   const double length = record.setup.scene.beam.length;
-  Table table({{"piece"},
+  Table table({{"fragment"},
                {"segments", Align::Range},
                {"count"},
                {"length", Align::Right, "m"},
                {"from", Align::Right, "share"},
                {"to", Align::Right, "share"}});
-  for (std::size_t i = 0; i < std::min(pieces.size(), kMostRows); ++i) {
-    const Piece& piece = pieces[i];
-    const double from = ends[static_cast<std::size_t>(piece.first)];
-    const double to = ends[static_cast<std::size_t>(piece.last) + 1];
-    table.add({std::to_string(i + 1), fmt::format("{} … {}", piece.first, piece.last),
-               std::to_string(piece.last - piece.first + 1), significant(length * (to - from), 4),
-               place_label(from), place_label(to)});
+  for (std::size_t i = 0; i < std::min(fragments.size(), kMaxRows); ++i) {
+    const Fragment& fragment = fragments[i];
+    const double from = ends[static_cast<std::size_t>(fragment.first)];
+    const double to = ends[static_cast<std::size_t>(fragment.last) + 1];
+    table.add({std::to_string(i + 1), fmt::format("{} … {}", fragment.first, fragment.last),
+               std::to_string(fragment.last - fragment.first + 1),
+               significant(length * (to - from), 4), place_label(from), place_label(to)});
   }
-  return '\n' + ink.heading("Pieces after the last event\n") + table.text(2, kWidth) +
-         more(pieces.size(), "piece");
+  return '\n' + ink.heading("Fragments after the last event\n") + table.text(2, kWidth) +
+         more(fragments.size(), "fragment");
 }
 
 std::string events_heading(const std::vector<ChainBreak>& events) {
@@ -170,7 +170,7 @@ std::string events_text(const io::SceneRecord& record, const Ink& ink) {
   if (events.empty()) return {};
   const std::vector<EventRow> rows = rows_of(events);
   return '\n' + ink.heading(events_heading(events)) + joints_table(record, rows) +
-         more(rows.size(), "joint") + pieces_text(record, ink);
+         more(rows.size(), "joint") + fragments_text(record, ink);
 }
 
 std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
@@ -181,10 +181,10 @@ std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
   const auto add = [&](std::string_view name, double value, int digits, std::string note) {
     table.add({std::string(name), significant(value, digits), "J", std::move(note)});
   };
-  for (const LedgerEntry& entry : ledger_entries()) {
+  for (const EnergyEntry& entry : energy_entries()) {
     if (is_idle(record, entry)) continue;
     const bool begins = entry.member == &Energies::external && is_motion(record);
-    add(entry.name, last.*entry.member, 5,
+    add(label_of(entry), last.*entry.member, 5,
         std::string(entry.doc) + (begins ? ", and what it began with" : ""));
   }
   add("residual", last.residual, 3,
@@ -192,18 +192,18 @@ std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
                   is_motion(record) ? "largest" : "energy on the path"));
   std::string text = '\n' + ink.heading("Energies at the last sample\n") + table.text(2, kWidth);
   const double momentum = record.response.momentum_error;
-  if (momentum > kLedgerTolerance) {
+  if (momentum > kBalanceTolerance) {
     text +=
         ink.bad(fmt::format("  the momentum of what flies freely is off by {:.2g} %: take smaller "
                             "steps, or scheme = \"energy_momentum\"\n",
                             100.0 * momentum));
   }
-  const double wrong = record.response.ledger_error;
-  if (wrong > kLedgerTolerance) {
+  const double wrong = record.response.energy_balance_error;
+  if (wrong > kBalanceTolerance) {
     const std::string percent = fmt::format("{:.2g} %", 100.0 * wrong);
     text += ink.bad(
         wrong > *share ? "  the scheme has made " + percent + " of the energy: take smaller steps\n"
-                       : "  the energy ledger is off by " + percent + ": take smaller steps\n");
+                       : "  the energy balance is off by " + percent + ": take smaller steps\n");
   }
   return text;
 }
@@ -218,11 +218,11 @@ std::string frequency_text(const io::SceneRecord& record, const Ink& ink) {
                {"", Align::Left}});
   for (const std::size_t p : probes) {
     const Probe& probe = record.setup.scene.probes[p];
-    const auto peaks = theory::spectral_peaks(spectrum_of(record, p), kLeastToldPeak);
+    const auto peaks = theory::spectral_peaks(spectrum_of(record, p), kMinReportedPeak);
     if (peaks.empty()) continue;
     const Dimension dimension = dimension_of(probe.quantity, {});
     const DisplayUnit unit = shown_unit(dimension, peaks.front().amplitude);
-    for (std::size_t k = 0; k < std::min(peaks.size(), kMostToldPeaks); ++k) {
+    for (std::size_t k = 0; k < std::min(peaks.size(), kMaxReportedPeaks); ++k) {
       table.add({k == 0 ? printable(probe.name) : std::string(), significant(peaks[k].frequency),
                  significant(1e3 / peaks[k].frequency),
                  significant(peaks[k].amplitude / unit.scale, 4), std::string(unit.name)});

@@ -11,10 +11,10 @@ namespace plastica::report {
 /// How a motion is stepped and damped; empty for a path of equilibria.
 std::string scheme_text(const io::SceneRecord& record);
 
-/// What broke or was cut, and the pieces after that.
+/// What broke or was cut, and the fragments after that.
 std::string events_text(const io::SceneRecord& record, const Ink& ink);
 
-/// The energy ledger at the last sample, and how far it is off.
+/// The energy balance at the last sample, and how far it is off.
 std::string energy_text(const io::SceneRecord& record, const Ink& ink);
 
 /// The strongest frequencies of displacement and velocity probes.

@@ -28,7 +28,7 @@ constexpr std::array<ScenePlotKind, 8> kKinds = {{
     {"joint", "stress over strain of a joint (--joint N; else that of the largest strain)"},
     {"load", "load factor over a probe (--probe NAME; else the first displacement)"},
     {"history", "a probe over time (--probe NAME; else the first displacement)"},
-    {"energy", "the energy ledger over time"},
+    {"energy", "the energy balance over time"},
     {"spectrum", "frequencies of a probe (--probe NAME; else the first displacement)"},
 }};
 

@@ -17,7 +17,7 @@
 namespace plastica::report {
 namespace {
 
-constexpr std::size_t kMostListed = 4;  ///< of supports, loads, masses and regions
+constexpr std::size_t kMaxListed = 4;  ///< of supports, loads, masses and regions
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 
 std::string section_label(const Section& section) {
@@ -161,10 +161,10 @@ std::string mass_label(const PointMass& mass) {
 template <class Items, class Label>
 std::string listed(const Items& items, const Label& label) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(items.size(), kMostListed); ++i) {
+  for (std::size_t i = 0; i < std::min(items.size(), kMaxListed); ++i) {
     text += (i == 0 ? "" : "; ") + label(items[i]);
   }
-  if (items.size() > kMostListed) text += fmt::format("; … {} in all", items.size());
+  if (items.size() > kMaxListed) text += fmt::format("; … {} in all", items.size());
   return text;
 }
 

@@ -15,11 +15,11 @@ namespace plastica::report {
 namespace {
 
 /// A section is drawn at least this share of the beam's extent thick, in its plane and in space.
-constexpr double kLeastThickness = 1.0 / 60.0;
-constexpr double kLeastThicknessInSpace = 1.0 / 16.0;
+constexpr double kMinThickness = 1.0 / 60.0;
+constexpr double kMinThicknessInSpace = 1.0 / 16.0;
 
 /// How far any joint has moved in a frame [m].
-double largest_way(const io::SceneRecord& record, std::size_t frame) {
+double largest_displacement(const io::SceneRecord& record, std::size_t frame) {
   const ChainHistory& chain = record.response.chain;
   double most = 0.0;
   for (std::size_t i = 0; i < chain.joints; ++i) {
@@ -35,10 +35,11 @@ double largest_way(const io::SceneRecord& record, std::size_t frame) {
 std::vector<std::size_t> earlier_frames(const io::SceneRecord& record, std::size_t shown) {
   std::size_t farthest = 0;
   for (std::size_t i = 0; i < shown; ++i) {
-    if (largest_way(record, i) > largest_way(record, farthest)) farthest = i;
+    if (largest_displacement(record, i) > largest_displacement(record, farthest)) farthest = i;
   }
   std::vector<std::size_t> frames{shown / 4, shown / 2, 3 * shown / 4};
-  if (largest_way(record, farthest) > 1.05 * largest_way(record, shown)) frames.push_back(farthest);
+  if (largest_displacement(record, farthest) > 1.05 * largest_displacement(record, shown))
+    frames.push_back(farthest);
   std::sort(frames.begin(), frames.end());
   frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
   std::erase_if(frames, [&](std::size_t frame) { return frame == 0 || frame == shown; });
@@ -56,15 +57,15 @@ double end_rotation(const io::SceneRecord& record, std::size_t frame) {
 std::vector<std::string> facts_of(const io::SceneRecord& record, std::size_t shown,
                                   double thickness) {
   double most = 0.0;
-  for (std::size_t i = 0; i <= shown; ++i) most = std::max(most, largest_way(record, i));
-  const double now = largest_way(record, shown);
+  for (std::size_t i = 0; i <= shown; ++i) most = std::max(most, largest_displacement(record, i));
+  const double now = largest_displacement(record, shown);
   std::string facts;
   const auto add = [&](const std::string& fact) { facts += (facts.empty() ? "" : "; ") + fact; };
   const double end = record.response.chain.time.back();
   const double time = time_of_frame(record, shown);
   if (is_motion(record) || time != end) add("at " + time_text(time, end));
-  const std::size_t pieces = pieces_at(record, time).size();
-  if (pieces > 1 && time != end) add(counted(pieces, "piece"));
+  const std::size_t fragments = fragments_at(record, time).size();
+  if (fragments > 1 && time != end) add(counted(fragments, "fragment"));
   if (most > 0.0) add(fmt::format("largest displacement {:.4g} mm", 1e3 * now));
   if (now < 0.99 * most) facts += fmt::format(" ({:.4g} mm on the way)", 1e3 * most);
   if (in_space(record)) add(fmt::format("end turned by {:.4g} rad", end_rotation(record, shown)));
@@ -93,13 +94,12 @@ struct Window {
 
 /// As high as the beam needs.
 Window window_of(const Extent& extent, double size, double width) {
-  constexpr double kLeastHeight = 150.0;
-  constexpr double kMostHeight = 640.0;
+  constexpr double kMinHeight = 150.0;
+  constexpr double kMaxHeight = 640.0;
   const double pad = 0.04 * size;
   Window window;
   window.scale = (extent.size(0) + 2.0 * pad) / width;
-  window.height =
-      std::clamp((extent.size(1) + 2.0 * pad) / window.scale, kLeastHeight, kMostHeight);
+  window.height = std::clamp((extent.size(1) + 2.0 * pad) / window.scale, kMinHeight, kMaxHeight);
   window.scale = std::max(window.scale, (extent.size(1) + 2.0 * pad) / window.height);
   window.left = extent.middle(0) - 0.5 * width * window.scale;
   window.low = extent.middle(1) - 0.5 * window.height * window.scale;
@@ -119,7 +119,7 @@ PlotScript shape_page(const io::SceneRecord& record, std::optional<double> time)
   extent.add(pose.axes(eye));
   const double size = std::max(extent.size(0), extent.size(1));
   const double thickness =
-      drawn_thickness(record, eye, size, space ? kLeastThicknessInSpace : kLeastThickness);
+      drawn_thickness(record, eye, size, space ? kMinThicknessInSpace : kMinThickness);
   const double arrow_length = 0.11 * size;
   for (const Face& face : beam_solid(pose, eye, thickness).faces) extent.add(face.corners);
   if (space) extent.low[1] -= 0.11 * size;  // room for scale and axes

@@ -9,7 +9,7 @@
 namespace plastica::report {
 
 /// The undeformed beam and the one at a time at true scale, in its plane or in space, coloured by
-/// plastic strain, with supports, loads and earlier frames of a planar path; pieces apart.
+/// plastic strain, with supports, loads and earlier frames of a planar path; fragments apart.
 /// @param time  the frame next to it is drawn; empty: the last one
 PlotScript shape_page(const io::SceneRecord& record, std::optional<double> time);
 /// The axis before and then, as characters.

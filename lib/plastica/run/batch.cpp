@@ -219,7 +219,7 @@ void run_batch(const Model& model, std::span<const double> values, std::size_t c
   const auto values_of = [&](std::size_t i) { return values.subspan(i * width, width); };
   if (model.chain && has_lanes(*model.chain)) {
     const std::size_t together = std::min(lane_width(*model.chain, cases, threads),
-                                          std::max(std::size_t{1}, kMostLaneBytes / bytes));
+                                          std::max(std::size_t{1}, kMaxLaneBytes / bytes));
     std::vector<std::unique_ptr<LaneProgram>> programs(static_cast<std::size_t>(threads));
     parallel_for((cases + together - 1) / together, {options.threads, options.stop},
                  [&](std::size_t group, int worker) {

@@ -30,19 +30,20 @@ JointAngles times(double factor, JointAngles angles) {
 
 }  // namespace
 
-Spreading spreading_of(const Scene& scene) {
+Localization localization_of(const Scene& scene) {
   const Hardening& hardening = scene.material.hardening;
   switch (hardening_kind(hardening.law).growth(hardening)) {
     case HardeningGrowth::None: break;
-    case HardeningGrowth::Saturates: return Spreading::Saturates;
-    case HardeningGrowth::Goes: return Spreading::Hardens;
+    case HardeningGrowth::Saturates: return Localization::Saturating;
+    case HardeningGrowth::Goes: return Localization::Distributed;
   }
-  return scene.yield_model == YieldModel::Fibre ? Spreading::Saturates : Spreading::Gathers;
+  return scene.yield_model == YieldModel::Fibre ? Localization::Saturating
+                                                : Localization::Concentrated;
 }
 
 BreakWatch::BreakWatch(const Scene& scene, std::vector<chain::JointModel> joints)
     : joints_(std::move(joints)),
-      spreading_(spreading_of(scene)),
+      localization_(localization_of(scene)),
       report_(scene.formulas == Formulas::Report),
       accumulated_(scene.break_measure == BreakMeasure::Accumulated) {
   for (const chain::JointModel& joint : joints_) {
@@ -71,7 +72,7 @@ BreakWatch::Window BreakWatch::window_of(std::size_t joint) const {
 JointAngles BreakWatch::hinge_angles(const std::vector<JointAngles>& angles, std::size_t joint) {
   if (hinge_[joint] == 0.0) return angles[joint];
   if (has_window(joint)) return same_hinges_ ? windowed(angles, joint) : lone_window(angles, joint);
-  if (spreading_ == Spreading::Gathers) return gathered(angles, joint);
+  if (localization_ == Localization::Concentrated) return concentrated(angles, joint);
   return times(hinge_[joint] / joints_[joint].own_length(), angles[joint]);
 }
 
@@ -109,15 +110,16 @@ JointAngles BreakWatch::windowed(const std::vector<JointAngles>& angles, std::si
   return sum;
 }
 
-JointAngles BreakWatch::gathered(const std::vector<JointAngles>& angles, std::size_t joint) const {
+JointAngles BreakWatch::concentrated(const std::vector<JointAngles>& angles,
+                                     std::size_t joint) const {
   const double length = joints_[joint].own_length();
   JointAngles theta{};
   for (std::size_t k = 0; k < 3; ++k) {
     const double own = angles[joint][k];
     double shared = 0.0;
     const auto look_at = [&](std::size_t neighbour) {
-      const double turned = angles[neighbour][k] * length / joints_[neighbour].own_length();
-      if (turned * own > 0.0) shared = std::max(shared, std::fabs(turned));
+      const double rotation = angles[neighbour][k] * length / joints_[neighbour].own_length();
+      if (rotation * own > 0.0) shared = std::max(shared, std::fabs(rotation));
     };
     if (joint > 0) look_at(joint - 1);
     if (joint + 1 < joints_.size()) look_at(joint + 1);
@@ -213,7 +215,7 @@ double BreakWatch::lone_strain(const JointAngles& angle, std::size_t joint) cons
   for (std::size_t k = 0; k < 3; ++k) theta[k] *= scale_of(joints_[joint], k);
   if (hinge_[joint] != 0.0 && has_window(joint)) {
     theta = times(window_of(joint).covers(joints_[joint]), theta);
-  } else if (hinge_[joint] != 0.0 && spreading_ != Spreading::Gathers) {
+  } else if (hinge_[joint] != 0.0 && localization_ != Localization::Concentrated) {
     theta = times(hinge_[joint] / joints_[joint].own_length(), theta);
   }
   return nearest_limit(strains_of(theta, joint), joint);

@@ -20,25 +20,27 @@ using JointAngles = std::array<double, 3>;
 inline constexpr double kBreakTolerance = 1e-4;
 
 /// How a joint's law distributes permanent rotation along a beam whose moment varies.
-enum class Spreading {
-  Gathers,    ///< into the joint of largest moment: ideal plasticity of the whole section
-  Saturates,  ///< over a zone, which shrinks at large strains: fibres, Voce
-  Hardens,    ///< over a zone that the moments set, however large the strains
+enum class Localization {
+  Concentrated,  ///< in the joint of largest moment: ideal plasticity of the whole section
+  Saturating,    ///< over a zone, which shrinks at large strains: fibres, Voce
+  Distributed,   ///< over a zone that the moments set, however large the strains
 };
 
-/// How the scene's laws spread.
-Spreading spreading_of(const Scene& scene);
+/// How far the scene's laws localize permanent rotation.
+Localization localization_of(const Scene& scene);
 
 /// Permanent strains of a chain's joints, and which of them are over their limit (design 2.3).
 ///
 /// The strain of a joint is (h/2) Theta/L_p, with the hinge length L_p and the rotation Theta that
 /// a length L_p of the beam takes there:
-/// - Hardens: Theta = theta_p L_p/l. The curvature theta_p/l converges with the segments by itself,
+/// - Distributed: Theta = theta_p L_p/l. The curvature theta_p/l converges with the segments by
+/// itself,
 ///   at the clamp of a cantilever too; a mean over L_p would make fine chains stronger than coarse.
 /// - else, l < L_p: the sum over a window of length L_p around the joint, moved into the beam at
 ///   its ends, a joint counting with the share of its length that the window covers.
-/// - else, Saturates: Theta = theta_p L_p/l.
-/// - else, Gathers: what the neighbours turn as well is spread, what the joint turns beyond them
+/// - else, Saturating: Theta = theta_p L_p/l.
+/// - else, Concentrated: what the neighbours turn as well is spread, what the joint turns beyond
+/// them
 ///   gathers in the hinge: Theta = theta_n L_p/l + (theta_p - theta_n), theta_n the larger of the
 ///   neighbours' curvatures times l, at most theta_p. So uniform moment (theta_n = theta_p) and a
 ///   lone hinge (theta_n = 0) both come out as in a fine chain.
@@ -90,7 +92,8 @@ class BreakWatch {
   double nearest_limit(const Strains& strain, std::size_t joint) const;
   /// Whether Theta is a sum over a window.
   bool has_window(std::size_t joint) const {
-    return spreading_ != Spreading::Hardens && joints_[joint].own_length() < hinge_[joint];
+    return localization_ != Localization::Distributed &&
+           joints_[joint].own_length() < hinge_[joint];
   }
   /// A part of the beam [m].
   struct Window {
@@ -104,7 +107,7 @@ class BreakWatch {
   JointAngles windowed(const std::vector<JointAngles>& angles, std::size_t joint);
   /// The sum over a window by itself, where the next one may begin before it.
   JointAngles lone_window(const std::vector<JointAngles>& angles, std::size_t joint) const;
-  JointAngles gathered(const std::vector<JointAngles>& angles, std::size_t joint) const;
+  JointAngles concentrated(const std::vector<JointAngles>& angles, std::size_t joint) const;
 
   std::vector<chain::JointModel> joints_;
   SlidingSum covered_;                             ///< of joints that windows cover whole
@@ -113,7 +116,7 @@ class BreakWatch {
   bool same_hinges_ = true;
   bool scales_ = false;  ///< whether any component has a length of its own
   std::vector<JointAngles> scaled_;
-  Spreading spreading_ = Spreading::Gathers;
+  Localization localization_ = Localization::Concentrated;
   bool report_ = false;
   bool accumulated_ = false;
   bool active_ = false;

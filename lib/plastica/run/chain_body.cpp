@@ -55,7 +55,7 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
   // Which part owns a joint between two follows from the material.
   if (watch.size() == 0 || model.layout.parts.size() > 1)
     watch = BreakWatch(model.scene, joint_models);
-  chain::set_closure_stiffness(joints->joints(), model.scene.beam.length, build.chain);
+  chain::set_constraint_stiffness(joints->joints(), model.scene.beam.length, build.chain);
 }
 
 template <class L, bool kElastic>
@@ -96,8 +96,8 @@ void ChainBody<L, kElastic>::find_axial_forces(bool in_motion) {
   if (!in_motion) {
     chain::gather_loads(build.chain, axial_placement_, chain::Stage<L>{}, factor_at,
                         axial_outside_);
-    chain::add_closures(build.chain, axial_placement_, chain::Stage<L>{}, work.q, work.closed,
-                        axial_outside_);
+    chain::add_constraints(build.chain, axial_placement_, chain::Stage<L>{}, work.q, work.closed,
+                           axial_outside_);
   }
   chain::find_axial_forces(build.chain, work.q, axial_placement_, work.closed, work.time, factor_at,
                            in_motion ? work.outer_forces.wrench : axial_outside_.wrench,

@@ -19,7 +19,8 @@ namespace {
 constexpr double kUnresisted = 1e-10;
 /// Of the largest stiffness: below, it is the rounding of lever arms that should be zero, squared.
 constexpr double kNoStiffness = 1e-24;
-/// Share of the way that a closure's own stiffness would leave, below which it holds nothing.
+/// Share of the displacement that a constraint's own stiffness would leave, below which it holds
+/// nothing.
 constexpr double kHeldTwice = 1e-10;
 /// How little joints are unloaded, of their elastic deformation.
 constexpr double kUnloading = 1e-9;
@@ -72,13 +73,13 @@ void ChainModes<L, kElastic>::gather() {
       chain, w_.q, w_.placement, w_.stage, w_.joints,
       [&](std::size_t history) { return chain.histories[history].at(w_.time); }, w_.outer_forces);
   w_.outer_forces.axial.along.clear();
-  solve::detail::set_closures(chain, w_);
+  solve::detail::set_constraints(chain, w_);
 }
 
 template <class L, bool kElastic>
-int ChainModes<L, kElastic>::unstable_ways() {
+int ChainModes<L, kElastic>::unstable_modes() {
   return static_cast<int>(
-      solve::unstable_ways(body_.build.chain, solve::PathCondition<L>{}, false, w_));
+      solve::unstable_modes(body_.build.chain, solve::PathCondition<L>{}, false, w_));
 }
 
 template <class L, bool kElastic>
@@ -122,9 +123,9 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
   pencil.let_forces_grow();
   histories = kept;
   if (slope == 0.0) return std::nullopt;
-  double turning = 0.0;
+  double rotational = 0.0;
   for (std::size_t i = 0; i < body_.build.chain.size(); ++i) {
-    turning = std::max(turning, static_cast<double>(pencil.turning_rate(i)));
+    rotational = std::max(rotational, static_cast<double>(pencil.rotation_rate(i)));
   }
   std::vector<Root> roots;
   bool falls = false;
@@ -135,11 +136,12 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
   };
   const auto in_plane = [&](double x) {
     pencil.factor(x);
-    return unstable_ways();
+    return unstable_modes();
   };
-  if (in_plane(0.0) > 0 || (beside != nullptr && beside->ways_after(0.0) > 0)) return std::nullopt;
+  if (in_plane(0.0) > 0 || (beside != nullptr && beside->unstable_after(0.0) > 0))
+    return std::nullopt;
   add_roots(false, in_plane);
-  if (beside != nullptr) add_roots(true, [&](double x) { return beside->ways_after(x); });
+  if (beside != nullptr) add_roots(true, [&](double x) { return beside->unstable_after(x); });
   if (falls) return std::nullopt;
   std::stable_sort(roots.begin(), roots.end(),
                    [](const Root& a, const Root& b) { return a.time < b.time; });
@@ -148,7 +150,7 @@ std::optional<BucklingModes> ChainModes<L, kElastic>::buckling(int count, OutOfP
   for (const Root& root : roots) {
     if (is_raised(stop)) break;
     modes.factor.push_back(modes.about + root.time * slope);
-    modes.turn.push_back(root.time * turning);
+    modes.rotation.push_back(root.time * rotational);
     modes.out_of_plane.push_back(root.out_of_plane ? 1 : 0);
     if (root.out_of_plane) {
       beside->add_mode_after(root.time, modes.mode);
@@ -165,8 +167,8 @@ template <class L, bool kElastic>
 void ChainModes<L, kElastic>::add_mode(bool again, std::vector<double>& mode) {
   if (!again) known_.clear();
   known_.push_back(solve::softest_motion(body_.build.chain, w_, known_));
-  for (const auto& way : solve::mode_of(body_.build.chain, known_.back(), w_)) {
-    const auto in_space = body_.view.point_in_space(way);
+  for (const auto& displacement : solve::mode_of(body_.build.chain, known_.back(), w_)) {
+    const auto in_space = body_.view.point_in_space(displacement);
     for (std::size_t k = 0; k < 3; ++k) mode.push_back(static_cast<double>(in_space[k]));
   }
 }
@@ -180,7 +182,7 @@ std::optional<VibrationModes> ChainModes<L, kElastic>::vibration(int count, Stop
   pencil.let_inertia_resist();
   const auto passed = [&](double square) {
     pencil.factor(square);
-    return unstable_ways();
+    return unstable_modes();
   };
   std::vector<double> squares(wanted, 0.0);
   if (std::isfinite(softest_square)) {
@@ -240,12 +242,12 @@ std::vector<typename ChainModes<L, kElastic>::Coordinate> ChainModes<L, kElastic
     chain::carry(back, back, about);
     stiffness += held.impedance[i];
     const auto axes = L::axes(w_.placement.near[i]);
-    const auto turning = transpose(axes) * about.rr * axes;
+    const auto rotational = transpose(axes) * about.rr * axes;
     const auto resisting = transpose(axes) * stiffness.rr * axes;
     const auto& tangent = w_.joints.tangent[i];
     for (std::size_t k = 0; k < L::kRotations; ++k) {
-      if (i == 0 && chain.root.welded[k]) continue;
-      add(tangent(k, k) + resisting(k, k), turning(k, k));
+      if (i == 0 && chain.root.clamped[k]) continue;
+      add(tangent(k, k) + resisting(k, k), rotational(k, k));
     }
     if constexpr (kElastic) {
       for (std::size_t k = 0; k < L::kTranslations && (i > 0 || chain.root.shifts); ++k) {
@@ -284,16 +286,16 @@ int ChainModes<L, kElastic>::freedoms() {
 }
 
 template <class L, bool kElastic>
-std::size_t ChainModes<L, kElastic>::idle_closure(double square) {
+std::size_t ChainModes<L, kElastic>::idle_constraint(double square) {
   const chain::Chain<L>& chain = body_.build.chain;
   solve::Pencil<L, kElastic> pencil(chain, w_);
   pencil.let_inertia_resist();
   pencil.factor(square);
   std::size_t k = 0;
-  std::size_t idle = chain.closures.size();
-  solve::detail::for_each_closure_pivot(
+  std::size_t idle = chain.constraints.size();
+  solve::detail::for_each_constraint_pivot(
       chain, solve::PathCondition<L>{}, false, w_, [&](const S& pivot) {
-        const S stiffness = solve::detail::stiffness_of<S>(chain, chain.closures[k]);
+        const S stiffness = solve::detail::stiffness_of<S>(chain, chain.constraints[k]);
         const bool holds = std::fabs(static_cast<double>(pivot * stiffness)) > kHeldTwice;
         if (w_.closed[k] && !holds) idle = std::min(idle, k);
         ++k;
@@ -302,13 +304,13 @@ std::size_t ChainModes<L, kElastic>::idle_closure(double square) {
 }
 
 template <class L, bool kElastic>
-void ChainModes<L, kElastic>::release_idle_closures() {
+void ChainModes<L, kElastic>::release_idle_constraints() {
   const double least = softest();
   const double square = std::isfinite(least) ? kUnresisted * least : 1.0;
   for (;;) {
-    const std::size_t idle = idle_closure(square);
+    const std::size_t idle = idle_constraint(square);
     if (idle == w_.closed.size()) return;
-    w_.q.released_closure[idle] = true;
+    w_.q.released_constraint[idle] = true;
     gather();
   }
 }

@@ -29,14 +29,14 @@ class ChainModes {
   ///         symmetric; else fewer than `count` if no more are found below 1e15 times the load
   std::optional<BucklingModes> buckling(int count, OutOfPlane* beside, StopFlag stop = nullptr);
   /// Its lowest natural frequencies.
-  /// @param count  no more than the ways in which the chain can move
+  /// @param count  no more than the chain has degrees of freedom
   /// @return none if the tangent is not symmetric
   std::optional<VibrationModes> vibration(int count, StopFlag stop = nullptr);
-  /// In how many ways the chain can move.
+  /// Degrees of freedom of the chain.
   int freedoms();
   /// Lets supports go that hold what others hold already: a straight chain's end does not move
   /// along it.
-  void release_idle_closures();
+  void release_idle_constraints();
 
  private:
   /// A single unit motion of a joint, or of the start, with all beyond locked.
@@ -54,12 +54,12 @@ class ChainModes {
   double growth(double before, double time, double reach, bool held, double& about) const;
   void unload(const chain::Coordinates<L>& q);
   void gather();
-  int unstable_ways();
+  int unstable_modes();
   std::vector<Coordinate> coordinates();
   /// Least omega^2 of a single coordinate that something resists [1/s^2].
   double softest();
-  /// The first closure that holds nothing with the inertia of a motion at omega^2, or none.
-  std::size_t idle_closure(double square);
+  /// The first constraint that holds nothing with the inertia of a motion at omega^2, or none.
+  std::size_t idle_constraint(double square);
   /// Appends the mode of the tangent that is factored.
   /// @param again  whether it is that of the root before, which is there more than once
   void add_mode(bool again, std::vector<double>& mode);

@@ -31,13 +31,13 @@ class ChainMotionRunner final : public ChainProgram {
 
  private:
   bool starts_free() const;
-  Status walk(Step& step, const Workspace& hooks, Response& response);
+  Status take_steps(Step& step, const Workspace& hooks, Response& response);
   /// Takes steps up to a time. @return Completed if it got there
   Status go_to(double stop, StepSize& size, Step& step, const Workspace& hooks, Response& response);
   void break_joints(Step& step, const BreakListener& listener, Response& response);
   void cut_joints(double time, Step& step, Response& response);
   void let_go(ChainBreak event, Step& step, Response& response);
-  std::vector<Piece> pieces() const;
+  std::vector<Fragment> fragments() const;
   void record(const Step& step, Response& response);
 
   ChainBody<L, kElastic> body_;
@@ -45,8 +45,8 @@ class ChainMotionRunner final : public ChainProgram {
   std::unique_ptr<Step> step_;  ///< of the joints below, which a material change renews
   const void* joints_of_step_ = nullptr;
   std::vector<solve::SegmentMotion<L>> initial_motion_;  ///< (N)
-  std::vector<bool> gone_;                               ///< joints that are cut (nodes)
-  std::vector<bool> told_;                               ///< joints whose break was told (nodes)
+  std::vector<bool> cut_;                                ///< joints that are cut (nodes)
+  std::vector<bool> reported_;        ///< joints whose break was reported (nodes)
   std::vector<JointAngles> watched_;  ///< angles of the joints that are left (nodes)
   std::size_t next_cut_ = 0;
 };
@@ -60,7 +60,7 @@ bool ChainMotionRunner<L, kElastic>::starts_free() const {
     if (root.held[k]) return false;
   }
   for (std::size_t k = 0; k < L::kRotations; ++k) {
-    if (root.welded[k] || joint.acting[k] || joint.spring[k] != 0.0) return false;
+    if (root.clamped[k] || joint.active[k] || joint.spring[k] != 0.0) return false;
   }
   return true;
 }
@@ -71,8 +71,8 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   const auto began = std::chrono::steady_clock::now();
   body_.reset(material);
   const std::size_t nodes = body_.model.layout.size() + 1;
-  gone_.assign(nodes, false);
-  told_.assign(nodes, false);
+  cut_.assign(nodes, false);
+  reported_.assign(nodes, false);
   watched_.assign(nodes, {});
   next_cut_ = 0;
   response.samples = 0;
@@ -97,11 +97,12 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
   step_->stop_by(hooks.stop);
   set_initial_motion(body_, initial_motion_);
   response.status =
-      step_->start(initial_motion_) ? walk(*step_, hooks, response) : Status::HeldTwice;
+      step_->start(initial_motion_) ? take_steps(*step_, hooks, response) : Status::HeldTwice;
   body_.record.end_motion();
   body_.finish_axial(response);
   body_.record.end_frames(response);
-  response.ledger_error = ledger_error(std::span(response.chain.energy).first(response.samples));
+  response.energy_balance_error =
+      energy_balance_error(std::span(response.chain.energy).first(response.samples));
   response.momentum_error = step_->momentum_error();
   judge_balance(response);
   const auto& strain = body_.strains.strain;
@@ -111,8 +112,8 @@ void ChainMotionRunner<L, kElastic>::run(const MaterialValues<double>& material,
 }
 
 template <class L, bool kElastic>
-Status ChainMotionRunner<L, kElastic>::walk(Step& step, const Workspace& hooks,
-                                            Response& response) {
+Status ChainMotionRunner<L, kElastic>::take_steps(Step& step, const Workspace& hooks,
+                                                  Response& response) {
   body_.record.begin_motion(body_.work, *body_.joints, step.motions(), step.kinetic());
   record(step, response);
   StepSize size(options_);
@@ -166,13 +167,13 @@ void ChainMotionRunner<L, kElastic>::break_joints(Step& step, const BreakListene
   if (!body_.watch.active()) return;
   const auto& angles = body_.measured(body_.strains);
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    watched_[i] = gone_[i] ? JointAngles{} : angles[i];
+    watched_[i] = cut_[i] ? JointAngles{} : angles[i];
   }
   if (body_.watch.excess(watched_) <= 0.0) return;
   ChainBreak event;
   for (const BrokenJoint& joint : body_.watch.broken(watched_)) {
     const auto node = static_cast<std::size_t>(joint.joint);
-    if (told_[node] || gone_[node]) continue;
+    if (reported_[node] || cut_[node]) continue;
     event.joints.push_back(joint);
     body_.describe(event.joints.back());
   }
@@ -181,14 +182,14 @@ void ChainMotionRunner<L, kElastic>::break_joints(Step& step, const BreakListene
   mark_cuts(body_.model.scene.on_break, event);
   if (listener) {
     event.factor = body_.record.factor_at(event.time);
-    event.pieces = pieces();
+    event.fragments = fragments();
     listener(event);
   }
   // A joint that is spared for another is asked about again, one that the scene only records is
   // not.
   const bool once = listener || body_.model.scene.on_break == BreakPolicy::RecordOnly;
   for (const BrokenJoint& joint : event.joints) {
-    if (once) told_[static_cast<std::size_t>(joint.joint)] = true;
+    if (once) reported_[static_cast<std::size_t>(joint.joint)] = true;
   }
   let_go(std::move(event), step, response);
 }
@@ -200,7 +201,7 @@ void ChainMotionRunner<L, kElastic>::cut_joints(double time, Step& step, Respons
   event.time = time;
   for (; next_cut_ < cuts.size() && cuts[next_cut_].time <= time; ++next_cut_) {
     const std::size_t node = cuts[next_cut_].node;
-    if (gone_[node]) continue;
+    if (cut_[node]) continue;
     BrokenJoint joint;
     joint.joint = static_cast<int>(node);
     joint.cause = BreakCause::Cut;
@@ -219,25 +220,25 @@ void ChainMotionRunner<L, kElastic>::let_go(ChainBreak event, Step& step, Respon
   for (const BrokenJoint& joint : event.joints) {
     if (!joint.cut) continue;
     any_cut = true;
-    gone_[static_cast<std::size_t>(joint.joint)] = true;
+    cut_[static_cast<std::size_t>(joint.joint)] = true;
     step.open(static_cast<std::size_t>(joint.joint));
   }
   if (any_cut) step.opened();
-  event.pieces = pieces();
+  event.fragments = fragments();
   response.chain.events.push_back(std::move(event));
 }
 
 template <class L, bool kElastic>
-std::vector<Piece> ChainMotionRunner<L, kElastic>::pieces() const {
-  std::vector<Piece> pieces{{0, 0}};
+std::vector<Fragment> ChainMotionRunner<L, kElastic>::fragments() const {
+  std::vector<Fragment> fragments{{0, 0}};
   const int n = static_cast<int>(body_.build.chain.size());
   for (int i = 1; i < n; ++i) {
     if (!body_.work.q.open[static_cast<std::size_t>(i)]) continue;
-    pieces.back().last = i - 1;
-    pieces.push_back({i, i});
+    fragments.back().last = i - 1;
+    fragments.push_back({i, i});
   }
-  pieces.back().last = n - 1;
-  return pieces;
+  fragments.back().last = n - 1;
+  return fragments;
 }
 
 template <class L, bool kElastic>

@@ -107,19 +107,19 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::motion_value(
     const std::size_t i = point.segment;
     if (probe.quantity == ProbeQuantity::Spin) return joint_spin(spin_of(i));
     const auto arm =
-        L::turn(w.placement.frame[i], view_.point(point.arm) - chain.inertias[i].center);
+        L::rotate(w.placement.frame[i], view_.point(point.arm) - chain.inertias[i].center);
     return in_space((*motion_)[i].velocity + L::spun(spin_of(i), arm));
   }
   typename L::Point momentum{};
-  typename L::Spin turning{};
+  typename L::Spin angular{};
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const auto& inertia = chain.inertias[i];
     const typename L::Point own = inertia.mass * (*motion_)[i].velocity;
     momentum += own;
-    turning += L::moment(w.placement.point(i, inertia.center), own) +
-               L::axes(w.placement.frame[i]) * (inertia.turning * (*motion_)[i].spin);
+    angular += L::moment(w.placement.point(i, inertia.center), own) +
+               L::axes(w.placement.frame[i]) * (inertia.rotational * (*motion_)[i].spin);
   }
-  return probe.quantity == ProbeQuantity::Momentum ? in_space(momentum) : joint_spin(turning);
+  return probe.quantity == ProbeQuantity::Momentum ? in_space(momentum) : joint_spin(angular);
 }
 
 template <class L, bool kElastic>
@@ -158,7 +158,7 @@ double ChainRecord<L, kElastic>::probe_value(const Probe& probe, const Work& w,
         case EnergyKind::Residual: return energy.residual;
         case EnergyKind::Kinetic: return energy.kinetic;
         case EnergyKind::Damping: return energy.damping;
-        case EnergyKind::Numerical: return energy.numerical;
+        case EnergyKind::NumericalDissipation: return energy.numerical_dissipation;
         case EnergyKind::Impact: return energy.impact;
         case EnergyKind::Fracture: return energy.fracture;
       }

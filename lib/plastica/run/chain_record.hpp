@@ -32,7 +32,7 @@ struct NodeStrains {
 };
 
 /// Energies at a sample that kernels have summed [J].
-struct GivenEnergies {
+struct PrescribedEnergies {
   double elastic = 0.0;
   double plastic = 0.0;
 };
@@ -95,7 +95,7 @@ class ChainRecord {
     return !on_demand_ || probes_read_chain_ || is_kept(sample, response.chain);
   }
   /// Dynamics: energies of the next sample that are known already.
-  void give_energies(const GivenEnergies& energies) { given_ = energies; }
+  void prescribe_energies(const PrescribedEnergies& energies) { prescribed_ = energies; }
   void shape_now(const Work& w, const Joints& joints, const NodeStrains& strains) {
     set_shape(w, joints, strains);
   }
@@ -151,12 +151,12 @@ class ChainRecord {
     for (std::size_t k = 0; k < L::kTranslations; ++k) one[k] = constant<S>(1);
     return in_space(one)[axis] != 0.0;
   }
-  /// A welded start has no law: its joint's moment is what it transmits.
-  void weld_moment(const Work& w, typename L::Spin& moment) const {
+  /// A clamped start has no law: its joint's moment is what it transmits.
+  void clamp_moment(const Work& w, typename L::Spin& moment) const {
     const auto in_joint =
         transposed_times(L::axes(w.placement.near[0]), w.transmitted.outer[0].moment);
     for (std::size_t k = 0; k < L::kRotations; ++k) {
-      if (build_->chain.root.welded[k]) moment[k] = in_joint[k];
+      if (build_->chain.root.clamped[k]) moment[k] = in_joint[k];
     }
   }
 
@@ -172,7 +172,7 @@ class ChainRecord {
   bool on_demand_ = false;
   bool probes_read_shape_ = false;
   bool probes_read_chain_ = false;  ///< more than where some points are
-  std::optional<GivenEnergies> given_{};
+  std::optional<PrescribedEnergies> prescribed_{};
   bool begun_ = false;
   double time_ = 0.0;
   double external_ = 0.0;
@@ -218,7 +218,7 @@ std::array<double, 3> ChainRecord<L, kElastic>::permanent_angle(const Joints& jo
   for (std::size_t k = 0; k < L::kRotations; ++k) {
     const std::size_t axis = axes.rotation(k);
     const S elastic = numbers.elastic_angle(axis, joints.section_forces()[joint][axis]);
-    left[k] = numbers.acting[k] * (w.angles[joint][k] - elastic);
+    left[k] = numbers.active[k] * (w.angles[joint][k] - elastic);
   }
   return joint_spin(left).at;
 }
@@ -258,10 +258,10 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::moment(const 
   const auto axes = view_.section_axes();
   typename L::Spin m;
   for (std::size_t k = 0; k < L::kRotations; ++k) {
-    m[k] = numbers.acting[k] * joints.section_forces()[joint][axes.rotation(k)] +
+    m[k] = numbers.active[k] * joints.section_forces()[joint][axes.rotation(k)] +
            numbers.spring[k] * w.angles[joint][k];
   }
-  if (node == 0) weld_moment(w, m);
+  if (node == 0) clamp_moment(w, m);
   return joint_spin(m);
 }
 
@@ -291,7 +291,7 @@ void ChainRecord<L, kElastic>::set_shape(const Work& w, const Joints& joints,
     for (std::size_t k = 0; k < 3; ++k) shape_.plastic_angle[3 * i + k] = strains.permanent[i][k];
     if (i < n) {
       const typename L::Point force =
-          L::turn_back(w.placement.near[i], w.transmitted.outer[i].force);
+          L::rotate_back(w.placement.near[i], w.transmitted.outer[i].force);
       put(shape_.force, 3 * i, in_space(force));
     }
     shape_.plastic_strain[i] = strains.strain[i];

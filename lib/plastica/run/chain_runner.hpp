@@ -19,22 +19,22 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   void run(const MaterialValues<double>& material, const Workspace& hooks,
            Response& response) override;
 
-  // The same in pieces, for beams whose equilibria are sought side by side.
+  // The same in steps, for beams whose equilibria are sought side by side.
   /// @return whether an equilibrium is sought at the time in `body().work`, from the unknowns there
   bool begin(const MaterialValues<double>& material, const Workspace& hooks, Response& response);
-  /// See PathWalker::take.
-  bool take(bool converged, int iterations, bool factored, double ways) {
-    return walker_->take(converged, iterations, factored, ways);
+  /// See PathContinuation::take.
+  bool take(bool converged, int iterations, bool factored, double unstable_modes) {
+    return continuation_->take(converged, iterations, factored, unstable_modes);
   }
   /// Seeks the equilibrium, and all that follow, alone.
-  void walk_on();
+  void proceed();
   /// After the path has ended.
   void finish();
   ChainBody<L, kElastic>& body() { return body_; }
   /// Whether what is sought next is looked at for more than where points are and what the laws say:
   /// `work` must then hold all that `equilibrate` leaves in it.
   bool needs_all() const;
-  bool records_next() const { return walker_->records_next(); }
+  bool records_next() const { return continuation_->records_next(); }
   const solve::NewtonOptions& newton() const { return options_.newton; }
 
  private:
@@ -42,7 +42,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   solve::Verdict judge(const Work& w, bool shortest) override;
   bool accept(const Work& w) override;
   bool record(const Work& w) override;
-  int ways_beside(const Work& w) override;
+  int unstable_beside(const Work& w) override;
   double log_determinant_beside(const Work& w) override;
   void note_mode(bool out_of_plane, Work& w, std::vector<double>& mode) override;
 
@@ -51,7 +51,7 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   void note_limit_mode(LimitLoad& limit);
   void set_path_options();
   void note_break(const Work& w);
-  // Out of the plane of a planar chain: look_beside.hpp.
+  // Out of the plane of a planar chain: check_plane.hpp.
   bool has_space_beside();
   bool is_pushed(const Work& w) const;
   /// What joints' sections carry, and how stiff they are about the other axis.
@@ -64,8 +64,8 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   }
   void see(const chain::Coordinates<L>& q, double time, const Sections* sections);
   /// @param sections  there; null where nothing has yielded
-  void look_beside(const chain::Coordinates<L>& q, double time, const Sections* sections);
-  void look_while_moments_grow(const Work& w);
+  void check_plane(const chain::Coordinates<L>& q, double time, const Sections* sections);
+  void check_plane_while_moments_grow(const Work& w);
 
   ChainBody<L, kElastic> body_;
   solve::PathOptions options_;
@@ -73,8 +73,8 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   chain::Coordinates<L> committed_, previous_;
   Response* response_ = nullptr;
   MaterialValues<double> material_{};
-  const Workspace* hooks_ = nullptr;  ///< while a path is walked
-  std::optional<solve::PathWalker<L, kElastic>> walker_;
+  const Workspace* hooks_ = nullptr;  ///< while a path is followed
+  std::optional<solve::PathContinuation<L, kElastic>> continuation_;
   std::unique_ptr<OutOfPlane> beside_;  ///< of a planar chain, made when first asked for
   bool asks_beside_ = false;            ///< at each step, to tell where the plane is left
   bool leaves_plane_ = false;           ///< seen in a path that did not ask
@@ -83,10 +83,10 @@ class ChainRunner final : public ChainProgram, private solve::PathObserver<L, kE
   chain::Coordinates<L> stable_;
   double stable_time_ = 0.0;
   bool has_stable_ = false;
-  int ways_beside_ = 0;         ///< as known last
-  double looked_at_ = 0.0;      ///< time of the last look out of the plane
-  double looked_moment_ = 0.0;  ///< largest of a joint at the last such look on the way [N m]
-  double last_time_ = 0.0;      ///< of the last step
+  int unstable_beside_ = 0;      ///< as known last
+  double checked_at_ = 0.0;      ///< time of the last check of stability out of the plane
+  double checked_moment_ = 0.0;  ///< largest of a joint at the last such check [N m]
+  double last_time_ = 0.0;       ///< of the last step
   /// `sections` there, of a planar chain that has yielded.
   std::vector<law::SectionForce<typename L::Scalar>> last_forces_;
   std::vector<typename L::Scalar> last_aside_;

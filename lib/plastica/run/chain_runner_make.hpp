@@ -10,7 +10,7 @@
 #include "plastica/run/chain_modes.hpp"
 #include "plastica/run/chain_motion.hpp"
 #include "plastica/run/chain_runner.hpp"
-#include "plastica/run/look_beside.hpp"
+#include "plastica/run/check_plane.hpp"
 
 /// Defines `ChainRunner`, and which program a scene of one level has.
 namespace plastica {
@@ -24,14 +24,14 @@ ChainRunner<L, kElastic>::ChainRunner(const ChainModel& model, const chain::View
 template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::set_path_options() {
   const SolverOptions& solver = body_.model.options;
-  options_.newton.most_iterations = std::min(solver.most_iterations, solve::kMostIterations);
+  options_.newton.max_iterations = std::min(solver.max_iterations, solve::kMaxIterations);
   options_.newton.tolerance = solver.tolerance;
   options_.stops = body_.model.stops;
   options_.recorded = body_.model.recorded;
   options_.control = solver.control;
   options_.finds_control = !solver.control_at && solver.control != PathControl::Displacement;
   options_.steps = solver.steps;
-  options_.largest_turn = solver.largest_turn;
+  options_.largest_rotation = solver.largest_rotation;
   options_.smallest_step = solver.smallest_step;
   options_.control_motion = solver.control_motion;
   const Scene& scene = body_.model.scene;
@@ -56,7 +56,7 @@ template <class L, bool kElastic>
 void ChainRunner<L, kElastic>::run(const MaterialValues<double>& material, const Workspace& hooks,
                                    Response& response) {
   const auto began = std::chrono::steady_clock::now();
-  if (begin(material, hooks, response)) walk_on();
+  if (begin(material, hooks, response)) proceed();
   finish();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   response.seconds = took.count();
@@ -90,18 +90,18 @@ bool ChainRunner<L, kElastic>::begin_path() {
   response_->vibration.reset();
   has_stable_ = false;
   has_yielded_ = leaves_plane_ = false;
-  ways_beside_ = 0;
-  looked_at_ = looked_moment_ = 0.0;
+  unstable_beside_ = 0;
+  checked_at_ = checked_moment_ = 0.0;
   body_.record.begin_frames(*response_);
   solve::PathObserver<L, kElastic>& observer = *this;
-  walker_.emplace(body_.build.chain, *body_.joints, options_, control_, body_.work, committed_,
-                  previous_, observer);
-  return walker_->begin();
+  continuation_.emplace(body_.build.chain, *body_.joints, options_, control_, body_.work,
+                        committed_, previous_, observer);
+  return continuation_->begin();
 }
 
 template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::walk_on() {
-  walker_->walk_on();
+void ChainRunner<L, kElastic>::proceed() {
+  continuation_->proceed();
 }
 
 template <class L, bool kElastic>
@@ -111,18 +111,18 @@ void ChainRunner<L, kElastic>::finish() {
   if (response.samples > 0) {
     // Where the path ends without an equilibrium, the joints hold a trial, which may yield first.
     const Sections last{last_forces_, last_aside_};
-    look_beside(committed_, last_time_, has_yielded_ ? &last : nullptr);
+    check_plane(committed_, last_time_, has_yielded_ ? &last : nullptr);
   }
   if (leaves_plane_ && !is_raised(hooks_->stop)) {
     // The path once more, with an eye on where that begins.
     asks_beside_ = true;
-    if (begin_path()) walk_on();
+    if (begin_path()) proceed();
   }
   if (body_.record.lacks_last_shape(response)) {
     // It has ended early. That is rare, and the path is the same once more.
     cut_short = is_raised(hooks_->stop);
     body_.record.shapes_on_demand(false);
-    if (!cut_short && begin_path()) walk_on();
+    if (!cut_short && begin_path()) proceed();
   }
   if (!cut_short && !find_modes()) {
     cut_short = true;
@@ -131,18 +131,18 @@ void ChainRunner<L, kElastic>::finish() {
   }
   asks_beside_ = false;
   // Without its last shape a path is not handed over as one that has come to its end.
-  response.status = cut_short ? Status::Interrupted : walker_->status();
+  response.status = cut_short ? Status::Interrupted : continuation_->status();
   if (!body_.record.lacks_last_shape(response)) body_.record.end_frames(response);
-  response.counters = walker_->counters();
-  response.limit = walker_->limit();
+  response.counters = continuation_->counters();
+  response.limit = continuation_->limit();
   body_.finish_axial(response);
   if (response.limit) {
     response.limit->below = body_.record.factor_at(response.limit->below);
     response.limit->above = body_.record.factor_at(response.limit->above);
     note_limit_mode(*response.limit);
   }
-  if (!walker_->critical().empty()) {
-    response.critical = walker_->critical();
+  if (!continuation_->critical().empty()) {
+    response.critical = continuation_->critical();
     for (auto* times :
          {&response.critical->factor, &response.critical->below, &response.critical->above}) {
       for (double& time : *times) time = body_.record.factor_at(time);
@@ -158,18 +158,18 @@ void ChainRunner<L, kElastic>::note_limit_mode(LimitLoad& limit) {
   if constexpr (L::kTranslations > 0) {
     const auto& chain = body_.build.chain;
     const std::size_t n = chain.size();
-    std::vector<typename L::Point> way(n + 1);
+    std::vector<typename L::Point> displacement(n + 1);
     for (const auto& [q, share] : {std::pair{&committed_, 1.0}, std::pair{&previous_, -1.0}}) {
       chain::place<kElastic>(chain, *q, last_time_, body_.work.placement);
       const auto& placement = body_.work.placement;
       for (std::size_t i = 0; i <= n; ++i) {
         const auto at =
             i < n ? placement.position[i] : placement.point(n - 1, chain.segments[n - 1].arm);
-        way[i] += constant<typename L::Scalar>(share) * at;
+        displacement[i] += constant<typename L::Scalar>(share) * at;
       }
     }
-    solve::make_largest_one(way, constant<typename L::Scalar>(0));
-    for (const auto& point : way) {
+    solve::make_largest_one(displacement, constant<typename L::Scalar>(0));
+    for (const auto& point : displacement) {
       const auto in_space = detail::doubles(body_.view.point_in_space(point));
       limit.mode.insert(limit.mode.end(), in_space.begin(), in_space.end());
     }
@@ -183,7 +183,7 @@ bool ChainRunner<L, kElastic>::find_modes() {
   if constexpr (kIsDouble<typename L::Scalar>) {
     const SolverOptions& solver = body_.model.options;
     const StopFlag stop = hooks_->stop;
-    const Status status = walker_->status();
+    const Status status = continuation_->status();
     if (status == Status::Interrupted) return true;
     const bool stands =
         status == Status::Completed || status == Status::LimitLoad || status == Status::Unstable;
@@ -221,7 +221,8 @@ bool ChainRunner<L, kElastic>::needs_all() const {
   return !body_.build.chain.ground_joints.empty() || body_.watch.active() ||
          std::any_of(supports.begin(), supports.end(),
                      [](const Support& s) { return s.moves(); }) ||
-         (walker_->records_next() && body_.record.needs_chain(response_->samples, *response_));
+         (continuation_->records_next() &&
+          body_.record.needs_chain(response_->samples, *response_));
 }
 
 template <class L, bool kElastic>
@@ -248,8 +249,9 @@ bool ChainRunner<L, kElastic>::accept(const Work& w) {
   body_.record.add_work(w, *body_.joints);
   has_yielded_ = has_yielded_ || yields();
   last_time_ = w.time;
-  if (L::kTranslations == 2) look_while_moments_grow(w);
-  if (body_.model.options.buckling > 0 && walker_->known_ways() == 0 && !has_yielded_) {
+  if (L::kTranslations == 2) check_plane_while_moments_grow(w);
+  if (body_.model.options.buckling > 0 && continuation_->known_unstable_modes() == 0 &&
+      !has_yielded_) {
     stable_ = w.q;
     stable_time_ = w.time;
     has_stable_ = true;
@@ -274,12 +276,12 @@ bool ChainRunner<L, kElastic>::record(const Work& w) {
   // The last sample is the end, of arcs that are more than the samples, too.
   if (response_->samples == body_.model.samples) --response_->samples;
   body_.record.write(w, *body_.joints, body_.strains, response_->samples, *response_);
-  response_->chain.iterations[response_->samples] = walker_->counters().iterations;
+  response_->chain.iterations[response_->samples] = continuation_->counters().iterations;
   ++response_->samples;
   if (!response_->unheld_thrust) response_->unheld_thrust = is_pushed(w) && !has_space_beside();
   if (solve::is_corner(body_.build.chain, w.time, 1e-9 * options_.stops.back())) {
     const Sections now = sections();
-    look_beside(w.q, w.time, &now);
+    check_plane(w.q, w.time, &now);
   }
   return response_->samples < body_.model.samples;
 }

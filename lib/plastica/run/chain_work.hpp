@@ -12,17 +12,17 @@ double ChainRecord<L, kElastic>::load_work(const chain::SegmentLoad<L>& load, co
   const S then = constant<S>(0.5 * history.at(time_));
   const auto& frame = w.placement.frame[load.segment];
   const auto& old_frame = placement_.frame[load.segment];
-  const typename L::Point way =
+  const typename L::Point displacement =
       w.placement.point(load.segment, load.arm) - placement_.point(load.segment, load.arm);
-  const typename L::Spin turn = L::axes(old_frame) * L::angle_from(old_frame, frame);
+  const typename L::Spin increment = L::axes(old_frame) * L::angle_from(old_frame, frame);
   if (!load.follows) {
-    return (now + then) * (dot(load.force, way) + dot(load.moment, turn));
+    return (now + then) * (dot(load.force, displacement) + dot(load.moment, increment));
   }
   const typename L::Point force =
-      now * L::turn(frame, load.force) + then * L::turn(old_frame, load.force);
+      now * L::rotate(frame, load.force) + then * L::rotate(old_frame, load.force);
   const typename L::Spin moment =
       now * (L::axes(frame) * load.moment) + then * (L::axes(old_frame) * load.moment);
-  return dot(force, way) + dot(moment, turn);
+  return dot(force, displacement) + dot(moment, increment);
 }
 
 template <class L, bool kElastic>
@@ -101,12 +101,12 @@ Energies ChainRecord<L, kElastic>::energies(const Work& w, const Joints& joints)
     sum.kinetic = kinetic_;
     sum.external = energy_at_start_ + flows_.external;
     sum.damping = flows_.damping;
-    sum.numerical = flows_.numerical;
+    sum.numerical_dissipation = flows_.numerical_dissipation;
     sum.impact = flows_.impact;
     sum.fracture = flows_.fracture;
   }
   sum.residual = sum.external - sum.elastic - sum.plastic - sum.kinetic - sum.damping -
-                 sum.numerical - sum.impact - sum.fracture;
+                 sum.numerical_dissipation - sum.impact - sum.fracture;
   return sum;
 }
 
@@ -131,11 +131,11 @@ std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::siz
   const auto& chain = build_->chain;
   Space force{};
   Space moment{};
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    const auto& closure = chain.closures[k];
-    if (closure.support != support || !w.closed[k]) continue;
-    force += in_space(w.q.multiplier[k] * closure.direction);
-    moment += joint_spin(w.q.multiplier[k] * closure.axis);
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    const auto& constraint = chain.constraints[k];
+    if (constraint.support != support || !w.closed[k]) continue;
+    force += in_space(w.q.multiplier[k] * constraint.direction);
+    moment += joint_spin(w.q.multiplier[k] * constraint.axis);
   }
   for (const auto& spring : chain.springs) {
     if (spring.support != support) continue;
@@ -163,13 +163,13 @@ std::array<double, 6> ChainRecord<L, kElastic>::reaction(const Work& w, std::siz
       held[k] = chain.root.held[k] ? -w.transmitted.outer[0].force[k] : constant<S>(0);
     }
     force += in_space(held);
-    typename L::Spin turned = w.q.open[0] ? typename L::Spin{} : -spin_force(0);
+    typename L::Spin moment_in_joint = w.q.open[0] ? typename L::Spin{} : -spin_force(0);
     const auto near = L::axes(w.placement.near[0]);
     typename L::Spin in_joint = transposed_times(near, w.transmitted.outer[0].moment);
     for (std::size_t k = 0; k < L::kRotations; ++k) {
-      if (chain.root.welded[k]) turned[k] = -in_joint[k];
+      if (chain.root.clamped[k]) moment_in_joint[k] = -in_joint[k];
     }
-    moment += joint_spin(near * turned);
+    moment += joint_spin(near * moment_in_joint);
   }
   return world_axes(force, moment);
 }

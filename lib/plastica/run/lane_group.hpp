@@ -27,7 +27,7 @@ class LaneGroup final : public LaneProgram {
         kernels_(Form::template kernels<Real>(
             lanes::of_precision<Real>(lanes::kernels(resolved(model.options.isa))), order_,
             model.scene.yield_model != YieldModel::Elastic)),
-        sight_(Form::template sight<Real>(
+        observables_(Form::template observables<Real>(
             lanes::of_precision<Real>(lanes::kernels(resolved(model.options.isa))))) {}
 
   void run(std::span<const LaneCase> cases) override {
@@ -59,7 +59,7 @@ class LaneGroup final : public LaneProgram {
     if (scenarios_.size() < count_) scenarios_.resize(count_);
     for (std::size_t lane = 0; lane < count_; ++lane) scenarios_[lane].begin(cases[lane]);
     time_ = last_step_ = 0.0;
-    looked_ = false;
+    observed_ = false;
     alone_lane_ = kNone;
     memory_.set(scenarios(), count_ == 1 ? 1 : lanes::kManyLanes<Real>);
     const ChainModel& model = *cases.front().model;
@@ -72,20 +72,20 @@ class LaneGroup final : public LaneProgram {
     // Of all cases of a shape, or a case's bits would depend on its company.
     counts_loads_ = loads_change_ || (!Form::kMomentsHavePotential && !model.scene.loads.empty());
     set_loads(memory_, 0.0, loads_change_ ? 0.0 : model.stops.back());
-    look();
-    ledgers_.assign(count_, {});
+    observe();
+    last_balances_.assign(count_, {});
     for (std::size_t lane = 0; lane < count_; ++lane) {
-      ledgers_[lane].potential = memory_.sum(Sums::Potential, lane);
+      last_balances_[lane].potential = memory_.sum(Sums::Potential, lane);
       const Balance begin = balance_of(memory_, lane, lane);
-      ledgers_[lane].sum = begin.sum;
-      ledgers_[lane].size = begin.size;
+      last_balances_[lane].sum = begin.sum;
+      last_balances_[lane].size = begin.size;
     }
     record();
   }
 
   /// Writes a sample of all that run.
   void record() {
-    look();
+    observe();
     for (std::size_t lane = 0; lane < count_; ++lane) {
       Scenario& scenario = scenarios_[lane];
       if (!scenario.running()) continue;
@@ -96,16 +96,17 @@ class LaneGroup final : public LaneProgram {
     sampled_time_ = time_;
   }
 
-  void look() {
-    if (!looked_) (count_ == 1 ? sight_.one : sight_.many)(memory_.beam(counts_loads_));
-    looked_ = true;
+  void observe() {
+    if (!observed_)
+      (count_ == 1 ? observables_.one : observables_.many)(memory_.beam(counts_loads_));
+    observed_ = true;
   }
 
   /// Ends a lane where its last sample was.
   void stop(std::size_t lane, Status status) {
     memory_.copy_lane(lane, sampled_, lane);
-    looked_ = false;
-    look();
+    observed_ = false;
+    observe();
     scenarios_[lane].arrive(sampled_time_, memory_, lane, counts_loads_, true);
     scenarios_[lane].stop(status);
   }
@@ -163,14 +164,14 @@ class LaneGroup final : public LaneProgram {
       }
       march(memory_, count_ == 1 ? kernels_.one : kernels_.many, time_, step,
             static_cast<std::size_t>(steps), step == last_step_);
-      looked_ = false;
+      observed_ = false;
       last_step_ = step;
       for (std::size_t lane = 0; lane < count_; ++lane) {
         if (scenarios_[lane].running() && is_raised(scenarios_[lane].hooks().stop)) {
           stop(lane, Status::Interrupted);
         }
       }
-      look();
+      observe();
       for (std::size_t lane = 0; lane < count_; ++lane) {
         if (scenarios_[lane].running()) judge(lane, step, steps);
       }
@@ -185,7 +186,7 @@ class LaneGroup final : public LaneProgram {
     auto& counters = scenarios_[lane].response().counters;
     counters.iterations += static_cast<int>(steps);
     // A number that is not finite leaves no energies that balance.
-    if (turns_little(memory_, lane, step) && ledger_closes(memory_, lane, lane)) {
+    if (rotates_little(memory_, lane, step) && energy_is_balanced(memory_, lane, lane)) {
       counters.steps += static_cast<int>(steps);
       note_step(step, scenarios_[lane].response());
       return;
@@ -197,13 +198,13 @@ class LaneGroup final : public LaneProgram {
 
   void tell(std::size_t lane) {
     Scenario& scenario = scenarios_[lane];
-    const auto& told = scenario.hooks().on_progress;
-    if (scenario.running() && told && !told(time_)) stop(lane, Status::Interrupted);
+    const auto& report = scenario.hooks().on_progress;
+    if (scenario.running() && report && !report(time_)) stop(lane, Status::Interrupted);
   }
 
   /// Whether the steps of a memory's lane are short enough for how fast it turns.
-  bool turns_little(const Memory& memory, std::size_t lane, double step) const {
-    const double most = scenarios_.front().model().options.largest_turn;
+  bool rotates_little(const Memory& memory, std::size_t lane, double step) const {
+    const double most = scenarios_.front().model().options.largest_rotation;
     if constexpr (requires { Sums::LargestAngle; }) {
       if (!(memory.sum(Sums::LargestAngle, lane) < Form::kLargestAngle)) return false;
     }
@@ -212,20 +213,20 @@ class LaneGroup final : public LaneProgram {
 
   /// Whether the energies of the last steps balance; takes them if they do. Where the explicit
   /// geometry is too coarse (a beam that whips, a string under tension) they do not.
-  bool ledger_closes(const Memory& memory, std::size_t memory_lane, std::size_t lane) {
-    Ledger& ledger = ledgers_[lane];
+  bool energy_is_balanced(const Memory& memory, std::size_t memory_lane, std::size_t lane) {
+    LastBalance& last = last_balances_[lane];
     const Balance now = balance_of(memory, memory_lane, lane);
-    const double size = std::max(ledger.size, now.size);
+    const double size = std::max(last.size, now.size);
     constexpr double kRounding = 256.0 * std::numeric_limits<Real>::epsilon();
-    if (!(std::fabs(now.sum - ledger.sum) <= kLedgerTolerance * size + kRounding * now.terms)) {
+    if (!(std::fabs(now.sum - last.sum) <= kBalanceTolerance * size + kRounding * now.terms)) {
       return false;
     }
-    ledger.sum = now.sum;
-    ledger.size = size;
+    last.sum = now.sum;
+    last.size = size;
     return true;
   }
 
-  /// What an energy ledger says of a lane.
+  /// The energy balance of a lane.
   struct Balance {
     double sum;    ///< of what is there and what has gone, less what has come in [J]
     double size;   ///< the largest of the entries [J]
@@ -234,16 +235,16 @@ class LaneGroup final : public LaneProgram {
   Balance balance_of(const Memory& memory, std::size_t memory_lane, std::size_t lane) const {
     const double kinetic = memory.sum(Sums::Kinetic, memory_lane);
     const double elastic = memory.sum(Sums::Elastic, memory_lane);
-    const double gone = memory.sum(Sums::Damping, memory_lane) +
-                        memory.sum(Sums::Numerical, memory_lane) +
-                        scenarios_[lane].plastic_work(memory, memory_lane);
+    const double dissipated = memory.sum(Sums::Damping, memory_lane) +
+                              memory.sum(Sums::NumericalDissipation, memory_lane) +
+                              scenarios_[lane].plastic_work(memory, memory_lane);
     const double potential = memory.sum(Sums::Potential, memory_lane);
-    const double came =
-        counts_loads_ ? memory.sum(Sums::Loads, memory_lane) : potential - ledgers_[lane].potential;
-    return {
-        kinetic + elastic + gone - came,
-        std::max({kinetic, elastic, std::fabs(gone), std::fabs(came)}),
-        std::max({kinetic, elastic, std::fabs(potential), std::fabs(ledgers_[lane].potential)})};
+    const double came = counts_loads_ ? memory.sum(Sums::Loads, memory_lane)
+                                      : potential - last_balances_[lane].potential;
+    return {kinetic + elastic + dissipated - came,
+            std::max({kinetic, elastic, std::fabs(dissipated), std::fabs(came)}),
+            std::max({kinetic, elastic, std::fabs(potential),
+                      std::fabs(last_balances_[lane].potential)})};
   }
 
   /// Goes from the last state that held with shorter steps, alone. @return whether it got there
@@ -257,12 +258,12 @@ class LaneGroup final : public LaneProgram {
       ++scenario.response().counters.cutbacks;
       alone_.copy_lane(0, *before_, lane);
       if (!march_alone(lane, step / cut, steps * cut)) continue;
-      sight_.one(alone_.beam(counts_loads_));
-      if (!ledger_closes(alone_, 0, lane)) continue;
+      observables_.one(alone_.beam(counts_loads_));
+      if (!energy_is_balanced(alone_, 0, lane)) continue;
       memory_.copy_lane(lane, alone_, 0);
       last_step_ = 0.0;  // this lane aims anew, with the same bits for all others
-      looked_ = false;
-      look();
+      observed_ = false;
+      observe();
       scenario.response().counters.steps += static_cast<int>(steps * cut);
       note_step(step / cut, scenario.response());
       return true;
@@ -278,14 +279,14 @@ class LaneGroup final : public LaneProgram {
             done > 0.0);
       scenarios_[lane].response().counters.iterations += static_cast<int>(now);
       if (is_raised(scenarios_[lane].hooks().stop)) return false;
-      if (!alone_.is_finite(0) || !turns_little(alone_, 0, step)) return false;
+      if (!alone_.is_finite(0) || !rotates_little(alone_, 0, step)) return false;
     }
     return true;
   }
 
-  /// Steps between two looks.
+  /// Steps between two observations.
   static constexpr double kSteps = 256.0;
-  /// Steps times segments times lanes between two looks at whether to stop: some 20 ms.
+  /// Steps times segments times lanes between two questions whether to stop: some 20 ms.
   static constexpr std::size_t kStepsOfSegments = std::size_t{1} << 20;
   /// Steps are cut back to no less than this part, whatever `smallest_step` allows: what is not
   /// stable then will not be.
@@ -293,7 +294,7 @@ class LaneGroup final : public LaneProgram {
 
   int order_;
   const lanes::StepKernels<Beam>& kernels_;
-  const lanes::SightKernels<Beam>& sight_;
+  const lanes::ObservablesKernels<Beam>& observables_;
   std::vector<Scenario> scenarios_;
   std::size_t count_ = 0;  ///< of them that run
   Memory memory_;
@@ -304,12 +305,12 @@ class LaneGroup final : public LaneProgram {
   Memory alone_;  ///< of a lane that needs shorter steps
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::size_t alone_lane_ = kNone;  ///< which
-  bool looked_ = false;             ///< whether the memory's sight is of its states
+  bool observed_ = false;           ///< whether the memory's observables are of its states
   /// Energies of a lane so far [J].
-  struct Ledger {
+  struct LastBalance {
     double sum = 0.0, size = 0.0, potential = 0.0;
   };
-  std::vector<Ledger> ledgers_;
+  std::vector<LastBalance> last_balances_;
   bool loads_change_ = false;
   bool counts_loads_ = false;
   double time_ = 0.0;

@@ -19,7 +19,7 @@ class LaneMemory {
   using Load = typename Form::Load;
   using State = typename Form::State;
   using Sums = typename Form::Sums;
-  using Sight = typename Form::Sight;
+  using Observables = typename Form::Observables;
   using Scenario = LaneScenario<Form>;
 
   /// Lays out `width` lanes; those beyond the scenarios are like the last one.
@@ -32,7 +32,7 @@ class LaneMemory {
     state_ = AlignedNumbers<Real>(segments_ * State::kCount * width);
     work_ = AlignedNumbers<Real>(segments_ * Form::Work::kCount * width);
     sums_ = AlignedNumbers<Real>(Sums::kCount * width);
-    sight_ = AlignedNumbers<Real>(segments_ * Sight::kCount * width);
+    observables_ = AlignedNumbers<Real>(segments_ * Observables::kCount * width);
     for (std::size_t i = 0; i < segments_; ++i) {
       for (std::size_t lane = 0; lane < width; ++lane) {
         const auto state = of_lane(scenarios, lane).state(i);
@@ -67,7 +67,7 @@ class LaneMemory {
   typename Form::template Beam<Real> beam(bool counts_loads) {
     return {segments_,           kinds_.index(), kinds_.numbers().data(),
             load_forms_.index(), loads_.data(),  state_.data(),
-            work_.data(),        sums_.data(),   sight_.data(),
+            work_.data(),        sums_.data(),   observables_.data(),
             counts_loads};
   }
 
@@ -78,12 +78,12 @@ class LaneMemory {
     }
     return state;
   }
-  std::array<double, Sight::kCount> sight(std::size_t i, std::size_t lane) const {
-    std::array<double, Sight::kCount> sight{};
-    for (std::size_t field = 0; field < Sight::kCount; ++field) {
-      sight[field] = static_cast<double>(sight_[index<Sight>(i, field, lane)]);
+  std::array<double, Observables::kCount> observables(std::size_t i, std::size_t lane) const {
+    std::array<double, Observables::kCount> observables{};
+    for (std::size_t field = 0; field < Observables::kCount; ++field) {
+      observables[field] = static_cast<double>(observables_[index<Observables>(i, field, lane)]);
     }
-    return sight;
+    return observables;
   }
   double sum(std::size_t field, std::size_t lane) const {
     return static_cast<double>(sums_[field * width_ + lane]);
@@ -172,7 +172,7 @@ class LaneMemory {
   std::size_t histories_ = 0;
   SharedEntries<Real> kinds_;
   SharedEntries<double> load_forms_;  ///< (histories x Load::kCount an entry)
-  AlignedNumbers<Real> loads_, state_, work_, sums_, sight_;
+  AlignedNumbers<Real> loads_, state_, work_, sums_, observables_;
 };
 
 }  // namespace plastica

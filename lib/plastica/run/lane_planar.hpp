@@ -8,8 +8,8 @@
 
 #include "plastica/lanes/kernel_table.hpp"
 #include "plastica/run/chain_body.hpp"
-#include "plastica/run/given_joints.hpp"
 #include "plastica/run/lane_numbers.hpp"
+#include "plastica/run/prescribed_joints.hpp"
 
 namespace plastica {
 
@@ -22,7 +22,7 @@ struct PlanarLanes {
   using State = lanes::PlanarState;
   using Work = lanes::PlanarWork;
   using Sums = lanes::PlanarSums;
-  using Sight = lanes::PlanarSight;
+  using Observables = lanes::PlanarObservables;
   template <class Real>
   using Beam = lanes::PlanarBeam<Real>;
   /// Whether the work of a moment that does not change follows from where the beam is.
@@ -35,11 +35,13 @@ struct PlanarLanes {
   }
 
   template <class Real>
-  static const lanes::SightKernels<Beam<Real>>& sight(const lanes::KernelsOf<Real>& table) {
-    return table.planar_sight;
+  static const lanes::ObservablesKernels<Beam<Real>>& observables(
+      const lanes::KernelsOf<Real>& table) {
+    return table.planar_observables;
   }
 
-  static std::array<double, Kind::kCount> kind(const Body& body, const GivenJoints<Level>& joints,
+  static std::array<double, Kind::kCount> kind(const Body& body,
+                                               const PrescribedJoints<Level>& joints,
                                                std::size_t i) {
     const auto& chain = body.build.chain;
     const auto& inertia = chain.inertias[i];
@@ -52,14 +54,14 @@ struct PlanarLanes {
     kind[Kind::Length] = chain.segments[i].arm[0];
     kind[Kind::Mass] = inertia.mass;
     kind[Kind::FirstMoment] = inertia.mass * center;
-    kind[Kind::Inertia] = inertia.turning(0, 0) + inertia.mass * center * center;
+    kind[Kind::Inertia] = inertia.rotational(0, 0) + inertia.mass * center * center;
     kind[Kind::Rest] = outer - chain.segments[i].inner.angle;
     kind[Kind::Stiffness] = stiffness;
     kind[Kind::Compliance] = 1.0 / stiffness;
     kind[Kind::Damping] = damped ? options.damping_time * stiffness : 0.0;
     kind[Kind::Cap] = cap(body, i);
-    const bool welded = i == 0 && chain.root.welded[0];
-    kind[Kind::Hold] = welded ? std::numeric_limits<double>::infinity() : 0.0;
+    const bool clamped = i == 0 && chain.root.clamped[0];
+    kind[Kind::Hold] = clamped ? std::numeric_limits<double>::infinity() : 0.0;
     for (double& number : kind) number = without_noise(number);
     kind[Kind::Rest] = std::nearbyint(kind[Kind::Rest] * 0x1p50) * 0x1p-50;
     return kind;
@@ -88,11 +90,11 @@ struct PlanarLanes {
 
   /// Takes a joint's state into the chain.
   static void read(const std::array<double, State::kCount>& state, std::size_t i, Body& body,
-                   GivenJoints<Level>& joints, Level::Spin& turning) {
+                   PrescribedJoints<Level>& joints, Level::Spin& angular_acceleration) {
     const double angle = state[State::Angle];
     body.work.q.angle[i] = {{angle}};
-    joints.give(i, {{angle - state[State::Plastic]}}, plastic_work(state, body, i));
-    turning = {{state[State::Turning]}};
+    joints.prescribe(i, {{angle - state[State::Plastic]}}, plastic_work(state, body, i));
+    angular_acceleration = {{state[State::AngularAcceleration]}};
   }
 
   static double plastic_work(const std::array<double, State::kCount>& state, const Body& body,
@@ -107,15 +109,18 @@ struct PlanarLanes {
   }
 
   /// Takes where a segment is.
-  static void place(const std::array<double, Sight::kCount>& sight, std::size_t i, Body& body) {
+  static void place(const std::array<double, Observables::kCount>& observables, std::size_t i,
+                    Body& body) {
     const Level::Point& start = body.build.chain.root.position;
-    body.work.placement.position[i] = start + Level::Point{{sight[Sight::X], sight[Sight::Y]}};
-    body.work.placement.frame[i] = {sight[Sight::Direction], sight[Sight::Cosine],
-                                    sight[Sight::Sine]};
+    body.work.placement.position[i] =
+        start + Level::Point{{observables[Observables::X], observables[Observables::Y]}};
+    body.work.placement.frame[i] = {observables[Observables::Direction],
+                                    observables[Observables::Cosine],
+                                    observables[Observables::Sine]};
   }
   /// How a segment turns, in its own axes.
-  static Level::Spin spin(const std::array<double, Sight::kCount>& sight) {
-    return {{sight[Sight::Spin]}};
+  static Level::Spin spin(const std::array<double, Observables::kCount>& observables) {
+    return {{observables[Observables::Spin]}};
   }
 
  private:

@@ -57,8 +57,8 @@ std::optional<LaneCases> LanePool::add(WaitingCase&& one) {
   bytes_ += bytes_of(one);
   shape->push_back(std::move(one));
   if (shape->size() < lane_width(*shape->front().model->chain)) {
-    if (shapes_.size() <= kMostShapes && bytes_ <= kMostLaneBytes) return {};
-    if (shapes_.size() > kMostShapes) shape = shapes_.begin();
+    if (shapes_.size() <= kMaxShapes && bytes_ <= kMaxLaneBytes) return {};
+    if (shapes_.size() > kMaxShapes) shape = shapes_.begin();
   }
   LaneCases ready = std::move(*shape);
   for (const WaitingCase& each : ready) bytes_ -= bytes_of(each);

@@ -24,7 +24,7 @@ using LaneCases = std::vector<WaitingCase>;
 
 /// Cases that wait for each other, or run together, take no more memory than this, unless it is one
 /// [bytes].
-inline constexpr std::size_t kMostLaneBytes = std::size_t{1} << 28;
+inline constexpr std::size_t kMaxLaneBytes = std::size_t{1} << 28;
 
 /// Collects cases of lane programs until there are enough of a shape; one a thread.
 class LanePool {
@@ -40,7 +40,7 @@ class LanePool {
   std::vector<LaneCases> release();
 
  private:
-  static constexpr std::size_t kMostShapes = 64;
+  static constexpr std::size_t kMaxShapes = 64;
 
   std::vector<LaneCases> shapes_;  ///< none of them empty
   std::size_t bytes_ = 0;          ///< that all who wait take

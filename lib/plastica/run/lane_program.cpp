@@ -27,7 +27,8 @@ bool has_gravity(const Scene& scene) {
 
 bool same_steps(const SolverOptions& a, const SolverOptions& b) {
   return a.scheme == b.scheme && a.time_step == b.time_step && a.precision == b.precision &&
-         a.isa == b.isa && a.largest_turn == b.largest_turn && a.smallest_step == b.smallest_step;
+         a.isa == b.isa && a.largest_rotation == b.largest_rotation &&
+         a.smallest_step == b.smallest_step;
 }
 
 template <class Form>
@@ -66,7 +67,7 @@ void share_seconds(double seconds, std::span<const LaneCase> cases) {
 
 std::size_t lane_width(const ChainModel& model, std::size_t cases, int threads) {
   const std::size_t most = lane_width(model);
-  if (!walks_in_lanes(model)) return most;
+  if (!continues_in_lanes(model)) return most;
   const auto workers = static_cast<std::size_t>(threads);
   return std::clamp((cases + workers - 1) / workers, std::size_t{1}, most);
 }
@@ -75,10 +76,12 @@ bool steps_in_lanes(const ChainModel& model) {
   return model.options.analysis == Analysis::Dynamics && is_articulated(model.options.scheme);
 }
 
-bool has_lanes(const ChainModel& model) { return steps_in_lanes(model) || walks_in_lanes(model); }
+bool has_lanes(const ChainModel& model) {
+  return steps_in_lanes(model) || continues_in_lanes(model);
+}
 
 bool same_lanes(const ChainModel& a, const ChainModel& b) {
-  if (walks_in_lanes(a) || walks_in_lanes(b)) return same_path_lanes(a, b);
+  if (continues_in_lanes(a) || continues_in_lanes(b)) return same_path_lanes(a, b);
   return a.level == b.level && a.across == b.across && a.layout.size() == b.layout.size() &&
          a.stops == b.stops && a.recorded == b.recorded && same_steps(a.options, b.options) &&
          (a.scene.yield_model == YieldModel::Elastic) ==
@@ -87,13 +90,13 @@ bool same_lanes(const ChainModel& a, const ChainModel& b) {
 }
 
 std::size_t lane_width(const ChainModel& model) {
-  if (walks_in_lanes(model)) return kPathsTogether;
+  if (continues_in_lanes(model)) return kPathsTogether;
   return model.options.precision == Precision::Float ? lanes::kManyLanes<float>
                                                      : lanes::kManyLanes<double>;
 }
 
 std::unique_ptr<LaneProgram> make_lane_program(const ChainModel& model) {
-  if (walks_in_lanes(model)) return make_path_lanes(model);
+  if (continues_in_lanes(model)) return make_path_lanes(model);
   if (model.level == Level::Spatial) return make_group<SpatialLanes>(model);
   return make_group<PlanarLanes>(model);
 }

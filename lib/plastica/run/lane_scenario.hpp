@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "plastica/run/given_joints.hpp"
 #include "plastica/run/lane_program.hpp"
 #include "plastica/run/motion_begin.hpp"
+#include "plastica/run/prescribed_joints.hpp"
 #include "plastica/solve/motion_step.hpp"
 
 namespace plastica {
@@ -44,12 +44,12 @@ class LaneScenario {
     set_initial_motion(*body_, motion_);
     const Status status = fit_initial_motion();
     auto given =
-        std::make_unique<GivenJoints<L>>(body_->joints->joints(), body_->view.section_axes());
+        std::make_unique<PrescribedJoints<L>>(body_->joints->joints(), body_->view.section_axes());
     given->reset();
     joints_ = given.get();
     laws_ = std::move(given);
     std::swap(body_->joints, laws_);
-    turning_.assign(body_->build.chain.size(), {});
+    angular_acceleration_.assign(body_->build.chain.size(), {});
     accumulated_.assign(body_->build.chain.size(), {});
     probed_.clear();
     for (const Probe& probe : model_->scene.probes) {
@@ -86,15 +86,15 @@ class LaneScenario {
     work.time = time;
     kinetic_ = memory.sum(Sums::Kinetic, lane);
     flows_.damping = memory.sum(Sums::Damping, lane);
-    flows_.numerical = memory.sum(Sums::Numerical, lane);
+    flows_.numerical_dissipation = memory.sum(Sums::NumericalDissipation, lane);
     const double potential = memory.sum(Sums::Potential, lane);
     if (time == 0.0) potential_ = potential;
     flows_.external = loads_work ? memory.sum(Sums::Loads, lane) : potential - potential_;
-    body_->record.give_energies({memory.sum(Sums::Elastic, lane), plastic_work(memory, lane)});
+    body_->record.prescribe_energies({memory.sum(Sums::Elastic, lane), plastic_work(memory, lane)});
     if (whole || yields() || body_->record.needs_chain(response().samples, response())) {
       read_chain(memory, lane);
     } else {
-      for (const std::size_t i : probed_) Form::place(memory.sight(i, lane), i, *body_);
+      for (const std::size_t i : probed_) Form::place(memory.observables(i, lane), i, *body_);
     }
   }
 
@@ -138,7 +138,7 @@ class LaneScenario {
     }
     body_->record.end_motion();
     body_->record.end_frames(out);
-    out.ledger_error = ledger_error(std::span(out.chain.energy).first(out.samples));
+    out.energy_balance_error = energy_balance_error(std::span(out.chain.energy).first(out.samples));
     judge_balance(out);
     const auto& strain = body_->strains.strain;
     out.permanent_strain = *std::max_element(strain.begin(), strain.end());
@@ -177,19 +177,19 @@ class LaneScenario {
     for (std::size_t i = 0; i < n; ++i) {
       const auto& segment = chain().segments[i];
       const auto state = memory.state(i, lane);
-      Form::read(state, i, *body_, *joints_, turning_[i]);
+      Form::read(state, i, *body_, *joints_, angular_acceleration_[i]);
       const auto flowed = in_double(body_->view.spin_in_space(Form::accumulated(state)));
       for (std::size_t k = 0; k < 3; ++k) accumulated_[i][k] = std::fabs(flowed[k]);
-      const auto sight = memory.sight(i, lane);
-      Form::place(sight, i, *body_);
+      const auto observables = memory.observables(i, lane);
+      Form::place(observables, i, *body_);
       const auto& frame = placement.frame[i];
       placement.near[i] = near;
-      placement.far[i] = L::then(frame, segment.inner);
-      near = L::then(frame, segment.outer);
-      motion_[i].spin = Form::spin(sight);
+      placement.far[i] = L::compose(frame, segment.inner);
+      near = L::compose(frame, segment.outer);
+      motion_[i].spin = Form::spin(observables);
       const typename L::Spin spin = L::axes(frame) * motion_[i].spin;
-      motion_[i].velocity = velocity + L::spun(spin, L::turn(frame, chain().inertias[i].center));
-      velocity += L::spun(spin, L::turn(frame, segment.arm));
+      motion_[i].velocity = velocity + L::spun(spin, L::rotate(frame, chain().inertias[i].center));
+      velocity += L::spun(spin, L::rotate(frame, segment.arm));
       work.angles[i] = work.q.angle[i];
       typename L::Spin moment;
       for (std::size_t k = 0; k < L::kRotations; ++k) {
@@ -211,16 +211,16 @@ class LaneScenario {
     auto& work = body_->work;
     const auto& placement = work.placement;
     const std::size_t n = motion_.size();
-    center_pull_.resize(n);
+    center_acceleration_.resize(n);
     typename L::Point at{};
     for (std::size_t i = 0; i < n; ++i) {
       const auto& frame = placement.frame[i];
       const typename L::Spin spin = L::axes(frame) * motion_[i].spin;
       const auto moved = [&](const typename L::Point& local) {
-        const typename L::Point arm = L::turn(frame, local);
-        return at + L::spun(turning_[i], arm) + L::spun(spin, L::spun(spin, arm));
+        const typename L::Point arm = L::rotate(frame, local);
+        return at + L::spun(angular_acceleration_[i], arm) + L::spun(spin, L::spun(spin, arm));
       };
-      center_pull_[i] = moved(chain().inertias[i].center);
+      center_acceleration_[i] = moved(chain().inertias[i].center);
       at = moved(chain().segments[i].arm);
     }
     auto& outer = work.transmitted.outer;
@@ -236,12 +236,12 @@ class LaneScenario {
       const auto& inertia = chain().inertias[i];
       const auto axes = L::axes(placement.frame[i]);
       const typename L::Spin spin = motion_[i].spin;
-      const typename L::Spin momentum = inertia.turning * spin;
+      const typename L::Spin momentum = inertia.rotational * spin;
       const typename L::Spin resists =
-          axes *
-          (inertia.turning * transposed_times(axes, turning_[i]) + L::turned_by(momentum) * -spin);
-      const typename L::Point force = -(inertia.mass * center_pull_[i]);
-      const typename L::Point arm = L::turn(placement.frame[i], inertia.center);
+          axes * (inertia.rotational * transposed_times(axes, angular_acceleration_[i]) +
+                  L::spin_derivative(momentum) * -spin);
+      const typename L::Point force = -(inertia.mass * center_acceleration_[i]);
+      const typename L::Point arm = L::rotate(placement.frame[i], inertia.center);
       sum.force += outer[i].force + force;
       sum.moment += outer[i].moment + L::moment(arm, force) - resists;
       outer[i] = sum;
@@ -254,15 +254,18 @@ class LaneScenario {
   const ChainModel* model_ = nullptr;
   LaneCase case_;
   std::unique_ptr<Body> body_;
-  std::unique_ptr<chain::SectionJointsBase<L, false>> laws_;  ///< while the body has given joints
-  GivenJoints<L>* joints_ = nullptr;
+  std::unique_ptr<chain::SectionJointsBase<L, false>>
+      laws_;  ///< while the body has prescribed joints
+  PrescribedJoints<L>* joints_ = nullptr;
   Motions motion_;
-  std::vector<JointAngles> accumulated_;        ///< sums of the permanent angles' changes (N)
-  std::vector<typename L::Spin> turning_;       ///< angular accelerations, in world axes (N)
-  std::vector<typename L::Point> center_pull_;  ///< accelerations of the centers of mass (N)
-  std::vector<std::size_t> probed_;             ///< segments of points that probes are at
-  double kinetic_ = 0.0;                        ///< energy [J]
-  double potential_ = 0.0;                      ///< of the loads at time 0 [J]
+  std::vector<JointAngles> accumulated_;  ///< sums of the permanent angles' changes (N)
+  std::vector<typename L::Spin>
+      angular_acceleration_;  ///< angular accelerations, in world axes (N)
+  std::vector<typename L::Point>
+      center_acceleration_;          ///< accelerations of the centers of mass (N)
+  std::vector<std::size_t> probed_;  ///< segments of points that probes are at
+  double kinetic_ = 0.0;             ///< energy [J]
+  double potential_ = 0.0;           ///< of the loads at time 0 [J]
   solve::EnergyFlows flows_;
   Status status_ = Status::NotRun;
 };

@@ -9,8 +9,8 @@
 
 #include "plastica/lanes/kernel_table.hpp"
 #include "plastica/run/chain_body.hpp"
-#include "plastica/run/given_joints.hpp"
 #include "plastica/run/lane_numbers.hpp"
+#include "plastica/run/prescribed_joints.hpp"
 
 namespace plastica {
 
@@ -23,7 +23,7 @@ struct SpatialLanes {
   using State = lanes::SpatialState;
   using Work = lanes::SpatialWork;
   using Sums = lanes::SpatialSums;
-  using Sight = lanes::SpatialSight;
+  using Observables = lanes::SpatialObservables;
   template <class Real>
   using Beam = lanes::SpatialBeam<Real>;
   static constexpr bool kMomentsHavePotential = false;
@@ -34,11 +34,13 @@ struct SpatialLanes {
     return table.spatial[order - 1][yields ? 1 : 0];
   }
   template <class Real>
-  static const lanes::SightKernels<Beam<Real>>& sight(const lanes::KernelsOf<Real>& table) {
-    return table.spatial_sight;
+  static const lanes::ObservablesKernels<Beam<Real>>& observables(
+      const lanes::KernelsOf<Real>& table) {
+    return table.spatial_observables;
   }
 
-  static std::array<double, Kind::kCount> kind(const Body& body, const GivenJoints<Level>& joints,
+  static std::array<double, Kind::kCount> kind(const Body& body,
+                                               const PrescribedJoints<Level>& joints,
                                                std::size_t i) {
     const auto& chain = body.build.chain;
     const auto& inertia = chain.inertias[i];
@@ -52,13 +54,13 @@ struct SpatialLanes {
     const double lever = inertia.mass * center * center;
     for (std::size_t k = 0; k < 3; ++k) {
       const double stiffness = joints.stiffness(i, k);
-      kind[Kind::Inertia + k] = inertia.turning(k, k) + (k < 2 ? lever : 0.0);
+      kind[Kind::Inertia + k] = inertia.rotational(k, k) + (k < 2 ? lever : 0.0);
       kind[Kind::Stiffness + k] = stiffness;
       kind[Kind::Compliance + k] = 1.0 / stiffness;
       kind[Kind::Damping + k] = damped ? options.damping_time * stiffness : 0.0;
       kind[Kind::Cap + k] = body.joint_models[i].cap[k];
     }
-    kind[Kind::Free] = i == 0 && chain.root.welded[0] ? 0.0 : 1.0;
+    kind[Kind::Free] = i == 0 && chain.root.clamped[0] ? 0.0 : 1.0;
     for (double& number : kind) number = without_noise(number);
     return kind;
   }
@@ -90,14 +92,14 @@ struct SpatialLanes {
 
   /// Takes a joint's state into the chain.
   static void read(const std::array<double, State::kCount>& state, std::size_t i, Body& body,
-                   GivenJoints<Level>& joints, Level::Spin& turning) {
+                   PrescribedJoints<Level>& joints, Level::Spin& angular_acceleration) {
     Level::Spin elastic;
     for (std::size_t k = 0; k < 3; ++k) {
       body.work.q.angle[i][k] = state[State::Angle + k];
       elastic[k] = state[State::Angle + k] - state[State::Plastic + k];
-      turning[k] = state[State::Turning + k];
+      angular_acceleration[k] = state[State::AngularAcceleration + k];
     }
-    joints.give(i, elastic, plastic_work(state, body, i));
+    joints.prescribe(i, elastic, plastic_work(state, body, i));
   }
 
   static double plastic_work(const std::array<double, State::kCount>& state, const Body& body,
@@ -117,22 +119,24 @@ struct SpatialLanes {
   }
 
   /// Takes where a segment is.
-  static void place(const std::array<double, Sight::kCount>& sight, std::size_t i, Body& body) {
+  static void place(const std::array<double, Observables::kCount>& observables, std::size_t i,
+                    Body& body) {
     const Level::Point& start = body.build.chain.root.position;
     auto& placement = body.work.placement;
     for (std::size_t k = 0; k < 3; ++k) {
-      placement.position[i][k] = start[k] + sight[Sight::Place + k];
+      placement.position[i][k] = start[k] + observables[Observables::Place + k];
       for (std::size_t column = 0; column < 3; ++column) {
-        placement.frame[i].axes(k, column) = sight[Sight::Axes + 3 * column + k];
+        placement.frame[i].axes(k, column) = observables[Observables::Axes + 3 * column + k];
       }
     }
   }
   /// How a segment turns, in its own axes.
-  static Level::Spin spin(const std::array<double, Sight::kCount>& sight) {
+  static Level::Spin spin(const std::array<double, Observables::kCount>& observables) {
     Level::Spin spin;
     for (std::size_t column = 0; column < 3; ++column) {
       for (std::size_t k = 0; k < 3; ++k) {
-        spin[column] += sight[Sight::Axes + 3 * column + k] * sight[Sight::Spin + k];
+        spin[column] +=
+            observables[Observables::Axes + 3 * column + k] * observables[Observables::Spin + k];
       }
     }
     return spin;

@@ -17,7 +17,7 @@ template <class L, bool kElastic>
 solve::MotionOptions motion_options(const ChainBody<L, kElastic>& body) {
   const SolverOptions& solver = body.model.options;
   solve::MotionOptions options;
-  options.newton.most_iterations = std::min(solver.most_iterations, solve::kMostIterations);
+  options.newton.max_iterations = std::min(solver.max_iterations, solve::kMaxIterations);
   options.newton.tolerance = solver.tolerance;
   options.scheme = solver.scheme;
   options.rho_infinity = solver.rho_infinity;
@@ -30,11 +30,11 @@ solve::MotionOptions motion_options(const ChainBody<L, kElastic>& body) {
           : fixed_steps({body.model.stops, body.model.recorded}, solver.time_step).longest;
   options.step_error = solver.step_error;
   options.smallest_step = solver.smallest_step;
-  options.largest_turn = solver.largest_turn;
+  options.largest_rotation = solver.largest_rotation;
   options.stops = body.model.stops;
   options.recorded = body.model.recorded;
-  for (const auto& closure : body.build.chain.closures) {
-    options.restitution.push_back(body.model.scene.supports[closure.support].restitution);
+  for (const auto& constraint : body.build.chain.constraints) {
+    options.restitution.push_back(body.model.scene.supports[constraint.support].restitution);
   }
   return options;
 }

@@ -21,13 +21,13 @@ void with_modes_of(const ChainModel& model, const chain::View<L>& view, const Us
   ChainBody<L, kElastic> body(model, view);
   body.reset(material_values(model.scene.material));
   for (History& history : body.build.chain.histories) history = {{0.0}, {0.0}};
-  for (std::size_t k = 0; k < body.build.chain.closures.size(); ++k) {
+  for (std::size_t k = 0; k < body.build.chain.constraints.size(); ++k) {
     // Pillars push on one side alone.
-    if (body.build.chain.closures[k].one_sided) body.work.q.released_closure[k] = true;
+    if (body.build.chain.constraints[k].one_sided) body.work.q.released_constraint[k] = true;
   }
   const chain::Coordinates<L> undeformed = body.work.q;
   ChainModes<L, kElastic> modes(body, undeformed, 0.0, false);
-  modes.release_idle_closures();
+  modes.release_idle_constraints();
   use(modes);
 }
 
@@ -94,7 +94,7 @@ InputError wrong_count(int count, int most) {
   return {{},
           "count",
           std::to_string(count),
-          "must be 1 … " + std::to_string(most) + ", the ways in which the chain can move"};
+          "must be 1 … " + std::to_string(most) + ", the degrees of freedom of the chain"};
 }
 
 }  // namespace

@@ -10,9 +10,9 @@ namespace plastica {
 /// its undeformed shape, rising [Hz] (count).
 ///
 /// The chain is that of the scene's level, with the tangent of its joints' laws at rest, springs,
-/// half joints and welds, and the inertia that `solver.rotary_inertia` asks for. Supports hold
-/// their directions still, whatever motion they prescribe; pillars, which push on one side alone,
-/// are left out, and so is all that loads and gravity do to the stiffness. Ways to move that
+/// half joints and rigid clamps, and the inertia that `solver.rotary_inertia` asks for. Supports
+/// hold their directions still, whatever motion they prescribe; pillars, which push on one side
+/// alone, are left out, and so is all that loads and gravity do to the stiffness. Ways to move that
 /// nothing resists (rigid-body motions of a free beam, hinges) have the frequency 0: that is said
 /// of every frequency below 1e-5 of what the softest joint or support and the mass that it moves
 /// make. Found by counting negative pivots, in time proportional to segments and `count`.
@@ -39,12 +39,12 @@ struct LoadedFrequencies {
 /// stiffness, supports that touch hold, and joints that have yielded unload. Ways in which an
 /// unstable state would be left have the frequency 0.
 /// @param options  as for `simulate`
-/// @param count    1 … the ways in which the chain can move
+/// @param count    1 … the chain's degrees of freedom
 /// @throws InputError as `prepare`, and as above; where loads have no potential (they follow their
 ///         segment, or in space are moments of a fixed axis)
 LoadedFrequencies natural_frequencies(const Scene& scene, const SolverOptions& options, int count);
 
-/// In how many independent ways a chain can move a little: its number of natural frequencies.
+/// Degrees of freedom of a chain: its number of natural frequencies.
 /// @throws InputError if the model is a coupon
 int chain_freedoms(const Model& model);
 

@@ -37,16 +37,16 @@ class SpatialTangent final : public OutOfPlane {
     applies_ = holds_at_rest();
     if (!applies_) {
       // A start that is held in the plane alone is taken as held against twist, as by a fork.
-      build_.chain.root.welded[2] = true;
+      build_.chain.root.clamped[2] = true;
       applies_ = holds_at_rest();
     }
   }
 
   bool applies() const override { return applies_; }
 
-  int ways(const PlanarEquilibrium& at) override {
+  int unstable_modes(const PlanarEquilibrium& at) override {
     factor(at);
-    return count_ways();
+    return count_unstable_modes();
   }
 
   double log_determinant(const PlanarEquilibrium& at) override {
@@ -80,9 +80,9 @@ class SpatialTangent final : public OutOfPlane {
     build_.chain.histories = kept;
   }
 
-  int ways_after(double time) override {
+  int unstable_after(double time) override {
     pencil_->factor(time);
-    return count_ways();
+    return count_unstable_modes();
   }
 
   void add_mode_after(double time, std::vector<double>& mode) override {
@@ -95,23 +95,23 @@ class SpatialTangent final : public OutOfPlane {
 
   void append_mode(std::vector<double>& mode) {
     // A mode in the plane may have the same load; at a planar state both stand apart.
-    const auto ways = solve::buckling_mode(build_.chain, work_);
+    const auto displacements = solve::buckling_mode(build_.chain, work_);
     double largest = 0.0;
-    for (const auto& way : ways) {
-      if (std::fabs(way[normal_]) > std::fabs(largest)) largest = way[normal_];
+    for (const auto& displacement : displacements) {
+      if (std::fabs(displacement[normal_]) > std::fabs(largest)) largest = displacement[normal_];
     }
-    for (const auto& way : ways) {
+    for (const auto& displacement : displacements) {
       for (std::size_t k = 0; k < 3; ++k) {
-        mode.push_back(k == normal_ ? way[normal_] / largest : 0.0);
+        mode.push_back(k == normal_ ? displacement[normal_] / largest : 0.0);
       }
     }
   }
 
-  int count_ways() {
+  int count_unstable_modes() {
     int count = 0;
     for_each_pivot([&](double pivot) { count += pivot < 0.0 ? 1 : 0; });
-    for (std::size_t k = 0; k < build_.chain.closures.size(); ++k) {
-      if (work_.closed[k] && leaves_plane(build_.chain.closures[k])) --count;
+    for (std::size_t k = 0; k < build_.chain.constraints.size(); ++k) {
+      if (work_.closed[k] && leaves_plane(build_.chain.constraints[k])) --count;
     }
     return conservative_ ? count : std::abs(count) % 2;
   }
@@ -120,7 +120,7 @@ class SpatialTangent final : public OutOfPlane {
     auto made = chain::joint_set(scene_, model.layout, build_, material, view_);
     joints_ = make_joints<L, kElastic>(scene_, model.layout.parts, made.materials,
                                        std::move(made.numbers), view_, model.options.fibres);
-    chain::set_closure_stiffness(joints_->joints(), scene_.beam.length, build_.chain);
+    chain::set_constraint_stiffness(joints_->joints(), scene_.beam.length, build_.chain);
   }
 
   bool holds_at_rest() {
@@ -132,7 +132,7 @@ class SpatialTangent final : public OutOfPlane {
     bool finite = true;
     work_.recursion.for_each_pivot(build_.chain,
                                    [&](double pivot) { finite = finite && std::isfinite(pivot); });
-    return finite && work_.recursion.least_pivot() > kFree;
+    return finite && work_.recursion.min_pivot() > kFree;
   }
 
   void factor(const PlanarEquilibrium& at) {
@@ -147,18 +147,18 @@ class SpatialTangent final : public OutOfPlane {
       if (!at.shift.empty()) work_.q.shift[i].at = at.shift[i];
     }
     work_.q.root.at = at.root;
-    auto& closures = build_.chain.closures;
-    for (std::size_t k = 0; k < closures.size(); ++k) {
+    auto& constraints = build_.chain.constraints;
+    for (std::size_t k = 0; k < constraints.size(); ++k) {
       work_.q.multiplier[k] = 0.0;
       for (const PlanarEquilibrium::Held& held : at.held) {
-        const bool same = held.support == closures[k].support &&
-                          held.direction == closures[k].direction.at &&
-                          held.axis == closures[k].axis.at;
+        const bool same = held.support == constraints[k].support &&
+                          held.direction == constraints[k].direction.at &&
+                          held.axis == constraints[k].axis.at;
         if (!same) continue;
         work_.q.multiplier[k] = held.multiplier;
-        work_.q.released_closure[k] = !held.closed;
+        work_.q.released_constraint[k] = !held.closed;
       }
-      work_.closed[k] = !work_.q.released_closure[k];
+      work_.closed[k] = !work_.q.released_constraint[k];
     }
     solve::detail::assemble(build_.chain, *joints_, work_);
     if (!at.elastic.empty()) unload(at);
@@ -184,14 +184,14 @@ class SpatialTangent final : public OutOfPlane {
         build_.chain, work_.q, work_.placement, work_.stage, work_.joints,
         [&](std::size_t history) { return build_.chain.histories[history].at(work_.time); },
         work_.outer_forces);
-    solve::detail::set_closures(build_.chain, work_);
+    solve::detail::set_constraints(build_.chain, work_);
   }
 
   /// Leaves a joint a share of its stiffness for bending out of the plane.
   void soften(std::size_t joint, double share) {
     const std::size_t aside = 1 - normal_;
     const auto& numbers = joints_->joints()[joint];
-    const double lost = (1.0 - share) * numbers.acting[aside] * numbers.acting[aside] *
+    const double lost = (1.0 - share) * numbers.active[aside] * numbers.active[aside] *
                         numbers.stiffness[aside] / numbers.length[aside];
     const auto& angle = work_.angles[joint];
     const chain::RotationCoefficients<double> k(dot(angle, angle));
@@ -209,10 +209,10 @@ class SpatialTangent final : public OutOfPlane {
                            work_.outer_forces, work_.transmitted);
   }
 
-  /// Whether a closure holds a motion out of the plane.
-  bool leaves_plane(const chain::Closure<L>& closure) const {
-    if (closure.turning) return std::fabs(closure.axis[normal_]) < 0.5;
-    return std::fabs(closure.direction[normal_]) > 0.5;
+  /// Whether a constraint holds a motion out of the plane.
+  bool leaves_plane(const chain::LoopConstraint<L>& constraint) const {
+    if (constraint.rotational) return std::fabs(constraint.axis[normal_]) < 0.5;
+    return std::fabs(constraint.direction[normal_]) > 0.5;
   }
 
   /// Joint freedoms and translations of the start out of the plane, all but those that are held.
@@ -231,11 +231,12 @@ class SpatialTangent final : public OutOfPlane {
       ++index;
       if (spin == (axis != normal_)) visit(pivot);
     });
-    std::size_t closure = 0;
+    std::size_t constraint = 0;
     const solve::PathCondition<L> at_time;
-    solve::detail::for_each_closure_pivot(build_.chain, at_time, false, work_, [&](double pivot) {
-      if (leaves_plane(build_.chain.closures[closure++])) visit(pivot);
-    });
+    solve::detail::for_each_constraint_pivot(
+        build_.chain, at_time, false, work_, [&](double pivot) {
+          if (leaves_plane(build_.chain.constraints[constraint++])) visit(pivot);
+        });
   }
 
   Scene scene_;

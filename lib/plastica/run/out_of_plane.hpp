@@ -29,7 +29,7 @@ struct PlanarEquilibrium {
   /// other axis, over the elastic one (as `elastic`), or empty where all is left.
   std::vector<double> aside;
   std::array<double, 3> root{};  ///< free translation of the start [m]
-  std::vector<Held> held;        ///< closures
+  std::vector<Held> held;        ///< constraints
 };
 
 /// Whether a planar chain would leave its plane: the spatial tangent about its equilibria, of which
@@ -42,10 +42,10 @@ class OutOfPlane {
   virtual ~OutOfPlane() = default;
   /// Whether the supports hold the beam out of its plane at all.
   virtual bool applies() const = 0;
-  /// Whether all that acts has a potential in space; else `ways` is a parity.
+  /// Whether all that acts has a potential in space; else `unstable_modes` is a parity.
   virtual bool has_potential() const = 0;
-  /// In how many ways the plane would be left.
-  virtual int ways(const PlanarEquilibrium& at) = 0;
+  /// Number of unstable modes out of the plane.
+  virtual int unstable_modes(const PlanarEquilibrium& at) = 0;
   /// Logarithm of the determinant that changes its sign with them, up to a constant.
   virtual double log_determinant(const PlanarEquilibrium& at) = 0;
   /// Appends the mode in which it would be left just there: translations of the joints, the
@@ -56,8 +56,8 @@ class OutOfPlane {
   /// `solve::Pencil`.
   /// @param reach  as for `let_held_grow`
   virtual void let_forces_grow(const PlanarEquilibrium& at, double reach) = 0;
-  /// `ways`, and `add_mode`, a time later than that.
-  virtual int ways_after(double time) = 0;
+  /// `unstable_modes`, and `add_mode`, a time later than that.
+  virtual int unstable_after(double time) = 0;
   virtual void add_mode_after(double time, std::vector<double>& mode) = 0;
 };
 

@@ -56,7 +56,7 @@ std::optional<solve::LaneLaw> lane_law(const ChainModel& model) {
   }
 }
 
-bool walks_in_lanes(const ChainModel& model) {
+bool continues_in_lanes(const ChainModel& model) {
   const SolverOptions& options = model.options;
   const auto& supports = model.scene.supports;
   return options.analysis == Analysis::Statics && options.precision == Precision::Double &&
@@ -69,8 +69,8 @@ bool walks_in_lanes(const ChainModel& model) {
 }
 
 bool same_path_lanes(const ChainModel& a, const ChainModel& b) {
-  return walks_in_lanes(a) && walks_in_lanes(b) && a.level == b.level && a.across == b.across &&
-         a.options.isa == b.options.isa && lane_law(a) == lane_law(b) &&
+  return continues_in_lanes(a) && continues_in_lanes(b) && a.level == b.level &&
+         a.across == b.across && a.options.isa == b.options.isa && lane_law(a) == lane_law(b) &&
          a.layout.segment_part == b.layout.segment_part && same_supports(a, b) &&
          same_loads(a, b) && same_masses(a, b);
 }

@@ -19,17 +19,17 @@ namespace plastica {
 /// The law of a model's joints, if lanes have it.
 std::optional<solve::LaneLaw> lane_law(const ChainModel& model);
 
-/// Whether a model is a path that can be walked in a lane: of rigid joints in the plane or in space
-/// that are elastic, or ideal plastic or linearly hardening about each axis by itself, on two-sided
-/// supports, under load control.
-bool walks_in_lanes(const ChainModel& model);
-/// Whether two of them can be walked together.
+/// Whether a model is a path that can be followed in a lane: of rigid joints in the plane or in
+/// space that are elastic, or ideal plastic or linearly hardening about each axis by itself, on
+/// two-sided supports, under load control.
+bool continues_in_lanes(const ChainModel& model);
+/// Whether two of them can be followed together.
 bool same_path_lanes(const ChainModel& a, const ChainModel& b);
 /// Paths that one program takes: more than lanes, so that few of those are empty at the end.
 inline constexpr std::size_t kPathsTogether = 4 * solve::kPathLanes;
 std::unique_ptr<LaneProgram> make_path_lanes(const ChainModel& model);
 
-/// Walks the paths of several beams of one shape, each at its own pace: whoever has found an
+/// Follows the paths of several beams of one shape, each at its own pace: whoever has found an
 /// equilibrium goes on by itself to where it seeks the next, and who has ended makes room for a
 /// beam that waits. What is sought otherwise than at a given time (the first equilibrium, arcs,
 /// displacement control) each seeks alone.
@@ -53,7 +53,7 @@ class PathLanes final : public LaneProgram {
     bool converged = false;  ///< which of both
     bool placed = false;     ///< the segments' places were read, and no more is needed
     int iteration = 0;
-    double ways = -1.0;  ///< see `PathWalker::take`
+    double unstable_modes = -1.0;  ///< see `PathContinuation::take`
   };
 
   bool any_seeks() const {
@@ -63,7 +63,7 @@ class PathLanes final : public LaneProgram {
   bool begin(int lane, const LaneCase& one);
   void begin_seeking(int lane);
   void judge(int lane, double imbalance);
-  void count_ways();
+  void count_unstable_modes();
   void take_found(int lane);
 
   /// Calls `use` with the joints of a runner as what they are.

@@ -30,7 +30,7 @@ void PathLanes<L>::run(std::span<const LaneCase> cases) {
       judge(lane, imbalance[static_cast<std::size_t>(lane)]);
       all_found = all_found && one.found;
     }
-    count_ways();
+    count_unstable_modes();
     if (!all_found) newton_->step();
     for (int lane = 0; lane < solve::kPathLanes; ++lane) {
       if (lanes_[static_cast<std::size_t>(lane)].found) take_found(lane);
@@ -83,22 +83,22 @@ bool PathLanes<L>::begin(int lane, const LaneCase& next) {
     with_joints(runner, [&](auto& joints) {
       joints.visit(writer, [](auto& v, auto& law) { chain::visit_law(v, law); });
     });
-    const auto one_sided = [](const auto& closure) { return closure.one_sided; };
+    const auto one_sided = [](const auto& constraint) { return constraint.one_sided; };
     // A lone beam is faster without lanes, and has the same bits.
     const bool lone = waiting_.empty() && !any_seeks();
     const bool fits =
-        !lone && std::none_of(chain.closures.begin(), chain.closures.end(), one_sided);
+        !lone && std::none_of(chain.constraints.begin(), chain.constraints.end(), one_sided);
     if (fits && shape_ != new_shape_ && !any_seeks()) {
       shape_ = new_shape_;
       newton_->take_shape(shape_.data());
       constexpr std::size_t kOfJoint = 20;  // more than its trial in space, with hardening
-      found_.resize(kOfJoint * (chain.joints() + 1) + chain.closures.size());
+      found_.resize(kOfJoint * (chain.joints() + 1) + chain.constraints.size());
     }
     if (fits && shape_ == new_shape_) {
       newton_->take_chain(lane, numbers_.data());
       return true;
     }
-    runner.walk_on();
+    runner.proceed();
   }
   runner.finish();
   return false;
@@ -129,7 +129,7 @@ void PathLanes<L>::judge(int lane, double imbalance) {
   const solve::NewtonOptions& options = one.runner->newton();
   one.converged = imbalance <= options.tolerance;
   one.found = !solve::may_improve(imbalance, options.tolerance) ||
-              one.iteration == options.most_iterations || is_raised(options.stop);
+              one.iteration == options.max_iterations || is_raised(options.stop);
   if (!one.found) {
     ++one.iteration;
     return;
@@ -153,14 +153,14 @@ void PathLanes<L>::judge(int lane, double imbalance) {
 
 /// In all lanes, if any has found an equilibrium.
 template <class L>
-void PathLanes<L>::count_ways() {
+void PathLanes<L>::count_unstable_modes() {
   const bool asked = std::any_of(lanes_.begin(), lanes_.end(), [](const Lane& lane) {
     return lane.seeks && lane.found && lane.converged;
   });
   if (!asked) return;
-  std::array<double, solve::kPathLanes> ways{};
-  newton_->count_ways(ways.data());
-  for (std::size_t i = 0; i < lanes_.size(); ++i) lanes_[i].ways = ways[i];
+  std::array<double, solve::kPathLanes> unstable_modes{};
+  newton_->count_unstable_modes(unstable_modes.data());
+  for (std::size_t i = 0; i < lanes_.size(); ++i) lanes_[i].unstable_modes = unstable_modes[i];
 }
 
 template <class L>
@@ -175,14 +175,14 @@ void PathLanes<L>::take_found(int lane) {
     work.recursion.sum(body.build.chain, work.q, work.placement, work.stage, work.joints,
                        work.outer_forces, work.transmitted);
   }
-  const bool goes_on = one.runner->take(one.converged, one.iteration, false, one.ways);
+  const bool goes_on = one.runner->take(one.converged, one.iteration, false, one.unstable_modes);
   one.seeks = false;
   if (goes_on && (any_seeks() || !waiting_.empty())) {
     one.seeks = true;
     begin_seeking(lane);
     return;
   }
-  if (goes_on) one.runner->walk_on();  // the last one is faster without lanes
+  if (goes_on) one.runner->proceed();  // the last one is faster without lanes
   one.runner->finish();
   fill(lane);
 }

@@ -15,7 +15,7 @@ PathStops path_stops(const Scene& scene, const SolverOptions& options) {
       corners.insert(corners.end(), times.begin(), times.end());
     };
     take(history.corners());
-    if (options.analysis == Analysis::Statics) take(history.turns());
+    if (options.analysis == Analysis::Statics) take(history.reversals());
   };
   for (const Load& load : scene.loads) add(load.history);
   for (const Support& support : scene.supports) {
@@ -64,10 +64,10 @@ FixedSteps fixed_steps(const PathStops& stops, double time_step) {
   double begin = 0.0;
   double sample = 0.0;
   for (std::size_t k = 0; k < stops.time.size(); ++k) {
-    const double way = stops.time[k] - begin;
-    const double parts = std::max(std::ceil(way / time_step - 1e-9), 1.0);
-    steps.longest = std::max(steps.longest, way / parts);
-    if (way > 0.0) steps.count += parts;
+    const double interval = stops.time[k] - begin;
+    const double parts = std::max(std::ceil(interval / time_step - 1e-9), 1.0);
+    steps.longest = std::max(steps.longest, interval / parts);
+    if (interval > 0.0) steps.count += parts;
     begin = stops.time[k];
     if (!stops.recorded[k]) continue;
     steps.samples = std::max(steps.samples, begin - sample);

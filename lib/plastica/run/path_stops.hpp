@@ -15,8 +15,8 @@ struct PathStops {
 /// The samples, evenly spaced, and the corners of histories and the cuts between them.
 PathStops path_stops(const Scene& scene, const SolverOptions& options);
 
-/// What a motion's fixed steps come to: each way from one stop to the next is divided evenly, into
-/// no steps longer than `solver.time_step`.
+/// What a motion's fixed steps come to: each interval from one stop to the next is divided evenly,
+/// into no steps longer than `solver.time_step`.
 struct FixedSteps {
   double longest = 0.0;  ///< [s]
   double count = 0.0;    ///< of steps in all

@@ -5,13 +5,14 @@
 
 namespace plastica {
 
-double ledger_error(std::span<const Energies> samples) {
+double energy_balance_error(std::span<const Energies> samples) {
   double largest = 0.0;
   double wrong = 0.0;
   for (const Energies& energy : samples) {
-    wrong = std::max({wrong, std::fabs(energy.residual), -energy.numerical});
-    for (const double entry : {energy.elastic, energy.kinetic, energy.plastic, energy.damping,
-                               energy.numerical, energy.impact, energy.fracture, energy.external}) {
+    wrong = std::max({wrong, std::fabs(energy.residual), -energy.numerical_dissipation});
+    for (const double entry :
+         {energy.elastic, energy.kinetic, energy.plastic, energy.damping,
+          energy.numerical_dissipation, energy.impact, energy.fracture, energy.external}) {
       largest = std::max(largest, std::fabs(entry));
     }
   }
@@ -19,7 +20,7 @@ double ledger_error(std::span<const Energies> samples) {
 }
 
 void clear_motion(Response& response) {
-  response.ledger_error = response.momentum_error = 0.0;
+  response.energy_balance_error = response.momentum_error = 0.0;
   response.shortest_step = response.longest_step = 0.0;
 }
 

@@ -43,12 +43,12 @@ struct BrokenJoint {
   double dissipation = 0.0;        ///< plastic work of the joint so far [J]
 };
 
-/// A piece of a beam: a range of its segments. Segments and joints keep their numbers for life.
-struct Piece {
+/// A fragment of a beam: a range of its segments. Segments and joints keep their numbers for life.
+struct Fragment {
   int first = 0;  ///< segment
   int last = 0;   ///< segment, the last one included
 
-  friend bool operator==(const Piece&, const Piece&) = default;
+  friend bool operator==(const Fragment&, const Fragment&) = default;
 };
 
 /// All joints that broke, or were cut, at one time; statics end there.
@@ -56,7 +56,7 @@ struct ChainBreak {
   double time = 0.0;    ///< [s]
   double factor = 0.0;  ///< as `ChainHistory::factor` there [1]
   std::vector<BrokenJoint> joints{};
-  std::vector<Piece> pieces{};  ///< of the beam after it, by rising segment
+  std::vector<Fragment> fragments{};  ///< of the beam after it, by rising segment
 };
 
 /// Decides at each break which of its joints are cut: it sets `BrokenJoint::cut`, which the scene's
@@ -68,21 +68,21 @@ using BreakListener = std::function<void(ChainBreak&)>;
 struct Energies {
   double elastic = 0.0;  ///< stored in the joints and in springs
   double kinetic = 0.0;
-  double plastic = 0.0;    ///< plastic work done so far
-  double damping = 0.0;    ///< dissipated by the joints' damping so far
-  double numerical = 0.0;  ///< dissipated by the scheme so far; negative: made by it
-  double impact = 0.0;     ///< lost in impacts so far
-  double fracture = 0.0;   ///< elastic energy of joints that were cut, so far
-  double external = 0.0;   ///< work of loads and moving supports so far, and the energy at time 0
-  double residual = 0.0;   ///< external less all others: what the ledger cannot explain
+  double plastic = 0.0;                ///< plastic work done so far
+  double damping = 0.0;                ///< dissipated by the joints' damping so far
+  double numerical_dissipation = 0.0;  ///< dissipated by the scheme so far; negative: made by it
+  double impact = 0.0;                 ///< lost in impacts so far
+  double fracture = 0.0;               ///< elastic energy of joints that were cut, so far
+  double external = 0.0;  ///< work of loads and moving supports so far, and the energy at time 0
+  double residual = 0.0;  ///< external less all others: what the balance cannot explain
 };
 
-/// What is wrong with a ledger, over the largest of its entries but the residual [1]: the largest
+/// Error of the energy balance, over the largest of its entries but the residual [1]: the largest
 /// |residual|, or what the scheme has made if that is more (none should make any).
-double ledger_error(std::span<const Energies> samples);
+double energy_balance_error(std::span<const Energies> samples);
 
 /// A motion whose energy or momentum is off by more than this share is not to be trusted.
-inline constexpr double kLedgerTolerance = 0.01;
+inline constexpr double kBalanceTolerance = 0.01;
 
 /// What a chain records at each sample. Joint 0 is at the start, joint N at the end: a joint of a
 /// beam of N segments lies at each segment end; one that does not exist (a free end) has zeros.
@@ -148,19 +148,19 @@ struct Response {
   /// Of a path at a planar level: some joint is under thrust, while no support keeps the beam from
   /// leaving its plane, so that nothing tells whether it does.
   bool unheld_thrust = false;
-  /// `plastica::ledger_error` of a motion [1]; above `kLedgerTolerance` its status is
+  /// `plastica::energy_balance_error` of a motion [1]; above `kBalanceTolerance` its status is
   /// `NotBalanced`.
-  double ledger_error = 0.0;
-  /// Of a motion: what the momentum of pieces that no support holds has changed by beyond the
+  double energy_balance_error = 0.0;
+  /// Of a motion: what the momentum of fragments that no support holds has changed by beyond the
   /// impulses of their loads, at most, over the largest sum of the segments' momenta so far; the
   /// same of the angular momentum about their mass centres (see chain/README.md) [1]. Above
-  /// `kLedgerTolerance` the status is `NotBalanced`.
+  /// `kBalanceTolerance` the status is `NotBalanced`.
   double momentum_error = 0.0;
   /// The shortest and the longest step that a motion has taken [s]; 0: none.
   double shortest_step = 0.0, longest_step = 0.0;
 
   bool balances() const {
-    return ledger_error <= kLedgerTolerance && momentum_error <= kLedgerTolerance;
+    return energy_balance_error <= kBalanceTolerance && momentum_error <= kBalanceTolerance;
   }
   /// Wall time of the run; of a batch's case CPU time of its thread. What ran in lanes has its
   /// share, by iterations and samples, of the time of all that ran beside it [s].

@@ -191,9 +191,9 @@ void differentiate(const Model& model, ParameterValues values, Response& respons
   set_parameters(model, values, material);
   // Each gives the same bits.
   const coupon::SlopeKernel kernel = coupon::slope_kernel(resolved(InstructionSet::Auto));
-  for (std::size_t first = 0; first < values.size(); first += coupon::kMostSlopes) {
-    const std::size_t n_slopes = std::min(values.size() - first, coupon::kMostSlopes);
-    std::array<std::size_t, coupon::kMostSlopes> fields{};
+  for (std::size_t first = 0; first < values.size(); first += coupon::kMaxSlopes) {
+    const std::size_t n_slopes = std::min(values.size() - first, coupon::kMaxSlopes);
+    std::array<std::size_t, coupon::kMaxSlopes> fields{};
     for (std::size_t i = 0; i < n_slopes; ++i) {
       fields[i] = static_cast<std::size_t>(*model.parameters[first + i]->material);
     }

@@ -337,9 +337,9 @@ std::optional<std::string> no_potential(const Facts& facts) {
   }
   if (facts.options.buckling > 0 && facts.level.level == Level::Planar) {
     const LevelChoice in_space{.level = Level::Spatial, .reason = {}};
-    const auto turning = model_detail::load_without_potential(facts.scene, in_space);
-    if (turning) {
-      return model_detail::item_name("load", *turning) +
+    const auto unconservative = model_detail::load_without_potential(facts.scene, in_space);
+    if (unconservative) {
+      return model_detail::item_name("load", *unconservative) +
              ".moment has no potential in space: solver.buckling sees the beam's plane alone";
     }
   }

@@ -10,9 +10,9 @@ namespace plastica {
 
 /// How long the next step is, on the way from one stop to the next.
 ///
-/// Fixed steps divide the way evenly, by no more than the time step; one that fails is halved, and
-/// its successors grow back. Adaptive steps follow h (tolerance/error)^(1/(order + 1)), by a factor
-/// of 0.2 … 2 at a time, with 0.9 for safety (Hairer & Wanner, Solving Ordinary Differential
+/// Fixed steps divide the interval evenly, by no more than the time step; one that fails is halved,
+/// and its successors grow back. Adaptive steps follow h (tolerance/error)^(1/(order + 1)), by a
+/// factor of 0.2 … 2 at a time, with 0.9 for safety (Hairer & Wanner, Solving Ordinary Differential
 /// Equations I, II.4).
 class StepSize {
  public:
@@ -76,7 +76,7 @@ class StepSize {
 
   const solve::MotionOptions& options_;
   double stop_ = 0.0;
-  double even_ = 0.0;  ///< the longest step on this way
+  double even_ = 0.0;  ///< the longest step in this interval
   double step_ = 0.0;
   double adapted_;  ///< of the last adaptive step that no stop has shortened
   double now_ = 0.0;

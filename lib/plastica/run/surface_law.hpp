@@ -14,7 +14,7 @@ namespace plastica {
 template <class S>
 class YieldSurface {
  public:
-  using State = law::InteractionState<S, law::kMostBacks>;
+  using State = law::InteractionState<S, law::kMaxBacks>;
 
   virtual ~YieldSurface() = default;
   /// See law::respond.

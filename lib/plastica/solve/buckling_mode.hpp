@@ -50,8 +50,8 @@ void set_apart(const chain::Chain<L>& chain,
 }  // namespace detail
 
 /// The motion of the segments that a factored tangent resists least, the largest spin being 1: by
-/// inverse iteration K x' = B x among the motions that the closures allow. B weighs translations by
-/// 1/length^2 and spins by 1. The eigenvalue sought is near zero, so that a few iterations leave
+/// inverse iteration K x' = B x among the motions that the constraints allow. B weighs translations
+/// by 1/length^2 and spins by 1. The eigenvalue sought is near zero, so that a few iterations leave
 /// nothing of the others.
 /// @param w       holds the tangent; its columns, small system and right side are used
 /// @param others  of an eigenvalue that is there more than once: those that are known already
@@ -81,11 +81,12 @@ std::vector<chain::Motion<L>> softest_motion(
       w.right.wrench[i] = {weight * motion[i].shift, motion[i].spin};
     }
     w.recursion.solve(w.right, false, w.columns[0]);
-    for (std::size_t k = 0; k < chain.closures.size(); ++k) detail::solve_closure(chain, k, w);
+    for (std::size_t k = 0; k < chain.constraints.size(); ++k)
+      detail::solve_constraint(chain, k, w);
     detail::join_columns(chain, at_time, w);
     for (std::size_t i = 0; i < n; ++i) {
       motion[i] = w.columns[0].motion[i];
-      for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+      for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
         const S share = select(w.closed[k], w.small.b(k), constant<S>(0));
         motion[i].shift += share * w.columns[1 + k].motion[i].shift;
         motion[i].spin += share * w.columns[1 + k].motion[i].spin;
@@ -101,12 +102,12 @@ template <class Point, class S>
 void make_largest_one(std::vector<Point>& mode, const S& least) {
   S largest = constant<S>(0);
   for (const Point& of_joint : mode) {
-    for (const S& way : of_joint.at) {
-      if (abs(way) > abs(largest)) largest = way;
+    for (const S& displacement : of_joint.at) {
+      if (abs(displacement) > abs(largest)) largest = displacement;
     }
   }
   const S scale = abs(largest) > least ? constant<S>(1) / largest : constant<S>(0);
-  for (Point& way : mode) way = scale * way;
+  for (Point& displacement : mode) displacement = scale * displacement;
 }
 
 /// Translations of the segments' inner joints and of the end (N + 1), the largest being 1; zero
@@ -122,7 +123,7 @@ std::vector<typename L::Point> mode_of(const chain::Chain<L>& chain,
     if (i < n) {
       mode[i] = motion[i].shift;
     } else {
-      const typename L::Point arm = L::turn(w.placement.frame[n - 1], chain.segments[n - 1].arm);
+      const typename L::Point arm = L::rotate(w.placement.frame[n - 1], chain.segments[n - 1].arm);
       mode[i] = motion[n - 1].shift + L::spun(motion[n - 1].spin, arm);
     }
   }

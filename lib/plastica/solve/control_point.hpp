@@ -9,8 +9,8 @@ namespace plastica::solve {
 /// The point whose motion path control watches: its position, or the angle of a twisted chain.
 template <class L>
 struct ControlPoint {
-  static constexpr bool kTurns = L::kTranslations == 0;
-  static constexpr std::size_t kSize = kTurns ? L::kRotations : L::kTranslations;
+  static constexpr bool kRotates = L::kTranslations == 0;
+  static constexpr std::size_t kSize = kRotates ? L::kRotations : L::kTranslations;
   using Value = Vec<typename L::Scalar, kSize>;
 
   std::size_t segment = 0;
@@ -18,7 +18,7 @@ struct ControlPoint {
 
   Value value(const chain::Placement<L>& placement) const {
     Value v;
-    if constexpr (kTurns) {
+    if constexpr (kRotates) {
       v[0] = placement.frame[segment].angle;
     } else {
       v = placement.point(segment, arm);
@@ -28,18 +28,18 @@ struct ControlPoint {
 
   /// The covector of direction . value.
   chain::Wrench<L> covector(const Value& direction, const chain::Placement<L>& placement) const {
-    if constexpr (kTurns) {
+    if constexpr (kRotates) {
       return {{}, direction};
     } else {
-      return {direction, L::moment(L::turn(placement.frame[segment], arm), direction)};
+      return {direction, L::moment(L::rotate(placement.frame[segment], arm), direction)};
     }
   }
 
   Value rate(const chain::Motion<L>& motion, const chain::Placement<L>& placement) const {
-    if constexpr (kTurns) {
+    if constexpr (kRotates) {
       return motion.spin;
     } else {
-      return motion.shift + L::spun(motion.spin, L::turn(placement.frame[segment], arm));
+      return motion.shift + L::spun(motion.spin, L::rotate(placement.frame[segment], arm));
     }
   }
 };

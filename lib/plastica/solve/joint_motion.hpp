@@ -64,7 +64,7 @@ class JointMotion {
       const JointStep<L, kElastic> step = step_of(j, angles[j], shift);
       step_[j] = step.step;
       const Matrix slope = forces.tangent[j];
-      if (rule.half_way) {
+      if (rule.midpoint) {
         const auto mean = mean_moment<L, kElastic>(step, forces.force[j], slope);
         forces.force[j] = mean.force;
         forces.tangent[j] = mean.tangent;
@@ -86,7 +86,8 @@ class JointMotion {
       const S now = constant<S>(rule.end_work);
       const S then = constant<S>(1.0 - rule.end_work);
       flows.damping += dot(now * damped_[j] + then * damped_before_[j], step_[j]);
-      flows.numerical += dot(now * law_[j] + then * law_before_[j], step_[j]) - energy(j);
+      flows.numerical_dissipation +=
+          dot(now * law_[j] + then * law_before_[j], step_[j]) - energy(j);
     }
   }
 
@@ -115,7 +116,7 @@ class JointMotion {
     Vector k;
     for (std::size_t m = 0; m < kR; ++m) {
       const std::size_t axis = axes_.rotation(m);
-      k[m] = joint.turning_stiffness(m, axis) + joint.spring[m];
+      k[m] = joint.rotational_stiffness(m, axis) + joint.spring[m];
     }
     if constexpr (kElastic) {
       constexpr std::size_t kAxial = 3;
@@ -135,7 +136,7 @@ class JointMotion {
     const auto& force = joints_->section_forces()[j];
     Vector s;
     for (std::size_t m = 0; m < kR; ++m) {
-      s[m] = joint.acting[m] * force[axes_.rotation(m)] + joint.spring[m] * angle[m];
+      s[m] = joint.active[m] * force[axes_.rotation(m)] + joint.spring[m] * angle[m];
     }
     if constexpr (kElastic) {
       constexpr std::size_t kAxial = 3;
@@ -187,7 +188,7 @@ class JointMotion {
       }
       S by_spin = constant<S>(1);
       if (spin != nullptr) {
-        const typename L::Spin at_end = L::turn_by(constant<S>(h) * *spin, step.angle_now);
+        const typename L::Spin at_end = L::add_rotation(constant<S>(h) * *spin, step.angle_now);
         for (std::size_t m = 0; m < kR; ++m) moved[m] = at_end[m] - step.angle_now[m];
         by_spin = constant<S>(rule.velocity);
       }
@@ -208,21 +209,21 @@ class JointMotion {
   /// Stresses of angles as they work on spins; where the tangent is of angles, it, too.
   static void to_spins(const StepRule& rule, const JointStep<L, kElastic>& step, bool of_angles,
                        Vector& stress, Matrix& tangent) {
-    const S share = constant<S>(rule.half_way ? 0.5 : 1.0);
+    const S share = constant<S>(rule.midpoint ? 0.5 : 1.0);
     const Vec<S, 3> angle = share * step.angle_now + (constant<S>(1) - share) * step.angle_before;
     const auto to_angle =
         chain::inverse_tangent_map(angle, chain::RotationCoefficients<S>(dot(angle, angle)));
     const Vec<S, 3> moment =
         transposed_times(to_angle, Vec<S, 3>{{stress[0], stress[1], stress[2]}});
-    Mat<S, 3, 3> turning;
+    Mat<S, 3, 3> rotational;
     for (std::size_t k = 0; k < 3; ++k) {
       stress[k] = moment[k];
-      for (std::size_t m = 0; m < 3; ++m) turning(k, m) = tangent(k, m);
+      for (std::size_t m = 0; m < 3; ++m) rotational(k, m) = tangent(k, m);
     }
     if (!of_angles) return;
-    turning = transpose(to_angle) * turning * to_angle;
+    rotational = transpose(to_angle) * rotational * to_angle;
     for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t m = 0; m < 3; ++m) tangent(k, m) = turning(k, m);
+      for (std::size_t m = 0; m < 3; ++m) tangent(k, m) = rotational(k, m);
     }
   }
 

@@ -31,9 +31,9 @@ class LaneNewton {
   /// Places the chains, asks their laws and factors them.
   /// @param imbalance  relative, of each lane (kPathLanes)
   virtual void evaluate(double* imbalance) = 0;
-  /// Counts the ways in which the chains that were placed last are unstable: see `unstable_ways`.
-  /// @param ways  of each lane (kPathLanes)
-  virtual void count_ways(double* ways) = 0;
+  /// Counts the unstable modes of the chains that were placed last: see `unstable_modes`.
+  /// @param counts  of each lane (kPathLanes)
+  virtual void count_unstable_modes(double* counts) = 0;
   /// Takes the step of Newton's method that follows, in all lanes.
   virtual void step() = 0;
 

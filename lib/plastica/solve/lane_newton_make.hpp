@@ -80,15 +80,15 @@ class LaneNewtonOf final : public LaneNewton {
     detail::relative_imbalance(chain_, work_).store(imbalance);
   }
 
-  void count_ways(double* ways) override {
-    unstable_ways(chain_, PathCondition<L>{}, false, work_).store(ways);
+  void count_unstable_modes(double* counts) override {
+    unstable_modes(chain_, PathCondition<L>{}, false, work_).store(counts);
   }
 
   void step() override {
     const PathCondition<L> at_its_time;
     detail::solve_imbalance(chain_, at_its_time, work_);
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-      detail::solve_closure(chain_, k, work_);
+    for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+      detail::solve_constraint(chain_, k, work_);
     }
     detail::join_columns(chain_, at_its_time, work_);
     detail::combine_columns(chain_, at_its_time, work_);

@@ -34,7 +34,7 @@ struct MeanMoment {
 /// correction is below 1e-10 of the stored energy, and its rounding above 1e-11 of the moment (of
 /// float 3e-5 and 2e-5).
 template <class S>
-inline constexpr double kLeastStep = kIsDouble<S> ? 1e-5 : 5e-3;
+inline constexpr double kMinStep = kIsDouble<S> ? 1e-5 : 5e-3;
 
 /// Generalized forces m that work on a step just what a joint stores and dissipates in it:
 /// m . step = energy. The mean of both ends does that for a linear law; what yields, or turns in
@@ -65,9 +65,9 @@ MeanMoment<L, kElastic> mean_moment(
   }
   MeanMoment<L, kElastic> result{mean, half * slope};
 
-  Vec<S, kJ> pull;
-  for (std::size_t k = 0; k < kJ; ++k) pull[k] = joint.stiffness[k] * joint.step[k];
-  const S size = dot(joint.step, pull);
+  Vec<S, kJ> elastic;
+  for (std::size_t k = 0; k < kJ; ++k) elastic[k] = joint.stiffness[k] * joint.step[k];
+  const S size = dot(joint.step, elastic);
   S stored = zero;  // twice the elastic energy
   for (std::size_t k = 0; k < kJ; ++k) {
     const S stress = max(abs(joint.stress_before[k]), abs(joint.stress_now[k]));
@@ -75,16 +75,16 @@ MeanMoment<L, kElastic> mean_moment(
     stored =
         stored + select(resists, stress * stress / select(resists, joint.stiffness[k], one), zero);
   }
-  const auto corrected = size > constant<S>(kLeastStep<S> * kLeastStep<S>) * stored;
+  const auto corrected = size > constant<S>(kMinStep<S> * kMinStep<S>) * stored;
   if (!any(corrected)) return result;
   const S divisor = select(corrected, size, one);
   const S kappa = select(corrected, (joint.energy - dot(mean, joint.step)) / divisor, zero);
-  result.force += kappa * pull;
+  result.force += kappa * elastic;
   // d(energy) = end . d(step); d(step) is taken for that of the end.
   Vec<S, kJ> by = end - mean - transposed_times(result.tangent, joint.step);
-  by -= (constant<S>(2) * kappa) * pull;
+  by -= (constant<S>(2) * kappa) * elastic;
   const S scale = select(corrected, one / divisor, zero);
-  result.tangent += outer(scale * pull, by);
+  result.tangent += outer(scale * elastic, by);
   for (std::size_t k = 0; k < kJ; ++k) {
     result.tangent(k, k) = result.tangent(k, k) + kappa * joint.stiffness[k];
   }

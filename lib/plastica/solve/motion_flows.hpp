@@ -2,7 +2,7 @@
 
 #include "plastica/solve/motion_step.hpp"
 
-/// The energy ledger of a step. Work is that of the forces as the scheme takes them (half way, at
+/// The energy balance of a step. Work is that of the forces as the scheme takes them (half way, at
 /// the end, or the mean of both ends) over the step's motion.
 namespace plastica::solve {
 
@@ -14,13 +14,13 @@ double MotionStep<L, kElastic>::load_work() const {
     const std::size_t i = load.segment;
     const auto over = [&](const Placement& placement, double factor) {
       const auto unit = chain::unit_wrench(load, placement);
-      const auto arm = L::turn(placement.frame[i], chain_.inertias[i].center);
-      // Moved to the center of mass, whose way the step knows.
+      const auto arm = L::rotate(placement.frame[i], chain_.inertias[i].center);
+      // Moved to the center of mass, whose displacement the step knows.
       const typename L::Spin moment = unit.moment - L::moment(arm, unit.force);
-      return factor * (dot(unit.force, step_[i].way) + dot(moment, step_[i].spin));
+      return factor * (dot(unit.force, step_[i].displacement) + dot(moment, step_[i].spin));
     };
     const History& history = chain_.histories[load.history];
-    if (rule_.half_way) {
+    if (rule_.midpoint) {
       work += over(w_.stage.placement, factor_at(load.history));
     } else {
       work += end * over(w_.placement, history.at(w_.time));
@@ -36,7 +36,7 @@ typename L::Spin MotionStep<L, kElastic>::ground_moment(std::size_t g) const {
   const auto& joint = chain_.ground_joints[g];
   typename L::Spin force;
   for (std::size_t k = 0; k < L::kRotations; ++k) force[k] = w_.joints.force[joint.joint][k];
-  if (rule_.half_way) return w_.stage.ground_axes[g] * force;
+  if (rule_.midpoint) return w_.stage.ground_axes[g] * force;
   return L::axes(chain::ground_joint_axes(joint, w_.placement)) * force;
 }
 
@@ -56,20 +56,20 @@ double MotionStep<L, kElastic>::ground_work() {
     const chain::Wrench<L> before = root_wrench_.value_or(passed);
     const chain::Wrench<L> mean{end * passed.force + begin * before.force,
                                 end * passed.moment + begin * before.moment};
-    const typename L::Spin turn = L::step_spin(begin_.near[0], w_.placement.near[0]);
-    work -= dot(mean.force, root * chain_.root.motion) + dot(mean.moment, turn);
+    const typename L::Spin increment = L::step_spin(begin_.near[0], w_.placement.near[0]);
+    work -= dot(mean.force, root * chain_.root.motion) + dot(mean.moment, increment);
   }
   root_wrench_ = passed;
 
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-    const auto& closure = chain_.closures[k];
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+    const auto& constraint = chain_.constraints[k];
     const S now = w_.closed[k] ? w_.q.multiplier[k] : constant<S>(0);
     const S mean = end * now + begin * multiplier_[k];
-    work += mean * moved(closure.history) * closure.motion;
-    if (closure.one_sided && !w_.q.released_closure[k]) {
-      const S closed = chain::closure_gap(chain_, closure, w_.placement, w_.time) -
-                       chain::closure_gap(chain_, closure, begin_, time_);
-      flows_.numerical -= mean * closed;
+    work += mean * moved(constraint.history) * constraint.motion;
+    if (constraint.one_sided && !w_.q.released_constraint[k]) {
+      const S closed = chain::constraint_gap(chain_, constraint, w_.placement, w_.time) -
+                       chain::constraint_gap(chain_, constraint, begin_, time_);
+      flows_.numerical_dissipation -= mean * closed;
     }
     multiplier_[k] = now;
   }
@@ -77,12 +77,12 @@ double MotionStep<L, kElastic>::ground_work() {
     const S foot = moved(spring.history);
     if (foot == constant<S>(0)) continue;
     for (std::size_t k = 0; k < L::kTranslations; ++k) {
-      const auto pull = [&](const Placement& placement, double time) {
+      const auto force = [&](const Placement& placement, double time) {
         const S at = constant<S>(chain_.histories[spring.history].at(time)) * spring.motion[k];
         return -spring.stiffness[k] *
                (placement.point(spring.segment, spring.arm)[k] - spring.rest[k] - at);
       };
-      work += constant<S>(0.5) * (pull(begin_, time_) + pull(w_.placement, w_.time)) * foot *
+      work += constant<S>(0.5) * (force(begin_, time_) + force(w_.placement, w_.time)) * foot *
               spring.motion[k];
     }
   }
@@ -106,7 +106,7 @@ double MotionStep<L, kElastic>::inertia_work() const {
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const typename L::Point force = end * inertia_now_[i].force + begin * inertia_[i].force;
     const typename L::Spin moment = end * inertia_now_[i].moment + begin * inertia_[i].moment;
-    work -= dot(force, step_[i].way) + dot(moment, step_[i].spin);
+    work -= dot(force, step_[i].displacement) + dot(moment, step_[i].spin);
   }
   return work;
 }
@@ -119,7 +119,7 @@ void MotionStep<L, kElastic>::add_flows() {
     gained += kinetic_energy(chain_.inertias[i], motion_now_[i]) -
               kinetic_energy(chain_.inertias[i], motion_[i]);
   }
-  flows_.numerical += inertia_work() - gained;
+  flows_.numerical_dissipation += inertia_work() - gained;
   joint_motion_.add_flows(
       rule_, [this](std::size_t joint) { return joins(joint); }, flows_);
 }

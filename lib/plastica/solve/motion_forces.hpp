@@ -21,7 +21,7 @@ void MotionStep<L, kElastic>::evaluate_laws() {
 template <class L, bool kElastic>
 double MotionStep<L, kElastic>::factor_at(std::size_t history) const {
   const History& factor = chain_.histories[history];
-  return rule_.half_way ? 0.5 * (factor.at(time_) + factor.at(w_.time)) : factor.at(w_.time);
+  return rule_.midpoint ? 0.5 * (factor.at(time_) + factor.at(w_.time)) : factor.at(w_.time);
 }
 
 /// Means of the step's begin and end, and how moments go between them and the joints.
@@ -46,11 +46,12 @@ void MotionStep<L, kElastic>::set_stage() {
   }
   for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
     const auto& joint = chain_.ground_joints[g];
-    const auto turn = [&](double time) {
+    const auto rotation_at = [&](double time) {
       return L::rotation(constant<S>(chain_.histories[joint.history].at(time)) * joint.motion);
     };
     stage.ground_axes[g] =
-        L::work_from_joint(step_[joint.segment].spin, L::step_spin(turn(time_), turn(w_.time))) *
+        L::work_from_joint(step_[joint.segment].spin,
+                           L::step_spin(rotation_at(time_), rotation_at(w_.time))) *
         L::axes(chain::ground_joint_axes(joint, begin_));
   }
 }
@@ -60,7 +61,7 @@ template <class L, bool kElastic>
 void MotionStep<L, kElastic>::set_joint_spins() {
   if (rule_.conserves || options_.damping != Damping::Stiffness) return;
   spins_.resize(chain_.joints());
-  typename L::Spin inner = slope_of(chain_.root.history) * chain_.root.turn;
+  typename L::Spin inner = slope_of(chain_.root.history) * chain_.root.rotation;
   const auto spin_of = [&](std::size_t i) {
     return L::axes(w_.placement.frame[i]) * motion_now_[i].spin;
   };
@@ -82,28 +83,28 @@ void MotionStep<L, kElastic>::assemble() {
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     step_[i] = segment_step<L>(chain_.inertias[i], i, begin_, w_.placement);
     const auto spin = transposed_times(L::axes(w_.placement.frame[i]), step_[i].spin);
-    motion_now_[i] = motion_after(rule_, h_, motion_[i], step_[i].way, spin);
+    motion_now_[i] = motion_after(rule_, h_, motion_[i], step_[i].displacement, spin);
   }
-  if (rule_.half_way) set_stage();
+  if (rule_.midpoint) set_stage();
   evaluate_laws();
   set_joint_spins();
   joint_motion_.take(options_, rule_, h_, w_.angles, w_.q.shift, spins_, w_.joints);
   chain::gather_forces(
       chain_, w_.q, w_.placement, w_.stage, w_.joints,
       [this](std::size_t history) { return factor_at(history); }, w_.outer_forces);
-  const Placement& acting = w_.stage.of(w_.placement);
+  const Placement& active = w_.stage.of(w_.placement);
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const chain::Inertia<L>& inertia = chain_.inertias[i];
     const auto& end = w_.placement.frame[i];
     inertia_now_[i] =
         inertia_force(rule_, h_, inertia, begin_.frame[i], end, motion_[i], motion_now_[i]);
-    const auto turning =
-        turning_impedance<L>(rule_, h_, inertia, end, motion_now_[i],
-                             transposed_times(L::axes(end), step_[i].spin), inertia_now_[i].moment);
-    add_inertia(rule_, h_, inertia, i, w_.placement, acting, inertia_now_[i], turning,
+    const auto rotational = rotational_impedance<L>(rule_, h_, inertia, end, motion_now_[i],
+                                                    transposed_times(L::axes(end), step_[i].spin),
+                                                    inertia_now_[i].moment);
+    add_inertia(rule_, h_, inertia, i, w_.placement, active, inertia_now_[i], rotational,
                 w_.outer_forces);
   }
-  detail::set_closures(chain_, w_);
+  detail::set_constraints(chain_, w_);
 }
 
 /// Velocities foretell a smooth motion; joints that ring faster than the step are better sought
@@ -135,31 +136,31 @@ bool MotionStep<L, kElastic>::solve_from(bool predicted) {
   w_.q = q_begin_;
   w_.time = time_ + h_;
   if (predicted) predict(h_);
-  // Nothing outside holds the momentum of a piece: it is kept to rounding. With float the rounding
-  // of positions is so coarse a floor that what the velocities foretell may be below it.
-  const bool in_pieces = std::find(w_.q.open.begin(), w_.q.open.end(), true) != w_.q.open.end();
-  // One solve leaves more than rounding, which `balance_piece` gives back.
+  // Nothing outside holds the momentum of a fragment: it is kept to rounding. With float the
+  // rounding of positions is so coarse a floor that what the velocities foretell may be below it.
+  const bool in_fragments = std::find(w_.q.open.begin(), w_.q.open.end(), true) != w_.q.open.end();
+  // One solve leaves more than rounding, which `balance_fragment` gives back.
   newton_.polishes = !kIsDouble<S> || (claims_of(options_.scheme, options_.rho_infinity).momentum &&
-                                       !newton_.one_solve && in_pieces);
-  w_.stage.half_way = rule_.half_way;
-  w_.stage.follows = rule_.half_way ? 0.5 : 1.0;
+                                       !newton_.one_solve && in_fragments);
+  w_.stage.midpoint = rule_.midpoint;
+  w_.stage.follows = rule_.midpoint ? 0.5 : 1.0;
   const auto outcome = equilibrate(
       chain_, [this](Work& /*w*/) { assemble(); }, newton_, w_,
       [](const Work&) { return PathCondition<L>{}; });
-  w_.stage.half_way = false;
+  w_.stage.midpoint = false;
   w_.stage.follows = 1.0;
   iterations_ += outcome.iterations;
-  return outcome.converged && turns_little() && is_finite();
+  return outcome.converged && rotates_little() && is_finite();
 }
 
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::turns_little() const {
+bool MotionStep<L, kElastic>::rotates_little() const {
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     if (!(size_of(step_[i].spin) <= kLargestStepSpin)) return false;
     if (w_.q.open[i]) continue;
-    const typename L::Spin turn = w_.q.angle[i] - q_begin_.angle[i];
+    const typename L::Spin increment = w_.q.angle[i] - q_begin_.angle[i];
     for (std::size_t k = 0; k < L::kRotations; ++k) {
-      if (!(std::fabs(turn[k]) <= options_.largest_turn)) return false;
+      if (!(std::fabs(increment[k]) <= options_.largest_rotation)) return false;
     }
   }
   return true;

@@ -11,8 +11,8 @@ namespace plastica::solve {
 template <class L, bool kElastic>
 double MotionStep<L, kElastic>::gap_of(std::size_t k, const Placement& placement,
                                        double time) const {
-  if (w_.q.released_closure[k]) return std::numeric_limits<double>::infinity();
-  return chain::closure_gap(chain_, chain_.closures[k], placement, time);
+  if (w_.q.released_constraint[k]) return std::numeric_limits<double>::infinity();
+  return chain::constraint_gap(chain_, chain_.constraints[k], placement, time);
 }
 
 /// The share of the step that was solved at whose end a contact has just closed; 1: none does.
@@ -20,8 +20,8 @@ template <class L, bool kElastic>
 double MotionStep<L, kElastic>::free_share() const {
   const double tolerance = kContactTolerance<S> * chain_.length;
   double share = 1.0;
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-    if (!chain_.closures[k].one_sided || rests_on_[k]) continue;
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+    if (!chain_.constraints[k].one_sided || rests_on_[k]) continue;
     const double end = gap_of(k, w_.placement, w_.time);
     if (end >= -tolerance) continue;
     const double begin = gap_of(k, begin_, time_);
@@ -35,8 +35,8 @@ double MotionStep<L, kElastic>::free_share() const {
 /// Contacts that touch at the step's begin and would be crossed in it: they are met there.
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::meet_at_begin() {
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-    if (!chain_.closures[k].one_sided || rests_on_[k]) continue;
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+    if (!chain_.constraints[k].one_sided || rests_on_[k]) continue;
     const bool crosses = gap_of(k, w_.placement, w_.time) < -kContactTolerance<S> * chain_.length;
     if (crosses && gap_of(k, begin_, time_) <= 0.0) rests_on_[k] = true;
   }
@@ -56,10 +56,10 @@ void MotionStep<L, kElastic>::meet_at_begin() {
 /// again
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::leaves_loaded() {
-  if (rule_.end_work == 1.0 || rule_.half_way) return false;
+  if (rule_.end_work == 1.0 || rule_.midpoint) return false;
   bool leaves = false;
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-    if (!chain_.closures[k].one_sided || !rests_on_[k] || w_.closed[k]) continue;
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+    if (!chain_.constraints[k].one_sided || !rests_on_[k] || w_.closed[k]) continue;
     if (multiplier_[k] <= 0.0) continue;
     rests_on_[k] = false;
     leaves = true;
@@ -72,47 +72,47 @@ bool MotionStep<L, kElastic>::leaves_loaded() {
   return true;
 }
 
-/// Speed of a closure's point against its direction, beyond that of its support.
+/// Speed of a constraint's point against its direction, beyond that of its support.
 template <class L, bool kElastic>
 double MotionStep<L, kElastic>::approach_of(std::size_t k) const {
   const Motions& motion = motion_;
   const Placement& placement = w_.placement;
-  const auto& closure = chain_.closures[k];
-  const std::size_t i = closure.segment;
+  const auto& constraint = chain_.constraints[k];
+  const std::size_t i = constraint.segment;
   const typename L::Spin spin = L::axes(placement.frame[i]) * motion[i].spin;
   const typename L::Point arm =
-      L::turn(placement.frame[i], closure.arm - chain_.inertias[i].center);
-  const double speed =
-      dot(closure.direction, motion[i].velocity + L::spun(spin, arm)) + dot(closure.axis, spin);
-  const History& history = chain_.histories[closure.history];
+      L::rotate(placement.frame[i], constraint.arm - chain_.inertias[i].center);
+  const double speed = dot(constraint.direction, motion[i].velocity + L::spun(spin, arm)) +
+                       dot(constraint.axis, spin);
+  const History& history = chain_.histories[constraint.history];
   const double secant =
       h_ > 0.0 ? (history.at(w_.time) - history.at(w_.time - h_)) / h_ : history.slope_at(w_.time);
-  return secant * closure.motion - speed;
+  return secant * constraint.motion - speed;
 }
 
 /// Makes velocities fit joints, supports and contacts, with the impulses that this takes. A contact
 /// that would have to pull is left out.
-/// @param acts    one-sided closures that act (closures)
-/// @param bounce  speed of each closure's point away from its support; empty: all at rest
+/// @param acts    one-sided constraints that act (constraints)
+/// @param bounce  speed of each constraint's point away from its support; empty: all at rest
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::fit_velocities(Motions& motion, const std::vector<bool>& acts,
                                              const std::vector<double>& bounce) {
-  ClosureRates<L>& rates = rates_;
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-    const auto& closure = chain_.closures[k];
-    rates.acts[k] = (!closure.one_sided || acts[k]) && !w_.q.released_closure[k];
+  ConstraintRates<L>& rates = rates_;
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+    const auto& constraint = chain_.constraints[k];
+    rates.acts[k] = (!constraint.one_sided || acts[k]) && !w_.q.released_constraint[k];
     const S away = constant<S>(bounce.empty() ? 0.0 : bounce[k]);
-    rates.rate[k] = slope_of(closure.history) * closure.motion + away;
+    rates.rate[k] = slope_of(constraint.history) * constraint.motion + away;
   }
   const S slope = slope_of(chain_.root.history);
-  const chain::Motion<L> ground{slope * chain_.root.motion, slope * chain_.root.turn};
+  const chain::Motion<L> ground{slope * chain_.root.motion, slope * chain_.root.rotation};
   given_ = motion;
   for (;;) {
     motion = given_;
     const bool holds = make_velocities_fit(chain_, rates, ground, no_laws_, no_motion_, motion, w_);
     bool pulls = false;
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-      if (!chain_.closures[k].one_sided || !rates.acts[k] || w_.small.b(k) >= 0.0) continue;
+    for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+      if (!chain_.constraints[k].one_sided || !rates.acts[k] || w_.small.b(k) >= 0.0) continue;
       rates.acts[k] = false;
       pulls = true;
     }
@@ -122,7 +122,7 @@ bool MotionStep<L, kElastic>::fit_velocities(Motions& motion, const std::vector<
 
 /// Whether a support's speed jumps at the end of the step.
 template <class L, bool kElastic>
-bool MotionStep<L, kElastic>::turns_a_corner() const {
+bool MotionStep<L, kElastic>::passes_corner() const {
   const auto jumps = [&](std::size_t history) {
     const History& factor = chain_.histories[history];
     const double before = (factor.at(w_.time) - factor.at(w_.time - h_)) / h_;
@@ -131,20 +131,22 @@ bool MotionStep<L, kElastic>::turns_a_corner() const {
   };
   const auto moves = [](const auto& v) { return dot(v, v) > 0.0; };
   const auto& root = chain_.root;
-  if (!w_.q.open[0] && (moves(root.motion) || moves(root.turn)) && jumps(root.history)) return true;
-  return std::any_of(chain_.closures.begin(), chain_.closures.end(), [&](const auto& closure) {
-    return closure.motion != 0.0 && jumps(closure.history);
-  });
+  if (!w_.q.open[0] && (moves(root.motion) || moves(root.rotation)) && jumps(root.history))
+    return true;
+  return std::any_of(chain_.constraints.begin(), chain_.constraints.end(),
+                     [&](const auto& constraint) {
+                       return constraint.motion != 0.0 && jumps(constraint.history);
+                     });
 }
 
 /// Lets contacts that have closed bounce, or rest where they are slow or come back again and again;
 /// follows supports whose speed jumps.
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::settle() {
-  const std::size_t count = chain_.closures.size();
+  const std::size_t count = chain_.constraints.size();
   bool touches = false;
   for (std::size_t k = 0; k < count; ++k) {
-    if (!chain_.closures[k].one_sided) continue;
+    if (!chain_.constraints[k].one_sided) continue;
     if (rests_on_[k]) {
       rests_on_[k] = w_.closed[k];
     } else if (gap_of(k, w_.placement, w_.time) <= 0.0) {
@@ -153,13 +155,13 @@ void MotionStep<L, kElastic>::settle() {
       bounces_[k] = 0;
     }
   }
-  const bool corner = turns_a_corner();
+  const bool corner = passes_corner();
   if (!touches && !corner) return;
   // What a scheme's velocities lack to fit the joints is its own affair, not the impact's.
   double before = kinetic();
   if (touches) {
     fit_velocities(motion_, rests_on_, {});
-    flows_.numerical += before - kinetic();
+    flows_.numerical_dissipation += before - kinetic();
     before = kinetic();
   }
   strike(corner);
@@ -180,18 +182,18 @@ void MotionStep<L, kElastic>::jumped() {
 
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::strike(bool corner) {
-  const std::size_t count = chain_.closures.size();
+  const std::size_t count = chain_.constraints.size();
   std::vector<double>& bounce = bounce_;
   std::fill(bounce.begin(), bounce.end(), 0.0);
   std::vector<bool>& acts = acts_;
   acts = rests_on_;
   bool strikes = corner;
   for (std::size_t k = 0; k < count; ++k) {
-    if (!chain_.closures[k].one_sided || rests_on_[k]) continue;
+    if (!chain_.constraints[k].one_sided || rests_on_[k]) continue;
     if (gap_of(k, w_.placement, w_.time) > 0.0) continue;
     const double speed = approach_of(k);
     if (speed <= 0.0) continue;
-    const bool bounces = speed > kRestingSpeed * fastest_ && ++bounces_[k] <= kMostBounces;
+    const bool bounces = speed > kRestingSpeed * fastest_ && ++bounces_[k] <= kMaxBounces;
     bounce[k] = bounces ? options_.restitution[k] * speed : 0.0;
     rests_on_[k] = bounce[k] == 0.0;
     acts[k] = true;
@@ -213,9 +215,9 @@ void MotionStep<L, kElastic>::restart() {
       chain_, w_.q, w_.placement, chain::Stage<L>{}, w_.joints,
       [this](std::size_t history) { return chain_.histories[history].at(w_.time); },
       w_.outer_forces);
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-    const bool acts = !chain_.closures[k].one_sided || rests_on_[k];
-    rates_.acts[k] = acts && !w_.q.released_closure[k];
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+    const bool acts = !chain_.constraints[k].one_sided || rests_on_[k];
+    rates_.acts[k] = acts && !w_.q.released_constraint[k];
   }
   // The laws' forces as they are: nothing moves in no time.
   laws_alone_.force = w_.joints.force;

@@ -2,15 +2,15 @@
 
 #include "plastica/solve/motion_step.hpp"
 
-/// Momentum of the pieces that nothing outside of the beam holds: README.md, "Momentum".
+/// Momentum of the fragments that nothing outside of the beam holds: README.md, "Momentum".
 namespace plastica::solve {
 
-/// Whether a support acts on a piece.
+/// Whether a support acts on a fragment.
 template <class L, bool kElastic>
 bool MotionStep<L, kElastic>::is_held(std::size_t first, std::size_t end) const {
   const auto within = [&](std::size_t segment) { return segment >= first && segment < end; };
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-    if (w_.closed[k] && within(chain_.closures[k].segment)) return true;
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+    if (w_.closed[k] && within(chain_.constraints[k].segment)) return true;
   }
   for (std::size_t g = 0; g < chain_.ground_joints.size(); ++g) {
     if (!w_.q.released_ground_joint[g] && within(chain_.ground_joints[g].segment)) return true;
@@ -19,48 +19,49 @@ bool MotionStep<L, kElastic>::is_held(std::size_t first, std::size_t end) const 
                      [&](const auto& spring) { return within(spring.segment); });
 }
 
-/// Looks at the pieces of the step that was tried, before it is taken.
+/// Looks at the fragments of the step that was tried, before it is taken.
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::balance_momentum() {
   std::size_t end = chain_.size();
-  w_.recursion.for_each_piece([&](std::size_t first, const chain::Wrench<L>& lacks) {
+  w_.recursion.for_each_fragment([&](std::size_t first, const chain::Wrench<L>& residual) {
     if (is_held(first, end)) {
       momentum_[first].knows_outside = false;
     } else {
-      balance_piece(first, end, lacks);
+      balance_fragment(first, end, residual);
     }
     end = first;
   });
 }
 
-/// @param lacks  what Newton's method has left out of balance, about the start of the piece where
-///               forces act
+/// @param residual  what Newton's method has left out of balance, about the start of the fragment
+///                  where forces act
 template <class L, bool kElastic>
-void MotionStep<L, kElastic>::balance_piece(std::size_t first, std::size_t end,
-                                            const chain::Wrench<L>& lacks) {
+void MotionStep<L, kElastic>::balance_fragment(std::size_t first, std::size_t end,
+                                               const chain::Wrench<L>& residual) {
   const S h = constant<S>(h_);
   const auto& inertias = chain_.inertias;
-  const Placement& acting = rule_.half_way ? w_.stage.placement : w_.placement;
-  const typename L::Point& start = acting.position[first];
-  const PieceMotion<L> before = piece_motion(inertias, begin_, motion_, first, end);
-  if (newton_.one_solve && rule_.half_way) {
-    add_momentum(inertias, w_.placement, start, {h * lacks.force, h * lacks.moment}, first, end,
-                 motion_now_);
-    // What was left over has done no work then: the inertia of the step has less to take up.
-    flows_.numerical += dot(lacks.force, w_.placement.position[first] - begin_.position[first]) +
-                        dot(lacks.moment, step_[first].spin);
+  const Placement& active = rule_.midpoint ? w_.stage.placement : w_.placement;
+  const typename L::Point& start = active.position[first];
+  const FragmentMotion<L> before = fragment_motion(inertias, begin_, motion_, first, end);
+  if (newton_.one_solve && rule_.midpoint) {
+    add_momentum(inertias, w_.placement, start, {h * residual.force, h * residual.moment}, first,
+                 end, motion_now_);
+    // The residual has done no work then: the inertia of the step has less to take up.
+    flows_.numerical_dissipation +=
+        dot(residual.force, w_.placement.position[first] - begin_.position[first]) +
+        dot(residual.moment, step_[first].spin);
   }
-  const PieceMotion<L> after = piece_motion(inertias, w_.placement, motion_now_, first, end);
+  const FragmentMotion<L> after = fragment_motion(inertias, w_.placement, motion_now_, first, end);
 
-  chain::Wrench<L> outside = lacks;
+  chain::Wrench<L> outside = residual;
   for (std::size_t i = first; i < end; ++i) {
     const CenterForce<L>& resists = inertia_now_[i];
-    const typename L::Point arm = acting.point(i, inertias[i].center) - start;
+    const typename L::Point arm = active.point(i, inertias[i].center) - start;
     outside.force -= resists.force;
     outside.moment -= resists.moment + L::moment(arm, resists.force);
   }
   const typename L::Point center =
-      rule_.half_way ? constant<S>(0.5) * (before.center + after.center) : after.center;
+      rule_.midpoint ? constant<S>(0.5) * (before.center + after.center) : after.center;
   outside.moment -= L::moment(center - start, outside.force);
 
   MomentumError<L>& error = momentum_[first];
@@ -68,21 +69,21 @@ void MotionStep<L, kElastic>::balance_piece(std::size_t first, std::size_t end,
   const S rest = constant<S>(1) - share;
   error.lost +=
       after.momentum - before.momentum - h * (share * outside.force + rest * error.outside.force);
-  error.turned +=
-      after.turning - before.turning - h * (share * outside.moment + rest * error.outside.moment);
+  error.angular +=
+      after.angular - before.angular - h * (share * outside.moment + rest * error.outside.moment);
   error.outside = outside;
   error.knows_outside = true;
   error.size = std::max({error.size, before.size, after.size});
-  error.turning_size = std::max({error.turning_size, before.turning_size, after.turning_size});
+  error.angular_size = std::max({error.angular_size, before.angular_size, after.angular_size});
   error.largest_lost = std::max<double>(error.largest_lost, size_of(error.lost));
-  error.largest_turned = std::max<double>(error.largest_turned, size_of(error.turned));
+  error.largest_angular = std::max<double>(error.largest_angular, size_of(error.angular));
 }
 
 template <class L, bool kElastic>
 double MotionStep<L, kElastic>::momentum_error() const {
   double error = 0.0;
-  for (const MomentumError<L>& piece : momentum_) {
-    error = std::max(error, piece.share(chain_.length));
+  for (const MomentumError<L>& fragment : momentum_) {
+    error = std::max(error, fragment.share(chain_.length));
   }
   return error;
 }

@@ -13,14 +13,14 @@ struct MotionOptions {
   Scheme scheme = Scheme::GeneralizedAlpha;
   double rho_infinity = 0.8;
   Damping damping = Damping::None;
-  double damping_time = 0.0;     ///< [s]
-  double time_step = 1e-3;       ///< [s]; the largest one if steps are adaptive
-  double step_error = 0.0;       ///< of a step, over the beam's length [1]; 0: fixed steps
-  double smallest_step = 1e-6;   ///< of `time_step` [1]
-  double largest_turn = 0.2;     ///< of a joint in a step [rad]
-  std::vector<double> stops{};   ///< times at which a step must end, rising; the last is the end
-  std::vector<bool> recorded{};  ///< which of them are samples
-  std::vector<double> restitution{};  ///< of each closure that is one-sided [1] (closures)
+  double damping_time = 0.0;      ///< [s]
+  double time_step = 1e-3;        ///< [s]; the largest one if steps are adaptive
+  double step_error = 0.0;        ///< of a step, over the beam's length [1]; 0: fixed steps
+  double smallest_step = 1e-6;    ///< of `time_step` [1]
+  double largest_rotation = 0.2;  ///< of a joint in a step [rad]
+  std::vector<double> stops{};    ///< times at which a step must end, rising; the last is the end
+  std::vector<bool> recorded{};   ///< which of them are samples
+  std::vector<double> restitution{};  ///< of each constraint that is one-sided [1] (constraints)
 };
 
 /// A segment may turn by no more than this in a step [rad]: Cayley's map ends at pi.
@@ -28,7 +28,7 @@ inline constexpr double kLargestStepSpin = 1.5;
 
 /// Newton's method goes no further than this: below is the rounding of positions (see
 /// MotionStep::set_force_floor).
-inline constexpr double kLeastTolerance = 1e-11;
+inline constexpr double kMinTolerance = 1e-11;
 
 /// How far a contact may be crossed when its impact is found, over the beam's length [1].
 template <class S>
@@ -42,7 +42,7 @@ inline constexpr double kRestingSpeed = 1e-3;
 struct EnergyFlows {
   double external = 0.0;
   double damping = 0.0;
-  double numerical = 0.0;
+  double numerical_dissipation = 0.0;
   double impact = 0.0;
   double fracture = 0.0;
 };

@@ -8,19 +8,19 @@ namespace plastica::solve {
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::predict(double length) {
   const S h = constant<S>(length);
-  typename L::Spin inner_spin = slope_of(chain_.root.history) * chain_.root.turn;
+  typename L::Spin inner_spin = slope_of(chain_.root.history) * chain_.root.rotation;
   typename L::Point inner_velocity{};
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const auto& frame = begin_.frame[i];
     const typename L::Spin spin = L::axes(frame) * motion_[i].spin;
-    const typename L::Point arm = L::turn(frame, chain_.inertias[i].center);
+    const typename L::Point arm = L::rotate(frame, chain_.inertias[i].center);
     const typename L::Point velocity = motion_[i].velocity - L::spun(spin, arm);
     if (w_.q.open[i]) {
       const S size = max(h * size_of(spin), constant<S>(1e-30));
       const S share = min(constant<S>(1), constant<S>(0.5 * kLargestStepSpin) / size);
-      const typename L::Spin turn = share * (h * spin);
+      const typename L::Spin increment = share * (h * spin);
       w_.q.pose[i].position += h * velocity;
-      w_.q.pose[i].frame = L::then(L::rotation(turn), w_.q.pose[i].frame);
+      w_.q.pose[i].frame = L::compose(L::rotation(increment), w_.q.pose[i].frame);
     } else {
       if (i == 0) {
         const typename L::Point ground = slope_of(chain_.root.history) * chain_.root.motion;
@@ -32,7 +32,7 @@ void MotionStep<L, kElastic>::predict(double length) {
       predict_joint(i, h, inner_spin, velocity - inner_velocity);
     }
     inner_spin = spin;
-    inner_velocity = velocity + L::spun(spin, L::turn(frame, chain_.segments[i].arm));
+    inner_velocity = velocity + L::spun(spin, L::rotate(frame, chain_.segments[i].arm));
   }
 }
 
@@ -42,29 +42,29 @@ void MotionStep<L, kElastic>::predict_joint(std::size_t i, const S& h,
                                             const typename L::Spin& inner_spin,
                                             const typename L::Point& gap_rate) {
   const typename L::Spin spin = L::axes(begin_.frame[i]) * motion_[i].spin;
-  typename L::Spin turn = h * transposed_times(L::axes(begin_.near[i]), spin - inner_spin);
-  const S most = constant<S>(options_.largest_turn);
-  const S size = size_of(turn);
-  if (size > most) turn = (most / size) * turn;
-  w_.q.angle[i] = L::turn_by(turn, w_.q.angle[i]);
+  typename L::Spin increment = h * transposed_times(L::axes(begin_.near[i]), spin - inner_spin);
+  const S most = constant<S>(options_.largest_rotation);
+  const S size = size_of(increment);
+  if (size > most) increment = (most / size) * increment;
+  w_.q.angle[i] = L::add_rotation(increment, w_.q.angle[i]);
   for (std::size_t k = 0; k < L::kRotations; ++k) {
-    if (i == 0 && chain_.root.welded[k]) w_.q.angle[i][k] = q_begin_.angle[i][k];
+    if (i == 0 && chain_.root.clamped[k]) w_.q.angle[i][k] = q_begin_.angle[i][k];
   }
   if constexpr (kElastic) {
     // The gap (near + far) u/2 grows with the shift and turns with both sides.
-    const auto near = L::turn_matrix(begin_.near[i]);
-    const auto far = L::turn_matrix(begin_.far[i]);
+    const auto near = L::rotation_matrix(begin_.near[i]);
+    const auto far = L::rotation_matrix(begin_.far[i]);
     const typename L::Point& shift = q_begin_.shift[i];
     const S half = constant<S>(0.5);
-    const typename L::Point turned =
+    const typename L::Point displaced =
         L::spun(inner_spin, half * (near * shift)) + L::spun(spin, half * (far * shift));
     if (i > 0) {
-      w_.q.shift[i] += h * (chain::inverse(half * (near + far)) * (gap_rate - turned));
+      w_.q.shift[i] += h * (chain::inverse(half * (near + far)) * (gap_rate - displaced));
     }
   }
 }
 
-/// The way of a segment less what its velocity and acceleration before the step foretell.
+/// The displacement of a segment less what its velocity and acceleration before the step foretell.
 ///
 /// With a jerk j, a step h after one of h0 differs by j h^3 (1/6 + h0/(4 h)), of which a second
 /// order midpoint scheme makes j h^3/12 of error; an Euler step of acceleration a differs from its
@@ -77,8 +77,8 @@ double MotionStep<L, kElastic>::error() const {
   double largest = 0.0;
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const S h = constant<S>(h_);
-    typename L::Point off = step_[i].way - h * motion_[i].velocity;
-    if (known) off -= constant<S>(0.5 * h_ * h_) * pull_[i];
+    typename L::Point off = step_[i].displacement - h * motion_[i].velocity;
+    if (known) off -= constant<S>(0.5 * h_ * h_) * acceleration_[i];
     double size = size_of(off);
     if constexpr (L::kTranslations == 0) {
       size = chain_.length * size_of(step_[i].spin - h * motion_[i].spin);
@@ -101,9 +101,9 @@ void MotionStep<L, kElastic>::set_force_floor() {
     }
     w_.force_floor = constant<S>(kShare * mass_ * far / (h_ * h_));
   } else {
-    double turning = 0.0;
-    for (const auto& inertia : chain_.inertias) turning += inertia.turning(0, 0);
-    w_.force_floor = constant<S>(kShare * turning / (h_ * h_ * far));
+    double rotational = 0.0;
+    for (const auto& inertia : chain_.inertias) rotational += inertia.rotational(0, 0);
+    w_.force_floor = constant<S>(kShare * rotational / (h_ * h_ * far));
   }
 }
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "plastica/solve/fragment_momentum.hpp"
 #include "plastica/solve/joint_motion.hpp"
 #include "plastica/solve/newton.hpp"
-#include "plastica/solve/piece_momentum.hpp"
 #include "plastica/solve/rates.hpp"
 
 namespace plastica::solve {
@@ -37,7 +37,7 @@ class MotionStep {
         w_(work),
         joint_motion_(joints, axes) {
     newton_.patience = 5;
-    newton_.tolerance = std::max(newton_.tolerance, kLeastTolerance);
+    newton_.tolerance = std::max(newton_.tolerance, kMinTolerance);
     newton_.one_solve = claims_of(options.scheme, options.rho_infinity).one_solve;
     const std::size_t n = chain.size();
     motion_.resize(n);
@@ -45,12 +45,12 @@ class MotionStep {
     inertia_.resize(n);
     inertia_now_.resize(n);
     step_.resize(n);
-    pull_.resize(n);
-    const std::size_t closures = chain.closures.size();
-    rates_.acts.resize(closures);
-    rates_.rate.resize(closures);
-    bounce_.resize(closures);
-    acts_.resize(closures);
+    acceleration_.resize(n);
+    const std::size_t constraints = chain.constraints.size();
+    rates_.acts.resize(constraints);
+    rates_.rate.resize(constraints);
+    bounce_.resize(constraints);
+    acts_.resize(constraints);
     carried_.shift.resize(n);
     carried_.spin.resize(n);
     ground_moment_.resize(chain.ground_joints.size());
@@ -68,17 +68,17 @@ class MotionStep {
   /// @return false if a support holds what others hold already
   bool start(const Motions& motion) {
     motion_ = motion;
-    const std::size_t closures = chain_.closures.size();
-    rests_on_.assign(closures, false);
-    bounces_.assign(closures, 0);
-    multiplier_.assign(closures, constant<S>(0));
+    const std::size_t constraints = chain_.constraints.size();
+    rests_on_.assign(constraints, false);
+    bounces_.assign(constraints, 0);
+    multiplier_.assign(constraints, constant<S>(0));
     root_wrench_.reset();
     flows_ = {};
     momentum_.assign(chain_.size(), {});
     rests_ = 0;
     fastest_ = 0.0;
     h_ = h_before_ = time_ = 0.0;
-    w_.stage.half_way = false;
+    w_.stage.midpoint = false;
     w_.forgets = true;
     w_.time = 0.0;
     chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
@@ -88,8 +88,8 @@ class MotionStep {
     for (std::size_t g = 0; g < ground_moment_.size(); ++g) ground_moment_[g] = ground_moment(g);
     begin_ = w_.placement;
     q_begin_ = w_.q;
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-      rests_on_[k] = chain_.closures[k].one_sided && gap_of(k, begin_, 0.0) <= 0.0;
+    for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+      rests_on_[k] = chain_.constraints[k].one_sided && gap_of(k, begin_, 0.0) <= 0.0;
     }
     const bool holds = fit_velocities(motion_, rests_on_, {});
     note_fastest();
@@ -101,7 +101,7 @@ class MotionStep {
   /// @return whether it has a solution that turns no joint too far
   bool attempt(double h) {
     iterations_ = 0;
-    for (int tries = 0; tries < kMostContactTries; ++tries) {
+    for (int tries = 0; tries < kMaxContactTries; ++tries) {
       if (!solve(h)) return false;
       if (leaves_loaded()) continue;
       const double share = free_share();
@@ -125,7 +125,7 @@ class MotionStep {
     inertia_ = inertia_now_;
     time_ = w_.time;
     for (std::size_t i = 0; i < chain_.size(); ++i) {
-      pull_[i] = constant<S>(1.0 / h_) * (motion_now_[i].velocity - motion_[i].velocity);
+      acceleration_[i] = constant<S>(1.0 / h_) * (motion_now_[i].velocity - motion_[i].velocity);
     }
     h_before_ = h_;
     std::swap(motion_, motion_now_);
@@ -152,9 +152,9 @@ class MotionStep {
       w_.q.released_ground_joint[g] = true;
       flows_.fracture += joints_.elastic_energy()[ground.joint];
     }
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
-      const auto& closure = chain_.closures[k];
-      if (closure.node == n && !closure.one_sided) w_.q.released_closure[k] = true;
+    for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
+      const auto& constraint = chain_.constraints[k];
+      if (constraint.node == n && !constraint.one_sided) w_.q.released_constraint[k] = true;
     }
   }
 
@@ -203,9 +203,9 @@ class MotionStep {
  private:
   /// Steps for which a start from rest is tried first, once it has found what the other did not.
   static constexpr int kRests = 10;
-  static constexpr int kMostContactTries = 30;
+  static constexpr int kMaxContactTries = 30;
   /// A contact that strikes in as many steps in a row comes to rest.
-  static constexpr int kMostBounces = 5;
+  static constexpr int kMaxBounces = 5;
 
   // motion_predict.hpp
   void predict(double h);
@@ -221,7 +221,7 @@ class MotionStep {
   void set_stage();
   void set_joint_spins();
   double factor_at(std::size_t history) const;
-  bool turns_little() const;
+  bool rotates_little() const;
   bool is_finite() const;
   // motion_flows.hpp
   void add_flows();
@@ -232,22 +232,22 @@ class MotionStep {
   // motion_momentum.hpp
   bool is_held(std::size_t first, std::size_t end) const;
   void balance_momentum();
-  void balance_piece(std::size_t first, std::size_t end, const chain::Wrench<L>& lacks);
+  void balance_fragment(std::size_t first, std::size_t end, const chain::Wrench<L>& residual);
   // motion_impact.hpp
-  double gap_of(std::size_t closure, const Placement& placement, double time) const;
+  double gap_of(std::size_t constraint, const Placement& placement, double time) const;
   double free_share() const;
   void meet_at_begin();
   bool leaves_loaded();
   S slope_of(std::size_t history) const {
     return constant<S>(chain_.histories[history].slope_at(w_.time));
   }
-  double approach_of(std::size_t closure) const;
+  double approach_of(std::size_t constraint) const;
   bool fit_velocities(Motions& motion, const std::vector<bool>& acts,
                       const std::vector<double>& bounce);
   void settle();
   void jumped();
   void strike(bool corner);
-  bool turns_a_corner() const;
+  bool passes_corner() const;
   void restart();
 
   const chain::Chain<L>& chain_;
@@ -259,11 +259,11 @@ class MotionStep {
   JointMotion<L, kElastic> joint_motion_;
   chain::JointForces<L, kElastic> no_laws_;     ///< zeros: what impulses see of the joints
   chain::JointForces<L, kElastic> laws_alone_;  ///< forces without slopes
-  ClosureRates<L> rates_;
+  ConstraintRates<L> rates_;
   CarriedMotion<L> carried_;
   Motions given_;               ///< velocities that are to fit
-  std::vector<double> bounce_;  ///< (closures)
-  std::vector<bool> acts_;      ///< (closures)
+  std::vector<double> bounce_;  ///< (constraints)
+  std::vector<bool> acts_;      ///< (constraints)
   chain::Stage<L> no_motion_;   ///< forces act at the end, and follow nothing
   double mass_ = 0.0;
   double h_ = 0.0;
@@ -275,12 +275,12 @@ class MotionStep {
   Placement begin_;
   chain::Coordinates<L> q_begin_;
   Motions motion_;
-  std::vector<typename L::Point> pull_;  ///< accelerations over the step before
-  double h_before_ = 0.0;                ///< its length; 0: none, or a jump since
+  std::vector<typename L::Point> acceleration_;  ///< accelerations over the step before
+  double h_before_ = 0.0;                        ///< its length; 0: none, or a jump since
   std::vector<CenterForce<L>> inertia_;
-  std::vector<bool> rests_on_;                   ///< one-sided closures that are closed (closures)
-  std::vector<int> bounces_;                     ///< in a row (closures)
-  std::vector<S> multiplier_;                    ///< (closures)
+  std::vector<bool> rests_on_;  ///< one-sided constraints that are closed (constraints)
+  std::vector<int> bounces_;    ///< in a row (constraints)
+  std::vector<S> multiplier_;   ///< (constraints)
   std::optional<chain::Wrench<L>> root_wrench_;  ///< what the root passed on; none: not known
   std::vector<typename L::Spin> ground_moment_;  ///< of ground joints on their segments
   // At its end:
@@ -289,7 +289,7 @@ class MotionStep {
   std::vector<SegmentStep<L>> step_;
   std::vector<typename L::Spin> spins_;  ///< of joints, where damping asks for them
   EnergyFlows flows_;
-  std::vector<MomentumError<L>> momentum_;  ///< of the piece that begins with a segment (N)
+  std::vector<MomentumError<L>> momentum_;  ///< of the fragment that begins with a segment (N)
 };
 
 }  // namespace plastica::solve

@@ -8,9 +8,9 @@
 /// Newton's method for the equilibrium of a chain, with the consistent tangent.
 ///
 /// Unknown are the joints' angles (and shifts), the free translations of the root, the multipliers
-/// of the closures and, under path control, the time. Each iteration places the segments, asks the
-/// laws, factors the chain once and solves for the imbalance, a column per closure and one for the
-/// time; a small dense system joins them (chain/README.md).
+/// of the constraints and, under path control, the time. Each iteration places the segments, asks
+/// the laws, factors the chain once and solves for the imbalance, a column per constraint and one
+/// for the time; a small dense system joins them (chain/README.md).
 namespace plastica::solve {
 
 /// Whether an imbalance is worth another iteration. What is not a number is not.
@@ -24,7 +24,7 @@ mask_t<S> may_improve(const S& imbalance, const S& enough) {
 /// @param assemble  places the chain and gathers all that acts on it
 /// @param condition  asked for at each iteration with the placed chain; its default makes time
 /// fixed
-/// @return not converged after `most_iterations`, or as soon as a number is not finite
+/// @return not converged after `max_iterations`, or as soon as a number is not finite
 template <class L, bool kElastic, class Assemble, class Condition>
 NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
                                               const Assemble& assemble,
@@ -37,7 +37,7 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
   for (int iteration = 0;; ++iteration) {
     const S enough = constant<S>(reachable<S>(options.tolerance, iteration));
     assemble(w);
-    if (options.one_solve && iteration > 0 && detail::closures_meet(chain, w)) {
+    if (options.one_solve && iteration > 0 && detail::constraints_hold(chain, w)) {
       w.recursion.sum(chain, w.q, w.placement, w.stage, w.joints, w.outer_forces, w.transmitted);
       const S imbalance = detail::relative_imbalance(chain, w);
       outcome.imbalance[static_cast<std::size_t>(iteration)] = imbalance;
@@ -60,13 +60,14 @@ NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,
     }
     // A value that is there gets its derivatives from one more step.
     const bool polishes = (kCarriesDerivatives<S> || options.polishes) && !any(going) && !polished;
-    if ((!any(going) && !polishes) || iteration == options.most_iterations ||
+    if ((!any(going) && !polishes) || iteration == options.max_iterations ||
         is_raised(options.stop)) {
       break;
     }
     polished = polishes;
     detail::solve_imbalance(chain, condition, w);
-    for (std::size_t k = 0; k < chain.closures.size(); ++k) detail::solve_closure(chain, k, w);
+    for (std::size_t k = 0; k < chain.constraints.size(); ++k)
+      detail::solve_constraint(chain, k, w);
     if (condition.active) detail::solve_time(chain, condition, w);
     detail::join_columns(chain, condition, w);
     detail::combine_columns(chain, condition, w);

@@ -25,40 +25,40 @@ inline S larger_scale(const S& so_far, const S& x) {
   return max(so_far, abs(x));
 }
 
-/// Decides which closures act, and adds what they do.
+/// Decides which constraints act, and adds what they do.
 template <class L, bool kElastic>
-void set_closures(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
+void set_constraints(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
   w.closed_anew = false;
   const S zero = constant<S>(0);
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    w.gap[k] = chain::closure_gap(chain, chain.closures[k], w.placement, w.time);
-    if (any(w.q.released_closure[k])) {
-      w.closed[k] = w.closed[k] & !w.q.released_closure[k];
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    w.gap[k] = chain::constraint_gap(chain, chain.constraints[k], w.placement, w.time);
+    if (any(w.q.released_constraint[k])) {
+      w.closed[k] = w.closed[k] & !w.q.released_constraint[k];
       w.q.multiplier[k] = select(w.closed[k], w.q.multiplier[k], zero);
       w.gap[k] = select(w.closed[k], w.gap[k], zero);
     }
-    if (!chain.closures[k].one_sided) continue;
+    if (!chain.constraints[k].one_sided) continue;
     // A pillar pushes or is left: whichever the multiplier, less the gap's stiffness, says.
-    const mask_t<S> closes = (w.q.multiplier[k] - chain.closure_stiffness * w.gap[k] >= zero) &
-                             !w.q.released_closure[k] & w.may_close[k];
+    const mask_t<S> closes = (w.q.multiplier[k] - chain.constraint_stiffness * w.gap[k] >= zero) &
+                             !w.q.released_constraint[k] & w.may_close[k];
     const mask_t<S> was = w.closed[k];
     w.closed_anew = w.closed_anew || any((closes & (!was)) | (was & (!closes)));
     w.closed[k] = closes;
     w.q.multiplier[k] = select(w.closed[k], w.q.multiplier[k], zero);
     w.gap[k] = select(w.closed[k], w.gap[k], zero);
   }
-  chain::add_closures(chain, w.placement, w.stage, w.q, w.closed, w.outer_forces);
+  chain::add_constraints(chain, w.placement, w.stage, w.q, w.closed, w.outer_forces);
 }
 
-/// Whether every closure that acts is closed, and none pulls that may not.
+/// Whether every constraint that acts is closed, and none pulls that may not.
 template <class L, bool kElastic>
-bool closures_meet(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& w) {
+bool constraints_hold(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
   if (w.closed_anew) return false;
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    const S size = chain.closures[k].turning ? constant<S>(1) : chain.length;
-    if (any(abs(w.gap[k]) > constant<S>(kClosureTolerance<S>) * size)) return false;
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    const S size = chain.constraints[k].rotational ? constant<S>(1) : chain.length;
+    if (any(abs(w.gap[k]) > constant<S>(kConstraintTolerance<S>) * size)) return false;
   }
   return true;
 }
@@ -69,7 +69,7 @@ template <class L, bool kElastic, class FactorAt>
 void assemble_with_axial(const chain::Chain<L>& chain, chain::JointLaws<L, kElastic>& laws,
                          const FactorAt& factor_at, NewtonWork<L, kElastic>& w) {
   chain::gather_loads(chain, w.placement, w.stage, factor_at, w.outer_forces);
-  set_closures(chain, w);
+  set_constraints(chain, w);
   chain::find_axial_forces(chain, w.q, w.placement, w.closed, w.time, factor_at,
                            w.outer_forces.wrench, w.outer_forces.axial, w.joints.axial);
   w.joints.by_axial.resize(chain.joints());
@@ -94,7 +94,7 @@ void assemble(const chain::Chain<L>& chain, chain::JointLaws<L, kElastic>& laws,
   }
   laws.evaluate(w.angles, w.q.shift, w.joints);
   chain::gather_forces(chain, w.q, w.placement, w.stage, w.joints, factor_at, w.outer_forces);
-  set_closures(chain, w);
+  set_constraints(chain, w);
 }
 
 /// The same at the time of `w`.
@@ -132,13 +132,13 @@ typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L
   for (std::size_t k = 0; k < L::kTranslations; ++k) {
     force = larger_size(force, w.recursion.root_balance()[k]);
   }
-  w.recursion.for_each_piece([&](std::size_t /*joint*/, const chain::Wrench<L>& balance) {
+  w.recursion.for_each_fragment([&](std::size_t /*joint*/, const chain::Wrench<L>& balance) {
     for (std::size_t k = 0; k < L::kTranslations; ++k) force = larger_size(force, balance.force[k]);
     for (std::size_t k = 0; k < L::kRotations; ++k) moment = larger_size(moment, balance.moment[k]);
   });
   S gap = constant<S>(0);
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    const S size = chain.closures[k].turning ? chain.length : constant<S>(1);
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    const S size = chain.constraints[k].rotational ? chain.length : constant<S>(1);
     gap = larger_size(gap, size * w.gap[k]);
   }
   // Moments are forces on levers: a bar under axial force alone is no beam out of balance.
@@ -151,13 +151,13 @@ typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L
   return larger_size(worst, gap / chain.length);
 }
 
-/// Adds the stiffness of the path condition along its covector; like that of a closure it does
+/// Adds the stiffness of the path condition along its covector; like that of a constraint it does
 /// not change the solution.
 template <class L, bool kElastic>
 void stiffen_condition(const chain::Chain<L>& chain, const PathCondition<L>& condition,
                        NewtonWork<L, kElastic>& w) {
   const auto& c = condition.covector;
-  const auto s = chain.closure_stiffness;
+  const auto s = chain.constraint_stiffness;
   auto& impedance = w.outer_forces.impedance[condition.segment];
   impedance.tt += outer(s * c.force, c.force);
   impedance.tr += outer(s * c.force, c.moment);
@@ -178,30 +178,30 @@ typename L::Scalar power(const chain::Wrench<L>& wrench, const chain::Motion<L>&
 }
 
 template <class S, class L>
-S stiffness_of(const chain::Chain<L>& chain, const chain::Closure<L>& closure) {
-  return closure.turning ? chain.closure_turning_stiffness : chain.closure_stiffness;
+S stiffness_of(const chain::Chain<L>& chain, const chain::LoopConstraint<L>& loop) {
+  return loop.rotational ? chain.constraint_rotational_stiffness : chain.constraint_stiffness;
 }
 
-/// A closure's wrench at a unit multiplier, where the forces act.
+/// A constraint's wrench at a unit multiplier, where the forces act.
 template <class L, bool kElastic>
-chain::Wrench<L> acting_wrench(const chain::Closure<L>& closure, const NewtonWork<L, kElastic>& w) {
-  return chain::unit_wrench(closure, w.stage.of(w.placement));
+chain::Wrench<L> active_wrench(const chain::LoopConstraint<L>& loop,
+                               const NewtonWork<L, kElastic>& w) {
+  return chain::unit_wrench(loop, w.stage.of(w.placement));
 }
 
-/// Column 0: the imbalance; and the closures' gaps through their stiffness.
+/// Column 0: the imbalance; and the constraints' gaps through their stiffness.
 template <class L, bool kElastic>
 void solve_imbalance(const chain::Chain<L>& chain, const PathCondition<L>& condition,
                      NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
   w.right.reset(chain.size());
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    const auto& closure = chain.closures[k];
-    const S pull =
-        select(w.closed[k], -(stiffness_of<S>(chain, closure) * w.gap[k]), constant<S>(0));
-    add_scaled(pull, acting_wrench(closure, w), w.right.wrench[closure.segment]);
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    const auto& loop = chain.constraints[k];
+    const S force = select(w.closed[k], -(stiffness_of<S>(chain, loop) * w.gap[k]), constant<S>(0));
+    add_scaled(force, active_wrench(loop, w), w.right.wrench[loop.segment]);
   }
   if (condition.active) {
-    add_scaled(-(chain.closure_stiffness * condition.value), condition.covector,
+    add_scaled(-(chain.constraint_stiffness * condition.value), condition.covector,
                w.right.wrench[condition.segment]);
   }
   w.recursion.solve(w.right, true, w.columns[0]);
@@ -220,17 +220,17 @@ void add_at_nodes(const chain::Chain<L>& chain, std::size_t segment, const typen
   }
 }
 
-/// The column of a closure: what a unit force along it moves.
+/// The column of a constraint: what a unit force along it moves.
 template <class L, bool kElastic>
-void solve_closure(const chain::Chain<L>& chain, std::size_t k, NewtonWork<L, kElastic>& w) {
-  const auto& closure = chain.closures[k];
+void solve_constraint(const chain::Chain<L>& chain, std::size_t k, NewtonWork<L, kElastic>& w) {
+  const auto& loop = chain.constraints[k];
   w.right.reset(chain.size());
-  w.right.wrench[closure.segment] = acting_wrench(closure, w);
-  if (!closure.turning) add_at_nodes(chain, closure.segment, closure.arm, closure.direction, w);
+  w.right.wrench[loop.segment] = active_wrench(loop, w);
+  if (!loop.rotational) add_at_nodes(chain, loop.segment, loop.arm, loop.direction, w);
   w.recursion.solve(w.right, false, w.columns[1 + k]);
 }
 
-/// The last column: what a unit of time moves, through loads, springs, the ground and closures.
+/// The last column: what a unit of time moves, through loads, springs, the ground and constraints.
 template <class L, bool kElastic>
 void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
                 NewtonWork<L, kElastic>& w) {
@@ -245,36 +245,36 @@ void solve_time(const chain::Chain<L>& chain, const PathCondition<L>& condition,
     add_at_nodes(chain, load.segment, load.arm, slope(load.history) * unit.force, w);
   }
   for (const auto& spring : chain.springs) {
-    chain::Wrench<L> wrench{};
+    chain::Wrench<L> rate{};
     for (std::size_t i = 0; i < L::kTranslations; ++i) {
-      wrench.force[i] = slope(spring.history) * spring.stiffness[i] * spring.motion[i];
+      rate.force[i] = slope(spring.history) * spring.stiffness[i] * spring.motion[i];
     }
-    wrench.moment = L::moment(L::turn(w.placement.frame[spring.segment], spring.arm), wrench.force);
-    add_scaled(constant<S>(1), wrench, w.right.wrench[spring.segment]);
-    add_at_nodes(chain, spring.segment, spring.arm, wrench.force, w);
+    rate.moment = L::moment(L::rotate(w.placement.frame[spring.segment], spring.arm), rate.force);
+    add_scaled(constant<S>(1), rate, w.right.wrench[spring.segment]);
+    add_at_nodes(chain, spring.segment, spring.arm, rate.force, w);
   }
   for (const auto& joint : chain.ground_joints) {
     // The ground turns against the segment, which the joint's law resists.
     const auto axes = L::axes(chain::ground_joint_axes(joint, w.placement));
-    const typename L::Spin turn = transposed_times(axes, slope(joint.history) * joint.motion);
+    const typename L::Spin increment = transposed_times(axes, slope(joint.history) * joint.motion);
     typename L::Spin moment;
     for (std::size_t i = 0; i < L::kRotations; ++i) {
       for (std::size_t k = 0; k < L::kRotations; ++k) {
-        moment[i] += w.joints.tangent[joint.joint](i, k) * turn[k];
+        moment[i] += w.joints.tangent[joint.joint](i, k) * increment[k];
       }
     }
     w.right.wrench[joint.segment].moment += axes * moment;
   }
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    const auto& closure = chain.closures[k];
-    const S pull = stiffness_of<S>(chain, closure) * slope(closure.history) * closure.motion;
-    add_scaled(select(w.closed[k], pull, constant<S>(0)), chain::unit_wrench(closure, w.placement),
-               w.right.wrench[closure.segment]);
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    const auto& loop = chain.constraints[k];
+    const S force = stiffness_of<S>(chain, loop) * slope(loop.history) * loop.motion;
+    add_scaled(select(w.closed[k], force, constant<S>(0)), chain::unit_wrench(loop, w.placement),
+               w.right.wrench[loop.segment]);
   }
-  add_scaled(-(chain.closure_stiffness * condition.time_slope), condition.covector,
+  add_scaled(-(chain.constraint_stiffness * condition.time_slope), condition.covector,
              w.right.wrench[condition.segment]);
   w.right.ground = {slope(chain.root.history) * chain.root.motion,
-                    slope(chain.root.history) * chain.root.turn};
+                    slope(chain.root.history) * chain.root.rotation};
   w.recursion.solve(w.right, false, w.columns.back());
 }
 
@@ -283,51 +283,51 @@ template <class L, bool kElastic>
 void join_columns(const chain::Chain<L>& chain, const PathCondition<L>& condition,
                   NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
-  const std::size_t closures = chain.closures.size();
+  const std::size_t constraints = chain.constraints.size();
   const S zero = constant<S>(0);
   const S one = constant<S>(1);
   auto& small = w.small;
-  for (std::size_t k = 0; k < closures; ++k) {
-    const auto& closure = chain.closures[k];
-    const auto wrench = chain::unit_wrench(closure, w.placement);
-    for (std::size_t j = 0; j < closures; ++j) {
-      const S moved = power(wrench, w.columns[1 + j].motion[closure.segment]);
+  for (std::size_t k = 0; k < constraints; ++k) {
+    const auto& loop = chain.constraints[k];
+    const auto wrench = chain::unit_wrench(loop, w.placement);
+    for (std::size_t j = 0; j < constraints; ++j) {
+      const S moved = power(wrench, w.columns[1 + j].motion[loop.segment]);
       const S open = k == j ? one : zero;
       small.a(k, j) = select(w.closed[k], select(w.closed[j], moved, zero), open);
     }
     S by_time = zero;
     if (condition.active) {
-      const S slope = chain::factor_as<S>(chain.histories[closure.history].slope_at(w.time));
-      by_time = power(wrench, w.columns.back().motion[closure.segment]) - slope * closure.motion;
+      const S slope = chain::factor_as<S>(chain.histories[loop.history].slope_at(w.time));
+      by_time = power(wrench, w.columns.back().motion[loop.segment]) - slope * loop.motion;
     }
-    small.a(k, closures) = select(w.closed[k], by_time, zero);
-    const S moved = power(wrench, w.columns[0].motion[closure.segment]);
+    small.a(k, constraints) = select(w.closed[k], by_time, zero);
+    const S moved = power(wrench, w.columns[0].motion[loop.segment]);
     small.b(k) = select(w.closed[k], -w.gap[k] - moved, zero);
   }
-  for (std::size_t j = 0; j <= closures; ++j) small.a(closures, j) = zero;
+  for (std::size_t j = 0; j <= constraints; ++j) small.a(constraints, j) = zero;
   if (condition.active) {
     const auto& c = condition.covector;
-    for (std::size_t j = 0; j < closures; ++j) {
+    for (std::size_t j = 0; j < constraints; ++j) {
       const S moved = power(c, w.columns[1 + j].motion[condition.segment]);
-      small.a(closures, j) = select(w.closed[j], moved, zero);
+      small.a(constraints, j) = select(w.closed[j], moved, zero);
     }
-    small.a(closures, closures) =
+    small.a(constraints, constraints) =
         power(c, w.columns.back().motion[condition.segment]) + condition.time_slope;
-    small.b(closures) = -condition.value - power(c, w.columns[0].motion[condition.segment]);
+    small.b(constraints) = -condition.value - power(c, w.columns[0].motion[condition.segment]);
   } else {
-    small.a(closures, closures) = one;
-    small.b(closures) = zero;
+    small.a(constraints, constraints) = one;
+    small.b(constraints) = zero;
   }
   small.solve();
 }
 
-/// How a segment moves in a unit of time with the closures kept; after `join_columns`.
+/// How a segment moves in a unit of time with the constraints kept; after `join_columns`.
 template <class L, bool kElastic>
 chain::Motion<L> motion_in_time(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& w,
                                 std::size_t segment) {
   using S = typename L::Scalar;
   chain::Motion<L> rate = w.columns.back().motion[segment];
-  for (std::size_t j = 0; j < chain.closures.size(); ++j) {
+  for (std::size_t j = 0; j < chain.constraints.size(); ++j) {
     const S weight = select(w.closed[j], w.small.b(j), constant<S>(0));
     rate.shift += weight * w.columns[1 + j].motion[segment].shift;
     rate.spin += weight * w.columns[1 + j].motion[segment].spin;
@@ -341,8 +341,8 @@ void combine_columns(const chain::Chain<L>& chain, const PathCondition<L>& condi
                      NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
   auto& sum = w.columns[0];
-  for (std::size_t j = 0; j <= chain.closures.size(); ++j) {
-    const bool time = j == chain.closures.size();
+  for (std::size_t j = 0; j <= chain.constraints.size(); ++j) {
+    const bool time = j == chain.constraints.size();
     if (time && !condition.active) break;
     const S weight = time ? w.small.b(j) : select(w.closed[j], w.small.b(j), constant<S>(0));
     const auto& column = w.columns[1 + j];
@@ -374,11 +374,11 @@ void take_step(const chain::Chain<L>& chain, const PathCondition<L>& condition,
   for (std::size_t i = 0; i < chain.size(); ++i) {
     typename L::Spin spin;
     for (std::size_t k = 0; k < L::kRotations; ++k) spin[k] = part * step.joint[i][k];
-    w.q.angle[i] = L::turn_by(spin, w.q.angle[i]);
+    w.q.angle[i] = L::add_rotation(spin, w.q.angle[i]);
     if (any(w.q.open[i])) {
       chain::Pose<L>& pose = w.q.pose[i];
       pose.position += part * step.motion[i].shift;
-      pose.frame = L::then(L::rotation(part * step.motion[i].spin), pose.frame);
+      pose.frame = L::compose(L::rotation(part * step.motion[i].spin), pose.frame);
     }
     if constexpr (kElastic) {
       for (std::size_t k = 0; k < L::kTranslations; ++k) {
@@ -387,11 +387,11 @@ void take_step(const chain::Chain<L>& chain, const PathCondition<L>& condition,
     }
   }
   w.q.root += part * step.root;
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
     w.q.multiplier[k] += part * w.small.b(k);
   }
   if constexpr (std::is_floating_point_v<S>) {
-    if (condition.active) w.time += part * w.small.b(chain.closures.size());
+    if (condition.active) w.time += part * w.small.b(chain.constraints.size());
   }
 }
 

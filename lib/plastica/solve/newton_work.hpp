@@ -44,12 +44,12 @@ struct NewtonWork {
   chain::Transmitted<L> impulses;  ///< of `solve/rates.hpp`, likewise
   chain::Recursion<L, kElastic> recursion;
   std::vector<typename L::Spin> angles;  ///< of all joints with a law, ground joints included
-  std::vector<mask_t<S>> closed;         ///< whether a closure acts
+  std::vector<mask_t<S>> closed;         ///< whether a constraint acts
   std::vector<mask_t<S>> may_close;      ///< whether a one-sided one may
   bool closed_anew = false;              ///< whether one has just closed or opened
-  std::vector<S> gap;                    ///< of each closure
+  std::vector<S> gap;                    ///< of each constraint
   chain::RightSide<L> right;
-  /// Of the imbalance, of each closure, and of the time (1 + closures + 1).
+  /// Of the imbalance, of each constraint, and of the time (1 + constraints + 1).
   std::vector<chain::Solution<L, kElastic>> columns;
   SmallSystem<S> small;
   /// The largest moment and force so far: what an imbalance is small against.
@@ -71,15 +71,15 @@ struct NewtonWork {
 
   void resize(const chain::Chain<L>& chain) {
     const std::size_t n = chain.size();
-    const std::size_t closures = chain.closures.size();
+    const std::size_t constraints = chain.constraints.size();
     q.angle.assign(n, {});
     q.shift.assign(kElastic ? n : 0, {});
     q.root = {};
-    q.multiplier.assign(closures, {});
+    q.multiplier.assign(constraints, {});
     const mask_t<S> never{constant<S>(1) < constant<S>(0)};
     q.open.assign(n, never);
     q.pose.assign(n, {});
-    q.released_closure.assign(closures, never);
+    q.released_constraint.assign(constraints, never);
     q.released_ground_joint.assign(chain.ground_joints.size(), never);
     time = 0.0;
     placement.resize(n);
@@ -95,14 +95,14 @@ struct NewtonWork {
     impulses.outer.assign(n, {});
     recursion.resize(n);
     angles.assign(chain.joints(), {});
-    closed.assign(closures, mask_t<S>{constant<S>(0) < constant<S>(1)});
-    may_close.assign(closures, mask_t<S>{constant<S>(0) < constant<S>(1)});
-    gap.assign(closures, {});
+    closed.assign(constraints, mask_t<S>{constant<S>(0) < constant<S>(1)});
+    may_close.assign(constraints, mask_t<S>{constant<S>(0) < constant<S>(1)});
+    gap.assign(constraints, {});
     right.reset(n);
-    columns.resize(closures + 2);
+    columns.resize(constraints + 2);
     for (auto& column : columns) column.resize(n);
     small.resize(0);
-    small.resize(closures + 1);
+    small.resize(constraints + 1);
     moment_scale = constant<S>(0);
     force_scale = constant<S>(0);
     force_floor = constant<S>(0);
@@ -112,7 +112,7 @@ struct NewtonWork {
   }
 };
 
-inline constexpr int kMostIterations = 64;
+inline constexpr int kMaxIterations = 64;
 
 /// A tolerance that a scalar can meet: as asked for; with float no less than 170 units of its
 /// rounding, since what joints transmit are sums over the chain. If after six iterations that is
@@ -125,15 +125,15 @@ constexpr double reachable(double tolerance, int iteration = 0) {
 
 inline constexpr double kOneSolveTolerance = 1e-5;
 
-/// How far a closure may be off after a step of one solve, over the beam's length [1].
+/// How far a constraint may be off after a step of one solve, over the beam's length [1].
 template <class S>
-inline constexpr double kClosureTolerance = kIsDouble<S> ? 1e-7 : 1e-5;
+inline constexpr double kConstraintTolerance = kIsDouble<S> ? 1e-7 : 1e-5;
 
 struct NewtonOptions {
-  int most_iterations = 25;  ///< <= kMostIterations
+  int max_iterations = 25;   ///< <= kMaxIterations
   double tolerance = 1e-10;  ///< see SolverOptions::tolerance
-  /// One linear solve is enough; more are made only while a closure is off by more than
-  /// `kClosureTolerance` of the length, or a joint is out of balance by more than
+  /// One linear solve is enough; more are made only while a constraint is off by more than
+  /// `kConstraintTolerance` of the length, or a joint is out of balance by more than
   /// `kOneSolveTolerance` of the largest moment: it has begun to yield, or turned far.
   bool one_solve = false;
   /// Solves once more after convergence: what is left is rounding then, not the tolerance.
@@ -150,7 +150,7 @@ struct NewtonOutcome {
   mask_t<S> converged{};
   int iterations = 0;  ///< factorizations
   /// Relative imbalance at the beginning of each iteration, and at the end (iterations + 1).
-  std::array<S, kMostIterations + 1> imbalance{};
+  std::array<S, kMaxIterations + 1> imbalance{};
 };
 
 }  // namespace plastica::solve

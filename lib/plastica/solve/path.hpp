@@ -18,7 +18,7 @@ namespace plastica::solve {
 
 /// Follows an equilibrium path: README.md.
 template <class L, bool kElastic>
-class PathWalker {
+class PathContinuation {
  public:
   using Laws = chain::JointLaws<L, kElastic>;
   using Work = NewtonWork<L, kElastic>;
@@ -26,9 +26,9 @@ class PathWalker {
   using S = typename L::Scalar;
   using Value = typename ControlPoint<L>::Value;
 
-  PathWalker(const chain::Chain<L>& chain, Laws& laws, const PathOptions& options,
-             const ControlPoint<L>& control, Work& work, chain::Coordinates<L>& committed,
-             chain::Coordinates<L>& previous, Observer& observer)
+  PathContinuation(const chain::Chain<L>& chain, Laws& laws, const PathOptions& options,
+                   const ControlPoint<L>& control, Work& work, chain::Coordinates<L>& committed,
+                   chain::Coordinates<L>& previous, Observer& observer)
       : chain_(chain),
         laws_(laws),
         options_(options),
@@ -38,11 +38,10 @@ class PathWalker {
         previous_(previous),
         observer_(observer),
         conservative_(is_conservative(chain)),
-        has_pillars_(std::any_of(chain.closures.begin(), chain.closures.end(),
-                                 [](const auto& closure) { return closure.one_sided; })) {}
+        has_pillars_(std::any_of(chain.constraints.begin(), chain.constraints.end(),
+                                 [](const auto& loop) { return loop.one_sided; })) {}
 
-  // A walk comes in pieces, cut where an equilibrium at a given time is sought, so that several
-  // beams may seek theirs side by side.
+  // A path is followed from one trial to the next, so that beams may seek equilibria side by side.
 
   /// Goes up to the first one, or to the path's end.
   /// @return whether one is sought: at `work.time`, from the unknowns in `work`
@@ -53,10 +52,10 @@ class PathWalker {
 
   /// Takes what was found, which is in `work`, and goes on to the next.
   /// @param factored  whether `work` holds the tangent, too
-  /// @param ways      `unstable_ways`, if that was asked for; else below 0
-  bool take(bool converged, int iterations, bool factored, double ways = -1.0) {
+  /// @param unstable_modes  of the same name, if that was asked for; else below 0
+  bool take(bool converged, int iterations, bool factored, double unstable_modes = -1.0) {
     holds_tangent_ = factored;
-    found_ways_ = ways;
+    found_modes_ = unstable_modes;
     const Trial trial = judge(converged, iterations, shortest_);
     factored_ = factored_ && factored;
     return go_on(trial);
@@ -66,7 +65,7 @@ class PathWalker {
   bool records_next() const { return next_ == options_.stops[stop_] && options_.recorded[stop_]; }
 
   /// Seeks this one and all that follow.
-  void walk_on() {
+  void proceed() {
     bool seeks = true;
     while (seeks) {
       const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
@@ -77,8 +76,8 @@ class PathWalker {
   /// How the path has ended.
   Status status() const;
 
-  /// In how many ways the last equilibrium would be left; -1: not known.
-  int known_ways() const { return ways_; }
+  /// Number of unstable modes of the last equilibrium; -1: not known.
+  int known_unstable_modes() const { return modes_; }
   const PathCounters& counters() const { return counters_; }
   const std::optional<LimitLoad>& limit() const { return limit_; }
   /// With times in the place of factors.
@@ -93,14 +92,14 @@ class PathWalker {
 
   /// Relative stiffness below which the supports leave the beam free to move.
   static constexpr double kMechanism = kIsDouble<S> ? 1e-11 : 1e-6;
-  /// Share of the way that a closure's own stiffness would leave, below which it holds nothing.
+  /// Share of a motion that a constraint's own stiffness would leave, below which it holds nothing.
   static constexpr double kHeldTwice = kIsDouble<S> ? 1e-8 : 1e-6;
-  /// The least way of the control point that is no rounding, over the beam's length.
-  static constexpr double kLeastWay = kIsDouble<S> ? 1e-13 : 1e-6;
+  /// The least displacement of the control point that is no rounding, over the beam's length.
+  static constexpr double kMinPath = kIsDouble<S> ? 1e-13 : 1e-6;
   static constexpr double kTiny = std::numeric_limits<double>::min();
   static constexpr double kForever = std::numeric_limits<double>::infinity();
-  static constexpr int kMostArcs = 400;  ///< that cross what load control does not
-  /// How much longer than the first an arc may become: a way that bends sharply is long.
+  static constexpr int kMaxArcs = 400;  ///< that cross what load control does not
+  /// How much longer than the first an arc may become: a path that bends sharply is long.
   static constexpr double kArcGrowth = 32.0;
 
   static bool finite(const NewtonOutcome<S>& outcome) {
@@ -117,21 +116,21 @@ class PathWalker {
   }
 
   void accept() {
-    if (trial_ways_ >= 0 && ways_ >= 0 && trial_ways_ != ways_) note_critical();
-    ways_ = trial_ways_;
+    if (trial_modes_ >= 0 && modes_ >= 0 && trial_modes_ != modes_) note_critical();
+    modes_ = trial_modes_;
     // Arcs go over unstable equilibria on purpose: what counts is where they end.
-    unstable_ = ways_ > 0 || (unstable_ && options_.control != PathControl::ArcLength);
+    unstable_ = modes_ > 0 || (unstable_ && options_.control != PathControl::ArcLength);
     laws_.commit();
     std::swap(previous_, committed_);
     committed_ = w_.q;
     previous_time_ = time_;
     time_ = w_.time;
     const Value at = control_.value(w_.placement);
-    gone_ += size_of(at - at_);
+    traversed_ += size_of(at - at_);
     at_ = at;
     // Where nothing has flowed the laws are as they were in the last iteration.
     factored_ = !observer_.yields();
-    rate_before_ = time_ > previous_time_ ? turned_ / (time_ - previous_time_) : 0.0;
+    rate_before_ = time_ > previous_time_ ? rotated_ / (time_ - previous_time_) : 0.0;
     ++counters_.steps;
     interrupted_ = !observer_.accept(w_);
   }
@@ -139,7 +138,7 @@ class PathWalker {
   /// How a path ends that finds nothing more: where a section would have to carry more axial force
   /// than it can, at a limit load.
   Status end_lost() {
-    if (!overpulled_) return Status::NotConverged;
+    if (!overloaded_) return Status::NotConverged;
     limit_ = LimitLoad{time_, w_.time};
     return Status::LimitLoad;
   }
@@ -153,23 +152,23 @@ class PathWalker {
   /// How a path ends whose last trial has ended it.
   Status ended() const { return interrupted_ ? Status::Interrupted : Status::Broken; }
 
-  /// Whether a closure holds what the rigid segments and the other supports hold already: a unit
+  /// Whether a constraint holds what the rigid segments and the other supports hold already: a unit
   /// force along it moves nothing.
   bool holds_twice();
 
   /// How the last step has turned the segments: path_continuity.hpp.
-  template <class TurnOf, class Visit>
-  void for_each_turn(const TurnOf& turn, const Visit& visit) const;
-  template <class TurnOf>
-  double size_of_turns(const TurnOf& turn) const;
-  bool turns_too_far() const;
-  double turning_rate();
+  template <class IncrementOf, class Visit>
+  void for_each_rotation(const IncrementOf& increment, const Visit& visit) const;
+  template <class IncrementOf>
+  double size_of_rotations(const IncrementOf& increment) const;
+  bool rotates_too_far() const;
+  double rotation_rate();
   bool points_on();
 
   /// Whether the equilibria are stable: path_stability.hpp.
   void factor_tangent();
-  int count_ways();
-  bool may_change_ways(bool shortest);
+  int count_unstable_modes();
+  bool may_change_stability(bool shortest);
   void note_critical();
 
   /// Seeks an equilibrium from the unknowns in `w_` and takes it, if it is near enough.
@@ -177,7 +176,7 @@ class PathWalker {
   Trial attempt(const Condition& condition, bool shortest) {
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_, condition);
     holds_tangent_ = true;
-    found_ways_ = -1.0;
+    found_modes_ = -1.0;
     condition_ = condition(w_);
     return judge(outcome.converged, outcome.iterations, shortest);
   }
@@ -194,10 +193,10 @@ class PathWalker {
     counters_.iterations += iterations;
     iterations_ = iterations;
     if (stopped()) return Trial::Ended;
-    overpulled_ = converged && laws_.overpulled();
-    if (!converged || overpulled_) return Trial::Failed;
+    overloaded_ = converged && laws_.overloaded();
+    if (!converged || overloaded_) return Trial::Failed;
     if ((beyond_ = !at_time_ && w_.time > latest_)) return Trial::Failed;
-    if (turns_too_far() || !points_on() || !may_change_ways(shortest)) return Trial::Failed;
+    if (rotates_too_far() || !points_on() || !may_change_stability(shortest)) return Trial::Failed;
     const double slope = watches_slope_ && observer_.yields() ? relative_slope() : 1.0;
     flat_ = slope < kLimitSlope;
     // A bend of the path is looked at closely: from far off a limit that the beam escapes by
@@ -246,11 +245,11 @@ class PathWalker {
     solve_rates(at_time);
     detail::combine_columns(chain_, at_time, w_);
     solved_ = false;
-    rate_before_ = size_of_turns([&](std::size_t i) {
-                     typename L::Spin turn;
+    rate_before_ = size_of_rotations([&](std::size_t i) {
+                     typename L::Spin increment;
                      for (std::size_t k = 0; k < L::kRotations; ++k)
-                       turn[k] = w_.columns[0].joint[i][k];
-                     return turn;
+                       increment[k] = w_.columns[0].joint[i][k];
+                     return increment;
                    }) /
                    (time - time_);
     detail::take_step(chain_, at_time, false, w_);
@@ -266,21 +265,22 @@ class PathWalker {
     }
     if (!solved_) {
       detail::solve_imbalance(chain_, at_time, w_);
-      for (std::size_t k = 0; k < chain_.closures.size(); ++k) detail::solve_closure(chain_, k, w_);
+      for (std::size_t k = 0; k < chain_.constraints.size(); ++k)
+        detail::solve_constraint(chain_, k, w_);
       detail::solve_time(chain_, at_time, w_);
       solved_ = true;
     }
     detail::join_columns(chain_, at_time, w_);
   }
 
-  /// Load over the control point's way in this step, relative to the first slope.
+  /// Load over the control point's displacement in this step, relative to the first slope.
   double relative_slope() const {
     const Value moved = control_.value(w_.placement) - at_;
-    return (w_.time - time_) / std::max(span_ / way_ * size_of(moved), kTiny);
+    return (w_.time - time_) / std::max(span_ / elastic_path_ * size_of(moved), kTiny);
   }
 
   /// Of a joint, from the undeformed beam.
-  double farthest_turn() const {
+  double largest_rotation() const {
     double farthest = 0.0;
     for (const typename L::Spin& angle : w_.q.angle) {
       farthest = std::max(farthest, static_cast<double>(size_of(angle)));
@@ -305,7 +305,7 @@ class PathWalker {
   bool is_corner(double time) const;
 
   /// The plane n . (u - u0) + weight (t - t0) = length in which the next equilibrium is sought;
-  /// (n, weight) is a unit vector in (u/way, t/span), times `way`.
+  /// (n, weight) is a unit vector in (u/path, t/span), times `path`.
   struct Arc {
     Value from{};
     Value direction{};
@@ -316,7 +316,7 @@ class PathWalker {
 
   /// How u and t go on elastically from the committed state: sets the scales of an arc.
   bool begin_arcs();
-  /// Motion of a segment in a unit of time, with the closures kept; after `solve_rates`.
+  /// Motion of a segment in a unit of time, with the constraints kept; after `solve_rates`.
   chain::Motion<L> rate_of(std::size_t segment) const;
   /// Takes the segment end that moves most, since one that is held tells nothing of the path.
   void find_control();
@@ -328,14 +328,14 @@ class PathWalker {
   /// Starts where the last step points to, `part` of it further.
   void extrapolate(double part);
   void set_arc_length(double length, double growth);
-  Status walk_arc();
+  Status follow_arcs();
   /// Load control has found nothing before `stop`: follows the path by arcs, until it gets there
   /// (then it went around a turn), or carries no more (a limit load), or is lost.
   Trial cross_by_arc(double stop);
   /// The limit from above: the least time at which load control finds nothing, starting from the
   /// last equilibrium.
   void bracket_limit(double highest);
-  Status walk_displacement();
+  Status follow_displacement();
 
   const chain::Chain<L>& chain_;
   Laws& laws_;
@@ -358,13 +358,13 @@ class PathWalker {
   Status status_ = Status::NotRun;
   int iterations_ = 0;
   bool interrupted_ = false;  ///< the observer does not want to go on, or the path was stopped
-  bool overpulled_ = false;   ///< the last trial was an equilibrium that no section carries
+  bool overloaded_ = false;   ///< the last trial was an equilibrium that no section carries
   bool factored_ = false;     ///< `w_` holds the tangent at the committed unknowns
   bool solved_ = false;       ///< and all columns
 
-  double span_ = 1.0;  ///< scale of time
-  double way_ = 1.0;   ///< of the control point, the way that it would go elastically in `span_`
-  Value rate_{};       ///< of the control point, elastically
+  double span_ = 1.0;          ///< scale of time
+  double elastic_path_ = 1.0;  ///< displacement of the control point in `span_`, if elastic
+  Value rate_{};               ///< of the control point, elastically
   double arc_length_ = 0.0, largest_arc_ = 0.0, smallest_arc_ = 0.0;
   double latest_ = kForever;  ///< time at which arcs end
   bool beyond_ = false;       ///< whether the last trial of an arc was after it
@@ -374,22 +374,22 @@ class PathWalker {
   bool conservative_ = true, has_pillars_ = false;
   CriticalPoints critical_{};
   PathCondition<L> condition_{};  ///< of the trial
-  double found_ways_ = -1.0;      ///< see `take`
-  int ways_ = -1;                 ///< unstable ones of the last step; -1: not counted
-  int trial_ways_ = -1;
+  double found_modes_ = -1.0;     ///< see `take`
+  int modes_ = -1;                ///< unstable modes after the last step; -1: not counted
+  int trial_modes_ = -1;
   bool unstable_ = false;
   bool at_time_ = false;        ///< whether the trial was sought at a given time
   bool holds_tangent_ = false;  ///< whether `w_` holds the tangent of the trial
-  double turned_ = 0.0;         ///< by the trial, of all segments: see `size_of_turns`
+  double rotated_ = 0.0;        ///< by the trial, of all segments: see `size_of_rotations`
   double rate_before_ = 0.0;    ///< likewise, in a unit of time before it, or where it begins
   Value at_{};                  ///< the control point at the last step
   bool has_scale_ = false;      ///< whether arcs have one: something moves
   bool watches_slope_ = false;  ///< load control: see `attempt`
   bool flat_ = false;
-  bool gradual_ = false;  ///< whether the step before was nearly flat, too
-  double gone_ = 0.0;     ///< the control point's way so far, all turns of it
-  double slope_ = 1.0;    ///< of the last step, see `relative_slope`
-  bool goes_on_ = false;  ///< whether the last step may be continued
+  bool gradual_ = false;    ///< whether the step before was nearly flat, too
+  double traversed_ = 0.0;  ///< length of the control point's path so far
+  double slope_ = 1.0;      ///< of the last step, see `relative_slope`
+  bool goes_on_ = false;    ///< whether the last step may be continued
 };
 
 }  // namespace plastica::solve

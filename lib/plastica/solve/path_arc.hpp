@@ -6,22 +6,22 @@
 namespace plastica::solve {
 
 template <class L, bool kElastic>
-bool PathWalker<L, kElastic>::begin_arcs() {
+bool PathContinuation<L, kElastic>::begin_arcs() {
   restore();
   solve_rates(PathCondition<L>::unit_time());
   if (options_.finds_control) find_control();
   at_ = control_.value(w_.placement);
-  if (counters_.steps <= 1) gone_ = 0.0;  // of another control point
+  if (counters_.steps <= 1) traversed_ = 0.0;  // of another control point
   return set_scales(control_.rate(rate_of(control_.segment), w_.placement));
 }
 
 template <class L, bool kElastic>
-chain::Motion<L> PathWalker<L, kElastic>::rate_of(std::size_t segment) const {
+chain::Motion<L> PathContinuation<L, kElastic>::rate_of(std::size_t segment) const {
   return detail::motion_in_time(chain_, w_, segment);
 }
 
 template <class L, bool kElastic>
-void PathWalker<L, kElastic>::find_control() {
+void PathContinuation<L, kElastic>::find_control() {
   double most = size_of(control_.rate(rate_of(control_.segment), w_.placement));
   ControlPoint<L> candidate;
   for (std::size_t i = 0; i < chain_.size(); ++i) {
@@ -36,36 +36,37 @@ void PathWalker<L, kElastic>::find_control() {
 }
 
 template <class L, bool kElastic>
-bool PathWalker<L, kElastic>::set_scales(const Value& rate) {
+bool PathContinuation<L, kElastic>::set_scales(const Value& rate) {
   span_ = options_.stops.back();
-  way_ = size_of(rate) * span_;
+  elastic_path_ = size_of(rate) * span_;
   // What only rounding moves has no scale: an axial load moves no straight beam.
   const double unit = L::kTranslations > 0 ? static_cast<double>(chain_.length) : 1.0;
-  if (!(way_ > kLeastWay * unit) || !std::isfinite(way_)) return false;
+  if (!(elastic_path_ > kMinPath * unit) || !std::isfinite(elastic_path_)) return false;
   rate_ = rate;
   return true;
 }
 
 template <class L, bool kElastic>
-typename PathWalker<L, kElastic>::Arc PathWalker<L, kElastic>::next_arc(double length) const {
+typename PathContinuation<L, kElastic>::Arc PathContinuation<L, kElastic>::next_arc(
+    double length) const {
   Arc arc;
   arc.from = control_.value(w_.placement);
   arc.from_time = time_;
-  arc.length = length * way_;
-  Value du = constant<S>(span_ / way_) * rate_;
+  arc.length = length * elastic_path_;
+  Value du = constant<S>(span_ / elastic_path_) * rate_;
   double dt = 1.0;
   if (has_secant_) {
-    du = constant<S>(1.0 / way_) * secant_;
+    du = constant<S>(1.0 / elastic_path_) * secant_;
     dt = secant_time_ / span_;
   }
   const double norm = std::sqrt(dot(du, du) + dt * dt);
   arc.direction = constant<S>(1.0 / norm) * du;
-  arc.time_weight = dt / norm * way_ / span_;
+  arc.time_weight = dt / norm * elastic_path_ / span_;
   return arc;
 }
 
 template <class L, bool kElastic>
-PathCondition<L> PathWalker<L, kElastic>::condition_of(const Arc& arc, const Work& w) const {
+PathCondition<L> PathContinuation<L, kElastic>::condition_of(const Arc& arc, const Work& w) const {
   PathCondition<L> condition;
   condition.active = true;
   condition.segment = control_.segment;
@@ -77,7 +78,7 @@ PathCondition<L> PathWalker<L, kElastic>::condition_of(const Arc& arc, const Wor
 }
 
 template <class L, bool kElastic>
-typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::advance_arc() {
+typename PathContinuation<L, kElastic>::Trial PathContinuation<L, kElastic>::advance_arc() {
   for (;;) {
     restore();
     chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
@@ -107,7 +108,7 @@ typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::advance_arc() {
 }
 
 template <class L, bool kElastic>
-void PathWalker<L, kElastic>::extrapolate(double share) {
+void PathContinuation<L, kElastic>::extrapolate(double share) {
   const S part = constant<S>(share);
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     w_.q.angle[i] += part * (committed_.angle[i] - previous_.angle[i]);
@@ -116,14 +117,14 @@ void PathWalker<L, kElastic>::extrapolate(double share) {
     }
   }
   w_.q.root += part * (committed_.root - previous_.root);
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
     w_.q.multiplier[k] += part * (committed_.multiplier[k] - previous_.multiplier[k]);
   }
   w_.time += share * (time_ - previous_time_);
 }
 
 template <class L, bool kElastic>
-void PathWalker<L, kElastic>::set_arc_length(double length, double growth) {
+void PathContinuation<L, kElastic>::set_arc_length(double length, double growth) {
   arc_length_ = length;
   largest_arc_ = growth * length;
   smallest_arc_ = options_.smallest_step * length;
@@ -131,13 +132,13 @@ void PathWalker<L, kElastic>::set_arc_length(double length, double growth) {
 }
 
 template <class L, bool kElastic>
-Status PathWalker<L, kElastic>::walk_arc() {
+Status PathContinuation<L, kElastic>::follow_arcs() {
   if (!begin_arcs()) return Status::NotConverged;
   const double end = options_.stops.back();
   latest_ = end;
   set_arc_length(std::sqrt(2.0) / options_.steps, kArcGrowth);
   double highest = time_;
-  // A hinge may turn for a hundred times the elastic way.
+  // A hinge may turn for a hundred times the elastic displacement.
   const double most = 400.0 + 50.0 * options_.steps;
   for (double k = 0.0; k < most; k += 1.0) {
     const Trial trial = advance_arc();
@@ -153,25 +154,26 @@ Status PathWalker<L, kElastic>::walk_arc() {
   condition_ = {};
   at_time_ = true;
   holds_tangent_ = false;
-  unstable_ = count_ways() > 0;
+  unstable_ = count_unstable_modes() > 0;
   return unstable_ ? Status::Completed : Status::NotConverged;
 }
 
 template <class L, bool kElastic>
-typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::cross_by_arc(double stop) {
+typename PathContinuation<L, kElastic>::Trial PathContinuation<L, kElastic>::cross_by_arc(
+    double stop) {
   if (!watches_slope_) return Trial::Failed;
   watches_slope_ = false;
   set_arc_length(1e-2, 1.0);
-  const bool may_turn = options_.control != PathControl::Load;
-  latest_ = may_turn ? stop : kForever;
+  const bool may_reverse = options_.control != PathControl::Load;
+  latest_ = may_reverse ? stop : kForever;
   double highest = time_;
-  const double first_slope = span_ / way_;
-  for (int k = 0; k < kMostArcs; ++k) {
+  const double first_slope = span_ / elastic_path_;
+  for (int k = 0; k < kMaxArcs; ++k) {
     const Trial trial = advance_arc();
     if (trial == Trial::Ended) return trial;
     if (trial == Trial::Failed) return Trial::Failed;
     if (time_ >= stop) {
-      if (!may_turn) return Trial::Failed;
+      if (!may_reverse) return Trial::Failed;
       step_ = smallest();
       watches_slope_ = true;
       return trial;
@@ -179,7 +181,7 @@ typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::cross_by_arc(do
     highest = std::max(highest, time_);
     const double least = observer_.yields() ? kLimitSlope * first_slope : 0.0;
     if (secant_time_ <= least * size_of(secant_)) {
-      if (observer_.yields() || farthest_turn() <= kFarTurn) bracket_limit(highest);
+      if (observer_.yields() || largest_rotation() <= kLargeRotation) bracket_limit(highest);
       return stopped() ? Trial::Ended : Trial::Failed;
     }
   }
@@ -187,7 +189,7 @@ typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::cross_by_arc(do
 }
 
 template <class L, bool kElastic>
-void PathWalker<L, kElastic>::bracket_limit(double highest) {
+void PathContinuation<L, kElastic>::bracket_limit(double highest) {
   LimitLoad limit;
   limit.below = highest;
   limit.above = std::max(above_, highest);
@@ -199,7 +201,7 @@ void PathWalker<L, kElastic>::bracket_limit(double highest) {
     const auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
     counters_.iterations += outcome.iterations;
     if (stopped()) return;
-    if (outcome.converged && !laws_.overpulled() && !turns_too_far()) continue;
+    if (outcome.converged && !laws_.overloaded() && !rotates_too_far()) continue;
     limit.above = time;
     break;
   }
@@ -209,14 +211,15 @@ void PathWalker<L, kElastic>::bracket_limit(double highest) {
 }
 
 template <class L, bool kElastic>
-Status PathWalker<L, kElastic>::walk_displacement() {
+Status PathContinuation<L, kElastic>::follow_displacement() {
   chain::place<kElastic>(chain_, w_.q, w_.time, w_.placement);
   const Value start = control_.value(w_.placement);
-  Value way;
-  for (std::size_t k = 0; k < way.at.size(); ++k) way[k] = constant<S>(options_.control_motion[k]);
-  const double length = size_of(way);
+  Value displacement;
+  for (std::size_t k = 0; k < displacement.at.size(); ++k)
+    displacement[k] = constant<S>(options_.control_motion[k]);
+  const double length = size_of(displacement);
   if (!(length > 0.0)) return Status::NotConverged;
-  const Value direction = constant<S>(1.0 / length) * way;
+  const Value direction = constant<S>(1.0 / length) * displacement;
   const double even = length / options_.steps;
   double reached = 0.0;
   double step = even;

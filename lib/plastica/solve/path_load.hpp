@@ -6,35 +6,35 @@
 namespace plastica::solve {
 
 template <class L, bool kElastic>
-bool PathWalker<L, kElastic>::holds_twice() {
-  for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+bool PathContinuation<L, kElastic>::holds_twice() {
+  for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
     if (!w_.closed[k]) continue;
-    const auto& closure = chain_.closures[k];
-    detail::solve_closure(chain_, k, w_);
-    const S way = detail::power(chain::unit_wrench(closure, w_.placement),
-                                w_.columns[1 + k].motion[closure.segment]);
-    if (!(way * detail::stiffness_of<S>(chain_, closure) > kHeldTwice)) return true;
+    const auto& constraint = chain_.constraints[k];
+    detail::solve_constraint(chain_, k, w_);
+    const S displacement = detail::power(chain::unit_wrench(constraint, w_.placement),
+                                         w_.columns[1 + k].motion[constraint.segment]);
+    if (!(displacement * detail::stiffness_of<S>(chain_, constraint) > kHeldTwice)) return true;
   }
   return false;
 }
 
 template <class L, bool kElastic>
-Status PathWalker<L, kElastic>::find_first() {
+Status PathContinuation<L, kElastic>::find_first() {
   auto outcome = equilibrate(chain_, laws_, options_.newton, w_);
   counters_.iterations += outcome.iterations;
   if (stopped()) return Status::Interrupted;
-  const bool is_mechanism = !(w_.recursion.least_pivot() > kMechanism);
-  if (!is_mechanism && (!outcome.converged || turns_too_far())) {
+  const bool is_mechanism = !(w_.recursion.min_pivot() > kMechanism);
+  if (!is_mechanism && (!outcome.converged || rotates_too_far())) {
     // What acts at time 0 already bends the beam far.
     outcome = load_gradually();
     if (stopped()) return Status::Interrupted;
   }
-  if (!(w_.recursion.least_pivot() > kMechanism)) return Status::Mechanism;
+  if (!(w_.recursion.min_pivot() > kMechanism)) return Status::Mechanism;
   if (holds_twice()) return Status::HeldTwice;
   if (!outcome.converged) return finite(outcome) ? Status::NotConverged : Status::NonFinite;
-  if (laws_.overpulled()) return Status::NotConverged;
+  if (laws_.overloaded()) return Status::NotConverged;
   at_time_ = holds_tangent_ = true;
-  trial_ways_ = count_ways();
+  trial_modes_ = count_unstable_modes();
   if (observer_.judge(w_, true) == Verdict::End) return end_broken();
   accept();
   observer_.record(w_);
@@ -43,7 +43,7 @@ Status PathWalker<L, kElastic>::find_first() {
 
 /// The first equilibrium, by steps of the loads that act at time 0 that turn no segment too far.
 template <class L, bool kElastic>
-NewtonOutcome<typename L::Scalar> PathWalker<L, kElastic>::load_gradually() {
+NewtonOutcome<typename L::Scalar> PathContinuation<L, kElastic>::load_gradually() {
   NewtonOutcome<S> outcome;
   const double most = 1.0 / 16.0;
   double part = 0.0;
@@ -59,7 +59,7 @@ NewtonOutcome<typename L::Scalar> PathWalker<L, kElastic>::load_gradually() {
         w_, [](const Work&) { return PathCondition<L>{}; });
     counters_.iterations += outcome.iterations;
     if (stopped()) break;
-    if (outcome.converged && !turns_too_far()) {
+    if (outcome.converged && !rotates_too_far()) {
       part = next;
       step = std::min(2.0 * step, most);
       if (part < 1.0) laws_.commit();
@@ -77,11 +77,11 @@ NewtonOutcome<typename L::Scalar> PathWalker<L, kElastic>::load_gradually() {
 }
 
 template <class L, bool kElastic>
-bool PathWalker<L, kElastic>::begin_control() {
+bool PathContinuation<L, kElastic>::begin_control() {
   step_ = options_.stops.front();
   switch (options_.control) {
-    case PathControl::Displacement: return end(walk_displacement());
-    case PathControl::ArcLength: return end(walk_arc());
+    case PathControl::Displacement: return end(follow_displacement());
+    case PathControl::ArcLength: return end(follow_arcs());
     case PathControl::Auto:
     case PathControl::Load: break;
   }
@@ -90,7 +90,7 @@ bool PathWalker<L, kElastic>::begin_control() {
 }
 
 template <class L, bool kElastic>
-bool PathWalker<L, kElastic>::seek() {
+bool PathContinuation<L, kElastic>::seek() {
   // No sliver is left before the stop.
   const double stop = options_.stops[stop_];
   const double left = stop - time_;
@@ -103,7 +103,7 @@ bool PathWalker<L, kElastic>::seek() {
 }
 
 template <class L, bool kElastic>
-bool PathWalker<L, kElastic>::go_on(Trial trial) {
+bool PathContinuation<L, kElastic>::go_on(Trial trial) {
   if (trial == Trial::Failed) {
     above_ = next_;
     ++counters_.cutbacks;
@@ -111,15 +111,16 @@ bool PathWalker<L, kElastic>::go_on(Trial trial) {
       step_ = std::max(0.5 * length_, smallest());
       return seek();
     }
-    if (overpulled_) return end(end_lost());
+    if (overloaded_) return end(end_lost());
     trial = cross_by_arc(options_.stops[stop_]);
   } else if (trial == Trial::Accepted) {
     goes_on_ = true;
     if (iterations_ <= 6) step_ = 2.0 * std::max(length_, step_);
     if (flat_) {
       // What the load may still rise by: where it nears its limit at least as fast as one over the
-      // way gone, the slope times that way. (Of a rectangle's fibres, as one over its square.)
-      const double rises = gradual_ ? slope_ * span_ / way_ * gone_ : 0.0;
+      // path traversed, the slope times that path. (Of a rectangle's fibres, as one over its
+      // square.)
+      const double rises = gradual_ ? slope_ * span_ / elastic_path_ * traversed_ : 0.0;
       limit_ = LimitLoad{previous_time_, time_ + rises};
       return end(Status::LimitLoad);
     }
@@ -140,7 +141,7 @@ bool PathWalker<L, kElastic>::go_on(Trial trial) {
 
 /// What comes after a corner of a load or motion is no continuation.
 template <class L, bool kElastic>
-bool PathWalker<L, kElastic>::is_corner(double time) const {
+bool PathContinuation<L, kElastic>::is_corner(double time) const {
   return solve::is_corner(chain_, time, 1e-9 * options_.stops.back());
 }
 

@@ -11,8 +11,8 @@
 
 namespace plastica::solve {
 
-/// Below this share of the first slope of time over the control point's way, and downwards, a path
-/// carries no more load.
+/// Below this share of the first slope of time over the control point's displacement, and
+/// downwards, a path carries no more load.
 inline constexpr double kLimitSlope = 1e-3;
 
 /// A path whose slope falls to less than this part of the step before bends.
@@ -26,16 +26,16 @@ inline constexpr double kLimitWidth = 1e-4;
 
 /// Where nothing yields and a joint has turned further than this [rad], an arc may have come back
 /// on the path that it should follow: the beam is too coarse to show a limit.
-inline constexpr double kFarTurn = 1.2;
+inline constexpr double kLargeRotation = 1.2;
 
 /// A bifurcation is bracketed within this share of the time, and then told by the determinant.
 inline constexpr double kCriticalWidth = 1e-3;
 /// As many are looked for.
-inline constexpr std::size_t kMostCritical = 16;
+inline constexpr std::size_t kMaxCritical = 16;
 
 /// A segment may turn in a step by this times what a joint may: small turns of many joints add up
 /// to another equilibrium.
-inline constexpr double kSegmentTurns = 5.0;
+inline constexpr double kSegmentRotation = 5.0;
 
 /// A step whose turns per unit of time grow by more than this is looked at closely.
 inline constexpr double kGrowth = 2.5;
@@ -44,7 +44,7 @@ inline constexpr double kGrowth = 2.5;
 inline constexpr double kJump = 3.0;
 
 /// Turns below this tell nothing of the path [rad].
-inline constexpr double kNoTurn = 1e-6;
+inline constexpr double kNoRotation = 1e-6;
 
 /// How a path is to be followed.
 struct PathOptions {
@@ -52,9 +52,9 @@ struct PathOptions {
   std::vector<double> stops{};   ///< times at which a step must end, rising; the last is the end
   std::vector<bool> recorded{};  ///< which of them are recorded
   PathControl control = PathControl::Auto;
-  int steps = 20;               ///< recorded steps of displacement and arc-length control
-  double largest_turn = 0.2;    ///< of a joint in a step [rad]
-  double smallest_step = 1e-6;  ///< of the first step [1]
+  int steps = 20;                 ///< recorded steps of displacement and arc-length control
+  double largest_rotation = 0.2;  ///< of a joint in a step [rad]
+  double smallest_step = 1e-6;    ///< of the first step [1]
   /// Whether the control point is a guess that may give way to one that moves.
   bool finds_control = false;
   /// Displacement control: where the control point is taken, from where it starts.
@@ -94,8 +94,8 @@ class PathObserver {
   /// After a step was accepted and its state committed.
   /// @return whether to go on; if not, the path is interrupted
   virtual bool accept(const NewtonWork<L, kElastic>& w) = 0;
-  /// Unstable ways that the chain itself does not have: out of its plane.
-  virtual int ways_beside(const NewtonWork<L, kElastic>& /*w*/) { return 0; }
+  /// Unstable modes that the chain itself does not have: out of its plane.
+  virtual int unstable_beside(const NewtonWork<L, kElastic>& /*w*/) { return 0; }
   /// Of their determinant; see `log_determinant`.
   virtual double log_determinant_beside(const NewtonWork<L, kElastic>& /*w*/) { return 0.0; }
   /// Keeps the mode of a bifurcation just beyond the equilibrium in `w`, which holds the tangent.

@@ -4,7 +4,7 @@
 
 namespace plastica {
 
-/// How a path was walked.
+/// How a path was followed.
 struct PathCounters {
   int steps = 0;       ///< converged, recorded or not
   int iterations = 0;  ///< Newton iterations, those of failed steps included
@@ -15,20 +15,19 @@ struct PathCounters {
 struct LimitLoad {
   double below = 0.0;  ///< equilibrium was found here
   double above = 0.0;  ///< and none here; of fibres, to where it may rise at most (chain/README.md)
-  /// The way in which the beam goes there: translations of the joints in the last step, world axes,
-  /// the largest being 1 (n_joints x 3); none of a beam that is only twisted.
+  /// The mode in which the beam moves there: translations of the joints in the last step, world
+  /// axes, the largest being 1 (n_joints x 3); none of a beam that is only twisted.
   std::vector<double> mode{};
 };
 
-/// The bifurcations that a path has come by, in the order of time: where the number of ways in
-/// which the equilibrium would be left at the least push changes, while the path goes on (at a
-/// limit load it does not).
+/// The bifurcations that a path has passed, in the order of time: where the number of unstable
+/// modes changes, while the path goes on (at a limit load it does not).
 struct CriticalPoints {
-  std::vector<double> factor;      ///< of the first load's history [1] (n)
-  std::vector<double> below;       ///< the factors that it lies between [1] (n)
-  std::vector<double> above;       ///< (n)
-  std::vector<int> unstable_ways;  ///< beyond it; 0: stable (n)
-  std::vector<int> out_of_plane;   ///< 1: it leaves the plane of a planar level (n)
+  std::vector<double> factor;       ///< of the first load's history [1] (n)
+  std::vector<double> below;        ///< the factors that it lies between [1] (n)
+  std::vector<double> above;        ///< (n)
+  std::vector<int> unstable_modes;  ///< beyond it; 0: stable (n)
+  std::vector<int> out_of_plane;    ///< 1: it leaves the plane of a planar level (n)
   /// Translations of the joints in the mode, world axes, the largest being 1 (n x n_joints x 3).
   std::vector<double> mode;
 
@@ -43,7 +42,7 @@ struct BucklingModes {
   /// By how much some segment will have turned up to there, if all turn on as they do at `about`: 0
   /// where the shape stays; where it is large, the factor is that of a shape that will be another
   /// [rad] (n).
-  std::vector<double> turn;
+  std::vector<double> rotation;
   std::vector<int> out_of_plane;  ///< as of `CriticalPoints` (n)
   std::vector<double> mode;       ///< likewise (n x n_joints x 3)
 };

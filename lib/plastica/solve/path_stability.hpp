@@ -7,77 +7,77 @@
 namespace plastica::solve {
 
 template <class L, bool kElastic>
-bool PathWalker<L, kElastic>::bifurcated_before_limit() const {
+bool PathContinuation<L, kElastic>::bifurcated_before_limit() const {
   return status_ == Status::LimitLoad && limit_ && !critical_.above.empty() &&
          critical_.above.front() < (1.0 - kCriticalWidth) * limit_->below;
 }
 
 template <class L, bool kElastic>
-Status PathWalker<L, kElastic>::status() const {
+Status PathContinuation<L, kElastic>::status() const {
   const bool at_end =
       status_ == Status::Completed || status_ == Status::Broken || bifurcated_before_limit();
   return at_end && unstable_ ? Status::Unstable : status_;
 }
 
 template <class L, bool kElastic>
-void PathWalker<L, kElastic>::factor_tangent() {
+void PathContinuation<L, kElastic>::factor_tangent() {
   detail::assemble(chain_, laws_, w_);
   if (condition_.active) detail::stiffen_condition(chain_, condition_, w_);
   w_.recursion.factor(chain_, w_.q, w_.placement, w_.stage, w_.joints, w_.outer_forces,
                       w_.transmitted);
 }
 
-/// The unstable ways of the trial; -1 where they are not asked for.
+/// The unstable modes of the trial; -1 where they are not asked for.
 template <class L, bool kElastic>
-int PathWalker<L, kElastic>::count_ways() {
+int PathContinuation<L, kElastic>::count_unstable_modes() {
   if constexpr (L::kTranslations == 0) return 0;  // the joints' own stiffness is all there is
-  double count = found_ways_;
-  found_ways_ = -1.0;
+  double count = found_modes_;
+  found_modes_ = -1.0;
   if (!at_time_ && options_.control != PathControl::Displacement) return -1;
   if (!(count >= 0.0)) {
     if (!holds_tangent_) factor_tangent();
     holds_tangent_ = true;
     const bool holds = options_.control == PathControl::Displacement;
-    count = static_cast<double>(unstable_ways(chain_, condition_, holds, w_));
+    count = static_cast<double>(unstable_modes(chain_, condition_, holds, w_));
   }
   if (!conservative_) return std::abs(static_cast<int>(count)) % 2;
-  return static_cast<int>(count) + observer_.ways_beside(w_);
+  return static_cast<int>(count) + observer_.unstable_beside(w_);
 }
 
-/// Whether a step that changes the number of unstable ways is short enough to be taken.
+/// Whether a step that changes the number of unstable modes is short enough to be taken.
 template <class L, bool kElastic>
-bool PathWalker<L, kElastic>::may_change_ways(bool shortest) {
-  trial_ways_ = count_ways();
-  if (trial_ways_ == ways_ || trial_ways_ < 0 || ways_ < 0 || shortest) return true;
-  if (critical_.factor.size() >= kMostCritical) return true;
+bool PathContinuation<L, kElastic>::may_change_stability(bool shortest) {
+  trial_modes_ = count_unstable_modes();
+  if (trial_modes_ == modes_ || trial_modes_ < 0 || modes_ < 0 || shortest) return true;
+  if (critical_.factor.size() >= kMaxCritical) return true;
   return std::fabs(w_.time - time_) <= kCriticalWidth * std::fabs(w_.time);
 }
 
-/// Notes the time at which the determinant is zero in a step that changes the unstable ways: it
+/// Notes the time at which the determinant is zero in a step that changes the unstable modes: it
 /// goes along a straight line in so short a step.
 template <class L, bool kElastic>
-void PathWalker<L, kElastic>::note_critical() {
-  if (critical_.factor.size() >= kMostCritical) return;
+void PathContinuation<L, kElastic>::note_critical() {
+  if (critical_.factor.size() >= kMaxCritical) return;
   const bool holds = options_.control == PathControl::Displacement;
   const auto logarithm = [&] {
     return log_determinant(chain_, condition_, holds, w_) + observer_.log_determinant_beside(w_);
   };
   if (!holds_tangent_) factor_tangent();
   const double end = logarithm();
-  const int beside = observer_.ways_beside(w_);
+  const int beside = observer_.unstable_beside(w_);
   const double trial_time = w_.time;
   previous_ = w_.q;  // which accepting drops
   restore();
   factor_tangent();
   const double begin = logarithm();
-  const bool out_of_plane = observer_.ways_beside(w_) != beside;
-  // As many factors of the determinant as ways change their signs, at one place.
-  const double changes = std::abs(trial_ways_ - ways_);
+  const bool out_of_plane = observer_.unstable_beside(w_) != beside;
+  // As many factors of the determinant as modes change their signs, at one place.
+  const double changes = std::abs(trial_modes_ - modes_);
   const double share = 1.0 / (1.0 + std::exp((end - begin) / changes));
   critical_.below.push_back(std::min(time_, trial_time));
   critical_.above.push_back(std::max(time_, trial_time));
   critical_.factor.push_back(time_ + share * (trial_time - time_));
-  critical_.unstable_ways.push_back(trial_ways_);
+  critical_.unstable_modes.push_back(trial_modes_);
   critical_.out_of_plane.push_back(out_of_plane ? 1 : 0);
   observer_.note_mode(out_of_plane, w_, critical_.mode);
   w_.q = previous_;

@@ -8,7 +8,7 @@
 
 namespace plastica::solve {
 
-/// At a corner of a history, a time of the piece that ends there.
+/// At a corner of a history, a time of the segment that ends there.
 inline double just_before(double time) { return (1.0 - 1e-12) * time; }
 
 /// The tangent of an equilibrium that changes with one number at the same shape: K(x) = K + x K'
@@ -44,7 +44,7 @@ class Pencil {
     };
     chain::detail::add_loads(chain_, w_.placement, slope, constant<S>(1), rate_);
     for (const auto& spring : chain_.springs) {
-      const typename L::Point arm = L::turn(w_.placement.frame[spring.segment], spring.arm);
+      const typename L::Point arm = L::rotate(w_.placement.frame[spring.segment], spring.arm);
       const chain::Motion<L> moves = rate_of(spring.segment);
       typename L::Point force = constant<S>(slope(spring.history)) * spring.motion -
                                 (moves.shift + L::spun(moves.spin, arm));
@@ -55,22 +55,23 @@ class Pencil {
       const auto axes = L::axes(chain::ground_joint_axes(joint, w_.placement));
       const auto tangent =
           block<L::kRotations, L::kRotations>(w_.joints.tangent[joint.joint], 0, 0);
-      const typename L::Spin turn =
+      const typename L::Spin increment =
           constant<S>(slope(joint.history)) * joint.motion - rate_of(joint.segment).spin;
-      const typename L::Spin moment = axes * (tangent * transposed_times(axes, turn));
+      const typename L::Spin moment = axes * (tangent * transposed_times(axes, increment));
       rate_.wrench[joint.segment].moment += moment;
       // With the half that its law's tangent has, as below.
-      rate_.impedance[joint.segment].rr -= constant<S>(0.5) * L::turned_by(moment);
+      rate_.impedance[joint.segment].rr -= constant<S>(0.5) * L::spin_derivative(moment);
     }
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
+    for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
       if (!w_.closed[k]) continue;
-      const chain::Closure<L>& closure = chain_.closures[k];
-      const S pull = w_.small.b(k);
-      if (closure.turning) {
-        rate_.wrench[closure.segment].moment += pull * closure.axis;
+      const chain::LoopConstraint<L>& constraint = chain_.constraints[k];
+      const S force = w_.small.b(k);
+      if (constraint.rotational) {
+        rate_.wrench[constraint.segment].moment += force * constraint.axis;
       } else {
-        const typename L::Point arm = L::turn(w_.placement.frame[closure.segment], closure.arm);
-        add_force(closure.segment, arm, pull * closure.direction);
+        const typename L::Point arm =
+            L::rotate(w_.placement.frame[constraint.segment], constraint.arm);
+        add_force(constraint.segment, arm, force * constraint.direction);
       }
     }
     set_moment_rates();
@@ -101,14 +102,14 @@ class Pencil {
       for (std::size_t i = 0; i < chain_.size(); ++i) {
         auto& tangent = w_.joints.tangent[i];
         tangent = joint_base_[i];
-        add(tangent, 0, 0, constant<S>(0.5 * x) * L::turned_by(moment_rate_[i]));
+        add(tangent, 0, 0, constant<S>(0.5 * x) * L::spin_derivative(moment_rate_[i]));
       }
     }
     w_.recursion.factor(chain_, w_.q, w_.placement, w_.stage, w_.joints, sum, w_.transmitted);
   }
 
   /// How fast a segment turns with the forces; after `let_forces_grow` [rad/s].
-  S turning_rate(std::size_t segment) const { return size_of(turn_[segment]); }
+  S rotation_rate(std::size_t segment) const { return size_of(rotation_[segment]); }
 
  private:
   /// How the moment of each joint grows, in its axes. As it works on spins, m = T^-T s, it turns by
@@ -116,14 +117,14 @@ class Pencil {
   /// symmetric with the other half, by which the recursion turns it with the inner segment.
   void set_moment_rates() {
     chain::Wrench<L> sum{};
-    turn_.resize(chain_.size());
-    for (std::size_t i = 0; i < chain_.size(); ++i) turn_[i] = rate_of(i).spin;
+    rotation_.resize(chain_.size());
+    for (std::size_t i = 0; i < chain_.size(); ++i) rotation_[i] = rate_of(i).spin;
     for (std::size_t i = chain_.size(); i-- > 0;) {
       sum = sum + rate_.wrench[i];
       typename L::Spin moment = sum.moment;
       if constexpr (kElastic) {
         const S half = constant<S>(0.5);
-        moment += L::moment(half * L::turn(w_.placement.far[i], w_.q.shift[i]), sum.force);
+        moment += L::moment(half * L::rotate(w_.placement.far[i], w_.q.shift[i]), sum.force);
       }
       moment_rate_[i] = transposed_times(L::axes(w_.placement.near[i]), moment);
       if (i == 0) break;
@@ -138,7 +139,8 @@ class Pencil {
     w_.columns[0] = {};
     w_.columns[0].resize(chain_.size());
     for (S& gap : w_.gap) gap = constant<S>(0);
-    for (std::size_t k = 0; k < chain_.closures.size(); ++k) detail::solve_closure(chain_, k, w_);
+    for (std::size_t k = 0; k < chain_.constraints.size(); ++k)
+      detail::solve_constraint(chain_, k, w_);
     detail::solve_time(chain_, unit_time, w_);
     detail::join_columns(chain_, unit_time, w_);
   }
@@ -160,7 +162,7 @@ class Pencil {
   chain::OuterForces<L> rate_;
   std::vector<Mat<S, chain::kFreedoms<L, kElastic>, chain::kFreedoms<L, kElastic>>> joint_base_;
   std::vector<typename L::Spin> moment_rate_;  ///< of the joints of segments are read (joints)
-  std::vector<typename L::Spin> turn_;         ///< how the segments turn in a unit of time (N)
+  std::vector<typename L::Spin> rotation_;     ///< how the segments turn in a unit of time (N)
 };
 
 }  // namespace plastica::solve

@@ -24,8 +24,8 @@ struct SchemeClaims {
 ///   Differential Equations II), one Newton iteration from where the velocities point to.
 /// - Linearly implicit midpoint: the energy-momentum step below, one such iteration. Its error is
 /// of
-///   third order in the step, so that second order is kept; what it leaves of a free piece's
-///   momentum is given back (piece_momentum.hpp).
+///   third order in the step, so that second order is kept; what it leaves of a free fragment's
+///   momentum is given back (fragment_momentum.hpp).
 /// - Generalized-alpha (Chung & Hulbert, J. Appl. Mech. 60, 1993, 371) on the rotation group
 ///   (Bruls & Cardona, J. Comput. Nonlinear Dyn. 5, 2010, 031002), with Cayley's map; Newton's
 ///   method to its end.
@@ -57,7 +57,7 @@ constexpr SchemeClaims claims_of(Scheme scheme, double rho_infinity) {
 /// and to the acceleration with which the segment resists,
 ///   resisting = (a + weight_a a0 - weight_r r0) scale, r0 the one before.
 struct StepRule {
-  bool half_way = false;  ///< forces act half way, and a is the mean over the step
+  bool midpoint = false;  ///< forces act at the midpoint, and a is the mean over the step
   bool conserves =
       true;  ///< moments change the angular momentum; else Euler's equations at the end
   double velocity = 1.0, velocity_v = 0.0, velocity_a = 0.0;
@@ -67,7 +67,7 @@ struct StepRule {
   double end_work = 1.0;
 };
 
-/// Euler: v = dx/h, a = (v - v0)/h. Half way: v = 2 dx/h - v0, a = (v - v0)/h.
+/// Euler: v = dx/h, a = (v - v0)/h. Midpoint: v = 2 dx/h - v0, a = (v - v0)/h.
 /// Generalized-alpha: alpha_m = (2 rho - 1)/(rho + 1), alpha_f = rho/(rho + 1),
 /// gamma = 1/2 - alpha_m + alpha_f, beta = (gamma + 1/2)^2/4; Newmark's v and a, and
 /// (1 - alpha_m) a + alpha_m a0 = (1 - alpha_f) r + alpha_f r0.
@@ -79,7 +79,7 @@ constexpr StepRule step_rule(Scheme scheme, double rho_infinity) {
     case Scheme::ArticulatedMidpoint: break;
     case Scheme::LinearlyImplicitMidpoint:
     case Scheme::EnergyMomentum:
-      rule.half_way = true;
+      rule.midpoint = true;
       rule.velocity = 2.0;
       rule.velocity_v = -1.0;
       rule.acceleration = 2.0;

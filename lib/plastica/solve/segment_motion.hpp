@@ -26,10 +26,10 @@ struct CenterForce {
   typename L::Spin moment{};
 };
 
-/// The way of a segment in a step: of its center of mass, and Cayley's spin in world axes.
+/// The displacement of a segment in a step: of its center of mass, and Cayley's spin in world axes.
 template <class L>
 struct SegmentStep {
-  typename L::Point way{};
+  typename L::Point displacement{};
   typename L::Spin spin{};
 };
 
@@ -45,7 +45,7 @@ inline SegmentStep<L> segment_step(const chain::Inertia<L>& inertia, std::size_t
 /// @param spin  of the step, in the segment's axes
 template <class L>
 SegmentMotion<L> motion_after(const StepRule& rule, double h, const SegmentMotion<L>& before,
-                              const typename L::Point& way, const typename L::Spin& spin) {
+                              const typename L::Point& displacement, const typename L::Spin& spin) {
   using S = typename L::Scalar;
   const auto c = [](double x) { return constant<S>(x); };
   const auto follow = [&](const auto& moved, const auto& v0, const auto& a0, const auto& r0,
@@ -56,7 +56,7 @@ SegmentMotion<L> motion_after(const StepRule& rule, double h, const SegmentMotio
     r = c(rule.scale) * (a + c(rule.weight_a) * a0 - c(rule.weight_r) * r0);
   };
   SegmentMotion<L> now;
-  follow(way, before.velocity, before.acceleration, before.resisting, now.velocity,
+  follow(displacement, before.velocity, before.acceleration, before.resisting, now.velocity,
          now.acceleration, now.resisting);
   follow(spin, before.spin, before.spin_rate, before.resisting_spin_rate, now.spin, now.spin_rate,
          now.resisting_spin_rate);
@@ -65,10 +65,10 @@ SegmentMotion<L> motion_after(const StepRule& rule, double h, const SegmentMotio
 
 /// Angular momentum about the center of mass, in world axes.
 template <class L>
-inline typename L::Spin turning_momentum(const chain::Inertia<L>& inertia,
+inline typename L::Spin angular_momentum(const chain::Inertia<L>& inertia,
                                          const typename L::Frame& frame,
                                          const typename L::Spin& spin) {
-  return L::axes(frame) * (inertia.turning * spin);
+  return L::axes(frame) * (inertia.rotational * spin);
 }
 
 template <class L>
@@ -76,7 +76,7 @@ inline typename L::Scalar kinetic_energy(const chain::Inertia<L>& inertia,
                                          const SegmentMotion<L>& motion) {
   using S = typename L::Scalar;
   return constant<S>(0.5) * (inertia.mass * dot(motion.velocity, motion.velocity) +
-                             dot(motion.spin, inertia.turning * motion.spin));
+                             dot(motion.spin, inertia.rotational * motion.spin));
 }
 
 /// With what a segment resists a step: -m r and, in conservation form, minus the change of its
@@ -89,12 +89,12 @@ CenterForce<L> inertia_force(const StepRule& rule, double h, const chain::Inerti
   CenterForce<L> resists;
   resists.force = -(inertia.mass * now.resisting);
   if (rule.conserves) {
-    resists.moment = constant<S>(1.0 / h) * (turning_momentum(inertia, begin, before.spin) -
-                                             turning_momentum(inertia, end, now.spin));
+    resists.moment = constant<S>(1.0 / h) * (angular_momentum(inertia, begin, before.spin) -
+                                             angular_momentum(inertia, end, now.spin));
   } else {
-    const typename L::Spin momentum = inertia.turning * now.spin;
-    resists.moment = -(L::axes(end) * (inertia.turning * now.resisting_spin_rate +
-                                       L::turned_by(momentum) * now.spin));
+    const typename L::Spin momentum = inertia.rotational * now.spin;
+    resists.moment = -(L::axes(end) * (inertia.rotational * now.resisting_spin_rate +
+                                       L::spin_derivative(momentum) * now.spin));
   }
   return resists;
 }
@@ -104,47 +104,48 @@ template <class L>
 chain::Impedance<L> inertia_impedance(const chain::Inertia<L>& inertia,
                                       const typename L::Frame& frame) {
   const auto axes = L::axes(frame);
-  const auto by = L::spun_by(L::turn(frame, inertia.center));
+  const auto by = L::spun_by(L::rotate(frame, inertia.center));
   chain::Impedance<L> a{};
   for (std::size_t k = 0; k < L::kTranslations; ++k) a.tt(k, k) = inertia.mass;
   a.tr = inertia.mass * by;
   a.rt = transpose(a.tr);
-  a.rr = axes * inertia.turning * transpose(axes) + inertia.mass * (transpose(by) * by);
+  a.rr = axes * inertia.rotational * transpose(axes) + inertia.mass * (transpose(by) * by);
   return a;
 }
 
 /// Minus the slope of the moment of `inertia_force` by the segment's spin at the end.
 /// @param spin  of the step, in the segment's axes
 template <class L>
-Mat<typename L::Scalar, L::kRotations, L::kRotations> turning_impedance(
+Mat<typename L::Scalar, L::kRotations, L::kRotations> rotational_impedance(
     const StepRule& rule, double h, const chain::Inertia<L>& inertia, const typename L::Frame& end,
     const SegmentMotion<L>& now, const typename L::Spin& spin, const typename L::Spin& moment) {
   using S = typename L::Scalar;
   const auto axes = L::axes(end);
   const auto slope = L::step_spin_slope(spin);
   const S velocity = constant<S>(rule.velocity / h);
-  const typename L::Spin momentum = inertia.turning * now.spin;
+  const typename L::Spin momentum = inertia.rotational * now.spin;
   if (rule.conserves) {
-    return constant<S>(1.0 / h) * (L::turned_by(axes * momentum) +
-                                   axes * ((velocity * inertia.turning) * slope) * transpose(axes));
+    return constant<S>(1.0 / h) *
+           (L::spin_derivative(axes * momentum) +
+            axes * ((velocity * inertia.rotational) * slope) * transpose(axes));
   }
   const S stiff = constant<S>(rule.scale * rule.acceleration / (h * h));
   const auto by_spin =
-      velocity * (L::turned_by(momentum) - L::turned_by(now.spin) * inertia.turning);
-  return axes * ((stiff * inertia.turning + by_spin) * slope) * transpose(axes) -
-         L::turned_by(moment);
+      velocity * (L::spin_derivative(momentum) - L::spin_derivative(now.spin) * inertia.rotational);
+  return axes * ((stiff * inertia.rotational + by_spin) * slope) * transpose(axes) -
+         L::spin_derivative(moment);
 }
 
 /// Adds what a segment resists, and how that changes.
 template <class L>
 void add_inertia(const StepRule& rule, double h, const chain::Inertia<L>& inertia, std::size_t i,
-                 const chain::Placement<L>& end, const chain::Placement<L>& acting,
+                 const chain::Placement<L>& end, const chain::Placement<L>& active,
                  const CenterForce<L>& resists,
-                 const Mat<typename L::Scalar, L::kRotations, L::kRotations>& turning,
+                 const Mat<typename L::Scalar, L::kRotations, L::kRotations>& rotational,
                  chain::OuterForces<L>& outer_forces) {
   using S = typename L::Scalar;
-  const typename L::Point arm = L::turn(end.frame[i], inertia.center);
-  const typename L::Point work_arm = L::turn(acting.frame[i], inertia.center);
+  const typename L::Point arm = L::rotate(end.frame[i], inertia.center);
+  const typename L::Point work_arm = L::rotate(active.frame[i], inertia.center);
   chain::Wrench<L>& wrench = outer_forces.wrench[i];
   wrench.force += resists.force;
   wrench.moment += resists.moment + L::moment(work_arm, resists.force);
@@ -155,8 +156,8 @@ void add_inertia(const StepRule& rule, double h, const chain::Inertia<L>& inerti
   for (std::size_t k = 0; k < L::kTranslations; ++k) a.tt(k, k) = a.tt(k, k) + mass;
   a.tr += mass * by;
   a.rt += mass * transpose(work_by);
-  a.rr += turning + mass * (transpose(work_by) * by) -
-          constant<S>(rule.half_way ? 0.5 : 1.0) * L::moment_by(arm, resists.force);
+  a.rr += rotational + mass * (transpose(work_by) * by) -
+          constant<S>(rule.midpoint ? 0.5 : 1.0) * L::moment_by(arm, resists.force);
 }
 
 }  // namespace plastica::solve

@@ -7,8 +7,8 @@
 
 namespace plastica::solve {
 
-/// A dense system of a few unknowns (the closures of a chain), solved by Gauss with column pivots
-/// that are chosen lane by lane; `resize` allocates, nothing else does.
+/// A dense system of a few unknowns (the constraints of a chain), solved by Gauss with column
+/// pivots that are chosen lane by lane; `resize` allocates, nothing else does.
 template <class S>
 class SmallSystem {
  public:

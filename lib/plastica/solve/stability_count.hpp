@@ -32,40 +32,40 @@ bool is_symmetric(const chain::Chain<L>& chain, const NewtonWork<L, kElastic>& w
 
 namespace detail {
 
-/// Visits the pivots of what is left of the tangent for closures, negated.
+/// Visits the pivots of what is left of the tangent for constraints, negated.
 ///
 /// With K the tangent stiffened by sum s w w^T, the constrained problem is [K, W; W^T, 0], whose
 /// Schur complement is -W^T K^-1 W. A path's condition w_c that is only there to be regular is
 /// taken out by [K, w_c; w_c^T, 1/s], whose complement is the tangent without it; one that holds
-/// the beam (displacement control) is a closure like others.
+/// the beam (displacement control) is a constraint like others.
 /// @param condition  with which `w.recursion` was factored
 /// @param holds      whether it holds the beam
 template <class L, bool kElastic, class Visit>
-void for_each_closure_pivot(const chain::Chain<L>& chain, const PathCondition<L>& condition,
-                            bool holds, NewtonWork<L, kElastic>& w, const Visit& visit) {
+void for_each_constraint_pivot(const chain::Chain<L>& chain, const PathCondition<L>& condition,
+                               bool holds, NewtonWork<L, kElastic>& w, const Visit& visit) {
   using S = typename L::Scalar;
   const S zero = constant<S>(0);
   const S one = constant<S>(1);
-  const std::size_t closures = chain.closures.size();
-  for (std::size_t k = 0; k < closures; ++k) solve_closure(chain, k, w);
+  const std::size_t constraints = chain.constraints.size();
+  for (std::size_t k = 0; k < constraints; ++k) solve_constraint(chain, k, w);
   if (condition.active) {
     w.right.reset(chain.size());
     w.right.wrench[condition.segment] = condition.covector;
     w.recursion.solve(w.right, false, w.columns.back());
   }
-  const std::size_t n = closures + (condition.active ? 1 : 0);
+  const std::size_t n = constraints + (condition.active ? 1 : 0);
   auto& small = w.small;
   for (std::size_t k = 0; k < n; ++k) {
-    const bool of_path = k == closures;
-    const std::size_t segment = of_path ? condition.segment : chain.closures[k].segment;
+    const bool of_path = k == constraints;
+    const std::size_t segment = of_path ? condition.segment : chain.constraints[k].segment;
     const chain::Wrench<L> wrench =
-        of_path ? condition.covector : chain::unit_wrench(chain.closures[k], w.placement);
+        of_path ? condition.covector : chain::unit_wrench(chain.constraints[k], w.placement);
     for (std::size_t j = 0; j < n; ++j) {
       const S moved = power(wrench, w.columns[1 + j].motion[segment]);
       const S row = of_path ? moved : select(w.closed[k], moved, zero);
-      small.a(k, j) = j == closures ? row : select(w.closed[j], row, zero);
+      small.a(k, j) = j == constraints ? row : select(w.closed[j], row, zero);
     }
-    if (of_path && !holds) small.a(k, k) = small.a(k, k) - one / chain.closure_stiffness;
+    if (of_path && !holds) small.a(k, k) = small.a(k, k) - one / chain.constraint_stiffness;
   }
   for (std::size_t k = 0; k < n; ++k) {
     const S pivot = small.a(k, k);
@@ -84,19 +84,19 @@ void for_each_closure_pivot(const chain::Chain<L>& chain, const PathCondition<L>
 }  // namespace detail
 
 /// In how many independent ways an equilibrium would be left at the least push: the number of
-/// negative eigenvalues of the tangent among the motions that the closures allow (0: stable), by
+/// negative eigenvalues of the tangent among the motions that the constraints allow (0: stable), by
 /// Sylvester's law of inertia
 ///
-///   count = negative(K) + negative(-W^T K^-1 W) - closures,
+///   count = negative(K) + negative(-W^T K^-1 W) - constraints,
 ///
-/// K the tangent with the closures' stiffness (README.md). A symmetric K without a negative pivot
-/// is positive definite, so also among the motions that the closures allow: 0 at once. Where loads
-/// have no potential only its parity means something, the sign of the determinant: it is taken
-/// then, which tells divergence, and not flutter. `w` holds what `equilibrate` has left; its
-/// columns and small system are used.
+/// K the tangent with the constraints' stiffness (README.md). A symmetric K without a negative
+/// pivot is positive definite, so also among the motions that the constraints allow: 0 at once.
+/// Where loads have no potential only its parity means something, the sign of the determinant: it
+/// is taken then, which tells divergence, and not flutter. `w` holds what `equilibrate` has left;
+/// its columns and small system are used.
 template <class L, bool kElastic>
-typename L::Scalar unstable_ways(const chain::Chain<L>& chain, const PathCondition<L>& condition,
-                                 bool holds, NewtonWork<L, kElastic>& w) {
+typename L::Scalar unstable_modes(const chain::Chain<L>& chain, const PathCondition<L>& condition,
+                                  bool holds, NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
   const S zero = constant<S>(0);
   const S one = constant<S>(1);
@@ -108,15 +108,15 @@ typename L::Scalar unstable_ways(const chain::Chain<L>& chain, const PathConditi
     definite = definite & (pivot > zero);
   });
   if (!condition.active && !any(!definite) && is_symmetric(chain, w)) return zero;
-  detail::for_each_closure_pivot(chain, condition, holds, w, add);
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
+  detail::for_each_constraint_pivot(chain, condition, holds, w, add);
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
     count = count - select(w.closed[k], one, zero);
   }
   return condition.active && holds ? count - one : count;
 }
 
-/// Logarithm of the size of the determinant whose sign changes with the parity of `unstable_ways`,
-/// up to a constant of the chain and the set of closures that act.
+/// Logarithm of the size of the determinant whose sign changes with the parity of `unstable_modes`,
+/// up to a constant of the chain and the set of constraints that act.
 template <class L, bool kElastic>
 double log_determinant(const chain::Chain<L>& chain, const PathCondition<L>& condition, bool holds,
                        NewtonWork<L, kElastic>& w) {
@@ -127,8 +127,8 @@ double log_determinant(const chain::Chain<L>& chain, const PathCondition<L>& con
     return p > 0.0 ? std::log(p) : 0.0;
   };
   w.recursion.for_each_pivot(chain, [&](const S& pivot) { sum -= size(pivot); });
-  detail::for_each_closure_pivot(chain, condition, holds, w,
-                                 [&](const S& pivot) { sum += size(pivot); });
+  detail::for_each_constraint_pivot(chain, condition, holds, w,
+                                    [&](const S& pivot) { sum += size(pivot); });
   return sum;
 }
 

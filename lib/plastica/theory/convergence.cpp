@@ -94,23 +94,23 @@ LogLine line_through(std::span<const LogPoint> points) {
 }
 
 bool falls_clearly(std::span<const LogPoint> points, const LogLine& line) {
-  constexpr double kLeastOrder = 0.5;
-  constexpr double kLeastCorrelation = 0.9;
+  constexpr double kMinOrder = 0.5;
+  constexpr double kMinCorrelation = 0.9;
   constexpr double kClearFall = 10.0;
   if (points.size() == 2) return points[0].y - points[1].y >= std::log(kClearFall);
-  return line.order >= kLeastOrder && line.correlation >= kLeastCorrelation;
+  return line.order >= kMinOrder && line.correlation >= kMinCorrelation;
 }
 
 /// How many points remain, the coarsest first, when those next to a floor go that are off the line
 /// of the coarser ones: the floor's share of their error is no longer small.
 std::size_t trim_edge(std::span<const LogPoint> points) {
-  constexpr double kLeastDistance = 1.25;  // from the line, as a factor
+  constexpr double kMinDistance = 1.25;  // from the line, as a factor
   for (; points.size() > 2; points = points.first(points.size() - 1)) {
     const auto coarser = points.first(points.size() - 1);
     const LogLine line = line_through(coarser);
     const double distance = std::abs(points.back().y - line.at(points.back().x));
     if (!falls_clearly(coarser, line) ||
-        distance <= std::max(std::log(kLeastDistance), 3.0 * line.scatter)) {
+        distance <= std::max(std::log(kMinDistance), 3.0 * line.scatter)) {
       break;
     }
   }
@@ -119,13 +119,13 @@ std::size_t trim_edge(std::span<const LogPoint> points) {
 
 /// How many of the points, the coarsest first, are above the floor.
 std::size_t count_above_floor(std::span<const LogPoint> points, double log_limit) {
-  constexpr double kLeastRise = 2.0;  // above the line, as a factor
+  constexpr double kMinRise = 2.0;  // above the line, as a factor
   for (std::size_t count = 2; count < points.size(); ++count) {
     const auto coarser = points.first(count);
     const LogLine line = line_through(coarser);
     if (!falls_clearly(coarser, line)) continue;
     const double last = coarser.back().x;
-    const double rise = std::max(std::log(kLeastRise), 3.0 * line.scatter);
+    const double rise = std::max(std::log(kMinRise), 3.0 * line.scatter);
     const auto finer = points.subspan(count);
     if (std::all_of(finer.begin(), finer.end(), [&](const LogPoint& point) {
           return point.y <= log_limit && point.y >= line.at(point.x) + rise &&

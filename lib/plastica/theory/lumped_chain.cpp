@@ -31,7 +31,7 @@ double tip_force_ratio(ChainConvention convention, int count) {
   assert(count >= 2);
   const double n = count;
   switch (convention) {
-    case ChainConvention::Weld: return (n - 1.0) * (2.0 * n - 1.0) / (2.0 * n * n);
+    case ChainConvention::Clamp: return (n - 1.0) * (2.0 * n - 1.0) / (2.0 * n * n);
     case ChainConvention::FullJoint: return (n + 1.0) * (2.0 * n + 1.0) / (2.0 * n * n);
     case ChainConvention::HalfJoint: return 1.0 + 1.0 / (2.0 * n * n);
     case ChainConvention::HalfEnds: return 1.0 - 1.0 / (4.0 * n * n);
@@ -44,7 +44,7 @@ double self_weight_ratio(ChainConvention convention, int count) {
   assert(count >= 2);
   const double n = count;
   switch (convention) {
-    case ChainConvention::Weld: return (1.0 - 1.0 / n) * (1.0 - 1.0 / n);
+    case ChainConvention::Clamp: return (1.0 - 1.0 / n) * (1.0 - 1.0 / n);
     case ChainConvention::FullJoint: return (1.0 + 1.0 / n) * (1.0 + 1.0 / n);
     case ChainConvention::HalfJoint: return 1.0 + 1.0 / (n * n);
     case ChainConvention::HalfEnds: return 1.0 - 1.0 / (2.0 * n * n);
@@ -56,7 +56,7 @@ double self_weight_ratio(ChainConvention convention, int count) {
 double tip_moment_ratio(ChainConvention convention, int count) {
   assert(count >= 2);
   switch (convention) {
-    case ChainConvention::Weld: return 1.0 - 1.0 / count;
+    case ChainConvention::Clamp: return 1.0 - 1.0 / count;
     case ChainConvention::FullJoint: return 1.0 + 1.0 / count;
     case ChainConvention::HalfJoint:
     case ChainConvention::HalfEnds:

@@ -13,7 +13,7 @@ namespace plastica::theory {
 
 /// How the joints of a cantilever sit and how long the part is that each stands for.
 enum class ChainConvention {
-  Weld,             ///< A: N segments, the first welded; N - 1 joints of length h
+  Clamp,            ///< A: N segments, the first clamped; N - 1 joints of length h
   FullJoint,        ///< B: N segments; N joints of length h, the first at the clamp
   HalfJoint,        ///< C: N segments; N joints, that at the clamp of length h/2
   HalfEnds,         ///< D: N joints of length h at the middles of N parts; end links of h/2

@@ -12,10 +12,10 @@ double polygon_radius(int segments, double end_rotation) {
 std::array<double, 2> polygon_node(int segments, double end_rotation, int node) {
   assert(segments >= 1 && node >= 0 && node <= segments);
   if (end_rotation == 0.0) return {static_cast<double>(node) / segments, 0.0};
-  const double turned = node * end_rotation / segments;
+  const double angle = node * end_rotation / segments;
   const double radius = polygon_radius(segments, end_rotation);
-  const double half = std::sin(0.5 * turned);
-  return {radius * std::sin(turned), 2.0 * radius * half * half};
+  const double half = std::sin(0.5 * angle);
+  return {radius * std::sin(angle), 2.0 * radius * half * half};
 }
 
 }  // namespace plastica::theory

@@ -113,14 +113,14 @@ std::array<std::uint32_t, kDigits> direction_digits(std::size_t axis) {
 
 /// Turns each digit by a draw of the tree's node that the digits before it lead to.
 std::uint32_t scrambled(std::uint32_t digits, std::uint64_t key) {
-  std::uint32_t turned = 0;
+  std::uint32_t flipped = 0;
   for (unsigned level = 0; level < kDigits; ++level) {
     const std::uint64_t before = level == 0 ? 0 : digits >> (kDigits - level);
     const std::uint64_t node = (std::uint64_t{1} << level) | before;
     const std::uint64_t draw = mixed(key + node * kGolden) >> 63U;
-    turned |= static_cast<std::uint32_t>(draw) << (kDigits - 1 - level);
+    flipped |= static_cast<std::uint32_t>(draw) << (kDigits - 1 - level);
   }
-  return digits ^ turned;
+  return digits ^ flipped;
 }
 
 }  // namespace

@@ -135,9 +135,9 @@ std::vector<SpectralPeak> spectral_peaks(const Spectrum& spectrum, double floor)
         leaked += kSlowLeak * source.amplitude * envelope(peak.frequency * spectrum.duration);
         continue;
       }
-      const double way = std::fabs(peak.frequency - source.frequency) * spectrum.duration;
-      const double way_to_image = (peak.frequency + source.frequency) * spectrum.duration;
-      leaked += kLeak * source.amplitude * (envelope(way) + envelope(way_to_image));
+      const double distance = std::fabs(peak.frequency - source.frequency) * spectrum.duration;
+      const double distance_to_image = (peak.frequency + source.frequency) * spectrum.duration;
+      leaked += kLeak * source.amplitude * (envelope(distance) + envelope(distance_to_image));
     }
     if (peak.amplitude <= leaked) continue;
     sources.push_back(peak);

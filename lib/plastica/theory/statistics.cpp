@@ -20,13 +20,13 @@ constexpr double kNormalDegrees = 1e4;
 /// Continued fraction of the incomplete beta function (Abramowitz & Stegun 26.5.8), evaluated from
 /// the front by Lentz's method; converges fast for x < (a + 1)/(a + b + 2).
 double beta_fraction(double x, double a, double b) {
-  constexpr int kMostTerms = 2000;
+  constexpr int kMaxTerms = 2000;
   constexpr double kTiny = 1e-300;
   const auto guarded = [](double v) { return std::abs(v) < kTiny ? kTiny : v; };
   double c = 1.0;
   double d = 1.0 / guarded(1.0 - (a + b) * x / (a + 1.0));
   double value = d;
-  for (int m = 1; m <= kMostTerms; ++m) {
+  for (int m = 1; m <= kMaxTerms; ++m) {
     const double even = m * (b - m) * x / ((a + 2.0 * m - 1.0) * (a + 2.0 * m));
     const double odd = -(a + m) * (a + b + m) * x / ((a + 2.0 * m) * (a + 2.0 * m + 1.0));
     double change = 1.0;

@@ -33,7 +33,7 @@ TEST(EngineBeam, OfACantileverHasTheStiffnessesOfItsMaterial) {
     const double l = i == 0 ? 0.125 : 0.25;
     EXPECT_EQ(joint.name, "joint_" + std::to_string(i));
     EXPECT_EQ(joint.half_joint, i == 0);
-    EXPECT_EQ(joint.turning, kSprung);
+    EXPECT_EQ(joint.rotation, kSprung);
     expect_near(joint.at, 0.25 * static_cast<double>(i));
     expect_near(joint.length, l);
     expect_near(joint.stiffness[0], 200e9 * p.second_moment_x / l);
@@ -88,7 +88,7 @@ TEST(EngineBeam, ByTheReportsFormulasIsHalfAsStiffAndBreaksByTheSine) {
   const EngineBeam beam = beam_of(scene);
   const SectionProperties p = properties_of(scene);
   ASSERT_EQ(beam.joints.size(), 4U);
-  EXPECT_EQ(beam.joints[0].turning,
+  EXPECT_EQ(beam.joints[0].rotation,
             (std::array<JointHold, 3>{JointHold::Rigid, JointHold::Rigid, JointHold::Rigid}));
   EXPECT_FALSE(beam.joints[0].half_joint);
   const EngineJoint& joint = beam.joints[1];
@@ -145,14 +145,14 @@ TEST(EngineBeam, HasAJointForEachRigidSupport) {
   EXPECT_FALSE(roller.parent);
   EXPECT_EQ(roller.child, 1U);
   EXPECT_EQ(roller.holds, (std::array<bool, 3>{true, true, false}));
-  EXPECT_EQ(roller.turning, kFree);
+  EXPECT_EQ(roller.rotation, kFree);
   EXPECT_NEAR(roller.point[2], 0.3, 1e-15);
   const EngineJoint& clamp = beam.joints[5];
   EXPECT_EQ(clamp.name, "support_3");
   EXPECT_TRUE(clamp.half_joint);
   EXPECT_EQ(clamp.child, 3U);
   EXPECT_EQ(clamp.holds, (std::array<bool, 3>{true, true, false}));
-  EXPECT_EQ(clamp.turning, kSprung);
+  EXPECT_EQ(clamp.rotation, kSprung);
   expect_near(clamp.stiffness[0], 2.0 * beam.joints[3].stiffness[0]);
 }
 
@@ -161,7 +161,7 @@ TEST(EngineBeam, IsHeldOnBothSidesByAClampInside) {
   scene.supports[0].at = {0.5, {}};
   const EngineBeam beam = beam_of(scene);
   ASSERT_EQ(beam.joints.size(), 5U);  // three between segments, two half joints
-  EXPECT_EQ(beam.joints[1].turning, kFree);
+  EXPECT_EQ(beam.joints[1].rotation, kFree);
   EXPECT_EQ(beam.joints[3].name, "support_1");
   EXPECT_EQ(beam.joints[3].child, 1U);
   EXPECT_EQ(beam.joints[4].name, "support_1_beyond");
@@ -178,7 +178,7 @@ TEST(EngineBeam, ThatIsPinnedTurnsFreelyAndIsHeldAgainstTwist) {
   scene.supports[0].kind = SupportKind::Pin;
   scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Roller});
   const EngineJoint pin = beam_of(scene).joints[0];
-  EXPECT_EQ(pin.turning,
+  EXPECT_EQ(pin.rotation,
             (std::array<JointHold, 3>{JointHold::Free, JointHold::Free, JointHold::Sprung}));
   EXPECT_EQ(pin.stiffness[0], 0.0);
   EXPECT_EQ(pin.yield_moment[0], kNever);

@@ -10,7 +10,7 @@
 
 namespace plastica::testing {
 
-/// data/scenes/bend_test.toml, divided anew.
+/// data/scenes/bend_test.toml, remeshed.
 inline Setup bend_test(int segments) {
   const std::string path = std::string(PLASTICA_SOURCE_DIR) + "/data/scenes/bend_test.toml";
   Setup setup = io::read_scene_file(path).setup;

@@ -53,14 +53,14 @@ void expect_stress_untouched(const FitResult& fit) {
   EXPECT_TRUE(warned);
 }
 
-TEST(HeldBreak, FixedDoesNotPullAtTheOtherParameters) {
+TEST(HeldBreak, FixedAddsNothingToTheGradientOfTheOthers) {
   Parameter held = break_strain();
   held.role = ParameterRole::Fixed;
   held.value = 0.05;
   expect_stress_untouched(fit_target(broken_bar(), options_with(held)));
 }
 
-TEST(HeldBreak, AtABoundDoesNotPullAtTheOtherParameters) {
+TEST(HeldBreak, AtABoundAddsNothingToTheGradientOfTheOthers) {
   Parameter bounded = break_strain();
   bounded.lower = 0.001;
   bounded.upper = 0.05;

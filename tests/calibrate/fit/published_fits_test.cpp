@@ -119,7 +119,7 @@ TEST(PublishedFits, YieldOfALineIsNotIdentified) {
   EXPECT_EQ(result.parameter("yield_stress").judgement->verdict, Verdict::NotIdentified);
 }
 
-TEST(PublishedFits, PullsOfTwoHundredSpecimensAreNormal) {
+TEST(PublishedFits, StandardizedErrorsOfTwoHundredSpecimensAreNormal) {
   PLASTICA_NEEDS_SHARED("data/synthetic-bilinear");
   const auto samples =
       io::CsvTable::read(shared_path("data/synthetic-bilinear/uq_200_samples.csv"));
@@ -141,9 +141,9 @@ TEST(PublishedFits, PullsOfTwoHundredSpecimensAreNormal) {
       ASSERT_EQ(results[i].status, FitStatus::Fitted) << results[i].reason;
       const FittedParameter& p = results[i].parameter(names[k]);
       ASSERT_TRUE(p.has_error());
-      const double pull = (p.value - truth.number(i, k)) / p.standard_error;
-      sum += pull;
-      square += pull * pull;
+      const double standardized = (p.value - truth.number(i, k)) / p.standard_error;
+      sum += standardized;
+      square += standardized * standardized;
       within += p.interval_low <= truth.number(i, k) && truth.number(i, k) <= p.interval_high;
     }
     // Three standard deviations of what 200 normal samples give: mean 1/sqrt(200), deviation

@@ -80,10 +80,10 @@ TEST(RateFit, HasTheGradientOfItsCost) {
   (void)misfit.cost(at, gradient);
   for (std::size_t k = 0; k < 3; ++k) {
     std::array<double, 2> cost{};
-    for (const double way : {-1.0, 1.0}) {
+    for (const double direction : {-1.0, 1.0}) {
       std::vector<double> moved = at;
-      moved[k] *= 1.0 + 1e-5 * way;
-      cost[way > 0.0 ? 1 : 0] = misfit.cost(moved, {});
+      moved[k] *= 1.0 + 1e-5 * direction;
+      cost[direction > 0.0 ? 1 : 0] = misfit.cost(moved, {});
     }
     const double slope = (cost[1] - cost[0]) / (2e-5 * at[k]);
     EXPECT_NEAR(gradient[k], slope, 1e-4 * std::fabs(slope)) << k;

@@ -69,9 +69,9 @@ TEST(SceneFit, SetsALoneBreakStrainWithoutASearch) {
   options.parameters = {free_parameter("break_strain", 1e-4, 1.0)};
   const SceneFitResult sharp = fit_scene(setup, target, options);
   EXPECT_EQ(sharp.parameters[0].standard_error, 0.0);
-  const auto strain_at = [&](double way) {
+  const auto strain_at = [&](double displacement) {
     SceneTarget moved = target;
-    moved.broke->at = way;
+    moved.broke->at = displacement;
     return fit_scene(setup, moved, options).parameters[0].value;
   };
   // Evenly distributed over 1 mm.

@@ -41,7 +41,7 @@ Hardening voce() {
   return hardening;
 }
 
-SceneFitOptions told() {
+SceneFitOptions stated() {
   SceneFitOptions options;
   options.parameters = stiffness_and_yield();
   options.parameters[0].lower = 150e9;
@@ -78,7 +78,7 @@ Law advised(const Fits& fits) { return fits.laws.laws[fits.laws.advised.value()]
 
 TEST(SceneLawsReference, AdviseTheLawThatMadeTheCurve) {
   const io::ScratchFolder folder;
-  const Fits fits = fits_of({"bar", {bent_by(voce())}}, told(), folder.file("j"));
+  const Fits fits = fits_of({"bar", {bent_by(voce())}}, stated(), folder.file("j"));
   ASSERT_EQ(fits.records.size(), 3U);
   EXPECT_EQ(advised(fits), Law::Voce) << fits.laws.advice;
   const SceneFitResult& found = fits.records[2].result;
@@ -100,7 +100,7 @@ TEST(SceneLawsReference, AdviseTheLawThatMadeTheCurve) {
 
 TEST(SceneLawsReference, AdviseIdealPlasticityWhereThatMadeTheCurve) {
   const io::ScratchFolder folder;
-  const Fits fits = fits_of({"bar", {bent_by({})}}, told(), folder.file("j"));
+  const Fits fits = fits_of({"bar", {bent_by({})}}, stated(), folder.file("j"));
   EXPECT_EQ(advised(fits), Law::Ideal) << fits.laws.advice;
   for (const SceneFitRecord& record : fits.records) {
     EXPECT_LE(record.result.parts[0].cost,
@@ -116,7 +116,7 @@ TEST(SceneLawsReference, TakeAStatedNoiseForKnown) {
   ScenePart part = bent_by(voce());
   // So blunt a curve does not contradict ideal plasticity.
   part.target.noise = 100.0 * kNoise;
-  SceneFitOptions options = told();
+  SceneFitOptions options = stated();
   options.segments_error = false;
   const Fits fits = fits_of({"bar", {part}}, options, folder.file("j"));
   EXPECT_EQ(advised(fits), Law::Ideal) << fits.laws.advice;
@@ -125,7 +125,7 @@ TEST(SceneLawsReference, TakeAStatedNoiseForKnown) {
 TEST(SceneLawsReference, GoOnWhereTheyWereStoppedWithTheSameBits) {
   const io::ScratchFolder folder;
   const std::vector<SceneFitCase> cases{{"bar", {bent_by(voce())}}};
-  SceneFitOptions options = told();
+  SceneFitOptions options = stated();
   options.laws = {Law::Ideal, Law::Linear};
   const auto bytes_of_all = [&](std::vector<SceneFitResult> results) {
     std::vector<std::vector<std::byte>> all;

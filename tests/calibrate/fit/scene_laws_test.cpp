@@ -21,7 +21,7 @@ std::vector<ScenePart> bent_parts() {
   return {part};
 }
 
-SceneFitOptions told() {
+SceneFitOptions stated() {
   SceneFitOptions options;
   options.parameters = stiffness_and_yield();
   return options;
@@ -54,24 +54,24 @@ TEST(SceneLaws, FreeTheirParametersBetweenBoundsThatFollowFromTheMaterial) {
   const std::vector<ScenePart> parts = bent_parts();
   const double E = parts[0].setup.scene.material.youngs_modulus;
   const double S = parts[0].setup.scene.material.yield_stress;
-  EXPECT_EQ(options_of(Law::Ideal, told(), parts).parameters.size(), 2U);
-  const SceneFitOptions linear = options_of(Law::Linear, told(), parts);
+  EXPECT_EQ(options_of(Law::Ideal, stated(), parts).parameters.size(), 2U);
+  const SceneFitOptions linear = options_of(Law::Linear, stated(), parts);
   ASSERT_EQ(linear.parameters.size(), 3U) << "no kinematic share without a reversal";
   EXPECT_EQ(*find(linear, "tangent_modulus").lower, 0.0);
   EXPECT_NEAR(*find(linear, "tangent_modulus").upper, 0.9 * 50e9, 1.0) << "below the least E";
   EXPECT_EQ(*find(linear, "tangent_modulus").value, 10e9) << "the scene's own";
-  const SceneFitOptions voce = options_of(Law::Voce, told(), parts);
+  const SceneFitOptions voce = options_of(Law::Voce, stated(), parts);
   EXPECT_NEAR(*find(voce, "saturation_stress").value, 0.3 * S, 1.0);
   EXPECT_NEAR(*find(voce, "saturation_stress").upper, 3.0 * S, 1.0);
   EXPECT_NEAR(*find(voce, "saturation_rate").lower, 1e-3 * E / S, 1e-9);
-  EXPECT_EQ(options_of(Law::Chaboche, told(), parts).parameters.size(), 8U);
+  EXPECT_EQ(options_of(Law::Chaboche, stated(), parts).parameters.size(), 8U);
   std::vector<ScenePart> cyclic = parts;
   cyclic[0].target.ordinate = {0.0, 1.0, -0.5};
-  EXPECT_EQ(options_of(Law::Linear, told(), cyclic).parameters.size(), 4U);
+  EXPECT_EQ(options_of(Law::Linear, stated(), cyclic).parameters.size(), 4U);
 }
 
 TEST(SceneLaws, KeepWhatTheFitSaysOfTheirParameters) {
-  SceneFitOptions options = told();
+  SceneFitOptions options = stated();
   options.parameters.push_back(free_parameter("saturation_stress", 50e6, 90e6));
   Parameter& rate = options.parameters.emplace_back();
   rate.field = &find_field("saturation_rate");
@@ -85,7 +85,7 @@ TEST(SceneLaws, KeepWhatTheFitSaysOfTheirParameters) {
 }
 
 TEST(SceneLaws, BeginWhereASimplerOneEndedOnceWithoutAnyEffectOfTheirOwn) {
-  SceneFitOptions options = options_of(Law::Chaboche, told(), bent_parts());
+  SceneFitOptions options = options_of(Law::Chaboche, stated(), bent_parts());
   SceneFitResult voce;
   FittedParameter p;
   for (const auto& [path, value] : {std::pair{"material.yield_stress", 300e6},

@@ -47,9 +47,9 @@ std::vector<SceneCurve> curves_at(const plastica::Setup& setup, const SceneTarge
 TEST(ScenePath, GoesOnWithARampThatEndsTooEarly) {
   const std::vector<SceneCurve> curves = curves_at(pushed_bar(), pushed(), {100e9, 250e9, 2000e9});
   EXPECT_TRUE(curves[0].usable) << curves[0].reason;
-  EXPECT_FALSE(curves[0].went_on);
+  EXPECT_FALSE(curves[0].is_extended);
   ASSERT_TRUE(curves[1].usable) << curves[1].reason;
-  EXPECT_TRUE(curves[1].went_on);
+  EXPECT_TRUE(curves[1].is_extended);
   EXPECT_GT(curves[1].ordinate.back(), 1.5);
   EXPECT_FALSE(curves[2].usable);
   // Both runs cost.
@@ -62,11 +62,11 @@ TEST(ScenePath, HasNoSeamWhereItGoesOn) {
   longer.solver.steps *= 4;
   const SceneTarget target = pushed();
   const SceneCurve whole = curves_at(longer, target, {250e9}).front();
-  const SceneCurve gone = curves_at(pushed_bar(), target, {250e9}).front();
-  ASSERT_TRUE(gone.went_on);
-  ASSERT_FALSE(whole.went_on);
+  const SceneCurve beyond = curves_at(pushed_bar(), target, {250e9}).front();
+  ASSERT_TRUE(beyond.is_extended);
+  ASSERT_FALSE(whole.is_extended);
   for (std::size_t i = 0; i < target.abscissa.size(); ++i) {
-    EXPECT_NEAR(gone.ordinate[i], 4.0 * whole.ordinate[i], 1e-8);
+    EXPECT_NEAR(beyond.ordinate[i], 4.0 * whole.ordinate[i], 1e-8);
   }
 }
 
@@ -91,7 +91,7 @@ TEST(ScenePath, CountsAlsoWhereItFailsBeyondWhatWasMeasured) {
   plastica::Setup setup = pushed_bar();
   setup.scene.loads[0].force[1] = -450.0;
   setup.solver.steps = 3;
-  setup.solver.most_iterations = 2;
+  setup.solver.max_iterations = 2;
   setup.solver.smallest_step = 1.0;
   plastica::Setup longer = setup;
   longer.solver.duration = 4.0;
@@ -99,7 +99,7 @@ TEST(ScenePath, CountsAlsoWhereItFailsBeyondWhatWasMeasured) {
   longer.scene.material.youngs_modulus = 250e9;
   ASSERT_EQ(simulate(longer.scene, longer.solver).status, Status::NotConverged);
   const SceneCurve curve = curves_at(setup, pushed(), {250e9}).front();
-  EXPECT_TRUE(curve.went_on);
+  EXPECT_TRUE(curve.is_extended);
   EXPECT_TRUE(curve.usable) << curve.reason;
   SceneTarget far = pushed();
   far.abscissa.back() = 0.1;
@@ -108,12 +108,12 @@ TEST(ScenePath, CountsAlsoWhereItFailsBeyondWhatWasMeasured) {
 }
 
 TEST(ScenePath, GoesOnOnlyUnderRamps) {
-  EXPECT_EQ(gone_on(pushed_bar(), 4)->solver.duration, 4.0);
-  EXPECT_EQ(gone_on(pushed_bar(), 4)->solver.steps, 320);
+  EXPECT_EQ(extended_setup(pushed_bar(), 4)->solver.duration, 4.0);
+  EXPECT_EQ(extended_setup(pushed_bar(), 4)->solver.steps, 320);
   const auto changed = [](auto change) {
     plastica::Setup setup = pushed_bar();
     change(setup);
-    return gone_on(setup, 4);
+    return extended_setup(setup, 4);
   };
   EXPECT_FALSE(changed([](auto& s) { s.solver.analysis = Analysis::Dynamics; }));
   EXPECT_FALSE(changed([](auto& s) { s.solver.control = PathControl::Displacement; }));

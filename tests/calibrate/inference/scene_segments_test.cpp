@@ -79,7 +79,7 @@ TEST(SceneSegments, ExtrapolateTheStiffnessThatALumpedCantileverMakesUpFor) {
   EXPECT_DOUBLE_EQ(fit.parameters[0].verdict_number(), error.error / fit.parameters[0].value);
 }
 
-TEST(SceneSegments, ObserveTheFirstOrderOfAWeldedEnd) {
+TEST(SceneSegments, ObserveTheFirstOrderOfAClampedEnd) {
   plastica::Setup setup = cantilever(16);
   setup.scene.end_rule = EndRule::Equal;
   const SceneFitResult fit = fit_scene(setup, continuous(), stiffness());

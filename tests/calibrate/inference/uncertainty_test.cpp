@@ -222,7 +222,7 @@ TEST(Uncertainty, YieldAboveTheCurveIsNotIdentified) {
 TEST(Uncertainty, YieldThatOnlyTheNoiseOfTheLastSamplesShowsIsNotIdentified) {
   // Of curves that stay elastic every other one ends below its line, where a plateau of a sample or
   // two costs less. 95 % of them must be told from a yield; with 40 the binomial leaves 34.
-  int told = 0;
+  int reported = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Target target = line_of_modulus(0.0);
     add_normal_noise(target, 500 + seed, 1e6);
@@ -231,11 +231,11 @@ TEST(Uncertainty, YieldThatOnlyTheNoiseOfTheLastSamplesShowsIsNotIdentified) {
     ASSERT_EQ(result.status, FitStatus::Fitted);
     const FittedParameter& yield = result.parameter("yield_stress");
     if (yield.judgement->verdict != Verdict::NotIdentified) continue;
-    ++told;
+    ++reported;
     EXPECT_FALSE(yield.has_error());
     EXPECT_TRUE(result.parameter("youngs_modulus").has_error());
   }
-  EXPECT_GE(told, 34);
+  EXPECT_GE(reported, 34);
   // Two samples far below the line are a yield.
   Target target = line_of_modulus(1e6);
   for (std::size_t i = 38; i < 40; ++i) target.corrected.stress[i] = 175e6;

@@ -133,7 +133,7 @@ TEST(Misfit, HasTheCurvatureOfGaussAndNewton) {
   EXPECT_NEAR(curvature[2] * 0.005 * 0.005, 2.0 * 320e6 * 320e6, tolerance(1e5));
 }
 
-TEST(Misfit, BreakTermVanishesAtTheRightBreakStrainAndPullsAtNothingElse) {
+TEST(Misfit, BreakTermVanishesAtTheRightBreakStrainAndHasNoOtherGradient) {
   Case with(four_samples(),
             fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress"),
                     free_parameter("break_strain")}));

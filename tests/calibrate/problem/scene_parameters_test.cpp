@@ -48,7 +48,7 @@ plastica::Setup bar() {
   return setup;
 }
 
-Problem bent(std::string name, const Hardening& hardening, std::vector<double> way,
+Problem bent(std::string name, const Hardening& hardening, std::vector<double> path,
              std::vector<Fitted> fitted) {
   Problem problem{.name = std::move(name), .setup = bar(), .fitted = std::move(fitted)};
   Scene& scene = problem.setup.scene;
@@ -62,7 +62,7 @@ Problem bent(std::string name, const Hardening& hardening, std::vector<double> w
   problem.target.kind = Abscissa::Support;
   problem.target.driven = 1;
   problem.target.ordinate_probe = "force";
-  problem.target.abscissa = std::move(way);
+  problem.target.abscissa = std::move(path);
   return problem;
 }
 

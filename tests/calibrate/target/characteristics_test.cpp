@@ -30,7 +30,7 @@ Curve with_yield_point(double drop, bool recovers) {
   return curve;
 }
 
-TEST(Characteristics, NoiseIsZeroOnStraightPiecesAndRightOnNormalNoise) {
+TEST(Characteristics, NoiseIsZeroOnStraightStretchesAndRightOnNormalNoise) {
   IdealPlastic test;
   EXPECT_LT(noise_of(test.curve().strain, test.curve().stress), 1.0);  // Pa; rounding alone
   test.noise = 0.01;

@@ -158,9 +158,9 @@ TEST(ImportTargets, ReportsATornLastRow) {
   const std::string path = files.write_curve("torn.csv", 1.0, 1e-6);
   std::ofstream(path, std::ios::app) << "0.07";
   const auto target = import_targets(CurveFiles::source({path})).at(0);
-  const bool told = std::any_of(target.repairs.begin(), target.repairs.end(),
-                                [](const Repair& r) { return r.kind == "torn-last-row"; });
-  EXPECT_TRUE(told);
+  const bool reported = std::any_of(target.repairs.begin(), target.repairs.end(),
+                                    [](const Repair& r) { return r.kind == "torn-last-row"; });
+  EXPECT_TRUE(reported);
   EXPECT_EQ(target.raw.size(), IdealPlastic{}.curve().size());
 }
 

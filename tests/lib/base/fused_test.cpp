@@ -41,7 +41,7 @@ TEST(Fused, GivesALaneTheBitsOfALoneNumber) {
     using S = std::remove_cvref_t<decltype(scale)>;
     using L = chain::Spatial<S>;
     const Vec<S, 3> theta{{S(scale * constant<S>(kA)), S(-(scale * constant<S>(kB))), scale}};
-    return L::then(L::rotation(theta), L::rotation(L::turn_by(theta, theta)));
+    return L::compose(L::rotation(theta), L::rotation(L::add_rotation(theta, theta)));
   };
   Pack<double, 8> scales;
   for (int lane = 0; lane < 8; ++lane) scales.set(lane, 0.3 * lane);  // on both sides of 1 rad

@@ -44,7 +44,7 @@ Scene busy_scene() {
   return scene;
 }
 
-/// The Newton step d of a state out of balance r solves r + (dr/dq) d = 0, closures included; so
+/// The Newton step d of a state out of balance r solves r + (dr/dq) d = 0, constraints included; so
 /// the difference of r over a small part of d is -r. That checks every term of the tangent.
 ///
 /// @param make  a chain in its virgin state
@@ -70,7 +70,7 @@ void expect_consistent_tangent_of(const Make& make, double rest = 0.0) {
       w.q.multiplier[k] = 50.0 * static_cast<double>(k + 1);
     }
     solve::NewtonOptions one_step;
-    one_step.most_iterations = 1;
+    one_step.max_iterations = 1;
     if (part != 0.0) {
       // `part` of the step, by hand.
       const auto before = w.q;
@@ -85,7 +85,7 @@ void expect_consistent_tangent_of(const Make& make, double rest = 0.0) {
         w.q.multiplier[k] += part * (after.multiplier[k] - before.multiplier[k]);
       }
     }
-    one_step.most_iterations = 0;
+    one_step.max_iterations = 0;
     solve::equilibrate(solved.build.chain, *solved.joints, one_step, w);
     read(solved);
   };
@@ -150,7 +150,7 @@ Scene yielding_scene() {
 template <class Solved>
 void expect_axial_forces_matter(const Scene& scene, Solved solved) {
   solve::NewtonOptions none;
-  none.most_iterations = 0;
+  none.max_iterations = 0;
   solved.work.time = 1.0;
   solve::equilibrate(solved.build.chain, *solved.joints, none, solved.work);
   double largest = 0.0;

@@ -85,7 +85,7 @@ TEST(SlopeKernel, GivesTheSameBitsOnEachInstructionSet) {
   for (const HardeningLaw law : kLaws) {
     for (const BreakMeasure measure : kMeasures) {
       const Scene scene = scene_of(law, measure);
-      for (std::size_t n = 1; n <= kMostSlopes; ++n) {
+      for (std::size_t n = 1; n <= kMaxSlopes; ++n) {
         const Curve narrow = follow(slope_kernel(InstructionSet::Baseline), scene, fields_of(n));
         EXPECT_EQ(narrow.bits(),
                   follow(slope_kernel(InstructionSet::Avx2), scene, fields_of(n)).bits())
@@ -100,13 +100,13 @@ TEST(SlopeKernel, GivesADerivativeTheSameBitsWhateverGoesAlong) {
   for (const HardeningLaw law : kLaws) {
     const Scene scene = scene_of(law, BreakMeasure::Net);
     const Curve all =
-        follow(slope_kernel(resolved(InstructionSet::Auto)), scene, fields_of(kMostSlopes));
-    for (std::size_t n = 1; n < kMostSlopes; ++n) {
+        follow(slope_kernel(resolved(InstructionSet::Auto)), scene, fields_of(kMaxSlopes));
+    for (std::size_t n = 1; n < kMaxSlopes; ++n) {
       const Curve some = follow(slope_kernel(resolved(InstructionSet::Auto)), scene, fields_of(n));
       EXPECT_EQ(some.stress, all.stress);
       for (std::size_t s = 0; s < some.stress.size(); ++s) {
         for (std::size_t k = 0; k < n; ++k) {
-          EXPECT_EQ(some.slopes[s * n + k], all.slopes[s * kMostSlopes + k]);
+          EXPECT_EQ(some.slopes[s * n + k], all.slopes[s * kMaxSlopes + k]);
         }
       }
     }

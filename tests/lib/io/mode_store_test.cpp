@@ -31,7 +31,7 @@ force = ["0 N", "0 N", "-14 kN"]
   EXPECT_EQ(read.response.critical->factor, record.response.critical->factor);
   EXPECT_EQ(read.response.critical->below, record.response.critical->below);
   EXPECT_EQ(read.response.critical->above, record.response.critical->above);
-  EXPECT_EQ(read.response.critical->unstable_ways, record.response.critical->unstable_ways);
+  EXPECT_EQ(read.response.critical->unstable_modes, record.response.critical->unstable_modes);
   EXPECT_EQ(read.response.critical->out_of_plane, record.response.critical->out_of_plane);
   EXPECT_EQ(read.response.critical->mode, record.response.critical->mode);
 }
@@ -53,7 +53,7 @@ force = ["0 N", "0 N", "-1 kN"]
   ASSERT_TRUE(read.response.buckling && read.response.vibration && read.response.limit);
   EXPECT_EQ(read.response.buckling->about, 1.0);
   EXPECT_EQ(read.response.buckling->factor, record.response.buckling->factor);
-  EXPECT_EQ(read.response.buckling->turn, record.response.buckling->turn);
+  EXPECT_EQ(read.response.buckling->rotation, record.response.buckling->rotation);
   EXPECT_EQ(read.response.buckling->out_of_plane, record.response.buckling->out_of_plane);
   EXPECT_EQ(read.response.buckling->mode, modes);
   EXPECT_EQ(read.response.vibration->frequency, record.response.vibration->frequency);

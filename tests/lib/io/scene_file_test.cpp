@@ -94,6 +94,14 @@ TEST(SceneFile, TakesDefaultsForWhatItDoesNotSay) {
   EXPECT_EQ(setup.scene.probes[0].quantity, ProbeQuantity::Stress);
 }
 
+TEST(SceneFile, TakesAnOldKeyAndNamesTheNewOne) {
+  const SceneFile old = parse_scene_file(kDrive + "[solver]\nmost_iterations = 7\n", "s.toml");
+  EXPECT_EQ(old.setup.solver.max_iterations, 7);
+  EXPECT_EQ(old.notes,
+            (std::vector<std::string>{"s.toml:4: most_iterations is now max_iterations"}));
+  EXPECT_TRUE(parse_scene_file(kDrive, "s.toml").notes.empty());
+}
+
 TEST(SceneFile, ReadsEveryFieldOfTheFieldTable) {
   // Shapes that need all of their dimensions are read below.
   const auto needed = [](const Field& field) {

@@ -22,13 +22,13 @@ TEST(SceneMasses, AreReadWithTheirUnits) {
   ASSERT_EQ(masses.size(), 3U);
   EXPECT_EQ(masses[0].at.segment, 2);
   EXPECT_DOUBLE_EQ(masses[0].mass, 0.5);
-  EXPECT_FALSE(masses[0].turns_inertly());
+  EXPECT_FALSE(masses[0].has_rotational_inertia());
   EXPECT_EQ(masses[1].at.fraction, 1.0);
   EXPECT_EQ(masses[1].mass, 2.0);
   EXPECT_NEAR(masses[1].inertia[0], 0.01, 1e-16);
   EXPECT_EQ(masses[1].inertia[2], 0.02);
   EXPECT_EQ(masses[2].mass, 0.0);
-  EXPECT_TRUE(masses[2].turns_inertly());
+  EXPECT_TRUE(masses[2].has_rotational_inertia());
 }
 
 TEST(SceneMasses, AreStoredAndReadBack) {

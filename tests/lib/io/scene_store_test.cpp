@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include "tests/lib/io/scratch_folder.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/motion_record.hpp"
@@ -46,10 +45,11 @@ void expect_same_chain(const ChainHistory& a, const ChainHistory& b) {
   EXPECT_EQ(a.stress, b.stress);
   EXPECT_EQ(a.reaction, b.reaction);
   ASSERT_EQ(a.energy.size(), b.energy.size());
+  using E = Energies;
   for (std::size_t i = 0; i < a.energy.size(); ++i) {
-    for (const auto entry : {&Energies::elastic, &Energies::kinetic, &Energies::plastic,
-                             &Energies::damping, &Energies::numerical, &Energies::impact,
-                             &Energies::fracture, &Energies::external, &Energies::residual}) {
+    for (const auto entry :
+         {&E::elastic, &E::kinetic, &E::plastic, &E::damping, &E::numerical_dissipation, &E::impact,
+          &E::fracture, &E::external, &E::residual}) {
       EXPECT_EQ(a.energy[i].*entry, b.energy[i].*entry) << i;
     }
   }
@@ -71,7 +71,7 @@ void expect_same_events(const std::vector<ChainBreak>& a, const std::vector<Chai
   for (std::size_t e = 0; e < a.size(); ++e) {
     EXPECT_EQ(a[e].time, b[e].time);
     EXPECT_EQ(a[e].factor, b[e].factor);
-    EXPECT_EQ(a[e].pieces, b[e].pieces);
+    EXPECT_EQ(a[e].fragments, b[e].fragments);
     ASSERT_EQ(a[e].joints.size(), b[e].joints.size());
     for (std::size_t j = 0; j < a[e].joints.size(); ++j) {
       expect_same_joint(a[e].joints[j], b[e].joints[j]);
@@ -172,21 +172,21 @@ TEST_F(SceneStore, KeepsTheFramesOfAMotionApartFromItsSamples) {
   EXPECT_EQ(read.response.chain.reaction.size(), 5U * 2U * 6U);
   EXPECT_EQ(read.response.probes.at(0).size(), 41U);
   EXPECT_EQ(read.response.probes, record.response.probes);
-  EXPECT_EQ(read.response.ledger_error, 3e-4);
+  EXPECT_EQ(read.response.energy_balance_error, 3e-4);
   EXPECT_EQ(read.response.momentum_error, 2e-5);
   EXPECT_EQ(read.response.longest_step, record.response.longest_step);
   EXPECT_GT(read.response.longest_step, 0.0);
   expect_same_chain(read.response.chain, record.response.chain);
 }
 
-TEST_F(SceneStore, KeepsEveryEventWithItsJointsAndPieces) {
+TEST_F(SceneStore, KeepsEveryEventWithItsJointsAndFragments) {
   SceneRecord record = motion_record({.segments = 8, .samples = 11, .frames = 3});
   record.response.chain.events.push_back({0.2, 0.5, {}, {}});  // nobody was cut
   record.response.chain.events[0].joints[0].cause = BreakCause::Torsion;
-  const SceneRecord read = stored(record);
-  EXPECT_EQ(read.response.status, Status::Broken);
-  expect_same_events(read.response.chain.events, record.response.chain.events);
-  EXPECT_EQ(read.response.chain.events[1].pieces, (std::vector<Piece>{{0, 3}, {4, 5}, {6, 7}}));
+  const Response read = stored(record).response;
+  EXPECT_EQ(read.status, Status::Broken);
+  expect_same_events(read.chain.events, record.response.chain.events);
+  EXPECT_EQ(read.chain.events[1].fragments, (std::vector<Fragment>{{0, 3}, {4, 5}, {6, 7}}));
 }
 
 TEST_F(SceneStore, KeepsOfAnInterruptedMotionTheFramesUpToThere) {
@@ -335,8 +335,8 @@ TEST_F(SceneStore, WhoseFramesOrEventsAreNotOfTheBeamIsRefused) {
             path_ + ": /path/frame_sample: must rise from each to the next");
   EXPECT_EQ(refusal([](ChainHistory& chain) { chain.events[1].joints[0].joint = 5; }),
             path_ + ": /events/joints/joint: must be a joint of the beam");
-  EXPECT_EQ(refusal([](ChainHistory& chain) { chain.events[0].pieces[1].last = 4; }),
-            path_ + ": /events/pieces: must be ranges of the beam's segments");
+  EXPECT_EQ(refusal([](ChainHistory& chain) { chain.events[0].fragments[1].last = 4; }),
+            path_ + ": /events/fragments: must be ranges of the beam's segments");
 }
 
 /// What is said of a record that is written as it should not be.

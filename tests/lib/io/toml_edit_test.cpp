@@ -57,6 +57,11 @@ TEST(TomlEdit, ReplacesAValueWhereItStands) {
   EXPECT_EQ(set("[a.b]\nc = 1\n[a]\nd = 2\n", "a.b.c", "7"), "[a.b]\nc = 7\n[a]\nd = 2\n");
 }
 
+TEST(TomlEdit, ReplacesTheValueOfAnOldKey) {
+  EXPECT_EQ(set_toml_value("[solver]\nmost_iterations = 5\n", "solver.max_iterations", "9"),
+            "[solver]\nmost_iterations = 9\n");
+}
+
 TEST(TomlEdit, ReplacesInsideInlineTables) {
   const std::string text = "[beam]\nsection = { shape = \"rectangle\", height = \"20 mm\" }\n";
   EXPECT_EQ(set(text, "beam.section.height", "\"25 mm\""),

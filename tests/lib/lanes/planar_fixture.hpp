@@ -16,7 +16,7 @@ template <class Real>
 struct RandomBeams {
   std::size_t segments, width;
   std::vector<std::uint32_t> index;
-  Numbers<Real> kinds, loads, state, work, sums, sight;
+  Numbers<Real> kinds, loads, state, work, sums, observables;
 
   RandomBeams(std::size_t n, std::size_t lanes, unsigned first_seed = 0)
       : segments(n),
@@ -26,7 +26,7 @@ struct RandomBeams {
         state(n * PlanarState::kCount * lanes),
         work(n * PlanarWork::kCount * lanes),
         sums(PlanarSums::kCount * lanes),
-        sight(n * PlanarSight::kCount * lanes) {
+        observables(n * PlanarObservables::kCount * lanes) {
     for (std::size_t i = 0; i < n; ++i) index.push_back(static_cast<std::uint32_t>(i));
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       std::mt19937 random(first_seed + static_cast<unsigned>(lane));
@@ -46,8 +46,8 @@ struct RandomBeams {
   Real& sum(std::size_t field, std::size_t lane = 0) const { return sums[field * width + lane]; }
 
   PlanarBeam<Real> beam() const {
-    return {segments,     index.data(), kinds.data(), index.data(), loads.data(),
-            state.data(), work.data(),  sums.data(),  sight.data(), true};
+    return {segments,     index.data(), kinds.data(), index.data(),       loads.data(),
+            state.data(), work.data(),  sums.data(),  observables.data(), true};
   }
 
  private:
@@ -73,7 +73,7 @@ struct RandomBeams {
     }
     at(i, PlanarState::Angle, lane) = between(-0.2, 0.2);
     at(i, PlanarState::Rate, lane) = between(-1.0, 1.0);
-    at(i, PlanarState::Turning, lane) = between(-5.0, 5.0);
+    at(i, PlanarState::AngularAcceleration, lane) = between(-5.0, 5.0);
   }
 };
 

@@ -30,23 +30,23 @@ std::vector<double> accelerations(const RandomBeams<double>& b, int order, doubl
   const std::size_t n = b.segments;
   const double ahead = order == 2 ? 0.5 * h : 0.0;
   const double share = order == 2 ? 0.5 * h : h;
-  std::vector<Plane> joint(n), direction(n), center(n), pull(n);
-  Plane end{}, end_pull{};
+  std::vector<Plane> joint(n), direction(n), center(n), centripetal(n);
+  Plane end{}, end_centripetal{};
   double angle = 0.0, spin = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     angle += b.kind(i, PlanarKind::Rest) + b.at(i, PlanarState::Angle);
     spin += b.at(i, PlanarState::Rate);
     const double at = angle + ahead * spin;
-    const double there = spin + ahead * b.at(i, PlanarState::Turning);
+    const double there = spin + ahead * b.at(i, PlanarState::AngularAcceleration);
     direction[i] = {std::cos(at), std::sin(at)};
     joint[i] = center[i] = end;
-    pull[i] = end_pull;
+    centripetal[i] = end_centripetal;
     const double distance = b.kind(i, PlanarKind::FirstMoment) / b.kind(i, PlanarKind::Mass);
     add(distance, direction[i], center[i]);
-    add(-distance * there * there, direction[i], pull[i]);
+    add(-distance * there * there, direction[i], centripetal[i]);
     const double length = b.kind(i, PlanarKind::Length);
     add(length, direction[i], end);
-    add(-length * there * there, direction[i], end_pull);
+    add(-length * there * there, direction[i], end_centripetal);
   }
   Matrix mass(n, std::vector<double>(n, 0.0));
   std::vector<double> force(n, 0.0);
@@ -60,7 +60,7 @@ std::vector<double> accelerations(const RandomBeams<double>& b, int order, doubl
                           b.load(i, PlanarLoad::Moment);
     for (std::size_t k = 0; k <= i; ++k) {
       const Plane by_k = across(joint[k], center[i]);
-      force[k] += moment + dot(load, across(joint[k], joint[i])) - m * dot(by_k, pull[i]);
+      force[k] += moment + dot(load, across(joint[k], joint[i])) - m * dot(by_k, centripetal[i]);
       for (std::size_t j = 0; j <= i; ++j) {
         mass[k][j] += inertia + m * dot(by_k, across(joint[j], center[i]));
       }
@@ -95,7 +95,7 @@ TEST(PlanarSteps, SolveTheEquationsOfMotionOfTheWholeChain) {
   }
 }
 
-TEST(PlanarSteps, DoNotTurnAWeldedJoint) {
+TEST(PlanarSteps, DoNotTurnAClampedJoint) {
   const RandomBeams<double> b(4, 1, 3);
   b.kind(0, PlanarKind::Hold) = std::numeric_limits<double>::infinity();
   b.at(0, PlanarState::Rate) = 0.0;
@@ -166,7 +166,7 @@ TEST(PlanarSteps, LeaveLanesAloneWhereAnotherFails) {
   EXPECT_TRUE(std::isnan(all.at(4, PlanarState::Angle, 3)));
 }
 
-TEST(PlanarSteps, KeepTheEnergyOfTheirLedger) {
+TEST(PlanarSteps, KeepTheirEnergyBalanced) {
   // Euler's losses are counted on their own: they are what is missing of the energy.
   for (const int yields : {0, 1}) {
     const RandomBeams<double> b(5, 1, 11);
@@ -175,7 +175,7 @@ TEST(PlanarSteps, KeepTheEnergyOfTheirLedger) {
       b.kind(i, PlanarKind::Damping) = 0.0;
       b.at(i, PlanarState::Rate) *= 0.01;
       b.at(i, PlanarState::Angle) = 0.0;
-      b.at(i, PlanarState::Turning) = 0.0;
+      b.at(i, PlanarState::AngularAcceleration) = 0.0;
       b.kind(i, PlanarKind::Cap) *= 1e-5;
     }
     const auto energy = [&] {
@@ -200,7 +200,7 @@ TEST(PlanarSteps, KeepTheEnergyOfTheirLedger) {
     kBaselineKernels.in_double.planar[0][yields].one(b.beam(), 1e-4, 2000, false);
     const double lost = begin - energy();
     EXPECT_GT(lost, 1e-5 * begin);
-    EXPECT_NEAR(b.sum(PlanarSums::Numerical) / lost, 1.0, 2e-3) << yields;
+    EXPECT_NEAR(b.sum(PlanarSums::NumericalDissipation) / lost, 1.0, 2e-3) << yields;
     const double flowed = b.at(0, PlanarState::Accumulated);
     EXPECT_EQ(flowed > 0.0, yields == 1);
   }

@@ -16,7 +16,7 @@ template <class Real>
 struct RandomSpatialBeams {
   std::size_t segments, width;
   std::vector<std::uint32_t> index;
-  Numbers<Real> kinds, loads, state, work, sums, sight;
+  Numbers<Real> kinds, loads, state, work, sums, observables;
 
   RandomSpatialBeams(std::size_t n, std::size_t lanes, unsigned first_seed = 0)
       : segments(n),
@@ -26,7 +26,7 @@ struct RandomSpatialBeams {
         state(n * SpatialState::kCount * lanes),
         work(n * SpatialWork::kCount * lanes),
         sums(SpatialSums::kCount * lanes),
-        sight(n * SpatialSight::kCount * lanes) {
+        observables(n * SpatialObservables::kCount * lanes) {
     for (std::size_t i = 0; i < n; ++i) index.push_back(static_cast<std::uint32_t>(i));
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       std::mt19937 random(first_seed + static_cast<unsigned>(lane));
@@ -46,8 +46,8 @@ struct RandomSpatialBeams {
   Real& sum(std::size_t field, std::size_t lane = 0) const { return sums[field * width + lane]; }
 
   SpatialBeam<Real> beam() const {
-    return {segments,     index.data(), kinds.data(), index.data(), loads.data(),
-            state.data(), work.data(),  sums.data(),  sight.data(), true};
+    return {segments,     index.data(), kinds.data(), index.data(),       loads.data(),
+            state.data(), work.data(),  sums.data(),  observables.data(), true};
   }
 
  private:
@@ -72,7 +72,7 @@ struct RandomSpatialBeams {
       kind(i, SpatialKind::Cap + k, lane) = stiffness * between(0.1, 0.3);
       at(i, SpatialState::Angle + k, lane) = between(-0.3, 0.3);
       at(i, SpatialState::Rate + k, lane) = between(-1.0, 1.0);
-      at(i, SpatialState::Turning + k, lane) = between(-5.0, 5.0);
+      at(i, SpatialState::AngularAcceleration + k, lane) = between(-5.0, 5.0);
       at(i, SpatialState::AngleRate + k, lane) = between(-1.0, 1.0);
     }
     for (std::size_t field = 0; field < SpatialLoad::kCount; ++field) {

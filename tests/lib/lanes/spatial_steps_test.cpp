@@ -41,15 +41,15 @@ Square angle_map(const Vector& theta) {
 }
 Vector spun(const Vector& w, const Vector& arm) { return cross(w, cross(w, arm)); }
 
-/// Where a step of the scheme looks, worked out by the chain's own rotations.
-struct Looked {
+/// Where a step of the scheme evaluates forces, worked out by the chain's own rotations.
+struct Observed {
   std::vector<Square> frame, to_angle;
-  std::vector<Vector> joint, spin, pull;  ///< of the inner joint
+  std::vector<Vector> joint, spin, centripetal;  ///< of the inner joint
 };
-Looked looked(const Beams& b, double ahead) {
-  Looked at;
+Observed observed(const Beams& b, double ahead) {
+  Observed at;
   Square frame = identity<double, 3>();
-  Vector spin, joint, pull;
+  Vector spin, joint, centripetal;
   for (std::size_t i = 0; i < b.segments; ++i) {
     const Vector angle = spatial_state(b, i, SpatialState::Angle);
     const Vector rate = spatial_state(b, i, SpatialState::Rate);
@@ -59,11 +59,11 @@ Looked looked(const Beams& b, double ahead) {
     spin += rate;
     at.frame.push_back(frame);
     at.joint.push_back(joint);
-    at.pull.push_back(pull);
-    at.spin.push_back(spin + ahead * spatial_state(b, i, SpatialState::Turning));
+    at.centripetal.push_back(centripetal);
+    at.spin.push_back(spin + ahead * spatial_state(b, i, SpatialState::AngularAcceleration));
     const Vector arm = frame * Vector{{0, 0, b.kind(i, SpatialKind::Length)}};
     joint += arm;
-    pull += spun(at.spin.back(), arm);
+    centripetal += spun(at.spin.back(), arm);
   }
   return at;
 }
@@ -72,7 +72,7 @@ Looked looked(const Beams& b, double ahead) {
 std::vector<Vector> accelerations(const Beams& b, int order, double h) {
   const std::size_t n = b.segments;
   const double share = order == 2 ? 0.5 * h : h;
-  const Looked at = looked(b, order == 2 ? 0.5 * h : 0.0);
+  const Observed at = observed(b, order == 2 ? 0.5 * h : 0.0);
   std::vector<std::vector<double>> mass(3 * n, std::vector<double>(3 * n, 0.0));
   std::vector<double> force(3 * n, 0.0);
   const auto add = [&](std::size_t k, std::size_t j, const Square& m) {
@@ -88,7 +88,7 @@ std::vector<Vector> accelerations(const Beams& b, int order, double h) {
         transpose(at.frame[i]);
     const Vector loaded = load(b, i, SpatialLoad::Force);
     const Vector center = at.joint[i] + arm;
-    const Vector thrust = loaded - m * (at.pull[i] + spun(at.spin[i], arm));
+    const Vector thrust = loaded - m * (at.centripetal[i] + spun(at.spin[i], arm));
     const Vector moment = cross((1 / zeta) * arm, load(b, i, SpatialLoad::Lever)) +
                           load(b, i, SpatialLoad::Moment) - cross(arm, loaded) -
                           cross(at.spin[i], inertia * at.spin[i]);
@@ -104,14 +104,14 @@ std::vector<Vector> accelerations(const Beams& b, int order, double h) {
     const Vector rate = to_angle * spatial_state(b, i, SpatialState::Rate);
     const Square k = diagonal(kind(b, i, SpatialKind::Stiffness));
     const Square d = diagonal(kind(b, i, SpatialKind::Damping));
-    // Order 2 is calmed by a tenth of the change of the angle's rate.
-    const double calm = order == 2 ? 0.1 * share : 0.0;
+    // Order 2 is damped by a tenth of the change of the angle's rate.
+    const double damping = order == 2 ? 0.1 * share : 0.0;
     const Vector change = rate - spatial_state(b, i, SpatialState::AngleRate);
     const Vector spring = transposed_times(
-        to_angle,
-        k * (spatial_state(b, i, SpatialState::Angle) + share * rate + calm * change) + d * rate);
+        to_angle, k * (spatial_state(b, i, SpatialState::Angle) + share * rate + damping * change) +
+                      d * rate);
     for (std::size_t c = 0; c < 3; ++c) force[3 * i + c] -= spring[c];
-    add(i, i, transpose(to_angle) * (share * ((share + calm) * k + d)) * to_angle);
+    add(i, i, transpose(to_angle) * (share * ((share + damping) * k + d)) * to_angle);
   }
   const std::vector<double> all = testing::solved(std::move(mass), std::move(force));
   std::vector<Vector> joints;
@@ -131,7 +131,7 @@ TEST(SpatialSteps, SolveTheEquationsOfMotionOfTheWholeChain) {
         b->at(4, SpatialState::Rate) = -9.0;
       }
       const std::vector<Vector> expected = accelerations(before, order, h);
-      const Looked at = looked(before, order == 2 ? 0.5 * h : 0.0);
+      const Observed at = observed(before, order == 2 ? 0.5 * h : 0.0);
       kBaselineKernels.in_double.spatial[order - 1][0].one(after.beam(), h, 1, false);
       for (std::size_t i = 0; i < 6; ++i) {
         const Vector rate = spatial_state(before, i, SpatialState::Rate);
@@ -178,7 +178,8 @@ struct Pair {
       space.at(i, SpatialState::Angle) = plane.at(i, PlanarState::Angle);
       space.at(i, SpatialState::Rate) = plane.at(i, PlanarState::Rate);
       space.at(i, SpatialState::AngleRate) = plane.at(i, PlanarState::Rate);
-      space.at(i, SpatialState::Turning) = plane.at(i, PlanarState::Turning);
+      space.at(i, SpatialState::AngularAcceleration) =
+          plane.at(i, PlanarState::AngularAcceleration);
     }
   }
   void step(int order, int yields, double time, std::size_t count) const {
@@ -220,7 +221,7 @@ TEST(SpatialSteps, MoveInAPlaneAsPlanarOnes) {
   EXPECT_NEAR(coarse.apart() / fine.apart(), 4.0, 0.4);
 }
 
-TEST(SpatialSteps, DoNotTurnAWeldedJoint) {
+TEST(SpatialSteps, DoNotTurnAClampedJoint) {
   const Beams b(4, 1, 3);
   b.kind(0, SpatialKind::Free) = 0.0;
   for (std::size_t k = 0; k < 3; ++k) b.at(0, SpatialState::Rate + k) = 0.0;
@@ -316,17 +317,17 @@ TEST(SpatialSteps, LeaveLanesAloneWhereAnotherFails) {
 }
 
 TEST(SpatialSteps, GoOnWhereTheyLeftOff) {
-  const Beams whole(5, 1), parts(5, 1), looked_again(5, 1);
+  const Beams whole(5, 1), parts(5, 1), observed_again(5, 1);
   const auto& kernel = kBaselineKernels.in_double.spatial[1][1];
   kernel.one(whole.beam(), 1e-3, 20, false);
   kernel.one(parts.beam(), 1e-3, 9, false);
   kernel.one(parts.beam(), 1e-3, 11, true);
-  kernel.one(looked_again.beam(), 1e-3, 9, false);
-  kernel.one(looked_again.beam(), 1e-3, 11, false);
+  kernel.one(observed_again.beam(), 1e-3, 9, false);
+  kernel.one(observed_again.beam(), 1e-3, 11, false);
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(spatial_state(parts, i, SpatialState::Angle).at,
               spatial_state(whole, i, SpatialState::Angle).at);
-    EXPECT_EQ(spatial_state(looked_again, i, SpatialState::Angle).at,
+    EXPECT_EQ(spatial_state(observed_again, i, SpatialState::Angle).at,
               spatial_state(whole, i, SpatialState::Angle).at);
   }
 }

@@ -62,18 +62,18 @@ Trial random_trial(Shaker& shake, const Gauge& gauge, unsigned components, Nasty
   if (Gauge::kRound) trial.compliance[kBendingY] = trial.compliance[kBendingX];
   trial.target = (1.0 / orthant_gauge(gauge, trial.target)) * trial.target;
   if (nasty == Nasty::NearKink) {
-    // Along some of the normals nearby: the closest point is near where their pieces meet.
-    SectionForce<double> way;
-    for (std::size_t k = 0; k < Gauge::kPieces; ++k) {
-      const auto f = gauge.piece(k, trial.target);
+    // Along some of the normals nearby: the closest point is near where their facets meet.
+    SectionForce<double> direction;
+    for (std::size_t k = 0; k < Gauge::kFacets; ++k) {
+      const auto f = gauge.facet(k, trial.target);
       if (k > 0 && (f.value < 0.45 || shake() > 0.0)) continue;
-      way += between(0.1, 1.0) * f.gradient;
+      direction += between(0.1, 1.0) * f.gradient;
     }
     for (std::size_t i = 0; i < kSectionAxes; ++i) {
-      way[i] *= trial.target[i] > 0.0 ? trial.compliance[i] : 0.0;
+      direction[i] *= trial.target[i] > 0.0 ? trial.compliance[i] : 0.0;
     }
-    const double beyond = orthant_gauge(gauge, way);
-    if (beyond > 0.0) trial.target += ((size - 1.0) / beyond) * way;
+    const double beyond = orthant_gauge(gauge, direction);
+    if (beyond > 0.0) trial.target += ((size - 1.0) / beyond) * direction;
   } else {
     trial.target = size * trial.target;
   }
@@ -176,8 +176,8 @@ double distance_bound(const Gauge& gauge, const Trial& trial, const SectionForce
       cone.push_back(bound);
     }
   }
-  for (std::size_t k = 0; k < Gauge::kPieces; ++k) {
-    const auto f = gauge.piece(k, u);
+  for (std::size_t k = 0; k < Gauge::kFacets; ++k) {
+    const auto f = gauge.facet(k, u);
     if (f.value < 0.5 - 1e-12) continue;
     Direction normal{};
     for (std::size_t i = 0; i < kSectionAxes; ++i) {
@@ -248,7 +248,7 @@ TEST(ClosestPoint, GivesDualNumbersItsSlope) {
   for (const GaugeForm& form : forms()) {
     with_gauge<double>(form, [&](const auto& gauge) {
       with_gauge<D>(form, [&]<class Lifted>(const Lifted& lifted) {
-        if constexpr (Lifted::kPieces == std::remove_cvref_t<decltype(gauge)>::kPieces &&
+        if constexpr (Lifted::kFacets == std::remove_cvref_t<decltype(gauge)>::kFacets &&
                       Lifted::kRound == std::remove_cvref_t<decltype(gauge)>::kRound) {
           for (int trials = 0; trials < 30; ++trials) {
             const Trial trial = random_trial(shake, gauge, 15, Nasty::No, 1.0 + 0.02 * trials);
@@ -283,7 +283,7 @@ TEST(ClosestPoint, GivesALaneTheBitsOfALoneDouble) {
   for (const GaugeForm& form : forms()) {
     with_gauge<double>(form, [&](const auto& gauge) {
       with_gauge<Lanes>(form, [&]<class Wide>(const Wide& lanes) {
-        if constexpr (Wide::kPieces == std::remove_cvref_t<decltype(gauge)>::kPieces &&
+        if constexpr (Wide::kFacets == std::remove_cvref_t<decltype(gauge)>::kFacets &&
                       Wide::kRound == std::remove_cvref_t<decltype(gauge)>::kRound) {
           for (int group = 0; group < 20; ++group) {
             std::array<Trial, 8> trials;
@@ -327,7 +327,7 @@ TEST(ClosestPoint, IsFoundInSingleNumbers) {
   for (const GaugeForm& form : forms()) {
     with_gauge<double>(form, [&](const auto& gauge) {
       with_gauge<float>(form, [&]<class Single>(const Single& single) {
-        if constexpr (Single::kPieces == std::remove_cvref_t<decltype(gauge)>::kPieces &&
+        if constexpr (Single::kFacets == std::remove_cvref_t<decltype(gauge)>::kFacets &&
                       Single::kRound == std::remove_cvref_t<decltype(gauge)>::kRound) {
           for (int trials = 0; trials < 200; ++trials) {
             const Trial trial = random_trial(shake, gauge, 15, static_cast<Nasty>(trials % 4),

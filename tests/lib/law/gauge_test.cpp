@@ -50,7 +50,7 @@ TEST(Gauge, IsOneAtTheCapOfEachComponent) {
   }
 }
 
-TEST(Gauge, HasTheGradientAndHessianOfEachPiece) {
+TEST(Gauge, HasTheGradientAndHessianOfEachFacet) {
   for (const SurfaceCase& surface : surface_cases()) {
     with_gauge<double>(gauge_form_of(surface), [&](const auto& gauge) {
       Shaker shake(2);
@@ -58,8 +58,8 @@ TEST(Gauge, HasTheGradientAndHessianOfEachPiece) {
         SectionForce<double> u = random_force(shake);
         for (std::size_t i = 0; i < 4; ++i) u[i] = std::fabs(u[i]) + 0.01;
         if (gauge.kRound) u[1] = 0.0;
-        for (std::size_t k = 0; k < gauge.kPieces; ++k) {
-          const auto f = gauge.piece(k, u);
+        for (std::size_t k = 0; k < gauge.kFacets; ++k) {
+          const auto f = gauge.facet(k, u);
           for (std::size_t j = 0; j < 4; ++j) {
             if (gauge.kRound && j == 1) continue;
             const double h = 1e-6;
@@ -67,8 +67,8 @@ TEST(Gauge, HasTheGradientAndHessianOfEachPiece) {
             SectionForce<double> less = u;
             more[j] += h;
             less[j] -= h;
-            const auto a = gauge.piece(k, more);
-            const auto b = gauge.piece(k, less);
+            const auto a = gauge.facet(k, more);
+            const auto b = gauge.facet(k, less);
             // Differences: their rounding is 1e-10, their own error 1e-12 times a third derivative.
             EXPECT_NEAR(f.gradient[j], (a.value - b.value) / (2.0 * h), 1e-8) << surface.name;
             for (std::size_t i = 0; i < 4; ++i) {

@@ -84,9 +84,9 @@ double stepped(double share, const std::vector<double>& path) {
         continue;
       }
       const double dp = over / (kE + table.slope);
-      const double way = trial > back ? 1.0 : -1.0;
-      stress = trial - way * kE * dp;
-      back += way * share * table.slope * dp;
+      const double direction = trial > back ? 1.0 : -1.0;
+      stress = trial - direction * kE * dp;
+      back += direction * share * table.slope * dp;
       p += dp;
     }
     from = to;
@@ -116,8 +116,8 @@ TEST(Multilinear, YieldsBackWhereItsKindOfHardeningSays) {
     const auto law = law_of(of_table(share));
     const auto state = respond(law, {}, p + top / kE).state;
     const double range = share == 0.0 ? 2.0 * top : 2.0 * kY;
-    const auto yields_at = [&](double way) {
-      return respond(law, state, p + (top - way) / kE).state.accumulated > state.accumulated;
+    const auto yields_at = [&](double direction) {
+      return respond(law, state, p + (top - direction) / kE).state.accumulated > state.accumulated;
     };
     EXPECT_FALSE(yields_at(range * (1.0 - 1e-9)));
     EXPECT_TRUE(yields_at(range * (1.0 + 1e-9)));

@@ -177,7 +177,8 @@ TEST(CheckRules, RefuseWhatTheReportDoesNotHave) {
             "material.hardening.law: must be ideal with the report's formulas, which have no "
             "hardening");
   EXPECT_EQ(report([](Scene& s) { s.end_rule = EndRule::HalfJoint; }),
-            "rules.end_rule = half_joint: the report welds its ends: equal, half or three_halves");
+            "rules.end_rule = half_joint: the report clamps its ends rigidly: equal, half or "
+            "three_halves");
   EXPECT_EQ(report([](Scene& s) { s.hinge_length = 0.05; }),
             "rules.hinge_length = 0.05: must be 0 or unset with the report's formulas, whose "
             "strain is over a joint's own length");
@@ -190,7 +191,7 @@ TEST(CheckRules, RefuseWhatTheReportDoesNotHave) {
   EXPECT_EQ(report([](Scene& s) { s.yield_cap = YieldCap::FullyPlastic; }),
             "rules.yield_cap = fully_plastic: the report's caps are at first yield");
   EXPECT_EQ(report([](Scene& s) { s.beam.segments = 1; }),
-            "beam.segments = 1: must be at least 2 where ends are welded: there is no joint");
+            "beam.segments = 1: must be at least 2 where ends are clamped: there is no joint");
 }
 
 TEST(CheckRules, RefuseContradictions) {
@@ -253,8 +254,8 @@ TEST(CheckSolver, RefusesAPathThatCannotBeFollowed) {
             "no error");
   EXPECT_EQ(error_of([](Scene&, SolverOptions& o) { o.steps = 0; }),
             "solver.steps = 0: must be from 1 to 1e+07");
-  EXPECT_EQ(error_of([](Scene&, SolverOptions& o) { o.largest_turn = 0.0; }),
-            "solver.largest_turn = 0: must be above 0 rad");
+  EXPECT_EQ(error_of([](Scene&, SolverOptions& o) { o.largest_rotation = 0.0; }),
+            "solver.largest_rotation = 0: must be above 0 rad");
 }
 
 TEST(CheckProbes, RefuseWhatTheChainDoesNotHave) {

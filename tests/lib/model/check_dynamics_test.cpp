@@ -299,7 +299,7 @@ TEST(CheckCuts, RefuseAnEndThatNoJointHolds) {
                             s.supports.push_back({Place::end(), SupportKind::Clamp});
                             s.end_rule = EndRule::Equal;
                           }),
-            rule + "it is welded (rules.end_rule)");
+            rule + "it is clamped (rules.end_rule)");
 }
 
 TEST(CheckCuts, CountTheRotationsOfTheLevelAlone) {

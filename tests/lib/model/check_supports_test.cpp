@@ -27,11 +27,11 @@ TEST(CheckSupports, RefusePlacesOffTheBeam) {
 }
 
 TEST(CheckSupports, MoveAnInclinedRollerAlongItsNormal) {
-  const auto moved = [](const std::array<double, 3>& way) {
+  const auto moved = [](const std::array<double, 3>& displacement) {
     return error_of([&](Scene& s) {
       Support roller{.at = Place::end(), .kind = SupportKind::InclinedRoller};
       roller.normal = {0.0, 0.6, 0.8};
-      roller.translation = way;
+      roller.translation = displacement;
       s.supports.push_back(roller);
     });
   };

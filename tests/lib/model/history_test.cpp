@@ -80,14 +80,14 @@ TEST(History, OfASineThatHardlyBeginsHasTwoPoints) {
 }
 
 TEST(History, OfASineTurnsAtItsPeaks) {
-  const auto turns = History::sine(1.0, 2.0, 0.3).turns();
-  ASSERT_EQ(turns.size(), 4U);
+  const auto reversals = History::sine(1.0, 2.0, 0.3).reversals();
+  ASSERT_EQ(reversals.size(), 4U);
   const double first = 0.25 - 0.3 / (2.0 * std::numbers::pi);
   for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_NEAR(turns[k], first + 0.5 * static_cast<double>(k), 1e-6);
+    EXPECT_NEAR(reversals[k], first + 0.5 * static_cast<double>(k), 1e-6);
   }
   // The peaks are points of the table.
-  EXPECT_EQ(History::sine(1.0, 3.0).turns().size(), 6U);
+  EXPECT_EQ(History::sine(1.0, 3.0).reversals().size(), 6U);
 }
 
 TEST(History, OfASmoothStepHasNoCornerInside) {
@@ -98,7 +98,7 @@ TEST(History, OfASmoothStepHasNoCornerInside) {
   EXPECT_EQ(step.slope_at(1.0), 0.0);
   EXPECT_DOUBLE_EQ(step.slope_at(2.0), 0.75);
   EXPECT_EQ(step.at(4.0), 1.0);
-  EXPECT_TRUE(step.turns().empty());
+  EXPECT_TRUE(step.reversals().empty());
 }
 
 }  // namespace

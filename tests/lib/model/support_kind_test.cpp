@@ -74,7 +74,7 @@ TEST(SceneActions, AreAllVectorsThatPushOrTurnTheBeam) {
   std::set<std::string> seen;
   for (const auto& action : model_detail::actions_of(scene)) {
     if (action.vector == std::array<double, 3>{}) continue;
-    seen.insert(action.field + (action.sense == VectorSense::Turn ? " turns" : " pushes"));
+    seen.insert(action.field + (action.sense == VectorSense::Rotate ? " turns" : " pushes"));
   }
   // The clamp's normal says nothing.
   EXPECT_EQ(seen, (std::set<std::string>{"load[1].force pushes", "load[1].moment turns",

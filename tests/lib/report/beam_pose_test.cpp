@@ -12,8 +12,8 @@ namespace {
 using plastica::testing::motion_record;
 
 double distance(const Point3& a, const Point3& b) {
-  const Point3 way = sum(a, -1.0, b);
-  return std::sqrt(dot(way, way));
+  const Point3 displacement = sum(a, -1.0, b);
+  return std::sqrt(dot(displacement, displacement));
 }
 
 TEST(BeamPose, OfAWholeBeamJoinsEachSegmentToTheNext) {
@@ -21,7 +21,7 @@ TEST(BeamPose, OfAWholeBeamJoinsEachSegmentToTheNext) {
   for (const std::size_t frame : {kUndeformed, std::size_t{0}, std::size_t{7}}) {
     const BeamPose pose(record, frame);
     ASSERT_EQ(pose.segments(), 8U);
-    EXPECT_EQ(pose.pieces(), (std::vector<Piece>{{0, 7}}));
+    EXPECT_EQ(pose.fragments(), (std::vector<Fragment>{{0, 7}}));
     for (std::size_t i = 0; i + 1 < 8; ++i) EXPECT_EQ(pose.outer(i), pose.inner(i + 1)) << i;
   }
 }
@@ -30,11 +30,11 @@ TEST(BeamPose, GivesASegmentBeforeACutTheEndToWhichItsRotationTakesIt) {
   const io::SceneRecord record = motion_record({.segments = 8});
   const BeamPose pose(record, 20);
   EXPECT_DOUBLE_EQ(pose.time(), 0.2);
-  EXPECT_EQ(pose.pieces(), (std::vector<Piece>{{0, 3}, {4, 5}, {6, 7}}));
+  EXPECT_EQ(pose.fragments(), (std::vector<Fragment>{{0, 3}, {4, 5}, {6, 7}}));
   for (std::size_t i = 0; i < 8; ++i) {
     EXPECT_NEAR(distance(pose.inner(i), pose.outer(i)), 0.125, 1e-12) << i;
   }
-  // The motion moves the outer piece down by 5 g t^2 and away.
+  // The motion moves the outer fragment down by 5 g t^2 and away.
   EXPECT_TRUE(pose.is_cut(4) && pose.is_cut(6) && !pose.is_cut(5));
   EXPECT_NEAR(pose.outer(3)[1] - pose.inner(4)[1], 5.0 * 9.81 * 0.12 * 0.12, 1e-12);
   EXPECT_NEAR(pose.inner(4)[2] - pose.outer(3)[2], 0.8 * 0.12, 1e-12);
@@ -52,7 +52,7 @@ TEST(BeamPose, PutsAPlaceAtACutOnTheSegmentBeforeIt) {
   EXPECT_LT(distance(pose.point_at(0.5625), middle), 1e-12);
 }
 
-TEST(BeamPose, HasAnAxisForEachPiece) {
+TEST(BeamPose, HasAnAxisForEachFragment) {
   const io::SceneRecord record = motion_record({.segments = 8});
   const Eye side{{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}};
   const auto axes = BeamPose(record, 20).axes(side);

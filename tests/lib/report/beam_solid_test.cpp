@@ -97,24 +97,24 @@ TEST(BeamSolid, DrawsManySegmentsInGroups) {
   EXPECT_NEAR(sum, 0.02, 1e-9);
 }
 
-TEST(BeamSolid, OfPiecesHasTheEndsThatCutsHaveMade) {
+TEST(BeamSolid, OfFragmentsHasTheEndsThatCutsHaveMade) {
   const io::SceneRecord record = motion_record({.segments = 8});
   const BeamSolid whole = beam_solid(BeamPose(record, 0), kSide, 1.0);
   EXPECT_TRUE(whole.cuts.empty());
   EXPECT_EQ(whole.segments.size(), 2U * 7U);  // from both sides
-  const BeamSolid pieces = beam_solid(BeamPose(record, 20), kSide, 1.0);
-  EXPECT_EQ(pieces.cuts.size(), 4U);  // two cuts, two ends each, seen edge-on
-  EXPECT_EQ(pieces.segments.size(), 2U * 5U);
+  const BeamSolid fragments = beam_solid(BeamPose(record, 20), kSide, 1.0);
+  EXPECT_EQ(fragments.cuts.size(), 4U);  // two cuts, two ends each, seen edge-on
+  EXPECT_EQ(fragments.segments.size(), 2U * 5U);
   double sum = 0.0;
-  for (const Face& face : pieces.faces) sum += area(face.corners);
+  for (const Face& face : fragments.faces) sum += area(face.corners);
   EXPECT_NEAR(sum, 0.02, 1e-9) << "no face spans a gap";
 }
 
 TEST(BeamSolid, GroupsNoSegmentsAcrossACut) {
   const io::SceneRecord record = motion_record({.segments = 1000});
-  const BeamSolid pieces = beam_solid(BeamPose(record, 20), kSide, 1.0);
-  EXPECT_LE(pieces.faces.size(), 310U);
-  EXPECT_EQ(pieces.cuts.size(), 4U);
+  const BeamSolid fragments = beam_solid(BeamPose(record, 20), kSide, 1.0);
+  EXPECT_LE(fragments.faces.size(), 310U);
+  EXPECT_EQ(fragments.cuts.size(), 4U);
 }
 
 }  // namespace

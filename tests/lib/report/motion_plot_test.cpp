@@ -43,12 +43,12 @@ TEST(MotionPlot, IsAFilmUnlessAskedOtherwise) {
   EXPECT_EQ(kinds, "shape film moment joint load history energy ") << "statics have no spectrum";
 }
 
-TEST(Film, ShowsEightFramesWithTheirTimesAndPieces) {
+TEST(Film, ShowsEightFramesWithTheirTimesAndFragments) {
   const std::string script = script_of(motion_record(), {"film"});
   for (const char* part :
-       {"set label 1 '0 ms'", "set label 4 '90 ms, 2 pieces'", "set label 8 '200 ms, 3 pieces'",
-        "'pillar'", "'clamp'", "'cut'", "'force'", "'undeformed axis'", "'plastic strain [%]'",
-        "set cbrange [0:4.8]", "set arrow 901"}) {
+       {"set label 1 '0 ms'", "set label 4 '90 ms, 2 fragments'",
+        "set label 8 '200 ms, 3 fragments'", "'pillar'", "'clamp'", "'cut'", "'force'",
+        "'undeformed axis'", "'plastic strain [%]'", "set cbrange [0:4.8]", "set arrow 901"}) {
     EXPECT_TRUE(has(script, part)) << part;
   }
   EXPECT_FALSE(has(script, "set label 9 "));
@@ -60,8 +60,8 @@ TEST(Film, ShowsTheFramesAndTimesThatAreAskedFor) {
   request.film_from = 0.1;
   request.film_to = 0.12;
   const std::string script = script_of(motion_record(), request);
-  EXPECT_TRUE(has(script, "set label 1 '100 ms, 2 pieces'")) << script;
-  EXPECT_TRUE(has(script, "set label 3 '120 ms, 2 pieces'"));
+  EXPECT_TRUE(has(script, "set label 1 '100 ms, 2 fragments'")) << script;
+  EXPECT_TRUE(has(script, "set label 3 '120 ms, 2 fragments'"));
   EXPECT_FALSE(has(script, "set label 4 "));
   request.film_to = 0.05;
   EXPECT_EQ(message_of([&] { script_of(motion_record(), request); }),
@@ -91,7 +91,7 @@ TEST(ShapeOfAMotion, IsOfTheFrameNextToTheTime) {
   EXPECT_TRUE(has(script, "at 50 ms; largest displacement")) << script;
   EXPECT_FALSE(has(script, "'cut'")) << "it is whole then";
   early.time = 0.1;
-  EXPECT_TRUE(has(script_of(record, early), "at 100 ms; 2 pieces; "));
+  EXPECT_TRUE(has(script_of(record, early), "at 100 ms; 2 fragments; "));
   EXPECT_TRUE(has(script_of(record, early), "'cut'"));
 }
 
@@ -113,8 +113,9 @@ TEST(ShapeOfAMotion, LeavesASupportWhereItIsWhenItsJointLetsGo) {
 TEST(EnergyOfAMotion, IsStackedUpToWhatCameIn) {
   const std::string script = script_of(motion_record(), {"energy"});
   EXPECT_EQ(count_of(script, "using 1:2:3 with filledcurves"), 6U);
-  for (const char* name : {"'kinetic'", "'elastic'", "'plastic'", "'damping'", "'numerical'",
-                           "'fracture'", "'external'", "'residual'", "'break or cut'"}) {
+  for (const char* name :
+       {"'kinetic'", "'elastic'", "'plastic'", "'damping'", "'numerical dissipation'", "'fracture'",
+        "'external'", "'residual'", "'break or cut'"}) {
     EXPECT_TRUE(has(script, name)) << name;
   }
   EXPECT_FALSE(has(script, "'impact'")) << "there was none";
@@ -125,7 +126,7 @@ TEST(EnergyOfAMotion, IsStackedUpToWhatCameIn) {
 
 TEST(EnergyOfAMotion, DrawsWhatASchemeMakesAsALine) {
   io::SceneRecord record = motion_record();
-  for (Energies& energy : record.response.chain.energy) energy.numerical *= -1.0;
+  for (Energies& energy : record.response.chain.energy) energy.numerical_dissipation *= -1.0;
   EXPECT_EQ(count_of(script_of(record, {"energy"}), "using 1:2:3 with filledcurves"), 5U);
   const std::string statics = script_of(record_of(cantilever_text()), {"energy"});
   EXPECT_EQ(count_of(statics, "filledcurves"), 0U);

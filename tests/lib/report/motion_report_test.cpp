@@ -39,7 +39,7 @@ TEST(MotionReport, BeginsWithOutcomeSchemeStepAndFrames) {
   const std::string text = scene_report(motion_record());
   EXPECT_TRUE(
       text.starts_with("beam: broken: 2 joints over their limit at 80 ms, 1 joint cut by the "
-                       "scene; 3 pieces\n"))
+                       "scene; 3 fragments\n"))
       << text;
   EXPECT_TRUE(has(text,
                   "\n  scheme          generalized_alpha, rho_infinity 0.8\n"
@@ -98,10 +98,10 @@ TEST(MotionReport, SaysThatMomentumIsOff) {
   const auto json = nlohmann::json::parse(scene_json(record));
   EXPECT_EQ(json.at("status"), "not-balanced");
   EXPECT_EQ(json.at("energies").at("momentum_error"), 0.12);
-  EXPECT_EQ(json.at("energies").at("closes"), false);
+  EXPECT_EQ(json.at("energies").at("balanced"), false);
 }
 
-TEST(MotionReport, ListsTheJointsOfAllEventsAndThePiecesAfterTheLast) {
+TEST(MotionReport, ListsTheJointsOfAllEventsAndTheFragmentsAfterTheLast) {
   const std::string text = scene_report(motion_record());
   EXPECT_TRUE(has(text, R"(
 Breaks and cuts
@@ -111,12 +111,12 @@ Breaks and cuts
   80.000      7  0.5833  bending x   10.01  10.00  -702.25    0    0      7.0000   no
   140.00      9    0.75  the scene   0.000      -   12.500    0    0           0  yes
 
-Pieces after the last event
-  piece  segments  count  length   from     to
-                               m  share  share
-      1    0 … 5       6  0.5000  start    0.5
-      2    6 … 8       3  0.2500    0.5   0.75
-      3    9 … 11      3  0.2500   0.75    end
+Fragments after the last event
+  fragment  segments  count  length   from     to
+                                  m  share  share
+         1    0 … 5       6  0.5000  start    0.5
+         2    6 … 8       3  0.2500    0.5   0.75
+         3    9 … 11      3  0.2500   0.75    end
 )")) << text;
 }
 
@@ -146,32 +146,34 @@ TEST(MotionReport, ListsAtMostTwentyJoints) {
   EXPECT_EQ(rows, 20U);
 }
 
-TEST(MotionReport, HasTheLedgersEntriesThatAreNotZero) {
+TEST(MotionReport, HasTheEnergiesThatAreNotZero) {
   const std::string text = scene_report(motion_record());
-  for (const char* line : {"\n  external    20.000  J  ", "\n  kinetic  ", "\n  elastic  ",
-                           "\n  plastic     3.2000  J  ", "\n  damping     2.0000  J  ",
-                           "\n  numerical  0.40000  J  ", "\n  fracture    1.0000  J  "}) {
+  for (const char* line :
+       {"\n  external                20.000  J  ", "\n  kinetic  ", "\n  elastic  ",
+        "\n  plastic                 3.2000  J  ", "\n  damping                 2.0000  J  ",
+        "\n  numerical dissipation  0.40000  J  ", "\n  fracture                1.0000  J  "}) {
     EXPECT_TRUE(has(text, line)) << line << text;
   }
   EXPECT_FALSE(has(text, "\n  impact ")) << text;
   EXPECT_TRUE(
-      has(text, "\n  residual   0.00600  J  not explained; at most 0.03 % of the largest\n"))
+      has(text,
+          "\n  residual               0.00600  J  not explained; at most 0.03 % of the largest\n"))
       << text;
 }
 
-TEST(MotionReport, WarnsOfALedgerThatDoesNotClose) {
+TEST(MotionReport, WarnsOfEnergyThatIsNotBalanced) {
   io::SceneRecord record = motion_record();
-  record.response.ledger_error = 0.0099;
+  record.response.energy_balance_error = 0.0099;
   EXPECT_FALSE(has(scene_report(record), "take smaller steps"));
-  record.response.ledger_error = 0.032;
+  record.response.energy_balance_error = 0.032;
   EXPECT_TRUE(has(scene_report(record),
                   "\n  the scheme has made 3.2 % of the energy: take smaller steps\n"));
   for (Energies& energy : record.response.chain.energy) energy.residual = 0.64;
   EXPECT_TRUE(
-      has(scene_report(record), "\n  the energy ledger is off by 3.2 %: take smaller steps\n"));
+      has(scene_report(record), "\n  the energy balance is off by 3.2 %: take smaller steps\n"));
   const auto json = nlohmann::json::parse(scene_json(record));
-  EXPECT_EQ(json.at("energies").at("closes"), false);
-  EXPECT_EQ(json.at("energies").at("ledger_error"), 0.032);
+  EXPECT_EQ(json.at("energies").at("balanced"), false);
+  EXPECT_EQ(json.at("energies").at("energy_balance_error"), 0.032);
 }
 
 TEST(MotionReport, ListsTheFrequenciesOfDisplacementsAndVelocities) {
@@ -203,16 +205,16 @@ TEST(MotionReport, OfAnInterruptedRunSaysWhen) {
   EXPECT_EQ(outcome_line(record), "completed");
 }
 
-TEST(MotionReport, CountsEventsAndPieces) {
+TEST(MotionReport, CountsEventsAndFragments) {
   io::SceneRecord record = motion_record();
   auto& events = record.response.chain.events;
   events[1].joints[0].cause = BreakCause::Torsion;
   EXPECT_EQ(outcome_line(record),
-            "broken: 3 joints over their limit in 2 events from 80 ms on; 3 pieces");
+            "broken: 3 joints over their limit in 2 events from 80 ms on; 3 fragments");
   events.erase(events.begin());
   events[0].joints[0].cause = BreakCause::Cut;
   record.response.status = Status::Completed;
-  EXPECT_EQ(outcome_line(record), "completed: 1 joint cut by the scene; 2 pieces");
+  EXPECT_EQ(outcome_line(record), "completed: 1 joint cut by the scene; 2 fragments");
 }
 
 TEST(MotionReport, TakesPeaksAndReactionsFromTheFramesThatThereAre) {
@@ -251,12 +253,12 @@ TEST(MotionJson, GivesWhatTheReportSaysInSi) {
   EXPECT_EQ(first.at("joints").at(0).at("cut"), true);
   EXPECT_EQ(first.at("joints").at(1).at("cut"), false);
   EXPECT_EQ(first.at("joints").at(1).at("at"), 7.0 / 12.0);
-  EXPECT_EQ(first.at("pieces").at(1).at("first"), 6);
-  EXPECT_EQ(first.at("pieces").at(1).at("last"), 11);
-  EXPECT_EQ(first.at("pieces").at(1).at("length"), 0.5);
+  EXPECT_EQ(first.at("fragments").at(1).at("first"), 6);
+  EXPECT_EQ(first.at("fragments").at(1).at("last"), 11);
+  EXPECT_EQ(first.at("fragments").at(1).at("length"), 0.5);
   EXPECT_EQ(json.at("events").at(1).at("joints").at(0).at("cause"), "cut");
   EXPECT_EQ(json.at("energies").at("fracture"), 1.0);
-  EXPECT_EQ(json.at("energies").at("closes"), true);
+  EXPECT_EQ(json.at("energies").at("balanced"), true);
   EXPECT_NEAR(json.at("energies").at("residual_share").get<double>(), 3e-4, 1e-12);
   EXPECT_NEAR(json.at("frequencies").at("tip").at(1).at("frequency"), 150.0, 0.01);
   EXPECT_FALSE(json.at("frequencies").contains("kinetic"));
@@ -268,10 +270,10 @@ TEST(MotionJson, GivesWhatTheReportSaysInSi) {
 TEST(MotionTable, OfTheEnergiesHasARowPerSample) {
   const std::string text =
       csv_of([](std::ostream& out) { write_energies_csv(out, motion_record()); });
-  EXPECT_TRUE(
-      text.starts_with("sample,time [s],external [J],kinetic [J],elastic [J],plastic [J],"
-                       "damping [J],numerical [J],impact [J],fracture [J],residual [J]\n"
-                       "0,0,20,"))
+  EXPECT_TRUE(text.starts_with(
+      "sample,time [s],external [J],kinetic [J],elastic [J],plastic [J],"
+      "damping [J],numerical_dissipation [J],impact [J],fracture [J],residual [J]\n"
+      "0,0,20,"))
       << text.substr(0, 200);
   EXPECT_EQ(lines_of(text), 202U);
 }
@@ -284,9 +286,9 @@ TEST(MotionTable, OfTheEventsHasARowPerJoint) {
   EXPECT_TRUE(has(text, ",6,0.75,cut,1,0,0,12.5,0,0,0,0,0,0\n")) << text;
 }
 
-TEST(MotionTable, OfThePiecesHasARowPerPieceAfterEachEvent) {
+TEST(MotionTable, OfTheFragmentsHasARowPerFragmentAfterEachEvent) {
   const std::string text =
-      csv_of([](std::ostream& out) { write_pieces_csv(out, motion_record({.segments = 8})); });
+      csv_of([](std::ostream& out) { write_fragments_csv(out, motion_record({.segments = 8})); });
   EXPECT_EQ(lines_of(text), 6U);
   EXPECT_TRUE(has(text, ",4,7,0.5,1\n") && has(text, ",4,5,0.5,0.75\n")) << text;
 }
@@ -314,7 +316,7 @@ TEST(MotionTable, OfTheJointsIsOfTheFrameNextToATime) {
 TEST(MotionTable, IsRefusedOfACoupon) {
   const io::SceneRecord coupon = record_of(coupon_text());
   std::ostringstream out;
-  for (const auto& write : {write_energies_csv, write_events_csv, write_pieces_csv}) {
+  for (const auto& write : {write_energies_csv, write_events_csv, write_fragments_csv}) {
     EXPECT_THROW(write(out, coupon), InputError);
   }
   EXPECT_EQ(message_of([&] { write_events_csv(out, coupon); }),

@@ -29,22 +29,22 @@ TEST(Frames, OfAFilmAreEvenInTimeAndEachThereOnce) {
   EXPECT_EQ(even_frames(record, 1, 0.0, 0.2), (std::vector<std::size_t>{10}));
 }
 
-TEST(Pieces, AreWhatTheCutsUpToATimeLeave) {
+TEST(Fragments, AreWhatTheCutsUpToATimeLeave) {
   const io::SceneRecord record = motion_record({.segments = 8});  // breaks at 80, cut at 140 ms
-  EXPECT_EQ(pieces_at(record, 0.079), (std::vector<Piece>{{0, 7}}));
-  EXPECT_EQ(pieces_at(record, 0.081), (std::vector<Piece>{{0, 3}, {4, 7}}));
-  EXPECT_EQ(pieces_at(record, 0.2), record.response.chain.events.back().pieces);
+  EXPECT_EQ(fragments_at(record, 0.079), (std::vector<Fragment>{{0, 7}}));
+  EXPECT_EQ(fragments_at(record, 0.081), (std::vector<Fragment>{{0, 3}, {4, 7}}));
+  EXPECT_EQ(fragments_at(record, 0.2), record.response.chain.events.back().fragments);
 }
 
-TEST(Pieces, AreNotMadeByJointsThatHoldOrLetGoOfTheGround) {
+TEST(Fragments, AreNotMadeByJointsThatHoldOrLetGoOfTheGround) {
   io::SceneRecord record = motion_record({.segments = 8});
   auto& events = record.response.chain.events;
   events.pop_back();
   events[0].joints[0].cut = false;
-  EXPECT_EQ(pieces_at(record, 0.2).size(), 1U);
+  EXPECT_EQ(fragments_at(record, 0.2).size(), 1U);
   for (const int joint : {0, 8}) {
     events[0].joints[0] = {joint, BreakCause::BendingX, true, 0.1, 0.1, {}, {}, 0.0};
-    EXPECT_EQ(pieces_at(record, 0.2).size(), 1U) << joint;
+    EXPECT_EQ(fragments_at(record, 0.2).size(), 1U) << joint;
     EXPECT_TRUE(cut_joints(record, 0.2)[static_cast<std::size_t>(joint)]);
   }
 }

@@ -175,7 +175,7 @@ force = ["0 N", "0 N", "-14 kN"]
   EXPECT_EQ(json.at("status"), "unstable");
   const auto& point = json.at("critical_points").at(0);
   EXPECT_NEAR(point.at("factor"), 6909.0 / 14000.0, 0.02 * 0.5);  // of four segments
-  EXPECT_EQ(point.at("unstable_ways"), 2);
+  EXPECT_EQ(point.at("unstable_modes"), 2);
   EXPECT_EQ(point.at("mode").size(), 15U);
 }
 

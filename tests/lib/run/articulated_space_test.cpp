@@ -70,15 +70,15 @@ TEST(ArticulatedInSpace, ConvergesWithItsOrder) {
   const Scene scene = twisted_scene(5);
   expect_order(scene, Scheme::ArticulatedMidpoint, 4e-5, 2.0);
   expect_order(scene, Scheme::ArticulatedEuler, 1e-5, 1.0);
-  Scene weld = scene;
-  weld.end_rule = EndRule::Equal;
-  expect_order(weld, Scheme::ArticulatedMidpoint, 4e-5, 2.0);
+  Scene clamped = scene;
+  clamped.end_rule = EndRule::Equal;
+  expect_order(clamped, Scheme::ArticulatedMidpoint, 4e-5, 2.0);
   Scene pin = scene;
   pin.supports[0].kind = SupportKind::Pin;
   expect_order(pin, Scheme::ArticulatedMidpoint, 4e-5, 2.0);
 }
 
-TEST(ArticulatedInSpace, KeepsItsLedgerAndKnowsWhatSupportsCarry) {
+TEST(ArticulatedInSpace, BalancesEnergyAndKnowsWhatSupportsCarry) {
   Scene scene = twisted_scene(6);
   add_probe(scene, ProbeQuantity::Reaction, Place::start(), Component::Y);
   add_probe(scene, ProbeQuantity::ReactionMoment, Place::start(), Component::X);
@@ -90,7 +90,7 @@ TEST(ArticulatedInSpace, KeepsItsLedgerAndKnowsWhatSupportsCarry) {
     scene.end_rule = rule;
     const Response exact = completed(scene, options_of(Scheme::EnergyMomentum, 1e-5, 0.02));
     const Response response = completed(scene, options_of(Scheme::ArticulatedMidpoint, 1e-5, 0.02));
-    EXPECT_LT(response.ledger_error, 1e-4);
+    EXPECT_LT(response.energy_balance_error, 1e-4);
     const Energies& a = response.chain.energy.back();
     const Energies& b = exact.chain.energy.back();
     EXPECT_NEAR(a.external / b.external, 1.0, 1e-3);

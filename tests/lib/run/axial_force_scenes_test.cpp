@@ -184,7 +184,7 @@ TEST(AxialForce, OfAMotionIsLeftOutAndSaid) {
     EXPECT_NEAR(response.axial->ratio, 0.6, 0.03);
     EXPECT_NEAR(response.axial->left, 1.0 - std::pow(response.axial->ratio, 2), 1e-9);
     EXPECT_NE(axial_warnings(scene, options, response).at(0).find("a motion"), std::string::npos);
-    EXPECT_LT(response.ledger_error, kLedgerTolerance);
+    EXPECT_LT(response.energy_balance_error, kBalanceTolerance);
   }
 }
 

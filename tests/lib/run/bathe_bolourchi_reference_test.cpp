@@ -42,12 +42,12 @@ std::array<double, 3> reference(const testing::ReferenceTable& table, std::size_
 /// Distance of the tip from the reference over the way it went.
 double tip_error(int segments, double force, const std::array<double, 3>& exact) {
   const Response response = testing::completed(bend(segments, force));
-  double off = 0.0, way = 0.0;
+  double off = 0.0, displacement = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     off = std::hypot(off, testing::last_of(response, k) - exact[k]);
-    way = std::hypot(way, exact[k]);
+    displacement = std::hypot(displacement, exact[k]);
   }
-  return off / way;
+  return off / displacement;
 }
 
 TEST(BatheBolourchiRun, ConvergesToTheRodWithOrderTwo) {

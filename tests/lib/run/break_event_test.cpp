@@ -133,7 +133,7 @@ TEST(BreakEvent, OfTheReportMeetsItsEquationAtTheLimit) {
   const Response response = break_by_tip_force(scene);
   ASSERT_EQ(response.status, Status::Broken);
   const BrokenJoint& joint = response.chain.events.front().joints.front();
-  EXPECT_EQ(joint.joint, 1);  // the first segment is welded
+  EXPECT_EQ(joint.joint, 1);  // the first segment is clamped
   // (24): (h/l) sin(theta/2) = eps, so theta = 2 asin(0.4) = 0.823 rad against 0.8 of mechanics.
   EXPECT_NEAR(std::fabs(joint.angle[0]), 2.0 * std::asin(0.4), tolerance(1e-4));
 }

@@ -38,13 +38,13 @@ TEST(BreakOfAChain, OfTheReportTurnsAndTakesInverselyToTheSegments) {
     Scene scene = breaking_cantilever(segments);
     scene.hinge_length = 0.0;
     scene.end_rule = EndRule::Equal;
-    const Response welded = break_by_tip_force(scene);
-    ASSERT_EQ(welded.status, Status::Broken) << segments;
+    const Response clamped = break_by_tip_force(scene);
+    ASSERT_EQ(clamped.status, Status::Broken) << segments;
     const double angle = table.at("joint_break_angle_rad", row);
     const double energy =
         kBreakingPlasticMoment / 0.05 * table.at("energy_to_break_over_MpxL_over_h", row);
-    EXPECT_NEAR(broken_angle(welded) / angle, 1.0, testing::tolerance(kMet)) << segments;
-    EXPECT_NEAR(plastic_work(welded) / energy, 1.0, testing::tolerance(kMet)) << segments;
+    EXPECT_NEAR(broken_angle(clamped) / angle, 1.0, testing::tolerance(kMet)) << segments;
+    EXPECT_NEAR(plastic_work(clamped) / energy, 1.0, testing::tolerance(kMet)) << segments;
 
     scene.end_rule = EndRule::HalfJoint;
     const Response half = break_by_tip_force(scene);
@@ -108,7 +108,7 @@ TEST(BreakOfAChain, WithAHingeLengthIsTheSameForAllSegmentsUnderUniformMoment) {
   }
 }
 
-TEST(BreakOfAChain, WithTheWeldLosesTheHalfSegmentsAtTheEnds) {
+TEST(BreakOfAChain, WithTheRigidClampLosesTheHalfSegmentsAtTheEnds) {
   for (const int segments : kCounts) {
     Scene scene = breaking_cantilever(segments);
     scene.end_rule = EndRule::Equal;
@@ -138,13 +138,13 @@ TEST(BreakOfAChain, ThatHardensConvergesUnderATipForce) {
   EXPECT_NEAR(coarse, 0.0, testing::tolerance(0.022));
   EXPECT_GT(std::log2(coarse / next), 1.95);
 
-  // The weld costs an order: it takes half a segment out of the plastic zone.
-  const auto welded = [&](int segments) {
+  // The rigid clamp costs an order: it takes half a segment out of the plastic zone.
+  const auto clamped = [&](int segments) {
     Scene scene = hardening(breaking_cantilever(segments));
     scene.end_rule = EndRule::Equal;
     return plastic_rotation(break_by_tip_force(scene)) / rotation - 1.0;
   };
-  EXPECT_NEAR(std::log2(welded(40) / welded(80)), 1.0, testing::tolerance(0.05));
+  EXPECT_NEAR(std::log2(clamped(40) / clamped(80)), 1.0, testing::tolerance(0.05));
 }
 
 // Probe, picture and break are one quantity; only the strain over a joint's own length falls with

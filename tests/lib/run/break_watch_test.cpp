@@ -180,19 +180,19 @@ TEST(BreakWatch, TakesTheCurvatureOfALongJointAndTheWindowOfShortOnesWhereTheLaw
 
 TEST(BreakWatch, KnowsHowTheLawsSpread) {
   Scene scene = ideal_scene();
-  EXPECT_EQ(spreading_of(scene), Spreading::Gathers);
+  EXPECT_EQ(localization_of(scene), Localization::Concentrated);
   scene.yield_model = YieldModel::Fibre;
-  EXPECT_EQ(spreading_of(scene), Spreading::Saturates);
-  EXPECT_EQ(spreading_of(hardening_scene()), Spreading::Hardens);
+  EXPECT_EQ(localization_of(scene), Localization::Saturating);
+  EXPECT_EQ(localization_of(hardening_scene()), Localization::Distributed);
   scene = hardening_scene();
   scene.material.hardening.tangent_modulus = 0.0;
-  EXPECT_EQ(spreading_of(scene), Spreading::Gathers);
+  EXPECT_EQ(localization_of(scene), Localization::Concentrated);
   scene.material.hardening.law = HardeningLaw::VoceChaboche;
   scene.material.hardening.backstress_modulus = {20e9, 0.0, 0.0};
   scene.material.hardening.backstress_rate = {300.0, 0.0, 0.0};
-  EXPECT_EQ(spreading_of(scene), Spreading::Saturates);
+  EXPECT_EQ(localization_of(scene), Localization::Saturating);
   scene.material.hardening.backstress_modulus[1] = 1e9;
-  EXPECT_EQ(spreading_of(scene), Spreading::Hardens);
+  EXPECT_EQ(localization_of(scene), Localization::Distributed);
 }
 
 TEST(BreakWatch, WithoutAHingeLengthTakesTheJointsOwn) {

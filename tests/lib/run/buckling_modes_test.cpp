@@ -59,8 +59,8 @@ TEST(BucklingModes, OfAPinnedChainAreExactFromAnyLoad) {
       const double top = std::sin(m * pi * (m == 1 ? 0.5 : 0.25));
       for (std::size_t node = 0; node <= kSegments; ++node) {
         const double sine = std::sin(m * pi * static_cast<double>(node) / kSegments) / top;
-        const double way = modes.mode[(k * (kSegments + 1) + node) * 3 + across];
-        EXPECT_NEAR(std::fabs(way), std::fabs(sine), 1e-7) << k << ' ' << node;
+        const double displacement = modes.mode[(k * (kSegments + 1) + node) * 3 + across];
+        EXPECT_NEAR(std::fabs(displacement), std::fabs(sine), 1e-7) << k << ' ' << node;
       }
     }
     EXPECT_EQ(modes.out_of_plane[0] + modes.out_of_plane[1], 1);
@@ -224,8 +224,8 @@ TEST(BucklingModes, OfStripsAreThoseOfTheirPathsHoweverCoarseTheChain) {
         const BucklingModes modes = buckling_of(near, {.level = level}, 2);
         ASSERT_EQ(modes.factor.size(), 2U);
         EXPECT_NEAR(1e-5 * modes.factor[0] / path.critical->factor[0], 1.0, 1e-4);
-        EXPECT_LT(modes.turn[0], 1e-2);
-        if (path.critical->factor.size() < 2 || path.critical->unstable_ways[1] != 2) continue;
+        EXPECT_LT(modes.rotation[0], 1e-2);
+        if (path.critical->factor.size() < 2 || path.critical->unstable_modes[1] != 2) continue;
         EXPECT_NEAR(1e-5 * modes.factor[1] / path.critical->factor[1], 1.0, 1e-4);
       }
     }
@@ -256,8 +256,8 @@ TEST(BucklingModes, SayHowFarTheShapeChangesUpToThem) {
   scene.loads.push_back({.force = {0.0, -100.0, 0.0}});
   const BucklingModes modes = buckling_of(scene, {.level = Level::Planar}, 1);
   const double turn = 50.0 / testing::bending_stiffness_of(scene);  // P L^2/2EI
-  EXPECT_NEAR(modes.turn.at(0) / (turn * (modes.factor.at(0) - 1.0)), 1.0, 0.05);
-  EXPECT_GT(modes.turn[0], 0.1);
+  EXPECT_NEAR(modes.rotation.at(0) / (turn * (modes.factor.at(0) - 1.0)), 1.0, 0.05);
+  EXPECT_GT(modes.rotation[0], 0.1);
 }
 
 TEST(BucklingModes, OfABeamInTensionAreNone) {

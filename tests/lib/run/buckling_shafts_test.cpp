@@ -95,12 +95,12 @@ Scene twisted_ring(int segments) {
     along.factor.push_back(1.0 - std::sin(2.0 * pi * t) / (2.0 * pi * t));
     across.factor.push_back((1.0 - std::cos(2.0 * pi * t)) / (2.0 * pi * t));
   }
-  const auto hold = [&](HeldFreedoms held, const History& history, std::array<double, 3> way,
-                        std::array<double, 3> turn) {
+  const auto hold = [&](HeldFreedoms held, const History& history,
+                        std::array<double, 3> displacement, std::array<double, 3> turn) {
     scene.supports.push_back({.at = Place::end(),
                               .kind = SupportKind::Clamp,
                               .hold = held,
-                              .translation = way,
+                              .translation = displacement,
                               .rotation = turn,
                               .history = history});
   };

@@ -190,8 +190,9 @@ TEST(Buckling, OfAPinnedChainIsThatOfItsSegments) {
     // The mode is a sine, with its largest translation 1.
     for (std::size_t node = 0; node <= kSegments; ++node) {
       const double sine = std::sin(m * pi * static_cast<double>(node) / n);
-      const double way = critical.mode[(i * (kSegments + 1) + node) * 3 + 1];
-      EXPECT_NEAR(std::fabs(way), std::fabs(sine) / (m == 4.0 ? std::sin(pi / 3.0) : 1.0), 1e-6)
+      const double displacement = critical.mode[(i * (kSegments + 1) + node) * 3 + 1];
+      EXPECT_NEAR(std::fabs(displacement), std::fabs(sine) / (m == 4.0 ? std::sin(pi / 3.0) : 1.0),
+                  1e-6)
           << m << ' ' << node;
     }
   }
@@ -254,7 +255,7 @@ TEST(Buckling, IsSeenInBatchesAsAlone) {
       if (!row.critical) continue;
       ++unstable;
       EXPECT_EQ(row.critical->factor, alone.critical->factor);
-      EXPECT_EQ(row.critical->unstable_ways, alone.critical->unstable_ways);
+      EXPECT_EQ(row.critical->unstable_modes, alone.critical->unstable_modes);
     }
     EXPECT_GT(unstable, 4U);
     EXPECT_LT(unstable, cases.size());

@@ -123,7 +123,7 @@ TEST(ChainBeams, KeepTheOrderWithSegmentsOfDifferentLengths) {
 }
 
 TEST(ChainBeams, TakeTributaryLengthsThatAreGiven) {
-  // One joint in the middle of a welded beam: it turns by M l/EI.
+  // One joint in the middle of a clamped beam: it turns by M l/EI.
   Scene scene = cantilever_scene(2);
   scene.end_rule = EndRule::Equal;
   scene.loads.push_back({.moment = {1.0, 0.0, 0.0}});

@@ -183,12 +183,13 @@ TEST(ChainSupports, TurnByAPrescribedRotation) {
   constexpr double kSquare = 1.0 / kSegments / kSegments;
   Scene scene = clamped_twice(kSegments);
   const double ei = bending_stiffness_of(scene) / (1.0 + 2.0 * kSquare);
-  constexpr double kTurn = 1e-6;
-  scene.supports.back().rotation = {kTurn, 0.0, 0.0};
+  constexpr double kRotation = 1e-6;
+  scene.supports.back().rotation = {kRotation, 0.0, 0.0};
   const Response response = completed(scene, {.steps = 1});
-  EXPECT_NEAR(last_of(response, 1) / (4.0 * (1.0 + 0.5 * kSquare) * ei * kTurn), 1.0,
+  EXPECT_NEAR(last_of(response, 1) / (4.0 * (1.0 + 0.5 * kSquare) * ei * kRotation), 1.0,
               tolerance(1e-8));
-  EXPECT_NEAR(last_of(response, 2) / (2.0 * (1.0 - kSquare) * ei * kTurn), 1.0, tolerance(1e-8));
+  EXPECT_NEAR(last_of(response, 2) / (2.0 * (1.0 - kSquare) * ei * kRotation), 1.0,
+              tolerance(1e-8));
 }
 
 TEST(ChainSupports, CarryTheBeamAroundWithoutStrain) {

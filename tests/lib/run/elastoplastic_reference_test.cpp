@@ -9,7 +9,8 @@
 #include "tests/support/chain_scene.hpp"
 #include "tests/support/tolerance.hpp"
 
-/// Beams of fibre section beyond yield, at rest: the cantilever, W3 and limit loads.
+/// Beams of fibre section beyond yield, at rest: the cantilever, one bent and released, and limit
+/// loads.
 namespace plastica {
 namespace {
 
@@ -122,9 +123,9 @@ Scene framed(const Frame& frame, double load) {
   } else if (frame.ends != BeamEnds::ClampedFree) {
     scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Roller});
   }
-  Load acting{.at = Place{frame.position, {}}, .force = {0.0, -load, 0.0}};
-  if (frame.distributed) acting.to = Place::end();
-  scene.loads.push_back(acting);
+  Load applied{.at = Place{frame.position, {}}, .force = {0.0, -load, 0.0}};
+  if (frame.distributed) applied.to = Place::end();
+  scene.loads.push_back(applied);
   return scene;
 }
 

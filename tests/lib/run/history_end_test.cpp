@@ -32,14 +32,15 @@ TEST(HistoryEnd, HoldsAForceAtRest) {
   scene.loads.push_back({.force = {0.0, -kHeldForce, 0.0}});
   add_probe(scene, ProbeQuantity::Reaction, Place::start(), Component::Y);
   add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
-  const double way = -kHeldForce / (3.0 * bending_stiffness_of(scene)) *
-                     theory::tip_force_ratio(theory::ChainConvention::HalfJoint, kSegments);
+  const double displacement =
+      -kHeldForce / (3.0 * bending_stiffness_of(scene)) *
+      theory::tip_force_ratio(theory::ChainConvention::HalfJoint, kSegments);
   const auto expect = [&](double at_1, double at_2, double at_3) {
     const Response response = completed(scene, kPath);
     for (const auto& [sample, factor] :
          {std::pair(kAt1, at_1), std::pair(kAt2, at_2), std::pair(kAt3, at_3)}) {
       EXPECT_NEAR(response.probes[0][sample], factor * kHeldForce, tolerance(1e-9) * kHeldForce);
-      EXPECT_NEAR(response.probes[1][sample] / (factor * way), 1.0, tolerance(1e-9));
+      EXPECT_NEAR(response.probes[1][sample] / (factor * displacement), 1.0, tolerance(1e-9));
     }
   };
   for (const History& history : kHeld) {

@@ -61,7 +61,7 @@ TEST(LaneFailures, DoNotBelieveStepsWhoseEnergiesDoNotBalance) {
   const Response fine = simulate(scene, options_of(2e-5, 0.2, 10));
   ASSERT_EQ(fine.status, Status::Completed);
   if (coarse.status == Status::Completed) {
-    EXPECT_LT(coarse.ledger_error, 0.05);
+    EXPECT_LT(coarse.energy_balance_error, 0.05);
     double largest = 0.0, off = 0.0;
     for (std::size_t i = 0; i < fine.samples; ++i) {
       largest = std::max(largest, std::fabs(fine.probes[0][i]));
@@ -94,14 +94,14 @@ TEST(LaneFailures, TellWithinALongInterval) {
   const Model model = prepare(struck(4, 1.0), options_of(1e-5, 1.0, 1));
   Workspace workspace = make_workspace(model);
   Response response = make_response(model);
-  int told = 0;
+  int reported = 0;
   workspace.on_progress = [&](double time) {
-    ++told;
+    ++reported;
     EXPECT_GT(time, 0.0);
-    return told < 3;
+    return reported < 3;
   };
   run(model, {}, workspace, response);
-  EXPECT_EQ(told, 3);
+  EXPECT_EQ(reported, 3);
   EXPECT_EQ(response.status, Status::Interrupted);
   EXPECT_EQ(response.samples, 1U);
 }

@@ -23,7 +23,7 @@ struct Convention {
 };
 
 constexpr std::array kConventions{
-    Convention{"A", EndRule::Equal, ChainConvention::Weld, 0},
+    Convention{"A", EndRule::Equal, ChainConvention::Clamp, 0},
     Convention{"C", EndRule::HalfJoint, ChainConvention::HalfJoint, 0},
     Convention{"D", EndRule::Half, ChainConvention::HalfEnds, 1},
     Convention{"three halves", EndRule::ThreeHalves, ChainConvention::ThreeHalvesEnds, 0}};

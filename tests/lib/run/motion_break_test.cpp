@@ -31,7 +31,7 @@ TEST(MotionBreak, CutsTheRootOfAStruckCantileverWhichFliesOff) {
   EXPECT_GE(joint.strain, 0.05);
   EXPECT_GT(std::fabs(joint.moment[0]), 300.0);
   EXPECT_GT(joint.dissipation, 10.0);
-  EXPECT_EQ(event.pieces, (std::vector<Piece>{{0, 15}}));
+  EXPECT_EQ(event.fragments, (std::vector<Fragment>{{0, 15}}));
   EXPECT_GT(last_energy(response).fracture, 0.0);
   const auto& moment = response.probes[0];
   const auto after = static_cast<std::size_t>(event.time / 1e-4) + 2;
@@ -53,13 +53,13 @@ TEST(MotionBreak, RecordsEachJointOnceWhereNothingIsToBeCut) {
   scene.on_break = BreakPolicy::RecordOnly;
   const Response response = simulate(scene, motion_options(Scheme::EnergyMomentum, 1e-4, 300));
   ASSERT_FALSE(response.chain.events.empty());
-  std::vector<int> told;
+  std::vector<int> reported;
   for (const ChainBreak& event : response.chain.events) {
-    EXPECT_EQ(event.pieces.size(), 1U);
+    EXPECT_EQ(event.fragments.size(), 1U);
     for (const BrokenJoint& joint : event.joints) {
       EXPECT_FALSE(joint.cut);
-      EXPECT_EQ(std::count(told.begin(), told.end(), joint.joint), 0);
-      told.push_back(joint.joint);
+      EXPECT_EQ(std::count(reported.begin(), reported.end(), joint.joint), 0);
+      reported.push_back(joint.joint);
     }
   }
   EXPECT_EQ(last_energy(response).fracture, 0.0);
@@ -89,7 +89,7 @@ TEST(MotionBreak, CutsAllJointsThatBreakInAStepOrTheWorstOfThem) {
   ASSERT_FALSE(all.chain.events.empty());
   std::size_t cut = 0;
   for (const ChainBreak& event : all.chain.events) cut += event.joints.size();
-  EXPECT_EQ(all.chain.events.back().pieces.size(), 6U);
+  EXPECT_EQ(all.chain.events.back().fragments.size(), 6U);
   EXPECT_EQ(cut, 7U) << "both half joints and those between";
   for (const double position : all.chain.position) EXPECT_TRUE(std::isfinite(position));
 
@@ -145,11 +145,11 @@ TEST(MotionBreak, CutsWhereTheSceneSaysAndKeepsMomentum) {
     EXPECT_EQ(response.chain.events[0].joints[0].joint, 3);
     EXPECT_EQ(response.chain.events[0].joints[0].cause, BreakCause::Cut);
     EXPECT_EQ(response.chain.events[0].joints[1].joint, 6);
-    EXPECT_EQ(response.chain.events[1].pieces,
-              (std::vector<Piece>{{0, 2}, {3, 5}, {6, 8}, {9, 11}}));
+    EXPECT_EQ(response.chain.events[1].fragments,
+              (std::vector<Fragment>{{0, 2}, {3, 5}, {6, 8}, {9, 11}}));
     EXPECT_LT(drift_of(response, 0), 1e-10);
     EXPECT_LT(drift_of(response, 1), 1e-10);
-    EXPECT_LT(response.ledger_error, 1e-8);
+    EXPECT_LT(response.energy_balance_error, 1e-8);
   }
 }
 

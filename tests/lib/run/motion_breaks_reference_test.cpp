@@ -26,13 +26,13 @@ TEST(MotionBreaks, BalancesItsEnergiesInElasticPlasticBreakingScenes) {
   for (const Scene& scene : scenes) {
     const Response exact = simulate(scene, motion_options(Scheme::EnergyMomentum, 5e-5, 400));
     EXPECT_EQ(exact.status, Status::Broken);
-    EXPECT_LT(exact.ledger_error, 1e-8);
+    EXPECT_LT(exact.energy_balance_error, 1e-8);
     for (const Scheme scheme : {Scheme::LinearlyImplicitEuler, Scheme::GeneralizedAlpha}) {
       const Response coarse = simulate(scene, motion_options(scheme, 1e-4, 60));
       const Response fine = simulate(scene, motion_options(scheme, 1.25e-5, 480));
       // An eighth of the step; when a joint breaks differs, too.
       const double most = scheme == Scheme::GeneralizedAlpha ? 1.0 / 20.0 : 1.0 / 2.0;
-      EXPECT_LT(fine.ledger_error, most * coarse.ledger_error);
+      EXPECT_LT(fine.energy_balance_error, most * coarse.energy_balance_error);
     }
   }
 }

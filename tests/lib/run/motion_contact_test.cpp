@@ -90,7 +90,7 @@ TEST(MotionContact, MakesNoEnergyByRingingOnTwoPillars) {
   const Response response = simulate(scene, motion_options(Scheme::GeneralizedAlpha, 1e-5, 2000));
   ASSERT_EQ(response.status, Status::Completed);
   EXPECT_GT(last_energy(response).impact, 0.05 * last_energy(response).external);
-  EXPECT_LT(response.ledger_error, kLedgerTolerance);
+  EXPECT_LT(response.energy_balance_error, kBalanceTolerance);
 }
 
 TEST(MotionContact, FollowsASupportThatStartsAtOnce) {

@@ -24,7 +24,7 @@ struct Stepped {
 
 class SteppedFrequencies : public ::testing::TestWithParam<Stepped> {};
 
-/// A steel cantilever of 32 joints (31 where it is welded) whose outer half is struck so gently
+/// A steel cantilever of 32 joints (31 where it is clamped) whose outer half is struck so gently
 /// that its rotations stay below 1e-3: its first modes swing.
 Scene struck_gently(EndRule rule) {
   Scene scene = testing::cantilever_scene(rule == EndRule::Half ? 33 : 32);
@@ -64,8 +64,8 @@ TEST_P(SteppedFrequencies, AreThoseOfTheEigenvalueProblemAtFourHundredStepsAPeri
 INSTANTIATE_TEST_SUITE_P(
     Schemes, SteppedFrequencies,
     ::testing::Values(
-        Stepped{"WeldedEuler", Scheme::LinearlyImplicitEuler, EndRule::Equal},
-        Stepped{"WeldedMidpoint", Scheme::LinearlyImplicitMidpoint, EndRule::Equal},
+        Stepped{"ClampedEuler", Scheme::LinearlyImplicitEuler, EndRule::Equal},
+        Stepped{"ClampedMidpoint", Scheme::LinearlyImplicitMidpoint, EndRule::Equal},
         Stepped{"HalfJointEuler", Scheme::LinearlyImplicitEuler, EndRule::HalfJoint},
         Stepped{"HalfJointMidpoint", Scheme::LinearlyImplicitMidpoint, EndRule::HalfJoint},
         Stepped{"HalfJointAlpha", Scheme::GeneralizedAlpha, EndRule::HalfJoint},

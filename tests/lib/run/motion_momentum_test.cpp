@@ -59,7 +59,7 @@ TEST_P(Spin, OfAFreeBarIsKeptByTheLinearlyImplicitMidpointAtEveryStep) {
     const double momentum = kSpin * inertia_of(scene);
     EXPECT_NEAR(last_of(response, 0) / momentum, 1.0, testing::tolerance(1e-10)) << step;
     EXPECT_LT(response.momentum_error, 1e-9) << step;
-    EXPECT_LT(response.ledger_error, 1e-8) << step;
+    EXPECT_LT(response.energy_balance_error, 1e-8) << step;
   }
 }
 
@@ -169,7 +169,7 @@ TEST(ArticulatedSchemes, KeepTheAngularMomentumAboutAPinByTheirOrder) {
 }
 
 // What a cut has freed keeps the momentum that it then has, though the rest is held.
-TEST(MomentumAccount, IsOfThePiecesThatNothingHolds) {
+TEST(MomentumAccount, IsOfTheFragmentsThatNothingHolds) {
   Scene scene = testing::struck_scene(8, 10.0, YieldModel::Elastic);
   scene.cuts.push_back({{0.5, {}}, 0.02});
   SolverOptions options = motion_options(Scheme::LinearlyImplicitEuler, 1e-4, 10);

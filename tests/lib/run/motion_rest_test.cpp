@@ -58,7 +58,7 @@ TEST_P(DampedRest, IsTheStaticEquilibriumOfAYieldedBeam) {
   EXPECT_NEAR(last_of(testing::completed(scene, options), 0), still, 1e-3 * std::fabs(still));
 }
 
-TEST(Ledger, CountsTheWorkOfAnEndThatIsTurned) {
+TEST(EnergyBalance, CountsTheWorkOfAnEndThatIsTurned) {
   Scene scene = testing::cantilever_scene(6);
   Support end{.at = Place::end(), .kind = SupportKind::Guide};
   end.hold = HeldFreedoms{false, false, false, true, false, false};
@@ -72,7 +72,7 @@ TEST(Ledger, CountsTheWorkOfAnEndThatIsTurned) {
   const Response response = testing::completed(scene, options);
   EXPECT_GT(last_energy(response).external, 1.0);
   // The moment of the steps' ends alone would be off by a share of 1e-3, one over their number.
-  EXPECT_LT(response.ledger_error, 1e-7);
+  EXPECT_LT(response.energy_balance_error, 1e-7);
 }
 
 TEST(AdaptiveSteps, MeetTheErrorTheyAreGiven) {

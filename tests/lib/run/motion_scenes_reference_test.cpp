@@ -24,7 +24,7 @@ TEST(MotionScenes, LaysFigure8DownWhereStaticsPutsIt) {
     const double expected = testing::last_of(rest, probe);
     EXPECT_NEAR(testing::last_of(motion, probe), expected, 1e-6 * std::fabs(expected)) << probe;
   }
-  EXPECT_LT(motion.ledger_error, 1e-9);
+  EXPECT_LT(motion.energy_balance_error, 1e-9);
 }
 
 TEST(MotionScenes, BreaksFigure11InTheMiddle) {
@@ -33,10 +33,10 @@ TEST(MotionScenes, BreaksFigure11InTheMiddle) {
   EXPECT_EQ(response.status, Status::Broken);
   ASSERT_EQ(response.chain.events.size(), 1U);
   EXPECT_EQ(response.chain.events[0].joints.size(), 1U);
-  EXPECT_EQ(response.chain.events[0].pieces, (std::vector<Piece>{{0, 9}, {10, 19}}));
+  EXPECT_EQ(response.chain.events[0].fragments, (std::vector<Fragment>{{0, 9}, {10, 19}}));
   // Energy-momentum makes a little where joints yield in a step's midst.
   EXPECT_LT(testing::largest_residual(response), 1e-8);
-  EXPECT_LT(response.ledger_error, 1e-5);
+  EXPECT_LT(response.energy_balance_error, 1e-5);
 }
 
 TEST(MotionScenes, BreaksTheBumperAtThePillar) {
@@ -47,7 +47,7 @@ TEST(MotionScenes, BreaksTheBumperAtThePillar) {
   EXPECT_EQ(response.chain.events[0].joints[0].joint, 14);
   EXPECT_NEAR(response.chain.events[0].time, 0.012, 0.001);
   EXPECT_LT(testing::largest_residual(response), 1e-3);
-  EXPECT_LT(response.ledger_error, 5e-3);
+  EXPECT_LT(response.energy_balance_error, 5e-3);
   for (const double y : response.probes[1]) EXPECT_GT(y, -0.02 - 1e-6);
 }
 

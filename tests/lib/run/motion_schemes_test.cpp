@@ -61,9 +61,9 @@ class Swing {
       const auto& frame = work.placement.frame[i];
       const auto w = spin_of((static_cast<double>(i) + 0.5) / kSchemeSegments);
       const auto spin = view_.spin({{w[0], w[1], w[2]}});
-      motion[i].velocity = velocity + L::spun(spin, L::turn(frame, chain.inertias[i].center));
+      motion[i].velocity = velocity + L::spun(spin, L::rotate(frame, chain.inertias[i].center));
       motion[i].spin = transposed_times(L::axes(frame), spin);
-      velocity += L::spun(spin, L::turn(frame, chain.segments[i].arm));
+      velocity += L::spun(spin, L::rotate(frame, chain.segments[i].arm));
     }
     EXPECT_TRUE(step_.start(motion));
   }
@@ -91,7 +91,7 @@ class Swing {
     typename L::Point linear{};
     typename L::Spin angular{};
     double size = 0.0;          ///< sum of |p|
-    double turning_size = 0.0;  ///< sum of |r x p|
+    double angular_size = 0.0;  ///< sum of |r x p|
   };
   Momenta momenta() const {
     Momenta sum;
@@ -102,9 +102,9 @@ class Swing {
       const auto turning = L::moment(step_.begin().point(i, inertia.center), p);
       sum.linear += p;
       sum.angular +=
-          turning + solve::turning_momentum(inertia, step_.begin().frame[i], motion.spin);
+          turning + solve::angular_momentum(inertia, step_.begin().frame[i], motion.spin);
       sum.size += size_of(p);
-      sum.turning_size += size_of(turning);
+      sum.angular_size += size_of(turning);
     }
     return sum;
   }
@@ -203,7 +203,7 @@ Measured measure(Scheme scheme, double rho_infinity) {
     const auto now = flight.momenta();
     measured.momentum_drift =
         std::max({measured.momentum_drift, size_of(now.linear - before.linear) / before.size,
-                  size_of(now.angular - before.angular) / before.turning_size});
+                  size_of(now.angular - before.angular) / before.angular_size});
   }
 
   Swing<L> there(scheme, rho_infinity, true, smooth_spin);

@@ -52,7 +52,7 @@ void expect_same_bits(const Response& a, const Response& b) {
   ASSERT_EQ(a.chain.events.size(), b.chain.events.size());
   for (std::size_t e = 0; e < a.chain.events.size(); ++e) {
     EXPECT_EQ(a.chain.events[e].time, b.chain.events[e].time);
-    EXPECT_EQ(a.chain.events[e].pieces, b.chain.events[e].pieces);
+    EXPECT_EQ(a.chain.events[e].fragments, b.chain.events[e].fragments);
     ASSERT_EQ(a.chain.events[e].joints.size(), b.chain.events[e].joints.size());
     for (std::size_t j = 0; j < a.chain.events[e].joints.size(); ++j) {
       EXPECT_EQ(a.chain.events[e].joints[j].joint, b.chain.events[e].joints[j].joint);

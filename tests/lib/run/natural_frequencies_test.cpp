@@ -335,7 +335,7 @@ TEST(NaturalFrequencies, GoDownToTheNumberOfFreedoms) {
   for (const int count : {0, 6}) {
     EXPECT_EQ(testing::message_of([&] { unloaded_frequencies(model, count); }),
               "count = " + std::to_string(count) +
-                  ": must be 1 … 5, the ways in which the chain can move");
+                  ": must be 1 … 5, the degrees of freedom of the chain");
   }
 }
 

@@ -12,7 +12,7 @@
 #include "tests/support/chain_scene.hpp"
 #include "tests/support/response_bits.hpp"
 
-/// Batches of beams at rest, whose paths are walked side by side: each has the bits that it has
+/// Batches of beams at rest, whose paths are followed side by side: each has the bits that it has
 /// alone, whatever the others do.
 namespace plastica {
 namespace {
@@ -204,7 +204,7 @@ TEST(PathLanes, LeaveTheOthersAloneWhenOneEnds) {
       },
       InstructionSet::Auto);
   cases[4].scene.loads[0].force[1] = -1e9;
-  cases[5].options.most_iterations = 2;
+  cases[5].options.max_iterations = 2;
   std::vector<Status> statuses;
   for (const BatchRow& row : run_batch(cases)) statuses.push_back(row.response.status);
   EXPECT_GT(std::count(statuses.begin(), statuses.end(), Status::Broken), 1);
@@ -266,15 +266,15 @@ TEST(PathLanes, StopWhereTheyAreTold) {
   const Model model = prepare(bent(0, YieldModel::PerAxis), {});
   std::vector<Response> responses(3, make_response(model));
   std::vector<Workspace> hooks(3);
-  int told = 0;
-  hooks[1].on_progress = [&](double) { return ++told < 4; };
+  int reported = 0;
+  hooks[1].on_progress = [&](double) { return ++reported < 4; };
   std::vector<LaneCase> lanes;
   for (std::size_t i = 0; i < 3; ++i) {
     lanes.push_back({model.chain.get(), &model.material, &hooks[i], &responses[i]});
   }
   const auto program = make_lane_program(*model.chain);
   program->run(lanes);
-  EXPECT_EQ(told, 4);
+  EXPECT_EQ(reported, 4);
   EXPECT_EQ(responses[1].status, Status::Interrupted);
   EXPECT_EQ(responses[0].status, Status::Completed);
   EXPECT_TRUE(bits_of(responses[0]) == bits_of(responses[2]));

@@ -121,7 +121,7 @@ TEST(FlyingMasses, KeepMomentumOverACutAtTheirPlace) {
   const Response response = simulate(scene, motion_options(Scheme::EnergyMomentum, 2e-4, 200));
   ASSERT_EQ(response.status, Status::Broken);
   ASSERT_EQ(response.chain.events.size(), 1U);
-  EXPECT_EQ(response.chain.events[0].pieces.size(), 2U);
+  EXPECT_EQ(response.chain.events[0].fragments.size(), 2U);
   for (const std::size_t p : {0U, 2U, 4U}) {
     EXPECT_NEAR(last_of(response, p), response.probes[p][0],
                 1e-8 * std::fabs(response.probes[2][0]));
@@ -176,7 +176,7 @@ TEST_P(Space, ArticulatedSchemesCarryThemAsTheOthersDo) {
     EXPECT_LT(relative_distance(exact, fine, p), 1e-3) << p;
     EXPECT_LT(relative_distance(exact, fine, p), 0.35 * relative_distance(exact, coarse, p)) << p;
   }
-  EXPECT_LT(fine.ledger_error, 1e-3);
+  EXPECT_LT(fine.energy_balance_error, 1e-3);
   EXPECT_NEAR(last_energy(fine).external / last_energy(exact).external, 1.0, 1e-3);
   const Response euler = run(Scheme::ArticulatedEuler, 1e-5);
   EXPECT_LT(relative_distance(exact, euler, 0), 1e-2);
@@ -257,7 +257,7 @@ TEST(FallingMasses, InABatchHaveTheBitsThatTheyHaveAlone) {
 // Parkes (1955): a rigid, perfectly plastic cantilever of mass m per length is struck at its tip,
 // which carries M, with v0. A hinge starts at the tip. At a distance x from it nothing is sheared
 // there, so (M + m x/2) v = M v0; the moment is M_p, so m v x^2/6 = M_p t about the tip. When it
-// has come to the clamp the rest turns as one piece about it. All hinges together turn by
+// has come to the clamp the rest turns as one body about it. All hinges together turn by
 // M v0^2/(2 M_p).
 struct Parkes {
   double deflection = 0.0;  ///< of the tip, small

@@ -163,7 +163,7 @@ TEST(Rates, EverySchemeComesToTheSameEnd) {
 }
 
 /// What came in is stored, dissipated or still moves: the scheme keeps energy.
-TEST(Rates, KeepsTheLedgerOfEnergies) {
+TEST(Rates, KeepsEnergyBalanced) {
   for (const int steps : {400, 1600}) {
     const Response response =
         completed(pushed(kSteel), in_motion(Level::Planar, 0.02, steps, Scheme::EnergyMomentum));

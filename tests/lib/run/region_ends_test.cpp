@@ -93,7 +93,7 @@ TEST(RegionEnds, MayBeVeryNearToEachOtherInMotion) {
     options.duration = 0.02;
     options.steps = 20;
     const Response response = completed(scene, options);
-    EXPECT_LT(response.ledger_error, 1e-6);
+    EXPECT_LT(response.energy_balance_error, 1e-6);
     return last_of(response, 0);
   };
   EXPECT_NEAR(moved(0.5, 0.5 + 1e-6) / moved(0.5, 0.5 + 3e-6), 1.0, tolerance(1e-4));

@@ -27,7 +27,7 @@ const Section kWide{.width = 0.02, .height = 0.01};
 const Section kTall{.width = 0.01, .height = 0.02};
 const Section kRoundBar{.shape = SectionShape::Circle, .radius = 0.01};
 
-/// What the one joint of a beam of two segments does, both ends welded and one of them turned.
+/// What the one joint of a beam of two segments does, both ends clamped and one of them turned.
 struct OneJoint {
   double moment = 0.0;   ///< [N m]
   double plastic = 0.0;  ///< permanent angle [rad]
@@ -229,7 +229,7 @@ TEST(ReportRows, MomentsOfFigure8DoNotDependOnTheSegments) {
   }
 }
 
-TEST(ReportRows, DeflectionsDependOnTheSegmentsMuchWithTheWeldAndLittleWithTheHalfJoint) {
+TEST(ReportRows, DeflectionsDependOnTheSegmentsMuchWithTheRigidClampAndLittleWithTheHalfJoint) {
   const auto error = [](EndRule rule, int segments) {
     Scene scene = testing::cantilever_scene(segments);
     scene.end_rule = rule;
@@ -243,7 +243,7 @@ TEST(ReportRows, DeflectionsDependOnTheSegmentsMuchWithTheWeldAndLittleWithTheHa
            1.0;
   };
   for (const int segments : {5, 10, 20, 40, 80}) {
-    std::printf("| tip force, N = %d | weld %+.3f %% | half joint %+.4f %% |\n", segments,
+    std::printf("| tip force, N = %d | rigid clamp %+.3f %% | half joint %+.4f %% |\n", segments,
                 100.0 * error(EndRule::Equal, segments),
                 100.0 * error(EndRule::HalfJoint, segments));
   }

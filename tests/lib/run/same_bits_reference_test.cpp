@@ -38,7 +38,7 @@ BatchCase mixed_case(std::size_t i, InstructionSet isa) {
     one.options.steps = 2;
     one.options.duration = 1.0;
     one.options.isa = isa;
-    // Walked in lanes; those of 4 in space, and some of the others through a limit load.
+    // Followed in lanes; those of 4 in space, and some of the others through a limit load.
     Load push;
     push.force = {i % 10 == 4 ? 20.0 : 0.0, -270.0 - 0.1 * x, 0.0};
     one.scene.loads.push_back(push);

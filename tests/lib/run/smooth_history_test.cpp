@@ -68,7 +68,7 @@ TEST(SmoothHistory, ThatStepsAreTooLongForIsWarnedOf) {
 }
 
 /// A path of equilibria goes from peak to peak whatever the samples are: a hinge that yields at
-/// each of them has turned as with straight pieces between the same peaks.
+/// each of them has turned as with straight segments between the same peaks.
 TEST(SmoothHistory, OfASineYieldsAtEachPeakOfAPath) {
   const auto run = [](const History& history, int steps) {
     Scene scene = testing::cantilever_scene(4);

@@ -50,13 +50,13 @@ int run_until(int steps, const Model& model, Response& response) {
   std::atomic<bool> stop{false};
   Workspace workspace = make_workspace(model);
   workspace.stop = &stop;
-  int told = 0;
+  int reported = 0;
   workspace.on_progress = [&](double /*time*/) {
-    stop = ++told >= steps;
+    stop = ++reported >= steps;
     return true;
   };
   run(model, {}, workspace, response);
-  return told;
+  return reported;
 }
 
 /// Stops a run after `steps` steps, and expects that it leaves the samples up to there.
@@ -190,8 +190,8 @@ TEST(StoppedBatch, CountsWhatWasUnderWayAsNotBegun) {
     BatchOptions options;
     options.threads = threads;
     options.stop = &stop;
-    std::size_t told = 0;
-    options.progress = [&](std::size_t finished) { told = finished; };
+    std::size_t reported = 0;
+    options.progress = [&](std::size_t finished) { reported = finished; };
     const Raiser raiser(stop, 50);
     std::size_t taken = 0;
     run_batch(
@@ -202,7 +202,7 @@ TEST(StoppedBatch, CountsWhatWasUnderWayAsNotBegun) {
           ++taken;
         },
         options);
-    EXPECT_EQ(told, taken);
+    EXPECT_EQ(reported, taken);
   }
 }
 

@@ -92,7 +92,7 @@ TYPED_TEST(MotionStepOf, ChangesNoMomentumAndNoPlaceByACut) {
     EXPECT_EQ(size_of(step.motions()[i].spin - before[i].spin), 0.0);
     EXPECT_LT(size_of(step.begin().position[i] - placed.position[i]), 1e-15);
   }
-  // From then on each piece keeps its own.
+  // From then on each fragment keeps its own.
   const auto momentum = [&](std::size_t first, std::size_t last) {
     typename TypeParam::Point sum{};
     for (std::size_t i = first; i <= last; ++i) {
@@ -106,7 +106,7 @@ TYPED_TEST(MotionStepOf, ChangesNoMomentumAndNoPlaceByACut) {
       const auto& inertia = solved.build.chain.inertias[i];
       sum += TypeParam::moment(step.begin().point(i, inertia.center),
                                inertia.mass * step.motions()[i].velocity) +
-             solve::turning_momentum(inertia, step.begin().frame[i], step.motions()[i].spin);
+             solve::angular_momentum(inertia, step.begin().frame[i], step.motions()[i].spin);
     }
     return sum;
   };

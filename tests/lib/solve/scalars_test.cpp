@@ -36,7 +36,7 @@ typename Level<S>::Point tip_of(const Scene& scene, const MaterialValues<S>& mat
                                 const chain::View<Level<S>>& view) {
   SolvedChain<Level<S>, false, Ideal<S>> solved(scene, material, view);
   NewtonOptions options;
-  options.most_iterations = 40;
+  options.max_iterations = 40;
   solved.go_to(1.0, 8, options);
   return solved.tip();
 }

@@ -44,8 +44,8 @@ void expect_rates(bool in_space) {
   unit_time.time_slope = 1.0;
   unit_time.value = -1.0;
   solve::detail::solve_imbalance(chain, unit_time, w);
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    solve::detail::solve_closure(chain, k, w);
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    solve::detail::solve_constraint(chain, k, w);
   }
   solve::detail::solve_time(chain, unit_time, w);
   solve::detail::join_columns(chain, unit_time, w);
@@ -53,13 +53,13 @@ void expect_rates(bool in_space) {
     typename L::Spin spin;
     for (std::size_t k = 0; k < L::kRotations; ++k) {
       spin[k] = w.columns.back().joint[i][k];
-      for (std::size_t j = 0; j < chain.closures.size(); ++j) {
+      for (std::size_t j = 0; j < chain.constraints.size(); ++j) {
         spin[k] += w.small.b(j) * w.columns[1 + j].joint[i][k];
       }
       spin[k] *= kStep;
     }
-    const auto ahead = L::turn_by(spin, angles[1][i]);
-    const auto behind = L::turn_by(-1.0 * spin, angles[1][i]);
+    const auto ahead = L::add_rotation(spin, angles[1][i]);
+    const auto behind = L::add_rotation(-1.0 * spin, angles[1][i]);
     for (std::size_t k = 0; k < L::kRotations; ++k) {
       const double rate = (ahead[k] - behind[k]) / (2.0 * kStep);
       const double difference = (angles[2][i][k] - angles[0][i][k]) / (2.0 * kStep);

@@ -35,7 +35,7 @@ std::vector<BeamCase> elementary_cases() {
 
 /// What M/(E I) between two ends does: the turn, and the offset from the tangent of the first.
 struct Bend {
-  double turn = 0.0;
+  double rotation = 0.0;
   double offset = 0.0;
 };
 
@@ -46,7 +46,7 @@ Bend integrate(const BeamCase& beam, double from, double to) {
   for (const double side : {-1.0, 1.0}) {
     const double x = from + half + side * half / std::sqrt(3.0);
     const double curvature = beam_moment(beam, x) / beam.bending_stiffness;
-    bend.turn += half * curvature;
+    bend.rotation += half * curvature;
     bend.offset += half * curvature * (to - x);
   }
   return bend;
@@ -105,7 +105,7 @@ TEST(BeamCases, DeflectionsAreTheMomentIntegratedTwice) {
     for (const double to : {0.2 * kL, 0.3 * kL, 0.5 * kL, 0.7 * kL, kL}) {
       const Bend bend = integrate(beam, from, to);
       deflection += slope * (to - from) + bend.offset;
-      slope += bend.turn;
+      slope += bend.rotation;
       EXPECT_NEAR(beam_slope(beam, to), slope, 1e-13);
       EXPECT_NEAR(beam_deflection(beam, to), deflection, 1e-13);
       from = to;

@@ -172,12 +172,12 @@ TEST(Spectrum, OfABeamThatFliesAwayIsWhatItVibratesWith) {
     const double time = static_cast<double>(k) * kStep;
     return 3.0 * time - 0.5 * 9.81 * time * time;
   };
-  std::vector<double> way(values.size());
+  std::vector<double> smooth(values.size());
   for (std::size_t k = 0; k < values.size(); ++k) {
-    way[k] = still(k);
-    values[k] += way[k];
+    smooth[k] = still(k);
+    values[k] += smooth[k];
   }
-  EXPECT_TRUE(peaks_of(way, kStep).empty()) << "not even of round-off";
+  EXPECT_TRUE(peaks_of(smooth, kStep).empty()) << "not even of round-off";
   const auto peaks = peaks_of(values, kStep);
   ASSERT_EQ(peaks.size(), 1U);
   // The fall of some 3 m leaks 4.3 x 3 m/(pi D^3) = 2.2e-6 m to D = 123, and moves the peak by

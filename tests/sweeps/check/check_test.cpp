@@ -41,7 +41,7 @@ TEST_F(CheckTest, JudgesTheOrder) {
   EXPECT_TRUE(verdict(kHalf + "order = { at_least = 1.98, at_most = 2.02 }\n").holds);
   const ClaimVerdict of_both = verdict("order = { at_least = 1.98 }\n");
   EXPECT_FALSE(of_both.holds);
-  EXPECT_NEAR(of_both.number.value_or(0.0), 0.95, 0.05);  // the worst: that of the weld
+  EXPECT_NEAR(of_both.number.value_or(0.0), 0.95, 0.05);  // the worst: that of the rigid clamp
 }
 
 TEST_F(CheckTest, JudgesErrorsOfTheChosenCases) {
@@ -66,7 +66,7 @@ TEST_F(CheckTest, JudgesWhatElseASweepSays) {
   EXPECT_FALSE(verdict("value = { at_most = '-700 mm' }\n").holds);
 }
 
-TEST_F(CheckTest, JudgesWalksToTheEdge) {
+TEST_F(CheckTest, JudgesScansToTheEdge) {
   write("check.toml",
         "[[claim]]\nname = 'a'\nstability = { only = ['coupon'], max_work = 1e3 }\n"
         "silent = { at_most = 0 }\n"
@@ -88,9 +88,17 @@ TEST_F(CheckTest, TakesAnOldKeyAndNamesTheNewOne) {
   EXPECT_TRUE(now.notes.empty());
   ASSERT_EQ(old.notes.size(), 1u);
   EXPECT_EQ(old.notes[0], folder_.file("check.toml") + ":3: most_work is now max_work");
-  EXPECT_EQ(old.claims[0].walk->max_segment_steps, now.claims[0].walk->max_segment_steps);
-  EXPECT_EQ(now.claims[0].walk->max_segment_steps, 1e3);
+  EXPECT_EQ(old.claims[0].scan->max_segment_steps, now.claims[0].scan->max_segment_steps);
+  EXPECT_EQ(now.claims[0].scan->max_segment_steps, 1e3);
   EXPECT_THROW(read("max_work = 1e3, most_work = 1e3"), InputError);
+}
+
+TEST_F(CheckTest, TakesAnOldClaimAndNamesTheNewOne) {
+  const CheckFile old = read("ledger = { at_most = 0.01 }");
+  EXPECT_EQ(old.claims[0].kind, ClaimKind::EnergyBalance);
+  ASSERT_EQ(old.notes.size(), 1u);
+  EXPECT_EQ(old.notes[0], folder_.file("check.toml") + ":4: ledger is now energy_balance");
+  EXPECT_TRUE(read("energy_balance = { at_most = 0.01 }").notes.empty());
 }
 
 TEST_F(CheckTest, DoesNotHoldWhereThereIsNoNumber) {
@@ -107,13 +115,13 @@ TEST_F(CheckTest, DoesNotHoldWhereACaseFails) {
                           "cantilever.toml'\n[set]\nsolver.steps = 1\n"
                           "solver.smallest_step = 1\n"
                           "[[axis]]\nfield = 'beam.segments'\nvalues = [4, 8, 16, 32]\nzip = 'a'\n"
-                          "[[axis]]\nfield = 'solver.most_iterations'\n"
+                          "[[axis]]\nfield = 'solver.max_iterations'\n"
                           "values = [25, 25, 25, 1]\nzip = 'a'\n[error]\nprobe = 'tip'\n"
                           "against = 'theory:elastica'\nalong = 'beam.segments'\n");
   for (const std::string claim :
        {"order = { at_least = 0 }", "gci = { at_most = 9 }", "work = { at_most = 1e9 }",
         "error = { at_most = 9 }", "failed = { at_most = 0 }"}) {
-    EXPECT_FALSE(verdict("where = { solver.most_iterations = [25, 1] }\n" + claim + "\n").holds)
+    EXPECT_FALSE(verdict("where = { solver.max_iterations = [25, 1] }\n" + claim + "\n").holds)
         << claim;
   }
 }
@@ -136,7 +144,7 @@ TEST_F(CheckTest, SaysEachVerdictOnce) {
 TEST_F(CheckTest, RefusesBadClaimsInOneLine) {
   EXPECT_EQ(message(""),
             ":1: claim[1]: claims nothing: it needs one of order, correlation, error, "
-            "extrapolated_error, gci, work, spread, value, ledger, failed, silent, "
+            "extrapolated_error, gci, work, spread, value, energy_balance, failed, silent, "
             "unsound");
   EXPECT_EQ(message("silent = { at_most = 0 }\n"),
             ":4: claim[1].silent = { at_most = 0 }: is about stability = { … }, not about a sweep");

@@ -28,6 +28,29 @@ TEST(ReadSweep, TakesListsWithUnits) {
   EXPECT_EQ(sweep.inputs.size(), 2U);
 }
 
+TEST(ReadSweep, TakesAnOldQuantityAndNamesTheNewOne) {
+  const auto of = [](const std::string& word) {
+    return cantilever_sweep(segments_axis("[4, 8]") + "[error]\nquantity = '" + word + "'\n");
+  };
+  const Sweep old = of("ledger_error"), now = of("energy_balance_error");
+  EXPECT_EQ(old.quantity.kind, QuantityKind::EnergyBalanceError);
+  EXPECT_EQ(old.quantity.name, now.quantity.name);
+  EXPECT_TRUE(now.notes.empty());
+  ASSERT_EQ(old.notes.size(), 1U);
+  EXPECT_TRUE(old.notes[0].ends_with(": ledger_error is now energy_balance_error")) << old.notes[0];
+}
+
+TEST(ReadSweep, TakesAnOldFieldAndNamesTheNewOne) {
+  const Sweep axis = one_axis("field = 'solver.most_iterations'\nvalues = [20, 25]");
+  EXPECT_EQ(axis.axes[0].field->path, "solver.max_iterations");
+  ASSERT_EQ(axis.notes.size(), 1U);
+  EXPECT_TRUE(axis.notes[0].ends_with(": solver.most_iterations is now solver.max_iterations"));
+  const Sweep set = cantilever_sweep("[set]\nsolver.most_iterations = 20\n" +
+                                     segments_axis("[4, 8]") + kTipError);
+  EXPECT_EQ(set.axes[0].field->path, "solver.max_iterations");
+  EXPECT_EQ(set.notes.size(), 1U);
+}
+
 TEST(ReadSweep, FindsAFieldByItsLastPart) {
   EXPECT_EQ(one_axis("field = 'segments'\nvalues = [4]").axes[0].field->path, "beam.segments");
 }

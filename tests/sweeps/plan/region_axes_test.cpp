@@ -19,20 +19,20 @@ TEST(RegionAxes, MoveTheRegionsThatSayNothingElse) {
                            .section = whole.scene.section,
                            .material = whole.scene.material,
                            .own = {}}};
-  const auto way = [](plastica::Setup setup, std::string_view path, const FieldValue& value) {
+  const auto moved_by = [](plastica::Setup setup, std::string_view path, const FieldValue& value) {
     const std::vector<const Field*> fields{&find_axis_field(path)};
     const std::vector<FieldValue> values{value};
     apply(setup, fields, values);
     return simulate(setup.scene, setup.solver).probes[0].back();
   };
-  const double before = way(whole, "beam.length", whole.scene.beam.length);
+  const double before = moved_by(whole, "beam.length", whole.scene.beam.length);
   const std::vector<std::pair<std::string_view, FieldValue>> axes{
       {"material.youngs_modulus", 70e9},         {"section.width", 0.05},
       {"section.shape", std::string("circle")},  {"scale.size", 2.0},
       {"material.name", std::string("6061-T6")}, {"beam.slenderness", 30.0}};
   for (const auto& [path, value] : axes) {
-    const double moved = way(whole, path, value);
-    EXPECT_NEAR(way(halves, path, value), moved, 1e-12 * std::abs(moved)) << path;
+    const double moved = moved_by(whole, path, value);
+    EXPECT_NEAR(moved_by(halves, path, value), moved, 1e-12 * std::abs(moved)) << path;
     EXPECT_GT(std::abs(moved / before - 1.0), 0.01) << path;
   }
 }

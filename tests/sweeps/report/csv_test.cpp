@@ -29,7 +29,7 @@ TEST(CasesCsv, HasARowForEachCaseWithUnits) {
   EXPECT_EQ(line_of(text, 0),
             "case,beam.segments,rules.end_rule,status,reason,level,value [m],reference [m],"
             "error [1],error_reason,standard_error [m],segments,iterations,segment_iterations,"
-            "cutbacks,ledger_error [1],last_time [s],last_value [m],seconds [s]");
+            "cutbacks,energy_balance_error [1],last_time [s],last_value [m],seconds [s]");
   EXPECT_TRUE(line_of(text, 2).starts_with(record.ids[1] + ",4,equal,completed,,planar,-0."))
       << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 7);

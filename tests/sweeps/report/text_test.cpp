@@ -39,10 +39,10 @@ TEST(SweepReport, SaysWhyACaseFailed) {
   EXPECT_TRUE(has(text, "not-converged at 0.25 s: try more steps"));
 }
 
-TEST(SweepReport, SaysWhereTheLedgerIsOpen) {
+TEST(SweepReport, SaysWhereEnergyIsNotBalanced) {
   SweepRecord record = two_groups();
-  record.results[0].ledger_error = 0.02;
-  EXPECT_TRUE(has(sweep_report(record), "ledger open by 2 %"));
+  record.results[0].energy_balance_error = 0.02;
+  EXPECT_TRUE(has(sweep_report(record), "energy balance off by 2 %"));
 }
 
 TEST(SweepReport, SaysWhichCasesAreTheSameRun) {

@@ -116,7 +116,7 @@ TEST_F(SweepRunTest, RunsCasesOfTheSameContentOnce) {
 
 TEST_F(SweepRunTest, AdvisesForPathsAndMotionsWhatTheyHave) {
   const Sweep sweep = cantilever_sweep(
-      "[set]\nsolver.steps = 1\nsolver.smallest_step = 1\nsolver.most_iterations = 1\n"
+      "[set]\nsolver.steps = 1\nsolver.smallest_step = 1\nsolver.max_iterations = 1\n"
       "solver.time_step = '50 ms'\n"
       "[[axis]]\nfield = 'solver.analysis'\nvalues = ['statics', 'dynamics']\n" +
       kTipError);
@@ -130,7 +130,7 @@ TEST_F(SweepRunTest, KeepsAFailedCaseAsARowAndRunsItAgainWhenAsked) {
   // A tolerance that two iterations cannot meet.
   const Sweep sweep = cantilever_sweep(
       "[set]\nsolver.steps = 1\nsolver.smallest_step = 1\n"
-      "[[axis]]\nfield = 'solver.most_iterations'\nvalues = [1, 25]\n" +
+      "[[axis]]\nfield = 'solver.max_iterations'\nvalues = [1, 25]\n" +
       kTipError);
   SweepRun first(sweep, {});
   const auto results = first.run();

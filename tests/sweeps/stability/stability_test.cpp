@@ -6,9 +6,9 @@
 #include <set>
 #include <string>
 
+#include "sweeps/stability/scan.hpp"
 #include "sweeps/stability/stability_map.hpp"
 #include "sweeps/stability/summary.hpp"
-#include "sweeps/stability/walk.hpp"
 
 namespace plastica::sweeps::stability {
 namespace {

@@ -112,7 +112,7 @@ TEST(Verdict, HoldsAMotionToWhatItMustKeep) {
 
 TEST(Verdict, CallsAMotionInaccurateThatSaysSo) {
   Bent made = flying(Scheme::EnergyMomentum);
-  made.response.ledger_error = 0.02;
+  made.response.energy_balance_error = 0.02;
   EXPECT_EQ(class_of(made), Inaccurate);
   made.response.status = Status::NotBalanced;
   EXPECT_EQ(class_of(made), Inaccurate);
@@ -122,10 +122,10 @@ TEST(Verdict, CallsAMotionInaccurateThatSaysSo) {
   EXPECT_EQ(class_of(made), Inaccurate);
   made = flying(Scheme::EnergyMomentum);
   Energies& last = made.response.chain.energy.back();
-  last.numerical = 0.02 * last.external;
+  last.numerical_dissipation = 0.02 * last.external;
   EXPECT_EQ(class_of(made), Inaccurate);
-  // Energy that the scheme has made and the ledger's error does not tell.
-  last.numerical = -0.02 * last.external;
+  // Energy that the scheme has made and the energy balance error does not tell.
+  last.numerical_dissipation = -0.02 * last.external;
   EXPECT_EQ(class_of(made), Silent);
 }
 

@@ -62,7 +62,7 @@ TEST_F(SweepStoreTest, GivesBackWhatWasWritten) {
 TEST_F(SweepStoreTest, GivesBackCurvesAndFailedCases) {
   const SweepRecord record = record_of(
       "[set]\nsolver.steps = 2\nsolver.smallest_step = 1\n"
-      "[[axis]]\nfield = 'solver.most_iterations'\nvalues = [1, 25]\n"
+      "[[axis]]\nfield = 'solver.max_iterations'\nvalues = [1, 25]\n"
       "[error]\nprobe = 'tip'\ntake = 'curve'\n");
   const SweepRecord read = read_back(record);
   EXPECT_TRUE(read.results[0].curve.empty());

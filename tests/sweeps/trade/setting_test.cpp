@@ -29,7 +29,7 @@ const std::string kSegments = segments_axis("[4, 8, 16]");
 TEST(TradePoints, HaveGroupsAndLeaveOutWhatFailed) {
   const SweepRecord record =
       record_of("[set]\nsolver.steps = 1\nsolver.smallest_step = 1\n" + kSegments +
-                "[[axis]]\nfield = 'solver.most_iterations'\nvalues = [1, 25]\n" + kTipError);
+                "[[axis]]\nfield = 'solver.max_iterations'\nvalues = [1, 25]\n" + kTipError);
   const auto points = trade_points(record, CostKind::Work);
   ASSERT_EQ(points.size(), 6U);
   EXPECT_TRUE(std::isnan(points[0].error));  // one iteration is not enough

@@ -1,4 +1,4 @@
-#include "calibrate/trial/redivide.hpp"
+#include "calibrate/trial/remesh.hpp"
 
 #include <string>
 #include <utility>
@@ -113,7 +113,7 @@ void move_places(std::vector<double> from, Setup& setup) {
 
 }  // namespace
 
-Setup redivided(const Setup& setup, Division division) {
+Setup remeshed(const Setup& setup, Division division) {
   const Scene& original = setup.scene;
   if (!original.beam.joint_lengths.empty()) {
     throw InputError({}, "beam.joint_lengths", "", "are given for each joint");
@@ -126,7 +126,7 @@ Setup redivided(const Setup& setup, Division division) {
   return made;
 }
 
-Setup redivided(const ScenePart& part, Division division) {
+Setup remeshed(const ScenePart& part, Division division) {
   const SceneTarget& target = part.target;
   for (const Probe& probe : part.setup.scene.probes) {
     const bool over = target.kind == Abscissa::Probe && probe.name == target.abscissa_probe;
@@ -137,7 +137,7 @@ Setup redivided(const ScenePart& part, Division division) {
     throw InputError({}, "probe", probe.name,
                      "is the angle of one joint, which follows its length");
   }
-  return redivided(part.setup, division);
+  return remeshed(part.setup, division);
 }
 
 double order_of_joints(const Scene& scene) {

@@ -6,13 +6,13 @@ namespace plastica::testing {
 
 /// From one turning point over the next to the last, in even steps.
 inline std::vector<double> way_over(const std::vector<double>& turning_points, int steps) {
-  std::vector<double> way;
+  std::vector<double> path;
   double from = 0.0;
   for (const double to : turning_points) {
-    for (int i = 1; i <= steps; ++i) way.push_back(from + (to - from) * i / steps);
+    for (int i = 1; i <= steps; ++i) path.push_back(from + (to - from) * i / steps);
     from = to;
   }
-  return way;
+  return path;
 }
 
 }  // namespace plastica::testing

@@ -36,10 +36,10 @@ void see_in_space(const chain::Chain<L>& chain, const chain::View<L>& view,
   for (const auto& angle : q.angle) at.angle.push_back(doubles(view.spin_in_space(angle)));
   for (const auto& shift : q.shift) at.shift.push_back(doubles(view.point_in_space(shift)));
   at.root = doubles(view.point_in_space(q.root));
-  for (std::size_t k = 0; k < chain.closures.size(); ++k) {
-    const auto& closure = chain.closures[k];
-    at.held.push_back({closure.support, doubles(view.point_in_space(closure.direction)),
-                       doubles(view.spin_in_space(closure.axis)),
+  for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
+    const auto& constraint = chain.constraints[k];
+    at.held.push_back({constraint.support, doubles(view.point_in_space(constraint.direction)),
+                       doubles(view.spin_in_space(constraint.axis)),
                        static_cast<double>(q.multiplier[k]), closed[k]});
   }
 }
@@ -69,7 +69,7 @@ bool ChainRunner<L, kElastic>::is_pushed(const Work& w) const {
     S thrust = constant<S>(0);
     S largest = constant<S>(0);
     for (std::size_t i = 0; i < w.transmitted.outer.size(); ++i) {
-      const auto force = L::turn_back(w.placement.near[i], w.transmitted.outer[i].force);
+      const auto force = L::rotate_back(w.placement.near[i], w.transmitted.outer[i].force);
       thrust = max(thrust, -force[kAlong]);
       largest = max(largest, dot(force, force));
     }
@@ -118,25 +118,25 @@ void ChainRunner<L, kElastic>::see(const chain::Coordinates<L>& q, double time,
   }
 }
 
-/// Looks whether the plane is left at an equilibrium.
+/// Checks whether the plane is left at an equilibrium.
 template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::look_beside(const chain::Coordinates<L>& q, double time,
+void ChainRunner<L, kElastic>::check_plane(const chain::Coordinates<L>& q, double time,
                                            const Sections* sections) {
   if constexpr (L::kTranslations == 2) {
     // At time 0 little acts; what acts is there later, too.
-    const bool known = asks_beside_ || leaves_plane_ || !(time > looked_at_ || time < looked_at_);
+    const bool known = asks_beside_ || leaves_plane_ || !(time > checked_at_ || time < checked_at_);
     if (known || !has_space_beside()) return;
-    looked_at_ = time;
+    checked_at_ = time;
     see(q, time, sections);
-    leaves_plane_ = beside_->ways(seen_) > 0;
+    leaves_plane_ = beside_->unstable_modes(seen_) > 0;
   }
 }
 
 /// A beam that leaves its plane may come back to rest in it: one that hangs down from a hinge is as
-/// stable as before it was bent. So a path is looked at on its way, too, where it yields or has
+/// stable as before it was bent. So a path is checked between its ends, too, where it yields or has
 /// turned far, each time that its largest moment has grown, which ends at the section's own.
 template <class L, bool kElastic>
-void ChainRunner<L, kElastic>::look_while_moments_grow(const Work& w) {
+void ChainRunner<L, kElastic>::check_plane_while_moments_grow(const Work& w) {
   constexpr double kFar = 1.0;  // [rad]
   if (has_yielded_) {
     last_forces_ = sections().force;
@@ -144,11 +144,11 @@ void ChainRunner<L, kElastic>::look_while_moments_grow(const Work& w) {
   }
   if (asks_beside_ || leaves_plane_) return;
   if (!has_yielded_) {
-    double turn = 0.0;
+    double rotation = 0.0;
     double farthest = 0.0;
     for (const auto& angle : w.q.angle) {
-      turn += static_cast<double>(angle[0]);
-      farthest = std::max(farthest, std::fabs(turn));
+      rotation += static_cast<double>(angle[0]);
+      farthest = std::max(farthest, std::fabs(rotation));
     }
     if (farthest < kFar) return;
   }
@@ -157,20 +157,20 @@ void ChainRunner<L, kElastic>::look_while_moments_grow(const Work& w) {
   for (const auto& force : sections().force) {
     largest = std::max(largest, std::fabs(static_cast<double>(force[axis])));
   }
-  if (largest < (has_yielded_ ? 1.02 : 2.0) * looked_moment_) return;
-  looked_moment_ = largest;
+  if (largest < (has_yielded_ ? 1.02 : 2.0) * checked_moment_) return;
+  checked_moment_ = largest;
   const Sections now = sections();
-  look_beside(w.q, w.time, &now);
+  check_plane(w.q, w.time, &now);
 }
 
 template <class L, bool kElastic>
-int ChainRunner<L, kElastic>::ways_beside(const Work& w) {
+int ChainRunner<L, kElastic>::unstable_beside(const Work& w) {
   if constexpr (L::kTranslations == 2) {
-    if (!asks_beside_ || !has_space_beside()) return ways_beside_;
+    if (!asks_beside_ || !has_space_beside()) return unstable_beside_;
     const Sections now = sections();
     see(w.q, w.time, &now);
-    ways_beside_ = beside_->ways(seen_);
-    return ways_beside_;
+    unstable_beside_ = beside_->unstable_modes(seen_);
+    return unstable_beside_;
   } else {
     return 0;
   }
@@ -198,8 +198,8 @@ void ChainRunner<L, kElastic>::note_mode(bool out_of_plane, Work& w, std::vector
       return;
     }
   }
-  for (const auto& way : solve::buckling_mode(body_.build.chain, w)) {
-    const auto in_space = detail::doubles(body_.view.point_in_space(way));
+  for (const auto& displacement : solve::buckling_mode(body_.build.chain, w)) {
+    const auto in_space = detail::doubles(body_.view.point_in_space(displacement));
     mode.insert(mode.end(), in_space.begin(), in_space.end());
   }
 }

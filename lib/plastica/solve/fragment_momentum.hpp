@@ -8,50 +8,50 @@
 #include "plastica/chain/placement.hpp"
 #include "plastica/solve/segment_motion.hpp"
 
-/// The momentum of pieces of a beam: README.md, "Momentum".
+/// The momentum of fragments of a beam: README.md, "Momentum".
 namespace plastica::solve {
 
-/// Momentum of the segments of a piece, and what its changes are small against.
+/// Momentum of the segments of a fragment, and what its changes are small against.
 template <class L>
-struct PieceMotion {
+struct FragmentMotion {
   using S = typename L::Scalar;
   S mass{};
   typename L::Point center{};    ///< of mass [m]
   typename L::Point momentum{};  ///< [N s]
-  typename L::Spin turning{};    ///< angular momentum about the center of mass [N m s]
+  typename L::Spin angular{};    ///< angular momentum about the center of mass [N m s]
   double size = 0.0;             ///< sum of the sizes of the segments' momenta [N s]
-  double turning_size = 0.0;     ///< the same of their angular momenta about the center [N m s]
+  double angular_size = 0.0;     ///< the same of their angular momenta about the center [N m s]
 };
 
-/// @param first, end  segments of the piece, `end` not included
+/// @param first, end  segments of the fragment, `end` not included
 template <class L>
-PieceMotion<L> piece_motion(const std::vector<chain::Inertia<L>>& inertias,
-                            const chain::Placement<L>& placement,
-                            const std::vector<SegmentMotion<L>>& motion, std::size_t first,
-                            std::size_t end) {
+FragmentMotion<L> fragment_motion(const std::vector<chain::Inertia<L>>& inertias,
+                                  const chain::Placement<L>& placement,
+                                  const std::vector<SegmentMotion<L>>& motion, std::size_t first,
+                                  std::size_t end) {
   using S = typename L::Scalar;
-  PieceMotion<L> piece;
+  FragmentMotion<L> fragment;
   for (std::size_t i = first; i < end; ++i) {
     const S mass = inertias[i].mass;
-    piece.mass = piece.mass + mass;
-    piece.center += mass * placement.point(i, inertias[i].center);
-    piece.momentum += mass * motion[i].velocity;
-    piece.size += size_of(mass * motion[i].velocity);
+    fragment.mass = fragment.mass + mass;
+    fragment.center += mass * placement.point(i, inertias[i].center);
+    fragment.momentum += mass * motion[i].velocity;
+    fragment.size += size_of(mass * motion[i].velocity);
   }
-  const S share = constant<S>(1) / piece.mass;
-  piece.center = share * piece.center;
-  const typename L::Point mean = share * piece.momentum;
+  const S share = constant<S>(1) / fragment.mass;
+  fragment.center = share * fragment.center;
+  const typename L::Point mean = share * fragment.momentum;
   for (std::size_t i = first; i < end; ++i) {
-    const typename L::Point arm = placement.point(i, inertias[i].center) - piece.center;
+    const typename L::Point arm = placement.point(i, inertias[i].center) - fragment.center;
     const typename L::Spin own = L::moment(arm, inertias[i].mass * (motion[i].velocity - mean)) +
-                                 turning_momentum(inertias[i], placement.frame[i], motion[i].spin);
-    piece.turning += own;
-    piece.turning_size += size_of(own);
+                                 angular_momentum(inertias[i], placement.frame[i], motion[i].spin);
+    fragment.angular += own;
+    fragment.angular_size += size_of(own);
   }
-  return piece;
+  return fragment;
 }
 
-/// Adds the rigid motion of a piece that has a given momentum.
+/// Adds the rigid motion of a fragment that has a given momentum.
 /// @param about     point that the angular momentum is about
 /// @param momentum  of the motion that is added, and its angular momentum
 template <class L>
@@ -71,7 +71,7 @@ void add_momentum(const std::vector<chain::Inertia<L>>& inertias,
     for (std::size_t k = 0; k < kT; ++k) a.tt(k, k) = a.tt(k, k) + mass;
     a.tr += mass * by;
     a.rt += mass * transpose(by);
-    a.rr += axes * inertias[i].turning * transpose(axes) + mass * (transpose(by) * by);
+    a.rr += axes * inertias[i].rotational * transpose(axes) + mass * (transpose(by) * by);
   }
   Mat<S, kR + kT, kR + kT> m;
   put(m, 0, 0, a.rr);
@@ -92,26 +92,26 @@ void add_momentum(const std::vector<chain::Inertia<L>>& inertias,
   }
 }
 
-/// What a piece's momentum has changed by beyond the impulses of its loads, so far.
+/// What a fragment's momentum has changed by beyond the impulses of its loads, so far.
 template <class L>
 struct MomentumError {
-  typename L::Point lost{};     ///< [N s]
-  typename L::Spin turned{};    ///< [N m s]
-  double largest_lost = 0.0;    ///< of them, so far
-  double largest_turned = 0.0;  ///< likewise
-  double size = 0.0;            ///< `PieceMotion::size`, the largest so far
-  double turning_size = 0.0;    ///< likewise
-  chain::Wrench<L> outside{};   ///< what acted on it at the step's begin, about its center
+  typename L::Point lost{};      ///< [N s]
+  typename L::Spin angular{};    ///< [N m s]
+  double largest_lost = 0.0;     ///< of them, so far
+  double largest_angular = 0.0;  ///< likewise
+  double size = 0.0;             ///< `FragmentMotion::size`, the largest so far
+  double angular_size = 0.0;     ///< likewise
+  chain::Wrench<L> outside{};    ///< what acted on it at the step's begin, about its center
   bool knows_outside = false;
 
   /// The largest over the largest momentum so far [1].
   /// @param length  of the beam [m]
   double share(double length) const {
-    // A piece that hardly turns has no angular momentum but rounding.
-    constexpr double kNoTurning = kIsDouble<typename L::Scalar> ? 1e-9 : 1e-3;
-    const double turning = std::max(turning_size, kNoTurning * size * length);
+    // A fragment that hardly turns has no angular momentum but rounding.
+    constexpr double kNoSpin = kIsDouble<typename L::Scalar> ? 1e-9 : 1e-3;
+    const double scale = std::max(angular_size, kNoSpin * size * length);
     return std::max(size > 0.0 ? largest_lost / size : 0.0,
-                    turning > 0.0 ? largest_turned / turning : 0.0);
+                    scale > 0.0 ? largest_angular / scale : 0.0);
   }
 };
 

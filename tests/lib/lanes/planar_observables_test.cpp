@@ -11,26 +11,28 @@ using testing::levels;
 using testing::RandomBeams;
 
 /// By velocities of the centers of mass, where the kernel has inertias about the joints.
-TEST(PlanarSight, SeesWhereSegmentsAreAndTheirEnergies) {
+TEST(PlanarObservables, SayWhereSegmentsAreAndTheirEnergies) {
   for (const InstructionSet level : levels()) {
     const RandomBeams<double> b(7, 1, 3);
     for (std::size_t i = 0; i < 7; ++i) {
       b.at(i, PlanarState::Plastic) = 0.01 * static_cast<double>(i);
     }
-    kernels(level).in_double.planar_sight.one(b.beam());
+    kernels(level).in_double.planar_observables.one(b.beam());
     double x = 0.0, y = 0.0, vx = 0.0, vy = 0.0, direction = 0.0, spin = 0.0;
     double kinetic = 0.0, elastic = 0.0, potential = 0.0;
     for (std::size_t i = 0; i < 7; ++i) {
       direction += b.kind(i, PlanarKind::Rest) + b.at(i, PlanarState::Angle);
       spin += b.at(i, PlanarState::Rate);
       const double c = std::cos(direction), s = std::sin(direction);
-      const auto seen = [&](std::size_t field) { return b.sight[i * PlanarSight::kCount + field]; };
-      EXPECT_NEAR(seen(PlanarSight::X), x, 1e-14);
-      EXPECT_NEAR(seen(PlanarSight::Y), y, 1e-14);
-      EXPECT_NEAR(seen(PlanarSight::Direction), direction, 1e-14);
-      EXPECT_NEAR(seen(PlanarSight::Cosine), c, 1e-14);
-      EXPECT_NEAR(seen(PlanarSight::Sine), s, 1e-14);
-      EXPECT_NEAR(seen(PlanarSight::Spin), spin, 1e-14);
+      const auto observed = [&](std::size_t field) {
+        return b.observables[i * PlanarObservables::kCount + field];
+      };
+      EXPECT_NEAR(observed(PlanarObservables::X), x, 1e-14);
+      EXPECT_NEAR(observed(PlanarObservables::Y), y, 1e-14);
+      EXPECT_NEAR(observed(PlanarObservables::Direction), direction, 1e-14);
+      EXPECT_NEAR(observed(PlanarObservables::Cosine), c, 1e-14);
+      EXPECT_NEAR(observed(PlanarObservables::Sine), s, 1e-14);
+      EXPECT_NEAR(observed(PlanarObservables::Spin), spin, 1e-14);
 
       const double mass = b.kind(i, PlanarKind::Mass);
       const double center = b.kind(i, PlanarKind::FirstMoment) / mass;

@@ -11,7 +11,7 @@ PLASTICA_KERNELS_BEGIN
 /// Where beams are between two steps, and their energies.
 /// @tparam Form  PlanarForm or SpatialForm
 template <class Form>
-[[gnu::noinline]] void articulated_sight(const typename Form::Beam& beam) {
+[[gnu::noinline]] void articulated_observables(const typename Form::Beam& beam) {
   using S = typename Form::Scalar;
   using L = typename Form::L;
   using Kind = typename Form::Kind;
@@ -30,13 +30,13 @@ template <class Form>
     const Kind kind(beam.kinds, beam.kind[i]);
     const Load load(beam.loads, beam.load[i]);
     const State state(beam.state, i);
-    const typename Form::Sight sight(beam.sight, i);
+    const typename Form::Observables observables(beam.observables, i);
     const auto angle = get_vec<kR>(state, OfState::Angle);
-    const typename Form::Axes axes = Form::turned(kind, angle, aim);
+    const typename Form::Axes axes = Form::rotated(kind, angle, aim);
     aim.spin += get_vec<kR>(state, OfState::Rate);
-    set_vec(sight, Form::Sight::Fields::Place, place);
-    Form::show(aim, axes, sight);
-    set_vec(sight, Form::Sight::Fields::Spin, aim.spin);
+    set_vec(observables, Form::Observables::Fields::Place, place);
+    Form::observe(aim, axes, observables);
+    set_vec(observables, Form::Observables::Fields::Spin, aim.spin);
 
     const auto stretched = angle - get_vec<kR>(state, OfState::Plastic);
     for_each_of<kR>([&](std::size_t k) PLASTICA_ALWAYS_INLINE {

@@ -1,4 +1,4 @@
-#include "sweeps/stability/walk.hpp"
+#include "sweeps/stability/scan.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "calibrate/trial/redivide.hpp"
+#include "calibrate/trial/remesh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,27 +27,27 @@ Setup bar(int segments) {
 }
 
 TEST(Redivided, HalvesAndDoublesTheSegments) {
-  EXPECT_EQ(redivided(bar(8), Division::Half).scene.beam.segments, 4);
-  EXPECT_EQ(redivided(bar(8), Division::Twice).scene.beam.segments, 16);
-  EXPECT_EQ(redivided(bar(7), Division::Twice).scene.beam.segments, 14);
+  EXPECT_EQ(remeshed(bar(8), Division::Half).scene.beam.segments, 4);
+  EXPECT_EQ(remeshed(bar(8), Division::Twice).scene.beam.segments, 16);
+  EXPECT_EQ(remeshed(bar(7), Division::Twice).scene.beam.segments, 14);
   // Segments whose end ones are half as long: 9 are as 8 whole ones.
   plastica::Setup half = bar(9);
   half.scene.end_rule = EndRule::Half;
   half.scene.loads[0].at = Place::end();
-  EXPECT_EQ(redivided(half, Division::Half).scene.beam.segments, 5);
-  EXPECT_EQ(redivided(half, Division::Twice).scene.beam.segments, 17);
+  EXPECT_EQ(remeshed(half, Division::Half).scene.beam.segments, 5);
+  EXPECT_EQ(remeshed(half, Division::Twice).scene.beam.segments, 17);
 }
 
 TEST(Redivided, CutsUnevenSegmentsInTwoAndJoinsThem) {
   plastica::Setup setup = bar(4);
   setup.scene.beam.segment_shares = {0.1, 0.2, 0.3, 0.4};
   setup.scene.loads[0].at = {0.0, 2};  // at 0.3 of the length
-  const plastica::Setup twice = redivided(setup, Division::Twice);
+  const plastica::Setup twice = remeshed(setup, Division::Twice);
   EXPECT_EQ(twice.scene.beam.segment_shares,
             (std::vector<double>{0.05, 0.05, 0.1, 0.1, 0.15, 0.15, 0.2, 0.2}));
   EXPECT_FALSE(twice.scene.loads[0].at.segment);
   EXPECT_DOUBLE_EQ(twice.scene.loads[0].at.fraction, 0.3);
-  const plastica::Setup half = redivided(setup, Division::Half);
+  const plastica::Setup half = remeshed(setup, Division::Half);
   ASSERT_EQ(half.scene.beam.segment_shares.size(), 2U);
   EXPECT_DOUBLE_EQ(half.scene.beam.segment_shares[0], 0.3);
   EXPECT_TRUE(usable(simulate(half.scene, half.solver).status));
@@ -55,7 +55,7 @@ TEST(Redivided, CutsUnevenSegmentsInTwoAndJoinsThem) {
 
 TEST(Redivided, RefusesWhatWouldBeAnotherScene) {
   const auto refusal = [](const plastica::Setup& setup, Division division) {
-    return message_of([&] { (void)redivided(setup, division); });
+    return message_of([&] { (void)remeshed(setup, division); });
   };
   EXPECT_EQ(refusal(bar(7), Division::Half),
             "beam.segments = 7: cannot be halved: it is no even number");

@@ -9,7 +9,7 @@
 
 namespace plastica::sweeps::stability {
 
-/// A way towards the edge: one number of a scene, and the values that it takes.
+/// An axis towards the edge: one number of a scene, and the values that it takes.
 struct Axis {
   std::string_view name;  ///< "time step"
   std::string_view unit;  ///< of SI; "1"
@@ -38,7 +38,7 @@ struct StabilityPoint {
   double segment_steps = 0.0;  ///< estimate of segments times steps [1]
 };
 
-/// All points of all walks, none twice, in the order of scenes and axes. Points whose estimate is
+/// All points of all scans, none twice, in the order of scenes and axes. Points whose estimate is
 /// beyond 1e9 segment-steps are left out.
 std::vector<StabilityPoint> stability_points();
 
