@@ -68,9 +68,6 @@ int check(const CheckArguments& arguments) {
   // All files are read before the first is run: a bad one loses nothing.
   std::vector<sweeps::CheckFile> files;
   for (const std::string& path : arguments.files) files.push_back(sweeps::read_check_file(path));
-  for (const sweeps::CheckFile& file : files) {
-    for (const std::string& note : file.notes) tell("plastica: {}\n", note);
-  }
   if (arguments.dry_run) return print_dry_run(files);
   if (!arguments.junit.empty()) {
     for (const sweeps::CheckFile& file : files) {

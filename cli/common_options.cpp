@@ -5,10 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <set>
 #include <string_view>
+#include <utility>
 
 #include "cli/tell.hpp"
 #include "plastica/base/check.hpp"
+#include "plastica/base/former_names.hpp"
 
 namespace plastica::cli {
 
@@ -49,6 +53,15 @@ std::vector<std::string> with_new_names(std::vector<std::string> words) {
     }
   }
   return words;
+}
+
+void tell_former_names() {
+  const auto told = std::make_shared<std::set<std::pair<std::string, std::string>>>();
+  listen_to_former_names(
+      [told](const SourceLocation& where, std::string_view before, std::string_view now) {
+        if (!told->emplace(where.file, before).second) return;
+        tell("plastica: {}:{}: {} is now {}\n", where.file, where.line, before, now);
+      });
 }
 
 void add_isa_option(CLI::App& sub, std::string& isa) {

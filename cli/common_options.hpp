@@ -24,6 +24,9 @@ void add_quiet_option(CLI::App& sub, bool& quiet, const std::string& what);
 /// The words of a command line, the command first, with the new names of options that had others in
 /// the last version; says so on stderr.
 std::vector<std::string> with_new_names(std::vector<std::string> words);
+
+/// From now on says on stderr which former names input files have, each once a file.
+void tell_former_names();
 /// Adds `--isa`.
 void add_isa_option(CLI::App& sub, std::string& isa);
 

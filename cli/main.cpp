@@ -119,6 +119,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   plastica::cli::open_closed_streams();
+  plastica::cli::tell_former_names();
   try {
     return run(argc, argv);
   } catch (const plastica::InputError& error) {

@@ -16,9 +16,9 @@ void ProgressBar::update(std::size_t done, std::size_t failed, std::size_t taken
 
 std::string ProgressBar::line(const std::string& what, std::size_t done, std::size_t failed,
                               std::size_t taken, std::size_t total, double seconds) {
-  const double share = total == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(total);
+  const double fraction = total == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(total);
   const double rate = seconds > 0.0 ? static_cast<double>(done - taken) / seconds : 0.0;
-  std::string text = fmt::format("{} {} {}/{}, {} failed, {:.3g}/s", what, bar_text(share), done,
+  std::string text = fmt::format("{} {} {}/{}, {} failed, {:.3g}/s", what, bar_text(fraction), done,
                                  total, failed, rate);
   if (rate > 0.0 && done < total) {
     text += ", " + time_left(static_cast<double>(total - done) / rate) + " left";

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "plastica/base/former_names.hpp"
 #include "plastica/io/nearest_word.hpp"
 
 namespace plastica::calibrate {
@@ -18,7 +19,11 @@ constexpr std::string_view kAuto = "auto";
 std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 
 /// A material field by its path or its last part; of a fit through scenes any number by its path.
-const Field* parameter_field_or_null(std::string_view name, ParameterScope scope) {
+/// Former names are names, too.
+const Field* parameter_field_or_null(std::string_view written, ParameterScope scope,
+                                     const SourceLocation& where) {
+  const std::string name = present_path(std::string(written));
+  if (name != written) note_former_name(where, written, name);
   for (const Field& field : fields()) {
     if (field.material && (field.path == name || last_part(field.path) == name)) return &field;
     const bool any = scope == ParameterScope::Scene && field.kind == FieldKind::Number;
@@ -121,7 +126,7 @@ void read_tied(const Keys& keys, ParameterScope scope, Parameter& parameter) {
   refuse(keys.value, kRule);
   refuse(keys.fixed, kRule);
   parameter.role = ParameterRole::Tied;
-  const Field* other = parameter_field_or_null(keys.tie->string(), scope);
+  const Field* other = parameter_field_or_null(keys.tie->string(), scope, keys.tie->where());
   if (other == nullptr) throw keys.tie->error("is not the name of a parameter");
   if (other == parameter.field) throw keys.tie->error("a parameter cannot be tied to itself");
   if (other->dimension != parameter.field->dimension) {
@@ -236,7 +241,7 @@ std::vector<Parameter> default_parameters() {
 
 const Field& parameter_field(std::string_view name, const SourceLocation& where,
                              std::string_view key, ParameterScope scope) {
-  if (const Field* field = parameter_field_or_null(name, scope)) return *field;
+  if (const Field* field = parameter_field_or_null(name, scope, where)) return *field;
   std::vector<std::string> names;
   for (const Field& field : fields()) {
     if (field.material) names.emplace_back(last_part(field.path));

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "calibrate/config/read_parameters.hpp"
+#include "plastica/base/former_names.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/toml.hpp"
 
@@ -36,6 +37,7 @@ bool is_the_same(const StoredScene& a, const StoredScene& b) {
 
 std::optional<StoredSceneFit> read_stored_scenes(const std::vector<io::InputText>& inputs) {
   if (inputs.empty()) return std::nullopt;
+  const UnnotedFormerNames unnoted;
   const auto document = io::TomlDocument::parse(inputs.front().text, inputs.front().name);
   const io::TomlTable root = document.root();
   StoredSceneFit stored;

@@ -133,10 +133,10 @@ class BeamReader {
     EngineJoint held;
     held.name = fmt::format("support_{}", index + 1);
     held.off_start = true;
-    const double share = share_of(model_.scene.supports[index].at, model_.layout.ends);
-    const chain::SegmentPoint point = chain::segment_point(model_.layout, share);
+    const double fraction = fraction_of(model_.scene.supports[index].at, model_.layout.ends);
+    const chain::SegmentPoint point = chain::segment_point(model_.layout, fraction);
     const auto& frame = model_.layout.segment_frame[point.segment];
-    set_place(share, (model_.layout.node[point.segment] + frame * point.arm).at, held);
+    set_place(fraction, (model_.layout.node[point.segment] + frame * point.arm).at, held);
     held.child = point.segment;
     held.axes = axes_of(identity<double, 3>());
     for (const chain::Closure<Space>& closure : chain.closures) {
@@ -183,8 +183,8 @@ class BeamReader {
     }
   }
 
-  void set_place(double share, const std::array<double, 3>& point, EngineJoint& joint) const {
-    joint.at = share * model_.scene.beam.length;
+  void set_place(double fraction, const std::array<double, 3>& point, EngineJoint& joint) const {
+    joint.at = fraction * model_.scene.beam.length;
     joint.point = point;
   }
 
@@ -262,9 +262,9 @@ Model bare_model(const Scene& scene) {
 
 }  // namespace
 
-std::array<double, 3> EngineSegment::point(double share) const {
+std::array<double, 3> EngineSegment::point(double fraction) const {
   std::array<double, 3> there;
-  for (std::size_t k = 0; k < 3; ++k) there[k] = (1.0 - share) * start[k] + share * end[k];
+  for (std::size_t k = 0; k < 3; ++k) there[k] = (1.0 - fraction) * start[k] + fraction * end[k];
   return there;
 }
 

@@ -47,8 +47,8 @@ struct EngineSegment {
   std::size_t part = 0;
 
   std::array<double, 3> center() const { return point(balance); }  ///< of mass
-  /// The point at a share of the way from `start` to `end`.
-  std::array<double, 3> point(double share) const;
+  /// The point at a fraction of the way from `start` to `end`.
+  std::array<double, 3> point(double fraction) const;
 };
 
 /// A joint between two segments, or between a segment and the ground: the beam's start, and each

@@ -42,7 +42,7 @@ void note_yield(const Scene& scene, EngineBeam& beam) {
     beam.notes.emplace_back(fmt::format(
         "linear hardening, {:g} of it kinematic: behind first yield a joint has the hardened "
         "stiffness",
-        hardening.kinematic_share));
+        hardening.kinematic_fraction));
   } else if (hardening.law != HardeningLaw::Ideal) {
     beam.notes.emplace_back(fmt::format("{} is left out: the moments are those of first yield",
                                         hardening_kind(hardening.law).phrase()));
@@ -67,7 +67,7 @@ void note_supports(const Scene& scene, const std::vector<EngineSegment>& segment
     const Support& support = scene.supports[i];
     const auto place = [&] {
       return fmt::format("support[{}] at {:g} m", i + 1,
-                         share_of(support.at, ends) * scene.beam.length);
+                         fraction_of(support.at, ends) * scene.beam.length);
     };
     const SupportTraits& kind = traits_of(support);
     if (kind.one_sided) {

@@ -17,7 +17,7 @@ constexpr std::string_view kOpenseesRemarks = R"(#
 # The axes of a zeroLength element stand still: turns of a joint by more than some 0.1 rad about
 # several axes are not what plastica has.
 # A segment is an elasticBeamColumn $rigid times as stiff as the section, with its mass, so that the
-# beam is softer by that share. Supports are nodes that are fixed.
+# beam is softer by that fraction. Supports are nodes that are fixed.
 )";
 
 class TclWriter {

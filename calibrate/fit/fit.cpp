@@ -44,7 +44,7 @@ std::uint64_t seed_of(const std::string& name, std::uint64_t seed) {
 
 double largest_stress(const Curve& curve) { return largest_magnitude(curve.stress); }
 
-/// Limits of the misfit, as a share of the largest stress, for "close" and "fair".
+/// Limits of the misfit, as a fraction of the largest stress, for "close" and "fair".
 constexpr double kClose = 0.02;
 constexpr double kFair = 0.05;
 
@@ -52,10 +52,10 @@ void describe_misfit(const Misfit::Details& details, const Target& target,
                      const FitOptions& options, FitResult& result) {
   const double stress = largest_stress(target.corrected);
   result.misfit_rms = std::sqrt(std::max(0.0, details.stress_cost));
-  result.misfit_share = stress > 0.0 ? result.misfit_rms / stress : 0.0;
-  result.misfit_word = result.misfit_share < kClose  ? "close"
-                       : result.misfit_share < kFair ? "fair"
-                                                     : "poor";
+  result.misfit_fraction = stress > 0.0 ? result.misfit_rms / stress : 0.0;
+  result.misfit_word = result.misfit_fraction < kClose  ? "close"
+                       : result.misfit_fraction < kFair ? "fair"
+                                                        : "poor";
   std::vector<double> residual;
   for (std::size_t i = 0; i < details.residual.size(); ++i) {
     if (details.weight[i] > 0.0) residual.push_back(details.residual[i]);
@@ -65,7 +65,7 @@ void describe_misfit(const Misfit::Details& details, const Target& target,
   result.effective_samples = effective_samples(details.weight);
   result.noise = options.noise;
   std::string lack =
-      lack_of_fit(phrase_of(result.law), result.misfit_share, result.runs_probability,
+      lack_of_fit(phrase_of(result.law), result.misfit_fraction, result.runs_probability,
                   laws_to_try(result.law, target.loading, options.laws));
   if (!lack.empty()) result.warnings.push_back(std::move(lack));
 }
@@ -137,7 +137,7 @@ void add_tied_errors(const ParameterSet& set, FitResult& result) {
   }
 }
 
-/// Of most curves the sampling leaves some of the break open: up to this share no word is lost.
+/// Of most curves the sampling leaves some of the break open: up to this fraction no word is lost.
 constexpr double kMinor = 0.01;
 
 void add_warnings(const Target& target, FitResult& result) {

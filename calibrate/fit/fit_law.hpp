@@ -10,7 +10,7 @@ namespace plastica::calibrate {
 ///
 /// Freed by themselves, between bounds and from starts that the curve gives (start_values.hpp), are
 /// those that the options do not name: of linear hardening the tangent modulus and, of cyclic
-/// curves, the kinematic share; of Voce's Q and b; of Chaboche's these and C and gamma of two
+/// curves, the kinematic fraction; of Voce's Q and b; of Chaboche's these and C and gamma of two
 /// back-stresses, one fast and one slow. What the options fix stays fixed.
 FitOptions options_of(Law law, const FitOptions& options, Loading loading);
 

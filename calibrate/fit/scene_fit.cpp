@@ -86,7 +86,7 @@ class SceneFit {
     }
     if (options_.segments_error) add_segments();
     for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
-      judge(halves_[i], segments_of(i), prior_shares_[i], result_.parameters[i]);
+      judge(halves_[i], segments_of(i), prior_fractions_[i], result_.parameters[i]);
     }
     if (search_.best().outcome == LeastSquaresOutcome::EvaluationsReached) {
       result_.warnings.push_back(fmt::format(
@@ -112,7 +112,7 @@ class SceneFit {
 
   void add_segments() {
     result_.segments =
-        divide_anew({problem_, options_, search_.best().x, result_.parameters, shares_}, work_);
+        divide_anew({problem_, options_, search_.best().x, result_.parameters, fractions_}, work_);
     if (!result_.segments) return;
     const auto unknown = [](const SegmentsError& e) { return e.trend == SegmentsTrend::Unknown; };
     const SceneSegments& made = *result_.segments;
@@ -178,13 +178,13 @@ class SceneFit {
     if (noise.pooled) {
       result_.warnings.push_back(
           fmt::format("{}: its {} samples leave {:.2g} degrees of freedom to its noise, too few to "
-                      "weigh it by: it is given the share of the largest value that all targets "
+                      "weigh it by: it is given the fraction of the largest value that all targets "
                       "have, {:.3g} (SI); state it (noise) if it is known",
                       target.name, part.samples, noise.degrees_left, part.noise));
     }
     const double largest = largest_size(target.ordinate);
     const double rms = std::sqrt(part.cost / static_cast<double>(part.samples));
-    part.misfit_share = largest > 0.0 ? rms / largest : 0.0;
+    part.misfit_fraction = largest > 0.0 ? rms / largest : 0.0;
     const double unit = problem_.scale(index) / std::sqrt(parts_[index].weight);
     std::vector<double> residual;
     for (std::size_t i = 0; i < part.samples; ++i) {
@@ -210,7 +210,7 @@ class SceneFit {
       fitted.lower = *p.lower;
       fitted.upper = *p.upper;
       std::vector<double> halves;
-      shares_.emplace_back();
+      fractions_.emplace_back();
       Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
       if (is_break(p)) {
         const BreakLimit limit = errors.break_limit(p);
@@ -218,7 +218,7 @@ class SceneFit {
         fitted.at_lower = limit.value < *p.lower;
         fitted.at_upper = limit.value > *p.upper;
         halves = limit.halves;
-        shares_.back() = limit.shares;
+        fractions_.back() = limit.fractions;
         if (limit.disagree) {
           result_.warnings.push_back(fmt::format(
               "{}: the targets disagree, from {:.4g} to {:.4g}; the value is a mean of unlike ones",
@@ -260,7 +260,7 @@ class SceneFit {
       fitted.interval_high = fitted.value + reach;
       // Both count by one over the square of their standard deviations.
       const double prior = p.prior ? fitted.noise_error / p.prior->standard_deviation : 0.0;
-      prior_shares_.push_back(prior * prior);
+      prior_fractions_.push_back(prior * prior);
       // As wide as one interval with the same standard error.
       halves_.push_back(std::sqrt(3.0) * fitted.sampling_error);
       result_.parameters.push_back(std::move(fitted));
@@ -287,10 +287,10 @@ class SceneFit {
   const SceneFitOptions& options_;
   SceneProblem problem_;
   SceneSearch search_;
-  SceneWork work_;                           ///< after the search
-  std::vector<double> halves_;               ///< of the sampling intervals of parameters [SI]
-  std::vector<double> prior_shares_;         ///< in what is known of the parameters (n_free)
-  std::vector<std::vector<double>> shares_;  ///< of the parts in a break limit, by parameter
+  SceneWork work_;                              ///< after the search
+  std::vector<double> halves_;                  ///< of the sampling intervals of parameters [SI]
+  std::vector<double> prior_fractions_;         ///< in what is known of the parameters (n_free)
+  std::vector<std::vector<double>> fractions_;  ///< of the parts in a break limit, by parameter
   SceneFitResult result_;
 };
 

@@ -72,7 +72,7 @@ struct ScenePartFit {
   /// target's, else by its residuals (part_noise.hpp) [SI].
   double noise = 0.0;
   double degrees_of_freedom = 0.0;  ///< of this; infinite where the target states it
-  double misfit_share = 0.0;        ///< rms residual over the largest measured ordinate [1]
+  double misfit_fraction = 0.0;     ///< rms residual over the largest measured ordinate [1]
   /// Wald and Wolfowitz: probability of as few runs of residuals of one sign, if they were
   /// independent, or of so few of one sign [1]; NaN for fewer than 20. Small where the model
   /// cannot follow.
@@ -124,7 +124,7 @@ struct SceneFitResult {
 /// states none, each part's ordinate range stands for it at first; then the parts' residuals say
 /// it, each with the degrees of freedom that the fit leaves to the part, and the fit is repeated,
 /// four times at most, until it changes by less than 5 %. A part with fewer than five of these has
-/// the noise that all parts have in common, as a share of the largest ordinate.
+/// the noise that all parts have in common, as a fraction of the largest ordinate.
 ///
 /// Errors are those of Gauss and Newton: C = A^-1 B A^-1 with A = J^T W J, B = J^T W^2 J, J the
 /// residuals' slopes over the noise by central differences and W the given weights (for weights

@@ -57,7 +57,7 @@ std::optional<Usual> usual(const Field& field, const SceneFitOptions& options, c
       const double most = std::min(0.25 * E, 0.9 * least_modulus(options, E));
       return Usual{std::min(0.01 * E, most), 0.0, most};
     }
-    case MaterialField::KinematicShare: return Usual{0.5, 0.0, 1.0};
+    case MaterialField::KinematicFraction: return Usual{0.5, 0.0, 1.0};
     case MaterialField::SaturationStress: return Usual{0.3 * S, 0.0, 3.0 * S};
     case MaterialField::SaturationRate: return around(0.1 * E / S);
     case MaterialField::BackModulus1: return around(0.2 * E);
@@ -182,14 +182,14 @@ LawFit law_fit_of(const SceneFitRecord& record) {
       largest = std::max(largest, std::fabs(target.ordinate[k]));
     }
     const auto samples = static_cast<double>(part.samples);
-    const double share = record.weights[i] * static_cast<double>(result.parts.size()) / weights;
+    const double fraction = record.weights[i] * static_cast<double>(result.parts.size()) / weights;
     fit.curves.push_back({.mean_square = part.cost / samples,
                           .largest = largest,
-                          .samples = share * samples,
+                          .samples = fraction * samples,
                           .autocorrelation = autocorrelation(residual),
                           .noise = target.noise});
-    fit.misfit_share = std::max(fit.misfit_share, part.misfit_share);
-    fit.lacks_fit = fit.lacks_fit || lacks_fit(part.misfit_share, part.runs_probability);
+    fit.misfit_fraction = std::max(fit.misfit_fraction, part.misfit_fraction);
+    fit.lacks_fit = fit.lacks_fit || lacks_fit(part.misfit_fraction, part.runs_probability);
   }
   for (const FittedParameter& p : result.parameters) {
     if (p.path == "material.break_strain" || p.path == "material.break_shear_strain") continue;

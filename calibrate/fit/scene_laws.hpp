@@ -24,7 +24,7 @@ std::vector<ScenePart> parts_of(Law law, std::span<const ScenePart> parts);
 /// (fit_law.hpp). Bounds that nobody gave follow, with S the yield stress, E Young's modulus (each
 /// at its start) and e = S/E, from:
 ///   tangent_modulus       0 … E/4, at most 0.9 of the least E; start E/100
-///   kinematic_share       0 … 1; 1/2
+///   kinematic_fraction       0 … 1; 1/2
 ///   saturation_stress     0 … 3 S; 0.3 S
 ///   saturation_rate       0.1/e over and times 100; 0.1/e: Q is nearly there after 30 e
 ///   backstress_modulus_1  0.2 E over and times 100; 0.2 E

@@ -70,8 +70,8 @@ BootstrapInterval bootstrap_interval(std::vector<double> values, double confiden
   double mean = 0.0, squares = 0.0;
   for (const double v : values) mean += v / count;
   for (const double v : values) squares += (v - mean) * (v - mean);
-  const auto percentile = [&](double share) {
-    const double number = std::clamp((count + 1.0) * share - 1.0, 0.0, count - 1.0);
+  const auto percentile = [&](double fraction) {
+    const double number = std::clamp((count + 1.0) * fraction - 1.0, 0.0, count - 1.0);
     const auto below = std::min(static_cast<std::size_t>(number), values.size() - 2);
     const double part = number - static_cast<double>(below);
     return values[below] + part * (values[below + 1] - values[below]);

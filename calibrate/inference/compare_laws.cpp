@@ -11,12 +11,12 @@ namespace {
 
 /// Differences of BIC below this are none.
 constexpr double kBareMention = 2.0;
-/// A misfit below this share of the largest value is none.
+/// A misfit below this fraction of the largest value is none.
 constexpr double kNothingLeft = 1e-6;
 /// Residuals of neighbours more alike than this would leave no samples.
 constexpr double kMostAlike = 0.999;
-/// Misfits, as shares of the largest value, above which a law may lack something: with residuals in
-/// long runs; without a count of runs.
+/// Misfits, as fractions of the largest value, above which a law may lack something: with residuals
+/// in long runs; without a count of runs.
 constexpr double kLacking = 0.01;
 constexpr double kLackingForSure = 0.05;
 
@@ -76,7 +76,7 @@ std::string doubts_on(const LawFit& fit) {
   return text;
 }
 
-std::string share_text(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
+std::string fraction_text(double fraction) { return fmt::format("{:.2g} %", 100.0 * fraction); }
 
 std::string advice_of(const std::vector<ComparedLaw>& laws, std::size_t advised) {
   const ComparedLaw& best = laws[advised];
@@ -94,17 +94,17 @@ std::string advice_of(const std::vector<ComparedLaw>& laws, std::size_t advised)
     for (const ComparedLaw& law : laws) {
       if (law.fit.parameters.size() <= best.fit.parameters.size() || !law.fit.fitted) continue;
       const std::string doubts = doubts_on(law.fit);
-      text += fmt::format(
-          "; {} gains nothing: {}", name_of(law.fit.law),
-          !doubts.empty()
-              ? doubts
-              : fmt::format("its misfit is {}, that of {} {}", share_text(law.fit.misfit_share),
-                            name_of(best.fit.law), share_text(best.fit.misfit_share)));
+      text += fmt::format("; {} gains nothing: {}", name_of(law.fit.law),
+                          !doubts.empty() ? doubts
+                                          : fmt::format("its misfit is {}, that of {} {}",
+                                                        fraction_text(law.fit.misfit_fraction),
+                                                        name_of(best.fit.law),
+                                                        fraction_text(best.fit.misfit_fraction)));
     }
   }
   if (best.fit.lacks_fit) {
     text += fmt::format("; even so it does not describe the curve (misfit {} of the largest value)",
-                        share_text(best.fit.misfit_share));
+                        fraction_text(best.fit.misfit_fraction));
   }
   return text;
 }
@@ -118,7 +118,7 @@ void add(LawFit&& fit, LawFit& sum) {
   sum.evaluations += fit.evaluations;
   sum.runs += fit.runs;
   sum.seconds = sum.fitted ? sum.seconds + fit.seconds : fit.seconds;
-  sum.misfit_share = std::max(sum.misfit_share, fit.misfit_share);
+  sum.misfit_fraction = std::max(sum.misfit_fraction, fit.misfit_fraction);
   sum.lacks_fit = sum.lacks_fit || fit.lacks_fit;
   sum.fitted = true;
 }
@@ -193,17 +193,17 @@ double autocorrelation(std::span<const double> residual) {
   return squares > 0.0 ? products / squares : 0.0;
 }
 
-bool lacks_fit(double share, double runs_probability) {
-  return std::isnan(runs_probability) ? share > kLackingForSure
-                                      : runs_probability < kFewRuns && share > kLacking;
+bool lacks_fit(double fraction, double runs_probability) {
+  return std::isnan(runs_probability) ? fraction > kLackingForSure
+                                      : runs_probability < kFewRuns && fraction > kLacking;
 }
 
-std::string lack_of_fit(std::string_view law, double share, double runs_probability,
+std::string lack_of_fit(std::string_view law, double fraction, double runs_probability,
                         std::string_view try_next) {
-  if (!lacks_fit(share, runs_probability)) return {};
+  if (!lacks_fit(fraction, runs_probability)) return {};
   const bool counted = !std::isnan(runs_probability);
   std::string text = fmt::format("{} does not describe this curve (misfit {} of the largest value",
-                                 law, share_text(share));
+                                 law, fraction_text(fraction));
   if (counted) text += fmt::format(", runs probability {:.1g}", runs_probability);
   text += "): standard errors are too small";
   if (!try_next.empty()) text += fmt::format("; try --laws {}", try_next);

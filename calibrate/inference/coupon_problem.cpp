@@ -10,7 +10,7 @@
 namespace plastica::calibrate {
 namespace {
 
-/// Share of the largest stress below which a noise is rounding.
+/// Fraction of the largest stress below which a noise is rounding.
 constexpr double kLeastNoise = 1e-12;
 
 }  // namespace

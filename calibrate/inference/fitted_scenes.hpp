@@ -55,7 +55,7 @@ double strain_at_break(const SceneCurve& curve, double place);
 
 /// Likelihood intervals of the free parameters, in their order. Points of a break's are those of
 /// its value where the targets broke in the middle of their sampling intervals; its ends have the
-/// sampling's share in them (theory::half_interval).
+/// sampling's fraction in them (theory::half_interval).
 std::vector<LikelihoodProfile> profile_scenes(const FittedScenes& fitted, SceneWork& work);
 
 /// Intervals from searches of residuals drawn anew, from the fitted parameters on.
@@ -63,7 +63,7 @@ std::vector<LikelihoodProfile> profile_scenes(const FittedScenes& fitted, SceneW
 /// Each part's own residuals are drawn, so that each keeps its noise, of which one that has too few
 /// (PartNoise::pooled) is drawn as normal; a prior's mean is drawn from
 /// the normal distribution about the fitted value that it stands for; a break is anywhere between
-/// its samples. Scales and the shares of several breaks stay as they were fitted.
+/// its samples. Scales and the fractions of several breaks stay as they were fitted.
 BootstrapResult bootstrap_residuals(const FittedScenes& fitted, SceneWork& work);
 
 /// The same of targets drawn anew: a part counts as often as it is drawn. Of each kind of test

@@ -32,10 +32,10 @@ std::vector<double> values_of(const FittedScenes& fitted, SceneProblem& problem,
     }
     double sum = 0.0, total = 0.0;
     for (std::size_t part = 0; part < curves.size(); ++part) {
-      const double share = free.limit.shares[part] * resample.count[part];
-      if (share == 0.0) continue;
-      sum += share * strain_at_break(curves[part][0], resample.place[part]);
-      total += share;
+      const double fraction = free.limit.fractions[part] * resample.count[part];
+      if (fraction == 0.0) continue;
+      sum += fraction * strain_at_break(curves[part][0], resample.place[part]);
+      total += fraction;
     }
     // Not a number if no target that broke was drawn.
     values.push_back(std::clamp(sum / total, *free.parameter->lower, *free.parameter->upper));

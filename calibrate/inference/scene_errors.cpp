@@ -229,21 +229,21 @@ BreakLimit SceneErrors::break_limit(const Parameter& p) {
   double total = 0.0;
   for (const double c : certainty) total += c;
   BreakLimit mean;
-  mean.shares.assign(problem_.parts().size(), 0.0);
+  mean.fractions.assign(problem_.parts().size(), 0.0);
   if (limits.size() == 1) {
-    limits.front().shares = std::move(mean.shares);
-    limits.front().shares[broken.front()] = 1.0;
+    limits.front().fractions = std::move(mean.fractions);
+    limits.front().fractions[broken.front()] = 1.0;
     return limits.front();
   }
   mean.slope = VectorXd::Zero(static_cast<Index>(x_.size()));
   for (std::size_t k = 0; k < limits.size(); ++k) {
     // Without noise, or where it says nothing, all count alike.
-    const double share =
+    const double fraction =
         std::isfinite(total) ? certainty[k] / total : 1.0 / static_cast<double>(limits.size());
-    mean.shares[broken[k]] = share;
-    mean.value += share * limits[k].value;
-    mean.halves.push_back(share * limits[k].half());
-    mean.slope += share * limits[k].slope;
+    mean.fractions[broken[k]] = fraction;
+    mean.value += fraction * limits[k].value;
+    mean.halves.push_back(fraction * limits[k].half());
+    mean.slope += fraction * limits[k].slope;
   }
   mean.least = mean.most = limits.front().value;
   for (std::size_t k = 0; k < limits.size(); ++k) {

@@ -12,7 +12,7 @@ namespace plastica::calibrate {
 /// A break limit as the fitted scenes have it.
 struct BreakLimit {
   double value = 0.0;  ///< [1]; NaN if no scene gets there
-  /// Half the intervals that the samplings of all targets leave, times their shares [1].
+  /// Half the intervals that the samplings of all targets leave, times their fractions [1].
   std::vector<double> halves;
   Eigen::VectorXd slope;  ///< by the coordinates (n)
   /// Of several targets: the least and the largest, and whether any is further from the mean than
@@ -20,7 +20,7 @@ struct BreakLimit {
   double least = 0.0, most = 0.0;
   bool disagree = false;
   /// What each part counts in the value, 0 if it did not break in its way (n_parts).
-  std::vector<double> shares;
+  std::vector<double> fractions;
 
   double half() const;  ///< the sum of the halves
 };

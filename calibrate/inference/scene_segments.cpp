@@ -56,12 +56,12 @@ double searched_value(const SceneProblem& problem, std::size_t k, double x) {
 }
 
 double break_value(const std::vector<std::vector<SceneCurve>>& curves,
-                   const std::vector<double>& shares, const FittedParameter& parameter) {
+                   const std::vector<double>& fractions, const FittedParameter& parameter) {
   double value = 0.0;
-  for (std::size_t part = 0; part < shares.size(); ++part) {
-    if (shares[part] == 0.0) continue;
+  for (std::size_t part = 0; part < fractions.size(); ++part) {
+    if (fractions[part] == 0.0) continue;
     const StrainAtBreak& strain = curves[part][0].strain;
-    value += shares[part] * limit_within(strain, std::isnan(strain.after));
+    value += fractions[part] * limit_within(strain, std::isnan(strain.after));
   }
   return value > parameter.lower && value < parameter.upper ? value : kNan;
 }
@@ -80,9 +80,9 @@ Repetition repeated(const DividedFit& fit, Division division) {
     std::size_t next = 0;
     std::vector<double>& values = made.rows.emplace_back();
     for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
-      const bool searched = fit.shares[i].empty();
+      const bool searched = fit.fractions[i].empty();
       values.push_back(searched ? searched_value(problem, next, found.x[next])
-                                : break_value(curves, fit.shares[i], fit.parameters[i]));
+                                : break_value(curves, fit.fractions[i], fit.parameters[i]));
       next += searched ? 1 : 0;
     }
   }

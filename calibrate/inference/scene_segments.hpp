@@ -18,7 +18,7 @@ struct DividedFit {
   std::span<const FittedParameter> parameters;  ///< what it reports (n_free)
   /// Of a break limit what each part counts in its mean; empty of what is searched (n_free,
   /// n_parts).
-  std::span<const std::vector<double>> shares;
+  std::span<const std::vector<double>> fractions;
 };
 
 /// Repeats a fit with half and with twice the segments of all its chains, from its solution, with

@@ -57,7 +57,7 @@ void add_warning(const FittedParameter& p, const SegmentsError& segments,
 void add_warning(const ScenePartFit& part, Law law, std::string_view try_next,
                  std::vector<std::string>& warnings) {
   const std::string lack =
-      lack_of_fit(phrase_of(law), part.misfit_share, part.runs_probability, try_next);
+      lack_of_fit(phrase_of(law), part.misfit_fraction, part.runs_probability, try_next);
   if (!lack.empty()) warnings.push_back(part.name + ": " + lack);
 }
 
@@ -67,8 +67,8 @@ void warn_of_specimens(std::span<const ScenePart> targets, std::span<const Scene
   for (std::size_t a = 0; a < parts.size(); ++a) {
     for (std::size_t b = 0; b < parts.size(); ++b) {
       const bool alike = are_of_one_kind(targets[a].target, targets[b].target);
-      if (!alike || !(parts[b].misfit_share > kFar * parts[a].misfit_share)) continue;
-      if (!lacks_fit(parts[b].misfit_share, parts[b].runs_probability)) continue;
+      if (!alike || !(parts[b].misfit_fraction > kFar * parts[a].misfit_fraction)) continue;
+      if (!lacks_fit(parts[b].misfit_fraction, parts[b].runs_probability)) continue;
       warnings.push_back(fmt::format(
           "{} is met far less closely than {}, which measured the same: if these are specimens "
           "that "

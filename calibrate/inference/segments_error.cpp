@@ -10,7 +10,7 @@
 namespace plastica::calibrate {
 namespace {
 
-/// A fit knows its values no better than to this share of them.
+/// A fit knows its values no better than to this fraction of them.
 constexpr double kSettled = 1e-6;
 /// Below it an extrapolation goes further than all values together.
 constexpr double kLeastOrder = 0.5;

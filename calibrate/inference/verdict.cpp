@@ -16,7 +16,7 @@ double log_choices(int n, int k) {
   return lgamma_r(n + 1.0, &sign) - lgamma_r(k + 1.0, &sign) - lgamma_r(n - k + 1.0, &sign);
 }
 
-/// Of all orders of so many of each sign the share with no more runs: of 2 k runs there are k of
+/// Of all orders of so many of each sign the fraction with no more runs: of 2 k runs there are k of
 /// each sign, which C(above - 1, k - 1) C(below - 1, k - 1) ways make, and either may be first.
 double as_few_runs(int runs, int above, int below) {
   const double all = log_choices(above + below, above);
@@ -68,17 +68,17 @@ Judgement judge(const Evidence& e) {
     return {e.segments > e.half ? Verdict::LimitedBySegments : Verdict::LimitedBySampling,
             widest / size};
   }
-  const double share = e.standard_error / size;
-  return {share > kWeak ? Verdict::Weak : Verdict::Identified, share};
+  const double fraction = e.standard_error / size;
+  return {fraction > kWeak ? Verdict::Weak : Verdict::Identified, fraction};
 }
 
 std::string warning_of(std::string_view name, const Judgement& judgement, double lower) {
-  const double share = 100.0 * judgement.number;
+  const double fraction = 100.0 * judgement.number;
   switch (judgement.verdict) {
     case Verdict::Identified:
     case Verdict::LimitedBySegments: break;  // of fits through scenes, which say more of it
     case Verdict::Weak:
-      return fmt::format("{} is weak: its standard error is {:.0f} % of it", name, share);
+      return fmt::format("{} is weak: its standard error is {:.0f} % of it", name, fraction);
     case Verdict::NotIdentified:
       return fmt::format("{} is not identified: the curves do not depend on it by itself", name);
     case Verdict::AtBound:
@@ -88,12 +88,12 @@ std::string warning_of(std::string_view name, const Judgement& judgement, double
       return fmt::format(
           "{} is from its prior: of what is known of it, {:.0f} % is the prior's and the rest the "
           "curves'",
-          name, share);
+          name, fraction);
     case Verdict::LimitedBySampling:
       return fmt::format(
           "{} is limited by sampling: the break lies between two samples, which leaves {:.2g} % of "
           "it open",
-          name, share);
+          name, fraction);
   }
   return {};
 }

@@ -22,7 +22,7 @@ std::string_view name_of(Verdict verdict);
 
 /// From this relative standard error on a parameter is weak.
 inline constexpr double kWeak = 0.1;
-/// Above this share of its prior a parameter is the prior's.
+/// Above this fraction of its prior a parameter is the prior's.
 inline constexpr double kOfPrior = 0.5;
 
 /// From this size on a correlation is named: the curves determine a combination of the two
@@ -38,14 +38,14 @@ struct Evidence {
   double half = 0.0;            ///< half the interval that a break's sampling leaves
   double standard_error = 0.0;  ///< from both
   double segments = 0.0;  ///< half the interval that the number of segments leaves; 0: none known
-  double prior = 0.0;     ///< share of its prior in all that is known of it [1]
+  double prior = 0.0;     ///< fraction of its prior in all that is known of it [1]
 };
 
 struct Judgement {
   Verdict verdict = Verdict::NotIdentified;
   /// The number behind the word: standard error over value; of a bound the bound [SI]; of sampling
   /// half the interval between samples over the value, of segments half theirs; of a prior its
-  /// share; infinite if not identified.
+  /// fraction; infinite if not identified.
   double number = 0.0;
 };
 

@@ -80,7 +80,7 @@ class Misfit {
   /// p above, of the last evaluation [1].
   double permanent_strain() const { return response_.permanent_strain; }
 
-  /// S^2: costs over it are shares of the largest stress [Pa^2].
+  /// S^2: costs over it are fractions of the largest stress [Pa^2].
   double cost_unit() const { return cost_unit_; }
 
   /// Second derivatives of the cost by the active parameters after Gauss and Newton,

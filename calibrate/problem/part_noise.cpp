@@ -21,10 +21,10 @@ std::vector<PartNoise> noise_of_parts(const SceneProblem& problem, std::span<con
                                       std::span<const double> degrees,
                                       std::span<const PartNoise> before) {
   const std::span<const ScenePart> parts = problem.parts();
-  double shares = 0.0, all = 0.0;
+  double fractions = 0.0, all = 0.0;
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const double size = size_of(parts[part]);
-    shares += costs[part] / (size * size);
+    fractions += costs[part] / (size * size);
     all += degrees[part];
   }
   std::vector<PartNoise> noise;
@@ -38,7 +38,7 @@ std::vector<PartNoise> noise_of_parts(const SceneProblem& problem, std::span<con
     const bool lone = parts.size() == 1;
     made.pooled = before[part].pooled || (!lone && degrees[part] < kFewestDegrees);
     made.degrees_of_freedom = made.pooled ? all : degrees[part];
-    made.deviation = made.pooled ? size_of(parts[part]) * std::sqrt(shares / all)
+    made.deviation = made.pooled ? size_of(parts[part]) * std::sqrt(fractions / all)
                                  : std::sqrt(costs[part] / degrees[part]);
   }
   return noise;

@@ -18,7 +18,7 @@ struct PartNoise {
   /// Of the estimate; infinite where the target states its noise.
   double degrees_of_freedom = std::numeric_limits<double>::infinity();
   double degrees_left = 0.0;  ///< that the fit leaves to the part's own residuals
-  /// Whether it is the share of the largest ordinate that all targets have in common.
+  /// Whether it is the fraction of the largest ordinate that all targets have in common.
   bool pooled = false;
 
   /// Whether the part's own residuals say too little of it.
@@ -29,7 +29,7 @@ struct PartNoise {
 ///
 /// sqrt(cost_p/d_p) with the degrees of freedom d_p. A part with fewer than five (unless it is the
 /// only one) has no noise of its own to be weighed by, and could be met by chance and take all the
-/// weight: its noise is the share of the largest ordinate that the residuals of all parts have,
+/// weight: its noise is the fraction of the largest ordinate that the residuals of all parts have,
 /// each over its own.
 /// @param costs  sums of the squared residuals of the parts, without weights and scales [SI^2]
 /// @param degrees  degrees_left

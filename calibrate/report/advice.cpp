@@ -35,7 +35,7 @@ void advise_on(const FittedParameter& parameter, std::vector<std::string>& advic
 std::string misfit_meaning(const FitResult& result) {
   const std::string name(phrase_of(result.law));
   const bool noise = result.runs_probability >= kFewRuns;
-  if (lacks_fit(result.misfit_share, result.runs_probability)) {
+  if (lacks_fit(result.misfit_fraction, result.runs_probability)) {
     return name + " does not describe this curve";
   }
   if (result.misfit_word == "close") return name + " follows this curve";

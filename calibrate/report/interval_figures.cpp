@@ -36,9 +36,9 @@ Points curve_of(const LikelihoodProfile& profile, double best, double scale) {
   Points points;
   for (std::size_t i = 0; i + 1 < profile.value.size(); ++i) {
     for (int k = 0; k <= kBetween; ++k) {
-      const double share = static_cast<double>(k) / kBetween;
-      const double r = root(i) + share * (root(i + 1) - root(i));
-      const double value = profile.value[i] + share * (profile.value[i + 1] - profile.value[i]);
+      const double fraction = static_cast<double>(k) / kBetween;
+      const double r = root(i) + fraction * (root(i + 1) - root(i));
+      const double value = profile.value[i] + fraction * (profile.value[i + 1] - profile.value[i]);
       if (r * r <= kRoom * profile.threshold) points.push_back({value / scale, r * r});
     }
   }

@@ -51,7 +51,7 @@ std::vector<std::string> facts_of(const FitRecord& record) {
       measured_parameter(result, "shear_yield_stress", "τ_y", ""),
       measured_parameter(result, "break_strain", "ε_break", " permanent"),
       measured_parameter(result, "break_shear_strain", "γ_break", " permanent"),
-      fmt::format("misfit {} %", significant(100.0 * result.misfit_share, 2))};
+      fmt::format("misfit {} %", significant(100.0 * result.misfit_fraction, 2))};
   std::erase(facts, std::string());
   return facts;
 }

@@ -113,7 +113,7 @@ void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> rec
 void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> records) {
   put_row(out, {"fit", "target", "abscissa", "abscissa_unit", "ordinate", "ordinate_unit",
                 "samples", "weight", "broke_at", "broke_half_interval", "level", "noise",
-                "noise_is", "degrees_of_freedom [1]", "misfit_share [1]", "runs_probability [1]",
+                "noise_is", "degrees_of_freedom [1]", "misfit_fraction [1]", "runs_probability [1]",
                 "break_strain [1]"});
   const bool compared = compares_laws(records);
   for (const SceneFitRecord& record : records) {
@@ -134,7 +134,7 @@ void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> 
         const ScenePartFit& part = record.result.parts[i];
         row.insert(row.end(), {std::string(word_of(part.level)), cell_of(part.noise),
                                target.noise ? "given" : "estimated",
-                               cell_of(part.degrees_of_freedom), cell_of(part.misfit_share),
+                               cell_of(part.degrees_of_freedom), cell_of(part.misfit_fraction),
                                cell_of(part.runs_probability), cell_of(part.break_strain)});
       } else {
         row.insert(row.end(), 7, std::string());

@@ -133,7 +133,7 @@ std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
         std::to_string(part.samples),
         significant(part.noise / unit.scale, 3),
         std::string(unit.name) + (target.noise ? " (given)" : ""),
-        significant(100.0 * part.misfit_share, 2),
+        significant(100.0 * part.misfit_fraction, 2),
         std::isnan(part.runs_probability) ? "-" : fmt::format("{:.2g}", part.runs_probability)};
     if (weighted) cells.push_back(brief(record.weights[p]));
     if (broke) {

@@ -184,7 +184,7 @@ std::string misfit_text(const FitRecord& record, const Ink& ink) {
   const DisplayUnit unit = display_unit(Dimension::Stress, result.misfit_rms);
   const bool tension = record.target.characteristics.rm.has_value();
   std::string line =
-      fmt::format("{} % of {} (rms {} {})", significant(100.0 * result.misfit_share, 2),
+      fmt::format("{} % of {} (rms {} {})", significant(100.0 * result.misfit_fraction, 2),
                   tension ? "Rm" : "the largest stress",
                   significant(result.misfit_rms / unit.scale, 3), unit.name);
   if (!std::isnan(result.runs_probability)) {

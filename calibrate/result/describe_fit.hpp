@@ -44,7 +44,7 @@ inline constexpr auto kDescribeTargetFit = [](auto& d) {
   d("noise", "", PLASTICA_MEMBER(noise), "standard deviation that errors stand on");
   d("degrees_of_freedom", "1", PLASTICA_MEMBER(degrees_of_freedom),
     "of this; infinite: the target states it");
-  d("misfit_share", "1", PLASTICA_MEMBER(misfit_share),
+  d("misfit_fraction", "1", PLASTICA_MEMBER(misfit_fraction),
     "rms residual over the largest measured ordinate");
   d("runs_probability", "1", PLASTICA_MEMBER(runs_probability),
     "of as few runs of residuals of one sign, if they were independent");
@@ -73,7 +73,7 @@ inline constexpr auto kDescribeFit = [](auto& d) {
   d.only(fitted, [](auto& only) {
     only("cost", "Pa^2", PLASTICA_MEMBER(result.cost), "objective, break term included");
     only("misfit_rms", "Pa", PLASTICA_MEMBER(result.misfit_rms), "root of the stress misfit");
-    only("misfit_share", "1", PLASTICA_MEMBER(result.misfit_share),
+    only("misfit_fraction", "1", PLASTICA_MEMBER(result.misfit_fraction),
          "misfit over the largest stress");
     only("misfit_word", "", PLASTICA_MEMBER(result.misfit_word), "close, fair or poor");
     only("runs_probability", "1", PLASTICA_MEMBER(result.runs_probability),

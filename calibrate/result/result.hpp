@@ -49,11 +49,11 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   /// Of the parameters in `trace.active` (n x n), row by row; NaN where unidentified.
   std::vector<double> correlation;
-  Law law = Law::Ideal;       ///< that was fitted
-  double cost = 0.0;          ///< f at the solution, break term included [Pa^2]
-  double misfit_rms = 0.0;    ///< sqrt of f without the break term [Pa]
-  double misfit_share = 0.0;  ///< misfit_rms / largest measured stress [1]
-  std::string misfit_word;    ///< "close", "fair", "poor": how well the model can follow
+  Law law = Law::Ideal;          ///< that was fitted
+  double cost = 0.0;             ///< f at the solution, break term included [Pa^2]
+  double misfit_rms = 0.0;       ///< sqrt of f without the break term [Pa]
+  double misfit_fraction = 0.0;  ///< misfit_rms / largest measured stress [1]
+  std::string misfit_word;       ///< "close", "fair", "poor": how well the model can follow
   /// Probability of so few runs of one sign, if the residuals were noise (verdict.hpp); NaN for
   /// fewer than 20.
   double runs_probability = std::numeric_limits<double>::quiet_NaN();

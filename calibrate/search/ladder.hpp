@@ -15,7 +15,7 @@ namespace plastica::calibrate {
 /// at its start.
 using StartPoint = std::vector<std::pair<const Field*, double>>;
 
-/// A cost above a simpler law's by more than this share of it is not the least.
+/// A cost above a simpler law's by more than this fraction of it is not the least.
 inline constexpr double kNoBetter = 1e-6;
 
 /// A free parameter that a law's search moves, and how far [SI].

@@ -30,9 +30,10 @@ struct LeastSquaresProblem {
 LeastSquaresProblem::AtPoints one_by_one(LeastSquaresProblem::AtPoint residual);
 
 struct LeastSquaresOptions {
-  int max_evaluations = 200;      ///< >= 1; of residuals, those of differences included
-  double x_tolerance = 1e-9;      ///< a step with |dx_i| <= x_tolerance for all i is the last one
-  double cost_tolerance = 1e-14;  ///< … and one that would lower the cost by less than this share
+  int max_evaluations = 200;  ///< >= 1; of residuals, those of differences included
+  double x_tolerance = 1e-9;  ///< a step with |dx_i| <= x_tolerance for all i is the last one
+  double cost_tolerance =
+      1e-14;  ///< … and one that would lower the cost by less than this fraction
   double difference_step = 1e-5;  ///< of forward differences
   double central_step = 1e-4;     ///< of the central differences at the solution
 };

@@ -81,11 +81,11 @@ SceneSearch::Points SceneSearch::drawn(int count) const {
   const LeastSquaresProblem& squares = problem_.squares();
   const std::size_t n = squares.start.size();
   Points points(static_cast<std::size_t>(count));
-  const std::vector<double> shares = theory::sobol(points.size(), n, options_.seed);
+  const std::vector<double> fractions = theory::sobol(points.size(), n, options_.seed);
   for (std::size_t k = 0; k < points.size(); ++k) {
     for (std::size_t i = 0; i < n; ++i) {
       const double width = squares.upper[i] - squares.lower[i];
-      points[k].push_back(squares.lower[i] + shares[k * n + i] * width);
+      points[k].push_back(squares.lower[i] + fractions[k * n + i] * width);
     }
   }
   return points;
@@ -122,14 +122,14 @@ SceneSearch::Points SceneSearch::screened_starts(int count) {
   const LeastSquaresProblem& squares = problem_.squares();
   const Points points = drawn(options_.screen);
   const std::vector<double> costs = screened_costs(points);
-  std::vector<double> shares;
+  std::vector<double> fractions;
   for (const std::vector<double>& x : points) {
     for (std::size_t i = 0; i < x.size(); ++i) {
-      shares.push_back((x[i] - squares.lower[i]) / (squares.upper[i] - squares.lower[i]));
+      fractions.push_back((x[i] - squares.lower[i]) / (squares.upper[i] - squares.lower[i]));
     }
   }
   Points chosen;
-  for (const std::size_t k : choose_starts(shares, costs, static_cast<std::size_t>(count))) {
+  for (const std::size_t k : choose_starts(fractions, costs, static_cast<std::size_t>(count))) {
     chosen.push_back(points[k]);
   }
   return chosen;

@@ -2,10 +2,12 @@
 
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "calibrate/result/describe.hpp"
 #include "calibrate/result/fitted_parameter.hpp"
 #include "calibrate/store/coders.hpp"
+#include "plastica/base/former_names.hpp"
 
 /// Described records (result/describe.hpp) in journals; not installed.
 namespace plastica::calibrate::store {
@@ -45,6 +47,9 @@ void code_described(auto& coder, auto& row, const auto& description) {
 
 void code_parameter(auto& coder, A<FittedParameter> auto& p) {
   coder(p.path, p.dimension, p.role);
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(p)>>) {
+    p.path = present_path(std::move(p.path));
+  }
   code_described(coder, p, kDescribeParameter);
 }
 

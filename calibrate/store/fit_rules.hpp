@@ -12,7 +12,7 @@ inline constexpr Range kBelowOne{0.0, 1.0, true, true};
 
 inline constexpr std::array kFitRules{
     io::anything("fits/seed"),
-    io::may_lack("fits/misfit_share"),
+    io::may_lack("fits/misfit_fraction"),
     io::may_lack("fits/runs_probability"),
     io::may_lack("fits/autocorrelation"),
     io::anything("fits/effective_samples"),
@@ -54,7 +54,7 @@ inline constexpr std::array kSceneFitRules{
     io::anything("parts/cost"),
     io::anything("parts/noise"),
     io::anything("parts/degrees_of_freedom"),
-    io::may_lack("parts/misfit_share"),
+    io::may_lack("parts/misfit_fraction"),
     io::may_lack("parts/runs_probability"),
     io::may_lack("parts/break_strain"),
     io::may_lack("segments/at_half"),

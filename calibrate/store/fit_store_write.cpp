@@ -177,7 +177,7 @@ std::vector<const FitRecord*> by_name(const std::vector<FitRecord>& records) {
   };
   for (const FitRecord* record : sorted) {
     const FitResult& r = record->result;
-    const bool empty = r.cost == 0.0 && r.misfit_rms == 0.0 && r.misfit_share == 0.0;
+    const bool empty = r.cost == 0.0 && r.misfit_rms == 0.0 && r.misfit_fraction == 0.0;
     if (r.status != FitStatus::Fitted && !(empty && r.misfit_word.empty())) {
       refuse(record->target.name, "has a misfit without having been fitted");
     }

@@ -10,6 +10,7 @@
 #include "calibrate/store/interval_store.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
 #include "calibrate/store/tables.hpp"
+#include "plastica/base/former_names.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -30,7 +31,8 @@ class Reader {
     } else {
       tables_.columns("parameters", parameters.rows, kDescribeParameter);
     }
-    for (const FittedParameter* parameter : parameters.rows) {
+    for (FittedParameter* parameter : parameters.rows) {
+      parameter->path = present_path(std::move(parameter->path));
       if (find_field_or_null(parameter->path) != nullptr) continue;
       io::refuse_value(tables_.root(), "parameters/path", parameter->path, "must be a field");
     }

@@ -13,8 +13,8 @@
 namespace plastica::calibrate {
 namespace {
 
-/// The path may end short of the measured abscissa by this share of it: rounding of a motion that
-/// is prescribed to end there.
+/// The path may end short of the measured abscissa by this fraction of it: rounding of a motion
+/// that is prescribed to end there.
 constexpr double kRounding = 1e-9;
 
 /// Whether a prepared model takes a field's value at run time just as if the scene had it.
@@ -23,7 +23,7 @@ bool is_run_parameter(const Field& field, const Setup& setup) {
   switch (*field.material) {
     case MaterialField::YoungsModulus:
     case MaterialField::YieldStress:
-    case MaterialField::KinematicShare:
+    case MaterialField::KinematicFraction:
     case MaterialField::SaturationStress:
     case MaterialField::SaturationRate:
     case MaterialField::ReferenceRate:
@@ -308,9 +308,9 @@ void SceneModel::set_ordinate(const Response& response, const std::vector<double
   std::size_t k = 1;
   for (std::size_t i = 0; i < n; ++i) {
     while (k + 1 < path.size() && path[k] < target_.abscissa[i]) ++k;
-    const double share = (target_.abscissa[i] - path[k - 1]) / (path[k] - path[k - 1]);
+    const double fraction = (target_.abscissa[i] - path[k - 1]) / (path[k] - path[k - 1]);
     curve.ordinate[i] =
-        target_.ordinate_factor * (height[k - 1] + share * (height[k] - height[k - 1]));
+        target_.ordinate_factor * (height[k - 1] + fraction * (height[k] - height[k - 1]));
   }
 }
 
@@ -336,9 +336,9 @@ double SceneModel::strain_at(const Response& response, const std::vector<double>
   if (at < path.front() - slack || at > path.back() + slack) return kNowhere;
   const auto above = std::lower_bound(path.begin() + 1, path.end() - 1, at);
   const auto k = static_cast<std::size_t>(above - path.begin());
-  const double share = (at - path[k - 1]) / (path[k] - path[k - 1]);
+  const double fraction = (at - path[k - 1]) / (path[k] - path[k - 1]);
   const double low = strain_of(response, limited, k - 1);
-  return low + share * (strain_of(response, limited, k) - low);
+  return low + fraction * (strain_of(response, limited, k) - low);
 }
 
 void SceneModel::set_strain(const Response& response, const std::vector<double>& path,

@@ -61,8 +61,8 @@ def main():
     rows, below, way = [], curve[0], 0.0
     for above in curve[1:]:
         while way <= above[0]:
-            share = (way - below[0]) / (above[0] - below[0])
-            force = below[1] + share * (above[1] - below[1]) + NOISE * normal(generator)
+            fraction = (way - below[0]) / (above[0] - below[0])
+            force = below[1] + fraction * (above[1] - below[1]) + NOISE * normal(generator)
             rows.append(f"{way:.1f},{force:.1f}")
             way += EVERY
         below = above

@@ -52,7 +52,6 @@ struct CheckFile {
   std::string path;
   std::vector<Sweep> sweeps;
   std::vector<Claim> claims;
-  std::vector<std::string> notes{};  ///< old names of keys, each with the new one, for the user
 };
 
 /// Reads a check file; see docs/file-formats.md for the keys.

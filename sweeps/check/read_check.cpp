@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -24,14 +22,13 @@ std::string sweep_path(const TomlValue& name, const std::string& check_path) {
   return path.lexically_normal().string();
 }
 
-/// Shares are numbers or percents; a value has the quantity's unit.
+/// Fractions are numbers or percents; a value has the quantity's unit.
 double read_limit(const TomlValue& value, const Claim& claim, const Sweep* sweep) {
   if (claim.kind == ClaimKind::Value) return value.quantity(sweep->quantity.dimension);
   return value.is_string() ? value.quantity(Dimension::Strain) : value.number();
 }
 
-/// @param notes  gets a line for a key's old name
-void read_walk(const TomlTable& walk, Claim& claim, std::vector<std::string>& notes) {
+void read_walk(const TomlTable& walk, Claim& claim) {
   stability::StabilityOptions& options = claim.walk.emplace();
   if (const auto only = walk.find("only")) options.only = only->strings();
   if (const auto sample = walk.find("sample")) {
@@ -40,14 +37,9 @@ void read_walk(const TomlTable& walk, Claim& claim, std::vector<std::string>& no
   if (const auto seed = walk.find("seed")) {
     options.seed = static_cast<std::uint64_t>(seed->integer(0, 1'000'000'000));
   }
-  auto work = walk.find("max_work");
-  if (const auto old = walk.find("most_work")) {
-    if (work) throw old->error("is the old name of max_work, which is there, too");
-    work = old;
-    notes.push_back(
-        fmt::format("{}:{}: most_work is now max_work", old->where().file, old->where().line));
+  if (const auto work = walk.find("max_work")) {
+    options.max_segment_steps = work->number_within(0.0, 1e9, true);
   }
-  if (work) options.max_segment_steps = work->number_within(0.0, 1e9, true);
 }
 
 /// @param sweep  null for a claim about a walk
@@ -126,7 +118,7 @@ CheckFile read_check_file(const std::string& path) {
     claim.where = table.where();
     claim.name = table.at("name").string();
     if (const auto walk = table.find_table("stability")) {
-      read_walk(*walk, claim, file.notes);
+      read_walk(*walk, claim);
       read_kind(table, nullptr, claim);
       file.claims.push_back(std::move(claim));
       continue;

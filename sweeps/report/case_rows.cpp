@@ -232,7 +232,7 @@ std::string level_word(Level level) {
   return std::string(find_field("solver.level").choices[static_cast<std::size_t>(level)]);
 }
 
-std::string percent_text(double share) { return fmt::format("{:.4g}", 100.0 * share); }
+std::string percent_text(double fraction) { return fmt::format("{:.4g}", 100.0 * fraction); }
 
 std::string shown_unit_of(std::string_view unit) {
   return unit == "1" ? std::string() : std::string(unit);

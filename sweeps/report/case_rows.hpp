@@ -41,8 +41,8 @@ std::string remark_of(const SweepRecord& record, std::size_t index);
 /// The word of files for a level: "planar".
 std::string level_word(Level level);
 
-/// A share as a number of percent: "0.4472".
-std::string percent_text(double share);
+/// A fraction as a number of percent: "0.4472".
+std::string percent_text(double fraction);
 
 /// The unit as tables show it: none for pure numbers.
 std::string shown_unit_of(std::string_view unit);

@@ -37,8 +37,9 @@ void classify_errors(const PlotCases& cases, CaseClasses& out) {
   for (std::size_t k = 0; k < count; ++k) {
     const std::string name =
         (k == 0 ? "below " : bound_text(bounds[k]) + " … ") + bound_text(bounds[k + 1]) + " %";
-    const double share = count == 1 ? 0.5 : static_cast<double>(k) / static_cast<double>(count - 1);
-    out.classes.push_back({name, ramp_color(share), kRampLetters[k]});
+    const double fraction =
+        count == 1 ? 0.5 : static_cast<double>(k) / static_cast<double>(count - 1);
+    out.classes.push_back({name, ramp_color(fraction), kRampLetters[k]});
   }
   for (std::size_t i = 0; i < record.cases(); ++i) {
     if (!cases.picked[i] || !record.comparison.error[i]) continue;
@@ -114,7 +115,7 @@ std::vector<double> bounds_between(double low, double high) {
     while (bounds.size() > 2 && bounds[bounds.size() - 2] > high) bounds.pop_back();
     if (bounds.size() <= kMostClasses + 1) break;
   }
-  // What is finer than these shares the first class.
+  // What is finer than these fractions the first class.
   if (bounds.size() > kMostClasses + 1) {
     bounds.erase(bounds.begin(), bounds.end() - static_cast<std::ptrdiff_t>(kMostClasses + 1));
   }

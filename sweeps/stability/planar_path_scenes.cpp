@@ -35,7 +35,7 @@ void expect_tip(StabilityCase& made, double force, double ratio) {
   const double beam = elastica_tip(alpha) * L;
   Reference reference{.what = "tip deflection", .probe = tip, .value = beam, .size = beam};
   if (alpha <= 0.1) {
-    // Finite rotations take the same share of both.
+    // Finite rotations take the same fraction of both.
     reference.value = ratio * beam;
     reference.tolerance = 1e-9 + 0.05 * alpha * alpha;
     reference.continuum = beam;

@@ -37,13 +37,13 @@ StabilityCase forces(const Knobs& knobs) {
         theory::tip_force_ratio(theory::ChainConvention::HalfJoint, whole(knobs.segments)) +
         1.5 / (b.n * b.n * b.n);
     const double unit = P * b.L * b.L * b.L / (3.0 * b.EI);
-    for (const auto& [number, share] : {std::pair{x, 0.6}, std::pair{y, 0.8}}) {
+    for (const auto& [number, fraction] : {std::pair{x, 0.6}, std::pair{y, 0.8}}) {
       made.expected.references.push_back({.what = "tip deflection",
                                           .probe = number,
-                                          .value = ratio * share * unit,
+                                          .value = ratio * fraction * unit,
                                           .size = unit,
                                           .tolerance = 1e-8 + alpha * 0.1 + alpha * alpha,
-                                          .continuum = share * unit});
+                                          .continuum = fraction * unit});
     }
   }
   return made;

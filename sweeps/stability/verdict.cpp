@@ -14,7 +14,7 @@ namespace {
 
 using enum Soundness;
 
-std::string percent(double share) { return report::significant(100.0 * share, 3) + " %"; }
+std::string percent(double fraction) { return report::significant(100.0 * fraction, 3) + " %"; }
 
 /// The warning of a scene that names its steps; empty if there is none.
 std::optional<std::string> step_warning(const Setup& setup) {

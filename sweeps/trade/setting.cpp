@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "plastica/base/former_names.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/toml_edit.hpp"
 #include "sweeps/plan/read_axes.hpp"
@@ -17,12 +18,15 @@ namespace {
 
 constexpr double kFailed = std::numeric_limits<double>::quiet_NaN();
 
-/// Where files may have the value of a field: [section] and [material] may stand in [beam].
+/// Where a file may have the value of a field: [section] and [material] may stand in [beam], and a
+/// key may have its former name.
 std::string path_in_file(const std::string& text, const Field& field) {
   const std::string path(field.path);
   const std::string part = path.substr(0, path.find('.'));
   const bool of_beam = part == "section" || part == "material";
-  return of_beam && io::has_toml_key(text, "beam." + part) ? "beam." + path : path;
+  std::string there = of_beam && io::has_toml_key(text, "beam." + part) ? "beam." + path : path;
+  std::string first = first_path(there);
+  return io::has_toml_key(text, first) ? first : there;
 }
 
 std::string written(const Field& field, const FieldValue& value) {
@@ -127,6 +131,7 @@ std::string setting_text(const SweepRecord& record, std::size_t index) {
 }
 
 std::string scene_with_setting(const SweepRecord& record, std::size_t index) {
+  const UnnotedFormerNames unnoted;
   const std::string& before = record.inputs.at(1).text;
   std::string text = before;
   const Setup wanted = setup_of(record, before, index);

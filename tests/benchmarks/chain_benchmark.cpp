@@ -141,11 +141,11 @@ void bend_evenly(benchmark::State& state, const chain::View<L>& view, Reach reac
   load.segment = solved.layout.size() - 1;
   load.history = solved.build.chain.histories.size();
   solved.build.chain.histories.push_back(History::ramp());
-  const double share = reach == kYielded ? 1.5 : 0.3;
+  const double fraction = reach == kYielded ? 1.5 : 0.3;
   for (std::size_t k = 0; k < L::kRotations; ++k) {
     const std::size_t axis = view.section_axes().rotation(k);
     load.moment[k] =
-        share * form.modulus[axis] * law::uniaxial_material(form.axis[axis], values).yield;
+        fraction * form.modulus[axis] * law::uniaxial_material(form.axis[axis], values).yield;
   }
   solved.build.chain.loads.push_back(load);
   double iterations = 0.0;

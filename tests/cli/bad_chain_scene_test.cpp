@@ -82,11 +82,11 @@ INSTANTIATE_TEST_SUITE_P(
         change_chain("SegmentOfNoLength", "segments = 8", "segment_lengths = ['4 m', '0 m']",
                      "3: beam.segment_lengths[2] = 0 m: must be above 0"),
         change_chain(
-            "SharesThatAreNotAll", "segments = 8", "segment_lengths = [0.5, 0.25]",
-            "3: beam.segment_lengths = [0.5, 0.25]: are shares that add up to 0.75: must be 1; "
+            "FractionsThatAreNotAll", "segments = 8", "segment_lengths = [0.5, 0.25]",
+            "3: beam.segment_lengths = [0.5, 0.25]: are fractions that add up to 0.75: must be 1; "
             "lengths need a unit"),
         change_chain(
-            "SharesAndLengths", "segments = 8", "segment_lengths = ['2 m', 0.5]",
+            "FractionsAndLengths", "segments = 8", "segment_lengths = ['2 m', 0.5]",
             "3: beam.segment_lengths[2] = 0.5: a length needs a unit (examples: m, mm, in)"),
         change_chain("JointLengthsOfAnotherBeam", "segments = 8",
                      "segments = 8\njoint_lengths = ['0.5 m', '0.5 m']",

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Files of fits of version 3 are read as they were: the same report, but for what they do not have.
+"""Files of older versions are read as they were: the same report, but for what they do not have.
 
-older_files_test.py COMMAND DATA: fits shipped curves, makes files of version 3 of the results, whose
-parameters had other columns, and has the command show both.
+older_files_test.py COMMAND DATA: fits shipped curves and simulates shipped scenes, makes files of
+older versions of the results, which had other columns or other names, and has the command show both.
 """
 
 import pathlib
@@ -32,6 +32,20 @@ def copy_of(folder):
         for name, value in file.attrs.items():
             copy.attrs[name] = value
     return copy
+
+
+FORMER = {"kinematic_fraction": "kinematic_share", "misfit_fraction": "misfit_share",
+          "segment_fractions": "segment_shares"}
+
+
+def rename_to_former(file):
+    """Gives datasets and groups the names of the last version. @return the present ones found"""
+    found = []
+    file.visit(lambda path: found.append(path) if path.split("/")[-1] in FORMER else None)
+    for path in sorted(found, key=lambda path: -path.count("/")):
+        folder, _, name = path.rpartition("/")
+        file.move(path, f"{folder}/{FORMER[name]}")
+    return {path.split("/")[-1] for path in found}
 
 
 class OlderFiles(unittest.TestCase):
@@ -68,6 +82,23 @@ class OlderFiles(unittest.TestCase):
                 del group[column]
         self.assertEqual(run(self.folder, "show", "older.h5"), now)
 
+    def test_with_former_names(self):
+        cyclic = str(DATA / "scenes/hardening_table.toml")
+        for version, command, found in (
+                (4, ("calibrate", str(DATA / "fits/demo.toml"), "--quiet"),
+                 {"kinematic_fraction", "misfit_fraction"}),
+                (4, ("calibrate", str(DATA / "fits/bend_test.toml"), "--quiet"),
+                 {"misfit_fraction"}),
+                (2, ("simulate", cyclic, "--quiet"),
+                 {"kinematic_fraction", "segment_fractions"})):
+            with self.subTest(command=command):
+                run(self.folder, *command, "-o", "fit.h5", "--force")
+                now = run(self.folder, "show", "fit.h5")
+                with copy_of(self.folder) as file:
+                    file.attrs["version"] = version
+                    self.assertEqual(rename_to_former(file), found)
+                self.assertEqual(run(self.folder, "show", "older.h5"), now)
+
     def test_of_an_older_version_are_refused(self):
         run(self.folder, "calibrate", str(DATA / "fits/demo.toml"), "-o", "fit.h5", "--quiet")
         with copy_of(self.folder) as file:
@@ -75,7 +106,7 @@ class OlderFiles(unittest.TestCase):
         done = subprocess.run([COMMAND, "show", "older.h5"], cwd=self.folder, capture_output=True,
                               text=True)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("older.h5: version = 2: must be 3 to 4, which this Plastica reads", done.stderr)
+        self.assertIn("older.h5: version = 2: must be 3 to 5, which this Plastica reads", done.stderr)
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ COMMAND, PAGE = sys.argv[1:3]
 
 COLUMNS = {
     "fits": "name status reason file test measure loading target_status target_reason samples seed "
-            "cost misfit_rms misfit_share misfit_word break_strain_total moved_parameters",
+            "cost misfit_rms misfit_fraction misfit_word break_strain_total moved_parameters",
     "characteristics": "youngs_modulus youngs_modulus_standard_error modulus_window_low "
                        "modulus_window_high modulus_method proof_offset rp02 reh rel rm "
                        "strain_at_rm break_strain break_strain_plastic largest_strain broke "
@@ -40,7 +40,7 @@ LISTS = {
     "warnings/fit": "text",
 }
 UNITS = {
-    "fits/cost": "Pa^2", "fits/misfit_rms": "Pa", "fits/misfit_share": "1",
+    "fits/cost": "Pa^2", "fits/misfit_rms": "Pa", "fits/misfit_fraction": "1",
     "characteristics/youngs_modulus": "Pa", "characteristics/rm": "Pa",
     "characteristics/break_strain": "1", "parameters/yield_stress/value": "Pa",
     "parameters/break_strain/value": "1", "curves/raw/strain": "1", "curves/raw/stress": "Pa",

@@ -126,7 +126,7 @@ TEST(Recovery, CallsCurvesTooCoarseInsteadOfFittingThem) {
   }
 }
 
-TEST(Recovery, CoversTheTrueYieldStressInTheStatedShareOfNoisyCurves) {
+TEST(Recovery, CoversTheTrueYieldStressInTheStatedFractionOfNoisyCurves) {
   std::mt19937_64 random(99);
   std::uniform_int_distribution<int> elastic(10, 40);
   std::uniform_int_distribution<int> plateau(20, 200);
@@ -144,11 +144,11 @@ TEST(Recovery, CoversTheTrueYieldStressInTheStatedShareOfNoisyCurves) {
     ++fitted;
     covered += yield.interval_low <= s.yield && s.yield <= yield.interval_high ? 1 : 0;
   }
-  const double share = static_cast<double>(covered) / static_cast<double>(fitted);
-  std::printf("95 %% interval covers the truth in %.1f %% of %zu\n", 100.0 * share, fitted);
-  // 2.9 standard deviations of a share of 0.95 among 1 000; as many among the sample's.
+  const double fraction = static_cast<double>(covered) / static_cast<double>(fitted);
+  std::printf("95 %% interval covers the truth in %.1f %% of %zu\n", 100.0 * fraction, fitted);
+  // 2.9 standard deviations of a fraction of 0.95 among 1 000; as many among the sample's.
   const double chance = 2.9 * std::sqrt(0.95 * 0.05 / static_cast<double>(cases()));
-  EXPECT_NEAR(share, 0.95, chance);
+  EXPECT_NEAR(fraction, 0.95, chance);
 }
 
 }  // namespace

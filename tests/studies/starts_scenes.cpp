@@ -62,9 +62,9 @@ StartsProblem problem(std::string name, ScenePart part, const std::vector<std::s
     Parameter p;
     p.field = &find_field(path);
     p.value = value_of(part.setup, *p.field);
-    const bool share = p.field->material == MaterialField::KinematicShare;
-    p.lower = share ? 0.02 : *p.value / kFactor;
-    p.upper = share ? 1.0 : *p.value * kFactor;
+    const bool fraction = p.field->material == MaterialField::KinematicFraction;
+    p.lower = fraction ? 0.02 : *p.value / kFactor;
+    p.upper = fraction ? 1.0 : *p.value * kFactor;
     made.parameters.push_back(p);
     set.push_back(p.field);
     truth.push_back(*p.value);
@@ -127,7 +127,7 @@ StartsProblem cyclic() {
   return problem("cyclic force",
                  driven(setup, Abscissa::Load, 0, way_over({2000.0, -2000.0, 2200.0}, 16)),
                  {"material.youngs_modulus", "material.yield_stress",
-                  "material.hardening.tangent_modulus", "material.hardening.kinematic_share"});
+                  "material.hardening.tangent_modulus", "material.hardening.kinematic_fraction"});
 }
 
 StartsProblem voce() {

@@ -25,15 +25,15 @@ using calibrate::Parameter;
 using calibrate::SceneFitOptions;
 using calibrate::SceneFitResult;
 
-/// A cost within this share of the least that is known is the best.
+/// A cost within this fraction of the least that is known is the best.
 constexpr double kSame = 1e-6;
 
 /// Starts that are even in the logarithm of each parameter.
 std::vector<Parameter> far_off(std::vector<Parameter> parameters, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   for (Parameter& p : parameters) {
-    const double share = static_cast<double>(random() >> 11U) * 0x1p-53;
-    p.value = *p.lower * std::pow(*p.upper / *p.lower, share);
+    const double fraction = static_cast<double>(random() >> 11U) * 0x1p-53;
+    p.value = *p.lower * std::pow(*p.upper / *p.lower, fraction);
   }
   return parameters;
 }

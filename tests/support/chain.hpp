@@ -33,7 +33,7 @@ struct SolvedChain {
                     [&](const law::SectionForm& form) { return make_law(form, material); }) {}
 
   /// @param law_of  makes the law of a section's form
-  /// @param spring  beside each joint, as a share of its own stiffness [1]
+  /// @param spring  beside each joint, as a fraction of its own stiffness [1]
   template <class LawOf>
   SolvedChain(const Scene& scene, const MaterialValues<S>& material, const chain::View<L>& view,
               const LawOf& law_of, double spring = 0.0)

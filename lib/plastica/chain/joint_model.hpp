@@ -25,7 +25,7 @@ struct JointModel {
   std::size_t joint = kNone;  ///< its number among the chain's; none: an end that nothing holds
   std::size_t owner = 0;      ///< the part of the beam whose section and law it has
   std::size_t first = 0;      ///< the first component that turns on the level
-  double share = 0.0;         ///< where it is, of the beam's length [1]
+  double fraction = 0.0;      ///< where it is, of the beam's length [1]
   double begin = 0.0;         ///< the part of the axis that it stands for [m]
   double end = 0.0;
   Components length{};     ///< tributary, of the owner's section [m]
@@ -119,7 +119,7 @@ JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& 
     joint.joint = number;
     joint.owner = owner;
     joint.first = view.section_axes().rotation(0);
-    joint.share = layout.ends[node];
+    joint.fraction = layout.ends[node];
     joint.length.fill(layout.joint_length[node]);
     const double at = layout.ends[node] * scene.beam.length;
     joint.begin = node == 0 ? at : at - 0.5 * layout.segment_length[node - 1];

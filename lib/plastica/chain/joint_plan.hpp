@@ -69,14 +69,14 @@ inline ComplianceBefore compliance_before(const Layout& layout, std::size_t node
     a = stiffness(plan.part_a);
     b = stiffness(plan.part_b);
   }
-  ComplianceBefore share;
+  ComplianceBefore fraction;
   for (std::size_t k = 0; k < 6; ++k) {
     const std::size_t length = std::min<std::size_t>(k, 3);
     const double before = plan.before[length] / a[k];
     const double behind = (plan.length[length] - plan.before[length]) / b[k];
-    (k < 3 ? share.turning[k] : share.shifting[k - 3]) = before / (before + behind);
+    (k < 3 ? fraction.turning[k] : fraction.shifting[k - 3]) = before / (before + behind);
   }
-  return share;
+  return fraction;
 }
 
 }  // namespace plastica::chain

@@ -39,8 +39,8 @@ struct SegmentParts {
 /// an arc or over a corner is a segment's arm; its length along the axis is what joints and loads
 /// go by.
 struct Layout {
-  std::vector<double> ends;                      ///< of segments, as shares of the length (N + 1)
-  std::vector<Vec<double, 3>> node;              ///< [m] (N + 1)
+  std::vector<double> ends;          ///< of segments, as fractions of the length (N + 1)
+  std::vector<Vec<double, 3>> node;  ///< [m] (N + 1)
   std::vector<Mat<double, 3, 3>> segment_frame;  ///< columns x, y, z; z along the chord (N)
   /// Half way between the frames of its segments; at the ends of an arc, of its tangent (N + 1).
   std::vector<Mat<double, 3, 3>> joint_frame;
@@ -76,7 +76,7 @@ struct SegmentPoint {
 Layout make_layout(const Scene& scene, std::vector<double> ends,
                    std::optional<law::GaugePlane> yields = {});
 
-/// The point at a share of the beam's length; a node belongs to the segment before it.
-SegmentPoint segment_point(const Layout& layout, double share);
+/// The point at a fraction of the beam's length; a node belongs to the segment before it.
+SegmentPoint segment_point(const Layout& layout, double fraction);
 
 }  // namespace plastica::chain

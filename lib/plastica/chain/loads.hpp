@@ -70,11 +70,11 @@ inline void add_point_stiffness(
 
 template <class L, class FactorAt>
 void add_loads(const Chain<L>& chain, const Placement<L>& placement, const FactorAt& factor_at,
-               const typename L::Scalar& share, OuterForces<L>& outer_forces) {
+               const typename L::Scalar& fraction, OuterForces<L>& outer_forces) {
   using S = typename L::Scalar;
   for (const SegmentLoad<L>& load : chain.loads) {
     const S factor = factor_as<S>(factor_at(load.history));
-    const S slope = share * factor;
+    const S slope = fraction * factor;
     const Wrench<L> unit = unit_wrench(load, placement);
     Wrench<L>& wrench = outer_forces.wrench[load.segment];
     Impedance<L>& impedance = outer_forces.impedance[load.segment];
@@ -92,7 +92,7 @@ void add_loads(const Chain<L>& chain, const Placement<L>& placement, const Facto
 
 template <class L, class FactorAt>
 void add_springs(const Chain<L>& chain, const Placement<L>& placement, const FactorAt& factor_at,
-                 const typename L::Scalar& share, OuterForces<L>& outer_forces) {
+                 const typename L::Scalar& fraction, OuterForces<L>& outer_forces) {
   using S = typename L::Scalar;
   for (const Spring<L>& spring : chain.springs) {
     const S factor = factor_as<S>(factor_at(spring.history));
@@ -106,8 +106,8 @@ void add_springs(const Chain<L>& chain, const Placement<L>& placement, const Fac
       force[i] = -(spring.stiffness[i] * off[i]);
     }
     Impedance<L>& impedance = outer_forces.impedance[spring.segment];
-    add_point_stiffness(share * k, arm, impedance);
-    impedance.rr -= share * L::moment_by(arm, force);
+    add_point_stiffness(fraction * k, arm, impedance);
+    impedance.rr -= fraction * L::moment_by(arm, force);
     outer_forces.wrench[spring.segment].force += force;
     outer_forces.wrench[spring.segment].moment += L::moment(arm, force);
   }
@@ -134,7 +134,7 @@ void add_ground_joints(const Chain<L>& chain, const Coordinates<L>& q, const Sta
     const typename L::Spin moment = axes * force;
     outer_forces.wrench[joint.segment].moment += moment;
     outer_forces.impedance[joint.segment].rr +=
-        axes * tangent * transpose(axes) - stage.share() * L::turned_by(moment);
+        axes * tangent * transpose(axes) - stage.fraction() * L::turned_by(moment);
   }
 }
 
@@ -166,7 +166,7 @@ void add_closures(const Chain<L>& chain, const Placement<L>& placement, const St
     impedance.rr += outer(stiffness * unit.moment, way.moment);
     if (closure.turning) continue;
     const typename L::Point arm = L::turn(placement.frame[closure.segment], closure.arm);
-    impedance.rr -= (stage.share() * force) * L::moment_by(arm, closure.direction);
+    impedance.rr -= (stage.fraction() * force) * L::moment_by(arm, closure.direction);
   }
 }
 
@@ -176,8 +176,8 @@ template <class L, class FactorAt>
 void gather_loads(const Chain<L>& chain, const Placement<L>& placement, const Stage<L>& stage,
                   const FactorAt& factor_at, OuterForces<L>& outer_forces) {
   outer_forces.reset(chain.size());
-  detail::add_loads(chain, stage.of(placement), factor_at, stage.share(), outer_forces);
-  detail::add_springs(chain, stage.of(placement), factor_at, stage.share(), outer_forces);
+  detail::add_loads(chain, stage.of(placement), factor_at, stage.fraction(), outer_forces);
+  detail::add_springs(chain, stage.of(placement), factor_at, stage.fraction(), outer_forces);
 }
 
 /// All that acts on the segments but closures.

@@ -2,6 +2,7 @@
 #include <array>
 #include <new>
 
+#include "plastica/base/former_names.hpp"
 #include "plastica/io/hdf5.hpp"
 #include "plastica/io/hdf5_check.hpp"
 #include "plastica/io/hdf5_handle.hpp"
@@ -61,6 +62,22 @@ bool Hdf5Group::has_links(const std::string& full) const {
   }
 }
 
+/// A path with the former name of each part that the file has only under that.
+std::string Hdf5Group::stored_path(const std::string& full) const {
+  if (has_links(full)) return full;
+  std::string path;
+  for (std::size_t begin = 1; begin < full.size();) {
+    const std::size_t end = std::min(full.find('/', begin), full.size());
+    const std::string name = full.substr(begin, end - begin);
+    const std::string former(former_column(name));
+    const bool is_former =
+        !former.empty() && !has_links(path + '/' + name) && has_links(path + '/' + former);
+    path += '/' + (is_former ? former : name);
+    begin = end + 1;
+  }
+  return path;
+}
+
 void Hdf5Group::fail_to_read(std::string_view path, const std::string& attribute) const {
   const std::string why = h5::innermost_error();
   // What the file says was read, and HDF5 can make nothing of it; only memory is the machine's.
@@ -69,7 +86,7 @@ void Hdf5Group::fail_to_read(std::string_view path, const std::string& attribute
 }
 
 Hdf5Kind Hdf5Group::kind(std::string_view path) const {
-  const std::string full = full_path(path);
+  const std::string full = stored_path(full_path(path));
   if (!has_links(full)) return Hdf5Kind::None;
   const Hdf5Handle object(H5Oopen(handle_.get(), full.c_str(), H5P_DEFAULT));
   if (object.get() < 0) fail_to_read(full);
@@ -88,14 +105,14 @@ Hdf5Kind Hdf5Group::kind(std::string_view path) const {
 Hdf5Group Hdf5Group::open_group(std::string_view path) const {
   const std::string full = full_path(path);
   if (kind(full) != Hdf5Kind::Group) refuse(full, "is not a group of this file");
-  Hdf5Handle opened(H5Gopen2(handle_.get(), full.c_str(), H5P_DEFAULT));
+  Hdf5Handle opened(H5Gopen2(handle_.get(), stored_path(full).c_str(), H5P_DEFAULT));
   if (opened.get() < 0) fail_to_read(full);
   return {std::move(opened), file_, full};
 }
 
 Hdf5Handle Hdf5Group::open_object(std::string_view path) const {
-  const std::string full = full_path(path);
-  if (!has_links(full)) refuse(full, "is not in this file");
+  const std::string full = stored_path(full_path(path));
+  if (!has_links(full)) refuse(path, "is not in this file");
   Hdf5Handle object(H5Oopen(handle_.get(), full.c_str(), H5P_DEFAULT));
   if (object.get() < 0) fail_to_read(full);
   return object;

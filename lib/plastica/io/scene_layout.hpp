@@ -93,7 +93,7 @@ void walk_actions(Store& store, Scene& scene) {
 template <class Store, class Setup>
 void walk_rest_of_setup(Store& store, Setup& setup) {
   auto& beam = setup.scene.beam;
-  store.array("options/beam/segment_shares", beam.segment_shares, {}, "1");
+  store.array("options/beam/segment_fractions", beam.segment_fractions, {}, "1");
   store.array("options/beam/joint_lengths", beam.joint_lengths, {}, "m");
   store.numbers("options/beam/arc_towards", beam.arc_towards, "1");
   store.points("options/beam/points", beam.points, "m");

@@ -115,8 +115,8 @@ class SceneReader {
     }
   }
   void optional_place(std::string_view path, std::optional<Place>& place) {
-    const auto share = values_of<double>(path, {})[0];
-    if (!std::isnan(share)) place = Place{share, {}};
+    const auto fraction = values_of<double>(path, {})[0];
+    if (!std::isnan(fraction)) place = Place{fraction, {}};
   }
   void points(std::string_view path, std::vector<std::array<double, 3>>& points,
               std::string_view /*units*/) {

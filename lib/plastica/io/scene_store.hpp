@@ -14,7 +14,8 @@ namespace plastica::io {
 
 /// The attributes `schema` and `version` of the root of a simulated scene's file.
 inline constexpr std::string_view kSceneSchema = "plastica/scene";
-inline constexpr int kSceneVersion = 2;
+inline constexpr int kSceneVersion = 3;
+inline constexpr int kOldestScene = 2;  ///< that is read
 
 /// A scene that was simulated, and what came out.
 struct SceneRecord {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "plastica/base/former_names.hpp"
 #include "plastica/io/nearest_word.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/toml_lines.hpp"
@@ -58,6 +59,12 @@ std::string text_of(double value) {
 /// A node of the tree that another one holds.
 std::shared_ptr<TomlNode> held_by(const std::shared_ptr<TomlNode>& holder, TomlNode* node) {
   return {holder, node};
+}
+
+/// The entry of a table by the former name of its key; null if there is none.
+TomlNode* former_entry_of(const TomlNode& table, std::string_view now) {
+  const std::string_view before = former_key(now);
+  return before.empty() ? nullptr : entry_of(table, before);
 }
 
 void check_known(TomlNode& node) {
@@ -190,10 +197,20 @@ std::vector<std::string> TomlTable::keys() const {
   return names;
 }
 
-bool TomlTable::contains(std::string_view name) const { return entry_of(*node_, name) != nullptr; }
+bool TomlTable::contains(std::string_view name) const {
+  return entry_of(*node_, name) != nullptr || former_entry_of(*node_, name) != nullptr;
+}
 
 std::optional<TomlValue> TomlTable::find(std::string_view name) const {
   TomlNode* entry = entry_of(*node_, name);
+  if (TomlNode* former = former_entry_of(*node_, name)) {
+    if (entry != nullptr) {
+      throw InputError(location(*former), shown_of(*former).key, former->written,
+                       "is the former name of " + std::string(name) + ", which is there, too");
+    }
+    if (!former->is_known) note_former_name(location(*former), former->name, name);
+    entry = former;
+  }
   std::vector<std::string>& known = node_->known;
   const bool is_known = entry != nullptr
                             ? std::exchange(entry->is_known, true)

@@ -69,7 +69,8 @@ class TomlTable {
   SourceLocation where() const;           ///< line of its header or brace
   std::vector<std::string> keys() const;  ///< in the order of the file
 
-  /// The value of a key; the key counts as known from now on, whether it is there or not.
+  /// The value of a key, or of its former name (base/former_names.hpp); the key counts as known
+  /// from now on, whether it is there or not.
   std::optional<TomlValue> find(std::string_view name) const;
   /// @throws InputError if it is not there
   TomlValue at(std::string_view name) const;

@@ -33,7 +33,7 @@ struct ValueRule {
   bool may_be_infinite = false;  ///< of integers: any that the type has, as of a seed
 };
 
-inline constexpr Range kShare{0.0, 1.0};
+inline constexpr Range kFraction{0.0, 1.0};
 inline constexpr Range kNotNegative{0.0};
 inline constexpr Range kAboveZero{0.0, std::numeric_limits<double>::infinity(), true};
 /// Numbers that a computation may not have found, or found to be beyond all bounds.

@@ -63,7 +63,7 @@ void check_end_rule(const Scene& scene) {
   const bool sets_lengths =
       scene.end_rule == EndRule::Half || scene.end_rule == EndRule::ThreeHalves;
   const std::string_view word = scene.end_rule == EndRule::Half ? "half" : "three_halves";
-  if (sets_lengths && !scene.beam.segment_shares.empty()) {
+  if (sets_lengths && !scene.beam.segment_fractions.empty()) {
     throw refusal("rules.end_rule", word, "sets the segment lengths itself");
   }
   if (sets_lengths && !scene.beam.joint_lengths.empty()) {
@@ -100,10 +100,10 @@ void check_chain_probe(const Scene& scene, const Probe& probe, const std::string
   }
   check_place(probe.at, scene.beam.segments, name + ".at");
   if (probe.quantity == Reaction || probe.quantity == ReactionMoment) {
-    const double share = share_of(probe.at, ends);
-    const bool supported =
-        std::any_of(scene.supports.begin(), scene.supports.end(),
-                    [&](const Support& support) { return share_of(support.at, ends) == share; });
+    const double fraction = fraction_of(probe.at, ends);
+    const bool supported = std::any_of(
+        scene.supports.begin(), scene.supports.end(),
+        [&](const Support& support) { return fraction_of(support.at, ends) == fraction; });
     if (!supported) throw refusal(name + ".at", place_text(probe.at), "has no support");
   }
 }

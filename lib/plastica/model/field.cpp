@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "plastica/base/former_names.hpp"
 #include "plastica/model/check_value.hpp"
 #include "plastica/model/field_table.hpp"
 
@@ -40,21 +41,24 @@ std::string Range::rule() const {
 }
 
 const Field* find_field_or_null(std::string_view path) {
+  const std::string now = present_path(std::string(path));
   for (const Field& field : fields()) {
-    if (field.path == path) return &field;
+    if (field.path == now) return &field;
   }
   return nullptr;
 }
 
 const Field& model_detail::find_in(std::span<const Field> table, std::string_view name,
                                    const SourceLocation& where) {
+  const std::string now = present_path(std::string(name));
+  if (now != name) note_former_name(where, name, now);
   const Field* found = nullptr;
   for (const Field& field : table) {
-    if (field.path == name) return field;
+    if (field.path == now) return field;
   }
   for (const Field& field : table) {
     const auto dot = field.path.rfind('.');
-    if (field.path.substr(dot + 1) != name) continue;
+    if (field.path.substr(dot + 1) != now) continue;
     if (found != nullptr) {
       throw InputError(
           where, name, "",

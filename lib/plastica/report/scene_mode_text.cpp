@@ -16,7 +16,7 @@ namespace {
 /// Segments that will have turned by more have another shape [rad].
 constexpr double kFarTurn = 0.1;
 
-/// Where a mode goes most: the joint, as a share of the length, and the axis.
+/// Where a mode goes most: the joint, as a fraction of the length, and the axis.
 struct Most {
   double at = 0.0;
   std::size_t axis = 0;

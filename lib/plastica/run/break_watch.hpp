@@ -14,9 +14,9 @@ namespace plastica {
 /// Permanent angles of a joint in its axes: bending about x, about y, torsion [rad].
 using JointAngles = std::array<double, 3>;
 
-/// The permanent strain at break is met within this share of the limit, if steps can be cut back;
-/// joints nearer to their limits than this break together. (On the plateau of ideal plasticity even
-/// bending is shared evenly to 1e-7 only, since any share is in equilibrium.)
+/// The permanent strain at break is met within this fraction of the limit, if steps can be cut
+/// back; joints nearer to their limits than this break together. (On the plateau of ideal
+/// plasticity even bending is shared evenly to 1e-7 only, since any fraction is in equilibrium.)
 inline constexpr double kBreakTolerance = 1e-4;
 
 /// How a joint's law distributes permanent rotation along a beam whose moment varies.
@@ -36,7 +36,7 @@ Spreading spreading_of(const Scene& scene);
 /// - Hardens: Theta = theta_p L_p/l. The curvature theta_p/l converges with the segments by itself,
 ///   at the clamp of a cantilever too; a mean over L_p would make fine chains stronger than coarse.
 /// - else, l < L_p: the sum over a window of length L_p around the joint, moved into the beam at
-///   its ends, a joint counting with the share of its length that the window covers.
+///   its ends, a joint counting with the fraction of its length that the window covers.
 /// - else, Saturates: Theta = theta_p L_p/l.
 /// - else, Gathers: what the neighbours turn as well is spread, what the joint turns beyond them
 ///   gathers in the hinge: Theta = theta_n L_p/l + (theta_p - theta_n), theta_n the larger of the
@@ -95,7 +95,7 @@ class BreakWatch {
   /// A part of the beam [m].
   struct Window {
     double low = 0.0, high = 0.0;
-    /// The share of a joint's length that it covers, if it touches it.
+    /// The fraction of a joint's length that it covers, if it touches it.
     double covers(const chain::JointModel& joint) const;
   };
   Window window_of(std::size_t joint) const;

@@ -187,11 +187,11 @@ class SpatialTangent final : public OutOfPlane {
     solve::detail::set_closures(build_.chain, work_);
   }
 
-  /// Leaves a joint a share of its stiffness for bending out of the plane.
-  void soften(std::size_t joint, double share) {
+  /// Leaves a joint a fraction of its stiffness for bending out of the plane.
+  void soften(std::size_t joint, double fraction) {
     const std::size_t aside = 1 - normal_;
     const auto& numbers = joints_->joints()[joint];
-    const double lost = (1.0 - share) * numbers.acting[aside] * numbers.acting[aside] *
+    const double lost = (1.0 - fraction) * numbers.acting[aside] * numbers.acting[aside] *
                         numbers.stiffness[aside] / numbers.length[aside];
     const auto& angle = work_.angles[joint];
     const chain::RotationCoefficients<double> k(dot(angle, angle));

@@ -9,7 +9,7 @@ namespace plastica {
 namespace {
 
 std::size_t segment_at(const ChainModel& model, const Place& place) {
-  return chain::segment_point(model.layout, share_of(place, model.layout.ends)).segment;
+  return chain::segment_point(model.layout, fraction_of(place, model.layout.ends)).segment;
 }
 
 bool same_supports(const ChainModel& a, const ChainModel& b) {

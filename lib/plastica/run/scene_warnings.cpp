@@ -77,9 +77,9 @@ double segments_for(double longest, const Facts& facts) {
   return layout.end_rule == EndRule::Half ? least + 1.0 : least;
 }
 
-/// Shear's share of the tip deflection of a cantilever under a tip force: with
+/// Shear's fraction of the tip deflection of a cantilever under a tip force: with
 /// phi = 3 E I/(kappa G A L^2), phi/(1 + phi). Source: Timoshenko's beam.
-double shear_share(const Facts& facts, bool about_x) {
+double shear_fraction(const Facts& facts, bool about_x) {
   const Scene& scene = facts.scene;
   const SectionProperties& section = facts.section;
   const double second_moment = about_x ? section.second_moment_x : section.second_moment_y;
@@ -102,13 +102,13 @@ std::optional<std::string> short_beam(const Facts& facts) {
   const std::string text =
       "the beam is " + figure(slenderness) +
       " times as long as deep (below 10): shear, which rigid joints leave out, ";
-  const double share = shear_share(facts, about_x);
-  if (!std::isfinite(share)) {
+  const double fraction = shear_fraction(facts, about_x);
+  if (!std::isfinite(fraction)) {
     return text +
            "may count; with section.shear_coefficient, which numbers do not tell, "
            "solver.translation = \"elastic\" has it";
   }
-  return text + "is " + figure(100.0 * share) +
+  return text + "is " + figure(100.0 * fraction) +
          " % of a cantilever's tip deflection (Timoshenko); solver.translation = \"elastic\" has "
          "it";
 }
@@ -281,13 +281,13 @@ std::optional<std::string> cut_corners(const Facts& facts) {
     const auto corner = beam.points[i - 1];
     // Distance of the corner from the straight segment that spans it.
     const double chord = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
-    const double share =
+    const double fraction =
         ((corner[0] - from[0]) * (to[0] - from[0]) + (corner[1] - from[1]) * (to[1] - from[1]) +
          (corner[2] - from[2]) * (to[2] - from[2])) /
         (chord * chord);
-    deepest = std::max(deepest, std::hypot(corner[0] - from[0] - share * (to[0] - from[0]),
-                                           corner[1] - from[1] - share * (to[1] - from[1]),
-                                           corner[2] - from[2] - share * (to[2] - from[2])));
+    deepest = std::max(deepest, std::hypot(corner[0] - from[0] - fraction * (to[0] - from[0]),
+                                           corner[1] - from[1] - fraction * (to[1] - from[1]),
+                                           corner[2] - from[2] - fraction * (to[2] - from[2])));
   }
   if (deepest == 0.0) return std::nullopt;
   return "a corner of beam.points lies inside of a segment, which is straight and misses it by " +

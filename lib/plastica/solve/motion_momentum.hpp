@@ -64,12 +64,12 @@ void MotionStep<L, kElastic>::balance_piece(std::size_t first, std::size_t end,
   outside.moment -= L::moment(center - start, outside.force);
 
   MomentumError<L>& error = momentum_[first];
-  const S share = constant<S>(error.knows_outside ? rule_.end_work : 1.0);
-  const S rest = constant<S>(1) - share;
-  error.lost +=
-      after.momentum - before.momentum - h * (share * outside.force + rest * error.outside.force);
-  error.turned +=
-      after.turning - before.turning - h * (share * outside.moment + rest * error.outside.moment);
+  const S fraction = constant<S>(error.knows_outside ? rule_.end_work : 1.0);
+  const S rest = constant<S>(1) - fraction;
+  error.lost += after.momentum - before.momentum -
+                h * (fraction * outside.force + rest * error.outside.force);
+  error.turned += after.turning - before.turning -
+                  h * (fraction * outside.moment + rest * error.outside.moment);
   error.outside = outside;
   error.knows_outside = true;
   error.size = std::max({error.size, before.size, after.size});
@@ -82,7 +82,7 @@ template <class L, bool kElastic>
 double MotionStep<L, kElastic>::momentum_error() const {
   double error = 0.0;
   for (const MomentumError<L>& piece : momentum_) {
-    error = std::max(error, piece.share(chain_.length));
+    error = std::max(error, piece.fraction(chain_.length));
   }
   return error;
 }

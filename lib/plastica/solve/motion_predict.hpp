@@ -17,8 +17,8 @@ void MotionStep<L, kElastic>::predict(double length) {
     const typename L::Point velocity = motion_[i].velocity - L::spun(spin, arm);
     if (w_.q.open[i]) {
       const S size = max(h * size_of(spin), constant<S>(1e-30));
-      const S share = min(constant<S>(1), constant<S>(0.5 * kLargestStepSpin) / size);
-      const typename L::Spin turn = share * (h * spin);
+      const S fraction = min(constant<S>(1), constant<S>(0.5 * kLargestStepSpin) / size);
+      const typename L::Spin turn = fraction * (h * spin);
       w_.q.pose[i].position += h * velocity;
       w_.q.pose[i].frame = L::then(L::rotation(turn), w_.q.pose[i].frame);
     } else {
@@ -93,17 +93,17 @@ double MotionStep<L, kElastic>::error() const {
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::set_force_floor() {
   // Times the least tolerance, four times the rounding.
-  constexpr double kShare = kIsDouble<S> ? 1e-4 : 0.03;
+  constexpr double kFraction = kIsDouble<S> ? 1e-4 : 0.03;
   double far = chain_.length;
   if constexpr (L::kTranslations > 0) {
     for (const std::size_t i : {std::size_t{0}, chain_.size() - 1}) {
       far = std::max<double>(far, size_of(begin_.position[i]));
     }
-    w_.force_floor = constant<S>(kShare * mass_ * far / (h_ * h_));
+    w_.force_floor = constant<S>(kFraction * mass_ * far / (h_ * h_));
   } else {
     double turning = 0.0;
     for (const auto& inertia : chain_.inertias) turning += inertia.turning(0, 0);
-    w_.force_floor = constant<S>(kShare * turning / (h_ * h_ * far));
+    w_.force_floor = constant<S>(kFraction * turning / (h_ * h_ * far));
   }
 }
 

@@ -93,7 +93,7 @@ class PathWalker {
 
   /// Relative stiffness below which the supports leave the beam free to move.
   static constexpr double kMechanism = kIsDouble<S> ? 1e-11 : 1e-6;
-  /// Share of the way that a closure's own stiffness would leave, below which it holds nothing.
+  /// Fraction of the way that a closure's own stiffness would leave, below which it holds nothing.
   static constexpr double kHeldTwice = kIsDouble<S> ? 1e-8 : 1e-6;
   /// The least way of the control point that is no rounding, over the beam's length.
   static constexpr double kLeastWay = kIsDouble<S> ? 1e-13 : 1e-6;

@@ -107,8 +107,8 @@ typename PathWalker<L, kElastic>::Trial PathWalker<L, kElastic>::advance_arc() {
 }
 
 template <class L, bool kElastic>
-void PathWalker<L, kElastic>::extrapolate(double share) {
-  const S part = constant<S>(share);
+void PathWalker<L, kElastic>::extrapolate(double fraction) {
+  const S part = constant<S>(fraction);
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     w_.q.angle[i] += part * (committed_.angle[i] - previous_.angle[i]);
     if constexpr (kElastic) {
@@ -119,7 +119,7 @@ void PathWalker<L, kElastic>::extrapolate(double share) {
   for (std::size_t k = 0; k < chain_.closures.size(); ++k) {
     w_.q.multiplier[k] += part * (committed_.multiplier[k] - previous_.multiplier[k]);
   }
-  w_.time += share * (time_ - previous_time_);
+  w_.time += fraction * (time_ - previous_time_);
 }
 
 template <class L, bool kElastic>

@@ -38,9 +38,9 @@ PieceMotion<L> piece_motion(const std::vector<chain::Inertia<L>>& inertias,
     piece.momentum += mass * motion[i].velocity;
     piece.size += size_of(mass * motion[i].velocity);
   }
-  const S share = constant<S>(1) / piece.mass;
-  piece.center = share * piece.center;
-  const typename L::Point mean = share * piece.momentum;
+  const S fraction = constant<S>(1) / piece.mass;
+  piece.center = fraction * piece.center;
+  const typename L::Point mean = fraction * piece.momentum;
   for (std::size_t i = first; i < end; ++i) {
     const typename L::Point arm = placement.point(i, inertias[i].center) - piece.center;
     const typename L::Spin own = L::moment(arm, inertias[i].mass * (motion[i].velocity - mean)) +
@@ -106,7 +106,7 @@ struct MomentumError {
 
   /// The largest over the largest momentum so far [1].
   /// @param length  of the beam [m]
-  double share(double length) const {
+  double fraction(double length) const {
     // A piece that hardly turns has no angular momentum but rounding.
     constexpr double kNoTurning = kIsDouble<typename L::Scalar> ? 1e-9 : 1e-3;
     const double turning = std::max(turning_size, kNoTurning * size * length);

@@ -177,14 +177,14 @@ TEST_F(FitFileErrors, CorrectionsAreAutomaticOffOrAStrain) {
             "(examples: %, 1, mm/mm, um/m)");
   EXPECT_EQ(with("corrections = { trim = 0 }"),
             "f.toml:5: target[1].corrections.trim = 0: must be above 0");
-  EXPECT_EQ(with("corrections = { drop_share = '150 %' }"),
-            "f.toml:5: target[1].corrections.drop_share = 150 %: must be above 0 and below 1");
+  EXPECT_EQ(with("corrections = { drop_fraction = '150 %' }"),
+            "f.toml:5: target[1].corrections.drop_fraction = 150 %: must be above 0 and below 1");
   EXPECT_EQ(with("corrections = { reversal_tolerance = -1 }"),
             "f.toml:5: target[1].corrections.reversal_tolerance = -1: must be at least 0");
   EXPECT_EQ(with("corrections = { foot = 'off' }"),
             "f.toml:5: target[1].corrections.foot = 'off': is not a key of target[1].corrections; "
             "its keys are toe, preload, trim, measure, reversal_tolerance, shift_threshold, "
-            "drop_share, zero_share, end_share");
+            "drop_fraction, zero_fraction, end_fraction");
 }
 
 TEST_F(FitFileErrors, TrueMeasureMustMakeSense) {
@@ -204,13 +204,13 @@ TEST_F(FitFileErrors, CharacteristicsAreChecked) {
             "is a chord");
   EXPECT_EQ(with("characteristics = { window = ['1 MPa'] }"),
             "f.toml:5: target[1].characteristics.window = ['1 MPa']: must be two stresses or two "
-            "shares, [lower, upper]");
+            "fractions, [lower, upper]");
   EXPECT_EQ(with("characteristics = { window = ['2 MPa', '1 MPa'] }"),
             "f.toml:5: target[1].characteristics.window = ['2 MPa', '1 MPa']: must rise, from 0 "
             "or more");
   EXPECT_EQ(with("characteristics = { window = ['2 MPa', 0.5] }"),
             "f.toml:5: target[1].characteristics.window = ['2 MPa', 0.5]: must be two stresses or "
-            "two shares of the proof stress, not one of each");
+            "two fractions of the proof stress, not one of each");
   EXPECT_EQ(with("characteristics = { window = [0.5, 1.5] }"),
             "f.toml:5: target[1].characteristics.window = [0.5, 1.5]: must not exceed 100 % of "
             "the proof stress");

@@ -39,7 +39,7 @@ TEST(Law, FreesItsOwnParameters) {
   EXPECT_EQ(names(Law::Linear, monotonic),
             (Names{"youngs_modulus", "yield_stress", "tangent_modulus"}));
   EXPECT_EQ(names(Law::Linear, Loading::Cyclic),
-            (Names{"youngs_modulus", "yield_stress", "tangent_modulus", "kinematic_share"}));
+            (Names{"youngs_modulus", "yield_stress", "tangent_modulus", "kinematic_fraction"}));
   EXPECT_EQ(names(Law::Voce, monotonic),
             (Names{"youngs_modulus", "yield_stress", "saturation_stress", "saturation_rate"}));
   EXPECT_EQ(names(Law::Chaboche, monotonic).size(), 8U);

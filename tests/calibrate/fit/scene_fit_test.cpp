@@ -26,7 +26,7 @@ TEST(SceneFit, RecoversTheParametersOfItsOwnModel) {
   ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
   EXPECT_NEAR(fit.parameter("youngs_modulus").value / Truth{}.youngs_modulus, 1.0, 1e-6);
   EXPECT_NEAR(fit.parameter("material.yield_stress").value / Truth{}.yield_stress, 1.0, 1e-6);
-  EXPECT_LT(fit.parts[0].misfit_share, 1e-8);
+  EXPECT_LT(fit.parts[0].misfit_fraction, 1e-8);
   EXPECT_EQ(fit.parts[0].break_strain, fit.parameter("break_strain").value);
   EXPECT_EQ(fit.failed_runs, 0);
   EXPECT_LE(fit.runs, 40);

@@ -56,7 +56,7 @@ TEST(SceneLaws, FreeTheirParametersBetweenBoundsThatFollowFromTheMaterial) {
   const double S = parts[0].setup.scene.material.yield_stress;
   EXPECT_EQ(options_of(Law::Ideal, told(), parts).parameters.size(), 2U);
   const SceneFitOptions linear = options_of(Law::Linear, told(), parts);
-  ASSERT_EQ(linear.parameters.size(), 3U) << "no kinematic share without a reversal";
+  ASSERT_EQ(linear.parameters.size(), 3U) << "no kinematic fraction without a reversal";
   EXPECT_EQ(*find(linear, "tangent_modulus").lower, 0.0);
   EXPECT_NEAR(*find(linear, "tangent_modulus").upper, 0.9 * 50e9, 1.0) << "below the least E";
   EXPECT_EQ(*find(linear, "tangent_modulus").value, 10e9) << "the scene's own";
@@ -126,7 +126,7 @@ SceneFitRecord fitted(double noise) {
     part.samples = 3;
     part.fitted = {1.0, 9.0, 21.0};
     part.cost = 3.0;
-    part.misfit_share = 0.05;
+    part.misfit_fraction = 0.05;
     part.runs_probability = std::nan("");
   }
   record.targets[1].noise = noise;

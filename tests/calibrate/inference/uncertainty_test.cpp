@@ -344,9 +344,10 @@ TEST(Uncertainty, BreakStrainCarriesItsSamplingInterval) {
 
 TEST(Uncertainty, CorrelationsAreSymmetricAndAtMostOne) {
   const std::vector<double> strain = path({0.01, -0.01, 0.01}, 30);
-  FitOptions options = fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress"),
-                               free_parameter("tangent_modulus"), free_parameter("kinematic_share"),
-                               free_parameter("break_strain")});
+  FitOptions options =
+      fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress"),
+              free_parameter("tangent_modulus"), free_parameter("kinematic_fraction"),
+              free_parameter("break_strain")});
   Material& material = options.setup.scene.material;
   material.hardening = {HardeningLaw::Linear, 4e9, 0.6};
   Target target = target_like(options, Deformation::Tension, strain);

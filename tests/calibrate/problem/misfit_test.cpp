@@ -240,7 +240,7 @@ TEST_P(EveryLaw, GradientIsTheDifferenceQuotientOverDecades) {
   std::vector<double> at{180e9, 280e6, 0.031};
   if (d.law == HardeningLaw::Linear) {
     options.parameters.push_back(free_parameter("tangent_modulus"));
-    options.parameters.push_back(free_parameter("kinematic_share"));
+    options.parameters.push_back(free_parameter("kinematic_fraction"));
     at.insert(at.end(), {3e9, 0.4});
   }
   if (d.law == HardeningLaw::VoceChaboche) {
@@ -255,7 +255,7 @@ TEST_P(EveryLaw, GradientIsTheDifferenceQuotientOverDecades) {
   if (d.law == HardeningLaw::Multilinear) {
     hardening.plastic_strain = {0.002, 0.02};
     hardening.flow_stress = {360e6, 370e6};
-    for (const char* name : {"flow_stress_1", "flow_stress_2", "kinematic_share"}) {
+    for (const char* name : {"flow_stress_1", "flow_stress_2", "kinematic_fraction"}) {
       options.parameters.push_back(free_parameter(name));
     }
     at.insert(at.end(), {301e6, 330e6, 0.4});

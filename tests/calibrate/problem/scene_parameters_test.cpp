@@ -137,9 +137,9 @@ std::vector<Problem> problems() {
   two.backstress_rate = {600.0, 40.0, 0.0};
   const std::vector<double> there = way_over({0.08, 0.05}, 20);
   const std::vector<double> cycles = way_over({0.05, -0.05, 0.06, -0.06}, 16);
-  return {bent("TangentModulusAndKinematicShare", linear, cycles,
+  return {bent("TangentModulusAndKinematicFraction", linear, cycles,
                {{"material.hardening.tangent_modulus"},
-                {"material.hardening.kinematic_share", 0.8},
+                {"material.hardening.kinematic_fraction", 0.8},
                 {"material.yield_stress", 0.9}}),
           bent("VoceHardening", voce, there,
                {{"material.youngs_modulus", 0.8},
@@ -177,7 +177,7 @@ TEST_P(SceneParameterKinds, AreFittedBack) {
     truth.push_back(std::get<double>(field.get(problem.setup)));
     Parameter p = testing::free_parameter(fitted.field, 0.1 * truth.back(), 10.0 * truth.back());
     if (field.path == "material.poisson_ratio") p.upper = 0.5;
-    if (field.material == MaterialField::KinematicShare) p.upper = 1.0;
+    if (field.material == MaterialField::KinematicFraction) p.upper = 1.0;
     p.value = fitted.from * truth.back();
     options.parameters.push_back(p);
   }

@@ -20,7 +20,7 @@ FitRecord fit_of(Law law, double misfit, const std::string& target = "a") {
   FitRecord record = fitted_record(target);
   record.result.law = law;
   record.result.misfit_rms = misfit;
-  record.result.misfit_share = misfit / 280e6;
+  record.result.misfit_fraction = misfit / 280e6;
   record.result.effective_samples = 200.0;
   return record;
 }

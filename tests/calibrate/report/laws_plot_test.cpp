@@ -24,10 +24,10 @@ std::vector<FitRecord> two_laws() {
   std::vector<FitRecord> records{fitted_record("a"), fitted_record("a")};
   records[0].result.law = Law::Ideal;
   records[0].result.misfit_rms = 9e6;
-  records[0].result.misfit_share = 0.032;
+  records[0].result.misfit_fraction = 0.032;
   records[1].result.law = Law::Linear;
   records[1].result.misfit_rms = 1e6;
-  records[1].result.misfit_share = 0.0036;
+  records[1].result.misfit_fraction = 0.0036;
   for (FitRecord& record : records) record.result.effective_samples = 200.0;
   for (double& stress : records[0].result.fitted.stress) stress -= 7e6;
   return records;
@@ -38,7 +38,7 @@ std::vector<SceneFitRecord> two_scene_laws() {
   records[0].result.law = Law::Ideal;
   for (ScenePartFit& part : records[0].result.parts) {
     part.cost *= 100.0;
-    part.misfit_share *= 10.0;
+    part.misfit_fraction *= 10.0;
   }
   records[1].result.law = Law::Voce;
   return records;

@@ -62,7 +62,7 @@ inline SceneFitRecord scene_record(const std::string& name = "both", double modu
     part.samples = p == 0 ? 30 : 20;
     part.noise = p == 0 ? 5.0 : 3.0;
     part.degrees_of_freedom = p == 0 ? 28.8 : std::numeric_limits<double>::infinity();
-    part.misfit_share = p == 0 ? 0.0083 : 0.012;
+    part.misfit_fraction = p == 0 ? 0.0083 : 0.012;
     part.runs_probability = p == 0 ? 0.41 : std::numeric_limits<double>::quiet_NaN();
     part.break_strain = p == 0 ? 0.021 : std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < part.samples; ++i) {

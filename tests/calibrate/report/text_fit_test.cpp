@@ -161,9 +161,9 @@ TEST(FitReport, SaysHowWellTheModelFollowsInAPlainWord) {
                            "follows this curve"));
   record.result.runs_probability = 1e-9;
   EXPECT_TRUE(has(fit_report(record), "close, ideal plasticity follows")) << "below 1 %";
-  record.result.misfit_share = 0.015;
+  record.result.misfit_fraction = 0.015;
   EXPECT_TRUE(has(fit_report(record), "close, ideal plasticity does not"));
-  record.result.misfit_share = 0.0039;
+  record.result.misfit_fraction = 0.0039;
   record.result.runs_probability = std::numeric_limits<double>::quiet_NaN();
   const std::optional<double> rm = std::exchange(record.target.characteristics.rm, std::nullopt);
   record.result.misfit_word = "fair";

@@ -50,7 +50,7 @@ TEST(SceneSearch, LeavesAStartThatKnowsNothingForABetterOne) {
     }
   }
   options.starts = 1;
-  EXPECT_GT(fit_scene(setup, target, options).parts[0].misfit_share, 0.1);
+  EXPECT_GT(fit_scene(setup, target, options).parts[0].misfit_fraction, 0.1);
 }
 
 TEST(SceneSearch, RescuesAStartWithoutACurve) {

@@ -109,7 +109,7 @@ inline FitRecord filled_record(const std::string& name) {
   r.correlation = {1.0, kNan, kNan, 1.0};
   r.cost = 1e10;
   r.misfit_rms = 1e5;
-  r.misfit_share = 0.001;
+  r.misfit_fraction = 0.001;
   r.misfit_word = "close";
   r.law = Law::Ideal;
   r.runs_probability = 0.31;

@@ -37,13 +37,13 @@ Curve with_foot(double amount) {
   return curve;
 }
 
-/// A smooth curve that falls on from its largest stress along given shares of it.
-Curve ending_with(std::initializer_list<double> shares, double step = 1e-7) {
+/// A smooth curve that falls on from its largest stress along given fractions of it.
+Curve ending_with(std::initializer_list<double> fractions, double step = 1e-7) {
   Curve curve = smooth_curve();
   const double rm = curve.stress.back();
-  for (const double share : shares) {
+  for (const double fraction : fractions) {
     curve.strain.push_back(curve.strain.back() + step);
-    curve.stress.push_back(share * rm);
+    curve.stress.push_back(fraction * rm);
   }
   return curve;
 }

@@ -32,8 +32,8 @@ struct IdealPlastic {
       out.stress.push_back(stress + (noise > 0.0 ? normal(random) : 0.0));
     };
     for (std::size_t i = 0; i <= elastic; ++i) {
-      const double share = static_cast<double>(i) / static_cast<double>(elastic);
-      add(share * yield_strain(), share * yield_stress);
+      const double fraction = static_cast<double>(i) / static_cast<double>(elastic);
+      add(fraction * yield_strain(), fraction * yield_stress);
     }
     const double step = permanent_break / (static_cast<double>(plateau) + 0.5);
     for (std::size_t i = 1; i <= plateau + broken; ++i) {

@@ -15,7 +15,7 @@ Layout layout_of(const Scene& scene) { return make_layout(scene, segment_ends(sc
 
 TEST(Layout, GivesEachInnerJointHalfOfBothSegmentsAndTheEndsHalfOfOne) {
   Scene scene = cantilever(4, {});
-  scene.beam.segment_shares = {0.1, 0.2, 0.3, 0.4};
+  scene.beam.segment_fractions = {0.1, 0.2, 0.3, 0.4};
   const Layout layout = layout_of(scene);
   const std::vector<double> expected{0.05, 0.15, 0.25, 0.35, 0.2};
   for (std::size_t i = 0; i < expected.size(); ++i) {

@@ -150,7 +150,7 @@ TEST(SceneFile, ReadsATableOfHardening) {
   const Hardening h = read_scene(
                           "[material.hardening]\nlaw = 'multilinear'\n"
                           "plastic_strain = ['0.2 %', 0.01]\n"
-                          "flow_stress = ['380 MPa', '0.4 GPa']\nkinematic_share = 0.25\n" +
+                          "flow_stress = ['380 MPa', '0.4 GPa']\nkinematic_fraction = 0.25\n" +
                           kDrive)
                           .scene.material.hardening;
   EXPECT_EQ(h.law, HardeningLaw::Multilinear);
@@ -159,7 +159,7 @@ TEST(SceneFile, ReadsATableOfHardening) {
   EXPECT_EQ(h.plastic_strain[2], 0.0);
   EXPECT_DOUBLE_EQ(h.flow_stress[0], 380e6);
   EXPECT_DOUBLE_EQ(h.flow_stress[1], 400e6);
-  EXPECT_EQ(h.kinematic_share, 0.25);
+  EXPECT_EQ(h.kinematic_fraction, 0.25);
 }
 
 TEST(SceneFile, ReadsShapesThatNeedAllOfTheirDimensions) {

@@ -26,17 +26,17 @@ TEST(CheckChain, RefusesAChainInACoupon) {
 
 TEST(CheckChain, RefusesSegmentAndJointLengthsThatDoNotFitTheBeam) {
   EXPECT_EQ(error_of([](Scene& s) {
-              s.beam.segment_shares = {0.5, 0.5};
+              s.beam.segment_fractions = {0.5, 0.5};
             }),
             "beam.segment_lengths = 2 values: must be 8 for the beam's segments");
   EXPECT_EQ(error_of([](Scene& s) {
               s.beam.segments = 2;
-              s.beam.segment_shares = {0.5, 0.25};
+              s.beam.segment_fractions = {0.5, 0.25};
             }),
-            "beam.segment_lengths = 0.75: is the sum of the shares and must be 1");
+            "beam.segment_lengths = 0.75: is the sum of the fractions and must be 1");
   EXPECT_EQ(error_of([](Scene& s) {
               s.beam.segments = 2;
-              s.beam.segment_shares = {1.5, -0.5};
+              s.beam.segment_fractions = {1.5, -0.5};
             }),
             "beam.segment_lengths[2] = -0.5: must be positive and finite");
   EXPECT_EQ(error_of([](Scene& s) { s.beam.joint_lengths = {0.1}; }),
@@ -216,7 +216,7 @@ TEST(CheckRules, RefuseContradictions) {
             "rules.break_limit_z = 0: must be above 0");
   EXPECT_EQ(error_of([](Scene& s) {
               s.end_rule = EndRule::Half;
-              s.beam.segment_shares.assign(8, 0.125);
+              s.beam.segment_fractions.assign(8, 0.125);
             }),
             "rules.end_rule = half: sets the segment lengths itself");
   EXPECT_EQ(error_of([](Scene& s) {

@@ -142,7 +142,7 @@ TEST(SceneReport, ShowsProbesReactionsPeaksAndEnergiesThatBalance) {
   EXPECT_NEAR(std::fabs(peaks.moment->value), 100.0, 0.02);
   EXPECT_NEAR(std::fabs(peaks.stress->value), 100.0 * 6.0 / 8e-6, 0.02 * 6.0 / 8e-6);
   EXPECT_FALSE(peaks.plastic_strain);
-  EXPECT_LT(residual_share(record).value(), 1e-3);
+  EXPECT_LT(residual_fraction(record).value(), 1e-3);
 }
 
 TEST(SceneReport, OfACouponHasNoBeamAndTellsTheBreak) {

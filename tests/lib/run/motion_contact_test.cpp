@@ -61,7 +61,7 @@ TEST_P(Contact, LosesNothingWhenAllIsGivenBackAndMoreWhenNothingIs) {
 
 TEST(MotionContact, ThrowsASegmentBackByItsRestitution) {
   Scene scene = testing::chain_scene(1);
-  scene.beam.segment_shares = {1.0};  // no segment ends at the pillar
+  scene.beam.segment_fractions = {1.0};  // no segment ends at the pillar
   scene.initial_motions.push_back({.velocity = {0.0, -1.0, 0.0}});
   Support pillar{.at = Place{0.5, {}}, .kind = SupportKind::Pillar};
   pillar.gap = 0.001;
