@@ -91,7 +91,7 @@ void read_kind(const TomlTable& axis, SceneTarget& target) {
 
 /// What the targets of a table have in common.
 struct TargetTable {
-  ScenePart part;
+  WeightedTarget weighted;
   SceneTargetSource source;
 };
 
@@ -158,48 +158,48 @@ class Reader {
   void read_target(const TomlTable& table, bool together) {
     const TargetTable target = read_table(table);
     for (const std::string& path : target_files(table, folder_)) {
-      ScenePart part = target.part;
+      WeightedTarget weighted = target.weighted;
       SceneTargetSource source = target.source;
       source.file = path;
-      part.target = read_scene_target(source, part.setup.scene, std::move(part.target));
+      weighted.target = read_scene_target(source, weighted.setup.scene, std::move(weighted.target));
       file_.read_files.push_back(path);
-      part.target.name = names_.add(part.target.name);
+      weighted.target.name = names_.add(weighted.target.name);
       if (!together || file_.cases.empty()) {
         const std::string stem = std::filesystem::path(file_.path).stem().string();
-        file_.cases.push_back({together ? stem : part.target.name, {}});
+        file_.cases.push_back({together ? stem : weighted.target.name, {}});
       }
-      file_.cases.back().parts.push_back(std::move(part));
+      file_.cases.back().targets.push_back(std::move(weighted));
     }
     table.check_unused();
   }
 
   TargetTable read_table(const TomlTable& table) {
     TargetTable read;
-    ScenePart& part = read.part;
-    part.setup = read_scene(table.at("scene"));
-    io::read_setup(table, part.setup);
+    WeightedTarget& weighted = read.weighted;
+    weighted.setup = read_scene(table.at("scene"));
+    io::read_setup(table, weighted.setup);
     const TomlTable abscissa = table.at("abscissa").table();
     const TomlTable ordinate = table.at("ordinate").table();
-    read_kind(abscissa, part.target);
+    read_kind(abscissa, weighted.target);
     const TomlValue probe = ordinate.at("probe");
-    part.target.ordinate_probe = probe.string();
-    part.target.ordinate_where = probe.where();
+    weighted.target.ordinate_probe = probe.string();
+    weighted.target.ordinate_where = probe.where();
     read.source.abscissa =
-        read_column(abscissa, part.target.abscissa_factor, read.source.abscissa_unit);
+        read_column(abscissa, weighted.target.abscissa_factor, read.source.abscissa_unit);
     read.source.ordinate =
-        read_column(ordinate, part.target.ordinate_factor, read.source.ordinate_unit);
+        read_column(ordinate, weighted.target.ordinate_factor, read.source.ordinate_unit);
     read.source.where = table.where();
     read_csv_options(table, read.source.csv);
     if (const auto noise = table.find("noise")) {
-      const Scene& scene = part.setup.scene;
+      const Scene& scene = weighted.setup.scene;
       const std::size_t index =
-          probe_index(scene, part.target.ordinate_probe, probe.key(), probe.where());
-      part.target.noise =
+          probe_index(scene, weighted.target.ordinate_probe, probe.key(), probe.where());
+      weighted.target.noise =
           noise->quantity(dimension_of(scene.probes[index].quantity, scene.drive.deformation));
-      if (!(*part.target.noise > 0.0)) throw noise->error("must be above 0");
+      if (!(*weighted.target.noise > 0.0)) throw noise->error("must be above 0");
     }
     if (const auto weight = table.find("weight")) {
-      part.weight = weight->number_within(0.0, std::numeric_limits<double>::infinity(), false);
+      weighted.weight = weight->number_within(0.0, std::numeric_limits<double>::infinity(), false);
     }
     return read;
   }

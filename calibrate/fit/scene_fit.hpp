@@ -21,16 +21,16 @@
 namespace plastica::calibrate {
 
 /// A measured curve and the scene that it is fitted through.
-struct ScenePart {
+struct WeightedTarget {
   Setup setup;
   SceneTarget target;
-  double weight = 1.0;  ///< of its squares, beside those of other parts, > 0
+  double weight = 1.0;  ///< of its squares, beside those of other targets, > 0
 };
 
 /// What a fit through scenes may move, and how long it searches.
 struct SceneFitOptions {
-  /// Numbers of the field table, which all parts share. Free ones need both bounds; their start is
-  /// `value`, else what the first part's scene has, else the middle of the bounds.
+  /// Numbers of the field table, which all targets share. Free ones need both bounds; their start
+  /// is `value`, else what the first target's scene has, else the middle of the bounds.
   ///
   /// A break strain (`material.break_strain` of a beam that bends in a plane or is stretched,
   /// `material.break_shear_strain` of a twisted one) is not searched but set, within its bounds, to
@@ -63,13 +63,13 @@ struct SceneFitOptions {
 };
 
 /// What a fit made of one target.
-struct ScenePartFit {
+struct TargetFit {
   std::string name;
   Level level = Level::Auto;
   std::size_t samples = 0;
   double cost = 0.0;  ///< sum of the squared residuals [SI^2]
-  /// Standard deviation of the ordinate that errors stand on, and that parts are weighted by: the
-  /// target's, else by its residuals (part_noise.hpp) [SI].
+  /// Standard deviation of the ordinate that errors stand on, and that targets are weighted by: the
+  /// target's, else by its residuals (target_noise.hpp) [SI].
   double noise = 0.0;
   double degrees_of_freedom = 0.0;  ///< of this; infinite where the target states it
   double misfit_fraction = 0.0;     ///< rms residual over the largest measured ordinate [1]
@@ -100,7 +100,7 @@ struct SceneFitResult {
   std::string reason;                       ///< one sentence for Failed
   std::vector<FittedParameter> parameters;  ///< the free ones, in the order of the options
   std::vector<double> correlation;          ///< of these (n_free x n_free); NaN where there is none
-  std::vector<ScenePartFit> parts;
+  std::vector<TargetFit> targets;
   double degrees_of_freedom = 0.0;  ///< of an estimated noise; infinite if all targets have theirs
   std::vector<SceneStart> starts;   ///< in their order
   LeastSquaresOutcome outcome = LeastSquaresOutcome::NoStart;  ///< of the best search
@@ -120,11 +120,12 @@ struct SceneFitResult {
 
 /// Fits fields of one or several scenes to measured curves, by least squares of the ordinates.
 ///
-/// Parts are weighted by their noise: sum over parts of weight/noise^2 sum r_i^2. Where a target
-/// states none, each part's ordinate range stands for it at first; then the parts' residuals say
-/// it, each with the degrees of freedom that the fit leaves to the part, and the fit is repeated,
-/// four times at most, until it changes by less than 5 %. A part with fewer than five of these has
-/// the noise that all parts have in common, as a fraction of the largest ordinate.
+/// Targets are weighted by their noise: sum over targets of weight/noise^2 sum r_i^2. Where a
+/// target states none, each target's ordinate range stands for it at first; then the targets'
+/// residuals say it, each with the degrees of freedom that the fit leaves to the target, and the
+/// fit is repeated, four times at most, until it changes by less than 5 %. A target with fewer than
+/// five of these has the noise that all targets have in common, as a fraction of the largest
+/// ordinate.
 ///
 /// Errors are those of Gauss and Newton: C = A^-1 B A^-1 with A = J^T W J, B = J^T W^2 J, J the
 /// residuals' slopes over the noise by central differences and W the given weights (for weights
@@ -135,10 +136,10 @@ struct SceneFitResult {
 /// values is not in them, nor is what segments do: see `SceneSegments`.
 /// @throws InputError for a scene, target or parameter that is bad input, and if the probe of an
 ///         abscissa turns round on the path from the start values; FitInterrupted by the hooks
-SceneFitResult fit_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options);
+SceneFitResult fit_scenes(std::span<const WeightedTarget> targets, const SceneFitOptions& options);
 
 /// Refuses what `fit_scenes` would refuse before its first run. @throws InputError
-void check_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options);
+void check_scenes(std::span<const WeightedTarget> targets, const SceneFitOptions& options);
 
 /// The same as `fit_scenes` for one target.
 SceneFitResult fit_scene(const Setup& setup, const SceneTarget& target,

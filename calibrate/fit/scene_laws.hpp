@@ -11,14 +11,14 @@
 namespace plastica::calibrate {
 
 /// Cyclic if an ordinate has both signs, each beyond 5 % of its largest size.
-Loading loading_of(std::span<const ScenePart> parts);
+Loading loading_of(std::span<const WeightedTarget> targets);
 
 /// A setup whose material hardens by a law; so do the regions of the beam that have the scene's
 /// material, number by number.
 Setup setup_of(Law law, const Setup& setup);
 
-/// The parts with such setups.
-std::vector<ScenePart> parts_of(Law law, std::span<const ScenePart> parts);
+/// The targets with such setups.
+std::vector<WeightedTarget> targets_of(Law law, std::span<const WeightedTarget> targets);
 
 /// What a fit of one law is told: the options with its parameters, those that a fit of a coupon has
 /// (fit_law.hpp). Bounds that nobody gave follow, with S the yield stress, E Young's modulus (each
@@ -33,7 +33,7 @@ std::vector<ScenePart> parts_of(Law law, std::span<const ScenePart> parts);
 ///   backstress_modulus_3, backstress_rate_3  a hundredth
 /// The scene's own value is the start where it has the law.
 SceneFitOptions options_of(Law law, const SceneFitOptions& options,
-                           std::span<const ScenePart> parts);
+                           std::span<const WeightedTarget> targets);
 
 /// Lets a law's searches begin also where a simpler law that it contains ended: once with its own
 /// parameters at their starts, once where these have the least effect (`least_effect`), so that it
@@ -42,7 +42,7 @@ SceneFitOptions options_of(Law law, const SceneFitOptions& options,
 void start_from(const SceneFitResult& simpler, SceneFitOptions& options);
 
 /// Warns where a law ends with a larger misfit than a simpler one that it contains.
-void compare_with(const SceneFitResult& simpler, std::span<const ScenePart> parts,
+void compare_with(const SceneFitResult& simpler, std::span<const WeightedTarget> targets,
                   SceneFitResult& result);
 
 /// What a comparison asks of a fit. A target counts its weight over the mean of all.

@@ -26,9 +26,8 @@ LeastSquaresProblem with_limit(SceneProblem& problem, const std::vector<double>&
     const auto curves = problem.curves(points, found.size());  // has just run them
     for (std::size_t i = 0; i < found.size(); ++i) {
       double limit = 0.0;
-      for (std::size_t part = 0; part < fractions.size(); ++part) {
-        if (fractions[part] != 0.0)
-          limit += fractions[part] * strain_at_break(curves[part][i], 0.5);
+      for (std::size_t t = 0; t < fractions.size(); ++t) {
+        if (fractions[t] != 0.0) limit += fractions[t] * strain_at_break(curves[t][i], 0.5);
       }
       std::copy_n(squares.data() + i * m, m, residuals.data() + i * (m + 1));
       residuals[i * (m + 1) + m] = limit;

@@ -54,26 +54,26 @@ void add_warning(const FittedParameter& p, const SegmentsError& segments,
   if (!warning.empty()) warnings.push_back(std::move(warning));
 }
 
-void add_warning(const ScenePartFit& part, Law law, std::string_view try_next,
+void add_warning(const TargetFit& of_target, Law law, std::string_view try_next,
                  std::vector<std::string>& warnings) {
   const std::string lack =
-      lack_of_fit(phrase_of(law), part.misfit_fraction, part.runs_probability, try_next);
-  if (!lack.empty()) warnings.push_back(part.name + ": " + lack);
+      lack_of_fit(phrase_of(law), of_target.misfit_fraction, of_target.runs_probability, try_next);
+  if (!lack.empty()) warnings.push_back(of_target.name + ": " + lack);
 }
 
-void warn_of_specimens(std::span<const ScenePart> targets, std::span<const ScenePartFit> parts,
+void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const TargetFit> targets,
                        std::vector<std::string>& warnings) {
   constexpr double kFar = 3.0;
-  for (std::size_t a = 0; a < parts.size(); ++a) {
-    for (std::size_t b = 0; b < parts.size(); ++b) {
+  for (std::size_t a = 0; a < targets.size(); ++a) {
+    for (std::size_t b = 0; b < targets.size(); ++b) {
       const bool alike = are_of_one_kind(targets[a].target, targets[b].target);
-      if (!alike || !(parts[b].misfit_fraction > kFar * parts[a].misfit_fraction)) continue;
-      if (!lacks_fit(parts[b].misfit_fraction, parts[b].runs_probability)) continue;
+      if (!alike || !(targets[b].misfit_fraction > kFar * targets[a].misfit_fraction)) continue;
+      if (!lacks_fit(targets[b].misfit_fraction, targets[b].runs_probability)) continue;
       warnings.push_back(fmt::format(
           "{} is met far less closely than {}, which measured the same: if these are specimens "
           "that "
           "differ, shared = false fits each by itself; the errors above know nothing of it",
-          parts[b].name, parts[a].name));
+          targets[b].name, targets[a].name));
       return;
     }
   }

@@ -19,13 +19,13 @@ void judge(double half, const SegmentsError& segments, double prior, FittedParam
 void add_warning(const FittedParameter& parameter, const SegmentsError& segments,
                  std::vector<std::string>& warnings);
 /// @param try_next  laws, as `laws_to_try` gives them
-void add_warning(const ScenePartFit& part, Law law, std::string_view try_next,
+void add_warning(const TargetFit& of_target, Law law, std::string_view try_next,
                  std::vector<std::string>& warnings);
 
 /// Of a fit that several targets share: that some of a kind are met far less closely than another,
 /// as where specimens differ.
-/// @param parts  what the fit made of them (n_parts)
-void warn_of_specimens(std::span<const ScenePart> targets, std::span<const ScenePartFit> parts,
+/// @param targets  what the fit made of them (n_targets)
+void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const TargetFit> targets,
                        std::vector<std::string>& warnings);
 
 }  // namespace plastica::calibrate

@@ -36,22 +36,22 @@ SeenSlopes::SeenSlopes(std::span<const double> slopes, const std::vector<bool>& 
 
 std::vector<double> degrees_left(const SceneProblem& problem, const SeenSlopes& seen) {
   std::vector<double> left;
-  for (const ScenePart& part : problem.parts()) {
-    left.push_back(static_cast<double>(part.target.ordinate.size()));
+  for (const WeightedTarget& weighted : problem.targets()) {
+    left.push_back(static_cast<double>(weighted.target.ordinate.size()));
   }
   if (seen.slopes().cols() == 0) return left;
-  // The parts, and the priors as one more.
+  // The targets, and the priors as one more.
   std::vector<MatrixXd> seen_by;
   std::vector<double> weights;
-  for (std::size_t part = 0; part <= problem.parts().size(); ++part) {
-    const bool priors = part == problem.parts().size();
-    const std::size_t first = priors ? problem.samples() : problem.first_residual(part);
+  for (std::size_t t = 0; t <= problem.targets().size(); ++t) {
+    const bool priors = t == problem.targets().size();
+    const std::size_t first = priors ? problem.samples() : problem.first_residual(t);
     const std::size_t count =
-        priors ? problem.squares().residuals - first : problem.parts()[part].target.ordinate.size();
+        priors ? problem.squares().residuals - first : problem.targets()[t].target.ordinate.size();
     const auto rows =
         seen.slopes().middleRows(static_cast<Index>(first), static_cast<Index>(count));
     seen_by.emplace_back(seen.inverse() * (rows.transpose() * rows));
-    weights.push_back(priors ? 1.0 : problem.parts()[part].weight);
+    weights.push_back(priors ? 1.0 : problem.targets()[t].weight);
   }
   for (std::size_t p = 0; p < left.size(); ++p) {
     for (std::size_t q = 0; q < seen_by.size(); ++q) {

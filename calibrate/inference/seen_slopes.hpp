@@ -29,19 +29,19 @@ class SeenSlopes {
   Eigen::MatrixXd slopes_, inverse_;
 };
 
-/// Degrees of freedom that a fit leaves to the residuals of each part.
+/// Degrees of freedom that a fit leaves to the residuals of each target.
 ///
 /// With H = J (J^T J)^-1 J^T the residuals of the solution are (1 - H) e, e the errors over the
-/// scales times the root of the weights. If each part's scale is its noise, the expected sum of
-/// squares of part p, over its weight w_p, is
+/// scales times the root of the weights. If each target's scale is its noise, the expected sum of
+/// squares of target p, over its weight w_p, is
 ///
 ///   m_p - 2 h_p + sum over q of (w_q/w_p) h_pq,   h_pq = sum of H_ij^2 over i of p, j of q
 ///
 /// with h_p the sum of h_pq over all q, which is the trace of H over p: for equal weights m_p -
-/// h_p. A prior is a part of its own, of weight 1. A part that determines a parameter by itself
+/// h_p. A prior is a target of its own, of weight 1. A target that determines a parameter by itself
 /// loses one, one beside which others say far more loses none.
 /// @param problem  its weights count
-/// @return (n_parts), >= 0
+/// @return (n_targets), >= 0
 std::vector<double> degrees_left(const SceneProblem& problem, const SeenSlopes& seen);
 
 }  // namespace plastica::calibrate

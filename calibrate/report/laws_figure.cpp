@@ -153,10 +153,10 @@ Figure laws_figure(std::span<const SceneFitRecord> records, const std::string& n
                       in_units(target.ordinate, y_unit.scale)};
     std::vector<LawCurve> curves;
     for (const SceneFitRecord* record : laws) {
-      if (record->result.parts.size() != record->targets.size()) continue;
-      const ScenePartFit& part = record->result.parts[t];
-      curves.push_back({law_text(record->result.law, part.misfit_fraction),
-                        in_units(part.fitted, y_unit.scale)});
+      if (record->result.targets.size() != record->targets.size()) continue;
+      const TargetFit& of_target = record->result.targets[t];
+      curves.push_back({law_text(record->result.law, of_target.misfit_fraction),
+                        in_units(of_target.fitted, y_unit.scale)});
     }
     add_panels(shown, curves, figure);
   }

@@ -107,10 +107,11 @@ std::string break_text(const SceneTarget& target) {
 }
 
 std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
-  const std::vector<ScenePartFit>& parts = record.result.parts;
-  if (record.result.status != FitStatus::Fitted || parts.size() != record.targets.size()) return {};
+  const std::vector<TargetFit>& targets = record.result.targets;
+  if (record.result.status != FitStatus::Fitted || targets.size() != record.targets.size())
+    return {};
   const bool broke = std::ranges::any_of(
-      parts, [](const ScenePartFit& part) { return !std::isnan(part.break_strain); });
+      targets, [](const TargetFit& of_target) { return !std::isnan(of_target.break_strain); });
   const bool weighted =
       std::ranges::any_of(record.weights, [](double weight) { return weight != 1.0; });
   std::vector<Table::Column> columns = {{"", Align::Left},
@@ -123,22 +124,24 @@ std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
   if (weighted) columns.push_back({"weight"});
   if (broke) columns.push_back({"break strain", Align::Right, "%"});
   Table table(std::move(columns));
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    const ScenePartFit& part = parts[p];
+  for (std::size_t p = 0; p < targets.size(); ++p) {
+    const TargetFit& of_target = targets[p];
     const SceneTarget& target = record.targets[p];
-    const DisplayUnit unit = plastica::report::display_unit(target.ordinate_is, part.noise);
-    std::vector<std::string> cells = {
-        printable(part.name),
-        std::string(word_of(part.level)),
-        std::to_string(part.samples),
-        significant(part.noise / unit.scale, 3),
-        std::string(unit.name) + (target.noise ? " (given)" : ""),
-        significant(100.0 * part.misfit_fraction, 2),
-        std::isnan(part.runs_probability) ? "-" : fmt::format("{:.2g}", part.runs_probability)};
+    const DisplayUnit unit = plastica::report::display_unit(target.ordinate_is, of_target.noise);
+    std::vector<std::string> cells = {printable(of_target.name),
+                                      std::string(word_of(of_target.level)),
+                                      std::to_string(of_target.samples),
+                                      significant(of_target.noise / unit.scale, 3),
+                                      std::string(unit.name) + (target.noise ? " (given)" : ""),
+                                      significant(100.0 * of_target.misfit_fraction, 2),
+                                      std::isnan(of_target.runs_probability)
+                                          ? "-"
+                                          : fmt::format("{:.2g}", of_target.runs_probability)};
     if (weighted) cells.push_back(brief(record.weights[p]));
     if (broke) {
-      cells.push_back(std::isnan(part.break_strain) ? "-"
-                                                    : significant(100.0 * part.break_strain, 4));
+      cells.push_back(std::isnan(of_target.break_strain)
+                          ? "-"
+                          : significant(100.0 * of_target.break_strain, 4));
     }
     table.add(std::move(cells));
     if (target.broke)

@@ -82,7 +82,8 @@ std::vector<ColumnParameter> column_parameters(std::span<const SceneFitRecord> r
 
 double largest_misfit(const SceneFitResult& result) {
   double most = 0.0;
-  for (const ScenePartFit& part : result.parts) most = std::fmax(most, part.misfit_fraction);
+  for (const TargetFit& of_target : result.targets)
+    most = std::fmax(most, of_target.misfit_fraction);
   return most;
 }
 

@@ -63,7 +63,7 @@ const std::string& target_name(const SceneFitRecord& record) { return record.nam
 std::size_t samples_of(const FitRecord& record) { return record.result.samples; }
 std::size_t samples_of(const SceneFitRecord& record) {
   std::size_t samples = 0;
-  for (const ScenePartFit& part : record.result.parts) samples += part.samples;
+  for (const TargetFit& of_target : record.result.targets) samples += of_target.samples;
   return samples;
 }
 
@@ -246,7 +246,8 @@ std::string target_text(const Records<Record>& records, const Ink& ink) {
 double fraction_of(const FitRecord& record) { return record.result.misfit_fraction; }
 double fraction_of(const SceneFitRecord& record) {
   double most = 0.0;
-  for (const ScenePartFit& part : record.result.parts) most = std::max(most, part.misfit_fraction);
+  for (const TargetFit& of_target : record.result.targets)
+    most = std::max(most, of_target.misfit_fraction);
   return most;
 }
 

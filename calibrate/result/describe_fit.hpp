@@ -36,7 +36,7 @@ inline constexpr auto kDescribeSegments = [](auto& d) {
     "half the interval about the value with the scene's segments");
 };
 
-/// Of a ScenePartFit, but for its curve.
+/// Of a TargetFit, but for its curve.
 inline constexpr auto kDescribeTargetFit = [](auto& d) {
   d("level", "", PLASTICA_MEMBER(level), "of the model");
   d("samples", "1", PLASTICA_MEMBER(samples), "that entered the fit");
@@ -99,9 +99,9 @@ inline constexpr auto kDescribeSceneFit = [](auto& d) {
   d("search_runs", "1", PLASTICA_MEMBER(result.search_runs), "of these, what the search took");
   d("failed_runs", "1", PLASTICA_MEMBER(result.failed_runs), "of all, without a curve");
   d("segment_iterations", "1", PLASTICA_MEMBER(result.segment_iterations), "of all runs");
-  d.part("divided", PLASTICA_MEMBER(result.segments), [](auto& part) {
-    part("segments", "1", PLASTICA_MEMBER(segments), "of the first beam");
-    part("segments_note", "", PLASTICA_MEMBER(note), "why a fit with other segments is missing");
+  d.optional("divided", PLASTICA_MEMBER(result.segments), [](auto& inner) {
+    inner("segments", "1", PLASTICA_MEMBER(segments), "of the first beam");
+    inner("segments_note", "", PLASTICA_MEMBER(note), "why a fit with other segments is missing");
   });
 };
 

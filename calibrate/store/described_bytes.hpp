@@ -27,11 +27,11 @@ class DescribedCoder {
     columns(*this);
   }
   template <typename Member, typename Columns>
-  void part(std::string_view, const Member& member, const Columns& columns) {
+  void optional(std::string_view, const Member& member, const Columns& columns) {
     coder_.maybe(member(row_), [&](auto& to, auto& each) {
       DescribedCoder<std::remove_reference_t<decltype(to)>, std::remove_reference_t<decltype(each)>>
-          of_part(to, each);
-      columns(of_part);
+          of_inner(to, each);
+      columns(of_inner);
     });
   }
 

@@ -33,12 +33,12 @@ std::uint64_t scene_journal_kind() {
 /// at rest or step by kernels of the instruction set that they name.
 std::string id_of(const SceneFitCase& one, const SceneFitOptions& options) {
   io::Digest digest;
-  digest.text(version()).integer(digest_of(one.parts, options));
+  digest.text(version()).integer(digest_of(one.targets, options));
   return one.name + " " + io::hexadecimal(digest.value());
 }
 
-/// Who a finished part of a fit is.
-std::string part_of(const std::string& id, std::string_view name) {
+/// The id of a finished stage of a fit.
+std::string stage_of(const std::string& id, std::string_view name) {
   return id + "/" + std::string(name);
 }
 
@@ -58,7 +58,7 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
       options_(options),
       how_(std::move(how)),
       within_(std::move(within)),
-      journal_(how_.journal, scene_journal_kind(), "fits and parts of fits") {
+      journal_(how_.journal, scene_journal_kind(), "fits and stages of fits") {
   for (std::size_t of = 0; of < cases.size(); ++of) {
     const SceneFitCase& one = cases[of];
     if (options.laws.empty()) {
@@ -76,11 +76,11 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
   std::size_t of_use = 0;
   for (const std::vector<std::string>* ids : {&ids_, &whole_ids_}) {
     for (const std::string& id : *ids) {
-      const std::size_t parts = journal_.found_under(part_of(id, ""));
+      const std::size_t stages = journal_.found_under(stage_of(id, ""));
       const bool whole = journal_.find(id) != nullptr;
       if (whole && ids == &ids_) ++taken_;
-      if (!whole) parts_ += parts;
-      of_use += parts + (whole ? 1 : 0);
+      if (!whole) stages_ += stages;
+      of_use += stages + (whole ? 1 : 0);
     }
   }
   outdated_ = journal_.found() - of_use;
@@ -135,8 +135,8 @@ void JournaledSceneFits::take(std::size_t index, bool whole, SceneFitResult&& re
 SceneFitResult JournaledSceneFits::fit_law(std::size_t index, bool whole,
                                            SceneFitOptions options) const {
   const Fit& one = fits_[index];
-  const std::vector<ScenePart>& given = cases_[one.of].parts;
-  const std::vector<ScenePart> parts = parts_of(*one.law, given);
+  const std::vector<WeightedTarget>& given = cases_[one.of].targets;
+  const std::vector<WeightedTarget> targets = targets_of(*one.law, given);
   options = options_of(*one.law, whole ? options : without_extras(options), given);
   const std::size_t first = first_fit(one.of);
   const auto for_simpler = [&](const auto& each) {
@@ -146,8 +146,8 @@ SceneFitResult JournaledSceneFits::fit_law(std::size_t index, bool whole,
     }
   };
   for_simpler([&](const SceneFitResult& simpler) { start_from(simpler, options); });
-  SceneFitResult result = fit_scenes(parts, options);
-  for_simpler([&](const SceneFitResult& simpler) { compare_with(simpler, parts, result); });
+  SceneFitResult result = fit_scenes(targets, options);
+  for_simpler([&](const SceneFitResult& simpler) { compare_with(simpler, targets, result); });
   return result;
 }
 
@@ -161,24 +161,24 @@ std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, bool wh
   options.hooks.find = [&](const std::string& name) -> const std::vector<std::byte>* {
     const auto kept = kept_[index].find(name);
     if (kept != kept_[index].end()) return &kept->second;
-    const std::vector<std::byte>* found = journal_.find(part_of(id, name));
-    return found != nullptr ? found : journal_.find(part_of(ids_[index], name));
+    const std::vector<std::byte>* found = journal_.find(stage_of(id, name));
+    return found != nullptr ? found : journal_.find(stage_of(ids_[index], name));
   };
   options.hooks.keep = [&](const std::string& name, std::span<const std::byte> bytes) {
     if (makes_whole()) kept_[index][name].assign(bytes.begin(), bytes.end());
-    journal_.keep(part_of(id, name), bytes);
+    journal_.keep(stage_of(id, name), bytes);
   };
   const bool alone = cases_.size() == 1;
   if (alone) options.hooks.progress = within_;
   try {
     return fits_[index].law ? fit_law(index, whole, std::move(options))
-                            : fit_scenes(cases_[fits_[index].of].parts, options);
+                            : fit_scenes(cases_[fits_[index].of].targets, options);
   } catch (const FitInterrupted&) {
     return std::nullopt;
   } catch (const InputError& error) {
     if (alone) throw;
     SceneFitResult failed;
-    const Material& material = cases_[fits_[index].of].parts.front().setup.scene.material;
+    const Material& material = cases_[fits_[index].of].targets.front().setup.scene.material;
     failed.law = fits_[index].law.value_or(law_of(material.hardening, options_.parameters));
     failed.reason = error.what();
     return failed;

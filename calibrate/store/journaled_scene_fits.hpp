@@ -34,7 +34,7 @@ class JournaledSceneFits {
   JournaledSceneFits& operator=(const JournaledSceneFits&) = delete;
 
   std::size_t taken() const { return taken_; }        ///< fits that the journal had
-  std::size_t parts() const { return parts_; }        ///< finished parts of others that it had
+  std::size_t stages() const { return stages_; }      ///< finished stages of others that it had
   std::size_t outdated() const { return outdated_; }  ///< and those of no use
   std::uint64_t dropped_bytes() const { return journal_.dropped_bytes(); }
   /// See `io::CaseJournal`.
@@ -96,7 +96,7 @@ class JournaledSceneFits {
   int threads_ = 1;         ///< that each fit has
   io::CaseJournal journal_;
   std::size_t taken_ = 0;
-  std::size_t parts_ = 0;
+  std::size_t stages_ = 0;
   std::size_t outdated_ = 0;
   bool complete_ = false;
 };

@@ -39,11 +39,13 @@ void add_to(io::Digest& digest, const SceneFitOptions& options) {
   }
 }
 
-std::uint64_t digest_of(std::span<const ScenePart> parts, const SceneFitOptions& options) {
+std::uint64_t digest_of(std::span<const WeightedTarget> targets, const SceneFitOptions& options) {
   io::Digest digest;
-  for (const ScenePart& part : parts) {
-    digest.text(part.target.name).integer(io::scene_digest(part.setup)).real(part.weight);
-    add_to(digest, part.target);
+  for (const WeightedTarget& weighted : targets) {
+    digest.text(weighted.target.name)
+        .integer(io::scene_digest(weighted.setup))
+        .real(weighted.weight);
+    add_to(digest, weighted.target);
   }
   add_to(digest, options);
   return digest.value();

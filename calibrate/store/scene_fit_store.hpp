@@ -30,8 +30,8 @@ struct SceneFitContents {
 /// in place of what is there if that is allowed.
 ///
 /// The records must have names of their own, or laws of their own beside the same name, a weight
-/// for each target, either no parts or one for each target and under its name, ordinates and fitted
-/// values (or none) for each abscissa.
+/// for each target, either no targets or one for each target and under its name, ordinates and
+/// fitted values (or none) for each abscissa.
 /// @throws io::StorageError if it cannot be written; std::logic_error if the records are not so
 void write_scene_fit_store(const std::string& path, const SceneFitContents& contents,
                            io::Overwrite overwrite = io::Overwrite::Allowed);

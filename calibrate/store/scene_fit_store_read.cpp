@@ -63,13 +63,13 @@ class Reader {
 
   void targets() {
     const auto targets =
-        tables_.items("parts", records_, PLASTICA_MEMBER(targets), kDescribeSceneTarget);
+        tables_.items("targets", records_, PLASTICA_MEMBER(targets), kDescribeSceneTarget);
     const std::size_t n = targets.rows.size();
     std::vector<TargetRow> rows(n);
-    tables_.columns("parts", store::pointers_to(std::span(rows)), [](auto& d) {
+    tables_.columns("targets", store::pointers_to(std::span(rows)), [](auto& d) {
       d("weight", "1", PLASTICA_MEMBER(weight));
       d("has_curve", "", PLASTICA_MEMBER(has_curve));
-      d.part("present", PLASTICA_MEMBER(made), kDescribeTargetFit);
+      d.optional("present", PLASTICA_MEMBER(made), kDescribeTargetFit);
     });
     const io::Ragged<double> abscissa = curve("abscissa", n);
     const io::Ragged<double> ordinate = curve("ordinate", n);
@@ -81,7 +81,7 @@ class Reader {
       targets.rows[p]->ordinate = numbers(ordinate.row(p));
       record.weights.push_back(rows[p].weight);
       if (!rows[p].made) continue;
-      ScenePartFit& made = record.result.parts.emplace_back(std::move(*rows[p].made));
+      TargetFit& made = record.result.targets.emplace_back(std::move(*rows[p].made));
       made.name = targets.rows[p]->name;
       if (!rows[p].has_curve) continue;
       made.fitted = numbers(fitted.row(p));
@@ -115,8 +115,8 @@ class Reader {
   /// Of a target what its own description does not have.
   struct TargetRow {
     double weight = 1.0;
-    bool has_curve = false;            ///< whether the fitted ordinates are there
-    std::optional<ScenePartFit> made;  ///< empty: the fit has nothing of it
+    bool has_curve = false;         ///< whether the fitted ordinates are there
+    std::optional<TargetFit> made;  ///< empty: the fit has nothing of it
   };
 
   [[noreturn]] void refuse(const std::string& path, const std::string& rule) const {
@@ -125,14 +125,14 @@ class Reader {
 
   void check_targets() const {
     for (const SceneFitRecord* record : records_) {
-      const std::size_t made = record->result.parts.size();
-      if (record->targets.empty()) refuse("parts/fit", "must name each fit");
+      const std::size_t made = record->result.targets.size();
+      if (record->targets.empty()) refuse("targets/fit", "must name each fit");
       const bool found = record->result.status == FitStatus::Fitted;
       if (found && (made == 0 || record->result.parameters.empty())) {
-        refuse("parts/present", "must hold for each fit that was made");
+        refuse("targets/present", "must hold for each fit that was made");
       }
       if (made != 0 && made != record->targets.size()) {
-        refuse("parts/present", "must be the same for all targets of a fit");
+        refuse("targets/present", "must be the same for all targets of a fit");
       }
     }
   }

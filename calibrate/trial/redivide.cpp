@@ -126,9 +126,9 @@ Setup redivided(const Setup& setup, Division division) {
   return made;
 }
 
-Setup redivided(const ScenePart& part, Division division) {
-  const SceneTarget& target = part.target;
-  for (const Probe& probe : part.setup.scene.probes) {
+Setup redivided(const WeightedTarget& weighted, Division division) {
+  const SceneTarget& target = weighted.target;
+  for (const Probe& probe : weighted.setup.scene.probes) {
     const bool over = target.kind == Abscissa::Probe && probe.name == target.abscissa_probe;
     if (!over && probe.name != target.ordinate_probe) continue;
     if (probe.quantity != ProbeQuantity::Angle && probe.quantity != ProbeQuantity::PlasticAngle) {
@@ -137,7 +137,7 @@ Setup redivided(const ScenePart& part, Division division) {
     throw InputError({}, "probe", probe.name,
                      "is the angle of one joint, which follows its length");
   }
-  return redivided(part.setup, division);
+  return redivided(weighted.setup, division);
 }
 
 double order_of_joints(const Scene& scene) {

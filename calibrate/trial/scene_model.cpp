@@ -150,8 +150,8 @@ std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::siz
 bool SceneModel::takes_a_limit() const {
   if (!model_.chain) return true;
   const chain::Layout& layout = model_.chain->layout;
-  return std::ranges::any_of(layout.segment_part, [&](const auto& of) {
-    return limited_[layout.parts[of.middle].region];
+  return std::ranges::any_of(layout.segment_regions, [&](const auto& of) {
+    return limited_[layout.regions[of.middle].scene_region];
   });
 }
 
@@ -166,7 +166,7 @@ std::vector<bool> SceneModel::joints_of_the_limit(const Setup& setup, const Mode
   const ChainModel& chain = own ? *own->chain : *model.chain;
   std::vector<bool> joints;
   for (const auto& joint : scene_joints(chain, material_values(at.scene.material))) {
-    joints.push_back(limited_[chain.layout.parts[joint.owner].region]);
+    joints.push_back(limited_[chain.layout.regions[joint.owner].scene_region]);
   }
   return joints;
 }

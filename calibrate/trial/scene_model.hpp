@@ -65,7 +65,7 @@ class SceneModel {
                               StopFlag stop = nullptr) const;
 
   Level level() const { return model_.level; }
-  /// Whether any part takes a limit of the scene's material: not if regions of others cover it
+  /// Whether any region takes a limit of the scene's material: not if regions of others cover it
   /// all.
   bool takes_a_limit() const;
 
@@ -75,8 +75,8 @@ class SceneModel {
                               const BatchOptions& how) const;
   void go_on(std::span<const double> values, const BatchOptions& how,
              std::vector<SceneCurve>& curves) const;
-  /// Which joints take a limit of the scene's material (N + 1): those of its parts, the weaker one
-  /// of two that meet, which the values decide. Of a coupon none.
+  /// Which joints take a limit of the scene's material (N + 1): those of its regions, the weaker
+  /// one of two that meet, which the values decide. Of a coupon none.
   std::vector<bool> joints_of_the_limit(const Setup& setup, const Model& model,
                                         std::span<const double> values) const;
   /// @param limited  `joints_of_the_limit`, of this and what it calls

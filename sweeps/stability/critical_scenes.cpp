@@ -144,7 +144,7 @@ StabilityCase pulled_hinge(const Knobs& knobs) {
 
 /// A cantilever that is half as deep from `place` on, under a force across its tip; the other way
 /// round it is clamped at its end and deep up to there. Deflection of the tip by the unit-load
-/// integral of both parts.
+/// integral of both terms.
 StabilityCase stepped_of(const Knobs& knobs, bool exchanged) {
   StabilityCase made = beam(knobs, Level::Planar, YieldModel::Elastic);
   Scene& scene = made.setup.scene;

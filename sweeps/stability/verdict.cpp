@@ -37,9 +37,9 @@ struct Ledger {
 Ledger ledger_of(const Response& response) {
   Ledger ledger;
   for (const Energies& e : std::span(response.chain.energy).first(response.samples)) {
-    for (const double part : {e.elastic, e.kinetic, e.plastic, e.damping, e.impact, e.fracture,
+    for (const double term : {e.elastic, e.kinetic, e.plastic, e.damping, e.impact, e.fracture,
                               e.external, e.numerical}) {
-      ledger.size = std::max(ledger.size, std::fabs(part));
+      ledger.size = std::max(ledger.size, std::fabs(term));
     }
     ledger.residual = std::max(ledger.residual, std::fabs(e.residual));
     ledger.made = std::max(ledger.made, -e.numerical);

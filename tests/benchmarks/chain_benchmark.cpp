@@ -136,7 +136,7 @@ void bend_evenly(benchmark::State& state, const chain::View<L>& view, Reach reac
   scene.section.height = 0.03;
   const auto values = material_values(scene.material);
   SolvedChain<L, false, Law> solved(scene, values, view, law_of, kSpring);
-  const law::SectionForm& form = solved.layout.parts[0].form;
+  const law::SectionForm& form = solved.layout.regions[0].form;
   chain::SegmentLoad<L> load;
   load.segment = solved.layout.size() - 1;
   load.history = solved.build.chain.histories.size();

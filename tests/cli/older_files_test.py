@@ -35,7 +35,7 @@ def copy_of(folder):
 
 
 FORMER = {"kinematic_fraction": "kinematic_share", "misfit_fraction": "misfit_share",
-          "segment_fractions": "segment_shares"}
+          "segment_fractions": "segment_shares", "targets": "parts"}
 
 
 def rename_to_former(file):
@@ -88,7 +88,7 @@ class OlderFiles(unittest.TestCase):
                 (4, ("calibrate", str(DATA / "fits/demo.toml"), "--quiet"),
                  {"kinematic_fraction", "misfit_fraction"}),
                 (4, ("calibrate", str(DATA / "fits/bend_test.toml"), "--quiet"),
-                 {"misfit_fraction"}),
+                 {"misfit_fraction", "targets"}),
                 (2, ("simulate", cyclic, "--quiet"),
                  {"kinematic_fraction", "segment_fractions"})):
             with self.subTest(command=command):

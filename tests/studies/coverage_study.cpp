@@ -81,7 +81,7 @@ TEST(Coverage, PopulationOfSpecimensIsThatOfTheirTruths) {
   options.starts = 1;
   options.parameters = yield_and_tangent();
   std::vector<SceneFitRecord> records(n);
-  std::vector<ScenePart> pooled(n);
+  std::vector<WeightedTarget> pooled(n);
   parallel_for(n, {}, [&](std::size_t i, int) {
     SceneTarget target = bilinear_target("specimen " + std::to_string(i), samples[i + 1]);
     target.abscissa = samples[0];
@@ -224,11 +224,11 @@ TEST(Coverage, JointFitsHoldTheTruthWhoeverDeterminesIt) {
   for (const Joint& joint : cases) {
     std::vector<Held> held(3 * seeds);
     parallel_for(seeds, {}, [&](std::size_t seed, int) {
-      std::vector<ScenePart> parts;
+      std::vector<WeightedTarget> targets;
       for (std::size_t t = 0; t < joint.targets.size(); ++t) {
-        parts.push_back({bilinear_coupon(), measured(joint.targets[t], kTruth, 5000 + seed, t)});
+        targets.push_back({bilinear_coupon(), measured(joint.targets[t], kTruth, 5000 + seed, t)});
       }
-      const SceneFitResult result = fit_scenes(parts, options);
+      const SceneFitResult result = fit_scenes(targets, options);
       for (std::size_t k = 0; k < 3; ++k) {
         const auto holds = [&](double low, double high) {
           return low <= truth[k] && truth[k] <= high;

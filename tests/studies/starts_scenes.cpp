@@ -14,7 +14,7 @@ namespace {
 
 using calibrate::Abscissa;
 using calibrate::Parameter;
-using calibrate::ScenePart;
+using calibrate::WeightedTarget;
 using testing::Normal;
 using testing::way_over;
 
@@ -53,15 +53,16 @@ double value_of(const Setup& setup, const Field& field) {
 }
 
 /// Frees fields of a scene, whose numbers are the truth, and makes its curve.
-StartsProblem problem(std::string name, ScenePart part, const std::vector<std::string>& fields) {
+StartsProblem problem(std::string name, WeightedTarget weighted,
+                      const std::vector<std::string>& fields) {
   StartsProblem made;
-  made.name = part.target.name = std::move(name);
+  made.name = weighted.target.name = std::move(name);
   std::vector<const Field*> set;
   std::vector<double> truth;
   for (const std::string& path : fields) {
     Parameter p;
     p.field = &find_field(path);
-    p.value = value_of(part.setup, *p.field);
+    p.value = value_of(weighted.setup, *p.field);
     const bool fraction = p.field->material == MaterialField::KinematicFraction;
     p.lower = fraction ? 0.02 : *p.value / kFactor;
     p.upper = fraction ? 1.0 : *p.value * kFactor;
@@ -69,28 +70,28 @@ StartsProblem problem(std::string name, ScenePart part, const std::vector<std::s
     set.push_back(p.field);
     truth.push_back(*p.value);
   }
-  part.target.ordinate.assign(part.target.abscissa.size(), 0.0);
-  const calibrate::SceneModel model(part.setup, part.target, set);
+  weighted.target.ordinate.assign(weighted.target.abscissa.size(), 0.0);
+  const calibrate::SceneModel model(weighted.setup, weighted.target, set);
   const calibrate::SceneCurve curve = model.run(truth, 1).front();
   if (!curve.usable) throw std::runtime_error(made.name + ": " + curve.reason);
   double largest = 0.0;
   for (const double y : curve.ordinate) largest = std::max(largest, std::abs(y));
   Normal normal(7);
   for (std::size_t i = 0; i < curve.ordinate.size(); ++i) {
-    part.target.ordinate[i] = curve.ordinate[i] + kNoise * largest * normal.draw();
+    weighted.target.ordinate[i] = curve.ordinate[i] + kNoise * largest * normal.draw();
   }
-  made.part = std::move(part);
+  made.weighted = std::move(weighted);
   return made;
 }
 
-ScenePart driven(Setup setup, Abscissa kind, std::size_t driven, std::vector<double> way) {
-  ScenePart part;
-  part.target.kind = kind;
-  part.target.driven = driven;
-  part.target.ordinate_probe = setup.scene.probes.front().name;
-  part.target.abscissa = std::move(way);
-  part.setup = std::move(setup);
-  return part;
+WeightedTarget driven(Setup setup, Abscissa kind, std::size_t driven, std::vector<double> way) {
+  WeightedTarget weighted;
+  weighted.target.kind = kind;
+  weighted.target.driven = driven;
+  weighted.target.ordinate_probe = setup.scene.probes.front().name;
+  weighted.target.abscissa = std::move(way);
+  weighted.setup = std::move(setup);
+  return weighted;
 }
 
 StartsProblem bend() {
@@ -154,8 +155,8 @@ StartsProblem swing() {
   setup.solver.damping_time = 1e-4;
   setup.solver.duration = 0.036;
   setup.solver.steps = 90;
-  ScenePart part = driven(setup, Abscissa::Time, 0, way_over({0.036}, 90));
-  return problem("swing", std::move(part), {"material.youngs_modulus", "solver.damping_time"});
+  WeightedTarget weighted = driven(setup, Abscissa::Time, 0, way_over({0.036}, 90));
+  return problem("swing", std::move(weighted), {"material.youngs_modulus", "solver.damping_time"});
 }
 
 StartsProblem coupon() {

@@ -40,7 +40,7 @@ struct SolvedChain {
       : layout(chain::make_layout(scene, segment_ends(scene))) {
     build = chain::build_chain<L>(scene, layout, view, {.sees_axial = law::kSeesAxial<Law>});
     const std::vector<MaterialValues<S>> materials{material};
-    auto numbers = chain::joint_numbers(build.joints, layout.parts, materials, view);
+    auto numbers = chain::joint_numbers(build.joints, layout.regions, materials, view);
     const S stiffness = numbers[0].stiffness[0];
     const S length = constant<S>(scene.beam.length);
     build.chain.closure_stiffness = constant<S>(100) * stiffness / (length * length * length);
@@ -52,7 +52,7 @@ struct SolvedChain {
       }
     }
     joints = std::make_unique<chain::SectionJoints<L, kElastic, Law>>(
-        view.section_axes(), std::vector<Law>{law_of(layout.parts[0].form)}, std::move(numbers));
+        view.section_axes(), std::vector<Law>{law_of(layout.regions[0].form)}, std::move(numbers));
     work.resize(build.chain);
   }
 

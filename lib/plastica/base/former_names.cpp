@@ -25,6 +25,7 @@ constexpr std::array kColumns{
     Renamed{"kinematic_share", "kinematic_fraction"},
     Renamed{"segment_shares", "segment_fractions"},
     Renamed{"misfit_share", "misfit_fraction"},
+    Renamed{"parts", "targets"},
 };
 
 std::string_view former(std::span<const Renamed> table, std::string_view now) {

@@ -204,8 +204,8 @@ class Builder {
     if (outer) plan.before = plan.length;
     plan.acting = held;
     plan.node = joint.node;
-    const SegmentParts& parts = layout_.segment_part[segment];
-    plan.part_a = plan.part_b = outer ? parts.outer : parts.inner;
+    const SegmentRegions& regions = layout_.segment_regions[segment];
+    plan.region_a = plan.region_b = outer ? regions.outer : regions.inner;
     build_.joints.push_back(plan);
   }
 
@@ -316,8 +316,8 @@ class Builder {
     const std::size_t history = add_history(scene_.gravity_history);
     for (std::size_t i = 0; i < layout_.size(); ++i) {
       const double middle = 0.5 * (layout_.ends[i] + layout_.ends[i + 1]);
-      const BeamPart& part = layout_.parts[layout_.segment_part[i].middle];
-      const Vec<double, 3> force = part.line_mass() * g;
+      const BeamRegion& region = layout_.regions[layout_.segment_regions[i].middle];
+      const Vec<double, 3> force = region.line_mass() * g;
       weight.force = force.at;
       add_point_load(weight, history, segment_point(layout_, middle), layout_.segment_length[i]);
     }

@@ -129,43 +129,44 @@ std::size_t region_at(const Scene& scene, double fraction, const std::vector<dou
   return number;
 }
 
-void set_parts(const Scene& scene, std::optional<law::GaugePlane> yields, Layout& layout) {
+void set_regions(const Scene& scene, std::optional<law::GaugePlane> yields, Layout& layout) {
   const bool one_surface = yields && (scene.yield_model == YieldModel::Interaction ||
                                       scene.yield_model == YieldModel::Conservative);
-  const auto add = [&](std::size_t region, const Section& section, const Material& material) {
-    BeamPart part{.region = region, .section = section, .material = material};
-    part.properties = section_properties(section, material.poisson_ratio);
-    part.form =
-        law::section_form(section, part.properties, material, scene.yield_cap, scene.formulas);
+  const auto add = [&](std::size_t number, const Section& section, const Material& material) {
+    BeamRegion region{.scene_region = number, .section = section, .material = material};
+    region.properties = section_properties(section, material.poisson_ratio);
+    region.form =
+        law::section_form(section, region.properties, material, scene.yield_cap, scene.formulas);
     if (one_surface) {
-      part.gauge =
+      region.gauge =
           law::gauge_form(section, scene.yield_model, scene.yield_cap, scene.formulas, *yields);
     }
-    layout.parts.push_back(std::move(part));
-    return layout.parts.size() - 1;
+    layout.regions.push_back(std::move(region));
+    return layout.regions.size() - 1;
   };
   add(0, scene.section, scene.material);
   for (const Region& region : scene.regions) {
-    add(layout.parts.size(), region.section, region.material);
+    add(layout.regions.size(), region.section, region.material);
   }
   for (std::size_t i = 0; i < layout.size(); ++i) {
     const double begin = layout.ends[i], end = layout.ends[i + 1];
     const double middle = 0.5 * (begin + end);
     const std::size_t number = region_at(scene, middle, layout.ends);
-    layout.segment_part.push_back({number, number, number});
+    layout.segment_regions.push_back({number, number, number});
     if (number == 0 || !scene.regions[number - 1].to_section) continue;
     const Region& region = scene.regions[number - 1];
     const double from = fraction_of(region.from, layout.ends);
     const double way = fraction_of(region.to, layout.ends) - from;
-    const auto part_at = [&](double fraction) {
+    const auto add_at = [&](double fraction) {
       return add(number, tapered_section(region, (fraction - from) / way), region.material);
     };
-    SegmentParts& own = layout.segment_part[i];
+    SegmentRegions& own = layout.segment_regions[i];
     // The joint between two segments of one taper has one section.
-    const bool goes_on = i > 0 && layout.parts[layout.segment_part[i - 1].outer].region == number;
-    own.inner = goes_on ? layout.segment_part[i - 1].outer : part_at(begin);
-    own.middle = part_at(middle);
-    own.outer = part_at(end);
+    const bool goes_on =
+        i > 0 && layout.regions[layout.segment_regions[i - 1].outer].scene_region == number;
+    own.inner = goes_on ? layout.segment_regions[i - 1].outer : add_at(begin);
+    own.middle = add_at(middle);
+    own.outer = add_at(end);
   }
 }
 
@@ -186,7 +187,7 @@ Layout make_layout(const Scene& scene, std::vector<double> ends,
   place_frames(scene.beam, layout);
   set_joint_lengths(scene, layout);
   set_bare_halves(scene, layout);
-  set_parts(scene, yields, layout);
+  set_regions(scene, yields, layout);
   return layout;
 }
 

@@ -12,9 +12,11 @@
 
 namespace plastica::chain {
 
-/// A section and a material that the beam has somewhere, and what follows from them.
-struct BeamPart {
-  std::size_t region = 0;  ///< 0: the scene's own, else the region's number from 1
+/// A region of the beam: the section and the material that it has there, and what follows from
+/// them. A taper has one for each section.
+struct BeamRegion {
+  /// 0: what the scene has at its top; else the number of the `Region` that it is of, from 1.
+  std::size_t scene_region = 0;
   Section section{};
   Material material{};
   SectionProperties properties{};
@@ -24,13 +26,13 @@ struct BeamPart {
   double line_mass() const { return material.density * properties.area; }  ///< [kg/m]
 };
 
-/// The parts of a segment: one of the last region that holds its middle, or the scene's own. In a
-/// taper each segment has the section of its middle, and each joint that of its place.
-struct SegmentParts {
+/// The regions of a segment: those of the last `Region` that holds its middle, or the scene's own.
+/// In a taper each segment has the section of its middle, and each joint that of its place.
+struct SegmentRegions {
   std::size_t middle = 0;
   std::size_t inner = 0;  ///< as its joints see it
   std::size_t outer = 0;
-  bool operator==(const SegmentParts&) const = default;
+  bool operator==(const SegmentRegions&) const = default;
 };
 
 /// Where the segments and joints of a scene's undeformed beam are, in space whatever the level.
@@ -55,8 +57,8 @@ struct Layout {
   std::array<std::array<double, 4>, 2> bare_half{};
   EndRule end_rule = EndRule::HalfJoint;  ///< never Auto
 
-  std::vector<BeamPart> parts;             ///< the scene's own, its regions', those of tapers
-  std::vector<SegmentParts> segment_part;  ///< numbers of parts (N)
+  std::vector<BeamRegion> regions;              ///< the scene's own, its regions', those of tapers
+  std::vector<SegmentRegions> segment_regions;  ///< numbers of regions (N)
 
   std::size_t size() const { return segment_length.size(); }
 };

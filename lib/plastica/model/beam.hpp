@@ -32,7 +32,7 @@ struct Beam {
   std::vector<std::array<double, 3>> points{};       ///< Polyline: [m], the first is the start
 };
 
-/// A part of the beam that has another section or material. Later ones win.
+/// A stretch of the beam that has another section or material. Later ones win.
 struct Region {
   Place from{};
   Place to{1.0, {}};

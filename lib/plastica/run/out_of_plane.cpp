@@ -118,7 +118,7 @@ class SpatialTangent final : public OutOfPlane {
 
   void set_joints(const ChainModel& model, const MaterialValues<double>& material) {
     auto made = chain::joint_set(scene_, model.layout, build_, material, view_);
-    joints_ = make_joints<L, kElastic>(scene_, model.layout.parts, made.materials,
+    joints_ = make_joints<L, kElastic>(scene_, model.layout.regions, made.materials,
                                        std::move(made.numbers), view_, model.options.fibres);
     chain::set_closure_stiffness(joints_->joints(), scene_.beam.length, build_.chain);
   }

@@ -28,7 +28,7 @@ struct Facts {
       : scene(model.chain->scene),
         options(model.chain->options),
         layout(model.chain->layout),
-        section(layout.parts[0].properties),
+        section(layout.regions[0].properties),
         level{model.level, model.chain->across == 1 ? BendingAxis::X : BendingAxis::Y, {}} {}
 
   const Scene& scene;

@@ -75,7 +75,7 @@ TEST(LawChoice, TakesTheAdvisedLawWhereNoneIsNamed) {
 SceneFitRecord scene_fit_of(Law law, double cost) {
   SceneFitRecord record = testing::lone_scene_record("bar", 205e9, 380e6);
   record.result.law = law;
-  record.result.parts[0].cost = cost;
+  record.result.targets[0].cost = cost;
   return record;
 }
 

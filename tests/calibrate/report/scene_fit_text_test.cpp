@@ -125,7 +125,7 @@ TEST(SceneFitText, NamesStrongCorrelationsAlone) {
 
 TEST(SceneFitText, IsAtMostAHundredColumnsWideAndPrintable) {
   SceneFitRecord record = scene_record(std::string(150, 'x') + "\x1b[31m\xff");
-  record.targets[0].name = record.result.parts[0].name = std::string(120, 'y');
+  record.targets[0].name = record.result.targets[0].name = std::string(120, 'y');
   record.result.warnings = {std::string(130, 'z')};
   for (const std::string& text :
        {scene_fit_report(record), scene_fits_report(std::vector{record, record})}) {

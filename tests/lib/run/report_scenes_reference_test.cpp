@@ -98,7 +98,7 @@ TEST(ReportScenes, Figure6KeepsTheAngleOfTwistingInTheThinPart) {
   EXPECT_NEAR(largest, 248.825, tolerance(0.01));
   EXPECT_NEAR(torque.back(), 0.0, tolerance(0.1));
   const auto kept = last_plastic_angles(response, 2);
-  // 0.8 rad less what 960 mm of 20 mm and 40 mm of 18 mm spring back from the thin part's torque.
+  // 0.8 rad less what 960 mm of 20 mm and 40 mm of 18 mm spring back from the thin region's torque.
   EXPECT_NEAR(std::accumulate(kept.begin(), kept.end(), 0.0), 0.6602, tolerance(1e-4));
   for (std::size_t joint = 0; joint < kept.size(); ++joint) {
     EXPECT_EQ(kept[joint] > 1e-12, joint >= 14 && joint <= 16) << joint;
