@@ -60,13 +60,12 @@ void describe_misfit(const Misfit::Details& details, const Target& target,
   for (std::size_t i = 0; i < details.residual.size(); ++i) {
     if (details.weight[i] > 0.0) residual.push_back(details.residual[i]);
   }
-  result.runs_probability = runs_probability(residual);
+  result.runs_test_p = runs_test_p(residual);
   result.autocorrelation = autocorrelation(residual);
   result.effective_samples = effective_samples(details.weight);
   result.noise = options.noise;
-  std::string lack =
-      lack_of_fit(phrase_of(result.law), result.misfit_fraction, result.runs_probability,
-                  laws_to_try(result.law, target.loading, options.laws));
+  std::string lack = lack_of_fit(phrase_of(result.law), result.misfit_fraction, result.runs_test_p,
+                                 laws_to_try(result.law, target.loading, options.laws));
   if (!lack.empty()) result.warnings.push_back(std::move(lack));
 }
 

@@ -192,7 +192,7 @@ class SceneFit {
       residual.push_back(unit * search_.best().residual[problem_.first_residual(index) + i]);
       of_target.fitted.push_back(target.ordinate[i] + residual.back());
     }
-    of_target.runs_probability = runs_probability(residual);
+    of_target.runs_test_p = runs_test_p(residual);
     of_target.break_strain = kNan;
     result_.targets.push_back(std::move(of_target));
   }

@@ -76,7 +76,7 @@ struct TargetFit {
   /// Wald and Wolfowitz: probability of as few runs of residuals of one sign, if they were
   /// independent, or of so few of one sign [1]; NaN for fewer than 20. Small where the model
   /// cannot follow.
-  double runs_probability = 0.0;
+  double runs_test_p = 0.0;
   std::vector<double> fitted;  ///< the model's ordinate at the measured abscissa [SI] (n_samples)
   /// Standard error of each of these from the covariance, sqrt(diag(J C J^T)) [SI] (n_samples).
   std::vector<double> fitted_error;

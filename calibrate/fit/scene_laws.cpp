@@ -191,8 +191,7 @@ LawFit law_fit_of(const SceneFitRecord& record) {
                           .autocorrelation = autocorrelation(residual),
                           .noise = target.noise});
     fit.misfit_fraction = std::max(fit.misfit_fraction, of_target.misfit_fraction);
-    fit.lacks_fit =
-        fit.lacks_fit || lacks_fit(of_target.misfit_fraction, of_target.runs_probability);
+    fit.lacks_fit = fit.lacks_fit || lacks_fit(of_target.misfit_fraction, of_target.runs_test_p);
   }
   for (const FittedParameter& p : result.parameters) {
     if (p.path == "material.break_strain" || p.path == "material.break_shear_strain") continue;

@@ -193,18 +193,18 @@ double autocorrelation(std::span<const double> residual) {
   return squares > 0.0 ? products / squares : 0.0;
 }
 
-bool lacks_fit(double fraction, double runs_probability) {
-  return std::isnan(runs_probability) ? fraction > kLackingForSure
-                                      : runs_probability < kFewRuns && fraction > kLacking;
+bool lacks_fit(double fraction, double runs_test_p) {
+  return std::isnan(runs_test_p) ? fraction > kLackingForSure
+                                 : runs_test_p < kFewRuns && fraction > kLacking;
 }
 
-std::string lack_of_fit(std::string_view law, double fraction, double runs_probability,
+std::string lack_of_fit(std::string_view law, double fraction, double runs_test_p,
                         std::string_view try_next) {
-  if (!lacks_fit(fraction, runs_probability)) return {};
-  const bool counted = !std::isnan(runs_probability);
+  if (!lacks_fit(fraction, runs_test_p)) return {};
+  const bool counted = !std::isnan(runs_test_p);
   std::string text = fmt::format("{} does not describe this curve (misfit {} of the largest value",
                                  law, fraction_text(fraction));
-  if (counted) text += fmt::format(", runs probability {:.1g}", runs_probability);
+  if (counted) text += fmt::format(", runs test p {:.1g}", runs_test_p);
   text += "): standard errors are too small";
   if (!try_next.empty()) text += fmt::format("; try --laws {}", try_next);
   return text;

@@ -91,11 +91,11 @@ double autocorrelation(std::span<const double> residual);
 /// that noise would not (`kFewRuns`) and are more than 1 % of the largest value. For curves too
 /// short to count runs, where they are more than 5 % of it.
 /// @param fraction  rms of the residuals over the largest measured value
-bool lacks_fit(double fraction, double runs_probability);
+bool lacks_fit(double fraction, double runs_test_p);
 
 /// Says that it does not, and what to try; empty where it does.
 /// @param try_next  `laws_to_try`
-std::string lack_of_fit(std::string_view law, double fraction, double runs_probability,
+std::string lack_of_fit(std::string_view law, double fraction, double runs_test_p,
                         std::string_view try_next);
 
 }  // namespace plastica::calibrate

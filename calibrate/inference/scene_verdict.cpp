@@ -57,7 +57,7 @@ void add_warning(const FittedParameter& p, const SegmentsError& segments,
 void add_warning(const TargetFit& of_target, Law law, std::string_view try_next,
                  std::vector<std::string>& warnings) {
   const std::string lack =
-      lack_of_fit(phrase_of(law), of_target.misfit_fraction, of_target.runs_probability, try_next);
+      lack_of_fit(phrase_of(law), of_target.misfit_fraction, of_target.runs_test_p, try_next);
   if (!lack.empty()) warnings.push_back(of_target.name + ": " + lack);
 }
 
@@ -68,7 +68,7 @@ void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const 
     for (std::size_t b = 0; b < targets.size(); ++b) {
       const bool alike = are_of_one_kind(targets[a].target, targets[b].target);
       if (!alike || !(targets[b].misfit_fraction > kFar * targets[a].misfit_fraction)) continue;
-      if (!lacks_fit(targets[b].misfit_fraction, targets[b].runs_probability)) continue;
+      if (!lacks_fit(targets[b].misfit_fraction, targets[b].runs_test_p)) continue;
       warnings.push_back(fmt::format(
           "{} is met far less closely than {}, which measured the same: if these are specimens "
           "that "

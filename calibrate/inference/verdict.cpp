@@ -98,7 +98,7 @@ std::string warning_of(std::string_view name, const Judgement& judgement, double
   return {};
 }
 
-double runs_probability(std::span<const double> residual) {
+double runs_test_p(std::span<const double> residual) {
   constexpr int kFewest = 10;
   int above = 0, below = 0, runs = 0;
   bool up = false;

@@ -59,7 +59,7 @@ std::string warning_of(std::string_view name, const Judgement& judgement, double
 /// signs were alike. Where fewer than 10 have one of the signs, which leaves few orders, twice the
 /// lesser of this and of the probability of so few. NaN for fewer than 20 in all.
 /// Source: Wald & Wolfowitz, Ann. Math. Stat. 11 (1940) 147.
-double runs_probability(std::span<const double> residual);
+double runs_test_p(std::span<const double> residual);
 
 /// Below this probability of its runs a curve's residuals are no noise.
 inline constexpr double kFewRuns = 1e-3;

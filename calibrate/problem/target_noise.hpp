@@ -25,7 +25,7 @@ struct TargetNoise {
   bool is_from_elsewhere() const { return pooled || degrees_left < kFewestDegrees; }
 };
 
-/// The noise of each target by what its residuals say, or as its target states it.
+/// The noise of each target, estimated from its residuals or as the target states it.
 ///
 /// sqrt(cost_p/d_p) with the degrees of freedom d_p. A target with fewer than five (unless it is
 /// the only one) has no noise of its own to be weighed by, and could be met by chance and take all

@@ -33,7 +33,7 @@ LawFit law_fit_of(const FitRecord& record) {
   }
   fit.evaluations = result.evaluations() + result.simpler_evaluations;
   fit.misfit_fraction = result.misfit_fraction;
-  fit.lacks_fit = lacks_fit(result.misfit_fraction, result.runs_probability);
+  fit.lacks_fit = lacks_fit(result.misfit_fraction, result.runs_test_p);
   return fit;
 }
 

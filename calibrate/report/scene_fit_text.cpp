@@ -70,13 +70,13 @@ std::string noise_text(const SceneFitResult& result) {
     least = std::min(least, p.degrees_of_freedom);
     most = std::max(most, p.degrees_of_freedom);
   }
-  if (std::isinf(least)) return "of the noise that the targets state";
+  if (std::isinf(least)) return "noise as the targets state it";
   std::string degrees = significant(least, 3);
   if (significant(most, 3) != degrees) {
     degrees = std::isinf(most) ? fmt::format("at least {}", degrees)
                                : fmt::format("{} to {}", degrees, significant(most, 3));
   }
-  return fmt::format("of noise that the residuals say, {} degrees of freedom", degrees);
+  return fmt::format("noise estimated from residuals, {} degrees of freedom", degrees);
 }
 
 std::string parameters_text(const SceneFitResult& result, const ReportOptions& options,
@@ -128,15 +128,14 @@ std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
     const TargetFit& of_target = targets[p];
     const SceneTarget& target = record.targets[p];
     const DisplayUnit unit = plastica::report::display_unit(target.ordinate_is, of_target.noise);
-    std::vector<std::string> cells = {printable(of_target.name),
-                                      std::string(word_of(of_target.level)),
-                                      std::to_string(of_target.samples),
-                                      significant(of_target.noise / unit.scale, 3),
-                                      std::string(unit.name) + (target.noise ? " (given)" : ""),
-                                      significant(100.0 * of_target.misfit_fraction, 2),
-                                      std::isnan(of_target.runs_probability)
-                                          ? "-"
-                                          : fmt::format("{:.2g}", of_target.runs_probability)};
+    std::vector<std::string> cells = {
+        printable(of_target.name),
+        std::string(word_of(of_target.level)),
+        std::to_string(of_target.samples),
+        significant(of_target.noise / unit.scale, 3),
+        std::string(unit.name) + (target.noise ? " (given)" : ""),
+        significant(100.0 * of_target.misfit_fraction, 2),
+        std::isnan(of_target.runs_test_p) ? "-" : fmt::format("{:.2g}", of_target.runs_test_p)};
     if (weighted) cells.push_back(brief(record.weights[p]));
     if (broke) {
       cells.push_back(std::isnan(of_target.break_strain)

@@ -187,8 +187,8 @@ std::string misfit_text(const FitRecord& record, const Ink& ink) {
       fmt::format("{} % of {} (rms {} {})", significant(100.0 * result.misfit_fraction, 2),
                   tension ? "Rm" : "the largest stress",
                   significant(result.misfit_rms / unit.scale, 3), unit.name);
-  if (!std::isnan(result.runs_probability)) {
-    line += fmt::format(", runs probability {:.2g}", result.runs_probability);
+  if (!std::isnan(result.runs_test_p)) {
+    line += fmt::format(", runs test p {:.2g}", result.runs_test_p);
   }
   if (!result.misfit_word.empty()) line += ": " + result.misfit_word;
   const std::string meaning = misfit_meaning(result);

@@ -46,7 +46,7 @@ inline constexpr auto kDescribeTargetFit = [](auto& d) {
     "of this; infinite: the target states it");
   d("misfit_fraction", "1", PLASTICA_MEMBER(misfit_fraction),
     "rms residual over the largest measured ordinate");
-  d("runs_probability", "1", PLASTICA_MEMBER(runs_probability),
+  d("runs_test_p", "1", PLASTICA_MEMBER(runs_test_p),
     "of as few runs of residuals of one sign, if they were independent");
   d("break_strain", "1", PLASTICA_MEMBER(break_strain),
     "permanent strain of the fitted model where the target broke");
@@ -76,7 +76,7 @@ inline constexpr auto kDescribeFit = [](auto& d) {
     only("misfit_fraction", "1", PLASTICA_MEMBER(result.misfit_fraction),
          "misfit over the largest stress");
     only("misfit_word", "", PLASTICA_MEMBER(result.misfit_word), "close, fair or poor");
-    only("runs_probability", "1", PLASTICA_MEMBER(result.runs_probability),
+    only("runs_test_p", "1", PLASTICA_MEMBER(result.runs_test_p),
          "of as few runs of residuals of one sign, if they were independent");
     only("autocorrelation", "1", PLASTICA_MEMBER(result.autocorrelation),
          "of neighbouring residuals");

@@ -56,7 +56,7 @@ struct FitResult {
   std::string misfit_word;       ///< "close", "fair", "poor": how well the model can follow
   /// Probability of so few runs of one sign, if the residuals were noise (verdict.hpp); NaN for
   /// fewer than 20.
-  double runs_probability = std::numeric_limits<double>::quiet_NaN();
+  double runs_test_p = std::numeric_limits<double>::quiet_NaN();
   double autocorrelation = 0.0;    ///< of neighbouring residuals (compare_laws.hpp) [1]
   double effective_samples = 0.0;  ///< by their weights (compare_laws.hpp) [1]
   std::size_t samples = 0;         ///< that entered the fit

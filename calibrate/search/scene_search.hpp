@@ -38,7 +38,7 @@ class SceneSearch {
   bool knows_noise() const { return knows_noise_; }
   /// Sum of the squares of a target at the best point, without its weight and scale [SI^2].
   double cost_of(std::size_t t) const;
-  /// What the residuals of a target say of its noise, whatever the target states [SI].
+  /// The noise of a target, estimated from its residuals whatever the target states [SI].
   double noise_left(std::size_t t) const;
 
   /// Why the start's own scene gave no curve, and whether it was its abscissa's probe that turned.

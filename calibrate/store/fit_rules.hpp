@@ -13,7 +13,7 @@ inline constexpr Range kBelowOne{0.0, 1.0, true, true};
 inline constexpr std::array kFitRules{
     io::anything("fits/seed"),
     io::may_lack("fits/misfit_fraction"),
-    io::may_lack("fits/runs_probability"),
+    io::may_lack("fits/runs_test_p"),
     io::may_lack("fits/autocorrelation"),
     io::anything("fits/effective_samples"),
     io::anything("parameters/*/lower"),
@@ -55,7 +55,7 @@ inline constexpr std::array kSceneFitRules{
     io::anything("targets/noise"),
     io::anything("targets/degrees_of_freedom"),
     io::may_lack("targets/misfit_fraction"),
-    io::may_lack("targets/runs_probability"),
+    io::may_lack("targets/runs_test_p"),
     io::may_lack("targets/break_strain"),
     io::may_lack("segments/at_half"),
     io::may_lack("segments/at_own"),

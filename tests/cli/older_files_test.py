@@ -35,7 +35,8 @@ def copy_of(folder):
 
 
 FORMER = {"kinematic_fraction": "kinematic_share", "misfit_fraction": "misfit_share",
-          "segment_fractions": "segment_shares", "targets": "parts"}
+          "segment_fractions": "segment_shares", "targets": "parts",
+          "runs_test_p": "runs_probability"}
 
 
 def rename_to_former(file):
@@ -86,9 +87,9 @@ class OlderFiles(unittest.TestCase):
         cyclic = str(DATA / "scenes/hardening_table.toml")
         for version, command, found in (
                 (4, ("calibrate", str(DATA / "fits/demo.toml"), "--quiet"),
-                 {"kinematic_fraction", "misfit_fraction"}),
+                 {"kinematic_fraction", "misfit_fraction", "runs_test_p"}),
                 (4, ("calibrate", str(DATA / "fits/bend_test.toml"), "--quiet"),
-                 {"misfit_fraction", "targets"}),
+                 {"misfit_fraction", "runs_test_p", "targets"}),
                 (2, ("simulate", cyclic, "--quiet"),
                  {"kinematic_fraction", "segment_fractions"})):
             with self.subTest(command=command):

@@ -26,6 +26,7 @@ constexpr std::array kColumns{
     Renamed{"segment_shares", "segment_fractions"},
     Renamed{"misfit_share", "misfit_fraction"},
     Renamed{"parts", "targets"},
+    Renamed{"runs_probability", "runs_test_p"},
 };
 
 std::string_view former(std::span<const Renamed> table, std::string_view now) {

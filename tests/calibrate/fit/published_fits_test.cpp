@@ -82,7 +82,7 @@ TEST(PublishedFits, CyclicSteelByEveryLaw) {
   const FitResult linear = fit_law(target, options, Law::Linear);
   EXPECT_NEAR(linear.cost, 1612.33e12, tolerance(0.05e12));
   EXPECT_GT(linear.parameter("kinematic_fraction").value, 0.9) << "a cycle hardly grows";
-  EXPECT_LT(linear.runs_probability, kFewRuns);
+  EXPECT_LT(linear.runs_test_p, kFewRuns);
 }
 
 /// Least squares of yield and hardening with the modulus known, in the tables' own unit.

@@ -110,7 +110,7 @@ TEST(SceneFitMisfit, AddsErrorsWhereResidualsLieInRuns) {
   make_curve(weighted, {}, 5.0, 1);
   weighted.setup.scene.material.hardening.tangent_modulus = hardening;
   const SceneFitResult wrong = fit_scene(weighted.setup, weighted.target, options);
-  EXPECT_LT(wrong.targets[0].runs_probability, 1e-3);
+  EXPECT_LT(wrong.targets[0].runs_test_p, 1e-3);
   for (const FittedParameter& p : wrong.parameters) EXPECT_GT(p.misfit_error, p.noise_error);
 }
 

@@ -127,7 +127,7 @@ SceneFitRecord fitted(double noise) {
     of_target.fitted = {1.0, 9.0, 21.0};
     of_target.cost = 3.0;
     of_target.misfit_fraction = 0.05;
-    of_target.runs_probability = std::nan("");
+    of_target.runs_test_p = std::nan("");
   }
   record.targets[1].noise = noise;
   FittedParameter& limit = record.result.parameters.emplace_back();

@@ -67,11 +67,11 @@ TEST(Verdict, CountsRunsAsWaldAndWolfowitz) {
   // 20 of each sign in two blocks: 2 of the 40!/(20! 20!) orders.
   std::vector<double> blocks(40, 1.0);
   for (std::size_t i = 20; i < 40; ++i) blocks[i] = -1.0;
-  EXPECT_NEAR(runs_probability(blocks) / (2.0 / 137846528820.0), 1.0, 1e-9);
+  EXPECT_NEAR(runs_test_p(blocks) / (2.0 / 137846528820.0), 1.0, 1e-9);
   std::vector<double> to_and_fro(40, 1.0);
   for (std::size_t i = 0; i < 40; i += 2) to_and_fro[i] = -1.0;
-  EXPECT_NEAR(runs_probability(to_and_fro), 1.0, 1e-9);
-  EXPECT_TRUE(std::isnan(runs_probability(std::vector<double>(19, 1.0))));
+  EXPECT_NEAR(runs_test_p(to_and_fro), 1.0, 1e-9);
+  EXPECT_TRUE(std::isnan(runs_test_p(std::vector<double>(19, 1.0))));
 }
 
 TEST(Verdict, CountsRunsAsAllOrdersDo) {
@@ -84,17 +84,17 @@ TEST(Verdict, CountsRunsAsAllOrdersDo) {
     ++all;
     fewer += std::popcount((signs ^ (signs >> 1U)) & 0xfffffU) + 1 <= 6 ? 1 : 0;
   }
-  EXPECT_NEAR(runs_probability(residual), static_cast<double>(fewer) / all, 1e-9);
+  EXPECT_NEAR(runs_test_p(residual), static_cast<double>(fewer) / all, 1e-9);
 }
 
 TEST(Verdict, CountsFewOfOneSignAndTheirRuns) {
   // None of the other sign: twice what 2 of 2^40 orders are.
-  EXPECT_NEAR(runs_probability(std::vector<double>(40, 1.0)) / std::ldexp(4.0, -40), 1.0, 1e-9);
+  EXPECT_NEAR(runs_test_p(std::vector<double>(40, 1.0)) / std::ldexp(4.0, -40), 1.0, 1e-9);
   // Nine of 29 in one block: 21 of C(29, 9) orders have so few runs, of which 2 have two.
   std::vector<double> block(29, 1.0);
   for (std::size_t i = 10; i < 19; ++i) block[i] = -1.0;
   const double orders = 10015005.0;
-  EXPECT_NEAR(runs_probability(block) / (2.0 * (2.0 + 19.0 + 8.0) / orders), 1.0, 1e-9);
+  EXPECT_NEAR(runs_test_p(block) / (2.0 * (2.0 + 19.0 + 8.0) / orders), 1.0, 1e-9);
 }
 
 TEST(Verdict, IsThePriorsWhereThatSaysMoreThanTheCurves) {

@@ -48,7 +48,7 @@ TEST(SceneFitText, ShowsEachParameterWithErrorIntervalAndVerdict) {
   EXPECT_TRUE(has_line(
       text, "  break_strain    2.100 ± 0.040  %    2.020 … 2.180  limited by sampling, ± 1.8 %"));
   EXPECT_TRUE(
-      has_line(text, "  errors      of noise that the residuals say, 28.8 degrees of freedom"));
+      has_line(text, "  errors      noise estimated from residuals, 28.8 degrees of freedom"));
 }
 
 TEST(SceneFitText, SetsAllSourcesOfErrorsSideBySide) {

@@ -63,7 +63,7 @@ inline SceneFitRecord scene_record(const std::string& name = "both", double modu
     of_target.noise = p == 0 ? 5.0 : 3.0;
     of_target.degrees_of_freedom = p == 0 ? 28.8 : std::numeric_limits<double>::infinity();
     of_target.misfit_fraction = p == 0 ? 0.0083 : 0.012;
-    of_target.runs_probability = p == 0 ? 0.41 : std::numeric_limits<double>::quiet_NaN();
+    of_target.runs_test_p = p == 0 ? 0.41 : std::numeric_limits<double>::quiet_NaN();
     of_target.break_strain = p == 0 ? 0.021 : std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < of_target.samples; ++i) {
       const double at = (p == 0 ? 0.002 : 0.02) * static_cast<double>(i + 1);

@@ -112,7 +112,7 @@ inline FitRecord filled_record(const std::string& name) {
   r.misfit_fraction = 0.001;
   r.misfit_word = "close";
   r.law = Law::Ideal;
-  r.runs_probability = 0.31;
+  r.runs_test_p = 0.31;
   r.autocorrelation = -0.2;
   r.effective_samples = 6.4;
   r.noise = 2e6;
