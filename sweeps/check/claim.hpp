@@ -25,14 +25,13 @@ enum class ClaimKind {
   Value,              ///< the quantity [SI]
   Ledger,             ///< ledger error [1]
   Failed,             ///< number of cases without a usable status [1]
-  Silent,             ///< of a walk: number of points that are wrong without saying so [1]
-  Unsound,            ///< of a walk: number of points that are not sound, whatever they say [1]
+  Undetected,         ///< of a walk: number of undetected errors [1]
+  Invalid,            ///< of a walk: number of points that are not valid, whatever they say [1]
 };
 
 inline constexpr std::array<std::string_view, 12> kClaimKinds{
-    "order",  "correlation", "error",  "extrapolated_error",
-    "gci",    "work",        "spread", "value",
-    "ledger", "failed",      "silent", "unsound"};
+    "order", "correlation", "error",  "extrapolated_error", "gci",    "work", "spread",
+    "value", "ledger",      "failed", "undetected",         "invalid"};
 
 /// One statement about a sweep, or about walks to the edge of stability, that holds or does not.
 struct Claim {

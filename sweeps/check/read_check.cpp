@@ -59,7 +59,7 @@ void read_kind(const TomlTable& table, const Sweep* sweep, Claim& claim) {
     }
     throw InputError(table.where(), table.key(), "", "claims nothing: it needs one of " + all);
   }
-  const bool of_walk = claim.kind == ClaimKind::Silent || claim.kind == ClaimKind::Unsound;
+  const bool of_walk = claim.kind == ClaimKind::Undetected || claim.kind == ClaimKind::Invalid;
   if (of_walk != (sweep == nullptr)) {
     throw limits->error(of_walk ? "is about stability = { … }, not about a sweep"
                                 : "is about a sweep, not about stability");

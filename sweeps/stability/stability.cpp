@@ -84,7 +84,7 @@ void run_point(const StabilityPoint& point, const StabilityOptions& options, Sta
     row.ledger_error = response.ledger_error;
     row.segment_steps = response.counters.steps * point.knobs.segments;
   } catch (const InputError& error) {
-    row.verdict = {Soundness::Failed, error.what()};
+    row.verdict = {Validity::Failed, error.what()};
     row.status = Status::Rejected;
   }
   row.seconds = seconds_since(began);

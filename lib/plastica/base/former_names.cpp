@@ -19,6 +19,8 @@ constexpr std::array kKeys{
     Renamed{"zero_share", "zero_fraction"},
     Renamed{"end_share", "end_fraction"},
     Renamed{"most_work", "max_work"},
+    Renamed{"silent", "undetected"},
+    Renamed{"unsound", "invalid"},
 };
 
 constexpr std::array kColumns{

@@ -19,7 +19,7 @@ class FitFileErrors : public ConfigFolder {
     return error_of([&] { parse_fit_file(text, path("f.toml")); });
   }
 
-  /// The error of one more line, line 5, in a target that is sound.
+  /// The error of one more line, line 5, in a valid target.
   std::string with(const std::string& line) const {
     return error("[[target]]\nfiles = 'a.csv'\nstrain = 'e'\nstress = 's'\n" + line + "\n");
   }

@@ -13,25 +13,25 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// A parameter of 100 within 10 and 400 with an error of 1.
-Evidence sound() {
+Evidence valid() {
   return {.value = 100.0, .lower = 10.0, .upper = 400.0, .noise_error = 1.0, .standard_error = 1.0};
 }
 
 TEST(Verdict, HasTheNumberBehindItsWord) {
-  const Judgement identified = judge(sound());
+  const Judgement identified = judge(valid());
   EXPECT_EQ(identified.verdict, Verdict::Identified);
   EXPECT_DOUBLE_EQ(identified.number, 0.01);
 
-  Evidence evidence = sound();
+  Evidence evidence = valid();
   evidence.standard_error = evidence.noise_error = 10.1;
   EXPECT_EQ(judge(evidence).verdict, Verdict::Weak);
   EXPECT_DOUBLE_EQ(judge(evidence).number, 0.101);
 
-  evidence = sound();
+  evidence = valid();
   evidence.noise_error = kNan;
   EXPECT_EQ(judge(evidence).verdict, Verdict::NotIdentified);
 
-  evidence = sound();
+  evidence = valid();
   evidence.at_bound = true;
   EXPECT_EQ(judge(evidence).verdict, Verdict::AtBound);
   EXPECT_EQ(judge(evidence).number, 10.0);
@@ -40,7 +40,7 @@ TEST(Verdict, HasTheNumberBehindItsWord) {
 }
 
 TEST(Verdict, OfABreakIsSamplingWhereItMattersMoreThanNoise) {
-  Evidence evidence = sound();
+  Evidence evidence = valid();
   evidence.half = 1.7;  // its variance is a third of its square
   EXPECT_EQ(judge(evidence).verdict, Verdict::Identified);
   evidence.half = 1.8;
@@ -49,7 +49,7 @@ TEST(Verdict, OfABreakIsSamplingWhereItMattersMoreThanNoise) {
 }
 
 TEST(Verdict, IsSegmentsWhereTheyMatterMoreThanNoiseAndSampling) {
-  Evidence evidence = sound();
+  Evidence evidence = valid();
   evidence.segments = 1.7;
   EXPECT_EQ(judge(evidence).verdict, Verdict::Identified);
   evidence.segments = 1.8;

@@ -91,7 +91,7 @@ TEST(CheckChain, RefusesAPolylineThatIsNone) {
             "beam.length = 1: must be the sum over beam.points, 0.5 m");
 }
 
-TEST(CheckChain, RefusesARegionThatIsEmptyOrUnsound) {
+TEST(CheckChain, RefusesARegionThatIsEmptyOrInvalid) {
   const auto region = [](Place from, Place to, double width) {
     return error_of([&](Scene& s) {
       s.regions.push_back({from, to, s.section, s.material});

@@ -70,9 +70,9 @@ TEST_F(CheckTest, JudgesWhatElseASweepSays) {
 TEST_F(CheckTest, JudgesWalksToTheEdge) {
   write("check.toml",
         "[[claim]]\nname = 'a'\nstability = { only = ['coupon'], max_work = 1e3 }\n"
-        "silent = { at_most = 0 }\n"
+        "undetected = { at_most = 0 }\n"
         "[[claim]]\nname = 'b'\nstability = { only = ['none of them'] }\n"
-        "unsound = { at_most = 0 }\n");
+        "invalid = { at_most = 0 }\n");
   const auto verdicts = run_check(read_check_file(folder_.file("check.toml")), {});
   EXPECT_TRUE(verdicts[0].holds);
   EXPECT_FALSE(verdicts[1].holds);
@@ -82,7 +82,7 @@ TEST_F(CheckTest, JudgesWalksToTheEdge) {
 TEST_F(CheckTest, TakesAnOldKeyAndNamesTheNewOne) {
   const auto read = [&](const std::string& work) {
     write("check.toml",
-          "[[claim]]\nname = 'a'\nstability = { " + work + " }\nsilent = { at_most = 0 }\n");
+          "[[claim]]\nname = 'a'\nstability = { " + work + " }\nundetected = { at_most = 0 }\n");
     return read_check_file(folder_.file("check.toml"));
   };
   const testing::FormerNames said;
@@ -94,6 +94,22 @@ TEST_F(CheckTest, TakesAnOldKeyAndNamesTheNewOne) {
   EXPECT_EQ(old.claims[0].walk->max_segment_steps, now.claims[0].walk->max_segment_steps);
   EXPECT_EQ(now.claims[0].walk->max_segment_steps, 1e3);
   EXPECT_THROW(read("max_work = 1e3, most_work = 1e3"), InputError);
+}
+
+TEST_F(CheckTest, TakesFormerNamesOfClaims) {
+  const auto kind_of = [&](const std::string& claim) {
+    write("check.toml", "[[claim]]\nname = 'a'\nstability = {}\n" + claim + " = { at_most = 0 }\n");
+    return read_check_file(folder_.file("check.toml")).claims.at(0).kind;
+  };
+  const testing::FormerNames said;
+  EXPECT_EQ(kind_of("undetected"), ClaimKind::Undetected);
+  EXPECT_EQ(kind_of("invalid"), ClaimKind::Invalid);
+  EXPECT_TRUE(said.notes().empty());
+  EXPECT_EQ(kind_of("silent"), ClaimKind::Undetected);
+  EXPECT_EQ(kind_of("unsound"), ClaimKind::Invalid);
+  EXPECT_EQ(said.notes(),
+            (std::vector<std::string>{folder_.file("check.toml") + ":4: silent is now undetected",
+                                      folder_.file("check.toml") + ":4: unsound is now invalid"}));
 }
 
 TEST_F(CheckTest, DoesNotHoldWhereThereIsNoNumber) {
@@ -139,10 +155,11 @@ TEST_F(CheckTest, SaysEachVerdictOnce) {
 TEST_F(CheckTest, RefusesBadClaimsInOneLine) {
   EXPECT_EQ(message(""),
             ":1: claim[1]: claims nothing: it needs one of order, correlation, error, "
-            "extrapolated_error, gci, work, spread, value, ledger, failed, silent, "
-            "unsound");
-  EXPECT_EQ(message("silent = { at_most = 0 }\n"),
-            ":4: claim[1].silent = { at_most = 0 }: is about stability = { … }, not about a sweep");
+            "extrapolated_error, gci, work, spread, value, ledger, failed, undetected, "
+            "invalid");
+  EXPECT_EQ(
+      message("undetected = { at_most = 0 }\n"),
+      ":4: claim[1].undetected = { at_most = 0 }: is about stability = { … }, not about a sweep");
   EXPECT_EQ(message("order = {}\n"), ":4: claim[1].order = {}: needs at_least or at_most");
   EXPECT_EQ(message("order = { at_least = 1 }\nerror = { at_most = 1 }\n"),
             ":5: claim[1].error = { at_most = 1 }: is a second claim: one table makes one");
