@@ -129,12 +129,12 @@ class Reader {
     SceneFitOptions& options = file_.options;
     (void)fit.at("parameters");
     options.parameters = read_parameters(fit, ParameterScope::Scene);
-    const auto whole = [&](std::string_view key, int low, int high, int& value) {
+    const auto read_integer = [&](std::string_view key, int low, int high, int& value) {
       if (const auto found = fit.find(key)) value = static_cast<int>(found->integer(low, high));
     };
-    whole("evaluations", 1, kMostEvaluations, options.evaluations);
-    whole("starts", 1, kMostStarts, options.starts);
-    whole("screen", 0, kMostScreened, options.screen);
+    read_integer("evaluations", 1, kMostEvaluations, options.evaluations);
+    read_integer("starts", 1, kMostStarts, options.starts);
+    read_integer("screen", 0, kMostScreened, options.screen);
     if (const auto laws = fit.find("laws")) options.laws = read_laws(*laws);
     if (const auto seed = fit.find("seed")) {
       options.seed =

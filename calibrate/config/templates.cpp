@@ -251,10 +251,10 @@ std::string example_curve() {
   int broken = 0;
   for (int i = 0; broken < kBroken; ++i) {
     const double strain = kStep * i;
-    const bool whole = strain < kBreak;
-    const double stress = whole ? std::min(kModulus * strain, kYield) + draw(engine) : 0.0;
+    const bool intact = strain < kBreak;
+    const double stress = intact ? std::min(kModulus * strain, kYield) + draw(engine) : 0.0;
     text += fmt::format("{:.2f},{:.2f}\n", strain, stress);
-    if (!whole) ++broken;
+    if (!intact) ++broken;
   }
   return text;
 }

@@ -35,7 +35,7 @@ struct SceneFitOptions {
   /// A break strain (`material.break_strain` of a beam that bends in a plane or is stretched,
   /// `material.break_shear_strain` of a twisted one) is not searched but set, within its bounds, to
   /// the permanent strain that the fitted model has where the target broke (see misfit.hpp), half
-  /// way between that at its last whole sample and at its first broken one. No
+  /// way between that at its last intact sample and at its first broken one. No
   /// other may be tied to it, nor may it have a prior. The hinge length (`rules.hinge_length`),
   /// which curves do not depend on, is fitted to the break in its place, where the break strain is
   /// known and hinges do not harden (a hardening one spreads as far as its joint).

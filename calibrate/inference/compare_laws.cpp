@@ -127,7 +127,7 @@ void add(LawFit&& fit, LawFit& sum) {
 
 LawComparison compare_laws_over(std::vector<std::vector<LawFit>> targets) {
   std::vector<LawFit> sums;
-  const bool any_whole = std::ranges::any_of(targets, [](const std::vector<LawFit>& fits) {
+  const bool any_complete = std::ranges::any_of(targets, [](const std::vector<LawFit>& fits) {
     return std::ranges::all_of(fits, &LawFit::fitted);
   });
   std::vector<Law> failed_somewhere;
@@ -140,10 +140,10 @@ LawComparison compare_laws_over(std::vector<std::vector<LawFit>> targets) {
     }
   }
   for (std::vector<LawFit>& fits : targets) {
-    if (any_whole && !std::ranges::all_of(fits, &LawFit::fitted)) continue;
+    if (any_complete && !std::ranges::all_of(fits, &LawFit::fitted)) continue;
     for (LawFit& fit : fits) {
       const bool failed = std::ranges::find(failed_somewhere, fit.law) != failed_somewhere.end();
-      if (!any_whole && failed) continue;
+      if (!any_complete && failed) continue;
       add(std::move(fit), *std::ranges::find(sums, fit.law, &LawFit::law));
     }
   }

@@ -49,7 +49,7 @@ class FittedScenes {
   std::vector<FreeParameter> free_;
 };
 
-/// Permanent strain at the break of a target's curve: `place` 0 is where the target was whole for
+/// Permanent strain at the break of a target's curve: `place` 0 is where the target was intact for
 /// sure, 1/2 the middle, 1 where it was broken for sure.
 double strain_at_break(const SceneCurve& curve, double place);
 

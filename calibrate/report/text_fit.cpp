@@ -133,8 +133,8 @@ std::string characteristics_text(const Target& target, const Ink& ink) {
   if (all.break_strain) {
     std::string note = "total";
     if (seen) {
-      note += fmt::format("; last whole sample at {:.5g} %, by {}", 100.0 * seen->last_whole_strain,
-                          seen->rule);
+      note += fmt::format("; last intact sample at {:.5g} %, by {}",
+                          100.0 * seen->last_intact_strain, seen->rule);
     }
     table.add({"break strain", break_text(*all.break_strain, seen), "%", note});
   }

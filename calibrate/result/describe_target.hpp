@@ -26,9 +26,9 @@ inline constexpr auto kDescribeCharacteristics = [](auto& d) {
     "permanent strain at break");
   d("largest_strain", "1", PLASTICA_MEMBER(largest_strain), "of the whole specimen");
   d.optional("broke", PLASTICA_MEMBER(observed_break), [](auto& inner) {
-    inner("last_whole_strain", "1", PLASTICA_MEMBER(last_whole_strain),
+    inner("last_intact_strain", "1", PLASTICA_MEMBER(last_intact_strain),
           "largest strain that still carried load");
-    inner("last_whole_stress", "Pa", PLASTICA_MEMBER(last_whole_stress), "stress there");
+    inner("last_intact_stress", "Pa", PLASTICA_MEMBER(last_intact_stress), "stress there");
     inner("first_broken_strain", "1", PLASTICA_MEMBER(first_broken_strain),
           "strain of the first sample after the break");
     inner("break_rule", "", PLASTICA_MEMBER(rule), "by what the break was seen");

@@ -162,9 +162,9 @@ class StoreReader {
 
   void check_offsets(const std::string& path, const std::vector<std::uint64_t>& offsets,
                      std::size_t size) const {
-    const bool whole = offsets.size() == records_.size() + 1 && offsets.front() == 0 &&
-                       offsets.back() == size && std::is_sorted(offsets.begin(), offsets.end());
-    if (!whole) refuse(path, "has offsets that do not fit its values");
+    const bool fits = offsets.size() == records_.size() + 1 && offsets.front() == 0 &&
+                      offsets.back() == size && std::is_sorted(offsets.begin(), offsets.end());
+    if (!fits) refuse(path, "has offsets that do not fit its values");
   }
 
   static std::vector<double> cut(const std::vector<double>& all, std::uint64_t from,

@@ -70,17 +70,18 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
       SceneFitCase named = one;
       named.name = fmt::format("{}:{}", one.name, name_of(law));
       ids_.push_back(id_of(named, without_extras(options)));
-      if (makes_whole()) whole_ids_.push_back(id_of(named, options) + " whole");
+      // The word is that of the first journals, so that these stay usable.
+      if (makes_complete()) complete_ids_.push_back(id_of(named, options) + " whole");
     }
   }
   std::size_t of_use = 0;
-  for (const std::vector<std::string>* ids : {&ids_, &whole_ids_}) {
+  for (const std::vector<std::string>* ids : {&ids_, &complete_ids_}) {
     for (const std::string& id : *ids) {
       const std::size_t stages = journal_.found_under(stage_of(id, ""));
-      const bool whole = journal_.find(id) != nullptr;
-      if (whole && ids == &ids_) ++taken_;
-      if (!whole) stages_ += stages;
-      of_use += stages + (whole ? 1 : 0);
+      const bool complete = journal_.find(id) != nullptr;
+      if (complete && ids == &ids_) ++taken_;
+      if (!complete) stages_ += stages;
+      of_use += stages + (complete ? 1 : 0);
     }
   }
   outdated_ = journal_.found() - of_use;
@@ -90,7 +91,7 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
 }
 
 /// Whether the advised law gets more than the others have.
-bool JournaledSceneFits::makes_whole() const {
+bool JournaledSceneFits::makes_complete() const {
   const auto& intervals = options_.intervals;
   const bool any = options_.segments_error || intervals.profile || intervals.bootstrap > 0 ||
                    intervals.specimens > 0;
@@ -100,7 +101,7 @@ bool JournaledSceneFits::makes_whole() const {
 std::string JournaledSceneFits::run_id() const {
   io::Digest digest;
   std::vector<std::string> ids = ids_;
-  ids.insert(ids.end(), whole_ids_.begin(), whole_ids_.end());
+  ids.insert(ids.end(), complete_ids_.begin(), complete_ids_.end());
   std::sort(ids.begin(), ids.end());  // as results are stored: in whatever order they come
   for (const std::string& id : ids) digest.text(id);
   return io::hexadecimal(digest.value());
@@ -117,13 +118,13 @@ void JournaledSceneFits::take_from_journal() {
   if (how_.progress) how_.progress(progress_);
 }
 
-void JournaledSceneFits::take(std::size_t index, bool whole, SceneFitResult&& result) {
-  journal_.keep(whole ? whole_ids_[index] : ids_[index], bytes_of(result));
+void JournaledSceneFits::take(std::size_t index, bool complete, SceneFitResult&& result) {
+  journal_.keep(complete ? complete_ids_[index] : ids_[index], bytes_of(result));
   const bool failed = result.status == FitStatus::Failed;
   results_[index] = std::move(result);
   const std::lock_guard lock(mutex_);
-  if (whole) {
-    ++wholes_;
+  if (complete) {
+    ++completed_;
     return;
   }
   ++progress_.done;
@@ -132,12 +133,12 @@ void JournaledSceneFits::take(std::size_t index, bool whole, SceneFitResult&& re
 }
 
 /// Fits one law of a case whose simpler laws have been fitted.
-SceneFitResult JournaledSceneFits::fit_law(std::size_t index, bool whole,
+SceneFitResult JournaledSceneFits::fit_law(std::size_t index, bool complete,
                                            SceneFitOptions options) const {
   const Fit& one = fits_[index];
   const std::vector<WeightedTarget>& given = cases_[one.of].targets;
   const std::vector<WeightedTarget> targets = targets_of(*one.law, given);
-  options = options_of(*one.law, whole ? options : without_extras(options), given);
+  options = options_of(*one.law, complete ? options : without_extras(options), given);
   const std::size_t first = first_fit(one.of);
   const auto for_simpler = [&](const auto& each) {
     for (std::size_t k = first; k < index; ++k) {
@@ -152,8 +153,8 @@ SceneFitResult JournaledSceneFits::fit_law(std::size_t index, bool whole,
 }
 
 /// @return nothing if it was stopped
-std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, bool whole) {
-  const std::string& id = whole ? whole_ids_[index] : ids_[index];
+std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, bool complete) {
+  const std::string& id = complete ? complete_ids_[index] : ids_[index];
   SceneFitOptions options = options_;
   options.threads = threads_;
   options.hooks = {};
@@ -165,13 +166,13 @@ std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, bool wh
     return found != nullptr ? found : journal_.find(stage_of(ids_[index], name));
   };
   options.hooks.keep = [&](const std::string& name, std::span<const std::byte> bytes) {
-    if (makes_whole()) kept_[index][name].assign(bytes.begin(), bytes.end());
+    if (makes_complete()) kept_[index][name].assign(bytes.begin(), bytes.end());
     journal_.keep(stage_of(id, name), bytes);
   };
   const bool alone = cases_.size() == 1;
   if (alone) options.hooks.progress = within_;
   try {
-    return fits_[index].law ? fit_law(index, whole, std::move(options))
+    return fits_[index].law ? fit_law(index, complete, std::move(options))
                             : fit_scenes(cases_[fits_[index].of].targets, options);
   } catch (const FitInterrupted&) {
     return std::nullopt;
@@ -185,20 +186,21 @@ std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, bool wh
   }
 }
 
-/// @param whole  the advised law, which is to get what is made of it alone; empty: what is missing
+/// @param complete  the advised law, which is to get what is made of it alone; empty: what is
+/// missing
 void JournaledSceneFits::fit_side_by_side(const std::vector<std::size_t>& of,
-                                          std::optional<Law> whole) {
+                                          std::optional<Law> complete) {
   const bool several = of.size() > 1;
   threads_ = several ? 1 : how_.threads;
   parallel_for(of.size(), {several ? how_.threads : 1, how_.stop}, [&](std::size_t k, int) {
     for (std::size_t i = first_fit(of[k]); i < first_fit(of[k] + 1); ++i) {
-      if (whole ? fits_[i].law != whole : results_[i].has_value()) continue;
+      if (complete ? fits_[i].law != complete : results_[i].has_value()) continue;
       const auto begin = std::chrono::steady_clock::now();
-      std::optional<SceneFitResult> result = fit(i, whole.has_value());
+      std::optional<SceneFitResult> result = fit(i, complete.has_value());
       if (!result) return;
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-      if (!whole) seconds_[i] = took.count();
-      take(i, whole.has_value(), std::move(*result));
+      if (!complete) seconds_[i] = took.count();
+      take(i, complete.has_value(), std::move(*result));
     }
   });
 }
@@ -225,22 +227,23 @@ std::vector<SceneFitResult> JournaledSceneFits::run() {
       missing.push_back(of);
   }
   fit_side_by_side(missing, std::nullopt);
-  if (makes_whole() && progress_.done == fits_.size()) {
+  if (makes_complete() && progress_.done == fits_.size()) {
     const Law law = advised();
     std::vector<std::size_t> unfinished;
     for (std::size_t i = 0; i < fits_.size(); ++i) {
       if (fits_[i].law != law) continue;
-      const std::vector<std::byte>* bytes = journal_.find(whole_ids_[i]);
+      const std::vector<std::byte>* bytes = journal_.find(complete_ids_[i]);
       if (bytes != nullptr) results_[i] = scene_result_from_bytes(*bytes);
       if (bytes != nullptr || results_[i]->status == FitStatus::Failed) {
-        ++wholes_;
+        ++completed_;
       } else {
         unfinished.push_back(fits_[i].of);
       }
     }
     fit_side_by_side(unfinished, law);
   }
-  complete_ = progress_.done == progress_.total && (!makes_whole() || wholes_ == cases_.size());
+  complete_ =
+      progress_.done == progress_.total && (!makes_complete() || completed_ == cases_.size());
   if (!complete_) journal_.sync();
   std::vector<SceneFitResult> results;
   for (std::optional<SceneFitResult>& result : results_) {

@@ -71,13 +71,13 @@ class JournaledSceneFits {
   /// What a fit's searches have kept, by their names.
   using Kept = std::map<std::string, std::vector<std::byte>>;
 
-  bool makes_whole() const;
+  bool makes_complete() const;
   std::size_t first_fit(std::size_t of) const { return of * fits_.size() / cases_.size(); }
   void take_from_journal();
-  void fit_side_by_side(const std::vector<std::size_t>& of, std::optional<Law> whole);
-  std::optional<SceneFitResult> fit(std::size_t index, bool whole);
-  SceneFitResult fit_law(std::size_t index, bool whole, SceneFitOptions options) const;
-  void take(std::size_t index, bool whole, SceneFitResult&& result);
+  void fit_side_by_side(const std::vector<std::size_t>& of, std::optional<Law> complete);
+  std::optional<SceneFitResult> fit(std::size_t index, bool complete);
+  SceneFitResult fit_law(std::size_t index, bool complete, SceneFitOptions options) const;
+  void take(std::size_t index, bool complete, SceneFitResult&& result);
   Law advised() const;
 
   std::span<const SceneFitCase> cases_;
@@ -86,14 +86,14 @@ class JournaledSceneFits {
   std::function<void(const SceneFitProgress&)> within_;
   std::vector<Fit> fits_;
   std::vector<std::string> ids_;                        ///< of the fits
-  std::vector<std::string> whole_ids_;                  ///< of the same as those of the advised law
+  std::vector<std::string> complete_ids_;               ///< of the same as those of the advised law
   std::vector<std::optional<SceneFitResult>> results_;  ///< (n_fits)
   std::vector<double> seconds_;
   std::vector<Kept> kept_;  ///< (n_fits)
   std::mutex mutex_;        ///< of what counts them
   BatchProgress progress_;
-  std::size_t wholes_ = 0;  ///< fits of the advised law that have all that is made of it
-  int threads_ = 1;         ///< that each fit has
+  std::size_t completed_ = 0;  ///< fits of the advised law that have all that is made of it
+  int threads_ = 1;            ///< that each fit has
   io::CaseJournal journal_;
   std::size_t taken_ = 0;
   std::size_t stages_ = 0;

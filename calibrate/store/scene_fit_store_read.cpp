@@ -179,9 +179,9 @@ class Reader {
     rows.values = io::read_numbers<double>(tables_.root(), "curves/" + name, kRules);
     rows.offsets = tables_.root().read<std::uint64_t>("curves/offsets");
     const std::vector<std::uint64_t>& offsets = rows.offsets;
-    const bool whole = offsets.size() == n + 1 && offsets.front() == 0 &&
-                       offsets.back() == rows.values.size() && std::ranges::is_sorted(offsets);
-    if (!whole) refuse("curves/" + name, "has offsets that do not fit its values");
+    const bool fits = offsets.size() == n + 1 && offsets.front() == 0 &&
+                      offsets.back() == rows.values.size() && std::ranges::is_sorted(offsets);
+    if (!fits) refuse("curves/" + name, "has offsets that do not fit its values");
     return rows;
   }
 

@@ -13,14 +13,14 @@ using Mode = CorrectionChoice::Mode;
 
 BreakFound broken_after(const Curve& curve, std::size_t last, Loading loading, const char* rule) {
   BreakFound found;
-  found.whole = last + 1;
-  // A strain once reached under load was whole, also where it ran back a little since.
+  found.intact = last + 1;
+  // A strain once reached under load was intact, also where it ran back a little since.
   double reached = curve.strain[last];
   if (loading == Loading::Monotonic) {
     for (std::size_t i = 0; i < last; ++i) reached = std::max(reached, curve.strain[i]);
   }
-  found.observation.last_whole_strain = reached;
-  found.observation.last_whole_stress = curve.stress[last];
+  found.observation.last_intact_strain = reached;
+  found.observation.last_intact_stress = curve.stress[last];
   found.observation.first_broken_strain = std::max(reached, curve.strain[last + 1]);
   found.observation.rule = rule;
   return found;
@@ -122,7 +122,7 @@ std::optional<BreakFound> find_break(const Curve& curve, Loading loading, double
       peak_before_end(curve, static_cast<std::size_t>(peak - stress.begin()), options.yield_drop);
   if (stress[n - 1] <= options.end_fraction * stress[top] && falls_at_end(curve, top)) {
     BreakFound found;
-    found.whole = n;
+    found.intact = n;
     const double step = std::max(0.0, strain[n - 1] - strain[n - 2]);
     const double reached = *std::max_element(strain.begin(), strain.end());
     found.observation = {reached, stress[n - 1], std::max(reached, strain[n - 1] + step),
@@ -152,9 +152,9 @@ void trim_at_break(Target& target, double modulus, bool goes_on, const TargetOpt
     target.corrections.push_back({"trim-at-break", false, 0.0, "samples", why});
     return;
   }
-  const std::size_t cut = curve.size() - found->whole;
-  curve.strain.resize(found->whole);
-  curve.stress.resize(found->whole);
+  const std::size_t cut = curve.size() - found->intact;
+  curve.strain.resize(found->intact);
+  curve.stress.resize(found->intact);
   std::string text = "rule: " + found->observation.rule;
   target.corrections.push_back(
       {"trim-at-break", cut > 0, static_cast<double>(cut), "samples", std::move(text)});
@@ -215,7 +215,7 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
   if (total == 0.0) return 0.0;
   shift(curve, total);
   if (auto& broken = target.characteristics.observed_break) {
-    broken->last_whole_strain -= total;
+    broken->last_intact_strain -= total;
     broken->first_broken_strain -= total;
   }
   return total;
@@ -251,8 +251,8 @@ bool convert_to_true(Target& target, const TargetOptions& options) {
     curve.strain[i] = std::log1p(curve.strain[i]);
   }
   if (broken) {
-    broken->last_whole_stress *= 1.0 + broken->last_whole_strain;
-    broken->last_whole_strain = std::log1p(broken->last_whole_strain);
+    broken->last_intact_stress *= 1.0 + broken->last_intact_strain;
+    broken->last_intact_strain = std::log1p(broken->last_intact_strain);
     broken->first_broken_strain = std::log1p(broken->first_broken_strain);
   }
   target.measure = Measure::True;

@@ -92,7 +92,7 @@ void check_sampling(Target& target, double noise, const TargetOptions& options) 
 void measure_break(Characteristics& c, double modulus) {
   if (!c.observed_break) return;
   c.break_strain = c.observed_break->strain();
-  c.break_strain_plastic = *c.break_strain - c.observed_break->last_whole_stress / modulus;
+  c.break_strain_plastic = *c.break_strain - c.observed_break->last_intact_stress / modulus;
 }
 
 void measure(Target& target, const ElasticLine& line, const RawFacts& facts, double noise,

@@ -231,14 +231,14 @@ SceneCurve SceneModel::curve_of(const Response& response, const std::vector<bool
   curve.segment_iterations =
       static_cast<std::int64_t>(setup_.scene.beam.segments) * response.counters.iterations;
   // A longer path may fail beyond what was measured.
-  const bool whole = usable(response.status);
-  if (!whole && !(longer && response.status == Status::NotConverged)) {
+  const bool complete = usable(response.status);
+  if (!complete && !(longer && response.status == Status::NotConverged)) {
     curve.reason = how_it_ended(response.status, setup_);
     return curve;
   }
   std::vector<double> path;
   if (!place(response, path, curve)) {
-    if (!whole) curve.reason = how_it_ended(response.status, setup_);
+    if (!complete) curve.reason = how_it_ended(response.status, setup_);
     return curve;
   }
   curve.usable = true;

@@ -25,7 +25,7 @@ inline constexpr int kMostTimes = 4;
 struct StrainAtBreak {
   double at =
       std::numeric_limits<double>::quiet_NaN();  ///< where the target broke, or its last one
-  double before = std::numeric_limits<double>::quiet_NaN();  ///< where it was whole for sure
+  double before = std::numeric_limits<double>::quiet_NaN();  ///< where it was intact for sure
   double after = std::numeric_limits<double>::quiet_NaN();   ///< where it was broken for sure
 };
 

@@ -29,7 +29,7 @@ struct Span {
   double to = 0.0;
 };
 
-/// A value in the middle of a range: rounded for a field of whole numbers.
+/// A value in the middle of a range: rounded for a field of integers.
 double between(const Span& span, bool logarithmic, double fraction, const Field& field) {
   double value = logarithmic ? span.from * std::pow(span.to / span.from, fraction)
                              : span.from + (span.to - span.from) * fraction;
@@ -78,7 +78,7 @@ std::vector<FieldValue> read_range(const TomlValue& range, bool logarithmic, con
   for (std::int64_t i = 0; i < count; ++i) {
     const double fraction = static_cast<double>(i) / static_cast<double>(count - 1);
     const FieldValue value = between(span, logarithmic, fraction, field);
-    if (values.empty() || values.back() != value) values.push_back(value);  // whole numbers repeat
+    if (values.empty() || values.back() != value) values.push_back(value);  // integers repeat
   }
   return values;
 }

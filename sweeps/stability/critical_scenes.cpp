@@ -19,7 +19,7 @@ using std::numbers::pi;
 double complete_first(double m) { return theory::carlson_rf(0.0, 1.0 - m, 1.0); }
 
 void set_steps(StabilityCase& made, const Knobs& knobs) {
-  made.setup.solver.steps = whole(knobs.path_steps);
+  made.setup.solver.steps = rounded(knobs.path_steps);
 }
 
 /// A cantilever under a force across its tip, P L^2/(E I) = flexibility: the tip turns by no more

@@ -116,7 +116,7 @@ std::optional<Verdict> check_limit(const Setup& setup, const Response& response,
 }  // namespace
 
 Verdict judge(const Setup& setup, const Response& response, const Expectation& expected) {
-  if (!is_whole(response.status)) return {Failed, std::string(name_of(response.status))};
+  if (!is_complete(response.status)) return {Failed, std::string(name_of(response.status))};
   if (response.samples == 0) return {Undetected, "no sample"};
   if (!is_finite(setup, response)) return {Undetected, "a number is not finite"};
 

@@ -122,9 +122,8 @@ INSTANTIATE_TEST_SUITE_P(
             "(the end is 1.0 or \"end\")"),
         change_chain("AtAWholeNumberBelowZero", "at = 0.5", "at = -1",
                      "14: support[2].at = -1: must be a fraction of the length, 0 to 1"),
-        change_chain(
-            "AtASegmentThatIsAFraction", "at = 0.5", "at = { segment = 1.5 }",
-            "14: support[2].at.segment = 1.5: must be a whole number from 0 to 2147483647"),
+        change_chain("AtASegmentThatIsAFraction", "at = 0.5", "at = { segment = 1.5 }",
+                     "14: support[2].at.segment = 1.5: must be an integer from 0 to 2147483647"),
         change_chain("AtATableWithoutASegment", "at = 0.5", "at = { joint = 1 }",
                      "14: support[2].at.segment: is missing"),
         change_chain(

@@ -36,7 +36,8 @@ def copy_of(folder):
 
 FORMER = {"kinematic_fraction": "kinematic_share", "misfit_fraction": "misfit_share",
           "segment_fractions": "segment_shares", "targets": "parts",
-          "runs_test_p": "runs_probability"}
+          "runs_test_p": "runs_probability", "last_intact_strain": "last_whole_strain",
+          "last_intact_stress": "last_whole_stress"}
 
 
 def rename_to_former(file):
@@ -87,7 +88,8 @@ class OlderFiles(unittest.TestCase):
         cyclic = str(DATA / "scenes/hardening_table.toml")
         for version, command, found in (
                 (4, ("calibrate", str(DATA / "fits/demo.toml"), "--quiet"),
-                 {"kinematic_fraction", "misfit_fraction", "runs_test_p"}),
+                 {"kinematic_fraction", "misfit_fraction", "runs_test_p", "last_intact_strain",
+                  "last_intact_stress"}),
                 (4, ("calibrate", str(DATA / "fits/bend_test.toml"), "--quiet"),
                  {"misfit_fraction", "runs_test_p", "targets"}),
                 (2, ("simulate", cyclic, "--quiet"),

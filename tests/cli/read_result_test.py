@@ -24,7 +24,7 @@ COLUMNS = {
     "characteristics": "youngs_modulus youngs_modulus_standard_error modulus_window_low "
                        "modulus_window_high modulus_method proof_offset rp02 reh rel rm "
                        "strain_at_rm break_strain break_strain_plastic largest_strain broke "
-                       "last_whole_strain last_whole_stress first_broken_strain break_rule",
+                       "last_intact_strain last_intact_stress first_broken_strain break_rule",
     "parameters/yield_stress": "value standard_error noise_error sampling_error misfit_error "
                                "degrees_of_freedom interval_low interval_high start lower upper "
                                "logarithmic at_lower at_upper identified judged verdict "

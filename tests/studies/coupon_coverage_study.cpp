@@ -25,7 +25,7 @@ bool is_full() {
 
 constexpr double kYoung = 200e9, kYield = 300e6, kBreak = 0.018;
 
-/// A bar with so many whole samples from 0 on, evenly apart, that breaks at kBreak.
+/// A bar with so many intact samples from 0 on, evenly apart, that breaks at kBreak.
 Target broken_bar(std::size_t samples, double noise, std::uint64_t seed) {
   Draws draws(seed, 0);
   const double breaks_at = kBreak + kYield / kYoung;

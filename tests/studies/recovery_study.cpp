@@ -27,7 +27,7 @@ struct Specimen {
   double modulus = 0.0;
   double yield = 0.0;
   double break_strain = 0.0;   ///< permanent
-  double last_interval = 0.0;  ///< strain between the last whole and the first broken sample
+  double last_interval = 0.0;  ///< strain between the last intact and the first broken sample
   Curve curve;
 };
 
@@ -55,7 +55,7 @@ Specimen make_specimen(std::mt19937_64& random, int elastic, int plateau, double
   add(0.0);
   const double before = part(random);
   for (int i = 1; i <= elastic; ++i) add(yield_strain * (i - 1 + before) / elastic);
-  // The break falls anywhere between the last whole sample and the next.
+  // The break falls anywhere between the last intact sample and the next.
   const double interval = s.break_strain / (plateau - 1 + part(random));
   for (int i = 0; i < plateau; ++i) add(yield_strain + interval * i);
   s.last_interval = interval;

@@ -29,6 +29,8 @@ constexpr std::array kColumns{
     Renamed{"misfit_share", "misfit_fraction"},
     Renamed{"parts", "targets"},
     Renamed{"runs_probability", "runs_test_p"},
+    Renamed{"last_whole_strain", "last_intact_strain"},
+    Renamed{"last_whole_stress", "last_intact_stress"},
 };
 
 std::string_view former(std::span<const Renamed> table, std::string_view now) {

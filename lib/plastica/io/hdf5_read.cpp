@@ -204,10 +204,10 @@ Ragged<T> Hdf5Group::read_ragged(std::string_view path) const {
   Ragged<T> rows;
   rows.values = from.read<T>("values");
   rows.offsets = from.read<std::uint64_t>("offsets");
-  const bool whole = !rows.offsets.empty() && rows.offsets.front() == 0 &&
-                     rows.offsets.back() == rows.values.size() &&
-                     std::is_sorted(rows.offsets.begin(), rows.offsets.end());
-  if (!whole) refuse(path, "has offsets that do not fit its values");
+  const bool fits = !rows.offsets.empty() && rows.offsets.front() == 0 &&
+                    rows.offsets.back() == rows.values.size() &&
+                    std::is_sorted(rows.offsets.begin(), rows.offsets.end());
+  if (!fits) refuse(path, "has offsets that do not fit its values");
   return rows;
 }
 

@@ -40,7 +40,7 @@ inline constexpr Range kAboveZero{0.0, std::numeric_limits<double>::infinity(), 
 constexpr ValueRule anything(std::string_view path) { return {path, {}, Order::Any, true, true}; }
 constexpr ValueRule may_lack(std::string_view path) { return {path, {}, Order::Any, true}; }
 
-/// Larger counts are none: they no longer are whole as real numbers, and products overflow.
+/// Larger counts are none: they are no longer exact as real numbers, and products overflow.
 inline constexpr std::uint64_t kMaxCount = std::uint64_t{1} << 53U;
 
 /// Whether a pattern with at most one `*` is that of a path.

@@ -86,7 +86,7 @@ void check_field(const Field& field, double value, const SourceLocation& where,
     throw InputError(where, field.path, text(), rule);
   }
   if (field.kind == FieldKind::Integer && value != std::floor(value)) {
-    throw InputError(where, field.path, text(), "must be a whole number");
+    throw InputError(where, field.path, text(), "must be an integer");
   }
 }
 

@@ -14,7 +14,7 @@ double normal_quantile(double probability);
 /// Probability that a Student t variable is below t.
 ///
 /// By the regularized incomplete beta function; relative error below 1e-9 in the lower tail.
-/// @param degrees_of_freedom  nu > 0, not necessarily whole; up to 1e4
+/// @param degrees_of_freedom  nu > 0, not necessarily an integer; up to 1e4
 double student_t_cdf(double t, double degrees_of_freedom);
 
 /// Inverse of student_t_cdf; error below 1e-8 of the value. From 200 degrees of freedom on, unless

@@ -144,7 +144,7 @@ TEST_F(FitFileErrors, AColumnIsANameOrANumber) {
             "f.toml:3: target[1].strain = true: must be a column, { column = \"...\", unit = "
             "\"1\" }");
   EXPECT_EQ(error(start + "strain = 0\n"),
-            "f.toml:3: target[1].strain = 0: must be a whole number from 1 to 1000000");
+            "f.toml:3: target[1].strain = 0: must be an integer from 1 to 1000000");
   EXPECT_EQ(error(start + "strain = { colum = 'e' }\n"),
             "f.toml:3: target[1].strain.column: is missing; is it \"colum\" on line 3?");
 }

@@ -64,7 +64,7 @@ TEST(FitReport, ShowsCharacteristicsInEngineeringUnits) {
   EXPECT_TRUE(fit_has_line(text, "  strain at Rm   8.000          %"));
   EXPECT_TRUE(
       fit_has_line(text,
-                   "  break strain  10.425 ± 0.025  %    total; last whole sample at 10.4 %, by "
+                   "  break strain  10.425 ± 0.025  %    total; last intact sample at 10.4 %, by "
                    "fall-to-zero"));
   EXPECT_TRUE(fit_has_line(text, "                10.025 ± 0.025  %    permanent"));
   EXPECT_FALSE(has(text, "ReH"));

@@ -129,7 +129,7 @@ TEST(Correction, TrimsAtASteepDropOfTheLoadThatDecaysOverManySamples) {
   const BreakObservation& seen = *target.characteristics.observed_break;
   EXPECT_EQ(seen.rule, "load-drop");
   EXPECT_EQ(target.corrected.size(), 502U);  // 0.97 and 0.9 still carry load
-  EXPECT_NEAR(seen.first_broken_strain - seen.last_whole_strain, 1e-7, 1e-12);
+  EXPECT_NEAR(seen.first_broken_strain - seen.last_intact_strain, 1e-7, 1e-12);
 }
 
 TEST(Correction, TakesSlowSofteningForANeckNotForABreak) {
@@ -256,7 +256,7 @@ TEST(Correction, FindsTheBreakOfANoisyPlateauToTheSample) {
     const Curve curve = test.curve(seed);
     const auto found = find_break(curve, Loading::Monotonic, test.modulus, false, {});
     ASSERT_TRUE(found.has_value()) << seed;
-    EXPECT_EQ(found->whole, test.whole()) << seed;
+    EXPECT_EQ(found->intact, test.intact()) << seed;
   }
 }
 

@@ -22,7 +22,7 @@ struct IdealPlastic {
   double yield_strain() const { return yield_stress / modulus; }
 
   /// Evenly spaced on the elastic part and on the plateau; the break falls half a step after the
-  /// last whole sample.
+  /// last intact sample.
   calibrate::Curve curve(unsigned seed = 1) const {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal(0.0, noise > 0.0 ? noise * yield_stress : 1.0);
@@ -41,7 +41,7 @@ struct IdealPlastic {
     }
     return out;
   }
-  std::size_t whole() const { return elastic + 1 + plateau; }
+  std::size_t intact() const { return elastic + 1 + plateau; }
 };
 
 /// A smooth curve with hardening, as of an aluminium alloy: 70 GPa, 300 MPa, to 10 %.

@@ -267,7 +267,7 @@ TEST(SceneFileErrors, AFieldOutOfRangeIsRefusedAsItIsWritten) {
   EXPECT_EQ(scene_error("[material]\nyield_stress = '-5 MPa'\n" + kDrive),
             "s.toml:2: material.yield_stress = -5 MPa: must be above 0 Pa");
   EXPECT_EQ(scene_error("[beam]\nsegments = 2.5\n" + kDrive),
-            "s.toml:2: beam.segments = 2.5: must be a whole number");
+            "s.toml:2: beam.segments = 2.5: must be an integer");
 }
 
 TEST(SceneFileErrors, AChoiceThatIsNoneIsRefused) {

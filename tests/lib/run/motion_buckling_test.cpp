@@ -37,7 +37,7 @@ double largest_swing(double fraction_of_buckling_load, Level level, Scheme schem
   // Of Euler's energy more than 1 % is not explained at these steps; its column has to go, or stay,
   // all the same.
   const bool euler = scheme == Scheme::LinearlyImplicitEuler;
-  EXPECT_TRUE(euler ? is_whole(response.status) : response.status == Status::Completed)
+  EXPECT_TRUE(euler ? is_complete(response.status) : response.status == Status::Completed)
       << name_of(response.status);
   double largest = 0.0;
   for (const double x : response.probes[0]) largest = std::max(largest, std::abs(x));
