@@ -11,7 +11,7 @@
 #include "calibrate/fit/require.hpp"
 #include "calibrate/inference/compare_laws.hpp"
 #include "calibrate/inference/fit_intervals.hpp"
-#include "calibrate/inference/shown_yield.hpp"
+#include "calibrate/inference/identifiable_yield.hpp"
 #include "calibrate/inference/uncertainty.hpp"
 #include "calibrate/problem/given_weights.hpp"
 #include "calibrate/problem/misfit.hpp"
@@ -279,7 +279,7 @@ FitResult fit_target(const Target& target, const FitOptions& options,
   }
   result.status = FitStatus::Fitted;
   Misfit::Details details = misfit.details(solution.active);
-  hide_unseen_yield(misfit, set, solution.active, options, details);
+  drop_unidentifiable_yield(misfit, set, solution.active, options, details);
   result.cost = details.stress_cost + details.break_cost;
   const Uncertainty u =
       uncertainty(details, solution.active, set, target, options, misfit.break_factor());

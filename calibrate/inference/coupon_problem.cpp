@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "calibrate/inference/shown_yield.hpp"
+#include "calibrate/inference/identifiable_yield.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -41,7 +41,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
     free_.push_back(free);
   }
   details_ = misfit_.details(active_);
-  hide_unseen_yield(misfit_, set_, active_, options, details_);
+  drop_unidentifiable_yield(misfit_, set_, active_, options, details_);
   uncertainty_ = uncertainty(details_, active_, set_, target, options, misfit_.break_factor());
   spread_ = spread_of(details_, active_, set_, target, options);
   noise_ = std::max(uncertainty_.noise, kLeastNoise * std::sqrt(misfit_.cost_unit()));

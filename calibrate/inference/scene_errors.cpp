@@ -20,18 +20,19 @@ using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 /// the other, and Newton's tolerance, are smooth over it.
 constexpr double kErrorStep = 1e-4;
 
-/// Drops coordinates that only combinations determine: the largest part of each unseen one.
-void drop_unseen(const MatrixXd& normal, std::vector<Index>& kept) {
+/// Drops coordinates that only combinations determine: the largest of each direction that is not
+/// identifiable.
+void drop_unidentifiable(const MatrixXd& normal, std::vector<Index>& kept) {
   while (!kept.empty()) {
     const MatrixXd a = normal(kept, kept);
     const VectorXd size = a.diagonal().cwiseSqrt().cwiseInverse();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(size.asDiagonal() * a * size.asDiagonal());
-    if (solver.eigenvalues()[0] > kUnseen) return;
-    const VectorXd unseen = solver.eigenvectors().col(0).cwiseAbs();
+    if (solver.eigenvalues()[0] > kNotIdentifiable) return;
+    const VectorXd unidentifiable = solver.eigenvectors().col(0).cwiseAbs();
     // All that take part: what is left says nothing of any of them.
     std::vector<Index> left;
-    for (Index i = 0; i < unseen.size(); ++i) {
-      if (unseen[i] < 0.1) left.push_back(kept[static_cast<std::size_t>(i)]);
+    for (Index i = 0; i < unidentifiable.size(); ++i) {
+      if (unidentifiable[i] < 0.1) left.push_back(kept[static_cast<std::size_t>(i)]);
     }
     kept = std::move(left);
   }
@@ -91,7 +92,7 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
   covariance_ = inverse_ = correlated_covariance_ = MatrixXd::Constant(n, n, kNan);
   if (n == 0) return;
   slopes_ = residual_slopes(problem_.squares(), x_, residual, kErrorStep);
-  seen_ = SeenSlopes(slopes_, at_bound_);
+  identifiable_ = IdentifiableSlopes(slopes_, at_bound_);
   // Rows over the noise, times the root of their weight.
   const Eigen::Map<const Slopes> j(slopes_.data(), static_cast<Index>(problem_.squares().residuals),
                                    n);
@@ -100,7 +101,7 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
   for (Index k = 0; k < n; ++k) {
     if (!at_bound_[static_cast<std::size_t>(k)] && normal(k, k) > 0.0) kept.push_back(k);
   }
-  drop_unseen(normal, kept);
+  drop_unidentifiable(normal, kept);
   if (kept.empty()) return;
   const MatrixXd weighted = j.transpose() * weights().asDiagonal() * j;
   const MatrixXd a = normal(kept, kept);
@@ -161,11 +162,12 @@ double SceneErrors::degrees_of_freedom(const VectorXd& gradient) const {
 std::vector<double> SceneErrors::fitted_errors(std::size_t t) const {
   const std::size_t samples = problem_.targets()[t].target.ordinate.size();
   std::vector<double> errors(samples, 0.0);
-  if (seen_.slopes().cols() == 0) return errors;
-  // What no curve sees moves none of them: the inverse over the directions that are seen.
-  const MatrixXd& j = seen_.slopes();
-  const MatrixXd covariance =
-      seen_.inverse() * (j.transpose() * weights().asDiagonal() * j) * seen_.inverse();
+  if (identifiable_.slopes().cols() == 0) return errors;
+  // A direction that is not identifiable moves none of them: the inverse over the others.
+  const MatrixXd& j = identifiable_.slopes();
+  const MatrixXd covariance = identifiable_.inverse() *
+                              (j.transpose() * weights().asDiagonal() * j) *
+                              identifiable_.inverse();
   const double unit = problem_.scale(t) / std::sqrt(problem_.targets()[t].weight);
   const auto first = static_cast<Index>(problem_.first_residual(t));
   for (std::size_t i = 0; i < samples; ++i) {

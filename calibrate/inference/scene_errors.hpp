@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "calibrate/inference/seen_slopes.hpp"
+#include "calibrate/inference/identifiable_slopes.hpp"
 #include "calibrate/problem/scene_problem.hpp"
 
 namespace plastica::calibrate {
@@ -41,7 +41,7 @@ class SceneErrors {
   /// @param residual  there, over the scales
   SceneErrors(SceneProblem& problem, std::span<const double> x, std::span<const double> residual);
 
-  const SeenSlopes& seen() const { return seen_; }
+  const IdentifiableSlopes& identifiable() const { return identifiable_; }
   bool at_bound(std::size_t i) const { return at_bound_[i]; }
   /// Covariance of the coordinates; NaN in rows and columns that are not determined (n x n).
   const Eigen::MatrixXd& covariance() const { return covariance_; }
@@ -77,7 +77,7 @@ class SceneErrors {
   Eigen::MatrixXd correlated_covariance_;
   std::vector<Eigen::MatrixXd> by_target_;  ///< what each target's noise puts into the covariance
   std::vector<double> slopes_;              ///< of the residuals (m x n), row by row
-  SeenSlopes seen_;
+  IdentifiableSlopes identifiable_;
   std::vector<std::vector<SceneCurve>> neighbours_;
 };
 

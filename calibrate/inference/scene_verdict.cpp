@@ -25,7 +25,7 @@ std::string enough_segments(const FittedParameter& p, const SegmentsError& segme
 }  // namespace
 
 void judge(double half, const SegmentsError& segments, double prior, FittedParameter& p) {
-  const bool seen = segments.trend > SegmentsTrend::Settled;
+  const bool trends = segments.trend > SegmentsTrend::Settled;
   p.judgement = calibrate::judge({.value = p.value,
                                   .lower = p.lower,
                                   .upper = p.upper,
@@ -33,7 +33,7 @@ void judge(double half, const SegmentsError& segments, double prior, FittedParam
                                   .noise_error = p.noise_error,
                                   .half = half,
                                   .standard_error = p.standard_error,
-                                  .segments = seen ? segments.error : 0.0,
+                                  .segments = trends ? segments.error : 0.0,
                                   .prior = prior});
 }
 

@@ -74,13 +74,13 @@ Normal keep_identified(const Misfit::Details& d, const std::vector<double>& size
     columns = left;
     normal = normal.of(kept);
   };
-  std::vector<Eigen::Index> seen;
+  std::vector<Eigen::Index> identifiable;
   for (Eigen::Index i = 0; i < normal.a.rows(); ++i) {
     if (normal.a(i, i) > kRankTolerance * kRankTolerance * stress * stress * total) {
-      seen.push_back(i);
+      identifiable.push_back(i);
     }
   }
-  keep(seen);
+  keep(identifiable);
   if (columns.empty()) return normal;
   const VectorXd scale = normal.a.diagonal().cwiseSqrt().cwiseInverse();
   const MatrixXd unit = scale.asDiagonal() * normal.a * scale.asDiagonal();
@@ -89,8 +89,8 @@ Normal keep_identified(const Misfit::Details& d, const std::vector<double>& size
   for (Eigen::Index k = 0; k < unit.rows(); ++k) {
     bool lost = false;
     for (Eigen::Index e = 0; e < eigen.eigenvalues().size(); ++e) {
-      const bool unseen = eigen.eigenvalues()(e) < kRankTolerance;
-      lost = lost || (unseen && std::fabs(eigen.eigenvectors()(k, e)) > 1e-3);
+      const bool unidentifiable = eigen.eigenvalues()(e) < kRankTolerance;
+      lost = lost || (unidentifiable && std::fabs(eigen.eigenvectors()(k, e)) > 1e-3);
     }
     if (!lost) kept.push_back(k);
   }

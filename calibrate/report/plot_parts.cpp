@@ -100,8 +100,8 @@ Curve fitted_with_break(const FitResult& result) {
 }
 
 void add_break(const FitRecord& record, std::vector<std::vector<double>>& rows) {
-  const std::optional<BreakObservation>& seen = record.target.characteristics.observed_break;
-  if (seen) rows.push_back({100.0 * seen->strain(), 1e-6 * seen->last_intact_stress});
+  const std::optional<BreakObservation>& observed = record.target.characteristics.observed_break;
+  if (observed) rows.push_back({100.0 * observed->strain(), 1e-6 * observed->last_intact_stress});
 }
 
 Curve fitted_until_break(const FitResult& result) {

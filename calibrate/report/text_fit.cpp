@@ -86,9 +86,9 @@ std::string mending(const Target& target, const Ink& ink) {
 }
 
 /// A break strain and how far the sampling leaves it open.
-std::string break_text(double strain, const std::optional<BreakObservation>& seen) {
-  if (!seen || !(seen->half_interval() > 0.0)) return significant(100.0 * strain, 4);
-  return with_error(100.0 * strain, 100.0 * seen->half_interval());
+std::string break_text(double strain, const std::optional<BreakObservation>& observed) {
+  if (!observed || !(observed->half_interval() > 0.0)) return significant(100.0 * strain, 4);
+  return with_error(100.0 * strain, 100.0 * observed->half_interval());
 }
 
 std::string proof_label(const Characteristics& all) {
@@ -129,18 +129,18 @@ std::string characteristics_text(const Target& target, const Ink& ink) {
   if (all.strain_at_rm) {
     table.add({"strain at Rm", significant(100.0 * *all.strain_at_rm, 4), "%", ""});
   }
-  const std::optional<BreakObservation>& seen = all.observed_break;
+  const std::optional<BreakObservation>& observed = all.observed_break;
   if (all.break_strain) {
     std::string note = "total";
-    if (seen) {
+    if (observed) {
       note += fmt::format("; last intact sample at {:.5g} %, by {}",
-                          100.0 * seen->last_intact_strain, seen->rule);
+                          100.0 * observed->last_intact_strain, observed->rule);
     }
-    table.add({"break strain", break_text(*all.break_strain, seen), "%", note});
+    table.add({"break strain", break_text(*all.break_strain, observed), "%", note});
   }
   if (all.break_strain_plastic) {
     const bool below = all.break_strain.has_value();
-    table.add({below ? "" : "break strain", break_text(*all.break_strain_plastic, seen), "%",
+    table.add({below ? "" : "break strain", break_text(*all.break_strain_plastic, observed), "%",
                "permanent"});
   }
   if (table.rows() == 0) return {};

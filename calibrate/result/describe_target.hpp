@@ -31,7 +31,7 @@ inline constexpr auto kDescribeCharacteristics = [](auto& d) {
     inner("last_intact_stress", "Pa", PLASTICA_MEMBER(last_intact_stress), "stress there");
     inner("first_broken_strain", "1", PLASTICA_MEMBER(first_broken_strain),
           "strain of the first sample after the break");
-    inner("break_rule", "", PLASTICA_MEMBER(rule), "by what the break was seen");
+    inner("break_rule", "", PLASTICA_MEMBER(rule), "by which the break was found");
   });
 };
 

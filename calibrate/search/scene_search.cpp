@@ -305,7 +305,7 @@ double SceneSearch::rescale(std::vector<TargetNoise> noise) {
 void SceneSearch::settle_noise() {
   for (int round = 0;; ++round) {
     const SceneErrors errors(problem_, best_.x, best_.residual);
-    degrees_left_ = degrees_left(problem_, errors.seen());
+    degrees_left_ = degrees_left(problem_, errors.identifiable());
     const double change =
         rescale(noise_of_targets(problem_, costs(), degrees_left_, problem_.noise()));
     const bool alone =

@@ -128,11 +128,11 @@ TEST(SceneFit, SaysWhatABoundStopsAndWhatTheCurveDoesNotSee) {
   // A bar that did not yield knows nothing of its yield stress.
   SceneTarget elastic = measured(setup, {}, 1e-4, 5e-3);
   elastic.ordinate[3] += 1.0;
-  const SceneFitResult unseen =
+  const SceneFitResult unidentified =
       fit_scene(setup, elastic, {.parameters = stiffness_and_yield(), .starts = 1});
-  EXPECT_TRUE(std::isnan(unseen.parameters[1].standard_error));
-  EXPECT_GT(unseen.parameters[0].standard_error, 0.0);
-  EXPECT_THROW(unseen.parameter("poisson_ratio"), std::out_of_range);
+  EXPECT_TRUE(std::isnan(unidentified.parameters[1].standard_error));
+  EXPECT_GT(unidentified.parameters[0].standard_error, 0.0);
+  EXPECT_THROW(unidentified.parameter("poisson_ratio"), std::out_of_range);
 }
 
 TEST(SceneFit, GivesTheSameBitsAndNoWorseFromMoreStarts) {

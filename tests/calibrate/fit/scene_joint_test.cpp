@@ -226,8 +226,8 @@ TEST(SceneJointFit, LetsPriorsAndTiesSayWhatCurvesDoNot) {
   weighted.target.abscissa.assign({1e-4, 2e-4, 4e-4, 6e-4, 1e-3, 2e-3});
   make_curve(weighted, {}, 0.05, 8);
   SceneFitOptions options{.parameters = stiffness_and_yield(), .starts = 1};
-  const SceneFitResult unseen = fit_scene(weighted.setup, weighted.target, options);
-  EXPECT_EQ(unseen.parameter("yield_stress").verdict(), Verdict::NotIdentified);
+  const SceneFitResult unidentified = fit_scene(weighted.setup, weighted.target, options);
+  EXPECT_EQ(unidentified.parameter("yield_stress").verdict(), Verdict::NotIdentified);
   options.parameters[1].prior = Prior{400e6, 20e6};
   weighted.target.noise = 0.05;
   const SceneFitResult known = fit_scene(weighted.setup, weighted.target, options);

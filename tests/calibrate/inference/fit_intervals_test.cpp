@@ -188,7 +188,8 @@ TEST(FitIntervals, OfABreakThatNothingSearchedMovesAreItsSampling) {
 }
 
 TEST(FitIntervals, AreOneSidedWhereTheCurveSaysNoMore) {
-  // It stays elastic: the yield stress is not seen below the largest stress, nor above it.
+  // It stays elastic: the yield stress is not identifiable, neither below the largest stress nor
+  // above it.
   FitOptions options = with_intervals(young_and_yield(), {.profile = true, .bootstrap = 40});
   options.parameters[1].lower = 10e6;
   options.parameters[1].upper = 900e6;

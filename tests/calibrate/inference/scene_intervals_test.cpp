@@ -108,7 +108,7 @@ TEST(SceneIntervals, DoNotChangeTheFit) {
 }
 
 TEST(SceneIntervals, AreOneSidedWhereTheCurveSaysNoMore) {
-  // A coupon that stays elastic: yield is not seen below 0.12, and anywhere above.
+  // A coupon that stays elastic: yield does not lie below 0.12, and anywhere above.
   SceneFitOptions options;
   options.starts = 1;
   options.parameters = {bounded("youngs_modulus", 0.5, 5.0), bounded("yield_stress", 0.02, 1.0)};

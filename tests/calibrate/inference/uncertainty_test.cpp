@@ -252,10 +252,10 @@ TEST(Uncertainty, TangentModulusIsNotIdentifiedWithoutAPlasticPart) {
   EXPECT_EQ(unidentified(fit_target(line_of_modulus(1e5), options)), "tangent_modulus ");
 }
 
-TEST(Uncertainty, ParametersThatOnlyACombinationOfIsSeenAreNotIdentified) {
+TEST(Uncertainty, ParametersOfWhichOnlyACombinationIsIdentifiableAreNotIdentified) {
   const std::vector<double> strain = ramp(41, 0.02);
   Target torsion = target_of(strain, ideal_curve(strain, 80e9, 170e6), Deformation::Torsion);
-  // G = E/2(1+nu): E and nu together, while the yield stress is seen by itself.
+  // G = E/2(1+nu): E and nu together, while the yield stress is identifiable by itself.
   add_normal_noise(torsion, 3, 1e5);
   const FitResult result =
       fit_target(torsion, fit_of({free_parameter("youngs_modulus"), free_parameter("poisson_ratio"),

@@ -287,10 +287,11 @@ TEST_P(EveryLaw, GradientIsTheDifferenceQuotientOverDecades) {
     }
     EXPECT_LT(best, tolerance(2e-7 * (std::fabs(gradient[i]) + cost / at[i])))
         << c.options.parameters[c.set.active()[i]].name() << " " << gradient[i];
-    // What no test sees has no slope, and all else has one.
+    // What is not identifiable has no slope, and all else has one.
     const std::string name = c.options.parameters[c.set.active()[i]].name();
-    const bool unseen = torsion && name == "youngs_modulus" && d.law != HardeningLaw::Linear;
-    EXPECT_EQ(gradient[i] == 0.0, unseen) << name;
+    const bool unidentifiable =
+        torsion && name == "youngs_modulus" && d.law != HardeningLaw::Linear;
+    EXPECT_EQ(gradient[i] == 0.0, unidentifiable) << name;
   }
 }
 

@@ -40,9 +40,9 @@ void expect_undisturbed(const IdealPlastic& test, unsigned k) {
     ASSERT_EQ(target.corrected.stress[i], target.raw.stress[i]) << k;
   }
   ASSERT_TRUE(target.characteristics.observed_break.has_value()) << k;
-  const BreakObservation& seen = *target.characteristics.observed_break;
-  EXPECT_EQ(seen.last_intact_strain, target.raw.strain[test.intact() - 1]) << k;
-  EXPECT_EQ(seen.first_broken_strain, target.raw.strain[test.intact()]) << k;
+  const BreakObservation& observed = *target.characteristics.observed_break;
+  EXPECT_EQ(observed.last_intact_strain, target.raw.strain[test.intact() - 1]) << k;
+  EXPECT_EQ(observed.first_broken_strain, target.raw.strain[test.intact()]) << k;
   EXPECT_FALSE(target.characteristics.reh.has_value()) << k;
 }
 

@@ -8,21 +8,23 @@
 
 namespace plastica::calibrate {
 
-/// Of a normal matrix scaled to a unit diagonal: what lies along an eigenvector below this is seen
-/// by no curve.
-inline constexpr double kUnseen = 1e-12;
+/// Of a normal matrix scaled to a unit diagonal: a direction along an eigenvector whose eigenvalue
+/// is below this is not identifiable, since no curve depends on it.
+inline constexpr double kNotIdentifiable = 1e-12;
 
-/// What residuals say of small moves of the coordinates, those at a bound left out.
-class SeenSlopes {
+/// The slopes of the residuals by the coordinates that are not at a bound, and which directions of
+/// these are identifiable.
+class IdentifiableSlopes {
  public:
-  SeenSlopes() = default;
+  IdentifiableSlopes() = default;
   /// @param slopes  d residual / d coordinate (m x n), row by row
   /// @param at_bound  coordinates that are held there (n)
-  SeenSlopes(std::span<const double> slopes, const std::vector<bool>& at_bound);
+  IdentifiableSlopes(std::span<const double> slopes, const std::vector<bool>& at_bound);
 
   /// Of the coordinates that move any residual (m x n_moving).
   const Eigen::MatrixXd& slopes() const { return slopes_; }
-  /// The inverse of J^T J over the directions that are seen, 0 along others (n_moving x n_moving).
+  /// The inverse of J^T J over the identifiable directions, 0 along the others (n_moving x
+  /// n_moving).
   const Eigen::MatrixXd& inverse() const { return inverse_; }
 
  private:
@@ -39,9 +41,9 @@ class SeenSlopes {
 ///
 /// with h_p the sum of h_pq over all q, which is the trace of H over p: for equal weights m_p -
 /// h_p. A prior is a target of its own, of weight 1. A target that determines a parameter by itself
-/// loses one, one beside which others say far more loses none.
+/// loses one, one beside which others determine it far better loses none.
 /// @param problem  its weights count
 /// @return (n_targets), >= 0
-std::vector<double> degrees_left(const SceneProblem& problem, const SeenSlopes& seen);
+std::vector<double> degrees_left(const SceneProblem& problem, const IdentifiableSlopes& slopes);
 
 }  // namespace plastica::calibrate

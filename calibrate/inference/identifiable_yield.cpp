@@ -1,4 +1,4 @@
-#include "calibrate/inference/shown_yield.hpp"
+#include "calibrate/inference/identifiable_yield.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,9 +70,9 @@ class WithoutYield {
 
 }  // namespace
 
-void hide_unseen_yield(Misfit& misfit, const ParameterSet& parameters,
-                       std::span<const double> active, const FitOptions& options,
-                       Misfit::Details& details) {
+void drop_unidentifiable_yield(Misfit& misfit, const ParameterSet& parameters,
+                               std::span<const double> active, const FitOptions& options,
+                               Misfit::Details& details) {
   const std::size_t samples = details.residual.size();
   for (std::size_t k = 0; k < active.size(); ++k) {
     if (!is_yield(parameters.all()[parameters.active()[k]])) continue;
