@@ -136,7 +136,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   const std::size_t fits = targets.size() * std::max<std::size_t>(1, file.options.laws.size());
   ProgressBar bar("fitting", fits, arguments.quiet);
   how.progress = [&bar](const calibrate::BatchProgress& progress) {
-    bar.update(progress.done, progress.failed + progress.rejected, progress.taken);
+    bar.update(progress.done, progress.failed + progress.rejected, progress.resumed);
   };
   calibrate::JournaledBatch batch(targets, file.options, how);
   if (found) {

@@ -130,7 +130,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   // A lone fit has a line of its own.
   const bool several = file.cases.size() > 1;
   how.progress = [&bar, several](const calibrate::BatchProgress& progress) {
-    if (several) bar.update(progress.done, progress.failed, progress.taken);
+    if (several) bar.update(progress.done, progress.failed, progress.resumed);
   };
   SearchProgress search(arguments.quiet);
   calibrate::JournaledSceneFits batch(
@@ -145,7 +145,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   io::check_output_path(output, arguments.force);
   tell_of_journal(batch, arguments.quiet);
   if (!arguments.quiet && batch.stages() > 0) {
-    tell("{} finished stages of fits taken from the journal\n", batch.stages());
+    tell("{} finished stages of fits resumed from the journal\n", batch.stages());
   }
   std::vector<calibrate::SceneFitResult> results = batch.run();
   bar.clear();

@@ -74,17 +74,17 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
       if (makes_complete()) complete_ids_.push_back(id_of(named, options) + " whole");
     }
   }
-  std::size_t of_use = 0;
+  std::size_t usable_records = 0;
   for (const std::vector<std::string>* ids : {&ids_, &complete_ids_}) {
     for (const std::string& id : *ids) {
       const std::size_t stages = journal_.found_under(stage_of(id, ""));
       const bool complete = journal_.find(id) != nullptr;
-      if (complete && ids == &ids_) ++taken_;
+      if (complete && ids == &ids_) ++resumed_;
       if (!complete) stages_ += stages;
-      of_use += stages + (complete ? 1 : 0);
+      usable_records += stages + (complete ? 1 : 0);
     }
   }
-  outdated_ = journal_.found() - of_use;
+  stale_ = journal_.found() - usable_records;
   results_.resize(fits_.size());
   seconds_.assign(fits_.size(), std::numeric_limits<double>::quiet_NaN());
   kept_.resize(fits_.size());
@@ -217,7 +217,7 @@ Law JournaledSceneFits::advised() const {
 }
 
 std::vector<SceneFitResult> JournaledSceneFits::run() {
-  progress_ = {.taken = taken_, .total = fits_.size()};
+  progress_ = {.resumed = resumed_, .total = fits_.size()};
   take_from_journal();
   std::vector<std::size_t> missing;
   for (std::size_t of = 0; of < cases_.size(); ++of) {

@@ -33,9 +33,9 @@ class JournaledSceneFits {
   JournaledSceneFits(const JournaledSceneFits&) = delete;
   JournaledSceneFits& operator=(const JournaledSceneFits&) = delete;
 
-  std::size_t taken() const { return taken_; }        ///< fits that the journal had
-  std::size_t stages() const { return stages_; }      ///< finished stages of others that it had
-  std::size_t outdated() const { return outdated_; }  ///< and those of no use
+  std::size_t resumed() const { return resumed_; }  ///< fits that the journal had
+  std::size_t stages() const { return stages_; }    ///< finished stages of others that it had
+  std::size_t stale() const { return stale_; }      ///< and stale ones
   std::uint64_t dropped_bytes() const { return journal_.dropped_bytes(); }
   /// See `io::CaseJournal`.
   const std::string& other_instruction_set() const { return journal_.other_instruction_set(); }
@@ -52,7 +52,7 @@ class JournaledSceneFits {
   };
   /// One a case, or one a law for each case, in the order of the results.
   const std::vector<Fit>& fits() const { return fits_; }
-  /// Time that each took, of laws without what is made of the advised one alone; NaN: taken from
+  /// Time that each took, of laws without what is made of the advised one alone; NaN: resumed from
   /// the journal [s] (n_fits).
   const std::vector<double>& seconds() const { return seconds_; }
 
@@ -95,9 +95,9 @@ class JournaledSceneFits {
   std::size_t completed_ = 0;  ///< fits of the advised law that have all that is made of it
   int threads_ = 1;            ///< that each fit has
   io::CaseJournal journal_;
-  std::size_t taken_ = 0;
+  std::size_t resumed_ = 0;
   std::size_t stages_ = 0;
-  std::size_t outdated_ = 0;
+  std::size_t stale_ = 0;
   bool complete_ = false;
 };
 

@@ -108,7 +108,7 @@ TEST_F(InterruptedSceneFit, GoesOnFromItsFinishedSearchesToTheSameBits) {
   ASSERT_EQ(resumed.code, 0) << resumed.err;
   std::smatch found;
   ASSERT_TRUE(std::regex_search(
-      resumed.err, found, std::regex("(\\d+) finished stages of fits taken from the journal\n")))
+      resumed.err, found, std::regex("(\\d+) finished stages of fits resumed from the journal\n")))
       << resumed.err;
   EXPECT_GT(std::stoi(found[1]), 1);
   EXPECT_FALSE(place_.has("out.h5.journal"));

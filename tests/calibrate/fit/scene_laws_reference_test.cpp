@@ -151,12 +151,12 @@ TEST(SceneLawsReference, GoOnWhereTheyWereStoppedWithTheSameBits) {
   stop = false;
   how.journal.resume = true;
   JournaledSceneFits second(cases, options, how);
-  EXPECT_EQ(second.taken(), 1U);
+  EXPECT_EQ(second.resumed(), 1U);
   EXPECT_GT(second.stages(), 0U);
-  EXPECT_EQ(second.outdated(), 0U);
+  EXPECT_EQ(second.stale(), 0U);
   EXPECT_TRUE(bytes_of_all(second.run()) == expected);
   EXPECT_TRUE(second.complete());
-  EXPECT_TRUE(std::isnan(second.seconds()[0])) << "taken from the journal";
+  EXPECT_TRUE(std::isnan(second.seconds()[0])) << "resumed from the journal";
   EXPECT_GT(second.seconds()[1], 0.0);
 }
 
