@@ -198,7 +198,7 @@ void add_interval_options(CLI::App& sub, CalibrateArguments& arguments) {
       ->group(kIntervalGroup);
   const auto add = [&](const char* name, auto& value, int least, const char* text) {
     sub.add_option(name, value, text)
-        ->check(CLI::Range(least, calibrate::kMostResamples))
+        ->check(CLI::Range(least, calibrate::kMaxResamples))
         ->option_text("N")
         ->group(kIntervalGroup);
   };

@@ -26,9 +26,9 @@ namespace {
 using io::TomlTable;
 using io::TomlValue;
 
-constexpr int kMostEvaluations = 1'000'000;
-constexpr int kMostStarts = 10'000;
-constexpr int kMostScreened = 1'000'000;
+constexpr int kMaxEvaluations = 1'000'000;
+constexpr int kMaxStarts = 10'000;
+constexpr int kMaxScreened = 1'000'000;
 
 /// Column, unit and factor of one of both axes.
 ColumnSource read_column(const TomlTable& axis, double& factor, SourceLocation& unit_where) {
@@ -132,9 +132,9 @@ class Reader {
     const auto read_integer = [&](std::string_view key, int low, int high, int& value) {
       if (const auto found = fit.find(key)) value = static_cast<int>(found->integer(low, high));
     };
-    read_integer("evaluations", 1, kMostEvaluations, options.evaluations);
-    read_integer("starts", 1, kMostStarts, options.starts);
-    read_integer("screen", 0, kMostScreened, options.screen);
+    read_integer("evaluations", 1, kMaxEvaluations, options.evaluations);
+    read_integer("starts", 1, kMaxStarts, options.starts);
+    read_integer("screen", 0, kMaxScreened, options.screen);
     if (const auto laws = fit.find("laws")) options.laws = read_laws(*laws);
     if (const auto seed = fit.find("seed")) {
       options.seed =

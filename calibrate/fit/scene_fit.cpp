@@ -223,7 +223,7 @@ class SceneFit {
         if (limit.disagree) {
           result_.warnings.push_back(fmt::format(
               "{}: the targets disagree, from {:.4g} to {:.4g}; the value is a mean of unlike ones",
-              fitted.path, limit.least, limit.most));
+              fitted.path, limit.min, limit.max));
         }
         slope = limit.slope;
       } else {

@@ -32,7 +32,7 @@ double start_of(MaterialField which, const SceneFitOptions& options, const Setup
 }
 
 /// The least Young's modulus that a search may try.
-double least_modulus(const SceneFitOptions& options, double start) {
+double min_modulus(const SceneFitOptions& options, double start) {
   for (const Parameter& p : options.parameters) {
     const bool searched =
         p.field->material == MaterialField::YoungsModulus && p.role == ParameterRole::Free;
@@ -54,7 +54,7 @@ std::optional<Usual> usual(const Field& field, const SceneFitOptions& options, c
   const double E = start_of(MaterialField::YoungsModulus, options, setup);
   switch (*field.material) {
     case MaterialField::TangentModulus: {
-      const double most = std::min(0.25 * E, 0.9 * least_modulus(options, E));
+      const double most = std::min(0.25 * E, 0.9 * min_modulus(options, E));
       return Usual{std::min(0.01 * E, most), 0.0, most};
     }
     case MaterialField::KinematicFraction: return Usual{0.5, 0.0, 1.0};

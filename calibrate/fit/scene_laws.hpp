@@ -36,8 +36,8 @@ SceneFitOptions options_of(Law law, const SceneFitOptions& options,
                            std::span<const WeightedTarget> targets);
 
 /// Lets a law's searches begin also where a simpler law that it contains ended: once with its own
-/// parameters at their starts, once where these have the least effect (`least_effect`), so that it
-/// ends no worse.
+/// parameters at their starts, once where these have the least effect (`min_effect_value`), so that
+/// it ends no worse.
 /// @param options  of the law
 void start_from(const SceneFitResult& simpler, SceneFitOptions& options);
 

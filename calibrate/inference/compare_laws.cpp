@@ -14,7 +14,7 @@ constexpr double kBareMention = 2.0;
 /// A misfit below this fraction of the largest value is none.
 constexpr double kNothingLeft = 1e-6;
 /// Residuals of neighbours more alike than this would leave no samples.
-constexpr double kMostAlike = 0.999;
+constexpr double kMaxAlike = 0.999;
 /// Misfits, as fractions of the largest value, above which a law may lack something: with residuals
 /// in long runs; without a count of runs.
 constexpr double kLacking = 0.01;
@@ -37,7 +37,7 @@ std::vector<double> worth_of(const std::vector<LawFit>& fits) {
       const Leftover& left = fit.curves[c];
       if (!(left.mean_square < least[c])) continue;
       least[c] = left.mean_square;
-      const double alike = std::clamp(left.autocorrelation, 0.0, kMostAlike);
+      const double alike = std::clamp(left.autocorrelation, 0.0, kMaxAlike);
       worth[c] = std::max(1.0, left.samples * (1.0 - alike) / (1.0 + alike));
     }
   }

@@ -11,7 +11,7 @@ namespace plastica::calibrate {
 namespace {
 
 /// Fraction of the largest stress below which a noise is rounding.
-constexpr double kLeastNoise = 1e-12;
+constexpr double kMinNoise = 1e-12;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
   drop_unidentifiable_yield(misfit_, set_, active_, options, details_);
   uncertainty_ = uncertainty(details_, active_, set_, target, options, misfit_.break_factor());
   spread_ = spread_of(details_, active_, set_, target, options);
-  noise_ = std::max(uncertainty_.noise, kLeastNoise * std::sqrt(misfit_.cost_unit()));
+  noise_ = std::max(uncertainty_.noise, kMinNoise * std::sqrt(misfit_.cost_unit()));
   for (std::size_t i = 0; i < n_active; ++i) {
     if (set_.all()[set_.active()[i]].is_break) {
       limit_half_ = uncertainty_.sampling[i];

@@ -22,7 +22,7 @@ struct IntervalOptions {
 };
 
 /// Resamples for which percentiles say something, and those that there may be.
-inline constexpr int kFewestResamples = 20, kMostResamples = 1'000'000;
+inline constexpr int kMinResamples = 20, kMaxResamples = 1'000'000;
 
 /// Refuses numbers that no fit can have. @throws InputError
 void check_intervals(const IntervalOptions& options);

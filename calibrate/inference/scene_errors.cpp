@@ -247,11 +247,11 @@ BreakLimit SceneErrors::break_limit(const Parameter& p) {
     mean.halves.push_back(fraction * limits[k].half());
     mean.slope += fraction * limits[k].slope;
   }
-  mean.least = mean.most = limits.front().value;
+  mean.min = mean.max = limits.front().value;
   for (std::size_t k = 0; k < limits.size(); ++k) {
     constexpr double kFar = 4.0;
-    mean.least = std::min(mean.least, limits[k].value);
-    mean.most = std::max(mean.most, limits[k].value);
+    mean.min = std::min(mean.min, limits[k].value);
+    mean.max = std::max(mean.max, limits[k].value);
     const double off = limits[k].value - mean.value;
     mean.disagree = mean.disagree || off * off * certainty[k] > kFar * kFar;
   }

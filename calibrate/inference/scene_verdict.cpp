@@ -14,10 +14,10 @@ namespace {
 
 /// How many times as many segments leave as much as the noise does: "; about 1.9 times as many …".
 std::string enough_segments(const FittedParameter& p, const SegmentsError& segments) {
-  constexpr double kMost = 1000.0;
+  constexpr double kMax = 1000.0;
   const double over = segments.error / (std::sqrt(3.0) * p.noise_error);
   const double times = std::pow(over, 1.0 / segments.order);
-  if (!(times < kMost)) return "";
+  if (!(times < kMax)) return "";
   return fmt::format("; about {:.1f} times as many segments would make both alike",
                      std::ceil(10.0 * times) / 10.0);
 }

@@ -13,7 +13,7 @@ namespace {
 /// A fit knows its values no better than to this fraction of them.
 constexpr double kSettled = 1e-6;
 /// Below it an extrapolation goes further than all values together.
-constexpr double kLeastOrder = 0.5;
+constexpr double kMinOrder = 0.5;
 /// So far beyond the joints' order the coarsest value is not in line with the others.
 constexpr double kBeyond = 1.0;
 constexpr double kSafe = 1.25;
@@ -71,7 +71,7 @@ SegmentsError segments_error(double at_half, double at_own, double at_twice, dou
   if (values.size() == 3) {
     const theory::GridConvergence observed = theory::grid_convergence(sizes, values);
     error.observed_order = observed.observed_order.value_or(SegmentsError::kNone);
-    const bool falls = observed.observed_order && *observed.observed_order >= kLeastOrder;
+    const bool falls = observed.observed_order && *observed.observed_order >= kMinOrder;
     if (!falls || observed.kind == theory::ConvergenceKind::Oscillatory) {
       error.trend = falls ? SegmentsTrend::Oscillates : SegmentsTrend::Diverges;
       error.order = SegmentsError::kNone;

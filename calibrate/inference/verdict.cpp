@@ -99,7 +99,7 @@ std::string warning_of(std::string_view name, const Judgement& judgement, double
 }
 
 double runs_test_p(std::span<const double> residual) {
-  constexpr int kFewest = 10;
+  constexpr int kMin = 10;
   int above = 0, below = 0, runs = 0;
   bool up = false;
   for (const double r : residual) {
@@ -108,9 +108,9 @@ double runs_test_p(std::span<const double> residual) {
     up = r > 0.0;
     ++(up ? above : below);
   }
-  if (above + below < 2 * kFewest) return std::numeric_limits<double>::quiet_NaN();
+  if (above + below < 2 * kMin) return std::numeric_limits<double>::quiet_NaN();
   const double of_runs = as_few_runs(runs, above, below);
-  if (std::min(above, below) >= kFewest) return of_runs;
+  if (std::min(above, below) >= kMin) return of_runs;
   return std::min(1.0,
                   2.0 * std::min(of_runs, as_few_of_a_sign(std::min(above, below), above + below)));
 }

@@ -205,7 +205,7 @@ Hardening hardening_of(Law law, const Hardening& given) {
   return hardening;
 }
 
-std::optional<double> least_effect(const Parameter& parameter, double lower, double upper) {
+std::optional<double> min_effect_value(const Parameter& parameter, double lower, double upper) {
   if (!parameter.field->material) return std::nullopt;
   switch (*parameter.field->material) {
     case MaterialField::TangentModulus:

@@ -62,7 +62,7 @@ Hardening hardening_of(Law law, const Hardening& given);
 /// Where, between two bounds, a hardening parameter has the least effect: a stress or modulus at
 /// the lower one, the rate of a back-stress, which caps it, at the upper one, that of Voce at the
 /// lower one. Empty for others.
-std::optional<double> least_effect(const Parameter& parameter, double lower, double upper);
+std::optional<double> min_effect_value(const Parameter& parameter, double lower, double upper);
 
 /// Whether a law can do all that another one does: all contain ideal plasticity, Chaboche Voce.
 bool contains(Law law, Law simpler);

@@ -80,14 +80,14 @@ void SceneProblem::add_known_breaks() {
 
 bool SceneProblem::add_breaks(const std::vector<std::vector<SceneCurve>>& curves, std::size_t point,
                               std::span<double> residuals) const {
-  constexpr double kLeast = 1e-3;
+  constexpr double kMin = 1e-3;
   std::size_t next = samples() + priors_.size();
   for (const KnownBreak& known : known_breaks_) {
     const StrainAtBreak& strain = curves[known.target][point].strain;
     if (std::isnan(strain.at) || std::isnan(strain.before)) return false;
     const double half =
         std::isnan(strain.after) ? strain.at - strain.before : 0.5 * (strain.after - strain.before);
-    const double deviation = std::max(half / std::sqrt(3.0), kLeast * strain.at);
+    const double deviation = std::max(half / std::sqrt(3.0), kMin * strain.at);
     if (!(deviation > 0.0)) return false;
     residuals[next++] = (strain.at - known.strain) / deviation;
   }
@@ -111,7 +111,7 @@ std::vector<std::vector<SceneCurve>> SceneProblem::curves(std::span<const double
     return missing;
   };
   std::vector<std::vector<double>> missing = find_missing();
-  if (!missing.empty() && known_.size() > kMostKnown) {
+  if (!missing.empty() && known_.size() > kMaxKnown) {
     known_.clear();
     missing = find_missing();
   }

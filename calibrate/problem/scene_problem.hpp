@@ -116,7 +116,7 @@ class SceneProblem {
   std::vector<std::size_t> priors_;  ///< parameters that have one
   std::vector<KnownBreak> known_breaks_;
   LeastSquaresProblem squares_;
-  static constexpr std::size_t kMostKnown = 64;
+  static constexpr std::size_t kMaxKnown = 64;
   std::map<std::vector<double>, std::vector<SceneCurve>>
       known_;  ///< curves of the targets by point
   RunCounters counters_;

@@ -37,7 +37,7 @@ std::vector<TargetNoise> noise_of_targets(const SceneProblem& problem,
       continue;
     }
     const bool lone = targets.size() == 1;
-    made.pooled = before[t].pooled || (!lone && degrees[t] < kFewestDegrees);
+    made.pooled = before[t].pooled || (!lone && degrees[t] < kMinDegrees);
     made.degrees_of_freedom = made.pooled ? all : degrees[t];
     made.deviation = made.pooled ? size_of(targets[t]) * std::sqrt(fractions / all)
                                  : std::sqrt(costs[t] / degrees[t]);

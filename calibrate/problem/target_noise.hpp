@@ -10,7 +10,7 @@ class SceneProblem;
 struct WeightedTarget;
 
 /// Fewer degrees of freedom say too little of a noise to weigh a target by it.
-inline constexpr double kFewestDegrees = 5.0;
+inline constexpr double kMinDegrees = 5.0;
 
 /// What a fit takes the noise of one target to be.
 struct TargetNoise {
@@ -22,7 +22,7 @@ struct TargetNoise {
   bool pooled = false;
 
   /// Whether the target's own residuals say too little of it.
-  bool is_from_elsewhere() const { return pooled || degrees_left < kFewestDegrees; }
+  bool is_from_elsewhere() const { return pooled || degrees_left < kMinDegrees; }
 };
 
 /// The noise of each target, estimated from its residuals or as the target states it.

@@ -129,7 +129,7 @@ Figure laws_figure(std::span<const SceneFitRecord> records, const std::string& n
       laws_of(records, name, [](const SceneFitRecord& record) { return record.name; });
   const SceneFitRecord& first = *laws.front();
   Figure figure;
-  const std::size_t shown_targets = std::min(first.targets.size(), kMostPanels / 2);
+  const std::size_t shown_targets = std::min(first.targets.size(), kMaxPanels / 2);
   figure.title = first.targets.size() == 1 ? "" : first.name;
   if (shown_targets < first.targets.size()) {
     figure.title +=

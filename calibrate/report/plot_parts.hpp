@@ -14,7 +14,7 @@
 namespace plastica::calibrate::report {
 
 /// Groups that a picture shows at most; those behind are counted in its title.
-inline constexpr std::size_t kMostPanels = 12;
+inline constexpr std::size_t kMaxPanels = 12;
 
 bool is_fitted(const FitRecord& record);
 /// The parameter of a name, null if the fit has none.

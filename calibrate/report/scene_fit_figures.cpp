@@ -72,7 +72,7 @@ bool has_target_fits(const SceneFitRecord& record) {
 }
 
 std::size_t panels_of(const SceneFitRecord& record) {
-  return std::min(record.targets.size(), kMostPanels);
+  return std::min(record.targets.size(), kMaxPanels);
 }
 
 /// A panel of a target without its curves.
@@ -91,8 +91,8 @@ FigurePanel panel_of(const SceneFitRecord& record, std::size_t t, const DisplayU
 std::string title_of(const SceneFitRecord& record) {
   if (record.targets.size() == 1) return record.name;
   std::string more;
-  if (record.targets.size() > kMostPanels) {
-    more = fmt::format(", the first {} of {} targets", kMostPanels, record.targets.size());
+  if (record.targets.size() > kMaxPanels) {
+    more = fmt::format(", the first {} of {} targets", kMaxPanels, record.targets.size());
   }
   return cut(record.name + more + ": " + facts_of(record), 110);
 }
@@ -195,7 +195,7 @@ Figure population_figure(std::span<const SceneFitRecord> records) {
   Figure figure;
   figure.title = counted(records.size(), "fit");
   for (const PopulationParameter& parameter : population.parameters) {
-    if (parameter.n == 0 || figure.panels.size() == kMostPanels) continue;
+    if (parameter.n == 0 || figure.panels.size() == kMaxPanels) continue;
     const DisplayUnit unit = display_unit_of(parameter.path, parameter.dimension, parameter.mean);
     FigurePanel panel;
     panel.title = label(short_name(parameter.path), unit);

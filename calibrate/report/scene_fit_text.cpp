@@ -29,7 +29,7 @@ std::string scene_entry(std::string_view label, std::string_view text) {
 
 /// The costs in rising order, equal ones once: "best cost 7.10 in 2 of 3 searches, then 7.40".
 std::string waterfall(const SceneFitResult& result) {
-  constexpr std::size_t kMost = 5;
+  constexpr std::size_t kMax = 5;
   const std::vector<double> costs = sorted_costs(result);
   const std::size_t searches = result.starts.size();
   if (costs.empty()) return fmt::format("{}, none with a curve", counted(searches, "start"));
@@ -37,10 +37,10 @@ std::string waterfall(const SceneFitResult& result) {
   std::string text = searches == 1 ? fmt::format("cost {}", significant(costs.front(), 4))
                                    : fmt::format("best cost {} from {} of {} starts",
                                                  significant(costs.front(), 4), best, searches);
-  for (std::size_t i = best; i < costs.size() && i < best + kMost; ++i) {
+  for (std::size_t i = best; i < costs.size() && i < best + kMax; ++i) {
     text += fmt::format("{} {}", i == best ? ", then" : ",", significant(costs[i], 4));
   }
-  if (costs.size() > best + kMost) text += ", …";
+  if (costs.size() > best + kMax) text += ", …";
   if (costs.size() < searches) text += fmt::format("; {} without a curve", searches - costs.size());
   return text + fmt::format(" ({})", name_of(result.outcome));
 }

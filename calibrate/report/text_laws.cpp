@@ -23,7 +23,7 @@ using plastica::report::Table;
 using Align = Table::Align;
 
 /// Targets that have a table of their own at most.
-constexpr std::size_t kMostTables = 4;
+constexpr std::size_t kMaxTables = 4;
 
 std::string law_entry(std::string_view label, std::string_view text) {
   return wrapped(fmt::format("  {:<10}", label), text, kWidth);
@@ -289,7 +289,7 @@ std::string report_of(std::span<const Record> records, const ReportOptions& opti
   const Ink ink(options.color);
   const std::vector<Records<Record>> targets = by_target(records);
   std::string text;
-  if (targets.size() <= kMostTables) {
+  if (targets.size() <= kMaxTables) {
     for (const Records<Record>& target : targets) {
       text += (text.empty() ? "" : "\n") + target_text(target, ink);
     }

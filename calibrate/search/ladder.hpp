@@ -27,7 +27,7 @@ struct SearchedParameter {
 
 /// Where the search of a law begins besides its start: where a simpler law that it contains ended,
 /// once with its own parameters at their starts, once where these have the least effect
-/// (`least_effect`), so that it ends no worse.
+/// (`min_effect_value`), so that it ends no worse.
 /// @param found  what the simpler law's fit found of a path [SI]; empty for what it does not have
 std::vector<StartPoint> starts_from_simpler(
     std::span<const SearchedParameter> parameters,

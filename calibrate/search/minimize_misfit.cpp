@@ -210,7 +210,7 @@ class Search {
     if (!std::isfinite(misfit_.squares(x, gradient, normal))) return curvature;
     for (std::size_t i = 0; i < n; ++i) {
       const double c = 2.0 * normal[i * n + i];
-      if (std::isfinite(c) && c > kLeastCurvature) curvature[i] = c;
+      if (std::isfinite(c) && c > kMinCurvature) curvature[i] = c;
     }
     return curvature;
   }

@@ -17,7 +17,7 @@ namespace plastica::calibrate {
 namespace {
 
 /// Of the fits that set a target's noise by what is left of it.
-constexpr int kMostRounds = 4;
+constexpr int kMaxRounds = 4;
 constexpr double kSameNoise = 0.05;
 /// Gauss-Newton steps that a search may take before the best are chosen, and how many of these go
 /// on to the end: see tests/studies/README.md.
@@ -282,10 +282,10 @@ double SceneSearch::rescale(std::vector<TargetNoise> noise) {
   for (std::size_t t = 0; t < noise.size(); ++t) {
     const double before = problem_.scale(t);
     // No scene is solved better than this, which keeps an exact curve from all the weight.
-    constexpr double kLeast = 1e-9;
+    constexpr double kMin = 1e-9;
     double& deviation = noise[t].deviation;
     if (!problem_.targets()[t].target.noise) {
-      deviation = std::max(deviation, kLeast * size_of(problem_.targets()[t]));
+      deviation = std::max(deviation, kMin * size_of(problem_.targets()[t]));
     }
     const double factor = before / deviation;
     if (factor == 1.0) continue;
@@ -310,7 +310,7 @@ void SceneSearch::settle_noise() {
         rescale(noise_of_targets(problem_, costs(), degrees_left_, problem_.noise()));
     const bool alone =
         problem_.targets().size() == 1 && problem_.squares().residuals == problem_.samples();
-    if (knows_noise_ || alone || change < kSameNoise || round == kMostRounds) return;
+    if (knows_noise_ || alone || change < kSameNoise || round == kMaxRounds) return;
     const std::string stage = "weights " + std::to_string(round);
     LeastSquares again = search_from(stage, {best_.x}, options_.evaluations).front().found;
     if (again.outcome != LeastSquaresOutcome::NoStart) best_ = std::move(again);

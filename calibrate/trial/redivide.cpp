@@ -11,17 +11,17 @@
 namespace plastica::calibrate {
 namespace {
 
-constexpr int kFewest = 4;
+constexpr int kMinSegments = 4;
 
 /// Of segments whose end ones are half as long there are as many whole ones as joints.
 int divided(const Scene& scene, Division division) {
   const int more = scene.end_rule == EndRule::Half ? 1 : 0;
   const int whole = scene.beam.segments - more;
   if (division == Division::Twice) return 2 * whole + more;
-  if (whole < kFewest || whole % 2 != 0) {
-    throw InputError(
-        {}, "beam.segments", std::to_string(scene.beam.segments),
-        "cannot be halved: it is " + std::string(whole < kFewest ? "too small" : "no even number"));
+  if (whole < kMinSegments || whole % 2 != 0) {
+    throw InputError({}, "beam.segments", std::to_string(scene.beam.segments),
+                     "cannot be halved: it is " +
+                         std::string(whole < kMinSegments ? "too small" : "no even number"));
   }
   return whole / 2 + more;
 }

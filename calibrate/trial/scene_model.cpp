@@ -127,7 +127,7 @@ SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
   }
   model_ = prepare(scene, setup_.solver, paths);
   if (model_.chain) limited_ = regions_of_the_limit(limited, model_.level);
-  if (target.kind == Abscissa::Probe) longer_setup_ = gone_on(setup_, kMostTimes);
+  if (target.kind == Abscissa::Probe) longer_setup_ = gone_on(setup_, kMaxTimes);
   if (longer_setup_) longer_ = prepare(longer_setup_->scene, longer_setup_->solver, paths);
 }
 
@@ -189,7 +189,7 @@ void SceneModel::go_on(std::span<const double> values, const BatchOptions& how,
     SceneCurve& curve = curves[early[k]];
     longer[k].segment_iterations += curve.segment_iterations;
     if (!longer[k].usable) {
-      longer[k].reason += fmt::format(" (its ramps going on to {} times their ends)", kMostTimes);
+      longer[k].reason += fmt::format(" (its ramps going on to {} times their ends)", kMaxTimes);
     }
     curve = std::move(longer[k]);
   }

@@ -18,7 +18,7 @@ std::size_t probe_index(const Scene& scene, const std::string& name, std::string
                         const SourceLocation& where = {});
 
 /// A scene whose path ends before the measured abscissa does goes on to so many times its end.
-inline constexpr int kMostTimes = 4;
+inline constexpr int kMaxTimes = 4;
 
 /// Largest permanent strains of a joint that takes the fitted limit, in the scene's break measure
 /// [1]; NaN where the path does not get there.
@@ -35,7 +35,7 @@ struct SceneCurve {
   std::string reason;       ///< else why not
   bool turns = false;       ///< whether that is because the abscissa's probe turns round on the way
   bool ends_early = false;  ///< … or because the scene's path ends before the measured one
-  bool went_on = false;     ///< whether it is of a path beyond the scene's end (`kMostTimes`)
+  bool went_on = false;     ///< whether it is of a path beyond the scene's end (`kMaxTimes`)
   std::vector<double> ordinate;  ///< at the measured abscissa and by the target's factor [SI] (n)
   StrainAtBreak strain;
   /// Work, in a measure that no machine changes: segments x Newton iterations.

@@ -231,7 +231,7 @@ std::vector<ClaimVerdict> run_check(const CheckFile& file, const CheckOptions& o
     stability::StabilityOptions how = *claim.walk;
     how.threads = options.threads;
     how.stop = options.stop;
-    how.most_seconds = std::numeric_limits<double>::infinity();  // no verdict hangs on the machine
+    how.max_seconds = std::numeric_limits<double>::infinity();  // no verdict hangs on the machine
     const auto rows = stability::run_stability(how);
     if (is_raised(options.stop)) return {};
     verdicts.push_back(judge(claim, rows));

@@ -174,9 +174,9 @@ void check_groups(const std::vector<TomlTable>& tables, const std::vector<Axis>&
     }
     const bool turns = axes[a].group.empty() || seen.insert(axes[a].group).second;
     if (turns) cases *= axes[a].values.size();
-    if (cases > kMostCases) {
+    if (cases > kMaxCases) {
       throw InputError(table.where(), "axis", "",
-                       "makes more than " + std::to_string(kMostCases) + " cases");
+                       "makes more than " + std::to_string(kMaxCases) + " cases");
     }
   }
 }

@@ -19,9 +19,9 @@ using theory::ChainConvention;
 /// Tip deflection over L of the elastica under alpha = P L^2/(E I). Beyond 1e4 all but a boundary
 /// layer of sqrt(E I/P) hangs straight down.
 double elastica_tip(double alpha) {
-  constexpr double kMost = 1e4;
-  if (alpha <= kMost) return theory::elastica_tip_force(alpha).deflection;
-  return 1.0 - (1.0 - theory::elastica_tip_force(kMost).deflection) * std::sqrt(kMost / alpha);
+  constexpr double kMax = 1e4;
+  if (alpha <= kMax) return theory::elastica_tip_force(alpha).deflection;
+  return 1.0 - (1.0 - theory::elastica_tip_force(kMax).deflection) * std::sqrt(kMax / alpha);
 }
 
 /// Adds what is known of the tip under a force across it: of the chain where deflections are small,

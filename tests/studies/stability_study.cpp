@@ -32,7 +32,7 @@ TEST(Stability, IsNowhereWrongWithoutSayingSo) {
   if (!full) {
     options.sample = 100;
     options.max_segment_steps = 2e4;
-    options.least_segment_steps = 5e4;
+    options.min_segment_steps = 5e4;
   }
   options.progress = [](const StabilityRow& row, std::size_t finished, std::size_t all) {
     if (finished % 500 == 0) std::fprintf(stderr, "%zu of %zu points\n", finished, all);
