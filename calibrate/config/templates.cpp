@@ -28,7 +28,7 @@ objective = "strain-path"         # or "least-squares", with noise = "1 MPa"
 # seed         = 1                # of the global stage
 # confidence   = "95 %"           # of the intervals
 # profile      = true             # likelihood intervals, asymmetric, beside the usual ones
-# bootstrap    = 400              # and those of residuals drawn anew, so many times
+# bootstrap    = 400              # and those of resampled residuals, so many times
 
 [fit.parameters]                  # `plastica fields` lists the names that may stand here
 youngs_modulus = {}               # free, bounds from the curve; or { value = "200 GPa", fixed = true }

@@ -25,12 +25,12 @@ Draws::Draws(std::uint64_t seed, std::uint64_t index)
 
 std::uint64_t Draws::bits() { return mixed(state_ += kGolden); }
 
-double Draws::even() { return (static_cast<double>(bits() >> 12) + 0.5) * 0x1p-52; }
+double Draws::uniform() { return (static_cast<double>(bits() >> 12) + 0.5) * 0x1p-52; }
 
-double Draws::normal() { return theory::normal_quantile(even()); }
+double Draws::normal() { return theory::normal_quantile(uniform()); }
 
 std::size_t Draws::below(std::size_t count) {
-  const auto drawn = static_cast<std::size_t>(even() * static_cast<double>(count));
+  const auto drawn = static_cast<std::size_t>(uniform() * static_cast<double>(count));
   return std::min(drawn, count - 1);
 }
 

@@ -58,7 +58,7 @@ double strain_at_break(const SceneCurve& curve, double place);
 /// sampling's fraction in them (theory::half_interval).
 std::vector<LikelihoodProfile> profile_scenes(const FittedScenes& fitted, SceneWork& work);
 
-/// Intervals from searches of residuals drawn anew, from the fitted parameters on.
+/// Intervals from searches of resampled residuals, from the fitted parameters on.
 ///
 /// Each target's own residuals are drawn, so that each keeps its noise, of which one that has too
 /// few (TargetNoise::pooled) is drawn as normal; a prior's mean is drawn from the normal
@@ -66,7 +66,7 @@ std::vector<LikelihoodProfile> profile_scenes(const FittedScenes& fitted, SceneW
 /// Scales and the fractions of several breaks stay as they were fitted.
 BootstrapResult bootstrap_residuals(const FittedScenes& fitted, SceneWork& work);
 
-/// The same of targets drawn anew: a target counts as often as it is drawn. Of each kind of test
+/// The same of resampled targets: a target counts as often as it is drawn. Of each kind of test
 /// (are_of_one_kind) as many are drawn as there are, so that no resample is without one.
 BootstrapResult bootstrap_specimens(const FittedScenes& fitted, SceneWork& work);
 

@@ -122,7 +122,7 @@ BootstrapResult bootstrap_residuals(const FittedScenes& fitted, SceneWork& work)
                                 inflation, block, draws);
       }
       resample.shift.insert(resample.shift.end(), drawn.begin(), drawn.end());
-      resample.place.push_back(draws.even());
+      resample.place.push_back(draws.uniform());
     }
     const std::size_t breaks = problem.known_breaks().size();
     while (resample.shift.size() < residual.size() - breaks) {
@@ -130,7 +130,7 @@ BootstrapResult bootstrap_residuals(const FittedScenes& fitted, SceneWork& work)
     }
     // A break is anywhere in its interval.
     while (resample.shift.size() < residual.size()) {
-      resample.shift.push_back(std::sqrt(3.0) * (2.0 * draws.even() - 1.0));
+      resample.shift.push_back(std::sqrt(3.0) * (2.0 * draws.uniform() - 1.0));
     }
     // A drawn target is the fitted curve and what was drawn.
     for (std::size_t i = 0; i < residual.size(); ++i) resample.shift[i] -= residual[i];

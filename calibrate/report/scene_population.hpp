@@ -44,7 +44,7 @@ inline constexpr int kPopulationResamples = 1000;
 /// of the noise (method of moments).
 ///
 /// Their intervals are percentiles over resamples of the fits, each with the errors that it has:
-/// all fits are drawn anew with replacement, and mean, variance and covariance taken from those
+/// all fits are resampled with replacement, and mean, variance and covariance taken from those
 /// drawn (seeded; the same bits each time). Of few specimens those of a scatter are too narrow: of
 /// 20 by an eighth.
 struct ScenePopulation {

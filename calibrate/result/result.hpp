@@ -35,7 +35,7 @@ struct OptimizerStage {
 
 /// Every cost evaluation in order, for the file.
 struct Trace {
-  /// The parameters that the fit moved, as indices into those of the fit: the free ones that
+  /// The parameters that were free, as indices into those of the fit: of the free ones those that
   /// the target can say something of, in rising order (n).
   std::vector<std::uint32_t> active;
   std::vector<double> values;  ///< (n_evaluations x n), SI, row by row

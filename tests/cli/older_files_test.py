@@ -37,7 +37,7 @@ def copy_of(folder):
 FORMER = {"kinematic_fraction": "kinematic_share", "misfit_fraction": "misfit_share",
           "segment_fractions": "segment_shares", "targets": "parts",
           "runs_test_p": "runs_probability", "last_intact_strain": "last_whole_strain",
-          "last_intact_stress": "last_whole_stress"}
+          "last_intact_stress": "last_whole_stress", "free": "moved"}
 
 
 def rename_to_former(file):
@@ -89,7 +89,7 @@ class OlderFiles(unittest.TestCase):
         for version, command, found in (
                 (4, ("calibrate", str(DATA / "fits/demo.toml"), "--quiet"),
                  {"kinematic_fraction", "misfit_fraction", "runs_test_p", "last_intact_strain",
-                  "last_intact_stress"}),
+                  "last_intact_stress", "free"}),
                 (4, ("calibrate", str(DATA / "fits/bend_test.toml"), "--quiet"),
                  {"misfit_fraction", "runs_test_p", "targets"}),
                 (2, ("simulate", cyclic, "--quiet"),

@@ -20,7 +20,7 @@ COMMAND, PAGE = sys.argv[1:3]
 
 COLUMNS = {
     "fits": "name status reason file test measure loading target_status target_reason samples seed "
-            "cost misfit_rms misfit_fraction misfit_word break_strain_total moved_parameters",
+            "cost misfit_rms misfit_fraction misfit_word break_strain_total free_parameters",
     "characteristics": "youngs_modulus youngs_modulus_standard_error modulus_window_low "
                        "modulus_window_high modulus_method proof_offset rp02 reh rel rm "
                        "strain_at_rm break_strain break_strain_plastic largest_strain broke "

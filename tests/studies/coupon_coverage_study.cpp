@@ -29,7 +29,7 @@ constexpr double kYoung = 200e9, kYield = 300e6, kBreak = 0.018;
 Target broken_bar(std::size_t samples, double noise, std::uint64_t seed) {
   Draws draws(seed, 0);
   const double breaks_at = kBreak + kYield / kYoung;
-  const double step = breaks_at / (static_cast<double>(samples) - 1.0 + draws.even());
+  const double step = breaks_at / (static_cast<double>(samples) - 1.0 + draws.uniform());
   std::vector<double> strain(samples), stress(samples);
   for (std::size_t i = 0; i < samples; ++i) {
     strain[i] = step * static_cast<double>(i);

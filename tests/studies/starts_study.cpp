@@ -28,7 +28,7 @@ using calibrate::SceneFitResult;
 /// A cost within this fraction of the least that is known is the best.
 constexpr double kSame = 1e-6;
 
-/// Starts that are even in the logarithm of each parameter.
+/// Starts that are uniform in the logarithm of each parameter.
 std::vector<Parameter> far_off(std::vector<Parameter> parameters, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   for (Parameter& p : parameters) {

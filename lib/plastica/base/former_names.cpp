@@ -28,6 +28,7 @@ constexpr std::array kColumns{
     Renamed{"segment_shares", "segment_fractions"},
     Renamed{"misfit_share", "misfit_fraction"},
     Renamed{"parts", "targets"},
+    Renamed{"moved", "free"},
     Renamed{"runs_probability", "runs_test_p"},
     Renamed{"last_whole_strain", "last_intact_strain"},
     Renamed{"last_whole_stress", "last_intact_stress"},

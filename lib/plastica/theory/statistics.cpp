@@ -145,7 +145,7 @@ class StudentT {
   double log_front_ = 0.0;
 };
 
-/// The half interval of one even error beside t, nu > 1. The probability of a value beyond q is
+/// The half interval of one uniform error beside t, nu > 1. The probability of a value beyond q is
 /// s (B((q - h)/s) - B((q + h)/s))/2h with B as `beyond`: convex in q, so that Newton's steps come
 /// to the root from one side.
 /// @param alone  that of t by itself

@@ -25,8 +25,8 @@ double student_t_cdf(double t, double degrees_of_freedom);
 double student_t_quantile(double probability, double degrees_of_freedom);
 
 /// The q within which (|x| <= q) an error x = scale t + sum h_k u_k lies with the given confidence:
-/// t a Student t variable, u_k even within -1 … 1, all independent. So is a measured value of which
-/// noise is one part and the distance between samples the other. With one h and more than one
+/// t a Student t variable, u_k uniform within -1 … 1, all independent. So is a measured value of
+/// which noise is one part and the distance between samples the other. With one h and more than one
 /// degree of freedom to 1e-9, by the integral of the distribution function; else to 5e-4 of q + sum
 /// h_k, by its averages over 2 h_k on a grid, one after the other.
 /// @param confidence          within (0, 1)

@@ -324,7 +324,7 @@ TEST(Uncertainty, BreakStrainCarriesItsSamplingInterval) {
   const FittedParameter& blurred = noisy.parameter("break_strain");
   EXPECT_NEAR(blurred.standard_error, std::sqrt(variance + sampling), tolerance(1e-12));
   EXPECT_NEAR(blurred.noise_error, std::sqrt(variance), tolerance(1e-12));
-  // The error is s t + h u, t Student's with 79 degrees of freedom and u even within -1 … 1: the
+  // The error is s t + h u, t Student's with 79 degrees of freedom and u uniform within -1 … 1: the
   // probability of less than q is the mean of Student's over (q - h)/s … (q + h)/s.
   const double s = std::sqrt(variance);
   const double q = blurred.interval_high - blurred.value;
