@@ -219,7 +219,7 @@ class BeamReader {
       alone[axis] = angle;
       return body_.watch.lone_strain(alone, node);
     };
-    // Strains are linear in the angle, but for the report's sine, which goes no further than pi.
+    // Strains are linear in the angle, but for Wendelius' sine, which goes no further than pi.
     const double straight = limit / strain(1.0);
     if (std::fabs(strain(straight) - limit) < 1e-12 * limit) return straight;
     double low = 0.0;

@@ -35,8 +35,8 @@ struct OptimizerStage {
 
 /// Every cost evaluation in order, for the file.
 struct Trace {
-  /// The parameters that were free, as indices into those of the fit: of the free ones those that
-  /// the target can say something of, in rising order (n).
+  /// The free parameters that the target depends on, as indices into those of the fit, in rising
+  /// order (n).
   std::vector<std::uint32_t> active;
   std::vector<double> values;  ///< (n_evaluations x n), SI, row by row
   std::vector<double> costs;   ///< (n_evaluations) [Pa^2]

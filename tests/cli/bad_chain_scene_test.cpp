@@ -203,24 +203,25 @@ INSTANTIATE_TEST_SUITE_P(
                      "conservative, fibre"),
         change_chain(
             "ReportWithInteraction", "yield_model = 'interaction'", "formulas = 'report'",
-            "6: rules.yield_model: must be per_axis (or elastic) with the report's formulas, "
+            "6: rules.yield_model: must be per_axis (or elastic) with Wendelius' formulas, "
             "which clip each moment on its own"),
         change_chain("TubeThatDoesNotFit", "shape = 'rectangle'", "shape = 'rectangular_tube'",
                      "4: section.inner_width = 0.08: must be below section.width = 0.02"),
-        change_chain("ReportWithHalfJoints", "yield_model = 'interaction'",
-                     "yield_model = 'per_axis'\nformulas = 'report'\nend_rule = 'half_joint'",
-                     "9: rules.end_rule = half_joint: the report welds its ends: equal, half or "
-                     "three_halves"),
+        change_chain(
+            "ReportWithHalfJoints", "yield_model = 'interaction'",
+            "yield_model = 'per_axis'\nformulas = 'report'\nend_rule = 'half_joint'",
+            "9: rules.end_rule = half_joint: Wendelius' report welds its ends: equal, half or "
+            "three_halves"),
         change_chain(
             "ReportWithHingeLength", "yield_model = 'interaction'",
             "yield_model = 'per_axis'\nformulas = 'report'\nhinge_length = '20 mm'",
-            "9: rules.hinge_length = 0.02: must be 0 or unset with the report's formulas, whose "
+            "9: rules.hinge_length = 0.02: must be 0 or unset with Wendelius' formulas, whose "
             "strain is over a joint's own length"),
         change_chain(
             "ReportWithHardening", "'interaction'\n",
             "'per_axis'\nformulas = 'report'\n"
             "[[region]]\nfrom = 0.5\nto = 'end'\nmaterial.hardening.law = 'linear'\n",
-            "5: material.hardening.law: must be ideal with the report's formulas, which have no "
+            "5: material.hardening.law: must be ideal with Wendelius' formulas, which have no "
             "hardening"),
         change_chain(
             "FibresWithACap", "'interaction'", "'fibre'\nyield_cap = 'fully_plastic'",

@@ -15,13 +15,12 @@ InputError refusal(std::string_view field, std::string_view value, std::string_v
   return {{}, field, value, rule};
 }
 
-/// What a chain by the report's formulas cannot have.
+/// What a chain by Wendelius' formulas cannot have.
 void check_report_rules(const Scene& scene) {
   if (scene.yield_model != YieldModel::PerAxis && scene.yield_model != YieldModel::Elastic) {
-    throw refusal(
-        "rules.yield_model", "",
-        "must be per_axis (or elastic) with the report's formulas, which clip each moment "
-        "on its own");
+    throw refusal("rules.yield_model", "",
+                  "must be per_axis (or elastic) with Wendelius' formulas, which clip each moment "
+                  "on its own");
   }
   bool ideal = scene.material.hardening.law == HardeningLaw::Ideal;
   for (const Region& region : scene.regions) {
@@ -29,15 +28,15 @@ void check_report_rules(const Scene& scene) {
   }
   if (!ideal) {
     throw refusal("material.hardening.law", "",
-                  "must be ideal with the report's formulas, which have no hardening");
+                  "must be ideal with Wendelius' formulas, which have no hardening");
   }
   if (scene.end_rule == EndRule::HalfJoint) {
     throw refusal("rules.end_rule", "half_joint",
-                  "the report welds its ends: equal, half or three_halves");
+                  "Wendelius' report welds its ends: equal, half or three_halves");
   }
   if (scene.hinge_length.value_or(0.0) != 0.0) {
     throw refusal("rules.hinge_length", number_text(*scene.hinge_length),
-                  "must be 0 or unset with the report's formulas, whose strain is over a joint's "
+                  "must be 0 or unset with Wendelius' formulas, whose strain is over a joint's "
                   "own length");
   }
 }

@@ -42,7 +42,7 @@ Spreading spreading_of(const Scene& scene);
 ///   gathers in the hinge: Theta = theta_n L_p/l + (theta_p - theta_n), theta_n the larger of the
 ///   neighbours' curvatures times l, at most theta_p. So uniform moment (theta_n = theta_p) and a
 ///   lone hinge (theta_n = 0) both come out as in a fine chain.
-/// L_p = 0: theta_p over the joint's own length, as in the report.
+/// L_p = 0: theta_p over the joint's own length, as in Wendelius' report.
 class BreakWatch {
  public:
   BreakWatch() = default;
@@ -65,7 +65,7 @@ class BreakWatch {
   void set_strains(const std::vector<JointAngles>& angles, std::vector<double>& strain);
 
   /// Strains of one joint: bending about x, about y, torsion, with the signs of the rotations that
-  /// its hinge takes; and of bending about both, in the report's formulas the larger of the two
+  /// its hinge takes; and of bending about both, in Wendelius' formulas the larger of the two
   /// [1].
   std::array<double, 4> strains_at(const std::vector<JointAngles>& angles, std::size_t joint);
 

@@ -278,7 +278,7 @@ TEST(SceneFileErrors, AChoiceThatIsNoneIsRefused) {
 
 TEST(SceneFileErrors, FieldsThatContradictEachOtherAreRefused) {
   EXPECT_EQ(scene_error("[rules]\nformulas = 'report'\nyield_cap = 'fully_plastic'\n" + kDrive),
-            "s.toml:3: rules.yield_cap = fully_plastic: the report's caps are at first yield");
+            "s.toml:3: rules.yield_cap = fully_plastic: Wendelius' caps are at first yield");
 }
 
 TEST(SceneFileErrors, AnUnknownKeyIsRefusedWithTheNearestField) {

@@ -170,25 +170,27 @@ TEST(CheckRules, RefuseWhatTheReportDoesNotHave) {
   for (const YieldModel model :
        {YieldModel::Interaction, YieldModel::Conservative, YieldModel::Fibre}) {
     EXPECT_EQ(report([&](Scene& s) { s.yield_model = model; }),
-              "rules.yield_model: must be per_axis (or elastic) with the report's formulas, which "
+              "rules.yield_model: must be per_axis (or elastic) with Wendelius' formulas, which "
               "clip each moment on its own");
   }
   EXPECT_EQ(report([](Scene& s) { s.material.hardening.law = HardeningLaw::Linear; }),
-            "material.hardening.law: must be ideal with the report's formulas, which have no "
+            "material.hardening.law: must be ideal with Wendelius' formulas, which have no "
             "hardening");
-  EXPECT_EQ(report([](Scene& s) { s.end_rule = EndRule::HalfJoint; }),
-            "rules.end_rule = half_joint: the report welds its ends: equal, half or three_halves");
+  EXPECT_EQ(
+      report([](Scene& s) { s.end_rule = EndRule::HalfJoint; }),
+      "rules.end_rule = half_joint: Wendelius' report welds its ends: equal, half or three_halves");
   EXPECT_EQ(report([](Scene& s) { s.hinge_length = 0.05; }),
-            "rules.hinge_length = 0.05: must be 0 or unset with the report's formulas, whose "
+            "rules.hinge_length = 0.05: must be 0 or unset with Wendelius' formulas, whose "
             "strain is over a joint's own length");
   EXPECT_EQ(report([](Scene& s) {
               s.regions.push_back({Place::start(), Place::end(), s.section, s.material});
               s.regions[0].section.shape = SectionShape::RoundTube;
             }),
-            "rules.formulas = report: the report has formulas for rectangles and circles, none for "
+            "rules.formulas = report: Wendelius' report has formulas for rectangles and circles, "
+            "none for "
             "round_tube");
   EXPECT_EQ(report([](Scene& s) { s.yield_cap = YieldCap::FullyPlastic; }),
-            "rules.yield_cap = fully_plastic: the report's caps are at first yield");
+            "rules.yield_cap = fully_plastic: Wendelius' caps are at first yield");
   EXPECT_EQ(report([](Scene& s) { s.beam.segments = 1; }),
             "beam.segments = 1: must be at least 2 where ends are welded: there is no joint");
 }

@@ -6,7 +6,7 @@
 #include "tests/support/chain_scene.hpp"
 #include "tests/support/tolerance.hpp"
 
-// The report's proposals 4 and 5: bending about both axes, and bending with torsion, by the load
+// Wendelius' proposals 4 and 5: bending about both axes, and bending with torsion, by the load
 // factor at which the clamp of a cantilever yields. Loads are such that each alone would bring it
 // to first yield at the factor 1.
 

@@ -11,7 +11,7 @@
 #include "tests/support/chain_scene.hpp"
 #include "tests/support/tolerance.hpp"
 
-/// The report's figures and validation proposals, by running the files of data/scenes.
+/// Wendelius' figures and validation proposals, by running the files of data/scenes.
 namespace plastica {
 namespace {
 
@@ -167,7 +167,7 @@ TEST(ReportScenes, Proposal3HasTheSlopeOfHooke) {
   EXPECT_NEAR(stress.back() / strain.back() / 210e9, 1.0, tolerance(1e-14));
 }
 
-/// The factor at which a path ends for want of equilibrium; of the report's joints, that of the
+/// The factor at which a path ends for want of equilibrium; of Wendelius' joints, that of the
 /// whole load.
 void expect_limit(const std::string& file, double factor) {
   SCOPED_TRACE(file);
@@ -176,7 +176,7 @@ void expect_limit(const std::string& file, double factor) {
   ASSERT_EQ(response.status, Status::LimitLoad) << name_of(response.status);
   EXPECT_NEAR(response.limit->below, factor, tolerance(0.003 * factor));
   EXPECT_NEAR(response.limit->above, factor, tolerance(0.003 * factor));
-  // Clipped axis by axis it would carry more: the report's proposal asks whether it does.
+  // Clipped axis by axis it would carry more: Wendelius' proposal asks whether it does.
   setup.scene.yield_model = YieldModel::PerAxis;
   const Response clipped = simulate(setup.scene, setup.solver);
   const double reached = clipped.limit ? clipped.limit->below : 1.0;
