@@ -177,11 +177,11 @@ class SceneFit {
         noise.pooled ? noise.deviation : target.noise.value_or(search_.noise_left(index));
     of_target.degrees_of_freedom = noise.degrees_of_freedom;
     if (noise.pooled) {
-      result_.warnings.push_back(
-          fmt::format("{}: its {} samples leave {:.2g} degrees of freedom to its noise, too few to "
-                      "weigh it by: it is given the fraction of the largest value that all targets "
-                      "have, {:.3g} (SI); state it (noise) if it is known",
-                      target.name, of_target.samples, noise.degrees_left, of_target.noise));
+      result_.warnings.push_back(fmt::format(
+          "{}: its {} samples leave {:.2g} degrees of freedom, too few to estimate its "
+          "noise: it has the pooled noise of all targets, {:.3g} (SI); state it (noise) "
+          "if it is known",
+          target.name, of_target.samples, noise.degrees_left, of_target.noise));
     }
     const double largest = largest_size(target.ordinate);
     const double rms = std::sqrt(of_target.cost / static_cast<double>(of_target.samples));

@@ -68,8 +68,8 @@ struct TargetFit {
   Level level = Level::Auto;
   std::size_t samples = 0;
   double cost = 0.0;  ///< sum of the squared residuals [SI^2]
-  /// Standard deviation of the ordinate that errors stand on, and that targets are weighted by: the
-  /// target's, else by its residuals (target_noise.hpp) [SI].
+  /// Standard deviation of the ordinate [SI]: errors are based on it and targets weighted by it. As
+  /// the target states it, else estimated from residuals (target_noise.hpp).
   double noise = 0.0;
   double degrees_of_freedom = 0.0;  ///< of this; infinite where the target states it
   double misfit_fraction = 0.0;     ///< rms residual over the largest measured ordinate [1]
@@ -120,11 +120,11 @@ struct SceneFitResult {
 
 /// Fits fields of one or several scenes to measured curves, by least squares of the ordinates.
 ///
-/// Targets are weighted by their noise: sum over targets of weight/noise^2 sum r_i^2. Where a
-/// target states none, each target's ordinate range stands for it at first; then the targets'
-/// residuals say it, each with the degrees of freedom that the fit leaves to the target, and the
-/// fit is repeated, four times at most, until it changes by less than 5 %. A target with fewer than
-/// five of these has the noise that all targets have in common, as a fraction of the largest
+/// Targets are weighted by their noise: sum over targets of weight/noise^2 sum r_i^2. If a target
+/// states none, the largest ordinate stands for it at first. Then the noise is estimated from the
+/// residuals, with the degrees of freedom that the fit leaves to the target, and the fit is
+/// repeated, four times at most, until the noise changes by less than 5 %. A target with fewer than
+/// five degrees of freedom has the pooled noise of all targets, as a fraction of the largest
 /// ordinate.
 ///
 /// Errors are those of Gauss and Newton: C = A^-1 B A^-1 with A = J^T W J, B = J^T W^2 J, J the

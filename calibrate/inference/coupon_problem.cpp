@@ -119,7 +119,7 @@ std::optional<CouponProblem::Moments> CouponProblem::moments(
   all.along.assign(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     if (!uncertainty_.identified[searched_[i]]) {
-      // What the curve does not determine says nothing of what does not depend on it.
+      // A parameter that is not identifiable does not matter to what does not depend on it.
       if (gradient[i] != 0.0) return std::nullopt;
       continue;
     }

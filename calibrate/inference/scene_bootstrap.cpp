@@ -112,7 +112,7 @@ BootstrapResult bootstrap_residuals(const FittedScenes& fitted, SceneWork& work)
       const TargetNoise& noise = problem.noise()[t];
       std::vector<double> drawn;
       if (noise.is_from_elsewhere()) {
-        // Its own residuals say nothing of its noise.
+        // Its own residuals are too few to estimate its noise.
         const double deviation = std::sqrt(problem.targets()[t].weight);
         for (std::size_t i = 0; i < samples; ++i) drawn.push_back(deviation * draws.normal());
       } else {

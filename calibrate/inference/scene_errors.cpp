@@ -29,7 +29,7 @@ void drop_unidentifiable(const MatrixXd& normal, std::vector<Index>& kept) {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(size.asDiagonal() * a * size.asDiagonal());
     if (solver.eigenvalues()[0] > kNotIdentifiable) return;
     const VectorXd unidentifiable = solver.eigenvectors().col(0).cwiseAbs();
-    // All that take part: what is left says nothing of any of them.
+    // All coordinates that take part in the direction go: none of them is identifiable.
     std::vector<Index> left;
     for (Index i = 0; i < unidentifiable.size(); ++i) {
       if (unidentifiable[i] < 0.1) left.push_back(kept[static_cast<std::size_t>(i)]);
@@ -239,7 +239,7 @@ BreakLimit SceneErrors::break_limit(const Parameter& p) {
   }
   mean.slope = VectorXd::Zero(static_cast<Index>(x_.size()));
   for (std::size_t k = 0; k < limits.size(); ++k) {
-    // Without noise, or where it says nothing, all count alike.
+    // Without noise, or where it is not known, all count alike.
     const double fraction =
         std::isfinite(total) ? certainty[k] / total : 1.0 / static_cast<double>(limits.size());
     mean.fractions[broken[k]] = fraction;

@@ -14,7 +14,7 @@ enum class Verdict {
   AtBound,            ///< it would go on beyond its bound
   LimitedBySampling,  ///< a break: where it is between two samples matters more than the noise
   LimitedBySegments,  ///< what the number of segments does to it matters more than the noise
-  FromPrior,          ///< its prior says more of it than the curves
+  FromPrior,          ///< its prior determines it more than the curves
 };
 
 /// "identified", "weak", "not identified", …
