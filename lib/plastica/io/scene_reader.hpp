@@ -187,9 +187,9 @@ class SceneReader {
       if (!holds) refuse_value(root_, path, "", "must be the number of an event");
     }
   }
-  template <class Part, class Walk>
-  void part(std::string_view path, std::optional<Part>& part, const Walk& walk) {
-    if (root_.exists(path)) walk(part.emplace());
+  template <class Value, class Walk>
+  void optional(std::string_view path, std::optional<Value>& value, const Walk& walk) {
+    if (root_.exists(path)) walk(value.emplace());
   }
 
  private:

@@ -151,9 +151,9 @@ class SceneWriter {
     const Shape shape{record.response.probes.size(), record.response.samples};
     root_.write_array<double>("probes/values", values, shape, {{}, kDeflate});
   }
-  template <class Part, class Walk>
-  void part(std::string_view /*path*/, const std::optional<Part>& part, const Walk& walk) {
-    if (part) walk(*part);
+  template <class Value, class Walk>
+  void optional(std::string_view /*path*/, const std::optional<Value>& value, const Walk& walk) {
+    if (value) walk(*value);
   }
 
  private:
