@@ -138,7 +138,7 @@ int calibrate_files(const CalibrateArguments& arguments) {
   const std::size_t fits = targets.size() * std::max<std::size_t>(1, file.options.laws.size());
   ProgressBar bar("fitting", fits, arguments.quiet);
   how.progress = [&bar](const calibrate::BatchProgress& progress) {
-    bar.update(progress.done, progress.failed + progress.rejected, progress.taken);
+    bar.update(progress.done, progress.failed + progress.rejected, progress.resumed);
   };
   calibrate::JournaledBatch batch(targets, file.options, how);
   if (found) {
@@ -200,7 +200,7 @@ void add_interval_options(CLI::App& sub, CalibrateArguments& arguments) {
       ->group(kIntervalGroup);
   const auto add = [&](const char* name, auto& value, int least, const char* text) {
     sub.add_option(name, value, text)
-        ->check(CLI::Range(least, calibrate::kMostResamples))
+        ->check(CLI::Range(least, calibrate::kMaxResamples))
         ->option_text("N")
         ->group(kIntervalGroup);
   };

@@ -54,13 +54,13 @@ void tell_of_journal(const Batch& batch, bool quiet) {
     tell("plastica: dropped {} bytes of an unfinished record from the journal\n",
          batch.dropped_bytes());
   }
-  if (!quiet && batch.taken() > 0) {
-    tell("{} fits taken from the journal\n", batch.taken());
+  if (!quiet && batch.resumed() > 0) {
+    tell("{} fits resumed from the journal\n", batch.resumed());
   }
-  if (!quiet && batch.outdated() > 0) {
+  if (!quiet && batch.stale() > 0) {
     const std::string& other = batch.other_instruction_set();
-    tell("{} fits of the journal are {} and run again\n", batch.outdated(),
-         other.empty() ? "outdated" : "of the instruction set " + other);
+    tell("{} fits of the journal are {} and run again\n", batch.stale(),
+         other.empty() ? "stale" : "of the instruction set " + other);
   }
 }
 

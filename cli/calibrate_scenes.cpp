@@ -43,13 +43,13 @@ void print_dry_run(const SceneFitFile& file, const std::string& output) {
       laws > 1 ? fmt::format(" by {} laws", laws) : "",
       std::accumulate(
           file.cases.begin(), file.cases.end(), std::size_t{0},
-          [](std::size_t sum, const SceneFitCase& one) { return sum + one.parts.size(); }),
+          [](std::size_t sum, const SceneFitCase& one) { return sum + one.targets.size(); }),
       output);
   for (const SceneFitCase& one : file.cases) {
-    for (const calibrate::ScenePart& part : one.parts) {
-      const Model model = prepare(part.setup.scene, part.setup.solver);
-      say("{}: {} samples, {} segments, {}\n", part.target.name, part.target.ordinate.size(),
-          part.setup.scene.beam.segments, model.level_reason);
+    for (const calibrate::WeightedTarget& weighted : one.targets) {
+      const Model model = prepare(weighted.setup.scene, weighted.setup.solver);
+      say("{}: {} samples, {} segments, {}\n", weighted.target.name,
+          weighted.target.ordinate.size(), weighted.setup.scene.beam.segments, model.level_reason);
     }
   }
   say("up to {} points of each search, {} {} a fit", file.options.evaluations, file.options.starts,
@@ -62,10 +62,10 @@ void print_dry_run(const SceneFitFile& file, const std::string& output) {
 /// Tells bad input of any fit before the first one runs.
 void check(const SceneFitFile& file) {
   for (const SceneFitCase& one : file.cases) {
-    if (file.options.laws.empty()) calibrate::check_scenes(one.parts, file.options);
+    if (file.options.laws.empty()) calibrate::check_scenes(one.targets, file.options);
     for (const calibrate::Law law : file.options.laws) {
-      calibrate::check_scenes(calibrate::parts_of(law, one.parts),
-                              calibrate::options_of(law, file.options, one.parts));
+      calibrate::check_scenes(calibrate::targets_of(law, one.targets),
+                              calibrate::options_of(law, file.options, one.targets));
     }
   }
 }
@@ -131,7 +131,7 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   // A lone fit has a line of its own.
   const bool several = file.cases.size() > 1;
   how.progress = [&bar, several](const calibrate::BatchProgress& progress) {
-    if (several) bar.update(progress.done, progress.failed, progress.taken);
+    if (several) bar.update(progress.done, progress.failed, progress.resumed);
   };
   SearchProgress search(arguments.quiet);
   calibrate::JournaledSceneFits batch(
@@ -145,8 +145,8 @@ int calibrate_scenes(const CalibrateArguments& arguments) {
   // Another run may have had the journal until now, and have written the output.
   io::check_output_path(output, arguments.force);
   tell_of_journal(batch, arguments.quiet);
-  if (!arguments.quiet && batch.parts() > 0) {
-    tell("{} finished parts of fits taken from the journal\n", batch.parts());
+  if (!arguments.quiet && batch.stages() > 0) {
+    tell("{} finished stages of fits resumed from the journal\n", batch.stages());
   }
   std::vector<calibrate::SceneFitResult> results = batch.run();
   bar.clear();

@@ -41,9 +41,9 @@ void print_parameters(const Target& target, const FitOptions& options) {
 }
 
 /// "16 segments", or "none with half (why not)".
-std::string repetition(const calibrate::ScenePart& part, calibrate::Division division) {
+std::string repetition(const calibrate::WeightedTarget& weighted, calibrate::Division division) {
   try {
-    return fmt::format("{} segments", calibrate::remeshed(part, division).scene.beam.segments);
+    return fmt::format("{} segments", calibrate::remeshed(weighted, division).scene.beam.segments);
   } catch (const InputError& error) {
     const bool half = division == calibrate::Division::Half;
     return fmt::format("none with {} ({})", half ? "half" : "twice", error.what());
@@ -55,11 +55,11 @@ std::string repetition(const calibrate::ScenePart& part, calibrate::Division div
 void print_repetitions(std::span<const calibrate::SceneFitCase> fits) {
   std::string beams;
   for (const calibrate::SceneFitCase& fit : fits) {
-    for (const calibrate::ScenePart& part : fit.parts) {
-      if (part.setup.scene.is_coupon()) continue;
-      beams += fmt::format("  {}: {} and {}\n", part.target.name,
-                           repetition(part, calibrate::Division::Half),
-                           repetition(part, calibrate::Division::Twice));
+    for (const calibrate::WeightedTarget& weighted : fit.targets) {
+      if (weighted.setup.scene.is_coupon()) continue;
+      beams += fmt::format("  {}: {} and {}\n", weighted.target.name,
+                           repetition(weighted, calibrate::Division::Half),
+                           repetition(weighted, calibrate::Division::Twice));
     }
   }
   if (beams.empty()) return;

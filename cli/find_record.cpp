@@ -13,13 +13,13 @@ namespace {
 template <typename Record, typename NameOf>
 const Record& find(std::span<const Record> records, const NameOf& name_of, std::string_view what,
                    const std::string& wanted, const std::string& file) {
-  constexpr std::size_t kMostNames = 8;
+  constexpr std::size_t kMaxNames = 8;
   std::string names;
   for (std::size_t i = 0; i < records.size(); ++i) {
     if (name_of(records[i]) == wanted) return records[i];
-    if (i < kMostNames) names += (i == 0 ? "" : ", ") + name_of(records[i]);
+    if (i < kMaxNames) names += (i == 0 ? "" : ", ") + name_of(records[i]);
   }
-  if (records.size() > kMostNames) names += fmt::format(", … ({} in all)", records.size());
+  if (records.size() > kMaxNames) names += fmt::format(", … ({} in all)", records.size());
   throw InputError({file, 0}, "--case", wanted,
                    fmt::format("must be a {} of the file: {}", what, names));
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kShown = 3;
 /// Ways to move that nothing resists, of a rigid body.
-constexpr int kMostFree = 6;
+constexpr int kMaxFree = 6;
 /// Frequencies that are the same to three figures.
 constexpr double kSame = 5e-4;
 
@@ -52,7 +52,7 @@ std::string loaded_line(const Setup& setup, const std::vector<double>& unloaded)
 
 std::string frequency_line(const Model& model, const Setup& setup) {
   std::vector<double> frequencies =
-      unloaded_frequencies(model, std::min(chain_freedoms(model), kMostFree + kShown));
+      unloaded_frequencies(model, std::min(chain_freedoms(model), kMaxFree + kShown));
   const auto first = std::find_if(frequencies.begin(), frequencies.end(),
                                   [](double frequency) { return frequency > 0.0; });
   const auto free = static_cast<std::size_t>(first - frequencies.begin());

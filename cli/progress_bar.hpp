@@ -14,15 +14,15 @@ class ProgressBar {
   ProgressBar(std::string what, std::size_t total, bool quiet);
 
   /// Redraws at most ten times a second, and at the end.
-  /// @param taken  of the done: from an earlier run, so that they took no time
-  void update(std::size_t done, std::size_t failed, std::size_t taken = 0);
+  /// @param resumed  of the done: from an earlier run, so that they took no time
+  void update(std::size_t done, std::size_t failed, std::size_t resumed = 0);
 
   /// Wipes the line, so that other output starts at the left margin.
   void clear() { line_.clear(); }
 
   /// The line's text, without the terminal's codes. @param seconds since the start
   static std::string line(const std::string& what, std::size_t done, std::size_t failed,
-                          std::size_t taken, std::size_t total, double seconds);
+                          std::size_t resumed, std::size_t total, double seconds);
 
  private:
   std::string what_;

@@ -40,17 +40,17 @@ bool finds_output(bool resume, bool force, const std::string& output);
 
 /// Looks at an output that a run found: it is this run's, complete, or refused. Its journal goes,
 /// unless it has fits of another run.
-/// @param batch  has `run_id`, `taken` and `outdated` fits of its journal, and `discard`
+/// @param batch  has `run_id`, `resumed` and `stale` fits of its journal, and `discard`
 /// @param found  `run_id` of the output
 /// @throws InputError if another run has made the output
 template <class Batch>
 void take_complete_output(const std::string& output, const std::string& found, Batch& batch) {
-  if (batch.run_id() != found) refuse_other_output(output, batch.taken() > 0);
+  if (batch.run_id() != found) refuse_other_output(output, batch.resumed() > 0);
   tell("{} is complete: nothing is left to do\n", output);
-  if (batch.outdated() == 0) {
+  if (batch.stale() == 0) {
     batch.discard();
   } else {
-    tell("its journal has {} fits of another run, and is kept\n", batch.outdated());
+    tell("its journal has {} fits of another run, and is kept\n", batch.stale());
   }
 }
 

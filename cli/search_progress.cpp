@@ -9,9 +9,10 @@ void SearchProgress::update(const calibrate::SceneFitProgress& progress) {
 }
 
 std::string SearchProgress::line(const calibrate::SceneFitProgress& progress, double seconds) {
-  const double share = progress.total > 0 ? static_cast<double>(progress.done) / progress.total : 1;
-  std::string text = fmt::format("fitting, {} {} {}/{}, {} runs", progress.stage, bar_text(share),
-                                 progress.done, progress.total, progress.runs);
+  const double fraction =
+      progress.total > 0 ? static_cast<double>(progress.done) / progress.total : 1;
+  std::string text = fmt::format("fitting, {} {} {}/{}, {} runs", progress.stage,
+                                 bar_text(fraction), progress.done, progress.total, progress.runs);
   if (seconds > 0.0) text += fmt::format(", {:.3g}/s", progress.runs / seconds);
   return text;
 }

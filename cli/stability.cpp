@@ -78,10 +78,10 @@ int run_study(const StabilityArguments& arguments) {
     tell("plastica: interrupted after {} points\n", rows.size());
     return kInterrupted;
   }
-  const bool any_silent = std::any_of(rows.begin(), rows.end(), [](const auto& row) {
-    return row.verdict.soundness == stability::Soundness::Silent;
+  const bool any_undetected = std::any_of(rows.begin(), rows.end(), [](const auto& row) {
+    return row.verdict.validity == stability::Validity::Undetected;
   });
-  return any_silent ? kNotAcceptable : kDone;
+  return any_undetected ? kNotAcceptable : kDone;
 }
 
 }  // namespace

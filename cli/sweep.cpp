@@ -106,8 +106,8 @@ void tell_of_journal(const sweeps::SweepRun& run, bool quiet) {
     tell("plastica: dropped {} bytes of an unfinished record from the journal\n",
          run.journal()->dropped_bytes());
   }
-  if (!quiet && run.taken() > 0) {
-    tell("{} taken from an earlier run\n", report::counted(run.taken(), "case"));
+  if (!quiet && run.resumed() > 0) {
+    tell("{} resumed from an earlier run\n", report::counted(run.resumed(), "case"));
   }
 }
 
@@ -137,7 +137,7 @@ int sweep_file(const SweepArguments& arguments) {
   tell_of_journal(run, arguments.quiet);
   ProgressBar bar("sweeping", run.cases().size(), arguments.quiet);
   run.on_progress([&bar](const sweeps::SweepProgress& progress) {
-    bar.update(progress.done, progress.failed, progress.taken);
+    bar.update(progress.done, progress.failed, progress.resumed);
   });
   std::vector<sweeps::CaseResult> results = run.run();
   bar.clear();

@@ -36,9 +36,9 @@ double TerminalLine::seconds() const {
   return std::chrono::duration<double>(steady_clock::now() - start_).count();
 }
 
-std::string bar_text(double share) {
+std::string bar_text(double fraction) {
   constexpr std::size_t kWidth = 24;
-  const auto filled = static_cast<std::size_t>(std::floor(kWidth * share));
+  const auto filled = static_cast<std::size_t>(std::floor(kWidth * fraction));
   return fmt::format("[{:#<{}}{:.<{}}]", "", filled, "", kWidth - filled);
 }
 

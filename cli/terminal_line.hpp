@@ -30,8 +30,8 @@ class TerminalLine {
   std::chrono::steady_clock::time_point last_;
 };
 
-/// "[######..................]", 24 wide. @param share  that is done, 0 … 1
-std::string bar_text(double share);
+/// "[######..................]", 24 wide. @param fraction  that is done, 0 … 1
+std::string bar_text(double fraction);
 /// "0:01:02", rounded up.
 std::string time_left(double seconds);
 

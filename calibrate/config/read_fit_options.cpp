@@ -18,14 +18,14 @@ using io::TomlValue;
 constexpr std::string_view kLeastSquaresAlone = "goes with objective = \"least-squares\" alone";
 
 void read_stopping(const TomlTable& fit, StoppingRules& stopping) {
-  constexpr std::int64_t kMost = 1'000'000'000;
+  constexpr std::int64_t kMax = 1'000'000'000;
   const auto stop = fit.find_table("stop");
   if (!stop) return;
   if (const auto value = stop->find("global_evaluations")) {
-    stopping.global_evaluations = static_cast<int>(value->integer(0, kMost));
+    stopping.global_evaluations = static_cast<int>(value->integer(0, kMax));
   }
   if (const auto value = stop->find("local_evaluations")) {
-    stopping.local_evaluations = static_cast<int>(value->integer(1, kMost));
+    stopping.local_evaluations = static_cast<int>(value->integer(1, kMax));
   }
   if (const auto value = stop->find("parameter_tolerance")) {
     stopping.parameter_tolerance = value->number_within(0.0, 1.0, true);

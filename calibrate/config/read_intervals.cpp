@@ -11,14 +11,14 @@ void read_intervals(const io::TomlTable& fit, IntervalOptions& intervals) {
   const auto resamples = [&](std::string_view key, int& value) {
     const auto found = fit.find(key);
     if (!found) return;
-    value = static_cast<int>(found->integer(0, kMostResamples));
-    if (value == 0 || value >= kFewestResamples) return;
-    throw found->error(fmt::format("must be 0, for none, or at least {}", kFewestResamples));
+    value = static_cast<int>(found->integer(0, kMaxResamples));
+    if (value == 0 || value >= kMinResamples) return;
+    throw found->error(fmt::format("must be 0, for none, or at least {}", kMinResamples));
   };
   resamples("bootstrap", intervals.bootstrap);
   resamples("bootstrap_specimens", intervals.specimens);
   if (const auto block = fit.find("bootstrap_block")) {
-    intervals.block = static_cast<int>(block->integer(1, kMostResamples));
+    intervals.block = static_cast<int>(block->integer(1, kMaxResamples));
   }
 }
 

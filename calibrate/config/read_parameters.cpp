@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "plastica/base/renamed.hpp"
 #include "plastica/io/nearest_word.hpp"
 
 namespace plastica::calibrate {
@@ -18,7 +19,9 @@ constexpr std::string_view kAuto = "auto";
 std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 
 /// A material field by its path or its last part; of a fit through scenes any number by its path.
-const Field* parameter_field_or_null(std::string_view name, ParameterScope scope) {
+/// Old names are names, too.
+const Field* parameter_field_or_null(std::string_view written, ParameterScope scope) {
+  const std::string name = new_path(written);
   for (const Field& field : fields()) {
     if (field.material && (field.path == name || last_part(field.path) == name)) return &field;
     const bool any = scope == ParameterScope::Scene && field.kind == FieldKind::Number;
@@ -121,7 +124,7 @@ void read_tied(const Keys& keys, ParameterScope scope, Parameter& parameter) {
   refuse(keys.value, kRule);
   refuse(keys.fixed, kRule);
   parameter.role = ParameterRole::Tied;
-  const Field* other = parameter_field_or_null(keys.tie->string(), scope);
+  const Field* other = parameter_field_or_null(keys.tie->new_path(keys.tie->string()), scope);
   if (other == nullptr) throw keys.tie->error("is not the name of a parameter");
   if (other == parameter.field) throw keys.tie->error("a parameter cannot be tied to itself");
   if (other->dimension != parameter.field->dimension) {
@@ -188,7 +191,7 @@ void collect(const TomlTable& table, const std::string& prefix, ParameterScope s
       collect(value.table(), name + ".", scope, parameters);
       continue;
     }
-    const Field& field = parameter_field(name, value.where(), value.key(), scope);
+    const Field& field = parameter_field(value.new_path(name), value.where(), value.key(), scope);
     for (const Parameter& other : parameters) {
       if (other.field == &field) {
         throw InputError(value.where(), value.key(), "",

@@ -112,13 +112,13 @@ void read_columns(const TomlTable& table, TargetSource& source) {
   }
 }
 
-/// A share for which low < share < high. @param value  0.1, or "10 %"
-void read_share(const TomlTable& table, std::string_view key, double low, double high,
-                double& share) {
+/// A fraction for which low < fraction < high. @param value  0.1, or "10 %"
+void read_fraction(const TomlTable& table, std::string_view key, double low, double high,
+                   double& fraction) {
   const auto value = table.find(key);
   if (!value) return;
-  share = value->quantity(Dimension::None);
-  if (share <= low || share >= high) {
+  fraction = value->quantity(Dimension::None);
+  if (fraction <= low || fraction >= high) {
     throw value->error(fmt::format("must be above {:g} and below {:g}", low, high));
   }
 }
@@ -163,10 +163,10 @@ void read_corrections(const TomlTable& table, TargetOptions& options) {
     if (options.reversal_tolerance < 0.0) throw value->error("must be at least 0");
   }
   constexpr double kNone = -std::numeric_limits<double>::min();
-  read_share(table, "shift_threshold", kNone, 1.0, options.shift_threshold);
-  read_share(table, "drop_share", 0.0, 1.0, options.drop_share);
-  read_share(table, "zero_share", kNone, 1.0, options.zero_share);
-  read_share(table, "end_share", 0.0, 1.0, options.end_share);
+  read_fraction(table, "shift_threshold", kNone, 1.0, options.shift_threshold);
+  read_fraction(table, "drop_fraction", 0.0, 1.0, options.drop_fraction);
+  read_fraction(table, "zero_fraction", kNone, 1.0, options.zero_fraction);
+  read_fraction(table, "end_fraction", 0.0, 1.0, options.end_fraction);
 }
 
 void read_modulus(const TomlValue& value, TargetOptions& options) {
@@ -184,24 +184,24 @@ void read_modulus(const TomlValue& value, TargetOptions& options) {
   }
 }
 
-/// Two stresses, or two shares of the proof stress.
+/// Two stresses, or two fractions of the proof stress.
 void read_window(const TomlValue& value, TargetOptions& options) {
   const auto ends = value.array();
-  if (ends.size() != 2) throw value.error("must be two stresses or two shares, [lower, upper]");
-  const auto is_share = [](const TomlValue& end) {
+  if (ends.size() != 2) throw value.error("must be two stresses or two fractions, [lower, upper]");
+  const auto is_fraction = [](const TomlValue& end) {
     return end.is_number() || (end.is_string() && end.string().ends_with('%'));
   };
-  const bool shares = is_share(ends[0]);
-  if (shares != is_share(ends[1])) {
-    throw value.error("must be two stresses or two shares of the proof stress, not one of each");
+  const bool fractions = is_fraction(ends[0]);
+  if (fractions != is_fraction(ends[1])) {
+    throw value.error("must be two stresses or two fractions of the proof stress, not one of each");
   }
-  const Dimension dimension = shares ? Dimension::None : Dimension::Stress;
+  const Dimension dimension = fractions ? Dimension::None : Dimension::Stress;
   const double low = ends[0].quantity(dimension);
   const double high = ends[1].quantity(dimension);
   if (low < 0.0 || low >= high) throw value.error("must rise, from 0 or more");
-  if (shares && high > 1.0) throw value.error("must not exceed 100 % of the proof stress");
+  if (fractions && high > 1.0) throw value.error("must not exceed 100 % of the proof stress");
   options.modulus_window.reset();
-  if (shares) {
+  if (fractions) {
     options.modulus_low = low;
     options.modulus_high = high;
   } else {
@@ -226,7 +226,7 @@ void read_characteristics(const TomlTable& table, TargetOptions& options) {
       throw value->error("must be above 0 % and below 100 %");
     }
   }
-  read_share(table, "yield_drop", 0.0, 1.0, options.yield_drop);
+  read_fraction(table, "yield_drop", 0.0, 1.0, options.yield_drop);
   if (const auto value = table.find("min_samples")) {
     options.min_samples = static_cast<std::size_t>(value->integer(2, 1'000'000));
   }

@@ -26,9 +26,9 @@ namespace {
 using io::TomlTable;
 using io::TomlValue;
 
-constexpr int kMostEvaluations = 1'000'000;
-constexpr int kMostStarts = 10'000;
-constexpr int kMostScreened = 1'000'000;
+constexpr int kMaxEvaluations = 1'000'000;
+constexpr int kMaxStarts = 10'000;
+constexpr int kMaxScreened = 1'000'000;
 
 /// Column, unit and factor of one of both axes.
 ColumnSource read_column(const TomlTable& axis, double& factor, SourceLocation& unit_where) {
@@ -91,7 +91,7 @@ void read_kind(const TomlTable& axis, SceneTarget& target) {
 
 /// What the targets of a table have in common.
 struct TargetTable {
-  ScenePart part;
+  WeightedTarget weighted;
   SceneTargetSource source;
 };
 
@@ -138,12 +138,12 @@ class Reader {
     SceneFitOptions& options = file_.options;
     (void)fit.at("parameters");
     options.parameters = read_parameters(fit, ParameterScope::Scene);
-    const auto whole = [&](std::string_view key, int low, int high, int& value) {
+    const auto read_integer = [&](std::string_view key, int low, int high, int& value) {
       if (const auto found = fit.find(key)) value = static_cast<int>(found->integer(low, high));
     };
-    whole("evaluations", 1, kMostEvaluations, options.evaluations);
-    whole("starts", 1, kMostStarts, options.starts);
-    whole("screen", 0, kMostScreened, options.screen);
+    read_integer("evaluations", 1, kMaxEvaluations, options.evaluations);
+    read_integer("starts", 1, kMaxStarts, options.starts);
+    read_integer("screen", 0, kMaxScreened, options.screen);
     if (const auto laws = fit.find("laws")) options.laws = read_laws(*laws);
     if (const auto seed = fit.find("seed")) {
       options.seed =
@@ -167,48 +167,48 @@ class Reader {
   void read_target(const TomlTable& table, bool together) {
     const TargetTable target = read_table(table);
     for (const std::string& path : target_files(table, folder_)) {
-      ScenePart part = target.part;
+      WeightedTarget weighted = target.weighted;
       SceneTargetSource source = target.source;
       source.file = path;
-      part.target = read_scene_target(source, part.setup.scene, std::move(part.target));
+      weighted.target = read_scene_target(source, weighted.setup.scene, std::move(weighted.target));
       file_.read_files.push_back(path);
-      part.target.name = names_.add(part.target.name);
+      weighted.target.name = names_.add(weighted.target.name);
       if (!together || file_.cases.empty()) {
         const std::string stem = std::filesystem::path(file_.path).stem().string();
-        file_.cases.push_back({together ? stem : part.target.name, {}});
+        file_.cases.push_back({together ? stem : weighted.target.name, {}});
       }
-      file_.cases.back().parts.push_back(std::move(part));
+      file_.cases.back().targets.push_back(std::move(weighted));
     }
     table.check_unused();
   }
 
   TargetTable read_table(const TomlTable& table) {
     TargetTable read;
-    ScenePart& part = read.part;
-    part.setup = read_scene(table.at("scene"));
-    io::read_setup(table, part.setup);
+    WeightedTarget& weighted = read.weighted;
+    weighted.setup = read_scene(table.at("scene"));
+    io::read_setup(table, weighted.setup);
     const TomlTable abscissa = table.at("abscissa").table();
     const TomlTable ordinate = table.at("ordinate").table();
-    read_kind(abscissa, part.target);
+    read_kind(abscissa, weighted.target);
     const TomlValue probe = ordinate.at("probe");
-    part.target.ordinate_probe = probe.string();
-    part.target.ordinate_where = probe.where();
+    weighted.target.ordinate_probe = probe.string();
+    weighted.target.ordinate_where = probe.where();
     read.source.abscissa =
-        read_column(abscissa, part.target.abscissa_factor, read.source.abscissa_unit);
+        read_column(abscissa, weighted.target.abscissa_factor, read.source.abscissa_unit);
     read.source.ordinate =
-        read_column(ordinate, part.target.ordinate_factor, read.source.ordinate_unit);
+        read_column(ordinate, weighted.target.ordinate_factor, read.source.ordinate_unit);
     read.source.where = table.where();
     read_csv_options(table, read.source.csv);
     if (const auto noise = table.find("noise")) {
-      const Scene& scene = part.setup.scene;
+      const Scene& scene = weighted.setup.scene;
       const std::size_t index =
-          probe_index(scene, part.target.ordinate_probe, probe.key(), probe.where());
-      part.target.noise =
+          probe_index(scene, weighted.target.ordinate_probe, probe.key(), probe.where());
+      weighted.target.noise =
           noise->quantity(dimension_of(scene.probes[index].quantity, scene.drive.deformation));
-      if (!(*part.target.noise > 0.0)) throw noise->error("must be above 0");
+      if (!(*weighted.target.noise > 0.0)) throw noise->error("must be above 0");
     }
     if (const auto weight = table.find("weight")) {
-      part.weight = weight->number_within(0.0, std::numeric_limits<double>::infinity(), false);
+      weighted.weight = weight->number_within(0.0, std::numeric_limits<double>::infinity(), false);
     }
     return read;
   }

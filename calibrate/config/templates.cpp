@@ -28,7 +28,7 @@ objective = "strain-path"         # or "least-squares", with noise = "1 MPa"
 # seed         = 1                # of the global stage
 # confidence   = "95 %"           # of the intervals
 # profile      = true             # likelihood intervals, asymmetric, beside the usual ones
-# bootstrap    = 400              # and those of residuals drawn anew, so many times
+# bootstrap    = 400              # and those of resampled residuals, so many times
 
 [fit.parameters]                  # `plastica fields` lists the names that may stand here
 youngs_modulus = {}               # free, bounds from the curve; or { value = "200 GPa", fixed = true }
@@ -251,10 +251,10 @@ std::string example_curve() {
   int broken = 0;
   for (int i = 0; broken < kBroken; ++i) {
     const double strain = kStep * i;
-    const bool whole = strain < kBreak;
-    const double stress = whole ? std::min(kModulus * strain, kYield) + draw(engine) : 0.0;
+    const bool intact = strain < kBreak;
+    const double stress = intact ? std::min(kModulus * strain, kYield) + draw(engine) : 0.0;
     text += fmt::format("{:.2f},{:.2f}\n", strain, stress);
-    if (!whole) ++broken;
+    if (!intact) ++broken;
   }
   return text;
 }

@@ -98,10 +98,10 @@ std::string frame_in(const EngineSegment& body, const EngineJoint& joint) {
 
 std::string joint_row(const EngineBeam& beam, const EngineJoint& joint) {
   std::array<int, 3> held{};
-  std::array<int, 3> rotation{};
+  std::array<int, 3> rotates{};
   for (std::size_t k = 0; k < 3; ++k) {
     held[k] = joint.holds[k] ? 1 : 0;
-    rotation[k] = static_cast<int>(joint.rotation[k]);
+    rotates[k] = static_cast<int>(joint.rotation[k]);
   }
   const std::string in_parent =
       joint.parent ? frame_in(beam.segments[*joint.parent], joint)
@@ -111,7 +111,7 @@ std::string joint_row(const EngineBeam& beam, const EngineJoint& joint) {
       "{}),\n",
       joint.name, joint.parent ? static_cast<long>(*joint.parent) : -1L, joint.child,
       joint.half_joint ? 1 : 0, in_parent, frame_in(beam.segments[joint.child], joint),
-      fmt::join(held, ", "), fmt::join(rotation, ", "), joint.length, triple(joint.stiffness),
+      fmt::join(held, ", "), fmt::join(rotates, ", "), joint.length, triple(joint.stiffness),
       triple(joint.hardened_stiffness), triple(joint.yield_moment), triple(joint.break_angle));
 }
 

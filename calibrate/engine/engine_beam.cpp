@@ -45,7 +45,7 @@ class BeamReader {
     beam_.hinge_length = body_.watch.hinge_length(0);
     beam_.break_length = break_length();
     beam_.breaks = body_.watch.active() && scene.yield_model != YieldModel::Elastic;
-    add_parts();
+    add_regions();
     for (std::size_t i = 0; i < model_.layout.size(); ++i) add_segment(i);
     for (std::size_t i = 0; i < model_.layout.size(); ++i) add_joint(i);
     for (std::size_t s = 0; s < scene.supports.size(); ++s) add_support(s);
@@ -65,14 +65,14 @@ class BeamReader {
     return "l";
   }
 
-  void add_parts() {
-    for (const chain::BeamPart& form : model_.layout.parts) {
-      EnginePart part{form.material, form.section, form.properties, {}, {}};
+  void add_regions() {
+    for (const chain::BeamRegion& form : model_.layout.regions) {
+      EngineRegion region{form.material, form.section, form.properties, {}, {}};
       for (std::size_t k = 0; k < 3; ++k) {
-        part.stiffness_factor[k] = form.form.axis[k].stiffness_factor;
-        part.cap_factor[k] = form.form.axis[k].cap_factor;
+        region.stiffness_factor[k] = form.form.axis[k].stiffness_factor;
+        region.cap_factor[k] = form.form.axis[k].cap_factor;
       }
-      beam_.parts.push_back(std::move(part));
+      beam_.regions.push_back(std::move(region));
     }
   }
 
@@ -85,7 +85,7 @@ class BeamReader {
     segment.start = model_.layout.node[i].at;
     segment.end = model_.layout.node[i + 1].at;
     segment.axes = axes_of(model_.layout.segment_frame[i]);
-    segment.part = model_.layout.segment_part[i].middle;
+    segment.region = model_.layout.segment_regions[i].middle;
     if (!model_.scene.masses.empty()) balance_segment(i, segment);
     beam_.segments.push_back(segment);
   }
@@ -133,10 +133,10 @@ class BeamReader {
     EngineJoint held;
     held.name = fmt::format("support_{}", index + 1);
     held.off_start = true;
-    const double share = share_of(model_.scene.supports[index].at, model_.layout.ends);
-    const chain::SegmentPoint point = chain::segment_point(model_.layout, share);
+    const double fraction = fraction_of(model_.scene.supports[index].at, model_.layout.ends);
+    const chain::SegmentPoint point = chain::segment_point(model_.layout, fraction);
     const auto& frame = model_.layout.segment_frame[point.segment];
-    set_place(share, (model_.layout.node[point.segment] + frame * point.arm).at, held);
+    set_place(fraction, (model_.layout.node[point.segment] + frame * point.arm).at, held);
     held.child = point.segment;
     held.axes = axes_of(identity<double, 3>());
     for (const chain::LoopConstraint<Space>& constraint : chain.constraints) {
@@ -183,17 +183,17 @@ class BeamReader {
     }
   }
 
-  void set_place(double share, const std::array<double, 3>& point, EngineJoint& joint) const {
-    joint.at = share * model_.scene.beam.length;
+  void set_place(double fraction, const std::array<double, 3>& point, EngineJoint& joint) const {
+    joint.at = fraction * model_.scene.beam.length;
     joint.point = point;
   }
 
   void set_law(const chain::SectionJoint<Space>& law, double length, std::size_t node,
                EngineJoint& joint) const {
-    joint.part = law.law;
-    const chain::BeamPart& part = model_.layout.parts[law.law];
-    const auto material = material_values(part.material);
-    const chain::JointModel model = chain::joint_of_part(model_.scene, part, material);
+    joint.region = law.law;
+    const chain::BeamRegion& region = model_.layout.regions[law.law];
+    const auto material = material_values(region.material);
+    const chain::JointModel model = chain::joint_of_region(model_.scene, region, material);
     for (std::size_t k = 0; k < 3; ++k) {
       if (law.active[k] == 0.0) continue;
       joint.rotation[k] = JointHold::Sprung;
@@ -201,8 +201,8 @@ class BeamReader {
       joint.stiffness[k] = law.rotational_stiffness(k, k);
       if (model_.scene.yield_model == YieldModel::Elastic) continue;
       joint.yield_moment[k] = model.cap[k];
-      if (part.material.hardening.law == HardeningLaw::Linear) {
-        const auto uniaxial = law::uniaxial_material(part.form.axis[k], material);
+      if (region.material.hardening.law == HardeningLaw::Linear) {
+        const auto uniaxial = law::uniaxial_material(region.form.axis[k], material);
         const auto linear = law::LinearHardening<double>::of(uniaxial, material);
         const double modulus = linear.isotropic + linear.kinematic;
         joint.hardened_stiffness[k] = joint.stiffness[k] * modulus / (uniaxial.stiffness + modulus);
@@ -219,7 +219,7 @@ class BeamReader {
       alone[axis] = angle;
       return body_.watch.lone_strain(alone, node);
     };
-    // Strains are linear in the angle, but for the report's sine, which goes no further than pi.
+    // Strains are linear in the angle, but for Wendelius' sine, which goes no further than pi.
     const double straight = limit / strain(1.0);
     if (std::fabs(strain(straight) - limit) < 1e-12 * limit) return straight;
     double low = 0.0;
@@ -262,9 +262,9 @@ Model bare_model(const Scene& scene) {
 
 }  // namespace
 
-std::array<double, 3> EngineSegment::point(double share) const {
+std::array<double, 3> EngineSegment::point(double fraction) const {
   std::array<double, 3> there;
-  for (std::size_t k = 0; k < 3; ++k) there[k] = (1.0 - share) * start[k] + share * end[k];
+  for (std::size_t k = 0; k < 3; ++k) there[k] = (1.0 - fraction) * start[k] + fraction * end[k];
   return there;
 }
 

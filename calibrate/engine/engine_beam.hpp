@@ -26,8 +26,8 @@ using EngineAxes = std::array<std::array<double, 3>, 3>;
 /// A moment or an angle that a joint never reaches.
 inline constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Section and material of a part of the beam: the scene's own, then its regions.
-struct EnginePart {
+/// Section and material of a region of the beam: what the scene has at its top, then its regions.
+struct EngineRegion {
   Material material;
   Section section;
   SectionProperties properties;
@@ -44,11 +44,11 @@ struct EngineSegment {
   std::array<double, 3> end{};
   double balance = 0.5;  ///< the center of mass on the way from `start` to `end`, 0 … 1 [1]
   EngineAxes axes{};
-  std::size_t part = 0;
+  std::size_t region = 0;
 
   std::array<double, 3> center() const { return point(balance); }  ///< of mass
-  /// The point at a share of the way from `start` to `end`.
-  std::array<double, 3> point(double share) const;
+  /// The point at a fraction of the way from `start` to `end`.
+  std::array<double, 3> point(double fraction) const;
 };
 
 /// A joint between two segments, or between a segment and the ground: the beam's start, and each
@@ -71,13 +71,13 @@ struct EngineJoint {
   OfJointAxes yield_moment{kNever, kNever, kNever};  ///< [N m]
   /// Permanent angle at which it breaks if it turns alone and about one axis alone [rad].
   OfJointAxes break_angle{kNever, kNever, kNever};
-  std::size_t part = 0;  ///< whose law it has
+  std::size_t region = 0;  ///< whose law it has
 };
 
 /// A beam as an engine of rigid bodies takes it; SI.
 struct EngineBeam {
   std::string name;
-  std::vector<EnginePart> parts;
+  std::vector<EngineRegion> regions;
   std::vector<EngineSegment> segments;  ///< (N)
   /// The start's, unless nothing holds it; the N-1 between segments; those of supports.
   std::vector<EngineJoint> joints;

@@ -30,19 +30,19 @@ void note_yield(const Scene& scene, EngineBeam& beam) {
       beam.notes.emplace_back(fmt::format(
           "the scene's fibre sections go on from the first-yield moments given here up to {:.4g}, "
           "{:.4g} and {:.4g} times as much about x, y and z",
-          beam.parts[0].properties.plastic_section_modulus_x /
-              beam.parts[0].properties.section_modulus_x,
-          beam.parts[0].properties.plastic_section_modulus_y /
-              beam.parts[0].properties.section_modulus_y,
-          beam.parts[0].properties.plastic_torsion_modulus /
-              beam.parts[0].properties.torsion_modulus));
+          beam.regions[0].properties.plastic_section_modulus_x /
+              beam.regions[0].properties.section_modulus_x,
+          beam.regions[0].properties.plastic_section_modulus_y /
+              beam.regions[0].properties.section_modulus_y,
+          beam.regions[0].properties.plastic_torsion_modulus /
+              beam.regions[0].properties.torsion_modulus));
       break;
   }
   if (hardening.law == HardeningLaw::Linear) {
     beam.notes.emplace_back(fmt::format(
         "linear hardening, {:g} of it kinematic: behind first yield a joint has the hardened "
         "stiffness",
-        hardening.kinematic_share));
+        hardening.kinematic_fraction));
   } else if (hardening.law != HardeningLaw::Ideal) {
     beam.notes.emplace_back(fmt::format("{} is left out: the moments are those of first yield",
                                         hardening_kind(hardening.law).phrase()));
@@ -67,7 +67,7 @@ void note_supports(const Scene& scene, const std::vector<EngineSegment>& segment
     const Support& support = scene.supports[i];
     const auto place = [&] {
       return fmt::format("support[{}] at {:g} m", i + 1,
-                         share_of(support.at, ends) * scene.beam.length);
+                         fraction_of(support.at, ends) * scene.beam.length);
     };
     const SupportTraits& kind = traits_of(support);
     if (kind.one_sided) {
@@ -80,11 +80,11 @@ void note_supports(const Scene& scene, const std::vector<EngineSegment>& segment
   }
 }
 
-/// "k_x = …" of one part, with its numbers.
-void describe_part(const EngineBeam& beam, std::size_t index, std::vector<std::string>& lines) {
-  const EnginePart& part = beam.parts[index];
-  const SectionProperties& p = part.properties;
-  const Material& m = part.material;
+/// "k_x = …" of one region, with its numbers.
+void describe_region(const EngineBeam& beam, std::size_t index, std::vector<std::string>& lines) {
+  const EngineRegion& region = beam.regions[index];
+  const SectionProperties& p = region.properties;
+  const Material& m = region.material;
   lines.push_back(fmt::format("{}: {}", index == 0 ? "Beam" : fmt::format("region[{}]", index),
                               one_line(m.name)));
   lines.push_back(fmt::format("  E = {} Pa, G = {} Pa, rho = {} kg/m^3", m.youngs_modulus,
@@ -99,8 +99,8 @@ void describe_part(const EngineBeam& beam, std::size_t index, std::vector<std::s
                               p.second_moment_x, p.second_moment_y, p.torsion_constant));
   lines.push_back(fmt::format("  W_x = {} m^3, W_y = {} m^3, W_t = {} m^3", p.section_modulus_x,
                               p.section_modulus_y, p.torsion_modulus));
-  lines.push_back(fmt::format("  f = {}, c = {}", exact(part.stiffness_factor, ", "),
-                              exact(part.cap_factor, ", ")));
+  lines.push_back(fmt::format("  f = {}, c = {}", exact(region.stiffness_factor, ", "),
+                              exact(region.cap_factor, ", ")));
 }
 
 void describe_break(const EngineBeam& beam, std::vector<std::string>& lines) {
@@ -123,7 +123,7 @@ void describe_break(const EngineBeam& beam, std::vector<std::string>& lines) {
         "    of a joint that turns alone; where its neighbours turn too, plastica counts what a "
         "length L_p turns in all");
   }
-  const Material& m = beam.parts[0].material;
+  const Material& m = beam.regions[0].material;
   const auto limit = [](const std::optional<double>& value) {
     return value ? exact(*value) : std::string("none");
   };
@@ -156,7 +156,8 @@ std::vector<std::string> comment_lines(const EngineBeam& beam) {
                               beam.segments.size(), version()));
   lines.emplace_back("SI units: m, kg, s, N, rad. z runs along the beam, b is its width along x,");
   lines.emplace_back("h its height along y; about x and y it bends, about z it is twisted.");
-  for (std::size_t part = 0; part < beam.parts.size(); ++part) describe_part(beam, part, lines);
+  for (std::size_t region = 0; region < beam.regions.size(); ++region)
+    describe_region(beam, region, lines);
   lines.emplace_back("A joint of tributary length l = (L_a + L_b)/2, or as the scene gives it; at");
   lines.emplace_back("an end that is held against rotation a half joint, l = L/2:");
   lines.emplace_back("  stiffness [N m/rad]: f_x E I_x/l, f_y E I_y/l, f_z G J/l");

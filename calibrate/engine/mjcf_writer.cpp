@@ -153,14 +153,14 @@ class MjcfWriter {
   }
 
   void add_mass(const EngineSegment& segment) {
-    const SectionProperties& p = beam_.parts[segment.part].properties;
+    const SectionProperties& p = beam_.regions[segment.region].properties;
     const auto at = [&](std::array<double, 3> point) {
       for (std::size_t k = 0; k < 3; ++k) point[k] -= segment.start[k];
       return of_vector(seen_from(segment.axes, point));
     };
     text_ += fmt::format("  <inertial pos=\"{}\" mass=\"{}\" diaginertia=\"{}\"/>\n",
                          at(segment.center()), segment.mass, of_vector(segment.inertia));
-    const bool round = section_kind(beam_.parts[segment.part].section).round();
+    const bool round = section_kind(beam_.regions[segment.region].section).round();
     const std::string size = round ? fmt::format("{} {}", p.outer_distance_x, 0.5 * segment.length)
                                    : fmt::format("{} {} {}", p.outer_distance_y, p.outer_distance_x,
                                                  0.5 * segment.length);

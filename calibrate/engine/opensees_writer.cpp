@@ -17,7 +17,7 @@ constexpr std::string_view kOpenseesRemarks = R"(#
 # The axes of a zeroLength element stand still: turns of a joint by more than some 0.1 rad about
 # several axes are not what plastica has.
 # A segment is an elasticBeamColumn $rigid times as stiff as the section, with its mass, so that the
-# beam is softer by that share. Supports are nodes that are fixed.
+# beam is softer by that fraction. Supports are nodes that are fixed.
 )";
 
 class TclWriter {
@@ -44,16 +44,16 @@ class TclWriter {
 
   /// Local x runs along the segment, local z along its own x: bending about that is EI_x.
   void add_bar(const EngineSegment& segment, std::size_t from, std::size_t to, bool has_mass) {
-    const EnginePart& part = beam_.parts[segment.part];
-    const SectionProperties& p = part.properties;
+    const EngineRegion& region = beam_.regions[segment.region];
+    const SectionProperties& p = region.properties;
     ++next_element_;
     text_ +=
         fmt::format("geomTransf Corotational {} {}\n", next_element_, exact(segment.axes[0], " "));
     text_ += fmt::format(
         "element elasticBeamColumn {0} {1} {2} {3} [expr $rigid*{4}] [expr $rigid*{5}] {6} {7} {8} "
         "{0}",
-        next_element_, from, to, p.area, part.material.youngs_modulus,
-        resolved_shear_modulus(part.material), p.second_moment_x + p.second_moment_y,
+        next_element_, from, to, p.area, region.material.youngs_modulus,
+        resolved_shear_modulus(region.material), p.second_moment_x + p.second_moment_y,
         p.second_moment_y, p.second_moment_x);
     if (has_mass) text_ += fmt::format(" -mass {} -cMass", segment.mass / segment.length);
     text_ += '\n';

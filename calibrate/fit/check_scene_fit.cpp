@@ -62,22 +62,24 @@ bool are_of_one_kind(const SceneTarget& a, const SceneTarget& b) {
 
 namespace {
 
-void check_intervals(const IntervalOptions& how, std::span<const ScenePart> parts) {
+void check_intervals(const IntervalOptions& how, std::span<const WeightedTarget> targets) {
   check_intervals(how);
-  for (const ScenePart& part : parts) {
-    require(static_cast<std::size_t>(how.block) <= part.target.ordinate.size(), "bootstrap_block",
-            how.block, fmt::format("must be no more than the samples of {}", part.target.name));
+  for (const WeightedTarget& weighted : targets) {
+    require(static_cast<std::size_t>(how.block) <= weighted.target.ordinate.size(),
+            "bootstrap_block", how.block,
+            fmt::format("must be no more than the samples of {}", weighted.target.name));
   }
   if (how.specimens == 0) return;
-  require(parts.size() > 1, "bootstrap_specimens", how.specimens,
+  require(targets.size() > 1, "bootstrap_specimens", how.specimens,
           "needs several targets that share the parameters");
-  for (const ScenePart& part : parts) {
-    const auto alike = std::ranges::count_if(
-        parts, [&](const ScenePart& other) { return are_of_one_kind(part.target, other.target); });
+  for (const WeightedTarget& weighted : targets) {
+    const auto alike = std::ranges::count_if(targets, [&](const WeightedTarget& other) {
+      return are_of_one_kind(weighted.target, other.target);
+    });
     require(alike > 1, "bootstrap_specimens", how.specimens,
             fmt::format("needs several targets of each kind, and {} is the only one that measures "
                         "its probe over its abscissa",
-                        part.target.name));
+                        weighted.target.name));
   }
 }
 
@@ -101,12 +103,12 @@ void check_target(const SceneTarget& target) {
 
 }  // namespace
 
-void check_scene_fit(std::span<const ScenePart> parts, const SceneFitOptions& options) {
-  if (parts.empty()) throw InputError({}, "target", "", "a fit needs at least one");
+void check_scene_fit(std::span<const WeightedTarget> targets, const SceneFitOptions& options) {
+  if (targets.empty()) throw InputError({}, "target", "", "a fit needs at least one");
   bool any_free = false;
-  const bool any_broke = std::any_of(parts.begin(), parts.end(), [](const ScenePart& part) {
-    return part.target.broke.has_value();
-  });
+  const bool any_broke =
+      std::any_of(targets.begin(), targets.end(),
+                  [](const WeightedTarget& weighted) { return weighted.target.broke.has_value(); });
   for (const Parameter& p : options.parameters) {
     if (p.field->kind != FieldKind::Number) refuse(p, "", "is no number that a fit could move");
     const auto same = [&](const Parameter& other) { return other.field == p.field; };
@@ -141,17 +143,17 @@ void check_scene_fit(std::span<const ScenePart> parts, const SceneFitOptions& op
                      "make together");
   }
   if (!any_free) throw InputError({}, "fit.parameters", "", "at least one must be free");
-  check_law_parameters(options.parameters, parts.front().setup.scene.material, options.laws);
+  check_law_parameters(options.parameters, targets.front().setup.scene.material, options.laws);
   require(options.evaluations >= 1, "evaluations", options.evaluations, "must be at least 1");
   require(options.starts >= 1, "starts", options.starts, "must be at least 1");
   require(options.screen >= 0, "screen", options.screen, "must be at least 0");
   require(options.tolerance > 0.0, "tolerance", options.tolerance, "must be above 0");
   require(options.confidence > 0.0 && options.confidence < 1.0, "confidence", options.confidence,
           "must be between 0 and 1");
-  check_intervals(options.intervals, parts);
-  for (const ScenePart& part : parts) {
-    check_target(part.target);
-    require(part.weight > 0.0 && std::isfinite(part.weight), "weight", part.weight,
+  check_intervals(options.intervals, targets);
+  for (const WeightedTarget& weighted : targets) {
+    check_target(weighted.target);
+    require(weighted.weight > 0.0 && std::isfinite(weighted.weight), "weight", weighted.weight,
             "must be above 0");
   }
 }
@@ -160,8 +162,8 @@ void check_break_levels(const SceneProblem& problem, const SceneFitOptions& opti
   for (const Parameter& p : options.parameters) {
     if (p.role != ParameterRole::Free || !is_break(p)) continue;
     bool any = false;
-    for (std::size_t i = 0; i < problem.parts().size(); ++i) {
-      if (!breaks_by(p, problem.model(i), problem.parts()[i])) continue;
+    for (std::size_t i = 0; i < problem.targets().size(); ++i) {
+      if (!breaks_by(p, problem.model(i), problem.targets()[i])) continue;
       any = true;
       if (problem.model(i).takes_a_limit()) continue;
       refuse(p, "", "cannot be fitted: regions of other materials cover the whole beam");

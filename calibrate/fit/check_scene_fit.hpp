@@ -8,7 +8,7 @@
 namespace plastica::calibrate {
 
 /// @throws InputError for what a fit of no scenes can have
-void check_scene_fit(std::span<const ScenePart> parts, const SceneFitOptions& options);
+void check_scene_fit(std::span<const WeightedTarget> targets, const SceneFitOptions& options);
 
 /// Whether targets measure the same over the same, as specimens of one test do.
 bool are_of_one_kind(const SceneTarget& a, const SceneTarget& b);

@@ -11,7 +11,7 @@
 #include "calibrate/fit/require.hpp"
 #include "calibrate/inference/compare_laws.hpp"
 #include "calibrate/inference/fit_intervals.hpp"
-#include "calibrate/inference/shown_yield.hpp"
+#include "calibrate/inference/identifiable_yield.hpp"
 #include "calibrate/inference/uncertainty.hpp"
 #include "calibrate/problem/given_weights.hpp"
 #include "calibrate/problem/misfit.hpp"
@@ -44,7 +44,7 @@ std::uint64_t seed_of(const std::string& name, std::uint64_t seed) {
 
 double largest_stress(const Curve& curve) { return largest_magnitude(curve.stress); }
 
-/// Limits of the misfit, as a share of the largest stress, for "close" and "fair".
+/// Limits of the misfit, as a fraction of the largest stress, for "close" and "fair".
 constexpr double kClose = 0.02;
 constexpr double kFair = 0.05;
 
@@ -52,21 +52,20 @@ void describe_misfit(const Misfit::Details& details, const Target& target,
                      const FitOptions& options, FitResult& result) {
   const double stress = largest_stress(target.corrected);
   result.misfit_rms = std::sqrt(std::max(0.0, details.stress_cost));
-  result.misfit_share = stress > 0.0 ? result.misfit_rms / stress : 0.0;
-  result.misfit_word = result.misfit_share < kClose  ? "close"
-                       : result.misfit_share < kFair ? "fair"
-                                                     : "poor";
+  result.misfit_fraction = stress > 0.0 ? result.misfit_rms / stress : 0.0;
+  result.misfit_word = result.misfit_fraction < kClose  ? "close"
+                       : result.misfit_fraction < kFair ? "fair"
+                                                        : "poor";
   std::vector<double> residual;
   for (std::size_t i = 0; i < details.residual.size(); ++i) {
     if (details.weight[i] > 0.0) residual.push_back(details.residual[i]);
   }
-  result.runs_probability = runs_probability(residual);
+  result.runs_test_p = runs_test_p(residual);
   result.autocorrelation = autocorrelation(residual);
   result.effective_samples = effective_samples(details.weight);
   result.noise = options.noise;
-  std::string lack =
-      lack_of_fit(phrase_of(result.law), result.misfit_share, result.runs_probability,
-                  laws_to_try(result.law, target.loading, options.laws));
+  std::string lack = lack_of_fit(phrase_of(result.law), result.misfit_fraction, result.runs_test_p,
+                                 laws_to_try(result.law, target.loading, options.laws));
   if (!lack.empty()) result.warnings.push_back(std::move(lack));
 }
 
@@ -137,7 +136,7 @@ void add_tied_errors(const ParameterSet& set, FitResult& result) {
   }
 }
 
-/// Of most curves the sampling leaves some of the break open: up to this share no word is lost.
+/// Of most curves the sampling leaves some of the break open: up to this fraction no word is lost.
 constexpr double kMinor = 0.01;
 
 void add_warnings(const Target& target, FitResult& result) {
@@ -280,7 +279,7 @@ FitResult fit_target(const Target& target, const FitOptions& options,
   }
   result.status = FitStatus::Fitted;
   Misfit::Details details = misfit.details(solution.active);
-  hide_unseen_yield(misfit, set, solution.active, options, details);
+  drop_unidentifiable_yield(misfit, set, solution.active, options, details);
   result.cost = details.stress_cost + details.break_cost;
   const Uncertainty u =
       uncertainty(details, solution.active, set, target, options, misfit.break_factor());

@@ -13,7 +13,7 @@
 namespace plastica::calibrate {
 namespace {
 
-/// A stress, modulus or rate of this share of the least usual one has no effect that shows.
+/// A stress, modulus or rate of this fraction of the least usual one has no effect that shows.
 constexpr double kNothing = 1e-6;
 
 /// Lets a search begin where a simpler law's ended; what the law has beyond that one begins where
@@ -32,7 +32,7 @@ void start_from(const FitResult& simpler, const FitResult& own, bool no_effect,
       if (mine == own.parameters.end()) continue;
       // A bound that nobody gave gives way to a start beyond it.
       const double lower = p.lower.value_or(kNothing * mine->lower);
-      if (const auto least = least_effect(p, lower, mine->upper)) p.value = least;
+      if (const auto least = min_effect_value(p, lower, mine->upper)) p.value = least;
     }
   }
 }

@@ -33,7 +33,7 @@ struct StoppingRules {
   int local_evaluations = 500;
   /// The local stage ends when a step changes every scaled parameter by less than this [1].
   double parameter_tolerance = 1e-10;
-  /// … or the cost by less than this share of itself.
+  /// … or the cost by less than this fraction of itself.
   double cost_tolerance = 1e-14;
 };
 

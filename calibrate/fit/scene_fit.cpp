@@ -25,16 +25,16 @@ namespace {
 
 class SceneFit {
  public:
-  SceneFit(std::span<const ScenePart> parts, const SceneFitOptions& options)
-      : parts_(parts),
+  SceneFit(std::span<const WeightedTarget> targets, const SceneFitOptions& options)
+      : targets_(targets),
         options_(options),
-        problem_(parts, options),
+        problem_(targets, options),
         search_(problem_, options),
         work_(problem_, options.hooks) {
-    result_.law = law_of(parts.front().setup.scene.material.hardening, options.parameters);
+    result_.law = law_of(targets.front().setup.scene.material.hardening, options.parameters);
     check_break_levels(problem_, options);
     if (problem_.samples() <= problem_.parameters().size()) {
-      throw InputError({}, "target", parts.front().target.name,
+      throw InputError({}, "target", targets.front().target.name,
                        "has no more samples than the fit has parameters");
     }
   }
@@ -64,55 +64,55 @@ class SceneFit {
 
  private:
   const SceneTarget& first_along_a_probe() const {
-    const auto part = std::ranges::find_if(parts_, [](const ScenePart& each) {
+    const auto found = std::ranges::find_if(targets_, [](const WeightedTarget& each) {
       return each.target.kind == Abscissa::Probe || each.target.kind == Abscissa::Time;
     });
-    return part == parts_.end() ? parts_.front().target : part->target;
+    return found == targets_.end() ? targets_.front().target : found->target;
   }
 
   void explain() {
     result_.status = FitStatus::Fitted;
     result_.outcome = search_.best().outcome;
     result_.degrees_of_freedom = degrees_of_freedom(problem_.noise());
-    for (std::size_t part = 0; part < parts_.size(); ++part) add_part(part);
+    for (std::size_t t = 0; t < targets_.size(); ++t) add_target(t);
     const auto curves = problem_.curves(search_.best().x, 1);
-    for (std::size_t part = 0; part < parts_.size(); ++part) {
-      if (parts_[part].target.broke) result_.parts[part].break_strain = curves[part][0].strain.at;
+    for (std::size_t t = 0; t < targets_.size(); ++t) {
+      if (targets_[t].target.broke) result_.targets[t].break_strain = curves[t][0].strain.at;
     }
     SceneErrors errors(problem_, search_.best().x, search_.best().residual);
     add_parameters(errors);
-    for (std::size_t part = 0; part < parts_.size(); ++part) {
-      result_.parts[part].fitted_error = errors.fitted_errors(part);
+    for (std::size_t t = 0; t < targets_.size(); ++t) {
+      result_.targets[t].fitted_error = errors.fitted_errors(t);
     }
     if (options_.segments_error) add_segments();
     for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
-      judge(halves_[i], segments_of(i), prior_shares_[i], result_.parameters[i]);
+      judge(halves_[i], segments_of(i), prior_fractions_[i], result_.parameters[i]);
     }
     if (search_.best().outcome == LeastSquaresOutcome::EvaluationsReached) {
       result_.warnings.push_back(fmt::format(
           "the search ended at its {} evaluations (fit.evaluations): better values may be near",
           options_.evaluations));
     }
-    for (std::size_t part = 0; part < parts_.size(); ++part) {
-      warn_of_noise(part);
-      warn_of_sign(part);
-      warn_of_path(part, curves[part][0]);
+    for (std::size_t t = 0; t < targets_.size(); ++t) {
+      warn_of_noise(t);
+      warn_of_sign(t);
+      warn_of_path(t, curves[t][0]);
     }
     for (std::size_t i = 0; i < result_.parameters.size(); ++i) {
       add_warning(result_.parameters[i], segments_of(i), result_.warnings);
     }
-    const std::string next = laws_to_try(result_.law, loading_of(parts_), options_.laws);
-    for (const ScenePartFit& part : result_.parts) {
-      add_warning(part, result_.law, next, result_.warnings);
+    const std::string next = laws_to_try(result_.law, loading_of(targets_), options_.laws);
+    for (const TargetFit& of_target : result_.targets) {
+      add_warning(of_target, result_.law, next, result_.warnings);
     }
-    warn_of_specimens(parts_, result_.parts, result_.warnings);
+    warn_of_specimens(targets_, result_.targets, result_.warnings);
     const FittedScenes fitted(problem_, options_, search_.best(), errors);
     result_.intervals = find_intervals(fitted, work_, result_.warnings);
   }
 
   void add_segments() {
     result_.segments =
-        divide_anew({problem_, options_, search_.best().x, result_.parameters, shares_}, work_);
+        divide_anew({problem_, options_, search_.best().x, result_.parameters, fractions_}, work_);
     if (!result_.segments) return;
     const auto unknown = [](const SegmentsError& e) { return e.trend == SegmentsTrend::Unknown; };
     const SceneSegments& made = *result_.segments;
@@ -127,22 +127,22 @@ class SceneFit {
   }
 
   /// A stated noise that the residuals contradict.
-  void warn_of_noise(std::size_t part) {
+  void warn_of_noise(std::size_t t) {
     constexpr double kFactor = 2.0;
-    const auto& given = parts_[part].target.noise;
-    if (!given || problem_.noise()[part].is_from_elsewhere()) return;
-    const double left = search_.noise_left(part);
+    const auto& given = targets_[t].target.noise;
+    if (!given || problem_.noise()[t].is_from_elsewhere()) return;
+    const double left = search_.noise_left(t);
     if (left < kFactor * *given && left > *given / kFactor) return;
     result_.warnings.push_back(
         fmt::format("{}: a noise of {:.3g} is stated, but the residuals are of {:.3g} (SI)",
-                    parts_[part].target.name, *given, left));
+                    targets_[t].target.name, *given, left));
   }
 
   /// A curve that runs against the fitted one: no value of a parameter mends it.
-  void warn_of_sign(std::size_t part) {
+  void warn_of_sign(std::size_t t) {
     constexpr double kAgainst = -0.9;
-    const SceneTarget& target = parts_[part].target;
-    const std::vector<double>& fitted = result_.parts[part].fitted;
+    const SceneTarget& target = targets_[t].target;
+    const std::vector<double>& fitted = result_.targets[t].fitted;
     double both = 0.0, measured = 0.0, made = 0.0;
     for (std::size_t i = 0; i < fitted.size(); ++i) {
       both += fitted[i] * target.ordinate[i];
@@ -157,43 +157,44 @@ class SceneFit {
   }
 
   /// A scene that stops short of what was measured, even with the fitted values.
-  void warn_of_path(std::size_t part, const SceneCurve& fitted) {
+  void warn_of_path(std::size_t t, const SceneCurve& fitted) {
     if (!fitted.is_extended) return;
     result_.warnings.push_back(
         fmt::format("{}: with the fitted values the scene's path ends before the measured one; it "
                     "was compared where the ramps go on beyond the scene's end",
-                    parts_[part].target.name));
+                    targets_[t].target.name));
   }
 
-  void add_part(std::size_t index) {
-    const SceneTarget& target = parts_[index].target;
-    ScenePartFit part;
-    part.name = target.name;
-    part.level = problem_.model(index).level();
-    part.samples = target.ordinate.size();
-    part.cost = search_.cost_of(index);
-    const PartNoise& noise = problem_.noise()[index];
-    part.noise = noise.pooled ? noise.deviation : target.noise.value_or(search_.noise_left(index));
-    part.degrees_of_freedom = noise.degrees_of_freedom;
+  void add_target(std::size_t index) {
+    const SceneTarget& target = targets_[index].target;
+    TargetFit of_target;
+    of_target.name = target.name;
+    of_target.level = problem_.model(index).level();
+    of_target.samples = target.ordinate.size();
+    of_target.cost = search_.cost_of(index);
+    const TargetNoise& noise = problem_.noise()[index];
+    of_target.noise =
+        noise.pooled ? noise.deviation : target.noise.value_or(search_.noise_left(index));
+    of_target.degrees_of_freedom = noise.degrees_of_freedom;
     if (noise.pooled) {
-      result_.warnings.push_back(
-          fmt::format("{}: its {} samples leave {:.2g} degrees of freedom to its noise, too few to "
-                      "weigh it by: it is given the share of the largest value that all targets "
-                      "have, {:.3g} (SI); state it (noise) if it is known",
-                      target.name, part.samples, noise.degrees_left, part.noise));
+      result_.warnings.push_back(fmt::format(
+          "{}: its {} samples leave {:.2g} degrees of freedom, too few to estimate its "
+          "noise: it has the pooled noise of all targets, {:.3g} (SI); state it (noise) "
+          "if it is known",
+          target.name, of_target.samples, noise.degrees_left, of_target.noise));
     }
     const double largest = largest_size(target.ordinate);
-    const double rms = std::sqrt(part.cost / static_cast<double>(part.samples));
-    part.misfit_share = largest > 0.0 ? rms / largest : 0.0;
-    const double unit = problem_.scale(index) / std::sqrt(parts_[index].weight);
+    const double rms = std::sqrt(of_target.cost / static_cast<double>(of_target.samples));
+    of_target.misfit_fraction = largest > 0.0 ? rms / largest : 0.0;
+    const double unit = problem_.scale(index) / std::sqrt(targets_[index].weight);
     std::vector<double> residual;
-    for (std::size_t i = 0; i < part.samples; ++i) {
+    for (std::size_t i = 0; i < of_target.samples; ++i) {
       residual.push_back(unit * search_.best().residual[problem_.first_residual(index) + i]);
-      part.fitted.push_back(target.ordinate[i] + residual.back());
+      of_target.fitted.push_back(target.ordinate[i] + residual.back());
     }
-    part.runs_probability = runs_probability(residual);
-    part.break_strain = kNan;
-    result_.parts.push_back(std::move(part));
+    of_target.runs_test_p = runs_test_p(residual);
+    of_target.break_strain = kNan;
+    result_.targets.push_back(std::move(of_target));
   }
 
   void add_parameters(SceneErrors& errors) {
@@ -210,7 +211,7 @@ class SceneFit {
       fitted.lower = *p.lower;
       fitted.upper = *p.upper;
       std::vector<double> halves;
-      shares_.emplace_back();
+      fractions_.emplace_back();
       Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
       if (is_break(p)) {
         const BreakLimit limit = errors.break_limit(p);
@@ -218,11 +219,11 @@ class SceneFit {
         fitted.at_lower = limit.value < *p.lower;
         fitted.at_upper = limit.value > *p.upper;
         halves = limit.halves;
-        shares_.back() = limit.shares;
+        fractions_.back() = limit.fractions;
         if (limit.disagree) {
           result_.warnings.push_back(fmt::format(
               "{}: the targets disagree, from {:.4g} to {:.4g}; the value is a mean of unlike ones",
-              fitted.path, limit.least, limit.most));
+              fitted.path, limit.min, limit.max));
         }
         slope = limit.slope;
       } else {
@@ -260,7 +261,7 @@ class SceneFit {
       fitted.interval_high = fitted.value + reach;
       // Both count by one over the square of their standard deviations.
       const double prior = p.prior ? fitted.noise_error / p.prior->standard_deviation : 0.0;
-      prior_shares_.push_back(prior * prior);
+      prior_fractions_.push_back(prior * prior);
       // As wide as one interval with the same standard error.
       halves_.push_back(std::sqrt(3.0) * fitted.sampling_error);
       result_.parameters.push_back(std::move(fitted));
@@ -283,14 +284,14 @@ class SceneFit {
     }
   }
 
-  std::span<const ScenePart> parts_;
+  std::span<const WeightedTarget> targets_;
   const SceneFitOptions& options_;
   SceneProblem problem_;
   SceneSearch search_;
-  SceneWork work_;                           ///< after the search
-  std::vector<double> halves_;               ///< of the sampling intervals of parameters [SI]
-  std::vector<double> prior_shares_;         ///< in what is known of the parameters (n_free)
-  std::vector<std::vector<double>> shares_;  ///< of the parts in a break limit, by parameter
+  SceneWork work_;                              ///< after the search
+  std::vector<double> halves_;                  ///< of the sampling intervals of parameters [SI]
+  std::vector<double> prior_fractions_;         ///< in what is known of the parameters (n_free)
+  std::vector<std::vector<double>> fractions_;  ///< of the targets in a break limit, by parameter
   SceneFitResult result_;
 };
 
@@ -304,20 +305,20 @@ const FittedParameter& SceneFitResult::parameter(std::string_view name) const {
   throw std::out_of_range("no fitted parameter " + std::string(name));
 }
 
-SceneFitResult fit_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options) {
-  check_scene_fit(parts, options);
-  return SceneFit(parts, options).run();
+SceneFitResult fit_scenes(std::span<const WeightedTarget> targets, const SceneFitOptions& options) {
+  check_scene_fit(targets, options);
+  return SceneFit(targets, options).run();
 }
 
-void check_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options) {
-  check_scene_fit(parts, options);
-  (void)SceneFit(parts, options);
+void check_scenes(std::span<const WeightedTarget> targets, const SceneFitOptions& options) {
+  check_scene_fit(targets, options);
+  (void)SceneFit(targets, options);
 }
 
 SceneFitResult fit_scene(const Setup& setup, const SceneTarget& target,
                          const SceneFitOptions& options) {
-  const std::vector<ScenePart> parts{{setup, target}};
-  return fit_scenes(parts, options);
+  const std::vector<WeightedTarget> targets{{setup, target}};
+  return fit_scenes(targets, options);
 }
 
 }  // namespace plastica::calibrate

@@ -21,21 +21,21 @@
 namespace plastica::calibrate {
 
 /// A measured curve and the scene that it is fitted through.
-struct ScenePart {
+struct WeightedTarget {
   Setup setup;
   SceneTarget target;
-  double weight = 1.0;  ///< of its squares, beside those of other parts, > 0
+  double weight = 1.0;  ///< of its squares, beside those of other targets, > 0
 };
 
 /// What a fit through scenes may move, and how long it searches.
 struct SceneFitOptions {
-  /// Numbers of the field table, which all parts share. Free ones need both bounds; their start is
-  /// `value`, else what the first part's scene has, else the middle of the bounds.
+  /// Numbers of the field table, which all targets share. Free ones need both bounds; their start
+  /// is `value`, else what the first target's scene has, else the middle of the bounds.
   ///
   /// A break strain (`material.break_strain` of a beam that bends in a plane or is stretched,
   /// `material.break_shear_strain` of a twisted one) is not searched but set, within its bounds, to
   /// the permanent strain that the fitted model has where the target broke (see misfit.hpp), half
-  /// way between that at its last whole sample and at its first broken one. No
+  /// way between that at its last intact sample and at its first broken one. No
   /// other may be tied to it, nor may it have a prior. The hinge length (`rules.hinge_length`),
   /// which curves do not depend on, is fitted to the break in its place, where the break strain is
   /// known and hinges do not harden (a hardening one spreads as far as its joint).
@@ -63,20 +63,20 @@ struct SceneFitOptions {
 };
 
 /// What a fit made of one target.
-struct ScenePartFit {
+struct TargetFit {
   std::string name;
   Level level = Level::Auto;
   std::size_t samples = 0;
   double cost = 0.0;  ///< sum of the squared residuals [SI^2]
-  /// Standard deviation of the ordinate that errors stand on, and that parts are weighted by: the
-  /// target's, else by its residuals (part_noise.hpp) [SI].
+  /// Standard deviation of the ordinate [SI]: errors are based on it and targets weighted by it. As
+  /// the target states it, else estimated from residuals (target_noise.hpp).
   double noise = 0.0;
   double degrees_of_freedom = 0.0;  ///< of this; infinite where the target states it
-  double misfit_share = 0.0;        ///< rms residual over the largest measured ordinate [1]
+  double misfit_fraction = 0.0;     ///< rms residual over the largest measured ordinate [1]
   /// Wald and Wolfowitz: probability of as few runs of residuals of one sign, if they were
   /// independent, or of so few of one sign [1]; NaN for fewer than 20. Small where the model
   /// cannot follow.
-  double runs_probability = 0.0;
+  double runs_test_p = 0.0;
   std::vector<double> fitted;  ///< the model's ordinate at the measured abscissa [SI] (n_samples)
   /// Standard error of each of these from the covariance, sqrt(diag(J C J^T)) [SI] (n_samples).
   std::vector<double> fitted_error;
@@ -100,7 +100,7 @@ struct SceneFitResult {
   std::string reason;                       ///< one sentence for Failed
   std::vector<FittedParameter> parameters;  ///< the free ones, in the order of the options
   std::vector<double> correlation;          ///< of these (n_free x n_free); NaN where there is none
-  std::vector<ScenePartFit> parts;
+  std::vector<TargetFit> targets;
   double degrees_of_freedom = 0.0;  ///< of an estimated noise; infinite if all targets have theirs
   std::vector<SceneStart> starts;   ///< in their order
   LeastSquaresOutcome outcome = LeastSquaresOutcome::NoStart;  ///< of the best search
@@ -120,11 +120,12 @@ struct SceneFitResult {
 
 /// Fits fields of one or several scenes to measured curves, by least squares of the ordinates.
 ///
-/// Parts are weighted by their noise: sum over parts of weight/noise^2 sum r_i^2. Where a target
-/// states none, each part's ordinate range stands for it at first; then the parts' residuals say
-/// it, each with the degrees of freedom that the fit leaves to the part, and the fit is repeated,
-/// four times at most, until it changes by less than 5 %. A part with fewer than five of these has
-/// the noise that all parts have in common, as a share of the largest ordinate.
+/// Targets are weighted by their noise: sum over targets of weight/noise^2 sum r_i^2. If a target
+/// states none, the largest ordinate stands for it at first. Then the noise is estimated from the
+/// residuals, with the degrees of freedom that the fit leaves to the target, and the fit is
+/// repeated, four times at most, until the noise changes by less than 5 %. A target with fewer than
+/// five degrees of freedom has the pooled noise of all targets, as a fraction of the largest
+/// ordinate.
 ///
 /// Errors are those of Gauss and Newton: C = A^-1 B A^-1 with A = J^T W J, B = J^T W^2 J, J the
 /// residuals' slopes over the noise by central differences and W the given weights (for weights
@@ -135,10 +136,10 @@ struct SceneFitResult {
 /// values is not in them, nor is what segments do: see `SceneSegments`.
 /// @throws InputError for a scene, target or parameter that is bad input, and if the probe of an
 ///         abscissa turns round on the path from the start values; FitInterrupted by the hooks
-SceneFitResult fit_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options);
+SceneFitResult fit_scenes(std::span<const WeightedTarget> targets, const SceneFitOptions& options);
 
 /// Refuses what `fit_scenes` would refuse before its first run. @throws InputError
-void check_scenes(std::span<const ScenePart> parts, const SceneFitOptions& options);
+void check_scenes(std::span<const WeightedTarget> targets, const SceneFitOptions& options);
 
 /// The same as `fit_scenes` for one target.
 SceneFitResult fit_scene(const Setup& setup, const SceneTarget& target,

@@ -16,7 +16,7 @@
 namespace plastica::calibrate {
 namespace {
 
-/// A number of the first part's material where the search begins.
+/// A number of the first target's material where the search begins.
 double start_of(MaterialField which, const SceneFitOptions& options, const Setup& setup) {
   for (const Parameter& p : options.parameters) {
     if (p.field->material != which || p.role == ParameterRole::Tied) continue;
@@ -32,7 +32,7 @@ double start_of(MaterialField which, const SceneFitOptions& options, const Setup
 }
 
 /// The least Young's modulus that a search may try.
-double least_modulus(const SceneFitOptions& options, double start) {
+double min_modulus(const SceneFitOptions& options, double start) {
   for (const Parameter& p : options.parameters) {
     const bool searched =
         p.field->material == MaterialField::YoungsModulus && p.role == ParameterRole::Free;
@@ -54,10 +54,10 @@ std::optional<Usual> usual(const Field& field, const SceneFitOptions& options, c
   const double E = start_of(MaterialField::YoungsModulus, options, setup);
   switch (*field.material) {
     case MaterialField::TangentModulus: {
-      const double most = std::min(0.25 * E, 0.9 * least_modulus(options, E));
+      const double most = std::min(0.25 * E, 0.9 * min_modulus(options, E));
       return Usual{std::min(0.01 * E, most), 0.0, most};
     }
-    case MaterialField::KinematicShare: return Usual{0.5, 0.0, 1.0};
+    case MaterialField::KinematicFraction: return Usual{0.5, 0.0, 1.0};
     case MaterialField::SaturationStress: return Usual{0.3 * S, 0.0, 3.0 * S};
     case MaterialField::SaturationRate: return around(0.1 * E / S);
     case MaterialField::BackModulus1: return around(0.2 * E);
@@ -88,24 +88,25 @@ void complete(const SceneFitOptions& options, const Setup& setup, Parameter& p) 
 }
 
 /// What the residuals of a fit leave, as in compare_laws.hpp.
-double deviance(const SceneFitResult& result, std::span<const ScenePart> parts) {
+double deviance(const SceneFitResult& result, std::span<const WeightedTarget> targets) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < result.parts.size(); ++i) {
-    const ScenePartFit& part = result.parts[i];
-    const auto& noise = parts[i].target.noise;
-    sum += parts[i].weight * (noise ? part.cost / (*noise * *noise)
-                                    : static_cast<double>(part.samples) * std::log(part.cost));
+  for (std::size_t i = 0; i < result.targets.size(); ++i) {
+    const TargetFit& of_target = result.targets[i];
+    const auto& noise = targets[i].target.noise;
+    sum += targets[i].weight *
+           (noise ? of_target.cost / (*noise * *noise)
+                  : static_cast<double>(of_target.samples) * std::log(of_target.cost));
   }
   return sum;
 }
 
 }  // namespace
 
-Loading loading_of(std::span<const ScenePart> parts) {
+Loading loading_of(std::span<const WeightedTarget> targets) {
   constexpr double kBeyond = 0.05;
-  const bool cyclic = std::ranges::any_of(parts, [](const ScenePart& part) {
-    if (part.target.ordinate.empty()) return false;
-    const auto [low, high] = std::ranges::minmax(part.target.ordinate);
+  const bool cyclic = std::ranges::any_of(targets, [](const WeightedTarget& weighted) {
+    if (weighted.target.ordinate.empty()) return false;
+    const auto [low, high] = std::ranges::minmax(weighted.target.ordinate);
     const double beyond = kBeyond * std::max(-low, high);
     return low < -beyond && high > beyond;
   });
@@ -120,19 +121,19 @@ Setup setup_of(Law law, const Setup& setup) {
   return changed;
 }
 
-std::vector<ScenePart> parts_of(Law law, std::span<const ScenePart> parts) {
-  std::vector<ScenePart> changed(parts.begin(), parts.end());
-  for (ScenePart& part : changed) part.setup = setup_of(law, part.setup);
+std::vector<WeightedTarget> targets_of(Law law, std::span<const WeightedTarget> targets) {
+  std::vector<WeightedTarget> changed(targets.begin(), targets.end());
+  for (WeightedTarget& weighted : changed) weighted.setup = setup_of(law, weighted.setup);
   return changed;
 }
 
 SceneFitOptions options_of(Law law, const SceneFitOptions& options,
-                           std::span<const ScenePart> parts) {
+                           std::span<const WeightedTarget> targets) {
   SceneFitOptions own = options;
   const std::vector<Law> laws{law};
-  own.parameters = parameters_of(law, loading_of(parts), parameters_of(laws, options.parameters),
+  own.parameters = parameters_of(law, loading_of(targets), parameters_of(laws, options.parameters),
                                  options.parameters);
-  for (Parameter& p : own.parameters) complete(options, parts.front().setup, p);
+  for (Parameter& p : own.parameters) complete(options, targets.front().setup, p);
   return own;
 }
 
@@ -151,14 +152,14 @@ void start_from(const SceneFitResult& simpler, SceneFitOptions& options) {
   }
 }
 
-void compare_with(const SceneFitResult& simpler, std::span<const ScenePart> parts,
+void compare_with(const SceneFitResult& simpler, std::span<const WeightedTarget> targets,
                   SceneFitResult& result) {
   if (result.status != FitStatus::Fitted || simpler.status != FitStatus::Fitted) return;
   double samples = 0.0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    samples += parts[i].weight * static_cast<double>(parts[i].target.ordinate.size());
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    samples += targets[i].weight * static_cast<double>(targets[i].target.ordinate.size());
   }
-  if (!(deviance(result, parts) > deviance(simpler, parts) + kNoBetter * samples)) return;
+  if (!(deviance(result, targets) > deviance(simpler, targets) + kNoBetter * samples)) return;
   result.warnings.push_back(
       fmt::format("{} ends with a larger misfit than {}, which it contains: its search has not "
                   "found its best",
@@ -172,24 +173,25 @@ LawFit law_fit_of(const SceneFitRecord& record) {
   fit.fitted = result.status == FitStatus::Fitted;
   if (!fit.fitted) return fit;
   const double weights = std::accumulate(record.weights.begin(), record.weights.end(), 0.0);
-  for (std::size_t i = 0; i < result.parts.size(); ++i) {
-    const ScenePartFit& part = result.parts[i];
+  for (std::size_t i = 0; i < result.targets.size(); ++i) {
+    const TargetFit& of_target = result.targets[i];
     const SceneTarget& target = record.targets[i];
-    std::vector<double> residual(part.fitted.size());
+    std::vector<double> residual(of_target.fitted.size());
     double largest = 0.0;
     for (std::size_t k = 0; k < residual.size(); ++k) {
-      residual[k] = part.fitted[k] - target.ordinate[k];
+      residual[k] = of_target.fitted[k] - target.ordinate[k];
       largest = std::max(largest, std::fabs(target.ordinate[k]));
     }
-    const auto samples = static_cast<double>(part.samples);
-    const double share = record.weights[i] * static_cast<double>(result.parts.size()) / weights;
-    fit.curves.push_back({.mean_square = part.cost / samples,
+    const auto samples = static_cast<double>(of_target.samples);
+    const double fraction =
+        record.weights[i] * static_cast<double>(result.targets.size()) / weights;
+    fit.curves.push_back({.mean_square = of_target.cost / samples,
                           .largest = largest,
-                          .samples = share * samples,
+                          .samples = fraction * samples,
                           .autocorrelation = autocorrelation(residual),
                           .noise = target.noise});
-    fit.misfit_share = std::max(fit.misfit_share, part.misfit_share);
-    fit.lacks_fit = fit.lacks_fit || lacks_fit(part.misfit_share, part.runs_probability);
+    fit.misfit_fraction = std::max(fit.misfit_fraction, of_target.misfit_fraction);
+    fit.lacks_fit = fit.lacks_fit || lacks_fit(of_target.misfit_fraction, of_target.runs_test_p);
   }
   for (const FittedParameter& p : result.parameters) {
     if (p.path == "material.break_strain" || p.path == "material.break_shear_strain") continue;

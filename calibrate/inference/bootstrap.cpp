@@ -25,12 +25,12 @@ Draws::Draws(std::uint64_t seed, std::uint64_t index)
 
 std::uint64_t Draws::bits() { return mixed(state_ += kGolden); }
 
-double Draws::even() { return (static_cast<double>(bits() >> 12) + 0.5) * 0x1p-52; }
+double Draws::uniform() { return (static_cast<double>(bits() >> 12) + 0.5) * 0x1p-52; }
 
-double Draws::normal() { return theory::normal_quantile(even()); }
+double Draws::normal() { return theory::normal_quantile(uniform()); }
 
 std::size_t Draws::below(std::size_t count) {
-  const auto drawn = static_cast<std::size_t>(even() * static_cast<double>(count));
+  const auto drawn = static_cast<std::size_t>(uniform() * static_cast<double>(count));
   return std::min(drawn, count - 1);
 }
 
@@ -70,8 +70,8 @@ BootstrapInterval bootstrap_interval(std::vector<double> values, double confiden
   double mean = 0.0, squares = 0.0;
   for (const double v : values) mean += v / count;
   for (const double v : values) squares += (v - mean) * (v - mean);
-  const auto percentile = [&](double share) {
-    const double number = std::clamp((count + 1.0) * share - 1.0, 0.0, count - 1.0);
+  const auto percentile = [&](double fraction) {
+    const double number = std::clamp((count + 1.0) * fraction - 1.0, 0.0, count - 1.0);
     const auto below = std::min(static_cast<std::size_t>(number), values.size() - 2);
     const double part = number - static_cast<double>(below);
     return values[below] + part * (values[below + 1] - values[below]);

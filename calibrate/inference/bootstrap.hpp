@@ -16,7 +16,7 @@ class Draws {
   Draws(std::uint64_t seed, std::uint64_t index);
 
   std::uint64_t bits();
-  double even();                         ///< within (0, 1)
+  double uniform();                      ///< within (0, 1)
   double normal();                       ///< mean 0, variance 1
   std::size_t below(std::size_t count);  ///< 0 … count - 1
 
@@ -24,7 +24,7 @@ class Draws {
   std::uint64_t state_;
 };
 
-/// Residuals drawn anew with replacement, by blocks of neighbours that go on from the last residual
+/// Residuals resampled with replacement, by blocks of neighbours that go on from the last residual
 /// to the first. Centred before, so that each has the mean 0.
 /// Source: Efron, Ann. Stat. 7 (1979) 1; blocks: Politis & Romano, in: Exploring the Limits of
 /// Bootstrap, 1992, 263.

@@ -11,12 +11,12 @@ namespace {
 
 /// Differences of BIC below this are none.
 constexpr double kBareMention = 2.0;
-/// A misfit below this share of the largest value is none.
+/// A misfit below this fraction of the largest value is none.
 constexpr double kNothingLeft = 1e-6;
 /// Residuals of neighbours more alike than this would leave no samples.
-constexpr double kMostAlike = 0.999;
-/// Misfits, as shares of the largest value, above which a law may lack something: with residuals in
-/// long runs; without a count of runs.
+constexpr double kMaxAlike = 0.999;
+/// Misfits, as fractions of the largest value, above which a law may lack something: with residuals
+/// in long runs; without a count of runs.
 constexpr double kLacking = 0.01;
 constexpr double kLackingForSure = 0.05;
 
@@ -37,7 +37,7 @@ std::vector<double> worth_of(const std::vector<LawFit>& fits) {
       const CurveResidual& residual = fit.curves[c];
       if (!(residual.mean_square < least[c])) continue;
       least[c] = residual.mean_square;
-      const double alike = std::clamp(residual.autocorrelation, 0.0, kMostAlike);
+      const double alike = std::clamp(residual.autocorrelation, 0.0, kMaxAlike);
       worth[c] = std::max(1.0, residual.samples * (1.0 - alike) / (1.0 + alike));
     }
   }
@@ -76,7 +76,7 @@ std::string doubts_on(const LawFit& fit) {
   return text;
 }
 
-std::string share_text(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
+std::string fraction_text(double fraction) { return fmt::format("{:.2g} %", 100.0 * fraction); }
 
 std::string advice_of(const std::vector<ComparedLaw>& laws, std::size_t advised) {
   const ComparedLaw& best = laws[advised];
@@ -94,17 +94,17 @@ std::string advice_of(const std::vector<ComparedLaw>& laws, std::size_t advised)
     for (const ComparedLaw& law : laws) {
       if (law.fit.parameters.size() <= best.fit.parameters.size() || !law.fit.fitted) continue;
       const std::string doubts = doubts_on(law.fit);
-      text += fmt::format(
-          "; {} gains nothing: {}", name_of(law.fit.law),
-          !doubts.empty()
-              ? doubts
-              : fmt::format("its misfit is {}, that of {} {}", share_text(law.fit.misfit_share),
-                            name_of(best.fit.law), share_text(best.fit.misfit_share)));
+      text += fmt::format("; {} gains nothing: {}", name_of(law.fit.law),
+                          !doubts.empty() ? doubts
+                                          : fmt::format("its misfit is {}, that of {} {}",
+                                                        fraction_text(law.fit.misfit_fraction),
+                                                        name_of(best.fit.law),
+                                                        fraction_text(best.fit.misfit_fraction)));
     }
   }
   if (best.fit.lacks_fit) {
     text += fmt::format("; even so it does not describe the curve (misfit {} of the largest value)",
-                        share_text(best.fit.misfit_share));
+                        fraction_text(best.fit.misfit_fraction));
   }
   return text;
 }
@@ -118,7 +118,7 @@ void add(LawFit&& fit, LawFit& sum) {
   sum.evaluations += fit.evaluations;
   sum.runs += fit.runs;
   sum.seconds = sum.fitted ? sum.seconds + fit.seconds : fit.seconds;
-  sum.misfit_share = std::max(sum.misfit_share, fit.misfit_share);
+  sum.misfit_fraction = std::max(sum.misfit_fraction, fit.misfit_fraction);
   sum.lacks_fit = sum.lacks_fit || fit.lacks_fit;
   sum.fitted = true;
 }
@@ -127,7 +127,7 @@ void add(LawFit&& fit, LawFit& sum) {
 
 LawComparison compare_laws_over(std::vector<std::vector<LawFit>> targets) {
   std::vector<LawFit> sums;
-  const bool any_whole = std::ranges::any_of(targets, [](const std::vector<LawFit>& fits) {
+  const bool any_complete = std::ranges::any_of(targets, [](const std::vector<LawFit>& fits) {
     return std::ranges::all_of(fits, &LawFit::fitted);
   });
   std::vector<Law> failed_somewhere;
@@ -140,10 +140,10 @@ LawComparison compare_laws_over(std::vector<std::vector<LawFit>> targets) {
     }
   }
   for (std::vector<LawFit>& fits : targets) {
-    if (any_whole && !std::ranges::all_of(fits, &LawFit::fitted)) continue;
+    if (any_complete && !std::ranges::all_of(fits, &LawFit::fitted)) continue;
     for (LawFit& fit : fits) {
       const bool failed = std::ranges::find(failed_somewhere, fit.law) != failed_somewhere.end();
-      if (!any_whole && failed) continue;
+      if (!any_complete && failed) continue;
       add(std::move(fit), *std::ranges::find(sums, fit.law, &LawFit::law));
     }
   }
@@ -193,18 +193,18 @@ double autocorrelation(std::span<const double> residual) {
   return squares > 0.0 ? products / squares : 0.0;
 }
 
-bool lacks_fit(double share, double runs_probability) {
-  return std::isnan(runs_probability) ? share > kLackingForSure
-                                      : runs_probability < kFewRuns && share > kLacking;
+bool lacks_fit(double fraction, double runs_test_p) {
+  return std::isnan(runs_test_p) ? fraction > kLackingForSure
+                                 : runs_test_p < kFewRuns && fraction > kLacking;
 }
 
-std::string lack_of_fit(std::string_view law, double share, double runs_probability,
+std::string lack_of_fit(std::string_view law, double fraction, double runs_test_p,
                         std::string_view try_next) {
-  if (!lacks_fit(share, runs_probability)) return {};
-  const bool counted = !std::isnan(runs_probability);
+  if (!lacks_fit(fraction, runs_test_p)) return {};
+  const bool counted = !std::isnan(runs_test_p);
   std::string text = fmt::format("{} does not describe this curve (misfit {} of the largest value",
-                                 law, share_text(share));
-  if (counted) text += fmt::format(", runs probability {:.1g}", runs_probability);
+                                 law, fraction_text(fraction));
+  if (counted) text += fmt::format(", runs test p {:.1g}", runs_test_p);
   text += "): standard errors are too small";
   if (!try_next.empty()) text += fmt::format("; try --laws {}", try_next);
   return text;

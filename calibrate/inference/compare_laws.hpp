@@ -34,8 +34,8 @@ struct LawFit {
   std::size_t runs = 0;           ///< of scenes in the search; 0: a coupon
   /// Time that the fit took [s]; NaN: not known.
   double seconds = std::numeric_limits<double>::quiet_NaN();
-  double misfit_share = 0.0;  ///< rms over the largest measured value [1]
-  bool lacks_fit = false;     ///< whether it does not describe a curve: `lacks_fit` below
+  double misfit_fraction = 0.0;  ///< rms over the largest measured value [1]
+  bool lacks_fit = false;        ///< whether it does not describe a curve: `lacks_fit` below
 };
 
 /// A law among others, all fitted to the same curves.
@@ -90,12 +90,12 @@ double autocorrelation(std::span<const double> residual);
 /// Whether a law does not describe a curve, as far as the residuals tell: where they lie in runs
 /// that noise would not (`kFewRuns`) and are more than 1 % of the largest value. For curves too
 /// short to count runs, where they are more than 5 % of it.
-/// @param share  rms of the residuals over the largest measured value
-bool lacks_fit(double share, double runs_probability);
+/// @param fraction  rms of the residuals over the largest measured value
+bool lacks_fit(double fraction, double runs_test_p);
 
 /// Says that it does not, and what to try; empty where it does.
 /// @param try_next  `laws_to_try`
-std::string lack_of_fit(std::string_view law, double share, double runs_probability,
+std::string lack_of_fit(std::string_view law, double fraction, double runs_test_p,
                         std::string_view try_next);
 
 }  // namespace plastica::calibrate

@@ -47,7 +47,7 @@ BootstrapResult bootstrap_coupon(CouponProblem& problem, const FitOptions& optio
   for (int b = 0; b < options.intervals.bootstrap; ++b) {
     Draws draws(seed, static_cast<std::uint64_t>(b));
     std::vector<double> shift = drawn_shift(problem, residual, inflation, block, draws);
-    const double place = draws.even();
+    const double place = draws.uniform();
     std::vector<double> factor(shift.size(), 1.0);
     const LeastSquares found =
         minimize_squares(changed(problem.squares(), std::move(factor), std::move(shift)), how);

@@ -5,13 +5,13 @@
 #include <limits>
 #include <numeric>
 
-#include "calibrate/inference/shown_yield.hpp"
+#include "calibrate/inference/identifiable_yield.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
-/// Share of the largest stress below which a noise is rounding.
-constexpr double kLeastNoise = 1e-12;
+/// Fraction of the largest stress below which a noise is rounding.
+constexpr double kMinNoise = 1e-12;
 
 }  // namespace
 
@@ -41,10 +41,10 @@ CouponProblem::CouponProblem(const Target& target, const FitOptions& options,
     free_.push_back(free);
   }
   details_ = misfit_.details(active_);
-  hide_unseen_yield(misfit_, set_, active_, options, details_);
+  drop_unidentifiable_yield(misfit_, set_, active_, options, details_);
   uncertainty_ = uncertainty(details_, active_, set_, target, options, misfit_.break_factor());
   spread_ = spread_of(details_, active_, set_, target, options);
-  noise_ = std::max(uncertainty_.noise, kLeastNoise * std::sqrt(misfit_.cost_unit()));
+  noise_ = std::max(uncertainty_.noise, kMinNoise * std::sqrt(misfit_.cost_unit()));
   for (std::size_t i = 0; i < n_active; ++i) {
     if (set_.all()[set_.active()[i]].is_break) {
       limit_half_ = uncertainty_.sampling[i];
@@ -119,7 +119,7 @@ std::optional<CouponProblem::Moments> CouponProblem::moments(
   all.along.assign(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     if (!uncertainty_.identified[searched_[i]]) {
-      // What the curve does not determine says nothing of what does not depend on it.
+      // A parameter that is not identifiable does not matter to what does not depend on it.
       if (gradient[i] != 0.0) return std::nullopt;
       continue;
     }

@@ -69,7 +69,7 @@ class CouponProblem {
   std::vector<double> limit_slope() const;
   double limit_half() const { return limit_half_; }
   /// The limit at coordinates, with the break at a place of its interval: 0 where the specimen was
-  /// whole for sure, 1 where it was broken. NaN where the model cannot be run.
+  /// intact for sure, 1 where it was broken. NaN where the model cannot be run.
   double limit_at(std::span<const double> x, double place);
 
   double value(std::size_t coordinate, double x) const;  ///< SI

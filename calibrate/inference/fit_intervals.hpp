@@ -15,7 +15,7 @@ namespace plastica::calibrate {
 /// the permanent strain which the model has when the specimen breaks, and its ends have the break's
 /// place between two samples in them (theory::half_interval).
 ///
-/// Residual bootstrap: the residuals of the samples that enter, drawn anew with replacement about
+/// Residual bootstrap: the residuals of the samples that enter, resampled with replacement about
 /// the fitted curve, a search from the fitted values on for each; the break is anywhere between its
 /// samples. Of a parameter that the curve does not determine there is no interval. The draws are
 /// the fit's own (`FitResult::seed`), whatever else is fitted.

@@ -29,7 +29,7 @@ FittedScenes::FittedScenes(SceneProblem& problem, const SceneFitOptions& options
 }
 
 std::unique_ptr<SceneProblem> FittedScenes::copy() const {
-  auto problem = std::make_unique<SceneProblem>(problem_.parts(), alone_);
+  auto problem = std::make_unique<SceneProblem>(problem_.targets(), alone_);
   problem->set_noise(problem_.noise());
   return problem;
 }

@@ -49,24 +49,24 @@ class FittedScenes {
   std::vector<FreeParameter> free_;
 };
 
-/// Permanent strain at the break of a part's curve: `place` 0 is where the target was whole for
+/// Permanent strain at the break of a target's curve: `place` 0 is where the target was intact for
 /// sure, 1/2 the middle, 1 where it was broken for sure.
 double strain_at_break(const SceneCurve& curve, double place);
 
 /// Likelihood intervals of the free parameters, in their order. Points of a break's are those of
 /// its value where the targets broke in the middle of their sampling intervals; its ends have the
-/// sampling's share in them (theory::half_interval).
+/// sampling's fraction in them (theory::half_interval).
 std::vector<LikelihoodProfile> profile_scenes(const FittedScenes& fitted, SceneWork& work);
 
-/// Intervals from searches of residuals drawn anew, from the fitted parameters on.
+/// Intervals from searches of resampled residuals, from the fitted parameters on.
 ///
-/// Each part's own residuals are drawn, so that each keeps its noise, of which one that has too few
-/// (PartNoise::pooled) is drawn as normal; a prior's mean is drawn from
-/// the normal distribution about the fitted value that it stands for; a break is anywhere between
-/// its samples. Scales and the shares of several breaks stay as they were fitted.
+/// Each target's own residuals are drawn, so that each keeps its noise, of which one that has too
+/// few (TargetNoise::pooled) is drawn as normal; a prior's mean is drawn from the normal
+/// distribution about the fitted value that it stands for; a break is anywhere between its samples.
+/// Scales and the fractions of several breaks stay as they were fitted.
 BootstrapResult bootstrap_residuals(const FittedScenes& fitted, SceneWork& work);
 
-/// The same of targets drawn anew: a part counts as often as it is drawn. Of each kind of test
+/// The same of resampled targets: a target counts as often as it is drawn. Of each kind of test
 /// (are_of_one_kind) as many are drawn as there are, so that no resample is without one.
 BootstrapResult bootstrap_specimens(const FittedScenes& fitted, SceneWork& work);
 

@@ -13,9 +13,9 @@ void check_intervals(const IntervalOptions& options) {
     if (!holds) throw InputError({}, field, fmt::format("{}", value), rule);
   };
   const auto check_count = [&](std::string_view field, int count) {
-    const bool enough = count >= kFewestResamples && count <= kMostResamples;
+    const bool enough = count >= kMinResamples && count <= kMaxResamples;
     require(count == 0 || enough, field, count,
-            fmt::format("must be 0, for none, or {} to {}", kFewestResamples, kMostResamples));
+            fmt::format("must be 0, for none, or {} to {}", kMinResamples, kMaxResamples));
   };
   check_count("bootstrap", options.bootstrap);
   check_count("bootstrap_specimens", options.specimens);

@@ -21,8 +21,8 @@ struct IntervalOptions {
   int specimens = 0;
 };
 
-/// Resamples for which percentiles say something, and those that there may be.
-inline constexpr int kFewestResamples = 20, kMostResamples = 1'000'000;
+/// The smallest number of resamples that gives useful percentiles, and the largest allowed one.
+inline constexpr int kMinResamples = 20, kMaxResamples = 1'000'000;
 
 /// Refuses numbers that no fit can have. @throws InputError
 void check_intervals(const IntervalOptions& options);

@@ -27,10 +27,10 @@ ParameterProfile::ParameterProfile(ProfiledParameter parameter, const LeastSquar
     return;
   }
   // At a bound, or not identified: without a scale of its own.
-  constexpr double kShare = 0.02;
+  constexpr double kFraction = 0.02;
   const std::size_t k = parameter_.coordinate;
-  best_.step =
-      kShare * (parameter_.is_break ? std::abs(best_.value) : squares.upper[k] - squares.lower[k]);
+  best_.step = kFraction *
+               (parameter_.is_break ? std::abs(best_.value) : squares.upper[k] - squares.lower[k]);
 }
 
 bool ParameterProfile::depends() const {

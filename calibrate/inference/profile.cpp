@@ -91,9 +91,9 @@ class ProfileScan {
     const double run = inside_.distance - before_.distance;
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (outside_) {
-        const double share =
+        const double fraction =
             (distance - inside_.distance) / (outside_->distance - inside_.distance);
-        x[i] += share * (outside_->x[i] - inside_.x[i]);
+        x[i] += fraction * (outside_->x[i] - inside_.x[i]);
       } else if (run > 0.0) {
         x[i] += (distance - inside_.distance) / run * (inside_.x[i] - before_.x[i]);
       } else if (i < best_.along.size() && std::isfinite(best_.along[i])) {
@@ -106,8 +106,8 @@ class ProfileScan {
   double next() const {
     if (outside_) {
       const double width = outside_->distance - inside_.distance;
-      const double share = (threshold_ - inside_.root) / (outside_->root - inside_.root);
-      return inside_.distance + std::clamp(share, 0.05, 0.95) * width;
+      const double fraction = (threshold_ - inside_.root) / (outside_->root - inside_.root);
+      return inside_.distance + std::clamp(fraction, 0.05, 0.95) * width;
     }
     const double slope = (inside_.root - before_.root) / (inside_.distance - before_.distance);
     const double last = inside_.distance;
@@ -124,11 +124,11 @@ class ProfileScan {
     side_.end = inside_.value;
     if (why != ProfileEnd::Crossed) return;
     const Place& other = outside_ ? *outside_ : before_;
-    const double share = (threshold_ - inside_.root) / (other.root - inside_.root);
-    if (std::isfinite(share)) side_.end += share * (other.value - inside_.value);
+    const double fraction = (threshold_ - inside_.root) / (other.root - inside_.root);
+    if (std::isfinite(fraction)) side_.end += fraction * (other.value - inside_.value);
   }
 
-  /// Share of a distance below which two of them are the same.
+  /// Fraction of a distance below which two of them are the same.
   static constexpr double kClose = 1e-3;
 
   PointAt point_at_;

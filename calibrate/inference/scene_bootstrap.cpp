@@ -14,8 +14,8 @@ namespace {
 /// One resample: what becomes of the residuals, and where and how much the breaks count.
 struct Resample {
   std::vector<double> factor, shift;  ///< (m), see `changed`
-  std::vector<double> place;          ///< of the breaks between their samples (n_parts)
-  std::vector<double> count;          ///< of the parts (n_parts)
+  std::vector<double> place;          ///< of the breaks between their samples (n_targets)
+  std::vector<double> count;          ///< of the targets (n_targets)
 };
 
 using Draw = std::function<Resample(Draws& draws)>;
@@ -31,11 +31,11 @@ std::vector<double> values_of(const FittedScenes& fitted, SceneProblem& problem,
       continue;
     }
     double sum = 0.0, total = 0.0;
-    for (std::size_t part = 0; part < curves.size(); ++part) {
-      const double share = free.limit.shares[part] * resample.count[part];
-      if (share == 0.0) continue;
-      sum += share * strain_at_break(curves[part][0], resample.place[part]);
-      total += share;
+    for (std::size_t t = 0; t < curves.size(); ++t) {
+      const double fraction = free.limit.fractions[t] * resample.count[t];
+      if (fraction == 0.0) continue;
+      sum += fraction * strain_at_break(curves[t][0], resample.place[t]);
+      total += fraction;
     }
     // Not a number if no target that broke was drawn.
     values.push_back(std::clamp(sum / total, *free.parameter->lower, *free.parameter->upper));
@@ -43,17 +43,17 @@ std::vector<double> values_of(const FittedScenes& fitted, SceneProblem& problem,
   return values;
 }
 
-/// The parts of each kind of test: a resample has as many of each as there are.
-std::vector<std::vector<std::size_t>> kinds_of(std::span<const ScenePart> parts) {
+/// The targets of each kind of test: a resample has as many of each as there are.
+std::vector<std::vector<std::size_t>> kinds_of(std::span<const WeightedTarget> targets) {
   std::vector<std::vector<std::size_t>> kinds;
-  for (std::size_t part = 0; part < parts.size(); ++part) {
+  for (std::size_t t = 0; t < targets.size(); ++t) {
     const auto kind = std::ranges::find_if(kinds, [&](const std::vector<std::size_t>& each) {
-      return are_of_one_kind(parts[each.front()].target, parts[part].target);
+      return are_of_one_kind(targets[each.front()].target, targets[t].target);
     });
     if (kind == kinds.end()) {
-      kinds.push_back({part});
+      kinds.push_back({t});
     } else {
-      kind->push_back(part);
+      kind->push_back(t);
     }
   }
   return kinds;
@@ -101,28 +101,28 @@ BootstrapResult bootstrap(const FittedScenes& fitted, std::string_view stage, in
 BootstrapResult bootstrap_residuals(const FittedScenes& fitted, SceneWork& work) {
   const SceneProblem& problem = fitted.problem();
   const std::vector<double>& residual = fitted.best().residual;
-  const std::size_t parts = problem.parts().size();
+  const std::size_t targets = problem.targets().size();
   const auto block = static_cast<std::size_t>(fitted.options().intervals.block);
   const Draw draw = [&](Draws& draws) {
     Resample resample;
     resample.factor.assign(residual.size(), 1.0);
-    resample.count.assign(parts, 1.0);
-    for (std::size_t part = 0; part < parts; ++part) {
-      const std::size_t samples = problem.parts()[part].target.ordinate.size();
-      const PartNoise& noise = problem.noise()[part];
+    resample.count.assign(targets, 1.0);
+    for (std::size_t t = 0; t < targets; ++t) {
+      const std::size_t samples = problem.targets()[t].target.ordinate.size();
+      const TargetNoise& noise = problem.noise()[t];
       std::vector<double> drawn;
       if (noise.is_from_elsewhere()) {
-        // Its own residuals say nothing of its noise.
-        const double deviation = std::sqrt(problem.parts()[part].weight);
+        // Its own residuals are too few to estimate its noise.
+        const double deviation = std::sqrt(problem.targets()[t].weight);
         for (std::size_t i = 0; i < samples; ++i) drawn.push_back(deviation * draws.normal());
       } else {
         // Parameters took their part of them.
         const double inflation = std::sqrt(static_cast<double>(samples) / noise.degrees_left);
-        drawn = drawn_residuals(std::span(residual).subspan(problem.first_residual(part), samples),
+        drawn = drawn_residuals(std::span(residual).subspan(problem.first_residual(t), samples),
                                 inflation, block, draws);
       }
       resample.shift.insert(resample.shift.end(), drawn.begin(), drawn.end());
-      resample.place.push_back(draws.even());
+      resample.place.push_back(draws.uniform());
     }
     const std::size_t breaks = problem.known_breaks().size();
     while (resample.shift.size() < residual.size() - breaks) {
@@ -130,7 +130,7 @@ BootstrapResult bootstrap_residuals(const FittedScenes& fitted, SceneWork& work)
     }
     // A break is anywhere in its interval.
     while (resample.shift.size() < residual.size()) {
-      resample.shift.push_back(std::sqrt(3.0) * (2.0 * draws.even() - 1.0));
+      resample.shift.push_back(std::sqrt(3.0) * (2.0 * draws.uniform() - 1.0));
     }
     // A drawn target is the fitted curve and what was drawn.
     for (std::size_t i = 0; i < residual.size(); ++i) resample.shift[i] -= residual[i];
@@ -143,13 +143,13 @@ BootstrapResult bootstrap_residuals(const FittedScenes& fitted, SceneWork& work)
 
 BootstrapResult bootstrap_specimens(const FittedScenes& fitted, SceneWork& work) {
   const SceneProblem& problem = fitted.problem();
-  const std::vector<std::vector<std::size_t>> kinds = kinds_of(problem.parts());
+  const std::vector<std::vector<std::size_t>> kinds = kinds_of(problem.targets());
   const std::size_t all = fitted.best().residual.size();
-  const std::size_t parts = problem.parts().size();
+  const std::size_t targets = problem.targets().size();
   const Draw draw = [&](Draws& draws) {
     Resample resample;
-    resample.count.assign(parts, 0.0);
-    resample.place.assign(parts, 0.5);
+    resample.count.assign(targets, 0.0);
+    resample.place.assign(targets, 0.5);
     resample.shift.assign(all, 0.0);
     resample.factor.assign(all, 1.0);
     for (const std::vector<std::size_t>& kind : kinds) {
@@ -157,15 +157,14 @@ BootstrapResult bootstrap_specimens(const FittedScenes& fitted, SceneWork& work)
         resample.count[kind[draws.below(kind.size())]] += 1.0;
       }
     }
-    for (std::size_t part = 0; part < parts; ++part) {
-      const std::size_t samples = problem.parts()[part].target.ordinate.size();
-      std::fill_n(
-          resample.factor.begin() + static_cast<std::ptrdiff_t>(problem.first_residual(part)),
-          samples, std::sqrt(resample.count[part]));
+    for (std::size_t t = 0; t < targets; ++t) {
+      const std::size_t samples = problem.targets()[t].target.ordinate.size();
+      std::fill_n(resample.factor.begin() + static_cast<std::ptrdiff_t>(problem.first_residual(t)),
+                  samples, std::sqrt(resample.count[t]));
     }
     const auto breaks = problem.known_breaks();
     for (std::size_t k = 0; k < breaks.size(); ++k) {
-      resample.factor[all - breaks.size() + k] = std::sqrt(resample.count[breaks[k].part]);
+      resample.factor[all - breaks.size() + k] = std::sqrt(resample.count[breaks[k].target]);
     }
     return resample;
   };

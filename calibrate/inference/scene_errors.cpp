@@ -20,18 +20,19 @@ using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 /// the other, and Newton's tolerance, are smooth over it.
 constexpr double kErrorStep = 1e-4;
 
-/// Drops coordinates that only combinations determine: the largest part of each unseen one.
-void drop_unseen(const MatrixXd& normal, std::vector<Index>& kept) {
+/// Drops coordinates that only combinations determine: the largest of each direction that is not
+/// identifiable.
+void drop_unidentifiable(const MatrixXd& normal, std::vector<Index>& kept) {
   while (!kept.empty()) {
     const MatrixXd a = normal(kept, kept);
     const VectorXd size = a.diagonal().cwiseSqrt().cwiseInverse();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(size.asDiagonal() * a * size.asDiagonal());
-    if (solver.eigenvalues()[0] > kUnseen) return;
-    const VectorXd unseen = solver.eigenvectors().col(0).cwiseAbs();
-    // All that take part: what is left says nothing of any of them.
+    if (solver.eigenvalues()[0] > kNotIdentifiable) return;
+    const VectorXd unidentifiable = solver.eigenvectors().col(0).cwiseAbs();
+    // All coordinates that take part in the direction go: none of them is identifiable.
     std::vector<Index> left;
-    for (Index i = 0; i < unseen.size(); ++i) {
-      if (unseen[i] < 0.1) left.push_back(kept[static_cast<std::size_t>(i)]);
+    for (Index i = 0; i < unidentifiable.size(); ++i) {
+      if (unidentifiable[i] < 0.1) left.push_back(kept[static_cast<std::size_t>(i)]);
     }
     kept = std::move(left);
   }
@@ -39,11 +40,11 @@ void drop_unseen(const MatrixXd& normal, std::vector<Index>& kept) {
 
 }  // namespace
 
-bool breaks_by(const Parameter& p, const SceneModel& model, const ScenePart& part) {
-  if (!part.target.broke) return false;
-  const bool torsion =
-      model.level() == Level::Twist || (model.level() == Level::Coupon &&
-                                        part.setup.scene.drive.deformation == Deformation::Torsion);
+bool breaks_by(const Parameter& p, const SceneModel& model, const WeightedTarget& weighted) {
+  if (!weighted.target.broke) return false;
+  const bool torsion = model.level() == Level::Twist ||
+                       (model.level() == Level::Coupon &&
+                        weighted.setup.scene.drive.deformation == Deformation::Torsion);
   const bool bends = !torsion && model.level() != Level::Spatial;
   return p.field->material == MaterialField::BreakStrain ? bends : torsion;
 }
@@ -78,10 +79,10 @@ SceneErrors::SceneErrors(SceneProblem& problem, std::span<const double> x,
 
 VectorXd SceneErrors::weights() const {
   VectorXd w = VectorXd::Ones(static_cast<Index>(problem_.squares().residuals));
-  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
-    const auto first = static_cast<Index>(problem_.first_residual(part));
-    const auto count = static_cast<Index>(problem_.parts()[part].target.ordinate.size());
-    w.segment(first, count).setConstant(problem_.parts()[part].weight);
+  for (std::size_t t = 0; t < problem_.targets().size(); ++t) {
+    const auto first = static_cast<Index>(problem_.first_residual(t));
+    const auto count = static_cast<Index>(problem_.targets()[t].target.ordinate.size());
+    w.segment(first, count).setConstant(problem_.targets()[t].weight);
   }
   return w;
 }
@@ -91,7 +92,7 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
   covariance_ = inverse_ = correlated_covariance_ = MatrixXd::Constant(n, n, kNan);
   if (n == 0) return;
   slopes_ = residual_slopes(problem_.squares(), x_, residual, kErrorStep);
-  seen_ = SeenSlopes(slopes_, at_bound_);
+  identifiable_ = IdentifiableSlopes(slopes_, at_bound_);
   // Rows over the noise, times the root of their weight.
   const Eigen::Map<const Slopes> j(slopes_.data(), static_cast<Index>(problem_.squares().residuals),
                                    n);
@@ -100,7 +101,7 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
   for (Index k = 0; k < n; ++k) {
     if (!at_bound_[static_cast<std::size_t>(k)] && normal(k, k) > 0.0) kept.push_back(k);
   }
-  drop_unseen(normal, kept);
+  drop_unidentifiable(normal, kept);
   if (kept.empty()) return;
   const MatrixXd weighted = j.transpose() * weights().asDiagonal() * j;
   const MatrixXd a = normal(kept, kept);
@@ -108,19 +109,19 @@ void SceneErrors::set_covariance(std::span<const double> residual) {
   const MatrixXd b = weighted(kept, kept);
   covariance_(kept, kept) = inverse * b * inverse;
   inverse_(kept, kept) = inverse;
-  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
+  for (std::size_t t = 0; t < problem_.targets().size(); ++t) {
     const auto rows =
-        j.middleRows(static_cast<Index>(problem_.first_residual(part)),
-                     static_cast<Index>(problem_.parts()[part].target.ordinate.size()));
-    const MatrixXd scores = problem_.parts()[part].weight * rows.transpose() * rows;
-    by_part_.push_back(MatrixXd::Constant(n, n, kNan));
-    by_part_.back()(kept, kept) = inverse * scores(kept, kept) * inverse;
+        j.middleRows(static_cast<Index>(problem_.first_residual(t)),
+                     static_cast<Index>(problem_.targets()[t].target.ordinate.size()));
+    const MatrixXd scores = problem_.targets()[t].weight * rows.transpose() * rows;
+    by_target_.push_back(MatrixXd::Constant(n, n, kNan));
+    by_target_.back()(kept, kept) = inverse * scores(kept, kept) * inverse;
   }
   const MatrixXd correlated = correlated_scores(slopes_, residual)(kept, kept);
   correlated_covariance_(kept, kept) = inverse * correlated * inverse;
 }
 
-/// Of the scores of all parts, each of which may leave residuals in runs, and of the priors.
+/// Of the scores of all targets, each of which may leave residuals in runs, and of the priors.
 MatrixXd SceneErrors::correlated_scores(std::span<const double> slopes,
                                         std::span<const double> residual) const {
   const auto n = static_cast<Index>(x_.size());
@@ -128,9 +129,9 @@ MatrixXd SceneErrors::correlated_scores(std::span<const double> slopes,
   const Eigen::Map<const Slopes> of_priors(slopes.data() + samples * x_.size(),
                                            static_cast<Index>(residual.size() - samples), n);
   MatrixXd sum = of_priors.transpose() * of_priors;
-  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
-    const std::size_t first = problem_.first_residual(part);
-    const std::size_t count = problem_.parts()[part].target.ordinate.size();
+  for (std::size_t t = 0; t < problem_.targets().size(); ++t) {
+    const std::size_t first = problem_.first_residual(t);
+    const std::size_t count = problem_.targets()[t].target.ordinate.size();
     const std::vector<double> scores = score_covariance(
         slopes.subspan(first * x_.size(), count * x_.size()), residual.subspan(first, count));
     sum += Eigen::Map<const Slopes>(scores.data(), n, n);
@@ -144,9 +145,9 @@ double SceneErrors::degrees_of_freedom(const VectorXd& gradient) const {
   if (!(variance > 0.0)) return calibrate::degrees_of_freedom(problem_.noise());
   // Who is pooled has one estimate with the others that are.
   double pooled = 0.0, pooled_degrees = 0.0, squares = 0.0;
-  for (std::size_t part = 0; part < by_part_.size(); ++part) {
-    const PartNoise& noise = problem_.noise()[part];
-    const double own = joint_moment(by_part_[part], gradient, gradient);
+  for (std::size_t t = 0; t < by_target_.size(); ++t) {
+    const TargetNoise& noise = problem_.noise()[t];
+    const double own = joint_moment(by_target_[t], gradient, gradient);
     if (noise.pooled) {
       pooled += own;
       pooled_degrees = noise.degrees_of_freedom;
@@ -158,16 +159,17 @@ double SceneErrors::degrees_of_freedom(const VectorXd& gradient) const {
   return variance * variance / squares;
 }
 
-std::vector<double> SceneErrors::fitted_errors(std::size_t part) const {
-  const std::size_t samples = problem_.parts()[part].target.ordinate.size();
+std::vector<double> SceneErrors::fitted_errors(std::size_t t) const {
+  const std::size_t samples = problem_.targets()[t].target.ordinate.size();
   std::vector<double> errors(samples, 0.0);
-  if (seen_.slopes().cols() == 0) return errors;
-  // What no curve sees moves none of them: the inverse over the directions that are seen.
-  const MatrixXd& j = seen_.slopes();
-  const MatrixXd covariance =
-      seen_.inverse() * (j.transpose() * weights().asDiagonal() * j) * seen_.inverse();
-  const double unit = problem_.scale(part) / std::sqrt(problem_.parts()[part].weight);
-  const auto first = static_cast<Index>(problem_.first_residual(part));
+  if (identifiable_.slopes().cols() == 0) return errors;
+  // A direction that is not identifiable moves none of them: the inverse over the others.
+  const MatrixXd& j = identifiable_.slopes();
+  const MatrixXd covariance = identifiable_.inverse() *
+                              (j.transpose() * weights().asDiagonal() * j) *
+                              identifiable_.inverse();
+  const double unit = problem_.scale(t) / std::sqrt(problem_.targets()[t].weight);
+  const auto first = static_cast<Index>(problem_.first_residual(t));
   for (std::size_t i = 0; i < samples; ++i) {
     const VectorXd row = j.row(first + static_cast<Index>(i));
     errors[i] = unit * std::sqrt(std::max(row.dot(covariance * row), 0.0));
@@ -187,8 +189,8 @@ void SceneErrors::run_neighbours() {
   neighbours_ = problem_.curves(points, 1 + 2 * n);
 }
 
-BreakLimit SceneErrors::limit_of(std::size_t part) const {
-  const std::vector<SceneCurve>& curves = neighbours_[part];
+BreakLimit SceneErrors::limit_of(std::size_t t) const {
+  const std::vector<SceneCurve>& curves = neighbours_[t];
   const StrainAtBreak& strain = curves[0].strain;
   BreakLimit limit;
   const bool ends = std::isnan(strain.after);
@@ -217,10 +219,10 @@ BreakLimit SceneErrors::break_limit(const Parameter& p) {
   std::vector<BreakLimit> limits;
   std::vector<double> certainty;
   std::vector<std::size_t> broken;
-  for (std::size_t part = 0; part < problem_.parts().size(); ++part) {
-    if (!breaks_by(p, problem_.model(part), problem_.parts()[part])) continue;
-    limits.push_back(limit_of(part));
-    broken.push_back(part);
+  for (std::size_t t = 0; t < problem_.targets().size(); ++t) {
+    if (!breaks_by(p, problem_.model(t), problem_.targets()[t])) continue;
+    limits.push_back(limit_of(t));
+    broken.push_back(t);
     const BreakLimit& limit = limits.back();
     double variance = limit.half() * limit.half() / 3.0;
     variance += joint_moment(covariance_, limit.slope, limit.slope);
@@ -229,27 +231,27 @@ BreakLimit SceneErrors::break_limit(const Parameter& p) {
   double total = 0.0;
   for (const double c : certainty) total += c;
   BreakLimit mean;
-  mean.shares.assign(problem_.parts().size(), 0.0);
+  mean.fractions.assign(problem_.targets().size(), 0.0);
   if (limits.size() == 1) {
-    limits.front().shares = std::move(mean.shares);
-    limits.front().shares[broken.front()] = 1.0;
+    limits.front().fractions = std::move(mean.fractions);
+    limits.front().fractions[broken.front()] = 1.0;
     return limits.front();
   }
   mean.slope = VectorXd::Zero(static_cast<Index>(x_.size()));
   for (std::size_t k = 0; k < limits.size(); ++k) {
-    // Without noise, or where it says nothing, all count alike.
-    const double share =
+    // Without noise, or where it is not known, all count alike.
+    const double fraction =
         std::isfinite(total) ? certainty[k] / total : 1.0 / static_cast<double>(limits.size());
-    mean.shares[broken[k]] = share;
-    mean.value += share * limits[k].value;
-    mean.halves.push_back(share * limits[k].half());
-    mean.slope += share * limits[k].slope;
+    mean.fractions[broken[k]] = fraction;
+    mean.value += fraction * limits[k].value;
+    mean.halves.push_back(fraction * limits[k].half());
+    mean.slope += fraction * limits[k].slope;
   }
-  mean.least = mean.most = limits.front().value;
+  mean.min = mean.max = limits.front().value;
   for (std::size_t k = 0; k < limits.size(); ++k) {
     constexpr double kFar = 4.0;
-    mean.least = std::min(mean.least, limits[k].value);
-    mean.most = std::max(mean.most, limits[k].value);
+    mean.min = std::min(mean.min, limits[k].value);
+    mean.max = std::max(mean.max, limits[k].value);
     const double off = limits[k].value - mean.value;
     mean.disagree = mean.disagree || off * off * certainty[k] > kFar * kFar;
   }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "calibrate/inference/seen_slopes.hpp"
+#include "calibrate/inference/identifiable_slopes.hpp"
 #include "calibrate/problem/scene_problem.hpp"
 
 namespace plastica::calibrate {
@@ -12,15 +12,15 @@ namespace plastica::calibrate {
 /// A break limit as the fitted scenes have it.
 struct BreakLimit {
   double value = 0.0;  ///< [1]; NaN if no scene gets there
-  /// Half the intervals that the samplings of all targets leave, times their shares [1].
+  /// Half the intervals that the samplings of all targets leave, times their fractions [1].
   std::vector<double> halves;
   Eigen::VectorXd slope;  ///< by the coordinates (n)
-  /// Of several targets: the least and the largest, and whether any is further from the mean than
-  /// four of its standard errors.
-  double least = 0.0, most = 0.0;
+  /// Of several targets: the smallest and the largest, and whether any is further from the mean
+  /// than four of its standard errors.
+  double min = 0.0, max = 0.0;
   bool disagree = false;
-  /// What each part counts in the value, 0 if it did not break in its way (n_parts).
-  std::vector<double> shares;
+  /// What each target counts in the value, 0 if it did not break in its way (n_targets).
+  std::vector<double> fractions;
 
   double half() const;  ///< the sum of the halves
 };
@@ -41,7 +41,7 @@ class SceneErrors {
   /// @param residual  there, over the scales
   SceneErrors(SceneProblem& problem, std::span<const double> x, std::span<const double> residual);
 
-  const SeenSlopes& seen() const { return seen_; }
+  const IdentifiableSlopes& identifiable() const { return identifiable_; }
   bool at_bound(std::size_t i) const { return at_bound_[i]; }
   /// Covariance of the coordinates; NaN in rows and columns that are not determined (n x n).
   const Eigen::MatrixXd& covariance() const { return covariance_; }
@@ -55,8 +55,8 @@ class SceneErrors {
   /// Source: Satterthwaite, Biometrics Bull. 2 (1946) 110.
   /// @param gradient  by the coordinates (n)
   double degrees_of_freedom(const Eigen::VectorXd& gradient) const;
-  /// Standard errors of a part's fitted ordinates, by what its curves determine [SI] (n_samples).
-  std::vector<double> fitted_errors(std::size_t part) const;
+  /// Standard errors of a target's fitted ordinates, by what its curves determine [SI] (n_samples).
+  std::vector<double> fitted_errors(std::size_t t) const;
 
   /// The limit of one break parameter, by all targets that broke in its way.
   BreakLimit break_limit(const Parameter& p);
@@ -66,22 +66,22 @@ class SceneErrors {
   Eigen::MatrixXd correlated_scores(std::span<const double> slopes,
                                     std::span<const double> residual) const;
   Eigen::VectorXd weights() const;
-  /// The break strains at the solution and on both sides of it in each coordinate, by part.
+  /// The break strains at the solution and on both sides of it in each coordinate, by target.
   void run_neighbours();
-  BreakLimit limit_of(std::size_t part) const;
+  BreakLimit limit_of(std::size_t t) const;
 
   SceneProblem& problem_;
   std::vector<double> x_;
   std::vector<bool> at_bound_;
   Eigen::MatrixXd covariance_, inverse_;
   Eigen::MatrixXd correlated_covariance_;
-  std::vector<Eigen::MatrixXd> by_part_;  ///< what each part's noise puts into the covariance
-  std::vector<double> slopes_;            ///< of the residuals (m x n), row by row
-  SeenSlopes seen_;
+  std::vector<Eigen::MatrixXd> by_target_;  ///< what each target's noise puts into the covariance
+  std::vector<double> slopes_;              ///< of the residuals (m x n), row by row
+  IdentifiableSlopes identifiable_;
   std::vector<std::vector<SceneCurve>> neighbours_;
 };
 
 /// Whether a target broke in the way that a break parameter limits.
-bool breaks_by(const Parameter& p, const SceneModel& model, const ScenePart& part);
+bool breaks_by(const Parameter& p, const SceneModel& model, const WeightedTarget& weighted);
 
 }  // namespace plastica::calibrate

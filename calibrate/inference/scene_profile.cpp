@@ -15,19 +15,19 @@ std::span<const double> values_of(const VectorXd& v) {
 }
 
 /// The squares and, last, the break limit that the scenes have.
-LeastSquaresProblem with_limit(SceneProblem& problem, const std::vector<double>& shares) {
+LeastSquaresProblem with_limit(SceneProblem& problem, const std::vector<double>& fractions) {
   LeastSquaresProblem both = problem.squares();
   ++both.residuals;
-  both.evaluate = [&problem, shares](std::span<const double> points, std::span<double> residuals,
-                                     std::span<bool> found) {
+  both.evaluate = [&problem, fractions](std::span<const double> points, std::span<double> residuals,
+                                        std::span<bool> found) {
     const std::size_t m = problem.squares().residuals;
     std::vector<double> squares(found.size() * m);
     problem.squares().evaluate(points, squares, found);
     const auto curves = problem.curves(points, found.size());  // has just run them
     for (std::size_t i = 0; i < found.size(); ++i) {
       double limit = 0.0;
-      for (std::size_t part = 0; part < shares.size(); ++part) {
-        if (shares[part] != 0.0) limit += shares[part] * strain_at_break(curves[part][i], 0.5);
+      for (std::size_t t = 0; t < fractions.size(); ++t) {
+        if (fractions[t] != 0.0) limit += fractions[t] * strain_at_break(curves[t][i], 0.5);
       }
       std::copy_n(squares.data() + i * m, m, residuals.data() + i * (m + 1));
       residuals[i * (m + 1) + m] = limit;
@@ -99,7 +99,7 @@ std::vector<LikelihoodProfile> profile_scenes(const FittedScenes& fitted, SceneW
     if (!parameter.depends()) return TaskRecord();
     const auto problem = fitted.copy();
     const LeastSquaresProblem squares =
-        parameter.is_break() ? with_limit(*problem, fitted.free()[i / 2].limit.shares)
+        parameter.is_break() ? with_limit(*problem, fitted.free()[i / 2].limit.fractions)
                              : problem->squares();
     TaskRecord side = record_of(parameter.side(squares, i % 2 == 1));
     side.runs = problem->counters();

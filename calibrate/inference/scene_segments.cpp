@@ -23,15 +23,17 @@ std::string_view word_of(Division division) {
 /// bound (n_free), or none and one sentence why.
 using Repetition = TaskRecord;
 
-std::vector<ScenePart> divided_parts(std::span<const ScenePart> parts, Division division) {
-  std::vector<ScenePart> made(parts.begin(), parts.end());
-  for (ScenePart& part : made) {
-    if (part.setup.scene.is_coupon()) continue;
+std::vector<WeightedTarget> divided_targets(std::span<const WeightedTarget> targets,
+                                            Division division) {
+  std::vector<WeightedTarget> made(targets.begin(), targets.end());
+  for (WeightedTarget& weighted : made) {
+    if (weighted.setup.scene.is_coupon()) continue;
     try {
-      part.setup = remeshed(part, division);
+      weighted.setup = remeshed(weighted, division);
     } catch (const InputError& error) {
-      if (parts.size() == 1) throw;
-      throw InputError({}, part.target.name + ": " + error.field(), error.value(), error.rule());
+      if (targets.size() == 1) throw;
+      throw InputError({}, weighted.target.name + ": " + error.field(), error.value(),
+                       error.rule());
     }
   }
   return made;
@@ -56,19 +58,19 @@ double searched_value(const SceneProblem& problem, std::size_t k, double x) {
 }
 
 double break_value(const std::vector<std::vector<SceneCurve>>& curves,
-                   const std::vector<double>& shares, const FittedParameter& parameter) {
+                   const std::vector<double>& fractions, const FittedParameter& parameter) {
   double value = 0.0;
-  for (std::size_t part = 0; part < shares.size(); ++part) {
-    if (shares[part] == 0.0) continue;
-    const StrainAtBreak& strain = curves[part][0].strain;
-    value += shares[part] * limit_within(strain, std::isnan(strain.after));
+  for (std::size_t t = 0; t < fractions.size(); ++t) {
+    if (fractions[t] == 0.0) continue;
+    const StrainAtBreak& strain = curves[t][0].strain;
+    value += fractions[t] * limit_within(strain, std::isnan(strain.after));
   }
   return value > parameter.lower && value < parameter.upper ? value : kNan;
 }
 
 Repetition repeated(const DividedFit& fit, Division division) {
-  const std::vector<ScenePart> parts = divided_parts(fit.problem.parts(), division);
-  SceneProblem problem(parts, fit.options);
+  const std::vector<WeightedTarget> targets = divided_targets(fit.problem.targets(), division);
+  SceneProblem problem(targets, fit.options);
   const LeastSquares found = solved(problem, fit);
   Repetition made;
   if (found.outcome == LeastSquaresOutcome::NoStart) {
@@ -80,9 +82,9 @@ Repetition repeated(const DividedFit& fit, Division division) {
     std::size_t next = 0;
     std::vector<double>& values = made.rows.emplace_back();
     for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
-      const bool searched = fit.shares[i].empty();
+      const bool searched = fit.fractions[i].empty();
       values.push_back(searched ? searched_value(problem, next, found.x[next])
-                                : break_value(curves, fit.shares[i], fit.parameters[i]));
+                                : break_value(curves, fit.fractions[i], fit.parameters[i]));
       next += searched ? 1 : 0;
     }
   }
@@ -103,13 +105,13 @@ Repetition attempted(const DividedFit& fit, Division division) {
 }  // namespace
 
 std::optional<SceneSegments> divide_anew(const DividedFit& fit, SceneWork& work) {
-  const std::span<const ScenePart> parts = fit.problem.parts();
+  const std::span<const WeightedTarget> targets = fit.problem.targets();
   SceneSegments segments;
   double order = 0.0;
-  for (const ScenePart& part : parts) {
-    if (part.setup.scene.is_coupon()) continue;
-    const double own = order_of_joints(part.setup.scene);
-    if (segments.segments == 0) segments.segments = part.setup.scene.beam.segments;
+  for (const WeightedTarget& weighted : targets) {
+    if (weighted.setup.scene.is_coupon()) continue;
+    const double own = order_of_joints(weighted.setup.scene);
+    if (segments.segments == 0) segments.segments = weighted.setup.scene.beam.segments;
     order = order == 0.0 ? own : std::min(order, own);
   }
   if (segments.segments == 0) return std::nullopt;

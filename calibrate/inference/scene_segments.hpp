@@ -16,14 +16,14 @@ struct DividedFit {
   const SceneFitOptions& options;
   std::span<const double> x;                    ///< its solution (n)
   std::span<const FittedParameter> parameters;  ///< what it reports (n_free)
-  /// Of a break limit what each part counts in its mean; empty of what is searched (n_free,
-  /// n_parts).
-  std::span<const std::vector<double>> shares;
+  /// Of a break limit what each target counts in its mean; empty of what is searched (n_free,
+  /// n_targets).
+  std::span<const std::vector<double>> fractions;
 };
 
 /// Repeats a fit with half and with twice the segments of all its chains, from its solution, with
 /// its weights and scales. A repetition that cannot be made is left out and said so.
-/// @return empty if all parts are coupons, which have no segments
+/// @return empty if all targets are coupons, which have no segments
 std::optional<SceneSegments> divide_anew(const DividedFit& fit, SceneWork& work);
 
 }  // namespace plastica::calibrate

@@ -14,10 +14,10 @@ namespace {
 
 /// How many times as many segments leave as much as the noise does: "; about 1.9 times as many …".
 std::string enough_segments(const FittedParameter& p, const SegmentsError& segments) {
-  constexpr double kMost = 1000.0;
+  constexpr double kMax = 1000.0;
   const double over = segments.error / (std::sqrt(3.0) * p.noise_error);
   const double times = std::pow(over, 1.0 / segments.order);
-  if (!(times < kMost)) return "";
+  if (!(times < kMax)) return "";
   return fmt::format("; about {:.1f} times as many segments would make both alike",
                      std::ceil(10.0 * times) / 10.0);
 }
@@ -25,7 +25,7 @@ std::string enough_segments(const FittedParameter& p, const SegmentsError& segme
 }  // namespace
 
 void judge(double half, const SegmentsError& segments, double prior, FittedParameter& p) {
-  const bool seen = segments.trend > SegmentsTrend::Settled;
+  const bool trends = segments.trend > SegmentsTrend::Settled;
   p.judgement = calibrate::judge({.value = p.value,
                                   .lower = p.lower,
                                   .upper = p.upper,
@@ -33,7 +33,7 @@ void judge(double half, const SegmentsError& segments, double prior, FittedParam
                                   .noise_error = p.noise_error,
                                   .half = half,
                                   .standard_error = p.standard_error,
-                                  .segments = seen ? segments.error : 0.0,
+                                  .segments = trends ? segments.error : 0.0,
                                   .prior = prior});
 }
 
@@ -54,26 +54,25 @@ void add_warning(const FittedParameter& p, const SegmentsError& segments,
   if (!warning.empty()) warnings.push_back(std::move(warning));
 }
 
-void add_warning(const ScenePartFit& part, Law law, std::string_view try_next,
+void add_warning(const TargetFit& of_target, Law law, std::string_view try_next,
                  std::vector<std::string>& warnings) {
   const std::string lack =
-      lack_of_fit(phrase_of(law), part.misfit_share, part.runs_probability, try_next);
-  if (!lack.empty()) warnings.push_back(part.name + ": " + lack);
+      lack_of_fit(phrase_of(law), of_target.misfit_fraction, of_target.runs_test_p, try_next);
+  if (!lack.empty()) warnings.push_back(of_target.name + ": " + lack);
 }
 
-void warn_of_specimens(std::span<const ScenePart> targets, std::span<const ScenePartFit> parts,
+void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const TargetFit> fits,
                        std::vector<std::string>& warnings) {
   constexpr double kFar = 3.0;
-  for (std::size_t a = 0; a < parts.size(); ++a) {
-    for (std::size_t b = 0; b < parts.size(); ++b) {
+  for (std::size_t a = 0; a < targets.size(); ++a) {
+    for (std::size_t b = 0; b < targets.size(); ++b) {
       const bool alike = are_of_one_kind(targets[a].target, targets[b].target);
-      if (!alike || !(parts[b].misfit_share > kFar * parts[a].misfit_share)) continue;
-      if (!lacks_fit(parts[b].misfit_share, parts[b].runs_probability)) continue;
+      if (!alike || !(fits[b].misfit_fraction > kFar * fits[a].misfit_fraction)) continue;
+      if (!lacks_fit(fits[b].misfit_fraction, fits[b].runs_test_p)) continue;
       warnings.push_back(fmt::format(
           "{} is met far less closely than {}, which measured the same: if these are specimens "
-          "that "
-          "differ, shared = false fits each by itself; the errors above know nothing of it",
-          parts[b].name, parts[a].name));
+          "that differ, shared = false fits each by itself; the errors above know nothing of it",
+          fits[b].name, fits[a].name));
       return;
     }
   }

@@ -12,20 +12,20 @@ namespace plastica::calibrate {
 
 /// Sets verdict and number of a parameter that has its value and errors.
 /// @param half  half the interval that a break's sampling leaves [SI]
-/// @param prior  share of its prior in all that is known of it [1]; 0 without one
+/// @param prior  fraction of its prior in all that is known of it [1]; 0 without one
 void judge(double half, const SegmentsError& segments, double prior, FittedParameter& parameter);
 
 /// Says what a reader must not overlook.
 void add_warning(const FittedParameter& parameter, const SegmentsError& segments,
                  std::vector<std::string>& warnings);
 /// @param try_next  laws, as `laws_to_try` gives them
-void add_warning(const ScenePartFit& part, Law law, std::string_view try_next,
+void add_warning(const TargetFit& of_target, Law law, std::string_view try_next,
                  std::vector<std::string>& warnings);
 
 /// Of a fit that several targets share: that some of a kind are met far less closely than another,
 /// as where specimens differ.
-/// @param parts  what the fit made of them (n_parts)
-void warn_of_specimens(std::span<const ScenePart> targets, std::span<const ScenePartFit> parts,
+/// @param fits  what the fit made of them (n_targets)
+void warn_of_specimens(std::span<const WeightedTarget> targets, std::span<const TargetFit> fits,
                        std::vector<std::string>& warnings);
 
 }  // namespace plastica::calibrate

@@ -10,10 +10,10 @@
 namespace plastica::calibrate {
 namespace {
 
-/// A fit knows its values no better than to this share of them.
+/// A fit knows its values no better than to this fraction of them.
 constexpr double kSettled = 1e-6;
 /// Below it an extrapolation goes further than all values together.
-constexpr double kLeastOrder = 0.5;
+constexpr double kMinOrder = 0.5;
 /// So far beyond the joints' order the coarsest value is not in line with the others.
 constexpr double kBeyond = 1.0;
 constexpr double kSafe = 1.25;
@@ -69,18 +69,18 @@ SegmentsError segments_error(double at_half, double at_own, double at_twice, dou
   error.order = joints_order;
   error.safety_factor = kUnsafe;
   if (values.size() == 3) {
-    const theory::GridConvergence seen = theory::grid_convergence(sizes, values);
-    error.observed_order = seen.observed_order.value_or(SegmentsError::kNone);
-    const bool falls = seen.observed_order && *seen.observed_order >= kLeastOrder;
-    if (!falls || seen.kind == theory::ConvergenceKind::Oscillatory) {
+    const theory::GridConvergence observed = theory::grid_convergence(sizes, values);
+    error.observed_order = observed.observed_order.value_or(SegmentsError::kNone);
+    const bool falls = observed.observed_order && *observed.observed_order >= kMinOrder;
+    if (!falls || observed.kind == theory::ConvergenceKind::Oscillatory) {
       error.trend = falls ? SegmentsTrend::Oscillates : SegmentsTrend::Diverges;
       error.order = SegmentsError::kNone;
       set_by_spread(spread, error);
       return error;
     }
     error.trend = SegmentsTrend::Monotone;
-    error.order = std::min(*seen.observed_order, joints_order);
-    if (*seen.observed_order <= joints_order + kBeyond) error.safety_factor = kSafe;
+    error.order = std::min(*observed.observed_order, joints_order);
+    if (*observed.observed_order <= joints_order + kBeyond) error.safety_factor = kSafe;
   }
   const double ratio = sizes[1] / sizes[0];
   error.extrapolated = theory::richardson(values[0], values[1], ratio, error.order);

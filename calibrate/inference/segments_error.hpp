@@ -27,7 +27,7 @@ std::string_view name_of(SegmentsTrend trend);
 /// it: f(N) = f_0 + C N^-p. With the observed order p, but no more than the joints have (2; 1 where
 /// an end is welded), f_0 = f(2N) + (f(2N) - f(N))/(2^p - 1). The errors are grid convergence
 /// indices, F_s times the distance to f_0, with F_s = 1.25, or 3 if p was assumed or is beyond the
-/// joints' by more than 1. Where no order is to be seen they are 3 times the spread of the values,
+/// joints' by more than 1. Where no order is observed they are 3 times the spread of the values,
 /// and no less than a millionth of them: fits know their values no better. Source: Roache, J.
 /// Fluids Eng. 116 (1994) 405.
 struct SegmentsError {
@@ -37,7 +37,7 @@ struct SegmentsError {
   double at_own = kNone;    ///< with N: the parameter's value [SI]
   double at_twice = kNone;  ///< with 2N [SI]
   SegmentsTrend trend = SegmentsTrend::Unknown;
-  double observed_order = kNone;  ///< of three values [1]; NaN where none is seen
+  double observed_order = kNone;  ///< of three values [1]; NaN where none is observed
   double order = kNone;           ///< p of f_0 [1]; NaN without one
   double safety_factor = kNone;   ///< F_s [1]
   /// f_0, what the continuous beam would give; without an order the value of most segments [SI].

@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 constexpr double kRankTolerance = 1e-12;
 
 /// Parameters that shape the stress (not the break strain), and what the curve says of them.
-struct StressPart {
+struct StressErrors {
   std::vector<std::size_t> columns;  ///< active indices that are identified
   MatrixXd covariance;               ///< of those, SI
   MatrixXd inverse, weighted;        ///< A^-1 and J^T W^2 J of those, over the sizes of both
@@ -74,13 +74,13 @@ Normal keep_identified(const Misfit::Details& d, const std::vector<double>& size
     columns = left;
     normal = normal.of(kept);
   };
-  std::vector<Eigen::Index> seen;
+  std::vector<Eigen::Index> identifiable;
   for (Eigen::Index i = 0; i < normal.a.rows(); ++i) {
     if (normal.a(i, i) > kRankTolerance * kRankTolerance * stress * stress * total) {
-      seen.push_back(i);
+      identifiable.push_back(i);
     }
   }
-  keep(seen);
+  keep(identifiable);
   if (columns.empty()) return normal;
   const VectorXd scale = normal.a.diagonal().cwiseSqrt().cwiseInverse();
   const MatrixXd unit = scale.asDiagonal() * normal.a * scale.asDiagonal();
@@ -89,8 +89,8 @@ Normal keep_identified(const Misfit::Details& d, const std::vector<double>& size
   for (Eigen::Index k = 0; k < unit.rows(); ++k) {
     bool lost = false;
     for (Eigen::Index e = 0; e < eigen.eigenvalues().size(); ++e) {
-      const bool unseen = eigen.eigenvalues()(e) < kRankTolerance;
-      lost = lost || (unseen && std::fabs(eigen.eigenvectors()(k, e)) > 1e-3);
+      const bool unidentifiable = eigen.eigenvalues()(e) < kRankTolerance;
+      lost = lost || (unidentifiable && std::fabs(eigen.eigenvectors()(k, e)) > 1e-3);
     }
     if (!lost) kept.push_back(k);
   }
@@ -98,22 +98,22 @@ Normal keep_identified(const Misfit::Details& d, const std::vector<double>& size
   return normal;
 }
 
-StressPart stress_part(const Misfit::Details& d, std::span<const double> active,
-                       const ParameterSet& parameters, const Target& target,
-                       const FitOptions& options) {
-  StressPart part;
+StressErrors stress_errors(const Misfit::Details& d, std::span<const double> active,
+                           const ParameterSet& parameters, const Target& target,
+                           const FitOptions& options) {
+  StressErrors of_stress;
   const std::size_t n = active.size();
-  std::vector<double>& size = part.size;
+  std::vector<double>& size = of_stress.size;
   size.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     size[i] = active[i] != 0.0 ? std::fabs(active[i]) : 1.0;
-    if (!parameters.all()[parameters.active()[i]].is_break) part.columns.push_back(i);
+    if (!parameters.all()[parameters.active()[i]].is_break) of_stress.columns.push_back(i);
   }
   const double stress = largest_magnitude(target.corrected.stress);
-  const Normal normal = keep_identified(d, size, stress, part.columns);
+  const Normal normal = keep_identified(d, size, stress, of_stress.columns);
 
-  const auto m = static_cast<Eigen::Index>(part.columns.size());
-  part.covariance = MatrixXd::Zero(m, m);
+  const auto m = static_cast<Eigen::Index>(of_stress.columns.size());
+  of_stress.covariance = MatrixXd::Zero(m, m);
   double squares = 0.0;
   double counted = 0.0;
   for (std::size_t s = 0; s < d.residual.size(); ++s) {
@@ -121,23 +121,23 @@ StressPart stress_part(const Misfit::Details& d, std::span<const double> active,
     squares += d.residual[s] * d.residual[s];
     counted += 1.0;
   }
-  part.degrees_of_freedom = std::max(1.0, counted - static_cast<double>(m));
-  part.variance = squares / part.degrees_of_freedom;
+  of_stress.degrees_of_freedom = std::max(1.0, counted - static_cast<double>(m));
+  of_stress.variance = squares / of_stress.degrees_of_freedom;
   if (options.objective == Objective::LeastSquares && options.noise) {
-    part.variance = *options.noise * *options.noise;
-    part.degrees_of_freedom = std::numeric_limits<double>::infinity();
+    of_stress.variance = *options.noise * *options.noise;
+    of_stress.degrees_of_freedom = std::numeric_limits<double>::infinity();
   }
-  if (m == 0) return part;
-  part.inverse = normal.a.ldlt().solve(MatrixXd::Identity(m, m));
-  const MatrixXd c = part.variance * part.inverse * normal.b * part.inverse;
+  if (m == 0) return of_stress;
+  of_stress.inverse = normal.a.ldlt().solve(MatrixXd::Identity(m, m));
+  const MatrixXd c = of_stress.variance * of_stress.inverse * normal.b * of_stress.inverse;
   for (Eigen::Index i = 0; i < m; ++i) {
     for (Eigen::Index j = 0; j < m; ++j) {
-      part.covariance(i, j) = c(i, j) * size[part.columns[static_cast<std::size_t>(i)]] *
-                              size[part.columns[static_cast<std::size_t>(j)]];
+      of_stress.covariance(i, j) = c(i, j) * size[of_stress.columns[static_cast<std::size_t>(i)]] *
+                                   size[of_stress.columns[static_cast<std::size_t>(j)]];
     }
   }
-  part.weighted = normal.b;
-  return part;
+  of_stress.weighted = normal.b;
+  return of_stress;
 }
 
 }  // namespace
@@ -146,8 +146,8 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
                         const ParameterSet& parameters, const Target& target,
                         const FitOptions& options, double break_factor) {
   const std::size_t n = active.size();
-  const StressPart part = stress_part(details, active, parameters, target, options);
-  const auto m = static_cast<Eigen::Index>(part.columns.size());
+  const StressErrors of_stress = stress_errors(details, active, parameters, target, options);
+  const auto m = static_cast<Eigen::Index>(of_stress.columns.size());
 
   // Every active parameter as a linear map of the identified stress parameters; the break strain
   // follows the permanent strain at the break.
@@ -156,7 +156,7 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
   Uncertainty u;
   u.identified.assign(n, false);
   for (Eigen::Index k = 0; k < m; ++k) {
-    const std::size_t column = part.columns[static_cast<std::size_t>(k)];
+    const std::size_t column = of_stress.columns[static_cast<std::size_t>(k)];
     map(static_cast<Eigen::Index>(column), k) = 1.0;
     u.identified[column] = true;
   }
@@ -166,13 +166,13 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     const auto row = static_cast<Eigen::Index>(i);
     for (Eigen::Index k = 0; k < m; ++k) {
       map(row, k) =
-          details.permanent_gradient[part.columns[static_cast<std::size_t>(k)]] / break_factor;
+          details.permanent_gradient[of_stress.columns[static_cast<std::size_t>(k)]] / break_factor;
     }
     sampling(row) = target.characteristics.observed_break->half_interval() / break_factor;
   }
-  const MatrixXd covariance = map * part.covariance * map.transpose();
+  const MatrixXd covariance = map * of_stress.covariance * map.transpose();
   const double quantile =
-      theory::student_t_quantile(0.5 * (1.0 + options.confidence), part.degrees_of_freedom);
+      theory::student_t_quantile(0.5 * (1.0 + options.confidence), of_stress.degrees_of_freedom);
   u.standard_error.assign(n, kNan);
   u.noise_error.assign(n, kNan);
   u.sampling.assign(n, 0.0);
@@ -189,7 +189,7 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
     u.half_interval[i] = quantile * u.noise_error[i];
     if (half > 0.0) {
       u.half_interval[i] = theory::half_interval(options.confidence, u.noise_error[i],
-                                                 part.degrees_of_freedom, {&half, 1});
+                                                 of_stress.degrees_of_freedom, {&half, 1});
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -200,26 +200,26 @@ Uncertainty uncertainty(const Misfit::Details& details, std::span<const double> 
       u.correlation[i * n + j] = i == j ? 1.0 : product > 0.0 ? c / product : 0.0;
     }
   }
-  u.noise = std::sqrt(part.variance);
-  u.degrees_of_freedom = part.degrees_of_freedom;
+  u.noise = std::sqrt(of_stress.variance);
+  u.degrees_of_freedom = of_stress.degrees_of_freedom;
   return u;
 }
 
 Spread spread_of(const Misfit::Details& details, std::span<const double> active,
                  const ParameterSet& parameters, const Target& target, const FitOptions& options) {
-  const StressPart part = stress_part(details, active, parameters, target, options);
+  const StressErrors of_stress = stress_errors(details, active, parameters, target, options);
   const std::size_t n = active.size();
   Spread all;
   all.inverse.assign(n * n, kNan);
   all.spread.assign(n * n, kNan);
-  if (part.columns.empty()) return all;
-  const MatrixXd spread = part.inverse * part.weighted * part.inverse;
-  for (std::size_t i = 0; i < part.columns.size(); ++i) {
-    for (std::size_t j = 0; j < part.columns.size(); ++j) {
-      const std::size_t a = part.columns[i], b = part.columns[j];
+  if (of_stress.columns.empty()) return all;
+  const MatrixXd spread = of_stress.inverse * of_stress.weighted * of_stress.inverse;
+  for (std::size_t i = 0; i < of_stress.columns.size(); ++i) {
+    for (std::size_t j = 0; j < of_stress.columns.size(); ++j) {
+      const std::size_t a = of_stress.columns[i], b = of_stress.columns[j];
       const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
-      const double unit = part.size[a] * part.size[b];
-      all.inverse[a * n + b] = unit * part.inverse(row, column);
+      const double unit = of_stress.size[a] * of_stress.size[b];
+      all.inverse[a * n + b] = unit * of_stress.inverse(row, column);
       all.spread[a * n + b] = unit * spread(row, column);
     }
   }

@@ -27,10 +27,10 @@ namespace plastica::calibrate {
 /// interval is that of the sum of both errors (theory::half_interval), 0.95 h where there is no
 /// noise.
 ///
-/// Not identified is a parameter whose column of J vanishes (its share of the misfit is below
+/// Not identified is a parameter whose column of J vanishes (its fraction of the misfit is below
 /// 1e-12 of the largest stress for a relative change of one), or which takes part in a
 /// combination that J does not see (an eigenvalue of A, scaled to a unit diagonal, below 1e-12);
-/// and a yield stress that the curve does not show (shown_yield.hpp).
+/// and a yield stress that the curve does not show (identifiable_yield.hpp).
 struct Uncertainty {
   std::vector<bool> identified;        ///< (n)
   std::vector<double> standard_error;  ///< SI (n); NaN if not identified

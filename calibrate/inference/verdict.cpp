@@ -16,7 +16,7 @@ double log_choices(int n, int k) {
   return lgamma_r(n + 1.0, &sign) - lgamma_r(k + 1.0, &sign) - lgamma_r(n - k + 1.0, &sign);
 }
 
-/// Of all orders of so many of each sign the share with no more runs: of 2 k runs there are k of
+/// Of all orders of so many of each sign the fraction with no more runs: of 2 k runs there are k of
 /// each sign, which C(above - 1, k - 1) C(below - 1, k - 1) ways make, and either may be first.
 double as_few_runs(int runs, int above, int below) {
   const double all = log_choices(above + below, above);
@@ -68,17 +68,17 @@ Judgement judge(const Evidence& e) {
     return {e.segments > e.half ? Verdict::LimitedBySegments : Verdict::LimitedBySampling,
             widest / size};
   }
-  const double share = e.standard_error / size;
-  return {share > kWeak ? Verdict::Weak : Verdict::Identified, share};
+  const double fraction = e.standard_error / size;
+  return {fraction > kWeak ? Verdict::Weak : Verdict::Identified, fraction};
 }
 
 std::string warning_of(std::string_view name, const Judgement& judgement, double lower) {
-  const double share = 100.0 * judgement.number;
+  const double fraction = 100.0 * judgement.number;
   switch (judgement.verdict) {
     case Verdict::Identified:
     case Verdict::LimitedBySegments: break;  // of fits through scenes, which say more of it
     case Verdict::Weak:
-      return fmt::format("{} is weak: its standard error is {:.0f} % of it", name, share);
+      return fmt::format("{} is weak: its standard error is {:.0f} % of it", name, fraction);
     case Verdict::NotIdentified:
       return fmt::format("{} is not identified: the curves do not depend on it by itself", name);
     case Verdict::AtBound:
@@ -88,18 +88,18 @@ std::string warning_of(std::string_view name, const Judgement& judgement, double
       return fmt::format(
           "{} is from its prior: of what is known of it, {:.0f} % is the prior's and the rest the "
           "curves'",
-          name, share);
+          name, fraction);
     case Verdict::LimitedBySampling:
       return fmt::format(
           "{} is limited by sampling: the break lies between two samples, which leaves {:.2g} % of "
           "it open",
-          name, share);
+          name, fraction);
   }
   return {};
 }
 
-double runs_probability(std::span<const double> residual) {
-  constexpr int kFewest = 10;
+double runs_test_p(std::span<const double> residual) {
+  constexpr int kMin = 10;
   int above = 0, below = 0, runs = 0;
   bool up = false;
   for (const double r : residual) {
@@ -108,9 +108,9 @@ double runs_probability(std::span<const double> residual) {
     up = r > 0.0;
     ++(up ? above : below);
   }
-  if (above + below < 2 * kFewest) return std::numeric_limits<double>::quiet_NaN();
+  if (above + below < 2 * kMin) return std::numeric_limits<double>::quiet_NaN();
   const double of_runs = as_few_runs(runs, above, below);
-  if (std::min(above, below) >= kFewest) return of_runs;
+  if (std::min(above, below) >= kMin) return of_runs;
   return std::min(1.0,
                   2.0 * std::min(of_runs, as_few_of_a_sign(std::min(above, below), above + below)));
 }

@@ -14,7 +14,7 @@ enum class Verdict {
   AtBound,            ///< it would go on beyond its bound
   LimitedBySampling,  ///< a break: where it is between two samples matters more than the noise
   LimitedBySegments,  ///< what the number of segments does to it matters more than the noise
-  FromPrior,          ///< its prior says more of it than the curves
+  FromPrior,          ///< its prior determines it more than the curves
 };
 
 /// "identified", "weak", "not identified", …
@@ -22,7 +22,7 @@ std::string_view name_of(Verdict verdict);
 
 /// From this relative standard error on a parameter is weak.
 inline constexpr double kWeak = 0.1;
-/// Above this share of its prior a parameter is the prior's.
+/// Above this fraction of its prior a parameter is the prior's.
 inline constexpr double kOfPrior = 0.5;
 
 /// From this size on a correlation is named: the curves determine a combination of the two
@@ -38,14 +38,14 @@ struct Evidence {
   double half = 0.0;            ///< half the interval that a break's sampling leaves
   double standard_error = 0.0;  ///< from both
   double segments = 0.0;  ///< half the interval that the number of segments leaves; 0: none known
-  double prior = 0.0;     ///< share of its prior in all that is known of it [1]
+  double prior = 0.0;     ///< fraction of its prior in all that is known of it [1]
 };
 
 struct Judgement {
   Verdict verdict = Verdict::NotIdentified;
   /// The number behind the word: standard error over value; of a bound the bound [SI]; of sampling
   /// half the interval between samples over the value, of segments half theirs; of a prior its
-  /// share; infinite if not identified.
+  /// fraction; infinite if not identified.
   double number = 0.0;
 };
 
@@ -59,7 +59,7 @@ std::string warning_of(std::string_view name, const Judgement& judgement, double
 /// signs were alike. Where fewer than 10 have one of the signs, which leaves few orders, twice the
 /// lesser of this and of the probability of so few. NaN for fewer than 20 in all.
 /// Source: Wald & Wolfowitz, Ann. Math. Stat. 11 (1940) 147.
-double runs_probability(std::span<const double> residual);
+double runs_test_p(std::span<const double> residual);
 
 /// Below this probability of its runs a curve's residuals are no noise.
 inline constexpr double kFewRuns = 1e-3;

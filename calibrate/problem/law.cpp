@@ -26,7 +26,7 @@ struct LawParameter {
 
 constexpr std::array<LawParameter, 10> kParameters{{
     {"tangent_modulus", MaterialField::TangentModulus, true, false, false, false, true},
-    {"kinematic_share", MaterialField::KinematicShare, true, false, false, true, true},
+    {"kinematic_fraction", MaterialField::KinematicFraction, true, false, false, true, true},
     {"saturation_stress", MaterialField::SaturationStress, false, true, true, false, true},
     {"saturation_rate", MaterialField::SaturationRate, false, true, true, false, true},
     {"backstress_modulus_1", MaterialField::BackModulus1, false, false, true, false, true},
@@ -145,7 +145,7 @@ std::vector<Parameter> parameters_of(Law law, Loading loading, std::span<const P
   std::vector<Parameter> own;
   for (const Parameter& parameter : all) {
     const LawParameter* p = find(parameter);
-    const bool no_effect = p != nullptr && p->field == MaterialField::KinematicShare &&
+    const bool no_effect = p != nullptr && p->field == MaterialField::KinematicFraction &&
                            loading == Loading::Monotonic && !contains(given, parameter.field);
     const bool of_table = parameter.field->material && is_of_table(*parameter.field->material);
     const bool has_it = p == nullptr ? !of_table || law == Law::Multilinear : has(law, *p);
@@ -205,7 +205,7 @@ Hardening hardening_of(Law law, const Hardening& given) {
   return hardening;
 }
 
-std::optional<double> least_effect(const Parameter& parameter, double lower, double upper) {
+std::optional<double> min_effect_value(const Parameter& parameter, double lower, double upper) {
   if (!parameter.field->material) return std::nullopt;
   switch (*parameter.field->material) {
     case MaterialField::TangentModulus:

@@ -16,7 +16,7 @@ namespace plastica::calibrate {
 /// The laws that a fit can choose among, in the order in which they are offered.
 enum class Law {
   Ideal,        ///< nothing beyond the yield stress
-  Linear,       ///< tangent modulus; of cyclic curves the kinematic share, too
+  Linear,       ///< tangent modulus; of cyclic curves the kinematic fraction, too
   Voce,         ///< Q and b of isotropic hardening that saturates
   Chaboche,     ///< Voce and two back-stresses: C and gamma of each
   Multilinear,  ///< the scene's table; its stresses where they are parameters
@@ -42,7 +42,7 @@ Law law_of(const Hardening& hardening, std::span<const Parameter> parameters);
 std::vector<Parameter> parameters_of(std::span<const Law> laws, std::vector<Parameter> given);
 
 /// Those of them that one law has. Hardening parameters of other laws are left out; so is, of a
-/// monotonic curve, a kinematic share that was not given, because it has no effect there.
+/// monotonic curve, a kinematic fraction that was not given, because it has no effect there.
 /// @param all  as `parameters_of` gives them
 /// @param given  of the fit
 std::vector<Parameter> parameters_of(Law law, Loading loading, std::span<const Parameter> all,
@@ -62,7 +62,7 @@ Hardening hardening_of(Law law, const Hardening& given);
 /// Where, between two bounds, a hardening parameter has the least effect: a stress or modulus at
 /// the lower one, the rate of a back-stress, which caps it, at the upper one, that of Voce at the
 /// lower one. Empty for others.
-std::optional<double> least_effect(const Parameter& parameter, double lower, double upper);
+std::optional<double> min_effect_value(const Parameter& parameter, double lower, double upper);
 
 /// Whether a law can do all that another one does: all contain ideal plasticity, Chaboche Voce.
 bool contains(Law law, Law simpler);

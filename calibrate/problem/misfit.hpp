@@ -19,7 +19,7 @@ void take_test(const Target& target, Scene& scene);
 
 /// The cost of a fit: f = f_stress + f_break [Pa^2].
 ///
-/// f_stress = sum w_i r_i^2 / sum w_i over the whole samples of the specimen, with r_i = model
+/// f_stress = sum w_i r_i^2 / sum w_i over the intact samples of the specimen, with r_i = model
 /// stress - measured stress and
 ///   strain path:    w_i = (|de_i| + |de_{i+1}|)/2 at sample i, so that f_stress is the integral
 ///                   of the trapezia sum |de_i| (r_i^2 + r_{i-1}^2)/2 / sum |de_i|;
@@ -64,7 +64,7 @@ class Misfit {
   double search_squares(std::span<const double> active, std::span<double> gradient,
                         std::span<double> normal);
 
-  /// Model stress - measured stress of all whole samples [Pa] (n_samples); the break parameter's
+  /// Model stress - measured stress of all intact samples [Pa] (n_samples); the break parameter's
   /// value does not count. @return false if the model cannot be run
   bool residuals(std::span<const double> active, std::span<double> residual);
 
@@ -81,7 +81,7 @@ class Misfit {
   /// p above, of the last evaluation [1].
   double permanent_strain() const { return response_.permanent_strain; }
 
-  /// S^2: costs over it are shares of the largest stress [Pa^2].
+  /// S^2: costs over it are fractions of the largest stress [Pa^2].
   double cost_unit() const { return cost_unit_; }
 
   /// Second derivatives of the cost by the active parameters after Gauss and Newton,

@@ -31,15 +31,16 @@ RunCounters counters_of(const SceneCurve& curve) {
 
 }  // namespace
 
-SceneProblem::SceneProblem(std::span<const ScenePart> parts, const SceneFitOptions& options)
-    : parts_(parts),
+SceneProblem::SceneProblem(std::span<const WeightedTarget> targets, const SceneFitOptions& options)
+    : targets_(targets),
       options_(options),
-      parameters_(options.parameters, parts.front().setup),
-      noise_(parts.size()) {
-  for (const ScenePart& part : parts) {
-    models_.emplace_back(with_fixed(part.setup, options), part.target, parameters_.fields());
+      parameters_(options.parameters, targets.front().setup),
+      noise_(targets.size()) {
+  for (const WeightedTarget& weighted : targets) {
+    models_.emplace_back(with_fixed(weighted.setup, options), weighted.target,
+                         parameters_.fields());
     first_.push_back(squares_.residuals);
-    squares_.residuals += part.target.ordinate.size();
+    squares_.residuals += weighted.target.ordinate.size();
   }
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
     squares_.lower.push_back(parameters_.lower(i));
@@ -63,12 +64,12 @@ std::size_t SceneProblem::samples() const {
 }
 
 void SceneProblem::add_known_breaks() {
-  for (std::size_t part = 0; part < parts_.size(); ++part) {
-    const bool bends = models_[part].level() == Level::Planar;
-    const Setup setup = with_fixed(parts_[part].setup, options_);
+  for (std::size_t t = 0; t < targets_.size(); ++t) {
+    const bool bends = models_[t].level() == Level::Planar;
+    const Setup setup = with_fixed(targets_[t].setup, options_);
     const std::optional<double>& strain = setup.scene.material.break_strain;
-    const bool breaks = bends && models_[part].takes_a_limit();
-    if (parts_[part].target.broke && breaks && strain) known_breaks_.push_back({part, *strain});
+    const bool breaks = bends && models_[t].takes_a_limit();
+    if (targets_[t].target.broke && breaks && strain) known_breaks_.push_back({t, *strain});
   }
   squares_.residuals += known_breaks_.size();
   if (!known_breaks_.empty()) return;
@@ -79,14 +80,14 @@ void SceneProblem::add_known_breaks() {
 
 bool SceneProblem::add_breaks(const std::vector<std::vector<SceneCurve>>& curves, std::size_t point,
                               std::span<double> residuals) const {
-  constexpr double kLeast = 1e-3;
+  constexpr double kMin = 1e-3;
   std::size_t next = samples() + priors_.size();
   for (const KnownBreak& known : known_breaks_) {
-    const StrainAtBreak& strain = curves[known.part][point].strain;
+    const StrainAtBreak& strain = curves[known.target][point].strain;
     if (std::isnan(strain.at) || std::isnan(strain.before)) return false;
     const double half =
         std::isnan(strain.after) ? strain.at - strain.before : 0.5 * (strain.after - strain.before);
-    const double deviation = std::max(half / std::sqrt(3.0), kLeast * strain.at);
+    const double deviation = std::max(half / std::sqrt(3.0), kMin * strain.at);
     if (!(deviation > 0.0)) return false;
     residuals[next++] = (strain.at - known.strain) / deviation;
   }
@@ -110,20 +111,20 @@ std::vector<std::vector<SceneCurve>> SceneProblem::curves(std::span<const double
     return missing;
   };
   std::vector<std::vector<double>> missing = find_missing();
-  if (!missing.empty() && known_.size() > kMostKnown) {
+  if (!missing.empty() && known_.size() > kMaxKnown) {
     known_.clear();
     missing = find_missing();
   }
   std::vector<std::vector<SceneCurve>> found = run(missing);
   for (std::size_t i = 0; i < missing.size(); ++i) {
-    std::vector<SceneCurve>& of_parts = known_[missing[i]];
-    of_parts.clear();
-    for (std::vector<SceneCurve>& part : found) of_parts.push_back(std::move(part[i]));
+    std::vector<SceneCurve>& of_targets = known_[missing[i]];
+    of_targets.clear();
+    for (std::vector<SceneCurve>& of_target : found) of_targets.push_back(std::move(of_target[i]));
   }
   std::vector<std::vector<SceneCurve>> curves(models_.size());
   for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<SceneCurve>& of_parts = known_.at(point(points, i));
-    for (std::size_t part = 0; part < curves.size(); ++part) curves[part].push_back(of_parts[part]);
+    const std::vector<SceneCurve>& of_targets = known_.at(point(points, i));
+    for (std::size_t t = 0; t < curves.size(); ++t) curves[t].push_back(of_targets[t]);
   }
   return curves;
 }
@@ -138,17 +139,16 @@ std::vector<std::vector<SceneCurve>> SceneProblem::run(
     const std::vector<double> at = parameters_.values(x);
     values.insert(values.end(), at.begin(), at.end());
   }
-  // A lone point has its parts side by side, several points each part's runs.
-  const bool by_part = points.size() == 1;
+  // A lone point has its targets side by side, several points each target's runs.
+  const bool by_target = points.size() == 1;
   const int threads = options_.threads;
-  parallel_for(models_.size(), {by_part ? threads : 1}, [&](std::size_t part, int) {
-    curves[part] =
-        models_[part].run(values, points.size(), by_part ? 1 : threads, options_.hooks.stop);
+  parallel_for(models_.size(), {by_target ? threads : 1}, [&](std::size_t t, int) {
+    curves[t] = models_[t].run(values, points.size(), by_target ? 1 : threads, options_.hooks.stop);
   });
   // What was not begun has no curve, and must not count as a scene without one.
   if (options_.hooks.stopped()) throw FitInterrupted();
-  for (const std::vector<SceneCurve>& of_part : curves) {
-    for (const SceneCurve& curve : of_part) {
+  for (const std::vector<SceneCurve>& of_target : curves) {
+    for (const SceneCurve& curve : of_target) {
       counters_.add(counters_of(curve));
       if (!curve.usable) reason_ = curve.reason;
     }
@@ -179,15 +179,15 @@ std::vector<PointRun> SceneProblem::compare(const std::vector<std::vector<SceneC
     PointRun& here = all[i];
     const std::span<double> to = residuals.subspan(i * m, m);
     here.found = true;
-    for (std::size_t part = 0; part < curves.size(); ++part) {
-      const SceneCurve& curve = curves[part][i];
+    for (std::size_t t = 0; t < curves.size(); ++t) {
+      const SceneCurve& curve = curves[t][i];
       here.runs.add(counters_of(curve));
       if (here.found && !curve.usable) {
         here.found = false;
         here.reason = curve.reason;
         here.reversed = curve.reverses;
       }
-      if (here.found) add_residuals(part, curve, to);
+      if (here.found) add_residuals(t, curve, to);
     }
     if (here.found && !add_breaks(curves, i, to)) {
       here.found = false;
@@ -207,12 +207,12 @@ void SceneProblem::add_priors(std::span<const double> x, std::span<double> resid
   }
 }
 
-void SceneProblem::add_residuals(std::size_t part, const SceneCurve& curve,
+void SceneProblem::add_residuals(std::size_t t, const SceneCurve& curve,
                                  std::span<double> residuals) const {
-  const std::vector<double>& measured = parts_[part].target.ordinate;
-  const double factor = std::sqrt(parts_[part].weight) / scale(part);
+  const std::vector<double>& measured = targets_[t].target.ordinate;
+  const double factor = std::sqrt(targets_[t].weight) / scale(t);
   for (std::size_t i = 0; i < measured.size(); ++i) {
-    residuals[first_[part] + i] = factor * (curve.ordinate[i] - measured[i]);
+    residuals[first_[t] + i] = factor * (curve.ordinate[i] - measured[i]);
   }
 }
 

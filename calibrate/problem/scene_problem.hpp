@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "calibrate/fit/scene_fit.hpp"
-#include "calibrate/problem/part_noise.hpp"
 #include "calibrate/problem/scene_parameters.hpp"
+#include "calibrate/problem/target_noise.hpp"
 #include "calibrate/search/least_squares.hpp"
 #include "calibrate/trial/scene_model.hpp"
 
@@ -29,54 +29,54 @@ struct RunCounters {
   }
 };
 
-/// What came of a point at which all parts were run.
+/// What came of a point at which all targets were run.
 struct PointRun {
-  bool found = false;     ///< whether all parts have a curve
+  bool found = false;     ///< whether all targets have a curve
   std::string reason;     ///< else why not
   bool reversed = false;  ///< whether because the probe of an abscissa turns round
   RunCounters runs;
 };
 
-/// The sum of squares of a fit through scenes: for each part sqrt(weight) (model - measured)/scale
-/// at its samples, one part after the other, then (value - mean)/standard deviation of each prior.
-/// Where the hinge length is free, the break strain is known, and each part that broke in bending
-/// has a residual more: what its permanent strain is off at the break, over the standard deviation
-/// of a break that is anywhere within its sampling interval, or 0.1 % of the strain if that is
-/// more.
+/// The sum of squares of a fit through scenes: for each target sqrt(weight) (model -
+/// measured)/scale at its samples, one target after the other, then (value - mean)/standard
+/// deviation of each prior. Where the hinge length is free, the break strain is known, and each
+/// target that broke in bending has a residual more: what its permanent strain is off at the break,
+/// over the standard deviation of a break that is anywhere within its sampling interval, or 0.1 %
+/// of the strain if that is more.
 class SceneProblem {
  public:
-  /// @param parts, options  checked; must outlive this
+  /// @param targets, options  checked; must outlive this
   /// @throws InputError for a scene that is bad input or cannot follow its target
-  SceneProblem(std::span<const ScenePart> parts, const SceneFitOptions& options);
+  SceneProblem(std::span<const WeightedTarget> targets, const SceneFitOptions& options);
   SceneProblem(const SceneProblem&) = delete;
   SceneProblem& operator=(const SceneProblem&) = delete;
 
   const SceneParameters& parameters() const { return parameters_; }
-  std::span<const ScenePart> parts() const { return parts_; }
-  const SceneModel& model(std::size_t part) const { return models_[part]; }
+  std::span<const WeightedTarget> targets() const { return targets_; }
+  const SceneModel& model(std::size_t t) const { return models_[t]; }
   /// With the scales that are set now.
   const LeastSquaresProblem& squares() const { return squares_; }
-  std::size_t samples() const;  ///< of all parts
+  std::size_t samples() const;  ///< of all targets
 
-  /// Where a part's residuals begin.
-  std::size_t first_residual(std::size_t part) const { return first_[part]; }
+  /// Where a target's residuals begin.
+  std::size_t first_residual(std::size_t t) const { return first_[t]; }
   /// A break whose strain is known.
   struct KnownBreak {
-    std::size_t part = 0;
+    std::size_t target = 0;
     double strain = 0.0;
   };
   /// Those that a free hinge length is fitted to: the last residuals, one each.
   std::span<const KnownBreak> known_breaks() const { return known_breaks_; }
 
-  /// What the parts' residuals are divided by, at first 1 (n_parts).
-  const std::vector<PartNoise>& noise() const { return noise_; }
-  void set_noise(std::vector<PartNoise> noise) { noise_ = std::move(noise); }
-  double scale(std::size_t part) const { return noise_[part].deviation; }  ///< [SI]
+  /// What the targets' residuals are divided by, at first 1 (n_targets).
+  const std::vector<TargetNoise>& noise() const { return noise_; }
+  void set_noise(std::vector<TargetNoise> noise) { noise_ = std::move(noise); }
+  double scale(std::size_t t) const { return noise_[t].deviation; }  ///< [SI]
 
-  /// The curves of all parts at several points, run in parallel; what was run there lately is not
+  /// The curves of all targets at several points, run in parallel; what was run there lately is not
   /// run again.
   /// @param points  coordinates (count x n), row by row
-  /// @return by part and point (n_parts, count)
+  /// @return by target and point (n_targets, count)
   std::vector<std::vector<SceneCurve>> curves(std::span<const double> points, std::size_t count);
 
   /// Residuals at several points, which are run whatever was run before: what that took depends on
@@ -98,26 +98,27 @@ class SceneProblem {
                      std::span<bool> found);
   std::vector<PointRun> compare(const std::vector<std::vector<SceneCurve>>& curves,
                                 std::span<const double> points, std::span<double> residuals) const;
-  void add_residuals(std::size_t part, const SceneCurve& curve, std::span<double> residuals) const;
+  void add_residuals(std::size_t t, const SceneCurve& curve, std::span<double> residuals) const;
   std::vector<std::vector<SceneCurve>> run(const std::vector<std::vector<double>>& points);
   std::vector<double> point(std::span<const double> points, std::size_t index) const;
   void add_priors(std::span<const double> x, std::span<double> residuals) const;
   void add_known_breaks();
-  /// @return whether the path gets to the break of every part
+  /// @return whether the path gets to the break of every target
   bool add_breaks(const std::vector<std::vector<SceneCurve>>& curves, std::size_t point,
                   std::span<double> residuals) const;
 
-  std::span<const ScenePart> parts_;
+  std::span<const WeightedTarget> targets_;
   const SceneFitOptions& options_;
   SceneParameters parameters_;
   std::vector<SceneModel> models_;
   std::vector<std::size_t> first_;
-  std::vector<PartNoise> noise_;
+  std::vector<TargetNoise> noise_;
   std::vector<std::size_t> priors_;  ///< parameters that have one
   std::vector<KnownBreak> known_breaks_;
   LeastSquaresProblem squares_;
-  static constexpr std::size_t kMostKnown = 64;
-  std::map<std::vector<double>, std::vector<SceneCurve>> known_;  ///< curves of the parts by point
+  static constexpr std::size_t kMaxKnown = 64;
+  std::map<std::vector<double>, std::vector<SceneCurve>>
+      known_;  ///< curves of the targets by point
   RunCounters counters_;
   std::string reason_;
 };

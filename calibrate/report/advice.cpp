@@ -34,8 +34,8 @@ void advise_on(const FittedParameter& parameter, std::vector<std::string>& advic
 
 std::string misfit_meaning(const FitResult& result) {
   const std::string name(phrase_of(result.law));
-  const bool noise = result.runs_probability >= kFewRuns;
-  if (lacks_fit(result.misfit_share, result.runs_probability)) {
+  const bool noise = result.runs_test_p >= kFewRuns;
+  if (lacks_fit(result.misfit_fraction, result.runs_test_p)) {
     return name + " does not describe this curve";
   }
   if (result.misfit_word == "close") return name + " follows this curve";
@@ -61,7 +61,7 @@ std::vector<std::string> advice_for(const FitRecord& record) {
         "Standard errors hold only as far as the model does: they count the scatter about the "
         "fitted curve, not the shape that the model lacks.");
   }
-  if (result.misfit_word == "poor" && !(result.runs_probability >= kFewRuns)) {
+  if (result.misfit_word == "poor" && !(result.runs_test_p >= kFewRuns)) {
     advice.emplace_back(
         "If it is the fall after the largest stress that the model misses, fit up to there; the "
         "picture shows what is missing.");

@@ -36,13 +36,13 @@ class JsonDescriber {
     JsonDescriber those(object_, row_ != nullptr && condition(*row_) ? row_ : nullptr);
     columns(those);
   }
-  /// Without the column that says whether the part is there: null says so.
+  /// Without the column that says whether it is there: null says so.
   template <typename Member, typename Columns>
-  void part(std::string_view /*name*/, const Member& member, const Columns& columns) {
-    using Part = typename std::remove_cvref_t<decltype(member(*row_))>::value_type;
+  void optional(std::string_view /*name*/, const Member& member, const Columns& columns) {
+    using Inner = typename std::remove_cvref_t<decltype(member(*row_))>::value_type;
     const bool there = row_ != nullptr && member(*row_).has_value();
-    JsonDescriber<Part> of_part(object_, there ? &*member(*row_) : nullptr);
-    columns(of_part);
+    JsonDescriber<Inner> of_inner(object_, there ? &*member(*row_) : nullptr);
+    columns(of_inner);
   }
 
  private:
@@ -112,12 +112,12 @@ class CellDescriber {
     append(those);
   }
   template <typename Member, typename Columns>
-  void part(std::string_view /*name*/, const Member& member, const Columns& columns) {
-    using Part = typename std::remove_cvref_t<decltype(member(*row_))>::value_type;
+  void optional(std::string_view /*name*/, const Member& member, const Columns& columns) {
+    using Inner = typename std::remove_cvref_t<decltype(member(*row_))>::value_type;
     const bool there = row_ != nullptr && member(*row_).has_value();
-    CellDescriber<Part> of_part(there ? &*member(*row_) : nullptr, prefix_, own_units_);
-    columns(of_part);
-    append(of_part);
+    CellDescriber<Inner> of_inner(there ? &*member(*row_) : nullptr, prefix_, own_units_);
+    columns(of_inner);
+    append(of_inner);
   }
   /// Goes on with the columns of another record.
   template <typename Other>

@@ -36,9 +36,9 @@ Points curve_of(const LikelihoodProfile& profile, double best, double scale) {
   Points points;
   for (std::size_t i = 0; i + 1 < profile.value.size(); ++i) {
     for (int k = 0; k <= kBetween; ++k) {
-      const double share = static_cast<double>(k) / kBetween;
-      const double r = root(i) + share * (root(i + 1) - root(i));
-      const double value = profile.value[i] + share * (profile.value[i + 1] - profile.value[i]);
+      const double fraction = static_cast<double>(k) / kBetween;
+      const double r = root(i) + fraction * (root(i + 1) - root(i));
+      const double value = profile.value[i] + fraction * (profile.value[i + 1] - profile.value[i]);
       if (r * r <= kRoom * profile.threshold) points.push_back({value / scale, r * r});
     }
   }
@@ -189,7 +189,7 @@ Figure profile_figure(const ShownIntervals& shown) {
   figure.title = shown.name + ": profile likelihood";
   for (std::size_t i = 0; i < all.profiles.size(); ++i) {
     const LikelihoodProfile& profile = all.profiles[i];
-    if (profile.value.size() < 2 || figure.panels.size() == kMostPanels) continue;
+    if (profile.value.size() < 2 || figure.panels.size() == kMaxPanels) continue;
     figure.panels.push_back(profile_panel(shown.parameters.at(i), profile));
   }
   if (figure.panels.empty()) {
@@ -221,12 +221,12 @@ Figure bootstrap_figure(const ShownIntervals& shown) {
   figure.title = fmt::format("{}: {} resamples of the {}", shown.name, columns[0].size(),
                              of_residuals ? "residuals" : "specimens");
   for (const std::size_t i : drawn) {
-    if (figure.panels.size() == kMostPanels) break;
+    if (figure.panels.size() == kMaxPanels) break;
     figure.panels.push_back(
         histogram_panel(shown.parameters[i], bootstrap.intervals[i], columns[i]));
   }
   for (std::size_t a = 0; a < drawn.size(); ++a) {
-    for (std::size_t b = a + 1; b < drawn.size() && figure.panels.size() < kMostPanels; ++b) {
+    for (std::size_t b = a + 1; b < drawn.size() && figure.panels.size() < kMaxPanels; ++b) {
       const std::size_t i = drawn[a], k = drawn[b];
       figure.panels.push_back(
           pair_panel(shown.parameters[i], columns[i], shown.parameters[k], columns[k]));

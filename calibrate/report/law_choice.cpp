@@ -19,8 +19,8 @@ LawFit law_fit_of(const FitRecord& record) {
   fit.fitted = result.status == FitStatus::Fitted;
   if (!fit.fitted) return fit;
   fit.curves.push_back({.mean_square = result.misfit_rms * result.misfit_rms,
-                        .largest = result.misfit_share > 0.0
-                                       ? result.misfit_rms / result.misfit_share
+                        .largest = result.misfit_fraction > 0.0
+                                       ? result.misfit_rms / result.misfit_fraction
                                        : largest_magnitude(record.target.corrected.stress),
                         .samples = result.effective_samples,
                         .autocorrelation = result.autocorrelation,
@@ -32,8 +32,8 @@ LawFit law_fit_of(const FitRecord& record) {
     fit.verdicts.push_back(p.judgement->verdict);
   }
   fit.evaluations = result.evaluations() + result.simpler_evaluations;
-  fit.misfit_share = result.misfit_share;
-  fit.lacks_fit = lacks_fit(result.misfit_share, result.runs_probability);
+  fit.misfit_fraction = result.misfit_fraction;
+  fit.lacks_fit = lacks_fit(result.misfit_fraction, result.runs_test_p);
   return fit;
 }
 

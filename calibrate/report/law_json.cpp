@@ -23,7 +23,7 @@ Json comparison_of(const LawComparison& comparison) {
     laws.push_back({{"law", calibrate::name_of(law.fit.law)},
                     {"fitted", law.fit.fitted},
                     {"parameters", law.fit.parameters.size()},
-                    {"misfit_share", number(law.fit.misfit_share)},
+                    {"misfit_fraction", number(law.fit.misfit_fraction)},
                     {"aic", number(law.aic)},
                     {"aicc", number(law.aicc)},
                     {"bic", number(law.bic)},

@@ -85,8 +85,8 @@ void add_panels(const Shown& shown, const std::vector<LawCurve>& laws, Figure& f
   figure.panels.push_back(std::move(below));
 }
 
-std::string law_text(Law law, double misfit_share) {
-  return fmt::format("{}, {:.2g} %", name_of(law), 100.0 * misfit_share);
+std::string law_text(Law law, double misfit_fraction) {
+  return fmt::format("{}, {:.2g} %", name_of(law), 100.0 * misfit_fraction);
 }
 
 std::vector<double> in_units(const std::vector<double>& values, double scale) {
@@ -117,7 +117,7 @@ Figure laws_figure(std::span<const FitRecord> records, const std::string& name) 
     // Beyond the samples stands the model's break.
     std::vector<double> stress = in_units(result.fitted.stress, kMega);
     stress.resize(std::min(stress.size(), measured.size()));
-    curves.push_back({law_text(result.law, result.misfit_share), std::move(stress)});
+    curves.push_back({law_text(result.law, result.misfit_fraction), std::move(stress)});
   }
   Figure figure;
   add_panels(shown, curves, figure);
@@ -129,7 +129,7 @@ Figure laws_figure(std::span<const SceneFitRecord> records, const std::string& n
       laws_of(records, name, [](const SceneFitRecord& record) { return record.name; });
   const SceneFitRecord& first = *laws.front();
   Figure figure;
-  const std::size_t shown_targets = std::min(first.targets.size(), kMostPanels / 2);
+  const std::size_t shown_targets = std::min(first.targets.size(), kMaxPanels / 2);
   figure.title = first.targets.size() == 1 ? "" : first.name;
   if (shown_targets < first.targets.size()) {
     figure.title +=
@@ -153,10 +153,10 @@ Figure laws_figure(std::span<const SceneFitRecord> records, const std::string& n
                       in_units(target.ordinate, y_unit.scale)};
     std::vector<LawCurve> curves;
     for (const SceneFitRecord* record : laws) {
-      if (record->result.parts.size() != record->targets.size()) continue;
-      const ScenePartFit& part = record->result.parts[t];
-      curves.push_back(
-          {law_text(record->result.law, part.misfit_share), in_units(part.fitted, y_unit.scale)});
+      if (record->result.targets.size() != record->targets.size()) continue;
+      const TargetFit& of_target = record->result.targets[t];
+      curves.push_back({law_text(record->result.law, of_target.misfit_fraction),
+                        in_units(of_target.fitted, y_unit.scale)});
     }
     add_panels(shown, curves, figure);
   }

@@ -36,10 +36,10 @@ std::string interval_text(const FittedParameter& parameter, const DisplayUnit& u
 std::string verdict_text(const FittedParameter& p) {
   if (!p.judgement) return std::string(word_of(p.role));
   std::string word(name_of(p.verdict()));
-  const std::string share = fmt::format("{:.2g} %", 100.0 * p.verdict_number());
+  const std::string fraction = fmt::format("{:.2g} %", 100.0 * p.verdict_number());
   switch (p.verdict()) {
     case Verdict::Identified:
-    case Verdict::Weak: return word + ", error " + share;
+    case Verdict::Weak: return word + ", error " + fraction;
     case Verdict::NotIdentified: return word;
     case Verdict::AtBound: {
       const DisplayUnit unit = display_unit_of(p.path, p.dimension, p.verdict_number());
@@ -47,8 +47,8 @@ std::string verdict_text(const FittedParameter& p) {
                          quantity(brief(p.verdict_number() / unit.scale), unit.name));
     }
     case Verdict::LimitedBySegments:
-    case Verdict::LimitedBySampling: return word + ", ± " + share;
-    case Verdict::FromPrior: return word + ", " + share + " of it";
+    case Verdict::LimitedBySampling: return word + ", ± " + fraction;
+    case Verdict::FromPrior: return word + ", " + fraction + " of it";
   }
   return word;
 }

@@ -52,8 +52,8 @@ double stress_at(const Curve& curve, double strain, std::size_t& from) {
   if (from + 1 >= curve.size()) return curve.stress.back();
   const double width = curve.strain[from + 1] - curve.strain[from];
   if (!(width > 0.0)) return curve.stress[from + 1];
-  const double share = std::clamp((strain - curve.strain[from]) / width, 0.0, 1.0);
-  return curve.stress[from] + share * (curve.stress[from + 1] - curve.stress[from]);
+  const double fraction = std::clamp((strain - curve.strain[from]) / width, 0.0, 1.0);
+  return curve.stress[from] + fraction * (curve.stress[from + 1] - curve.stress[from]);
 }
 
 }  // namespace
@@ -99,8 +99,8 @@ Curve mean_curve(const std::vector<const Curve*>& curves) {
   Curve mean;
   for (std::size_t k = 0; k < kMeanPoints; ++k) {
     // Denser at the start, where the curves are steep.
-    const double share = static_cast<double>(k) / static_cast<double>(kMeanPoints - 1);
-    const double strain = end * share * share;
+    const double fraction = static_cast<double>(k) / static_cast<double>(kMeanPoints - 1);
+    const double strain = end * fraction * fraction;
     double sum = 0.0;
     for (std::size_t c = 0; c < curves.size(); ++c) {
       sum += stress_at(*curves[c], strain, from[c]);

@@ -17,8 +17,8 @@
 namespace plastica::calibrate::report {
 namespace {
 
-constexpr std::size_t kMostCurves = 60;  // of a panel; more are a blot
-constexpr std::size_t kMostFalls = 3;    // of a panel's fits
+constexpr std::size_t kMaxCurves = 60;  // of a panel; more are a blot
+constexpr std::size_t kMaxFalls = 3;    // of a panel's fits
 
 std::string with_color(std::string_view style, std::string_view color) {
   return fmt::format("{} linecolor rgb '{}'", style, color);
@@ -36,15 +36,15 @@ Panel panel_of(std::span<const FitRecord> records, const std::vector<std::size_t
   Panel panel;
   const auto [usable, curves] = curves_of(records, members);
   panel.mean = mean_curve(curves);
-  const std::size_t step = (usable.size() + kMostCurves - 1) / kMostCurves;
+  const std::size_t step = (usable.size() + kMaxCurves - 1) / kMaxCurves;
   for (std::size_t k = 0; k < usable.size(); k += step) {
     const FitRecord& record = *usable[k];
     panel.measured.push_back(curves[k]);
     add_break(record, panel.breaks);
     if (!is_fitted(record) || record.result.fitted.size() == 0) continue;
     // The falls of many fits would be a fence in front of the curves.
-    panel.fits.push_back(usable.size() <= kMostFalls ? fitted_with_break(record.result)
-                                                     : fitted_until_break(record.result));
+    panel.fits.push_back(usable.size() <= kMaxFalls ? fitted_with_break(record.result)
+                                                    : fitted_until_break(record.result));
   }
   return panel;
 }
@@ -68,10 +68,10 @@ std::string panel_title(std::span<const FitRecord> records, const std::vector<st
 /// One scale for all panels, so that groups can be compared.
 void set_common_range(PlotScript& script, std::span<const FitRecord> records) {
   if (any_cyclic(records)) return;
-  const auto [most_strain, most_stress] = largest_of(records);
-  if (!(most_strain > 0.0 && most_stress > 0.0)) return;
-  script.command(fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]", 104.0 * most_strain,
-                             1.08e-6 * most_stress));
+  const auto [max_strain, max_stress] = largest_of(records);
+  if (!(max_strain > 0.0 && max_stress > 0.0)) return;
+  script.command(fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]", 104.0 * max_strain,
+                             1.08e-6 * max_stress));
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ PlotScript overview_plot(std::span<const FitRecord> records) {
   std::vector<std::vector<std::size_t>> groups = drawable_groups(records);
   PlotScript script;
   const std::size_t all = groups.size();
-  groups.resize(std::min(all, kMostPanels));
+  groups.resize(std::min(all, kMaxPanels));
   script.begin_panels(groups.size(), all > groups.size() ? fmt::format("the first {} of {} groups",
                                                                        groups.size(), all)
                                                          : std::string());
@@ -139,7 +139,7 @@ PlotScript overview_plot(std::span<const FitRecord> records) {
     script.command("set ylabel " + in_quotes(script.at_left() ? stress_label(first) : ""));
     script.begin_panel(in_quotes(
         panel_title(records, members, panel.measured.size(), groups.size() == 1 ? 70 : 34)));
-    const bool few = panel.measured.size() <= kMostFalls;
+    const bool few = panel.measured.size() <= kMaxFalls;
     if (!panel.measured.empty()) {
       script.add_series(add_curves(script, panel.measured),
                         few ? with_color("using 1:2 with lines linewidth 1.6", kDark)

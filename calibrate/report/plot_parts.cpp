@@ -51,7 +51,7 @@ std::vector<std::string> facts_of(const FitRecord& record) {
       measured_parameter(result, "shear_yield_stress", "τ_y", ""),
       measured_parameter(result, "break_strain", "ε_break", " permanent"),
       measured_parameter(result, "break_shear_strain", "γ_break", " permanent"),
-      fmt::format("misfit {} %", significant(100.0 * result.misfit_share, 2))};
+      fmt::format("misfit {} %", significant(100.0 * result.misfit_fraction, 2))};
   std::erase(facts, std::string());
   return facts;
 }
@@ -100,8 +100,8 @@ Curve fitted_with_break(const FitResult& result) {
 }
 
 void add_break(const FitRecord& record, std::vector<std::vector<double>>& rows) {
-  const std::optional<BreakObservation>& seen = record.target.characteristics.observed_break;
-  if (seen) rows.push_back({100.0 * seen->strain(), 1e-6 * seen->last_whole_stress});
+  const std::optional<BreakObservation>& observed = record.target.characteristics.observed_break;
+  if (observed) rows.push_back({100.0 * observed->strain(), 1e-6 * observed->last_intact_stress});
 }
 
 Curve fitted_until_break(const FitResult& result) {

@@ -14,7 +14,7 @@
 namespace plastica::calibrate::report {
 
 /// Groups that a picture shows at most; those behind are counted in its title.
-inline constexpr std::size_t kMostPanels = 12;
+inline constexpr std::size_t kMaxPanels = 12;
 
 bool is_fitted(const FitRecord& record);
 /// The parameter of a name, null if the fit has none.
@@ -33,7 +33,7 @@ std::optional<std::vector<double>> yield_point(const FitResult& result);
 Curve fitted_with_break(const FitResult& result);
 /// The fitted curve up to its break, without the fall.
 Curve fitted_until_break(const FitResult& result);
-/// Adds the specimen's break, if it was seen, as (strain in %, stress in MPa).
+/// Adds the specimen's break, if it was observed, as (strain in %, stress in MPa).
 void add_break(const FitRecord& record, std::vector<std::vector<double>>& rows);
 /// Largest finite strain [1] and stress [Pa] of measured and fitted curves; at least 0.
 std::pair<double, double> largest_of(std::span<const FitRecord> records);

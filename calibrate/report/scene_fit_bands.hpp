@@ -11,9 +11,9 @@ namespace plastica::calibrate::report {
 
 /// Bands of 95 %, at each sample by itself: of the fitted curve by the covariance, and of a new
 /// sample by the noise, too. Areas where the abscissa only grows, else lines.
-/// @param part  has errors of its fitted ordinates; none: no bands
+/// @param of_target  has errors of its fitted ordinates; none: no bands
 std::vector<plastica::report::FigureCurve> bands_of(const SceneTarget& target,
-                                                    const ScenePartFit& part,
+                                                    const TargetFit& of_target,
                                                     const DisplayUnit& x_unit,
                                                     const DisplayUnit& y_unit);
 

@@ -111,13 +111,13 @@ void write_scene_fits_csv(std::ostream& out, std::span<const SceneFitRecord> rec
 }
 
 void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> records) {
-  put_row(out, {"fit", "target", "abscissa", "abscissa_unit", "ordinate", "ordinate_unit",
-                "samples", "weight", "broke_at", "broke_half_interval", "level", "noise",
-                "noise_is", "degrees_of_freedom [1]", "misfit_share [1]", "runs_probability [1]",
-                "break_strain [1]"});
+  put_row(out,
+          {"fit", "target", "abscissa", "abscissa_unit", "ordinate", "ordinate_unit", "samples",
+           "weight", "broke_at", "broke_half_interval", "level", "noise", "noise_is",
+           "degrees_of_freedom [1]", "misfit_fraction [1]", "runs_test_p [1]", "break_strain [1]"});
   const bool compared = compares_laws(records);
   for (const SceneFitRecord& record : records) {
-    const bool there = record.result.parts.size() == record.targets.size();
+    const bool there = record.result.targets.size() == record.targets.size();
     for (std::size_t i = 0; i < record.targets.size(); ++i) {
       const SceneTarget& target = record.targets[i];
       std::vector<std::string> row = {label_of(record, compared),
@@ -131,11 +131,12 @@ void write_scene_targets_csv(std::ostream& out, std::span<const SceneFitRecord> 
       row.push_back(target.broke ? cell_of(target.broke->at) : std::string());
       row.push_back(target.broke ? cell_of(target.broke->half_interval) : std::string());
       if (there) {
-        const ScenePartFit& part = record.result.parts[i];
-        row.insert(row.end(), {std::string(word_of(part.level)), cell_of(part.noise),
-                               target.noise ? "given" : "estimated",
-                               cell_of(part.degrees_of_freedom), cell_of(part.misfit_share),
-                               cell_of(part.runs_probability), cell_of(part.break_strain)});
+        const TargetFit& of_target = record.result.targets[i];
+        row.insert(row.end(),
+                   {std::string(word_of(of_target.level)), cell_of(of_target.noise),
+                    target.noise ? "given" : "estimated", cell_of(of_target.degrees_of_freedom),
+                    cell_of(of_target.misfit_fraction), cell_of(of_target.runs_test_p),
+                    cell_of(of_target.break_strain)});
       } else {
         row.insert(row.end(), 7, std::string());
       }
@@ -148,12 +149,12 @@ void write_scene_fit_curves_csv(std::ostream& out, std::span<const SceneFitRecor
   out << "fit,target,abscissa,abscissa_unit,measured,fitted,fitted_error,ordinate_unit\n";
   const bool compared = compares_laws(records);
   for (const SceneFitRecord& record : records) {
-    const bool there = record.result.parts.size() == record.targets.size();
+    const bool there = record.result.targets.size() == record.targets.size();
     for (std::size_t i = 0; i < record.targets.size(); ++i) {
       const SceneTarget& target = record.targets[i];
       static const std::vector<double> kNone;
-      const std::vector<double>& fitted = there ? record.result.parts[i].fitted : kNone;
-      const std::vector<double>& error = there ? record.result.parts[i].fitted_error : kNone;
+      const std::vector<double>& fitted = there ? record.result.targets[i].fitted : kNone;
+      const std::vector<double>& error = there ? record.result.targets[i].fitted_error : kNone;
       for (std::size_t k = 0; k < target.abscissa.size(); ++k) {
         put_row(out, {label_of(record, compared), target.name, cell_of(target.abscissa[k]),
                       std::string(si_unit(target.abscissa_is)), cell_of(target.ordinate[k]),

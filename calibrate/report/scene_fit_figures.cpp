@@ -66,13 +66,13 @@ std::string facts_of(const SceneFitRecord& record) {
   return facts;
 }
 
-/// Whether its parts go with its targets.
-bool has_parts(const SceneFitRecord& record) {
-  return record.result.parts.size() == record.targets.size();
+/// Whether the fit has made something of each target.
+bool has_target_fits(const SceneFitRecord& record) {
+  return record.result.targets.size() == record.targets.size();
 }
 
 std::size_t panels_of(const SceneFitRecord& record) {
-  return std::min(record.targets.size(), kMostPanels);
+  return std::min(record.targets.size(), kMaxPanels);
 }
 
 /// A panel of a target without its curves.
@@ -91,8 +91,8 @@ FigurePanel panel_of(const SceneFitRecord& record, std::size_t t, const DisplayU
 std::string title_of(const SceneFitRecord& record) {
   if (record.targets.size() == 1) return record.name;
   std::string more;
-  if (record.targets.size() > kMostPanels) {
-    more = fmt::format(", the first {} of {} targets", kMostPanels, record.targets.size());
+  if (record.targets.size() > kMaxPanels) {
+    more = fmt::format(", the first {} of {} targets", kMaxPanels, record.targets.size());
   }
   return cut(record.name + more + ": " + facts_of(record), 110);
 }
@@ -109,14 +109,14 @@ Figure fit_figure(const SceneFitRecord& record, bool terminal) {
     FigurePanel panel = panel_of(record, t, x_unit);
     panel.y_label = label(printable(target.ordinate_probe), y_unit);
     const bool few = target.abscissa.size() <= 400;
-    if (has_parts(record) && !terminal) {
-      panel.curves = bands_of(target, record.result.parts[t], x_unit, y_unit);
+    if (has_target_fits(record) && !terminal) {
+      panel.curves = bands_of(target, record.result.targets[t], x_unit, y_unit);
     }
     panel.curves.push_back({points_of(target.abscissa, x_unit, target.ordinate, y_unit), "measured",
                             few ? kDark : kGrey, few ? Stroke::Points : Stroke::Line, 6});
-    if (has_parts(record) && !record.result.parts[t].fitted.empty()) {
+    if (has_target_fits(record) && !record.result.targets[t].fitted.empty()) {
       panel.curves.push_back(
-          {points_of(target.abscissa, x_unit, record.result.parts[t].fitted, y_unit), "fitted",
+          {points_of(target.abscissa, x_unit, record.result.targets[t].fitted, y_unit), "fitted",
            kVermillion, Stroke::Line});
     }
     // A line of letters would cover the letters of points.
@@ -127,26 +127,26 @@ Figure fit_figure(const SceneFitRecord& record, bool terminal) {
 }
 
 Figure residuals_figure(const SceneFitRecord& record) {
-  if (record.result.status != FitStatus::Fitted || !has_parts(record)) {
+  if (record.result.status != FitStatus::Fitted || !has_target_fits(record)) {
     throw InputError({}, "--what", "residuals", record.name + " was not fitted");
   }
   Figure figure;
   figure.title = title_of(record);
   for (std::size_t t = 0; t < panels_of(record); ++t) {
     const SceneTarget& target = record.targets[t];
-    const ScenePartFit& part = record.result.parts[t];
-    std::vector<double> residual(part.fitted.size());
+    const TargetFit& of_target = record.result.targets[t];
+    std::vector<double> residual(of_target.fitted.size());
     for (std::size_t i = 0; i < residual.size(); ++i)
-      residual[i] = target.ordinate[i] - part.fitted[i];
+      residual[i] = target.ordinate[i] - of_target.fitted[i];
     const DisplayUnit x_unit = unit_of(target.abscissa_is, target.abscissa);
     const DisplayUnit y_unit = unit_of(target.ordinate_is, residual);
     FigurePanel panel = panel_of(record, t, x_unit);
     panel.y_label = label(printable(target.ordinate_probe) + ", measured - fitted", y_unit);
     panel.curves.push_back({points_of(target.abscissa, x_unit, residual, y_unit), "residual", kDark,
                             Stroke::Points, 7});
-    if (std::isfinite(part.noise) && !target.abscissa.empty()) {
+    if (std::isfinite(of_target.noise) && !target.abscissa.empty()) {
       const auto [low, high] = std::ranges::minmax(target.abscissa);
-      for (const double noise : {part.noise, -part.noise}) {
+      for (const double noise : {of_target.noise, -of_target.noise}) {
         panel.curves.push_back({{{low / x_unit.scale, noise / y_unit.scale},
                                  {high / x_unit.scale, noise / y_unit.scale}},
                                 "noise, one standard deviation",
@@ -195,7 +195,7 @@ Figure population_figure(std::span<const SceneFitRecord> records) {
   Figure figure;
   figure.title = counted(records.size(), "fit");
   for (const PopulationParameter& parameter : population.parameters) {
-    if (parameter.n == 0 || figure.panels.size() == kMostPanels) continue;
+    if (parameter.n == 0 || figure.panels.size() == kMaxPanels) continue;
     const DisplayUnit unit = display_unit_of(parameter.path, parameter.dimension, parameter.mean);
     FigurePanel panel;
     panel.title = label(short_name(parameter.path), unit);

@@ -31,15 +31,15 @@ Json matrix(std::span<const double> values, std::size_t n) {
   return rows;
 }
 
-/// @param part  null: the fit has none
-Json target_of(const SceneTarget& target, double weight, const ScenePartFit* part) {
+/// @param of_target  null: the fit has none
+Json target_of(const SceneTarget& target, double weight, const TargetFit* of_target) {
   Json object = described_json(&target, kDescribeSceneTarget);
   object["abscissa"] = abscissa_text(target);
   object["abscissa_unit"] = si_unit(target.abscissa_is);
   object["ordinate_unit"] = si_unit(target.ordinate_is);
   object["samples_measured"] = target.abscissa.size();
   object["weight"] = number(weight);
-  JsonDescriber<ScenePartFit> made(object, part);
+  JsonDescriber<TargetFit> made(object, of_target);
   kDescribeTargetFit(made);
   return object;
 }
@@ -65,9 +65,9 @@ Json fit_of(const SceneFitRecord& record) {
   for (const FittedParameter& p : result.parameters) parameters[p.name()] = json_of(p);
   Json targets = Json::array();
   for (std::size_t i = 0; i < record.targets.size(); ++i) {
-    const bool there = result.parts.size() == record.targets.size();
+    const bool there = result.targets.size() == record.targets.size();
     targets.push_back(
-        target_of(record.targets[i], record.weights[i], there ? &result.parts[i] : nullptr));
+        target_of(record.targets[i], record.weights[i], there ? &result.targets[i] : nullptr));
   }
   Json starts = described_list(result.starts, kDescribeStart);
   for (std::size_t i = 0; i < result.starts.size(); ++i) {

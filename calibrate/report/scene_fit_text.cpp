@@ -29,7 +29,7 @@ std::string scene_entry(std::string_view label, std::string_view text) {
 
 /// The costs in rising order, equal ones once: "best cost 7.10 in 2 of 3 searches, then 7.40".
 std::string waterfall(const SceneFitResult& result) {
-  constexpr std::size_t kMost = 5;
+  constexpr std::size_t kMax = 5;
   const std::vector<double> costs = sorted_costs(result);
   const std::size_t searches = result.starts.size();
   if (costs.empty()) return fmt::format("{}, none with a curve", counted(searches, "start"));
@@ -37,10 +37,10 @@ std::string waterfall(const SceneFitResult& result) {
   std::string text = searches == 1 ? fmt::format("cost {}", significant(costs.front(), 4))
                                    : fmt::format("best cost {} from {} of {} starts",
                                                  significant(costs.front(), 4), best, searches);
-  for (std::size_t i = best; i < costs.size() && i < best + kMost; ++i) {
+  for (std::size_t i = best; i < costs.size() && i < best + kMax; ++i) {
     text += fmt::format("{} {}", i == best ? ", then" : ",", significant(costs[i], 4));
   }
-  if (costs.size() > best + kMost) text += ", …";
+  if (costs.size() > best + kMax) text += ", …";
   if (costs.size() < searches) text += fmt::format("; {} without a curve", searches - costs.size());
   return text + fmt::format(" ({})", name_of(result.outcome));
 }
@@ -70,13 +70,13 @@ std::string noise_text(const SceneFitResult& result) {
     least = std::min(least, p.degrees_of_freedom);
     most = std::max(most, p.degrees_of_freedom);
   }
-  if (std::isinf(least)) return "of the noise that the targets state";
+  if (std::isinf(least)) return "noise as the targets state it";
   std::string degrees = significant(least, 3);
   if (significant(most, 3) != degrees) {
     degrees = std::isinf(most) ? fmt::format("at least {}", degrees)
                                : fmt::format("{} to {}", degrees, significant(most, 3));
   }
-  return fmt::format("of noise that the residuals say, {} degrees of freedom", degrees);
+  return fmt::format("noise estimated from residuals, {} degrees of freedom", degrees);
 }
 
 std::string parameters_text(const SceneFitResult& result, const ReportOptions& options,
@@ -107,10 +107,11 @@ std::string break_text(const SceneTarget& target) {
 }
 
 std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
-  const std::vector<ScenePartFit>& parts = record.result.parts;
-  if (record.result.status != FitStatus::Fitted || parts.size() != record.targets.size()) return {};
+  const std::vector<TargetFit>& targets = record.result.targets;
+  if (record.result.status != FitStatus::Fitted || targets.size() != record.targets.size())
+    return {};
   const bool broke = std::ranges::any_of(
-      parts, [](const ScenePartFit& part) { return !std::isnan(part.break_strain); });
+      targets, [](const TargetFit& of_target) { return !std::isnan(of_target.break_strain); });
   const bool weighted =
       std::ranges::any_of(record.weights, [](double weight) { return weight != 1.0; });
   std::vector<Table::Column> columns = {{"", Align::Left},
@@ -123,22 +124,23 @@ std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
   if (weighted) columns.push_back({"weight"});
   if (broke) columns.push_back({"break strain", Align::Right, "%"});
   Table table(std::move(columns));
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    const ScenePartFit& part = parts[p];
+  for (std::size_t p = 0; p < targets.size(); ++p) {
+    const TargetFit& of_target = targets[p];
     const SceneTarget& target = record.targets[p];
-    const DisplayUnit unit = plastica::report::display_unit(target.ordinate_is, part.noise);
+    const DisplayUnit unit = plastica::report::display_unit(target.ordinate_is, of_target.noise);
     std::vector<std::string> cells = {
-        printable(part.name),
-        std::string(word_of(part.level)),
-        std::to_string(part.samples),
-        significant(part.noise / unit.scale, 3),
+        printable(of_target.name),
+        std::string(word_of(of_target.level)),
+        std::to_string(of_target.samples),
+        significant(of_target.noise / unit.scale, 3),
         std::string(unit.name) + (target.noise ? " (given)" : ""),
-        significant(100.0 * part.misfit_share, 2),
-        std::isnan(part.runs_probability) ? "-" : fmt::format("{:.2g}", part.runs_probability)};
+        significant(100.0 * of_target.misfit_fraction, 2),
+        std::isnan(of_target.runs_test_p) ? "-" : fmt::format("{:.2g}", of_target.runs_test_p)};
     if (weighted) cells.push_back(brief(record.weights[p]));
     if (broke) {
-      cells.push_back(std::isnan(part.break_strain) ? "-"
-                                                    : significant(100.0 * part.break_strain, 4));
+      cells.push_back(std::isnan(of_target.break_strain)
+                          ? "-"
+                          : significant(100.0 * of_target.break_strain, 4));
     }
     table.add(std::move(cells));
     if (target.broke)

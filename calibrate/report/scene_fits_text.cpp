@@ -22,7 +22,7 @@ using plastica::report::Table;
 using Align = Table::Align;
 
 /// Parameters that the table over fits has room for; the report of a fit has all.
-constexpr std::size_t kMostColumns = 3;
+constexpr std::size_t kMaxColumns = 3;
 
 /// The letters of the table's last column, in their order.
 struct SceneFitFlag {
@@ -82,7 +82,8 @@ std::vector<ColumnParameter> column_parameters(std::span<const SceneFitRecord> r
 
 double largest_misfit(const SceneFitResult& result) {
   double most = 0.0;
-  for (const ScenePartFit& part : result.parts) most = std::fmax(most, part.misfit_share);
+  for (const TargetFit& of_target : result.targets)
+    most = std::fmax(most, of_target.misfit_fraction);
   return most;
 }
 
@@ -104,7 +105,7 @@ std::vector<std::string> row_of(const SceneFitRecord& record,
 std::string table_text(std::span<const SceneFitRecord> records,
                        std::span<const ColumnParameter> all, const ReportOptions& options,
                        const Ink& ink) {
-  const auto shown = all.first(std::min(all.size(), kMostColumns));
+  const auto shown = all.first(std::min(all.size(), kMaxColumns));
   std::vector<Table::Column> columns = {{"fit", Align::Left, ""}};
   for (const ColumnParameter& parameter : shown) {
     columns.push_back({short_name(parameter.path) + " ± error", Align::PlusMinus,

@@ -151,7 +151,7 @@ void add_intervals(const Fits& fits, double confidence, ScenePopulation& populat
   for (PopulationParameter& p : parameters) {
     p.mean_low = p.mean_high = p.deviation_low = p.deviation_high = kNan;
   }
-  if (fits.size() < kFewestSpecimens) return;
+  if (fits.size() < kMinSpecimens) return;
   std::vector<Resample> resamples;
   std::vector<std::size_t> drawn(fits.size());
   for (int b = 0; b < kPopulationResamples; ++b) {
@@ -167,7 +167,7 @@ void add_intervals(const Fits& fits, double confidence, ScenePopulation& populat
     return bootstrap_interval(std::move(values), confidence);
   };
   for (std::size_t a = 0; a < n; ++a) {
-    if (parameters[a].n < kFewestSpecimens) continue;
+    if (parameters[a].n < kMinSpecimens) continue;
     const BootstrapInterval mean = interval([&](const Resample& r) { return r.mean[a]; });
     const BootstrapInterval scatter = interval([&](const Resample& r) { return r.deviation[a]; });
     parameters[a].mean_low = mean.low;
@@ -175,7 +175,7 @@ void add_intervals(const Fits& fits, double confidence, ScenePopulation& populat
     parameters[a].deviation_low = scatter.low;
     parameters[a].deviation_high = scatter.high;
     for (std::size_t b = 0; b < n; ++b) {
-      if (parameters[b].n < kFewestSpecimens) continue;
+      if (parameters[b].n < kMinSpecimens) continue;
       const auto both = interval([&](const Resample& r) { return r.covariance[a * n + b]; });
       population.covariance_low[a * n + b] = both.low;
       population.covariance_high[a * n + b] = both.high;

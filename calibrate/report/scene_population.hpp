@@ -23,13 +23,13 @@ struct PopulationParameter {
   /// Of the specimens alone, the noise taken out [SI], >= 0; NaN for n < 2.
   double specimen_deviation = 0.0;
   /// Intervals of the mean and of the specimens' deviation, from a bootstrap over the fits [SI];
-  /// NaN for n < kFewestSpecimens.
+  /// NaN for n < kMinSpecimens.
   double mean_low = 0.0, mean_high = 0.0;
   double deviation_low = 0.0, deviation_high = 0.0;
 };
 
 /// Of fewer specimens a bootstrap says nothing, and how many resamples it has.
-inline constexpr std::size_t kFewestSpecimens = 8;
+inline constexpr std::size_t kMinSpecimens = 8;
 inline constexpr int kPopulationResamples = 1000;
 
 /// How parameters scatter among specimens that were fitted alike.
@@ -44,7 +44,7 @@ inline constexpr int kPopulationResamples = 1000;
 /// of the noise (method of moments).
 ///
 /// Their intervals are percentiles over resamples of the fits, each with the errors that it has:
-/// all fits are drawn anew with replacement, and mean, variance and covariance taken from those
+/// all fits are resampled with replacement, and mean, variance and covariance taken from those
 /// drawn (seeded; the same bits each time). Of few specimens those of a scatter are too narrow: of
 /// 20 by an eighth.
 struct ScenePopulation {

@@ -88,7 +88,7 @@ Figure segments_figure(const SceneFitRecord& record) {
                              result.segments->segments);
   for (std::size_t i = 0; i < result.segments->parameters.size(); ++i) {
     const SegmentsError& error = result.segments->parameters[i];
-    if (error.trend == SegmentsTrend::Unknown || figure.panels.size() == kMostPanels) continue;
+    if (error.trend == SegmentsTrend::Unknown || figure.panels.size() == kMaxPanels) continue;
     figure.panels.push_back(panel_of(result.parameters[i], error));
   }
   if (figure.panels.empty()) {

@@ -38,7 +38,7 @@ struct CharacteristicEntry {
 /// All of them, in the order in which they are shown.
 std::span<const CharacteristicEntry> characteristic_entries();
 
-/// How specimens are drawn anew, for the intervals of their means.
+/// How specimens are resampled, for the intervals of their means.
 struct SpecimenDraws {
   int resamples = 0;  ///< 0: none
   std::uint64_t seed = 1;
@@ -50,7 +50,7 @@ struct GroupStatistic {
   std::string name;  ///< of the characteristic or parameter
   Dimension dimension = Dimension::None;
   Statistic statistic;
-  /// Of the mean of a parameter, from specimens drawn anew; empty if they were not, or for n < 2.
+  /// Of the mean of a parameter, from resampled specimens; empty if they were not, or for n < 2.
   std::optional<BootstrapInterval> mean_interval;
 };
 

@@ -207,7 +207,7 @@ std::string specimens_text(std::span<const FitRecord> records, const ReportOptio
                           ? significant(100.0 * *result.break_strain_total, 4)
                           : "-");
     }
-    cells.push_back(fitted ? significant(100.0 * result.misfit_share, 2) : "-");
+    cells.push_back(fitted ? significant(100.0 * result.misfit_fraction, 2) : "-");
     const std::string flags = flags_of(record);
     seen += flags;
     cells.push_back(fitted ? flags : std::string(word_of(result.status)));

@@ -86,9 +86,9 @@ std::string mending(const Target& target, const Ink& ink) {
 }
 
 /// A break strain and how far the sampling leaves it open.
-std::string break_text(double strain, const std::optional<BreakObservation>& seen) {
-  if (!seen || !(seen->half_interval() > 0.0)) return significant(100.0 * strain, 4);
-  return with_error(100.0 * strain, 100.0 * seen->half_interval());
+std::string break_text(double strain, const std::optional<BreakObservation>& observed) {
+  if (!observed || !(observed->half_interval() > 0.0)) return significant(100.0 * strain, 4);
+  return with_error(100.0 * strain, 100.0 * observed->half_interval());
 }
 
 std::string proof_label(const Characteristics& all) {
@@ -129,18 +129,18 @@ std::string characteristics_text(const Target& target, const Ink& ink) {
   if (all.strain_at_rm) {
     table.add({"strain at Rm", significant(100.0 * *all.strain_at_rm, 4), "%", ""});
   }
-  const std::optional<BreakObservation>& seen = all.observed_break;
+  const std::optional<BreakObservation>& observed = all.observed_break;
   if (all.break_strain) {
     std::string note = "total";
-    if (seen) {
-      note += fmt::format("; last whole sample at {:.5g} %, by {}", 100.0 * seen->last_whole_strain,
-                          seen->rule);
+    if (observed) {
+      note += fmt::format("; last intact sample at {:.5g} %, by {}",
+                          100.0 * observed->last_intact_strain, observed->rule);
     }
-    table.add({"break strain", break_text(*all.break_strain, seen), "%", note});
+    table.add({"break strain", break_text(*all.break_strain, observed), "%", note});
   }
   if (all.break_strain_plastic) {
     const bool below = all.break_strain.has_value();
-    table.add({below ? "" : "break strain", break_text(*all.break_strain_plastic, seen), "%",
+    table.add({below ? "" : "break strain", break_text(*all.break_strain_plastic, observed), "%",
                "permanent"});
   }
   if (table.rows() == 0) return {};
@@ -184,11 +184,11 @@ std::string misfit_text(const FitRecord& record, const Ink& ink) {
   const DisplayUnit unit = display_unit(Dimension::Stress, result.misfit_rms);
   const bool tension = record.target.characteristics.rm.has_value();
   std::string line =
-      fmt::format("{} % of {} (rms {} {})", significant(100.0 * result.misfit_share, 2),
+      fmt::format("{} % of {} (rms {} {})", significant(100.0 * result.misfit_fraction, 2),
                   tension ? "Rm" : "the largest stress",
                   significant(result.misfit_rms / unit.scale, 3), unit.name);
-  if (!std::isnan(result.runs_probability)) {
-    line += fmt::format(", runs probability {:.2g}", result.runs_probability);
+  if (!std::isnan(result.runs_test_p)) {
+    line += fmt::format(", runs test p {:.2g}", result.runs_test_p);
   }
   if (!result.misfit_word.empty()) line += ": " + result.misfit_word;
   const std::string meaning = misfit_meaning(result);

@@ -13,7 +13,7 @@ namespace plastica::calibrate::report {
 std::string proof_label(std::span<const FitRecord> records);
 
 /// Mean and deviation of the characteristics and parameters of each group, the intervals of the
-/// parameters' means if specimens are drawn anew.
+/// parameters' means if specimens are resampled.
 std::string groups_text(std::span<const FitRecord> records, const ReportOptions& options,
                         const plastica::report::Ink& ink);
 

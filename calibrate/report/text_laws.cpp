@@ -23,7 +23,7 @@ using plastica::report::Table;
 using Align = Table::Align;
 
 /// Targets that have a table of their own at most.
-constexpr std::size_t kMostTables = 4;
+constexpr std::size_t kMaxTables = 4;
 
 std::string law_entry(std::string_view label, std::string_view text) {
   return wrapped(fmt::format("  {:<10}", label), text, kWidth);
@@ -63,7 +63,7 @@ const std::string& target_name(const SceneFitRecord& record) { return record.nam
 std::size_t samples_of(const FitRecord& record) { return record.result.samples; }
 std::size_t samples_of(const SceneFitRecord& record) {
   std::size_t samples = 0;
-  for (const ScenePartFit& part : record.result.parts) samples += part.samples;
+  for (const TargetFit& of_target : record.result.targets) samples += of_target.samples;
   return samples;
 }
 
@@ -164,10 +164,10 @@ void add_misfit(const Records<FitRecord>& /*records*/, const LawComparison& comp
             return significant(rms * rms, 5);
           });
   add_row(table, "  of the largest stress", "%", comparison,
-          [](const ComparedLaw& law) { return significant(100.0 * law.fit.misfit_share, 2); });
+          [](const ComparedLaw& law) { return significant(100.0 * law.fit.misfit_fraction, 2); });
 }
 
-/// Several targets have a share each, one has its size, too.
+/// Several targets have a fraction each, one has its size, too.
 void add_misfit(const Records<SceneFitRecord>& records, const LawComparison& comparison,
                 Table& table) {
   const std::vector<SceneTarget>& targets = records.front()->targets;
@@ -243,10 +243,11 @@ std::string target_text(const Records<Record>& records, const Ink& ink) {
   return text + law_entry("advised", comparison.advice);
 }
 
-double share_of(const FitRecord& record) { return record.result.misfit_share; }
-double share_of(const SceneFitRecord& record) {
+double fraction_of(const FitRecord& record) { return record.result.misfit_fraction; }
+double fraction_of(const SceneFitRecord& record) {
   double most = 0.0;
-  for (const ScenePartFit& part : record.result.parts) most = std::max(most, part.misfit_share);
+  for (const TargetFit& of_target : record.result.targets)
+    most = std::max(most, of_target.misfit_fraction);
   return most;
 }
 
@@ -268,7 +269,7 @@ std::string targets_text(const std::vector<Records<Record>>& targets, const Repo
     std::vector<std::string> cells{printable(target_name(*targets[t].front()))};
     for (const Record* record : targets[t]) {
       const bool fitted = record->result.status == FitStatus::Fitted;
-      cells.push_back(fitted ? significant(100.0 * share_of(*record), 2) : "-");
+      cells.push_back(fitted ? significant(100.0 * fraction_of(*record), 2) : "-");
     }
     const LawComparison comparison = compare_laws(targets[t]);
     cells.emplace_back(comparison.advised
@@ -288,7 +289,7 @@ std::string report_of(std::span<const Record> records, const ReportOptions& opti
   const Ink ink(options.color);
   const std::vector<Records<Record>> targets = by_target(records);
   std::string text;
-  if (targets.size() <= kMostTables) {
+  if (targets.size() <= kMaxTables) {
     for (const Records<Record>& target : targets) {
       text += (text.empty() ? "" : "\n") + target_text(target, ink);
     }

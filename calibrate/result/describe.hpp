@@ -8,7 +8,7 @@
 /// or text of a record, MEMBER a function from the record to it. The result file, the journal, the
 /// JSON summary and CSV tables are visitors d: what is added here is in all of them. A visitor has
 /// besides
-///   part(NAME, MEMBER, DESCRIPTION)   of what not every record has (std::optional): NAME tells
+///   optional(NAME, MEMBER, DESCRIPTION)   of what not every record has (std::optional): NAME tells
 ///                                     whether it is there;
 ///   only(CONDITION, DESCRIPTION)      of what only those records have for which it holds;
 ///   since(VERSION, DESCRIPTION)       of what result files have from a version on.
@@ -44,9 +44,9 @@ inline constexpr auto kDescribeParameter = [](auto& d) {
   d("at_lower", "", PLASTICA_MEMBER(at_lower), "whether it ended at its lower bound");
   d("at_upper", "", PLASTICA_MEMBER(at_upper), "whether it ended at its upper bound");
   d("identified", "", PLASTICA_MEMBER(identified), "whether the curves determine it");
-  d.part("judged", PLASTICA_MEMBER(judgement), [](auto& part) {
-    part("verdict", "", PLASTICA_MEMBER(verdict), "how well the curves determine it");
-    part("verdict_number", "", PLASTICA_MEMBER(number), "the number behind the verdict");
+  d.optional("judged", PLASTICA_MEMBER(judgement), [](auto& inner) {
+    inner("verdict", "", PLASTICA_MEMBER(verdict), "how well the curves determine it");
+    inner("verdict_number", "", PLASTICA_MEMBER(number), "the number behind the verdict");
   });
 };
 

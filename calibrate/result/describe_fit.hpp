@@ -36,7 +36,7 @@ inline constexpr auto kDescribeSegments = [](auto& d) {
     "half the interval about the value with the scene's segments");
 };
 
-/// Of a ScenePartFit, but for its curve.
+/// Of a TargetFit, but for its curve.
 inline constexpr auto kDescribeTargetFit = [](auto& d) {
   d("level", "", PLASTICA_MEMBER(level), "of the model");
   d("samples", "1", PLASTICA_MEMBER(samples), "that entered the fit");
@@ -44,9 +44,9 @@ inline constexpr auto kDescribeTargetFit = [](auto& d) {
   d("noise", "", PLASTICA_MEMBER(noise), "standard deviation that errors stand on");
   d("degrees_of_freedom", "1", PLASTICA_MEMBER(degrees_of_freedom),
     "of this; infinite: the target states it");
-  d("misfit_share", "1", PLASTICA_MEMBER(misfit_share),
+  d("misfit_fraction", "1", PLASTICA_MEMBER(misfit_fraction),
     "rms residual over the largest measured ordinate");
-  d("runs_probability", "1", PLASTICA_MEMBER(runs_probability),
+  d("runs_test_p", "1", PLASTICA_MEMBER(runs_test_p),
     "of as few runs of residuals of one sign, if they were independent");
   d("break_strain", "1", PLASTICA_MEMBER(break_strain),
     "permanent strain of the fitted model where the target broke");
@@ -73,10 +73,10 @@ inline constexpr auto kDescribeFit = [](auto& d) {
   d.only(fitted, [](auto& only) {
     only("cost", "Pa^2", PLASTICA_MEMBER(result.cost), "objective, break term included");
     only("misfit_rms", "Pa", PLASTICA_MEMBER(result.misfit_rms), "root of the stress misfit");
-    only("misfit_share", "1", PLASTICA_MEMBER(result.misfit_share),
+    only("misfit_fraction", "1", PLASTICA_MEMBER(result.misfit_fraction),
          "misfit over the largest stress");
     only("misfit_word", "", PLASTICA_MEMBER(result.misfit_word), "close, fair or poor");
-    only("runs_probability", "1", PLASTICA_MEMBER(result.runs_probability),
+    only("runs_test_p", "1", PLASTICA_MEMBER(result.runs_test_p),
          "of as few runs of residuals of one sign, if they were independent");
     only("autocorrelation", "1", PLASTICA_MEMBER(result.autocorrelation),
          "of neighbouring residuals");
@@ -99,9 +99,9 @@ inline constexpr auto kDescribeSceneFit = [](auto& d) {
   d("search_runs", "1", PLASTICA_MEMBER(result.search_runs), "of these, what the search took");
   d("failed_runs", "1", PLASTICA_MEMBER(result.failed_runs), "of all, without a curve");
   d("segment_iterations", "1", PLASTICA_MEMBER(result.segment_iterations), "of all runs");
-  d.part("divided", PLASTICA_MEMBER(result.segments), [](auto& part) {
-    part("segments", "1", PLASTICA_MEMBER(segments), "of the first beam");
-    part("segments_note", "", PLASTICA_MEMBER(note), "why a fit with other segments is missing");
+  d.optional("divided", PLASTICA_MEMBER(result.segments), [](auto& inner) {
+    inner("segments", "1", PLASTICA_MEMBER(segments), "of the first beam");
+    inner("segments_note", "", PLASTICA_MEMBER(note), "why a fit with other segments is missing");
   });
 };
 

@@ -25,13 +25,13 @@ inline constexpr auto kDescribeCharacteristics = [](auto& d) {
   d("break_strain_plastic", "1", PLASTICA_MEMBER(break_strain_plastic),
     "permanent strain at break");
   d("largest_strain", "1", PLASTICA_MEMBER(largest_strain), "of the whole specimen");
-  d.part("broke", PLASTICA_MEMBER(observed_break), [](auto& part) {
-    part("last_whole_strain", "1", PLASTICA_MEMBER(last_whole_strain),
-         "largest strain that still carried load");
-    part("last_whole_stress", "Pa", PLASTICA_MEMBER(last_whole_stress), "stress there");
-    part("first_broken_strain", "1", PLASTICA_MEMBER(first_broken_strain),
-         "strain of the first sample after the break");
-    part("break_rule", "", PLASTICA_MEMBER(rule), "by what the break was seen");
+  d.optional("broke", PLASTICA_MEMBER(observed_break), [](auto& inner) {
+    inner("last_intact_strain", "1", PLASTICA_MEMBER(last_intact_strain),
+          "largest strain that still carried load");
+    inner("last_intact_stress", "Pa", PLASTICA_MEMBER(last_intact_stress), "stress there");
+    inner("first_broken_strain", "1", PLASTICA_MEMBER(first_broken_strain),
+          "strain of the first sample after the break");
+    inner("break_rule", "", PLASTICA_MEMBER(rule), "by which the break was found");
   });
 };
 
@@ -63,10 +63,10 @@ inline constexpr auto kDescribeSceneTarget = [](auto& d) {
   d("abscissa_factor", "1", PLASTICA_MEMBER(abscissa_factor), "measured over the scene's");
   d("ordinate_factor", "1", PLASTICA_MEMBER(ordinate_factor), "measured over the scene's");
   d("given_noise", "", PLASTICA_MEMBER(noise), "stated standard deviation of the ordinate");
-  d.part("broke", PLASTICA_MEMBER(broke), [](auto& part) {
-    part("break_at", "", PLASTICA_MEMBER(at), "abscissa of the break");
-    part("break_half_interval", "", PLASTICA_MEMBER(half_interval),
-         "the break is anywhere within this on both sides");
+  d.optional("broke", PLASTICA_MEMBER(broke), [](auto& inner) {
+    inner("break_at", "", PLASTICA_MEMBER(at), "abscissa of the break");
+    inner("break_half_interval", "", PLASTICA_MEMBER(half_interval),
+          "the break is anywhere within this on both sides");
   });
 };
 

@@ -35,8 +35,8 @@ struct OptimizerStage {
 
 /// Every cost evaluation in order, for the file.
 struct Trace {
-  /// The parameters that the fit moved, as indices into those of the fit: the free ones that
-  /// the target can say something of, in rising order (n).
+  /// The free parameters that the target depends on, as indices into those of the fit, in rising
+  /// order (n).
   std::vector<std::uint32_t> active;
   std::vector<double> values;  ///< (n_evaluations x n), SI, row by row
   std::vector<double> costs;   ///< (n_evaluations) [Pa^2]
@@ -49,14 +49,14 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   /// Of the parameters in `trace.active` (n x n), row by row; NaN where unidentified.
   std::vector<double> correlation;
-  Law law = Law::Ideal;       ///< that was fitted
-  double cost = 0.0;          ///< f at the solution, break term included [Pa^2]
-  double misfit_rms = 0.0;    ///< sqrt of f without the break term [Pa]
-  double misfit_share = 0.0;  ///< misfit_rms / largest measured stress [1]
-  std::string misfit_word;    ///< "close", "fair", "poor": how well the model can follow
+  Law law = Law::Ideal;          ///< that was fitted
+  double cost = 0.0;             ///< f at the solution, break term included [Pa^2]
+  double misfit_rms = 0.0;       ///< sqrt of f without the break term [Pa]
+  double misfit_fraction = 0.0;  ///< misfit_rms / largest measured stress [1]
+  std::string misfit_word;       ///< "close", "fair", "poor": how well the model can follow
   /// Probability of so few runs of one sign, if the residuals were noise (verdict.hpp); NaN for
   /// fewer than 20.
-  double runs_probability = std::numeric_limits<double>::quiet_NaN();
+  double runs_test_p = std::numeric_limits<double>::quiet_NaN();
   double autocorrelation = 0.0;    ///< of neighbouring residuals (compare_laws.hpp) [1]
   double effective_samples = 0.0;  ///< by their weights (compare_laws.hpp) [1]
   std::size_t samples = 0;         ///< that entered the fit

@@ -7,9 +7,9 @@ namespace plastica::calibrate {
 SceneFitRecord record_of(const SceneFitCase& one, SceneFitResult result) {
   SceneFitRecord record;
   record.name = one.name;
-  for (const ScenePart& part : one.parts) {
-    record.targets.push_back(part.target);
-    record.weights.push_back(part.weight);
+  for (const WeightedTarget& weighted : one.targets) {
+    record.targets.push_back(weighted.target);
+    record.weights.push_back(weighted.weight);
   }
   record.result = std::move(result);
   return record;

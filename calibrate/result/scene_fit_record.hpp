@@ -11,7 +11,7 @@ namespace plastica::calibrate {
 /// One fit of several that are run together.
 struct SceneFitCase {
   std::string name;  ///< the target's; of a fit that shares its parameters the file's
-  std::vector<ScenePart> parts;
+  std::vector<WeightedTarget> targets;
 };
 
 /// One fit through scenes, what it was held against and what came out: what a file holds of it, and
@@ -19,7 +19,7 @@ struct SceneFitCase {
 struct SceneFitRecord {
   /// Unique in a file, or with laws of their own: the target's, or the file's of a joint fit.
   std::string name;
-  std::vector<SceneTarget> targets;  ///< as `SceneFitResult::parts`
+  std::vector<SceneTarget> targets;  ///< as `SceneFitResult::targets`
   std::vector<double> weights;       ///< of these
   SceneFitResult result;
   /// Time that it took; of laws that are compared without what is made of the advised one alone

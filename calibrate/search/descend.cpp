@@ -9,12 +9,12 @@
 namespace plastica::calibrate {
 namespace {
 
-/// A decrease that is not worth another stage, as a share of the cost; and a cost that is nothing
-/// but rounding, of residuals of order one.
+/// A decrease that is not worth another stage, as a fraction of the cost; and a cost that is
+/// nothing but rounding, of residuals of order one.
 constexpr double kWorthwhile = 1e-10;
 constexpr double kNoiseFloor = 1e-24;
-/// Up to how many parameters a simplex looks around for SLSQP, as far as this share of the root of
-/// the cost.
+/// Up to how many parameters a simplex looks around for SLSQP, as far as this fraction of the root
+/// of the cost.
 constexpr std::size_t kFewParameters = 2;
 constexpr double kSimplexSize = 0.1;
 /// How far SLSQP may go, beyond all that the squares could gain: costs are of order one.

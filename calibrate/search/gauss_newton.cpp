@@ -10,7 +10,7 @@ namespace {
 
 /// A cost with kinks does not keep what its slopes promise: steps from one side of a kink to the
 /// other are refused, or gain little. The stage ends where so many evaluations bring less than this
-/// share of what the undamped step promised before them.
+/// fraction of what the undamped step promised before them.
 constexpr int kPatience = 8;
 constexpr double kKept = 0.1;
 

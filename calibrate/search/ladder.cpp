@@ -19,7 +19,7 @@ std::vector<StartPoint> starts_from_simpler(
     // Without a stress to reach, its rate has no effect, whatever it is; only its own start shows a
     // way up from there.
     const bool rate = field->material == MaterialField::SaturationRate;
-    const auto least = least_effect(*p.parameter, p.lower, p.upper);
+    const auto least = min_effect_value(*p.parameter, p.lower, p.upper);
     if (least && !rate) alone.emplace_back(field, *least);
   }
   alone.insert(alone.end(), shared.begin(), shared.end());

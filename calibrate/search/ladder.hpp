@@ -15,7 +15,7 @@ namespace plastica::calibrate {
 /// at its start.
 using StartPoint = std::vector<std::pair<const Field*, double>>;
 
-/// A cost above a simpler law's by more than this share of it is not the least.
+/// A cost above a simpler law's by more than this fraction of it is not the least.
 inline constexpr double kNoBetter = 1e-6;
 
 /// A free parameter that a law's search moves, and how far [SI].
@@ -27,7 +27,7 @@ struct SearchedParameter {
 
 /// Where the search of a law begins besides its start: where a simpler law that it contains ended,
 /// once with its own parameters at their starts, once where these have the least effect
-/// (`least_effect`), so that it ends no worse.
+/// (`min_effect_value`), so that it ends no worse.
 /// @param found  what the simpler law's fit found of a path [SI]; empty for what it does not have
 std::vector<StartPoint> starts_from_simpler(
     std::span<const SearchedParameter> parameters,

@@ -14,7 +14,7 @@ struct LeastSquaresProblem {
   std::vector<double> upper;  ///< (n), finite, above lower
   std::vector<double> start;  ///< (n), within the box
   std::size_t residuals = 0;  ///< m, at least n
-  /// Residuals at a point. May throw: the exception leaves `minimize_squares` whole.
+  /// Residuals at a point. May throw: the exception leaves `minimize_squares` unchanged.
   /// @return false where there are none; taken as a very bad point
   using AtPoint = std::function<bool(std::span<const double> x, std::span<double> residual)>;
   /// Residuals at several points, for those who find them side by side.
@@ -30,9 +30,10 @@ struct LeastSquaresProblem {
 LeastSquaresProblem::AtPoints one_by_one(LeastSquaresProblem::AtPoint residual);
 
 struct LeastSquaresOptions {
-  int max_evaluations = 200;      ///< >= 1; of residuals, those of differences included
-  double x_tolerance = 1e-9;      ///< a step with |dx_i| <= x_tolerance for all i is the last one
-  double cost_tolerance = 1e-14;  ///< … and one that would lower the cost by less than this share
+  int max_evaluations = 200;  ///< >= 1; of residuals, those of differences included
+  double x_tolerance = 1e-9;  ///< a step with |dx_i| <= x_tolerance for all i is the last one
+  double cost_tolerance =
+      1e-14;  ///< … and one that would lower the cost by less than this fraction
   double difference_step = 1e-5;  ///< of forward differences
   double central_step = 1e-4;     ///< of the central differences at the solution
 };

@@ -14,8 +14,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kFirstLambda = 1e-3;
-constexpr double kLeastLambda = 1e-12;
-constexpr double kMostLambda = 1e12;
+constexpr double kMinLambda = 1e-12;
+constexpr double kMaxLambda = 1e12;
 
 /// The damped step within the box. What a bound stops is held, and the others are solved again.
 VectorXd damped_step(const VectorXd& x, const SquaresModel& model, const VectorXd& lower,
@@ -92,17 +92,17 @@ std::optional<LeastSquaresOutcome> MarquardtSteps::judge(double before, double a
   accepted_ = after < before;
   if (is_small(step_, options_.x_tolerance)) return LeastSquaresOutcome::StepReached;
   if (accepted_) {
-    lambda_ = std::max(0.1 * lambda_, kLeastLambda);
+    lambda_ = std::max(0.1 * lambda_, kMinLambda);
     return std::nullopt;
   }
   lambda_ = std::max(10.0 * lambda_, kFirstLambda);
-  if (lambda_ > kMostLambda) return LeastSquaresOutcome::Stalled;
+  if (lambda_ > kMaxLambda) return LeastSquaresOutcome::Stalled;
   return std::nullopt;
 }
 
 double promised_decrease(const VectorXd& x, const SquaresModel& model, const VectorXd& lower,
                          const VectorXd& upper) {
-  const VectorXd step = damped_step(x, model, lower, upper, kLeastLambda);
+  const VectorXd step = damped_step(x, model, lower, upper, kMinLambda);
   return step.allFinite() ? gain_of(step, model) : 0.0;
 }
 

@@ -19,7 +19,7 @@ std::vector<double> scales_of(const Problem& problem) {
   if (!std::isfinite(problem.squares(problem.start, gradient, normal))) return scale;
   for (std::size_t i = 0; i < n; ++i) {
     const double curvature = 2.0 * normal[i * n + i];
-    const bool matters = std::isfinite(curvature) && curvature > kLeastCurvature;
+    const bool matters = std::isfinite(curvature) && curvature > kMinCurvature;
     if (matters) scale[i] = power_of_two_near(std::sqrt(curvature));
   }
   return scale;

@@ -5,7 +5,7 @@
 namespace plastica::calibrate {
 
 /// Below this a curvature is rounding: the coordinate keeps its scale.
-inline constexpr double kLeastCurvature = 1e-20;
+inline constexpr double kMinCurvature = 1e-20;
 
 /// Runs one algorithm alone over the whole box, from the problem's start.
 ///

@@ -18,14 +18,14 @@ using Point = std::vector<double>;
 
 /// ln 5: how far the global stage of `auto` looks around the start.
 constexpr double kGlobalReach = 1.6094379124341003746;
-/// Misfit, as a share of the largest stress, above which kinks can make several minima; how many
+/// Misfit, as a fraction of the largest stress, above which kinks can make several minima; how many
 /// searches look for them, and how high up the cost's parabola they begin.
 constexpr double kCloseFit = 0.02;
 constexpr int kSearchesAround = 16;
 constexpr double kRiseAround = 0.1;
 constexpr MultiStartOptions kAround{.short_evaluations = 10, .polished = 5};
 /// With three or more parameters of the stress (a hardening law's) there are other minima far away
-/// too, unless the misfit is below this share of the largest stress.
+/// too, unless the misfit is below this fraction of the largest stress.
 constexpr std::size_t kManyParameters = 3;
 constexpr double kExactFit = 0.002;
 constexpr std::size_t kSearchesWide = 10;
@@ -210,7 +210,7 @@ class Search {
     if (!std::isfinite(misfit_.squares(x, gradient, normal))) return curvature;
     for (std::size_t i = 0; i < n; ++i) {
       const double c = 2.0 * normal[i * n + i];
-      if (std::isfinite(c) && c > kLeastCurvature) curvature[i] = c;
+      if (std::isfinite(c) && c > kMinCurvature) curvature[i] = c;
     }
     return curvature;
   }

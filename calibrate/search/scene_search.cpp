@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "calibrate/inference/scene_errors.hpp"
-#include "calibrate/problem/part_noise.hpp"
+#include "calibrate/problem/target_noise.hpp"
 #include "calibrate/search/least_squares_search.hpp"
 #include "calibrate/search/screening.hpp"
 #include "plastica/theory/sampling.hpp"
@@ -16,8 +16,8 @@
 namespace plastica::calibrate {
 namespace {
 
-/// Of the fits that set a part's noise by what is left of it.
-constexpr int kMostRounds = 4;
+/// Of the fits that set a target's noise by what is left of it.
+constexpr int kMaxRounds = 4;
 constexpr double kSameNoise = 0.05;
 /// Gauss-Newton steps that a search may take before the best are chosen, and how many of these go
 /// on to the end: see tests/studies/README.md.
@@ -49,12 +49,12 @@ std::vector<std::size_t> ranked(const std::vector<SearchRecord>& records) {
 
 SceneSearch::SceneSearch(SceneProblem& problem, const SceneFitOptions& options)
     : problem_(problem), options_(options) {
-  const std::span<const ScenePart> parts = problem.parts();
-  knows_noise_ = std::all_of(parts.begin(), parts.end(),
-                             [](const ScenePart& part) { return part.target.noise; });
-  std::vector<PartNoise> noise;
-  for (const ScenePart& part : parts) {
-    noise.push_back({.deviation = part.target.noise.value_or(size_of(part))});
+  const std::span<const WeightedTarget> targets = problem.targets();
+  knows_noise_ = std::all_of(targets.begin(), targets.end(),
+                             [](const WeightedTarget& weighted) { return weighted.target.noise; });
+  std::vector<TargetNoise> noise;
+  for (const WeightedTarget& weighted : targets) {
+    noise.push_back({.deviation = weighted.target.noise.value_or(size_of(weighted))});
   }
   problem.set_noise(std::move(noise));
 }
@@ -81,11 +81,11 @@ SceneSearch::Points SceneSearch::drawn(int count) const {
   const LeastSquaresProblem& squares = problem_.squares();
   const std::size_t n = squares.start.size();
   Points points(static_cast<std::size_t>(count));
-  const std::vector<double> shares = theory::sobol(points.size(), n, options_.seed);
+  const std::vector<double> fractions = theory::sobol(points.size(), n, options_.seed);
   for (std::size_t k = 0; k < points.size(); ++k) {
     for (std::size_t i = 0; i < n; ++i) {
       const double width = squares.upper[i] - squares.lower[i];
-      points[k].push_back(squares.lower[i] + shares[k * n + i] * width);
+      points[k].push_back(squares.lower[i] + fractions[k * n + i] * width);
     }
   }
   return points;
@@ -122,14 +122,14 @@ SceneSearch::Points SceneSearch::screened_starts(int count) {
   const LeastSquaresProblem& squares = problem_.squares();
   const Points points = drawn(options_.screen);
   const std::vector<double> costs = screened_costs(points);
-  std::vector<double> shares;
+  std::vector<double> fractions;
   for (const std::vector<double>& x : points) {
     for (std::size_t i = 0; i < x.size(); ++i) {
-      shares.push_back((x[i] - squares.lower[i]) / (squares.upper[i] - squares.lower[i]));
+      fractions.push_back((x[i] - squares.lower[i]) / (squares.upper[i] - squares.lower[i]));
     }
   }
   Points chosen;
-  for (const std::size_t k : choose_starts(shares, costs, static_cast<std::size_t>(count))) {
+  for (const std::size_t k : choose_starts(fractions, costs, static_cast<std::size_t>(count))) {
     chosen.push_back(points[k]);
   }
   return chosen;
@@ -256,42 +256,42 @@ void SceneSearch::search() {
   best_ = std::move(records[ranked(records).front()].found);
 }
 
-double SceneSearch::cost_of(std::size_t part) const {
-  const std::size_t first = problem_.first_residual(part);
+double SceneSearch::cost_of(std::size_t t) const {
+  const std::size_t first = problem_.first_residual(t);
   double sum = 0.0;
-  for (std::size_t i = 0; i < problem_.parts()[part].target.ordinate.size(); ++i) {
+  for (std::size_t i = 0; i < problem_.targets()[t].target.ordinate.size(); ++i) {
     sum += best_.residual[first + i] * best_.residual[first + i];
   }
-  const double scale = problem_.scale(part);
-  return sum * scale * scale / problem_.parts()[part].weight;
+  const double scale = problem_.scale(t);
+  return sum * scale * scale / problem_.targets()[t].weight;
 }
 
 std::vector<double> SceneSearch::costs() const {
   std::vector<double> all;
-  for (std::size_t part = 0; part < problem_.parts().size(); ++part) all.push_back(cost_of(part));
+  for (std::size_t t = 0; t < problem_.targets().size(); ++t) all.push_back(cost_of(t));
   return all;
 }
 
-double SceneSearch::noise_left(std::size_t part) const {
-  return std::sqrt(cost_of(part) / degrees_left_[part]);
+double SceneSearch::noise_left(std::size_t t) const {
+  return std::sqrt(cost_of(t) / degrees_left_[t]);
 }
 
 /// Residuals and cost over another noise. @return largest change of a scale [1]
-double SceneSearch::rescale(std::vector<PartNoise> noise) {
+double SceneSearch::rescale(std::vector<TargetNoise> noise) {
   double change = 0.0;
-  for (std::size_t part = 0; part < noise.size(); ++part) {
-    const double before = problem_.scale(part);
+  for (std::size_t t = 0; t < noise.size(); ++t) {
+    const double before = problem_.scale(t);
     // No scene is solved better than this, which keeps an exact curve from all the weight.
-    constexpr double kLeast = 1e-9;
-    double& deviation = noise[part].deviation;
-    if (!problem_.parts()[part].target.noise) {
-      deviation = std::max(deviation, kLeast * size_of(problem_.parts()[part]));
+    constexpr double kMin = 1e-9;
+    double& deviation = noise[t].deviation;
+    if (!problem_.targets()[t].target.noise) {
+      deviation = std::max(deviation, kMin * size_of(problem_.targets()[t]));
     }
     const double factor = before / deviation;
     if (factor == 1.0) continue;
     change = std::max(change, std::abs(factor - 1.0));
-    const std::size_t first = problem_.first_residual(part);
-    for (std::size_t i = 0; i < problem_.parts()[part].target.ordinate.size(); ++i) {
+    const std::size_t first = problem_.first_residual(t);
+    for (std::size_t i = 0; i < problem_.targets()[t].target.ordinate.size(); ++i) {
       best_.residual[first + i] *= factor;
     }
   }
@@ -301,16 +301,16 @@ double SceneSearch::rescale(std::vector<PartNoise> noise) {
   return change;
 }
 
-/// Weights parts by the noise that they turn out to have.
+/// Weights targets by the noise that they turn out to have.
 void SceneSearch::settle_noise() {
   for (int round = 0;; ++round) {
     const SceneErrors errors(problem_, best_.x, best_.residual);
-    degrees_left_ = degrees_left(problem_, errors.seen());
+    degrees_left_ = degrees_left(problem_, errors.identifiable());
     const double change =
-        rescale(noise_of_parts(problem_, costs(), degrees_left_, problem_.noise()));
+        rescale(noise_of_targets(problem_, costs(), degrees_left_, problem_.noise()));
     const bool alone =
-        problem_.parts().size() == 1 && problem_.squares().residuals == problem_.samples();
-    if (knows_noise_ || alone || change < kSameNoise || round == kMostRounds) return;
+        problem_.targets().size() == 1 && problem_.squares().residuals == problem_.samples();
+    if (knows_noise_ || alone || change < kSameNoise || round == kMaxRounds) return;
     const std::string stage = "weights " + std::to_string(round);
     LeastSquares again = search_from(stage, {best_.x}, options_.evaluations).front().found;
     if (again.outcome != LeastSquaresOutcome::NoStart) best_ = std::move(again);

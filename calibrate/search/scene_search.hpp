@@ -14,13 +14,14 @@
 namespace plastica::calibrate {
 
 /// The search for the least sum of squares of a fit through scenes, and for the noise that weights
-/// its parts.
+/// its targets.
 ///
 /// Sobol's points within the bounds are screened; from the start and from the best of them that lie
 /// apart go short searches side by side, and the best of these go on to their ends.
 class SceneSearch {
  public:
-  /// Sets the problem's scales: the noise of parts that state theirs, else their largest ordinate.
+  /// Sets the problem's scales: the noise of targets that state theirs, else their largest
+  /// ordinate.
   /// @param problem, options  must outlive this
   SceneSearch(SceneProblem& problem, const SceneFitOptions& options);
 
@@ -33,12 +34,12 @@ class SceneSearch {
   const LeastSquares& best() const { return best_; }
   const std::vector<SceneStart>& starts() const { return starts_; }  ///< in their order
 
-  /// Whether all parts state their noise.
+  /// Whether all targets state their noise.
   bool knows_noise() const { return knows_noise_; }
-  /// Sum of the squares of a part at the best point, without its weight and scale [SI^2].
-  double cost_of(std::size_t part) const;
-  /// What the residuals of a part say of its noise, whatever the target states [SI].
-  double noise_left(std::size_t part) const;
+  /// Sum of the squares of a target at the best point, without its weight and scale [SI^2].
+  double cost_of(std::size_t t) const;
+  /// The noise of a target, estimated from its residuals whatever the target states [SI].
+  double noise_left(std::size_t t) const;
 
   /// Why the start's own scene gave no curve, and whether it was its abscissa's probe that turned.
   const std::string& first_reason() const { return first_reason_; }
@@ -59,13 +60,13 @@ class SceneSearch {
   void search();
   void settle_noise();
   std::vector<double> costs() const;
-  double rescale(std::vector<PartNoise> noise);
+  double rescale(std::vector<TargetNoise> noise);
   void tell(std::string_view stage, std::size_t done, std::size_t total) const;
 
   SceneProblem& problem_;
   const SceneFitOptions& options_;
   bool knows_noise_ = false;
-  std::vector<double> degrees_left_;  ///< by the residuals of each part
+  std::vector<double> degrees_left_;  ///< by the residuals of each target
   LeastSquares best_;
   std::vector<SceneStart> starts_;
   std::string first_reason_;

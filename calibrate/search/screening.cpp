@@ -22,12 +22,12 @@ std::vector<std::vector<double>> sobol_points(const Box& box, std::size_t count,
                                               std::uint64_t seed) {
   const std::size_t n = box.lower.size();
   const std::size_t moved = std::min(n, theory::kSobolDimensions);
-  const std::vector<double> shares = theory::sobol(count, moved, seed);
+  const std::vector<double> fractions = theory::sobol(count, moved, seed);
   std::vector<std::vector<double>> points(count);
   for (std::size_t k = 0; k < count; ++k) {
     for (std::size_t i = 0; i < n; ++i) {
-      const double share = i < moved ? shares[k * moved + i] : 0.5;
-      points[k].push_back(box.lower[i] + share * (box.upper[i] - box.lower[i]));
+      const double fraction = i < moved ? fractions[k * moved + i] : 0.5;
+      points[k].push_back(box.lower[i] + fraction * (box.upper[i] - box.lower[i]));
     }
   }
   return points;
@@ -63,15 +63,15 @@ std::vector<std::size_t> choose_starts(std::span<const double> points,
 std::vector<std::vector<double>> starts_among(const std::vector<std::vector<double>>& points,
                                               std::span<const double> costs, const Box& box,
                                               std::size_t count) {
-  std::vector<double> shares;
+  std::vector<double> fractions;
   for (const std::vector<double>& x : points) {
     for (std::size_t i = 0; i < x.size(); ++i) {
       const double width = box.upper[i] - box.lower[i];
-      shares.push_back(width > 0.0 ? (x[i] - box.lower[i]) / width : 0.0);
+      fractions.push_back(width > 0.0 ? (x[i] - box.lower[i]) / width : 0.0);
     }
   }
   std::vector<std::vector<double>> starts;
-  for (const std::size_t k : choose_starts(shares, costs, count)) starts.push_back(points[k]);
+  for (const std::size_t k : choose_starts(fractions, costs, count)) starts.push_back(points[k]);
   return starts;
 }
 

@@ -58,7 +58,7 @@ StartValue raw_start(MaterialField field, const CurveSizes& s, const Target& tar
       const double young = torsion ? 2.0 * (1.0 + material.poisson_ratio) * s.modulus : s.modulus;
       return {torsion ? 3.0 * s.slope : s.slope, 0.0, 0.999 * young};
     }
-    case MaterialField::KinematicShare: return {0.5, 0.0, 1.0};
+    case MaterialField::KinematicFraction: return {0.5, 0.0, 1.0};
     case MaterialField::SaturationStress: return around(0.3 * s.stress, 100.0);
     case MaterialField::SaturationRate: return around(3.0 / s.strain, 1000.0);
     // Back stresses that each carry a fifth of the stress and are full after 3 %, 30 % of the

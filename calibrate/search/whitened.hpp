@@ -21,7 +21,7 @@ class Whitened {
   /// The problem in z, from the centre on: z = 0 (n_moved). Must not outlive this.
   /// @param reach  how far from the centre each z may go [1]
   Problem problem(double reach);
-  bool empty() const { return moved_.empty(); }
+  bool empty() const { return free_.empty(); }
   /// x of a z, within the box (n).
   std::vector<double> point(std::span<const double> z) const;
 
@@ -30,9 +30,9 @@ class Whitened {
 
   const Problem& problem_;
   std::vector<double> centre_;
-  std::vector<std::size_t> moved_;  ///< coordinates that are not held
-  Eigen::MatrixXd transform_;       ///< T (n_moved x n_moved)
-  std::vector<double> by_x_;        ///< the gradient in x
+  std::vector<std::size_t> free_;  ///< coordinates that are not held
+  Eigen::MatrixXd transform_;      ///< T (n_moved x n_moved)
+  std::vector<double> by_x_;       ///< the gradient in x
 };
 
 }  // namespace plastica::calibrate

@@ -4,6 +4,7 @@
 
 #include "calibrate/store/record_bytes.hpp"
 #include "plastica/base/instruction_set.hpp"
+#include "plastica/base/renamed.hpp"
 #include "plastica/base/version.hpp"
 #include "plastica/io/digest.hpp"
 
@@ -15,15 +16,16 @@ using io::ByteWriter;
 void put_setup(ByteWriter& writer, const Setup& setup) {
   for (const Field& field : fields()) {
     const FieldValue value = field.get(setup);
-    writer.put(field.path).put(std::uint64_t{value.index()});
+    writer.put(old_path(field.path)).put(std::uint64_t{value.index()});
     if (const auto* number = std::get_if<double>(&value)) writer.put(*number);
     if (const auto* word = std::get_if<std::string>(&value)) writer.put(*word);
   }
 }
 
 void put_parameter(ByteWriter& writer, const Parameter& p) {
-  writer.put(p.field->path).put(p.role).put(p.value).put(p.lower).put(p.upper).put(p.scale);
-  writer.put(p.tied_to != nullptr ? p.tied_to->path : std::string_view()).put(p.factor);
+  writer.put(old_path(p.field->path)).put(p.role).put(p.value).put(p.lower).put(p.upper);
+  writer.put(p.scale).put(p.tied_to != nullptr ? old_path(p.tied_to->path) : std::string());
+  writer.put(p.factor);
 }
 
 }  // namespace

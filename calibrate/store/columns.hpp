@@ -80,20 +80,20 @@ class ColumnWriter {
     columns(*this);
   }
 
-  /// Columns of a part that not every row has; the column `name` says which do.
+  /// Columns of what not every row has; the column `name` says which do.
   template <typename Member, typename Columns>
-  void part(std::string_view name, const Member& member, const Columns& columns) {
-    using Part = typename std::remove_cvref_t<decltype(member(*rows_[0]))>::value_type;
-    std::vector<const Part*> parts(rows_.size(), nullptr);
+  void optional(std::string_view name, const Member& member, const Columns& columns) {
+    using Inner = typename std::remove_cvref_t<decltype(member(*rows_[0]))>::value_type;
+    std::vector<const Inner*> inner(rows_.size(), nullptr);
     std::vector<std::uint8_t> present(rows_.size(), 0);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       if (rows_[i] == nullptr) continue;
       const auto& there = member(*rows_[i]);
-      if (there) parts[i] = &*there;
+      if (there) inner[i] = &*there;
       present[i] = there.has_value();
     }
     group_.write(name, present, {{}, kDeflate});
-    ColumnWriter<Part> writer(group_, std::move(parts), own_units_);
+    ColumnWriter<Inner> writer(group_, std::move(inner), own_units_);
     columns(writer);
   }
 
@@ -161,15 +161,15 @@ class ColumnReader {
   }
 
   template <typename Member, typename Columns>
-  void part(std::string_view name, const Member& member, const Columns& columns) {
-    using Part = typename std::remove_cvref_t<decltype(member(*rows_[0]))>::value_type;
+  void optional(std::string_view name, const Member& member, const Columns& columns) {
+    using Inner = typename std::remove_cvref_t<decltype(member(*rows_[0]))>::value_type;
     const auto present = checked(name, group_.template read<std::uint8_t>(name));
     check_present<bool>(name, present);
-    std::vector<Part*> parts(rows_.size(), nullptr);
+    std::vector<Inner*> inner(rows_.size(), nullptr);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (present[i] != 0 && rows_[i] != nullptr) parts[i] = &member(*rows_[i]).emplace();
+      if (present[i] != 0 && rows_[i] != nullptr) inner[i] = &member(*rows_[i]).emplace();
     }
-    ColumnReader<Part> reader(group_, std::move(parts), rules_, version_);
+    ColumnReader<Inner> reader(group_, std::move(inner), rules_, version_);
     columns(reader);
   }
 

@@ -2,10 +2,12 @@
 
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "calibrate/result/describe.hpp"
 #include "calibrate/result/fitted_parameter.hpp"
 #include "calibrate/store/coders.hpp"
+#include "plastica/base/renamed.hpp"
 
 /// Described records (result/describe.hpp) in journals; not installed.
 namespace plastica::calibrate::store {
@@ -25,11 +27,11 @@ class DescribedCoder {
     columns(*this);
   }
   template <typename Member, typename Columns>
-  void part(std::string_view, const Member& member, const Columns& columns) {
+  void optional(std::string_view, const Member& member, const Columns& columns) {
     coder_.maybe(member(row_), [&](auto& to, auto& each) {
       DescribedCoder<std::remove_reference_t<decltype(to)>, std::remove_reference_t<decltype(each)>>
-          of_part(to, each);
-      columns(of_part);
+          of_inner(to, each);
+      columns(of_inner);
     });
   }
 
@@ -45,6 +47,9 @@ void code_described(auto& coder, auto& row, const auto& description) {
 
 void code_parameter(auto& coder, A<FittedParameter> auto& p) {
   coder(p.path, p.dimension, p.role);
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(p)>>) {
+    p.path = new_path(p.path);
+  }
   code_described(coder, p, kDescribeParameter);
 }
 

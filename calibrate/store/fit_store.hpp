@@ -12,7 +12,7 @@ namespace plastica::calibrate {
 
 /// The attributes `schema` and `version` of a result file's root.
 inline constexpr std::string_view kFitStoreSchema = "plastica/fits";
-inline constexpr int kFitStoreVersion = 4;
+inline constexpr int kFitStoreVersion = 5;
 inline constexpr int kOldestFitStore = 3;  ///< that is read
 
 /// What a result file holds. Summaries of groups are derived from it and are not stored.
@@ -28,7 +28,7 @@ struct FitStoreContents {
 
 /// Writes a result file (HDF5; layout: docs/hdf5.md). The records are stored in the order of
 /// their targets' names and laws, so that the same contents give the same bytes outside /meta
-/// whatever the order in which they come. The file appears under its name when it is whole, in
+/// whatever the order in which they come. The file appears under its name when it is complete, in
 /// place of what is there if that is allowed.
 ///
 /// The records must have names of their own, or laws of their own beside the same name; curves with
@@ -41,7 +41,7 @@ void write_fit_store(const std::string& path, const FitStoreContents& contents,
 
 /// Reads a result file: every field of every record, bit by bit, in the order of the names. An
 /// optional that holds a NaN comes back empty.
-/// @throws InputError if it is no such file, of another version, or not whole
+/// @throws InputError if it is no such file, of another version, or not complete
 FitStoreContents read_fit_store(const std::string& path);
 
 }  // namespace plastica::calibrate

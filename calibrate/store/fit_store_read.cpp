@@ -86,15 +86,15 @@ class StoreReader {
     }
   }
 
-  void moved() {
-    const auto rows = root_.read_ragged<std::uint64_t>("moved");
-    check_offsets("moved", rows.offsets, rows.values.size());
+  void free_parameters() {
+    const auto rows = root_.read_ragged<std::uint64_t>("free");
+    check_offsets("free", rows.offsets, rows.values.size());
     for (std::size_t i = 0; i < records_.size(); ++i) {
       const auto row = rows.row(i);
       const bool rises = std::ranges::adjacent_find(row, std::greater_equal<>()) == row.end();
       const std::size_t parameters = store::parameters_of(records_[i], options_).size();
       if (!rises || (!row.empty() && row.back() >= parameters)) {
-        refuse("moved", "must be parameters of the fit, in their order");
+        refuse("free", "must be parameters of the fit, in their order");
       }
       for (const std::uint64_t index : row) {
         records_[i].result.trace.active.push_back(static_cast<std::uint32_t>(index));
@@ -106,9 +106,9 @@ class StoreReader {
     const auto rows = io::read_lists(root_, "correlation", records_.size(), kRules);
     for (std::size_t i = 0; i < records_.size(); ++i) {
       const auto row = rows.row(i);
-      const std::size_t moved = records_[i].result.trace.active.size();
-      if (!row.empty() && row.size() != moved * moved) {
-        refuse("correlation", "must have a row and a column for each parameter that moved");
+      const std::size_t count = records_[i].result.trace.active.size();
+      if (!row.empty() && row.size() != count * count) {
+        refuse("correlation", "must have a row and a column for each free parameter");
       }
       records_[i].result.correlation.assign(row.begin(), row.end());
     }
@@ -137,7 +137,7 @@ class StoreReader {
       Trace& trace = records_[i].result.trace;
       const std::size_t width = trace.active.size();
       if (width > columns) {
-        refuse("evaluations/values", "has fewer columns than a fit moves parameters");
+        refuse("evaluations/values", "has fewer columns than a fit has free parameters");
       }
       trace.costs = cut(costs, offsets[i], offsets[i + 1]);
       trace.values.reserve(trace.costs.size() * width);
@@ -162,9 +162,9 @@ class StoreReader {
 
   void check_offsets(const std::string& path, const std::vector<std::uint64_t>& offsets,
                      std::size_t size) const {
-    const bool whole = offsets.size() == records_.size() + 1 && offsets.front() == 0 &&
-                       offsets.back() == size && std::is_sorted(offsets.begin(), offsets.end());
-    if (!whole) refuse(path, "has offsets that do not fit its values");
+    const bool fits = offsets.size() == records_.size() + 1 && offsets.front() == 0 &&
+                      offsets.back() == size && std::is_sorted(offsets.begin(), offsets.end());
+    if (!fits) refuse(path, "has offsets that do not fit its values");
   }
 
   static std::vector<double> cut(const std::vector<double>& all, std::uint64_t from,

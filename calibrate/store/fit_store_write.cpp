@@ -88,7 +88,7 @@ class StoreWriter {
     }
   }
 
-  void moved() {
+  void free_parameters() {
     io::Ragged<std::uint64_t> rows;
     std::vector<std::uint64_t> counts;
     for (const FitRecord* record : records_) {
@@ -98,13 +98,13 @@ class StoreWriter {
           std::adjacent_find(row.begin(), row.end(), std::greater_equal<>()) == row.end();
       const std::size_t count = store::parameters_of(*record, options_).size();
       if (!rising || (!row.empty() && row.back() >= count)) {
-        refuse(record->target.name, "has moved other parameters than the options have");
+        refuse(record->target.name, "has other free parameters than the options have");
       }
       rows.push_back(row);
       counts.push_back(row.size());
     }
-    root_.write_ragged("moved", rows, {{}, store::kDeflate});
-    root_.write("fits/moved_parameters", counts, {"1", store::kDeflate});  // for other readers
+    root_.write_ragged("free", rows, {{}, store::kDeflate});
+    root_.write("fits/free_parameters", counts, {"1", store::kDeflate});  // for other readers
   }
 
   void correlation() {
@@ -177,7 +177,7 @@ std::vector<const FitRecord*> by_name(const std::vector<FitRecord>& records) {
   };
   for (const FitRecord* record : sorted) {
     const FitResult& r = record->result;
-    const bool empty = r.cost == 0.0 && r.misfit_rms == 0.0 && r.misfit_share == 0.0;
+    const bool empty = r.cost == 0.0 && r.misfit_rms == 0.0 && r.misfit_fraction == 0.0;
     if (r.status != FitStatus::Fitted && !(empty && r.misfit_word.empty())) {
       refuse(record->target.name, "has a misfit without having been fitted");
     }

@@ -21,7 +21,7 @@ struct StoredIntervals {
 void write_intervals(io::Hdf5Group& root, const std::vector<StoredIntervals>& fits);
 
 /// @param fits  of the file, in its order: those to be filled
-/// @throws InputError if a table is not whole
+/// @throws InputError if a table is not complete
 void read_intervals(const io::Hdf5Group& root, const std::vector<FitIntervals*>& fits);
 
 /// Whether what was read is of a fit's free parameters.

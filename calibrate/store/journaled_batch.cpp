@@ -72,9 +72,9 @@ void JournaledBatch::take_from_journal() {
     const std::vector<std::byte>* bytes = journal_.find(ids_[i]);
     if (bytes == nullptr) continue;
     results_[i] = result_from_bytes(*bytes);
-    ++taken_;
+    ++resumed_;
   }
-  outdated_ = journal_.found() - taken_;
+  stale_ = journal_.found() - resumed_;
 }
 
 void JournaledBatch::count(const FitResult& result, BatchProgress& progress) const {
@@ -107,7 +107,7 @@ std::vector<FitResult> JournaledBatch::run() {
   if (std::exchange(has_run_, true)) {
     throw std::logic_error("JournaledBatch::run: it has run already");
   }
-  BatchProgress progress{.taken = taken_, .total = cases_.size()};
+  BatchProgress progress{.resumed = resumed_, .total = cases_.size()};
   std::vector<std::size_t> missing;
   std::vector<FitCase> to_fit;
   for (std::size_t i = 0; i < cases_.size(); ++i) {

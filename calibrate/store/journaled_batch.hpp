@@ -21,7 +21,7 @@ struct BatchProgress {
   std::size_t done = 0;  ///< fitted, failed and rejected, those of the journal included
   std::size_t failed = 0;
   std::size_t rejected = 0;
-  std::size_t taken = 0;  ///< of the done: taken from the journal, so that they took no time
+  std::size_t resumed = 0;  ///< of the done: resumed from the journal, so that they took no time
   std::size_t total = 0;
 };
 
@@ -59,10 +59,10 @@ class JournaledBatch {
 
   /// What result i is of.
   const std::vector<FitCase>& cases() const { return cases_; }
-  /// Number of fits taken from the journal.
-  std::size_t taken() const { return taken_; }
-  /// Number of fits in the journal that are of no use: target or options have changed.
-  std::size_t outdated() const { return outdated_; }
+  /// Number of fits resumed from the journal.
+  std::size_t resumed() const { return resumed_; }
+  /// Number of fits in the journal that are stale: target or options have changed.
+  std::size_t stale() const { return stale_; }
   /// Bytes at the journal's end that were dropped: a record torn by a crash. 0: none.
   std::uint64_t dropped_bytes() const { return journal_.dropped_bytes(); }
 
@@ -101,8 +101,8 @@ class JournaledBatch {
   std::vector<std::string> ids_;                   ///< of the cases (n_cases)
   std::vector<std::optional<FitResult>> results_;  ///< those of the journal (n_cases)
   io::CaseJournal journal_;
-  std::size_t taken_ = 0;
-  std::size_t outdated_ = 0;
+  std::size_t resumed_ = 0;
+  std::size_t stale_ = 0;
   bool has_run_ = false;
   bool complete_ = false;
 };

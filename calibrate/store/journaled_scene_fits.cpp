@@ -33,12 +33,12 @@ std::uint64_t scene_journal_kind() {
 /// at rest or step by kernels of the instruction set that they name.
 std::string id_of(const SceneFitCase& one, const SceneFitOptions& options) {
   io::Digest digest;
-  digest.text(version()).integer(digest_of(one.parts, options));
+  digest.text(version()).integer(digest_of(one.targets, options));
   return one.name + " " + io::hexadecimal(digest.value());
 }
 
-/// Who a finished part of a fit is.
-std::string part_of(const std::string& id, std::string_view name) {
+/// The id of a finished stage of a fit.
+std::string stage_of(const std::string& id, std::string_view name) {
   return id + "/" + std::string(name);
 }
 
@@ -58,7 +58,7 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
       options_(options),
       how_(std::move(how)),
       within_(std::move(within)),
-      journal_(how_.journal, scene_journal_kind(), "fits and parts of fits") {
+      journal_(how_.journal, scene_journal_kind(), "fits and stages of fits") {
   for (std::size_t of = 0; of < cases.size(); ++of) {
     const SceneFitCase& one = cases[of];
     if (options.laws.empty()) {
@@ -70,27 +70,28 @@ JournaledSceneFits::JournaledSceneFits(std::span<const SceneFitCase> cases,
       SceneFitCase named = one;
       named.name = fmt::format("{}:{}", one.name, name_of(law));
       ids_.push_back(id_of(named, without_extras(options)));
-      if (makes_whole()) whole_ids_.push_back(id_of(named, options) + " whole");
+      // The word is that of the first journals, so that these stay usable.
+      if (makes_complete()) complete_ids_.push_back(id_of(named, options) + " whole");
     }
   }
-  std::size_t of_use = 0;
-  for (const std::vector<std::string>* ids : {&ids_, &whole_ids_}) {
+  std::size_t usable_records = 0;
+  for (const std::vector<std::string>* ids : {&ids_, &complete_ids_}) {
     for (const std::string& id : *ids) {
-      const std::size_t parts = journal_.found_under(part_of(id, ""));
-      const bool whole = journal_.find(id) != nullptr;
-      if (whole && ids == &ids_) ++taken_;
-      if (!whole) parts_ += parts;
-      of_use += parts + (whole ? 1 : 0);
+      const std::size_t stages = journal_.found_under(stage_of(id, ""));
+      const bool complete = journal_.find(id) != nullptr;
+      if (complete && ids == &ids_) ++resumed_;
+      if (!complete) stages_ += stages;
+      usable_records += stages + (complete ? 1 : 0);
     }
   }
-  outdated_ = journal_.found() - of_use;
+  stale_ = journal_.found() - usable_records;
   results_.resize(fits_.size());
   seconds_.assign(fits_.size(), std::numeric_limits<double>::quiet_NaN());
   kept_.resize(fits_.size());
 }
 
 /// Whether the advised law gets more than the others have.
-bool JournaledSceneFits::makes_whole() const {
+bool JournaledSceneFits::makes_complete() const {
   const auto& intervals = options_.intervals;
   const bool any = options_.segments_error || intervals.profile || intervals.bootstrap > 0 ||
                    intervals.specimens > 0;
@@ -100,7 +101,7 @@ bool JournaledSceneFits::makes_whole() const {
 std::string JournaledSceneFits::run_id() const {
   io::Digest digest;
   std::vector<std::string> ids = ids_;
-  ids.insert(ids.end(), whole_ids_.begin(), whole_ids_.end());
+  ids.insert(ids.end(), complete_ids_.begin(), complete_ids_.end());
   std::sort(ids.begin(), ids.end());  // as results are stored: in whatever order they come
   for (const std::string& id : ids) digest.text(id);
   return io::hexadecimal(digest.value());
@@ -117,13 +118,13 @@ void JournaledSceneFits::take_from_journal() {
   if (how_.progress) how_.progress(progress_);
 }
 
-void JournaledSceneFits::take(std::size_t index, bool whole, SceneFitResult&& result) {
-  journal_.keep(whole ? whole_ids_[index] : ids_[index], bytes_of(result));
+void JournaledSceneFits::take(std::size_t index, bool complete, SceneFitResult&& result) {
+  journal_.keep(complete ? complete_ids_[index] : ids_[index], bytes_of(result));
   const bool failed = result.status == FitStatus::Failed;
   results_[index] = std::move(result);
   const std::lock_guard lock(mutex_);
-  if (whole) {
-    ++wholes_;
+  if (complete) {
+    ++completed_;
     return;
   }
   ++progress_.done;
@@ -132,12 +133,12 @@ void JournaledSceneFits::take(std::size_t index, bool whole, SceneFitResult&& re
 }
 
 /// Fits one law of a case whose simpler laws have been fitted.
-SceneFitResult JournaledSceneFits::fit_law(std::size_t index, bool whole,
+SceneFitResult JournaledSceneFits::fit_law(std::size_t index, bool complete,
                                            SceneFitOptions options) const {
   const Fit& one = fits_[index];
-  const std::vector<ScenePart>& given = cases_[one.of].parts;
-  const std::vector<ScenePart> parts = parts_of(*one.law, given);
-  options = options_of(*one.law, whole ? options : without_extras(options), given);
+  const std::vector<WeightedTarget>& given = cases_[one.of].targets;
+  const std::vector<WeightedTarget> targets = targets_of(*one.law, given);
+  options = options_of(*one.law, complete ? options : without_extras(options), given);
   const std::size_t first = first_fit(one.of);
   const auto for_simpler = [&](const auto& each) {
     for (std::size_t k = first; k < index; ++k) {
@@ -146,14 +147,14 @@ SceneFitResult JournaledSceneFits::fit_law(std::size_t index, bool whole,
     }
   };
   for_simpler([&](const SceneFitResult& simpler) { start_from(simpler, options); });
-  SceneFitResult result = fit_scenes(parts, options);
-  for_simpler([&](const SceneFitResult& simpler) { compare_with(simpler, parts, result); });
+  SceneFitResult result = fit_scenes(targets, options);
+  for_simpler([&](const SceneFitResult& simpler) { compare_with(simpler, targets, result); });
   return result;
 }
 
 /// @return nothing if it was stopped
-std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, bool whole) {
-  const std::string& id = whole ? whole_ids_[index] : ids_[index];
+std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, bool complete) {
+  const std::string& id = complete ? complete_ids_[index] : ids_[index];
   SceneFitOptions options = options_;
   options.threads = threads_;
   options.hooks = {};
@@ -161,44 +162,45 @@ std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, bool wh
   options.hooks.find = [&](const std::string& name) -> const std::vector<std::byte>* {
     const auto kept = kept_[index].find(name);
     if (kept != kept_[index].end()) return &kept->second;
-    const std::vector<std::byte>* found = journal_.find(part_of(id, name));
-    return found != nullptr ? found : journal_.find(part_of(ids_[index], name));
+    const std::vector<std::byte>* found = journal_.find(stage_of(id, name));
+    return found != nullptr ? found : journal_.find(stage_of(ids_[index], name));
   };
   options.hooks.keep = [&](const std::string& name, std::span<const std::byte> bytes) {
-    if (makes_whole()) kept_[index][name].assign(bytes.begin(), bytes.end());
-    journal_.keep(part_of(id, name), bytes);
+    if (makes_complete()) kept_[index][name].assign(bytes.begin(), bytes.end());
+    journal_.keep(stage_of(id, name), bytes);
   };
   const bool alone = cases_.size() == 1;
   if (alone) options.hooks.progress = within_;
   try {
-    return fits_[index].law ? fit_law(index, whole, std::move(options))
-                            : fit_scenes(cases_[fits_[index].of].parts, options);
+    return fits_[index].law ? fit_law(index, complete, std::move(options))
+                            : fit_scenes(cases_[fits_[index].of].targets, options);
   } catch (const FitInterrupted&) {
     return std::nullopt;
   } catch (const InputError& error) {
     if (alone) throw;
     SceneFitResult failed;
-    const Material& material = cases_[fits_[index].of].parts.front().setup.scene.material;
+    const Material& material = cases_[fits_[index].of].targets.front().setup.scene.material;
     failed.law = fits_[index].law.value_or(law_of(material.hardening, options_.parameters));
     failed.reason = error.what();
     return failed;
   }
 }
 
-/// @param whole  the advised law, which is to get what is made of it alone; empty: what is missing
+/// @param complete  the advised law, which is to get what is made of it alone; empty: what is
+/// missing
 void JournaledSceneFits::fit_side_by_side(const std::vector<std::size_t>& of,
-                                          std::optional<Law> whole) {
+                                          std::optional<Law> complete) {
   const bool several = of.size() > 1;
   threads_ = several ? 1 : how_.threads;
   parallel_for(of.size(), {several ? how_.threads : 1, how_.stop}, [&](std::size_t k, int) {
     for (std::size_t i = first_fit(of[k]); i < first_fit(of[k] + 1); ++i) {
-      if (whole ? fits_[i].law != whole : results_[i].has_value()) continue;
+      if (complete ? fits_[i].law != complete : results_[i].has_value()) continue;
       const auto begin = std::chrono::steady_clock::now();
-      std::optional<SceneFitResult> result = fit(i, whole.has_value());
+      std::optional<SceneFitResult> result = fit(i, complete.has_value());
       if (!result) return;
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-      if (!whole) seconds_[i] = took.count();
-      take(i, whole.has_value(), std::move(*result));
+      if (!complete) seconds_[i] = took.count();
+      take(i, complete.has_value(), std::move(*result));
     }
   });
 }
@@ -215,7 +217,7 @@ Law JournaledSceneFits::advised() const {
 }
 
 std::vector<SceneFitResult> JournaledSceneFits::run() {
-  progress_ = {.taken = taken_, .total = fits_.size()};
+  progress_ = {.resumed = resumed_, .total = fits_.size()};
   take_from_journal();
   std::vector<std::size_t> missing;
   for (std::size_t of = 0; of < cases_.size(); ++of) {
@@ -225,22 +227,23 @@ std::vector<SceneFitResult> JournaledSceneFits::run() {
       missing.push_back(of);
   }
   fit_side_by_side(missing, std::nullopt);
-  if (makes_whole() && progress_.done == fits_.size()) {
+  if (makes_complete() && progress_.done == fits_.size()) {
     const Law law = advised();
     std::vector<std::size_t> unfinished;
     for (std::size_t i = 0; i < fits_.size(); ++i) {
       if (fits_[i].law != law) continue;
-      const std::vector<std::byte>* bytes = journal_.find(whole_ids_[i]);
+      const std::vector<std::byte>* bytes = journal_.find(complete_ids_[i]);
       if (bytes != nullptr) results_[i] = scene_result_from_bytes(*bytes);
       if (bytes != nullptr || results_[i]->status == FitStatus::Failed) {
-        ++wholes_;
+        ++completed_;
       } else {
         unfinished.push_back(fits_[i].of);
       }
     }
     fit_side_by_side(unfinished, law);
   }
-  complete_ = progress_.done == progress_.total && (!makes_whole() || wholes_ == cases_.size());
+  complete_ =
+      progress_.done == progress_.total && (!makes_complete() || completed_ == cases_.size());
   if (!complete_) journal_.sync();
   std::vector<SceneFitResult> results;
   for (std::optional<SceneFitResult>& result : results_) {

@@ -33,9 +33,9 @@ class JournaledSceneFits {
   JournaledSceneFits(const JournaledSceneFits&) = delete;
   JournaledSceneFits& operator=(const JournaledSceneFits&) = delete;
 
-  std::size_t taken() const { return taken_; }        ///< fits that the journal had
-  std::size_t parts() const { return parts_; }        ///< finished parts of others that it had
-  std::size_t outdated() const { return outdated_; }  ///< and those of no use
+  std::size_t resumed() const { return resumed_; }  ///< fits that the journal had
+  std::size_t stages() const { return stages_; }    ///< finished stages of others that it had
+  std::size_t stale() const { return stale_; }      ///< and stale ones
   std::uint64_t dropped_bytes() const { return journal_.dropped_bytes(); }
   /// See `io::CaseJournal`.
   const std::string& other_instruction_set() const { return journal_.other_instruction_set(); }
@@ -52,7 +52,7 @@ class JournaledSceneFits {
   };
   /// One a case, or one a law for each case, in the order of the results.
   const std::vector<Fit>& fits() const { return fits_; }
-  /// Time that each took, of laws without what is made of the advised one alone; NaN: taken from
+  /// Time that each took, of laws without what is made of the advised one alone; NaN: resumed from
   /// the journal [s] (n_fits).
   const std::vector<double>& seconds() const { return seconds_; }
 
@@ -71,13 +71,13 @@ class JournaledSceneFits {
   /// What a fit's searches have kept, by their names.
   using Kept = std::map<std::string, std::vector<std::byte>>;
 
-  bool makes_whole() const;
+  bool makes_complete() const;
   std::size_t first_fit(std::size_t of) const { return of * fits_.size() / cases_.size(); }
   void take_from_journal();
-  void fit_side_by_side(const std::vector<std::size_t>& of, std::optional<Law> whole);
-  std::optional<SceneFitResult> fit(std::size_t index, bool whole);
-  SceneFitResult fit_law(std::size_t index, bool whole, SceneFitOptions options) const;
-  void take(std::size_t index, bool whole, SceneFitResult&& result);
+  void fit_side_by_side(const std::vector<std::size_t>& of, std::optional<Law> complete);
+  std::optional<SceneFitResult> fit(std::size_t index, bool complete);
+  SceneFitResult fit_law(std::size_t index, bool complete, SceneFitOptions options) const;
+  void take(std::size_t index, bool complete, SceneFitResult&& result);
   Law advised() const;
 
   std::span<const SceneFitCase> cases_;
@@ -86,18 +86,18 @@ class JournaledSceneFits {
   std::function<void(const SceneFitProgress&)> within_;
   std::vector<Fit> fits_;
   std::vector<std::string> ids_;                        ///< of the fits
-  std::vector<std::string> whole_ids_;                  ///< of the same as those of the advised law
+  std::vector<std::string> complete_ids_;               ///< of the same as those of the advised law
   std::vector<std::optional<SceneFitResult>> results_;  ///< (n_fits)
   std::vector<double> seconds_;
   std::vector<Kept> kept_;  ///< (n_fits)
   std::mutex mutex_;        ///< of what counts them
   BatchProgress progress_;
-  std::size_t wholes_ = 0;  ///< fits of the advised law that have all that is made of it
-  int threads_ = 1;         ///< that each fit has
+  std::size_t completed_ = 0;  ///< fits of the advised law that have all that is made of it
+  int threads_ = 1;            ///< that each fit has
   io::CaseJournal journal_;
-  std::size_t taken_ = 0;
-  std::size_t parts_ = 0;
-  std::size_t outdated_ = 0;
+  std::size_t resumed_ = 0;
+  std::size_t stages_ = 0;
+  std::size_t stale_ = 0;
   bool complete_ = false;
 };
 

@@ -17,7 +17,7 @@ void traverse_records(Store& store) {
       "fits", kDescribeFit, [](auto& record) -> auto& { return record; });
   store.table("characteristics", kDescribeCharacteristics, PLASTICA_MEMBER(target.characteristics));
   store.parameters();
-  store.moved();
+  store.free_parameters();
   store.correlation();
   store.intervals();
 

@@ -42,8 +42,8 @@ void code(auto& coder, A<Target> auto& t) {
 void code(auto& coder, A<FitResult> auto& r) {
   coder(r.status, r.reason, r.law);
   coder.each(r.parameters, [](auto& to, auto& parameter) { store::code_parameter(to, parameter); });
-  coder(r.correlation, r.cost, r.misfit_rms, r.misfit_share, r.misfit_word, r.samples,
-        r.break_strain_total, r.seed, r.runs_probability, r.autocorrelation, r.effective_samples,
+  coder(r.correlation, r.cost, r.misfit_rms, r.misfit_fraction, r.misfit_word, r.samples,
+        r.break_strain_total, r.seed, r.runs_test_p, r.autocorrelation, r.effective_samples,
         r.noise, r.simpler_evaluations);
   coder.each(r.stages, [](auto& to, auto& s) { store::code_described(to, s, kDescribeStage); });
   coder(r.trace.active, r.trace.values, r.trace.costs);

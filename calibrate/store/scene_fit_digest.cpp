@@ -1,6 +1,7 @@
 #include "calibrate/store/scene_fit_digest.hpp"
 
 #include "calibrate/inference/not_a_number.hpp"
+#include "plastica/base/renamed.hpp"
 #include "plastica/io/scene_digest.hpp"
 
 namespace plastica::calibrate {
@@ -13,10 +14,10 @@ void add_to(io::Digest& digest, const SceneTarget& t) {
 
 void add_to(io::Digest& digest, const SceneFitOptions& options) {
   for (const Parameter& p : options.parameters) {
-    digest.text(p.field->path).integer(static_cast<std::uint64_t>(p.role));
+    digest.text(old_path(p.field->path)).integer(static_cast<std::uint64_t>(p.role));
     digest.integer(static_cast<std::uint64_t>(p.scale)).real(p.value.value_or(kNan));
     digest.real(p.lower.value_or(kNan)).real(p.upper.value_or(kNan));
-    digest.text(p.tied_to != nullptr ? p.tied_to->path : "").real(p.factor);
+    digest.text(p.tied_to != nullptr ? old_path(p.tied_to->path) : "").real(p.factor);
     digest.real(p.prior ? p.prior->mean : kNan);
     digest.real(p.prior ? p.prior->standard_deviation : kNan);
   }
@@ -26,7 +27,7 @@ void add_to(io::Digest& digest, const SceneFitOptions& options) {
   digest.integer(options.further_starts.size());
   for (const StartPoint& start : options.further_starts) {
     digest.integer(start.size());
-    for (const auto& [field, value] : start) digest.text(field->path).real(value);
+    for (const auto& [field, value] : start) digest.text(old_path(field->path)).real(value);
   }
   digest.integer(options.laws.size());
   for (const Law law : options.laws) digest.text(name_of(law));
@@ -38,11 +39,13 @@ void add_to(io::Digest& digest, const SceneFitOptions& options) {
   }
 }
 
-std::uint64_t digest_of(std::span<const ScenePart> parts, const SceneFitOptions& options) {
+std::uint64_t digest_of(std::span<const WeightedTarget> targets, const SceneFitOptions& options) {
   io::Digest digest;
-  for (const ScenePart& part : parts) {
-    digest.text(part.target.name).integer(io::scene_digest(part.setup)).real(part.weight);
-    add_to(digest, part.target);
+  for (const WeightedTarget& weighted : targets) {
+    digest.text(weighted.target.name)
+        .integer(io::scene_digest(weighted.setup))
+        .real(weighted.weight);
+    add_to(digest, weighted.target);
   }
   add_to(digest, options);
   return digest.value();

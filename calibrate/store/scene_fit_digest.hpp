@@ -13,7 +13,7 @@ void add_to(io::Digest& digest, const SceneTarget& target);
 /// All of the options that does; not the number of threads.
 void add_to(io::Digest& digest, const SceneFitOptions& options);
 
-/// Parts with their names and scenes, and options.
-std::uint64_t digest_of(std::span<const ScenePart> parts, const SceneFitOptions& options);
+/// Targets with their names and scenes, and options.
+std::uint64_t digest_of(std::span<const WeightedTarget> targets, const SceneFitOptions& options);
 
 }  // namespace plastica::calibrate

@@ -11,7 +11,7 @@ namespace plastica::calibrate {
 
 /// The attributes `schema` and `version` of a result file's root.
 inline constexpr std::string_view kSceneFitSchema = "plastica/scene-fits";
-inline constexpr int kSceneFitVersion = 4;
+inline constexpr int kSceneFitVersion = 5;
 inline constexpr int kOldestSceneFit = 3;  ///< that is read
 
 /// What a file of fits through scenes holds.
@@ -26,19 +26,19 @@ struct SceneFitContents {
 
 /// Writes a result file (HDF5; layout: docs/hdf5.md). The records are stored in the order of
 /// their names and laws, so that the same contents give the same bytes outside /meta whatever the
-/// order in which they come; targets keep theirs. The file appears under its name when it is whole,
-/// in place of what is there if that is allowed.
+/// order in which they come; targets keep theirs. The file appears under its name when it is
+/// complete, in place of what is there if that is allowed.
 ///
 /// The records must have names of their own, or laws of their own beside the same name, a weight
-/// for each target, either no parts or one for each target and under its name, ordinates and fitted
-/// values (or none) for each abscissa.
+/// for each target, either no targets or one for each target and under its name, ordinates and
+/// fitted values (or none) for each abscissa.
 /// @throws io::StorageError if it cannot be written; std::logic_error if the records are not so
 void write_scene_fit_store(const std::string& path, const SceneFitContents& contents,
                            io::Overwrite overwrite = io::Overwrite::Allowed);
 
 /// Reads a result file: every field of every record, bit by bit, in the order of the names
 /// and laws. A noise that is a NaN comes back empty.
-/// @throws InputError if it is no such file, of another version, or not whole
+/// @throws InputError if it is no such file, of another version, or not complete
 SceneFitContents read_scene_fit_store(const std::string& path);
 
 }  // namespace plastica::calibrate

@@ -10,6 +10,7 @@
 #include "calibrate/store/interval_store.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
 #include "calibrate/store/tables.hpp"
+#include "plastica/base/renamed.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -30,7 +31,8 @@ class Reader {
     } else {
       tables_.columns("parameters", parameters.rows, kDescribeParameter);
     }
-    for (const FittedParameter* parameter : parameters.rows) {
+    for (FittedParameter* parameter : parameters.rows) {
+      parameter->path = new_path(parameter->path);
       if (find_field_or_null(parameter->path) != nullptr) continue;
       io::refuse_value(tables_.root(), "parameters/path", parameter->path, "must be a field");
     }
@@ -61,13 +63,13 @@ class Reader {
 
   void targets() {
     const auto targets =
-        tables_.items("parts", records_, PLASTICA_MEMBER(targets), kDescribeSceneTarget);
+        tables_.items("targets", records_, PLASTICA_MEMBER(targets), kDescribeSceneTarget);
     const std::size_t n = targets.rows.size();
     std::vector<TargetRow> rows(n);
-    tables_.columns("parts", store::pointers_to(std::span(rows)), [](auto& d) {
+    tables_.columns("targets", store::pointers_to(std::span(rows)), [](auto& d) {
       d("weight", "1", PLASTICA_MEMBER(weight));
       d("has_curve", "", PLASTICA_MEMBER(has_curve));
-      d.part("present", PLASTICA_MEMBER(made), kDescribeTargetFit);
+      d.optional("present", PLASTICA_MEMBER(made), kDescribeTargetFit);
     });
     const io::Ragged<double> abscissa = curve("abscissa", n);
     const io::Ragged<double> ordinate = curve("ordinate", n);
@@ -79,7 +81,7 @@ class Reader {
       targets.rows[p]->ordinate = numbers(ordinate.row(p));
       record.weights.push_back(rows[p].weight);
       if (!rows[p].made) continue;
-      ScenePartFit& made = record.result.parts.emplace_back(std::move(*rows[p].made));
+      TargetFit& made = record.result.targets.emplace_back(std::move(*rows[p].made));
       made.name = targets.rows[p]->name;
       if (!rows[p].has_curve) continue;
       made.fitted = numbers(fitted.row(p));
@@ -113,8 +115,8 @@ class Reader {
   /// Of a target what its own description does not have.
   struct TargetRow {
     double weight = 1.0;
-    bool has_curve = false;            ///< whether the fitted ordinates are there
-    std::optional<ScenePartFit> made;  ///< empty: the fit has nothing of it
+    bool has_curve = false;         ///< whether the fitted ordinates are there
+    std::optional<TargetFit> made;  ///< empty: the fit has nothing of it
   };
 
   [[noreturn]] void refuse(const std::string& path, const std::string& rule) const {
@@ -123,14 +125,14 @@ class Reader {
 
   void check_targets() const {
     for (const SceneFitRecord* record : records_) {
-      const std::size_t made = record->result.parts.size();
-      if (record->targets.empty()) refuse("parts/fit", "must name each fit");
+      const std::size_t made = record->result.targets.size();
+      if (record->targets.empty()) refuse("targets/fit", "must name each fit");
       const bool found = record->result.status == FitStatus::Fitted;
       if (found && (made == 0 || record->result.parameters.empty())) {
-        refuse("parts/present", "must hold for each fit that was made");
+        refuse("targets/present", "must hold for each fit that was made");
       }
       if (made != 0 && made != record->targets.size()) {
-        refuse("parts/present", "must be the same for all targets of a fit");
+        refuse("targets/present", "must be the same for all targets of a fit");
       }
     }
   }
@@ -177,9 +179,9 @@ class Reader {
     rows.values = io::read_numbers<double>(tables_.root(), "curves/" + name, kRules);
     rows.offsets = tables_.root().read<std::uint64_t>("curves/offsets");
     const std::vector<std::uint64_t>& offsets = rows.offsets;
-    const bool whole = offsets.size() == n + 1 && offsets.front() == 0 &&
-                       offsets.back() == rows.values.size() && std::ranges::is_sorted(offsets);
-    if (!whole) refuse("curves/" + name, "has offsets that do not fit its values");
+    const bool fits = offsets.size() == n + 1 && offsets.front() == 0 &&
+                      offsets.back() == rows.values.size() && std::ranges::is_sorted(offsets);
+    if (!fits) refuse("curves/" + name, "has offsets that do not fit its values");
     return rows;
   }
 

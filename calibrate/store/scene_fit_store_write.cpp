@@ -22,22 +22,22 @@ constexpr io::DatasetOptions kPlain{{}, store::kDeflate};
 }
 
 void check(const SceneFitRecord& record) {
-  const std::vector<ScenePartFit>& parts = record.result.parts;
+  const std::vector<TargetFit>& made = record.result.targets;
   if (record.weights.size() != record.targets.size()) refuse(record, "has not a weight a target");
-  if (!parts.empty() && parts.size() != record.targets.size()) {
-    refuse(record, "has not a part a target");
+  if (!made.empty() && made.size() != record.targets.size()) {
+    refuse(record, "has not a fit a target");
   }
   for (std::size_t p = 0; p < record.targets.size(); ++p) {
     const SceneTarget& target = record.targets[p];
     if (target.ordinate.size() != target.abscissa.size()) {
       refuse(record, "has a curve with more abscissas than ordinates or fewer");
     }
-    if (parts.empty()) continue;
-    if (parts[p].name != target.name) refuse(record, "has a part of another name than its target");
-    if (!parts[p].fitted.empty() && parts[p].fitted.size() != target.abscissa.size()) {
+    if (made.empty()) continue;
+    if (made[p].name != target.name) refuse(record, "has a fit of another name than its target");
+    if (!made[p].fitted.empty() && made[p].fitted.size() != target.abscissa.size()) {
       refuse(record, "has not a fitted ordinate an abscissa");
     }
-    if (parts[p].fitted_error.size() != parts[p].fitted.size()) {
+    if (made[p].fitted_error.size() != made[p].fitted.size()) {
       refuse(record, "has not an error a fitted ordinate");
     }
   }
@@ -69,18 +69,18 @@ void write_units(io::Hdf5Group& group, std::string_view name, const Rows& rows,
 }
 
 /// What the fits made of their targets, as these stand in `targets`; null where one has nothing.
-std::vector<const ScenePartFit*> made_of(const Records& records) {
-  std::vector<const ScenePartFit*> made;
+std::vector<const TargetFit*> made_of(const Records& records) {
+  std::vector<const TargetFit*> made;
   for (const SceneFitRecord* record : records) {
     for (std::size_t p = 0; p < record->targets.size(); ++p) {
-      made.push_back(record->result.parts.empty() ? nullptr : &record->result.parts[p]);
+      made.push_back(record->result.targets.empty() ? nullptr : &record->result.targets[p]);
     }
   }
   return made;
 }
 
 void write_curves(io::Hdf5Group& root, const std::vector<const SceneTarget*>& targets,
-                  const std::vector<const ScenePartFit*>& made) {
+                  const std::vector<const TargetFit*>& made) {
   std::vector<double> abscissa, ordinate, fitted, error;
   std::vector<std::uint64_t> offsets{0};
   for (std::size_t p = 0; p < targets.size(); ++p) {
@@ -106,13 +106,13 @@ void write_curves(io::Hdf5Group& root, const std::vector<const SceneTarget*>& ta
 
 void write_targets(io::Hdf5Group& root, const Records& records) {
   const auto targets = store::items_of(records, PLASTICA_MEMBER(targets));
-  io::Hdf5Group group = store::write_items(root, "parts", targets, kDescribeSceneTarget);
+  io::Hdf5Group group = store::write_items(root, "targets", targets, kDescribeSceneTarget);
   write_units(group, "abscissa_units", targets.rows, PLASTICA_MEMBER(abscissa_is));
   write_units(group, "ordinate_units", targets.rows, PLASTICA_MEMBER(ordinate_is));
-  const std::vector<const ScenePartFit*> made = made_of(records);
+  const std::vector<const TargetFit*> made = made_of(records);
   std::vector<std::uint8_t> present, has_curve;
   std::vector<double> weights;
-  for (const ScenePartFit* each : made) {
+  for (const TargetFit* each : made) {
     present.push_back(each != nullptr ? 1 : 0);
     has_curve.push_back(each != nullptr && !each->fitted.empty() ? 1 : 0);
   }

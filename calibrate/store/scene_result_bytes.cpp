@@ -20,7 +20,7 @@ void code(auto& coder, A<SceneSegments> auto& s) {
              [](auto& to, auto& each) { store::code_described(to, each, kDescribeSegments); });
 }
 
-void code(auto& coder, A<ScenePartFit> auto& p) {
+void code(auto& coder, A<TargetFit> auto& p) {
   coder(p.name, p.fitted, p.fitted_error);
   store::code_described(coder, p, kDescribeTargetFit);
 }
@@ -35,7 +35,7 @@ void code(auto& coder, A<SceneFitResult> auto& r) {
   coder(r.status, r.reason);
   coder.each(r.parameters, [](auto& to, auto& each) { store::code_parameter(to, each); });
   coder(r.correlation);
-  coder.each(r.parts, item);
+  coder.each(r.targets, item);
   coder(r.degrees_of_freedom);
   coder.each(r.starts, item);
   coder.maybe(r.segments, item);

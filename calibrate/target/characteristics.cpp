@@ -152,8 +152,8 @@ double noise_of(std::span<const double> strain, std::span<const double> stress) 
   bends.reserve(stress.size() / stride + 1);
   for (std::size_t i = 1; i + 1 < stress.size(); i += stride) {
     const double gap = strain[i + 1] - strain[i - 1];
-    const double share = gap != 0.0 ? (strain[i] - strain[i - 1]) / gap : 0.5;
-    const double a = std::clamp(share, 0.0, 1.0);
+    const double fraction = gap != 0.0 ? (strain[i] - strain[i - 1]) / gap : 0.5;
+    const double a = std::clamp(fraction, 0.0, 1.0);
     const double bend = stress[i] - (1.0 - a) * stress[i - 1] - a * stress[i + 1];
     bends.push_back(std::abs(bend) / std::sqrt(1.0 + a * a + (1.0 - a) * (1.0 - a)));
   }
@@ -192,7 +192,7 @@ std::optional<ElasticLine> find_elastic_line(const Curve& curve, Loading loading
     throw InputError({}, "modulus_window", "", "is required for a modulus by chord");
   }
 
-  // The window is a share of the proof stress, which needs the modulus: a few rounds settle it.
+  // The window is a fraction of the proof stress, which needs the modulus: a few rounds settle it.
   double yield = peak;
   auto line = automatic_line(strain, stress, sign, yield, noise, options);
   const bool monotonic = loading == Loading::Monotonic;
@@ -220,8 +220,8 @@ std::optional<double> proof_stress(std::span<const double> strain, std::span<con
   for (std::size_t i = stress.size() - 1; i > 0; --i) {
     const double before = above(i - 1);
     if (before <= 0.0) continue;
-    const double share = before / (before - above(i));
-    return stress[i - 1] + share * (stress[i] - stress[i - 1]);
+    const double fraction = before / (before - above(i));
+    return stress[i - 1] + fraction * (stress[i] - stress[i - 1]);
   }
   return std::nullopt;
 }

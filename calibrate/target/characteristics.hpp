@@ -23,7 +23,7 @@ struct ElasticLine {
 
 /// Standard deviation of the noise of the stress [Pa]: the median distance of a sample from the
 /// straight line between its neighbours, over what unit noise gives (0.6745 for a median, and the
-/// root of 1 + a^2 + (1-a)^2 for a sample at the share a between its neighbours). 0 on straight
+/// root of 1 + a^2 + (1-a)^2 for a sample at the fraction a between its neighbours). 0 on straight
 /// stretches however they are sampled, little disturbed by bends.
 double noise_of(std::span<const double> strain, std::span<const double> stress);
 

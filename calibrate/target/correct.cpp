@@ -13,24 +13,24 @@ using Mode = CorrectionChoice::Mode;
 
 BreakFound broken_after(const Curve& curve, std::size_t last, Loading loading, const char* rule) {
   BreakFound found;
-  found.whole = last + 1;
-  // A strain once reached under load was whole, also where it ran back a little since.
+  found.intact = last + 1;
+  // A strain once reached under load was intact, also where it ran back a little since.
   double reached = curve.strain[last];
   if (loading == Loading::Monotonic) {
     for (std::size_t i = 0; i < last; ++i) reached = std::max(reached, curve.strain[i]);
   }
-  found.observation.last_whole_strain = reached;
-  found.observation.last_whole_stress = curve.stress[last];
+  found.observation.last_intact_strain = reached;
+  found.observation.last_intact_stress = curve.stress[last];
   found.observation.first_broken_strain = std::max(reached, curve.strain[last + 1]);
   found.observation.rule = rule;
   return found;
 }
 
-std::optional<BreakFound> cyclic_break(const Curve& curve, double zero_share) {
+std::optional<BreakFound> cyclic_break(const Curve& curve, double zero_fraction) {
   const std::size_t n = curve.size();
   double largest = 0.0;
   for (const double stress : curve.stress) largest = std::max(largest, std::abs(stress));
-  if (n >= 2 && std::abs(curve.stress[n - 1]) <= zero_share * largest &&
+  if (n >= 2 && std::abs(curve.stress[n - 1]) <= zero_fraction * largest &&
       std::abs(curve.stress[n - 2]) > 0.5 * largest) {
     return broken_after(curve, n - 2, Loading::Cyclic, "fall-to-zero");
   }
@@ -87,18 +87,18 @@ Correction off(const char* kind, const char* unit) { return {kind, false, 0.0, u
 
 std::optional<BreakFound> find_break(const Curve& curve, Loading loading, double modulus,
                                      bool goes_on, const TargetOptions& options) {
-  if (loading == Loading::Cyclic) return cyclic_break(curve, options.zero_share);
+  if (loading == Loading::Cyclic) return cyclic_break(curve, options.zero_fraction);
   const auto& strain = curve.strain;
   const auto& stress = curve.stress;
   const std::size_t n = curve.size();
   if (n < 2) return std::nullopt;
   const auto peak = std::max_element(stress.begin(), stress.end());
   const double rm = *peak;
-  const double zero = options.zero_share * rm;
+  const double zero = options.zero_fraction * rm;
   std::vector<double> later = stress;  // largest stress from each sample on
   for (std::size_t i = n - 1; i-- > 0;) later[i] = std::max(later[i], later[i + 1]);
   const auto stays_down = [&](std::size_t from, double before) {
-    return later[from] <= std::max((1.0 - options.drop_share) * before, 2.0 * zero);
+    return later[from] <= std::max((1.0 - options.drop_fraction) * before, 2.0 * zero);
   };
   std::size_t run = static_cast<std::size_t>(peak - stress.begin());  // start of the steep fall
   for (std::size_t i = run; i + 1 < n; ++i) {
@@ -106,10 +106,10 @@ std::optional<BreakFound> find_break(const Curve& curve, Loading loading, double
     const double step = std::max(0.0, strain[i + 1] - strain[i]);
     if (!(fall > 0.5 * modulus * step)) {
       run = i + 1;
-    } else if (stress[run] - stress[i + 1] >= options.drop_share * rm &&
+    } else if (stress[run] - stress[i + 1] >= options.drop_fraction * rm &&
                stays_down(i + 1, stress[run])) {
       std::size_t last = run;
-      while (stress[last + 1] > (1.0 - options.drop_share) * stress[run]) ++last;
+      while (stress[last + 1] > (1.0 - options.drop_fraction) * stress[run]) ++last;
       return broken_after(curve, last, loading,
                           stress[i + 1] <= zero ? "fall-to-zero" : "load-drop");
     }
@@ -120,9 +120,9 @@ std::optional<BreakFound> find_break(const Curve& curve, Loading loading, double
   if (goes_on) return std::nullopt;
   const std::size_t top =
       peak_before_end(curve, static_cast<std::size_t>(peak - stress.begin()), options.yield_drop);
-  if (stress[n - 1] <= options.end_share * stress[top] && falls_at_end(curve, top)) {
+  if (stress[n - 1] <= options.end_fraction * stress[top] && falls_at_end(curve, top)) {
     BreakFound found;
-    found.whole = n;
+    found.intact = n;
     const double step = std::max(0.0, strain[n - 1] - strain[n - 2]);
     const double reached = *std::max_element(strain.begin(), strain.end());
     found.observation = {reached, stress[n - 1], std::max(reached, strain[n - 1] + step),
@@ -152,9 +152,9 @@ void trim_at_break(Target& target, double modulus, bool goes_on, const TargetOpt
     target.corrections.push_back({"trim-at-break", false, 0.0, "samples", why});
     return;
   }
-  const std::size_t cut = curve.size() - found->whole;
-  curve.strain.resize(found->whole);
-  curve.stress.resize(found->whole);
+  const std::size_t cut = curve.size() - found->intact;
+  curve.strain.resize(found->intact);
+  curve.stress.resize(found->intact);
   std::string text = "rule: " + found->observation.rule;
   target.corrections.push_back(
       {"trim-at-break", cut > 0, static_cast<double>(cut), "samples", std::move(text)});
@@ -178,9 +178,9 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
   // With a given modulus the line goes through the first sample, and only a coarse offset counts.
   const bool given = options.youngs_modulus.has_value();
   const double zero = given ? curve.strain[0] - curve.stress[0] / line.modulus : line.zero_strain;
-  const double share = given ? options.given_modulus_threshold : options.shift_threshold;
+  const double fraction = given ? options.given_modulus_threshold : options.shift_threshold;
   const double threshold =
-      std::max(share * line.yield_stress / line.modulus, 6.0 * line.zero_strain_stderr);
+      std::max(fraction * line.yield_stress / line.modulus, 6.0 * line.zero_strain_stderr);
   const char* why_not = nullptr;
   if (total != 0.0) {
     why_not = "another strain shift is set";
@@ -215,7 +215,7 @@ double shift_strain(Target& target, const ElasticLine& line, const TargetOptions
   if (total == 0.0) return 0.0;
   shift(curve, total);
   if (auto& broken = target.characteristics.observed_break) {
-    broken->last_whole_strain -= total;
+    broken->last_intact_strain -= total;
     broken->first_broken_strain -= total;
   }
   return total;
@@ -251,8 +251,8 @@ bool convert_to_true(Target& target, const TargetOptions& options) {
     curve.strain[i] = std::log1p(curve.strain[i]);
   }
   if (broken) {
-    broken->last_whole_stress *= 1.0 + broken->last_whole_strain;
-    broken->last_whole_strain = std::log1p(broken->last_whole_strain);
+    broken->last_intact_stress *= 1.0 + broken->last_intact_strain;
+    broken->last_intact_strain = std::log1p(broken->last_intact_strain);
     broken->first_broken_strain = std::log1p(broken->first_broken_strain);
   }
   target.measure = Measure::True;

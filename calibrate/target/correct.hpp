@@ -9,9 +9,9 @@
 
 namespace plastica::calibrate {
 
-/// Where a curve broke: `whole` samples carry load, the rest is cut.
+/// Where a curve broke: `intact` samples carry load, the rest is cut.
 struct BreakFound {
-  std::size_t whole = 0;
+  std::size_t intact = 0;
   BreakObservation observation;
 };
 

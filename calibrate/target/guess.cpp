@@ -86,8 +86,9 @@ TargetSource guess_source(const io::CsvTable& table) {
     auto length = guess(table, elongation, Dimension::Length);
     if (length && length->unit) {
       source.elongation = std::move(length);
-    } else if (auto share = guess(table, elongation, Dimension::Strain); share && share->unit) {
-      source.strain = std::move(share);
+    } else if (auto fraction = guess(table, elongation, Dimension::Strain);
+               fraction && fraction->unit) {
+      source.strain = std::move(fraction);
     } else {
       source.elongation = std::move(length);
     }

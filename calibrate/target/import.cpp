@@ -185,7 +185,7 @@ Columns columns_of(const Plan& plan, const CsvTable& table) {
   return columns;
 }
 
-/// Strains that nobody gave a unit are taken as shares; in percent they reach beyond 1 at once.
+/// Strains that nobody gave a unit are taken as fractions; in percent they reach beyond 1 at once.
 void warn_of_percent(const Plan& plan, const CsvTable& table, std::size_t column, Target& target) {
   if (plan.gauge_length || plan.strain->unit || !table.units()[column].empty()) return;
   if (target.test != Test::Tension) return;

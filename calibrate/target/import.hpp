@@ -63,8 +63,8 @@ struct TargetSource {
 ///
 /// A name is the file's stem, with ":COLUMN" where a pattern chose the column and with the folder
 /// before it where stems are alike.
-/// A strain that neither the block nor the file gives a unit is taken as a share; in tension, above
-/// 1, the target gets a warning.
+/// A strain that neither the block nor the file gives a unit is taken as a fraction; in tension,
+/// above 1, the target gets a warning.
 /// @return a target per specimen in order of files and columns; one that cannot be read or
 ///         repaired, or lacks a column or the unit of its stress, is Rejected with its reason
 /// @throws InputError for a block that contradicts itself, a file that is missing, a column that

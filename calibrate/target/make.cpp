@@ -81,7 +81,8 @@ void check_sampling(Target& target, double noise, const TargetOptions& options) 
     plateau += strain >= yield_strain * (1.0 - doubt) ? 1 : 0;
   }
   const bool no_plateau = !c.rp02 && elastic_to_the_end(curve, modulus, noise, yield);
-  if (no_plateau) target.warnings.emplace_back("elastic to its end: the yield stress is not seen");
+  if (no_plateau)
+    target.warnings.emplace_back("elastic to its end: the yield stress is not identifiable");
   if (elastic >= options.min_samples && (no_plateau || plateau >= options.min_samples)) return;
   give_up(target, TargetStatus::TooCoarse,
           "too coarse: " + std::to_string(elastic) + " samples on the elastic part, " +
@@ -92,7 +93,7 @@ void check_sampling(Target& target, double noise, const TargetOptions& options) 
 void measure_break(Characteristics& c, double modulus) {
   if (!c.observed_break) return;
   c.break_strain = c.observed_break->strain();
-  c.break_strain_plastic = *c.break_strain - c.observed_break->last_whole_stress / modulus;
+  c.break_strain_plastic = *c.break_strain - c.observed_break->last_intact_stress / modulus;
 }
 
 void measure(Target& target, const ElasticLine& line, const RawFacts& facts, double noise,

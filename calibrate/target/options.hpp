@@ -51,21 +51,21 @@ struct TargetOptions {
   double given_modulus_threshold = 0.1;  ///< of Rm/modulus, see `preload`
   /// Trim at break, amount: measured strain [1] beyond which the specimen is broken.
   /// Automatic, after the largest stress, the first that holds:
-  /// - a run of samples that falls by `drop_share` of Rm or more, each step steeper than half
-  ///   the modulus: broken from the first sample below (1 - drop_share) of the run's start;
+  /// - a run of samples that falls by `drop_fraction` of Rm or more, each step steeper than half
+  ///   the modulus: broken from the first sample below (1 - drop_fraction) of the run's start;
   /// - one step that falls by half of Rm or more;
-  /// - a sample at or below `zero_share` of Rm;
-  /// - the data end at or below `end_share` of Rm (necked): broken within one more step. Rm is
+  /// - a sample at or below `zero_fraction` of Rm;
+  /// - the data end at or below `end_fraction` of Rm (necked): broken within one more step. Rm is
   ///   here the largest stress after an upper yield point, and the load must fall at the end: by a
   ///   quarter of the fall from Rm within the second half of the strain from Rm on.
-  /// In the first three the load must stay down: no later sample is above (1 - drop_share) of the
-  /// load before the drop (or twice `zero_share` of Rm). Unloading is no break: see
+  /// In the first three the load must stay down: no later sample is above (1 - drop_fraction) of
+  /// the load before the drop (or twice `zero_fraction` of Rm). Unloading is no break: see
   /// `drop_unloading`.
-  /// Cyclic: only a last row within `zero_share` after more than half of the largest |stress|.
+  /// Cyclic: only a last row within `zero_fraction` after more than half of the largest |stress|.
   CorrectionChoice trim;
-  double drop_share = 0.2;
-  double zero_share = 0.05;
-  double end_share = 0.9;
+  double drop_fraction = 0.2;
+  double zero_fraction = 0.05;
+  double end_fraction = 0.9;
   /// Convert engineering to true: strain ln(1 + e), stress s (1 + e). Tension only. Samples
   /// beyond the strain at Rm are refused (cut, with the break) as the specimen necks there.
   bool convert_to_true = false;
@@ -82,8 +82,8 @@ struct TargetOptions {
   double modulus_low = 0.2;
   double modulus_high = 0.6;
   double offset = 0.002;  ///< [1] plastic strain of the proof stress
-  /// Smallest fall after an upper yield point, as a share of it; also at least 8 times the noise.
-  /// The stress must climb above it again, otherwise it is Rm.
+  /// Smallest fall after an upper yield point, as a fraction of it; also at least 8 times the
+  /// noise. The stress must climb above it again, otherwise it is Rm.
   double yield_drop = 0.003;
 
   /// Samples wanted on the elastic part and on the plateau of a monotonic curve; fewer: TooCoarse.

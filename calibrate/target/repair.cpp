@@ -191,7 +191,7 @@ void drop_unloading_loops(Target& target, const TargetOptions& options) {
     double least = stress[top];
     for (; end < n && strain[end] < reached; ++end) least = std::min(least, stress[end]);
     const bool loop = end < n && stress[top] >= 0.5 * rm && stress[top] - least >= 0.1 * rm &&
-                      stress[end] >= (1.0 - options.drop_share) * stress[top];
+                      stress[end] >= (1.0 - options.drop_fraction) * stress[top];
     for (std::size_t k = i; loop && k < end; ++k) keep[k] = false;
     i = end - 1;
   }
@@ -208,7 +208,7 @@ bool drop_unloading(Target& target, double modulus, const TargetOptions& options
   for (std::size_t i = 1; i < n; ++i) top = strain[i] >= strain[top] ? i : top;
   if (stress[top] < 0.5 * rm) return false;
   std::size_t end = top;
-  for (std::size_t i = top + 1; i < n && stress[end] > options.zero_share * rm; ++i) {
+  for (std::size_t i = top + 1; i < n && stress[end] > options.zero_fraction * rm; ++i) {
     if (stress[i] < stress[end]) end = i;
   }
   const double fall = stress[top] - stress[end];

@@ -33,7 +33,8 @@ void drop_outliers(Target& target);
 
 /// Drops unloading and reloading amid a monotonic curve, repair "unloading-loops": samples further
 /// than the tolerance below the strain reached, from half of Rm or more, in which the stress falls
-/// by a tenth of Rm or more, and comes back to (1 - drop_share) of where it was as the strain does.
+/// by a tenth of Rm or more, and comes back to (1 - drop_fraction) of where it was as the strain
+/// does.
 void drop_unloading_loops(Target& target, const TargetOptions& options);
 
 /// Drops the unloading at the end of a monotonic curve, repair "unloading": from the largest strain

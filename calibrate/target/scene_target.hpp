@@ -17,7 +17,7 @@ struct SceneBreak {
   double at = 0.0;             ///< abscissa [SI]
   double half_interval = 0.0;  ///< it lies anywhere within this on both sides [SI], >= 0
 
-  /// Where it is known to be broken, coming from a last whole sample.
+  /// Where it is known to be broken, coming from a last intact sample.
   double broken_from(double last) const {
     return at < last ? at - half_interval : at + half_interval;
   }

@@ -29,14 +29,14 @@ struct Correction {
 
 /// When the specimen broke, between two samples.
 struct BreakObservation {
-  double last_whole_strain = 0.0;    ///< [1] largest that still carries load; cyclic: the last
-  double last_whole_stress = 0.0;    ///< [Pa]
-  double first_broken_strain = 0.0;  ///< [1] first sample after; never below last_whole_strain
+  double last_intact_strain = 0.0;   ///< [1] largest that still carries load; cyclic: the last
+  double last_intact_stress = 0.0;   ///< [Pa]
+  double first_broken_strain = 0.0;  ///< [1] first sample after; never below last_intact_strain
   std::string rule;                  ///< "fall-to-zero", "load-drop", "end-of-data"
   /// Middle of the sampling interval, the measured break strain [1].
-  double strain() const { return 0.5 * (last_whole_strain + first_broken_strain); }
+  double strain() const { return 0.5 * (last_intact_strain + first_broken_strain); }
   /// Half of the interval: the break is known to +- this [1].
-  double half_interval() const { return 0.5 * (first_broken_strain - last_whole_strain); }
+  double half_interval() const { return 0.5 * (first_broken_strain - last_intact_strain); }
 };
 
 /// Characteristics after ISO 6892-1 / ASTM E8, from the corrected curve. What a curve does not
@@ -83,7 +83,7 @@ struct Target {
   std::optional<double> property(std::string_view property_name) const;
 
   Curve raw;        ///< as read, in SI, before any repair
-  Curve corrected;  ///< repaired, corrected and trimmed: whole samples only, break not included
+  Curve corrected;  ///< repaired, corrected and trimmed: intact samples only, break not included
   std::vector<Repair> repairs;
   std::vector<Correction> corrections;
   std::vector<std::string> warnings;

@@ -11,28 +11,28 @@
 namespace plastica::calibrate {
 namespace {
 
-constexpr int kFewest = 4;
+constexpr int kMinSegments = 4;
 
 /// Of segments whose end ones are half as long there are as many whole ones as joints.
 int divided(const Scene& scene, Division division) {
   const int more = scene.end_rule == EndRule::Half ? 1 : 0;
   const int whole = scene.beam.segments - more;
   if (division == Division::Twice) return 2 * whole + more;
-  if (whole < kFewest || whole % 2 != 0) {
-    throw InputError(
-        {}, "beam.segments", std::to_string(scene.beam.segments),
-        "cannot be halved: it is " + std::string(whole < kFewest ? "too small" : "no even number"));
+  if (whole < kMinSegments || whole % 2 != 0) {
+    throw InputError({}, "beam.segments", std::to_string(scene.beam.segments),
+                     "cannot be halved: it is " +
+                         std::string(whole < kMinSegments ? "too small" : "no even number"));
   }
   return whole / 2 + more;
 }
 
-std::vector<double> divided(const std::vector<double>& shares, Division division) {
+std::vector<double> divided(const std::vector<double>& fractions, Division division) {
   std::vector<double> made;
   if (division == Division::Twice) {
-    for (const double share : shares) made.insert(made.end(), 2, 0.5 * share);
+    for (const double fraction : fractions) made.insert(made.end(), 2, 0.5 * fraction);
   } else {
-    for (std::size_t i = 0; i + 1 < shares.size(); i += 2) {
-      made.push_back(shares[i] + shares[i + 1]);
+    for (std::size_t i = 0; i + 1 < fractions.size(); i += 2) {
+      made.push_back(fractions[i] + fractions[i + 1]);
     }
   }
   return made;
@@ -42,20 +42,20 @@ std::vector<double> divided(const std::vector<double>& shares, Division division
 std::vector<double> bare_ends(const Scene& scene) {
   Scene bare;
   bare.beam.segments = scene.beam.segments;
-  bare.beam.segment_shares = scene.beam.segment_shares;
+  bare.beam.segment_fractions = scene.beam.segment_fractions;
   return segment_ends(bare);
 }
 
-/// The segments' shares of the length where they are not even; empty where they are, or where the
-/// rule Half, which does not go with shares, divides the beam anew.
+/// The segments' fractions of the length where they are not even; empty where they are, or where
+/// the rule Half, which does not go with fractions, divides the beam anew.
 /// @param ends  of its segments
-std::vector<double> uneven_shares(const Scene& scene, const std::vector<double>& ends) {
+std::vector<double> uneven_fractions(const Scene& scene, const std::vector<double>& ends) {
   if (scene.end_rule == EndRule::Half) return {};
-  if (!scene.beam.segment_shares.empty()) return scene.beam.segment_shares;
+  if (!scene.beam.segment_fractions.empty()) return scene.beam.segment_fractions;
   if (ends == bare_ends(scene)) return {};
-  std::vector<double> shares;
-  for (std::size_t i = 1; i < ends.size(); ++i) shares.push_back(ends[i] - ends[i - 1]);
-  return shares;
+  std::vector<double> fractions;
+  for (std::size_t i = 1; i < ends.size(); ++i) fractions.push_back(ends[i] - ends[i - 1]);
+  return fractions;
 }
 
 /// Moves places to the new segments, whose ends are among the old ones or the other way round:
@@ -67,7 +67,7 @@ class Places {
       : from_(std::move(from)),
         to_(to.end_rule == EndRule::Half ? segment_ends(to) : bare_ends(to)) {}
 
-  void move(Place& place) const { place = {share_of(place, from_), {}}; }
+  void move(Place& place) const { place = {fraction_of(place, from_), {}}; }
 
   void move_end(Place& place, const std::string& name) const {
     const bool was_end = segment_end_at(place, from_).has_value();
@@ -121,14 +121,14 @@ Setup remeshed(const Setup& setup, Division division) {
   Setup made = setup;
   made.scene.beam.segments = divided(original, division);
   std::vector<double> ends = segment_ends(original);
-  made.scene.beam.segment_shares = divided(uneven_shares(original, ends), division);
+  made.scene.beam.segment_fractions = divided(uneven_fractions(original, ends), division);
   move_places(std::move(ends), made);
   return made;
 }
 
-Setup remeshed(const ScenePart& part, Division division) {
-  const SceneTarget& target = part.target;
-  for (const Probe& probe : part.setup.scene.probes) {
+Setup remeshed(const WeightedTarget& weighted, Division division) {
+  const SceneTarget& target = weighted.target;
+  for (const Probe& probe : weighted.setup.scene.probes) {
     const bool over = target.kind == Abscissa::Probe && probe.name == target.abscissa_probe;
     if (!over && probe.name != target.ordinate_probe) continue;
     if (probe.quantity != ProbeQuantity::Angle && probe.quantity != ProbeQuantity::PlasticAngle) {
@@ -137,7 +137,7 @@ Setup remeshed(const ScenePart& part, Division division) {
     throw InputError({}, "probe", probe.name,
                      "is the angle of one joint, which follows its length");
   }
-  return remeshed(part.setup, division);
+  return remeshed(weighted.setup, division);
 }
 
 double order_of_joints(const Scene& scene) {

@@ -14,10 +14,10 @@ enum class Division { Half, Twice };
 ///         would fall within a segment, lengths given for each joint
 Setup remeshed(const Setup& setup, Division division);
 
-/// The same of a part of a fit.
+/// The same of a target's scene.
 /// @throws InputError also if its target was measured as the angle of one joint, which follows the
 ///         joint's length
-Setup remeshed(const ScenePart& part, Division division);
+Setup remeshed(const WeightedTarget& weighted, Division division);
 
 /// Order in the segments' length at which the joints of a chain answer as a continuous beam does:
 /// 2, or 1 where a welded end leaves a joint out.

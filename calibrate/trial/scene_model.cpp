@@ -13,8 +13,8 @@
 namespace plastica::calibrate {
 namespace {
 
-/// The path may end short of the measured abscissa by this share of it: rounding of a motion that
-/// is prescribed to end there.
+/// The path may end short of the measured abscissa by this fraction of it: rounding of a motion
+/// that is prescribed to end there.
 constexpr double kRounding = 1e-9;
 
 /// Whether a prepared model takes a field's value at run time just as if the scene had it.
@@ -23,7 +23,7 @@ bool is_run_parameter(const Field& field, const Setup& setup) {
   switch (*field.material) {
     case MaterialField::YoungsModulus:
     case MaterialField::YieldStress:
-    case MaterialField::KinematicShare:
+    case MaterialField::KinematicFraction:
     case MaterialField::SaturationStress:
     case MaterialField::SaturationRate:
     case MaterialField::ReferenceRate:
@@ -127,7 +127,7 @@ SceneModel::SceneModel(const Setup& setup, const SceneTarget& target,
   }
   model_ = prepare(scene, setup_.solver, paths);
   if (model_.chain) limited_ = regions_of_the_limit(limited, model_.level);
-  if (target.kind == Abscissa::Probe) extended_setup_ = extended_setup(setup_, kMostTimes);
+  if (target.kind == Abscissa::Probe) extended_setup_ = extended_setup(setup_, kMaxTimes);
   if (extended_setup_) extended_ = prepare(extended_setup_->scene, extended_setup_->solver, paths);
 }
 
@@ -150,8 +150,8 @@ std::vector<SceneCurve> SceneModel::run(std::span<const double> values, std::siz
 bool SceneModel::takes_a_limit() const {
   if (!model_.chain) return true;
   const chain::Layout& layout = model_.chain->layout;
-  return std::ranges::any_of(layout.segment_part, [&](const auto& of) {
-    return limited_[layout.parts[of.middle].region];
+  return std::ranges::any_of(layout.segment_regions, [&](const auto& of) {
+    return limited_[layout.regions[of.middle].scene_region];
   });
 }
 
@@ -166,7 +166,7 @@ std::vector<bool> SceneModel::joints_of_the_limit(const Setup& setup, const Mode
   const ChainModel& chain = own ? *own->chain : *model.chain;
   std::vector<bool> joints;
   for (const auto& joint : scene_joints(chain, material_values(at.scene.material))) {
-    joints.push_back(limited_[chain.layout.parts[joint.owner].region]);
+    joints.push_back(limited_[chain.layout.regions[joint.owner].scene_region]);
   }
   return joints;
 }
@@ -189,7 +189,7 @@ void SceneModel::extend(std::span<const double> values, const BatchOptions& how,
     SceneCurve& curve = curves[early[k]];
     extended[k].segment_iterations += curve.segment_iterations;
     if (!extended[k].usable) {
-      extended[k].reason += fmt::format(" (its ramps going on to {} times their ends)", kMostTimes);
+      extended[k].reason += fmt::format(" (its ramps going on to {} times their ends)", kMaxTimes);
     }
     curve = std::move(extended[k]);
   }
@@ -231,14 +231,14 @@ SceneCurve SceneModel::curve_of(const Response& response, const std::vector<bool
   curve.segment_iterations =
       static_cast<std::int64_t>(setup_.scene.beam.segments) * response.counters.iterations;
   // A longer path may fail beyond what was measured.
-  const bool whole = usable(response.status);
-  if (!whole && !(is_extended && response.status == Status::NotConverged)) {
+  const bool complete = usable(response.status);
+  if (!complete && !(is_extended && response.status == Status::NotConverged)) {
     curve.reason = how_it_ended(response.status, setup_);
     return curve;
   }
   std::vector<double> path;
   if (!place(response, path, curve)) {
-    if (!whole) curve.reason = how_it_ended(response.status, setup_);
+    if (!complete) curve.reason = how_it_ended(response.status, setup_);
     return curve;
   }
   curve.usable = true;
@@ -308,9 +308,9 @@ void SceneModel::set_ordinate(const Response& response, const std::vector<double
   std::size_t k = 1;
   for (std::size_t i = 0; i < n; ++i) {
     while (k + 1 < path.size() && path[k] < target_.abscissa[i]) ++k;
-    const double share = (target_.abscissa[i] - path[k - 1]) / (path[k] - path[k - 1]);
+    const double fraction = (target_.abscissa[i] - path[k - 1]) / (path[k] - path[k - 1]);
     curve.ordinate[i] =
-        target_.ordinate_factor * (height[k - 1] + share * (height[k] - height[k - 1]));
+        target_.ordinate_factor * (height[k - 1] + fraction * (height[k] - height[k - 1]));
   }
 }
 
@@ -336,9 +336,9 @@ double SceneModel::strain_at(const Response& response, const std::vector<double>
   if (at < path.front() - slack || at > path.back() + slack) return kNowhere;
   const auto above = std::lower_bound(path.begin() + 1, path.end() - 1, at);
   const auto k = static_cast<std::size_t>(above - path.begin());
-  const double share = (at - path[k - 1]) / (path[k] - path[k - 1]);
+  const double fraction = (at - path[k - 1]) / (path[k] - path[k - 1]);
   const double low = strain_of(response, limited, k - 1);
-  return low + share * (strain_of(response, limited, k) - low);
+  return low + fraction * (strain_of(response, limited, k) - low);
 }
 
 void SceneModel::set_strain(const Response& response, const std::vector<double>& path,

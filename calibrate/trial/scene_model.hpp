@@ -18,14 +18,14 @@ std::size_t probe_index(const Scene& scene, const std::string& name, std::string
                         const SourceLocation& where = {});
 
 /// A scene whose path ends before the measured abscissa does goes on to so many times its end.
-inline constexpr int kMostTimes = 4;
+inline constexpr int kMaxTimes = 4;
 
 /// Largest permanent strains of a joint that takes the fitted limit, in the scene's break measure
 /// [1]; NaN where the path does not get there.
 struct StrainAtBreak {
   double at =
       std::numeric_limits<double>::quiet_NaN();  ///< where the target broke, or its last one
-  double before = std::numeric_limits<double>::quiet_NaN();  ///< where it was whole for sure
+  double before = std::numeric_limits<double>::quiet_NaN();  ///< where it was intact for sure
   double after = std::numeric_limits<double>::quiet_NaN();   ///< where it was broken for sure
 };
 
@@ -35,7 +35,7 @@ struct SceneCurve {
   std::string reason;       ///< else why not
   bool reverses = false;    ///< whether that is because the abscissa's probe turns round on the way
   bool ends_early = false;  ///< … or because the scene's path ends before the measured one
-  bool is_extended = false;      ///< whether it is of a path beyond the scene's end (`kMostTimes`)
+  bool is_extended = false;      ///< whether it is of a path beyond the scene's end (`kMaxTimes`)
   std::vector<double> ordinate;  ///< at the measured abscissa and by the target's factor [SI] (n)
   StrainAtBreak strain;
   /// Work, in a measure that no machine changes: segments x Newton iterations.
@@ -65,7 +65,7 @@ class SceneModel {
                               StopFlag stop = nullptr) const;
 
   Level level() const { return model_.level; }
-  /// Whether any part takes a limit of the scene's material: not if regions of others cover it
+  /// Whether any region takes a limit of the scene's material: not if regions of others cover it
   /// all.
   bool takes_a_limit() const;
 
@@ -75,8 +75,8 @@ class SceneModel {
                               const BatchOptions& how) const;
   void extend(std::span<const double> values, const BatchOptions& how,
               std::vector<SceneCurve>& curves) const;
-  /// Which joints take a limit of the scene's material (N + 1): those of its parts, the weaker one
-  /// of two that meet, which the values decide. Of a coupon none.
+  /// Which joints take a limit of the scene's material (N + 1): those of its regions, the weaker
+  /// one of two that meet, which the values decide. Of a coupon none.
   std::vector<bool> joints_of_the_limit(const Setup& setup, const Model& model,
                                         std::span<const double> values) const;
   /// @param limited  `joints_of_the_limit`, of this and what it calls

@@ -61,8 +61,8 @@ def main():
     rows, below, displacement = [], curve[0], 0.0
     for above in curve[1:]:
         while displacement <= above[0]:
-            share = (displacement - below[0]) / (above[0] - below[0])
-            force = below[1] + share * (above[1] - below[1]) + NOISE * normal(generator)
+            fraction = (displacement - below[0]) / (above[0] - below[0])
+            force = below[1] + fraction * (above[1] - below[1]) + NOISE * normal(generator)
             rows.append(f"{way:.1f},{force:.1f}")
             displacement += EVERY
         below = above

@@ -7,7 +7,7 @@
 
 Reads the corrected curves (toe and preload offset taken off, cut at the break) and the table of
 specimens that `plastica export` writes. Below the knee the stresses of all specimens of the group
-are averaged at equal strain. From there to the break they are averaged at equal shares of the way
+are averaged at equal strain. From there to the break they are averaged at equal fractions of the way
 from the knee to each specimen's own break, so that the mean curve breaks at the mean break strain;
 with --end, or for specimens without a break, at equal strain up to there. A last row says that the
 load fell to zero 0.01 % after the break. Written with four digits, 80 rows at most.
@@ -22,8 +22,8 @@ def interpolate(curve, strain):
     for sample in curve:
         if sample[0] >= strain:
             width = sample[0] - below[0]
-            share = (strain - below[0]) / width if width > 0.0 else 1.0
-            return below[1] + share * (sample[1] - below[1])
+            fraction = (strain - below[0]) / width if width > 0.0 else 1.0
+            return below[1] + fraction * (sample[1] - below[1])
         below = sample
     return below[1]
 
@@ -71,9 +71,9 @@ def main():
     broken = arguments.end is None and all(breaks[n] for n in names)
     mean_end = sum(breaks[n] for n in names) / len(names) if broken else 0.01 * arguments.end
     for i in range(1, points + 1):
-        share = i / points
-        strain = knee + share * (mean_end - knee)
-        own = [knee + share * ((breaks[n] if broken else mean_end) - knee) for n in names]
+        fraction = i / points
+        strain = knee + fraction * (mean_end - knee)
+        own = [knee + fraction * ((breaks[n] if broken else mean_end) - knee) for n in names]
         rows.append((strain, [interpolate(curves[n], s) for n, s in zip(names, own)]))
     with open(arguments.name + ".csv", "w") as out:
         out.write("Strain [%],Stress [MPa]\n")

@@ -25,14 +25,13 @@ enum class ClaimKind {
   Value,              ///< the quantity [SI]
   EnergyBalance,      ///< energy balance error of each case [1]
   Failed,             ///< number of cases without a usable status [1]
-  Silent,             ///< of a scan: number of points that are wrong without saying so [1]
-  Unsound,            ///< of a scan: number of points that are not sound, whatever they say [1]
+  Undetected,         ///< of a scan: number of undetected errors [1]
+  Invalid,            ///< of a scan: number of points that are not valid, whatever they say [1]
 };
 
 inline constexpr std::array<std::string_view, 12> kClaimKinds{
-    "order",  "correlation", "error", "extrapolated_error", "gci",
-    "work",   "spread",      "value", "energy_balance",     "failed",
-    "silent", "unsound"};
+    "order", "correlation",    "error",  "extrapolated_error", "gci",    "work", "spread",
+    "value", "energy_balance", "failed", "undetected",         "invalid"};
 
 /// One statement about a sweep, or about scans to the edge of stability, that holds or does not.
 struct Claim {

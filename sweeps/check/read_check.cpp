@@ -22,7 +22,7 @@ std::string sweep_path(const TomlValue& name, const std::string& check_path) {
   return path.lexically_normal().string();
 }
 
-/// Shares are numbers or percents; a value has the quantity's unit.
+/// Fractions are numbers or percents; a value has the quantity's unit.
 double read_limit(const TomlValue& value, const Claim& claim, const Sweep* sweep) {
   if (claim.kind == ClaimKind::Value) return value.quantity(sweep->quantity.dimension);
   return value.is_string() ? value.quantity(Dimension::Strain) : value.number();
@@ -59,7 +59,7 @@ void read_kind(const TomlTable& table, const Sweep* sweep, Claim& claim) {
     }
     throw InputError(table.where(), table.key(), "", "claims nothing: it needs one of " + all);
   }
-  const bool of_scan = claim.kind == ClaimKind::Silent || claim.kind == ClaimKind::Unsound;
+  const bool of_scan = claim.kind == ClaimKind::Undetected || claim.kind == ClaimKind::Invalid;
   if (of_scan != (sweep == nullptr)) {
     throw limits->error(of_scan ? "is about stability = { … }, not about a sweep"
                                 : "is about a sweep, not about stability");

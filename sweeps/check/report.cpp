@@ -9,14 +9,14 @@
 namespace plastica::sweeps {
 namespace {
 
-/// Whether the numbers of a claim are shares, shown in percent.
-bool is_share(ClaimKind kind) {
+/// Whether the numbers of a claim are fractions, shown in percent.
+bool is_fraction(ClaimKind kind) {
   return kind == ClaimKind::Error || kind == ClaimKind::ExtrapolatedError ||
          kind == ClaimKind::Gci || kind == ClaimKind::Spread || kind == ClaimKind::EnergyBalance;
 }
 
 std::string number_text(const CheckFile& file, const Claim& claim, double number) {
-  if (is_share(claim.kind)) return fmt::format("{:.4g} %", 100.0 * number);
+  if (is_fraction(claim.kind)) return fmt::format("{:.4g} %", 100.0 * number);
   if (claim.kind != ClaimKind::Value) return fmt::format("{:.6g}", number);
   const std::string& unit = file.sweeps[claim.sweep].quantity.unit;
   return fmt::format("{:.6g}{}", number, unit == "1" ? "" : " " + unit);

@@ -173,8 +173,8 @@ ClaimVerdict judge(const Claim& claim, const SweepRecord& record) {
       case ClaimKind::Work:
         for (const std::size_t i : group.cases) add_case(claim, record, i, worst);
         break;
-      case ClaimKind::Silent:
-      case ClaimKind::Unsound: break;  // of scans
+      case ClaimKind::Undetected:
+      case ClaimKind::Invalid: break;  // of scans
       case ClaimKind::Failed:
         for (const std::size_t i : group.cases) {
           failed = failed.value_or(0.0) + (usable(record.results[i].status) ? 0.0 : 1.0);
@@ -190,9 +190,9 @@ ClaimVerdict judge(const Claim& claim, std::span<const stability::StabilityRow> 
   Worst worst(claim);
   if (rows.empty()) return worst.verdict();
   const auto count = std::count_if(rows.begin(), rows.end(), [&](const auto& row) {
-    const auto soundness = row.verdict.soundness;
-    return claim.kind == ClaimKind::Silent ? soundness == stability::Soundness::Silent
-                                           : soundness != stability::Soundness::Sound;
+    const auto validity = row.verdict.validity;
+    return claim.kind == ClaimKind::Undetected ? validity == stability::Validity::Undetected
+                                               : validity != stability::Validity::Valid;
   });
   worst.add(static_cast<double>(count), "");
   return worst.verdict();
@@ -231,7 +231,7 @@ std::vector<ClaimVerdict> run_check(const CheckFile& file, const CheckOptions& o
     stability::StabilityOptions how = *claim.scan;
     how.threads = options.threads;
     how.stop = options.stop;
-    how.most_seconds = std::numeric_limits<double>::infinity();  // no verdict hangs on the machine
+    how.max_seconds = std::numeric_limits<double>::infinity();  // no verdict hangs on the machine
     const auto rows = stability::run_stability(how);
     if (is_raised(options.stop)) return {};
     verdicts.push_back(judge(claim, rows));

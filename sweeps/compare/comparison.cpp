@@ -16,8 +16,8 @@ double at(const std::vector<double>& time, const std::vector<double>& curve, dou
   if (k == 0) return curve.front();
   if (k == time.size()) return curve.back();
   const double span = time[k] - time[k - 1];
-  const double share = span > 0.0 ? (x - time[k - 1]) / span : 1.0;
-  return curve[k - 1] + share * (curve[k] - curve[k - 1]);
+  const double fraction = span > 0.0 ? (x - time[k - 1]) / span : 1.0;
+  return curve[k - 1] + fraction * (curve[k] - curve[k - 1]);
 }
 
 double rms(const std::vector<double>& values) {

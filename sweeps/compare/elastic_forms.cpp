@@ -61,7 +61,7 @@ struct NamedChain {
 NamedChain chain_of(const Setup& setup) {
   using theory::ChainConvention;
   const Scene& scene = setup.scene;
-  require_scene(scene.formulas == Formulas::Mechanics && scene.beam.segment_shares.empty() &&
+  require_scene(scene.formulas == Formulas::Mechanics && scene.beam.segment_fractions.empty() &&
                     scene.beam.joint_lengths.empty(),
                 "is for rules.formulas = \"mechanics\" and segments that the rule divides");
   NamedChain chain{ChainConvention::HalfJoint, scene.beam.segments};

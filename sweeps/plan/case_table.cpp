@@ -2,6 +2,7 @@
 #include <variant>
 
 #include "plastica/base/instruction_set.hpp"
+#include "plastica/base/renamed.hpp"
 #include "plastica/base/version.hpp"
 #include "plastica/io/digest.hpp"
 #include "plastica/io/scene_digest.hpp"
@@ -20,7 +21,7 @@ std::uint64_t quantity_digest(const Sweep& sweep) {
   digest.text(version()).text(name_of(resolved(InstructionSet::Auto)));
   digest.integer(static_cast<std::uint64_t>(q.kind)).integer(q.probe);
   digest.integer(static_cast<std::uint64_t>(q.take)).integer(static_cast<std::uint64_t>(q.mode));
-  digest.text(q.parameter).integer(static_cast<std::uint64_t>(sweep.timed_runs));
+  digest.text(old_path(q.parameter)).integer(static_cast<std::uint64_t>(sweep.timed_runs));
   if (sweep.fit) digest.integer(digest_of(*sweep.fit));
   return digest.value();
 }

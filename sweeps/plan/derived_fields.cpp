@@ -140,7 +140,7 @@ std::span<const Field> derived_fields() {
       derived("beam.slenderness", kPositive, "length over depth; moves the length", get_slenderness,
               set_slenderness),
       derived("beam.segment_depth", kPositive,
-              "segment length over depth; moves the number of segments, to the nearest whole one",
+              "segment length over depth; moves the number of segments, to the nearest integer",
               get_segment_depth, set_segment_depth),
       {"material.name",
        FieldKind::Choice,

@@ -45,7 +45,7 @@ Dimension dimension_of_probe(const Scene& scene, const std::string& name) {
   return Dimension::None;
 }
 
-int whole(const TomlTable& fit, std::string_view key, int otherwise, int high) {
+int integer_of(const TomlTable& fit, std::string_view key, int otherwise, int high) {
   const auto value = fit.find(key);
   return value ? static_cast<int>(value->integer(1, high)) : otherwise;
 }
@@ -83,9 +83,9 @@ FitPlan read_fit_plan(const TomlTable& fit, const std::string& path, const Scene
   (void)fit.at("parameters");
   plan.options.segments_error = false;  // a sweep over the segments shows it itself
   plan.options.parameters = calibrate::read_parameters(fit, calibrate::ParameterScope::Scene);
-  plan.options.evaluations = whole(fit, "evaluations", plan.options.evaluations, 1'000'000);
+  plan.options.evaluations = integer_of(fit, "evaluations", plan.options.evaluations, 1'000'000);
   // A sweep varies a scene that is near its curve: more searches only if asked for.
-  plan.options.starts = whole(fit, "starts", 1, 1000);
+  plan.options.starts = integer_of(fit, "starts", 1, 1000);
   if (const auto seed = fit.find("seed")) {
     plan.options.seed =
         static_cast<std::uint64_t>(seed->integer(0, std::numeric_limits<std::int64_t>::max()));

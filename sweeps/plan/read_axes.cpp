@@ -29,11 +29,11 @@ struct Span {
   double to = 0.0;
 };
 
-/// A value in the middle of a range: rounded for a field of whole numbers.
-double between(const Span& span, bool logarithmic, double share, const Field& field) {
-  double value = logarithmic ? span.from * std::pow(span.to / span.from, share)
-                             : span.from + (span.to - span.from) * share;
-  if (share == 1.0) value = span.to;
+/// A value in the middle of a range: rounded for a field of integers.
+double between(const Span& span, bool logarithmic, double fraction, const Field& field) {
+  double value = logarithmic ? span.from * std::pow(span.to / span.from, fraction)
+                             : span.from + (span.to - span.from) * fraction;
+  if (fraction == 1.0) value = span.to;
   return field.kind == FieldKind::Integer ? std::round(value) : value;
 }
 
@@ -76,9 +76,9 @@ std::vector<FieldValue> read_range(const TomlValue& range, bool logarithmic, con
   const auto count = table.at("count").integer(2, 1'000'000);
   std::vector<FieldValue> values;
   for (std::int64_t i = 0; i < count; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    const FieldValue value = between(span, logarithmic, share, field);
-    if (values.empty() || values.back() != value) values.push_back(value);  // whole numbers repeat
+    const double fraction = static_cast<double>(i) / static_cast<double>(count - 1);
+    const FieldValue value = between(span, logarithmic, fraction, field);
+    if (values.empty() || values.back() != value) values.push_back(value);  // integers repeat
   }
   return values;
 }
@@ -174,9 +174,9 @@ void check_groups(const std::vector<TomlTable>& tables, const std::vector<Axis>&
     }
     const bool turns = axes[a].group.empty() || seen.insert(axes[a].group).second;
     if (turns) cases *= axes[a].values.size();
-    if (cases > kMostCases) {
+    if (cases > kMaxCases) {
       throw InputError(table.where(), "axis", "",
-                       "makes more than " + std::to_string(kMostCases) + " cases");
+                       "makes more than " + std::to_string(kMaxCases) + " cases");
     }
   }
 }

@@ -90,7 +90,7 @@ class CaseTable {
 };
 
 /// Most cases that a sweep may have.
-inline constexpr std::size_t kMostCases = 10'000'000;
+inline constexpr std::size_t kMaxCases = 10'000'000;
 
 /// Reads a sweep file and the scene that it names; see docs/file-formats.md for the keys.
 /// @throws InputError for the first thing that is wrong, unknown keys included

@@ -159,8 +159,8 @@ CaseBlock block_of(const SweepRecord& record, const RefinementGroup& group,
 /// "; the same run as case 3" of a case that comes to what an earlier one does.
 std::string same_run_text(const SweepRecord& record, std::size_t index) {
   // Of many cases a table shows the first ones.
-  constexpr std::size_t kMostSearched = 10'000;
-  const auto end = record.ids.begin() + static_cast<std::ptrdiff_t>(std::min(index, kMostSearched));
+  constexpr std::size_t kMaxSearched = 10'000;
+  const auto end = record.ids.begin() + static_cast<std::ptrdiff_t>(std::min(index, kMaxSearched));
   const auto first = std::find(record.ids.begin(), end, record.ids[index]);
   if (first == end) return {};
   const auto number = static_cast<std::size_t>(first - record.ids.begin());
@@ -176,12 +176,12 @@ std::string same_run_text(const SweepRecord& record, std::size_t index) {
 
 }  // namespace
 
-CaseRows case_rows(const SweepRecord& record, std::size_t most_cases) {
+CaseRows case_rows(const SweepRecord& record, std::size_t max_cases) {
   const Shown shown = shown_of(record);
   const auto axes = axes_of_blocks(record);
   CaseRows all;
   all.columns = columns_of(record, axes, shown);
-  const std::size_t wanted = most_cases == 0 ? record.cases() : most_cases;
+  const std::size_t wanted = max_cases == 0 ? record.cases() : max_cases;
   std::size_t left = wanted;
   if (record.refined) {
     for (const RefinementGroup& group : record.groups) {
@@ -232,7 +232,7 @@ std::string level_word(Level level) {
   return std::string(find_field("solver.level").choices[static_cast<std::size_t>(level)]);
 }
 
-std::string percent_text(double share) { return fmt::format("{:.4g}", 100.0 * share); }
+std::string percent_text(double fraction) { return fmt::format("{:.4g}", 100.0 * fraction); }
 
 std::string shown_unit_of(std::string_view unit) {
   return unit == "1" ? std::string() : std::string(unit);

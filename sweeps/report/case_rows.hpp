@@ -29,8 +29,8 @@ struct CaseRows {
   std::size_t left_out = 0;  ///< cases beyond those that were asked for
 };
 
-/// @param most_cases  rows end after that many in all; 0: never
-CaseRows case_rows(const SweepRecord& record, std::size_t most_cases);
+/// @param max_cases  rows end after that many in all; 0: never
+CaseRows case_rows(const SweepRecord& record, std::size_t max_cases);
 
 /// What was swept, in lines: "NAME: 14 cases, 14 completed", then the scene, then what is compared.
 std::vector<std::string> head_lines(const SweepRecord& record);
@@ -41,8 +41,8 @@ std::string remark_of(const SweepRecord& record, std::size_t index);
 /// The word of files for a level: "planar".
 std::string level_word(Level level);
 
-/// A share as a number of percent: "0.4472".
-std::string percent_text(double share);
+/// A fraction as a number of percent: "0.4472".
+std::string percent_text(double fraction);
 
 /// The unit as tables show it: none for pure numbers.
 std::string shown_unit_of(std::string_view unit);

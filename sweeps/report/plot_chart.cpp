@@ -22,7 +22,7 @@ constexpr std::string_view kRoomForNumbers = "set lmargin at screen 0.115";
 constexpr std::size_t kTitleWidth = 90;
 constexpr std::size_t kTerminalWidth = 76;
 constexpr std::size_t kNameWidth = 60;
-constexpr double kTickRoom = 0.055;  ///< least distance of labels [share of the axis]
+constexpr double kTickRoom = 0.055;  ///< least distance of labels [fraction of the axis]
 
 /// "10⁻⁶", or "0.001" where that is short.
 std::string power_text(int power) {
@@ -81,14 +81,14 @@ std::string from_with(const std::string& style) { return style.substr(style.find
 /// A straight line as dots.
 Points dotted(const Chart& chart, const Points& ends) {
   constexpr int kDots = 60;
-  const auto between = [](double a, double b, double share, bool logarithmic) {
-    return logarithmic ? a * std::pow(b / a, share) : a + share * (b - a);
+  const auto between = [](double a, double b, double fraction, bool logarithmic) {
+    return logarithmic ? a * std::pow(b / a, fraction) : a + fraction * (b - a);
   };
   Points dots;
   for (int k = 0; k <= kDots; ++k) {
-    const double share = static_cast<double>(k) / kDots;
-    dots.push_back({between(ends[0][0], ends[1][0], share, chart.x.logarithmic),
-                    between(ends[0][1], ends[1][1], share, chart.y.logarithmic)});
+    const double fraction = static_cast<double>(k) / kDots;
+    dots.push_back({between(ends[0][0], ends[1][0], fraction, chart.x.logarithmic),
+                    between(ends[0][1], ends[1][1], fraction, chart.y.logarithmic)});
   }
   return dots;
 }
@@ -144,10 +144,10 @@ ChartLook chart_look(std::size_t number) {
   return {std::string(kColors[number % kLooks]), kSymbols[number % kLooks]};
 }
 
-std::string ramp_color(double share) {
+std::string ramp_color(double fraction) {
   constexpr std::array<std::array<double, 3>, 4> kStops{
       {{0x1B, 0x2A, 0x5E}, {0x2A, 0x7F, 0x9E}, {0x4F, 0xB3, 0x7B}, {0xE9, 0xB8, 0x44}}};
-  const double place = std::clamp(share, 0.0, 1.0) * (kStops.size() - 1);
+  const double place = std::clamp(fraction, 0.0, 1.0) * (kStops.size() - 1);
   const auto k = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
   const double t = place - static_cast<double>(k);
   std::string color = "#";

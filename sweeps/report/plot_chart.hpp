@@ -63,8 +63,8 @@ struct Chart {
 inline constexpr std::size_t kLooks = 8;
 /// The look of the series of a number; the ninth is as the first.
 ChartLook chart_look(std::size_t number);
-/// The colour of a place on a scale. @param share  0 … 1
-std::string ramp_color(double share);
+/// The colour of a place on a scale. @param fraction  0 … 1
+std::string ramp_color(double fraction);
 
 report::PlotScript chart_page(const Chart& chart);
 /// The same as characters, a letter a series.

@@ -18,8 +18,8 @@
 namespace plastica::sweeps {
 namespace {
 
-constexpr std::size_t kMostPoints = 5000;  ///< of a cloud; a page shows no more
-constexpr double kLogarithmic = 20.0;      ///< ratio of values from which an axis is logarithmic
+constexpr std::size_t kMaxPoints = 5000;  ///< of a cloud; a page shows no more
+constexpr double kLogarithmic = 20.0;     ///< ratio of values from which an axis is logarithmic
 
 [[noreturn]] void refuse_empty(std::string_view what) {
   throw InputError({}, "--case", "", fmt::format("picks no case with {}", what));
@@ -242,7 +242,7 @@ Chart value_chart(const PlotCases& cases) {
   const std::vector<CaseLine> lines = lines_along(cases, axis);
   LineLooks looks = looks_of(record, lines, axis);
   Chart chart{report::printable(record.name), subtitle_of(record), {}, {}};
-  const std::size_t every = (record.cases() + kMostPoints - 1) / kMostPoints;
+  const std::size_t every = (record.cases() + kMaxPoints - 1) / kMaxPoints;
   const double x_scale = shown_axis(record.axes[axis]).scale;
   const ShownNumbers shown = shown_value(record, largest_value(cases));
   for (std::size_t k = 0; k < lines.size(); ++k) {

@@ -12,7 +12,7 @@
 namespace plastica::sweeps {
 namespace {
 
-constexpr std::size_t kMostClasses = 7;
+constexpr std::size_t kMaxClasses = 7;
 constexpr std::string_view kRampLetters = ".:-=+*#";
 
 std::string bound_text(double value) { return fmt::format("{:.3g}", value); }
@@ -37,8 +37,9 @@ void classify_errors(const PlotCases& cases, CaseClasses& out) {
   for (std::size_t k = 0; k < count; ++k) {
     const std::string name =
         (k == 0 ? "below " : bound_text(bounds[k]) + " … ") + bound_text(bounds[k + 1]) + " %";
-    const double share = count == 1 ? 0.5 : static_cast<double>(k) / static_cast<double>(count - 1);
-    out.classes.push_back({name, ramp_color(share), kRampLetters[k]});
+    const double fraction =
+        count == 1 ? 0.5 : static_cast<double>(k) / static_cast<double>(count - 1);
+    out.classes.push_back({name, ramp_color(fraction), kRampLetters[k]});
   }
   for (std::size_t i = 0; i < record.cases(); ++i) {
     if (!cases.picked[i] || !record.comparison.error[i]) continue;
@@ -62,7 +63,7 @@ void classify_values(const PlotCases& cases, CaseClasses& out) {
   if (!low) return;
   const ShownNumbers shown = shown_value(record, std::max(std::abs(*low), std::abs(*high)));
   out.what = shown.label;
-  const std::size_t count = *high > *low ? kMostClasses : 1;
+  const std::size_t count = *high > *low ? kMaxClasses : 1;
   const double step = (*high - *low) / static_cast<double>(count);
   for (std::size_t k = 0; k < count; ++k) {
     const double from = *low + step * static_cast<double>(k);
@@ -70,7 +71,7 @@ void classify_values(const PlotCases& cases, CaseClasses& out) {
         {count == 1
              ? bound_text(*low / shown.scale)
              : bound_text(from / shown.scale) + " … " + bound_text((from + step) / shown.scale),
-         ramp_color(static_cast<double>(k) / (kMostClasses - 1)), kRampLetters[k]});
+         ramp_color(static_cast<double>(k) / (kMaxClasses - 1)), kRampLetters[k]});
   }
   for (std::size_t i = 0; i < record.cases(); ++i) {
     const auto& value = record.results[i].value;
@@ -112,11 +113,11 @@ std::vector<double> bounds_between(double low, double high) {
     }
     while (bounds.size() > 2 && bounds[1] <= low) bounds.erase(bounds.begin());
     while (bounds.size() > 2 && bounds[bounds.size() - 2] > high) bounds.pop_back();
-    if (bounds.size() <= kMostClasses + 1) break;
+    if (bounds.size() <= kMaxClasses + 1) break;
   }
-  // What is finer than these shares the first class.
-  if (bounds.size() > kMostClasses + 1) {
-    bounds.erase(bounds.begin(), bounds.end() - static_cast<std::ptrdiff_t>(kMostClasses + 1));
+  // What is finer than these fractions the first class.
+  if (bounds.size() > kMaxClasses + 1) {
+    bounds.erase(bounds.begin(), bounds.end() - static_cast<std::ptrdiff_t>(kMaxClasses + 1));
   }
   return bounds;
 }

@@ -17,9 +17,9 @@ namespace {
 using report::in_quotes;
 using report::PlotScript;
 
-constexpr std::size_t kMostPanels = 9;
-constexpr std::size_t kMostNumbers = 80;  ///< of fields whose numbers can be read
-constexpr double kLogarithmicMap = 3.0;   ///< ratio of values from which an axis is logarithmic
+constexpr std::size_t kMaxPanels = 9;
+constexpr std::size_t kMaxNumbers = 80;  ///< of fields whose numbers can be read
+constexpr double kLogarithmicMap = 3.0;  ///< ratio of values from which an axis is logarithmic
 
 /// What is drawn of a sweep: its axes and colours.
 struct Map {
@@ -87,11 +87,11 @@ std::vector<std::vector<std::size_t>> panels_of(const PlotCases& cases, const Ma
     }
     panels[key].push_back(i);
   }
-  if (panels.size() > kMostPanels) {
+  if (panels.size() > kMaxPanels) {
     throw InputError({}, "--case", "",
                      fmt::format("is needed: a picture has at most {} maps, and there are {}; AXIS "
                                  "= VALUE, … picks some",
-                                 kMostPanels, panels.size()));
+                                 kMaxPanels, panels.size()));
   }
   std::vector<std::vector<std::size_t>> all;
   all.reserve(panels.size());
@@ -219,7 +219,7 @@ PlotScript map_page(const PlotCases& cases) {
     script.command(axis_commands(x_axis, 'x') + axis_commands(y_axis, 'y') + "unset label");
     const std::string name = panel_title(record, map, panels[p]);
     script.begin_panel(single ? in_quotes(title) + ".\"\\n\"." + in_quotes(name) : in_quotes(name));
-    if (panels[p].size() * panels.size() <= kMostNumbers) {
+    if (panels[p].size() * panels.size() <= kMaxNumbers) {
       add_numbers(script, record, map, panels[p]);
     }
     add_fields(script, record, map, panels[p], x, y);

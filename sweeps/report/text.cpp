@@ -41,11 +41,11 @@ std::string block_text(const std::vector<CaseColumn>& names, const CaseBlock& bl
 
 }  // namespace
 
-std::string sweep_report(const SweepRecord& record, std::size_t most_cases) {
+std::string sweep_report(const SweepRecord& record, std::size_t max_cases) {
   std::string text = head(record);
-  const bool many = most_cases > 0 && record.cases() > most_cases;
+  const bool many = max_cases > 0 && record.cases() > max_cases;
   if (many && !record.refined) return text + "\n" + spread_report(record);
-  const CaseRows all = case_rows(record, most_cases);
+  const CaseRows all = case_rows(record, max_cases);
   for (const CaseBlock& block : all.blocks) text += block_text(all.columns, block);
   if (many) {
     text += fmt::format("\n{} more cases; export has them all. Of all cases:\n\n", all.left_out) +

@@ -81,7 +81,7 @@ void measure_probe(const Response& response, const Quantity& quantity, CaseResul
   const std::span<const double> values(all.data(), response.samples);
   if (values.empty()) return;
   result.last_value = values.back();
-  if (!is_whole(response.status)) return;
+  if (!is_complete(response.status)) return;
   const std::vector<double> time = times_of(response);
   if (quantity.is_curve()) {
     result.time = time;
@@ -135,7 +135,7 @@ CaseResult result_of_run(const BatchRow& row, const Quantity& quantity) {
   }
   if (quantity.kind == QuantityKind::Probe) {
     measure_probe(response, quantity, result);
-  } else if (is_whole(response.status)) {
+  } else if (is_complete(response.status)) {
     const Measured measured = quantity_of(response, quantity);
     result.value = measured.value;
     result.reason = measured.reason;

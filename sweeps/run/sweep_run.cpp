@@ -46,7 +46,7 @@ SweepRun::SweepRun(const Sweep& sweep, SweepRunOptions options)
   }
   take_earlier();
   const std::size_t there = options_.earlier.size() + (journal_ ? journal_->found() : 0);
-  if (there > 0 && taken_ == 0 && !options_.rerun_failed && !options_.journal.force) {
+  if (there > 0 && resumed_ == 0 && !options_.rerun_failed && !options_.journal.force) {
     const std::string other = journal_ ? journal_->other_instruction_set() : std::string();
     throw InputError({options_.journal.path, 0}, "", "",
                      "has no case of this sweep, nor has its output: " +
@@ -71,7 +71,7 @@ void SweepRun::take_earlier() {
         !results_[i] && earlier != options_.earlier.end() && wanted(earlier->second)) {
       results_[i] = earlier->second;
     }
-    if (results_[i]) taken_ += shared_by_[i];
+    if (results_[i]) resumed_ += shared_by_[i];
   }
 }
 
@@ -126,7 +126,7 @@ void SweepRun::run_missing(const std::vector<std::size_t>& missing) {
 }
 
 std::vector<CaseResult> SweepRun::run() {
-  progress_ = {.taken = taken_, .total = ids_.size()};
+  progress_ = {.resumed = resumed_, .total = ids_.size()};
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     if (owner_[i] != i) continue;

@@ -17,9 +17,9 @@ namespace plastica::sweeps {
 
 /// How far a sweep has come.
 struct SweepProgress {
-  std::size_t done = 0;    ///< those that were taken from earlier runs included
-  std::size_t failed = 0;  ///< of the done: without a usable status
-  std::size_t taken = 0;   ///< of the done: from earlier runs, so that they took no time
+  std::size_t done = 0;     ///< those that were resumed from earlier runs included
+  std::size_t failed = 0;   ///< of the done: without a usable status
+  std::size_t resumed = 0;  ///< of the done: from earlier runs, so that they took no time
   std::size_t total = 0;
 };
 
@@ -49,8 +49,8 @@ class SweepRun {
   const CaseTable& cases() const { return cases_; }
   /// Ids of all cases, in their order.
   const std::vector<std::string>& ids() const { return ids_; }
-  /// Number of cases taken from journal and earlier results.
-  std::size_t taken() const { return taken_; }
+  /// Number of cases resumed from journal and earlier results.
+  std::size_t resumed() const { return resumed_; }
   /// Null where no journal is kept.
   const io::CaseJournal* journal() const { return journal_ ? &*journal_ : nullptr; }
 
@@ -83,7 +83,7 @@ class SweepRun {
   std::vector<std::size_t> shared_by_;  ///< how many cases have the id of an owner (n_cases)
   std::optional<io::CaseJournal> journal_;
   std::vector<std::optional<CaseResult>> results_;  ///< of owners (n_cases)
-  std::size_t taken_ = 0;
+  std::size_t resumed_ = 0;
   SweepProgress progress_;
   std::function<void(const SweepProgress&)> report_;
   bool complete_ = false;

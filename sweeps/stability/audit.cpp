@@ -70,13 +70,13 @@ class Shape {
   }
 
   /// The segment of a place: the one that ends there, or has it inside.
-  std::size_t segment_at(double share) const {
-    const auto after = std::lower_bound(ends_.begin() + 1, ends_.end() - 1, share - 1e-12);
+  std::size_t segment_at(double fraction) const {
+    const auto after = std::lower_bound(ends_.begin() + 1, ends_.end() - 1, fraction - 1e-12);
     return static_cast<std::size_t>(after - ends_.begin()) - 1;
   }
-  Space point(double share) const {
-    const std::size_t i = segment_at(share);
-    const double within = (share - ends_[i]) / (ends_[i + 1] - ends_[i]);
+  Space point(double fraction) const {
+    const std::size_t i = segment_at(fraction);
+    const double within = (fraction - ends_[i]) / (ends_[i + 1] - ends_[i]);
     return plus(node(i), times(within, minus(node(i + 1), node(i))));
   }
 
@@ -94,7 +94,7 @@ class Shape {
 
 /// A force with a moment on a segment.
 struct Act {
-  double share = 0.0;        ///< of the place
+  double fraction = 0.0;     ///< of the place
   bool holds_start = false;  ///< of a support at the start, behind the first joint
   Space at{};
   Space force{};
@@ -122,17 +122,17 @@ std::optional<std::vector<Act>> acts_on(const Setup& setup, const Response& resp
   std::vector<Act> acts;
   for (const Load& load : scene.loads) {
     const double factor = load.history.at(time);
-    const double share = share_of(load.at, shape.ends());
+    const double fraction = fraction_of(load.at, shape.ends());
     if (load.to) {
       if (load.moment != Space{} || load.follows) return std::nullopt;
-      add_spread(shape, share, share_of(*load.to, shape.ends()),
+      add_spread(shape, fraction, fraction_of(*load.to, shape.ends()),
                  times(factor * scene.beam.length, load.force), acts);
       continue;
     }
     Space force = times(factor, load.force);
     Space moment = times(factor, load.moment);
     if (load.follows) {
-      const Space by = shape.rotation(shape.segment_at(share));
+      const Space by = shape.rotation(shape.segment_at(fraction));
       force = turned(by, force);
       moment = turned(by, moment);
     }
@@ -144,11 +144,11 @@ std::optional<std::vector<Act>> acts_on(const Setup& setup, const Response& resp
       moment = times(0.5, moment);
       acts.push_back({0.5 * (shape.ends()[beyond] + shape.ends()[beyond + 1]),
                       false,
-                      shape.point(share),
+                      shape.point(fraction),
                       {},
                       moment});
     }
-    acts.push_back({share, false, shape.point(share), force, moment});
+    acts.push_back({fraction, false, shape.point(fraction), force, moment});
   }
   if (scene.gravity != Space{}) {
     const double area = section_properties(scene.section, scene.material.poisson_ratio).area;
@@ -157,15 +157,15 @@ std::optional<std::vector<Act>> acts_on(const Setup& setup, const Response& resp
     add_spread(shape, 0.0, 1.0, times(weight, scene.gravity), acts);
   }
   for (std::size_t s = 0; s < scene.supports.size(); ++s) {
-    const double share = share_of(scene.supports[s].at, shape.ends());
-    acts.push_back(
-        {share, share == 0.0, shape.point(share), shape.reaction(s), shape.reaction_moment(s)});
+    const double fraction = fraction_of(scene.supports[s].at, shape.ends());
+    acts.push_back({fraction, fraction == 0.0, shape.point(fraction), shape.reaction(s),
+                    shape.reaction_moment(s)});
   }
   return acts;
 }
 
-std::string over(std::string_view what, double share) {
-  return std::string(what) + " by " + report::significant(share, 3);
+std::string over(std::string_view what, double fraction) {
+  return std::string(what) + " by " + report::significant(fraction, 3);
 }
 
 std::optional<std::string> check_lengths(const Setup& setup, const Response& response,
@@ -223,7 +223,7 @@ std::optional<std::string> check_balance(const Setup& setup, const Response& res
   if (!acts) return std::nullopt;
   // From the free end inwards: what lies beyond each joint.
   std::stable_sort(acts->begin(), acts->end(), [](const Act& a, const Act& b) {
-    return a.holds_start != b.holds_start ? b.holds_start : a.share > b.share;
+    return a.holds_start != b.holds_start ? b.holds_start : a.fraction > b.fraction;
   });
   const double length = setup.scene.beam.length;
   double largest_force = 0.0;
@@ -264,7 +264,7 @@ std::optional<std::string> check_balance(const Setup& setup, const Response& res
   about = shape.node(n);
   for (std::size_t i = n; i-- > 0;) {
     take(i, [&](const Act& act) {
-      return i == 0 ? !act.holds_start : act.share > shape.ends()[i] + 1e-12;
+      return i == 0 ? !act.holds_start : act.fraction > shape.ends()[i] + 1e-12;
     });
     if (shifts) continue;
     worst = std::max(

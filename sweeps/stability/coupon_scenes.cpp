@@ -58,7 +58,7 @@ StabilityCase linear(const Knobs& knobs) {
   Scene& scene = made.setup.scene;
   scene.material.hardening.law = HardeningLaw::Linear;
   scene.material.hardening.tangent_modulus = 0.1 * knobs.youngs_modulus;
-  scene.material.hardening.kinematic_share = 0.5;
+  scene.material.hardening.kinematic_fraction = 0.5;
   const double stress = theory::bilinear_stress(scene.drive.strain[2], knobs.youngs_modulus,
                                                 knobs.yield_stress, 0.1 * knobs.youngs_modulus);
   made.expected.references = {

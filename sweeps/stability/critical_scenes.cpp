@@ -19,7 +19,7 @@ using std::numbers::pi;
 double complete_first(double m) { return theory::carlson_rf(0.0, 1.0 - m, 1.0); }
 
 void set_steps(StabilityCase& made, const Knobs& knobs) {
-  made.setup.solver.steps = whole(knobs.path_steps);
+  made.setup.solver.steps = rounded(knobs.path_steps);
 }
 
 /// A cantilever under a force across its tip, P L^2/(E I) = flexibility: the tip turns by no more
@@ -144,7 +144,7 @@ StabilityCase pulled_hinge(const Knobs& knobs) {
 
 /// A cantilever that is half as deep from `place` on, under a force across its tip; the other way
 /// round it is clamped at its end and deep up to there. Deflection of the tip by the unit-load
-/// integral of both parts.
+/// integral of both terms.
 StabilityCase stepped_of(const Knobs& knobs, bool exchanged) {
   StabilityCase made = beam(knobs, Level::Planar, YieldModel::Elastic);
   Scene& scene = made.setup.scene;

@@ -20,7 +20,7 @@ StabilityCase vibration_on(const Knobs& knobs, Level level) {
   StabilityCase made = beam(knobs, level, YieldModel::Elastic);
   Scene& scene = made.setup.scene;
   const Numbers b(knobs);
-  const int n = whole(knobs.segments);
+  const int n = rounded(knobs.segments);
   const double l = b.L / b.n;
   const double s = std::sin(std::numbers::pi / (2.0 * b.n));
   const double mass = b.rho_A * l * (1.0 - 2.0 * s * s / 3.0) + 4.0 * s * s * b.rho_I / l;

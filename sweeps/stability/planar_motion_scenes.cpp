@@ -41,7 +41,7 @@ StabilityCase settles(const Knobs& knobs) {
   const double left = std::exp(-slowest * omega * made.setup.solver.duration);
   if (small < 0.03 && knobs.mass_ratio == 1.0 && left < 1e-3 && knobs.damping > 0.0) {
     const double ratio =
-        theory::self_weight_ratio(theory::ChainConvention::HalfJoint, whole(knobs.segments));
+        theory::self_weight_ratio(theory::ChainConvention::HalfJoint, rounded(knobs.segments));
     made.expected.references.push_back({.what = "settled tip",
                                         .probe = tip,
                                         .value = -ratio * small * b.L / 8.0,
@@ -98,7 +98,7 @@ StabilityCase bursts(const Knobs& knobs) {
   Scene& scene = made.setup.scene;
   const Numbers b(knobs);
   in_motion(made, knobs, free_period(b));
-  const int n = whole(knobs.segments);
+  const int n = rounded(knobs.segments);
   const double speed = knobs.load * kNominalYield / std::sqrt(knobs.youngs_modulus * 7850.0);
   for (int i = 0; i < n; ++i) {
     InitialMotion motion{.from = {0.0, i}, .to = {0.0, i + 1}};
@@ -140,7 +140,7 @@ StabilityCase reversed(const Knobs& knobs) {
   history.time = {0.0};
   history.factor = {1.0};
   const double h = made.setup.solver.time_step;
-  const int turns = whole(knobs.steps / knobs.reversal);
+  const int turns = rounded(knobs.steps / knobs.reversal);
   for (int k = 1; k <= turns; ++k) {
     history.time.push_back(k * knobs.reversal * h);
     history.factor.push_back(k % 2 == 0 ? 1.0 : -1.0);

@@ -19,9 +19,9 @@ using theory::ChainConvention;
 /// Tip deflection over L of the elastica under alpha = P L^2/(E I). Beyond 1e4 all but a boundary
 /// layer of sqrt(E I/P) hangs straight down.
 double elastica_tip(double alpha) {
-  constexpr double kMost = 1e4;
-  if (alpha <= kMost) return theory::elastica_tip_force(alpha).deflection;
-  return 1.0 - (1.0 - theory::elastica_tip_force(kMost).deflection) * std::sqrt(kMost / alpha);
+  constexpr double kMax = 1e4;
+  if (alpha <= kMax) return theory::elastica_tip_force(alpha).deflection;
+  return 1.0 - (1.0 - theory::elastica_tip_force(kMax).deflection) * std::sqrt(kMax / alpha);
 }
 
 /// Adds what is known of the tip under a force across it: of the chain where deflections are small,
@@ -35,7 +35,7 @@ void expect_tip(StabilityCase& made, double force, double ratio) {
   const double beam = elastica_tip(alpha) * L;
   Reference reference{.what = "tip deflection", .probe = tip, .value = beam, .size = beam};
   if (alpha <= 0.1) {
-    // Finite rotations take the same share of both.
+    // Finite rotations take the same fraction of both.
     reference.value = ratio * beam;
     reference.tolerance = 1e-9 + 0.05 * alpha * alpha;
     reference.continuum = beam;
@@ -53,7 +53,7 @@ StabilityCase force(const Knobs& knobs) {
   const Numbers b(knobs);
   const double P = knobs.load * b.yield / b.L;
   push(made, Place::end(), {0.0, P, 0.0}, {});
-  expect_tip(made, P, theory::tip_force_ratio(ChainConvention::HalfJoint, whole(knobs.segments)));
+  expect_tip(made, P, theory::tip_force_ratio(ChainConvention::HalfJoint, rounded(knobs.segments)));
   return made;
 }
 
@@ -63,7 +63,8 @@ StabilityCase weight(const Knobs& knobs) {
   const double w = 2.0 * knobs.load * b.yield / (b.L * b.L);
   made.setup.scene.gravity = {0.0, -w / b.rho_A, 0.0};
   const double small = w * b.L * b.L * b.L / b.EI;
-  const double ratio = theory::self_weight_ratio(ChainConvention::HalfJoint, whole(knobs.segments));
+  const double ratio =
+      theory::self_weight_ratio(ChainConvention::HalfJoint, rounded(knobs.segments));
   const std::size_t tip = probe(made, ProbeQuantity::Displacement, Place::end(), Component::Y);
   if (small < 0.03 && knobs.mass_ratio == 1.0) {
     const double beam = -small * b.L / 8.0;
@@ -85,7 +86,7 @@ StabilityCase roll(const Knobs& knobs) {
   // The beam lies along z; a moment about x turns z towards -y.
   const std::size_t y = probe(made, ProbeQuantity::Displacement, Place::end(), Component::Y);
   const std::size_t z = probe(made, ProbeQuantity::Displacement, Place::end(), Component::Z);
-  const int n = whole(knobs.segments);
+  const int n = rounded(knobs.segments);
   const double turn = knobs.load * 2.0 * std::numbers::pi;
   if (turn < 2.0 * std::numbers::pi * n) {
     // The last segment has the end's half turn, too: it lies along the end's tangent.
@@ -108,7 +109,7 @@ StabilityCase roll(const Knobs& knobs) {
 StabilityCase column(const Knobs& knobs) {
   StabilityCase made = cantilever(knobs, Level::Planar, YieldModel::Elastic);
   const Numbers b(knobs);
-  const int n = whole(knobs.segments);
+  const int n = rounded(knobs.segments);
   const double P = knobs.load * theory::buckling_load(n, b.EI, b.L);
   const double Q = 1e-3 * P;
   push(made, Place::end(), {0.0, Q, -P}, {});
@@ -160,7 +161,7 @@ StabilityCase fibres(const Knobs& knobs) {
   const double ratio = knobs.load * kNominalYield / knobs.yield_stress;
   const double bent = P * b.L * b.L / b.EI;
   if (ratio < 1.45 && bent < 0.1) {
-    const int n = whole(knobs.segments);
+    const int n = rounded(knobs.segments);
     const double unit = P / ratio * b.L * b.L * b.L / (3.0 * b.EI);
     made.expected.references.push_back(
         {.what = "greatest tip deflection",
@@ -199,7 +200,7 @@ StabilityCase pillar(const Knobs& knobs) {
   StabilityCase made = cantilever(knobs, Level::Planar, YieldModel::Elastic);
   const Numbers b(knobs);
   const double P = knobs.load * b.yield / b.L;
-  const double ratio = theory::tip_force_ratio(ChainConvention::HalfJoint, whole(knobs.segments));
+  const double ratio = theory::tip_force_ratio(ChainConvention::HalfJoint, rounded(knobs.segments));
   const double compliance = ratio * b.L * b.L * b.L / (3.0 * b.EI);
   push(made, Place::end(), {0.0, -P, 0.0}, {});
   Support pillar;

@@ -12,11 +12,11 @@
 namespace plastica::sweeps::stability {
 namespace {
 
-constexpr double kMostSegmentSteps = 1e9;
+constexpr double kMaxSegmentSteps = 1e9;
 
 /// A motion of many segments takes fewer steps than its scene's: so many segment-steps.
 constexpr double kManySegmentSteps = 2e6;
-constexpr double kFewestSteps = 20.0;
+constexpr double kMinSteps = 20.0;
 
 /// Powers of ten between two of them, both included, every `by`-th.
 std::vector<double> decades(int from, int to, int by = 1) {
@@ -93,7 +93,7 @@ StabilityPoint point_of(const BaseScene& scene, std::vector<AxisValue> at) {
   const bool counts = std::any_of(point.at.begin(), point.at.end(),
                                   [](const AxisValue& value) { return value.axis == "steps"; });
   if (moves && !counts && point.knobs.segments * point.knobs.steps > kManySegmentSteps) {
-    point.knobs.steps = std::max(kFewestSteps, kManySegmentSteps / point.knobs.segments);
+    point.knobs.steps = std::max(kMinSteps, kManySegmentSteps / point.knobs.segments);
   }
   point.segment_steps = scene.level == Level::Coupon
                             ? 6.0
@@ -131,7 +131,7 @@ std::vector<StabilityPoint> stability_points() {
   std::vector<StabilityPoint> points;
   std::set<std::string> known;
   const auto add = [&](StabilityPoint point) {
-    if (point.segment_steps > kMostSegmentSteps || !known.insert(point.id).second) return;
+    if (point.segment_steps > kMaxSegmentSteps || !known.insert(point.id).second) return;
     points.push_back(std::move(point));
   };
   for (const BaseScene& scene : base_scenes()) {

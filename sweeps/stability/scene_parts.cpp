@@ -27,7 +27,7 @@ void weigh(const Knobs& knobs, Scene& scene) {
 
 }  // namespace
 
-int whole(double number) { return static_cast<int>(std::lround(number)); }
+int rounded(double number) { return static_cast<int>(std::lround(number)); }
 
 Numbers::Numbers(const Knobs& knobs)
     : L(knobs.length), h(knobs.length / knobs.slenderness), n(knobs.segments) {
@@ -53,7 +53,7 @@ StabilityCase beam(const Knobs& knobs, Level level, YieldModel model) {
   scene.material.density = kDensity;
   scene.section.width = scene.section.height = knobs.length / knobs.slenderness;
   scene.beam.length = knobs.length;
-  scene.beam.segments = whole(knobs.segments);
+  scene.beam.segments = rounded(knobs.segments);
   scene.yield_model = model;
   weigh(knobs, scene);
   made.setup.solver.level = level;
@@ -93,10 +93,10 @@ void push(StabilityCase& made, Place at, const std::array<double, 3>& force,
 void in_motion(StabilityCase& made, const Knobs& knobs, double period) {
   SolverOptions& solver = made.setup.solver;
   solver.analysis = Analysis::Dynamics;
-  solver.scheme = static_cast<Scheme>(whole(knobs.scheme));
+  solver.scheme = static_cast<Scheme>(rounded(knobs.scheme));
   solver.time_step = knobs.time_step > 0.0 ? knobs.time_step : period / knobs.steps_in_period;
   solver.duration = knobs.steps * solver.time_step;
-  solver.steps = std::min(whole(knobs.steps), 50);
+  solver.steps = std::min(rounded(knobs.steps), 50);
   if (knobs.damping > 0.0) {
     // Of a mode of frequency omega, c/c_critical = damping_time omega/2.
     solver.damping = Damping::Stiffness;

@@ -46,6 +46,6 @@ double bending_period(const Numbers& beam);
 double twisting_period(const Numbers& beam);
 
 /// 1, or how many of a chain's parts a number of segments makes: integers of knobs.
-int whole(double number);
+int rounded(double number);
 
 }  // namespace plastica::sweeps::stability::parts

@@ -34,16 +34,16 @@ StabilityCase forces(const Knobs& knobs) {
     // The torque gives the last joint the half segment at the tip as well: with P h there and an
     // arm of h it adds P h (h/2) h/(E I), 3/(2 N^3) of P L^3/(3 E I).
     const double ratio =
-        theory::tip_force_ratio(theory::ChainConvention::HalfJoint, whole(knobs.segments)) +
+        theory::tip_force_ratio(theory::ChainConvention::HalfJoint, rounded(knobs.segments)) +
         1.5 / (b.n * b.n * b.n);
     const double unit = P * b.L * b.L * b.L / (3.0 * b.EI);
-    for (const auto& [number, share] : {std::pair{x, 0.6}, std::pair{y, 0.8}}) {
+    for (const auto& [number, fraction] : {std::pair{x, 0.6}, std::pair{y, 0.8}}) {
       made.expected.references.push_back({.what = "tip deflection",
                                           .probe = number,
-                                          .value = ratio * share * unit,
+                                          .value = ratio * fraction * unit,
                                           .size = unit,
                                           .tolerance = 1e-8 + alpha * 0.1 + alpha * alpha,
-                                          .continuum = share * unit});
+                                          .continuum = fraction * unit});
     }
   }
   return made;

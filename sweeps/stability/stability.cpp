@@ -67,11 +67,11 @@ void run_point(const StabilityPoint& point, const StabilityOptions& options, Sta
     const Model model = prepare(made.setup.scene, made.setup.solver);
     Response response = make_response(model);
     Workspace workspace = make_workspace(model);
-    const double most = std::max(4.0 * point.segment_steps, options.least_segment_steps);
+    const double most = std::max(4.0 * point.segment_steps, options.min_segment_steps);
     double taken = 0.0;
     workspace.on_progress = [&](double /*time*/) {
       taken += point.knobs.segments;
-      return taken < most && seconds_since(began) < options.most_seconds;
+      return taken < most && seconds_since(began) < options.max_seconds;
     };
     workspace.stop = options.stop;
     run(model, {}, workspace, response);
@@ -84,7 +84,7 @@ void run_point(const StabilityPoint& point, const StabilityOptions& options, Sta
     row.energy_balance_error = response.energy_balance_error;
     row.segment_steps = response.counters.steps * point.knobs.segments;
   } catch (const InputError& error) {
-    row.verdict = {Soundness::Failed, error.what()};
+    row.verdict = {Validity::Failed, error.what()};
     row.status = Status::Rejected;
   }
   row.seconds = seconds_since(began);

@@ -47,9 +47,9 @@ struct StabilityOptions {
   double max_segment_steps = 1e9;
   /// A point is stopped, as failed, when it has taken four times its estimated segment-steps, but
   /// not before so many [1].
-  double least_segment_steps = 2e5;
+  double min_segment_steps = 2e5;
   /// A point that takes longer ends as failed, "interrupted" [s].
-  double most_seconds = 60.0;
+  double max_seconds = 60.0;
   int threads = 0;  ///< 0: as many as the machine has
   /// Once raised, no further point is begun, and those under way end within a step and count as not
   /// begun. May be null.

@@ -82,7 +82,7 @@ void add_axis(const Axis& axis, std::span<const StabilityRow> rows, const Lines&
   for (const StabilityRow& row : rows) {
     if (!row.begun || row.at.size() != 1 || row.at[0].axis != axis.name) continue;
     const auto line = std::find(lines.scene.begin(), lines.scene.end(), row.scene);
-    points[static_cast<std::size_t>(row.verdict.soundness)].push_back(
+    points[static_cast<std::size_t>(row.verdict.validity)].push_back(
         {place_of(axis, row.at[0].value),
          lines.height[static_cast<std::size_t>(line - lines.scene.begin())]});
   }
@@ -106,7 +106,7 @@ void add_axis(const Axis& axis, std::span<const StabilityRow> rows, const Lines&
     script.add_series(script.add_points(points[k]),
                       "using 1:2 with points pointtype 5 pointsize 0.35 linecolor rgb '" +
                           std::string(kColours[k]) + "'",
-                      k == 3 ? "wrong without saying so" : kSoundness[k]);
+                      k == 3 ? "undetected error" : kValidity[k]);
   }
   script.end_panel();
 }

@@ -21,7 +21,7 @@ const BaseScene& scene_of(const StabilityRow& row) {
 /// The points of one scene along one axis, by value.
 struct Scan {
   const BaseScene* scene = nullptr;
-  std::vector<std::pair<double, Soundness>> points;
+  std::vector<std::pair<double, Validity>> points;
 };
 
 /// Where on a scan the normal value is; 0 where steps follow the period.
@@ -34,17 +34,17 @@ struct Ends {
   bool open_high;
 };
 
-/// The sound range around a value; a scan without a normal value has its longest one.
-std::optional<Ends> sound_range(const Scan& scan, double normal) {
+/// The valid range around a value; a scan without a normal value has its longest one.
+std::optional<Ends> valid_range(const Scan& scan, double normal) {
   const auto& points = scan.points;
   std::optional<Ends> best;
   for (std::size_t i = 0; i < points.size();) {
-    if (points[i].second != Soundness::Sound) {
+    if (points[i].second != Validity::Valid) {
       ++i;
       continue;
     }
     std::size_t j = i;
-    while (j + 1 < points.size() && points[j + 1].second == Soundness::Sound) ++j;
+    while (j + 1 < points.size() && points[j + 1].second == Validity::Valid) ++j;
     const Ends ends{points[i].first, points[j].first, i == 0, j + 1 == points.size()};
     const bool around = normal > 0.0 && ends.low <= normal && normal <= ends.high;
     const bool longer =
@@ -71,14 +71,14 @@ std::string_view word_of(Level level) {
   return "auto";
 }
 
-std::vector<LevelCount> count_soundness(std::span<const StabilityRow> rows) {
+std::vector<LevelCount> count_validity(std::span<const StabilityRow> rows) {
   std::map<std::pair<int, int>, LevelCount> counts;
   for (const StabilityRow& row : rows) {
     if (!row.begun) continue;
     LevelCount& count = counts[{static_cast<int>(row.level), static_cast<int>(row.analysis)}];
     count.level = row.level;
     count.analysis = row.analysis;
-    ++count.points[static_cast<std::size_t>(row.verdict.soundness)];
+    ++count.points[static_cast<std::size_t>(row.verdict.validity)];
   }
   std::vector<LevelCount> all;
   all.reserve(counts.size());
@@ -101,7 +101,7 @@ std::vector<SafeRange> safe_ranges(std::span<const StabilityRow> rows) {
       Scan& scan =
           scans[{a, static_cast<int>(row.level), static_cast<int>(row.analysis)}][row.scene];
       scan.scene = &scene;
-      scan.points.emplace_back(here ? row.at[0].value : normal, row.verdict.soundness);
+      scan.points.emplace_back(here ? row.at[0].value : normal, row.verdict.validity);
     }
   }
   std::vector<SafeRange> ranges;
@@ -118,7 +118,7 @@ std::vector<SafeRange> safe_ranges(std::span<const StabilityRow> rows) {
     range.high = std::numeric_limits<double>::infinity();
     for (auto& [name, scan] : scenes) {
       std::sort(scan.points.begin(), scan.points.end());
-      const auto ends = sound_range(scan, normal_value(*scan.scene, axis));
+      const auto ends = valid_range(scan, normal_value(*scan.scene, axis));
       if (!ends) {
         range.low = 1.0;
         range.high = 0.0;
@@ -140,7 +140,7 @@ std::vector<SafeRange> safe_ranges(std::span<const StabilityRow> rows) {
 
 std::string summary_text(std::span<const StabilityRow> rows) {
   std::string text =
-      "| level | points | sound | inaccurate | failed | silent |\n|---|---|---|---|---|---|\n";
+      "| level | points | valid | inaccurate | failed | undetected |\n|---|---|---|---|---|---|\n";
   std::array<std::size_t, 4> total{};
   const auto line = [&](const std::string& name, const std::array<std::size_t, 4>& points) {
     std::size_t sum = 0;
@@ -149,7 +149,7 @@ std::string summary_text(std::span<const StabilityRow> rows) {
     for (const std::size_t count : points) text += " | " + std::to_string(count);
     text += " |\n";
   };
-  for (const LevelCount& count : count_soundness(rows)) {
+  for (const LevelCount& count : count_validity(rows)) {
     const bool moves = count.analysis == Analysis::Dynamics;
     const std::string name(word_of(count.level));
     line(count.level == Level::Coupon ? name : name + (moves ? ", dynamics" : ", statics"),
@@ -160,9 +160,9 @@ std::string summary_text(std::span<const StabilityRow> rows) {
 
   const std::vector<SafeRange> ranges = safe_ranges(rows);
   std::vector<std::pair<Level, Analysis>> columns;
-  for (const LevelCount& count : count_soundness(rows))
+  for (const LevelCount& count : count_validity(rows))
     columns.emplace_back(count.level, count.analysis);
-  text += "\n| sound for all scenes |";
+  text += "\n| valid for all scenes |";
   for (const auto& [level, analysis] : columns) {
     text += " " + std::string(word_of(level)) +
             (level == Level::Coupon           ? ""
@@ -206,7 +206,7 @@ std::string rows_csv(std::span<const StabilityRow> rows) {
       text +=
           i < row.at.size() ? ',' + row.at[i].axis + ',' + report::brief(row.at[i].value) : ",,";
     }
-    text += ',' + std::string(kSoundness[static_cast<std::size_t>(row.verdict.soundness)]) + ',' +
+    text += ',' + std::string(kValidity[static_cast<std::size_t>(row.verdict.validity)]) + ',' +
             report::csv_cell(row.verdict.reason) + ',' + std::string(name_of(row.status)) + ',' +
             report::significant(row.energy_balance_error, 3) + ',' +
             report::significant(row.segment_steps, 6) + ',' + report::significant(row.seconds, 3) +

@@ -10,7 +10,7 @@
 
 namespace plastica::sweeps::stability {
 
-/// How many points of a level are in each class, in the order of Soundness.
+/// How many points of a level are in each class, in the order of Validity.
 struct LevelCount {
   Level level = Level::Planar;
   Analysis analysis = Analysis::Statics;
@@ -18,9 +18,9 @@ struct LevelCount {
 };
 
 /// Counts of rows by level and analysis, those that have any, from the least level up.
-std::vector<LevelCount> count_soundness(std::span<const StabilityRow> rows);
+std::vector<LevelCount> count_validity(std::span<const StabilityRow> rows);
 
-/// Between which values of an axis all scenes of a level are sound.
+/// Between which values of an axis all scenes of a level are valid.
 struct SafeRange {
   Level level = Level::Planar;
   Analysis analysis = Analysis::Statics;
@@ -28,8 +28,8 @@ struct SafeRange {
   std::string unit;
   std::size_t scenes = 0;  ///< that are scanned along the axis
   double low = 0.0;   ///< the widest range around the scenes' normal values in which every point
-  double high = 0.0;  ///< is sound
-  bool open_low = false;  ///< whether the range ends where the scan does, not at an unsound point
+  double high = 0.0;  ///< is valid
+  bool open_low = false;  ///< whether the range ends where the scan does, not at an invalid point
   bool open_high = false;
 };
 

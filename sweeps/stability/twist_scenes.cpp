@@ -53,7 +53,7 @@ StabilityCase held_twisted(const Knobs& knobs) {
   const Numbers b(knobs);
   const double T = knobs.load * b.twist_yield;
   const double middle = std::floor(knobs.segments / 2.0);
-  push(made, {0.0, whole(middle)}, {}, {0.0, 0.0, T});
+  push(made, {0.0, rounded(middle)}, {}, {0.0, 0.0, T});
   const std::size_t start =
       probe(made, ProbeQuantity::ReactionMoment, Place::start(), Component::Z);
   // Half of the torque is on each side of the joint, middle - 1/2 and middle + 1/2 joint lengths
@@ -85,7 +85,7 @@ StabilityCase breaks_twisted(const Knobs& knobs) {
 StabilityCase vibration_twisted(const Knobs& knobs) {
   StabilityCase made = beam(knobs, Level::Twist, YieldModel::Elastic);
   const Numbers b(knobs);
-  const int n = whole(knobs.segments);
+  const int n = rounded(knobs.segments);
   const double part = b.L / b.n;
   const double omega = 2.0 * std::sin(std::numbers::pi / (2.0 * b.n)) *
                        std::sqrt(b.GJ / part / (2.0 * b.rho_I * part));

@@ -12,9 +12,9 @@
 namespace plastica::sweeps::stability {
 namespace {
 
-using enum Soundness;
+using enum Validity;
 
-std::string percent(double share) { return report::significant(100.0 * share, 3) + " %"; }
+std::string percent(double fraction) { return report::significant(100.0 * fraction, 3) + " %"; }
 
 /// The warning of a scene that names its steps; empty if there is none.
 std::optional<std::string> step_warning(const Setup& setup) {
@@ -37,9 +37,9 @@ struct EnergyBalance {
 EnergyBalance balance_of(const Response& response) {
   EnergyBalance balance;
   for (const Energies& e : std::span(response.chain.energy).first(response.samples)) {
-    for (const double part : {e.elastic, e.kinetic, e.plastic, e.damping, e.impact, e.fracture,
+    for (const double term : {e.elastic, e.kinetic, e.plastic, e.damping, e.impact, e.fracture,
                               e.external, e.numerical_dissipation}) {
-      balance.size = std::max(balance.size, std::fabs(part));
+      balance.size = std::max(balance.size, std::fabs(term));
     }
     balance.residual = std::max(balance.residual, std::fabs(e.residual));
     balance.made = std::max(balance.made, -e.numerical_dissipation);
@@ -54,7 +54,7 @@ Verdict missed(const Setup& setup, std::string reason) {
     if (const auto warning = step_warning(setup))
       return {Inaccurate, reason + "; warned: " + *warning};
   }
-  return {Silent, std::move(reason)};
+  return {Undetected, std::move(reason)};
 }
 
 std::optional<Verdict> check_kept(const Setup& setup, const Response& response,
@@ -97,27 +97,28 @@ std::optional<Verdict> check_limit(const Setup& setup, const Response& response,
                                    const Expectation& expected) {
   if (response.status != Status::LimitLoad) {
     if (!expected.limit) return std::nullopt;
-    return Verdict{
-        Silent, "went on beyond the limit load factor of " + report::significant(*expected.limit)};
+    return Verdict{Undetected, "went on beyond the limit load factor of " +
+                                   report::significant(*expected.limit)};
   }
   if (setup.scene.yield_model == YieldModel::Elastic) {
     if (expected.may_reverse) return Verdict{Failed, "limit-load"};
-    return Verdict{Silent, "a limit load of an elastic beam"};
+    return Verdict{Undetected, "a limit load of an elastic beam"};
   }
   if (!expected.limit) return std::nullopt;
   const double miss =
       std::max(*expected.limit - response.limit->above, response.limit->below - *expected.limit);
   if (miss <= kAccurate * *expected.limit) return std::nullopt;
-  return Verdict{Silent, "the limit load factor is " + report::significant(response.limit->below) +
-                             " for " + report::significant(*expected.limit)};
+  return Verdict{Undetected, "the limit load factor is " +
+                                 report::significant(response.limit->below) + " for " +
+                                 report::significant(*expected.limit)};
 }
 
 }  // namespace
 
 Verdict judge(const Setup& setup, const Response& response, const Expectation& expected) {
-  if (!is_whole(response.status)) return {Failed, std::string(name_of(response.status))};
-  if (response.samples == 0) return {Silent, "no sample"};
-  if (!is_finite(setup, response)) return {Silent, "a number is not finite"};
+  if (!is_complete(response.status)) return {Failed, std::string(name_of(response.status))};
+  if (response.samples == 0) return {Undetected, "no sample"};
+  if (!is_finite(setup, response)) return {Undetected, "a number is not finite"};
 
   const bool moves = setup.solver.analysis == Analysis::Dynamics && !setup.scene.is_coupon();
   const EnergyBalance balance = setup.scene.is_coupon() ? EnergyBalance{} : balance_of(response);
@@ -131,11 +132,11 @@ Verdict judge(const Setup& setup, const Response& response, const Expectation& e
   if (moves && response.momentum_error > kBalanceTolerance) {
     return {Inaccurate, "momentum is off by " + percent(response.momentum_error)};
   }
-  if (const auto wrong = audit(setup, response)) return {Silent, *wrong};
+  if (const auto wrong = audit(setup, response)) return {Undetected, *wrong};
   if (expected.unstable && response.status == Status::Completed) {
-    return {Silent, "an unstable equilibrium"};
+    return {Undetected, "an unstable equilibrium"};
   }
-  if (expected.breaks && response.status != Status::Broken) return {Silent, "did not break"};
+  if (expected.breaks && response.status != Status::Broken) return {Undetected, "did not break"};
   if (balance.made > kAccurate * balance.size) {
     return missed(setup,
                   "the scheme makes " + percent(balance.made / balance.size) + " of the energy");
@@ -147,7 +148,7 @@ Verdict judge(const Setup& setup, const Response& response, const Expectation& e
   if (auto found = check_limit(setup, response, expected)) return *found;
   if (response.status == Status::Completed) {
     if (auto found = check_references(setup, response, expected)) {
-      return found->soundness == Silent && dissipates ? stated : *found;
+      return found->validity == Undetected && dissipates ? stated : *found;
     }
   }
   if (dissipates) return stated;

@@ -12,21 +12,21 @@
 
 namespace plastica::sweeps::stability {
 
-/// What a run's result is worth.
-enum class Soundness {
-  Sound,       ///< energy is balanced, every audit passes and every reference is met
+/// Whether a run's result can be relied on.
+enum class Validity {
+  Valid,       ///< energy is balanced, every audit passes and every reference is met
   Inaccurate,  ///< off, and the run says so: see `judge`
   Failed,      ///< refused as input, or ended with a status that says that it is not usable
-  Silent,      ///< wrong without saying so: a defect
+  Undetected,  ///< off, and nothing says so: a defect
 };
 
 /// The words of files for the classes, in their order.
-inline constexpr std::array<std::string_view, 4> kSoundness{"sound", "inaccurate", "failed",
-                                                            "silent"};
+inline constexpr std::array<std::string_view, 4> kValidity{"valid", "inaccurate", "failed",
+                                                           "undetected"};
 
 struct Verdict {
-  Soundness soundness = Soundness::Sound;
-  std::string reason{};  ///< one line; empty for a sound run
+  Validity validity = Validity::Valid;
+  std::string reason{};  ///< one line; empty for a valid run
 };
 
 /// A number that a run must give.
@@ -65,13 +65,14 @@ struct Expectation {
 };
 
 /// What a reference may be missed by against the continuum, and what of the energy a scheme may
-/// dissipate, for the run to be sound [1].
+/// dissipate, for the run to be valid [1].
 inline constexpr double kAccurate = 0.01;
 
 /// Judges a run against what is known of it.
 ///
 /// - Failed: the status is not usable (`plastica::usable`): the run has said so.
-/// - Silent: the status is usable and yet a number is not finite; the recorded beam is no chain of
+/// - Undetected: the status is usable and yet a number is not finite; the recorded beam is no chain
+/// of
 ///   rigid segments, is out of balance (statics) or has a joint beyond its cap (`audit`); the
 ///   scheme made energy, or a kept quantity or a reference of the chain is missed, and neither the
 ///   energy balance nor a warning says so.
@@ -79,7 +80,7 @@ inline constexpr double kAccurate = 0.01;
 ///   `kAccurate` of the energy, which the energy balance states; or a reference of the chain is
 ///   missed and a warning of `scene_warnings` names the steps; or the chain's reference is met and
 ///   the continuum's is not, by more than `kAccurate`: the price of few segments.
-/// - Sound: none of these.
+/// - Valid: none of these.
 /// @param setup  what was run; its probes are those that the expectation numbers
 Verdict judge(const Setup& setup, const Response& response, const Expectation& expected);
 

@@ -80,7 +80,7 @@ class Reader {
       for (std::size_t i = 0; i < texts.size(); ++i) set(results_[i].*member, name, texts[i]);
     } else {
       using Stored = std::conditional_t<std::is_integral_v<Value>, std::int64_t, double>;
-      const auto values = checked(name, group_.read<Stored>(io::path_in_file(group_, name)));
+      const auto values = checked(name, group_.read<Stored>(name));
       using Wanted = std::conditional_t<std::is_integral_v<Value>, Value, double>;
       io::ValueRule rule = io::rule_of(kSweepRules, "cases/" + name);
       if constexpr (std::is_same_v<Value, std::optional<double>>) rule.may_lack = true;

@@ -13,14 +13,14 @@ inline constexpr std::string_view kSweepSchema = "plastica/sweep";
 inline constexpr int kSweepVersion = 1;
 
 /// Writes the result file of a sweep (HDF5; layout: docs/hdf5.md). The same record gives the
-/// same bytes outside /meta. The file appears under its name when it is whole,
+/// same bytes outside /meta. The file appears under its name when it is complete,
 /// in place of what is there if that is allowed.
 /// @throws io::StorageError if it cannot be written
 void write_sweep_store(const std::string& path, const SweepRecord& record,
                        io::Overwrite overwrite = io::Overwrite::Allowed);
 
 /// Reads such a file, every number bit by bit.
-/// @throws InputError if it is no such file, of another version, or not whole
+/// @throws InputError if it is no such file, of another version, or not complete
 SweepRecord read_sweep_store(const std::string& path);
 
 /// The results in such a file by the ids of their cases.

@@ -84,10 +84,10 @@ Recommendation recommend_for_error(std::span<const TradePoint> points, double wa
   const auto meets = [&](std::size_t i) { return points[i].error <= wanted_error; };
 
   Recommendation result;
-  const auto sound = first_by(
+  const auto dependable = first_by(
       points, [&](std::size_t i) { return assured[i] <= wanted_error; }, cheapness);
   const auto cheapest = first_by(points, meets, cheapness);
-  result.chosen = sound ? sound : cheapest;
+  result.chosen = dependable ? dependable : cheapest;
   if (!result.chosen) {
     result.why_none = why_none(points, NoChoice::TooInaccurate);
     result.nearest = first_by(
@@ -97,7 +97,7 @@ Recommendation recommend_for_error(std::span<const TradePoint> points, double wa
   }
   const std::size_t chosen = *result.chosen;
   result.why_none = NoChoice::None;
-  result.lucky = !sound;
+  result.lucky = !dependable;
   if (cheapest != result.chosen) result.passed_over = cheapest;
   result.margin = points[chosen].error > 0.0 ? wanted_error / points[chosen].error : kInfinity;
   result.assured_error = assured[chosen];

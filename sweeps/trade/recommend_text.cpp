@@ -7,7 +7,7 @@
 namespace plastica::sweeps {
 namespace {
 
-std::string percent(double share) { return fmt::format("{:.3g} %", 100.0 * share); }
+std::string percent(double fraction) { return fmt::format("{:.3g} %", 100.0 * fraction); }
 
 std::string cost_text(const CaseResult& result, CostKind cost) {
   std::string text = fmt::format("{} segment-iterations", result.segment_iterations());

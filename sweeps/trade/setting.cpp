@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kFailed = std::numeric_limits<double>::quiet_NaN();
 
-/// Where files may have the value of a field: [section] and [material] may stand in [beam].
+/// Where a file may have the value of a field: [section] and [material] may stand in [beam].
 std::string path_in_file(const std::string& text, const Field& field) {
   const std::string path(field.path);
   const std::string part = path.substr(0, path.find('.'));

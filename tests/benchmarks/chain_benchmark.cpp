@@ -136,16 +136,16 @@ void bend_evenly(benchmark::State& state, const chain::View<L>& view, Reach reac
   scene.section.height = 0.03;
   const auto values = material_values(scene.material);
   SolvedChain<L, false, Law> solved(scene, values, view, law_of, kSpring);
-  const law::SectionForm& form = solved.layout.parts[0].form;
+  const law::SectionForm& form = solved.layout.regions[0].form;
   chain::SegmentLoad<L> load;
   load.segment = solved.layout.size() - 1;
   load.history = solved.build.chain.histories.size();
   solved.build.chain.histories.push_back(History::ramp());
-  const double share = reach == kYielded ? 1.5 : 0.3;
+  const double fraction = reach == kYielded ? 1.5 : 0.3;
   for (std::size_t k = 0; k < L::kRotations; ++k) {
     const std::size_t axis = view.section_axes().rotation(k);
     load.moment[k] =
-        share * form.modulus[axis] * law::uniaxial_material(form.axis[axis], values).yield;
+        fraction * form.modulus[axis] * law::uniaxial_material(form.axis[axis], values).yield;
   }
   solved.build.chain.loads.push_back(load);
   double iterations = 0.0;

@@ -18,7 +18,7 @@ Scene tension(HardeningLaw law, double noise) {
   Scene scene;
   scene.material.hardening.law = law;
   scene.material.hardening.tangent_modulus = 1.2e9;
-  scene.material.hardening.kinematic_share = 0.4;
+  scene.material.hardening.kinematic_fraction = 0.4;
   scene.material.hardening.saturation_stress = 120e6;
   scene.material.hardening.saturation_rate = 25.0;
   if (law == HardeningLaw::VoceChaboche) {

@@ -19,7 +19,7 @@ Material steel(HardeningLaw law) {
   Material material;
   material.hardening.law = law;
   material.hardening.tangent_modulus = 2e9;
-  material.hardening.kinematic_share = 0.5;
+  material.hardening.kinematic_fraction = 0.5;
   material.hardening.saturation_stress = 80e6;
   material.hardening.saturation_rate = 12.0;
   material.hardening.backstress_modulus = {20e9, 4e9, 0.5e9};

@@ -15,7 +15,7 @@ namespace {
 
 enum class Lanes { Off, On };
 
-ScenePart bent_bar(Lanes lanes) {
+WeightedTarget bent_bar(Lanes lanes) {
   constexpr int kSteps = 200;
   plastica::testing::Trip trip =
       plastica::testing::make_trip(plastica::testing::Test::Bend, Analysis::Statics, 32);
@@ -50,9 +50,9 @@ SceneFitOptions all_three() {
 }
 
 void scene_fit(benchmark::State& state) {
-  const ScenePart part = bent_bar(state.range(0) == 0 ? Lanes::Off : Lanes::On);
+  const WeightedTarget weighted = bent_bar(state.range(0) == 0 ? Lanes::Off : Lanes::On);
   SceneFitResult fit;
-  for (auto _ : state) fit = fit_scene(part.setup, part.target, all_three());
+  for (auto _ : state) fit = fit_scene(weighted.setup, weighted.target, all_three());
   if (fit.status != FitStatus::Fitted) state.SkipWithError(fit.reason.c_str());
   state.counters["runs"] = fit.runs;
 }
@@ -62,9 +62,9 @@ BENCHMARK(scene_fit)->ArgName("lanes")->Arg(0)->Arg(1)->Unit(benchmark::kMillise
 /// The runs of a fit alone: 64 points at once, as a global stage screens them.
 void screened_points(benchmark::State& state) {
   constexpr std::size_t kPoints = 64;
-  const ScenePart part = bent_bar(state.range(0) == 0 ? Lanes::Off : Lanes::On);
+  const WeightedTarget weighted = bent_bar(state.range(0) == 0 ? Lanes::Off : Lanes::On);
   const SceneModel model(
-      part.setup, part.target,
+      weighted.setup, weighted.target,
       {&find_field("material.youngs_modulus"), &find_field("material.yield_stress")});
   std::vector<double> points;
   for (std::size_t i = 0; i < kPoints; ++i) {
@@ -81,9 +81,9 @@ BENCHMARK(screened_points)->ArgName("lanes")->Arg(0)->Arg(1)->Unit(benchmark::kM
 /// A point and its forward differences: 1, 3 and 8 points at once, for 0, 2 and 7 parameters.
 void slopes(benchmark::State& state) {
   const auto count = static_cast<std::size_t>(state.range(0));
-  const ScenePart part = bent_bar(Lanes::On);
+  const WeightedTarget weighted = bent_bar(Lanes::On);
   const SceneModel model(
-      part.setup, part.target,
+      weighted.setup, weighted.target,
       {&find_field("material.youngs_modulus"), &find_field("material.yield_stress")});
   std::vector<double> points;
   for (std::size_t i = 0; i < count; ++i) {

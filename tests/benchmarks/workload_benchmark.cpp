@@ -196,16 +196,16 @@ void w2(benchmark::State& state, Level level) {
   state.counters["iterations"] = response.counters.iterations;
 }
 
-/// Shares of segments that grow from the clamp to the tip by this ratio in all.
+/// Fractions of segments that grow from the clamp to the tip by this ratio in all.
 std::vector<double> graded(int segments, double ratio) {
-  std::vector<double> shares;
+  std::vector<double> fractions;
   double sum = 0.0;
   for (int i = 0; i < segments; ++i) {
-    shares.push_back(segments == 1 ? 1.0 : std::pow(ratio, i / (segments - 1.0)));
-    sum += shares.back();
+    fractions.push_back(segments == 1 ? 1.0 : std::pow(ratio, i / (segments - 1.0)));
+    sum += fractions.back();
   }
-  for (double& share : shares) share /= sum;
-  return shares;
+  for (double& fraction : fractions) fraction /= sum;
+  return fractions;
 }
 
 /// W3: a steel cantilever loaded to 1.2 times first yield and released, in fibres.
@@ -213,7 +213,7 @@ void w3(benchmark::State& state) {
   const auto segments = static_cast<int>(state.range(0));
   Scene scene = testing::cantilever_scene(segments);
   scene.yield_model = YieldModel::Fibre;
-  scene.beam.segment_shares = graded(segments, static_cast<double>(state.range(1)));
+  scene.beam.segment_fractions = graded(segments, static_cast<double>(state.range(1)));
   scene.loads.push_back({.force = {0.0, -1.2 * testing::yield_moment_of(scene), 0.0},
                          .history = History::turning_points({1.0, 0.0})});
   testing::add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);

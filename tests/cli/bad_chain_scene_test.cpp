@@ -82,11 +82,11 @@ INSTANTIATE_TEST_SUITE_P(
         change_chain("SegmentOfNoLength", "segments = 8", "segment_lengths = ['4 m', '0 m']",
                      "3: beam.segment_lengths[2] = 0 m: must be above 0"),
         change_chain(
-            "SharesThatAreNotAll", "segments = 8", "segment_lengths = [0.5, 0.25]",
-            "3: beam.segment_lengths = [0.5, 0.25]: are shares that add up to 0.75: must be 1; "
+            "FractionsThatAreNotAll", "segments = 8", "segment_lengths = [0.5, 0.25]",
+            "3: beam.segment_lengths = [0.5, 0.25]: are fractions that add up to 0.75: must be 1; "
             "lengths need a unit"),
         change_chain(
-            "SharesAndLengths", "segments = 8", "segment_lengths = ['2 m', 0.5]",
+            "FractionsAndLengths", "segments = 8", "segment_lengths = ['2 m', 0.5]",
             "3: beam.segment_lengths[2] = 0.5: a length needs a unit (examples: m, mm, in)"),
         change_chain("JointLengthsOfAnotherBeam", "segments = 8",
                      "segments = 8\njoint_lengths = ['0.5 m', '0.5 m']",
@@ -122,9 +122,8 @@ INSTANTIATE_TEST_SUITE_P(
             "(the end is 1.0 or \"end\")"),
         change_chain("AtAWholeNumberBelowZero", "at = 0.5", "at = -1",
                      "14: support[2].at = -1: must be a fraction of the length, 0 to 1"),
-        change_chain(
-            "AtASegmentThatIsAFraction", "at = 0.5", "at = { segment = 1.5 }",
-            "14: support[2].at.segment = 1.5: must be a whole number from 0 to 2147483647"),
+        change_chain("AtASegmentThatIsAFraction", "at = 0.5", "at = { segment = 1.5 }",
+                     "14: support[2].at.segment = 1.5: must be an integer from 0 to 2147483647"),
         change_chain("AtATableWithoutASegment", "at = 0.5", "at = { joint = 1 }",
                      "14: support[2].at.segment: is missing"),
         change_chain(
@@ -204,25 +203,25 @@ INSTANTIATE_TEST_SUITE_P(
                      "conservative, fibre"),
         change_chain(
             "ReportWithInteraction", "yield_model = 'interaction'", "formulas = 'report'",
-            "6: rules.yield_model: must be per_axis (or elastic) with the report's formulas, "
+            "6: rules.yield_model: must be per_axis (or elastic) with Wendelius' formulas, "
             "which clip each moment on its own"),
         change_chain("TubeThatDoesNotFit", "shape = 'rectangle'", "shape = 'rectangular_tube'",
                      "4: section.inner_width = 0.08: must be below section.width = 0.02"),
-        change_chain(
-            "ReportWithHalfJoints", "yield_model = 'interaction'",
-            "yield_model = 'per_axis'\nformulas = 'report'\nend_rule = 'half_joint'",
-            "9: rules.end_rule = half_joint: the report clamps its ends rigidly: equal, half or "
-            "three_halves"),
+        change_chain("ReportWithHalfJoints", "yield_model = 'interaction'",
+                     "yield_model = 'per_axis'\nformulas = 'report'\nend_rule = 'half_joint'",
+                     "9: rules.end_rule = half_joint: Wendelius' report clamps its ends rigidly: "
+                     "equal, half or "
+                     "three_halves"),
         change_chain(
             "ReportWithHingeLength", "yield_model = 'interaction'",
             "yield_model = 'per_axis'\nformulas = 'report'\nhinge_length = '20 mm'",
-            "9: rules.hinge_length = 0.02: must be 0 or unset with the report's formulas, whose "
+            "9: rules.hinge_length = 0.02: must be 0 or unset with Wendelius' formulas, whose "
             "strain is over a joint's own length"),
         change_chain(
             "ReportWithHardening", "'interaction'\n",
             "'per_axis'\nformulas = 'report'\n"
             "[[region]]\nfrom = 0.5\nto = 'end'\nmaterial.hardening.law = 'linear'\n",
-            "5: material.hardening.law: must be ideal with the report's formulas, which have no "
+            "5: material.hardening.law: must be ideal with Wendelius' formulas, which have no "
             "hardening"),
         change_chain(
             "FibresWithACap", "'interaction'", "'fibre'\nyield_cap = 'fully_plastic'",

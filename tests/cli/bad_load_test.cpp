@@ -60,10 +60,10 @@ INSTANTIATE_TEST_SUITE_P(
                      "19: load[1].to = end: must lie beyond at = end"),
         change_chain("ThatFollowsAWord", "history", "follows = 'yes'\nhistory",
                      "20: load[1].follows = 'yes': must be true or false"),
-        change_chain(
-            "OfUnknownKey", "history", "direction = 'y'\nhistory",
-            "20: load[1].direction = 'y': is not a key of load[1]; its keys are at, to, force, "
-            "moment, follows, history"),
+        change_chain("OfUnknownKey", "history", "direction = 'y'\nhistory",
+                     "20: load[1].direction = 'y': is not a key of load[1]; its keys are at, from, "
+                     "to, force, "
+                     "moment, follows, history"),
         change_chain(
             "OfUnknownHistory", "'ramp'", "'step'",
             "20: load[1].history = step: must be \"ramp\", \"constant\", { cycles }, "
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
             "OfNoTable", "'ramp'", "{ table = 'shaker.csv', time = 't', factor = 'a' }",
             "20: load[1].history.table = shaker.csv: is not a file in the folder of scene.toml"),
         change_chain("OfNoCycles", "'ramp'", "{ cycles = 0 }",
-                     "20: load[1].history.cycles = 0: must be a whole number from 1 to 100000"),
+                     "20: load[1].history.cycles = 0: must be an integer from 1 to 100000"),
         change_chain(
             "OfTwoHistories", "'ramp'", "{ cycles = 2, turning_points = [1] }",
             "20: load[1].history = { cycles = 2, turning_points = [1] }: must be \"ramp\", …"),

@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
         motion_change("NegativeFrames", "duration", "frames = -1\nduration",
                       "7: solver.frames = -1: must be from 0 to 1e+07"),
         motion_change("HalfAFrame", "duration", "frames = 0.5\nduration",
-                      "7: solver.frames = 0.5: must be a whole number"),
+                      "7: solver.frames = 0.5: must be an integer"),
         motion_change("UnknownDamping", "'stiffness'", "'viscous'",
                       "8: solver.damping = viscous: must be one of none, stiffness, relaxation"),
         motion_change("DampingWithoutTime", "damping_time = '1 ms'\n", "",

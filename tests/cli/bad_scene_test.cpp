@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
              "6: section.width = 20: a length needs a unit (examples: m, mm, in)"),
         edit("UnknownKey", "height", "heigth",
              "7: section.heigth = '40 mm': is not a key of section; did you mean height?"),
-        edit("BrokenCount", "10", "1.5", "9: beam.segments = 1.5: must be a whole number"),
+        edit("BrokenCount", "10", "1.5", "9: beam.segments = 1.5: must be an integer"),
         edit("CountOutOfRange", "10", "0", "9: beam.segments = 0: must be from 1 to 1e+07"),
         edit("UnknownDeformation", "tension", "shear",
              "11: drive.deformation = shear: must be one of tension, bending, torsion"),

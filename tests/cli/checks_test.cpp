@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "statics.toml", "the first frequency converges with order 2"),
         setting("FirstOrderJoint", "segment_depth.toml", "rules.end_rule = 'equal'\n",
                 "statics.toml", "segments of any depth: order 2 from stocky to slender"),
-        // Joints of whole segment lengths, as the report prints them, are half as stiff.
+        // Joints of whole segment lengths, as Wendelius' report prints them, are half as stiff.
         setting("StiffnessFactorOfTheReport", "cantilever_frequency.toml",
                 "rules.formulas = 'report'\nrules.end_rule = 'half'\n"
                 "rules.yield_model = 'elastic'\n",

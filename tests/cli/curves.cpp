@@ -12,11 +12,11 @@ std::string broken_curve(double yield, int number, double step) {
   std::string text = "Strain (%),Stress (MPa)\n";
   for (int i = 0, broken = 0; broken < 3; ++i) {
     const double strain = step * i;
-    const bool whole = strain < breaks_at;
+    const bool intact = strain < breaks_at;
     const double roughness = 0.2 * ((i * 37 + number * 17) % 11 - 5);
-    const double stress = whole ? std::min(kModulus * strain, yield) + roughness : 0.0;
+    const double stress = intact ? std::min(kModulus * strain, yield) + roughness : 0.0;
     text += fmt::format("{:.4f},{:.2f}\n", strain, stress);
-    broken += whole ? 0 : 1;
+    broken += intact ? 0 : 1;
   }
   return text;
 }

@@ -131,15 +131,15 @@ TEST_F(Faults, AFullDiskLeavesTheOlderExport) {
 TEST_F(Faults, AFlippedBitIsSeenWhereverAResultIsRead) {
   ASSERT_EQ(place_.run({"simulate", "scene.toml", "-o", "a.h5"}).code, 0);
   const std::string bytes = place_.read("a.h5");
-  for (const double share : {0.01, 0.3, 0.6, 0.99}) {
+  for (const double fraction : {0.01, 0.3, 0.6, 0.99}) {
     std::string damaged = bytes;
-    char& byte = damaged[static_cast<std::size_t>(share * static_cast<double>(bytes.size()))];
+    char& byte = damaged[static_cast<std::size_t>(fraction * static_cast<double>(bytes.size()))];
     byte = static_cast<char>(byte ^ 16);
     place_.write("a.h5", damaged);
     for (const char* command : {"show", "plot", "export"}) {
       const CommandResult ended = place_.run({command, "a.h5"});
-      EXPECT_EQ(ended.code, 2) << command << share;
-      EXPECT_EQ(ended.out, "") << command << share;
+      EXPECT_EQ(ended.code, 2) << command << fraction;
+      EXPECT_EQ(ended.out, "") << command << fraction;
       EXPECT_EQ(lines_of(ended.err), 1U) << ended.err;
     }
   }

@@ -46,9 +46,9 @@ class InterruptedSweep : public ::testing::Test {
   }
 
   /// How many cases a run says that it took from an earlier one.
-  static int taken(const std::string& err) {
+  static int resumed_cases(const std::string& err) {
     std::smatch found;
-    const std::regex words("(\\d+) cases? taken from an earlier run");
+    const std::regex words("(\\d+) cases? resumed from an earlier run");
     return std::regex_search(err, found, words) ? std::stoi(found[1]) : 0;
   }
 
@@ -62,13 +62,13 @@ TEST_F(InterruptedSweep, ThatWasKilledTwentyTimesGoesOnToTheSameFile) {
     const CommandResult killed = interrupt(SIGKILL, 1000 + draw() % 12000);
     if (killed.code != 128 + SIGKILL) break;  // it was done before it could be killed
     EXPECT_FALSE(place_.has("out.h5"));
-    EXPECT_GE(taken(killed.err), before) << "a finished case was lost";
-    before = taken(killed.err);
+    EXPECT_GE(resumed_cases(killed.err), before) << "a finished case was lost";
+    before = resumed_cases(killed.err);
   }
   const CommandResult last = place_.run({"sweep", "sweep.toml", "--resume", "-o", "out.h5"});
   ASSERT_EQ(last.code, 0) << last.err;
-  EXPECT_GT(taken(last.err), before);
-  EXPECT_LE(taken(last.err), kCases);
+  EXPECT_GT(resumed_cases(last.err), before);
+  EXPECT_LE(resumed_cases(last.err), kCases);
   EXPECT_FALSE(place_.has("out.h5.journal"));
 
   ASSERT_EQ(place_.run({"sweep", "sweep.toml", "--quiet", "-o", "whole.h5"}).code, 0);
@@ -86,7 +86,7 @@ TEST_F(InterruptedSweep, ByCtrlCKeepsWhatIsFinished) {
       << refused.err;
   const CommandResult resumed = place_.run({"sweep", "sweep.toml", "--resume", "-o", "out.h5"});
   EXPECT_EQ(resumed.code, 0) << resumed.err;
-  EXPECT_GT(taken(resumed.err), 0);
+  EXPECT_GT(resumed_cases(resumed.err), 0);
 }
 
 TEST_F(InterruptedSweep, RunsOnlyWhatHasChangedInItsOutput) {
@@ -94,7 +94,7 @@ TEST_F(InterruptedSweep, RunsOnlyWhatHasChangedInItsOutput) {
   const CommandResult again =
       place_.run({"sweep", "sweep.toml", "--resume", "--rerun-failed", "-o", "out.h5"});
   EXPECT_EQ(again.code, 0) << again.err;
-  EXPECT_EQ(taken(again.err), kCases);
+  EXPECT_EQ(resumed_cases(again.err), kCases);
   EXPECT_EQ(place_.run({"sweep", "sweep.toml", "-o", "out.h5"}).code, 2);
 }
 

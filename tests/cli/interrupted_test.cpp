@@ -51,8 +51,8 @@ class InterruptedRun : public ::testing::Test {
         place_.run({"calibrate", "fit.toml", "--resume", "--threads", "2", "-o", "out.h5"});
     ASSERT_EQ(resumed.code, 0) << resumed.err;
     std::smatch found;
-    const std::regex taken("(\\d+) fits taken from the journal\n");
-    ASSERT_TRUE(std::regex_search(resumed.err, found, taken)) << resumed.err;
+    const std::regex words("(\\d+) fits resumed from the journal\n");
+    ASSERT_TRUE(std::regex_search(resumed.err, found, words)) << resumed.err;
     EXPECT_GT(std::stoi(found[1]), 0);
     EXPECT_LT(std::stoi(found[1]), kCurves);
     EXPECT_FALSE(place_.has("out.h5.journal"));

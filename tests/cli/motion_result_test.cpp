@@ -157,7 +157,7 @@ TEST_F(MotionResult, ForetellsTheFrequenciesOfLongChains) {
 
 TEST_F(MotionResult, IsWrittenEvenWhereAStepCannotBeSolved) {
   const CommandResult result = simulate(
-      "time_step = '50 ms'\nduration = '1 s'\nsteps = 20\nmost_iterations = 1\n"
+      "time_step = '50 ms'\nduration = '1 s'\nsteps = 20\nmax_iterations = 1\n"
       "smallest_step = 0.9\nscheme = 'energy_momentum'");
   EXPECT_EQ(result.code, 1) << result.err;
   EXPECT_TRUE(result.out.starts_with("beam: not-converged after ")) << result.out;

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Older result files are read as they were: the same report, but for what they do not have.
+"""Result files of older versions are read as they were: the same report, but for what they do not
+have.
 
-older_files_test.py COMMAND DATA: fits shipped curves, makes files of version 3 of the results, whose
-parameters had other columns, and has the command show both. The same of scenes and sweeps, whose
-files had other names.
+older_files_test.py COMMAND DATA: fits curves, simulates scenes and runs a sweep of DATA, makes files
+of older versions of the results, which had other columns or other names, and has the command show
+both.
 """
 
 import pathlib
@@ -33,6 +34,22 @@ def copy_of(folder):
         for name, value in file.attrs.items():
             copy.attrs[name] = value
     return copy
+
+
+OLD_NAMES = {"kinematic_fraction": "kinematic_share", "misfit_fraction": "misfit_share",
+          "segment_fractions": "segment_shares", "targets": "parts",
+          "runs_test_p": "runs_probability", "last_intact_strain": "last_whole_strain",
+          "last_intact_stress": "last_whole_stress", "free": "moved"}
+
+
+def give_old_names(file):
+    """Gives datasets and groups the names of the last version. @return the present ones found"""
+    found = []
+    file.visit(lambda path: found.append(path) if path.split("/")[-1] in OLD_NAMES else None)
+    for path in sorted(found, key=lambda path: -path.count("/")):
+        folder, _, name = path.rpartition("/")
+        file.move(path, f"{folder}/{OLD_NAMES[name]}")
+    return {path.split("/")[-1] for path in found}
 
 
 class OlderFiles(unittest.TestCase):
@@ -96,6 +113,24 @@ class OlderFiles(unittest.TestCase):
         self.check_names("sweeps/cantilever_deflection.toml",
                          ("cases/energy_balance_error", "cases/ledger_error"))
 
+    def test_with_old_names(self):
+        cyclic = str(DATA / "scenes/hardening_table.toml")
+        for version, command, found in (
+                (4, ("calibrate", str(DATA / "fits/demo.toml"), "--quiet"),
+                 {"kinematic_fraction", "misfit_fraction", "runs_test_p", "last_intact_strain",
+                  "last_intact_stress", "free"}),
+                (4, ("calibrate", str(DATA / "fits/bend_test.toml"), "--quiet"),
+                 {"misfit_fraction", "runs_test_p", "targets"}),
+                (2, ("simulate", cyclic, "--quiet"),
+                 {"kinematic_fraction", "segment_fractions"})):
+            with self.subTest(command=command):
+                run(self.folder, *command, "-o", "fit.h5", "--force")
+                now = run(self.folder, "show", "fit.h5")
+                with copy_of(self.folder) as file:
+                    file.attrs["version"] = version
+                    self.assertEqual(give_old_names(file), found)
+                self.assertEqual(run(self.folder, "show", "older.h5"), now)
+
     def test_of_an_older_version_are_refused(self):
         run(self.folder, "calibrate", str(DATA / "fits/demo.toml"), "-o", "fit.h5", "--quiet")
         with copy_of(self.folder) as file:
@@ -103,7 +138,7 @@ class OlderFiles(unittest.TestCase):
         done = subprocess.run([COMMAND, "show", "older.h5"], cwd=self.folder, capture_output=True,
                               text=True)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("older.h5: version = 2: must be 3 to 4, which this Plastica reads", done.stderr)
+        self.assertIn("older.h5: version = 2: must be 3 to 5, which this Plastica reads", done.stderr)
 
 
 if __name__ == "__main__":

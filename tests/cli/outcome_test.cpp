@@ -123,7 +123,7 @@ TEST(Outcome, OfAFullDiskIsThreeAndTheRunCanGoOn) {
   EXPECT_FALSE(place.has("fit.h5.part"));
   const CommandResult resumed = place.run({"calibrate", "fit.toml", "--resume"});
   EXPECT_EQ(resumed.code, 0) << resumed.err;
-  EXPECT_EQ(resumed.err, "2 fits taken from the journal\nwrote fit.h5\n");
+  EXPECT_EQ(resumed.err, "2 fits resumed from the journal\nwrote fit.h5\n");
 }
 
 TEST(Outcome, OfAFullDiskKeepsTheOutputThatIsThere) {

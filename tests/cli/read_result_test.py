@@ -20,11 +20,11 @@ COMMAND, PAGE = sys.argv[1:3]
 
 COLUMNS = {
     "fits": "name status reason file test measure loading target_status target_reason samples seed "
-            "cost misfit_rms misfit_share misfit_word break_strain_total moved_parameters",
+            "cost misfit_rms misfit_fraction misfit_word break_strain_total free_parameters",
     "characteristics": "youngs_modulus youngs_modulus_standard_error modulus_window_low "
                        "modulus_window_high modulus_method proof_offset rp02 reh rel rm "
                        "strain_at_rm break_strain break_strain_plastic largest_strain broke "
-                       "last_whole_strain last_whole_stress first_broken_strain break_rule",
+                       "last_intact_strain last_intact_stress first_broken_strain break_rule",
     "parameters/yield_stress": "value standard_error noise_error sampling_error misfit_error "
                                "degrees_of_freedom interval_low interval_high start lower upper "
                                "logarithmic at_lower at_upper identified judged verdict "
@@ -40,7 +40,7 @@ LISTS = {
     "warnings/fit": "text",
 }
 UNITS = {
-    "fits/cost": "Pa^2", "fits/misfit_rms": "Pa", "fits/misfit_share": "1",
+    "fits/cost": "Pa^2", "fits/misfit_rms": "Pa", "fits/misfit_fraction": "1",
     "characteristics/youngs_modulus": "Pa", "characteristics/rm": "Pa",
     "characteristics/break_strain": "1", "parameters/yield_stress/value": "Pa",
     "parameters/break_strain/value": "1", "curves/raw/strain": "1", "curves/raw/stress": "Pa",
@@ -81,7 +81,7 @@ class ReadResult(unittest.TestCase):
 
     def test_says_what_it_is(self):
         self.assertEqual(self.file.attrs["schema"], "plastica/fits")
-        self.assertEqual(self.file.attrs["version"], 4)
+        self.assertEqual(self.file.attrs["version"], 5)
 
     def test_has_a_row_for_each_target_by_name(self):
         self.assertEqual(self.text("fits/name"), ["bad-curve", "example-curve"])
@@ -225,7 +225,7 @@ class ReadScene(unittest.TestCase):
 
     def test_says_what_it_is(self):
         self.assertEqual(self.file.attrs["schema"], "plastica/scene")
-        self.assertEqual(self.file.attrs["version"], 2)
+        self.assertEqual(self.file.attrs["version"], 3)
         self.assertEqual(self.file["outcome/status"].asstr()[()], "completed")
         self.assertEqual(self.file["scene/level"].asstr()[()], "planar")
 

@@ -93,7 +93,7 @@ TEST_F(InterruptedSceneFit, GoesOnFromItsFinishedSearchesToTheSameBits) {
   EXPECT_EQ(again.code, 2);
   EXPECT_TRUE(std::regex_match(
       again.err, std::regex("plastica: out\\.h5\\.journal: is the journal of an interrupted run, "
-                            "with \\d+ finished fits and parts of fits: use --resume to go on or "
+                            "with \\d+ finished fits and stages of fits: use --resume to go on or "
                             "--force to start afresh\n")))
       << again.err;
 
@@ -109,7 +109,7 @@ TEST_F(InterruptedSceneFit, GoesOnFromItsFinishedSearchesToTheSameBits) {
   ASSERT_EQ(resumed.code, 0) << resumed.err;
   std::smatch found;
   ASSERT_TRUE(std::regex_search(
-      resumed.err, found, std::regex("(\\d+) finished parts of fits taken from the journal\n")))
+      resumed.err, found, std::regex("(\\d+) finished stages of fits resumed from the journal\n")))
       << resumed.err;
   EXPECT_GT(std::stoi(found[1]), 1);
   EXPECT_FALSE(place_.has("out.h5.journal"));

@@ -71,7 +71,7 @@ TEST(SceneResult, HasASummaryForScripts) {
 TEST(SceneResult, IsWrittenEvenWhereNoEquilibriumIsFound) {
   const Workplace place;
   std::string text = cantilever_text("-400 N");
-  text.replace(text.find("steps = 5"), 9, "steps = 1\nmost_iterations = 1\nsmallest_step = 0.9");
+  text.replace(text.find("steps = 5"), 9, "steps = 1\nmax_iterations = 1\nsmallest_step = 0.9");
   place.write("beam.toml", text);
   const CommandResult result = place.run({"simulate", "beam.toml", "-o", "beam.h5"});
   EXPECT_EQ(result.code, 1);

@@ -39,7 +39,7 @@ TEST_F(SweepResult, ShowsOneCaseByItsIdOrItsValues) {
   const std::string shown = output_of({"show", "sweep.h5", "--case", id});
   EXPECT_TRUE(shown.starts_with("case " + id + " of sweep\n")) << shown;
   const std::string by_value = output_of({"show", "sweep.h5", "--case", "beam.segments = 10"});
-  EXPECT_TRUE(has(by_value, "segments            10\n")) << by_value;
+  EXPECT_TRUE(has(by_value, "segments              10\n")) << by_value;
 }
 
 TEST_F(SweepResult, ExportsItsCasesAsCsvAndItsTableForDocuments) {

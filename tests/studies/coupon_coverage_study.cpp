@@ -25,11 +25,11 @@ bool is_full() {
 
 constexpr double kYoung = 200e9, kYield = 300e6, kBreak = 0.018;
 
-/// A bar with so many whole samples from 0 on, evenly apart, that breaks at kBreak.
+/// A bar with so many intact samples from 0 on, evenly apart, that breaks at kBreak.
 Target broken_bar(std::size_t samples, double noise, std::uint64_t seed) {
   Draws draws(seed, 0);
   const double breaks_at = kBreak + kYield / kYoung;
-  const double step = breaks_at / (static_cast<double>(samples) - 1.0 + draws.even());
+  const double step = breaks_at / (static_cast<double>(samples) - 1.0 + draws.uniform());
   std::vector<double> strain(samples), stress(samples);
   for (std::size_t i = 0; i < samples; ++i) {
     strain[i] = step * static_cast<double>(i);
@@ -89,9 +89,9 @@ TEST(CouponCoverage, IntervalsHoldTheTruthAsOftenAsTheySay) {
     const double low = is_full() ? 0.93 : 33.0 / 40.0, high = is_full() ? 0.97 : 1.0;
     const double wider = is_full() ? 0.01 : 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto share = [&](int count) { return count / static_cast<double>(seeds); };
-      const double of[] = {share(held[k].covariance), share(held[k].profile),
-                           share(held[k].bootstrap)};
+      const auto fraction = [&](int count) { return count / static_cast<double>(seeds); };
+      const double of[] = {fraction(held[k].covariance), fraction(held[k].profile),
+                           fraction(held[k].bootstrap)};
       std::printf("%s: %s: covariance %.1f %%, profile %.1f %%, bootstrap %.1f %% of %zu seeds\n",
                   each.name, names[k], 100.0 * of[0], 100.0 * of[1], 100.0 * of[2], seeds);
       for (int kind = 0; kind < 3; ++kind) {

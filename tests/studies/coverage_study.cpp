@@ -81,7 +81,7 @@ TEST(Coverage, PopulationOfSpecimensIsThatOfTheirTruths) {
   options.starts = 1;
   options.parameters = yield_and_tangent();
   std::vector<SceneFitRecord> records(n);
-  std::vector<ScenePart> pooled(n);
+  std::vector<WeightedTarget> pooled(n);
   parallel_for(n, {}, [&](std::size_t i, int) {
     SceneTarget target = bilinear_target("specimen " + std::to_string(i), samples[i + 1]);
     target.abscissa = samples[0];
@@ -157,7 +157,7 @@ TEST(Coverage, IntervalsHoldTheTruthAsOftenAsTheySay) {
                             holds(profile.low, profile.high), holds(bootstrap.low, bootstrap.high)};
     }
   });
-  const auto share = [&](bool Held::*kind, std::size_t k) {
+  const auto fraction = [&](bool Held::*kind, std::size_t k) {
     double count = 0.0;
     for (std::size_t seed = 0; seed < seeds; ++seed) count += held[2 * seed + k].*kind ? 1.0 : 0.0;
     return count / static_cast<double>(seeds);
@@ -167,9 +167,9 @@ TEST(Coverage, IntervalsHoldTheTruthAsOftenAsTheySay) {
   const double high = is_full() ? 0.97 : 1.0;
   const double wider = is_full() ? 0.01 : 0.0;
   for (const std::size_t k : {0U, 1U}) {
-    const double covariance = share(&Held::covariance, k);
-    const double profile = share(&Held::profile, k);
-    const double bootstrap = share(&Held::bootstrap, k);
+    const double covariance = fraction(&Held::covariance, k);
+    const double profile = fraction(&Held::profile, k);
+    const double bootstrap = fraction(&Held::bootstrap, k);
     std::printf("%s: covariance %.1f %%, profile %.1f %%, bootstrap %.1f %% of %zu seeds\n",
                 k == 0 ? "Y" : "H", 100.0 * covariance, 100.0 * profile, 100.0 * bootstrap, seeds);
     EXPECT_GE(covariance, low);
@@ -224,11 +224,11 @@ TEST(Coverage, JointFitsHoldTheTruthWhoeverDeterminesIt) {
   for (const Joint& joint : cases) {
     std::vector<Held> held(3 * seeds);
     parallel_for(seeds, {}, [&](std::size_t seed, int) {
-      std::vector<ScenePart> parts;
+      std::vector<WeightedTarget> targets;
       for (std::size_t t = 0; t < joint.targets.size(); ++t) {
-        parts.push_back({bilinear_coupon(), measured(joint.targets[t], kTruth, 5000 + seed, t)});
+        targets.push_back({bilinear_coupon(), measured(joint.targets[t], kTruth, 5000 + seed, t)});
       }
-      const SceneFitResult result = fit_scenes(parts, options);
+      const SceneFitResult result = fit_scenes(targets, options);
       for (std::size_t k = 0; k < 3; ++k) {
         const auto holds = [&](double low, double high) {
           return low <= truth[k] && truth[k] <= high;
@@ -241,14 +241,14 @@ TEST(Coverage, JointFitsHoldTheTruthWhoeverDeterminesIt) {
     });
     const char* names[] = {"E", "Y", "H"};
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto share = [&](bool Held::*kind) {
+      const auto fraction = [&](bool Held::*kind) {
         double count = 0.0;
         for (std::size_t seed = 0; seed < seeds; ++seed) {
           count += held[3 * seed + k].*kind ? 1.0 : 0.0;
         }
         return count / static_cast<double>(seeds);
       };
-      const double covariance = share(&Held::covariance), profile = share(&Held::profile);
+      const double covariance = fraction(&Held::covariance), profile = fraction(&Held::profile);
       std::printf("%s, %s: covariance %.1f %%, profile %.1f %% of %zu seeds\n", joint.name,
                   names[k], 100.0 * covariance, 100.0 * profile, seeds);
       for (const double held_by : {covariance, profile}) {

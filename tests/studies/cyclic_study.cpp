@@ -92,7 +92,7 @@ TEST(Cyclic, FindsBackWhatMadeAnExactCurve) {
       const FitResult fit = fit_target(target, options);
       const double yield = options.setup.scene.material.yield_stress;
       // A cost that is nothing but rounding, at the one yield stress that has it.
-      const bool back = fit.status == FitStatus::Fitted && fit.misfit_share < 1e-7 &&
+      const bool back = fit.status == FitStatus::Fitted && fit.misfit_fraction < 1e-7 &&
                         std::fabs(fit.parameter("yield_stress").value / yield - 1.0) < 1e-4;
       found += back ? 1 : 0;
       evaluations += static_cast<double>(fit.evaluations());

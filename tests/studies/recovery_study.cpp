@@ -27,7 +27,7 @@ struct Specimen {
   double modulus = 0.0;
   double yield = 0.0;
   double break_strain = 0.0;   ///< permanent
-  double last_interval = 0.0;  ///< strain between the last whole and the first broken sample
+  double last_interval = 0.0;  ///< strain between the last intact and the first broken sample
   Curve curve;
 };
 
@@ -55,7 +55,7 @@ Specimen make_specimen(std::mt19937_64& random, int elastic, int plateau, double
   add(0.0);
   const double before = part(random);
   for (int i = 1; i <= elastic; ++i) add(yield_strain * (i - 1 + before) / elastic);
-  // The break falls anywhere between the last whole sample and the next.
+  // The break falls anywhere between the last intact sample and the next.
   const double interval = s.break_strain / (plateau - 1 + part(random));
   for (int i = 0; i < plateau; ++i) add(yield_strain + interval * i);
   s.last_interval = interval;
@@ -126,7 +126,7 @@ TEST(Recovery, CallsCurvesTooCoarseInsteadOfFittingThem) {
   }
 }
 
-TEST(Recovery, CoversTheTrueYieldStressInTheStatedShareOfNoisyCurves) {
+TEST(Recovery, CoversTheTrueYieldStressInTheStatedFractionOfNoisyCurves) {
   std::mt19937_64 random(99);
   std::uniform_int_distribution<int> elastic(10, 40);
   std::uniform_int_distribution<int> plateau(20, 200);
@@ -144,11 +144,11 @@ TEST(Recovery, CoversTheTrueYieldStressInTheStatedShareOfNoisyCurves) {
     ++fitted;
     covered += yield.interval_low <= s.yield && s.yield <= yield.interval_high ? 1 : 0;
   }
-  const double share = static_cast<double>(covered) / static_cast<double>(fitted);
-  std::printf("95 %% interval covers the truth in %.1f %% of %zu\n", 100.0 * share, fitted);
-  // 2.9 standard deviations of a share of 0.95 among 1 000; as many among the sample's.
+  const double fraction = static_cast<double>(covered) / static_cast<double>(fitted);
+  std::printf("95 %% interval covers the truth in %.1f %% of %zu\n", 100.0 * fraction, fitted);
+  // 2.9 standard deviations of a fraction of 0.95 among 1 000; as many among the sample's.
   const double chance = 2.9 * std::sqrt(0.95 * 0.05 / static_cast<double>(cases()));
-  EXPECT_NEAR(share, 0.95, chance);
+  EXPECT_NEAR(fraction, 0.95, chance);
 }
 
 }  // namespace

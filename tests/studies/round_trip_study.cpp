@@ -47,14 +47,14 @@ Specimen make_specimen(const Trip& trip, unsigned seed) {
   specimen.truth = {205e9 * about(random), 380e6 * about(random), 0.0};
   const double breaks_at = place(random) * trip.last();
   SceneTarget made = trip.target;
-  std::size_t whole = 0;
-  while (made.abscissa[whole] < breaks_at) ++whole;
-  const double broken = made.abscissa[whole];
-  made.abscissa.resize(whole);
+  std::size_t intact = 0;
+  while (made.abscissa[intact] < breaks_at) ++intact;
+  const double broken = made.abscissa[intact];
+  made.abscissa.resize(intact);
   specimen.target = made;
   // The truth has its last sample where it breaks.
   made.abscissa.push_back(breaks_at);
-  made.ordinate.assign(whole + 1, 0.0);
+  made.ordinate.assign(intact + 1, 0.0);
   const SceneModel model(
       trip.setup, made,
       {&find_field("material.youngs_modulus"), &find_field("material.yield_stress")});
@@ -63,9 +63,10 @@ Specimen make_specimen(const Trip& trip, unsigned seed) {
   if (!curve.usable) return specimen;
   specimen.truth[2] = curve.strain.at;
   double largest = 0.0;
-  for (std::size_t i = 0; i < whole; ++i) largest = std::max(largest, std::fabs(curve.ordinate[i]));
+  for (std::size_t i = 0; i < intact; ++i)
+    largest = std::max(largest, std::fabs(curve.ordinate[i]));
   std::normal_distribution<double> noise(0.0, kNoise * largest);
-  for (std::size_t i = 0; i < whole; ++i) {
+  for (std::size_t i = 0; i < intact; ++i) {
     specimen.target.ordinate.push_back(curve.ordinate[i] + noise(random));
   }
   const double last = specimen.target.abscissa.back();

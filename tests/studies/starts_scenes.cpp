@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "calibrate/trial/scene_model.hpp"
-#include "tests/calibrate/fit/way_over.hpp"
+#include "tests/calibrate/fit/path_over.hpp"
 #include "tests/support/normal.hpp"
 
 namespace plastica::studies {
@@ -14,9 +14,9 @@ namespace {
 
 using calibrate::Abscissa;
 using calibrate::Parameter;
-using calibrate::ScenePart;
+using calibrate::WeightedTarget;
 using testing::Normal;
-using testing::way_over;
+using testing::path_over;
 
 constexpr double kFactor = 30.0;
 constexpr double kNoise = 0.005;
@@ -53,51 +53,52 @@ double value_of(const Setup& setup, const Field& field) {
 }
 
 /// Frees fields of a scene, whose numbers are the truth, and makes its curve.
-StartsProblem problem(std::string name, ScenePart part, const std::vector<std::string>& fields) {
+StartsProblem problem(std::string name, WeightedTarget weighted,
+                      const std::vector<std::string>& fields) {
   StartsProblem made;
-  made.name = part.target.name = std::move(name);
+  made.name = weighted.target.name = std::move(name);
   std::vector<const Field*> set;
   std::vector<double> truth;
   for (const std::string& path : fields) {
     Parameter p;
     p.field = &find_field(path);
-    p.value = value_of(part.setup, *p.field);
-    const bool share = p.field->material == MaterialField::KinematicShare;
-    p.lower = share ? 0.02 : *p.value / kFactor;
-    p.upper = share ? 1.0 : *p.value * kFactor;
+    p.value = value_of(weighted.setup, *p.field);
+    const bool fraction = p.field->material == MaterialField::KinematicFraction;
+    p.lower = fraction ? 0.02 : *p.value / kFactor;
+    p.upper = fraction ? 1.0 : *p.value * kFactor;
     made.parameters.push_back(p);
     set.push_back(p.field);
     truth.push_back(*p.value);
   }
-  part.target.ordinate.assign(part.target.abscissa.size(), 0.0);
-  const calibrate::SceneModel model(part.setup, part.target, set);
+  weighted.target.ordinate.assign(weighted.target.abscissa.size(), 0.0);
+  const calibrate::SceneModel model(weighted.setup, weighted.target, set);
   const calibrate::SceneCurve curve = model.run(truth, 1).front();
   if (!curve.usable) throw std::runtime_error(made.name + ": " + curve.reason);
   double largest = 0.0;
   for (const double y : curve.ordinate) largest = std::max(largest, std::abs(y));
   Normal normal(7);
   for (std::size_t i = 0; i < curve.ordinate.size(); ++i) {
-    part.target.ordinate[i] = curve.ordinate[i] + kNoise * largest * normal.draw();
+    weighted.target.ordinate[i] = curve.ordinate[i] + kNoise * largest * normal.draw();
   }
-  made.part = std::move(part);
+  made.weighted = std::move(weighted);
   return made;
 }
 
-ScenePart driven(Setup setup, Abscissa kind, std::size_t driven, std::vector<double> path) {
-  ScenePart part;
-  part.target.kind = kind;
-  part.target.driven = driven;
-  part.target.ordinate_probe = setup.scene.probes.front().name;
-  part.target.abscissa = std::move(path);
-  part.setup = std::move(setup);
-  return part;
+WeightedTarget driven(Setup setup, Abscissa kind, std::size_t driven, std::vector<double> path) {
+  WeightedTarget weighted;
+  weighted.target.kind = kind;
+  weighted.target.driven = driven;
+  weighted.target.ordinate_probe = setup.scene.probes.front().name;
+  weighted.target.abscissa = std::move(path);
+  weighted.setup = std::move(setup);
+  return weighted;
 }
 
 StartsProblem bend() {
   Setup setup = bent_bar(8);
   setup.scene.material.hardening = {HardeningLaw::Linear, 10e9};
   return problem(
-      "bend", driven(setup, Abscissa::Support, 1, way_over({0.06, 0.04}, 20)),
+      "bend", driven(setup, Abscissa::Support, 1, path_over({0.06, 0.04}, 20)),
       {"material.youngs_modulus", "material.yield_stress", "material.hardening.tangent_modulus"});
 }
 
@@ -112,7 +113,7 @@ StartsProblem torsion() {
   head.rotation = {0.0, 0.0, 1.0};
   scene.supports.push_back(head);
   scene.probes = {{"torque", ProbeQuantity::ReactionMoment, Place::end(), Component::Z}};
-  return problem("torsion", driven(setup, Abscissa::Support, 1, way_over({0.3}, 30)),
+  return problem("torsion", driven(setup, Abscissa::Support, 1, path_over({0.3}, 30)),
                  {"material.shear_modulus", "material.shear_yield_stress"});
 }
 
@@ -125,9 +126,9 @@ StartsProblem cyclic() {
   scene.loads = {{.at = Place::end(), .force = {0.0, 1.0, 0.0}}};
   scene.probes = {{"way", ProbeQuantity::Displacement, Place::end(), Component::Y}};
   return problem("cyclic force",
-                 driven(setup, Abscissa::Load, 0, way_over({2000.0, -2000.0, 2200.0}, 16)),
+                 driven(setup, Abscissa::Load, 0, path_over({2000.0, -2000.0, 2200.0}, 16)),
                  {"material.youngs_modulus", "material.yield_stress",
-                  "material.hardening.tangent_modulus", "material.hardening.kinematic_share"});
+                  "material.hardening.tangent_modulus", "material.hardening.kinematic_fraction"});
 }
 
 StartsProblem voce() {
@@ -135,7 +136,7 @@ StartsProblem voce() {
   setup.scene.material.hardening.law = HardeningLaw::VoceChaboche;
   setup.scene.material.hardening.saturation_stress = 150e6;
   setup.scene.material.hardening.saturation_rate = 40.0;
-  return problem("Voce bend", driven(setup, Abscissa::Support, 1, way_over({0.08, 0.05}, 20)),
+  return problem("Voce bend", driven(setup, Abscissa::Support, 1, path_over({0.08, 0.05}, 20)),
                  {"material.youngs_modulus", "material.yield_stress",
                   "material.hardening.saturation_stress", "material.hardening.saturation_rate"});
 }
@@ -154,8 +155,8 @@ StartsProblem swing() {
   setup.solver.damping_time = 1e-4;
   setup.solver.duration = 0.036;
   setup.solver.steps = 90;
-  ScenePart part = driven(setup, Abscissa::Time, 0, way_over({0.036}, 90));
-  return problem("swing", std::move(part), {"material.youngs_modulus", "solver.damping_time"});
+  WeightedTarget weighted = driven(setup, Abscissa::Time, 0, path_over({0.036}, 90));
+  return problem("swing", std::move(weighted), {"material.youngs_modulus", "solver.damping_time"});
 }
 
 StartsProblem coupon() {
@@ -172,7 +173,7 @@ StartsProblem coupon() {
   return problem(
       "Chaboche coupon",
       driven(setup, Abscissa::Strain, 0,
-             way_over({0.012, -0.012, 0.012, -0.012, 0.016, -0.016}, 40)),
+             path_over({0.012, -0.012, 0.012, -0.012, 0.016, -0.016}, 40)),
       {"material.youngs_modulus", "material.yield_stress", "material.hardening.saturation_stress",
        "material.hardening.saturation_rate", "material.hardening.backstress_modulus_1",
        "material.hardening.backstress_rate_1"});

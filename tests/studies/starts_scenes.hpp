@@ -11,8 +11,8 @@ namespace plastica::studies {
 /// A fit whose curve was made by its own scene, with noise of 0.5 % of the largest ordinate.
 struct StartsProblem {
   std::string name;
-  calibrate::ScenePart part;
-  /// Free ones, from a 30th to 30 times the truth, which is their start; a share from 0.02 to 1.
+  calibrate::WeightedTarget weighted;
+  /// Free ones, from a 30th to 30 times the truth, which is their start; a fraction from 0.02 to 1.
   std::vector<calibrate::Parameter> parameters;
   bool cheap = false;  ///< whether a fit takes some tenths of a second
 };

@@ -25,15 +25,15 @@ using calibrate::Parameter;
 using calibrate::SceneFitOptions;
 using calibrate::SceneFitResult;
 
-/// A cost within this share of the least that is known is the best.
+/// A cost within this fraction of the least that is known is the best.
 constexpr double kSame = 1e-6;
 
-/// Starts that are even in the logarithm of each parameter.
+/// Starts that are uniform in the logarithm of each parameter.
 std::vector<Parameter> far_off(std::vector<Parameter> parameters, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   for (Parameter& p : parameters) {
-    const double share = static_cast<double>(random() >> 11U) * 0x1p-53;
-    p.value = *p.lower * std::pow(*p.upper / *p.lower, share);
+    const double fraction = static_cast<double>(random() >> 11U) * 0x1p-53;
+    p.value = *p.lower * std::pow(*p.upper / *p.lower, fraction);
   }
   return parameters;
 }
@@ -45,7 +45,7 @@ struct Tally {
   double runs = 0.0;
 
   void add(const SceneFitResult& fit) {
-    costs.push_back(fit.status == FitStatus::Fitted ? fit.parts[0].cost
+    costs.push_back(fit.status == FitStatus::Fitted ? fit.targets[0].cost
                                                     : std::numeric_limits<double>::infinity());
     best = std::min(best, costs.back());
     runs += fit.runs;
@@ -65,7 +65,7 @@ Tally fit_from(const StartsProblem& problem, int fits, int starts, double best) 
     options.parameters = far_off(problem.parameters, options.seed);
     if (starts > 0) options.starts = starts;
     options.segments_error = false;
-    tally.add(fit_scenes(std::vector{problem.part}, options));
+    tally.add(fit_scenes(std::vector{problem.weighted}, options));
   }
   return tally;
 }
@@ -79,7 +79,7 @@ TEST(Starts, ReachTheBestFitFromWhereverTheyAre) {
     SceneFitOptions at_truth{
         .parameters = problem.parameters, .starts = 1, .segments_error = false};
     Tally truth;
-    truth.add(fit_scenes(std::vector{problem.part}, at_truth));
+    truth.add(fit_scenes(std::vector{problem.weighted}, at_truth));
     const Tally found = fit_from(problem, fits, 0, truth.best);
     fmt::print("{:16} {} of {} reach the best cost, {:.0f} runs a fit", problem.name,
                found.reached(), fits, found.runs / fits);

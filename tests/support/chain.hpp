@@ -33,14 +33,14 @@ struct SolvedChain {
                     [&](const law::SectionForm& form) { return make_law(form, material); }) {}
 
   /// @param law_of  makes the law of a section's form
-  /// @param spring  beside each joint, as a share of its own stiffness [1]
+  /// @param spring  beside each joint, as a fraction of its own stiffness [1]
   template <class LawOf>
   SolvedChain(const Scene& scene, const MaterialValues<S>& material, const chain::View<L>& view,
               const LawOf& law_of, double spring = 0.0)
       : layout(chain::make_layout(scene, segment_ends(scene))) {
     build = chain::build_chain<L>(scene, layout, view, {.sees_axial = law::kSeesAxial<Law>});
     const std::vector<MaterialValues<S>> materials{material};
-    auto numbers = chain::joint_numbers(build.joints, layout.parts, materials, view);
+    auto numbers = chain::joint_numbers(build.joints, layout.regions, materials, view);
     const S stiffness = numbers[0].stiffness[0];
     const S length = constant<S>(scene.beam.length);
     build.chain.constraint_stiffness = constant<S>(100) * stiffness / (length * length * length);
@@ -52,7 +52,7 @@ struct SolvedChain {
       }
     }
     joints = std::make_unique<chain::SectionJoints<L, kElastic, Law>>(
-        view.section_axes(), std::vector<Law>{law_of(layout.parts[0].form)}, std::move(numbers));
+        view.section_axes(), std::vector<Law>{law_of(layout.regions[0].form)}, std::move(numbers));
     work.resize(build.chain);
   }
 

@@ -37,8 +37,8 @@ inline std::vector<std::uint64_t> bits_of(const Response& response) {
     add_all(*numbers);
   }
   for (const Energies& energy : chain.energy) {
-    for (const double part : {energy.elastic, energy.plastic, energy.external, energy.residual}) {
-      add(part);
+    for (const double term : {energy.elastic, energy.plastic, energy.external, energy.residual}) {
+      add(term);
     }
   }
   for (const int count : chain.iterations) bits.push_back(static_cast<std::uint64_t>(count));
@@ -47,7 +47,7 @@ inline std::vector<std::uint64_t> bits_of(const Response& response) {
     add(event.time);
     for (const BrokenJoint& joint : event.joints) {
       bits.push_back(static_cast<std::uint64_t>(joint.joint));
-      for (const double part : {joint.strain, joint.moment[0], joint.dissipation}) add(part);
+      for (const double term : {joint.strain, joint.moment[0], joint.dissipation}) add(term);
     }
   }
   return bits;

@@ -17,26 +17,37 @@ struct Renamed {
 
 /// Keys and words of input files; the words of result files, too.
 inline constexpr std::array kRenamedWords{
-    Renamed{"largest_turn", "largest_rotation"},      // scenes, solver
-    Renamed{"ledger", "energy_balance"},              // check files, [[claim]]
-    Renamed{"ledger_error", "energy_balance_error"},  // sweep files, error.quantity
-    Renamed{"most_iterations", "max_iterations"},     // scenes, solver
-    Renamed{"most_work", "max_work"},                 // check files, stability
-    Renamed{"numerical", "numerical_dissipation"},    // scenes, energy of a probe
+    Renamed{"drop_share", "drop_fraction"},            // fit files, corrections
+    Renamed{"end_share", "end_fraction"},              // fit files, corrections
+    Renamed{"kinematic_share", "kinematic_fraction"},  // material, hardening
+    Renamed{"largest_turn", "largest_rotation"},       // scenes, solver
+    Renamed{"ledger", "energy_balance"},               // check files, [[claim]]
+    Renamed{"ledger_error", "energy_balance_error"},   // sweep files, error.quantity
+    Renamed{"most_iterations", "max_iterations"},      // scenes, solver
+    Renamed{"most_work", "max_work"},                  // check files, stability
+    Renamed{"numerical", "numerical_dissipation"},     // scenes, energy of a probe
+    Renamed{"silent", "undetected"},                   // check files, [[claim]]
+    Renamed{"unsound", "invalid"},                     // check files, [[claim]]
+    Renamed{"zero_share", "zero_fraction"},            // fit files, corrections
 };
 
-/// Datasets of result files, by their path from the root.
+/// Datasets and groups of result files, by the last part of their path.
 inline constexpr std::array kRenamedStored{
-    Renamed{"options/setup/solver/largest_turn", "options/setup/solver/largest_rotation"},
-    Renamed{"options/setup/solver/most_iterations", "options/setup/solver/max_iterations"},
-    Renamed{"outcome/ledger_error", "outcome/energy_balance_error"},
-    Renamed{"buckling/turn", "buckling/rotation"},
-    Renamed{"critical_points/unstable_ways", "critical_points/unstable_modes"},
-    Renamed{"energy/numerical", "energy/numerical_dissipation"},
-    Renamed{"events/pieces/event", "events/fragments/event"},
-    Renamed{"events/pieces/first", "events/fragments/first"},
-    Renamed{"events/pieces/last", "events/fragments/last"},
-    Renamed{"cases/ledger_error", "cases/energy_balance_error"},
+    Renamed{"kinematic_share", "kinematic_fraction"},
+    Renamed{"largest_turn", "largest_rotation"},
+    Renamed{"last_whole_strain", "last_intact_strain"},
+    Renamed{"last_whole_stress", "last_intact_stress"},
+    Renamed{"ledger_error", "energy_balance_error"},
+    Renamed{"misfit_share", "misfit_fraction"},
+    Renamed{"most_iterations", "max_iterations"},
+    Renamed{"moved", "free"},
+    Renamed{"numerical", "numerical_dissipation"},
+    Renamed{"parts", "targets"},
+    Renamed{"pieces", "fragments"},
+    Renamed{"runs_probability", "runs_test_p"},
+    Renamed{"segment_shares", "segment_fractions"},
+    Renamed{"turn", "rotation"},
+    Renamed{"unstable_ways", "unstable_modes"},
 };
 
 /// The old name of what has this one now; empty if it never had another one.
@@ -51,10 +62,17 @@ constexpr std::string_view new_name(std::span<const Renamed> names, std::string_
   return found == names.end() ? before : found->now;
 }
 
-/// The path of a field, "solver.max_iterations", of one whose last name may be an old one.
+/// The path of a field, "solver.max_iterations", of one whose last part may be an old name.
 inline std::string new_path(std::string_view path) {
   const std::size_t last = path.rfind('.') + 1;
   return std::string(path.substr(0, last)).append(new_name(kRenamedWords, path.substr(last)));
+}
+
+/// The path that a field had before. Digests are made of it, so that journals stay usable.
+inline std::string old_path(std::string_view path) {
+  const std::size_t last = path.rfind('.') + 1;
+  const std::string_view before = old_name(kRenamedWords, path.substr(last));
+  return before.empty() ? std::string(path) : std::string(path.substr(0, last)).append(before);
 }
 
 }  // namespace plastica

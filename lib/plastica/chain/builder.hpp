@@ -74,7 +74,7 @@ class Builder {
 
   void set_shifts() {
     for (const Support& support : scene_.supports) {
-      if (layout_.size() > 1 || share_of(support.at, layout_.ends) != 0.0) continue;
+      if (layout_.size() > 1 || fraction_of(support.at, layout_.ends) != 0.0) continue;
       const auto held = view_.translations(support.held());
       build_.chain.root.shifts =
           build_.chain.root.shifts ||
@@ -83,9 +83,9 @@ class Builder {
   }
 
   /// The segment end at the point, if it is one.
-  std::size_t node_of(const SegmentPoint& point, double share) const {
-    if (share == layout_.ends[point.segment + 1]) return point.segment + 1;
-    return share == layout_.ends[point.segment] ? point.segment : kInside;
+  std::size_t node_of(const SegmentPoint& point, double fraction) const {
+    if (fraction == layout_.ends[point.segment + 1]) return point.segment + 1;
+    return fraction == layout_.ends[point.segment] ? point.segment : kInside;
   }
 
   void place_undeformed() {
@@ -100,26 +100,26 @@ class Builder {
   void add_support(std::size_t index) {
     const Support& support = scene_.supports[index];
     const std::size_t history = support.moves() ? add_history(support.history) : 0;
-    const double share = share_of(support.at, layout_.ends);
+    const double fraction = fraction_of(support.at, layout_.ends);
     if (traits_of(support).releases) {
-      release_bending(share);
+      release_bending(fraction);
       return;
     }
     if (support.to) {
-      add_bed(support, index, history, share, share_of(*support.to, layout_.ends));
+      add_bed(support, index, history, fraction, fraction_of(*support.to, layout_.ends));
       return;
     }
     const HeldFreedoms held = support.held();
     const bool holds = std::find(held.begin(), held.end(), true) != held.end();
-    if (share == 0.0) {
+    if (fraction == 0.0) {
       // Of the supports at the start the one that holds is the root's, wherever it is listed.
       if (holds || !root_is_held_) add_root(support, index, history);
       root_is_held_ = root_is_held_ || holds;
     } else {
-      add_held_point(support, index, history, share);
+      add_held_point(support, index, history, fraction);
     }
-    if (support.has_normal()) add_along_normal(support, index, share);
-    if (traits_of(support).springs) add_springs(support, index, history, share);
+    if (support.has_normal()) add_along_normal(support, index, fraction);
+    if (traits_of(support).springs) add_springs(support, index, history, fraction);
   }
 
   void add_root(const Support& support, std::size_t index, std::size_t history) {
@@ -138,14 +138,14 @@ class Builder {
   }
 
   void add_held_point(const Support& support, std::size_t index, std::size_t history,
-                      double share) {
-    const SegmentPoint point = segment_point(layout_, share);
+                      double fraction) {
+    const SegmentPoint point = segment_point(layout_, fraction);
     const auto translation = view_.point(vector(support.translation));
     const auto held = view_.translations(support.held());
     for (std::size_t k = 0; k < kT; ++k) {
       if (!held[k]) continue;
       LoopConstraint<L> constraint = constraint_at(index, point);
-      constraint.node = node_of(point, share);
+      constraint.node = node_of(point, fraction);
       constraint.history = history;
       constraint.direction = unit_vector<typename L::Point>(k);
       constraint.target = undeformed_point(point)[k];
@@ -205,8 +205,8 @@ class Builder {
     if (outer) plan.before = plan.length;
     plan.active = held;
     plan.node = joint.node;
-    const SegmentParts& parts = layout_.segment_part[segment];
-    plan.part_a = plan.part_b = outer ? parts.outer : parts.inner;
+    const SegmentRegions& regions = layout_.segment_regions[segment];
+    plan.region_a = plan.region_b = outer ? regions.outer : regions.inner;
     build_.joints.push_back(plan);
   }
 
@@ -228,20 +228,20 @@ class Builder {
   }
 
   // What acts along a normal, and springs: builder_supports.hpp.
-  void add_along_normal(const Support& support, std::size_t index, double share);
+  void add_along_normal(const Support& support, std::size_t index, double fraction);
   void add_bed(const Support& support, std::size_t index, std::size_t history, double from,
                double to);
-  void release_bending(double share);
-  void add_springs(const Support& support, std::size_t index, std::size_t history, double share);
+  void release_bending(double fraction);
+  void add_springs(const Support& support, std::size_t index, std::size_t history, double fraction);
 
   void add_load(const Load& load) {
     const std::size_t history = add_history(load.history);
-    const double from = share_of(load.at, layout_.ends);
+    const double from = fraction_of(load.at, layout_.ends);
     if (!load.to) {
       add_single_load(load, history, from);
       return;
     }
-    const double to = share_of(*load.to, layout_.ends);
+    const double to = fraction_of(*load.to, layout_.ends);
     for (std::size_t i = 0; i < layout_.size(); ++i) {
       const double begin = std::max(from, layout_.ends[i]);
       const double end = std::min(to, layout_.ends[i + 1]);
@@ -255,11 +255,11 @@ class Builder {
   /// both sides over its lengths in both, then turns as the beam does, and the chain keeps its
   /// order 2. With M before and M - M_0 behind a joint of compliances a and b it turns by
   /// a M + b (M - M_0), so it passes on M - M_0 b/(a + b).
-  void add_single_load(const Load& load, std::size_t history, double share) {
-    const SegmentPoint point = segment_point(layout_, share);
+  void add_single_load(const Load& load, std::size_t history, double fraction) {
+    const SegmentPoint point = segment_point(layout_, fraction);
     const std::size_t beyond = point.segment + 1;
     const bool at_joint =
-        beyond < layout_.size() && std::abs(share - layout_.ends[beyond]) < kSamePlace;
+        beyond < layout_.size() && std::abs(fraction - layout_.ends[beyond]) < kSamePlace;
     const bool has_moment = load.moment != std::array<double, 3>{};
     // A follower's direction is then the mean of both segments', that of the axis at the joint.
     const bool halves = options_.sees_axial || load.follows;
@@ -267,22 +267,23 @@ class Builder {
       add_point_load(load, history, point, 1.0);
       return;
     }
-    const ComplianceBefore share_before = compliance_before(layout_, beyond);
+    const ComplianceBefore fraction_before = compliance_before(layout_, beyond);
     const auto outer_part = [&](const std::array<double, 3>& whole,
-                                const std::array<double, 3>& shares) {
+                                const std::array<double, 3>& fractions) {
       const auto& frame = layout_.joint_frame[beyond];
-      if (shares[0] == shares[1] && shares[1] == shares[2]) return (shares[0] * vector(whole)).at;
+      if (fractions[0] == fractions[1] && fractions[1] == fractions[2])
+        return (fractions[0] * vector(whole)).at;
       Vec<double, 3> own = transpose(frame) * vector(whole);
-      for (std::size_t k = 0; k < 3; ++k) own[k] *= shares[k];
+      for (std::size_t k = 0; k < 3; ++k) own[k] *= fractions[k];
       return (frame * own).at;
     };
     Load outer = load;
-    outer.moment = outer_part(load.moment, share_before.rotational);
+    outer.moment = outer_part(load.moment, fraction_before.rotational);
     // A force does so where the joint stretches and shears; where it has an axial force, or the
     // load follows, half of it acts on each segment, so that start and end are alike.
     const std::array<double, 3> none{};
     const std::array<double, 3> half{0.5, 0.5, 0.5};
-    outer.force = outer_part(load.force, options_.shifts ? share_before.shifting
+    outer.force = outer_part(load.force, options_.shifts ? fraction_before.shifting
                                          : halves        ? half
                                                          : none);
     Load inner = load;
@@ -316,14 +317,14 @@ class Builder {
     const std::size_t history = add_history(scene_.gravity_history);
     for (std::size_t i = 0; i < layout_.size(); ++i) {
       const double middle = 0.5 * (layout_.ends[i] + layout_.ends[i + 1]);
-      const BeamPart& part = layout_.parts[layout_.segment_part[i].middle];
-      const Vec<double, 3> force = part.line_mass() * g;
+      const BeamRegion& region = layout_.regions[layout_.segment_regions[i].middle];
+      const Vec<double, 3> force = region.line_mass() * g;
       weight.force = force.at;
       add_point_load(weight, history, segment_point(layout_, middle), layout_.segment_length[i]);
     }
     for (const PointMass& mass : scene_.masses) {
       weight.force = (mass.mass * g).at;
-      add_single_load(weight, history, share_of(mass.at, layout_.ends));
+      add_single_load(weight, history, fraction_of(mass.at, layout_.ends));
     }
   }
 

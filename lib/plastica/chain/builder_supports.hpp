@@ -10,10 +10,10 @@
 namespace plastica::chain {
 
 template <class L>
-void Builder<L>::add_along_normal(const Support& support, std::size_t index, double share) {
-  const SegmentPoint point = segment_point(layout_, share);
+void Builder<L>::add_along_normal(const Support& support, std::size_t index, double fraction) {
+  const SegmentPoint point = segment_point(layout_, fraction);
   LoopConstraint<L> constraint = constraint_at(index, point);
-  constraint.node = node_of(point, share);
+  constraint.node = node_of(point, fraction);
   constraint.one_sided = traits_of(support).one_sided;
   constraint.direction = view_.point(vector(support.normal));
   constraint.history = support.moves() ? add_history(support.history) : 0;
@@ -25,8 +25,8 @@ void Builder<L>::add_along_normal(const Support& support, std::size_t index, dou
 /// The joint there has no law for bending. The halves of its segments are not strained, as at an
 /// end without moment: of order 2, since the moment grows from zero.
 template <class L>
-void Builder<L>::release_bending(double share) {
-  const std::size_t node = segment_point(layout_, share).segment + 1;
+void Builder<L>::release_bending(double fraction) {
+  const std::size_t node = segment_point(layout_, fraction).segment + 1;
   const auto released = view_.rotations(HeldFreedoms{false, false, false, true, true, false});
   for (std::size_t k = 0; k < kR; ++k) {
     if (released[k]) build_.joints[node].active[k] = false;
@@ -47,8 +47,8 @@ void Builder<L>::add_bed(const Support& support, std::size_t index, std::size_t 
     const double length =
         layout_.segment_length[i] * 2.0 * half / (layout_.ends[i + 1] - layout_.ends[i]);
     for (const double side : {-1.0, 1.0}) {
-      const double share = begin + half * (1.0 + side / std::numbers::sqrt3);
-      const SegmentPoint point = segment_point(layout_, share);
+      const double fraction = begin + half * (1.0 + side / std::numbers::sqrt3);
+      const SegmentPoint point = segment_point(layout_, fraction);
       Spring<L> spring;
       spring.support = index;
       spring.segment = point.segment;
@@ -66,15 +66,15 @@ void Builder<L>::add_bed(const Support& support, std::size_t index, std::size_t 
 
 template <class L>
 void Builder<L>::add_springs(const Support& support, std::size_t index, std::size_t history,
-                             double share) {
-  const SegmentPoint point = segment_point(layout_, share);
+                             double fraction) {
+  const SegmentPoint point = segment_point(layout_, fraction);
   Spring<L> spring;
   spring.support = index;
   spring.segment = point.segment;
   spring.history = history;
   spring.arm = view_.point(point.arm);
   const std::size_t beyond = point.segment + 1;
-  const bool joins = beyond < layout_.size() && share == layout_.ends[beyond];
+  const bool joins = beyond < layout_.size() && fraction == layout_.ends[beyond];
   const double part = joins && (options_.shifts || options_.sees_axial) ? 0.5 : 1.0;
   const auto stiffness = view_.translations(six(support.stiffness, {}));
   for (std::size_t k = 0; k < kT; ++k) spring.stiffness[k] = constant<S>(part * stiffness[k]);
@@ -90,7 +90,7 @@ void Builder<L>::add_springs(const Support& support, std::size_t index, std::siz
   if (std::none_of(rotational.begin(), rotational.begin() + kR, [](double k) { return k > 0.0; })) {
     return;
   }
-  if (share == 0.0) {
+  if (fraction == 0.0) {
     build_.joints[0].spring = rotational;
     return;
   }

@@ -21,14 +21,14 @@ std::vector<Inertia<L>> segment_inertias(const Layout& layout, const View<L>& vi
   std::vector<Inertia<L>> inertias;
   inertias.reserve(layout.size());
   for (std::size_t i = 0; i < layout.size(); ++i) {
-    const BeamPart& part = layout.parts[layout.segment_part[i].middle];
+    const BeamRegion& region = layout.regions[layout.segment_regions[i].middle];
     const Vec<double, 3> chord = layout.node[i + 1] - layout.node[i];
     const double length = layout.segment_length[i];
-    const double mass = part.line_mass() * length;
+    const double mass = region.line_mass() * length;
     const double rod = mass * dot(chord, chord) / 12.0;
-    const double line = part.material.density * length;
+    const double line = region.material.density * length;
     const double section = rotary == RotaryInertia::On ? line : 0.0;
-    const SectionProperties& p = part.properties;
+    const SectionProperties& p = region.properties;
     const std::array<double, 6> about{0.0,
                                       0.0,
                                       0.0,

@@ -23,13 +23,13 @@ struct JointModel {
   using Components = std::array<double, law::kSectionAxes>;
 
   std::size_t joint = kNone;  ///< its number among the chain's; none: an end that nothing holds
-  std::size_t owner = 0;      ///< the part of the beam whose section and law it has
+  std::size_t owner = 0;      ///< the region of the beam whose section and law it has
   std::size_t first = 0;      ///< the first component that turns on the level
   /// Bending about x, about y, torsion: whether the section resists it there. It does not in a pin,
   /// in a hinge, nor at an end that nothing holds.
   std::array<bool, 3> resists{};
-  double share = 0.0;         ///< where it is, of the beam's length [1]
-  double begin = 0.0;         ///< the part of the axis that it stands for [m]
+  double fraction = 0.0;  ///< where it is, of the beam's length [1]
+  double begin = 0.0;     ///< the part of the axis that it stands for [m]
   double end = 0.0;
   Components length{};     ///< tributary, of the owner's section [m]
   Components lever{};      ///< strain of the extreme fibre over the section's: I/W, J/W_t [m], 1
@@ -60,7 +60,7 @@ inline double hinge_length(const Scene& scene, const JointModel& joint) {
   return scene.hinge_length.value_or(scene.formulas == Formulas::Report ? 0.0 : joint.height);
 }
 
-/// `JointModel::limit` of the joints that a part owns.
+/// `JointModel::limit` of the joints that a region owns.
 inline std::array<double, 4> break_limits(const Scene& scene, const Material& material) {
   constexpr double kNever = JointModel::kNever;
   const double bending = material.break_strain.value_or(kNever);
@@ -74,27 +74,27 @@ inline std::array<double, 4> break_limits(const Scene& scene, const Material& ma
   return limit;
 }
 
-/// What all joints that a part owns have in common.
-inline JointModel joint_of_part(const Scene& scene, const BeamPart& part,
-                                const MaterialValues<double>& material) {
+/// What all joints that a region owns have in common.
+inline JointModel joint_of_region(const Scene& scene, const BeamRegion& region,
+                                  const MaterialValues<double>& material) {
   JointModel joint;
-  const PartNumbers<double> numbers = part_numbers(part, material);
+  const RegionNumbers<double> numbers = region_numbers(region, material);
   joint.stiffness = numbers.stiffness.at;
   joint.cap = numbers.yield.at;
   if (scene.yield_model == YieldModel::Elastic) joint.cap.fill(JointModel::kNever);
-  joint.lever = part.form.lever;
-  joint.modulus = part.form.modulus;
-  joint.limit = break_limits(scene, part.material);
-  joint.width = 2.0 * part.properties.outer_distance_y;
-  joint.height = 2.0 * part.properties.outer_distance_x;
-  joint.round = section_kind(part.section).round();
+  joint.lever = region.form.lever;
+  joint.modulus = region.form.modulus;
+  joint.limit = break_limits(scene, region.material);
+  joint.width = 2.0 * region.properties.outer_distance_y;
+  joint.height = 2.0 * region.properties.outer_distance_x;
+  joint.round = section_kind(region.section).round();
   return joint;
 }
 
 /// A chain's joints with one set of material numbers.
 template <class L>
 struct JointSet {
-  std::vector<MaterialValues<typename L::Scalar>> materials;  ///< of the parts (parts)
+  std::vector<MaterialValues<typename L::Scalar>> materials;  ///< of the regions (regions)
   std::vector<SectionJoint<L>> numbers;                       ///< of all joints (joints)
   std::vector<JointModel> at_nodes;                           ///< (N + 1)
 };
@@ -105,16 +105,16 @@ JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& 
                       const MaterialValues<double>& material, const View<L>& view) {
   const std::size_t n = layout.size();
   JointSet<L> set;
-  std::vector<JointModel> of_part;
-  for (const BeamPart& part : layout.parts) {
-    const auto values = of_part.empty() ? material : material_values(part.material);
-    of_part.push_back(joint_of_part(scene, part, values));
+  std::vector<JointModel> of_region;
+  for (const BeamRegion& region : layout.regions) {
+    const auto values = of_region.empty() ? material : material_values(region.material);
+    of_region.push_back(joint_of_region(scene, region, values));
     auto& own = set.materials.emplace_back();
     for (std::size_t i = 0; i < kMaterialFields; ++i) {
       own[i] = constant<typename L::Scalar>(values[i]);
     }
   }
-  set.numbers = joint_numbers(build.joints, layout.parts, set.materials, view);
+  set.numbers = joint_numbers(build.joints, layout.regions, set.materials, view);
   std::size_t at_end = JointModel::kNone;
   for (const GroundJoint<L>& ground : build.chain.ground_joints) {
     if (ground.node == n) at_end = ground.joint;
@@ -122,12 +122,12 @@ JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& 
   for (std::size_t node = 0; node <= n; ++node) {
     const std::size_t number = node < n ? node : at_end;
     const bool acts = number != JointModel::kNone;
-    const std::size_t owner = acts ? set.numbers[number].law : layout.segment_part[n - 1].outer;
-    JointModel& joint = set.at_nodes.emplace_back(of_part[owner]);
+    const std::size_t owner = acts ? set.numbers[number].law : layout.segment_regions[n - 1].outer;
+    JointModel& joint = set.at_nodes.emplace_back(of_region[owner]);
     joint.joint = number;
     joint.owner = owner;
     joint.first = view.section_axes().rotation(0);
-    joint.share = layout.ends[node];
+    joint.fraction = layout.ends[node];
     joint.length.fill(layout.joint_length[node]);
     const double at = layout.ends[node] * scene.beam.length;
     joint.begin = node == 0 ? at : at - 0.5 * layout.segment_length[node - 1];
@@ -137,13 +137,13 @@ JointSet<L> joint_set(const Scene& scene, const Layout& layout, const Build<L>& 
       joint.length[k] = static_cast<double>(set.numbers[number].length[k]);
     }
     for (std::size_t k = 0; k < L::kRotations; ++k) {
-      joint.resists[view.section_axes().rotation(k)] = build.joints[number].acting[k];
+      joint.resists[view.section_axes().rotation(k)] = build.joints[number].active[k];
     }
-    // With what it takes over of an end; between unlike parts, of its owner alone.
+    // With what it takes over of an end; between unlike regions, of its owner alone.
     if (node == 1) joint.begin -= layout.bare_half[0][joint.first];
     if (node + 1 == n) joint.end += layout.bare_half[1][joint.first];
     const JointPlan& plan = build.joints[number];
-    if (plan.part_a != plan.part_b) (owner == plan.part_a ? joint.end : joint.begin) = at;
+    if (plan.region_a != plan.region_b) (owner == plan.region_a ? joint.end : joint.begin) = at;
   }
   return set;
 }

@@ -8,13 +8,13 @@
 
 namespace plastica::chain {
 
-/// Whether a part owns a joint with another one, rather than the other way round: the one that
+/// Whether a region owns a joint with another one, rather than the other way round: the one that
 /// yields first about the axes of the level, by the product of its moments there; of equally strong
 /// ones the softer, of equally soft ones the first. It does not depend on which of them is before
 /// the joint.
-/// @param numbers  of each part (parts)
+/// @param numbers  of each region (regions)
 template <class L, class S = typename L::Scalar>
-bool owns_joint(std::size_t part, std::size_t other, const std::vector<PartNumbers<S>>& numbers,
+bool owns_joint(std::size_t region, std::size_t other, const std::vector<RegionNumbers<S>>& numbers,
                 const View<L>& view) {
   const auto product = [&](const law::SectionForce<S>& of) {
     S all = constant<S>(1);
@@ -24,43 +24,43 @@ bool owns_joint(std::size_t part, std::size_t other, const std::vector<PartNumbe
     return all;
   };
   const S less = constant<S>(1.0 - 1e-9);
-  for (const auto values : {&PartNumbers<S>::yield, &PartNumbers<S>::stiffness}) {
-    const S own = product(numbers[part].*values);
+  for (const auto values : {&RegionNumbers<S>::yield, &RegionNumbers<S>::stiffness}) {
+    const S own = product(numbers[region].*values);
     const S others = product(numbers[other].*values);
     if (any(own < less * others)) return true;
     if (any(others < less * own)) return false;
   }
-  return part <= other;
+  return region <= other;
 }
 
 /// The numbers of a level's joints.
 ///
-/// Where two parts meet, one of them owns the joint (`owns_joint`): the joint has its law, lever
+/// Where two regions meet, one of them owns the joint (`owns_joint`): the joint has its law, lever
 /// and break limits, and in each component the stiffness of both lengths in a row:
 /// l_k = K_k (l_a/K_ak + l_b/K_bk).
-/// @param materials  numbers of each part (parts)
+/// @param materials  numbers of each region (regions)
 template <class L>
 std::vector<SectionJoint<L>> joint_numbers(
-    const std::vector<JointPlan>& plans, const std::vector<BeamPart>& parts,
+    const std::vector<JointPlan>& plans, const std::vector<BeamRegion>& regions,
     const std::vector<MaterialValues<typename L::Scalar>>& materials, const View<L>& view) {
   using S = typename L::Scalar;
-  std::vector<PartNumbers<S>> numbers;
+  std::vector<RegionNumbers<S>> numbers;
   std::vector<typename L::Point> shear;
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    numbers.push_back(part_numbers(parts[p], materials[p]));
-    const SectionProperties& properties = parts[p].properties;
+  for (std::size_t p = 0; p < regions.size(); ++p) {
+    numbers.push_back(region_numbers(regions[p], materials[p]));
+    const SectionProperties& properties = regions[p].properties;
     shear.push_back(numbers[p].shear_modulus *
                     view.point({{properties.shear_coefficient_x * properties.area,
                                  properties.shear_coefficient_y * properties.area, 0.0}}));
   }
   std::vector<SectionJoint<L>> joints;
   for (const JointPlan& plan : plans) {
-    const std::size_t a = plan.part_a;
-    const std::size_t b = plan.part_b;
+    const std::size_t a = plan.region_a;
+    const std::size_t b = plan.region_b;
     SectionJoint<L> joint;
     joint.stretches = plan.stretches;
     joint.law = owns_joint(a, b, numbers, view) ? a : b;
-    // The length of the owner's part that has the compliance of both.
+    // The length of the owner's region that has the compliance of both.
     const auto in_a_row = [&](std::size_t k, const S& own, const S& of_a, const S& of_b) {
       return constant<S>(plan.before[k]) * own / of_a +
              constant<S>(plan.length[k] - plan.before[k]) * own / of_b;

@@ -4,22 +4,22 @@
 #include <array>
 #include <cstddef>
 
-#include "plastica/chain/part_numbers.hpp"
+#include "plastica/chain/region_numbers.hpp"
 #include "plastica/model/material_field.hpp"
 
 namespace plastica::chain {
 
-/// What a joint stands for; its law and numbers follow from the parts of the beam beside it.
+/// What a joint stands for; its law and numbers follow from the regions of the beam beside it.
 struct JointPlan {
   /// Tributary length of bending about x and y, twist, and stretch with shear [m].
   std::array<double, 4> length{};
-  std::array<double, 4> before{};  ///< what of it lies in part a, if that is not b [m]
+  std::array<double, 4> before{};  ///< what of it lies in region a, if that is not b [m]
   std::array<bool, 3> active{};    ///< rotations of the level that the section resists
   std::array<double, 3> spring{};  ///< beside it, of a rotational spring [N m/rad]
   bool stretches = false;          ///< where joints do: whether this one stretches and shears
   std::size_t node = 0;            ///< where it is
-  std::size_t part_a = 0;          ///< the parts that it joins
-  std::size_t part_b = 0;
+  std::size_t region_a = 0;        ///< the regions that it joins
+  std::size_t region_b = 0;
 };
 
 /// The tributary lengths of the joint at the inner end of a segment.
@@ -29,8 +29,8 @@ inline JointPlan joint_plan(const Layout& layout, std::size_t i) {
   const bool last = i + 1 == n;
   JointPlan joint;
   joint.node = i;
-  joint.part_b = layout.segment_part[i].inner;
-  joint.part_a = i == 0 ? joint.part_b : layout.segment_part[i - 1].outer;
+  joint.region_b = layout.segment_regions[i].inner;
+  joint.region_a = i == 0 ? joint.region_b : layout.segment_regions[i - 1].outer;
   joint.active.fill(i > 0);
   joint.stretches = i > 0;
   joint.length.fill(layout.joint_length[i]);
@@ -53,30 +53,30 @@ struct ComplianceBefore {
 inline ComplianceBefore compliance_before(const Layout& layout, std::size_t node) {
   const JointPlan plan = joint_plan(layout, node);
   const auto stiffness = [&](std::size_t number) -> std::array<double, 6> {
-    const BeamPart& part = layout.parts[number];
-    const auto of = part_numbers(part, material_values(part.material));
-    const double shear = of.shear_modulus * part.properties.area;
+    const BeamRegion& region = layout.regions[number];
+    const auto of = region_numbers(region, material_values(region.material));
+    const double shear = of.shear_modulus * region.properties.area;
     return {of.stiffness[0],
             of.stiffness[1],
             of.stiffness[2],
-            shear * part.properties.shear_coefficient_x,
-            shear * part.properties.shear_coefficient_y,
+            shear * region.properties.shear_coefficient_x,
+            shear * region.properties.shear_coefficient_y,
             of.stiffness[3]};
   };
   std::array<double, 6> a{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   std::array<double, 6> b = a;
-  if (plan.part_a != plan.part_b) {
-    a = stiffness(plan.part_a);
-    b = stiffness(plan.part_b);
+  if (plan.region_a != plan.region_b) {
+    a = stiffness(plan.region_a);
+    b = stiffness(plan.region_b);
   }
-  ComplianceBefore share;
+  ComplianceBefore fraction;
   for (std::size_t k = 0; k < 6; ++k) {
     const std::size_t length = std::min<std::size_t>(k, 3);
     const double before = plan.before[length] / a[k];
     const double behind = (plan.length[length] - plan.before[length]) / b[k];
-    (k < 3 ? share.rotational[k] : share.shifting[k - 3]) = before / (before + behind);
+    (k < 3 ? fraction.rotational[k] : fraction.shifting[k - 3]) = before / (before + behind);
   }
-  return share;
+  return fraction;
 }
 
 }  // namespace plastica::chain

@@ -31,11 +31,11 @@ Frame between(const Frame& a, const Frame& b) {
   return a * rotation_matrix(0.5 * rotation_vector(transpose(a) * b));
 }
 
-/// The frame at a share of an arc, whose z axis is its tangent.
-Frame arc_frame(const Beam& beam, double share) {
+/// The frame at a fraction of an arc, whose z axis is its tangent.
+Frame arc_frame(const Beam& beam, double fraction) {
   const Point along{{0.0, 0.0, 1.0}};
   const Point towards{{beam.arc_towards[0], beam.arc_towards[1], beam.arc_towards[2]}};
-  return rotation_matrix(share * beam.arc_angle * cross(along, towards));
+  return rotation_matrix(fraction * beam.arc_angle * cross(along, towards));
 }
 
 void place_frames(const Beam& beam, Layout& layout) {
@@ -97,19 +97,19 @@ void set_bare_halves(const Scene& scene, Layout& layout) {
   if (layout.end_rule != EndRule::HalfJoint || !scene.beam.joint_lengths.empty()) return;
   constexpr std::array<double, 3> kNothing{};
   for (std::size_t e = 0; e < 2; ++e) {
-    const double share = layout.ends[e == 0 ? 0 : layout.size()];
+    const double fraction = layout.ends[e == 0 ? 0 : layout.size()];
     bool has_moment = false;
     std::array<bool, 3> held{};
     for (const Load& load : scene.loads) {
-      const bool here = !load.to && share_of(load.at, layout.ends) == share;
+      const bool here = !load.to && fraction_of(load.at, layout.ends) == fraction;
       has_moment = has_moment || (here && load.moment != kNothing);
     }
     for (const PointMass& mass : scene.masses) {
-      has_moment =
-          has_moment || (mass.has_rotational_inertia() && share_of(mass.at, layout.ends) == share);
+      has_moment = has_moment ||
+                   (mass.has_rotational_inertia() && fraction_of(mass.at, layout.ends) == fraction);
     }
     for (const Support& support : scene.supports) {
-      if (support.to || share_of(support.at, layout.ends) != share) continue;
+      if (support.to || fraction_of(support.at, layout.ends) != fraction) continue;
       has_moment = has_moment || support.rotational_stiffness != kNothing;
       const HeldFreedoms holds = support.held();
       for (std::size_t k = 0; k < 3; ++k) held[k] = held[k] || holds[3 + k];
@@ -120,53 +120,55 @@ void set_bare_halves(const Scene& scene, Layout& layout) {
 }
 
 /// The last region that holds a point; 0: none.
-std::size_t region_at(const Scene& scene, double share, const std::vector<double>& ends) {
+std::size_t region_at(const Scene& scene, double fraction, const std::vector<double>& ends) {
   std::size_t number = 0;
   for (std::size_t i = 0; i < scene.regions.size(); ++i) {
     const Region& region = scene.regions[i];
-    if (share < share_of(region.from, ends) || share > share_of(region.to, ends)) continue;
+    if (fraction < fraction_of(region.from, ends) || fraction > fraction_of(region.to, ends))
+      continue;
     number = i + 1;
   }
   return number;
 }
 
-void set_parts(const Scene& scene, std::optional<law::GaugePlane> yields, Layout& layout) {
+void set_regions(const Scene& scene, std::optional<law::GaugePlane> yields, Layout& layout) {
   const bool one_surface = yields && (scene.yield_model == YieldModel::Interaction ||
                                       scene.yield_model == YieldModel::Conservative);
-  const auto add = [&](std::size_t region, const Section& section, const Material& material) {
-    BeamPart part{.region = region, .section = section, .material = material};
-    part.properties = section_properties(section, material.poisson_ratio);
-    part.form =
-        law::section_form(section, part.properties, material, scene.yield_cap, scene.formulas);
+  const auto add = [&](std::size_t number, const Section& section, const Material& material) {
+    BeamRegion region{.scene_region = number, .section = section, .material = material};
+    region.properties = section_properties(section, material.poisson_ratio);
+    region.form =
+        law::section_form(section, region.properties, material, scene.yield_cap, scene.formulas);
     if (one_surface) {
-      part.gauge =
+      region.gauge =
           law::gauge_form(section, scene.yield_model, scene.yield_cap, scene.formulas, *yields);
     }
-    layout.parts.push_back(std::move(part));
-    return layout.parts.size() - 1;
+    layout.regions.push_back(std::move(region));
+    return layout.regions.size() - 1;
   };
   add(0, scene.section, scene.material);
   for (const Region& region : scene.regions) {
-    add(layout.parts.size(), region.section, region.material);
+    add(layout.regions.size(), region.section, region.material);
   }
   for (std::size_t i = 0; i < layout.size(); ++i) {
     const double begin = layout.ends[i], end = layout.ends[i + 1];
     const double middle = 0.5 * (begin + end);
     const std::size_t number = region_at(scene, middle, layout.ends);
-    layout.segment_part.push_back({number, number, number});
+    layout.segment_regions.push_back({number, number, number});
     if (number == 0 || !scene.regions[number - 1].to_section) continue;
     const Region& region = scene.regions[number - 1];
-    const double from = share_of(region.from, layout.ends);
-    const double extent = share_of(region.to, layout.ends) - from;
-    const auto part_at = [&](double share) {
-      return add(number, tapered_section(region, (share - from) / extent), region.material);
+    const double from = fraction_of(region.from, layout.ends);
+    const double extent = fraction_of(region.to, layout.ends) - from;
+    const auto add_at = [&](double fraction) {
+      return add(number, tapered_section(region, (fraction - from) / extent), region.material);
     };
-    SegmentParts& own = layout.segment_part[i];
+    SegmentRegions& own = layout.segment_regions[i];
     // The joint between two segments of one taper has one section.
-    const bool goes_on = i > 0 && layout.parts[layout.segment_part[i - 1].outer].region == number;
-    own.inner = goes_on ? layout.segment_part[i - 1].outer : part_at(begin);
-    own.middle = part_at(middle);
-    own.outer = part_at(end);
+    const bool goes_on =
+        i > 0 && layout.regions[layout.segment_regions[i - 1].outer].scene_region == number;
+    own.inner = goes_on ? layout.segment_regions[i - 1].outer : add_at(begin);
+    own.middle = add_at(middle);
+    own.outer = add_at(end);
   }
 }
 
@@ -177,8 +179,8 @@ Layout make_layout(const Scene& scene, std::vector<double> ends,
   Layout layout;
   layout.ends = std::move(ends);
   layout.end_rule = resolved_end_rule(scene);
-  for (const double share : layout.ends) {
-    const auto at = axis_point(scene.beam, share);
+  for (const double fraction : layout.ends) {
+    const auto at = axis_point(scene.beam, fraction);
     layout.node.push_back({{at[0], at[1], at[2]}});
   }
   for (std::size_t i = 0; i + 1 < layout.ends.size(); ++i) {
@@ -187,16 +189,16 @@ Layout make_layout(const Scene& scene, std::vector<double> ends,
   place_frames(scene.beam, layout);
   set_joint_lengths(scene, layout);
   set_bare_halves(scene, layout);
-  set_parts(scene, yields, layout);
+  set_regions(scene, yields, layout);
   return layout;
 }
 
-SegmentPoint segment_point(const Layout& layout, double share) {
+SegmentPoint segment_point(const Layout& layout, double fraction) {
   const auto after =
-      std::lower_bound(layout.ends.begin() + 1, layout.ends.end() - 1, share - 1e-12);
+      std::lower_bound(layout.ends.begin() + 1, layout.ends.end() - 1, fraction - 1e-12);
   const auto segment = static_cast<std::size_t>(after - layout.ends.begin()) - 1;
   const double within =
-      (share - layout.ends[segment]) / (layout.ends[segment + 1] - layout.ends[segment]);
+      (fraction - layout.ends[segment]) / (layout.ends[segment + 1] - layout.ends[segment]);
   const Point chord = layout.node[segment + 1] - layout.node[segment];
   return {segment, within * transposed_times(layout.segment_frame[segment], chord)};
 }

@@ -12,9 +12,11 @@
 
 namespace plastica::chain {
 
-/// A section and a material that the beam has somewhere, and what follows from them.
-struct BeamPart {
-  std::size_t region = 0;  ///< 0: the scene's own, else the region's number from 1
+/// A region of the beam: the section and the material that it has there, and what follows from
+/// them. A taper has one for each section.
+struct BeamRegion {
+  /// 0: what the scene has at its top; else the number of the `Region` that it is of, from 1.
+  std::size_t scene_region = 0;
   Section section{};
   Material material{};
   SectionProperties properties{};
@@ -24,13 +26,13 @@ struct BeamPart {
   double line_mass() const { return material.density * properties.area; }  ///< [kg/m]
 };
 
-/// The parts of a segment: one of the last region that holds its middle, or the scene's own. In a
-/// taper each segment has the section of its middle, and each joint that of its place.
-struct SegmentParts {
+/// The regions of a segment: those of the last `Region` that holds its middle, or the scene's own.
+/// In a taper each segment has the section of its middle, and each joint that of its place.
+struct SegmentRegions {
   std::size_t middle = 0;
   std::size_t inner = 0;  ///< as its joints see it
   std::size_t outer = 0;
-  bool operator==(const SegmentParts&) const = default;
+  bool operator==(const SegmentRegions&) const = default;
 };
 
 /// Where the segments and joints of a scene's undeformed beam are, in space whatever the level.
@@ -39,8 +41,8 @@ struct SegmentParts {
 /// an arc or over a corner is a segment's arm; its length along the axis is what joints and loads
 /// go by.
 struct Layout {
-  std::vector<double> ends;                      ///< of segments, as shares of the length (N + 1)
-  std::vector<Vec<double, 3>> node;              ///< [m] (N + 1)
+  std::vector<double> ends;          ///< of segments, as fractions of the length (N + 1)
+  std::vector<Vec<double, 3>> node;  ///< [m] (N + 1)
   std::vector<Mat<double, 3, 3>> segment_frame;  ///< columns x, y, z; z along the chord (N)
   /// Half way between the frames of its segments; at the ends of an arc, of its tangent (N + 1).
   std::vector<Mat<double, 3, 3>> joint_frame;
@@ -55,8 +57,8 @@ struct Layout {
   std::array<std::array<double, 4>, 2> bare_half{};
   EndRule end_rule = EndRule::HalfJoint;  ///< never Auto
 
-  std::vector<BeamPart> parts;             ///< the scene's own, its regions', those of tapers
-  std::vector<SegmentParts> segment_part;  ///< numbers of parts (N)
+  std::vector<BeamRegion> regions;              ///< the scene's own, its regions', those of tapers
+  std::vector<SegmentRegions> segment_regions;  ///< numbers of regions (N)
 
   std::size_t size() const { return segment_length.size(); }
 };
@@ -76,7 +78,7 @@ struct SegmentPoint {
 Layout make_layout(const Scene& scene, std::vector<double> ends,
                    std::optional<law::GaugePlane> yields = {});
 
-/// The point at a share of the beam's length; a node belongs to the segment before it.
-SegmentPoint segment_point(const Layout& layout, double share);
+/// The point at a fraction of the beam's length; a node belongs to the segment before it.
+SegmentPoint segment_point(const Layout& layout, double fraction);
 
 }  // namespace plastica::chain

@@ -21,7 +21,7 @@
 ///   spun(spin, arm)                               velocity of the end of an arm;
 ///   moment(arm, force)                            arm x force;
 ///   axes(frame)                                   spins in the frame's axes to world axes;
-///   rotation_matrix(frame)                            the matrix of `rotate`;
+///   frame_matrix(frame)                            the matrix of `rotate`;
 ///   spun_by(arm)          d(arm) / d(spin), the arm being fixed to a segment;
 ///   moment_by(arm, force) d(arm x force) / d(spin) at constant force;
 ///   spin_derivative(moment)     d(moment) / d(spin), the moment being fixed to the segment;
@@ -122,7 +122,7 @@ struct Planar {
     return {{arm[0] * force[1] - arm[1] * force[0]}};
   }
   static Mat<S, 1, 1> axes(const Frame& /*f*/) { return identity<S, 1>(); }
-  static Mat<S, 2, 2> rotation_matrix(const Frame& f) {
+  static Mat<S, 2, 2> frame_matrix(const Frame& f) {
     return {{f.cosine, -f.sine, f.sine, f.cosine}};
   }
   static Mat<S, 2, 1> spun_by(const Point& arm) { return {{-arm[1], arm[0]}}; }
@@ -181,7 +181,7 @@ struct Spatial {
   static Point spun(const Spin& w, const Point& arm) { return cross(w, arm); }
   static Spin moment(const Point& arm, const Point& force) { return cross(arm, force); }
   static Mat<S, 3, 3> axes(const Frame& f) { return f.axes; }
-  static Mat<S, 3, 3> rotation_matrix(const Frame& f) { return f.axes; }
+  static Mat<S, 3, 3> frame_matrix(const Frame& f) { return f.axes; }
   static Mat<S, 3, 3> spun_by(const Point& arm) { return skew(-arm); }
   static Mat<S, 3, 3> moment_by(const Point& arm, const Point& force) {
     Mat<S, 3, 3> by = outer(arm, force);

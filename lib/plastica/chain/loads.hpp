@@ -71,11 +71,11 @@ inline void add_point_stiffness(
 
 template <class L, class FactorAt>
 void add_loads(const Chain<L>& chain, const Placement<L>& placement, const FactorAt& factor_at,
-               const typename L::Scalar& share, OuterForces<L>& outer_forces) {
+               const typename L::Scalar& fraction, OuterForces<L>& outer_forces) {
   using S = typename L::Scalar;
   for (const SegmentLoad<L>& load : chain.loads) {
     const S factor = factor_as<S>(factor_at(load.history));
-    const S slope = share * factor;
+    const S slope = fraction * factor;
     const Wrench<L> unit = unit_wrench(load, placement);
     Wrench<L>& wrench = outer_forces.wrench[load.segment];
     Impedance<L>& impedance = outer_forces.impedance[load.segment];
@@ -93,7 +93,7 @@ void add_loads(const Chain<L>& chain, const Placement<L>& placement, const Facto
 
 template <class L, class FactorAt>
 void add_springs(const Chain<L>& chain, const Placement<L>& placement, const FactorAt& factor_at,
-                 const typename L::Scalar& share, OuterForces<L>& outer_forces) {
+                 const typename L::Scalar& fraction, OuterForces<L>& outer_forces) {
   using S = typename L::Scalar;
   for (const Spring<L>& spring : chain.springs) {
     const S factor = factor_as<S>(factor_at(spring.history));
@@ -107,8 +107,8 @@ void add_springs(const Chain<L>& chain, const Placement<L>& placement, const Fac
       force[i] = -(spring.stiffness[i] * off[i]);
     }
     Impedance<L>& impedance = outer_forces.impedance[spring.segment];
-    add_point_stiffness(share * k, arm, impedance);
-    impedance.rr -= share * L::moment_by(arm, force);
+    add_point_stiffness(fraction * k, arm, impedance);
+    impedance.rr -= fraction * L::moment_by(arm, force);
     outer_forces.wrench[spring.segment].force += force;
     outer_forces.wrench[spring.segment].moment += L::moment(arm, force);
   }
@@ -135,7 +135,7 @@ void add_ground_joints(const Chain<L>& chain, const Coordinates<L>& q, const Sta
     const typename L::Spin moment = axes * force;
     outer_forces.wrench[joint.segment].moment += moment;
     outer_forces.impedance[joint.segment].rr +=
-        axes * tangent * transpose(axes) - stage.share() * L::spin_derivative(moment);
+        axes * tangent * transpose(axes) - stage.fraction() * L::spin_derivative(moment);
   }
 }
 
@@ -168,7 +168,7 @@ void add_constraints(const Chain<L>& chain, const Placement<L>& placement, const
     impedance.rr += outer(stiffness * unit.moment, along.moment);
     if (constraint.rotational) continue;
     const typename L::Point arm = L::rotate(placement.frame[constraint.segment], constraint.arm);
-    impedance.rr -= (stage.share() * force) * L::moment_by(arm, constraint.direction);
+    impedance.rr -= (stage.fraction() * force) * L::moment_by(arm, constraint.direction);
   }
 }
 
@@ -178,8 +178,8 @@ template <class L, class FactorAt>
 void gather_loads(const Chain<L>& chain, const Placement<L>& placement, const Stage<L>& stage,
                   const FactorAt& factor_at, OuterForces<L>& outer_forces) {
   outer_forces.reset(chain.size());
-  detail::add_loads(chain, stage.of(placement), factor_at, stage.share(), outer_forces);
-  detail::add_springs(chain, stage.of(placement), factor_at, stage.share(), outer_forces);
+  detail::add_loads(chain, stage.of(placement), factor_at, stage.fraction(), outer_forces);
+  detail::add_springs(chain, stage.of(placement), factor_at, stage.fraction(), outer_forces);
 }
 
 /// All that acts on the segments but constraints.

@@ -26,10 +26,10 @@ struct CarriedMass {
 /// l/4EI is missing, l the joint's length, so that what it adds to a motion is right to first order
 /// in l; within a segment, in its middle, to second order.
 inline std::vector<CarriedMass> carried_masses(const Layout& layout, const PointMass& mass) {
-  const double share = share_of(mass.at, layout.ends);
-  const SegmentPoint point = segment_point(layout, share);
+  const double fraction = fraction_of(mass.at, layout.ends);
+  const SegmentPoint point = segment_point(layout, fraction);
   const std::size_t beyond = point.segment + 1;
-  const bool at_joint = beyond < layout.size() && share == layout.ends[beyond];
+  const bool at_joint = beyond < layout.size() && fraction == layout.ends[beyond];
   const double part = at_joint ? 0.5 : 1.0;
   Mat<double, 3, 3> inertia;
   for (std::size_t k = 0; k < 3; ++k) inertia(k, k) = part * mass.inertia[k];

@@ -255,7 +255,7 @@ void Recursion<L, kElastic>::factor(const Chain<L>& chain, const Coordinates<L>&
     joint.arm = placement.position[i] - placement.position[i - 1];
     joint.work_arm = at.position[i] - at.position[i - 1];
     carry(joint.arm, joint.work_arm, a);
-    a.rr -= stage.share() * L::moment_by(joint.arm, w.force);
+    a.rr -= stage.fraction() * L::moment_by(joint.arm, w.force);
     w.moment += L::moment(joint.work_arm, w.force);
   }
   const S one = constant<S>(1);

@@ -14,7 +14,7 @@ typename Recursion<L, kElastic>::Carrier Recursion<L, kElastic>::carrier(
   const S half = constant<S>(0.5);
   const typename L::Frame& far = placement.far[i];
   return {L::spun_by(half * L::rotate(far, shift)),
-          half * (L::rotation_matrix(placement.near[i]) + L::rotation_matrix(far))};
+          half * (L::frame_matrix(placement.near[i]) + L::frame_matrix(far))};
 }
 
 /// What moves the outer segment, and what its wrench works on. Where forces act at the end, both
@@ -104,7 +104,7 @@ void Recursion<L, kElastic>::eliminate(const Chain<L>& chain, const Stage<L>& st
                      v_spin, d);
   if constexpr (kElastic) {
     // The force acts on segment i - 1 where the shift has taken it.
-    const Mat<S, kR, kT> follows = stage.share() * transpose(L::spun_by(w.force));
+    const Mat<S, kR, kT> follows = stage.fraction() * transpose(L::spun_by(w.force));
     add(joint.u_spin, 0, 0, follows * joint.moves.by_spin);
     add(joint.u_spin, 0, kR, follows * joint.moves.along);
   }
@@ -134,12 +134,12 @@ void Recursion<L, kElastic>::add_rotation_terms(const Stage<L>& stage,
                                                 const Placement<L>& at, const Spins& near,
                                                 const Wrench<L>& w, std::size_t i,
                                                 Mat<S, kJ, kR>& v_spin, Mat<S, kJ, kJ>& d) {
-  const S share = stage.share();
+  const S fraction = stage.fraction();
   const auto rows = [&](const auto& m) {
     return stage.midpoint ? stage.from_joint[i] * (transpose(L::axes(at.near[i])) * m) : m;
   };
   if constexpr (!kElastic) {
-    v_spin += rows(share * L::spin_derivative(w.moment));
+    v_spin += rows(fraction * L::spin_derivative(w.moment));
   } else {
     const S half = constant<S>(0.5);
     const auto columns = [&](const auto& m) {
@@ -147,11 +147,11 @@ void Recursion<L, kElastic>::add_rotation_terms(const Stage<L>& stage,
     };
     const typename L::Point p = L::rotate(at.far[i], shift);
     const typename L::Spin g = w.moment + L::moment(half * p, w.force);
-    const Spins by_p = (share * half) * L::moment_by(p, w.force);
-    const Mat<S, kT, kR> by_force = (share * half) * L::spun_by(w.force);
-    const Mat<S, kT, kR> far_by = transpose(L::rotation_matrix(at.far[i])) * by_force;
-    add(v_spin, 0, 0, rows(share * L::spin_derivative(g) - by_p));
-    add(v_spin, kR, 0, transpose(L::rotation_matrix(at.near[i])) * by_force + far_by);
+    const Spins by_p = (fraction * half) * L::moment_by(p, w.force);
+    const Mat<S, kT, kR> by_force = (fraction * half) * L::spun_by(w.force);
+    const Mat<S, kT, kR> far_by = transpose(L::frame_matrix(at.far[i])) * by_force;
+    add(v_spin, 0, 0, rows(fraction * L::spin_derivative(g) - by_p));
+    add(v_spin, kR, 0, transpose(L::frame_matrix(at.near[i])) * by_force + far_by);
     add(d, 0, 0, -constant<S>(1) * rows(columns(by_p)));
     // d(S^T w) is symmetric in spins and shifts: p/2 x force changes with the shift alike.
     add(d, kR, 0, columns(far_by));

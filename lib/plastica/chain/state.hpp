@@ -147,7 +147,7 @@ struct Stage {
   std::vector<Mat<S, kR, kR>> from_joint;   ///< and back (N)
   std::vector<Mat<S, kR, kR>> ground_axes;  ///< and of ground joints back to the world
 
-  S share() const { return constant<S>(follows); }
+  S fraction() const { return constant<S>(follows); }
   const Placement<L>& of(const Placement<L>& end) const { return midpoint ? placement : end; }
 };
 

@@ -19,7 +19,7 @@ struct CouponMaterial : law::UniaxialMaterial<S> {
 
 /// Translates material numbers; a template, so that derivatives by them go through.
 ///
-/// Defaults of unset shear values: von Mises, sqrt(3); the report takes them as equal.
+/// Defaults of unset shear values: von Mises, sqrt(3); Wendelius' report takes them as equal.
 template <class S>
 inline CouponMaterial<S> coupon_material(const CouponShape& shape, const MaterialValues<S>& v) {
   const bool torsion = shape.deformation == Deformation::Torsion;
@@ -56,7 +56,7 @@ inline void with_law(HardeningLaw hardening, const CouponMaterial<S>& m,
 
 /// The permanent strain that is held against the limit [1], >= 0.
 ///
-/// The accumulated measure is a sum of strains; the report's sine is never taken of a sum.
+/// The accumulated measure is a sum of strains; Wendelius' sine is never taken of a sum.
 template <class State>
 inline auto break_measure(const CouponShape& shape, const State& state) {
   using S = std::remove_cvref_t<decltype(state.plastic)>;
@@ -76,7 +76,7 @@ inline auto break_measure(const CouponShape& shape, const State& state) {
 }
 
 /// The law's own permanent strain (net or accumulated) at which `break_measure` reaches `limit`
-/// [1]; infinite where the report's sine never gets there.
+/// [1]; infinite where Wendelius' sine never gets there.
 inline double plastic_limit(const CouponShape& shape, double limit) {
   if (shape.formulas == Formulas::Mechanics || shape.deformation == Deformation::Tension) {
     return limit;

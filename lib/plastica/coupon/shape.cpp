@@ -16,7 +16,7 @@ void take(const law::SectionForm& form, law::Axis axis, CouponShape& shape) {
   shape.cap_factor = form.axis[axis].cap_factor;
 }
 
-/// The lever of the report's break strain: h in its (24), c/2 in its (8).
+/// The lever of Wendelius' break strain: h in its (24), c/2 in its (8).
 double report_lever(const Section& section, Deformation deformation, double lever) {
   if (deformation == Deformation::Bending) return 2.0 * lever;
   return section_kind(section).round() ? lever : 0.5 * std::max(section.width, section.height);

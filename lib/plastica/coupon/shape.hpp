@@ -20,7 +20,7 @@ struct CouponShape {
   double cap_factor = 1.0;
   double load_per_stress = 1.0;  ///< A [m^2], W_x or W_t [m^3]
   double lever = 1.0;            ///< strain per permanent angle per length: h/2, J/W_t [m]
-  double report_lever = 1.0;     ///< of the report's break strain: h in (24), c/2 in (8) [m]
+  double report_lever = 1.0;     ///< of Wendelius' break strain: h in (24), c/2 in (8) [m]
   double length = 1.0;           ///< tributary length of an inner joint [m]
   RateLaw rate = RateLaw::None;
   double strain_rate = 0.0;  ///< of all [1/s]

@@ -83,6 +83,8 @@ class Hdf5Handle {
 /// A group of an open file. Paths are relative to it ("a/b"; "." is the group itself) or, with a
 /// slash in front, to the file's root. Groups must not outlive their file.
 ///
+/// What is read by its name may stand there under its old one (base/renamed.hpp).
+///
 /// Writing creates the groups on the way and throws StorageError when it fails, or when there is
 /// something at the path already. Reading throws InputError when the path, the type or the shape
 /// is not as asked, since the file is the user's; StorageError when the machine fails. What leads
@@ -176,6 +178,7 @@ class Hdf5Group {
 
   std::string full_path(std::string_view path) const;
   bool has_links(const std::string& full) const;
+  std::string stored_path(const std::string& full) const;
   void require_shape(std::string_view path, std::span<const std::size_t> wanted) const;
   std::vector<std::string> read_text_array(std::string_view path,
                                            std::span<const std::size_t> shape) const;

@@ -2,6 +2,7 @@
 #include <array>
 #include <new>
 
+#include "plastica/base/renamed.hpp"
 #include "plastica/io/hdf5.hpp"
 #include "plastica/io/hdf5_check.hpp"
 #include "plastica/io/hdf5_handle.hpp"
@@ -61,6 +62,22 @@ bool Hdf5Group::has_links(const std::string& full) const {
   }
 }
 
+/// A path with the old name of each part that the file has only under that.
+std::string Hdf5Group::stored_path(const std::string& full) const {
+  if (has_links(full)) return full;
+  std::string path;
+  for (std::size_t begin = 1; begin < full.size();) {
+    const std::size_t end = std::min(full.find('/', begin), full.size());
+    const std::string name = full.substr(begin, end - begin);
+    const std::string before(old_name(kRenamedStored, name));
+    const bool is_old =
+        !before.empty() && !has_links(path + '/' + name) && has_links(path + '/' + before);
+    path += '/' + (is_old ? before : name);
+    begin = end + 1;
+  }
+  return path;
+}
+
 void Hdf5Group::fail_to_read(std::string_view path, const std::string& attribute) const {
   const std::string why = h5::innermost_error();
   // What the file says was read, and HDF5 can make nothing of it; only memory is the machine's.
@@ -69,7 +86,7 @@ void Hdf5Group::fail_to_read(std::string_view path, const std::string& attribute
 }
 
 Hdf5Kind Hdf5Group::kind(std::string_view path) const {
-  const std::string full = full_path(path);
+  const std::string full = stored_path(full_path(path));
   if (!has_links(full)) return Hdf5Kind::None;
   const Hdf5Handle object(H5Oopen(handle_.get(), full.c_str(), H5P_DEFAULT));
   if (object.get() < 0) fail_to_read(full);
@@ -88,14 +105,14 @@ Hdf5Kind Hdf5Group::kind(std::string_view path) const {
 Hdf5Group Hdf5Group::open_group(std::string_view path) const {
   const std::string full = full_path(path);
   if (kind(full) != Hdf5Kind::Group) refuse(full, "is not a group of this file");
-  Hdf5Handle opened(H5Gopen2(handle_.get(), full.c_str(), H5P_DEFAULT));
+  Hdf5Handle opened(H5Gopen2(handle_.get(), stored_path(full).c_str(), H5P_DEFAULT));
   if (opened.get() < 0) fail_to_read(full);
   return {std::move(opened), file_, full};
 }
 
 Hdf5Handle Hdf5Group::open_object(std::string_view path) const {
-  const std::string full = full_path(path);
-  if (!has_links(full)) refuse(full, "is not in this file");
+  const std::string full = stored_path(full_path(path));
+  if (!has_links(full)) refuse(path, "is not in this file");
   Hdf5Handle object(H5Oopen(handle_.get(), full.c_str(), H5P_DEFAULT));
   if (object.get() < 0) fail_to_read(full);
   return object;
@@ -187,10 +204,10 @@ Ragged<T> Hdf5Group::read_ragged(std::string_view path) const {
   Ragged<T> rows;
   rows.values = from.read<T>("values");
   rows.offsets = from.read<std::uint64_t>("offsets");
-  const bool whole = !rows.offsets.empty() && rows.offsets.front() == 0 &&
-                     rows.offsets.back() == rows.values.size() &&
-                     std::is_sorted(rows.offsets.begin(), rows.offsets.end());
-  if (!whole) refuse(path, "has offsets that do not fit its values");
+  const bool fits = !rows.offsets.empty() && rows.offsets.front() == 0 &&
+                    rows.offsets.back() == rows.values.size() &&
+                    std::is_sorted(rows.offsets.begin(), rows.offsets.end());
+  if (!fits) refuse(path, "has offsets that do not fit its values");
   return rows;
 }
 

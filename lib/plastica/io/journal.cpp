@@ -127,7 +127,7 @@ JournalContent read_journal(const std::string& path, std::uint64_t run_digest) {
   ByteReader header(all.subspan(kMagic.size(), kHeaderBytes - kMagic.size()), path);
   const auto version = header.get<std::uint64_t>();
   content.run_digest = header.get<std::uint64_t>();
-  content.whole_bytes = kHeaderBytes;
+  content.complete_bytes = kHeaderBytes;
   if (version != kVersion) {
     content.state = JournalState::OtherVersion;
     return content;
@@ -153,7 +153,7 @@ JournalContent read_journal(const std::string& path, std::uint64_t run_digest) {
     if (checksum_of(id, payload) != checksum) break;
     content.records.push_back({std::string(id), {payload.begin(), payload.end()}});
     const std::size_t size = kRecordHeadBytes + id_part.size() + payload.size();
-    content.whole_bytes += size;
+    content.complete_bytes += size;
     rest = rest.subspan(size);
   }
   content.dropped_bytes = rest.size();
@@ -180,12 +180,12 @@ class Journal::Writer {
         static_cast<std::uint64_t>(status.st_size) != *expected_bytes) {
       throw StorageError(path_, "has changed while it was read");
     }
-    whole_bytes_ = keep;
+    complete_bytes_ = keep;
     cut();
     if (keep == 0) {
       const std::vector<std::byte> header = header_of(run_digest);
       if (!write_all(file_.get(), header)) fail(path_, "cannot be written");
-      whole_bytes_ = header.size();
+      complete_bytes_ = header.size();
     }
     if (::fsync(file_.get()) != 0) fail(path_, "cannot be forced to the disk");
     sync_to_disk(folder_of(path_));
@@ -216,7 +216,7 @@ class Journal::Writer {
       errno = error;
       fail(path_, "cannot be written");
     }
-    whole_bytes_ += record.size();
+    complete_bytes_ += record.size();
     dirty_ = true;
   }
 
@@ -245,8 +245,8 @@ class Journal::Writer {
 
  private:
   void cut() {
-    if (::ftruncate(file_.get(), static_cast<off_t>(whole_bytes_)) != 0) {
-      fail(path_, "cannot be cut to its whole records");
+    if (::ftruncate(file_.get(), static_cast<off_t>(complete_bytes_)) != 0) {
+      fail(path_, "cannot be cut to its complete records");
     }
   }
 
@@ -289,7 +289,7 @@ class Journal::Writer {
   std::chrono::milliseconds sync_interval_;
   mutable std::mutex mutex_;
   std::condition_variable closing_;
-  std::uint64_t whole_bytes_ = 0;
+  std::uint64_t complete_bytes_ = 0;
   bool dirty_ = false;    // something was written since the last sync began
   bool syncing_ = false;  // the thread is at it
   bool closed_ = false;
@@ -314,9 +314,9 @@ Journal Journal::resume(const std::string& path, std::uint64_t run_digest,
   if (!of_this_run && content.state != JournalState::Absent) {
     throw std::logic_error("Journal::resume: not a journal of this run");
   }
-  const std::uint64_t expected = content.whole_bytes + content.dropped_bytes;
+  const std::uint64_t expected = content.complete_bytes + content.dropped_bytes;
   return Journal(
-      std::make_unique<Writer>(path, run_digest, content.whole_bytes, &expected, sync_interval));
+      std::make_unique<Writer>(path, run_digest, content.complete_bytes, &expected, sync_interval));
 }
 
 void Journal::append(std::string_view id, std::span<const std::byte> payload) {

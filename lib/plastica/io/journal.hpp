@@ -33,8 +33,8 @@ enum class JournalState {
 struct JournalContent {
   JournalState state = JournalState::Absent;
   std::uint64_t run_digest = 0;        ///< of the run that wrote it
-  std::vector<JournalRecord> records;  ///< all whole ones, in the order of writing; if `Usable`
-  std::uint64_t whole_bytes = 0;       ///< header and whole records
+  std::vector<JournalRecord> records;  ///< all complete ones, in the order of writing; if `Usable`
+  std::uint64_t complete_bytes = 0;    ///< header and complete records
   std::uint64_t dropped_bytes = 0;     ///< behind them: a record torn by a crash
 };
 
@@ -48,7 +48,7 @@ JournalContent read_journal(const std::string& path, std::uint64_t run_digest);
 ///
 /// Layout, little-endian: "PLASTJNL", version (8 bytes), run digest (8); then per record the
 /// lengths of id and payload (8 each), the Digest of both lengths, id and payload (8), id, payload.
-/// A record is handed to the system whole when `append` returns and is on the disk at most one
+/// A record is handed to the system completely when `append` returns and is on the disk at most one
 /// sync interval later. One process at a time may write a journal.
 class Journal {
  public:
@@ -58,8 +58,8 @@ class Journal {
   /// @throws StorageError if it cannot be written or another process is writing it
   static Journal create(const std::string& path, std::uint64_t run_digest,
                         std::chrono::milliseconds sync_interval = kSyncInterval);
-  /// Goes on behind the whole records of a journal; a torn one is cut off. If it is absent, it is
-  /// created. @param content  as `read_journal` gave it; `Usable` or `Absent`
+  /// Goes on behind the complete records of a journal; a torn one is cut off. If it is absent, it
+  /// is created. @param content  as `read_journal` gave it; `Usable` or `Absent`
   /// @throws StorageError as above, or if the journal has changed since it was read
   static Journal resume(const std::string& path, std::uint64_t run_digest,
                         const JournalContent& content,

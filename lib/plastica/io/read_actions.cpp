@@ -54,10 +54,10 @@ HeldFreedoms read_hold(const TomlValue& list) {
 
 /// Where something is, or begins: `at`, or `from` beside `to`, as regions say it.
 Place read_begin(const TomlTable& table) {
+  const auto at = table.find("at");
   const auto from = table.find("from");
   if (!from) return read_place(table.at("at"));
-  if (const auto at = table.find("at"))
-    throw at->error("stands beside from: one of them is enough");
+  if (at) throw at->error("stands beside from: one of them is enough");
   if (!table.find("to")) throw from->error("needs to; a single place is at");
   return read_place(*from);
 }

@@ -14,7 +14,7 @@ constexpr double kSumTolerance = 5e-10;
 
 using model_detail::number_text;
 
-bool is_share(const TomlValue& value) {
+bool is_fraction(const TomlValue& value) {
   return value.is_number() || (value.is_string() && value.string().ends_with('%'));
 }
 
@@ -29,17 +29,18 @@ void set_length(bool given, const TomlValue& parts, double sum, Beam& result) {
 
 void read_segment_lengths(const TomlTable& beam, const TomlValue& list, Beam& result) {
   const auto items = list.array();
-  const bool shares = !items.empty() && is_share(items.front());
-  std::vector<double> lengths = read_quantities(list, shares ? Dimension::None : Dimension::Length);
+  const bool fractions = !items.empty() && is_fraction(items.front());
+  std::vector<double> lengths =
+      read_quantities(list, fractions ? Dimension::None : Dimension::Length);
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     if (lengths[i] <= 0.0) throw items[i].error("must be above 0");
   }
   const double sum = std::accumulate(lengths.begin(), lengths.end(), 0.0);
-  if (!shares) {
+  if (!fractions) {
     const bool given = beam.contains("length") || result.shape == BeamShape::Polyline;
     set_length(given, list, sum, result);
   } else if (std::abs(sum - 1.0) > kSumTolerance) {
-    throw list.error("are shares that add up to " + number_text(sum) +
+    throw list.error("are fractions that add up to " + number_text(sum) +
                      ": must be 1; lengths need a unit");
   }
   const auto count = static_cast<int>(lengths.size());
@@ -49,7 +50,7 @@ void read_segment_lengths(const TomlTable& beam, const TomlValue& list, Beam& re
   }
   for (double& length : lengths) length /= sum;
   result.segments = count;
-  result.segment_shares = std::move(lengths);
+  result.segment_fractions = std::move(lengths);
 }
 
 void read_points(const TomlTable& beam, const TomlValue& list, Beam& result) {

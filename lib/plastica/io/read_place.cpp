@@ -80,7 +80,7 @@ History tabled(const TomlTable& table, const TomlValue& name) {
 }  // namespace
 
 Place read_place(const TomlValue& value) {
-  if (value.is_whole() && value.number() > 0.0) {
+  if (value.is_integer() && value.number() > 0.0) {
     throw value.error("is neither a segment nor a fraction: write { segment = " + value.written() +
                       " } for the outer end of that segment, or a fraction of the length with a "
                       "point, 0.25 (the end is 1.0 or \"end\")");

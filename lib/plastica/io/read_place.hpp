@@ -8,7 +8,7 @@
 namespace plastica::io {
 
 /// "start", "end", { segment = 3 } (the outer end of that segment, from 1; 0 is the start), or a
-/// fraction of the length: 0.25, 1.0, "25 %". A whole number other than 0 could be either and is
+/// fraction of the length: 0.25, 1.0, "25 %". An integer other than 0 could be either and is
 /// refused.
 Place read_place(const TomlValue& value);
 

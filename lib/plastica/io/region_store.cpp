@@ -14,8 +14,8 @@
 namespace plastica::io {
 namespace {
 
-constexpr std::array kRegionRules{ValueRule{"regions/from", kShare},
-                                  ValueRule{"regions/to", kShare}};
+constexpr std::array kRegionRules{ValueRule{"regions/from", kFraction},
+                                  ValueRule{"regions/to", kFraction}};
 
 bool is_of_region(const Field& field) {
   return field.path.starts_with("material.") || field.path.starts_with("section.");

@@ -201,7 +201,7 @@ void write_setup(Hdf5Group& group, const Setup& setup) {
 void read_setup(const Hdf5Group& group, Setup& setup) {
   const SourceLocation where{group.file(), 0};
   for (const Field& field : fields()) {
-    const std::string path = path_in_file(group, setup_path(field));
+    const std::string path = setup_path(field);
     // What an older version did not know has its default, which is how that version ran.
     if (!group.exists(path)) continue;
     FieldValue value;

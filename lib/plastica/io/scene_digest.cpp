@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "plastica/base/renamed.hpp"
 #include "plastica/io/digest.hpp"
 #include "plastica/model/field.hpp"
 #include "plastica/model/hardening_kind.hpp"
@@ -87,7 +88,7 @@ class Feeder {
   void put(const Cut& cut) { all(cut.at, cut.time); }
   void put(const Probe& p) { all(p.name, p.quantity, p.at, p.component, p.energy); }
   void put(const Beam& beam) {
-    all(beam.segment_shares, beam.joint_lengths, beam.arc_towards, beam.points);
+    all(beam.segment_fractions, beam.joint_lengths, beam.arc_towards, beam.points);
   }
   void put(const FieldValue& value) {
     digest_.integer(value.index());
@@ -115,8 +116,9 @@ class Feeder {
 
 std::uint64_t scene_digest(const Setup& setup) {
   Feeder feeder;
-  // Fields by their path, so that a field that joins the table later changes every digest.
-  for (const Field& field : fields()) feeder.all(std::string(field.path), field.get(setup));
+  // Fields by their path, so that a field that joins the table later changes every digest, but by
+  // their first one, so that journals outlive a new name.
+  for (const Field& field : fields()) feeder.all(old_path(field.path), field.get(setup));
   const Scene& scene = setup.scene;
   feeder.all(scene.beam, scene.regions, scene.drive.strain, scene.supports, scene.loads,
              scene.gravity_history, scene.initial_motions, scene.cuts, scene.probes);

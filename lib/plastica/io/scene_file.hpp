@@ -36,8 +36,8 @@ struct SceneFile {
 /// Without, it is a chain, with [[support]] unless `solver.analysis` is "dynamics". Vectors are
 /// lists of x, y and z in world axes; directions are "x", "-y" or such a list. Places are "start",
 /// "end", { segment = 3 } (the outer end of that segment, from 1) or a fraction of the length
-/// (0.25, "25 %"); whole numbers above 0 are refused.
-/// - [beam]: `segment_lengths`, lengths or shares of the length; `joint_lengths`; with `shape =
+/// (0.25, "25 %"); integers above 0 are refused.
+/// - [beam]: `segment_lengths`, lengths or fractions of the length; `joint_lengths`; with `shape =
 ///   "arc"` `arc_angle` and `arc_towards`, with `shape = "polyline"` `points`. `length` may be left
 ///   out where points or segment lengths say it, `segments` where segment lengths do.
 /// - [[region]]: `from`, `to`, and keys of `section` and `material` that differ there; of a taper

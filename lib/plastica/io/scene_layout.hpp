@@ -94,7 +94,7 @@ void traverse_actions(Store& store, Scene& scene) {
 template <class Store, class Setup>
 void traverse_rest_of_setup(Store& store, Setup& setup) {
   auto& beam = setup.scene.beam;
-  store.array("options/beam/segment_shares", beam.segment_shares, {}, "1");
+  store.array("options/beam/segment_fractions", beam.segment_fractions, {}, "1");
   store.array("options/beam/joint_lengths", beam.joint_lengths, {}, "m");
   store.numbers("options/beam/arc_towards", beam.arc_towards, "1");
   store.points("options/beam/points", beam.points, "m");
@@ -159,12 +159,12 @@ void traverse_outcome(Store& store, Response& response, std::size_t joints) {
   store.number("outcome/steps", response.counters.steps, "1");
   store.number("outcome/iterations", response.counters.iterations, "1");
   store.number("outcome/cutbacks", response.counters.cutbacks, "1");
-  store.part("limit_load", response.limit, [&](auto& limit) {
+  store.optional("limit_load", response.limit, [&](auto& limit) {
     store.number("limit_load/below", limit.below, "1");
     store.number("limit_load/above", limit.above, "1");
     store.array_since("limit_load/mode", limit.mode, {joints, 3}, "1");
   });
-  store.part("critical_points", response.critical, [&](auto& critical) {
+  store.optional("critical_points", response.critical, [&](auto& critical) {
     store.array("critical_points/factor", critical.factor, {}, "1");
     const std::size_t points = critical.factor.size();
     store.array("critical_points/below", critical.below, {points}, "1");
@@ -173,7 +173,7 @@ void traverse_outcome(Store& store, Response& response, std::size_t joints) {
     store.array("critical_points/out_of_plane", critical.out_of_plane, {points}, "");
     store.array("critical_points/mode", critical.mode, {points, joints, 3}, "1");
   });
-  store.part("buckling", response.buckling, [&](auto& buckling) {
+  store.optional("buckling", response.buckling, [&](auto& buckling) {
     store.number("buckling/about", buckling.about, "1");
     store.array("buckling/factor", buckling.factor, {}, "1");
     const std::size_t modes = buckling.factor.size();
@@ -181,11 +181,11 @@ void traverse_outcome(Store& store, Response& response, std::size_t joints) {
     store.array("buckling/out_of_plane", buckling.out_of_plane, {modes}, "");
     store.array("buckling/mode", buckling.mode, {modes, joints, 3}, "1");
   });
-  store.part("vibration", response.vibration, [&](auto& vibration) {
+  store.optional("vibration", response.vibration, [&](auto& vibration) {
     store.array("vibration/frequency", vibration.frequency, {}, "Hz");
     store.array("vibration/mode", vibration.mode, {vibration.frequency.size(), joints, 3}, "1");
   });
-  store.part("coupon_break", response.event, [&](auto& event) {
+  store.optional("coupon_break", response.event, [&](auto& event) {
     store.number("coupon_break/sample", event.sample, "1");
     store.number("coupon_break/strain", event.strain, "1");
     store.number("coupon_break/stress", event.stress, "Pa");

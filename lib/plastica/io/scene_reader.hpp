@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "plastica/base/renamed.hpp"
 #include "plastica/io/scene_layout.hpp"
 #include "plastica/io/scene_rules.hpp"
 
@@ -116,8 +117,8 @@ class SceneReader {
     }
   }
   void optional_place(std::string_view path, std::optional<Place>& place) {
-    const auto share = values_of<double>(path, {})[0];
-    if (!std::isnan(share)) place = Place{share, {}};
+    const auto fraction = values_of<double>(path, {})[0];
+    if (!std::isnan(fraction)) place = Place{fraction, {}};
   }
   void points(std::string_view path, std::vector<std::array<double, 3>>& points,
               std::string_view /*units*/) {
@@ -188,9 +189,9 @@ class SceneReader {
       if (!holds) refuse_value(root_, path, "", "must be the number of an event");
     }
   }
-  template <class Part, class Visit>
-  void part(std::string_view path, std::optional<Part>& part, const Visit& visit) {
-    if (root_.exists(path)) visit(part.emplace());
+  template <class Value, class Visit>
+  void optional(std::string_view path, std::optional<Value>& value, const Visit& visit) {
+    if (root_.exists(path)) visit(value.emplace());
   }
 
  private:
@@ -222,7 +223,7 @@ class SceneReader {
   /// The numbers of a dataset, of a shape and as `kSceneRules` want them.
   template <class T>
   std::vector<Stored<T>> values_of(std::string_view path, const Shape& shape) const {
-    auto values = root_.read_array<Stored<T>>(path_in_file(root_, path), shape);
+    auto values = root_.read_array<Stored<T>>(path, shape);
     check_numbers<T>(root_, path, values, rule_of(kSceneRules, path));
     return values;
   }

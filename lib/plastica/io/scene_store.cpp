@@ -84,7 +84,7 @@ SceneRecord make_scene_record(const SceneFile& file, const Model& model, Respons
   keep_valid_samples(response);
   record.response = std::move(response);
   const auto put = [&](Place& place) {
-    if (!record.outline.ends.empty()) place = {share_of(place, record.outline.ends), {}};
+    if (!record.outline.ends.empty()) place = {fraction_of(place, record.outline.ends), {}};
   };
   Scene& scene = record.setup.scene;
   for (Support& support : scene.supports) {
@@ -129,7 +129,7 @@ void write_scene_store(const std::string& path, const SceneRecord& record, Overw
 SceneRecord read_scene_store(const std::string& path) {
   const Hdf5File file = Hdf5File::open(path);
   const Hdf5Group& root = file.root();
-  check_schema(root, kSceneSchema, kSceneVersion);
+  (void)check_schema(root, kSceneSchema, kOldestScene, kSceneVersion);
   SceneRecord record;
   read_setup(root.open_group("options"), record.setup);
   SceneReader reader(root);

@@ -14,7 +14,8 @@ namespace plastica::io {
 
 /// The attributes `schema` and `version` of the root of a simulated scene's file.
 inline constexpr std::string_view kSceneSchema = "plastica/scene";
-inline constexpr int kSceneVersion = 2;
+inline constexpr int kSceneVersion = 3;
+inline constexpr int kOldestScene = 2;  ///< that is read
 
 /// A scene that was simulated, and what came out.
 struct SceneRecord {
@@ -35,7 +36,7 @@ struct SceneRecord {
 SceneRecord make_scene_record(const SceneFile& file, const Model& model, Response response);
 
 /// Writes the result file of a scene (HDF5; layout: docs/hdf5.md). The same record gives the
-/// same bytes outside /meta. The file appears under its name when it is whole,
+/// same bytes outside /meta. The file appears under its name when it is complete,
 /// in place of what is there if that is allowed.
 /// @param record  from `make_scene_record`
 /// @throws StorageError if it cannot be written
@@ -43,7 +44,7 @@ void write_scene_store(const std::string& path, const SceneRecord& record,
                        Overwrite overwrite = Overwrite::Allowed);
 
 /// Reads such a file, every number bit by bit.
-/// @throws InputError if it is no such file, of another version, or not whole
+/// @throws InputError if it is no such file, of another version, or not complete
 SceneRecord read_scene_store(const std::string& path);
 
 }  // namespace plastica::io

@@ -151,9 +151,9 @@ class SceneWriter {
     const Shape shape{record.response.probes.size(), record.response.samples};
     root_.write_array<double>("probes/values", values, shape, {{}, kDeflate});
   }
-  template <class Part, class Visit>
-  void part(std::string_view /*path*/, const std::optional<Part>& part, const Visit& visit) {
-    if (part) visit(*part);
+  template <class Value, class Visit>
+  void optional(std::string_view /*path*/, const std::optional<Value>& value, const Visit& visit) {
+    if (value) visit(*value);
   }
 
  private:

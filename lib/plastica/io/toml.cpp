@@ -113,7 +113,7 @@ bool TomlValue::is_string() const { return node_->kind == Kind::String; }
 bool TomlValue::is_number() const {
   return node_->kind == Kind::Integer || node_->kind == Kind::Float;
 }
-bool TomlValue::is_whole() const { return node_->kind == Kind::Integer; }
+bool TomlValue::is_integer() const { return node_->kind == Kind::Integer; }
 bool TomlValue::is_boolean() const { return node_->kind == Kind::Boolean; }
 bool TomlValue::is_array() const { return node_->kind == Kind::Array; }
 bool TomlValue::is_table() const { return node_->kind == Kind::Table; }
@@ -136,8 +136,7 @@ double TomlValue::number() const {
 }
 
 std::int64_t TomlValue::integer(std::int64_t low, std::int64_t high) const {
-  const std::string rule =
-      "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+  const std::string rule = "an integer from " + std::to_string(low) + " to " + std::to_string(high);
   if (node_->kind != Kind::Integer || node_->integer < low || node_->integer > high) {
     throw wrong_kind(*node_, rule);
   }

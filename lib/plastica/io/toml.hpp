@@ -30,8 +30,8 @@ class TomlValue {
   const std::string& written() const;
 
   bool is_string() const;
-  bool is_number() const;  ///< whole or not
-  bool is_whole() const;   ///< a number without point and exponent
+  bool is_number() const;   ///< an integer or a real number
+  bool is_integer() const;  ///< a number without point and exponent
   bool is_boolean() const;
   bool is_array() const;
   bool is_table() const;
@@ -40,7 +40,7 @@ class TomlValue {
   const std::string& string() const;  ///< not empty
   bool boolean() const;
   double number() const;  ///< finite
-  /// A whole number from low to high.
+  /// An integer from low to high.
   std::int64_t integer(std::int64_t low, std::int64_t high) const;
   /// A number for which low < value < high, the ends included where `closed`.
   double number_within(double low, double high, bool closed) const;

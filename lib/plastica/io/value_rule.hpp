@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "plastica/base/renamed.hpp"
 #include "plastica/io/hdf5.hpp"
 #include "plastica/model/check_value.hpp"
 #include "plastica/model/field.hpp"
@@ -34,14 +33,14 @@ struct ValueRule {
   bool may_be_infinite = false;  ///< of integers: any that the type has, as of a seed
 };
 
-inline constexpr Range kShare{0.0, 1.0};
+inline constexpr Range kFraction{0.0, 1.0};
 inline constexpr Range kNotNegative{0.0};
 inline constexpr Range kAboveZero{0.0, std::numeric_limits<double>::infinity(), true};
 /// Numbers that a computation may not have found, or found to be beyond all bounds.
 constexpr ValueRule anything(std::string_view path) { return {path, {}, Order::Any, true, true}; }
 constexpr ValueRule may_lack(std::string_view path) { return {path, {}, Order::Any, true}; }
 
-/// Larger counts are none: they no longer are whole as real numbers, and products overflow.
+/// Larger counts are none: they are no longer exact as real numbers, and products overflow.
 inline constexpr std::uint64_t kMaxCount = std::uint64_t{1} << 53U;
 
 /// Whether a pattern with at most one `*` is that of a path.
@@ -61,12 +60,6 @@ inline std::string path_from_root(const Hdf5Group& group, std::string_view path)
   const std::string full =
       path.starts_with('/') ? std::string(path) : group.path() + '/' + std::string(path);
   return full.substr(full.find_first_not_of('/'));
-}
-
-/// The path at which a file has a dataset: its old one in files of before it was renamed.
-inline std::string path_in_file(const Hdf5Group& group, std::string_view path) {
-  const std::string_view before = old_name(kRenamedStored, path_from_root(group, path));
-  return before.empty() || group.exists(path) ? std::string(path) : '/' + std::string(before);
 }
 
 /// The rule of a path in a table; the default one where it is not named.

@@ -45,7 +45,7 @@ inline S permanent_stretch_strain(const S& elongation, const S& length) {
   return abs(elongation) / length;
 }
 
-/// Bending after the report, its equation (24): the chord of the angle,
+/// Bending after Wendelius' report, its equation (24): the chord of the angle,
 /// sqrt(2 (h/2)^2 (1 - cos theta)) / l = (h/l) sin(|theta|/2).
 /// As printed it falls again beyond pi and the joint would heal; it is held at its maximum there.
 template <class S>
@@ -54,7 +54,7 @@ inline S report_bending_strain(const S& theta, const S& depth, const S& length) 
   return depth / length * sin(constant<S>(0.5) * angle);
 }
 
-/// Torsion after the report, its equation (8): (c/2) |theta| / l, c the longer side (or the
+/// Torsion after Wendelius' report, its equation (8): (c/2) |theta| / l, c the longer side (or the
 /// diameter).
 template <class S>
 inline S report_torsion_strain(const S& theta, const S& longer_side, const S& length) {

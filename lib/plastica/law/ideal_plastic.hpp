@@ -7,7 +7,7 @@
 
 namespace plastica::law {
 
-/// Ideal plasticity, the report's law: the stress never leaves [-yield, yield].
+/// Ideal plasticity, Wendelius' law: the stress never leaves [-yield, yield].
 template <class S>
 struct IdealPlastic {
   using Scalar = S;

@@ -28,9 +28,10 @@ struct LinearHardening {
   static LinearHardening of(const UniaxialMaterial<S>& m, const MaterialValues<S>& values) {
     const S& young = number_of(values, MaterialField::YoungsModulus);
     const S& tangent = number_of(values, MaterialField::TangentModulus);
-    const S& share = number_of(values, MaterialField::KinematicShare);
+    const S& fraction = number_of(values, MaterialField::KinematicFraction);
     const S modulus = m.moduli * young * tangent / (young - tangent);
-    return {m.stiffness, m.yield, m.raised * (constant<S>(1) - share) * modulus, share * modulus};
+    return {m.stiffness, m.yield, m.raised * (constant<S>(1) - fraction) * modulus,
+            fraction * modulus};
   }
   Grown<S> radius(const S& accumulated, const S& p) const {
     return {yield + isotropic * (accumulated + p), isotropic};

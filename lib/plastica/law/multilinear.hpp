@@ -9,8 +9,8 @@
 namespace plastica::law {
 
 /// Straight lines through a table of stress over plastic strain, beyond whose last point the stress
-/// stays. A share of each slope is kinematic (Prager), as in linear hardening; the slope is that at
-/// the accumulated plastic strain.
+/// stays. A fraction of each slope is kinematic (Prager), as in linear hardening; the slope is that
+/// at the accumulated plastic strain.
 template <class S>
 struct Multilinear {
   using Scalar = S;
@@ -22,10 +22,10 @@ struct Multilinear {
   static constexpr std::size_t kLines = Hardening::kTablePoints;
   using State = LawState<S, kBacks>;
 
-  S stiffness;                  ///< [Pa], > 0
-  S yield;                      ///< [Pa], > 0
-  S isotropic, kinematic;       ///< of the slopes [1]: their shares, and what a rate makes of one
-  S steepest;                   ///< by what the slopes fall at the most [Pa], >= 0
+  S stiffness;             ///< [Pa], > 0
+  S yield;                 ///< [Pa], > 0
+  S isotropic, kinematic;  ///< of the slopes [1]: their fractions, and what a rate makes of one
+  S steepest;              ///< by what the slopes fall at the most [Pa], >= 0
   std::array<S, kLines> begin;  ///< accumulated plastic strain at which a line begins [1]
   std::array<S, kLines> width;  ///< over which it goes [1]; 0: there is none
   std::array<S, kLines> slope;  ///< [Pa]
@@ -33,8 +33,8 @@ struct Multilinear {
   static Multilinear of(const UniaxialMaterial<S>& m, const MaterialValues<S>& values) {
     const S zero = constant<S>(0);
     const S one = constant<S>(1);
-    const S& share = number_of(values, MaterialField::KinematicShare);
-    Multilinear law{m.stiffness, m.yield, m.raised * (one - share), share, {}, {}, {}, {}};
+    const S& fraction = number_of(values, MaterialField::KinematicFraction);
+    Multilinear law{m.stiffness, m.yield, m.raised * (one - fraction), fraction, {}, {}, {}, {}};
     law.steepest = zero;
     const S strains = one / m.rates;
     S strain = zero;

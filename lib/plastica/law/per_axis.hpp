@@ -37,7 +37,7 @@ inline SectionResponse<S> respond(const ElasticSection<S>& law,
   return now;
 }
 
-/// The report's section: each component is a uniaxial law between the strain and the stress of its
+/// Wendelius' section: each component is a uniaxial law between the strain and the stress of its
 /// extreme fibre, on its own (see `SectionForm`).
 ///
 /// Work per length is force d(section strain) = (modulus/lever) stress d(strain of the fibre), so

@@ -92,17 +92,17 @@ struct RateFactor {
     const S one = constant<S>(1);
     const S newton = p + step;
     if (!any(p > zero) || !any(per_second > zero)) return newton;
-    const S share = step / p;
+    const S fraction = step / p;
     switch (law) {
       case RateLaw::None: break;
       case RateLaw::CowperSymonds: {
-        const S grown = one + power * share;
+        const S grown = one + power * fraction;
         if (!any(grown > zero)) return newton;
         return p * exp(log(grown) / power);
       }
       case RateLaw::JohnsonCook: {
         if (!any(p * per_second > reference)) return newton;
-        return p * exp(min(max(share, -largest()), largest()));
+        return p * exp(min(max(fraction, -largest()), largest()));
       }
     }
     return newton;

@@ -7,7 +7,7 @@
 namespace plastica::law {
 namespace {
 
-/// The report's factors on stiffness and cap.
+/// Wendelius' factors on stiffness and cap.
 void set_report(const Section& section, const SectionProperties& p, SectionForm& form) {
   form.axis[kBendingX].stiffness_factor = 0.5;
   form.axis[kBendingY].stiffness_factor = 0.5;

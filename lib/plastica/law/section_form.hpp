@@ -26,12 +26,12 @@ struct SectionForm {
 
 /// Derives the form of a section's law.
 ///
-/// Cap factors: 1 at first yield, the shape factors Z/W when fully plastic. The report's formulas:
+/// Cap factors: 1 at first yield, the shape factors Z/W when fully plastic. Wendelius' formulas:
 ///   bending: k = E I/(2 l) by its (1), half of E I/l; caps sigma I_x/b, sigma I_y/h by its (4) and
 ///            (5), against sigma I_x/(h/2);
 ///   torsion: k = G I_A/(2 l) by its (2), I_A = max(I_x, I_y), so I_A/(2 J);
 ///            cap by its (6) over tau W_t. Circles: caps by its (22), (23), which are right.
-/// Stretch is not in the report.
+/// Stretch is not in Wendelius' report.
 SectionForm section_form(const Section& section, const SectionProperties& properties,
                          const Material& material, YieldCap cap, Formulas formulas);
 

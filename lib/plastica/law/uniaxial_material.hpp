@@ -32,7 +32,8 @@ struct UniaxialMaterial {
   RateLaw rate = RateLaw::None;  ///< where each point has a rate of its own
 };
 
-/// Shear yield stress [Pa]: as given, or von Mises, sqrt(3) below; the report takes them as equal.
+/// Shear yield stress [Pa]: as given, or von Mises, sqrt(3) below; Wendelius' report takes them as
+/// equal.
 template <class S>
 inline S shear_yield_stress(const UniaxialForm& form, const MaterialValues<S>& v) {
   if (form.shear_yield_given) return number_of(v, MaterialField::ShearYieldStress);

@@ -22,8 +22,8 @@ enum class BeamShape {
 struct Beam {
   double length = 1.0;  ///< along the axis [m], > 0; of a polyline, the sum over its points
   int segments = 10;    ///< number of rigid segments, >= 1; l = length/segments at inner joints
-  /// Length of each segment as a share of the beam's [1], > 0, sum 1 (segments); empty: equal.
-  std::vector<double> segment_shares{};
+  /// Length of each segment as a fraction of the beam's [1], > 0, sum 1 (segments); empty: equal.
+  std::vector<double> segment_fractions{};
   /// Tributary length of each inner joint [m], > 0 (segments - 1); empty: (L_a + L_b)/2.
   std::vector<double> joint_lengths{};
   BeamShape shape = BeamShape::Straight;
@@ -32,7 +32,7 @@ struct Beam {
   std::vector<std::array<double, 3>> points{};       ///< Polyline: [m], the first is the start
 };
 
-/// A part of the beam that has another section or material. Later ones win.
+/// A stretch of the beam that has another section or material. Later ones win.
 struct Region {
   Place from{};
   Place to{1.0, {}};

@@ -13,9 +13,9 @@ double distance(const Point& a, const Point& b) {
   return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 }
 
-Point between(const Point& a, const Point& b, double share) {
+Point between(const Point& a, const Point& b, double fraction) {
   Point point{};
-  for (std::size_t i = 0; i < 3; ++i) point[i] = a[i] + share * (b[i] - a[i]);
+  for (std::size_t i = 0; i < 3; ++i) point[i] = a[i] + fraction * (b[i] - a[i]);
   return point;
 }
 
@@ -57,24 +57,25 @@ bool is_end(double fraction, std::span<const double> ends) {
 /// Deals segments to the stretches between `nodes` so that the longest is as short as possible, at
 /// least one each: the next one goes to the stretch whose segments are longest, the first of
 /// several. (Ceilings of stretch/length add up to the number of segments for some length, so no
-/// stretch ends with less than its share of all segments but one a stretch, which it starts with.)
+/// stretch ends with less than its fraction of all segments but one a stretch, which it starts
+/// with.)
 /// @param half_ends  the two end segments are half as long as the others of their stretch
 std::vector<std::size_t> dealt_segments(std::span<const double> nodes, std::size_t segments,
                                         bool half_ends) {
   constexpr double kTie = 1e-12;
   const std::size_t stretches = nodes.size() - 1;
-  const auto share = [&](std::size_t i) { return nodes[i + 1] - nodes[i]; };
+  const auto fraction = [&](std::size_t i) { return nodes[i + 1] - nodes[i]; };
   std::vector<std::size_t> dealt(stretches, 1);
   const double sure = static_cast<double>(segments) - static_cast<double>(stretches) - 1.0;
   std::size_t left = segments;
   for (std::size_t i = 0; i < stretches; ++i) {
-    const double own = std::floor(share(i) * sure) - 1.0;
+    const double own = std::floor(fraction(i) * sure) - 1.0;
     if (own > 1.0) dealt[i] = static_cast<std::size_t>(own);
     left -= dealt[i];
   }
   const auto length = [&](std::size_t i) {
     const double shorter = half_ends && (i == 0 || i + 1 == stretches) ? 0.5 : 0.0;
-    return share(i) / (static_cast<double>(dealt[i]) - shorter);
+    return fraction(i) / (static_cast<double>(dealt[i]) - shorter);
   };
   for (; left > 0; --left) {
     std::size_t longest = 0;
@@ -133,9 +134,9 @@ std::vector<double> needed_ends(const Scene& scene) {
 
 std::vector<double> segment_ends(const Scene& scene) {
   const auto count = static_cast<std::size_t>(scene.beam.segments);
-  if (!scene.beam.segment_shares.empty()) {
+  if (!scene.beam.segment_fractions.empty()) {
     std::vector<double> ends(count + 1);
-    for (std::size_t i = 0; i < count; ++i) ends[i + 1] = ends[i] + scene.beam.segment_shares[i];
+    for (std::size_t i = 0; i < count; ++i) ends[i + 1] = ends[i] + scene.beam.segment_fractions[i];
     ends.back() = 1.0;
     return ends;
   }
@@ -163,16 +164,16 @@ std::vector<double> segment_ends(const Scene& scene) {
   return ends;
 }
 
-double share_of(const Place& place, std::span<const double> ends) {
+double fraction_of(const Place& place, std::span<const double> ends) {
   if (place.segment) return ends[static_cast<std::size_t>(*place.segment)];
   const auto after = std::lower_bound(ends.begin(), ends.end(), place.fraction - kSamePlace);
   return after != ends.end() && *after <= place.fraction + kSamePlace ? *after : place.fraction;
 }
 
 std::optional<int> segment_end_at(const Place& place, std::span<const double> ends) {
-  const double share = share_of(place, ends);
-  const auto at = std::lower_bound(ends.begin(), ends.end(), share);
-  if (at == ends.end() || *at != share) return std::nullopt;
+  const double fraction = fraction_of(place, ends);
+  const auto at = std::lower_bound(ends.begin(), ends.end(), fraction);
+  if (at == ends.end() || *at != fraction) return std::nullopt;
   return static_cast<int>(at - ends.begin());
 }
 
@@ -182,25 +183,25 @@ EndRule resolved_end_rule(const Scene& scene) {
 }
 
 int nearest_segment_end(const Place& place, std::span<const double> ends) {
-  const double share = share_of(place, ends);
-  const auto after = std::lower_bound(ends.begin(), ends.end() - 1, share);
-  const bool before = after != ends.begin() && share - *(after - 1) <= *after - share;
+  const double fraction = fraction_of(place, ends);
+  const auto after = std::lower_bound(ends.begin(), ends.end() - 1, fraction);
+  const bool before = after != ends.begin() && fraction - *(after - 1) <= *after - fraction;
   return static_cast<int>(after - ends.begin()) - (before ? 1 : 0);
 }
 
-std::array<double, 3> axis_point(const Beam& beam, double share) {
+std::array<double, 3> axis_point(const Beam& beam, double fraction) {
   switch (beam.shape) {
     case BeamShape::Straight: break;
     case BeamShape::Arc: {
       // From the start along z, turning towards arc_towards on a circle of radius L/angle.
       const double radius = beam.length / beam.arc_angle;
-      const double angle = beam.arc_angle * share;
+      const double angle = beam.arc_angle * fraction;
       const double aside = 2.0 * radius * std::sin(angle / 2.0) * std::sin(angle / 2.0);
       return {aside * beam.arc_towards[0], aside * beam.arc_towards[1], radius * std::sin(angle)};
     }
-    case BeamShape::Polyline: return polyline_point(beam.points, share * beam.length);
+    case BeamShape::Polyline: return polyline_point(beam.points, fraction * beam.length);
   }
-  return {0.0, 0.0, share * beam.length};
+  return {0.0, 0.0, fraction * beam.length};
 }
 
 double polyline_length(std::span<const std::array<double, 3>> points) {

@@ -27,7 +27,7 @@ std::vector<NodePlace> node_places(const Scene& scene);
 /// (of those within 1e-9 of each other the first), 1.
 std::vector<double> needed_ends(const Scene& scene);
 
-/// Where the segments of a scene's beam end, as shares of its length: 0 first, 1 last
+/// Where the segments of a scene's beam end, as fractions of its length: 0 first, 1 last
 /// (segments + 1).
 ///
 /// Evenly, or as beam.segment_lengths says; with EndRule::Half the two end segments are half as
@@ -39,10 +39,10 @@ std::vector<double> needed_ends(const Scene& scene);
 /// evenly.
 std::vector<double> segment_ends(const Scene& scene);
 
-/// A place as a share of the length [1], 0 (start) … 1 (end). A fraction within 1e-9 of a segment's
-/// end is that end, exactly: nobody writes 0.6666666667 to the last bit.
+/// A place as a fraction of the length [1], 0 (start) … 1 (end). A fraction within 1e-9 of a
+/// segment's end is that end, exactly: nobody writes 0.6666666667 to the last bit.
 /// @param ends  of `segment_ends`; `place.segment` is within it
-double share_of(const Place& place, std::span<const double> ends);
+double fraction_of(const Place& place, std::span<const double> ends);
 
 /// The number of the segment end at a place, 0 … segments; empty if the place is inside of a
 /// segment.
@@ -55,8 +55,8 @@ int nearest_segment_end(const Place& place, std::span<const double> ends);
 EndRule resolved_end_rule(const Scene& scene);
 
 /// A point of the undeformed axis in world axes [m].
-/// @param share  distance from the start along the axis over the length [1], 0 … 1
-std::array<double, 3> axis_point(const Beam& beam, double share);
+/// @param fraction  distance from the start along the axis over the length [1], 0 … 1
+std::array<double, 3> axis_point(const Beam& beam, double fraction);
 
 /// The sum over the legs of a polyline [m].
 double polyline_length(std::span<const std::array<double, 3>> points);

@@ -78,8 +78,8 @@ void check_rotation_place(const Support& support, std::span<const double> ends,
                           const std::string& field) {
   const std::string_view rotation = held_rotation(support.held());
   if (rotation.empty() || segment_end_at(support.at, ends)) return;
-  const double share = share_of(support.at, ends);
-  const auto after = std::upper_bound(ends.begin(), ends.end(), share);
+  const double fraction = fraction_of(support.at, ends);
+  const auto after = std::upper_bound(ends.begin(), ends.end(), fraction);
   throw InputError({}, field, place_text(support.at),
                    "a " + std::string(traits_of(support).word) + " that holds rotation (" +
                        std::string(rotation) + ") must be at a segment's end; the nearest are " +
@@ -96,7 +96,7 @@ void check_bed(const Support& support, const Scene& scene, std::span<const doubl
                const std::string& name) {
   if (!support.to) return;
   check_place(*support.to, scene.beam.segments, name + ".to");
-  if (share_of(support.at, ends) >= share_of(*support.to, ends)) {
+  if (fraction_of(support.at, ends) >= fraction_of(*support.to, ends)) {
     throw InputError({}, name + ".to", place_text(*support.to),
                      "must lie beyond at = " + place_text(support.at));
   }
@@ -181,9 +181,9 @@ void check_neighbours(const Scene& scene, std::size_t index, std::span<const dou
   for (std::size_t other = 0; other < index; ++other) {
     const Support& before = scene.supports[other];
     // Beds add up, with whatever else is there.
-    if (before.to || support.to || share_of(before.at, ends) != share_of(support.at, ends))
+    if (before.to || support.to || fraction_of(before.at, ends) != fraction_of(support.at, ends))
       continue;
-    if (share_of(support.at, ends) == 0.0 && holds(support) && holds(before)) {
+    if (fraction_of(support.at, ends) == 0.0 && holds(support) && holds(before)) {
       throw InputError({}, field, place_text(support.at),
                        item_name("support", other) +
                            " holds the start, too: one support takes all that is held there");
@@ -233,7 +233,7 @@ void check_actions(const Scene& scene, Analysis analysis, Ends ends) {
     const Load& load = scene.loads[i];
     check_place(load.at, scene.beam.segments, item_name("load", i, ".at"));
     if (load.to) check_place(*load.to, scene.beam.segments, item_name("load", i, ".to"));
-    if (load.to && share_of(load.at, ends) >= share_of(*load.to, ends)) {
+    if (load.to && fraction_of(load.at, ends) >= fraction_of(*load.to, ends)) {
       throw InputError({}, item_name("load", i, ".to"), place_text(*load.to),
                        "must lie beyond at = " + place_text(load.at));
     }

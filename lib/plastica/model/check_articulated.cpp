@@ -24,7 +24,7 @@ void check_support(const Scene& scene, Ends ends) {
     const Support& support = scene.supports[i];
     const SupportTraits& kind = traits_of(support);
     const bool holds = !kind.springs && !kind.normal && !kind.releases;
-    const bool at_start = share_of(support.at, ends) == 0.0;
+    const bool at_start = fraction_of(support.at, ends) == 0.0;
     if (i > 0 || !holds || !at_start) refuse(item_name("support", i), "", kRule);
     const HeldFreedoms held = support.held();
     if (!held[0] || !held[1] || !held[2]) {

@@ -24,14 +24,15 @@ void check_count(std::string_view field, std::size_t count, int wanted) {
 }
 
 void check_lengths(const Beam& beam) {
-  if (!beam.segment_shares.empty()) {
-    check_count("beam.segment_lengths", beam.segment_shares.size(), beam.segments);
-    for (std::size_t i = 0; i < beam.segment_shares.size(); ++i) {
-      require_positive(beam.segment_shares[i], {}, item_name("beam.segment_lengths", i));
+  if (!beam.segment_fractions.empty()) {
+    check_count("beam.segment_lengths", beam.segment_fractions.size(), beam.segments);
+    for (std::size_t i = 0; i < beam.segment_fractions.size(); ++i) {
+      require_positive(beam.segment_fractions[i], {}, item_name("beam.segment_lengths", i));
     }
-    const double sum = std::accumulate(beam.segment_shares.begin(), beam.segment_shares.end(), 0.0);
+    const double sum =
+        std::accumulate(beam.segment_fractions.begin(), beam.segment_fractions.end(), 0.0);
     require(std::abs(sum - 1.0) <= kTolerance, {}, "beam.segment_lengths", sum,
-            "is the sum of the shares and must be 1");
+            "is the sum of the fractions and must be 1");
   }
   if (!beam.joint_lengths.empty()) {
     check_count("beam.joint_lengths", beam.joint_lengths.size(), beam.segments - 1);
@@ -125,7 +126,7 @@ void check_regions(const Scene& scene, Ends ends) {
     const Region& region = scene.regions[i];
     check_place(region.from, scene.beam.segments, item_name("region", i, ".from"));
     check_place(region.to, scene.beam.segments, item_name("region", i, ".to"));
-    if (share_of(region.from, ends) >= share_of(region.to, ends)) {
+    if (fraction_of(region.from, ends) >= fraction_of(region.to, ends)) {
       throw InputError({}, item_name("region", i, ".to"), place_text(region.to),
                        "must lie beyond from = " + place_text(region.from));
     }
@@ -152,7 +153,7 @@ std::string names_of(std::span<const NodePlace> places) {
 /// Segments end where regions, supports, loads and corners are.
 std::vector<double> checked_division(const Scene& scene) {
   std::vector<double> ends = segment_ends(scene);
-  if (scene.beam.segment_shares.empty() && scene.beam.joint_lengths.empty()) {
+  if (scene.beam.segment_fractions.empty() && scene.beam.joint_lengths.empty()) {
     const std::vector<double> needed = needed_ends(scene);
     const std::size_t fewest = needed.size() - 1;
     if (static_cast<std::size_t>(scene.beam.segments) >= fewest) return ends;
@@ -175,7 +176,7 @@ std::vector<double> checked_division(const Scene& scene) {
     const auto after = std::upper_bound(ends.begin(), ends.end(), place.fraction);
     throw InputError({}, item_name(place.list, place.index, place.key), number_text(place.fraction),
                      "must be where a segment ends, which beam." +
-                         std::string(scene.beam.segment_shares.empty() ? "joint" : "segment") +
+                         std::string(scene.beam.segment_fractions.empty() ? "joint" : "segment") +
                          "_lengths sets; the nearest ends are " + number_text(*(after - 1)) +
                          " and " + number_text(*after));
   }

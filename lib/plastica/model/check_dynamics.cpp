@@ -19,8 +19,8 @@ void check_initial_motion(const Scene& scene, std::size_t index, std::span<const
   check_place(motion.from, scene.beam.segments, name(".from"));
   check_place(motion.to, scene.beam.segments, name(".to"));
   check_place(motion.about, scene.beam.segments, name(".about"));
-  const double from = share_of(motion.from, ends);
-  const double to = share_of(motion.to, ends);
+  const double from = fraction_of(motion.from, ends);
+  const double to = fraction_of(motion.to, ends);
   if (from >= to) {
     throw InputError({}, name(".to"), place_text(motion.to),
                      "must lie beyond from = " + place_text(motion.from));
@@ -57,12 +57,12 @@ struct EndJoint {
   bool clamped = false;
 };
 
-EndJoint end_joint(const Scene& scene, double share, const LevelChoice& level,
+EndJoint end_joint(const Scene& scene, double fraction, const LevelChoice& level,
                    std::span<const double> ends) {
   const auto freedoms = freedoms_of(level);
   EndJoint joint;
   for (const Support& support : scene.supports) {
-    if (support.to || share_of(support.at, ends) != share) continue;
+    if (support.to || fraction_of(support.at, ends) != fraction) continue;
     const HeldFreedoms held = support.held();
     for (std::size_t i = 3; i < 6; ++i) {
       if (!freedoms[i]) continue;

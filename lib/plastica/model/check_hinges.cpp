@@ -47,12 +47,12 @@ bool is_across(const Vector& vector, const Vector& axis) {
   return all * all - along * along > 1e-12 * all * all;
 }
 
-void check_other_supports(const Scene& scene, std::size_t hinge, const Vector& axis, double share,
-                          Ends ends) {
+void check_other_supports(const Scene& scene, std::size_t hinge, const Vector& axis,
+                          double fraction, Ends ends) {
   const std::string name = item_name("support", hinge);
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     const Support& other = scene.supports[i];
-    if (i == hinge || other.to || share_of(other.at, ends) != share) continue;
+    if (i == hinge || other.to || fraction_of(other.at, ends) != fraction) continue;
     const std::string field = item_name("support", i, ".at");
     if (traits_of(other).releases) {
       if (i < hinge) continue;  // said of the second one
@@ -71,10 +71,10 @@ void check_other_supports(const Scene& scene, std::size_t hinge, const Vector& a
   }
 }
 
-void check_loads(const Scene& scene, const Vector& axis, double share, Ends ends) {
+void check_loads(const Scene& scene, const Vector& axis, double fraction, Ends ends) {
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
     const Load& load = scene.loads[i];
-    if (load.to || share_of(load.at, ends) != share) continue;
+    if (load.to || fraction_of(load.at, ends) != fraction) continue;
     if (load.moment != Vector{} && is_across(load.moment, axis)) {
       throw InputError({}, item_name("load", i, ".moment"), "",
                        "acts at a hinge: " + std::string(kBeside));
@@ -86,19 +86,19 @@ void check_loads(const Scene& scene, const Vector& axis, double share, Ends ends
   }
 }
 
-void check_masses_at(const Scene& scene, double share, Ends ends) {
+void check_masses_at(const Scene& scene, double fraction, Ends ends) {
   for (std::size_t i = 0; i < scene.masses.size(); ++i) {
     const PointMass& mass = scene.masses[i];
-    if (!mass.has_rotational_inertia() || share_of(mass.at, ends) != share) continue;
+    if (!mass.has_rotational_inertia() || fraction_of(mass.at, ends) != fraction) continue;
     throw InputError({}, item_name("mass", i, ".inertia"), "",
                      "turns with one of the two sides of a hinge: " + std::string(kBeside));
   }
 }
 
-void check_probes_at(const Scene& scene, double share, Ends ends) {
+void check_probes_at(const Scene& scene, double fraction, Ends ends) {
   const auto has_support = [&] {
     for (const Support& support : scene.supports) {
-      const bool here = !support.to && share_of(support.at, ends) == share;
+      const bool here = !support.to && fraction_of(support.at, ends) == fraction;
       if (here && !traits_of(support).releases) return true;
     }
     return false;
@@ -108,7 +108,7 @@ void check_probes_at(const Scene& scene, double share, Ends ends) {
     const bool has_place = is_of_joint(probe.quantity) ||
                            probe.quantity == ProbeQuantity::Reaction ||
                            probe.quantity == ProbeQuantity::ReactionMoment;
-    if (!has_place || share_of(probe.at, ends) != share) continue;
+    if (!has_place || fraction_of(probe.at, ends) != fraction) continue;
     const std::string word(probe_kinds()[static_cast<std::size_t>(probe.quantity)]);
     switch (probe.quantity) {
       case ProbeQuantity::Strain:
@@ -137,13 +137,13 @@ void check_hinges(const Scene& scene, Ends ends) {
     const Support& hinge = scene.supports[i];
     if (!traits_of(hinge).releases) continue;
     check_place_of_hinge(hinge, ends, item_name("support", i));
-    const double share = share_of(hinge.at, ends);
+    const double fraction = fraction_of(hinge.at, ends);
     const auto node = static_cast<std::size_t>(*segment_end_at(hinge.at, ends));
     const Vector axis = axis_at(scene.beam, node, ends);
-    check_other_supports(scene, i, axis, share, ends);
-    check_loads(scene, axis, share, ends);
-    check_masses_at(scene, share, ends);
-    check_probes_at(scene, share, ends);
+    check_other_supports(scene, i, axis, fraction, ends);
+    check_loads(scene, axis, fraction, ends);
+    check_masses_at(scene, fraction, ends);
+    check_probes_at(scene, fraction, ends);
   }
 }
 

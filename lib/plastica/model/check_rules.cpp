@@ -15,13 +15,12 @@ InputError refusal(std::string_view field, std::string_view value, std::string_v
   return {{}, field, value, rule};
 }
 
-/// What a chain by the report's formulas cannot have.
+/// What a chain by Wendelius' formulas cannot have.
 void check_report_rules(const Scene& scene) {
   if (scene.yield_model != YieldModel::PerAxis && scene.yield_model != YieldModel::Elastic) {
-    throw refusal(
-        "rules.yield_model", "",
-        "must be per_axis (or elastic) with the report's formulas, which clip each moment "
-        "on its own");
+    throw refusal("rules.yield_model", "",
+                  "must be per_axis (or elastic) with Wendelius' formulas, which clip each moment "
+                  "on its own");
   }
   bool ideal = scene.material.hardening.law == HardeningLaw::Ideal;
   for (const Region& region : scene.regions) {
@@ -29,15 +28,15 @@ void check_report_rules(const Scene& scene) {
   }
   if (!ideal) {
     throw refusal("material.hardening.law", "",
-                  "must be ideal with the report's formulas, which have no hardening");
+                  "must be ideal with Wendelius' formulas, which have no hardening");
   }
   if (scene.end_rule == EndRule::HalfJoint) {
     throw refusal("rules.end_rule", "half_joint",
-                  "the report clamps its ends rigidly: equal, half or three_halves");
+                  "Wendelius' report clamps its ends rigidly: equal, half or three_halves");
   }
   if (scene.hinge_length.value_or(0.0) != 0.0) {
     throw refusal("rules.hinge_length", number_text(*scene.hinge_length),
-                  "must be 0 or unset with the report's formulas, whose strain is over a joint's "
+                  "must be 0 or unset with Wendelius' formulas, whose strain is over a joint's "
                   "own length");
   }
 }
@@ -63,7 +62,7 @@ void check_end_rule(const Scene& scene) {
   const bool sets_lengths =
       scene.end_rule == EndRule::Half || scene.end_rule == EndRule::ThreeHalves;
   const std::string_view word = scene.end_rule == EndRule::Half ? "half" : "three_halves";
-  if (sets_lengths && !scene.beam.segment_shares.empty()) {
+  if (sets_lengths && !scene.beam.segment_fractions.empty()) {
     throw refusal("rules.end_rule", word, "sets the segment lengths itself");
   }
   if (sets_lengths && !scene.beam.joint_lengths.empty()) {
@@ -100,10 +99,10 @@ void check_chain_probe(const Scene& scene, const Probe& probe, const std::string
   }
   check_place(probe.at, scene.beam.segments, name + ".at");
   if (probe.quantity == Reaction || probe.quantity == ReactionMoment) {
-    const double share = share_of(probe.at, ends);
-    const bool supported =
-        std::any_of(scene.supports.begin(), scene.supports.end(),
-                    [&](const Support& support) { return share_of(support.at, ends) == share; });
+    const double fraction = fraction_of(probe.at, ends);
+    const bool supported = std::any_of(
+        scene.supports.begin(), scene.supports.end(),
+        [&](const Support& support) { return fraction_of(support.at, ends) == fraction; });
     if (!supported) throw refusal(name + ".at", place_text(probe.at), "has no support");
   }
 }

@@ -23,21 +23,20 @@ void check_ranges(const Scene& scene, const SolverOptions& options) {
   }
 }
 
-/// What the report has formulas for, in coupons and chains.
+/// What Wendelius' report has formulas for, in coupons and chains.
 void check_report(const Scene& scene) {
   if (scene.formulas != Formulas::Report) return;
   const auto refuse_others = [](const Section& section) {
     const SectionKind& kind = section_kind(section);
     if (kind.in_report()) return;
-    throw InputError(
-        {}, "rules.formulas", "report",
-        "the report has formulas for rectangles and circles, none for " + std::string(kind.word()));
+    throw InputError({}, "rules.formulas", "report",
+                     "Wendelius' report has formulas for rectangles and circles, none for " +
+                         std::string(kind.word()));
   };
   refuse_others(scene.section);
   for (const Region& region : scene.regions) refuse_others(region.section);
   if (scene.yield_cap == YieldCap::FullyPlastic) {
-    throw InputError({}, "rules.yield_cap", "fully_plastic",
-                     "the report's caps are at first yield");
+    throw InputError({}, "rules.yield_cap", "fully_plastic", "Wendelius' caps are at first yield");
   }
 }
 

@@ -41,21 +41,23 @@ std::string Range::rule() const {
 }
 
 const Field* find_field_or_null(std::string_view path) {
+  const std::string now = new_path(path);
   for (const Field& field : fields()) {
-    if (field.path == path) return &field;
+    if (field.path == now) return &field;
   }
   return nullptr;
 }
 
 const Field& model_detail::find_in(std::span<const Field> table, std::string_view name,
                                    const SourceLocation& where) {
+  const std::string now = new_path(name);
   const Field* found = nullptr;
   for (const Field& field : table) {
-    if (field.path == name) return field;
+    if (field.path == now) return field;
   }
   for (const Field& field : table) {
     const auto dot = field.path.rfind('.');
-    if (field.path.substr(dot + 1) != name) continue;
+    if (field.path.substr(dot + 1) != now) continue;
     if (found != nullptr) {
       throw InputError(
           where, name, "",
@@ -70,8 +72,7 @@ const Field& model_detail::find_in(std::span<const Field> table, std::string_vie
 }
 
 const Field& find_field(std::string_view name, const SourceLocation& where) {
-  const std::string now = new_path(name);
-  return model_detail::find_in(fields(), now == name ? name : now, where);
+  return model_detail::find_in(fields(), name, where);
 }
 
 void check_field(const Field& field, double value, const SourceLocation& where,
@@ -84,7 +85,7 @@ void check_field(const Field& field, double value, const SourceLocation& where,
     throw InputError(where, field.path, text(), rule);
   }
   if (field.kind == FieldKind::Integer && value != std::floor(value)) {
-    throw InputError(where, field.path, text(), "must be a whole number");
+    throw InputError(where, field.path, text(), "must be an integer");
   }
 }
 

@@ -55,11 +55,12 @@ struct Field {
 /// All fields, in the order in which they are shown.
 std::span<const Field> fields();
 
-/// The field of a path, or of the last part of a path where that is unique ("yield_stress").
+/// The field of a path, or of the last part of a path where that is unique ("yield_stress"). Former
+/// names are names, too.
 /// @throws InputError that names what there is
 const Field& find_field(std::string_view name, const SourceLocation& where = {});
 
-/// Whether there is a field of exactly this path.
+/// The field of exactly this path, or of this former one; null if there is none.
 const Field* find_field_or_null(std::string_view path);
 
 /// Checks a value against a field's range or choices and sets it.

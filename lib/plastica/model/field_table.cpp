@@ -190,7 +190,7 @@ std::vector<Field> make_table() {
       choice<PLASTICA_REACH(scene.drive.deformation)>("drive.deformation",
                                                       "what the strain history does"),
       choice<PLASTICA_REACH(scene.formulas)>("rules.formulas",
-                                             "mechanics, or the report's formulas to the letter"),
+                                             "mechanics, or Wendelius' formulas to the letter"),
       choice<PLASTICA_REACH(scene.yield_model)>("rules.yield_model",
                                                 "how the stresses of a chain's joint yield "
                                                 "together; per_axis leaves the axial force out"),

@@ -29,7 +29,7 @@ class Bodies {
  public:
   Bodies(const Scene& scene, std::span<const double> ends) : scene_(scene), ends_(ends) {
     for (const Support& support : scene.supports) {
-      if (traits_of(support).releases) hinges_.push_back(share_of(support.at, ends));
+      if (traits_of(support).releases) hinges_.push_back(fraction_of(support.at, ends));
     }
     std::sort(hinges_.begin(), hinges_.end());
   }
@@ -39,13 +39,13 @@ class Bodies {
 
   std::vector<Motion> resisted() {
     for (const Support& support : scene_.supports) {
-      const double share = share_of(support.at, ends_);
+      const double fraction = fraction_of(support.at, ends_);
       if (traits_of(support).releases) {
-        add_hinge(share);
+        add_hinge(fraction);
       } else if (support.to) {
-        add_bed(support, share, share_of(*support.to, ends_));
+        add_bed(support, fraction, fraction_of(*support.to, ends_));
       } else {
-        add_support(support, body_at(share), share);
+        add_support(support, body_at(fraction), fraction);
       }
     }
     return std::move(motions_);
@@ -53,13 +53,13 @@ class Bodies {
 
  private:
   /// A point at a hinge belongs to the body before it.
-  std::size_t body_at(double share) const {
-    return static_cast<std::size_t>(std::lower_bound(hinges_.begin(), hinges_.end(), share) -
+  std::size_t body_at(double fraction) const {
+    return static_cast<std::size_t>(std::lower_bound(hinges_.begin(), hinges_.end(), fraction) -
                                     hinges_.begin());
   }
   /// Over the length.
-  Point point_at(double share) const {
-    Point point = axis_point(scene_.beam, share);
+  Point point_at(double fraction) const {
+    Point point = axis_point(scene_.beam, fraction);
     for (double& component : point) component /= scene_.beam.length;
     return point;
   }
@@ -80,8 +80,8 @@ class Bodies {
     return direction;
   }
 
-  void add_support(const Support& support, std::size_t body, double share) {
-    const Point point = point_at(share);
+  void add_support(const Support& support, std::size_t body, double fraction) {
+    const Point point = point_at(fraction);
     const HeldFreedoms held = support.held();
     const auto add = [&](const Point& direction) {
       motions_.push_back(none());
@@ -108,15 +108,15 @@ class Bodies {
   }
 
   /// A hinge ties both sides together but for bending.
-  void add_hinge(double share) {
-    const std::size_t body = body_at(share);
-    const Point point = point_at(share);
+  void add_hinge(double fraction) {
+    const std::size_t body = body_at(fraction);
+    const Point point = point_at(fraction);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       motions_.push_back(none());
       put(unit(axis), point, 1.0, &motions_.back()[6 * body]);
       put(unit(axis), point, -1.0, &motions_.back()[6 * body + 6]);
     }
-    const auto node = std::lower_bound(ends_.begin(), ends_.end(), share);
+    const auto node = std::lower_bound(ends_.begin(), ends_.end(), fraction);
     const Point before = point_at(*(node - 1));
     const Point after = point_at(*(node + 1));
     motions_.push_back(none());

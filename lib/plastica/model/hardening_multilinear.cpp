@@ -58,7 +58,7 @@ constexpr Field kStress = number < [](auto& setup) -> auto& {
 
 template <std::size_t... I>
 constexpr std::array<Field, 2 * kPoints + 1> all_fields(std::index_sequence<I...>) {
-  return {kStrain<I>..., kStress<I>..., kKinematicShare};
+  return {kStrain<I>..., kStress<I>..., kKinematicFraction};
 }
 
 class Multilinear final : public HardeningKind {
@@ -123,8 +123,8 @@ class Multilinear final : public HardeningKind {
     double stress = material.yield_stress;
     for (std::size_t i = 0; i < kPoints && h.plastic_strain[i] > 0.0; ++i) {
       if (plastic_strain < h.plastic_strain[i]) {
-        const double share = (plastic_strain - strain) / (h.plastic_strain[i] - strain);
-        return stress + share * (h.flow_stress[i] - stress);
+        const double fraction = (plastic_strain - strain) / (h.plastic_strain[i] - strain);
+        return stress + fraction * (h.flow_stress[i] - stress);
       }
       strain = h.plastic_strain[i];
       stress = h.flow_stress[i];

@@ -6,11 +6,11 @@
 /// What the files of the hardening laws share; not installed.
 namespace plastica::model_detail {
 
-inline constexpr Field kKinematicShare =
-    number<PLASTICA_REACH(scene.material.hardening.kinematic_share)>(
-        "material.hardening.kinematic_share", Dimension::None, Range{0.0, 1.0},
-        "linear, multilinear: share of the hardening that is kinematic",
-        MaterialField::KinematicShare);
+inline constexpr Field kKinematicFraction =
+    number<PLASTICA_REACH(scene.material.hardening.kinematic_fraction)>(
+        "material.hardening.kinematic_fraction", Dimension::None, Range{0.0, 1.0},
+        "linear, multilinear: fraction of the hardening that is kinematic",
+        MaterialField::KinematicFraction);
 
 /// One law each, in a file of its own.
 const HardeningKind& ideal_kind();

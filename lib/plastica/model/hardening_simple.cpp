@@ -32,7 +32,7 @@ class Linear final : public HardeningKind {
             "material.hardening.tangent_modulus", Dimension::Stress, kNotNegative,
             "linear: slope of the stress-strain curve after yield, below E",
             MaterialField::TangentModulus),
-        kKinematicShare};
+        kKinematicFraction};
     return kFields;
   }
   std::optional<BrokenRule> broken_rule(const MaterialValues<double>& values) const override {

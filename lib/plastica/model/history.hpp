@@ -27,7 +27,7 @@ struct History {
   /// offset + sin(2 pi t / period + phase) up to cycles periods, where it holds. Within 2e-8: 128
   /// cubic segments a period, which are off by h^4/384, h = 2 pi/128.
   /// @param period  [s], > 0
-  /// @param cycles  > 0, whole or not
+  /// @param cycles  > 0, an integer or not
   /// @param phase   [rad]
   static History sine(double period, double cycles, double phase = 0.0, double offset = 0.0);
 

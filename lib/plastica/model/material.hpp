@@ -21,8 +21,8 @@ enum class HardeningLaw {
 ///
 /// Multilinear: under stress that goes one way, straight lines from (0, sigma_y) through the points
 /// (plastic_strain_k, flow_stress_k); beyond the last one the stress stays. With H the slope at the
-/// accumulated plastic strain p, the share (1 - kinematic_share) H grows the yield stress, and
-/// dX = kinematic_share H de_p moves the yield surface, as in linear hardening.
+/// accumulated plastic strain p, the fraction (1 - kinematic_fraction) H grows the yield stress,
+/// and dX = kinematic_fraction H de_p moves the yield surface, as in linear hardening.
 ///
 /// VoceChaboche: |sigma - sum X_i| = sigma_y + Q (1 - exp(-b p)), dX_i = C_i de_p - gamma_i X_i dp,
 /// with p the accumulated plastic strain (Lemaitre & Chaboche, Mechanics of Solid Materials, 1990,
@@ -33,9 +33,9 @@ struct Hardening {
 
   /// E_t [Pa], 0 <= E_t < E, Linear: slope d(stress)/d(strain) of the monotonic curve after yield
   double tangent_modulus = 0.0;
-  /// share [1], 0..1, Linear and Multilinear: the part of the hardening that moves the yield
+  /// fraction [1], 0..1, Linear and Multilinear: the part of the hardening that moves the yield
   /// surface
-  double kinematic_share = 0.0;
+  double kinematic_fraction = 0.0;
   double saturation_stress = 0.0;  ///< Q [Pa], VoceChaboche; negative softens, above -sigma_y
   double saturation_rate = 0.0;    ///< b [1], >= 0, VoceChaboche
   std::array<double, 3> backstress_modulus{};  ///< C_i [Pa], >= 0, VoceChaboche (3)

@@ -17,7 +17,7 @@ MaterialValues<double> material_values(const Material& material) {
                                 material.break_strain.value_or(0.0),
                                 material.break_shear_strain.value_or(0.0),
                                 h.tangent_modulus,
-                                h.kinematic_share,
+                                h.kinematic_fraction,
                                 h.saturation_stress,
                                 h.saturation_rate};
   const auto copy = [&](const auto& numbers, MaterialField first) {

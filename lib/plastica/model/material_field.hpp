@@ -17,7 +17,7 @@ enum class MaterialField {
   BreakStrain,
   BreakShearStrain,
   TangentModulus,
-  KinematicShare,
+  KinematicFraction,
   SaturationStress,
   SaturationRate,
   BackModulus1,

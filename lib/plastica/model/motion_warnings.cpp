@@ -34,7 +34,7 @@ constexpr std::array<std::array<double, 4>, 4> kBetaL{{{4.7300, 3.9266, 2.3650, 
                                                        {2.3650, pi / 2.0, pi, 2.3650},
                                                        {1.8751, 3.9266, 2.3650, 4.7300}}};
 
-/// Holds by their share of the length, both ends included.
+/// Holds by their fraction of the length, both ends included.
 /// @param across, turn  the freedoms of a support that count
 std::map<double, Hold> holds_of(const Scene& scene, std::span<const double> ends,
                                 std::size_t across, std::size_t rotation) {
@@ -42,14 +42,14 @@ std::map<double, Hold> holds_of(const Scene& scene, std::span<const double> ends
   for (const Support& support : scene.supports) {
     const HeldFreedoms held = support.held();
     if (!held[across] && !held[rotation]) continue;
-    Hold& hold = holds[share_of(support.at, ends)];
+    Hold& hold = holds[fraction_of(support.at, ends)];
     hold.across = hold.across || held[across];
     hold.rotation = hold.rotation || held[rotation];
   }
   return holds;
 }
 
-/// The smallest (beta L)^2 over the square of its stretch's share of the length.
+/// The smallest (beta L)^2 over the square of its stretch's fraction of the length.
 double bending_number(const Scene& scene, std::span<const double> ends, BendingAxis axis) {
   const bool about_x = axis == BendingAxis::X;
   const auto holds = holds_of(scene, ends, about_x ? 1 : 0, about_x ? 3 : 4);

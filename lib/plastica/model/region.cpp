@@ -62,7 +62,7 @@ void follow_beam(Scene& scene) {
   }
 }
 
-Section tapered_section(const Region& region, double share) {
+Section tapered_section(const Region& region, double fraction) {
   Setup from, to;
   from.scene.section = region.section;
   to.scene.section = region.to_section.value_or(region.section);
@@ -73,7 +73,7 @@ Section tapered_section(const Region& region, double share) {
     const FieldValue values[] = {field.get(from), field.get(to)};
     const auto* a = std::get_if<double>(&values[0]);
     const auto* b = std::get_if<double>(&values[1]);
-    if (a != nullptr && b != nullptr) field.set(between, (1.0 - share) * *a + share * *b);
+    if (a != nullptr && b != nullptr) field.set(between, (1.0 - fraction) * *a + fraction * *b);
   }
   return between.scene.section;
 }

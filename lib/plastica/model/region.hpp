@@ -17,8 +17,8 @@ bool stands_in_regions(const Scene& scene, const Field& field);
 void follow_beam(Scene& scene);
 
 /// The section of a taper.
-/// @param share  of the way from `from` to `to` [1], 0 … 1
-Section tapered_section(const Region& region, double share);
+/// @param fraction  of the way from `from` to `to` [1], 0 … 1
+Section tapered_section(const Region& region, double fraction);
 
 /// Sets a field, in the regions that follow the beam too.
 /// @throws InputError as `set_field`

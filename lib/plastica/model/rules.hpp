@@ -2,34 +2,34 @@
 
 namespace plastica {
 
-/// Which formulas set up a joint: the report's to the letter, or the right ones (design 2.4).
+/// Which formulas set up a joint: Wendelius' to the letter, or the right ones (design 2.4).
 enum class Formulas { Mechanics, Report };
 
 /// How the stresses of a joint yield together (design 2.2).
 enum class YieldModel {
   Elastic,       ///< never yields
-  PerAxis,       ///< each component clipped on its own (the report)
+  PerAxis,       ///< each component clipped on its own (Wendelius' report)
   Interaction,   ///< one yield surface over bending, torsion and axial force
   Conservative,  ///< the simple surface (|m_x| + |m_y|)^2 + t^2 = 1: never unsafe, first yield only
   Fibre,         ///< the section cut into fibres, each with the uniaxial law
 };
 
-/// The largest moment of an ideal joint: at first yield of the extreme fibre (the report), or with
-/// the whole section yielding.
+/// The largest moment of an ideal joint: at first yield of the extreme fibre (Wendelius' report),
+/// or with the whole section yielding.
 enum class YieldCap { FirstYield, FullyPlastic };
 
 /// How the ends of a beam that are held against rotation, and its end segments, are joined
 /// (design 2.1).
 enum class EndRule {
-  Auto,         ///< HalfJoint; with the report's formulas, Equal
+  Auto,         ///< HalfJoint; with Wendelius' formulas, Equal
   HalfJoint,    ///< a joint to the ground with the tributary length of half a segment
   Equal,        ///< the end segment is clamped; all joints have l = (L_a + L_b)/2
   Half,         ///< clamped; end segments are half as long and belong whole to their only joint
   ThreeHalves,  ///< clamped; equal segments, the end ones belong whole to their only joint
 };
 
-/// What of the permanent strain is held against the break limit: its present size (the report),
-/// or the sum of all of it, so that bending to and fro wears out.
+/// What of the permanent strain is held against the break limit: its present size (Wendelius'
+/// report), or the sum of all of it, so that bending to and fro wears out.
 enum class BreakMeasure { Net, Accumulated };
 
 /// What happens to joints over their limit: all are cut, or the worst of them (the first of the
@@ -49,7 +49,7 @@ enum class Level {
 
 /// What the joints let the segments do besides rotating.
 enum class JointTranslation {
-  Rigid,    ///< nothing (lock joints, the report)
+  Rigid,    ///< nothing (lock joints, Wendelius' report)
   Elastic,  ///< stretch, which may yield, and shear, which does not
 };
 

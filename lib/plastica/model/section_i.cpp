@@ -21,11 +21,12 @@ struct Fillet {
 };
 
 Fillet fillet_of(double r) {
-  const double share = 1.0 - pi / 4.0;
+  const double fraction = 1.0 - pi / 4.0;
   const double distance = (10.0 - 3.0 * pi) / (12.0 - 3.0 * pi);
   // Of the square 1/3, less the quarter circle about its centre at (1, 1): pi/4 (1 + 1/4) - 2/3.
   const double about_line = 1.0 / 3.0 - (5.0 * pi / 16.0 - 2.0 / 3.0);
-  return {share * r * r, distance * r, std::sqrt(about_line / share - distance * distance) * r};
+  return {fraction * r * r, distance * r,
+          std::sqrt(about_line / fraction - distance * distance) * r};
 }
 
 /// Where the web's side and the flange's inner side meet, in the quarter x, y > 0.
@@ -82,9 +83,9 @@ double torsion_constant_i(const Section& s) {
   const double wide = r + tw / 2.0;
   const double high = r + tf;
   const double circle = (wide * wide + high * high - r * r) / (2.0 * r + tf);
-  const double share = tw / tf * (0.145 + 0.1 * r / tf);
+  const double fraction = tw / tf * (0.145 + 0.1 * r / tf);
   return 2.0 / 3.0 * (s.width - 0.63 * tf) * tf * tf * tf +
-         (s.height - 2.0 * tf) * tw * tw * tw / 3.0 + 2.0 * share * std::pow(circle, 4);
+         (s.height - 2.0 * tf) * tw * tw * tw / 3.0 + 2.0 * fraction * std::pow(circle, 4);
 }
 
 /// Cowper's kappa of a thin-walled I-section, for a force along the web.

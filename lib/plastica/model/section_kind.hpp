@@ -99,7 +99,7 @@ class SectionKind {
   virtual bool holds_plastic_block() const { return false; }
   /// By how much independent caps about both axes exceed what the section carries, at worst.
   virtual std::string_view beyond_caps(bool /*fully_plastic*/) const { return "100 %"; }
-  /// Whether the report has formulas for it.
+  /// Whether Wendelius' report has formulas for it.
   virtual bool in_report() const { return false; }
   /// What is known of warping when it is twisted.
   virtual SectionWarping warping() const { return SectionWarping::Little; }

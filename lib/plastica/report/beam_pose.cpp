@@ -64,17 +64,17 @@ Point3 BeamPose::section_axis(std::size_t segment, std::size_t axis) const {
                  undeformed);
 }
 
-std::size_t BeamPose::segment_at(double share) const {
+std::size_t BeamPose::segment_at(double fraction) const {
   const std::vector<double>& ends = record_->outline.ends;
   std::size_t i = 0;
-  while (i + 2 < ends.size() && ends[i + 1] < share) ++i;
+  while (i + 2 < ends.size() && ends[i + 1] < fraction) ++i;
   return i;
 }
 
-Point3 BeamPose::point_at(double share) const {
+Point3 BeamPose::point_at(double fraction) const {
   const std::vector<double>& ends = record_->outline.ends;
-  const std::size_t i = segment_at(share);
-  const double t = (share - ends[i]) / (ends[i + 1] - ends[i]);
+  const std::size_t i = segment_at(fraction);
+  const double t = (fraction - ends[i]) / (ends[i + 1] - ends[i]);
   return sum(inner_[i], t, sum(outer_[i], -1.0, inner_[i]));
 }
 

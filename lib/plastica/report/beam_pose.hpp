@@ -48,10 +48,10 @@ class BeamPose {
 
   /// Axis x, y or z of a segment's section, a unit vector.
   Point3 section_axis(std::size_t segment, std::size_t axis) const;
-  /// The point of the axis at a share of the length; at a cut that of the segment before it.
-  Point3 point_at(double share) const;
+  /// The point of the axis at a fraction of the length; at a cut that of the segment before it.
+  Point3 point_at(double fraction) const;
   /// Number of the segment that `point_at` is on.
-  std::size_t segment_at(double share) const;
+  std::size_t segment_at(double fraction) const;
   /// The axis of a fragment as points on the picture.
   std::vector<Point2> axis_of(const Fragment& fragment, const Eye& eye) const;
   /// The axes of all fragments.

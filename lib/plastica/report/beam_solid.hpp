@@ -12,7 +12,7 @@ namespace plastica::report {
 struct Face {
   std::vector<Point2> corners;
   double depth = 0.0;  ///< of its middle
-  double light = 1.0;  ///< share of its colour, 0.7 … 1
+  double light = 1.0;  ///< fraction of its colour, 0.7 … 1
   std::size_t joint = 0;
 };
 

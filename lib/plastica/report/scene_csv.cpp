@@ -50,7 +50,7 @@ void write_joints_csv(std::ostream& out, const io::SceneRecord& record,
                       std::optional<double> time) {
   const ChainHistory& chain = record.response.chain;
   refuse_coupon(record, "joints");
-  out << "joint,share of length [1],x [m],y [m],z [m],moment x [N m],moment y [N m],"
+  out << "joint,fraction of length [1],x [m],y [m],z [m],moment x [N m],moment y [N m],"
          "torque z [N m],shear x [N],shear y [N],axial z [N],angle x [rad],angle y [rad],"
          "angle z [rad],plastic angle x [rad],plastic angle y [rad],plastic angle z [rad],"
          "plastic strain [1],bending stress [Pa]\n";
@@ -84,7 +84,7 @@ void write_energies_csv(std::ostream& out, const io::SceneRecord& record) {
 
 void write_events_csv(std::ostream& out, const io::SceneRecord& record) {
   refuse_coupon(record, "events");
-  out << "event,time [s],factor [1],joint,share of length [1],cause,cut,strain [1],limit [1],"
+  out << "event,time [s],factor [1],joint,fraction of length [1],cause,cut,strain [1],limit [1],"
          "moment x [N m],moment y [N m],torque z [N m],plastic angle x [rad],"
          "plastic angle y [rad],plastic angle z [rad],dissipation [J]\n";
   const std::vector<ChainBreak>& events = record.response.chain.events;

@@ -14,7 +14,7 @@ namespace plastica::report {
 namespace {
 
 constexpr std::string_view kPillarColor = "#9A9A9A";
-constexpr double kTouching = 0.002;  ///< gap that cannot be seen [share of the picture]
+constexpr double kTouching = 0.002;  ///< gap that cannot be seen [fraction of the picture]
 
 Point3 scaled(double factor, const Point3& v) { return sum({}, factor, v); }
 
@@ -74,10 +74,11 @@ void add_pillar(const BeamPose& pose, const BeamPose& undeformed, const Support&
 }
 
 /// A load's force at the time of a pose, turned with its segment if it follows it.
-Point3 force_of(const Load& load, const BeamPose& pose, const BeamPose& undeformed, double share) {
+Point3 force_of(const Load& load, const BeamPose& pose, const BeamPose& undeformed,
+                double fraction) {
   const Point3 force = scaled(load.history.at(pose.time()), load.force);
   if (!load.follows) return force;
-  const std::size_t segment = pose.segment_at(share);
+  const std::size_t segment = pose.segment_at(fraction);
   Point3 now{};
   for (std::size_t k = 0; k < 3; ++k) {
     now = sum(now, dot(force, undeformed.section_axis(segment, k)), pose.section_axis(segment, k));
@@ -202,8 +203,8 @@ std::vector<std::array<double, 4>> force_arrows(const BeamPose& pose, const Eye&
       const Point3 force = force_of(load, pose, undeformed, at);
       const double size = size_of(force);
       if (!(size > 1e-6 * largest_force(load))) continue;
-      const double share = load.to ? 0.6 * size / largest_force(load) : size / largest;
-      const double scale = length * std::max(share, 0.3) / size;
+      const double fraction = load.to ? 0.6 * size / largest_force(load) : size / largest;
+      const double scale = length * std::max(fraction, 0.3) / size;
       const Point2 arrow = eye.at(scaled(scale, force));
       const Point2 tip = eye.at(pose.point_at(at));
       arrows.push_back({tip[0] - arrow[0], tip[1] - arrow[1], arrow[0], arrow[1]});

@@ -35,7 +35,7 @@ Eye eye_of(const io::SceneRecord& record);
 
 /// How many times as thick as it is a section is drawn.
 /// @param size   of the picture [m]
-/// @param least  share of it that a section is at least thick
+/// @param least  fraction of it that a section is at least thick
 double drawn_thickness(const io::SceneRecord& record, const Eye& eye, double size, double least);
 
 /// Rows of a data block, moved by `shift`.
@@ -73,7 +73,7 @@ class BeamPicture {
   void add_frame(const BeamPose& pose, const Point2& shift, double arrow_length, double size);
   /// Puts all into a script's panel.
   /// @param lines_between  whether segments are told apart
-  /// @param head           size of an arrow's [share of the picture's width]
+  /// @param head           size of an arrow's [fraction of the picture's width]
   void put(PlotScript& script, bool lines_between, double head) const;
 
  private:

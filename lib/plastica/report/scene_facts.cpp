@@ -22,7 +22,7 @@ std::string words_of(std::string_view name) {
 
 /// A plastic strain below this is what rounding leaves of an elastic one.
 constexpr double kRoundedStrain = 1e-12;
-/// An energy below this share of the largest is round-off.
+/// An energy below this fraction of the largest is round-off.
 constexpr double kNoEnergy = 1e-12;
 
 void raise(std::optional<Peak>& peak, const Peak& candidate) {
@@ -190,7 +190,7 @@ bool is_idle(const io::SceneRecord& record, const EnergyEntry& entry) {
   });
 }
 
-std::optional<double> residual_share(const io::SceneRecord& record) {
+std::optional<double> residual_fraction(const io::SceneRecord& record) {
   double largest = 0.0;
   double residual = 0.0;
   for (const Energies& energy : record.response.chain.energy) {
@@ -223,9 +223,9 @@ std::string_view cause_name(BreakCause cause, bool brief) {
   return "";
 }
 
-std::string place_label(double share) {
-  if (share == 0.0) return "start";
-  return share == 1.0 ? "end" : fmt::format("{:.4g}", share);
+std::string place_label(double fraction) {
+  if (fraction == 0.0) return "start";
+  return fraction == 1.0 ? "end" : fmt::format("{:.4g}", fraction);
 }
 
 std::string probe_label(const io::SceneRecord& record, const Probe& probe) {

@@ -54,7 +54,7 @@ bool is_idle(const io::SceneRecord& record, const EnergyEntry& entry);
 /// How far the energies are off: of a motion, what its response says; else the largest |residual|
 /// over the largest of external work and stored plus plastic energy on the path [1]. Empty where
 /// there is no energy.
-std::optional<double> residual_share(const io::SceneRecord& record);
+std::optional<double> residual_fraction(const io::SceneRecord& record);
 
 /// What keeps a motion's fixed steps shorter than `solver.time_step`: "samples", which are nearer
 /// to each other; "division", the way from one sample to the next into equal steps; or nothing.
@@ -69,7 +69,7 @@ std::string_view axis_name(std::size_t axis);
 std::string_view cause_name(BreakCause cause, bool brief = false);
 /// What a probe records and where: "displacement y at 1".
 std::string probe_label(const io::SceneRecord& record, const Probe& probe);
-/// A place as a share of the length: "start", "end", "0.25".
-std::string place_label(double share);
+/// A place as a fraction of the length: "start", "end", "0.25".
+std::string place_label(double fraction);
 
 }  // namespace plastica::report

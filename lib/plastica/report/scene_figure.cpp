@@ -90,8 +90,8 @@ std::string tics_of(const std::array<double, 2>& range) {
     return "set xtics autofreq\n";
   }
   const double power = std::pow(10.0, std::floor(std::log10(wide / 3.0)));
-  const double share = wide / (3.0 * power);
-  const double step = power * (share < 2.0 ? 1.0 : share < 5.0 ? 2.0 : 5.0);
+  const double fraction = wide / (3.0 * power);
+  const double step = power * (fraction < 2.0 ? 1.0 : fraction < 5.0 ? 2.0 : 5.0);
   return fmt::format("set xtics {:.7g}\n", wide / step > 4.5 ? 2.0 * step : step);
 }
 

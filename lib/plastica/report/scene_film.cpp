@@ -15,10 +15,10 @@
 namespace plastica::report {
 namespace {
 
-/// A section is drawn at least this share of a frame's extent thick, in its plane and in space.
+/// A section is drawn at least this fraction of a frame's extent thick, in its plane and in space.
 constexpr double kMinFilmThickness = 1.0 / 45.0;
 constexpr double kMinFilmThicknessInSpace = 1.0 / 16.0;
-constexpr double kArrow = 0.16;            ///< length of the largest force [share of the extent]
+constexpr double kArrow = 0.16;            ///< length of the largest force [fraction of the extent]
 constexpr double kMaxStripHeight = 720.0;  ///< of the strip [pixels]
 constexpr double kLabelHeight = 24.0;      ///< above each frame [pixels]
 constexpr double kPad = 10.0;              ///< around each frame [pixels]

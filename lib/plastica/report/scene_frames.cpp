@@ -24,8 +24,9 @@ std::vector<std::size_t> even_frames(const io::SceneRecord& record, std::size_t 
                                      double to) {
   std::vector<std::size_t> frames;
   for (std::size_t k = 0; k < count; ++k) {
-    const double share = count == 1 ? 1.0 : static_cast<double>(k) / static_cast<double>(count - 1);
-    frames.push_back(frame_at(record, from + share * (to - from)));
+    const double fraction =
+        count == 1 ? 1.0 : static_cast<double>(k) / static_cast<double>(count - 1);
+    frames.push_back(frame_at(record, from + fraction * (to - from)));
   }
   frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
   return frames;

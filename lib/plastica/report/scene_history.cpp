@@ -17,11 +17,11 @@
 namespace plastica::report {
 namespace {
 
-/// A negative entry of at most this share of the largest can be part of a stack.
+/// A negative entry of at most this fraction of the largest can be part of a stack.
 constexpr double kHardlyNegative = 0.005;
 constexpr std::size_t kMaxPeaks = 6;  ///< that a spectrum is lettered with
 constexpr double kMinPeak = 1e-3;     ///< of the strongest one
-constexpr double kNoteWidth = 0.09;   ///< of the letters of a peak [share of the picture's width]
+constexpr double kNoteWidth = 0.09;  ///< of the letters of a peak [fraction of the picture's width]
 
 std::string_view color_of(std::string_view entry) {
   if (entry == "external") return kDark;

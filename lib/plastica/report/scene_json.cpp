@@ -341,8 +341,8 @@ Json energies_of(const io::SceneRecord& record) {
     all[std::string(entry.name)] = number(energy.back().*entry.member);
   }
   all["residual"] = number(energy.back().residual);
-  const auto share = residual_share(record);
-  all["residual_share"] = share ? number(*share) : Json(nullptr);
+  const auto fraction = residual_fraction(record);
+  all["residual_fraction"] = fraction ? number(*fraction) : Json(nullptr);
   all["energy_balance_error"] = number(record.response.energy_balance_error);
   all["momentum_error"] = number(record.response.momentum_error);
   all["balanced"] = record.response.balances();

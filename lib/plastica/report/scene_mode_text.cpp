@@ -16,14 +16,15 @@ namespace {
 /// Segments that will have turned by more have another shape [rad].
 constexpr double kLargeRotation = 0.1;
 
-/// Where a mode goes most: the joint, as a share of the length, and the axis.
+/// Where a mode goes most: the joint, as a fraction of the length, and the axis.
 struct Largest {
   double at = 0.0;
   std::size_t axis = 0;
   bool moves = false;  ///< else sections turn about the beam alone
 };
 
-Largest largest_of(const io::SceneRecord& record, std::span<const double> all, std::size_t mode) {
+Largest largest_of_mode(const io::SceneRecord& record, std::span<const double> all,
+                        std::size_t mode) {
   const auto& ends = record.outline.ends;
   Largest most;
   double largest = 0.0;
@@ -41,7 +42,7 @@ Largest largest_of(const io::SceneRecord& record, std::span<const double> all, s
 
 void add_row(const io::SceneRecord& record, std::span<const double> modes, std::size_t mode,
              std::string value, Table& table) {
-  const Largest most = largest_of(record, modes, mode);
+  const Largest most = largest_of_mode(record, modes, mode);
   table.add({std::to_string(mode + 1), std::move(value),
              most.moves ? std::string(1, "xyz"[most.axis]) : "twist",
              most.moves ? place_label(most.at) : ""});

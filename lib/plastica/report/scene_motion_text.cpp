@@ -83,7 +83,7 @@ std::string joints_table(const io::SceneRecord& record, const std::vector<EventR
   const std::string moment_unit(unit.name);
   Table table({{"time", Align::Right, std::string(time.name)},
                {"joint"},
-               {"at", Align::Right, "share"},
+               {"at", Align::Right, "fraction"},
                {"cause", Align::Left},
                {"strain", Align::Right, "%"},
                {"limit", Align::Right, "%"},
@@ -120,8 +120,8 @@ std::string fragments_text(const io::SceneRecord& record, const Ink& ink) {
                {"segments", Align::Range},
                {"count"},
                {"length", Align::Right, "m"},
-               {"from", Align::Right, "share"},
-               {"to", Align::Right, "share"}});
+               {"from", Align::Right, "fraction"},
+               {"to", Align::Right, "fraction"}});
   for (std::size_t i = 0; i < std::min(fragments.size(), kMaxRows); ++i) {
     const Fragment& fragment = fragments[i];
     const double from = ends[static_cast<std::size_t>(fragment.first)];
@@ -174,8 +174,8 @@ std::string events_text(const io::SceneRecord& record, const Ink& ink) {
 }
 
 std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
-  const auto share = residual_share(record);
-  if (!share) return {};
+  const auto fraction = residual_fraction(record);
+  if (!fraction) return {};
   const Energies& last = record.response.chain.energy.back();
   Table table({{"", Align::Left}, {""}, {"", Align::Left}, {"", Align::Left}});
   const auto add = [&](std::string_view name, double value, int digits, std::string note) {
@@ -188,7 +188,7 @@ std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
         std::string(entry.doc) + (begins ? ", and what it began with" : ""));
   }
   add("residual", last.residual, 3,
-      fmt::format("not explained; at most {:.2g} % of the {}", 100.0 * *share,
+      fmt::format("not explained; at most {:.2g} % of the {}", 100.0 * *fraction,
                   is_motion(record) ? "largest" : "energy on the path"));
   std::string text = '\n' + ink.heading("Energies at the last sample\n") + table.text(2, kWidth);
   const double momentum = record.response.momentum_error;
@@ -201,9 +201,10 @@ std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
   const double wrong = record.response.energy_balance_error;
   if (wrong > kBalanceTolerance) {
     const std::string percent = fmt::format("{:.2g} %", 100.0 * wrong);
-    text += ink.bad(
-        wrong > *share ? "  the scheme has made " + percent + " of the energy: take smaller steps\n"
-                       : "  the energy balance is off by " + percent + ": take smaller steps\n");
+    text +=
+        ink.bad(wrong > *fraction
+                    ? "  the scheme has made " + percent + " of the energy: take smaller steps\n"
+                    : "  the energy balance is off by " + percent + ": take smaller steps\n");
   }
   return text;
 }

@@ -14,7 +14,7 @@
 namespace plastica::report {
 namespace {
 
-/// A section is drawn at least this share of the beam's extent thick, in its plane and in space.
+/// A section is drawn at least this fraction of the beam's extent thick, in its plane and in space.
 constexpr double kMinThickness = 1.0 / 60.0;
 constexpr double kMinThicknessInSpace = 1.0 / 16.0;
 

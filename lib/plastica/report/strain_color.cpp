@@ -18,12 +18,12 @@ constexpr std::array<std::pair<double, Color>, 4> kStops{{{0.0, {0xB4, 0xC8, 0xD
 
 }  // namespace
 
-double color_at(double share, double light) {
+double color_at(double fraction, double light) {
   std::size_t k = 1;
-  while (k + 1 < kStops.size() && share > kStops[k].first) ++k;
+  while (k + 1 < kStops.size() && fraction > kStops[k].first) ++k;
   const auto& [low, from] = kStops[k - 1];
   const auto& [high, to] = kStops[k];
-  const double t = std::clamp((share - low) / (high - low), 0.0, 1.0);
+  const double t = std::clamp((fraction - low) / (high - low), 0.0, 1.0);
   double number = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
     number = 256.0 * number + std::floor(light * (from[c] + t * (to[c] - from[c])));
@@ -33,8 +33,8 @@ double color_at(double share, double light) {
 
 std::string strain_palette() {
   std::string text;
-  for (const auto& [share, color] : kStops) {
-    text += fmt::format("{}{} '#{:02X}{:02X}{:02X}'", text.empty() ? "" : ", ", share,
+  for (const auto& [fraction, color] : kStops) {
+    text += fmt::format("{}{} '#{:02X}{:02X}{:02X}'", text.empty() ? "" : ", ", fraction,
                         static_cast<int>(color[0]), static_cast<int>(color[1]),
                         static_cast<int>(color[2]));
   }

@@ -9,7 +9,8 @@ namespace {
 
 std::string yield_warning(const Scene& scene, const SolverOptions& options, const AxialNote& note) {
   using model_detail::figure;
-  const std::string force = figure(note.ratio) + " N_p at " + figure(note.share) + " of the length";
+  const std::string force =
+      figure(note.ratio) + " N_p at " + figure(note.fraction) + " of the length";
   const bool per_axis = scene.yield_model == YieldModel::PerAxis;
   if (note.thrust > 0.0) {
     return "a joint yielded under a thrust of " + figure(note.thrust) +

@@ -44,10 +44,10 @@ BeamOutline beam_outline(const Model& model) {
         outline.axes.push_back(layout.segment_frame[i](k, axis));
       }
     }
-    const chain::BeamPart& part = layout.parts[layout.segment_part[i].middle];
-    outline.width.push_back(2.0 * part.properties.outer_distance_y);
-    outline.height.push_back(2.0 * part.properties.outer_distance_x);
-    outline.round.push_back(section_kind(part.section).round() ? 1 : 0);
+    const chain::BeamRegion& region = layout.regions[layout.segment_regions[i].middle];
+    outline.width.push_back(2.0 * region.properties.outer_distance_y);
+    outline.height.push_back(2.0 * region.properties.outer_distance_x);
+    outline.round.push_back(section_kind(region.section).round() ? 1 : 0);
   }
   // An end without a joint stands for what the segment there does.
   for (const chain::JointModel& joint :

@@ -12,7 +12,7 @@ namespace plastica {
 /// is needed to draw a response and to read moments and angles of joints as stresses and strains.
 /// N segments; joint i lies at segment end i, 0 … N, as in ChainHistory. Empty for a coupon.
 struct BeamOutline {
-  std::vector<double> ends;  ///< segment ends as shares of the length, 0 first, 1 last (N + 1)
+  std::vector<double> ends;  ///< segment ends as fractions of the length, 0 first, 1 last (N + 1)
   std::vector<double> node;  ///< segment ends in world axes [m] (N + 1 x 3)
   /// Axes x, y, z of each segment in world axes, one after the other (N x 3 x 3).
   std::vector<double> axes;

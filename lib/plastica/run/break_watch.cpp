@@ -85,8 +85,8 @@ JointAngles BreakWatch::lone_window(const std::vector<JointAngles>& angles,
   JointAngles sum{};
   for (auto at = first; at != joints_.end() && at->begin < window.high; ++at) {
     const auto j = static_cast<std::size_t>(at - joints_.begin());
-    const double share = std::clamp(window.covers(*at), 0.0, 1.0);
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += share * angles[j][k];
+    const double fraction = std::clamp(window.covers(*at), 0.0, 1.0);
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += fraction * angles[j][k];
   }
   return sum;
 }

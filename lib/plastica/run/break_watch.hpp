@@ -14,9 +14,9 @@ namespace plastica {
 /// Permanent angles of a joint in its axes: bending about x, about y, torsion [rad].
 using JointAngles = std::array<double, 3>;
 
-/// The permanent strain at break is met within this share of the limit, if steps can be cut back;
-/// joints nearer to their limits than this break together. (On the plateau of ideal plasticity even
-/// bending is shared evenly to 1e-7 only, since any share is in equilibrium.)
+/// The permanent strain at break is met within this fraction of the limit, if steps can be cut
+/// back; joints nearer to their limits than this break together. (On the plateau of ideal
+/// plasticity even bending is shared evenly to 1e-7 only, since any fraction is in equilibrium.)
 inline constexpr double kBreakTolerance = 1e-4;
 
 /// How a joint's law distributes permanent rotation along a beam whose moment varies.
@@ -37,14 +37,14 @@ Localization localization_of(const Scene& scene);
 /// itself,
 ///   at the clamp of a cantilever too; a mean over L_p would make fine chains stronger than coarse.
 /// - else, l < L_p: the sum over a window of length L_p around the joint, moved into the beam at
-///   its ends, a joint counting with the share of its length that the window covers.
+///   its ends, a joint counting with the fraction of its length that the window covers.
 /// - else, Saturating: Theta = theta_p L_p/l.
 /// - else, Concentrated: what the neighbours turn as well is spread, what the joint turns beyond
 /// them
 ///   gathers in the hinge: Theta = theta_n L_p/l + (theta_p - theta_n), theta_n the larger of the
 ///   neighbours' curvatures times l, at most theta_p. So uniform moment (theta_n = theta_p) and a
 ///   lone hinge (theta_n = 0) both come out as in a fine chain.
-/// L_p = 0: theta_p over the joint's own length, as in the report.
+/// L_p = 0: theta_p over the joint's own length, as in Wendelius' report.
 class BreakWatch {
  public:
   BreakWatch() = default;
@@ -67,7 +67,7 @@ class BreakWatch {
   void set_strains(const std::vector<JointAngles>& angles, std::vector<double>& strain);
 
   /// Strains of one joint: bending about x, about y, torsion, with the signs of the rotations that
-  /// its hinge takes; and of bending about both, in the report's formulas the larger of the two
+  /// its hinge takes; and of bending about both, in Wendelius' formulas the larger of the two
   /// [1].
   std::array<double, 4> strains_at(const std::vector<JointAngles>& angles, std::size_t joint);
 
@@ -98,7 +98,7 @@ class BreakWatch {
   /// A part of the beam [m].
   struct Window {
     double low = 0.0, high = 0.0;
-    /// The share of a joint's length that it covers, if it touches it.
+    /// The fraction of a joint's length that it covers, if it touches it.
     double covers(const chain::JointModel& joint) const;
   };
   Window window_of(std::size_t joint) const;

@@ -48,12 +48,12 @@ void ChainBody<L, kElastic>::set_material(const MaterialValues<double>& material
     return;
   }
   auto made = chain::joint_set(model.scene, model.layout, build, material, view);
-  joints = make_joints<L, kElastic>(model.scene, model.layout.parts, made.materials,
+  joints = make_joints<L, kElastic>(model.scene, model.layout.regions, made.materials,
                                     std::move(made.numbers), view, model.options.fibres);
   material_ = material;
   joint_models = std::move(made.at_nodes);
-  // Which part owns a joint between two follows from the material.
-  if (watch.size() == 0 || model.layout.parts.size() > 1)
+  // Which region owns a joint between two follows from the material.
+  if (watch.size() == 0 || model.layout.regions.size() > 1)
     watch = BreakWatch(model.scene, joint_models);
   chain::set_constraint_stiffness(joints->joints(), model.scene.beam.length, build.chain);
 }
@@ -156,7 +156,7 @@ template <class L, bool kElastic>
 void ChainBody<L, kElastic>::finish_axial(Response& response) const {
   if (!response.axial) return;
   response.axial->left =
-      law::moment_left(model.layout.parts[axial_part_].section, model.scene.yield_cap,
+      law::moment_left(model.layout.regions[axial_part_].section, model.scene.yield_cap,
                        model.scene.formulas, response.axial->ratio);
 }
 

@@ -20,7 +20,7 @@ struct JointsMaker {
   using Made = std::unique_ptr<chain::SectionJointsBase<L, kElastic>>;
 
   const Scene& scene;
-  const std::vector<chain::BeamPart>& parts;
+  const std::vector<chain::BeamRegion>& regions;
   std::vector<MaterialValues<S>> materials;
   std::vector<chain::SectionJoint<L>> joints;
   const chain::View<L>& view;
@@ -35,8 +35,8 @@ struct JointsMaker {
 
   Made elastic() {
     std::vector<law::ElasticSection<S>> laws;
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-      laws.push_back(law::elastic_section(parts[p].form, materials[p]));
+    for (std::size_t p = 0; p < regions.size(); ++p) {
+      laws.push_back(law::elastic_section(regions[p].form, materials[p]));
     }
     return make(std::move(laws));
   }
@@ -44,8 +44,8 @@ struct JointsMaker {
   template <class Uniaxial>
   Made per_axis() {
     std::vector<law::PerAxisSection<S, Uniaxial>> laws;
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-      laws.push_back(law::per_axis_section<Uniaxial>(parts[p].form, materials[p]));
+    for (std::size_t p = 0; p < regions.size(); ++p) {
+      laws.push_back(law::per_axis_section<Uniaxial>(regions[p].form, materials[p]));
     }
     return make(std::move(laws));
   }
@@ -55,9 +55,9 @@ struct JointsMaker {
     std::optional<std::size_t> bending;
     if constexpr (L::kRotations == 1) bending = view.section_axes().rotation(0);
     std::vector<SurfaceLaw<S>> laws;
-    for (std::size_t p = 0; p < parts.size(); ++p) {
+    for (std::size_t p = 0; p < regions.size(); ++p) {
       laws.push_back(
-          {make_yield_surface<Uniaxial>(parts[p].gauge, parts[p].form, materials[p], bending)});
+          {make_yield_surface<Uniaxial>(regions[p].gauge, regions[p].form, materials[p], bending)});
     }
     return make(std::move(laws));
   }
@@ -77,21 +77,22 @@ struct JointsMaker {
   template <class Uniaxial>
   Made fibre() {
     auto layouts = std::make_shared<std::vector<law::FibreLayout>>();
-    for (const chain::BeamPart& part : parts) {
-      layouts->push_back(law::fibre_layout(part.section, part.properties, fibre_plane(), fibres));
+    for (const chain::BeamRegion& region : regions) {
+      layouts->push_back(
+          law::fibre_layout(region.section, region.properties, fibre_plane(), fibres));
     }
     const auto all = [&](const auto& make_law) {
       std::vector<std::remove_cvref_t<decltype(make_law(std::size_t{}))>> laws;
-      for (std::size_t p = 0; p < parts.size(); ++p) laws.push_back(make_law(p));
+      for (std::size_t p = 0; p < regions.size(); ++p) laws.push_back(make_law(p));
       return make(std::move(laws), layouts);
     };
     if constexpr (L::kRotations == 3) {
       return all([&](std::size_t p) {
-        return law::fibre_grid<Uniaxial>((*layouts)[p], parts[p].form, materials[p]);
+        return law::fibre_grid<Uniaxial>((*layouts)[p], regions[p].form, materials[p]);
       });
     } else {
       return all([&](std::size_t p) {
-        return law::fibre_section<Uniaxial>((*layouts)[p], parts[p].form, materials[p]);
+        return law::fibre_section<Uniaxial>((*layouts)[p], regions[p].form, materials[p]);
       });
     }
   }
@@ -146,17 +147,18 @@ struct JointsMaker {
 
 template <class L, bool kElastic>
 std::unique_ptr<chain::SectionJointsBase<L, kElastic>> make_joints(
-    const Scene& scene, const std::vector<chain::BeamPart>& parts,
+    const Scene& scene, const std::vector<chain::BeamRegion>& regions,
     const std::vector<MaterialValues<typename L::Scalar>>& materials,
     std::vector<chain::SectionJoint<L>> joints, const chain::View<L>& view, int fibres) {
-  return detail::JointsMaker<L, kElastic>{scene, parts, materials, std::move(joints), view, fibres}
+  return detail::JointsMaker<L, kElastic>{scene, regions, materials, std::move(joints),
+                                          view,  fibres}
       .make();
 }
 
 /// Instantiates it for a level.
 #define PLASTICA_MAKE_JOINTS(L, kElastic)                                                          \
   template std::unique_ptr<chain::SectionJointsBase<L, kElastic>> make_joints<L, kElastic>(        \
-      const Scene&, const std::vector<chain::BeamPart>&,                                           \
+      const Scene&, const std::vector<chain::BeamRegion>&,                                         \
       const std::vector<MaterialValues<typename L::Scalar>>&, std::vector<chain::SectionJoint<L>>, \
       const chain::View<L>&, int)
 

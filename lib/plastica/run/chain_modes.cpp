@@ -19,7 +19,7 @@ namespace {
 constexpr double kUnresisted = 1e-10;
 /// Of the largest stiffness: below, it is the rounding of lever arms that should be zero, squared.
 constexpr double kNoStiffness = 1e-24;
-/// Share of the displacement that a constraint's own stiffness would leave, below which it holds
+/// Fraction of the displacement that a constraint's own stiffness would leave, below which it holds
 /// nothing.
 constexpr double kHeldTwice = 1e-10;
 /// How little joints are unloaded, of their elastic deformation.

@@ -77,7 +77,7 @@ template <class L, bool kElastic>
 typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::point_value(
     const Probe& probe, const Work& w) const {
   const chain::SegmentPoint point =
-      chain::segment_point(model_->layout, share_of(probe.at, model_->layout.ends));
+      chain::segment_point(model_->layout, fraction_of(probe.at, model_->layout.ends));
   if (probe.quantity == ProbeQuantity::Rotation) return rotation(w, point.segment);
   const auto undeformed =
       model_->layout.segment_frame[point.segment] * point.arm + model_->layout.node[point.segment];
@@ -103,7 +103,7 @@ typename ChainRecord<L, kElastic>::Space ChainRecord<L, kElastic>::motion_value(
   };
   if (probe.quantity == ProbeQuantity::Velocity || probe.quantity == ProbeQuantity::Spin) {
     const chain::SegmentPoint point =
-        chain::segment_point(model_->layout, share_of(probe.at, model_->layout.ends));
+        chain::segment_point(model_->layout, fraction_of(probe.at, model_->layout.ends));
     const std::size_t i = point.segment;
     if (probe.quantity == ProbeQuantity::Spin) return joint_spin(spin_of(i));
     const auto arm =
@@ -138,11 +138,11 @@ double ChainRecord<L, kElastic>::probe_value(const Probe& probe, const Work& w,
     case ProbeQuantity::Reaction:
     case ProbeQuantity::ReactionMoment: {
       const std::size_t first = probe.quantity == ProbeQuantity::Reaction ? 0 : 3;
-      const double share = share_of(probe.at, model_->layout.ends);
+      const double fraction = fraction_of(probe.at, model_->layout.ends);
       Space sum{};
       for (std::size_t s = 0; s < model_->scene.supports.size(); ++s) {
-        const double at = share_of(model_->scene.supports[s].at, model_->layout.ends);
-        if (std::fabs(at - share) > 1e-9) continue;
+        const double at = fraction_of(model_->scene.supports[s].at, model_->layout.ends);
+        if (std::fabs(at - fraction) > 1e-9) continue;
         const auto force = reaction(w, s);
         for (std::size_t k = 0; k < 3; ++k) sum[k] += force[first + k];
       }

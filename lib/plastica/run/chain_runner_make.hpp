@@ -39,7 +39,7 @@ void ChainRunner<L, kElastic>::set_path_options() {
   if (!scene.loads.empty()) at = scene.loads.front().at;
   if (solver.control_at) at = *solver.control_at;
   const chain::SegmentPoint point =
-      chain::segment_point(body_.model.layout, share_of(at, body_.model.layout.ends));
+      chain::segment_point(body_.model.layout, fraction_of(at, body_.model.layout.ends));
   control_.segment = point.segment;
   control_.arm = body_.view.point(point.arm);
   if constexpr (L::kTranslations > 0) {
@@ -159,13 +159,13 @@ void ChainRunner<L, kElastic>::note_limit_mode(LimitLoad& limit) {
     const auto& chain = body_.build.chain;
     const std::size_t n = chain.size();
     std::vector<typename L::Point> displacement(n + 1);
-    for (const auto& [q, share] : {std::pair{&committed_, 1.0}, std::pair{&previous_, -1.0}}) {
+    for (const auto& [q, fraction] : {std::pair{&committed_, 1.0}, std::pair{&previous_, -1.0}}) {
       chain::place<kElastic>(chain, *q, last_time_, body_.work.placement);
       const auto& placement = body_.work.placement;
       for (std::size_t i = 0; i <= n; ++i) {
         const auto at =
             i < n ? placement.position[i] : placement.point(n - 1, chain.segments[n - 1].arm);
-        displacement[i] += constant<typename L::Scalar>(share) * at;
+        displacement[i] += constant<typename L::Scalar>(fraction) * at;
       }
     }
     solve::make_largest_one(displacement, constant<typename L::Scalar>(0));

@@ -88,9 +88,9 @@ double ChainRecord<L, kElastic>::stored_energy(const Work& w, const Joints& join
 template <class L, bool kElastic>
 Energies ChainRecord<L, kElastic>::energies(const Work& w, const Joints& joints) const {
   Energies sum;
-  if (given_) {
-    sum.elastic = given_->elastic;
-    sum.plastic = given_->plastic;
+  if (prescribed_) {
+    sum.elastic = prescribed_->elastic;
+    sum.plastic = prescribed_->plastic;
   } else {
     sum.elastic = stored_energy(w, joints);
     for (const S& work : joints.plastic_work()) sum.plastic += work;
@@ -115,7 +115,7 @@ void ChainRecord<L, kElastic>::begin_motion(const Work& w, const Joints& joints,
                                             const std::vector<solve::SegmentMotion<L>>& motion,
                                             double kinetic) {
   set_motion(motion, kinetic, {});
-  energy_at_start_ = kinetic + (given_ ? given_->elastic : stored_energy(w, joints));
+  energy_at_start_ = kinetic + (prescribed_ ? prescribed_->elastic : stored_energy(w, joints));
 }
 
 template <class L, bool kElastic>

@@ -25,7 +25,8 @@ class LaneProgram {
   virtual void run(std::span<const LaneCase> cases) = 0;
 };
 
-/// Gives each case its share of the time of all [s]: as its iterations and samples are of theirs.
+/// Gives each case its fraction of the time of all [s]: as its iterations and samples are of
+/// theirs.
 void share_seconds(double seconds, std::span<const LaneCase> cases);
 
 /// Whether a model is a motion that nothing but a lane program steps, a lone one too.

@@ -54,8 +54,8 @@ class LaneScenario {
     probed_.clear();
     for (const Probe& probe : model_->scene.probes) {
       if (!is_of_point(probe.quantity)) continue;
-      const double share = share_of(probe.at, model_->layout.ends);
-      probed_.push_back(chain::segment_point(model_->layout, share).segment);
+      const double fraction = fraction_of(probe.at, model_->layout.ends);
+      probed_.push_back(chain::segment_point(model_->layout, fraction).segment);
     }
     flows_ = {};
     status_ = status;

@@ -50,10 +50,10 @@ void set_initial_motion(const ChainBody<L, kElastic>& body,
   const auto vector = [](const std::array<double, 3>& v) { return Vec<double, 3>{v}; };
   motion.assign(chain.size(), {});
   for (const InitialMotion& part : body.model.scene.initial_motions) {
-    const double from = share_of(part.from, layout.ends);
-    const double to = share_of(part.to, layout.ends);
+    const double from = fraction_of(part.from, layout.ends);
+    const double to = fraction_of(part.to, layout.ends);
     const chain::SegmentPoint about =
-        chain::segment_point(layout, share_of(part.about, layout.ends));
+        chain::segment_point(layout, fraction_of(part.about, layout.ends));
     const auto center = placement.point(about.segment, body.view.point(about.arm));
     const auto velocity = body.view.point(vector(part.velocity));
     const auto spin = body.view.spin(vector(part.spin));

@@ -118,7 +118,7 @@ class SpatialTangent final : public OutOfPlane {
 
   void set_joints(const ChainModel& model, const MaterialValues<double>& material) {
     auto made = chain::joint_set(scene_, model.layout, build_, material, view_);
-    joints_ = make_joints<L, kElastic>(scene_, model.layout.parts, made.materials,
+    joints_ = make_joints<L, kElastic>(scene_, model.layout.regions, made.materials,
                                        std::move(made.numbers), view_, model.options.fibres);
     chain::set_constraint_stiffness(joints_->joints(), scene_.beam.length, build_.chain);
   }
@@ -187,11 +187,11 @@ class SpatialTangent final : public OutOfPlane {
     solve::detail::set_constraints(build_.chain, work_);
   }
 
-  /// Leaves a joint a share of its stiffness for bending out of the plane.
-  void soften(std::size_t joint, double share) {
+  /// Leaves a joint a fraction of its stiffness for bending out of the plane.
+  void soften(std::size_t joint, double fraction) {
     const std::size_t aside = 1 - normal_;
     const auto& numbers = joints_->joints()[joint];
-    const double lost = (1.0 - share) * numbers.active[aside] * numbers.active[aside] *
+    const double lost = (1.0 - fraction) * numbers.active[aside] * numbers.active[aside] *
                         numbers.stiffness[aside] / numbers.length[aside];
     const auto& angle = work_.angles[joint];
     const chain::RotationCoefficients<double> k(dot(angle, angle));

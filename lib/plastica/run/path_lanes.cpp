@@ -9,7 +9,7 @@ namespace plastica {
 namespace {
 
 std::size_t segment_at(const ChainModel& model, const Place& place) {
-  return chain::segment_point(model.layout, share_of(place, model.layout.ends)).segment;
+  return chain::segment_point(model.layout, fraction_of(place, model.layout.ends)).segment;
 }
 
 bool same_supports(const ChainModel& a, const ChainModel& b) {
@@ -71,7 +71,7 @@ bool continues_in_lanes(const ChainModel& model) {
 bool same_path_lanes(const ChainModel& a, const ChainModel& b) {
   return continues_in_lanes(a) && continues_in_lanes(b) && a.level == b.level &&
          a.across == b.across && a.options.isa == b.options.isa && lane_law(a) == lane_law(b) &&
-         a.layout.segment_part == b.layout.segment_part && same_supports(a, b) &&
+         a.layout.segment_regions == b.layout.segment_regions && same_supports(a, b) &&
          same_loads(a, b) && same_masses(a, b);
 }
 

@@ -47,7 +47,7 @@ class PrescribedJoints final : public chain::SectionJointsBase<L, false> {
   }
   void commit() override {}
   void reset() override {
-    for (std::size_t j = 0; j < this->joints_.size(); ++j) give(j, {}, constant<S>(0));
+    for (std::size_t j = 0; j < this->joints_.size(); ++j) prescribe(j, {}, constant<S>(0));
   }
 
  private:

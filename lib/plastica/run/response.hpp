@@ -81,7 +81,7 @@ struct Energies {
 /// |residual|, or what the scheme has made if that is more (none should make any).
 double energy_balance_error(std::span<const Energies> samples);
 
-/// A motion whose energy or momentum is off by more than this share is not to be trusted.
+/// A motion whose energy or momentum is off by more than this fraction is not to be trusted.
 inline constexpr double kBalanceTolerance = 0.01;
 
 /// What a chain records at each sample. Joint 0 is at the start, joint N at the end: a joint of a
@@ -117,11 +117,11 @@ struct ChainHistory {
 
 /// The largest axial force of a joint while it yielded.
 struct AxialNote {
-  double ratio = 0.0;   ///< |N| over N_p, at which all of the section yields [1]
-  double share = 0.0;   ///< where, of the beam's length [1]
-  double left = 1.0;    ///< moment that the section carries beside it, over that without [1]
-  double thrust = 0.0;  ///< the largest compression of a joint that yields, where hardening takes
-                        ///< it over N_p and one surface stands for the section; else 0 [1]
+  double ratio = 0.0;     ///< |N| over N_p, at which all of the section yields [1]
+  double fraction = 0.0;  ///< where, of the beam's length [1]
+  double left = 1.0;      ///< moment that the section carries beside it, over that without [1]
+  double thrust = 0.0;    ///< the largest compression of a joint that yields, where hardening takes
+                          ///< it over N_p and one surface stands for the section; else 0 [1]
 };
 
 /// What a run gives; sized by `make_response`, so that `run` does not allocate.
@@ -163,7 +163,7 @@ struct Response {
     return energy_balance_error <= kBalanceTolerance && momentum_error <= kBalanceTolerance;
   }
   /// Wall time of the run; of a batch's case CPU time of its thread. What ran in lanes has its
-  /// share, by iterations and samples, of the time of all that ran beside it [s].
+  /// fraction, by iterations and samples, of the time of all that ran beside it [s].
   double seconds = 0.0;
 };
 

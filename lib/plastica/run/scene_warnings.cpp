@@ -30,7 +30,7 @@ struct Facts {
         scene(of.chain->scene),
         options(of.chain->options),
         layout(of.chain->layout),
-        section(layout.parts[0].properties),
+        section(layout.regions[0].properties),
         level{of.level, of.chain->across == 1 ? BendingAxis::X : BendingAxis::Y, {}} {}
 
   const Model& model;
@@ -50,12 +50,12 @@ bool bends_about_y(const LevelChoice& level) {
          (level.level == Level::Planar && level.bending == BendingAxis::Y);
 }
 
-/// Calls `use` with each segment's length [m] and the part of the beam that it is of.
+/// Calls `use` with each segment's length [m] and the region of the beam that it is of.
 template <class Use>
 void for_each_segment(const Facts& facts, const Use& use) {
   const chain::Layout& layout = facts.layout;
   for (std::size_t i = 0; i < layout.size(); ++i) {
-    use(layout.segment_length[i], layout.parts[layout.segment_part[i].middle]);
+    use(layout.segment_length[i], layout.regions[layout.segment_regions[i].middle]);
   }
 }
 
@@ -63,8 +63,8 @@ void for_each_segment(const Facts& facts, const Use& use) {
 double depth_of(const Facts& facts, bool about_x) {
   double sum = 0.0;
   double length = 0.0;
-  for_each_segment(facts, [&](double along, const chain::BeamPart& part) {
-    const SectionProperties& section = part.properties;
+  for_each_segment(facts, [&](double along, const chain::BeamRegion& region) {
+    const SectionProperties& section = region.properties;
     sum += along * 2.0 * (about_x ? section.outer_distance_x : section.outer_distance_y);
     length += along;
   });
@@ -109,21 +109,21 @@ double segments_for(double longest, const Facts& facts) {
   return layout.end_rule == EndRule::Half ? least + 1.0 : least;
 }
 
-/// Shear's share of the tip deflection of a cantilever, clamped where the beam begins, under a tip
-/// force: phi/(1 + phi), phi = integral(dz/(kappa G A)) over integral((L - z)^2 dz/(E I)), for one
-/// section 3 E I/(kappa G A L^2). Source: Timoshenko's beam.
-double shear_share(const Facts& facts, bool about_x) {
+/// Shear's fraction of the tip deflection of a cantilever, clamped where the beam begins, under a
+/// tip force: phi/(1 + phi), phi = integral(dz/(kappa G A)) over integral((L - z)^2 dz/(E I)), for
+/// one section 3 E I/(kappa G A L^2). Source: Timoshenko's beam.
+double shear_fraction(const Facts& facts, bool about_x) {
   double shear = 0.0;
   double bending = 0.0;
   double left = facts.scene.beam.length;
-  for_each_segment(facts, [&](double along, const chain::BeamPart& part) {
-    const SectionProperties& section = part.properties;
+  for_each_segment(facts, [&](double along, const chain::BeamRegion& region) {
+    const SectionProperties& section = region.properties;
     const double second_moment = about_x ? section.second_moment_x : section.second_moment_y;
     const double kappa = about_x ? section.shear_coefficient_y : section.shear_coefficient_x;
-    shear += along / (kappa * resolved_shear_modulus(part.material) * section.area);
+    shear += along / (kappa * resolved_shear_modulus(region.material) * section.area);
     const double beyond = std::max(left - along, 0.0);
     bending += (left * left * left - beyond * beyond * beyond) / 3.0 /
-               (part.material.youngs_modulus * second_moment);
+               (region.material.youngs_modulus * second_moment);
     left = beyond;
   });
   const double phi = shear / bending;
@@ -142,13 +142,13 @@ std::optional<std::string> short_beam(const Facts& facts) {
   const std::string text =
       "the beam is " + figure(slenderness) +
       " times as long as deep (below 10): shear, which rigid joints leave out, ";
-  const double share = shear_share(facts, about_x);
-  if (!std::isfinite(share)) {
+  const double fraction = shear_fraction(facts, about_x);
+  if (!std::isfinite(fraction)) {
     return text +
            "may count; with section.shear_coefficient, which numbers do not tell, "
            "solver.translation = \"elastic\" has it";
   }
-  return text + "is " + figure(100.0 * share) +
+  return text + "is " + figure(100.0 * fraction) +
          " % of a cantilever's tip deflection (Timoshenko); solver.translation = \"elastic\" has "
          "it";
 }
@@ -310,13 +310,13 @@ std::optional<std::string> cut_corners(const Facts& facts) {
     const auto corner = beam.points[i - 1];
     // Distance of the corner from the straight segment that spans it.
     const double chord = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
-    const double share =
+    const double fraction =
         ((corner[0] - from[0]) * (to[0] - from[0]) + (corner[1] - from[1]) * (to[1] - from[1]) +
          (corner[2] - from[2]) * (to[2] - from[2])) /
         (chord * chord);
-    deepest = std::max(deepest, std::hypot(corner[0] - from[0] - share * (to[0] - from[0]),
-                                           corner[1] - from[1] - share * (to[1] - from[1]),
-                                           corner[2] - from[2] - share * (to[2] - from[2])));
+    deepest = std::max(deepest, std::hypot(corner[0] - from[0] - fraction * (to[0] - from[0]),
+                                           corner[1] - from[1] - fraction * (to[1] - from[1]),
+                                           corner[2] - from[2] - fraction * (to[2] - from[2])));
   }
   if (deepest == 0.0) return std::nullopt;
   return "a corner of beam.points lies inside of a segment, which is straight and misses it by " +

@@ -10,7 +10,7 @@ namespace plastica {
 
 /// What a prepared scene asks for that its model does badly, a line each with the figure that it
 /// costs; empty for a coupon.
-/// - A beam shorter than ten times its depth: the share of shear in a cantilever's deflection
+/// - A beam shorter than ten times its depth: the fraction of shear in a cantilever's deflection
 ///   (Timoshenko), unless joints shear.
 /// - A break limit with joints longer than the hinge length, or without a hinge length.
 /// - An ideal joint that is bent and released: what its cap leaves out.

@@ -87,9 +87,9 @@ std::vector<chain::Motion<L>> softest_motion(
     for (std::size_t i = 0; i < n; ++i) {
       motion[i] = w.columns[0].motion[i];
       for (std::size_t k = 0; k < chain.constraints.size(); ++k) {
-        const S share = select(w.closed[k], w.small.b(k), constant<S>(0));
-        motion[i].shift += share * w.columns[1 + k].motion[i].shift;
-        motion[i].spin += share * w.columns[1 + k].motion[i].spin;
+        const S fraction = select(w.closed[k], w.small.b(k), constant<S>(0));
+        motion[i].shift += fraction * w.columns[1 + k].motion[i].shift;
+        motion[i].spin += fraction * w.columns[1 + k].motion[i].spin;
       }
     }
     detail::set_apart(chain, others, motion);

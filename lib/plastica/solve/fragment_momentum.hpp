@@ -38,9 +38,9 @@ FragmentMotion<L> fragment_motion(const std::vector<chain::Inertia<L>>& inertias
     fragment.momentum += mass * motion[i].velocity;
     fragment.size += size_of(mass * motion[i].velocity);
   }
-  const S share = constant<S>(1) / fragment.mass;
-  fragment.center = share * fragment.center;
-  const typename L::Point mean = share * fragment.momentum;
+  const S fraction = constant<S>(1) / fragment.mass;
+  fragment.center = fraction * fragment.center;
+  const typename L::Point mean = fraction * fragment.momentum;
   for (std::size_t i = first; i < end; ++i) {
     const typename L::Point arm = placement.point(i, inertias[i].center) - fragment.center;
     const typename L::Spin own = L::moment(arm, inertias[i].mass * (motion[i].velocity - mean)) +
@@ -106,7 +106,7 @@ struct MomentumError {
 
   /// The largest over the largest momentum so far [1].
   /// @param length  of the beam [m]
-  double share(double length) const {
+  double fraction(double length) const {
     // A fragment that hardly turns has no angular momentum but rounding.
     constexpr double kNoSpin = kIsDouble<typename L::Scalar> ? 1e-9 : 1e-3;
     const double scale = std::max(angular_size, kNoSpin * size * length);

@@ -209,8 +209,9 @@ class JointMotion {
   /// Stresses of angles as they work on spins; where the tangent is of angles, it, too.
   static void to_spins(const StepRule& rule, const JointStep<L, kElastic>& step, bool of_angles,
                        Vector& stress, Matrix& tangent) {
-    const S share = constant<S>(rule.midpoint ? 0.5 : 1.0);
-    const Vec<S, 3> angle = share * step.angle_now + (constant<S>(1) - share) * step.angle_before;
+    const S fraction = constant<S>(rule.midpoint ? 0.5 : 1.0);
+    const Vec<S, 3> angle =
+        fraction * step.angle_now + (constant<S>(1) - fraction) * step.angle_before;
     const auto to_angle =
         chain::inverse_tangent_map(angle, chain::RotationCoefficients<S>(dot(angle, angle)));
     const Vec<S, 3> moment =

@@ -15,11 +15,11 @@ double MotionStep<L, kElastic>::gap_of(std::size_t k, const Placement& placement
   return chain::constraint_gap(chain_, chain_.constraints[k], placement, time);
 }
 
-/// The share of the step that was solved at whose end a contact has just closed; 1: none does.
+/// The fraction of the step that was solved at whose end a contact has just closed; 1: none does.
 template <class L, bool kElastic>
-double MotionStep<L, kElastic>::free_share() const {
+double MotionStep<L, kElastic>::free_fraction() const {
   const double tolerance = kContactTolerance<S> * chain_.length;
-  double share = 1.0;
+  double fraction = 1.0;
   for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
     if (!chain_.constraints[k].one_sided || rests_on_[k]) continue;
     const double end = gap_of(k, w_.placement, w_.time);
@@ -27,9 +27,9 @@ double MotionStep<L, kElastic>::free_share() const {
     const double begin = gap_of(k, begin_, time_);
     // The middle of what is tolerated, on the secant.
     const double part = (begin + 0.5 * tolerance) / (begin - end);
-    share = std::min(share, begin > 0.0 ? part : 0.0);
+    fraction = std::min(fraction, begin > 0.0 ? part : 0.0);
   }
-  return share;
+  return fraction;
 }
 
 /// Contacts that touch at the step's begin and would be crossed in it: they are met there.

@@ -65,12 +65,12 @@ void MotionStep<L, kElastic>::balance_fragment(std::size_t first, std::size_t en
   outside.moment -= L::moment(center - start, outside.force);
 
   MomentumError<L>& error = momentum_[first];
-  const S share = constant<S>(error.knows_outside ? rule_.end_work : 1.0);
-  const S rest = constant<S>(1) - share;
-  error.lost +=
-      after.momentum - before.momentum - h * (share * outside.force + rest * error.outside.force);
-  error.angular +=
-      after.angular - before.angular - h * (share * outside.moment + rest * error.outside.moment);
+  const S fraction = constant<S>(error.knows_outside ? rule_.end_work : 1.0);
+  const S rest = constant<S>(1) - fraction;
+  error.lost += after.momentum - before.momentum -
+                h * (fraction * outside.force + rest * error.outside.force);
+  error.angular += after.angular - before.angular -
+                   h * (fraction * outside.moment + rest * error.outside.moment);
   error.outside = outside;
   error.knows_outside = true;
   error.size = std::max({error.size, before.size, after.size});
@@ -83,7 +83,7 @@ template <class L, bool kElastic>
 double MotionStep<L, kElastic>::momentum_error() const {
   double error = 0.0;
   for (const MomentumError<L>& fragment : momentum_) {
-    error = std::max(error, fragment.share(chain_.length));
+    error = std::max(error, fragment.fraction(chain_.length));
   }
   return error;
 }

@@ -17,8 +17,8 @@ void MotionStep<L, kElastic>::predict(double length) {
     const typename L::Point velocity = motion_[i].velocity - L::spun(spin, arm);
     if (w_.q.open[i]) {
       const S size = max(h * size_of(spin), constant<S>(1e-30));
-      const S share = min(constant<S>(1), constant<S>(0.5 * kLargestStepSpin) / size);
-      const typename L::Spin increment = share * (h * spin);
+      const S fraction = min(constant<S>(1), constant<S>(0.5 * kLargestStepSpin) / size);
+      const typename L::Spin increment = fraction * (h * spin);
       w_.q.pose[i].position += h * velocity;
       w_.q.pose[i].frame = L::compose(L::rotation(increment), w_.q.pose[i].frame);
     } else {
@@ -52,8 +52,8 @@ void MotionStep<L, kElastic>::predict_joint(std::size_t i, const S& h,
   }
   if constexpr (kElastic) {
     // The gap (near + far) u/2 grows with the shift and turns with both sides.
-    const auto near = L::rotation_matrix(begin_.near[i]);
-    const auto far = L::rotation_matrix(begin_.far[i]);
+    const auto near = L::frame_matrix(begin_.near[i]);
+    const auto far = L::frame_matrix(begin_.far[i]);
     const typename L::Point& shift = q_begin_.shift[i];
     const S half = constant<S>(0.5);
     const typename L::Point displaced =
@@ -93,17 +93,17 @@ double MotionStep<L, kElastic>::error() const {
 template <class L, bool kElastic>
 void MotionStep<L, kElastic>::set_force_floor() {
   // Times the least tolerance, four times the rounding.
-  constexpr double kShare = kIsDouble<S> ? 1e-4 : 0.03;
+  constexpr double kFraction = kIsDouble<S> ? 1e-4 : 0.03;
   double far = chain_.length;
   if constexpr (L::kTranslations > 0) {
     for (const std::size_t i : {std::size_t{0}, chain_.size() - 1}) {
       far = std::max<double>(far, size_of(begin_.position[i]));
     }
-    w_.force_floor = constant<S>(kShare * mass_ * far / (h_ * h_));
+    w_.force_floor = constant<S>(kFraction * mass_ * far / (h_ * h_));
   } else {
     double rotational = 0.0;
     for (const auto& inertia : chain_.inertias) rotational += inertia.rotational(0, 0);
-    w_.force_floor = constant<S>(kShare * rotational / (h_ * h_ * far));
+    w_.force_floor = constant<S>(kFraction * rotational / (h_ * h_ * far));
   }
 }
 

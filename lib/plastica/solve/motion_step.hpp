@@ -104,10 +104,10 @@ class MotionStep {
     for (int tries = 0; tries < kMaxContactTries; ++tries) {
       if (!solve(h)) return false;
       if (leaves_loaded()) continue;
-      const double share = free_share();
-      if (share >= 1.0) return true;
-      if (share > 0.0) {
-        h *= share;
+      const double fraction = free_fraction();
+      if (fraction >= 1.0) return true;
+      if (fraction > 0.0) {
+        h *= fraction;
       } else {
         meet_at_begin();
       }
@@ -235,7 +235,7 @@ class MotionStep {
   void balance_fragment(std::size_t first, std::size_t end, const chain::Wrench<L>& residual);
   // motion_impact.hpp
   double gap_of(std::size_t constraint, const Placement& placement, double time) const;
-  double free_share() const;
+  double free_fraction() const;
   void meet_at_begin();
   bool leaves_loaded();
   S slope_of(std::size_t history) const {

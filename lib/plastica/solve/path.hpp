@@ -92,7 +92,7 @@ class PathContinuation {
 
   /// Relative stiffness below which the supports leave the beam free to move.
   static constexpr double kMechanism = kIsDouble<S> ? 1e-11 : 1e-6;
-  /// Share of a motion that a constraint's own stiffness would leave, below which it holds nothing.
+  /// Fraction of a motion that a constraint's own stiffness leaves, below which it holds nothing.
   static constexpr double kHeldTwice = kIsDouble<S> ? 1e-8 : 1e-6;
   /// The least displacement of the control point that is no rounding, over the beam's length.
   static constexpr double kMinPath = kIsDouble<S> ? 1e-13 : 1e-6;

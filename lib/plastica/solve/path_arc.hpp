@@ -108,8 +108,8 @@ typename PathContinuation<L, kElastic>::Trial PathContinuation<L, kElastic>::adv
 }
 
 template <class L, bool kElastic>
-void PathContinuation<L, kElastic>::extrapolate(double share) {
-  const S part = constant<S>(share);
+void PathContinuation<L, kElastic>::extrapolate(double fraction) {
+  const S part = constant<S>(fraction);
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     w_.q.angle[i] += part * (committed_.angle[i] - previous_.angle[i]);
     if constexpr (kElastic) {
@@ -120,7 +120,7 @@ void PathContinuation<L, kElastic>::extrapolate(double share) {
   for (std::size_t k = 0; k < chain_.constraints.size(); ++k) {
     w_.q.multiplier[k] += part * (committed_.multiplier[k] - previous_.multiplier[k]);
   }
-  w_.time += share * (time_ - previous_time_);
+  w_.time += fraction * (time_ - previous_time_);
 }
 
 template <class L, bool kElastic>

@@ -11,8 +11,9 @@
 
 namespace plastica::solve {
 
-/// Below this share of the first slope of time over the control point's displacement, and
-/// downwards, a path carries no more load.
+/// Below this fraction of the first slope of time over the control point's displacement, and
+/// downwards, a
+/// path carries no more load.
 inline constexpr double kLimitSlope = 1e-3;
 
 /// A path whose slope falls to less than this part of the step before bends.
@@ -21,14 +22,14 @@ inline constexpr double kBend = 0.1;
 /// A path that comes to its limit from a slope below this nears it by and by, as fibres yield.
 inline constexpr double kGradual = 20.0 * kLimitSlope;
 
-/// A limit load is bracketed within this share of it.
+/// A limit load is bracketed within this fraction of it.
 inline constexpr double kLimitWidth = 1e-4;
 
 /// Where nothing yields and a joint has turned further than this [rad], an arc may have come back
 /// on the path that it should follow: the beam is too coarse to show a limit.
 inline constexpr double kLargeRotation = 1.2;
 
-/// A bifurcation is bracketed within this share of the time, and then told by the determinant.
+/// A bifurcation is bracketed within this fraction of the time, and then told by the determinant.
 inline constexpr double kCriticalWidth = 1e-3;
 /// As many are looked for.
 inline constexpr std::size_t kMaxCritical = 16;

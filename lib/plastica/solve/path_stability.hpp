@@ -73,10 +73,10 @@ void PathContinuation<L, kElastic>::note_critical() {
   const bool out_of_plane = observer_.unstable_beside(w_) != beside;
   // As many factors of the determinant as modes change their signs, at one place.
   const double changes = std::abs(trial_modes_ - modes_);
-  const double share = 1.0 / (1.0 + std::exp((end - begin) / changes));
+  const double fraction = 1.0 / (1.0 + std::exp((end - begin) / changes));
   critical_.below.push_back(std::min(time_, trial_time));
   critical_.above.push_back(std::max(time_, trial_time));
-  critical_.factor.push_back(time_ + share * (trial_time - time_));
+  critical_.factor.push_back(time_ + fraction * (trial_time - time_));
   critical_.unstable_modes.push_back(trial_modes_);
   critical_.out_of_plane.push_back(out_of_plane ? 1 : 0);
   observer_.note_mode(out_of_plane, w_, critical_.mode);

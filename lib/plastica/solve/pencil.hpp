@@ -89,14 +89,15 @@ class Pencil {
 
   /// Leaves the factored K(x) in `w`, for counts of its negative eigenvalues and modes.
   void factor(double x) {
-    const S share = constant<S>(x);
+    const S fraction = constant<S>(x);
     chain::OuterForces<L>& sum = w_.outer_forces;
     for (std::size_t i = 0; i < chain_.size(); ++i) {
       const chain::Impedance<L>& rate = rate_.impedance[i];
-      sum.wrench[i] = base_.wrench[i] + chain::Wrench<L>{share * rate_.wrench[i].force,
-                                                         share * rate_.wrench[i].moment};
+      sum.wrench[i] = base_.wrench[i] + chain::Wrench<L>{fraction * rate_.wrench[i].force,
+                                                         fraction * rate_.wrench[i].moment};
       sum.impedance[i] = base_.impedance[i];
-      sum.impedance[i] += {share * rate.tt, share * rate.tr, share * rate.rt, share * rate.rr};
+      sum.impedance[i] +=
+          {fraction * rate.tt, fraction * rate.tr, fraction * rate.rt, fraction * rate.rr};
     }
     if constexpr (L::kRotations > 1) {
       for (std::size_t i = 0; i < chain_.size(); ++i) {

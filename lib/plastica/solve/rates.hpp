@@ -24,8 +24,8 @@ struct CarriedMotion {
   std::vector<typename L::Spin> spin;    ///< (N)
 };
 
-/// A constraint moves nothing that is free if a unit impulse along it does less than this share of
-/// what it would do to the beam's mass, free.
+/// A constraint moves nothing that is free if a unit impulse along it does less than this fraction
+/// of what it would do to the beam's mass, free.
 template <class S>
 inline constexpr double kHoldsNothing = kIsDouble<S> ? 1e-10 : 1e-6;
 

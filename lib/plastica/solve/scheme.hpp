@@ -63,7 +63,7 @@ struct StepRule {
   double velocity = 1.0, velocity_v = 0.0, velocity_a = 0.0;
   double acceleration = 1.0, acceleration_v = -1.0, acceleration_a = 0.0;
   double scale = 1.0, weight_a = 0.0, weight_r = 0.0;
-  /// Share of the forces at the end in the work of a step; the rest is that of its begin.
+  /// Fraction of the forces at the end in the work of a step; the rest is that of its begin.
   double end_work = 1.0;
 };
 

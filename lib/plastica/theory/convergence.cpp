@@ -102,7 +102,7 @@ bool falls_clearly(std::span<const LogPoint> points, const LogLine& line) {
 }
 
 /// How many points remain, the coarsest first, when those next to a floor go that are off the line
-/// of the coarser ones: the floor's share of their error is no longer small.
+/// of the coarser ones: the floor's fraction of their error is no longer small.
 std::size_t trim_edge(std::span<const LogPoint> points) {
   constexpr double kMinDistance = 1.25;  // from the line, as a factor
   for (; points.size() > 2; points = points.first(points.size() - 1)) {

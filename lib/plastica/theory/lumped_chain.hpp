@@ -9,7 +9,7 @@ namespace plastica::theory {
 // the tributary length w L turns by w L times the curvature that the moment there gives the
 // continuous beam, and moves the tip by s L times that. So with a tip force the ratio is
 // 3 sum w s^2, with self-weight 4 sum w s^3, with a tip moment 2 sum w s; the closed forms are
-// these sums over powers of whole numbers.
+// these sums over powers of integers.
 
 /// How the joints of a cantilever sit and how long the part is that each stands for.
 enum class ChainConvention {

@@ -97,9 +97,9 @@ Spectrum amplitude_spectrum(std::span<const double> values, double time_step) {
   const double width = 1.0 / (static_cast<double>(padded) * time_step);
   for (std::size_t k = 0; k < bins.size(); ++k) {
     // A sine is half at its frequency and half at its image, but where both are the same bin.
-    const double share = k == 0 || k + 1 == bins.size() ? 1.0 : 2.0;
+    const double fraction = k == 0 || k + 1 == bins.size() ? 1.0 : 2.0;
     spectrum.frequency.push_back(static_cast<double>(k) * width);
-    spectrum.amplitude.push_back(share * std::abs(bins[k]) / weight);
+    spectrum.amplitude.push_back(fraction * std::abs(bins[k]) / weight);
   }
   return spectrum;
 }

@@ -59,7 +59,7 @@ Spectrum amplitude_spectrum(std::span<const double> values, double time_step);
 /// their envelope; what is below eight times the lower quartile of all bins, which white noise
 /// exceeds in one of 1e8; and what is below `floor`.
 ///
-/// @param floor  share of the largest amplitude from 2/T on [1], 0 … 1
+/// @param floor  fraction of the largest amplitude from 2/T on [1], 0 … 1
 std::vector<SpectralPeak> spectral_peaks(const Spectrum& spectrum, double floor = 1e-3);
 
 }  // namespace plastica::theory

@@ -10,7 +10,7 @@
 namespace plastica::theory {
 namespace {
 
-/// From so many degrees of freedom on, and for tails with z^2 below this share of them, the
+/// From so many degrees of freedom on, and for tails with z^2 below this fraction of them, the
 /// expansion about the normal quantile is as good as bisection, and far faster.
 constexpr double kManyDegrees = 200.0;
 constexpr double kShortTail = 0.11;
@@ -100,9 +100,9 @@ std::vector<double> averaged(const std::vector<double>& below, double reach) {
     if (x <= 0.0) return 0.0;
     if (x >= last) return integral.back() + (x - last);
     const auto k = static_cast<std::size_t>(x);
-    const double share = x - static_cast<double>(k);
-    const double slope = below[k] + 0.5 * share * (below[k + 1] - below[k]);
-    return integral[k] + share * slope;
+    const double fraction = x - static_cast<double>(k);
+    const double slope = below[k] + 0.5 * fraction * (below[k + 1] - below[k]);
+    return integral[k] + fraction * slope;
   };
   std::vector<double> mean(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -145,7 +145,7 @@ class StudentT {
   double log_front_ = 0.0;
 };
 
-/// The half interval of one even error beside t, nu > 1. The probability of a value beyond q is
+/// The half interval of one uniform error beside t, nu > 1. The probability of a value beyond q is
 /// s (B((q - h)/s) - B((q + h)/s))/2h with B as `beyond`: convex in q, so that Newton's steps come
 /// to the root from one side.
 /// @param alone  that of t by itself
@@ -243,8 +243,8 @@ double half_interval(double confidence, double scale, double degrees_of_freedom,
   const auto k = std::min(static_cast<int>(above - below.begin()), 2 * kSide);
   const double low = below[static_cast<std::size_t>(k - 1)];
   const double high = below[static_cast<std::size_t>(k)];
-  const double share = high > low ? (wanted - low) / (high - low) : 0.0;
-  return (k - 1 - kSide + share) * step;
+  const double fraction = high > low ? (wanted - low) / (high - low) : 0.0;
+  return (k - 1 - kSide + fraction) * step;
 }
 
 }  // namespace plastica::theory

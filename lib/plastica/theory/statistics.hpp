@@ -14,7 +14,7 @@ double normal_quantile(double probability);
 /// Probability that a Student t variable is below t.
 ///
 /// By the regularized incomplete beta function; relative error below 1e-9 in the lower tail.
-/// @param degrees_of_freedom  nu > 0, not necessarily whole; up to 1e4
+/// @param degrees_of_freedom  nu > 0, not necessarily an integer; up to 1e4
 double student_t_cdf(double t, double degrees_of_freedom);
 
 /// Inverse of student_t_cdf; error below 1e-8 of the value. From 200 degrees of freedom on, unless
@@ -25,8 +25,8 @@ double student_t_cdf(double t, double degrees_of_freedom);
 double student_t_quantile(double probability, double degrees_of_freedom);
 
 /// The q within which (|x| <= q) an error x = scale t + sum h_k u_k lies with the given confidence:
-/// t a Student t variable, u_k even within -1 … 1, all independent. So is a measured value of which
-/// noise is one part and the distance between samples the other. With one h and more than one
+/// t a Student t variable, u_k uniform within -1 … 1, all independent. So is a measured value of
+/// which noise is one part and the distance between samples the other. With one h and more than one
 /// degree of freedom to 1e-9, by the integral of the distribution function; else to 5e-4 of q + sum
 /// h_k, by its averages over 2 h_k on a grid, one after the other.
 /// @param confidence          within (0, 1)

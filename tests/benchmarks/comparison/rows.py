@@ -65,11 +65,11 @@ class Row:
     want: str = ""
     unit: str = "s"
     brief: bool = False    # in docs/speed.md, too
-    share: float = 1.0     # ours is divided by it: points, specimens
+    per: float = 1.0       # ours is divided by it: points, specimens
 
     def measure(self, figures):
         figure = self.figure.value(figures)
-        figure = None if figure is None else figure / self.share
+        figure = None if figure is None else figure / self.per
         other = self.other.value(figures) if self.other else None
         found = figure is not None and other is not None
         ratio = None if not found else other / figure if self.inverse else figure / other
@@ -223,9 +223,9 @@ ROWS = [
     Row(W4, "planar, two threads", w4("planar", 2), "one", w4("planar", 1), True, want="≥ 1.95"),
     Row(W4, "spatial, two threads", w4("spatial", 2), "one", w4("spatial", 1), True,
         want="≥ 1.95"),
-    Row(COUPON, "ideal plastic, a point", coupon("evaluate/ideal"), share=300),
-    Row(COUPON, "linear hardening, a point", coupon("evaluate/linear"), share=300),
-    Row(COUPON, "Voce and Chaboche, a point", coupon("evaluate/voce"), share=300),
+    Row(COUPON, "ideal plastic, a point", coupon("evaluate/ideal"), per=300),
+    Row(COUPON, "linear hardening, a point", coupon("evaluate/linear"), per=300),
+    Row(COUPON, "Voce and Chaboche, a point", coupon("evaluate/voce"), per=300),
     Row(COUPON, "ideal, with 2 derivatives", coupon("differentiate/ideal_two"), "without",
         coupon("evaluate/ideal"), want="≤ 2"),
     Row(COUPON, "linear, with 3 derivatives", coupon("differentiate/linear_three"), "without",

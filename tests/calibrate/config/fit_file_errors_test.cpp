@@ -19,7 +19,7 @@ class FitFileErrors : public ConfigFolder {
     return error_of([&] { parse_fit_file(text, path("f.toml")); });
   }
 
-  /// The error of one more line, line 5, in a target that is sound.
+  /// The error of one more line, line 5, in a valid target.
   std::string with(const std::string& line) const {
     return error("[[target]]\nfiles = 'a.csv'\nstrain = 'e'\nstress = 's'\n" + line + "\n");
   }
@@ -144,7 +144,7 @@ TEST_F(FitFileErrors, AColumnIsANameOrANumber) {
             "f.toml:3: target[1].strain = true: must be a column, { column = \"...\", unit = "
             "\"1\" }");
   EXPECT_EQ(error(start + "strain = 0\n"),
-            "f.toml:3: target[1].strain = 0: must be a whole number from 1 to 1000000");
+            "f.toml:3: target[1].strain = 0: must be an integer from 1 to 1000000");
   EXPECT_EQ(error(start + "strain = { colum = 'e' }\n"),
             "f.toml:3: target[1].strain.column: is missing; is it \"colum\" on line 3?");
 }
@@ -177,14 +177,14 @@ TEST_F(FitFileErrors, CorrectionsAreAutomaticOffOrAStrain) {
             "(examples: %, 1, mm/mm, um/m)");
   EXPECT_EQ(with("corrections = { trim = 0 }"),
             "f.toml:5: target[1].corrections.trim = 0: must be above 0");
-  EXPECT_EQ(with("corrections = { drop_share = '150 %' }"),
-            "f.toml:5: target[1].corrections.drop_share = 150 %: must be above 0 and below 1");
+  EXPECT_EQ(with("corrections = { drop_fraction = '150 %' }"),
+            "f.toml:5: target[1].corrections.drop_fraction = 150 %: must be above 0 and below 1");
   EXPECT_EQ(with("corrections = { reversal_tolerance = -1 }"),
             "f.toml:5: target[1].corrections.reversal_tolerance = -1: must be at least 0");
   EXPECT_EQ(with("corrections = { foot = 'off' }"),
             "f.toml:5: target[1].corrections.foot = 'off': is not a key of target[1].corrections; "
             "its keys are toe, preload, trim, measure, reversal_tolerance, shift_threshold, "
-            "drop_share, zero_share, end_share");
+            "drop_fraction, zero_fraction, end_fraction");
 }
 
 TEST_F(FitFileErrors, TrueMeasureMustMakeSense) {
@@ -204,13 +204,13 @@ TEST_F(FitFileErrors, CharacteristicsAreChecked) {
             "is a chord");
   EXPECT_EQ(with("characteristics = { window = ['1 MPa'] }"),
             "f.toml:5: target[1].characteristics.window = ['1 MPa']: must be two stresses or two "
-            "shares, [lower, upper]");
+            "fractions, [lower, upper]");
   EXPECT_EQ(with("characteristics = { window = ['2 MPa', '1 MPa'] }"),
             "f.toml:5: target[1].characteristics.window = ['2 MPa', '1 MPa']: must rise, from 0 "
             "or more");
   EXPECT_EQ(with("characteristics = { window = ['2 MPa', 0.5] }"),
             "f.toml:5: target[1].characteristics.window = ['2 MPa', 0.5]: must be two stresses or "
-            "two shares of the proof stress, not one of each");
+            "two fractions of the proof stress, not one of each");
   EXPECT_EQ(with("characteristics = { window = [0.5, 1.5] }"),
             "f.toml:5: target[1].characteristics.window = [0.5, 1.5]: must not exceed 100 % of "
             "the proof stress");

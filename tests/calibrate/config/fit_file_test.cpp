@@ -102,9 +102,9 @@ trim = "4 %"
 measure = "true-forced"
 reversal_tolerance = "0.01 %"
 shift_threshold = "2 %"
-drop_share = 0.3
-zero_share = 0
-end_share = "80 %"
+drop_fraction = 0.3
+zero_fraction = 0
+end_fraction = "80 %"
 [target.characteristics]
 modulus = "chord"
 window = ["10 MPa", "100 MPa"]
@@ -125,9 +125,9 @@ min_samples = 4
   EXPECT_TRUE(options.force_true);
   EXPECT_DOUBLE_EQ(options.reversal_tolerance, 1e-4);
   EXPECT_DOUBLE_EQ(options.shift_threshold, 0.02);
-  EXPECT_EQ(options.drop_share, 0.3);
-  EXPECT_EQ(options.zero_share, 0.0);
-  EXPECT_DOUBLE_EQ(options.end_share, 0.8);
+  EXPECT_EQ(options.drop_fraction, 0.3);
+  EXPECT_EQ(options.zero_fraction, 0.0);
+  EXPECT_DOUBLE_EQ(options.end_fraction, 0.8);
   EXPECT_EQ(options.modulus_method, ModulusMethod::Chord);
   EXPECT_EQ(options.modulus_window, std::pair(10e6, 100e6));
   EXPECT_DOUBLE_EQ(options.offset, 0.001);
@@ -135,12 +135,12 @@ min_samples = 4
   EXPECT_EQ(options.min_samples, 4U);
 }
 
-TEST_F(FitFileTest, TakesAWindowInSharesAndAGivenModulus) {
+TEST_F(FitFileTest, TakesAWindowInFractionsAndAGivenModulus) {
   write("a.csv");
-  const auto shares = with("characteristics = { window = ['10 %', 0.4] }").targets.at(0).options;
-  EXPECT_FALSE(shares.modulus_window);
-  EXPECT_DOUBLE_EQ(shares.modulus_low, 0.1);
-  EXPECT_EQ(shares.modulus_high, 0.4);
+  const auto fractions = with("characteristics = { window = ['10 %', 0.4] }").targets.at(0).options;
+  EXPECT_FALSE(fractions.modulus_window);
+  EXPECT_DOUBLE_EQ(fractions.modulus_low, 0.1);
+  EXPECT_EQ(fractions.modulus_high, 0.4);
   const auto given = with("characteristics = { modulus = '10000 ksi' }").targets.at(0).options;
   EXPECT_NEAR(*given.youngs_modulus, 68.9476e9, 1e6);
 }

@@ -156,11 +156,11 @@ TEST(FitOptionsErrors, WordsNumbersAndUnitsOfTheFitAreChecked) {
   EXPECT_EQ(error_of("[fit]\nbreak_weight = -1\n"),
             "f.toml:2: fit.break_weight = -1: must be at least 0");
   EXPECT_EQ(error_of("[fit]\nseed = 1.5\n"),
-            "f.toml:2: fit.seed = 1.5: must be a whole number from 0 to 9223372036854775807");
+            "f.toml:2: fit.seed = 1.5: must be an integer from 0 to 9223372036854775807");
   EXPECT_EQ(error_of("[fit]\nconfidence = 95\n"),
             "f.toml:2: fit.confidence = 95: must be above 0 % and below 100 %");
   EXPECT_EQ(error_of("[fit.stop]\nlocal_evaluations = 0\n"),
-            "f.toml:2: fit.stop.local_evaluations = 0: must be a whole number from 1 to "
+            "f.toml:2: fit.stop.local_evaluations = 0: must be an integer from 1 to "
             "1000000000");
   EXPECT_EQ(error_of("[fit.stop]\ncost_tolerance = 2\n"),
             "f.toml:2: fit.stop.cost_tolerance = 2: must be at least 0 and at most 1");

@@ -62,8 +62,8 @@ TEST_F(SceneFitFileTest, ReadsTargetsThatShareTheirParameters) {
       parse(kFit + kTarget + "noise = \"5 N\"\nweight = 2\nbeam = { segments = 8 }\n");
   ASSERT_EQ(file.cases.size(), 1U);
   EXPECT_EQ(file.cases[0].name, "fit");
-  ASSERT_EQ(file.cases[0].parts.size(), 2U);
-  const ScenePart& a = file.cases[0].parts[0];
+  ASSERT_EQ(file.cases[0].targets.size(), 2U);
+  const WeightedTarget& a = file.cases[0].targets[0];
   EXPECT_EQ(a.target.name, "a");
   EXPECT_EQ(a.target.kind, Abscissa::Support);
   EXPECT_EQ(a.target.driven, 1U);
@@ -75,7 +75,7 @@ TEST_F(SceneFitFileTest, ReadsTargetsThatShareTheirParameters) {
   EXPECT_EQ(a.setup.scene.beam.segments, 8);
   ASSERT_TRUE(a.target.broke);
   EXPECT_EQ(a.target.broke->broken_from(1e-3), 3e-3);
-  EXPECT_FALSE(file.cases[0].parts[1].target.broke);
+  EXPECT_FALSE(file.cases[0].targets[1].target.broke);
   ASSERT_TRUE(file.options.parameters[0].prior);
   EXPECT_EQ(file.options.parameters[0].prior->mean, 300e6);
   ASSERT_EQ(file.inputs.size(), 2U);
@@ -114,8 +114,8 @@ TEST_F(SceneFitFileTest, ReadsTheShippedOne) {
   EXPECT_TRUE(names_scenes(path));
   EXPECT_FALSE(names_scenes(std::string(PLASTICA_SOURCE_DIR) + "/data/fits/demo.toml"));
   const SceneFitFile file = read_scene_fit_file(path);
-  EXPECT_EQ(file.cases.at(0).parts.at(0).target.name, "bend_test");
-  EXPECT_TRUE(file.cases[0].parts[0].target.broke);
+  EXPECT_EQ(file.cases.at(0).targets.at(0).target.name, "bend_test");
+  EXPECT_TRUE(file.cases[0].targets[0].target.broke);
 }
 
 TEST_F(SceneFitFileTest, FitsAnyNumberOfTheFieldTable) {

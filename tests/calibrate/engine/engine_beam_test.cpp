@@ -125,7 +125,7 @@ TEST(EngineBeam, CapsTheWholeSectionWhereTheSceneDoes) {
 
 TEST(EngineBeam, JoinsTwoSectionsInARow) {
   const EngineBeam beam = beam_of(rich_scene());
-  ASSERT_EQ(beam.parts.size(), 2U);
+  ASSERT_EQ(beam.regions.size(), 2U);
   // Joint 2 lies between both: half of either length in a row.
   const double thin = beam.joints[1].stiffness[0];
   const double thick = beam.joints[3].stiffness[0];

@@ -19,7 +19,7 @@ inline Scene breakable_scene() {
 /// which one may move along, and a roller inside of a segment.
 inline Scene rich_scene() {
   Scene scene = breakable_scene();
-  scene.beam.segment_shares = {0.25, 0.25, 0.25, 0.25};
+  scene.beam.segment_fractions = {0.25, 0.25, 0.25, 0.25};
   scene.material.hardening = {.law = HardeningLaw::Linear, .tangent_modulus = 2e9};
   Region thick{.from = {0.5, {}}, .section = scene.section, .material = scene.material};
   thick.section.width = 0.025;

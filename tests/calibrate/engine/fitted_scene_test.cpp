@@ -76,13 +76,13 @@ TEST(FittedScene, HasTheHardeningOfTheFit) {
   Scene scene = breakable_scene();
   scene.material.hardening = {.law = HardeningLaw::Linear, .tangent_modulus = 1e9};
   FitOptions options;
-  options.setup.scene.material.hardening = {.law = HardeningLaw::Linear, .kinematic_share = 1.0};
+  options.setup.scene.material.hardening = {.law = HardeningLaw::Linear, .kinematic_fraction = 1.0};
   const FittedParameter tangent =
       free_parameter("hardening.tangent_modulus", Dimension::Stress, 2e9, 1e7, 1e9, 0.0, 1e11);
   const auto& found = fitted_scene(scene, fit_of({tangent}), options).scene.material.hardening;
   EXPECT_EQ(found.law, HardeningLaw::Linear);
   EXPECT_EQ(found.tangent_modulus, 2e9);
-  EXPECT_EQ(found.kinematic_share, 1.0);
+  EXPECT_EQ(found.kinematic_fraction, 1.0);
   EXPECT_EQ(fitted_scene(scene, fit_of({yield()}), {}).scene.material.hardening.law,
             HardeningLaw::Ideal);
 }
@@ -94,10 +94,10 @@ TEST(FittedScene, FitsRegionsOfTheSameMaterialToo) {
   scene.regions[1].material.yield_stress = 900e6;
   scene.regions[1].own = {"section.width", "material.name", "material.yield_stress"};
   FitOptions options;
-  options.setup.scene.material.hardening = {.law = HardeningLaw::Linear, .kinematic_share = 0.5};
+  options.setup.scene.material.hardening = {.law = HardeningLaw::Linear, .kinematic_fraction = 0.5};
   const FittedScene fitted = fitted_scene(scene, fit_of({yield(), break_strain()}), options);
   EXPECT_EQ(fitted.scene.regions[0].material.yield_stress, 310e6);
-  EXPECT_EQ(fitted.scene.regions[0].material.hardening.kinematic_share, 0.5);
+  EXPECT_EQ(fitted.scene.regions[0].material.hardening.kinematic_fraction, 0.5);
   EXPECT_EQ(fitted.scene.regions[0].material.name, "bar-01");
   EXPECT_EQ(fitted.scene.regions[1].material.yield_stress, 900e6);
   EXPECT_EQ(fitted.scene.regions[1].material.break_strain, 0.16);
@@ -106,12 +106,12 @@ TEST(FittedScene, FitsRegionsOfTheSameMaterialToo) {
 
 TEST(FittedScene, GivesRegionsTheWholeLawOfTheFit) {
   FitOptions options;
-  options.setup.scene.material.hardening = {.law = HardeningLaw::Linear, .kinematic_share = 0.5};
+  options.setup.scene.material.hardening = {.law = HardeningLaw::Linear, .kinematic_fraction = 0.5};
   const FittedParameter tangent =
       free_parameter("hardening.tangent_modulus", Dimension::Stress, 3e9, 1e7, 1e9, 0.0, 1e11);
   const FittedScene fitted = fitted_scene(rich_scene(), fit_of({tangent}), options);
   EXPECT_EQ(fitted.scene.regions[0].material.hardening.tangent_modulus, 3e9);
-  EXPECT_EQ(fitted.scene.regions[0].material.hardening.kinematic_share, 0.5);
+  EXPECT_EQ(fitted.scene.regions[0].material.hardening.kinematic_fraction, 0.5);
 }
 
 /// A fit through scenes of the yield stress and the hinge length.

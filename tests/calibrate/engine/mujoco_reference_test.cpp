@@ -248,7 +248,7 @@ TEST(Mujoco, HasOurDeflectionBetweenTwoClamps) {
 
 TEST(Mujoco, HasOurDeflectionOnARollerInsideOfASegment) {
   Scene scene = bar(8);
-  scene.beam.segment_shares.assign(8, 0.125);
+  scene.beam.segment_fractions.assign(8, 0.125);
   scene.supports[0].kind = SupportKind::Pin;
   scene.supports.push_back({.at = {0.7, {}}, .kind = SupportKind::Roller});
   const Point force{0.0, -1000.0, 0.0};

@@ -38,7 +38,7 @@ class Bits {
       for (const double value : *values) add(value);
     }
     for (const double value :
-         {r.cost, r.misfit_rms, r.misfit_share, r.break_strain_total.value_or(-1)}) {
+         {r.cost, r.misfit_rms, r.misfit_fraction, r.break_strain_total.value_or(-1)}) {
       add(value);
     }
     add(r.misfit_word);

@@ -39,7 +39,7 @@ TEST(Law, FreesItsOwnParameters) {
   EXPECT_EQ(names(Law::Linear, monotonic),
             (Names{"youngs_modulus", "yield_stress", "tangent_modulus"}));
   EXPECT_EQ(names(Law::Linear, Loading::Cyclic),
-            (Names{"youngs_modulus", "yield_stress", "tangent_modulus", "kinematic_share"}));
+            (Names{"youngs_modulus", "yield_stress", "tangent_modulus", "kinematic_fraction"}));
   EXPECT_EQ(names(Law::Voce, monotonic),
             (Names{"youngs_modulus", "yield_stress", "saturation_stress", "saturation_rate"}));
   EXPECT_EQ(names(Law::Chaboche, monotonic).size(), 8U);
@@ -89,9 +89,9 @@ TEST(FitLaw, FindsTheLawThatMadeTheCurve) {
   EXPECT_EQ(results[2].law, Law::Voce);
   EXPECT_NEAR(results[2].misfit_rms, 1e6, tolerance(0.1e6));
   EXPECT_NEAR(results[2].parameter("saturation_stress").value, 150e6, tolerance(2e6));
-  EXPECT_GT(results[2].runs_probability, kFewRuns);
+  EXPECT_GT(results[2].runs_test_p, kFewRuns);
   EXPECT_TRUE(results[2].warnings.empty()) << results[2].warnings.front();
-  EXPECT_LT(results[1].runs_probability, kFewRuns);
+  EXPECT_LT(results[1].runs_test_p, kFewRuns);
   EXPECT_GT(results[0].misfit_rms, results[1].misfit_rms);
 }
 

@@ -293,7 +293,7 @@ TEST(Fit, SaysWhenTheModelCannotFollow) {
   const FitResult result = fit_target(target_of(strain, stress), fit_with(HardeningLaw::Ideal));
   ASSERT_EQ(result.status, FitStatus::Fitted) << result.reason;
   EXPECT_EQ(result.misfit_word, "poor");
-  EXPECT_NEAR(result.misfit_share, result.misfit_rms / stress.back(), tolerance(1e-12));
+  EXPECT_NEAR(result.misfit_fraction, result.misfit_rms / stress.back(), tolerance(1e-12));
   ASSERT_EQ(result.warnings.size(), 1U);
   EXPECT_TRUE(result.warnings[0].ends_with("; try --laws ideal,linear,voce")) << result.warnings[0];
 }

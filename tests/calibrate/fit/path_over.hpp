@@ -5,7 +5,7 @@
 namespace plastica::testing {
 
 /// From one turning point over the next to the last, in even steps.
-inline std::vector<double> way_over(const std::vector<double>& turning_points, int steps) {
+inline std::vector<double> path_over(const std::vector<double>& turning_points, int steps) {
   std::vector<double> path;
   double from = 0.0;
   for (const double to : turning_points) {

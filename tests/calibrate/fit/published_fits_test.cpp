@@ -81,8 +81,8 @@ TEST(PublishedFits, CyclicSteelByEveryLaw) {
   EXPECT_NEAR(fit_law(target, options, Law::Ideal).cost, 3617.9732e12, tolerance(0.01e12));
   const FitResult linear = fit_law(target, options, Law::Linear);
   EXPECT_NEAR(linear.cost, 1612.33e12, tolerance(0.05e12));
-  EXPECT_GT(linear.parameter("kinematic_share").value, 0.9) << "a cycle hardly grows";
-  EXPECT_LT(linear.runs_probability, kFewRuns);
+  EXPECT_GT(linear.parameter("kinematic_fraction").value, 0.9) << "a cycle hardly grows";
+  EXPECT_LT(linear.runs_test_p, kFewRuns);
 }
 
 /// Least squares of yield and hardening with the modulus known, in the tables' own unit.

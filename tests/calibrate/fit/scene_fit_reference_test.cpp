@@ -36,7 +36,7 @@ TEST(SceneFitReference, GivesErrorsThatTheNoiseOfFiftyCurvesHas) {
     for (double& force : target.ordinate) force += kNoise * normal.draw();
     const SceneFitResult fit = fit_scene(setup, target, options);
     ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
-    noise += fit.parts[0].noise / kCurves;
+    noise += fit.targets[0].noise / kCurves;
     for (std::size_t i = 0; i < 3; ++i) {
       const double z = (fit.parameters[i].value - truth[i]) / fit.parameters[i].standard_error;
       sum[i] += z;
@@ -87,7 +87,7 @@ TEST(SceneFitReference, FindsTheSpecimenOfTheShippedCurve) {
   const SceneFitResult fit =
       fit_scene(setup, target, {.parameters = all_three(), .starts = 1, .segments_error = false});
   ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
-  EXPECT_NEAR(fit.parts[0].noise, 5.0, 1.0);
+  EXPECT_NEAR(fit.targets[0].noise, 5.0, 1.0);
   const std::array<double, 3> truth{205e9, 380e6, 0.02};
   for (std::size_t i = 0; i < 3; ++i) {
     const FittedParameter& p = fit.parameters[i];

@@ -26,8 +26,8 @@ TEST(SceneFit, RecoversTheParametersOfItsOwnModel) {
   ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
   EXPECT_NEAR(fit.parameter("youngs_modulus").value / Truth{}.youngs_modulus, 1.0, 1e-6);
   EXPECT_NEAR(fit.parameter("material.yield_stress").value / Truth{}.yield_stress, 1.0, 1e-6);
-  EXPECT_LT(fit.parts[0].misfit_share, 1e-8);
-  EXPECT_EQ(fit.parts[0].break_strain, fit.parameter("break_strain").value);
+  EXPECT_LT(fit.targets[0].misfit_fraction, 1e-8);
+  EXPECT_EQ(fit.targets[0].break_strain, fit.parameter("break_strain").value);
   EXPECT_EQ(fit.failed_runs, 0);
   EXPECT_LE(fit.runs, 40);
   EXPECT_GT(fit.segment_iterations, 10 * fit.runs);
@@ -108,9 +108,9 @@ TEST(SceneFit, HasTheErrorsOfALinearFitWhereForcesAreProportional) {
   const SceneFitResult estimated = fit_scene(setup, target, options);
   const auto samples = static_cast<double>(target.ordinate.size());
   EXPECT_NEAR(estimated.degrees_of_freedom, samples - 1.0, 1e-9);
-  EXPECT_NEAR(estimated.parts[0].noise, 3.0 * std::sqrt(samples / (samples - 1.0)), 0.01);
+  EXPECT_NEAR(estimated.targets[0].noise, 3.0 * std::sqrt(samples / (samples - 1.0)), 0.01);
   EXPECT_NEAR(estimated.parameters[0].standard_error,
-              estimated.parts[0].noise * estimated.parameters[0].value / std::sqrt(squares),
+              estimated.targets[0].noise * estimated.parameters[0].value / std::sqrt(squares),
               1e-3 * estimated.parameters[0].standard_error);
 }
 
@@ -128,11 +128,11 @@ TEST(SceneFit, SaysWhatABoundStopsAndWhatTheCurveDoesNotSee) {
   // A bar that did not yield knows nothing of its yield stress.
   SceneTarget elastic = measured(setup, {}, 1e-4, 5e-3);
   elastic.ordinate[3] += 1.0;
-  const SceneFitResult unseen =
+  const SceneFitResult unidentified =
       fit_scene(setup, elastic, {.parameters = stiffness_and_yield(), .starts = 1});
-  EXPECT_TRUE(std::isnan(unseen.parameters[1].standard_error));
-  EXPECT_GT(unseen.parameters[0].standard_error, 0.0);
-  EXPECT_THROW(unseen.parameter("poisson_ratio"), std::out_of_range);
+  EXPECT_TRUE(std::isnan(unidentified.parameters[1].standard_error));
+  EXPECT_GT(unidentified.parameters[0].standard_error, 0.0);
+  EXPECT_THROW(unidentified.parameter("poisson_ratio"), std::out_of_range);
 }
 
 TEST(SceneFit, GivesTheSameBitsAndNoWorseFromMoreStarts) {
@@ -143,10 +143,10 @@ TEST(SceneFit, GivesTheSameBitsAndNoWorseFromMoreStarts) {
   often.starts = 3;
   const SceneFitResult a = fit_scene(setup, target, often);
   const SceneFitResult b = fit_scene(setup, target, often);
-  EXPECT_EQ(a.parts[0].cost, b.parts[0].cost);
+  EXPECT_EQ(a.targets[0].cost, b.targets[0].cost);
   EXPECT_EQ(a.parameters[0].value, b.parameters[0].value);
-  EXPECT_EQ(a.parts[0].fitted, b.parts[0].fitted);
-  EXPECT_LE(a.parts[0].cost, fit_scene(setup, target, once).parts[0].cost);
+  EXPECT_EQ(a.targets[0].fitted, b.targets[0].fitted);
+  EXPECT_LE(a.targets[0].cost, fit_scene(setup, target, once).targets[0].cost);
 }
 
 TEST(SceneFit, SaysWhatIsOfItsPrior) {

@@ -32,10 +32,10 @@ plastica::Setup twist_test(int segments) {
   return setup;
 }
 
-void make_curve(ScenePart& part, const Truth& truth, double noise, unsigned seed) {
-  part.target.ordinate.assign(part.target.abscissa.size(), 0.0);
+void make_curve(WeightedTarget& weighted, const Truth& truth, double noise, unsigned seed) {
+  weighted.target.ordinate.assign(weighted.target.abscissa.size(), 0.0);
   const SceneModel model(
-      part.setup, part.target,
+      weighted.setup, weighted.target,
       {&find_field("material.youngs_modulus"), &find_field("material.yield_stress")});
   const std::vector<double> values{truth.youngs_modulus, truth.yield_stress};
   const SceneCurve curve = model.run(values, 1).front();
@@ -43,54 +43,54 @@ void make_curve(ScenePart& part, const Truth& truth, double noise, unsigned seed
   std::mt19937 random(seed);
   std::normal_distribution<double> error(0.0, noise);
   for (std::size_t i = 0; i < curve.ordinate.size(); ++i) {
-    part.target.ordinate[i] = curve.ordinate[i] + error(random);
+    weighted.target.ordinate[i] = curve.ordinate[i] + error(random);
   }
 }
 
-ScenePart bent(int segments, double noise, unsigned seed) {
-  ScenePart part;
-  part.setup = bend_test(segments);
-  part.target.name = "bent";
-  part.target.kind = Abscissa::Support;
-  part.target.driven = 1;
-  part.target.ordinate_probe = "force";
-  part.target.ordinate_factor = -1.0;
-  for (int i = 1; i <= 30; ++i) part.target.abscissa.push_back(2e-3 * i);
-  for (int i = 1; i <= 10; ++i) part.target.abscissa.push_back(0.06 - 4e-3 * i);
-  make_curve(part, {}, noise, seed);
-  return part;
+WeightedTarget bent(int segments, double noise, unsigned seed) {
+  WeightedTarget weighted;
+  weighted.setup = bend_test(segments);
+  weighted.target.name = "bent";
+  weighted.target.kind = Abscissa::Support;
+  weighted.target.driven = 1;
+  weighted.target.ordinate_probe = "force";
+  weighted.target.ordinate_factor = -1.0;
+  for (int i = 1; i <= 30; ++i) weighted.target.abscissa.push_back(2e-3 * i);
+  for (int i = 1; i <= 10; ++i) weighted.target.abscissa.push_back(0.06 - 4e-3 * i);
+  make_curve(weighted, {}, noise, seed);
+  return weighted;
 }
 
-ScenePart twisted(int segments, double noise, unsigned seed) {
-  ScenePart part;
-  part.setup = twist_test(segments);
-  part.target.name = "twisted";
-  part.target.kind = Abscissa::Support;
-  part.target.driven = 1;
-  part.target.ordinate_probe = "torque";
-  for (int i = 1; i <= 30; ++i) part.target.abscissa.push_back(0.02 * i);
-  make_curve(part, {}, noise, seed);
-  return part;
+WeightedTarget twisted(int segments, double noise, unsigned seed) {
+  WeightedTarget weighted;
+  weighted.setup = twist_test(segments);
+  weighted.target.name = "twisted";
+  weighted.target.kind = Abscissa::Support;
+  weighted.target.driven = 1;
+  weighted.target.ordinate_probe = "torque";
+  for (int i = 1; i <= 30; ++i) weighted.target.abscissa.push_back(0.02 * i);
+  make_curve(weighted, {}, noise, seed);
+  return weighted;
 }
 
 TEST(SceneJointFit, IsTighterThanEachTargetAlone) {
-  const std::vector<ScenePart> parts{bent(8, 5.0, 1), twisted(8, 3.0, 2)};
+  const std::vector<WeightedTarget> targets{bent(8, 5.0, 1), twisted(8, 3.0, 2)};
   const SceneFitOptions options{
       .parameters = stiffness_and_yield(), .starts = 1, .segments_error = false};
-  const SceneFitResult both = fit_scenes(parts, options);
+  const SceneFitResult both = fit_scenes(targets, options);
   ASSERT_EQ(both.status, FitStatus::Fitted) << both.reason;
-  EXPECT_EQ(both.parts[0].level, Level::Planar);
-  EXPECT_EQ(both.parts[1].level, Level::Twist);
+  EXPECT_EQ(both.targets[0].level, Level::Planar);
+  EXPECT_EQ(both.targets[1].level, Level::Twist);
   for (std::size_t p = 0; p < 2; ++p) {
-    const SceneFitResult alone = fit_scene(parts[p].setup, parts[p].target, options);
+    const SceneFitResult alone = fit_scene(targets[p].setup, targets[p].target, options);
     for (const char* name : {"youngs_modulus", "yield_stress"}) {
       EXPECT_LT(both.parameter(name).standard_error, alone.parameter(name).standard_error)
           << name << " of " << p;
     }
   }
-  // Each part's noise is found: 5 N and 3 N m, from 40 and 30 samples.
-  EXPECT_NEAR(both.parts[0].noise, 5.0, 1.5);
-  EXPECT_NEAR(both.parts[1].noise, 3.0, 1.0);
+  // Each target's noise is found: 5 N and 3 N m, from 40 and 30 samples.
+  EXPECT_NEAR(both.targets[0].noise, 5.0, 1.5);
+  EXPECT_NEAR(both.targets[1].noise, 3.0, 1.0);
   EXPECT_NEAR(both.parameter("youngs_modulus").value, Truth{}.youngs_modulus,
               4.0 * both.parameter("youngs_modulus").standard_error);
   EXPECT_NEAR(both.parameter("yield_stress").value, Truth{}.yield_stress,
@@ -101,30 +101,30 @@ TEST(SceneJointFit, IsTighterThanEachTargetAlone) {
 TEST(SceneFitMisfit, AddsErrorsWhereResidualsLieInRuns) {
   SceneFitOptions options{.parameters = stiffness_and_yield()};
   options.segments_error = false;
-  ScenePart part = bent(8, 5.0, 1);
-  const SceneFitResult noisy = fit_scene(part.setup, part.target, options);
+  WeightedTarget weighted = bent(8, 5.0, 1);
+  const SceneFitResult noisy = fit_scene(weighted.setup, weighted.target, options);
   for (const FittedParameter& p : noisy.parameters) EXPECT_LT(p.misfit_error, p.noise_error);
   // A bar that hardens twice as much as the scene says.
-  const double hardening = part.setup.scene.material.hardening.tangent_modulus;
-  part.setup.scene.material.hardening.tangent_modulus = 2.0 * hardening;
-  make_curve(part, {}, 5.0, 1);
-  part.setup.scene.material.hardening.tangent_modulus = hardening;
-  const SceneFitResult wrong = fit_scene(part.setup, part.target, options);
-  EXPECT_LT(wrong.parts[0].runs_probability, 1e-3);
+  const double hardening = weighted.setup.scene.material.hardening.tangent_modulus;
+  weighted.setup.scene.material.hardening.tangent_modulus = 2.0 * hardening;
+  make_curve(weighted, {}, 5.0, 1);
+  weighted.setup.scene.material.hardening.tangent_modulus = hardening;
+  const SceneFitResult wrong = fit_scene(weighted.setup, weighted.target, options);
+  EXPECT_LT(wrong.targets[0].runs_test_p, 1e-3);
   for (const FittedParameter& p : wrong.parameters) EXPECT_GT(p.misfit_error, p.noise_error);
 }
 
 TEST(SceneJointFit, HasTheSameBitsOnEveryNumberOfThreads) {
-  const std::vector<ScenePart> parts{bent(6, 5.0, 3), twisted(6, 3.0, 4)};
+  const std::vector<WeightedTarget> targets{bent(6, 5.0, 3), twisted(6, 3.0, 4)};
   SceneFitOptions options{.parameters = stiffness_and_yield(), .starts = 1};
   options.starts = 3;
-  const SceneFitResult one = fit_scenes(parts, options);
+  const SceneFitResult one = fit_scenes(targets, options);
   options.threads = 3;
-  const SceneFitResult three = fit_scenes(parts, options);
+  const SceneFitResult three = fit_scenes(targets, options);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(one.parameters[i].value, three.parameters[i].value);
     EXPECT_EQ(one.parameters[i].standard_error, three.parameters[i].standard_error);
-    EXPECT_EQ(one.parts[i].fitted, three.parts[i].fitted);
+    EXPECT_EQ(one.targets[i].fitted, three.targets[i].fitted);
     EXPECT_EQ(one.segments.value().parameters[i].error, three.segments.value().parameters[i].error);
   }
   ASSERT_EQ(three.starts.size(), 3U);
@@ -132,7 +132,7 @@ TEST(SceneJointFit, HasTheSameBitsOnEveryNumberOfThreads) {
 }
 
 TEST(SceneJointFit, JoinsACouponWithABeam) {
-  ScenePart coupon;
+  WeightedTarget coupon;
   coupon.setup.scene.material = bend_test(8).scene.material;
   coupon.setup.scene.drive.strain = {0.001};
   coupon.target.name = "coupon";
@@ -140,67 +140,68 @@ TEST(SceneJointFit, JoinsACouponWithABeam) {
   coupon.target.ordinate_probe = "stress";
   for (int i = 1; i <= 20; ++i) coupon.target.abscissa.push_back(2e-4 * i);
   make_curve(coupon, {}, 1e6, 5);
-  const std::vector<ScenePart> parts{bent(8, 5.0, 6), coupon};
-  const SceneFitResult fit = fit_scenes(parts, {.parameters = stiffness_and_yield(), .starts = 1});
+  const std::vector<WeightedTarget> targets{bent(8, 5.0, 6), coupon};
+  const SceneFitResult fit =
+      fit_scenes(targets, {.parameters = stiffness_and_yield(), .starts = 1});
   ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
-  EXPECT_EQ(fit.parts[1].level, Level::Coupon);
-  EXPECT_NEAR(fit.parts[1].noise, 1e6, 0.5e6);
+  EXPECT_EQ(fit.targets[1].level, Level::Coupon);
+  EXPECT_NEAR(fit.targets[1].noise, 1e6, 0.5e6);
   EXPECT_NEAR(fit.parameter("youngs_modulus").value / Truth{}.youngs_modulus, 1.0, 0.01);
 }
 
 TEST(SceneJointFit, SaysThatTargetsDisagreeOnTheBreak) {
-  std::vector<ScenePart> parts{bent(6, 0.5, 1), bent(6, 0.5, 2)};
-  for (ScenePart& part : parts) {
-    part.target.abscissa.resize(30);
-    part.target.ordinate.resize(30);
+  std::vector<WeightedTarget> targets{bent(6, 0.5, 1), bent(6, 0.5, 2)};
+  for (WeightedTarget& weighted : targets) {
+    weighted.target.abscissa.resize(30);
+    weighted.target.ordinate.resize(30);
   }
   // The second bar was pushed on.
-  for (int i = 31; i <= 35; ++i) parts[1].target.abscissa.push_back(2e-3 * i);
-  make_curve(parts[1], {}, 0.5, 2);
-  parts[0].target.broke = SceneBreak{0.061, 0.001};
-  parts[1].target.broke = SceneBreak{0.071, 0.001};
+  for (int i = 31; i <= 35; ++i) targets[1].target.abscissa.push_back(2e-3 * i);
+  make_curve(targets[1], {}, 0.5, 2);
+  targets[0].target.broke = SceneBreak{0.061, 0.001};
+  targets[1].target.broke = SceneBreak{0.071, 0.001};
   const SceneFitOptions options{.parameters = testing::all_three(), .starts = 1};
   const auto disagrees = [](const SceneFitResult& fit) {
     return std::any_of(fit.warnings.begin(), fit.warnings.end(), [](const std::string& line) {
       return line.find("the targets disagree") != std::string::npos;
     });
   };
-  const SceneFitResult apart = fit_scenes(parts, options);
+  const SceneFitResult apart = fit_scenes(targets, options);
   EXPECT_TRUE(disagrees(apart));
-  EXPECT_LT(apart.parts[0].break_strain, apart.parameter("break_strain").value);
-  EXPECT_GT(apart.parts[1].break_strain, apart.parameter("break_strain").value);
-  parts[1] = parts[0];
-  EXPECT_FALSE(disagrees(fit_scenes(parts, options)));
+  EXPECT_LT(apart.targets[0].break_strain, apart.parameter("break_strain").value);
+  EXPECT_GT(apart.targets[1].break_strain, apart.parameter("break_strain").value);
+  targets[1] = targets[0];
+  EXPECT_FALSE(disagrees(fit_scenes(targets, options)));
 }
 
 TEST(SceneJointFit, SaysThatSpecimensDiffer) {
-  const auto differ = [](const std::vector<ScenePart>& parts) {
+  const auto differ = [](const std::vector<WeightedTarget>& targets) {
     const SceneFitResult fit = fit_scenes(
-        parts, {.parameters = stiffness_and_yield(), .starts = 1, .segments_error = false});
+        targets, {.parameters = stiffness_and_yield(), .starts = 1, .segments_error = false});
     return std::ranges::any_of(fit.warnings, [](const std::string& line) {
       return line.find("is met far less closely than") != std::string::npos;
     });
   };
-  std::vector<ScenePart> parts{bent(6, 1.0, 11), bent(6, 1.0, 12), bent(6, 1.0, 13)};
-  EXPECT_FALSE(differ(parts));
-  make_curve(parts[0], {205e9, 370e6}, 1.0, 11);
-  make_curve(parts[2], {205e9, 400e6}, 1.0, 13);
-  EXPECT_TRUE(differ(parts));
+  std::vector<WeightedTarget> targets{bent(6, 1.0, 11), bent(6, 1.0, 12), bent(6, 1.0, 13)};
+  EXPECT_FALSE(differ(targets));
+  make_curve(targets[0], {205e9, 370e6}, 1.0, 11);
+  make_curve(targets[2], {205e9, 400e6}, 1.0, 13);
+  EXPECT_TRUE(differ(targets));
 }
 
 TEST(SceneJointFit, ReachesRegionsThatHaveTheScenesMaterial) {
   // The bar in two halves of one section is the bar.
-  ScenePart part = bent(6, 1.0, 3);
+  WeightedTarget weighted = bent(6, 1.0, 3);
   const SceneFitOptions options{.parameters = stiffness_and_yield(), .starts = 1};
-  const SceneFitResult whole = fit_scene(part.setup, part.target, options);
+  const SceneFitResult whole = fit_scene(weighted.setup, weighted.target, options);
   Region half;
   half.from = {0.5, {}};
   half.to = Place::end();
-  half.section = part.setup.scene.section;
-  half.material = part.setup.scene.material;
+  half.section = weighted.setup.scene.section;
+  half.material = weighted.setup.scene.material;
   half.own = {};
-  part.setup.scene.regions.push_back(half);
-  const SceneFitResult halves = fit_scene(part.setup, part.target, options);
+  weighted.setup.scene.regions.push_back(half);
+  const SceneFitResult halves = fit_scene(weighted.setup, weighted.target, options);
   for (const char* name : {"youngs_modulus", "yield_stress"}) {
     EXPECT_NEAR(halves.parameter(name).value / whole.parameter(name).value, 1.0, 1e-6) << name;
   }
@@ -208,33 +209,33 @@ TEST(SceneJointFit, ReachesRegionsThatHaveTheScenesMaterial) {
 
 TEST(SceneJointFit, RunsNoPointTwice) {
   // Differences at the solution serve the errors and the break strain's slope.
-  ScenePart part = bent(6, 1.0, 4);
-  part.target.abscissa.resize(30);
-  part.target.ordinate.resize(30);
-  const SceneFitResult two =
-      fit_scene(part.setup, part.target, {.parameters = stiffness_and_yield(), .starts = 1});
-  part.target.broke = SceneBreak{0.061, 0.001};
+  WeightedTarget weighted = bent(6, 1.0, 4);
+  weighted.target.abscissa.resize(30);
+  weighted.target.ordinate.resize(30);
+  const SceneFitResult two = fit_scene(weighted.setup, weighted.target,
+                                       {.parameters = stiffness_and_yield(), .starts = 1});
+  weighted.target.broke = SceneBreak{0.061, 0.001};
   const SceneFitResult three =
-      fit_scene(part.setup, part.target, {.parameters = testing::all_three(), .starts = 1});
+      fit_scene(weighted.setup, weighted.target, {.parameters = testing::all_three(), .starts = 1});
   EXPECT_EQ(three.runs, two.runs);
 }
 
 TEST(SceneJointFit, LetsPriorsAndTiesSayWhatCurvesDoNot) {
   // A bar that does not yield says nothing of its yield stress; a prior does.
-  ScenePart part = bent(6, 0.5, 7);
-  part.target.abscissa.assign({1e-4, 2e-4, 4e-4, 6e-4, 1e-3, 2e-3});
-  make_curve(part, {}, 0.05, 8);
+  WeightedTarget weighted = bent(6, 0.5, 7);
+  weighted.target.abscissa.assign({1e-4, 2e-4, 4e-4, 6e-4, 1e-3, 2e-3});
+  make_curve(weighted, {}, 0.05, 8);
   SceneFitOptions options{.parameters = stiffness_and_yield(), .starts = 1};
-  const SceneFitResult unseen = fit_scene(part.setup, part.target, options);
-  EXPECT_EQ(unseen.parameter("yield_stress").verdict(), Verdict::NotIdentified);
+  const SceneFitResult unidentified = fit_scene(weighted.setup, weighted.target, options);
+  EXPECT_EQ(unidentified.parameter("yield_stress").verdict(), Verdict::NotIdentified);
   options.parameters[1].prior = Prior{400e6, 20e6};
-  part.target.noise = 0.05;
-  const SceneFitResult known = fit_scene(part.setup, part.target, options);
+  weighted.target.noise = 0.05;
+  const SceneFitResult known = fit_scene(weighted.setup, weighted.target, options);
   EXPECT_NEAR(known.parameter("yield_stress").value, 400e6, 1e3);
   EXPECT_NEAR(known.parameter("yield_stress").standard_error, 20e6, 1e4);
   EXPECT_EQ(known.parameter("yield_stress").verdict(), Verdict::FromPrior);
   // Tied, the torsional yield stress follows that of tension.
-  const ScenePart twist = twisted(6, 1.0, 9);
+  const WeightedTarget twist = twisted(6, 1.0, 9);
   SceneFitOptions tied{.parameters = stiffness_and_yield(), .starts = 1};
   tied.parameters.push_back(free_parameter("shear_yield_stress", 1e6, 2e9));
   tied.parameters[2].role = ParameterRole::Tied;

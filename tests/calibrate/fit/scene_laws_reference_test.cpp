@@ -22,15 +22,15 @@ using namespace plastica::testing;
 constexpr double kNoise = 8.0;  // [N], of some 2500 N
 
 /// A bend test of a bar that hardens by some law, with noise.
-ScenePart bent_by(const Hardening& hardening) {
-  ScenePart part{bend_test(6), {}};
-  part.setup.scene.material.hardening = hardening;
-  part.target = measured(part.setup, {}, 1.5e-3);
-  part.target.broke.reset();
+WeightedTarget bent_by(const Hardening& hardening) {
+  WeightedTarget weighted{bend_test(6), {}};
+  weighted.setup.scene.material.hardening = hardening;
+  weighted.target = measured(weighted.setup, {}, 1.5e-3);
+  weighted.target.broke.reset();
   std::mt19937_64 bits(11);
   std::normal_distribution<double> noise(0.0, kNoise);
-  for (double& force : part.target.ordinate) force += noise(bits);
-  return part;
+  for (double& force : weighted.target.ordinate) force += noise(bits);
+  return weighted;
 }
 
 Hardening voce() {
@@ -85,13 +85,13 @@ TEST(SceneLawsReference, AdviseTheLawThatMadeTheCurve) {
   EXPECT_EQ(found.law, Law::Voce);
   EXPECT_NEAR(found.parameter("saturation_stress").value, 150e6,
               4.0 * found.parameter("saturation_stress").standard_error);
-  EXPECT_NEAR(found.parts[0].noise, kNoise, 0.3 * kNoise);
+  EXPECT_NEAR(found.targets[0].noise, kNoise, 0.3 * kNoise);
   // What is made of a chosen fit is made of the advised law alone.
   EXPECT_TRUE(found.segments);
   EXPECT_FALSE(fits.records[0].result.segments);
   EXPECT_GT(found.runs, found.search_runs);
   // No law ends worse than one that it contains, and those that miss the curve say so.
-  EXPECT_LE(found.parts[0].cost, fits.records[0].result.parts[0].cost);
+  EXPECT_LE(found.targets[0].cost, fits.records[0].result.targets[0].cost);
   const std::vector<std::string>& said = fits.records[0].result.warnings;
   EXPECT_TRUE(std::ranges::any_of(said, [](const std::string& text) {
     return text.starts_with("bar: ideal plasticity does not describe this curve");
@@ -103,8 +103,8 @@ TEST(SceneLawsReference, AdviseIdealPlasticityWhereThatMadeTheCurve) {
   const Fits fits = fits_of({"bar", {bent_by({})}}, stated(), folder.file("j"));
   EXPECT_EQ(advised(fits), Law::Ideal) << fits.laws.advice;
   for (const SceneFitRecord& record : fits.records) {
-    EXPECT_LE(record.result.parts[0].cost,
-              fits.records[0].result.parts[0].cost * (1.0 + tolerance(1e-9)));
+    EXPECT_LE(record.result.targets[0].cost,
+              fits.records[0].result.targets[0].cost * (1.0 + tolerance(1e-9)));
     for (const std::string& warning : record.result.warnings) {
       EXPECT_EQ(warning.find("larger misfit"), std::string::npos) << warning;
     }
@@ -113,12 +113,12 @@ TEST(SceneLawsReference, AdviseIdealPlasticityWhereThatMadeTheCurve) {
 
 TEST(SceneLawsReference, TakeAStatedNoiseForKnown) {
   const io::ScratchFolder folder;
-  ScenePart part = bent_by(voce());
+  WeightedTarget weighted = bent_by(voce());
   // So blunt a curve does not contradict ideal plasticity.
-  part.target.noise = 100.0 * kNoise;
+  weighted.target.noise = 100.0 * kNoise;
   SceneFitOptions options = stated();
   options.segments_error = false;
-  const Fits fits = fits_of({"bar", {part}}, options, folder.file("j"));
+  const Fits fits = fits_of({"bar", {weighted}}, options, folder.file("j"));
   EXPECT_EQ(advised(fits), Law::Ideal) << fits.laws.advice;
 }
 
@@ -151,12 +151,12 @@ TEST(SceneLawsReference, GoOnWhereTheyWereStoppedWithTheSameBits) {
   stop = false;
   how.journal.resume = true;
   JournaledSceneFits second(cases, options, how);
-  EXPECT_EQ(second.taken(), 1U);
-  EXPECT_GT(second.parts(), 0U);
-  EXPECT_EQ(second.outdated(), 0U);
+  EXPECT_EQ(second.resumed(), 1U);
+  EXPECT_GT(second.stages(), 0U);
+  EXPECT_EQ(second.stale(), 0U);
   EXPECT_TRUE(bytes_of_all(second.run()) == expected);
   EXPECT_TRUE(second.complete());
-  EXPECT_TRUE(std::isnan(second.seconds()[0])) << "taken from the journal";
+  EXPECT_TRUE(std::isnan(second.seconds()[0])) << "resumed from the journal";
   EXPECT_GT(second.seconds()[1], 0.0);
 }
 

@@ -14,11 +14,11 @@ namespace {
 
 using namespace plastica::testing;
 
-std::vector<ScenePart> bent_parts() {
-  ScenePart part{bend_test(4), {}};
-  part.target.name = "bar";
-  part.target.ordinate = {0.0, 1.0, 2.0};
-  return {part};
+std::vector<WeightedTarget> bent_targets() {
+  WeightedTarget weighted{bend_test(4), {}};
+  weighted.target.name = "bar";
+  weighted.target.ordinate = {0.0, 1.0, 2.0};
+  return {weighted};
 }
 
 SceneFitOptions stated() {
@@ -51,21 +51,21 @@ TEST(SceneLaws, SetTheHardeningWhereTheSceneHasItsMaterial) {
 }
 
 TEST(SceneLaws, FreeTheirParametersBetweenBoundsThatFollowFromTheMaterial) {
-  const std::vector<ScenePart> parts = bent_parts();
-  const double E = parts[0].setup.scene.material.youngs_modulus;
-  const double S = parts[0].setup.scene.material.yield_stress;
-  EXPECT_EQ(options_of(Law::Ideal, stated(), parts).parameters.size(), 2U);
-  const SceneFitOptions linear = options_of(Law::Linear, stated(), parts);
-  ASSERT_EQ(linear.parameters.size(), 3U) << "no kinematic share without a reversal";
+  const std::vector<WeightedTarget> targets = bent_targets();
+  const double E = targets[0].setup.scene.material.youngs_modulus;
+  const double S = targets[0].setup.scene.material.yield_stress;
+  EXPECT_EQ(options_of(Law::Ideal, stated(), targets).parameters.size(), 2U);
+  const SceneFitOptions linear = options_of(Law::Linear, stated(), targets);
+  ASSERT_EQ(linear.parameters.size(), 3U) << "no kinematic fraction without a reversal";
   EXPECT_EQ(*find(linear, "tangent_modulus").lower, 0.0);
   EXPECT_NEAR(*find(linear, "tangent_modulus").upper, 0.9 * 50e9, 1.0) << "below the least E";
   EXPECT_EQ(*find(linear, "tangent_modulus").value, 10e9) << "the scene's own";
-  const SceneFitOptions voce = options_of(Law::Voce, stated(), parts);
+  const SceneFitOptions voce = options_of(Law::Voce, stated(), targets);
   EXPECT_NEAR(*find(voce, "saturation_stress").value, 0.3 * S, 1.0);
   EXPECT_NEAR(*find(voce, "saturation_stress").upper, 3.0 * S, 1.0);
   EXPECT_NEAR(*find(voce, "saturation_rate").lower, 1e-3 * E / S, 1e-9);
-  EXPECT_EQ(options_of(Law::Chaboche, stated(), parts).parameters.size(), 8U);
-  std::vector<ScenePart> cyclic = parts;
+  EXPECT_EQ(options_of(Law::Chaboche, stated(), targets).parameters.size(), 8U);
+  std::vector<WeightedTarget> cyclic = targets;
   cyclic[0].target.ordinate = {0.0, 1.0, -0.5};
   EXPECT_EQ(options_of(Law::Linear, stated(), cyclic).parameters.size(), 4U);
 }
@@ -76,16 +76,16 @@ TEST(SceneLaws, KeepWhatTheFitSaysOfTheirParameters) {
   Parameter& rate = options.parameters.emplace_back();
   rate.field = &find_field("saturation_rate");
   rate.upper = 0.1;
-  const SceneFitOptions voce = options_of(Law::Voce, options, bent_parts());
+  const SceneFitOptions voce = options_of(Law::Voce, options, bent_targets());
   EXPECT_EQ(*find(voce, "saturation_stress").lower, 50e6);
   EXPECT_EQ(*find(voce, "saturation_stress").upper, 90e6);
   EXPECT_EQ(*find(voce, "saturation_stress").value, 90e6) << "the usual start, held within";
   EXPECT_NEAR(*find(voce, "saturation_rate").lower, 0.001, 1e-12) << "below the given end";
-  EXPECT_EQ(options_of(Law::Ideal, options, bent_parts()).parameters.size(), 2U);
+  EXPECT_EQ(options_of(Law::Ideal, options, bent_targets()).parameters.size(), 2U);
 }
 
 TEST(SceneLaws, BeginWhereASimplerOneEndedOnceWithoutAnyEffectOfTheirOwn) {
-  SceneFitOptions options = options_of(Law::Chaboche, stated(), bent_parts());
+  SceneFitOptions options = options_of(Law::Chaboche, stated(), bent_targets());
   SceneFitResult voce;
   FittedParameter p;
   for (const auto& [path, value] : {std::pair{"material.yield_stress", 300e6},
@@ -122,12 +122,12 @@ SceneFitRecord fitted(double noise) {
     target.name = name;
     target.abscissa = {0.0, 1.0, 2.0};
     target.ordinate = {0.0, 10.0, 20.0};
-    ScenePartFit& part = record.result.parts.emplace_back();
-    part.samples = 3;
-    part.fitted = {1.0, 9.0, 21.0};
-    part.cost = 3.0;
-    part.misfit_share = 0.05;
-    part.runs_probability = std::nan("");
+    TargetFit& of_target = record.result.targets.emplace_back();
+    of_target.samples = 3;
+    of_target.fitted = {1.0, 9.0, 21.0};
+    of_target.cost = 3.0;
+    of_target.misfit_fraction = 0.05;
+    of_target.runs_test_p = std::nan("");
   }
   record.targets[1].noise = noise;
   FittedParameter& limit = record.result.parameters.emplace_back();
@@ -160,16 +160,16 @@ TEST(SceneLaws, AreComparedByWhatTheFitsLeave) {
 }
 
 TEST(SceneLaws, SayWhenOneEndsWorseThanOneThatItContains) {
-  std::vector<ScenePart> parts(2);
+  std::vector<WeightedTarget> targets(2);
   const SceneFitRecord record = fitted(0.5);
-  for (std::size_t i = 0; i < 2; ++i) parts[i].target = record.targets[i];
+  for (std::size_t i = 0; i < 2; ++i) targets[i].target = record.targets[i];
   SceneFitResult ideal = record.result;
   ideal.law = Law::Ideal;
   SceneFitResult linear = record.result;
-  compare_with(ideal, parts, linear);
+  compare_with(ideal, targets, linear);
   EXPECT_TRUE(linear.warnings.empty());
-  linear.parts[1].cost *= 1.01;
-  compare_with(ideal, parts, linear);
+  linear.targets[1].cost *= 1.01;
+  compare_with(ideal, targets, linear);
   ASSERT_EQ(linear.warnings.size(), 1U);
   EXPECT_EQ(linear.warnings[0],
             "linear ends with a larger misfit than ideal, which it contains: its search has not "

@@ -164,8 +164,8 @@ TEST(ScenePath, TakesTheBreakStrainOfTheMaterialThatIsFitted) {
   EXPECT_EQ(strain_at_break(other), of_the_rest);
 }
 
-/// The joint at a thick part belongs to the thin one, on whichever side of it that is.
-TEST(ScenePath, TakesTheBreakStrainAtAPartOfAnotherMaterialFromEitherEnd) {
+/// The joint at a thick region belongs to the thin one, on whichever side of it that is.
+TEST(ScenePath, TakesTheBreakStrainAtARegionOfAnotherMaterialFromEitherEnd) {
   plastica::Setup setup = bar_of_two(0.5);
   setup.scene.regions[0].section.height = 0.032;
   setup.scene.regions[0].own.push_back("section.height");
@@ -180,9 +180,9 @@ TEST(ScenePath, TakesTheBreakStrainAtAPartOfAnotherMaterialFromEitherEnd) {
   EXPECT_NEAR(strain_at_break(mirrored), strain, 1e-6 * strain);
 }
 
-/// Which of two parts is the weaker one is decided by the values of the trial, not by what the
+/// Which of two regions is the weaker one is decided by the values of the trial, not by what the
 /// scene began with.
-TEST(ScenePath, TakesTheBreakStrainOfThePartThatIsWeakerAtTheValues) {
+TEST(ScenePath, TakesTheBreakStrainOfTheRegionThatIsWeakerAtTheValues) {
   plastica::Setup setup = bar_of_two(0.5);
   Region& region = setup.scene.regions[0];
   region.own.push_back("material.yield_stress");

@@ -107,13 +107,13 @@ inline Target target_of(std::vector<double> strain, std::vector<double> stress,
 
 /// Lets a target break between its last sample and `first_broken`.
 inline void break_at(Target& target, double first_broken, double permanent) {
-  BreakObservation seen;
-  seen.last_whole_strain = target.corrected.strain.back();
-  seen.last_whole_stress = target.corrected.stress.back();
-  seen.first_broken_strain = first_broken;
-  seen.rule = "fall-to-zero";
-  target.characteristics.observed_break = seen;
-  target.characteristics.break_strain = seen.strain();
+  BreakObservation observed;
+  observed.last_intact_strain = target.corrected.strain.back();
+  observed.last_intact_stress = target.corrected.stress.back();
+  observed.first_broken_strain = first_broken;
+  observed.rule = "fall-to-zero";
+  target.characteristics.observed_break = observed;
+  target.characteristics.break_strain = observed.strain();
   target.characteristics.break_strain_plastic = permanent;
 }
 

@@ -16,23 +16,23 @@ TEST(Draws, AreThoseOfSeedAndIndex) {
   EXPECT_EQ(first, same.bits());
   EXPECT_NE(first, other_index.bits());
   EXPECT_NE(first, other_seed.bits());
-  EXPECT_EQ(one.even(), same.even());
+  EXPECT_EQ(one.uniform(), same.uniform());
 }
 
 TEST(Draws, AreEvenAndNormal) {
   // Means of 1e5: within five of their standard errors.
   constexpr int kCount = 100'000;
-  double even = 0.0, normal = 0.0, squares = 0.0, third = 0.0;
+  double uniform = 0.0, normal = 0.0, squares = 0.0, third = 0.0;
   for (int i = 0; i < kCount; ++i) {
     Draws draws(1, static_cast<std::uint64_t>(i));  // the first of each: indices do not go together
-    even += draws.even() / kCount;
+    uniform += draws.uniform() / kCount;
     const double z = draws.normal();
     normal += z / kCount;
     squares += z * z / kCount;
     third += draws.below(3) == 2 ? 1.0 / kCount : 0.0;
   }
   const double root = std::sqrt(static_cast<double>(kCount));
-  EXPECT_NEAR(even, 0.5, 5.0 * std::sqrt(1.0 / 12.0) / root);
+  EXPECT_NEAR(uniform, 0.5, 5.0 * std::sqrt(1.0 / 12.0) / root);
   EXPECT_NEAR(normal, 0.0, 5.0 / root);
   EXPECT_NEAR(squares, 1.0, 5.0 * std::sqrt(2.0) / root);
   EXPECT_NEAR(third, 1.0 / 3.0, 5.0 * std::sqrt(2.0 / 9.0) / root);

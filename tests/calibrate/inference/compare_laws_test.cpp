@@ -22,7 +22,7 @@ LawFit fit_of_law(Law law, double rms, std::size_t parameters) {
                  .noise = {}}};
   for (std::size_t i = 0; i < parameters; ++i) fit.parameters.push_back("p");
   fit.verdicts.assign(parameters, Verdict::Identified);
-  fit.misfit_share = rms;
+  fit.misfit_fraction = rms;
   return fit;
 }
 
@@ -124,12 +124,12 @@ TEST(CompareLaws, CountsSamplesByTheirWeights) {
   EXPECT_EQ(autocorrelation(std::vector<double>{0.0, 0.0}), 0.0);
 }
 
-TEST(LackOfFit, NeedsRunsAndAShare) {
+TEST(LackOfFit, NeedsRunsAndAFraction) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(
       lack_of_fit("ideal plasticity", 0.044, 1e-30, "ideal,linear,voce"),
       "ideal plasticity does not describe this curve (misfit 4.4 % of the largest value, runs "
-      "probability 1e-30): standard errors are too small; try --laws ideal,linear,voce");
+      "test p 1e-30): standard errors are too small; try --laws ideal,linear,voce");
   EXPECT_EQ(lack_of_fit("ideal plasticity", 0.2, 0.3, "voce"), "") << "noise, however large";
   EXPECT_EQ(lack_of_fit("ideal plasticity", 0.005, 1e-30, "voce"), "") << "hardly any misfit";
   EXPECT_EQ(lack_of_fit("Voce hardening", 0.06, kNan, ""),

@@ -181,14 +181,15 @@ TEST(FitIntervals, OfABreakThatNothingSearchedMovesAreItsSampling) {
   EXPECT_NEAR(profile.high - p.value, 0.95 * 0.0003, 1e-12);
   EXPECT_NEAR(p.value - profile.low, 0.95 * 0.0003, 1e-12);
   EXPECT_TRUE(profile.value.empty());
-  // An even scatter: its ends are known to a per cent of its width.
+  // A uniform scatter: its ends are known to a per cent of its width.
   const BootstrapInterval& bootstrap = result.intervals.residuals.intervals[0];
   EXPECT_NEAR(bootstrap.high - p.value, 0.95 * 0.0003, 0.02 * 0.0003);
   EXPECT_NEAR(bootstrap.standard_error, 0.0003 / std::sqrt(3.0), 0.03 * 0.0003);
 }
 
 TEST(FitIntervals, AreOneSidedWhereTheCurveSaysNoMore) {
-  // It stays elastic: the yield stress is not seen below the largest stress, nor above it.
+  // It stays elastic: the yield stress is not identifiable, neither below the largest stress nor
+  // above it.
   FitOptions options = with_intervals(young_and_yield(), {.profile = true, .bootstrap = 40});
   options.parameters[1].lower = 10e6;
   options.parameters[1].upper = 900e6;

@@ -108,7 +108,7 @@ TEST(SceneIntervals, DoNotChangeTheFit) {
 }
 
 TEST(SceneIntervals, AreOneSidedWhereTheCurveSaysNoMore) {
-  // A coupon that stays elastic: yield is not seen below 0.12, and anywhere above.
+  // A coupon that stays elastic: yield does not lie below 0.12, and anywhere above.
   SceneFitOptions options;
   options.starts = 1;
   options.parameters = {bounded("youngs_modulus", 0.5, 5.0), bounded("yield_stress", 0.02, 1.0)};
@@ -182,19 +182,19 @@ TEST(SceneIntervals, OfABreakHaveNoiseAndSampling) {
 TEST(SceneIntervals, OfSpecimensAreTheirScatter) {
   // Eight coupons of unlike yield stress, hardly any noise, one fit: its yield stress is nearly
   // their mean, and the bootstrap's standard error that of a mean of eight drawn from them.
-  std::vector<ScenePart> parts;
+  std::vector<WeightedTarget> targets;
   double squares = 0.0;
   for (int i = 0; i < 8; ++i) {
     const double off = 0.002 * (i - 3.5);
     squares += off * off;
-    parts.push_back(
+    targets.push_back(
         {bilinear_coupon(), noisy_bilinear({.yield_stress = 0.15 + off}, 1e-5, 10, 60)});
-    parts.back().target.name = "coupon " + std::to_string(i);
-    parts.back().target.noise = 0.005;
+    targets.back().target.name = "coupon " + std::to_string(i);
+    targets.back().target.noise = 0.005;
   }
   SceneFitOptions options = yield_options();
   options.intervals = {.bootstrap = 20, .specimens = 1000};
-  const SceneFitResult result = fit_scenes(parts, options);
+  const SceneFitResult result = fit_scenes(targets, options);
   EXPECT_NEAR(result.parameters[0].value, 0.15, 1e-4);
   const double scatter = std::sqrt(squares / 8.0) / std::sqrt(8.0);
   const BootstrapInterval& specimens = result.intervals.specimens.intervals[0];
@@ -204,17 +204,17 @@ TEST(SceneIntervals, OfSpecimensAreTheirScatter) {
 }
 
 /// Two coupons whose yield stresses differ, and two alike whose stress has another name.
-std::vector<ScenePart> two_kinds() {
-  std::vector<ScenePart> parts;
+std::vector<WeightedTarget> two_kinds() {
+  std::vector<WeightedTarget> targets;
   for (const double yield : {0.14, 0.16, 0.15, 0.15}) {
-    parts.push_back({bilinear_coupon(), noisy_bilinear({.yield_stress = yield}, 1e-6, 11, 40)});
-    parts.back().target.name = "coupon " + std::to_string(parts.size());
-    parts.back().target.noise = 0.005;
-    if (parts.size() < 3) continue;
-    parts.back().setup.scene.probes[0].name = "true stress";
-    parts.back().target.ordinate_probe = "true stress";
+    targets.push_back({bilinear_coupon(), noisy_bilinear({.yield_stress = yield}, 1e-6, 11, 40)});
+    targets.back().target.name = "coupon " + std::to_string(targets.size());
+    targets.back().target.noise = 0.005;
+    if (targets.size() < 3) continue;
+    targets.back().setup.scene.probes[0].name = "true stress";
+    targets.back().target.ordinate_probe = "true stress";
   }
-  return parts;
+  return targets;
 }
 
 TEST(SceneIntervals, OfSpecimensDrawAsManyOfEachKindAsThereAre) {
@@ -244,10 +244,10 @@ TEST(SceneIntervals, OfTheFittedCurveAreThoseOfALine) {
   const SceneFitResult result = fit(target, options);
   double squares = 0.0;
   for (const double strain : target.abscissa) squares += strain * strain;
-  const ScenePartFit& part = result.parts[0];
-  ASSERT_EQ(part.fitted_error.size(), 50U);
+  const TargetFit& of_target = result.targets[0];
+  ASSERT_EQ(of_target.fitted_error.size(), 50U);
   for (std::size_t i = 0; i < 50; ++i) {
-    EXPECT_NEAR(part.fitted_error[i], 0.001 * target.abscissa[i] / std::sqrt(squares), 1e-9);
+    EXPECT_NEAR(of_target.fitted_error[i], 0.001 * target.abscissa[i] / std::sqrt(squares), 1e-9);
   }
 }
 
@@ -266,9 +266,9 @@ TEST(SceneIntervals, RefuseWhatCannotBeDrawn) {
             "bootstrap_specimens = 100: needs several targets that share the parameters");
   SceneFitOptions options = yield_options();
   options.intervals.specimens = 100;
-  std::vector<ScenePart> parts = two_kinds();
-  parts.pop_back();
-  EXPECT_EQ(message_of([&] { fit_scenes(parts, options); }),
+  std::vector<WeightedTarget> targets = two_kinds();
+  targets.pop_back();
+  EXPECT_EQ(message_of([&] { fit_scenes(targets, options); }),
             "bootstrap_specimens = 100: needs several targets of each kind, and coupon 3 is the "
             "only one that measures its probe over its abscissa");
 }

@@ -44,7 +44,7 @@ TEST(SegmentsError, TrustsNoOrderBeyondThatOfTheJoints) {
   EXPECT_EQ(of_power(3.0, 1.9, 1.0).order, 1.0);
 }
 
-TEST(SegmentsError, StatesThreeSpreadsWhereNoOrderIsToBeSeen) {
+TEST(SegmentsError, StatesThreeSpreadsWhereNoOrderIsObserved) {
   const SegmentsError to_and_fro = segments_error(102.0, 99.0, 100.0, 2.0);
   EXPECT_EQ(to_and_fro.trend, SegmentsTrend::Oscillates);
   EXPECT_TRUE(std::isnan(to_and_fro.order));

@@ -252,10 +252,10 @@ TEST(Uncertainty, TangentModulusIsNotIdentifiedWithoutAPlasticPart) {
   EXPECT_EQ(unidentified(fit_target(line_of_modulus(1e5), options)), "tangent_modulus ");
 }
 
-TEST(Uncertainty, ParametersThatOnlyACombinationOfIsSeenAreNotIdentified) {
+TEST(Uncertainty, ParametersOfWhichOnlyACombinationIsIdentifiableAreNotIdentified) {
   const std::vector<double> strain = ramp(41, 0.02);
   Target torsion = target_of(strain, ideal_curve(strain, 80e9, 170e6), Deformation::Torsion);
-  // G = E/2(1+nu): E and nu together, while the yield stress is seen by itself.
+  // G = E/2(1+nu): E and nu together, while the yield stress is identifiable by itself.
   add_normal_noise(torsion, 3, 1e5);
   const FitResult result =
       fit_target(torsion, fit_of({free_parameter("youngs_modulus"), free_parameter("poisson_ratio"),
@@ -324,7 +324,7 @@ TEST(Uncertainty, BreakStrainCarriesItsSamplingInterval) {
   const FittedParameter& blurred = noisy.parameter("break_strain");
   EXPECT_NEAR(blurred.standard_error, std::sqrt(variance + sampling), tolerance(1e-12));
   EXPECT_NEAR(blurred.noise_error, std::sqrt(variance), tolerance(1e-12));
-  // The error is s t + h u, t Student's with 79 degrees of freedom and u even within -1 … 1: the
+  // The error is s t + h u, t Student's with 79 degrees of freedom and u uniform within -1 … 1: the
   // probability of less than q is the mean of Student's over (q - h)/s … (q + h)/s.
   const double s = std::sqrt(variance);
   const double q = blurred.interval_high - blurred.value;
@@ -344,9 +344,10 @@ TEST(Uncertainty, BreakStrainCarriesItsSamplingInterval) {
 
 TEST(Uncertainty, CorrelationsAreSymmetricAndAtMostOne) {
   const std::vector<double> strain = path({0.01, -0.01, 0.01}, 30);
-  FitOptions options = fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress"),
-                               free_parameter("tangent_modulus"), free_parameter("kinematic_share"),
-                               free_parameter("break_strain")});
+  FitOptions options =
+      fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress"),
+              free_parameter("tangent_modulus"), free_parameter("kinematic_fraction"),
+              free_parameter("break_strain")});
   Material& material = options.setup.scene.material;
   material.hardening = {HardeningLaw::Linear, 4e9, 0.6};
   Target target = target_like(options, Deformation::Tension, strain);

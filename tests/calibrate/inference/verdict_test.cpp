@@ -13,25 +13,25 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// A parameter of 100 within 10 and 400 with an error of 1.
-Evidence sound() {
+Evidence valid() {
   return {.value = 100.0, .lower = 10.0, .upper = 400.0, .noise_error = 1.0, .standard_error = 1.0};
 }
 
 TEST(Verdict, HasTheNumberBehindItsWord) {
-  const Judgement identified = judge(sound());
+  const Judgement identified = judge(valid());
   EXPECT_EQ(identified.verdict, Verdict::Identified);
   EXPECT_DOUBLE_EQ(identified.number, 0.01);
 
-  Evidence evidence = sound();
+  Evidence evidence = valid();
   evidence.standard_error = evidence.noise_error = 10.1;
   EXPECT_EQ(judge(evidence).verdict, Verdict::Weak);
   EXPECT_DOUBLE_EQ(judge(evidence).number, 0.101);
 
-  evidence = sound();
+  evidence = valid();
   evidence.noise_error = kNan;
   EXPECT_EQ(judge(evidence).verdict, Verdict::NotIdentified);
 
-  evidence = sound();
+  evidence = valid();
   evidence.at_bound = true;
   EXPECT_EQ(judge(evidence).verdict, Verdict::AtBound);
   EXPECT_EQ(judge(evidence).number, 10.0);
@@ -40,7 +40,7 @@ TEST(Verdict, HasTheNumberBehindItsWord) {
 }
 
 TEST(Verdict, OfABreakIsSamplingWhereItMattersMoreThanNoise) {
-  Evidence evidence = sound();
+  Evidence evidence = valid();
   evidence.half = 1.7;  // its variance is a third of its square
   EXPECT_EQ(judge(evidence).verdict, Verdict::Identified);
   evidence.half = 1.8;
@@ -49,7 +49,7 @@ TEST(Verdict, OfABreakIsSamplingWhereItMattersMoreThanNoise) {
 }
 
 TEST(Verdict, IsSegmentsWhereTheyMatterMoreThanNoiseAndSampling) {
-  Evidence evidence = sound();
+  Evidence evidence = valid();
   evidence.segments = 1.7;
   EXPECT_EQ(judge(evidence).verdict, Verdict::Identified);
   evidence.segments = 1.8;
@@ -67,11 +67,11 @@ TEST(Verdict, CountsRunsAsWaldAndWolfowitz) {
   // 20 of each sign in two blocks: 2 of the 40!/(20! 20!) orders.
   std::vector<double> blocks(40, 1.0);
   for (std::size_t i = 20; i < 40; ++i) blocks[i] = -1.0;
-  EXPECT_NEAR(runs_probability(blocks) / (2.0 / 137846528820.0), 1.0, 1e-9);
+  EXPECT_NEAR(runs_test_p(blocks) / (2.0 / 137846528820.0), 1.0, 1e-9);
   std::vector<double> to_and_fro(40, 1.0);
   for (std::size_t i = 0; i < 40; i += 2) to_and_fro[i] = -1.0;
-  EXPECT_NEAR(runs_probability(to_and_fro), 1.0, 1e-9);
-  EXPECT_TRUE(std::isnan(runs_probability(std::vector<double>(19, 1.0))));
+  EXPECT_NEAR(runs_test_p(to_and_fro), 1.0, 1e-9);
+  EXPECT_TRUE(std::isnan(runs_test_p(std::vector<double>(19, 1.0))));
 }
 
 TEST(Verdict, CountsRunsAsAllOrdersDo) {
@@ -84,17 +84,17 @@ TEST(Verdict, CountsRunsAsAllOrdersDo) {
     ++all;
     fewer += std::popcount((signs ^ (signs >> 1U)) & 0xfffffU) + 1 <= 6 ? 1 : 0;
   }
-  EXPECT_NEAR(runs_probability(residual), static_cast<double>(fewer) / all, 1e-9);
+  EXPECT_NEAR(runs_test_p(residual), static_cast<double>(fewer) / all, 1e-9);
 }
 
 TEST(Verdict, CountsFewOfOneSignAndTheirRuns) {
   // None of the other sign: twice what 2 of 2^40 orders are.
-  EXPECT_NEAR(runs_probability(std::vector<double>(40, 1.0)) / std::ldexp(4.0, -40), 1.0, 1e-9);
+  EXPECT_NEAR(runs_test_p(std::vector<double>(40, 1.0)) / std::ldexp(4.0, -40), 1.0, 1e-9);
   // Nine of 29 in one block: 21 of C(29, 9) orders have so few runs, of which 2 have two.
   std::vector<double> block(29, 1.0);
   for (std::size_t i = 10; i < 19; ++i) block[i] = -1.0;
   const double orders = 10015005.0;
-  EXPECT_NEAR(runs_probability(block) / (2.0 * (2.0 + 19.0 + 8.0) / orders), 1.0, 1e-9);
+  EXPECT_NEAR(runs_test_p(block) / (2.0 * (2.0 + 19.0 + 8.0) / orders), 1.0, 1e-9);
 }
 
 TEST(Verdict, IsThePriorsWhereThatSaysMoreThanTheCurves) {

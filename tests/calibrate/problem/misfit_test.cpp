@@ -240,7 +240,7 @@ TEST_P(EveryLaw, GradientIsTheDifferenceQuotientOverDecades) {
   std::vector<double> at{180e9, 280e6, 0.031};
   if (d.law == HardeningLaw::Linear) {
     options.parameters.push_back(free_parameter("tangent_modulus"));
-    options.parameters.push_back(free_parameter("kinematic_share"));
+    options.parameters.push_back(free_parameter("kinematic_fraction"));
     at.insert(at.end(), {3e9, 0.4});
   }
   if (d.law == HardeningLaw::VoceChaboche) {
@@ -255,7 +255,7 @@ TEST_P(EveryLaw, GradientIsTheDifferenceQuotientOverDecades) {
   if (d.law == HardeningLaw::Multilinear) {
     hardening.plastic_strain = {0.002, 0.02};
     hardening.flow_stress = {360e6, 370e6};
-    for (const char* name : {"flow_stress_1", "flow_stress_2", "kinematic_share"}) {
+    for (const char* name : {"flow_stress_1", "flow_stress_2", "kinematic_fraction"}) {
       options.parameters.push_back(free_parameter(name));
     }
     at.insert(at.end(), {301e6, 330e6, 0.4});
@@ -287,10 +287,11 @@ TEST_P(EveryLaw, GradientIsTheDifferenceQuotientOverDecades) {
     }
     EXPECT_LT(best, tolerance(2e-7 * (std::fabs(gradient[i]) + cost / at[i])))
         << c.options.parameters[c.set.active()[i]].name() << " " << gradient[i];
-    // What no test sees has no slope, and all else has one.
+    // What is not identifiable has no slope, and all else has one.
     const std::string name = c.options.parameters[c.set.active()[i]].name();
-    const bool unseen = torsion && name == "youngs_modulus" && d.law != HardeningLaw::Linear;
-    EXPECT_EQ(gradient[i] == 0.0, unseen) << name;
+    const bool unidentifiable =
+        torsion && name == "youngs_modulus" && d.law != HardeningLaw::Linear;
+    EXPECT_EQ(gradient[i] == 0.0, unidentifiable) << name;
   }
 }
 

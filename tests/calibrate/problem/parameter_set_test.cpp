@@ -45,7 +45,7 @@ TEST(ParameterSet, SumsDerivativesOverTies) {
                          fit_of({free_parameter("youngs_modulus"), free_parameter("yield_stress"),
                                  tied_parameter("shear_yield_stress", "yield_stress", 0.6),
                                  fixed_parameter("poisson_ratio", 0.3),
-                                 tied_parameter("kinematic_share", "poisson_ratio", 2.0)}));
+                                 tied_parameter("kinematic_fraction", "poisson_ratio", 2.0)}));
   std::vector<double> by(2, -1.0);
   set.contract(std::vector<double>{3.0, 5.0, 10.0, 100.0, 1000.0}, by);
   EXPECT_EQ(by, (std::vector<double>{3.0, 11.0}));
@@ -73,13 +73,13 @@ TEST(ParameterSet, CoordinatesAreLogarithmsWhereBoundsArePositive) {
   EXPECT_EQ(set.slope(0, 450e6), 450e6);
 }
 
-TEST(ParameterSet, CoordinatesAreSharesOfTheStartOnALinearScale) {
+TEST(ParameterSet, CoordinatesAreFractionsOfTheStartOnALinearScale) {
   Parameter modulus = free_parameter("youngs_modulus", 300e6);
   modulus.lower = 100e6;
   modulus.upper = 900e6;
   modulus.scale = ParameterScale::Linear;
-  Parameter share = free_parameter("kinematic_share", 0.0);
-  const ParameterSet set(steel(), fit_of({modulus, share}));
+  Parameter fraction = free_parameter("kinematic_fraction", 0.0);
+  const ParameterSet set(steel(), fit_of({modulus, fraction}));
   EXPECT_FALSE(set.all()[0].logarithmic);
   EXPECT_NEAR(set.lower(0), -2.0 / 3.0, 1e-15);
   EXPECT_NEAR(set.upper(0), 2.0, 1e-15);
@@ -130,9 +130,9 @@ TEST(ParameterSet, ABoundGivenAloneKeepsRoomWithinTheFieldsRange) {
   const ResolvedParameter low = resolved(free_parameter("yield_stress"), {}, 3e6);
   EXPECT_EQ(low.lower, 1e5);
   EXPECT_EQ(low.start, 3e6);
-  const ResolvedParameter share = resolved(free_parameter("kinematic_share"), 0.3, {});
-  EXPECT_EQ(share.lower, 0.3);
-  EXPECT_EQ(share.upper, 1.0);
+  const ResolvedParameter fraction = resolved(free_parameter("kinematic_fraction"), 0.3, {});
+  EXPECT_EQ(fraction.lower, 0.3);
+  EXPECT_EQ(fraction.upper, 1.0);
   const ResolvedParameter softening = resolved(free_parameter("saturation_stress"), {}, -1e6);
   EXPECT_EQ(softening.lower, -30e6);
   EXPECT_EQ(softening.upper, -1e6);
@@ -140,10 +140,10 @@ TEST(ParameterSet, ABoundGivenAloneKeepsRoomWithinTheFieldsRange) {
 }
 
 TEST(ParameterSet, RefusesBoundsWithoutRoomAndALogarithmFromZero) {
-  Parameter share = free_parameter("kinematic_share");
-  share.lower = 1.0;
-  EXPECT_EQ(message_of([&] { ParameterSet(steel(), fit_of({share})); }),
-            "kinematic_share = [1, 1]: the bounds leave no room: give both");
+  Parameter fraction = free_parameter("kinematic_fraction");
+  fraction.lower = 1.0;
+  EXPECT_EQ(message_of([&] { ParameterSet(steel(), fit_of({fraction})); }),
+            "kinematic_fraction = [1, 1]: the bounds leave no room: give both");
   Parameter tangent = free_parameter("tangent_modulus");
   tangent.scale = ParameterScale::Logarithmic;
   EXPECT_EQ(message_of([&] { ParameterSet(steel(), fit_of({tangent})); }),

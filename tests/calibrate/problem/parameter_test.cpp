@@ -59,8 +59,8 @@ TEST(Parameters, RefuseNumbersOutsideOfTheFieldsRange) {
             "fit.toml:7: material.yield_stress = -1: must be above 0 Pa");
   EXPECT_EQ(refusal({yield({}, {}, 0.0)}),
             "fit.toml:7: material.yield_stress = 0: must be above 0 Pa");
-  EXPECT_EQ(refusal({yield({}, {}), fixed_parameter("kinematic_share", 1.5)}),
-            "fit.toml:7: material.hardening.kinematic_share = 1.5: must be from 0 to 1");
+  EXPECT_EQ(refusal({yield({}, {}), fixed_parameter("kinematic_fraction", 1.5)}),
+            "fit.toml:7: material.hardening.kinematic_fraction = 1.5: must be from 0 to 1");
 }
 
 TEST(Parameters, RefuseALogarithmFromZero) {

@@ -9,14 +9,14 @@
 
 #include "calibrate/fit/scene_fit.hpp"
 #include "tests/calibrate/fit/bent_bar.hpp"
-#include "tests/calibrate/fit/way_over.hpp"
+#include "tests/calibrate/fit/path_over.hpp"
 
 /// Each kind of parameter that a fit through a scene may move, fitted back from the scene's own
 /// curve without noise, from starts that are a fifth off.
 namespace plastica::calibrate {
 namespace {
 
-using testing::way_over;
+using testing::path_over;
 
 struct Fitted {
   std::string field;
@@ -79,7 +79,7 @@ Problem twisted(std::string name, std::vector<Fitted> fitted) {
   problem.target.kind = Abscissa::Support;
   problem.target.driven = 1;
   problem.target.ordinate_probe = "torque";
-  problem.target.abscissa = way_over({0.4}, 30);
+  problem.target.abscissa = path_over({0.4}, 30);
   problem.break_path = "material.break_shear_strain";
   return problem;
 }
@@ -93,7 +93,7 @@ Problem with_shear_modulus() {
 
 /// Without hardening one joint alone yields: its rotation is strain over the hinge length.
 Problem hinge() {
-  Problem problem = bent("HingeLength", {}, way_over({0.05}, 30),
+  Problem problem = bent("HingeLength", {}, path_over({0.05}, 30),
                          {{"rules.hinge_length"}, {"material.yield_stress", 0.9}});
   Scene& scene = problem.setup.scene;
   scene.yield_model = YieldModel::PerAxis;
@@ -120,7 +120,7 @@ Problem swinging() {
   setup.solver.steps = 50;
   problem.target.kind = Abscissa::Time;
   problem.target.ordinate_probe = "way";
-  problem.target.abscissa = way_over({0.02}, 50);
+  problem.target.abscissa = path_over({0.02}, 50);
   return problem;
 }
 
@@ -135,11 +135,11 @@ std::vector<Problem> problems() {
   Hardening two = voce;
   two.backstress_modulus = {60e9, 4e9, 0.0};
   two.backstress_rate = {600.0, 40.0, 0.0};
-  const std::vector<double> there = way_over({0.08, 0.05}, 20);
-  const std::vector<double> cycles = way_over({0.05, -0.05, 0.06, -0.06}, 16);
-  return {bent("TangentModulusAndKinematicShare", linear, cycles,
+  const std::vector<double> there = path_over({0.08, 0.05}, 20);
+  const std::vector<double> cycles = path_over({0.05, -0.05, 0.06, -0.06}, 16);
+  return {bent("TangentModulusAndKinematicFraction", linear, cycles,
                {{"material.hardening.tangent_modulus"},
-                {"material.hardening.kinematic_share", 0.8},
+                {"material.hardening.kinematic_fraction", 0.8},
                 {"material.yield_stress", 0.9}}),
           bent("VoceHardening", voce, there,
                {{"material.youngs_modulus", 0.8},
@@ -177,7 +177,7 @@ TEST_P(SceneParameterKinds, AreFittedBack) {
     truth.push_back(std::get<double>(field.get(problem.setup)));
     Parameter p = testing::free_parameter(fitted.field, 0.1 * truth.back(), 10.0 * truth.back());
     if (field.path == "material.poisson_ratio") p.upper = 0.5;
-    if (field.material == MaterialField::KinematicShare) p.upper = 1.0;
+    if (field.material == MaterialField::KinematicFraction) p.upper = 1.0;
     p.value = fitted.from * truth.back();
     options.parameters.push_back(p);
   }

@@ -8,7 +8,7 @@
 namespace plastica::calibrate {
 namespace {
 
-/// Samples, slopes and the sums that they should give; whole numbers, so that sums are exact.
+/// Samples, slopes and the sums that they should give; integers, so that sums are exact.
 struct Sums {
   std::vector<double> model, target, weight, slopes, gradient;
   double cost = 0.0;

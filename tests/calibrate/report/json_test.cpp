@@ -76,7 +76,7 @@ TEST(JsonSummary, OfARejectedOrFailedSpecimenHasNoNumbersOfAFit) {
   EXPECT_EQ(all["fits"][0]["characteristics"]["rm"], nullptr);
   EXPECT_EQ(all["fits"][0]["cost"], nullptr);
   EXPECT_EQ(all["fits"][1]["status"], "failed");
-  EXPECT_EQ(all["fits"][1]["misfit_share"], nullptr);
+  EXPECT_EQ(all["fits"][1]["misfit_fraction"], nullptr);
   EXPECT_EQ(all["counts"]["rejected"], 1);
   EXPECT_EQ(all["counts"]["failed"], 1);
 }

@@ -20,7 +20,7 @@ FitRecord fit_of(Law law, double misfit, const std::string& target = "a") {
   FitRecord record = fitted_record(target);
   record.result.law = law;
   record.result.misfit_rms = misfit;
-  record.result.misfit_share = misfit / 280e6;
+  record.result.misfit_fraction = misfit / 280e6;
   record.result.effective_samples = 200.0;
   return record;
 }
@@ -75,7 +75,7 @@ TEST(LawChoice, TakesTheAdvisedLawWhereNoneIsNamed) {
 SceneFitRecord scene_fit_of(Law law, double cost) {
   SceneFitRecord record = testing::lone_scene_record("bar", 205e9, 380e6);
   record.result.law = law;
-  record.result.parts[0].cost = cost;
+  record.result.targets[0].cost = cost;
   return record;
 }
 

@@ -24,10 +24,10 @@ std::vector<FitRecord> two_laws() {
   std::vector<FitRecord> records{fitted_record("a"), fitted_record("a")};
   records[0].result.law = Law::Ideal;
   records[0].result.misfit_rms = 9e6;
-  records[0].result.misfit_share = 0.032;
+  records[0].result.misfit_fraction = 0.032;
   records[1].result.law = Law::Linear;
   records[1].result.misfit_rms = 1e6;
-  records[1].result.misfit_share = 0.0036;
+  records[1].result.misfit_fraction = 0.0036;
   for (FitRecord& record : records) record.result.effective_samples = 200.0;
   for (double& stress : records[0].result.fitted.stress) stress -= 7e6;
   return records;
@@ -36,9 +36,9 @@ std::vector<FitRecord> two_laws() {
 std::vector<SceneFitRecord> two_scene_laws() {
   std::vector<SceneFitRecord> records{scene_record("bar"), scene_record("bar")};
   records[0].result.law = Law::Ideal;
-  for (ScenePartFit& part : records[0].result.parts) {
-    part.cost *= 100.0;
-    part.misfit_share *= 10.0;
+  for (TargetFit& of_target : records[0].result.targets) {
+    of_target.cost *= 100.0;
+    of_target.misfit_fraction *= 10.0;
   }
   records[1].result.law = Law::Voce;
   return records;
@@ -46,16 +46,17 @@ std::vector<SceneFitRecord> two_scene_laws() {
 
 TEST(LawsPlot, ShowsWhatEachLawMakesOfACurveAndHowFarOffItIs) {
   const std::string script = plot_script(two_laws(), {.what = "laws"});
-  for (const char* part : {"title 'ideal, 3.2 %'", "title 'linear, 0.36 %'", "title 'measured'",
-                           "measured - fitted"}) {
-    EXPECT_TRUE(has(script, part)) << part;
+  for (const char* wanted : {"title 'ideal, 3.2 %'", "title 'linear, 0.36 %'", "title 'measured'",
+                             "measured - fitted"}) {
+    EXPECT_TRUE(has(script, wanted)) << wanted;
   }
 }
 
 TEST(LawsPlot, ShowsEachTargetOfAFitThroughScenes) {
   const std::string script = scene_fit_plot_script(two_scene_laws(), {.what = "laws"});
-  for (const char* part : {"'bent'", "'twisted'", "title 'ideal, 8.3 %'", "title 'voce, 0.83 %'"}) {
-    EXPECT_TRUE(has(script, part)) << part;
+  for (const char* wanted :
+       {"'bent'", "'twisted'", "title 'ideal, 8.3 %'", "title 'voce, 0.83 %'"}) {
+    EXPECT_TRUE(has(script, wanted)) << wanted;
   }
 }
 

@@ -76,7 +76,7 @@ inline FitRecord fitted_record(std::string name = "bar-01", double yield = 280e6
   result.correlation = {1.0, -0.62, 0.01, -0.62, 1.0, 0.2, 0.01, 0.2, 1.0};
   result.cost = 1.2e12;
   result.misfit_rms = 1.1e6;
-  result.misfit_share = 0.0039;
+  result.misfit_fraction = 0.0039;
   result.misfit_word = "close";
   result.samples = target.corrected.size();
   result.break_strain_total = 0.10425;

@@ -52,7 +52,7 @@ TEST(SceneFitJson, HoldsParametersTargetsStartsAndCounts) {
   EXPECT_EQ(fit["targets"][0]["break_at"], 0.0605);
   EXPECT_EQ(fit["targets"][1]["level"], "twist");
   EXPECT_TRUE(fit["targets"][1]["break_at"].is_null());
-  EXPECT_TRUE(fit["targets"][1]["runs_probability"].is_null());
+  EXPECT_TRUE(fit["targets"][1]["runs_test_p"].is_null());
   EXPECT_EQ(fit["starts"].size(), 4U);
   EXPECT_TRUE(fit["starts"][1]["cost"].is_null()) << "infinite";
   EXPECT_EQ(all["fits"][1]["reason"], "no curve at the start");

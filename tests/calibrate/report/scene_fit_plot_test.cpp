@@ -49,7 +49,7 @@ TEST(SceneFitPlot, OfResidualsShowsMeasuredMinusFitted) {
   SceneFitRecord record = lone_scene_record("a", 2e11, 3e8);
   record.targets[0].abscissa = {0.25, 0.5};
   record.targets[0].ordinate = {10.0, 20.0};
-  record.result.parts[0].fitted = {12.0, 19.0};
+  record.result.targets[0].fitted = {12.0, 19.0};
   const std::string script = script_of(record, "residuals");
   EXPECT_TRUE(has(script, "\n0.25 -2 \n0.5 1 \n") || has(script, "\n0.25 -2\n0.5 1\n"));
   EXPECT_TRUE(has(script, "force, measured - fitted [N]"));

@@ -48,7 +48,7 @@ TEST(SceneFitText, ShowsEachParameterWithErrorIntervalAndVerdict) {
   EXPECT_TRUE(has_line(
       text, "  break_strain    2.100 ± 0.040  %    2.020 … 2.180  limited by sampling, ± 1.8 %"));
   EXPECT_TRUE(
-      has_line(text, "  errors      of noise that the residuals say, 28.8 degrees of freedom"));
+      has_line(text, "  errors      noise estimated from residuals, 28.8 degrees of freedom"));
 }
 
 TEST(SceneFitText, SetsAllSourcesOfErrorsSideBySide) {
@@ -125,7 +125,7 @@ TEST(SceneFitText, NamesStrongCorrelationsAlone) {
 
 TEST(SceneFitText, IsAtMostAHundredColumnsWideAndPrintable) {
   SceneFitRecord record = scene_record(std::string(150, 'x') + "\x1b[31m\xff");
-  record.targets[0].name = record.result.parts[0].name = std::string(120, 'y');
+  record.targets[0].name = record.result.targets[0].name = std::string(120, 'y');
   record.result.warnings = {std::string(130, 'z')};
   for (const std::string& text :
        {scene_fit_report(record), scene_fits_report(std::vector{record, record})}) {

@@ -132,14 +132,14 @@ TEST(SceneIntervalsReport, DrawsBandsWhereTheCurveHasErrors) {
   SceneFitRecord record = lone_scene_record("a", 2e11, 3e8);
   record.targets[0].abscissa = {0.25, 0.5};
   record.targets[0].ordinate = {10.0, 20.0};
-  record.result.parts[0].fitted = {12.0, 19.0};
-  for (ScenePartFit& part : record.result.parts) {
-    part.degrees_of_freedom = std::numeric_limits<double>::infinity();
+  record.result.targets[0].fitted = {12.0, 19.0};
+  for (TargetFit& of_target : record.result.targets) {
+    of_target.degrees_of_freedom = std::numeric_limits<double>::infinity();
   }
   const auto script_of = [&] { return scene_fit_plot_script(std::vector{record}, {}); };
   EXPECT_FALSE(has(script_of(), "of the curve"));
-  record.result.parts[0].fitted_error = {1.0, 2.0};
-  record.result.parts[0].noise = 0.0;
+  record.result.targets[0].fitted_error = {1.0, 2.0};
+  record.result.targets[0].noise = 0.0;
   // 12 -+ 1.96
   EXPECT_TRUE(has(script_of(), "0.25 10.04004 13.95996")) << script_of();
   EXPECT_TRUE(has(script_of(), "with filledcurves"));

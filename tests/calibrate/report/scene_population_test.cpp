@@ -121,7 +121,7 @@ TEST(ScenePopulation, HasIntervalsOfMeanAndScatterFromResamplesOfTheFits) {
   EXPECT_LT(p.covariance_low[1], p.specimen_covariance[1]);
   EXPECT_GT(p.covariance_high[1], p.specimen_covariance[1]);
   EXPECT_GT(scene_population(records, 0.5).parameters[0].mean_low, a.mean_low);
-  records.resize(kFewestSpecimens - 1);
+  records.resize(kMinSpecimens - 1);
   EXPECT_TRUE(std::isnan(scene_population(records).parameters[0].mean_low));
 }
 

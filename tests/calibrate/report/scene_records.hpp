@@ -53,27 +53,27 @@ inline SceneFitRecord scene_record(const std::string& name = "both", double modu
 
   SceneFitResult& r = record.result;
   r.status = FitStatus::Fitted;
-  r.parts.resize(2);
+  r.targets.resize(2);
   for (std::size_t p = 0; p < 2; ++p) {
-    ScenePartFit& part = r.parts[p];
+    TargetFit& of_target = r.targets[p];
     SceneTarget& target = record.targets[p];
-    part.name = target.name;
-    part.level = p == 0 ? Level::Planar : Level::Twist;
-    part.samples = p == 0 ? 30 : 20;
-    part.noise = p == 0 ? 5.0 : 3.0;
-    part.degrees_of_freedom = p == 0 ? 28.8 : std::numeric_limits<double>::infinity();
-    part.misfit_share = p == 0 ? 0.0083 : 0.012;
-    part.runs_probability = p == 0 ? 0.41 : std::numeric_limits<double>::quiet_NaN();
-    part.break_strain = p == 0 ? 0.021 : std::numeric_limits<double>::quiet_NaN();
-    for (std::size_t i = 0; i < part.samples; ++i) {
+    of_target.name = target.name;
+    of_target.level = p == 0 ? Level::Planar : Level::Twist;
+    of_target.samples = p == 0 ? 30 : 20;
+    of_target.noise = p == 0 ? 5.0 : 3.0;
+    of_target.degrees_of_freedom = p == 0 ? 28.8 : std::numeric_limits<double>::infinity();
+    of_target.misfit_fraction = p == 0 ? 0.0083 : 0.012;
+    of_target.runs_test_p = p == 0 ? 0.41 : std::numeric_limits<double>::quiet_NaN();
+    of_target.break_strain = p == 0 ? 0.021 : std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < of_target.samples; ++i) {
       const double at = (p == 0 ? 0.002 : 0.02) * static_cast<double>(i + 1);
       const double value = std::min(p == 0 ? 1e4 * at : 1e3 * at, p == 0 ? 400.0 : 250.0);
-      const double noise = part.noise * std::sin(12.9898 * static_cast<double>(i));
+      const double noise = of_target.noise * std::sin(12.9898 * static_cast<double>(i));
       target.abscissa.push_back(at);
-      part.fitted.push_back(value);
-      part.fitted_error.push_back(0.2 * part.noise);
+      of_target.fitted.push_back(value);
+      of_target.fitted_error.push_back(0.2 * of_target.noise);
       target.ordinate.push_back(value + noise);
-      part.cost += noise * noise;
+      of_target.cost += noise * noise;
     }
   }
   r.parameters = {scene_parameter("material.youngs_modulus", Dimension::Stress, modulus, 1.2e9),
@@ -141,9 +141,9 @@ inline SceneFitRecord lone_scene_record(const std::string& name, double modulus,
   record.targets[0].name = name;
   record.targets[0].broke.reset();
   record.weights.resize(1);
-  r.parts.resize(1);
-  r.parts[0].name = name;
-  r.parts[0].break_strain = std::numeric_limits<double>::quiet_NaN();
+  r.targets.resize(1);
+  r.targets[0].name = name;
+  r.targets[0].break_strain = std::numeric_limits<double>::quiet_NaN();
   r.parameters.resize(2);
   r.segments->parameters.resize(2);
   r.correlation = {1.0, -0.42, -0.42, 1.0};

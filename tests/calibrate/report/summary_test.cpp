@@ -108,7 +108,7 @@ TEST(Counts, AreOfAllRecords) {
   EXPECT_EQ(counts.failed, 0U);
 }
 
-TEST(Summary, HasIntervalsOfMeansOfSpecimensDrawnAnew) {
+TEST(Summary, HasIntervalsOfMeansOfResampledSpecimens) {
   std::vector<FitRecord> records;
   for (int i = 0; i < 9; ++i) {
     records.push_back(fitted_record("bar-" + std::to_string(i), 280e6 + 4e6 * (i - 4)));

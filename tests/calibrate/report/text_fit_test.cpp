@@ -64,7 +64,7 @@ TEST(FitReport, ShowsCharacteristicsInEngineeringUnits) {
   EXPECT_TRUE(fit_has_line(text, "  strain at Rm   8.000          %"));
   EXPECT_TRUE(
       fit_has_line(text,
-                   "  break strain  10.425 ± 0.025  %    total; last whole sample at 10.4 %, by "
+                   "  break strain  10.425 ± 0.025  %    total; last intact sample at 10.4 %, by "
                    "fall-to-zero"));
   EXPECT_TRUE(fit_has_line(text, "                10.025 ± 0.025  %    permanent"));
   EXPECT_FALSE(has(text, "ReH"));
@@ -159,12 +159,12 @@ TEST(FitReport, SaysHowWellTheModelFollowsInAPlainWord) {
   EXPECT_TRUE(fit_has_line(fit_report(record),
                            "  misfit        0.39 % of Rm (rms 1.10 MPa): close, ideal plasticity "
                            "follows this curve"));
-  record.result.runs_probability = 1e-9;
+  record.result.runs_test_p = 1e-9;
   EXPECT_TRUE(has(fit_report(record), "close, ideal plasticity follows")) << "below 1 %";
-  record.result.misfit_share = 0.015;
+  record.result.misfit_fraction = 0.015;
   EXPECT_TRUE(has(fit_report(record), "close, ideal plasticity does not"));
-  record.result.misfit_share = 0.0039;
-  record.result.runs_probability = std::numeric_limits<double>::quiet_NaN();
+  record.result.misfit_fraction = 0.0039;
+  record.result.runs_test_p = std::numeric_limits<double>::quiet_NaN();
   const std::optional<double> rm = std::exchange(record.target.characteristics.rm, std::nullopt);
   record.result.misfit_word = "fair";
   EXPECT_TRUE(has(fit_report(record),
@@ -175,9 +175,9 @@ TEST(FitReport, SaysHowWellTheModelFollowsInAPlainWord) {
   EXPECT_TRUE(has(text, "poor, ideal plasticity cannot follow this curve"));
   EXPECT_TRUE(has(text, "  - If it is the fall after the largest stress"));
   record.result.law = Law::Linear;
-  record.result.runs_probability = 1e-20;
-  EXPECT_TRUE(has(fit_report(record), "runs probability 1e-20: poor, linear hardening cannot"));
-  record.result.runs_probability = 0.4;
+  record.result.runs_test_p = 1e-20;
+  EXPECT_TRUE(has(fit_report(record), "runs test p 1e-20: poor, linear hardening cannot"));
+  record.result.runs_test_p = 0.4;
   EXPECT_TRUE(has(fit_report(record), "linear hardening follows"));
   EXPECT_FALSE(has(fit_report(record), "fall after the largest stress"));
 }

@@ -50,7 +50,7 @@ TEST(SceneSearch, LeavesAStartThatKnowsNothingForABetterOne) {
     }
   }
   options.starts = 1;
-  EXPECT_GT(fit_scene(setup, target, options).parts[0].misfit_share, 0.1);
+  EXPECT_GT(fit_scene(setup, target, options).targets[0].misfit_fraction, 0.1);
 }
 
 TEST(SceneSearch, RescuesAStartWithoutACurve) {
@@ -111,7 +111,7 @@ void expect_same(const SceneFitResult& a, const SceneFitResult& b) {
     EXPECT_EQ(a.parameters[i].value, b.parameters[i].value);
     EXPECT_EQ(a.parameters[i].standard_error, b.parameters[i].standard_error);
   }
-  EXPECT_EQ(a.parts[0].fitted, b.parts[0].fitted);
+  EXPECT_EQ(a.targets[0].fitted, b.targets[0].fitted);
   EXPECT_EQ(a.runs, b.runs);
   EXPECT_EQ(a.failed_runs, b.failed_runs);
   EXPECT_EQ(a.segment_iterations, b.segment_iterations);

@@ -81,7 +81,7 @@ TEST_F(FitStoreErrors, NumbersThatNoFitHasAreRefusedOnReading) {
   EXPECT_EQ(refusal([](Contents& c) { c.records[0].result.stages[0].evaluations = -1; }),
             "/stages/evaluations = -1: must be from 0 to 2147483647");
   EXPECT_EQ(refusal([](Contents& c) { c.records[0].result.correlation.pop_back(); }),
-            "/correlation: must have a row and a column for each parameter that moved");
+            "/correlation: must have a row and a column for each free parameter");
   EXPECT_EQ(refusal([](Contents& c) { c.options.confidence = 1.0; }),
             "/options/confidence = 1: must be above 0 and below 1");
   EXPECT_EQ(refusal([](Contents& c) { c.options.stopping.local_evaluations = -1; }),
@@ -117,7 +117,7 @@ TEST_F(FitStoreErrors, AnotherSchemaAndAnotherVersionAreNamed) {
   write("plastica/sweep", 1);
   EXPECT_EQ(reading(path_), path_ + ": schema = plastica/sweep: must be plastica/fits");
   write("plastica/fits", kFitStoreVersion + 1);
-  EXPECT_EQ(reading(path_), path_ + ": version = 5: must be 3 to 4, which this Plastica reads");
+  EXPECT_EQ(reading(path_), path_ + ": version = 6: must be 3 to 5, which this Plastica reads");
   write("plastica/fits", kFitStoreVersion);
   EXPECT_NE(reading(path_).find("/options"), std::string::npos);
 }

@@ -259,11 +259,11 @@ TEST(FitStore, SaysWhichParametersTheColumnsOfEvaluationsAre) {
   const io::ScratchFolder folder;
   write_fit_store(folder.file("a.h5"), contents_of(mixed_records()));
   const io::Hdf5File file = io::Hdf5File::open(folder.file("a.h5"));
-  EXPECT_EQ(file.root().read<std::uint64_t>("moved/values"),
+  EXPECT_EQ(file.root().read<std::uint64_t>("free/values"),
             (std::vector<std::uint64_t>{0, 2, 1, 0, 2}));
-  EXPECT_EQ(file.root().read<std::uint64_t>("moved/offsets"),
+  EXPECT_EQ(file.root().read<std::uint64_t>("free/offsets"),
             (std::vector<std::uint64_t>{0, 2, 2, 3, 5}));
-  EXPECT_EQ(file.root().read<std::uint64_t>("fits/moved_parameters"),
+  EXPECT_EQ(file.root().read<std::uint64_t>("fits/free_parameters"),
             (std::vector<std::uint64_t>{2, 0, 1, 2}));
 }
 

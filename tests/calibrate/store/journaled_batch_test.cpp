@@ -53,7 +53,7 @@ TEST_F(JournaledBatchTest, GivesTheSameBitsAsAPlainBatchForEveryNumberOfThreads)
 
 TEST_F(JournaledBatchTest, StartsAfreshWhereThereIsNothingToResume) {
   JournaledBatch batch(targets_, options_, {.journal = {journal_, true}});
-  EXPECT_EQ(batch.taken(), 0U);
+  EXPECT_EQ(batch.resumed(), 0U);
   EXPECT_EQ(batch.resumptions(), 0);
   EXPECT_TRUE(same_bits(batch.run(), reference_));
 }
@@ -68,10 +68,10 @@ TEST_F(JournaledBatchTest, ResumesWithTheSameBitsWhereverTheJournalWasCut) {
     const int threads = static_cast<int>(cut % 3) + 1;
     JournaledBatch batch(targets_, options_, {.journal = {journal_, true}, .threads = threads});
     EXPECT_TRUE(same_bits(batch.run(), reference_)) << "cut at " << size;
-    EXPECT_EQ(batch.outdated(), 0U);
+    EXPECT_EQ(batch.stale(), 0U);
     if (batch.dropped_bytes() > 0) ++torn;
     if (cut == 20) {
-      EXPECT_EQ(batch.taken(), targets_.size());
+      EXPECT_EQ(batch.resumed(), targets_.size());
       EXPECT_EQ(batch.dropped_bytes(), 0U);
     }
     batch.finish();
@@ -82,7 +82,7 @@ TEST_F(JournaledBatchTest, ResumesWithTheSameBitsWhereverTheJournalWasCut) {
 TEST_F(JournaledBatchTest, ResumesAfterAStopWithTheSameBits) {
   stop_after(4);
   JournaledBatch batch(targets_, options_, {.journal = {journal_, true}});
-  EXPECT_EQ(batch.taken(), 4U);
+  EXPECT_EQ(batch.resumed(), 4U);
   EXPECT_EQ(batch.resumptions(), 1);
   EXPECT_TRUE(same_bits(batch.run(), reference_));
 }
@@ -93,7 +93,7 @@ TEST_F(JournaledBatchTest, CountsEachResumption) {
   for (int resumption = 1; resumption <= 3; ++resumption) {
     JournaledBatch batch(targets_, options_, {.journal = {journal_, true}, .stop = &stop});
     EXPECT_EQ(batch.resumptions(), resumption);
-    EXPECT_EQ(batch.taken(), 2U);
+    EXPECT_EQ(batch.resumed(), 2U);
     batch.run();
   }
 }
@@ -112,7 +112,7 @@ TEST_F(JournaledBatchTest, TakesFromTheJournalInWhateverOrderTheTargetsCome) {
   std::reverse(targets_.begin(), targets_.end());
   std::reverse(reference_.begin(), reference_.end());
   JournaledBatch batch(targets_, options_, {.journal = {journal_, true}});
-  EXPECT_EQ(batch.taken(), 5U);
+  EXPECT_EQ(batch.resumed(), 5U);
   EXPECT_TRUE(same_bits(batch.run(), reference_));
 }
 
@@ -121,8 +121,8 @@ TEST_F(JournaledBatchTest, FitsAgainWhatHasChanged) {
   targets_[4].corrected.stress[9] *= 1.001;
   const auto expected = fit_batch(targets_, options_);
   JournaledBatch batch(targets_, options_, {.journal = {journal_, true}});
-  EXPECT_EQ(batch.taken(), targets_.size() - 1);
-  EXPECT_EQ(batch.outdated(), 1U);
+  EXPECT_EQ(batch.resumed(), targets_.size() - 1);
+  EXPECT_EQ(batch.stale(), 1U);
   EXPECT_TRUE(same_bits(batch.run(), expected));
   EXPECT_FALSE(same_bits(expected[4], reference_[4]));
 }
@@ -131,8 +131,8 @@ TEST_F(JournaledBatchTest, FitsEverythingAgainWithOtherOptions) {
   leave_journal();
   options_.seed = 99;
   JournaledBatch batch(targets_, options_, {.journal = {journal_, true}});
-  EXPECT_EQ(batch.taken(), 0U);
-  EXPECT_EQ(batch.outdated(), targets_.size());
+  EXPECT_EQ(batch.resumed(), 0U);
+  EXPECT_EQ(batch.stale(), targets_.size());
   EXPECT_TRUE(same_bits(batch.run(), fit_batch(targets_, options_)));
 }
 
@@ -150,14 +150,14 @@ TEST_F(JournaledBatchTest, RefusesToWriteOverTheJournalOfAnInterruptedRun) {
 TEST_F(JournaledBatchTest, StartsAfreshOverAJournalIfForced) {
   stop_after(4);
   JournaledBatch batch(targets_, options_, {.journal = {journal_, false, true}});
-  EXPECT_EQ(batch.taken(), 0U);
+  EXPECT_EQ(batch.resumed(), 0U);
   EXPECT_TRUE(same_bits(batch.run(), reference_));
 }
 
 TEST_F(JournaledBatchTest, ResumesEvenIfForcedToWriteOverTheOutput) {
   stop_after(4);
   const JournaledBatch batch(targets_, options_, {.journal = {journal_, true, true}});
-  EXPECT_EQ(batch.taken(), 4U);
+  EXPECT_EQ(batch.resumed(), 4U);
 }
 
 TEST_F(JournaledBatchTest, RefusesAJournalOfAnotherKindUnlessForced) {
@@ -205,7 +205,7 @@ TEST_F(JournaledBatchTest, ReportsItsProgressFitByFit) {
   JournaledBatch batch(targets_, options_, {.journal = {journal_, true}, .progress = progress});
   batch.run();
   EXPECT_EQ(done, (std::vector<std::size_t>{3, 4, 5, 6, 7, 8, 9}));
-  EXPECT_EQ(last.taken, 3U);
+  EXPECT_EQ(last.resumed, 3U);
   EXPECT_EQ(last.rejected, 1U);
   EXPECT_EQ(last.failed, 0U);
   EXPECT_EQ(last.total, 9U);

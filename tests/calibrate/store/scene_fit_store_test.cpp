@@ -68,7 +68,7 @@ TEST_F(SceneFitStore, GivesBackEveryWordOfEachEnumeration) {
     SceneFitRecord& record =
         records.emplace_back(filled_scene_record(std::string(1, static_cast<char>('a' + word))));
     record.targets[0].kind = static_cast<Abscissa>(word % 5);
-    record.result.parts[0].level = static_cast<Level>(word % 5);
+    record.result.targets[0].level = static_cast<Level>(word % 5);
     record.result.parameters[0].judgement->verdict = static_cast<Verdict>(word % 5);
     record.result.parameters[0].dimension = static_cast<Dimension>(word);
     record.result.starts[0].outcome = static_cast<LeastSquaresOutcome>(word % 5);
@@ -145,8 +145,10 @@ TEST_F(SceneFitStore, NamesTheUnitsOfColumnsThatMixThem) {
   const io::Hdf5File file = io::Hdf5File::open(path_);
   EXPECT_EQ(file.root().read_texts("parameters/value_units"),
             (std::vector<std::string>{"Pa", "Pa", "1"}));
-  EXPECT_EQ(file.root().read_texts("parts/abscissa_units"), (std::vector<std::string>{"m", "rad"}));
-  EXPECT_EQ(file.root().read_texts("parts/ordinate_units"), (std::vector<std::string>{"N", "N m"}));
+  EXPECT_EQ(file.root().read_texts("targets/abscissa_units"),
+            (std::vector<std::string>{"m", "rad"}));
+  EXPECT_EQ(file.root().read_texts("targets/ordinate_units"),
+            (std::vector<std::string>{"N", "N m"}));
 }
 
 TEST_F(SceneFitStore, RefusesRecordsThatAreNotWhole) {
@@ -155,14 +157,14 @@ TEST_F(SceneFitStore, RefusesRecordsThatAreNotWhole) {
     spoil(records);
     EXPECT_THROW(write_scene_fit_store(path_, scene_contents_of(records)), std::logic_error);
     EXPECT_FALSE(std::filesystem::exists(path_));
-    EXPECT_FALSE(std::filesystem::exists(path_ + ".part"));
+    EXPECT_FALSE(std::filesystem::exists(path_ + ".target"));
   };
   refused([](auto& all) { all[1].name = "a"; });
   refused([](auto& all) { all[0].weights.pop_back(); });
   refused([](auto& all) { all[0].targets[1].ordinate.pop_back(); });
-  refused([](auto& all) { all[0].result.parts.pop_back(); });
-  refused([](auto& all) { all[0].result.parts[0].name = "x"; });
-  refused([](auto& all) { all[0].result.parts[0].fitted.pop_back(); });
+  refused([](auto& all) { all[0].result.targets.pop_back(); });
+  refused([](auto& all) { all[0].result.targets[0].name = "x"; });
+  refused([](auto& all) { all[0].result.targets[0].fitted.pop_back(); });
 }
 
 TEST_F(SceneFitStore, NamesAFileOfAnotherSchemaOrVersion) {
@@ -176,7 +178,7 @@ TEST_F(SceneFitStore, NamesAFileOfAnotherSchemaOrVersion) {
   EXPECT_EQ(write("plastica/fits", 1),
             path_ + ": schema = plastica/fits: must be plastica/scene-fits");
   EXPECT_EQ(write("plastica/scene-fits", kSceneFitVersion + 1),
-            path_ + ": version = 5: must be 3 to 4, which this Plastica reads");
+            path_ + ": version = 6: must be 3 to 5, which this Plastica reads");
   EXPECT_NE(write("plastica/scene-fits", kSceneFitVersion).find("/fits/name"), std::string::npos);
 }
 
@@ -197,7 +199,7 @@ TEST_F(SceneFitStore, NamesARowOfAFitThatIsNotThere) {
     }
     return message_of([&] { read_scene_fit_store(other); });
   };
-  for (const std::string table : {"parameters", "segments", "parts", "starts", "warnings"}) {
+  for (const std::string table : {"parameters", "segments", "targets", "starts", "warnings"}) {
     EXPECT_EQ(spoilt(table), folder_.file("other.h5") + ": /" + table +
                                  "/fit: names a fit that is not in the file");
   }

@@ -22,7 +22,7 @@ TEST(SceneResultBytes, GiveBackAnEmptyResult) {
 TEST(SceneResultBytes, TellApartResultsThatDifferInASingleBit) {
   SceneFitResult result = filled_scene_record("a").result;
   const auto before = bytes_of(result);
-  result.parts[0].fitted[0] = -0.0;  // was 0.0
+  result.targets[0].fitted[0] = -0.0;  // was 0.0
   EXPECT_NE(bytes_of(result), before);
   EXPECT_FALSE(same_bits(scene_result_from_bytes(before), result));
 }

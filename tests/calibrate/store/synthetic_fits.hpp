@@ -109,10 +109,10 @@ inline FitRecord filled_record(const std::string& name) {
   r.correlation = {1.0, kNan, kNan, 1.0};
   r.cost = 1e10;
   r.misfit_rms = 1e5;
-  r.misfit_share = 0.001;
+  r.misfit_fraction = 0.001;
   r.misfit_word = "close";
   r.law = Law::Ideal;
-  r.runs_probability = 0.31;
+  r.runs_test_p = 0.31;
   r.autocorrelation = -0.2;
   r.effective_samples = 6.4;
   r.noise = 2e6;

@@ -21,7 +21,7 @@ inline auto members(const SceneTarget& v) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, where, other_where] = v;
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
 }
-inline auto members(const ScenePartFit& v) {
+inline auto members(const TargetFit& v) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k] = v;
   return std::tie(a, b, c, d, e, f, g, h, i, j, k);
 }
@@ -85,28 +85,28 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
        3.87e-4, 2e-5, 0.0202, 0.0218, 5.0, true, false, true,
        Judgement{Verdict::LimitedBySampling, 0.018}}};
   r.correlation = {1.0, kNan, -0.97, kNan, 1.0, kNan, -0.97, kNan, 1.0};
-  r.parts = {{bent.name,
-              Level::Planar,
-              5,
-              12.0,
-              1.5,
-              3.5,
-              0.008,
-              kNan,
-              {0.0, 96.0, 189.0, 211.0, 119.0},
-              {0.0, 0.5, 1.0, 1.25, 1.0},
-              0.021},
-             {twisted.name,
-              Level::Twist,
-              3,
-              0.02,
-              0.1,
-              std::numeric_limits<double>::infinity(),
-              0.02,
-              0.004,
-              {0.0, 5.1, 5.9},
-              {0.0, 0.1, 0.1},
-              kNan}};
+  r.targets = {{bent.name,
+                Level::Planar,
+                5,
+                12.0,
+                1.5,
+                3.5,
+                0.008,
+                kNan,
+                {0.0, 96.0, 189.0, 211.0, 119.0},
+                {0.0, 0.5, 1.0, 1.25, 1.0},
+                0.021},
+               {twisted.name,
+                Level::Twist,
+                3,
+                0.02,
+                0.1,
+                std::numeric_limits<double>::infinity(),
+                0.02,
+                0.004,
+                {0.0, 5.1, 5.9},
+                {0.0, 0.1, 0.1},
+                kNan}};
   r.degrees_of_freedom = 6.5;
   r.starts = {
       {{200e9, 300e6}, {205e9, 380e6}, 7.1, LeastSquaresOutcome::StepReached, 31},
@@ -160,9 +160,9 @@ inline SceneFitRecord failed_scene_record(const std::string& name) {
   r.status = FitStatus::Failed;
   r.reason = "no curve at the start";
   r.correlation.clear();
-  for (ScenePartFit& part : r.parts) {
-    part.fitted.clear();
-    part.fitted_error.clear();
+  for (TargetFit& of_target : r.targets) {
+    of_target.fitted.clear();
+    of_target.fitted_error.clear();
   }
   r.intervals = {};
   r.starts.resize(1);

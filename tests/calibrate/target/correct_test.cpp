@@ -37,13 +37,13 @@ Curve with_foot(double amount) {
   return curve;
 }
 
-/// A smooth curve that falls on from its largest stress along given shares of it.
-Curve ending_with(std::initializer_list<double> shares, double step = 1e-7) {
+/// A smooth curve that falls on from its largest stress along given fractions of it.
+Curve ending_with(std::initializer_list<double> fractions, double step = 1e-7) {
   Curve curve = smooth_curve();
   const double rm = curve.stress.back();
-  for (const double share : shares) {
+  for (const double fraction : fractions) {
     curve.strain.push_back(curve.strain.back() + step);
-    curve.stress.push_back(share * rm);
+    curve.stress.push_back(fraction * rm);
   }
   return curve;
 }
@@ -126,10 +126,10 @@ TEST(Correction, TrimsAtAnExplicitFallToZero) {
 TEST(Correction, TrimsAtASteepDropOfTheLoadThatDecaysOverManySamples) {
   const Target target = make_target("decay", ending_with({0.97, 0.9, 0.7, 0.4, 0.3, 0.2, 0.15}));
   ASSERT_TRUE(target.characteristics.observed_break.has_value());
-  const BreakObservation& seen = *target.characteristics.observed_break;
-  EXPECT_EQ(seen.rule, "load-drop");
+  const BreakObservation& observed = *target.characteristics.observed_break;
+  EXPECT_EQ(observed.rule, "load-drop");
   EXPECT_EQ(target.corrected.size(), 502U);  // 0.97 and 0.9 still carry load
-  EXPECT_NEAR(seen.first_broken_strain - seen.last_whole_strain, 1e-7, 1e-12);
+  EXPECT_NEAR(observed.first_broken_strain - observed.last_intact_strain, 1e-7, 1e-12);
 }
 
 TEST(Correction, TakesSlowSofteningForANeckNotForABreak) {
@@ -141,10 +141,10 @@ TEST(Correction, TakesSlowSofteningForANeckNotForABreak) {
 TEST(Correction, TakesTheEndOfTheDataForTheBreakOfANeckedSpecimen) {
   const Target target = make_target("end", ending_with({0.97, 0.92, 0.86}, 0.005));
   ASSERT_TRUE(target.characteristics.observed_break.has_value());
-  const BreakObservation& seen = *target.characteristics.observed_break;
-  EXPECT_EQ(seen.rule, "end-of-data");
+  const BreakObservation& observed = *target.characteristics.observed_break;
+  EXPECT_EQ(observed.rule, "end-of-data");
   EXPECT_EQ(target.corrected.size(), 503U);
-  EXPECT_NEAR(seen.half_interval(), 0.0025, 1e-12);
+  EXPECT_NEAR(observed.half_interval(), 0.0025, 1e-12);
 }
 
 TEST(Correction, DoesNotTakeTheEndOfAYieldPlateauForABreak) {
@@ -256,7 +256,7 @@ TEST(Correction, FindsTheBreakOfANoisyPlateauToTheSample) {
     const Curve curve = test.curve(seed);
     const auto found = find_break(curve, Loading::Monotonic, test.modulus, false, {});
     ASSERT_TRUE(found.has_value()) << seed;
-    EXPECT_EQ(found->whole, test.whole()) << seed;
+    EXPECT_EQ(found->intact, test.intact()) << seed;
   }
 }
 

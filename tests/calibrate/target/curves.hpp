@@ -22,7 +22,7 @@ struct IdealPlastic {
   double yield_strain() const { return yield_stress / modulus; }
 
   /// Evenly spaced on the elastic part and on the plateau; the break falls half a step after the
-  /// last whole sample.
+  /// last intact sample.
   calibrate::Curve curve(unsigned seed = 1) const {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal(0.0, noise > 0.0 ? noise * yield_stress : 1.0);
@@ -32,8 +32,8 @@ struct IdealPlastic {
       out.stress.push_back(stress + (noise > 0.0 ? normal(random) : 0.0));
     };
     for (std::size_t i = 0; i <= elastic; ++i) {
-      const double share = static_cast<double>(i) / static_cast<double>(elastic);
-      add(share * yield_strain(), share * yield_stress);
+      const double fraction = static_cast<double>(i) / static_cast<double>(elastic);
+      add(fraction * yield_strain(), fraction * yield_stress);
     }
     const double step = permanent_break / (static_cast<double>(plateau) + 0.5);
     for (std::size_t i = 1; i <= plateau + broken; ++i) {
@@ -41,7 +41,7 @@ struct IdealPlastic {
     }
     return out;
   }
-  std::size_t whole() const { return elastic + 1 + plateau; }
+  std::size_t intact() const { return elastic + 1 + plateau; }
 };
 
 /// A smooth curve with hardening, as of an aluminium alloy: 70 GPa, 300 MPa, to 10 %.

@@ -42,9 +42,9 @@ TEST(GuessSource, TakesLoadAndExtensometerWhereThereIsNoStress) {
   EXPECT_EQ(source.force->unit, "kN");
   EXPECT_EQ(source.elongation.value().unit, "mm");
   EXPECT_FALSE(source.strain.has_value());
-  const TargetSource share = guess("Time (s),Load (kN),Extensometer elongation (%),x");
-  EXPECT_EQ(share.strain.value().unit, "%");
-  EXPECT_FALSE(share.elongation.has_value());
+  const TargetSource fraction = guess("Time (s),Load (kN),Extensometer elongation (%),x");
+  EXPECT_EQ(fraction.strain.value().unit, "%");
+  EXPECT_FALSE(fraction.elongation.has_value());
 }
 
 TEST(GuessSource, LeavesEmptyWhatItCannotTell) {

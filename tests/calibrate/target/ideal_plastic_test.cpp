@@ -34,15 +34,15 @@ void expect_undisturbed(const IdealPlastic& test, unsigned k) {
   ASSERT_EQ(target.status, TargetStatus::Ready) << k << ": " << target.reason;
   EXPECT_EQ(target.loading, Loading::Monotonic) << k;
   EXPECT_TRUE(target.repairs.empty()) << k;
-  ASSERT_EQ(target.corrected.size(), test.whole()) << k;
-  for (std::size_t i = 0; i < test.whole(); ++i) {
+  ASSERT_EQ(target.corrected.size(), test.intact()) << k;
+  for (std::size_t i = 0; i < test.intact(); ++i) {
     ASSERT_EQ(target.corrected.strain[i], target.raw.strain[i]) << k;
     ASSERT_EQ(target.corrected.stress[i], target.raw.stress[i]) << k;
   }
   ASSERT_TRUE(target.characteristics.observed_break.has_value()) << k;
-  const BreakObservation& seen = *target.characteristics.observed_break;
-  EXPECT_EQ(seen.last_whole_strain, target.raw.strain[test.whole() - 1]) << k;
-  EXPECT_EQ(seen.first_broken_strain, target.raw.strain[test.whole()]) << k;
+  const BreakObservation& observed = *target.characteristics.observed_break;
+  EXPECT_EQ(observed.last_intact_strain, target.raw.strain[test.intact() - 1]) << k;
+  EXPECT_EQ(observed.first_broken_strain, target.raw.strain[test.intact()]) << k;
   EXPECT_FALSE(target.characteristics.reh.has_value()) << k;
 }
 
@@ -84,19 +84,19 @@ TEST(IdealPlasticCurve, EvenlySpacedOverallPassesUndisturbed) {
     ++tried;
     std::normal_distribution<double> normal(0.0, 1.0);
     Curve curve;
-    std::size_t whole = 0;
+    std::size_t intact = 0;
     for (double strain = 0.0; strain < total + 2.0 * step; strain += step) {
-      const bool is_whole = strain <= total;
-      whole += is_whole ? 1 : 0;
-      const double stress = is_whole ? std::min(test.modulus * strain, test.yield_stress) : 0.0;
+      const bool is_intact = strain <= total;
+      intact += is_intact ? 1 : 0;
+      const double stress = is_intact ? std::min(test.modulus * strain, test.yield_stress) : 0.0;
       curve.strain.push_back(strain);
       curve.stress.push_back(stress + test.noise * test.yield_stress * normal(random));
     }
     const Target target = make_target("even", curve);
     EXPECT_EQ(target.status, TargetStatus::Ready) << k << ": " << target.reason;
-    ASSERT_EQ(target.corrected.size(), whole) << k;
+    ASSERT_EQ(target.corrected.size(), intact) << k;
     EXPECT_EQ(target.corrected.strain.front(), 0.0) << k;
-    EXPECT_EQ(target.corrected.strain.back(), curve.strain[whole - 1]) << k;
+    EXPECT_EQ(target.corrected.strain.back(), curve.strain[intact - 1]) << k;
   }
 }
 

@@ -66,7 +66,7 @@ TEST(MakeTarget, WarnsOfACurveThatIsElasticToItsEndAndKeepsItReady) {
   const Target target = make_target("elastic", curve);
   EXPECT_EQ(target.status, TargetStatus::Ready) << target.reason;
   ASSERT_EQ(target.warnings.size(), 1U);
-  EXPECT_EQ(target.warnings[0], "elastic to its end: the yield stress is not seen");
+  EXPECT_EQ(target.warnings[0], "elastic to its end: the yield stress is not identifiable");
   EXPECT_FALSE(target.characteristics.rp02.has_value());
   EXPECT_TRUE(make_target("smooth", plastica::testing::smooth_curve()).warnings.empty());
 }

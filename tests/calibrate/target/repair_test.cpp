@@ -22,11 +22,11 @@ std::size_t count_of(const Target& target, const std::string& kind) {
   return 0;
 }
 
-Curve settling_cycles(double peak_share) {
+Curve settling_cycles(double peak_fraction) {
   const Curve smooth = smooth_curve();
   Curve curve;
   std::size_t top = 0;
-  while (smooth.stress[top] < peak_share * 350e6) ++top;
+  while (smooth.stress[top] < peak_fraction * 350e6) ++top;
   for (std::size_t i = 0; i <= top; ++i) {
     curve.strain.push_back(smooth.strain[i]);
     curve.stress.push_back(smooth.stress[i]);
@@ -118,7 +118,7 @@ TEST(Repair, TakesSettlingCyclesBelowHalfOfTheLargestStressForMonotonic) {
   EXPECT_GT(count_of(target, "strain-reversals"), 0U);
 }
 
-/// Tension to 5 % with elastic loops down to a share of the stress, spread over the test.
+/// Tension to 5 % with elastic loops down to a fraction of the stress, spread over the test.
 Curve with_loops(int loops, double down_to, double end = 0.05) {
   const Curve smooth = smooth_curve(500, end);
   Curve curve;
@@ -165,7 +165,7 @@ TEST(Repair, TakesAChangeOfSignForCyclicAndKeepsAllSamples) {
   EXPECT_EQ(target.corrected.size(), curve.size());
 }
 
-/// Tension to 5 %, then unloading over some samples at a share of the modulus.
+/// Tension to 5 %, then unloading over some samples at a fraction of the modulus.
 Curve unloaded(int samples, double down_to, double slope = 1.0) {
   Curve curve = smooth_curve(500, 0.05);
   const double strain = curve.strain.back();

@@ -217,7 +217,8 @@ TEST(TargetReference, NoisyBilinearCurvesAreNeitherShiftedNorCalledCoarse) {
     EXPECT_EQ(target.corrected.strain, target.raw.strain) << target.name;
   }
   ASSERT_FALSE(targets.back().warnings.empty());
-  EXPECT_EQ(targets.back().warnings.back(), "elastic to its end: the yield stress is not seen");
+  EXPECT_EQ(targets.back().warnings.back(),
+            "elastic to its end: the yield stress is not identifiable");
 }
 
 }  // namespace

@@ -40,16 +40,16 @@ TEST(Redivided, HalvesAndDoublesTheSegments) {
 
 TEST(Redivided, CutsUnevenSegmentsInTwoAndJoinsThem) {
   plastica::Setup setup = bar(4);
-  setup.scene.beam.segment_shares = {0.1, 0.2, 0.3, 0.4};
+  setup.scene.beam.segment_fractions = {0.1, 0.2, 0.3, 0.4};
   setup.scene.loads[0].at = {0.0, 2};  // at 0.3 of the length
   const plastica::Setup twice = remeshed(setup, Division::Twice);
-  EXPECT_EQ(twice.scene.beam.segment_shares,
+  EXPECT_EQ(twice.scene.beam.segment_fractions,
             (std::vector<double>{0.05, 0.05, 0.1, 0.1, 0.15, 0.15, 0.2, 0.2}));
   EXPECT_FALSE(twice.scene.loads[0].at.segment);
   EXPECT_DOUBLE_EQ(twice.scene.loads[0].at.fraction, 0.3);
   const plastica::Setup half = remeshed(setup, Division::Half);
-  ASSERT_EQ(half.scene.beam.segment_shares.size(), 2U);
-  EXPECT_DOUBLE_EQ(half.scene.beam.segment_shares[0], 0.3);
+  ASSERT_EQ(half.scene.beam.segment_fractions.size(), 2U);
+  EXPECT_DOUBLE_EQ(half.scene.beam.segment_fractions[0], 0.3);
   EXPECT_TRUE(usable(simulate(half.scene, half.solver).status));
 }
 

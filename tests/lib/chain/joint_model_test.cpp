@@ -80,7 +80,7 @@ TEST(JointModel, OfAFreeEndHasNoJoint) {
   EXPECT_EQ(joints[4].end, 1.0);
 }
 
-/// Where a thick part meets a thin one, the thin one owns the joint: its numbers, and the length
+/// Where a thick region meets a thin one, the thin one owns the joint: its numbers, and the length
 /// of it that is as soft as half a segment of each, l_thin/2 + l_thick/2 I_thin/I_thick.
 TEST(JointModel, BetweenUnlikePartsIsOfTheWeakerOne) {
   Scene scene = circle(YieldCap::FirstYield);
@@ -97,7 +97,7 @@ TEST(JointModel, BetweenUnlikePartsIsOfTheWeakerOne) {
   EXPECT_NEAR(between.own_length(), length, 1e-15);
   EXPECT_NEAR(between.strain_per_angle(0), 0.005 / length, 1e-12);
   EXPECT_NEAR(between.length[3], 0.125 + 0.125 / 4.0, 1e-15);
-  // What gathers there is of the thin part alone.
+  // What gathers there is of the thin region alone.
   EXPECT_EQ(between.begin, 0.5);
   EXPECT_EQ(between.end, 0.625);
 }

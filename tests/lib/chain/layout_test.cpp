@@ -15,7 +15,7 @@ Layout layout_of(const Scene& scene) { return make_layout(scene, segment_ends(sc
 
 TEST(Layout, GivesEachInnerJointHalfOfBothSegmentsAndTheEndsHalfOfOne) {
   Scene scene = cantilever(4, {});
-  scene.beam.segment_shares = {0.1, 0.2, 0.3, 0.4};
+  scene.beam.segment_fractions = {0.1, 0.2, 0.3, 0.4};
   const Layout layout = layout_of(scene);
   const std::vector<double> expected{0.05, 0.15, 0.25, 0.35, 0.2};
   for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -72,12 +72,12 @@ TEST(Layout, LetsTheLastRegionThatHoldsAPointWin) {
   scene.regions.push_back({{0.5, {}}, Place::end(), scene.section, scene.material});
   scene.regions.push_back({{0.75, {}}, Place::end(), scene.section, scene.material});
   const Layout layout = layout_of(scene);
-  ASSERT_EQ(layout.parts.size(), 3U);
+  ASSERT_EQ(layout.regions.size(), 3U);
   const std::vector<std::size_t> expected{0, 0, 1, 2};
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(layout.segment_part[i].middle, expected[i]);
-    EXPECT_EQ(layout.segment_part[i].inner, expected[i]);
-    EXPECT_EQ(layout.segment_part[i].outer, expected[i]);
+    EXPECT_EQ(layout.segment_regions[i].middle, expected[i]);
+    EXPECT_EQ(layout.segment_regions[i].inner, expected[i]);
+    EXPECT_EQ(layout.segment_regions[i].outer, expected[i]);
   }
 }
 
@@ -88,15 +88,15 @@ TEST(Layout, GivesEachSegmentAndJointOfATaperItsOwnSection) {
   scene.regions[0].to_section = scene.section;
   scene.regions[0].to_section->height = 0.02;
   const Layout layout = layout_of(scene);
-  const auto height = [&](std::size_t part) { return layout.parts[part].section.height; };
-  EXPECT_EQ(layout.segment_part[1].outer, 0U);
-  EXPECT_DOUBLE_EQ(height(layout.segment_part[2].inner), 0.1);
-  EXPECT_DOUBLE_EQ(height(layout.segment_part[2].middle), 0.08);
-  EXPECT_DOUBLE_EQ(height(layout.segment_part[2].outer), 0.06);
-  EXPECT_EQ(layout.segment_part[3].inner, layout.segment_part[2].outer);
-  EXPECT_DOUBLE_EQ(height(layout.segment_part[3].outer), 0.02);
-  for (std::size_t part = 1; part < layout.parts.size(); ++part) {
-    EXPECT_EQ(layout.parts[part].region, 1U);
+  const auto height = [&](std::size_t region) { return layout.regions[region].section.height; };
+  EXPECT_EQ(layout.segment_regions[1].outer, 0U);
+  EXPECT_DOUBLE_EQ(height(layout.segment_regions[2].inner), 0.1);
+  EXPECT_DOUBLE_EQ(height(layout.segment_regions[2].middle), 0.08);
+  EXPECT_DOUBLE_EQ(height(layout.segment_regions[2].outer), 0.06);
+  EXPECT_EQ(layout.segment_regions[3].inner, layout.segment_regions[2].outer);
+  EXPECT_DOUBLE_EQ(height(layout.segment_regions[3].outer), 0.02);
+  for (std::size_t region = 1; region < layout.regions.size(); ++region) {
+    EXPECT_EQ(layout.regions[region].scene_region, 1U);
   }
 }
 

@@ -47,7 +47,7 @@ TEST(Break, HappensAtTheExactStrainForLinearHardening) {
   Scene scene = breaking_scene(Deformation::Tension, {0.05});
   scene.material.hardening.law = HardeningLaw::Linear;
   scene.material.hardening.tangent_modulus = 2e9;
-  scene.material.hardening.kinematic_share = 0.5;
+  scene.material.hardening.kinematic_fraction = 0.5;
   const Response response = simulate(scene);
   ASSERT_TRUE(response.event);
   const double modulus = kE * 2e9 / (kE - 2e9);

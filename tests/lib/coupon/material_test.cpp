@@ -212,7 +212,7 @@ TEST(CouponMaterial, TurnsTheTangentModulusIntoAPlasticModulus) {
   Scene scene = coupon_scene(Deformation::Tension, {0.0});
   scene.material.hardening.law = HardeningLaw::Linear;
   scene.material.hardening.tangent_modulus = 2e9;
-  scene.material.hardening.kinematic_share = 0.25;
+  scene.material.hardening.kinematic_fraction = 0.25;
   const auto values = material_values(scene.material);
   const auto law = law::LinearHardening<double>::of(material_of(scene), values);
   expect_close(law.isotropic, 0.75 * kE * 2e9 / (kE - 2e9));

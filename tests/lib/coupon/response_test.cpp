@@ -53,14 +53,14 @@ TEST(Coupon, OfLinearHardeningFollowsTheTangentModulusAndTheBauschingerEffect) {
     const double tangent = c.stiffness * modulus / (c.stiffness + modulus);
     const double y = c.yield / c.stiffness;
     const double top = c.yield + tangent * 9.0 * y;
-    for (const double share : {0.0, 0.4, 1.0}) {
+    for (const double fraction : {0.0, 0.4, 1.0}) {
       // Reversed yield: kinematic hardening keeps the elastic range of 2 Y, isotropic widens it.
-      const double range = 2.0 * (c.yield + (1.0 - share) * (top - c.yield));
+      const double range = 2.0 * (c.yield + (1.0 - fraction) * (top - c.yield));
       Scene scene =
           coupon_scene(c.deformation, {10.0 * y, 10.0 * y - range / c.stiffness, -20.0 * y});
       scene.material.hardening.law = HardeningLaw::Linear;
       scene.material.hardening.tangent_modulus = 2e9;
-      scene.material.hardening.kinematic_share = share;
+      scene.material.hardening.kinematic_fraction = fraction;
       const std::vector<double> stress = of(simulate(scene), ProbeQuantity::Stress);
       expect_stress(stress[0], top);
       expect_stress(stress[1], top - range);

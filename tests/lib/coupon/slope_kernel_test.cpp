@@ -72,9 +72,9 @@ constexpr BreakMeasure kMeasures[] = {BreakMeasure::Net, BreakMeasure::Accumulat
 
 std::vector<std::size_t> fields_of(std::size_t n) {
   constexpr MaterialField kFields[] = {
-      MaterialField::YoungsModulus,    MaterialField::YieldStress,   MaterialField::TangentModulus,
-      MaterialField::SaturationStress, MaterialField::BackModulus1,  MaterialField::BackRate1,
-      MaterialField::KinematicShare,   MaterialField::SaturationRate};
+      MaterialField::YoungsModulus,     MaterialField::YieldStress,   MaterialField::TangentModulus,
+      MaterialField::SaturationStress,  MaterialField::BackModulus1,  MaterialField::BackRate1,
+      MaterialField::KinematicFraction, MaterialField::SaturationRate};
   std::vector<std::size_t> fields;
   for (std::size_t i = 0; i < n; ++i) fields.push_back(static_cast<std::size_t>(kFields[i]));
   return fields;

@@ -50,11 +50,11 @@ TEST(Journal, GivesBackItsRecordsInOrder) {
   const JournalContent content = read_journal(folder.file("j"), kRun);
   EXPECT_EQ(content.state, JournalState::Usable);
   EXPECT_EQ(content.dropped_bytes, 0U);
-  EXPECT_EQ(content.whole_bytes, std::filesystem::file_size(folder.file("j")));
+  EXPECT_EQ(content.complete_bytes, std::filesystem::file_size(folder.file("j")));
   expect_cases(content, 20);
 }
 
-TEST(Journal, CutOffAtAnyByteGivesAllWholeRecordsAndGoesOn) {
+TEST(Journal, CutOffAtAnyByteGivesAllCompleteRecordsAndGoesOn) {
   const ScratchFolder folder;
   write_cases(folder.file("whole"), 6);
   const std::string whole = content_of(folder.file("whole"));
@@ -63,7 +63,7 @@ TEST(Journal, CutOffAtAnyByteGivesAllWholeRecordsAndGoesOn) {
     const std::string path = folder.write("cut", whole.substr(0, size));
     const JournalContent content = read_journal(path, kRun);
     ASSERT_EQ(content.state, size < 24 ? JournalState::Absent : JournalState::Usable) << size;
-    EXPECT_EQ(content.whole_bytes + content.dropped_bytes, size);
+    EXPECT_EQ(content.complete_bytes + content.dropped_bytes, size);
     ASSERT_GE(content.records.size(), last_count);
     last_count = content.records.size();
     expect_cases(content, last_count);

@@ -86,7 +86,7 @@ TEST(ChainScene, TakesPlacesByNameNumberAndFraction) {
   EXPECT_EQ(place("{ segment = 10 }").segment, 10);
   for (const std::string start : {"0", "0.0", "{ segment = 0 }", "'start'"}) {
     const Scene scene = scene_of("[[support]]\nat = " + start + "\nkind = 'clamp'\n" + kForce);
-    EXPECT_EQ(share_of(scene.supports[0].at, segment_ends(scene)), 0.0) << start;
+    EXPECT_EQ(fraction_of(scene.supports[0].at, segment_ends(scene)), 0.0) << start;
   }
 }
 
@@ -184,17 +184,17 @@ TEST(ChainScene, ReadsGravityAsAListOrATable) {
   EXPECT_DOUBLE_EQ(whole.gravity[1], -9.80665);
 }
 
-TEST(ChainScene, DividesTheBeamByLengthsOrShares) {
+TEST(ChainScene, DividesTheBeamByLengthsOrFractions) {
   const Scene lengths =
       scene_of("beam.segment_lengths = ['500 mm', '1 m', '0.5 m']\n" + kClamp + kForce);
   EXPECT_EQ(lengths.beam.length, 2.0);
   EXPECT_EQ(lengths.beam.segments, 3);
-  EXPECT_EQ(lengths.beam.segment_shares, (std::vector<double>{0.25, 0.5, 0.25}));
-  const Scene shares = scene_of("[beam]\nlength = '3 m'\nsegment_lengths = [0.25, '75 %']\n" +
-                                std::string("joint_lengths = ['1 m']\n") + kClamp + kForce);
-  EXPECT_EQ(shares.beam.length, 3.0);
-  EXPECT_EQ(shares.beam.segment_shares, (std::vector<double>{0.25, 0.75}));
-  EXPECT_EQ(shares.beam.joint_lengths, (std::vector<double>{1.0}));
+  EXPECT_EQ(lengths.beam.segment_fractions, (std::vector<double>{0.25, 0.5, 0.25}));
+  const Scene fractions = scene_of("[beam]\nlength = '3 m'\nsegment_lengths = [0.25, '75 %']\n" +
+                                   std::string("joint_lengths = ['1 m']\n") + kClamp + kForce);
+  EXPECT_EQ(fractions.beam.length, 3.0);
+  EXPECT_EQ(fractions.beam.segment_fractions, (std::vector<double>{0.25, 0.75}));
+  EXPECT_EQ(fractions.beam.joint_lengths, (std::vector<double>{1.0}));
 }
 
 TEST(ChainScene, ReadsShapes) {

@@ -13,7 +13,7 @@ namespace {
 plastica::Setup full_setup() {
   plastica::Setup setup;
   Scene& scene = setup.scene;
-  scene.beam.segment_shares.assign(10, 0.1);
+  scene.beam.segment_fractions.assign(10, 0.1);
   scene.beam.joint_lengths.assign(9, 0.1);
   scene.beam.points.push_back({0.0, 0.0, 0.0});
   scene.regions.emplace_back();
@@ -51,7 +51,7 @@ TEST(SceneDigest, ChangesWithEveryField) {
 TEST(SceneDigest, ChangesWithEverythingThatNoFieldNames) {
   using Change = std::function<void(plastica::Setup&)>;
   const std::vector<Change> changes{
-      [](auto& s) { s.scene.beam.segment_shares[0] = 0.2; },
+      [](auto& s) { s.scene.beam.segment_fractions[0] = 0.2; },
       [](auto& s) { s.scene.beam.joint_lengths[0] = 0.2; },
       [](auto& s) {
         s.scene.beam.arc_towards = {1.0, 0.0, 0.0};

@@ -158,7 +158,7 @@ TEST(SceneFile, ReadsATableOfHardening) {
   const Hardening h = read_scene(
                           "[material.hardening]\nlaw = 'multilinear'\n"
                           "plastic_strain = ['0.2 %', 0.01]\n"
-                          "flow_stress = ['380 MPa', '0.4 GPa']\nkinematic_share = 0.25\n" +
+                          "flow_stress = ['380 MPa', '0.4 GPa']\nkinematic_fraction = 0.25\n" +
                           kDrive)
                           .scene.material.hardening;
   EXPECT_EQ(h.law, HardeningLaw::Multilinear);
@@ -167,7 +167,7 @@ TEST(SceneFile, ReadsATableOfHardening) {
   EXPECT_EQ(h.plastic_strain[2], 0.0);
   EXPECT_DOUBLE_EQ(h.flow_stress[0], 380e6);
   EXPECT_DOUBLE_EQ(h.flow_stress[1], 400e6);
-  EXPECT_EQ(h.kinematic_share, 0.25);
+  EXPECT_EQ(h.kinematic_fraction, 0.25);
 }
 
 TEST(SceneFile, ReadsShapesThatNeedAllOfTheirDimensions) {
@@ -275,7 +275,7 @@ TEST(SceneFileErrors, AFieldOutOfRangeIsRefusedAsItIsWritten) {
   EXPECT_EQ(scene_error("[material]\nyield_stress = '-5 MPa'\n" + kDrive),
             "s.toml:2: material.yield_stress = -5 MPa: must be above 0 Pa");
   EXPECT_EQ(scene_error("[beam]\nsegments = 2.5\n" + kDrive),
-            "s.toml:2: beam.segments = 2.5: must be a whole number");
+            "s.toml:2: beam.segments = 2.5: must be an integer");
 }
 
 TEST(SceneFileErrors, AChoiceThatIsNoneIsRefused) {
@@ -286,7 +286,7 @@ TEST(SceneFileErrors, AChoiceThatIsNoneIsRefused) {
 
 TEST(SceneFileErrors, FieldsThatContradictEachOtherAreRefused) {
   EXPECT_EQ(scene_error("[rules]\nformulas = 'report'\nyield_cap = 'fully_plastic'\n" + kDrive),
-            "s.toml:3: rules.yield_cap = fully_plastic: the report's caps are at first yield");
+            "s.toml:3: rules.yield_cap = fully_plastic: Wendelius' caps are at first yield");
 }
 
 TEST(SceneFileErrors, AnUnknownKeyIsRefusedWithTheNearestField) {

@@ -225,7 +225,7 @@ TEST_F(SceneStore, ReadsTheSetupBackWhole) {
   scene.regions[1].to_section->inner_radius = 0.003;
   scene.regions[1].to_section->name = "narrow";
   scene.regions[1].section.shear_coefficient.reset();
-  scene.beam.segment_shares = {0.1, 0.2, 0.3, 0.4};
+  scene.beam.segment_fractions = {0.1, 0.2, 0.3, 0.4};
   scene.beam.joint_lengths = {0.2, 0.3, 0.4};
   scene.beam.arc_towards = {1.0, 0.0, 0.0};
   scene.beam.points = {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
@@ -260,7 +260,7 @@ TEST_F(SceneStore, ReadsTheSetupBackWhole) {
   EXPECT_FALSE(read.scene.regions[1].section.shear_coefficient);
   EXPECT_EQ(read.scene.regions[1].material.name, "lead");
   EXPECT_EQ(read.scene.regions[1].material.yield_stress, 12e6);
-  EXPECT_EQ(read.scene.beam.segment_shares, scene.beam.segment_shares);
+  EXPECT_EQ(read.scene.beam.segment_fractions, scene.beam.segment_fractions);
   EXPECT_EQ(read.scene.beam.joint_lengths, scene.beam.joint_lengths);
   EXPECT_EQ(read.scene.beam.arc_towards, scene.beam.arc_towards);
   EXPECT_EQ(read.scene.beam.points, scene.beam.points);
@@ -269,7 +269,7 @@ TEST_F(SceneStore, ReadsTheSetupBackWhole) {
   EXPECT_EQ(read.solver.control_motion, record.setup.solver.control_motion);
 }
 
-TEST_F(SceneStore, HasPlacesAsSharesOfTheLength) {
+TEST_F(SceneStore, HasPlacesAsFractionsOfTheLength) {
   io::SceneFile file = io::parse_scene_file(cantilever_text(), "beam.toml");
   file.setup.scene.initial_motions = {{{0.0, 1}, {0.0, 3}, {}, {}, {0.0, 2}}};
   file.setup.scene.cuts = {{{0.0, 3}, 0.1}};
@@ -306,7 +306,7 @@ TEST_F(SceneStore, OfAnotherSchemaOrVersionIsRefused) {
   write("plastica/fits", 1);
   EXPECT_EQ(reading(), path_ + ": schema = plastica/fits: must be plastica/scene");
   write(kSceneSchema, kSceneVersion + 1);
-  EXPECT_EQ(reading(), path_ + ": version = 3: must be 2, which this Plastica reads");
+  EXPECT_EQ(reading(), path_ + ": version = 4: must be 2 to 3, which this Plastica reads");
   write(kSceneSchema, kSceneVersion);
   EXPECT_EQ(reading(), path_ + ": /options: is not a group of this file");
 }

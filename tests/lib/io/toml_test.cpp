@@ -131,9 +131,9 @@ TEST(TomlErrors, AWrongKindIsShownAsWritten) {
 TEST(TomlErrors, ANumberOutOfItsRangeIsRefused) {
   const TomlTable root = parsed("a = 5\nb = 1.5\n");
   EXPECT_EQ(message_of([&] { (void)root.at("a").integer(0, 4); }),
-            "f.toml:1: a = 5: must be a whole number from 0 to 4");
+            "f.toml:1: a = 5: must be an integer from 0 to 4");
   EXPECT_EQ(message_of([&] { (void)root.at("b").integer(0, 4); }),
-            "f.toml:2: b = 1.5: must be a whole number from 0 to 4");
+            "f.toml:2: b = 1.5: must be an integer from 0 to 4");
   EXPECT_EQ(message_of([&] { (void)root.at("b").number_within(0, 1, false); }),
             "f.toml:2: b = 1.5: must be above 0 and below 1");
   EXPECT_EQ(root.at("b").number_within(0, 1.5, true), 1.5);

@@ -29,7 +29,7 @@ void add(double factor, const Plane& v, Plane& sum) {
 std::vector<double> accelerations(const RandomBeams<double>& b, int order, double h) {
   const std::size_t n = b.segments;
   const double ahead = order == 2 ? 0.5 * h : 0.0;
-  const double share = order == 2 ? 0.5 * h : h;
+  const double fraction = order == 2 ? 0.5 * h : h;
   std::vector<Plane> joint(n), direction(n), center(n), centripetal(n);
   Plane end{}, end_centripetal{};
   double angle = 0.0, spin = 0.0;
@@ -68,8 +68,8 @@ std::vector<double> accelerations(const RandomBeams<double>& b, int order, doubl
     const double k = b.kind(i, PlanarKind::Stiffness);
     const double d = b.kind(i, PlanarKind::Damping);
     const double rate = b.at(i, PlanarState::Rate);
-    force[i] -= k * (b.at(i, PlanarState::Angle) + share * rate) + d * rate;
-    mass[i][i] += share * (share * k + d);
+    force[i] -= k * (b.at(i, PlanarState::Angle) + fraction * rate) + d * rate;
+    mass[i][i] += fraction * (fraction * k + d);
   }
   return solved(std::move(mass), std::move(force));
 }

@@ -71,7 +71,7 @@ Observed observed(const Beams& b, double ahead) {
 /// Changes of the joints' rates by the whole mass matrix, where the recursion never has one.
 std::vector<Vector> accelerations(const Beams& b, int order, double h) {
   const std::size_t n = b.segments;
-  const double share = order == 2 ? 0.5 * h : h;
+  const double fraction = order == 2 ? 0.5 * h : h;
   const Observed at = observed(b, order == 2 ? 0.5 * h : 0.0);
   std::vector<std::vector<double>> mass(3 * n, std::vector<double>(3 * n, 0.0));
   std::vector<double> force(3 * n, 0.0);
@@ -105,13 +105,13 @@ std::vector<Vector> accelerations(const Beams& b, int order, double h) {
     const Square k = diagonal(kind(b, i, SpatialKind::Stiffness));
     const Square d = diagonal(kind(b, i, SpatialKind::Damping));
     // Order 2 is damped by a tenth of the change of the angle's rate.
-    const double damping = order == 2 ? 0.1 * share : 0.0;
+    const double damping = order == 2 ? 0.1 * fraction : 0.0;
     const Vector change = rate - spatial_state(b, i, SpatialState::AngleRate);
-    const Vector spring = transposed_times(
-        to_angle, k * (spatial_state(b, i, SpatialState::Angle) + share * rate + damping * change) +
-                      d * rate);
+    const Vector spring = transposed_times(to_angle, k * (spatial_state(b, i, SpatialState::Angle) +
+                                                          fraction * rate + damping * change) +
+                                                         d * rate);
     for (std::size_t c = 0; c < 3; ++c) force[3 * i + c] -= spring[c];
-    add(i, i, transpose(to_angle) * (share * ((share + damping) * k + d)) * to_angle);
+    add(i, i, transpose(to_angle) * (fraction * ((fraction + damping) * k + d)) * to_angle);
   }
   const std::vector<double> all = testing::solved(std::move(mass), std::move(force));
   std::vector<Vector> joints;

@@ -17,12 +17,12 @@ constexpr double kY = 300e6;
 const std::vector<double> kStrain{0.0, 0.002, 0.01, 0.04};
 const std::vector<double> kStress{kY, 330e6, 320e6, 400e6};
 
-Material of_table(double kinematic_share) {
+Material of_table(double kinematic_fraction) {
   Material material;
   material.youngs_modulus = kE;
   material.yield_stress = kY;
   material.hardening.law = HardeningLaw::Multilinear;
-  material.hardening.kinematic_share = kinematic_share;
+  material.hardening.kinematic_fraction = kinematic_fraction;
   std::copy(kStrain.begin() + 1, kStrain.end(), material.hardening.plastic_strain.begin());
   std::copy(kStress.begin() + 1, kStress.end(), material.hardening.flow_stress.begin());
   return material;
@@ -44,8 +44,8 @@ Grown<double> table_at(double p) {
 }
 
 TEST(Multilinear, FollowsItsTableWhenPulledOnce) {
-  for (const double share : {0.0, 0.4, 1.0}) {
-    const auto law = law_of(of_table(share));
+  for (const double fraction : {0.0, 0.4, 1.0}) {
+    const auto law = law_of(of_table(fraction));
     for (const double p : {0.0, 0.001, 0.002, 0.005, 0.01, 0.025, 0.04, 0.3}) {
       const double stress = table_at(p).value;
       const auto now = respond(law, {}, p + stress / kE);
@@ -69,14 +69,14 @@ TEST(Multilinear, OfShearHasStressesOverRAndStrainsTimesR) {
 }
 
 /// d s = K (d e - d e_p), small step by small step, with the slope of the table where it is.
-double stepped(double share, const std::vector<double>& path) {
+double stepped(double fraction, const std::vector<double>& path) {
   constexpr int kSteps = 200000;
   double stress = 0.0, back = 0.0, p = 0.0, from = 0.0;
   for (const double to : path) {
     const double de = (to - from) / kSteps;
     for (int i = 0; i < kSteps; ++i) {
       const Grown<double> table = table_at(p);
-      const double radius = kY + (1.0 - share) * (table.value - kY);
+      const double radius = kY + (1.0 - fraction) * (table.value - kY);
       const double trial = stress + kE * de;
       const double over = std::fabs(trial - back) - radius;
       if (over <= 0.0) {
@@ -86,7 +86,7 @@ double stepped(double share, const std::vector<double>& path) {
       const double dp = over / (kE + table.slope);
       const double direction = trial > back ? 1.0 : -1.0;
       stress = trial - direction * kE * dp;
-      back += direction * share * table.slope * dp;
+      back += direction * fraction * table.slope * dp;
       p += dp;
     }
     from = to;
@@ -95,15 +95,15 @@ double stepped(double share, const std::vector<double>& path) {
 }
 
 TEST(Multilinear, IsWhatSmallStepsConvergeTo) {
-  for (const double share : {0.0, 0.4, 1.0}) {
-    const auto law = law_of(of_table(share));
+  for (const double fraction : {0.0, 0.4, 1.0}) {
+    const auto law = law_of(of_table(fraction));
     std::vector<double> path;
     typename Multilinear<double>::State state;
     for (const double strain : {0.004, -0.006, 0.012, -0.02, 0.03}) {
       path.push_back(strain);
       const auto now = respond(law, state, strain);
       state = now.state;
-      EXPECT_NEAR(now.stress, stepped(share, path), 1e-5 * kY) << share << " at " << strain;
+      EXPECT_NEAR(now.stress, stepped(fraction, path), 1e-5 * kY) << fraction << " at " << strain;
     }
   }
 }
@@ -112,10 +112,10 @@ TEST(Multilinear, YieldsBackWhereItsKindOfHardeningSays) {
   // Isotropic: after twice the radius; kinematic: after twice the first yield stress.
   const double p = 0.02;
   const double top = table_at(p).value;
-  for (const double share : {0.0, 1.0}) {
-    const auto law = law_of(of_table(share));
+  for (const double fraction : {0.0, 1.0}) {
+    const auto law = law_of(of_table(fraction));
     const auto state = respond(law, {}, p + top / kE).state;
-    const double range = share == 0.0 ? 2.0 * top : 2.0 * kY;
+    const double range = fraction == 0.0 ? 2.0 * top : 2.0 * kY;
     const auto yields_at = [&](double direction) {
       return respond(law, state, p + (top - direction) / kE).state.accumulated > state.accumulated;
     };

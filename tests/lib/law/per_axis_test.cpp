@@ -97,7 +97,7 @@ TEST(PerAxisSection, CapsAtFirstYieldOrFullyPlastic) {
   EXPECT_NEAR(plastic[kBendingY], 300e6 * p.plastic_section_modulus_y, 1e-6);
   EXPECT_NEAR(plastic[kTorsion], 150e6 * p.plastic_torsion_modulus, 1e-6);
   EXPECT_NEAR(plastic[kAxial], 300e6 * p.area, 1e-3);
-  // The report's (4), (5), (6).
+  // Wendelius' (4), (5), (6).
   const auto report = force_of(YieldCap::FirstYield, Formulas::Report);
   EXPECT_NEAR(report[kBendingX], 300e6 * p.second_moment_x / 0.05, 1e-6);
   EXPECT_NEAR(report[kBendingY], 300e6 * p.second_moment_y / 0.1, 1e-6);

@@ -281,12 +281,12 @@ TEST(GivenRate, RaisesTheYieldStressAndItsGrowth) {
   for (const HardeningLaw hardening : {HardeningLaw::Ideal, HardeningLaw::Linear,
                                        HardeningLaw::VoceChaboche, HardeningLaw::Multilinear}) {
     for (Material material : {cowper_symonds(hardening), johnson_cook(hardening)}) {
-      material.hardening.kinematic_share = 0.0;
+      material.hardening.kinematic_fraction = 0.0;
       material.rate.strain_rate = 7.0;
       const double factor = factor_by_hand(material, 7.0);
       Material raised = steel(hardening);
       Hardening& h = raised.hardening;
-      h.kinematic_share = 0.0;
+      h.kinematic_fraction = 0.0;
       raised.yield_stress *= factor;
       *raised.shear_yield_stress *= factor;
       h.saturation_stress *= factor;

@@ -13,7 +13,7 @@
 #include "tests/lib/law/gauge_of.hpp"
 #include "tests/reference/reference_table.hpp"
 
-/// Where a section yields along directions of (M_x, M_y, T): the answers to the report's validation
+/// Where a section yields along directions of (M_x, M_y, T): the answers to Wendelius' validation
 /// proposals 4 (bending about both axes) and 5 (bending with torsion).
 namespace plastica::law {
 namespace {

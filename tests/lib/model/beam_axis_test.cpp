@@ -23,9 +23,9 @@ TEST(SegmentEnds, DivideABeamEvenly) {
   EXPECT_EQ(segment_ends(scene_of(1)), (std::vector<double>{0.0, 1.0}));
 }
 
-TEST(SegmentEnds, FollowTheSharesOfTheSegments) {
+TEST(SegmentEnds, FollowTheFractionsOfTheSegments) {
   Scene scene = scene_of(3);
-  scene.beam.segment_shares = {0.5, 0.25, 0.25};
+  scene.beam.segment_fractions = {0.5, 0.25, 0.25};
   EXPECT_EQ(segment_ends(scene), (std::vector<double>{0.0, 0.5, 0.75, 1.0}));
 }
 
@@ -108,10 +108,10 @@ TEST(SegmentEnds, HalveTheEndSegmentsOfUnevenOnesToo) {
 
 TEST(Places, AreFoundByNumberAndByFraction) {
   const std::vector<double> ends = segment_ends(scene_of(10));
-  EXPECT_EQ(share_of({0.0, 3}, ends), ends[3]);
-  EXPECT_EQ(share_of({0.31, {}}, ends), 0.31);
-  EXPECT_EQ(share_of({0.3000000001, {}}, ends), ends[3]);
-  EXPECT_EQ(share_of({1e-10, {}}, ends), 0.0);
+  EXPECT_EQ(fraction_of({0.0, 3}, ends), ends[3]);
+  EXPECT_EQ(fraction_of({0.31, {}}, ends), 0.31);
+  EXPECT_EQ(fraction_of({0.3000000001, {}}, ends), ends[3]);
+  EXPECT_EQ(fraction_of({1e-10, {}}, ends), 0.0);
   EXPECT_EQ(segment_end_at({0.1 + 0.2, {}}, ends), 3);
   EXPECT_EQ(segment_end_at({1.0, {}}, ends), 10);
   EXPECT_EQ(segment_end_at({0.0, {}}, ends), 0);

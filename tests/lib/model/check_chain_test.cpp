@@ -26,17 +26,17 @@ TEST(CheckChain, RefusesAChainInACoupon) {
 
 TEST(CheckChain, RefusesSegmentAndJointLengthsThatDoNotFitTheBeam) {
   EXPECT_EQ(error_of([](Scene& s) {
-              s.beam.segment_shares = {0.5, 0.5};
+              s.beam.segment_fractions = {0.5, 0.5};
             }),
             "beam.segment_lengths = 2 values: must be 8 for the beam's segments");
   EXPECT_EQ(error_of([](Scene& s) {
               s.beam.segments = 2;
-              s.beam.segment_shares = {0.5, 0.25};
+              s.beam.segment_fractions = {0.5, 0.25};
             }),
-            "beam.segment_lengths = 0.75: is the sum of the shares and must be 1");
+            "beam.segment_lengths = 0.75: is the sum of the fractions and must be 1");
   EXPECT_EQ(error_of([](Scene& s) {
               s.beam.segments = 2;
-              s.beam.segment_shares = {1.5, -0.5};
+              s.beam.segment_fractions = {1.5, -0.5};
             }),
             "beam.segment_lengths[2] = -0.5: must be positive and finite");
   EXPECT_EQ(error_of([](Scene& s) { s.beam.joint_lengths = {0.1}; }),
@@ -91,7 +91,7 @@ TEST(CheckChain, RefusesAPolylineThatIsNone) {
             "beam.length = 1: must be the sum over beam.points, 0.5 m");
 }
 
-TEST(CheckChain, RefusesARegionThatIsEmptyOrUnsound) {
+TEST(CheckChain, RefusesARegionThatIsEmptyOrInvalid) {
   const auto region = [](Place from, Place to, double width) {
     return error_of([&](Scene& s) {
       s.regions.push_back({from, to, s.section, s.material});
@@ -170,26 +170,28 @@ TEST(CheckRules, RefuseWhatTheReportDoesNotHave) {
   for (const YieldModel model :
        {YieldModel::Interaction, YieldModel::Conservative, YieldModel::Fibre}) {
     EXPECT_EQ(report([&](Scene& s) { s.yield_model = model; }),
-              "rules.yield_model: must be per_axis (or elastic) with the report's formulas, which "
+              "rules.yield_model: must be per_axis (or elastic) with Wendelius' formulas, which "
               "clip each moment on its own");
   }
   EXPECT_EQ(report([](Scene& s) { s.material.hardening.law = HardeningLaw::Linear; }),
-            "material.hardening.law: must be ideal with the report's formulas, which have no "
+            "material.hardening.law: must be ideal with Wendelius' formulas, which have no "
             "hardening");
-  EXPECT_EQ(report([](Scene& s) { s.end_rule = EndRule::HalfJoint; }),
-            "rules.end_rule = half_joint: the report clamps its ends rigidly: equal, half or "
-            "three_halves");
+  EXPECT_EQ(
+      report([](Scene& s) { s.end_rule = EndRule::HalfJoint; }),
+      "rules.end_rule = half_joint: Wendelius' report clamps its ends rigidly: equal, half or "
+      "three_halves");
   EXPECT_EQ(report([](Scene& s) { s.hinge_length = 0.05; }),
-            "rules.hinge_length = 0.05: must be 0 or unset with the report's formulas, whose "
+            "rules.hinge_length = 0.05: must be 0 or unset with Wendelius' formulas, whose "
             "strain is over a joint's own length");
   EXPECT_EQ(report([](Scene& s) {
               s.regions.push_back({Place::start(), Place::end(), s.section, s.material});
               s.regions[0].section.shape = SectionShape::RoundTube;
             }),
-            "rules.formulas = report: the report has formulas for rectangles and circles, none for "
+            "rules.formulas = report: Wendelius' report has formulas for rectangles and circles, "
+            "none for "
             "round_tube");
   EXPECT_EQ(report([](Scene& s) { s.yield_cap = YieldCap::FullyPlastic; }),
-            "rules.yield_cap = fully_plastic: the report's caps are at first yield");
+            "rules.yield_cap = fully_plastic: Wendelius' caps are at first yield");
   EXPECT_EQ(report([](Scene& s) { s.beam.segments = 1; }),
             "beam.segments = 1: must be at least 2 where ends are clamped: there is no joint");
 }
@@ -217,7 +219,7 @@ TEST(CheckRules, RefuseContradictions) {
             "rules.break_limit_z = 0: must be above 0");
   EXPECT_EQ(error_of([](Scene& s) {
               s.end_rule = EndRule::Half;
-              s.beam.segment_shares.assign(8, 0.125);
+              s.beam.segment_fractions.assign(8, 0.125);
             }),
             "rules.end_rule = half: sets the segment lengths itself");
   EXPECT_EQ(error_of([](Scene& s) {

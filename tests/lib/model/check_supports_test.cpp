@@ -43,19 +43,19 @@ TEST(CheckSupports, MoveAnInclinedRollerAlongItsNormal) {
 
 TEST(CheckSupports, HoldRotationsAtSegmentEndsAlone) {
   EXPECT_EQ(error_of([](Scene& s) {
-              s.beam.segment_shares.assign(8, 0.125);
+              s.beam.segment_fractions.assign(8, 0.125);
               add_support(s, {0.3, {}}, SupportKind::Clamp);
             }),
             "support[2].at = 0.3: a clamp that holds rotation (rx) must be at a segment's end; the "
             "nearest are 0.25 and 0.375");
   EXPECT_EQ(error_of([](Scene& s) {
-              s.beam.segment_shares.assign(8, 0.125);
+              s.beam.segment_fractions.assign(8, 0.125);
               add_support(s, {0.3, {}}, SupportKind::Pin);
             }),
             "support[2].at = 0.3: a pin that holds rotation (rz) must be at a segment's end; the "
             "nearest are 0.25 and 0.375");
   EXPECT_EQ(error_of([](Scene& s) {
-              s.beam.segment_shares.assign(8, 0.125);
+              s.beam.segment_fractions.assign(8, 0.125);
               add_support(s, {0.3, {}}, SupportKind::Roller);
             }),
             "no error");

@@ -214,9 +214,9 @@ TEST(SetField, NamesFileLineFieldValueAndRule) {
             "beam.toml:7: solver.frames = -1: must be from 0 to 1e+07");
 }
 
-TEST(SetField, TakesWholeNumbersAloneForAnInteger) {
+TEST(SetField, TakesOnlyIntegersForAnIntegerField) {
   EXPECT_EQ(error_of_setting("segments", 2.5),
-            "beam.toml:7: beam.segments = 2.5: must be a whole number");
+            "beam.toml:7: beam.segments = 2.5: must be an integer");
   EXPECT_EQ(error_of_setting("segments", 0.0),
             "beam.toml:7: beam.segments = 0: must be from 1 to 1e+07");
   EXPECT_EQ(error_of_setting("segments", 3.0), "no error");

@@ -88,9 +88,9 @@ INSTANTIATE_TEST_SUITE_P(
                     "hardening.tangent_modulus = 2.1e+11: must be below "
                     "material.youngs_modulus = 2.1e+11"},
         BadMaterial{[](Material& m) {
-                      m.hardening = {.law = HardeningLaw::Linear, .kinematic_share = 1.5};
+                      m.hardening = {.law = HardeningLaw::Linear, .kinematic_fraction = 1.5};
                     },
-                    "hardening.kinematic_share = 1.5: must be from 0 to 1"},
+                    "hardening.kinematic_fraction = 1.5: must be from 0 to 1"},
         BadMaterial{[](Material& m) {
                       m.hardening = {.law = HardeningLaw::VoceChaboche,
                                      .saturation_stress = -355e6};

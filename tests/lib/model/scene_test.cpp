@@ -46,19 +46,20 @@ TEST(CheckScene, RefusesABeamWithoutLengthOrSegments) {
 
 TEST(CheckScene, RefusesWhatTheReportHasNoFormulasFor) {
   for (const SectionShape shape : {SectionShape::RoundTube, SectionShape::RectangularTube}) {
-    EXPECT_EQ(error_of([&](Scene& s) {
-                s.formulas = Formulas::Report;
-                s.section.shape = shape;
-              }),
-              "rules.formulas = report: the report has formulas for rectangles and circles, none "
-              "for " +
-                  std::string(section_kind(shape).word()));
+    EXPECT_EQ(
+        error_of([&](Scene& s) {
+          s.formulas = Formulas::Report;
+          s.section.shape = shape;
+        }),
+        "rules.formulas = report: Wendelius' report has formulas for rectangles and circles, none "
+        "for " +
+            std::string(section_kind(shape).word()));
   }
   EXPECT_EQ(error_of([](Scene& s) {
               s.formulas = Formulas::Report;
               s.yield_cap = YieldCap::FullyPlastic;
             }),
-            "rules.yield_cap = fully_plastic: the report's caps are at first yield");
+            "rules.yield_cap = fully_plastic: Wendelius' caps are at first yield");
 }
 
 TEST(CheckScene, RefusesADriveWithoutFiniteSamples) {

@@ -105,18 +105,18 @@ TEST(MotionReport, ListsTheJointsOfAllEventsAndTheFragmentsAfterTheLast) {
   const std::string text = scene_report(motion_record());
   EXPECT_TRUE(has(text, R"(
 Breaks and cuts
-    time  joint      at  cause      strain  limit      M_x  M_y    T  dissipated  cut
-      ms          share                  %      %      N m  N m  N m           J
-  80.000      6     0.5  bending x   10.02  10.00  -709.50    0    0      7.2500  yes
-  80.000      7  0.5833  bending x   10.01  10.00  -702.25    0    0      7.0000   no
-  140.00      9    0.75  the scene   0.000      -   12.500    0    0           0  yes
+    time  joint        at  cause      strain  limit      M_x  M_y    T  dissipated  cut
+      ms         fraction                  %      %      N m  N m  N m           J
+  80.000      6       0.5  bending x   10.02  10.00  -709.50    0    0      7.2500  yes
+  80.000      7    0.5833  bending x   10.01  10.00  -702.25    0    0      7.0000   no
+  140.00      9      0.75  the scene   0.000      -   12.500    0    0           0  yes
 
 Fragments after the last event
-  fragment  segments  count  length   from     to
-                                  m  share  share
-         1    0 … 5       6  0.5000  start    0.5
-         2    6 … 8       3  0.2500    0.5   0.75
-         3    9 … 11      3  0.2500   0.75    end
+  fragment  segments  count  length      from        to
+                                  m  fraction  fraction
+         1    0 … 5       6  0.5000     start       0.5
+         2    6 … 8       3  0.2500       0.5      0.75
+         3    9 … 11      3  0.2500      0.75       end
 )")) << text;
 }
 
@@ -259,7 +259,7 @@ TEST(MotionJson, GivesWhatTheReportSaysInSi) {
   EXPECT_EQ(json.at("events").at(1).at("joints").at(0).at("cause"), "cut");
   EXPECT_EQ(json.at("energies").at("fracture"), 1.0);
   EXPECT_EQ(json.at("energies").at("balanced"), true);
-  EXPECT_NEAR(json.at("energies").at("residual_share").get<double>(), 3e-4, 1e-12);
+  EXPECT_NEAR(json.at("energies").at("residual_fraction").get<double>(), 3e-4, 1e-12);
   EXPECT_NEAR(json.at("frequencies").at("tip").at(1).at("frequency"), 150.0, 0.01);
   EXPECT_FALSE(json.at("frequencies").contains("kinetic"));
   EXPECT_EQ(json.at("reactions").at(0).at("force").at(0), 2000.0);

@@ -103,7 +103,7 @@ TEST(SceneReport, NamesEachBrokenJointWithCauseStrainAndLimit) {
   const io::SceneRecord record = broken();
   EXPECT_EQ(outcome_line(record), "broken: 1 joint over its limit at factor 0.75, time 2 s");
   const std::string text = scene_report(record);
-  EXPECT_TRUE(has(text, "  2.0000      0  start  bending x   10.01  10.00  473.33    0    0"))
+  EXPECT_TRUE(has(text, "  2.0000      0     start  bending x   10.01  10.00  473.33    0    0"))
       << text;
   EXPECT_TRUE(has(text, "  12.500   no\n")) << text;
 }
@@ -142,7 +142,7 @@ TEST(SceneReport, ShowsProbesReactionsPeaksAndEnergiesThatBalance) {
   EXPECT_NEAR(std::fabs(peaks.moment->value), 100.0, 0.02);
   EXPECT_NEAR(std::fabs(peaks.stress->value), 100.0 * 6.0 / 8e-6, 0.02 * 6.0 / 8e-6);
   EXPECT_FALSE(peaks.plastic_strain);
-  EXPECT_LT(residual_share(record).value(), 1e-3);
+  EXPECT_LT(residual_fraction(record).value(), 1e-3);
 }
 
 TEST(SceneReport, OfACouponHasNoBeamAndTellsTheBreak) {

@@ -185,7 +185,7 @@ TEST(AxialWarning, SaysHowMuchPerAxisCarriesTooMuch) {
   const Response response = simulate(scene, {.level = Level::Planar, .steps = 40});
   ASSERT_TRUE(response.axial);
   EXPECT_NEAR(response.axial->ratio, 0.35, 1e-3);
-  EXPECT_EQ(response.axial->share, 0.0);
+  EXPECT_EQ(response.axial->fraction, 0.0);
   EXPECT_NEAR(response.axial->left, 1.0 - 0.35 * 0.35, 1e-3);
   const std::string said = axial_warnings(scene, {}, response).at(0);
   EXPECT_NE(said.find("0.35 N_p"), std::string::npos) << said;
@@ -250,7 +250,7 @@ TEST(AxialWarning, SaysThatAMotionLeavesTheAxialForceOutOfTheJointAtAClamp) {
   options.translation = JointTranslation::Elastic;
   const Response response = testing::completed(scene, options);
   ASSERT_TRUE(response.axial);
-  EXPECT_EQ(response.axial->share, 0.0);
+  EXPECT_EQ(response.axial->fraction, 0.0);
   EXPECT_NEAR(response.axial->ratio, 0.7, 0.05);
   const std::string warning = axial_warnings(scene, options, response).at(0);
   EXPECT_NE(warning.find("do not stretch"), std::string::npos) << warning;
@@ -281,7 +281,7 @@ TEST(AxialWarning, SaysThatOneSurfaceIsStiffUnderThrust) {
   scene.material.youngs_modulus = 210e9;
   scene.material.yield_stress = 33.5e6;
   scene.material.hardening = {
-      .law = HardeningLaw::Linear, .tangent_modulus = 126e9, .kinematic_share = 1.0};
+      .law = HardeningLaw::Linear, .tangent_modulus = 126e9, .kinematic_fraction = 1.0};
   scene.supports = {{.at = Place::start(),
                      .kind = SupportKind::Pin,
                      .hold = HeldFreedoms{true, true, true, false, false, true}},

@@ -129,7 +129,7 @@ TEST(BreakEvent, OfBendingToAndFroComesByTheAccumulatedStrainAlone) {
 TEST(BreakEvent, OfTheReportMeetsItsEquationAtTheLimit) {
   Scene scene = breaking_cantilever(5);
   scene.formulas = Formulas::Report;
-  scene.yield_cap = YieldCap::FirstYield;  // the report has no other
+  scene.yield_cap = YieldCap::FirstYield;  // Wendelius' report has no other
   const Response response = break_by_tip_force(scene);
   ASSERT_EQ(response.status, Status::Broken);
   const BrokenJoint& joint = response.chain.events.front().joints.front();

@@ -39,7 +39,7 @@ TEST(BreakWatch, SpreadsALoneHingeOverTheHingeLengthWhateverTheSegments) {
   }
 }
 
-TEST(BreakWatch, CountsANeighbourWithTheShareThatItsWindowCovers) {
+TEST(BreakWatch, CountsANeighbourWithTheFractionThatItsWindowCovers) {
   // l = L_p/4: a window reaches two joints to each side and covers half of the outer ones.
   BreakWatch watch = watch_of(ideal_scene(), 20);
   const auto angles = lone(20, 10, {0.04, 0.0, 0.0});

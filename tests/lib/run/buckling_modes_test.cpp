@@ -45,8 +45,8 @@ TEST(BucklingModes, OfAPinnedChainAreExactFromAnyLoad) {
   Scene scene = pinned_column(kSegments, 1.0);
   const double stiffness = testing::bending_stiffness_of(scene);
   const double first = pinned_chain_load(kSegments, 1, stiffness);
-  for (const double share : {1e-6, 0.3, 0.99}) {
-    scene.loads[0].force[2] = -share * first;
+  for (const double fraction : {1e-6, 0.3, 0.99}) {
+    scene.loads[0].force[2] = -fraction * first;
     const BucklingModes modes = buckling_of(scene, {.level = Level::Planar}, 4);
     EXPECT_EQ(modes.about, 1.0);
     ASSERT_EQ(modes.factor.size(), 8U / 2U);
@@ -54,7 +54,7 @@ TEST(BucklingModes, OfAPinnedChainAreExactFromAnyLoad) {
     for (std::size_t k = 0; k < 4; ++k) {
       const int m = static_cast<int>(k) / 2 + 1;
       const double exact = pinned_chain_load(kSegments, m, stiffness);
-      EXPECT_NEAR(modes.factor[k] * share * first / exact, 1.0, kExact) << share << ' ' << k;
+      EXPECT_NEAR(modes.factor[k] * fraction * first / exact, 1.0, kExact) << fraction << ' ' << k;
       const std::size_t across = modes.out_of_plane[k] != 0 ? 0 : 1;
       const double top = std::sin(m * pi * (m == 1 ? 0.5 : 0.25));
       for (std::size_t node = 0; node <= kSegments; ++node) {
@@ -178,7 +178,7 @@ Scene strip(int segments) {
 
 struct Sideways {
   const char* name;
-  std::function<void(Scene&, double)> load;  ///< by a share of what is far beyond buckling
+  std::function<void(Scene&, double)> load;  ///< by a fraction of what is far beyond buckling
 };
 
 TEST(BucklingModes, OfStripsAreThoseOfTheirPathsHoweverCoarseTheChain) {
@@ -187,26 +187,26 @@ TEST(BucklingModes, OfStripsAreThoseOfTheirPathsHoweverCoarseTheChain) {
   };
   const std::vector<Sideways> cases{
       {"propped, force at its middle",
-       [&](Scene& scene, double share) {
+       [&](Scene& scene, double fraction) {
          hold_end(scene, {true, true, false, false, false, true});
-         scene.loads.push_back({.at = {0.5, {}}, .force = {0.0, -share, 0.0}});
+         scene.loads.push_back({.at = {0.5, {}}, .force = {0.0, -fraction, 0.0}});
        }},
       {"guided, force at its end",
-       [&](Scene& scene, double share) {
+       [&](Scene& scene, double fraction) {
          hold_end(scene, {true, false, false, true, true, true});
-         scene.loads.push_back({.force = {0.0, -share, 0.0}});
+         scene.loads.push_back({.force = {0.0, -fraction, 0.0}});
        }},
       {"both clamps turned",
-       [&](Scene& scene, double share) {
+       [&](Scene& scene, double fraction) {
          hold_end(scene, sliding_clamp());
-         scene.supports[0].rotation = {-1e-4 * share, 0.0, 0.0};
-         scene.supports[1].rotation = {1e-4 * share, 0.0, 0.0};
+         scene.supports[0].rotation = {-1e-4 * fraction, 0.0, 0.0};
+         scene.supports[1].rotation = {1e-4 * fraction, 0.0, 0.0};
        }},
-      {"turned by a soft spring", [&](Scene& scene, double share) {
+      {"turned by a soft spring", [&](Scene& scene, double fraction) {
          scene.supports.push_back({.at = Place::end(),
                                    .kind = SupportKind::Elastic,
                                    .rotational_stiffness = {500.0, 500.0, 500.0},
-                                   .rotation = {-1e-3 * share, 0.0, 0.0}});
+                                   .rotation = {-1e-3 * fraction, 0.0, 0.0}});
        }}};
   for (const Sideways& one : cases) {
     for (const int segments : {4, 8, 16, 32}) {

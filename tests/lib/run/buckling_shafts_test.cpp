@@ -46,8 +46,8 @@ double shaft_determinant(double torque, double thrust) {
 }
 
 TEST(Buckling, OfAShaftUnderTorqueAndThrustIsWhereItsDeterminantVanishes) {
-  for (const double share : {0.25, 0.5, 0.75}) {  // of the thrust without torque
-    const double thrust = share * 4.0 * pi * pi;
+  for (const double fraction : {0.25, 0.5, 0.75}) {  // of the thrust without torque
+    const double thrust = fraction * 4.0 * pi * pi;
     double low = 0.0;
     double high = 8.986818915818128;  // that without thrust
     ASSERT_LT(shaft_determinant(low, thrust) * shaft_determinant(high, thrust), 0.0);
@@ -69,8 +69,8 @@ TEST(Buckling, OfAShaftUnderTorqueAndThrustIsWhereItsDeterminantVanishes) {
       scene.loads.push_back({.force = {0.0, 0.0, -kBeyond * thrust * ei}});
       error[k++] = std::fabs(first_bifurcation(scene, {.level = Level::Spatial}) - 1.0);
     }
-    EXPECT_LE(error[1], 0.002) << share;
-    EXPECT_GE(std::log(error[0] / error[1]) / std::log(4.0), 1.8) << share;
+    EXPECT_LE(error[1], 0.002) << fraction;
+    EXPECT_GE(std::log(error[0] / error[1]) / std::log(4.0), 1.8) << fraction;
   }
 }
 

@@ -57,7 +57,7 @@ double lateral_stiffness_of(const Scene& scene) {
   return std::sqrt(e * properties.second_moment_y * g * properties.torsion_constant);
 }
 
-/// The first bifurcation's share of the critical load of theory.
+/// The first bifurcation's fraction of the critical load of theory.
 double first_bifurcation(const Scene& scene, const SolverOptions& options = {}) {
   const Response response = simulate(scene, options);
   EXPECT_EQ(response.status, Status::Unstable) << name_of(response.status);

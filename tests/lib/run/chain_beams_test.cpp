@@ -104,19 +104,19 @@ TEST(ChainBeams, SayALimitAsTheFactorOfWhatGrowsBesideADeadLoad) {
 
 /// Segments whose lengths grow evenly to three times the first.
 std::vector<double> growing(int segments) {
-  std::vector<double> shares;
-  for (int i = 0; i < segments; ++i) shares.push_back(1.0 + 2.0 * i / (segments - 1));
+  std::vector<double> fractions;
+  for (int i = 0; i < segments; ++i) fractions.push_back(1.0 + 2.0 * i / (segments - 1));
   double sum = 0.0;
-  for (const double share : shares) sum += share;
-  for (double& share : shares) share /= sum;
-  return shares;
+  for (const double fraction : fractions) sum += fraction;
+  for (double& fraction : fractions) fraction /= sum;
+  return fractions;
 }
 
 TEST(ChainBeams, KeepTheOrderWithSegmentsOfDifferentLengths) {
   expect_order_two(
       [](int segments) {
         Scene scene = cantilever_scene(segments);
-        scene.beam.segment_shares = growing(segments);
+        scene.beam.segment_fractions = growing(segments);
         return error_of(scene, Component::Y, kForce / 3.0 / bending_stiffness_of(scene));
       },
       0.01);

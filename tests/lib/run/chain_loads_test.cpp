@@ -128,7 +128,7 @@ Scene worked_scene() {
   scene.yield_model = YieldModel::PerAxis;
   scene.material.hardening.law = HardeningLaw::Linear;
   scene.material.hardening.tangent_modulus = 10e9;
-  scene.material.hardening.kinematic_share = 0.5;
+  scene.material.hardening.kinematic_fraction = 0.5;
   const double load = 8.0 * testing::yield_moment_of(scene);
   scene.loads.push_back({.at = {0.5, {}},
                          .force = {0.0, -load, 0.0},

@@ -6,7 +6,7 @@
 #include "tests/support/chain_scene.hpp"
 #include "tests/support/tolerance.hpp"
 
-// The report's proposals 4 and 5: bending about both axes, and bending with torsion, by the load
+// Wendelius' proposals 4 and 5: bending about both axes, and bending with torsion, by the load
 // factor at which the clamp of a cantilever yields. Loads are such that each alone would bring it
 // to first yield at the factor 1.
 
@@ -38,8 +38,9 @@ Material wood() {
 /// A cantilever of one segment, whose one joint is at the clamp: m_x, m_y, t there at the factor 1,
 /// over first yield. Stiffened a thousandfold, so that its shape stays: the yield point does not
 /// depend on E and G.
-Scene loaded(const Section& section, const Material& material, const std::array<double, 3>& share,
-             YieldModel model, YieldCap cap = YieldCap::FirstYield) {
+Scene loaded(const Section& section, const Material& material,
+             const std::array<double, 3>& fraction, YieldModel model,
+             YieldCap cap = YieldCap::FirstYield) {
   Scene scene = testing::cantilever_scene(1);
   scene.section = section;
   scene.material = material;
@@ -51,9 +52,10 @@ Scene loaded(const Section& section, const Material& material, const std::array<
   const double sigma = material.yield_stress;
   // At the clamp: M_x = -F_y L … its size counts.
   scene.loads.push_back(
-      {.force = {share[1] * sigma * p.section_modulus_y, -share[0] * sigma * p.section_modulus_x,
-                 0.0},
-       .moment = {0.0, 0.0, share[2] * resolved_shear_yield_stress(material) * p.torsion_modulus}});
+      {.force = {fraction[1] * sigma * p.section_modulus_y,
+                 -fraction[0] * sigma * p.section_modulus_x, 0.0},
+       .moment = {0.0, 0.0,
+                  fraction[2] * resolved_shear_yield_stress(material) * p.torsion_modulus}});
   return scene;
 }
 
@@ -94,9 +96,9 @@ struct FirstYield {
 
 /// Clipped axis by axis, nothing yields before the factor 1.
 void expect_first_yield(const Section& section, const Material& material,
-                        const std::array<double, 3>& share, const FirstYield& expected) {
+                        const std::array<double, 3>& fraction, const FirstYield& expected) {
   const auto ratio = [&](YieldModel model, double factor) {
-    return first_yield(loaded(section, material, share, model), factor) / factor;
+    return first_yield(loaded(section, material, fraction, model), factor) / factor;
   };
   EXPECT_NEAR(ratio(YieldModel::PerAxis, 1.0), 1.0, tolerance(1e-4));
   // 0.35 %: the points of the perimeter at which first yield is looked for.
@@ -161,10 +163,10 @@ TEST(CombinedYield, OfAllThreeIsGovernedByTheCornerOfASquare) {
 }
 
 /// Load factors at collapse, fully plastic.
-void expect_collapse(const Section& section, const std::array<double, 3>& share, double per_axis,
+void expect_collapse(const Section& section, const std::array<double, 3>& fraction, double per_axis,
                      double interaction) {
   const auto of = [&](YieldModel model) {
-    return collapse(loaded(section, steel(), share, model, YieldCap::FullyPlastic));
+    return collapse(loaded(section, steel(), fraction, model, YieldCap::FullyPlastic));
   };
   // A limit load is bracketed to 1e-4, and the levers have changed a little.
   EXPECT_NEAR(of(YieldModel::PerAxis) / per_axis, 1.0, tolerance(5e-4));

@@ -9,7 +9,7 @@
 #include "tests/support/chain_scene.hpp"
 #include "tests/support/tolerance.hpp"
 
-/// The report's validation proposal 2: elementary bending cases, by running each as a chain.
+/// Wendelius' validation proposal 2: elementary bending cases, by running each as a chain.
 namespace plastica {
 namespace {
 

@@ -93,7 +93,9 @@ TEST(Hinge, LetsBothBendingsGoAndCarriesTorque) {
 
 TEST(Hinge, SeenFromTheOtherEndIsTheSame) {
   const auto sunk = [](bool mirrored) {
-    const auto at = [&](double share) { return Place{mirrored ? 1.0 - share : share, {}}; };
+    const auto at = [&](double fraction) {
+      return Place{mirrored ? 1.0 - fraction : fraction, {}};
+    };
     Scene scene = testing::chain_scene(12);
     scene.supports.push_back({.at = at(0.0), .kind = SupportKind::Clamp});
     scene.supports.push_back({.at = at(1.0), .kind = SupportKind::Roller});
@@ -128,14 +130,14 @@ TEST(Hinge, BetweenTwoCantileversHasTheirFrequency) {
 /// The plastic hinge at the clamp is the only one that the collapse needs, at P = M_p/a. Beyond it
 /// the arm turns until it is short enough: P a cos(turn) = M_p.
 TEST(Hinge, LeavesACantileverItsLimitLoad) {
-  const auto sunk = [](double share) {
+  const auto sunk = [](double fraction) {
     Scene scene = gerber_beam(32, 0.5);
     scene.yield_model = YieldModel::Interaction;
     scene.yield_cap = YieldCap::FullyPlastic;
     const double plastic = 1.5 * testing::yield_moment_of(scene);
-    scene.loads.push_back({.at = {0.5, {}}, .force = {0.0, share * plastic / 0.5, 0.0}});
+    scene.loads.push_back({.at = {0.5, {}}, .force = {0.0, fraction * plastic / 0.5, 0.0}});
     add_probe(scene, ProbeQuantity::Displacement, {0.5, {}}, Component::Y);
-    const double elastic = share * plastic * 0.25 / (3.0 * bending_stiffness_of(scene));
+    const double elastic = fraction * plastic * 0.25 / (3.0 * bending_stiffness_of(scene));
     return last_of(completed(scene, {.level = Level::Planar}), 0) / elastic;
   };
   EXPECT_NEAR(sunk(0.99), 1.0, 5e-3);
@@ -198,7 +200,7 @@ TEST(Hinge, IsRefusedWhereItMakesNoSense) {
   EXPECT_EQ(refusal_of([](Scene& s) { s.supports[2].hold = HeldFreedoms{true}; }),
             "support[3].hold: a hinge lets go; what holds the beam there is another support");
   EXPECT_EQ(refusal_of([](Scene& s) {
-              s.beam.segment_shares.assign(8, 0.125);
+              s.beam.segment_fractions.assign(8, 0.125);
               s.supports[2].at = {0.3, {}};
             }),
             "support[3].at = 0.3: a hinge must be at a segment's end");

@@ -45,9 +45,9 @@ TEST(LoadedFrequencies, OfAPinnedColumnFallWithItsThrust) {
   Scene scene = pinned(kSegments);
   const std::vector<double> still = unloaded(scene, 3);
   const double stiffness = testing::bending_stiffness_of(scene);
-  for (const double share : {-20.0, 0.5, 0.999}) {
+  for (const double fraction : {-20.0, 0.5, 0.999}) {
     const double first = 2.0 * kSegments * kSegments * stiffness * (1.0 - std::cos(pi / kSegments));
-    scene.loads = {{.force = {0.0, 0.0, -share * first}}};
+    scene.loads = {{.force = {0.0, 0.0, -fraction * first}}};
     for (const Level level : {Level::Planar, Level::Spatial}) {
       SolverOptions options = kPlanar;
       options.level = level;
@@ -56,10 +56,10 @@ TEST(LoadedFrequencies, OfAPinnedColumnFallWithItsThrust) {
         const double critical =
             2.0 * kSegments * kSegments * stiffness * (1.0 - std::cos(m * pi / kSegments));
         const double exact =
-            still[static_cast<std::size_t>(m - 1)] * std::sqrt(1.0 - share * first / critical);
+            still[static_cast<std::size_t>(m - 1)] * std::sqrt(1.0 - fraction * first / critical);
         const int k = level == Level::Planar ? m - 1 : 2 * m - 1;
-        EXPECT_NEAR(found[static_cast<std::size_t>(k)] / exact, 1.0, share < 0.9 ? 1e-8 : 6e-7)
-            << share << ' ' << m;
+        EXPECT_NEAR(found[static_cast<std::size_t>(k)] / exact, 1.0, fraction < 0.9 ? 1e-8 : 6e-7)
+            << fraction << ' ' << m;
       }
     }
   }

@@ -62,7 +62,7 @@ TEST(MotionBreaks, EndsRandomScenesWithoutASurprise) {
   }
   for (const BatchRow& row : run_batch(cases)) {
     // Random steps may be too long for a scene: then its account says so, and its status.
-    EXPECT_TRUE(is_whole(row.response.status))
+    EXPECT_TRUE(is_complete(row.response.status))
         << row.id << ": " << name_of(row.response.status) << ' ' << row.reason;
     EXPECT_EQ(row.response.status == Status::NotBalanced, !row.response.balances()) << row.id;
     const auto scheme = static_cast<Scheme>(std::stoi(row.id) % 4);

@@ -19,12 +19,12 @@ constexpr int kSegments = 16;
 constexpr double kDisturbance = 1e-6;
 
 /// Largest deflection of a pressed column's tip in 16 periods of the unpressed one [m].
-double largest_swing(double share_of_buckling_load, Level level, Scheme scheme) {
+double largest_swing(double fraction_of_buckling_load, Level level, Scheme scheme) {
   Scene scene = testing::cantilever_scene(kSegments);
   scene.section.height = 0.03;  // so that it buckles about y
   testing::add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::X);
   const double EI = scene.material.youngs_modulus * testing::properties_of(scene).second_moment_y;
-  const double load = share_of_buckling_load * theory::buckling_load(kSegments, EI, 1.0);
+  const double load = fraction_of_buckling_load * theory::buckling_load(kSegments, EI, 1.0);
   scene.loads.push_back({.force = {0.0, 0.0, -load}, .history = History::constant()});
   SolverOptions options;
   options.level = level;
@@ -37,7 +37,7 @@ double largest_swing(double share_of_buckling_load, Level level, Scheme scheme) 
   // Of Euler's energy more than 1 % is not explained at these steps; its column has to go, or stay,
   // all the same.
   const bool euler = scheme == Scheme::LinearlyImplicitEuler;
-  EXPECT_TRUE(euler ? is_whole(response.status) : response.status == Status::Completed)
+  EXPECT_TRUE(euler ? is_complete(response.status) : response.status == Status::Completed)
       << name_of(response.status);
   double largest = 0.0;
   for (const double x : response.probes[0]) largest = std::max(largest, std::abs(x));

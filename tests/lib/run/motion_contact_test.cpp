@@ -61,7 +61,7 @@ TEST_P(Contact, LosesNothingWhenAllIsGivenBackAndMoreWhenNothingIs) {
 
 TEST(MotionContact, ThrowsASegmentBackByItsRestitution) {
   Scene scene = testing::chain_scene(1);
-  scene.beam.segment_shares = {1.0};  // no segment ends at the pillar
+  scene.beam.segment_fractions = {1.0};  // no segment ends at the pillar
   scene.initial_motions.push_back({.velocity = {0.0, -1.0, 0.0}});
   Support pillar{.at = Place{0.5, {}}, .kind = SupportKind::Pillar};
   pillar.gap = 0.001;
@@ -102,7 +102,7 @@ TEST(MotionContact, FollowsASupportThatStartsAtOnce) {
        {Scheme::LinearlyImplicitMidpoint, Scheme::GeneralizedAlpha, Scheme::EnergyMomentum}) {
     const Response response = simulate(scene, motion_options(scheme, 1e-4, 200));
     // The steps are too long for what the jerk makes ring: its energy is not in question here.
-    ASSERT_TRUE(is_whole(response.status)) << name_of(response.status);
+    ASSERT_TRUE(is_complete(response.status)) << name_of(response.status);
     for (std::size_t k = 1; k < 99; ++k) EXPECT_NEAR(response.probes[0][k], 1.0, 0.02) << k;
     for (std::size_t k = 102; k < 200; ++k) EXPECT_NEAR(response.probes[0][k], 0.0, 0.02) << k;
   }

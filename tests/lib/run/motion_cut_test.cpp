@@ -31,7 +31,7 @@ TEST(MotionCut, ComesAtItsTimeBetweenSamplesAndAtOne) {
 TEST(MotionCut, AtTheEndLeavesWhatElseHoldsTheLastSegment) {
   // The clamp at the end is cut; a roller within the last segment holds on.
   Scene scene = testing::cantilever_scene(4);
-  scene.beam.segment_shares = {0.25, 0.25, 0.25, 0.25};
+  scene.beam.segment_fractions = {0.25, 0.25, 0.25, 0.25};
   scene.supports.push_back({.at = Place::end(), .kind = SupportKind::Clamp});
   scene.supports.back().hold = HeldFreedoms{true, true, false, true, true, true};
   scene.supports.push_back({.at = {0.9, {}}, .kind = SupportKind::Roller});

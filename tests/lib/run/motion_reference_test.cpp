@@ -52,7 +52,7 @@ double error_of(int segments, Scheme scheme, double time_step) {
   return testing::rms_between(tip, reference_history()) / kSag;
 }
 
-TEST(MotionReference, ErrsByTheKnownSharesOfEverFinerChains) {
+TEST(MotionReference, ErrsByTheKnownFractionsOfEverFinerChains) {
   // What peers with the same half joint reach at small steps: 2.1, 0.51 and 0.12 %.
   const double known[3] = {0.021, 0.0051, 0.0012};
   for (int k = 0; k < 3; ++k) {
@@ -86,7 +86,7 @@ TEST(MotionReference, LosesWithRotaryInertiaTheTimeThatRayleighsBeamLoses) {
       .bending_stiffness = testing::bending_stiffness_of(scene),
       .mass_per_length = scene.material.density * section.area,
       .rotary_inertia = scene.material.density * section.second_moment_x};
-  // Mode by mode, a share of the sag that swings as fast as Euler's beam or as Rayleigh's.
+  // Mode by mode, a fraction of the sag that swings as fast as Euler's beam or as Rayleigh's.
   constexpr int kModes = 5;
   const auto tip_of_mode = [&](int mode, double time) {
     const double others = mode == 1 ? 0.0 : released_cantilever_tip(beam, 9.81, time, mode - 1);

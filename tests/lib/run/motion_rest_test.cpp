@@ -71,7 +71,7 @@ TEST(EnergyBalance, CountsTheWorkOfAnEndThatIsTurned) {
   options.damping_time = 5e-3;
   const Response response = testing::completed(scene, options);
   EXPECT_GT(last_energy(response).external, 1.0);
-  // The moment of the steps' ends alone would be off by a share of 1e-3, one over their number.
+  // The moment of the steps' ends alone would be off by a fraction of 1e-3, one over their number.
   EXPECT_LT(response.energy_balance_error, 1e-7);
 }
 

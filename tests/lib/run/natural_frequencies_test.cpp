@@ -180,8 +180,8 @@ TEST(NaturalFrequencies, FallWithShearAsTimoshenkosBeamSays) {
   const double elastic = frequencies_of(scene, shearing, 1)[0];
   const SectionProperties p = testing::properties_of(scene);
   const double shear = p.shear_coefficient_y * scene.material.youngs_modulus / 2.6 * p.area;
-  const double share = pi * pi * testing::bending_stiffness_of(scene) / shear;
-  EXPECT_NEAR(elastic / rigid, 1.0 / std::sqrt(1.0 + share), tolerance(5e-6));
+  const double fraction = pi * pi * testing::bending_stiffness_of(scene) / shear;
+  EXPECT_NEAR(elastic / rigid, 1.0 / std::sqrt(1.0 + fraction), tolerance(5e-6));
 }
 
 TEST(NaturalFrequencies, HardlyFallWithStretchAndShearOfASlenderBeam) {

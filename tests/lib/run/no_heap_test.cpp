@@ -97,7 +97,7 @@ TEST(Heap, IsNotUsedByRunWithTheStressAlone) {
 }
 
 TEST(Heap, IsNotUsedByRunSensitivity) {
-  const std::vector<std::string> all{"yield_stress", "youngs_modulus", "kinematic_share"};
+  const std::vector<std::string> all{"yield_stress", "youngs_modulus", "kinematic_fraction"};
   for (const HardeningLaw law : kLaws) {
     for (std::size_t count = 1; count <= all.size(); ++count) {
       Scene scene = coupon_scene(Deformation::Tension, {0.001, 0.02, -0.03, 0.05});

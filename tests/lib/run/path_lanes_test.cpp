@@ -22,9 +22,9 @@ using testing::bits_of;
 constexpr InstructionSet kLevels[] = {InstructionSet::Baseline, InstructionSet::Avx2,
                                       InstructionSet::Avx512};
 
-Load load_at(double share, std::array<double, 3> force) {
+Load load_at(double fraction, std::array<double, 3> force) {
   Load load;
-  load.at = {share, {}};
+  load.at = {fraction, {}};
   load.force = force;
   return load;
 }
@@ -48,7 +48,7 @@ Scene bent(std::size_t i, YieldModel model, HardeningLaw law = HardeningLaw::Lin
   scene.yield_model = model;
   scene.material.hardening.law = law;
   scene.material.hardening.tangent_modulus = 20e9;
-  scene.material.hardening.kinematic_share = 0.3;
+  scene.material.hardening.kinematic_fraction = 0.3;
   vary(scene, i);
   scene.loads.push_back(load_at(1.0, {0.0, -1.3 * testing::yield_moment_of(scene), 0.0}));
   scene.loads[0].history = History::turning_points({1.0, -1.0, 0.2});

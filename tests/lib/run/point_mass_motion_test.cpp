@@ -44,7 +44,7 @@ void add_masses(Scene& scene) {
 // A stiff bar that flies and turns about an axis through its middle: m v and I w, from the first.
 TEST(FlyingMasses, HaveTheMomentumAndEnergyOfARigidBody) {
   Scene scene = chain_scene(10);
-  scene.beam.segment_shares.assign(10, 0.1);
+  scene.beam.segment_fractions.assign(10, 0.1);
   add_masses(scene);
   scene.masses[2].at = {0.73, {}};
   InitialMotion motion;

@@ -143,7 +143,7 @@ double middle_error(int segments) {
   constexpr double kNu = 0.05;
   Scene scene = chain_scene(segments);
   if (segments % 2 == 1) {
-    scene.beam.segment_shares.assign(static_cast<std::size_t>(segments), 1.0 / segments);
+    scene.beam.segment_fractions.assign(static_cast<std::size_t>(segments), 1.0 / segments);
   }
   scene.supports = {{.at = Place::start(), .kind = SupportKind::Pin},
                     {.at = Place::end(), .kind = SupportKind::Roller}};
@@ -274,7 +274,7 @@ TEST(MassAtRest, SagsByItsWeightAlone) {
 
 TEST(MassAtRest, WeighsWhereItIsWithinASegmentToo) {
   Scene scene = cantilever_scene(4);
-  scene.beam.segment_shares = {0.25, 0.25, 0.25, 0.25};
+  scene.beam.segment_fractions = {0.25, 0.25, 0.25, 0.25};
   scene.masses.push_back({{0.6, {}}, 0.5, {}});
   scene.gravity = {0.0, -kGravity, 0.0};
   add_probe(scene, ProbeQuantity::ReactionMoment, Place::start(), Component::X);

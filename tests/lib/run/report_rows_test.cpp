@@ -190,7 +190,7 @@ TEST(ReportRows, ShearBreaksAtTheBreakStrainItselfInTheReport) {
   EXPECT_NEAR(row.mechanics, 0.1 * std::numbers::sqrt3, tolerance(2e-5));
 }
 
-/// The report's Figure 8 with N_c constraints: 4 m at rest on two pillars under its weight.
+/// Wendelius' Figure 8 with N_c constraints: 4 m at rest on two pillars under its weight.
 Scene figure8(int constraints, Formulas formulas) {
   Scene scene = testing::chain_scene(constraints + 1);
   scene.beam.length = 4.0;

@@ -11,7 +11,7 @@
 #include "tests/support/chain_scene.hpp"
 #include "tests/support/tolerance.hpp"
 
-/// The report's figures and validation proposals, by running the files of data/scenes.
+/// Wendelius' figures and validation proposals, by running the files of data/scenes.
 namespace plastica {
 namespace {
 
@@ -98,7 +98,7 @@ TEST(ReportScenes, Figure6KeepsTheAngleOfTwistingInTheThinPart) {
   EXPECT_NEAR(largest, 248.825, tolerance(0.01));
   EXPECT_NEAR(torque.back(), 0.0, tolerance(0.1));
   const auto kept = last_plastic_angles(response, 2);
-  // 0.8 rad less what 960 mm of 20 mm and 40 mm of 18 mm spring back from the thin part's torque.
+  // 0.8 rad less what 960 mm of 20 mm and 40 mm of 18 mm spring back from the thin region's torque.
   EXPECT_NEAR(std::accumulate(kept.begin(), kept.end(), 0.0), 0.6602, tolerance(1e-4));
   for (std::size_t joint = 0; joint < kept.size(); ++joint) {
     EXPECT_EQ(kept[joint] > 1e-12, joint >= 14 && joint <= 16) << joint;
@@ -167,7 +167,7 @@ TEST(ReportScenes, Proposal3HasTheSlopeOfHooke) {
   EXPECT_NEAR(stress.back() / strain.back() / 210e9, 1.0, tolerance(1e-14));
 }
 
-/// The factor at which a path ends for want of equilibrium; of the report's joints, that of the
+/// The factor at which a path ends for want of equilibrium; of Wendelius' joints, that of the
 /// whole load.
 void expect_limit(const std::string& file, double factor) {
   SCOPED_TRACE(file);
@@ -176,7 +176,7 @@ void expect_limit(const std::string& file, double factor) {
   ASSERT_EQ(response.status, Status::LimitLoad) << name_of(response.status);
   EXPECT_NEAR(response.limit->below, factor, tolerance(0.003 * factor));
   EXPECT_NEAR(response.limit->above, factor, tolerance(0.003 * factor));
-  // Clipped axis by axis it would carry more: the report's proposal asks whether it does.
+  // Clipped axis by axis it would carry more: Wendelius' proposal asks whether it does.
   setup.scene.yield_model = YieldModel::PerAxis;
   const Response clipped = simulate(setup.scene, setup.solver);
   const double reached = clipped.limit ? clipped.limit->below : 1.0;

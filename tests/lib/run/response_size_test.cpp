@@ -90,7 +90,7 @@ TEST(ResponseSize, OfAMotionCountsItsFrames) {
 TEST(ResponseSize, OfSegmentsOfAnyLengthCountsThem) {
   Scene scene = of_level(Level::Planar);
   scene.beam.segments = 4;
-  scene.beam.segment_shares = {0.1, 0.2, 0.3, 0.4};
+  scene.beam.segment_fractions = {0.1, 0.2, 0.3, 0.4};
   expect_size(scene, {}, Level::Planar);
 }
 

@@ -326,7 +326,7 @@ TEST(SceneWarnings, SayWhenAPolylineHasACornerInsideOfASegment) {
   // A right angle in the middle of a 20 mm segment is 10/sqrt(2) mm off its chord.
   EXPECT_TRUE(warns(warnings_of([&](Scene& s) {
                       bent(0.51)(s);
-                      s.beam.segment_shares.assign(50, 0.02);
+                      s.beam.segment_fractions.assign(50, 0.02);
                     }),
                     "misses it by 0.00707 m"));
 }
@@ -335,7 +335,7 @@ TEST(SceneWarnings, SayWhatActsInsideOfASegmentThatTheSceneMeasures) {
   const auto loaded = [](bool lengths) {
     return [lengths](Scene& s) {
       s.beam.segments = 10;
-      if (lengths) s.beam.segment_shares.assign(10, 0.1);
+      if (lengths) s.beam.segment_fractions.assign(10, 0.1);
       s.loads.push_back({.at = {0.35, {}}, .force = {0.0, 1.0, 0.0}});
     };
   };
@@ -343,7 +343,7 @@ TEST(SceneWarnings, SayWhatActsInsideOfASegmentThatTheSceneMeasures) {
   EXPECT_TRUE(warns(warnings_of(loaded(true)), "at = 0.35 lies inside of a segment"));
   const auto massive = [](Scene& s) {
     s.beam.segments = 10;
-    s.beam.segment_shares.assign(10, 0.1);
+    s.beam.segment_fractions.assign(10, 0.1);
     s.masses.push_back({{0.35, {}}, 1.0, {}});
   };
   EXPECT_TRUE(warns(warnings_of(massive), "mass[1].at = 0.35 lies inside of a segment"));

@@ -36,7 +36,7 @@ struct Parameter {
 
 const std::vector<Parameter> kIdeal{{"youngs_modulus", 200e9}, {"yield_stress", 300e6}};
 const std::vector<Parameter> kShear{{"shear_modulus", 75e9}, {"shear_yield_stress", 170e6}};
-const std::vector<Parameter> kLinear{{"tangent_modulus", 2e9}, {"kinematic_share", 0.3}};
+const std::vector<Parameter> kLinear{{"tangent_modulus", 2e9}, {"kinematic_fraction", 0.3}};
 const std::vector<Parameter> kVoce{{"saturation_stress", 80e6},     {"saturation_rate", 12.0},
                                    {"backstress_modulus_1", 20e9},  {"backstress_modulus_2", 4e9},
                                    {"backstress_modulus_3", 0.5e9}, {"backstress_rate_1", 300.0},
@@ -138,7 +138,7 @@ TEST(Sensitivity, OfATableAgreesWithDifferencesOverDecades) {
   const std::vector<Parameter> table{{"flow_stress_1", 330e6},
                                      {"flow_stress_2", 400e6},
                                      {"plastic_strain_1", 0.002},
-                                     {"kinematic_share", 0.3}};
+                                     {"kinematic_fraction", 0.3}};
   for (const Deformation deformation : kDeformations) {
     expect_derivatives(scene_of(HardeningLaw::Multilinear, deformation), joined(kIdeal, table));
   }

@@ -30,7 +30,7 @@ struct ShippedRun {
     const auto& all = response.probes.at(number_of(probe));
     return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(response.samples)};
   }
-  /// The last value of a probe is as expected, within a share of that.
+  /// The last value of a probe is as expected, within a fraction of that.
   void expect_last(const std::string& probe, double expected, double within) const {
     EXPECT_NEAR(values(probe).back(), expected, within * std::fabs(expected)) << probe;
   }

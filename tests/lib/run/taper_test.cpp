@@ -30,7 +30,7 @@ Scene tapered(int segments, const std::function<void(Section&)>& change) {
   return scene;
 }
 
-/// The share of the length that a section has at s/L = xi is 1 - r xi.
+/// The fraction of the length that a section has at s/L = xi is 1 - r xi.
 void half_as_high(Section& section) { section.height *= 0.5; }
 
 double integral(const std::function<double(double)>& f) {

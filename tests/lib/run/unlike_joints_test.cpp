@@ -175,7 +175,7 @@ TEST(UnlikeJoints, AreMirrorImagesAboutAGuide) {
 }
 
 TEST(UnlikeJoints, BreakAsMirrorImages) {
-  // The thin part breaks at the step, where the moment of the middle load is largest.
+  // The thin region breaks at the step, where the moment of the middle load is largest.
   Scene scene = chain_scene(20);
   scene.yield_model = YieldModel::PerAxis;
   scene.material.break_strain = 0.03;

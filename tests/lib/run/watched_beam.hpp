@@ -36,7 +36,7 @@ inline std::vector<chain::JointModel> joints_of(int segments, const std::array<d
   const double l = 1.0 / segments;
   for (int i = 0; i <= segments; ++i) {
     chain::JointModel joint;
-    joint.share = i * l;
+    joint.fraction = i * l;
     joint.begin = i == 0 ? 0.0 : (i - 0.5) * l;
     joint.end = i == segments ? 1.0 : (i + 0.5) * l;
     joint.length.fill(joint.end - joint.begin);

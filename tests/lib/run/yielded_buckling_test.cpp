@@ -31,7 +31,7 @@ Scene strip(double beyond, double& critical) {
 
 /// The tip force of an ideal plastic strip on edge, over 4.0126 sqrt(E I_y G J)/L^2, by
 ///   G J beta'' + (P (L - x))^2/(E I_y c(x)) beta = 0,  beta(0) = beta'(L) = 0,
-/// with c = sqrt(3 - 2 M/M_y) where the depth yields: its elastic share. By Runge and Kutta from
+/// with c = sqrt(3 - 2 M/M_y) where the depth yields: its elastic fraction. By Runge and Kutta from
 /// the tip, and by halving.
 /// @param yield  moment of first yield over that of the critical force at the clamp
 double critical_of_yielding_strip(double yield) {
@@ -86,7 +86,7 @@ TEST(YieldedBuckling, BeforeALimitLoadIsTold) {
   }
 }
 
-/// Fibres: the depth yields from a share of the critical load on, the whole section at 1.5 times
+/// Fibres: the depth yields from a fraction of the critical load on, the whole section at 1.5 times
 /// that.
 TEST(YieldedBuckling, AfterYieldingIsToldAtTheLoadOfTheElasticCore) {
   for (const double yield : {0.95, 0.85, 0.75, 0.7}) {
@@ -117,10 +117,10 @@ TEST(YieldedBuckling, OfAColumnIsAtTheTangentModulusLoad) {
     const double e = scene.material.youngs_modulus;
     const double chain = 2.0 * kSegments * std::sin(std::numbers::pi / (2.0 * kSegments));
     const double euler = chain * chain * e * p.second_moment_y;
-    constexpr double kShare = 0.6;  // tangent modulus over Young's
-    const double exact = kShare * euler;
+    constexpr double kFraction = 0.6;  // tangent modulus over Young's
+    const double exact = kFraction * euler;
     scene.material.yield_stress = exact / 1.2 / p.area;
-    scene.material.hardening = {.law = HardeningLaw::Linear, .tangent_modulus = kShare * e};
+    scene.material.hardening = {.law = HardeningLaw::Linear, .tangent_modulus = kFraction * e};
     scene.yield_model = YieldModel::Fibre;
     // What is so small that it only says which plane is meant.
     scene.loads.push_back({.force = {0.0, 1e-6, -1.5 * exact}});
@@ -150,7 +150,7 @@ TEST(YieldedBuckling, OfAnISectionIsWhereTheSpatialLevelHasIt) {
 /// Under more than its plastic moment a cantilever turns about its clamp until it hangs, and hangs
 /// in its plane: what it passed on the way is told whatever the load at the end.
 TEST(YieldedBuckling, OnTheWayToAStateThatIsStableAgainIsTold) {
-  for (const double share : {0.98, 1.05, 1.5, 3.0}) {
+  for (const double fraction : {0.98, 1.05, 1.5, 3.0}) {
     for (const int steps : {5, 20}) {
       Scene scene = testing::cantilever_scene(20);
       scene.section = {.width = 0.01, .height = 0.1};
@@ -163,11 +163,11 @@ TEST(YieldedBuckling, OnTheWayToAStateThatIsStableAgainIsTold) {
       double critical = 4.0126 * std::sqrt(scene.material.youngs_modulus * p.second_moment_y * g *
                                            p.torsion_constant);
       critical *= critical_of_yielding_strip(plastic / 1.5 / critical);
-      scene.loads.push_back({.force = {0.0, -share * plastic, 0.0}});
+      scene.loads.push_back({.force = {0.0, -fraction * plastic, 0.0}});
       const Response response = simulate(scene, {.level = Level::Planar, .steps = steps});
       // The deflection before it buckles raises Prandtl's load by 1 %, and N = 20 by 0.5 %.
-      EXPECT_NEAR(leaves_at(response, share * plastic / critical), 1.01, 0.015)
-          << share << ' ' << steps;
+      EXPECT_NEAR(leaves_at(response, fraction * plastic / critical), 1.01, 0.015)
+          << fraction << ' ' << steps;
     }
   }
 }

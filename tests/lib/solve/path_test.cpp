@@ -161,7 +161,7 @@ TEST(Path, StopsWhereItIsToldTo) {
 }
 
 TEST(Path, BalancesTheEnergiesOfALoadingToTheSquareOfItsSteps) {
-  const auto residual_share = [](int steps) {
+  const auto residual_fraction = [](int steps) {
     Scene scene = hinge_scene(0.9);
     scene.material.youngs_modulus = 200e9;
     scene.material.hardening.law = HardeningLaw::Linear;
@@ -172,8 +172,8 @@ TEST(Path, BalancesTheEnergiesOfALoadingToTheSquareOfItsSteps) {
     EXPECT_EQ(response.status, Status::Completed);
     return std::fabs(last(response, 2) / last(response, 3));
   };
-  const double coarse = residual_share(20);
-  const double fine = residual_share(80);
+  const double coarse = residual_fraction(20);
+  const double fine = residual_fraction(80);
   EXPECT_LT(coarse, 1e-3);
   EXPECT_LT(fine, coarse / 8.0);
 }

@@ -121,7 +121,7 @@ TEST(RayleighCantilever, IsEulersWithoutRotaryInertia) {
   }
 }
 
-TEST(RayleighCantilever, FallsAtFirstByTheModesShareOfRotation) {
+TEST(RayleighCantilever, FallsAtFirstByTheModesFractionOfRotation) {
   // Rayleigh's quotient: omega^2 falls by r^2 int W'^2/int W^2, of the cantilever's modes
   // s x (2 + s x) with x = beta L and s = (cosh x + cos x)/(sinh x + sin x).
   const double gyration = 1e-8;

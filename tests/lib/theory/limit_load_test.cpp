@@ -52,9 +52,9 @@ TEST(LimitLoad, OfTheFiveFramesOfSupport) {
 TEST(LimitLoad, OfAForceMeetsTheStaticTheorem) {
   for (const BeamEnds ends :
        {BeamEnds::PinnedPinned, BeamEnds::ClampedPinned, BeamEnds::ClampedClamped}) {
-    for (const double share : {0.2, 0.5, 0.7}) {
-      EXPECT_NEAR(static_limit(ends, {.position = share * kLimitL, .force = 1.0}),
-                  limit_force(ends, kMp, kLimitL, share * kLimitL), 1e-9);
+    for (const double fraction : {0.2, 0.5, 0.7}) {
+      EXPECT_NEAR(static_limit(ends, {.position = fraction * kLimitL, .force = 1.0}),
+                  limit_force(ends, kMp, kLimitL, fraction * kLimitL), 1e-9);
     }
   }
 }

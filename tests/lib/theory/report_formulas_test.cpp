@@ -26,7 +26,8 @@ SectionProperties circle(double radius) {
   return section_properties({.shape = SectionShape::Circle, .radius = radius}, kNu);
 }
 
-/// Report's torsion stiffness over G J/l, without the factor 2 of (1) that (2) shares.
+/// The torsion stiffness of Wendelius' report over G J/l, without the factor 2 of (1) that (2)
+/// shares.
 double torsion_ratio(const SectionProperties& p) {
   const double second_moment = report::torsion_second_moment(p.second_moment_x, p.second_moment_y);
   const double printed = report::torsion_stiffness(kE, kNu, second_moment, kFormulaL, kFormulaL);
@@ -93,7 +94,7 @@ TEST(ReportFormulas, BendingStrainOfEquationSevenSwapsTheSides) {
 }
 
 TEST(ReportFormulas, TorsionStrainLeavesOutTheWarpingOfARectangle) {
-  // gamma = (J/W_t) theta/l; the report has c/2 for J/W_t.
+  // gamma = (J/W_t) theta/l; Wendelius' report has c/2 for J/W_t.
   const SectionProperties square = rectangle(1.0, 1.0);
   EXPECT_NEAR(square.torsion_constant / square.torsion_modulus, 0.675, 5e-4);
   EXPECT_DOUBLE_EQ(report::torsion_strain(1.0, kFormulaL, kFormulaL), 0.5);

@@ -69,9 +69,9 @@ TEST_F(CheckTest, JudgesWhatElseASweepSays) {
 TEST_F(CheckTest, JudgesScansToTheEdge) {
   write("check.toml",
         "[[claim]]\nname = 'a'\nstability = { only = ['coupon'], max_work = 1e3 }\n"
-        "silent = { at_most = 0 }\n"
+        "undetected = { at_most = 0 }\n"
         "[[claim]]\nname = 'b'\nstability = { only = ['none of them'] }\n"
-        "unsound = { at_most = 0 }\n");
+        "invalid = { at_most = 0 }\n");
   const auto verdicts = run_check(read_check_file(folder_.file("check.toml")), {});
   EXPECT_TRUE(verdicts[0].holds);
   EXPECT_FALSE(verdicts[1].holds);
@@ -81,16 +81,31 @@ TEST_F(CheckTest, JudgesScansToTheEdge) {
 TEST_F(CheckTest, TakesAnOldKeyAndNamesTheNewOne) {
   const auto read = [&](const std::string& work) {
     write("check.toml",
-          "[[claim]]\nname = 'a'\nstability = { " + work + " }\nsilent = { at_most = 0 }\n");
+          "[[claim]]\nname = 'a'\nstability = { " + work + " }\nundetected = { at_most = 0 }\n");
     return read_check_file(folder_.file("check.toml"));
   };
-  const CheckFile now = read("max_work = 1e3"), old = read("most_work = 1e3");
+  const CheckFile now = read("max_work = 1e3");
   EXPECT_TRUE(now.notes.empty());
+  const CheckFile old = read("most_work = 1e3");
   ASSERT_EQ(old.notes.size(), 1u);
   EXPECT_EQ(old.notes[0], folder_.file("check.toml") + ":3: most_work is now max_work");
   EXPECT_EQ(old.claims[0].scan->max_segment_steps, now.claims[0].scan->max_segment_steps);
   EXPECT_EQ(now.claims[0].scan->max_segment_steps, 1e3);
   EXPECT_THROW(read("max_work = 1e3, most_work = 1e3"), InputError);
+}
+
+TEST_F(CheckTest, TakesOldClaimsOfTheStudyAtTheExtremes) {
+  const auto read_claim = [&](const std::string& claim) {
+    write("check.toml", "[[claim]]\nname = 'a'\nstability = {}\n" + claim + " = { at_most = 0 }\n");
+    return read_check_file(folder_.file("check.toml"));
+  };
+  EXPECT_EQ(read_claim("undetected").claims.at(0).kind, ClaimKind::Undetected);
+  EXPECT_EQ(read_claim("invalid").claims.at(0).kind, ClaimKind::Invalid);
+  EXPECT_TRUE(read_claim("invalid").notes.empty());
+  EXPECT_EQ(read_claim("silent").claims.at(0).kind, ClaimKind::Undetected);
+  EXPECT_EQ(read_claim("unsound").claims.at(0).kind, ClaimKind::Invalid);
+  EXPECT_EQ(read_claim("silent").notes,
+            std::vector{folder_.file("check.toml") + ":4: silent is now undetected"});
 }
 
 TEST_F(CheckTest, TakesAnOldClaimAndNamesTheNewOne) {
@@ -144,10 +159,11 @@ TEST_F(CheckTest, SaysEachVerdictOnce) {
 TEST_F(CheckTest, RefusesBadClaimsInOneLine) {
   EXPECT_EQ(message(""),
             ":1: claim[1]: claims nothing: it needs one of order, correlation, error, "
-            "extrapolated_error, gci, work, spread, value, energy_balance, failed, silent, "
-            "unsound");
-  EXPECT_EQ(message("silent = { at_most = 0 }\n"),
-            ":4: claim[1].silent = { at_most = 0 }: is about stability = { … }, not about a sweep");
+            "extrapolated_error, gci, work, spread, value, energy_balance, failed, undetected, "
+            "invalid");
+  EXPECT_EQ(
+      message("undetected = { at_most = 0 }\n"),
+      ":4: claim[1].undetected = { at_most = 0 }: is about stability = { … }, not about a sweep");
   EXPECT_EQ(message("order = {}\n"), ":4: claim[1].order = {}: needs at_least or at_most");
   EXPECT_EQ(message("order = { at_least = 1 }\nerror = { at_most = 1 }\n"),
             ":5: claim[1].error = { at_most = 1 }: is a second claim: one table makes one");

@@ -112,7 +112,7 @@ TEST(ClosedForms, RefuseOtherChains) {
   other.end_rule = EndRule::Half;
   EXPECT_EQ(refused(other), "is for more segments");
   other = scene;
-  other.beam.segment_shares = {0.3, 0.7};
+  other.beam.segment_fractions = {0.3, 0.7};
   EXPECT_EQ(refused(other),
             "is for rules.formulas = \"mechanics\" and segments that the rule divides");
   other = scene;

@@ -75,7 +75,7 @@ TEST(ReadSweep, DividesARangeEvenlyOrByRatios) {
   EXPECT_EQ(ratios[3], 1.0);
 }
 
-TEST(ReadSweep, RoundsWholeNumbersAndKeepsEachOnce) {
+TEST(ReadSweep, RoundsIntegersAndKeepsEachOnce) {
   const Sweep sweep =
       one_axis("field = 'beam.segments'\nlogarithmic = { from = 2, to = 8, count = 9 }");
   EXPECT_EQ(numbers(sweep.axes[0]), (std::vector<double>{2, 3, 4, 5, 6, 7, 8}));

@@ -80,9 +80,9 @@ TEST(CaseReport, SaysAllOfACase) {
   SweepRecord record = two_groups();
   record.results[1].reason = "made up";
   const std::string text = case_report(record, 1);
-  for (const char* line : {"  beam.segments       4\n", "  rules.end_rule      equal\n",
-                           "  status              compl", "  reason              made up\n",
-                           "  level               planar\n", "  segments            4\n"}) {
+  for (const char* line : {"  beam.segments         4\n", "  rules.end_rule        equal\n",
+                           "  status                compl", "  reason                made up\n",
+                           "  level                 planar\n", "  segments              4\n"}) {
     EXPECT_TRUE(has(text, line)) << line << text;
   }
   EXPECT_TRUE(text.starts_with("case " + record.ids[1] + " of test\n")) << text;

@@ -57,7 +57,7 @@ TEST_F(SweepRunTest, GivesTheSameBitsForEveryNumberOfThreads) {
 TEST_F(SweepRunTest, GoesOnWithWhatIsMissing) {
   stop_after(3);
   SweepRun run(sweep_, {.journal = {journal_, true}});
-  EXPECT_EQ(run.taken(), 3U);
+  EXPECT_EQ(run.resumed(), 3U);
   std::size_t begun_with = 0;
   run.on_progress([&](const SweepProgress& progress) {
     if (begun_with == 0) begun_with = progress.done;
@@ -73,7 +73,7 @@ TEST_F(SweepRunTest, TakesOnlyWhatIsStillTheSame) {
   stop_after(3);  // 2, 3 and 4 segments
   const Sweep other = cantilever_sweep(segments_axis("[4, 9, 2]") + kTipError);
   SweepRun run(other, {.journal = {journal_, true}});
-  EXPECT_EQ(run.taken(), 2U);
+  EXPECT_EQ(run.resumed(), 2U);
   expect_same_bits(run.run(), run_plainly(other));
 }
 
@@ -86,7 +86,7 @@ TEST_F(SweepRunTest, LeavesTheWorkOfAnotherSweepAlone) {
             journal_ +
                 ": has no case of this sweep, nor has its output: name another output, or use "
                 "--force to start afresh");
-  EXPECT_EQ(SweepRun(sweep_, {.journal = {journal_, true}}).taken(), 3U);
+  EXPECT_EQ(SweepRun(sweep_, {.journal = {journal_, true}}).resumed(), 3U);
 }
 
 TEST_F(SweepRunTest, TakesResultsOfAnEarlierOutput) {
@@ -96,7 +96,7 @@ TEST_F(SweepRunTest, TakesResultsOfAnEarlierOutput) {
   for (std::size_t i = 0; i < results.size(); ++i) earlier[first.ids()[i]] = results[i];
   const Sweep wider = cantilever_sweep(segments_axis("[2, 3, 4, 5, 6, 7, 8, 9]") + kTipError);
   SweepRun run(wider, {.journal = {journal_}, .earlier = std::move(earlier)});
-  EXPECT_EQ(run.taken(), 7U);
+  EXPECT_EQ(run.resumed(), 7U);
   expect_same_bits(run.run(), run_plainly(wider));
 }
 
@@ -142,9 +142,9 @@ TEST_F(SweepRunTest, KeepsAFailedCaseAsARowAndRunsItAgainWhenAsked) {
   EarlierResults earlier;
   for (std::size_t i = 0; i < results.size(); ++i) earlier[first.ids()[i]] = results[i];
   SweepRun kept(sweep, {.earlier = earlier});
-  EXPECT_EQ(kept.taken(), 2U);
+  EXPECT_EQ(kept.resumed(), 2U);
   SweepRun again(sweep, {.earlier = earlier, .rerun_failed = true});
-  EXPECT_EQ(again.taken(), 1U);
+  EXPECT_EQ(again.resumed(), 1U);
   expect_same_bits(again.run(), results);
 }
 

@@ -40,7 +40,7 @@ TEST(StabilityPoints, HaveANormalPointThatIsSoundInEveryScene) {
   const auto rows = run_stability({.only = {"/normal"}, .threads = 1});
   EXPECT_EQ(rows.size(), base_scenes().size());
   for (const StabilityRow& row : rows) {
-    EXPECT_EQ(row.verdict.soundness, Soundness::Sound) << row.id << ": " << row.verdict.reason;
+    EXPECT_EQ(row.verdict.validity, Validity::Valid) << row.id << ": " << row.verdict.reason;
   }
 }
 
@@ -62,7 +62,7 @@ TEST(RunStability, TellsOfBadInputAndOfAStop) {
   const auto rows = run_stability({.only = {"coupon tension/yield=0"}, .threads = 1});
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0].status, Status::Rejected);
-  EXPECT_EQ(rows[0].verdict.soundness, Soundness::Failed);
+  EXPECT_EQ(rows[0].verdict.validity, Validity::Failed);
   EXPECT_NE(rows[0].verdict.reason.find("material.yield_stress"), std::string::npos);
   const std::atomic<bool> stop{true};
   const auto none = run_stability({.only = {"coupon tension"}, .threads = 1, .stop = &stop});
@@ -84,7 +84,7 @@ TEST(StabilitySummary, FindsTheRangeAroundTheNormalValue) {
   // The normal value is 0.5: a bad point at 10 ends the range at 3, one at 1e-4 at 1e-2.
   for (StabilityRow& row : rows) {
     if (row.id.ends_with("load=10") || row.id.ends_with("load=0.0001")) {
-      row.verdict.soundness = Soundness::Inaccurate;
+      row.verdict.validity = Validity::Inaccurate;
     }
   }
   EXPECT_EQ(range_of("load").low, 1e-2);

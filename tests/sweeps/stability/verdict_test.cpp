@@ -11,9 +11,9 @@
 namespace plastica::sweeps::stability {
 namespace {
 
-using enum Soundness;
+using enum Validity;
 
-/// A cantilever under a tip force whose run is sound, and what is known of it.
+/// A cantilever under a tip force whose run is valid, and what is known of it.
 struct Bent {
   Setup setup;
   Response response;
@@ -32,11 +32,11 @@ Bent bent() {
   return made;
 }
 
-Soundness class_of(const Bent& made) {
-  return judge(made.setup, made.response, made.expected).soundness;
+Validity class_of(const Bent& made) {
+  return judge(made.setup, made.response, made.expected).validity;
 }
 
-TEST(Verdict, CallsARunSoundThatMeetsAllThatIsKnown) { EXPECT_EQ(class_of(bent()), Sound); }
+TEST(Verdict, CallsARunValidThatMeetsAllThatIsKnown) { EXPECT_EQ(class_of(bent()), Valid); }
 
 TEST(Verdict, CallsARunFailedThatSaysSo) {
   Bent made = bent();
@@ -44,34 +44,34 @@ TEST(Verdict, CallsARunFailedThatSaysSo) {
   EXPECT_EQ(class_of(made), Failed);
 }
 
-TEST(Verdict, CallsANumberSilentThatIsNotFinite) {
+TEST(Verdict, CallsANumberThatIsNotFiniteAnUndetectedError) {
   Bent made = bent();
   made.response.chain.moment[0] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(class_of(made), Silent);
+  EXPECT_EQ(class_of(made), Undetected);
 }
 
-TEST(Verdict, CallsABeamSilentThatIsOutOfBalance) {
+TEST(Verdict, CallsABeamThatIsOutOfBalanceAnUndetectedError) {
   Bent made = bent();
   // The moment of a joint about x in the last frame.
   made.response.chain.moment[made.response.chain.moment.size() - 12] *= 1.0 + 1e-3;
-  EXPECT_EQ(class_of(made), Silent);
+  EXPECT_EQ(class_of(made), Undetected);
   made = bent();
   for (double& force : made.response.chain.reaction) force *= 1.001;
-  EXPECT_EQ(class_of(made), Silent);
+  EXPECT_EQ(class_of(made), Undetected);
 }
 
-TEST(Verdict, CallsASegmentSilentThatIsStretched) {
+TEST(Verdict, CallsAStretchedSegmentAnUndetectedError) {
   Bent made = bent();
   made.response.chain.position.back() += 1e-3;
-  EXPECT_EQ(class_of(made), Silent);
+  EXPECT_EQ(class_of(made), Undetected);
 }
 
-TEST(Verdict, CallsAJointSilentThatIsBeyondItsCap) {
+TEST(Verdict, CallsAJointBeyondItsCapAnUndetectedError) {
   Bent made = bent();
   made.setup.scene.yield_model = YieldModel::Interaction;
-  EXPECT_EQ(class_of(made), Sound);
+  EXPECT_EQ(class_of(made), Valid);
   made.setup.scene.material.yield_stress = 1e6;
-  EXPECT_EQ(class_of(made), Silent);
+  EXPECT_EQ(class_of(made), Undetected);
 }
 
 TEST(Verdict, TellsAMissOfTheChainFromOneOfTheBeam) {
@@ -80,16 +80,16 @@ TEST(Verdict, TellsAMissOfTheChainFromOneOfTheBeam) {
   made.expected.references[0].continuum = 1.02 * tip;
   EXPECT_EQ(class_of(made), Inaccurate);
   made.expected.references[0].value = 1.02 * tip;
-  EXPECT_EQ(class_of(made), Silent);
+  EXPECT_EQ(class_of(made), Undetected);
 }
 
 TEST(Verdict, WantsTheLimitLoadAndTheBreakThatAreKnown) {
   Bent made = bent();
   made.expected.limit = 0.5;
-  EXPECT_EQ(class_of(made), Silent);
+  EXPECT_EQ(class_of(made), Undetected);
   made = bent();
   made.expected.breaks = true;
-  EXPECT_EQ(class_of(made), Silent);
+  EXPECT_EQ(class_of(made), Undetected);
 }
 
 /// A beam in free flight.
@@ -105,9 +105,9 @@ Bent flying(Scheme scheme) {
 
 TEST(Verdict, HoldsAMotionToWhatItMustKeep) {
   Bent made = flying(Scheme::EnergyMomentum);
-  EXPECT_EQ(class_of(made), Sound);
+  EXPECT_EQ(class_of(made), Valid);
   made.response.probes[0].back() *= 1.001;
-  EXPECT_EQ(class_of(made), Silent);
+  EXPECT_EQ(class_of(made), Undetected);
 }
 
 TEST(Verdict, CallsAMotionInaccurateThatSaysSo) {
@@ -126,7 +126,7 @@ TEST(Verdict, CallsAMotionInaccurateThatSaysSo) {
   EXPECT_EQ(class_of(made), Inaccurate);
   // Energy that the scheme has made and the energy balance error does not tell.
   last.numerical_dissipation = -0.02 * last.external;
-  EXPECT_EQ(class_of(made), Silent);
+  EXPECT_EQ(class_of(made), Undetected);
 }
 
 }  // namespace

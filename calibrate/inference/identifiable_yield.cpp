@@ -1,4 +1,4 @@
-#include "calibrate/inference/shown_yield.hpp"
+#include "calibrate/inference/identifiable_yield.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ class WithoutYield {
   }
 
   /// [Pa^2]; infinite where the model cannot be run.
-  double least_cost() const {
+  double min_cost() const {
     LeastSquaresOptions how;
     how.cost_tolerance = 1e-8;
     const LeastSquares found = minimize_squares(problem_, how);
@@ -70,9 +70,9 @@ class WithoutYield {
 
 }  // namespace
 
-void hide_unseen_yield(Misfit& misfit, const ParameterSet& parameters,
-                       std::span<const double> active, const FitOptions& options,
-                       Misfit::Details& details) {
+void drop_unidentifiable_yield(Misfit& misfit, const ParameterSet& parameters,
+                               std::span<const double> active, const FitOptions& options,
+                               Misfit::Details& details) {
   const std::size_t samples = details.residual.size();
   for (std::size_t k = 0; k < active.size(); ++k) {
     if (!is_yield(parameters.all()[parameters.active()[k]])) continue;
@@ -97,7 +97,7 @@ void hide_unseen_yield(Misfit& misfit, const ParameterSet& parameters,
     }
     const double t = theory::student_t_quantile(0.5 + 0.5 * options.confidence, degrees);
     const double best = misfit.search_cost(active, {});
-    const double without = WithoutYield(misfit, parameters, active, k).least_cost();
+    const double without = WithoutYield(misfit, parameters, active, k).min_cost();
     if (without - best < t * t * variance * squared_weights) std::ranges::fill(slopes, 0.0);
   }
 }

@@ -1,4 +1,4 @@
-#include "calibrate/inference/seen_slopes.hpp"
+#include "calibrate/inference/identifiable_slopes.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -13,7 +13,8 @@ using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 
 }  // namespace
 
-SeenSlopes::SeenSlopes(std::span<const double> slopes, const std::vector<bool>& at_bound) {
+IdentifiableSlopes::IdentifiableSlopes(std::span<const double> slopes,
+                                       const std::vector<bool>& at_bound) {
   const auto n = static_cast<Index>(at_bound.size());
   const Index m = n > 0 ? static_cast<Index>(slopes.size()) / n : 0;
   const Eigen::Map<const Slopes> j(slopes.data(), m, n);
@@ -29,33 +30,33 @@ SeenSlopes::SeenSlopes(std::span<const double> slopes, const std::vector<bool>& 
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(size.asDiagonal() * normal *
                                                        size.asDiagonal());
   VectorXd stiffness = solver.eigenvalues();
-  for (double& value : stiffness) value = value > kUnseen ? 1.0 / value : 0.0;
+  for (double& value : stiffness) value = value > kNotIdentifiable ? 1.0 / value : 0.0;
   inverse_ = size.asDiagonal() * solver.eigenvectors() * stiffness.asDiagonal() *
              solver.eigenvectors().transpose() * size.asDiagonal();
 }
 
-std::vector<double> degrees_left(const SceneProblem& problem, const SeenSlopes& seen) {
+std::vector<double> degrees_left(const SceneProblem& problem, const IdentifiableSlopes& slopes) {
   std::vector<double> left;
-  for (const ScenePart& part : problem.parts()) {
-    left.push_back(static_cast<double>(part.target.ordinate.size()));
+  for (const WeightedTarget& weighted : problem.targets()) {
+    left.push_back(static_cast<double>(weighted.target.ordinate.size()));
   }
-  if (seen.slopes().cols() == 0) return left;
-  // The parts, and the priors as one more.
-  std::vector<MatrixXd> seen_by;
+  if (slopes.slopes().cols() == 0) return left;
+  // The targets, and the priors as one more.
+  std::vector<MatrixXd> by_target;
   std::vector<double> weights;
-  for (std::size_t part = 0; part <= problem.parts().size(); ++part) {
-    const bool priors = part == problem.parts().size();
-    const std::size_t first = priors ? problem.samples() : problem.first_residual(part);
+  for (std::size_t t = 0; t <= problem.targets().size(); ++t) {
+    const bool priors = t == problem.targets().size();
+    const std::size_t first = priors ? problem.samples() : problem.first_residual(t);
     const std::size_t count =
-        priors ? problem.squares().residuals - first : problem.parts()[part].target.ordinate.size();
+        priors ? problem.squares().residuals - first : problem.targets()[t].target.ordinate.size();
     const auto rows =
-        seen.slopes().middleRows(static_cast<Index>(first), static_cast<Index>(count));
-    seen_by.emplace_back(seen.inverse() * (rows.transpose() * rows));
-    weights.push_back(priors ? 1.0 : problem.parts()[part].weight);
+        slopes.slopes().middleRows(static_cast<Index>(first), static_cast<Index>(count));
+    by_target.emplace_back(slopes.inverse() * (rows.transpose() * rows));
+    weights.push_back(priors ? 1.0 : problem.targets()[t].weight);
   }
   for (std::size_t p = 0; p < left.size(); ++p) {
-    for (std::size_t q = 0; q < seen_by.size(); ++q) {
-      left[p] += (weights[q] / weights[p] - 2.0) * (seen_by[p] * seen_by[q]).trace();
+    for (std::size_t q = 0; q < by_target.size(); ++q) {
+      left[p] += (weights[q] / weights[p] - 2.0) * (by_target[p] * by_target[q]).trace();
     }
     left[p] = std::max(left[p], 0.0);
   }

@@ -6,11 +6,10 @@
 #include "calibrate/problem/misfit.hpp"
 #include "calibrate/problem/parameter_set.hpp"
 
-/// Whether a curve shows that it yields; not installed.
+/// Whether a yield stress is identifiable from a curve; not installed.
 namespace plastica::calibrate {
 
-/// Takes yield stresses that the curve does not show out of the slopes of a solution, so that they
-/// are not identified.
+/// Takes yield stresses that are not identifiable from the curve out of the slopes of a solution.
 ///
 /// Of a curve that stays elastic the best yield stress is often that of its last sample or two,
 /// where their noise is downwards: the slopes say that these determine it. So where no more than
@@ -18,8 +17,8 @@ namespace plastica::calibrate {
 /// searched anew) must be higher by what the confidence asks for, the squared quantile of Student's
 /// t times the noise.
 /// @param active  solution, SI (n)
-void hide_unseen_yield(Misfit& misfit, const ParameterSet& parameters,
-                       std::span<const double> active, const FitOptions& options,
-                       Misfit::Details& details);
+void drop_unidentifiable_yield(Misfit& misfit, const ParameterSet& parameters,
+                               std::span<const double> active, const FitOptions& options,
+                               Misfit::Details& details);
 
 }  // namespace plastica::calibrate
