@@ -297,14 +297,6 @@ class SceneFit {
 
 }  // namespace
 
-const FittedParameter& SceneFitResult::parameter(std::string_view name) const {
-  for (const FittedParameter& p : parameters) {
-    const std::string_view path = p.path;
-    if (path == name || path.substr(path.rfind('.') + 1) == name) return p;
-  }
-  throw std::out_of_range("no fitted parameter " + std::string(name));
-}
-
 SceneFitResult fit_scenes(std::span<const WeightedTarget> targets, const SceneFitOptions& options) {
   check_scene_fit(targets, options);
   return SceneFit(targets, options).run();

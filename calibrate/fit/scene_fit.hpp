@@ -1,21 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "calibrate/fit/scene_fit_hooks.hpp"
 #include "calibrate/inference/intervals.hpp"
-#include "calibrate/inference/segments_error.hpp"
-#include "calibrate/inference/verdict.hpp"
 #include "calibrate/problem/law.hpp"
 #include "calibrate/problem/parameter.hpp"
-#include "calibrate/result/result.hpp"
+#include "calibrate/result/scene_fit_result.hpp"
 #include "calibrate/search/ladder.hpp"
-#include "calibrate/search/least_squares.hpp"
 #include "calibrate/target/scene_target.hpp"
 
 namespace plastica::calibrate {
@@ -60,62 +54,6 @@ struct SceneFitOptions {
   int threads = 1;              ///< 0: as many as the machine has; changes no bit
   IntervalOptions intervals{};  ///< besides those of the covariance
   SceneFitHooks hooks{};        ///< change none either
-};
-
-/// What a fit made of one target.
-struct TargetFit {
-  std::string name;
-  Level level = Level::Auto;
-  std::size_t samples = 0;
-  double cost = 0.0;  ///< sum of the squared residuals [SI^2]
-  /// Standard deviation of the ordinate [SI]: errors are based on it and targets weighted by it. As
-  /// the target states it, else estimated from residuals (target_noise.hpp).
-  double noise = 0.0;
-  double degrees_of_freedom = 0.0;  ///< of this; infinite where the target states it
-  double misfit_fraction = 0.0;     ///< rms residual over the largest measured ordinate [1]
-  /// Wald and Wolfowitz: probability of as few runs of residuals of one sign, if they were
-  /// independent, or of so few of one sign [1]; NaN for fewer than 20. Small where the model
-  /// cannot follow.
-  double runs_test_p = 0.0;
-  std::vector<double> fitted;  ///< the model's ordinate at the measured abscissa [SI] (n_samples)
-  /// Standard error of each of these from the covariance, sqrt(diag(J C J^T)) [SI] (n_samples).
-  std::vector<double> fitted_error;
-  /// Permanent strain of the fitted model where the target broke [1]; NaN if it did not.
-  double break_strain = 0.0;
-};
-
-/// One search of several. Ranked by their costs, they are the waterfall of the starts.
-struct SceneStart {
-  std::vector<double> from;  ///< values of the searched parameters [SI] (n)
-  std::vector<double> to;    ///< where it ended [SI] (n); empty without a start
-  /// There: sum of the squares over the noise, or over each target's largest ordinate while the
-  /// noise was not known [1]; infinite without a start.
-  double cost = 0.0;
-  LeastSquaresOutcome outcome = LeastSquaresOutcome::NoStart;
-  int evaluations = 0;
-};
-
-struct SceneFitResult {
-  FitStatus status = FitStatus::Failed;     ///< Fitted or Failed
-  std::string reason;                       ///< one sentence for Failed
-  std::vector<FittedParameter> parameters;  ///< the free ones, in the order of the options
-  std::vector<double> correlation;          ///< of these (n_free x n_free); NaN where there is none
-  std::vector<TargetFit> targets;
-  double degrees_of_freedom = 0.0;  ///< of an estimated noise; infinite if all targets have theirs
-  std::vector<SceneStart> starts;   ///< in their order
-  LeastSquaresOutcome outcome = LeastSquaresOutcome::NoStart;  ///< of the best search
-  int runs = 0;                         ///< of scenes, those of differences and errors included
-  int search_runs = 0;                  ///< of these, what the search took
-  int failed_runs = 0;                  ///< of all, without a curve over the measured abscissa
-  std::int64_t segment_iterations = 0;  ///< of all runs
-  /// Where the options ask for it and a target was measured on a beam, no coupon.
-  std::optional<SceneSegments> segments;
-  std::vector<std::string> warnings;
-  FitIntervals intervals;  ///< those that were asked for
-  Law law = Law::Ideal;    ///< of the first target's material
-
-  /// The parameter of a path, or of its last part. @throws std::out_of_range
-  const FittedParameter& parameter(std::string_view name) const;
 };
 
 /// Fits fields of one or several scenes to measured curves, by least squares of the ordinates.

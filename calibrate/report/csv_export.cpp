@@ -14,7 +14,7 @@
 #include "calibrate/report/described.hpp"
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/law_choice.hpp"
-#include "calibrate/report/shown_intervals.hpp"
+#include "calibrate/report/parameter_columns.hpp"
 #include "calibrate/report/summary.hpp"
 #include "calibrate/result/describe_fit.hpp"
 #include "calibrate/result/describe_target.hpp"
@@ -43,19 +43,6 @@ std::vector<std::string> group_keys(const FitRecord& record) {
   return keys;
 }
 
-const FittedParameter* find_parameter(const FitRecord& record, std::string_view name) {
-  for (const FittedParameter& parameter : record.result.parameters) {
-    if (parameter.name() == name) return &parameter;
-  }
-  return nullptr;
-}
-
-std::vector<IntervalColumn> columns_of(std::span<const FitRecord> records) {
-  std::vector<const FitIntervals*> all;
-  for (const FitRecord& record : records) all.push_back(&record.result.intervals);
-  return interval_columns(all);
-}
-
 /// The columns of a fit and of its curve's characteristics; null: empty cells.
 CellDescriber<FitRecord> fit_columns(const FitRecord* record) {
   CellDescriber<FitRecord> columns(record, "", {});
@@ -73,23 +60,6 @@ CellDescriber<FitRecord> fit_columns(const FitRecord* record) {
   return columns;
 }
 
-/// The columns of a parameter; null: empty cells.
-CellDescriber<FittedParameter> columns_of(const FittedParameter* parameter, std::string prefix = {},
-                                          std::string_view units = {}) {
-  CellDescriber<FittedParameter> columns(parameter, std::move(prefix), units);
-  kDescribeParameter(columns);
-  return columns;
-}
-
-/// A cell of a parameter's intervals; empty for one that is not free.
-std::string interval_cell(const IntervalColumn& column, const FitResult& result,
-                          const FittedParameter* parameter) {
-  const auto free = result.free_parameters();
-  const auto found = std::ranges::find(free, parameter);
-  if (found == free.end()) return {};
-  return column.cell(result.intervals, static_cast<std::size_t>(found - free.begin()));
-}
-
 /// One line of the curves; the columns are those of write_curves_csv.
 void put_sample(std::ostream& out, const std::string& name, double strain,
                 std::optional<double> measured, std::optional<double> fitted) {
@@ -101,46 +71,22 @@ void put_sample(std::ostream& out, const std::string& name, double strain,
 
 void write_specimens_csv(std::ostream& out, std::span<const FitRecord> records) {
   const std::vector<std::string> keys = all_names(records, group_keys);
-  const std::vector<std::string> parameters = all_names(records, [](const FitRecord& record) {
-    std::vector<std::string> names;
-    for (const FittedParameter& parameter : record.result.parameters) {
-      names.push_back(parameter.name());
-    }
-    return names;
-  });
-  const std::vector<IntervalColumn> intervals = columns_of(records);
+  std::vector<FitRow> fits;
+  for (const FitRecord& record : records) fits.push_back({.fit = &record.result});
+  const ParameterColumns parameters(fits);
   std::vector<std::string> header = fit_columns(nullptr).names;
   for (const std::string& key : keys) header.push_back("group." + key);
-  for (const std::string& name : parameters) {
-    const FittedParameter* example = nullptr;
-    for (std::size_t i = 0; example == nullptr; ++i) example = find_parameter(records[i], name);
-    const std::string_view unit = si_unit(example->dimension);
-    for (std::string& title : columns_of(example, "fit." + name, unit).names) {
-      header.push_back(std::move(title));
-    }
-    for (const IntervalColumn& column : intervals) {
-      header.push_back(fmt::format("fit.{}{}", name, column.name));
-      if (column.has_unit) header.back() += fmt::format(" [{}]", unit);
-    }
-  }
+  parameters.add_titles(header);
   put_row(out, header);
-
-  for (const FitRecord& record : records) {
-    const Target& target = record.target;
-    const FitResult& result = record.result;
-    std::vector<std::string> row = fit_columns(&record).cells;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    std::vector<std::string> row = fit_columns(&records[i]).cells;
     for (const std::string& key : keys) {
-      const auto pair = std::find_if(target.group.begin(), target.group.end(),
-                                     [&](const auto& entry) { return entry.first == key; });
-      row.push_back(pair == target.group.end() ? std::string() : pair->second);
+      const auto& group = records[i].target.group;
+      const auto pair =
+          std::ranges::find(group, key, [](const auto& entry) { return entry.first; });
+      row.push_back(pair == group.end() ? std::string() : pair->second);
     }
-    for (const std::string& name : parameters) {
-      const FittedParameter* parameter = find_parameter(record, name);
-      for (std::string& cell : columns_of(parameter).cells) row.push_back(std::move(cell));
-      for (const IntervalColumn& column : intervals) {
-        row.push_back(interval_cell(column, result, parameter));
-      }
-    }
+    parameters.add_cells(fits[i], row);
     put_row(out, row);
   }
 }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/plot_parts.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "plastica/base/check.hpp"

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/shown_intervals.hpp"
 #include "plastica/report/ink.hpp"

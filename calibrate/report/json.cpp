@@ -13,8 +13,7 @@
 #include "calibrate/report/json_values.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/law_json.hpp"
-#include "calibrate/report/parameter_json.hpp"
-#include "calibrate/report/shown_intervals.hpp"
+#include "calibrate/report/outcome_json.hpp"
 #include "calibrate/report/summary.hpp"
 #include "calibrate/result/describe_fit.hpp"
 #include "calibrate/result/describe_target.hpp"
@@ -29,30 +28,9 @@ Json pairs(const std::vector<std::pair<std::string, std::string>>& all) {
   return object;
 }
 
-/// Rows of the matrix of the free parameters; empty if the fit gave none.
-Json correlation_of(const FitResult& result) {
-  std::vector<std::string> names;
-  for (const FittedParameter& parameter : result.parameters) {
-    if (parameter.role == ParameterRole::Free) names.push_back(parameter.name());
-  }
-  const std::size_t n = names.size();
-  Json rows = Json::array();
-  if (result.correlation.size() != n * n) names.clear();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    Json row = Json::array();
-    for (std::size_t j = 0; j < n; ++j) row.push_back(number(result.correlation[i * n + j]));
-    rows.push_back(std::move(row));
-  }
-  return {{"parameters", std::move(names)}, {"matrix", std::move(rows)}};
-}
-
 Json fit_of(const FitRecord& record) {
   const Target& target = record.target;
   const FitResult& result = record.result;
-  Json parameters = Json::object();
-  for (const FittedParameter& parameter : result.parameters) {
-    parameters[parameter.name()] = json_of(parameter);
-  }
   Json warnings = target.warnings;
   for (const std::string& warning : result.warnings) warnings.push_back(warning);
   Json properties = Json::object();
@@ -61,17 +39,13 @@ Json fit_of(const FitRecord& record) {
   fit["reason"] = text_or_null(reason_of(record));
   fit["evaluations"] = result.evaluations();
   fit["characteristics"] = described_json(&target.characteristics, kDescribeCharacteristics);
-  fit["parameters"] = std::move(parameters);
-  fit["correlation"] = correlation_of(result);
+  add_outcome(fit, result);
   fit["stages"] = described_list(result.stages, kDescribeStage);
   fit["group"] = pairs(target.group);
   fit["properties"] = std::move(properties);
   fit["repairs"] = described_list(target.repairs, kDescribeRepair);
   fit["corrections"] = described_list(target.corrections, kDescribeCorrection);
   fit["warnings"] = std::move(warnings);
-  const FitIntervals& intervals = result.intervals;
-  const bool any = !intervals.profiles.empty() || intervals.residuals.resamples > 0;
-  if (any) fit["intervals"] = intervals_json(shown_intervals(record));
   return fit;
 }
 

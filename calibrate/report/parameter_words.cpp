@@ -7,6 +7,10 @@
 
 namespace plastica::calibrate::report {
 
+std::string short_name(std::string_view path) {
+  return printable(path.substr(path.rfind('.') + 1));
+}
+
 DisplayUnit display_unit(const FittedParameter& parameter) {
   return display_unit_of(parameter.path, parameter.dimension, parameter.value);
 }

@@ -9,6 +9,8 @@
 /// How a fitted parameter looks in everything that people read; not installed.
 namespace plastica::calibrate::report {
 
+/// "yield_stress" of "material.yield_stress", printable.
+std::string short_name(std::string_view path);
 /// The unit in which it is shown at its value.
 DisplayUnit display_unit(const FittedParameter& parameter);
 

@@ -61,7 +61,7 @@ PlotScript make(std::span<const FitRecord> all, PlotRequest request) {
   }
   if (what == "profile" || what == "bootstrap") {
     const FitRecord record = specimen();
-    const auto shown = report::shown_intervals(record);
+    const auto shown = report::shown_intervals(record.result, record.name());
     const auto figure =
         what == "profile" ? report::profile_figure(shown) : report::bootstrap_figure(shown);
     return terminal ? plastica::report::figure_terminal(figure)

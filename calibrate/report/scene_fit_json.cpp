@@ -12,10 +12,10 @@
 #include "calibrate/report/json_values.hpp"
 #include "calibrate/report/law_choice.hpp"
 #include "calibrate/report/law_json.hpp"
-#include "calibrate/report/parameter_json.hpp"
+#include "calibrate/report/outcome_json.hpp"
+#include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/scene_population.hpp"
-#include "calibrate/report/shown_intervals.hpp"
 #include "calibrate/result/describe_fit.hpp"
 #include "calibrate/result/describe_target.hpp"
 
@@ -23,14 +23,6 @@ namespace plastica::calibrate {
 namespace {
 
 using namespace report;
-/// Rows of a square matrix; empty if it is none.
-Json matrix(std::span<const double> values, std::size_t n) {
-  Json rows = Json::array();
-  if (values.size() != n * n) return rows;
-  for (std::size_t i = 0; i < n; ++i) rows.push_back(numbers(values.subspan(i * n, n)));
-  return rows;
-}
-
 /// @param of_target  null: the fit has none
 Json target_of(const SceneTarget& target, double weight, const TargetFit* of_target) {
   Json object = described_json(&target, kDescribeSceneTarget);
@@ -61,8 +53,6 @@ Json segments_of(const SceneFitResult& result) {
 
 Json fit_of(const SceneFitRecord& record) {
   const SceneFitResult& result = record.result;
-  Json parameters = Json::object();
-  for (const FittedParameter& p : result.parameters) parameters[p.name()] = json_of(p);
   Json targets = Json::array();
   for (std::size_t i = 0; i < record.targets.size(); ++i) {
     const bool there = result.targets.size() == record.targets.size();
@@ -74,13 +64,9 @@ Json fit_of(const SceneFitRecord& record) {
     starts[i]["from"] = numbers(result.starts[i].from);
     starts[i]["to"] = numbers(result.starts[i].to);
   }
-  int evaluations = 0;
-  for (const SceneStart& start : result.starts) evaluations += start.evaluations;
   Json fit = described_json(&record, kDescribeSceneFit);
-  fit["evaluations"] = evaluations;
-  fit["parameters"] = std::move(parameters);
-  fit["intervals"] = intervals_json(shown_intervals(record));
-  fit["correlation"] = matrix(result.correlation, result.parameters.size());
+  fit["evaluations"] = result.evaluations();
+  add_outcome(fit, result);
   fit["segments"] = segments_of(result);
   fit["targets"] = std::move(targets);
   fit["starts"] = std::move(starts);
@@ -105,10 +91,10 @@ Json population_of(std::span<const SceneFitRecord> records, double confidence) {
   }
   const std::size_t n = population.parameters.size();
   return {{"parameters", std::move(parameters)},
-          {"covariance", matrix(population.covariance, n)},
-          {"specimen_covariance", matrix(population.specimen_covariance, n)},
-          {"specimen_covariance_low", matrix(population.covariance_low, n)},
-          {"specimen_covariance_high", matrix(population.covariance_high, n)},
+          {"covariance", matrix_json(population.covariance, n)},
+          {"specimen_covariance", matrix_json(population.specimen_covariance, n)},
+          {"specimen_covariance_low", matrix_json(population.covariance_low, n)},
+          {"specimen_covariance_high", matrix_json(population.covariance_high, n)},
           {"confidence", confidence}};
 }
 

@@ -73,8 +73,10 @@ PlotScript make(std::span<const SceneFitRecord> all, PlotRequest request) {
   record.name = label_of(record, compares_laws(all));
   if (what == "correlation") return report::correlation_plot(record, terminal);
   if (what == "segments") return drawn(report::segments_figure(record));
-  if (what == "profile") return drawn(report::profile_figure(report::shown_intervals(record)));
-  if (what == "bootstrap") return drawn(report::bootstrap_figure(report::shown_intervals(record)));
+  if (what == "profile")
+    return drawn(report::profile_figure(report::shown_intervals(record.result, record.name)));
+  if (what == "bootstrap")
+    return drawn(report::bootstrap_figure(report::shown_intervals(record.result, record.name)));
   if (what == "starts") return drawn(report::starts_figure(record));
   if (what == "residuals") return drawn(report::residuals_figure(record));
   return drawn(report::fit_figure(record, terminal));

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/outcome_text.hpp"
 #include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/scene_errors_text.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
@@ -79,25 +80,6 @@ std::string noise_text(const SceneFitResult& result) {
   return fmt::format("noise estimated from residuals, {} degrees of freedom", degrees);
 }
 
-std::string parameters_text(const SceneFitResult& result, const ReportOptions& options,
-                            const Ink& ink) {
-  if (result.parameters.empty()) return {};
-  const bool fitted = result.status == FitStatus::Fitted;
-  Table table({{"", Align::Left},
-               {"value ± error", Align::PlusMinus},
-               {"", Align::Left},
-               {fmt::format("{:.4g} % interval", 100.0 * options.confidence), Align::Range},
-               {"verdict", Align::Left}});
-  for (const FittedParameter& parameter : result.parameters) {
-    const DisplayUnit unit = report::display_unit(parameter);
-    table.add({short_name(parameter.path), value_text(parameter, unit), std::string(unit.name),
-               interval_text(parameter, unit), fitted ? verdict_text(parameter) : ""});
-  }
-  std::string text = '\n' + ink.heading("Parameters\n") + table.text(2, kWidth);
-  if (!fitted) return text;
-  return text + scene_entry("errors", noise_text(result));
-}
-
 /// "0.0290 ± 0.0005 m".
 std::string break_text(const SceneTarget& target) {
   const DisplayUnit unit = plastica::report::display_unit(target.abscissa_is, target.broke->at);
@@ -149,32 +131,18 @@ std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
   return '\n' + ink.heading("Targets\n") + table.text(2, kWidth);
 }
 
-std::string correlations_text(const SceneFitResult& result, const Ink& ink) {
-  Table table({{"", Align::Left}, {"", Align::Right}});
-  for (const StrongCorrelation& pair : strong_correlations(result)) {
-    table.add({short_name(result.parameters[pair.a].path) + ", " +
-                   short_name(result.parameters[pair.b].path),
-               fmt::format("{:+.3f}", pair.value)});
-  }
-  if (table.rows() == 0) return {};
-  const std::string heading = fmt::format("Correlations above {}\n", kStrongCorrelation);
-  return '\n' + ink.heading(heading) + table.text(2, kWidth);
-}
-
 }  // namespace
 
 std::string scene_fit_report(const SceneFitRecord& record, const ReportOptions& options) {
   const Ink ink(options.color);
-  std::string text = header(record, ink) + parameters_text(record.result, options, ink) +
-                     intervals_text(shown_intervals(record.result), options) +
-                     errors_text(record, ink) + segments_text(record, ink) +
-                     targets_text(record, ink) + correlations_text(record.result, ink);
-  std::string warnings;
-  for (const std::string& warning : record.result.warnings) {
-    warnings += wrapped("  ! ", printable(warning), kWidth);
+  const SceneFitResult& result = record.result;
+  std::string text = header(record, ink) + parameters_text(result, options, ink);
+  if (result.is_fitted() && !result.parameters.empty()) {
+    text += scene_entry("errors", noise_text(result));
   }
-  if (!warnings.empty()) text += '\n' + ink.bad("Warnings\n") + warnings;
-  return text;
+  return text + intervals_text(shown_intervals(result), options) + errors_text(record, ink) +
+         segments_text(record, ink) + targets_text(record, ink) + correlations_text(result, ink) +
+         warnings_text({&result.warnings}, ink);
 }
 
 }  // namespace plastica::calibrate

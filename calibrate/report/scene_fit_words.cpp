@@ -9,10 +9,6 @@
 
 namespace plastica::calibrate::report {
 
-std::string short_name(std::string_view path) {
-  return printable(path.substr(path.rfind('.') + 1));
-}
-
 std::string abscissa_text(const SceneTarget& target) {
   switch (target.kind) {
     case Abscissa::Probe: return printable(target.abscissa_probe);
@@ -22,19 +18,6 @@ std::string abscissa_text(const SceneTarget& target) {
     case Abscissa::Strain: return "strain";
   }
   return {};
-}
-
-std::vector<StrongCorrelation> strong_correlations(const SceneFitResult& result) {
-  const std::size_t n = result.parameters.size();
-  std::vector<StrongCorrelation> all;
-  if (result.correlation.size() != n * n) return all;
-  for (std::size_t a = 0; a < n; ++a) {
-    for (std::size_t b = a + 1; b < n; ++b) {
-      const double value = result.correlation[a * n + b];
-      if (std::fabs(value) > kStrongCorrelation) all.push_back({a, b, value});
-    }
-  }
-  return all;
 }
 
 std::vector<double> sorted_costs(const SceneFitResult& result) {

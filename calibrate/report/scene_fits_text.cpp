@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/report/outcome_text.hpp"
 #include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/scene_fit_text.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
@@ -55,11 +56,6 @@ std::string flags_of(const SceneFitResult& result) {
   return flags;
 }
 
-const FittedParameter* find_parameter(const SceneFitResult& result, const std::string& path) {
-  const auto found = std::ranges::find(result.parameters, path, &FittedParameter::path);
-  return found == result.parameters.end() ? nullptr : &*found;
-}
-
 /// A parameter's column: its unit fits the largest value.
 struct ColumnParameter {
   std::string path;
@@ -72,7 +68,7 @@ std::vector<ColumnParameter> column_parameters(std::span<const SceneFitRecord> r
   for (const PopulationParameter& parameter : population.parameters) {
     double most = 0.0;
     for (const SceneFitRecord& record : records) {
-      const FittedParameter* found = find_parameter(record.result, parameter.path);
+      const FittedParameter* found = record.result.find_parameter(parameter.path);
       if (found != nullptr) most = std::fmax(most, std::fabs(found->value));
     }
     shown.push_back({parameter.path, display_unit_of(parameter.path, parameter.dimension, most)});
@@ -93,7 +89,7 @@ std::vector<std::string> row_of(const SceneFitRecord& record,
   const bool fitted = result.status == FitStatus::Fitted;
   std::vector<std::string> cells = {printable(record.name)};
   for (const ColumnParameter& parameter : shown) {
-    const FittedParameter* found = find_parameter(result, parameter.path);
+    const FittedParameter* found = result.find_parameter(parameter.path);
     const bool there = fitted && found != nullptr && found->verdict() != Verdict::NotIdentified;
     cells.push_back(there ? value_text(*found, parameter.unit) : "-");
   }

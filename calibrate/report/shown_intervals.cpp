@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "calibrate/report/csv_cells.hpp"
-#include "calibrate/report/scene_fit_words.hpp"
+#include "calibrate/report/parameter_words.hpp"
 
 namespace plastica::calibrate::report {
 namespace {
@@ -57,30 +57,12 @@ constexpr IntervalColumn kColumns[] = {
 
 }  // namespace
 
-ShownIntervals shown_intervals(const FitRecord& record) {
-  ShownIntervals shown;
-  shown.name = record.target.name;
-  shown.intervals = &record.result.intervals;
-  for (const FittedParameter* p : record.result.free_parameters()) {
+ShownIntervals shown_intervals(const FitOutcome& fit, std::string name) {
+  ShownIntervals shown{.name = std::move(name), .parameters = {}, .intervals = &fit.intervals};
+  for (const FittedParameter* p : fit.free_parameters()) {
     shown.parameters.push_back({p->path, p->dimension, p->value, p->noise_error, p->standard_error,
                                 p->interval_low, p->interval_high});
   }
-  return shown;
-}
-
-ShownIntervals shown_intervals(const SceneFitResult& result) {
-  ShownIntervals shown;
-  shown.intervals = &result.intervals;
-  for (const FittedParameter& p : result.parameters) {
-    shown.parameters.push_back({p.path, p.dimension, p.value, p.noise_error, p.standard_error,
-                                p.interval_low, p.interval_high});
-  }
-  return shown;
-}
-
-ShownIntervals shown_intervals(const SceneFitRecord& record) {
-  ShownIntervals shown = shown_intervals(record.result);
-  shown.name = record.name;
   return shown;
 }
 

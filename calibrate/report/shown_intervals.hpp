@@ -7,8 +7,7 @@
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/json_values.hpp"
 #include "calibrate/report/text.hpp"
-#include "calibrate/result/result.hpp"
-#include "calibrate/result/scene_fit_record.hpp"
+#include "calibrate/result/fit_outcome.hpp"
 
 /// Intervals of a fit, of a coupon or through scenes, as reports, tables and pictures show them;
 /// not installed.
@@ -29,10 +28,8 @@ struct ShownIntervals {
   const FitIntervals* intervals = nullptr;
 };
 
-/// @param record  must outlive what is returned
-ShownIntervals shown_intervals(const FitRecord& record);
-ShownIntervals shown_intervals(const SceneFitRecord& record);
-ShownIntervals shown_intervals(const SceneFitResult& result);
+/// @param fit  must outlive what is returned
+ShownIntervals shown_intervals(const FitOutcome& fit, std::string name = {});
 
 DisplayUnit display_unit(const ShownParameter& parameter);
 

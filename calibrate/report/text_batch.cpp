@@ -54,13 +54,6 @@ std::string flags_of(const FitRecord& record) {
   return flags;
 }
 
-const FittedParameter* find_parameter(const FitResult& result, std::string_view name) {
-  for (const FittedParameter& parameter : result.parameters) {
-    if (parameter.name() == name) return &parameter;
-  }
-  return nullptr;
-}
-
 /// The symbol of the parameters that people know by one.
 std::string symbol_of(std::string_view name) {
   if (name == "yield_stress") return "σ_y";
@@ -100,7 +93,7 @@ std::vector<BatchParameter> batch_parameters(std::span<const FitRecord> records)
   if (fitted == records.end()) return {};
   for (const std::string_view name :
        {"yield_stress", "shear_yield_stress", "break_strain", "break_shear_strain"}) {
-    const FittedParameter* parameter = find_parameter(fitted->result, name);
+    const FittedParameter* parameter = fitted->result.find_parameter(name);
     if (parameter != nullptr && parameter->role == ParameterRole::Free) consider(name);
   }
   for (const FittedParameter& parameter : fitted->result.parameters) {
@@ -108,9 +101,9 @@ std::vector<BatchParameter> batch_parameters(std::span<const FitRecord> records)
   }
   std::vector<BatchParameter> shown;
   for (const std::string& name : names) {
-    FittedParameter typical = *find_parameter(fitted->result, name);
+    FittedParameter typical = *fitted->result.find_parameter(name);
     typical.value = largest(records, [&](const FitRecord& record) -> std::optional<double> {
-      const FittedParameter* parameter = find_parameter(record.result, name);
+      const FittedParameter* parameter = record.result.find_parameter(name);
       if (parameter == nullptr) return std::nullopt;
       return parameter->value;
     });
@@ -199,7 +192,7 @@ std::string specimens_text(std::span<const FitRecord> records, const ReportOptio
     std::vector<std::string> cells = {printable(record.target.name), cell(modulus(record), gpa, 4),
                                       cell(proof(record), mpa, 4), cell(strength(record), mpa, 4)};
     for (const BatchParameter& parameter : parameters) {
-      const FittedParameter* found = fitted ? find_parameter(result, parameter.name) : nullptr;
+      const FittedParameter* found = fitted ? result.find_parameter(parameter.name) : nullptr;
       cells.push_back(parameter_cell(found, parameter.unit));
     }
     if (total) {

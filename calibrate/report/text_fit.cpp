@@ -6,6 +6,7 @@
 
 #include "calibrate/report/advice.hpp"
 #include "calibrate/report/format.hpp"
+#include "calibrate/report/outcome_text.hpp"
 #include "calibrate/report/parameter_words.hpp"
 #include "calibrate/report/shown_intervals.hpp"
 #include "calibrate/report/summary.hpp"
@@ -20,7 +21,6 @@ using namespace report;
 using plastica::report::Ink;
 using plastica::report::kWidth;
 using plastica::report::Table;
-using Align = Table::Align;
 
 std::string fit_entry(std::string_view label, std::string_view text) {
   return wrapped(fmt::format("  {:<14}", label), text, kWidth);
@@ -171,12 +171,6 @@ std::vector<std::string> notes_on(const FittedParameter& parameter, const FitRec
   return notes;
 }
 
-std::vector<std::string> row_of(const FittedParameter& parameter) {
-  const DisplayUnit unit = display_unit(parameter);
-  return {printable(parameter.name()), value_text(parameter, unit), std::string(unit.name),
-          interval_text(parameter, unit), verdict_text(parameter)};
-}
-
 /// How far the model goes for this curve: stands beside the intervals, which say nothing of it.
 std::string misfit_text(const FitRecord& record, const Ink& ink) {
   const FitResult& result = record.result;
@@ -195,40 +189,6 @@ std::string misfit_text(const FitRecord& record, const Ink& ink) {
   if (!meaning.empty()) line += ", " + meaning;
   const std::string text = fit_entry("misfit", line);
   return result.misfit_word == "poor" ? ink.bad(text) : text;
-}
-
-std::string parameters_text(const FitRecord& record, const ReportOptions& options, const Ink& ink) {
-  if (record.result.parameters.empty()) return {};
-  Table table({{"", Align::Left},
-               {"value ± error", Align::PlusMinus},
-               {"", Align::Left},
-               {fmt::format("{:.4g} % interval", 100.0 * options.confidence), Align::Range},
-               {"verdict", Align::Left}});
-  for (const FittedParameter& parameter : record.result.parameters) {
-    table.add(row_of(parameter));
-    for (std::string& note : notes_on(parameter, record)) table.add_note(std::move(note));
-  }
-  return '\n' + ink.heading("Parameters\n") + table.text(2, kWidth) + misfit_text(record, ink);
-}
-
-std::string correlations_text(const FitResult& result, const Ink& ink) {
-  std::vector<std::string> names;
-  for (const FittedParameter& parameter : result.parameters) {
-    if (parameter.role == ParameterRole::Free) names.push_back(printable(parameter.name()));
-  }
-  const std::size_t n = names.size();
-  if (result.correlation.size() != n * n) return {};
-  Table table({{"", Table::Align::Left}, {"", Table::Align::Right}});
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i + 1; j < n; ++j) {
-      const double value = result.correlation[i * n + j];
-      if (!(std::fabs(value) > kStrongCorrelation)) continue;
-      table.add({names[i] + ", " + names[j], fmt::format("{:+.3f}", value)});
-    }
-  }
-  if (table.rows() == 0) return {};
-  const std::string heading = fmt::format("Correlations above {}\n", kStrongCorrelation);
-  return '\n' + ink.heading(heading) + table.text(2, kWidth);
 }
 
 /// A cost [Pa^2] with the square of the stress unit of its size.
@@ -272,14 +232,13 @@ std::string fit_text(const FitRecord& record, const Ink& ink) {
 std::string fit_report(const FitRecord& record, const ReportOptions& options) {
   const Ink ink(options.color);
   std::string text =
-      header(record, ink) + mending(record.target, ink) + characteristics_text(record.target, ink) +
-      parameters_text(record, options, ink) + intervals_text(shown_intervals(record), options) +
-      correlations_text(record.result, ink) + fit_text(record, ink);
-  std::string remarks;
-  for (const std::vector<std::string>* list : {&record.target.warnings, &record.result.warnings}) {
-    for (const std::string& warning : *list) remarks += wrapped("  ! ", printable(warning), kWidth);
-  }
-  if (!remarks.empty()) text += '\n' + ink.bad("Warnings\n") + remarks;
+      header(record, ink) + mending(record.target, ink) + characteristics_text(record.target, ink);
+  text += parameters_text(record.result, options, ink,
+                          [&](const FittedParameter& p) { return notes_on(p, record); });
+  if (!record.result.parameters.empty()) text += misfit_text(record, ink);
+  text += intervals_text(shown_intervals(record.result), options) +
+          correlations_text(record.result, ink) + fit_text(record, ink) +
+          warnings_text({&record.target.warnings, &record.result.warnings}, ink);
   const std::vector<std::string> advice = advice_for(record);
   if (!advice.empty()) text += '\n' + ink.heading("Advice\n");
   for (const std::string& line : advice) text += wrapped("  - ", printable(line), kWidth);

@@ -20,7 +20,7 @@ inline constexpr std::string_view kOwnUnits = "*";
 #define PLASTICA_MEMBER(member) \
   [](auto& row) -> auto& { return row.member; }
 
-/// Of a FittedParameter. Path and dimension are not part of it: they say whose row it is.
+/// Of a FittedParameter. Path, dimension and role are not part of it: they say whose row it is.
 inline constexpr auto kDescribeParameter = [](auto& d) {
   d("value", kOwnUnits, PLASTICA_MEMBER(value), "fitted, fixed or tied value");
   d("standard_error", kOwnUnits, PLASTICA_MEMBER(standard_error),
@@ -48,12 +48,6 @@ inline constexpr auto kDescribeParameter = [](auto& d) {
     inner("verdict", "", PLASTICA_MEMBER(verdict), "how well the curves determine it");
     inner("verdict_number", "", PLASTICA_MEMBER(number), "the number behind the verdict");
   });
-};
-
-/// Of a FittedParameter that stands among others, whose it is.
-inline constexpr auto kDescribeWhoseParameter = [](auto& d) {
-  d("path", "", PLASTICA_MEMBER(path), "of the field");
-  d("dimension", "", PLASTICA_MEMBER(dimension), "what it measures");
 };
 
 /// Of a sentence, such as a warning.

@@ -52,12 +52,17 @@ inline constexpr auto kDescribeTargetFit = [](auto& d) {
     "permanent strain of the fitted model where the target broke");
 };
 
-/// Of a FitRecord of a coupon.
-inline constexpr auto kDescribeFit = [](auto& d) {
-  d("name", "", PLASTICA_MEMBER(target.name), "of the target");
+/// Of the FitOutcome of a record, but for its lists.
+inline constexpr auto kDescribeOutcome = [](auto& d) {
   d("law", "", PLASTICA_MEMBER(result.law), "that was fitted");
   d("status", "", PLASTICA_MEMBER(result.status), "how the fit ended");
   d("reason", "", PLASTICA_MEMBER(result.reason), "why it gave nothing");
+};
+
+/// Of a FitRecord of a coupon.
+inline constexpr auto kDescribeFit = [](auto& d) {
+  d("name", "", PLASTICA_MEMBER(target.name), "of the target");
+  kDescribeOutcome(d);
   d("file", "", PLASTICA_MEMBER(target.file), "of the measured curve");
   d("test", "", PLASTICA_MEMBER(target.test), "of the specimen");
   d("measure", "", PLASTICA_MEMBER(target.measure), "of stress and strain");
@@ -89,9 +94,7 @@ inline constexpr auto kDescribeFit = [](auto& d) {
 /// Of a SceneFitRecord, but for its lists.
 inline constexpr auto kDescribeSceneFit = [](auto& d) {
   d("name", "", PLASTICA_MEMBER(name), "of the fit");
-  d("law", "", PLASTICA_MEMBER(result.law), "that was fitted");
-  d("status", "", PLASTICA_MEMBER(result.status), "how the fit ended");
-  d("reason", "", PLASTICA_MEMBER(result.reason), "why it gave nothing");
+  kDescribeOutcome(d);
   d("degrees_of_freedom", "1", PLASTICA_MEMBER(result.degrees_of_freedom),
     "of the estimated noise; infinite: all targets state theirs");
   d("outcome", "", PLASTICA_MEMBER(result.outcome), "of the best search");

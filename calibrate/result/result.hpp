@@ -5,25 +5,13 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "calibrate/inference/intervals.hpp"
-#include "calibrate/problem/law.hpp"
-#include "calibrate/result/fitted_parameter.hpp"
+#include "calibrate/result/fit_outcome.hpp"
 #include "calibrate/target/target.hpp"
 #include "plastica/base/status.hpp"
 
 namespace plastica::calibrate {
-
-/// How a fit ended. Ranked: a smaller one is better.
-enum class FitStatus {
-  Fitted,    ///< parameters found; look at the warnings
-  Failed,    ///< the optimizer or the model gave nothing usable; `reason` says what
-  Rejected,  ///< the target could not be fitted at all: see the target's status and reason
-};
-
-std::string_view name_of(FitStatus status);
 
 /// One stage of the optimizer.
 struct OptimizerStage {
@@ -42,14 +30,10 @@ struct Trace {
   std::vector<double> costs;   ///< (n_evaluations) [Pa^2]
 };
 
-/// The result of one fit; can explain itself (see report.hpp).
-struct FitResult {
-  FitStatus status = FitStatus::Rejected;
-  std::string reason;  ///< one sentence for all but Fitted
-  std::vector<FittedParameter> parameters;
-  /// Of the parameters in `trace.active` (n x n), row by row; NaN where unidentified.
-  std::vector<double> correlation;
-  Law law = Law::Ideal;          ///< that was fitted
+/// The result of the fit of one specimen's curve.
+struct FitResult : FitOutcome {
+  FitResult() { status = FitStatus::Rejected; }
+
   double cost = 0.0;             ///< f at the solution, break term included [Pa^2]
   double misfit_rms = 0.0;       ///< sqrt of f without the break term [Pa]
   double misfit_fraction = 0.0;  ///< misfit_rms / largest measured stress [1]
@@ -66,15 +50,9 @@ struct FitResult {
   std::optional<double> break_strain_total;  ///< total strain at which the fitted model breaks [1]
   std::uint64_t seed = 0;
   std::vector<OptimizerStage> stages;
-  Trace trace;
-  FitIntervals intervals;  ///< of the free parameters, in their order: those that were asked for
-  Curve fitted;            ///< the model at the corrected samples, and at the break if there is one
-  std::vector<std::string> warnings;
+  Trace trace;   ///< `correlation` is of its active parameters
+  Curve fitted;  ///< the model at the corrected samples, and at the break if there is one
 
-  /// The parameter of a name. @throws std::out_of_range
-  const FittedParameter& parameter(std::string_view name) const;
-  /// The free ones, in their order: the rows of `intervals` (n_free).
-  std::vector<const FittedParameter*> free_parameters() const;
   std::size_t evaluations() const { return trace.costs.size(); }
 };
 
@@ -82,6 +60,8 @@ struct FitResult {
 struct FitRecord {
   Target target;
   FitResult result;
+
+  const std::string& name() const { return target.name; }
 };
 
 }  // namespace plastica::calibrate

@@ -4,6 +4,12 @@
 
 namespace plastica::calibrate {
 
+int SceneFitResult::evaluations() const {
+  int sum = 0;
+  for (const SceneStart& start : starts) sum += start.evaluations;
+  return sum;
+}
+
 SceneFitRecord record_of(const SceneFitCase& one, SceneFitResult result) {
   SceneFitRecord record;
   record.name = one.name;

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "calibrate/fit/options.hpp"
-#include "calibrate/fit/scene_fit.hpp"
 #include "calibrate/result/result.hpp"
+#include "calibrate/result/scene_fit_result.hpp"
+#include "calibrate/target/scene_target.hpp"
 #include "plastica/model/field.hpp"
 
 /// The words of enumerations, the same in result files, summaries, tables and reports.

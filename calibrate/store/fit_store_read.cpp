@@ -9,6 +9,8 @@
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/interval_store.hpp"
 #include "calibrate/store/layout.hpp"
+#include "calibrate/store/older_parameters.hpp"
+#include "calibrate/store/parameter_tables.hpp"
 #include "calibrate/store/stored_options.hpp"
 #include "calibrate/store/tables.hpp"
 
@@ -50,38 +52,16 @@ class StoreReader {
   }
 
   void parameters() {
-    const auto present = io::read_numbers<std::uint8_t>(root_, "parameters/present", kRules);
-    if (present.size() != records_.size()) {
-      refuse("parameters/present", "does not have a row for each fit");
-    }
-    for (std::size_t i = 0; i < records_.size(); ++i) {
-      if (present[i] == 0) continue;
-      for (const Parameter& parameter : store::parameters_of(records_[i], options_)) {
-        FittedParameter& p = records_[i].result.parameters.emplace_back();
-        p.path = parameter.field->path;
-        p.dimension = parameter.field->dimension;
-        p.role = parameter.role;
-      }
+    if (tables_.version() >= 5) {
+      std::vector<FitOutcome*> fits;
+      for (FitRecord& record : records_) fits.push_back(&record.result);
+      store::read_parameters(tables_, fits);
+    } else {
+      store::read_parameters_4(tables_, records_, options_);
     }
     for (const FitRecord& record : records_) {
-      if (record.result.status == FitStatus::Fitted && record.result.parameters.empty()) {
-        refuse("parameters/present", "must hold for each fit that was made");
-      }
-    }
-    for (const Parameter& parameter : parameters_of(options_.laws, options_.parameters)) {
-      std::vector<FittedParameter*> rows;
-      for (FitRecord& record : records_) {
-        auto& own = record.result.parameters;
-        const auto found = std::ranges::find(own, parameter.field->path, &FittedParameter::path);
-        rows.push_back(found == own.end() ? nullptr : &*found);
-      }
-      tables_.columns("parameters/" + parameter.name(), rows, kDescribeParameter);
-      if (tables_.version() >= 4) continue;
-      // Version 3 has both errors, whose squares differ by that of the sampling.
-      for (FittedParameter* p : rows) {
-        if (p == nullptr || !p->has_error()) continue;
-        p->sampling_error = std::sqrt(
-            std::max(0.0, p->standard_error * p->standard_error - p->noise_error * p->noise_error));
+      if (record.result.is_fitted() && record.result.parameters.empty()) {
+        refuse("parameters", "must have a row for each fit that was made");
       }
     }
   }

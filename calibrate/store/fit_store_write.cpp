@@ -9,6 +9,7 @@
 #include "calibrate/store/fit_store.hpp"
 #include "calibrate/store/interval_store.hpp"
 #include "calibrate/store/layout.hpp"
+#include "calibrate/store/parameter_tables.hpp"
 #include "calibrate/store/stored_options.hpp"
 #include "calibrate/store/tables.hpp"
 
@@ -58,7 +59,7 @@ class StoreWriter {
   }
 
   void parameters() {
-    std::vector<std::uint8_t> present;
+    std::vector<const FitOutcome*> fits;
     for (const FitRecord* record : records_) {
       const auto& own = record->result.parameters;
       const auto same = [](const FittedParameter& p, const Parameter& q) {
@@ -68,24 +69,13 @@ class StoreWriter {
       if (!own.empty() && !std::equal(own.begin(), own.end(), all.begin(), all.end(), same)) {
         refuse(record->target.name, "has other parameters than the options");
       }
-      present.push_back(own.empty() ? 0 : 1);
+      fits.push_back(&record->result);
     }
-    io::Hdf5Group group = root_.group("parameters");
-    group.write("present", present, {{}, store::kDeflate});
-    for (const Parameter& parameter : parameters_of(options_.laws, options_.parameters)) {
-      std::vector<const FittedParameter*> rows;
-      for (const FitRecord* record : records_) {
-        const auto& own = record->result.parameters;
-        const auto found = std::ranges::find(own, parameter.field->path, &FittedParameter::path);
-        rows.push_back(found == own.end() ? nullptr : &*found);
-      }
-      const std::string path = "parameters/" + parameter.name();
-      io::Hdf5Group own = root_.group(path);
-      store::write_columns(own, std::move(rows), kDescribeParameter,
-                           si_unit(parameter.field->dimension));
-      root_.set_attribute(path, "path", parameter.field->path);
-      root_.set_attribute(path, "role", word_of(parameter.role));
+    std::vector<store::StoredParameter> all;
+    for (const Parameter& p : parameters_of(options_.laws, options_.parameters)) {
+      all.push_back({std::string(p.field->path), p.field->dimension, p.role});
     }
+    store::write_parameters(root_, fits, all);
   }
 
   void free_parameters() {

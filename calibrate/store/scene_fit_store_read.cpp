@@ -8,9 +8,10 @@
 #include "calibrate/result/describe_target.hpp"
 #include "calibrate/store/fit_rules.hpp"
 #include "calibrate/store/interval_store.hpp"
+#include "calibrate/store/older_parameters.hpp"
+#include "calibrate/store/parameter_tables.hpp"
 #include "calibrate/store/scene_fit_store.hpp"
 #include "calibrate/store/tables.hpp"
-#include "plastica/base/renamed.hpp"
 
 namespace plastica::calibrate {
 namespace {
@@ -24,17 +25,12 @@ class Reader {
   void fits() { tables_.columns("fits", records_, kDescribeSceneFit); }
 
   void parameters() {
-    const auto member = PLASTICA_MEMBER(result.parameters);
-    const auto parameters = tables_.items("parameters", records_, member, kDescribeWhoseParameter);
-    if (tables_.version() == 3) {
-      read_parameters_3(parameters.rows);
+    if (tables_.version() >= 5) {
+      std::vector<FitOutcome*> fits;
+      for (SceneFitRecord* record : records_) fits.push_back(&record->result);
+      store::read_parameters(tables_, fits);
     } else {
-      tables_.columns("parameters", parameters.rows, kDescribeParameter);
-    }
-    for (FittedParameter* parameter : parameters.rows) {
-      parameter->path = new_path(parameter->path);
-      if (find_field_or_null(parameter->path) != nullptr) continue;
-      io::refuse_value(tables_.root(), "parameters/path", parameter->path, "must be a field");
+      store::read_scene_parameters_4(tables_, records_);
     }
     const auto correlation = tables_.lists("correlation", records_.size());
     for (std::size_t i = 0; i < records_.size(); ++i) {
@@ -134,43 +130,6 @@ class Reader {
       if (made != 0 && made != record->targets.size()) {
         refuse("targets/present", "must be the same for all targets of a fit");
       }
-    }
-  }
-
-  /// Version 3 says that a parameter is at a bound, but not at which, and knows no coordinates.
-  void read_parameters_3(const std::vector<FittedParameter*>& parameters) const {
-    struct Row : FittedParameter {
-      bool is_at_bound = false;
-      Judgement judged;
-    };
-    std::vector<Row> rows(parameters.size());
-    tables_.columns("parameters", store::pointers_to(std::span(rows)), [](auto& columns) {
-      columns("value", "", PLASTICA_MEMBER(value));
-      columns("start", "", PLASTICA_MEMBER(start));
-      columns("lower", "", PLASTICA_MEMBER(lower));
-      columns("upper", "", PLASTICA_MEMBER(upper));
-      columns("standard_error", "", PLASTICA_MEMBER(standard_error));
-      columns("noise_error", "", PLASTICA_MEMBER(noise_error));
-      columns("sampling_error", "", PLASTICA_MEMBER(sampling_error));
-      columns("misfit_error", "", PLASTICA_MEMBER(misfit_error));
-      columns("interval_low", "", PLASTICA_MEMBER(interval_low));
-      columns("interval_high", "", PLASTICA_MEMBER(interval_high));
-      columns("degrees_of_freedom", "1", PLASTICA_MEMBER(degrees_of_freedom));
-      columns("at_bound", "", PLASTICA_MEMBER(is_at_bound));
-      columns("verdict", "", PLASTICA_MEMBER(judged.verdict));
-      columns("verdict_number", "", PLASTICA_MEMBER(judged.number));
-    });
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      Row& row = rows[i];
-      row.path = parameters[i]->path;
-      row.dimension = parameters[i]->dimension;
-      row.judgement = row.judged;
-      row.identified = row.judged.verdict != Verdict::NotIdentified;
-      row.logarithmic = row.lower > 0.0;
-      const bool low = std::abs(row.value - row.lower) <= std::abs(row.upper - row.value);
-      row.at_lower = row.is_at_bound && low;
-      row.at_upper = row.is_at_bound && !low;
-      *parameters[i] = std::move(static_cast<FittedParameter&>(row));
     }
   }
 

@@ -10,6 +10,7 @@
 #include "calibrate/result/describe_fit.hpp"
 #include "calibrate/result/describe_target.hpp"
 #include "calibrate/store/interval_store.hpp"
+#include "calibrate/store/parameter_tables.hpp"
 #include "calibrate/store/tables.hpp"
 
 namespace plastica::calibrate {
@@ -127,12 +128,9 @@ void write_targets(io::Hdf5Group& root, const Records& records) {
 }
 
 void write_lists(io::Hdf5Group& root, const Records& records) {
-  const auto parameters = store::items_of(records, PLASTICA_MEMBER(result.parameters));
-  io::Hdf5Group group = store::write_items(root, "parameters", parameters, [](auto& d) {
-    kDescribeWhoseParameter(d);
-    kDescribeParameter(d);
-  });
-  write_units(group, "value_units", parameters.rows, PLASTICA_MEMBER(dimension));
+  std::vector<const FitOutcome*> fits;
+  for (const SceneFitRecord* record : records) fits.push_back(&record->result);
+  store::write_parameters(root, fits, store::parameters_of(fits));
   const auto segments = store::items_of(
       records, [](const SceneFitRecord& r) -> const auto& {
         static const std::vector<SegmentsError> kNone;

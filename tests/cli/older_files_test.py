@@ -52,6 +52,40 @@ def give_old_names(file):
     return {path.split("/")[-1] for path in found}
 
 
+def give_old_tables(file):
+    """Has /parameters say which fits have theirs, as it did for curves until version 4."""
+    group = file["parameters"]
+    tables = [table for table in group.values() if isinstance(table, h5py.Group)]
+    group["present"] = numpy.any([table["row"][:] >= 0 for table in tables], axis=0).astype("u1")
+    del group["path"]
+    for table in tables:
+        del table["row"]
+
+
+def give_old_rows(file):
+    """Makes one table of /parameters, as it was for fits through scenes until version 4."""
+    group = file["parameters"]
+    paths = group["path"].asstr()[:]
+    tables = {path: group[path.split(".")[-1]] for path in paths}
+    fits = len(file["fits/name"])
+    rows = sorted((fit, tables[path]["row"][fit], path) for fit in range(fits) for path in paths
+                  if tables[path]["row"][fit] >= 0)
+    units = [tables[path]["value"].attrs["units"] for _, _, path in rows]
+    columns = {"fit": numpy.array([fit for fit, _, _ in rows], dtype="u8"),
+               "path": numpy.array([path for _, _, path in rows], dtype=h5py.string_dtype()),
+               "dimension": numpy.array(["stress" if unit == "Pa" else "strain" for unit in units],
+                                        dtype=h5py.string_dtype()),
+               "value_units": numpy.array(units, dtype=h5py.string_dtype())}
+    for name in tables[paths[0]]:
+        if name != "row":
+            kind = tables[paths[0]][name].dtype
+            columns[name] = numpy.array([tables[path][name][fit] for fit, _, path in rows],
+                                        dtype=kind)
+    del file["parameters"]
+    for name, column in columns.items():
+        file.create_dataset(f"parameters/{name}", data=column)
+
+
 class OlderFiles(unittest.TestCase):
     def setUp(self):
         self.place = tempfile.TemporaryDirectory()
@@ -66,6 +100,7 @@ class OlderFiles(unittest.TestCase):
         errors = {}
         with copy_of(self.folder) as file:
             file.attrs["version"] = 3
+            give_old_tables(file)
             for name, group in file["parameters"].items():
                 if name == "present":
                     continue
@@ -80,6 +115,7 @@ class OlderFiles(unittest.TestCase):
         now = run(self.folder, "show", "fit.h5")
         with copy_of(self.folder) as file:
             file.attrs["version"] = 3
+            give_old_rows(file)
             group = file["parameters"]
             group["at_bound"] = group["at_lower"][:] | group["at_upper"][:]
             for column in ("logarithmic", "at_lower", "at_upper", "identified", "judged"):
@@ -115,19 +151,20 @@ class OlderFiles(unittest.TestCase):
 
     def test_with_old_names(self):
         cyclic = str(DATA / "scenes/hardening_table.toml")
-        for version, command, found in (
-                (4, ("calibrate", str(DATA / "fits/demo.toml"), "--quiet"),
+        for version, command, change, found in (
+                (4, ("calibrate", str(DATA / "fits/demo.toml"), "--quiet"), give_old_tables,
                  {"kinematic_fraction", "misfit_fraction", "runs_test_p", "last_intact_strain",
                   "last_intact_stress", "free"}),
-                (4, ("calibrate", str(DATA / "fits/bend_test.toml"), "--quiet"),
+                (4, ("calibrate", str(DATA / "fits/bend_test.toml"), "--quiet"), give_old_rows,
                  {"misfit_fraction", "runs_test_p", "targets"}),
-                (2, ("simulate", cyclic, "--quiet"),
+                (2, ("simulate", cyclic, "--quiet"), lambda file: None,
                  {"kinematic_fraction", "segment_fractions"})):
             with self.subTest(command=command):
                 run(self.folder, *command, "-o", "fit.h5", "--force")
                 now = run(self.folder, "show", "fit.h5")
                 with copy_of(self.folder) as file:
                     file.attrs["version"] = version
+                    change(file)
                     self.assertEqual(give_old_names(file), found)
                 self.assertEqual(run(self.folder, "show", "older.h5"), now)
 

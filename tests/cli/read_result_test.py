@@ -25,7 +25,7 @@ COLUMNS = {
                        "modulus_window_high modulus_method proof_offset rp02 reh rel rm "
                        "strain_at_rm break_strain break_strain_plastic largest_strain broke "
                        "last_intact_strain last_intact_stress first_broken_strain break_rule",
-    "parameters/yield_stress": "value standard_error noise_error sampling_error misfit_error "
+    "parameters/yield_stress": "row value standard_error noise_error sampling_error misfit_error "
                                "degrees_of_freedom interval_low interval_high start lower upper "
                                "logarithmic at_lower at_upper identified judged verdict "
                                "verdict_number",
@@ -106,7 +106,10 @@ class ReadResult(unittest.TestCase):
             self.assertEqual(self.file[path].attrs["units"], units, path)
 
     def test_has_the_parameters_of_what_was_fitted(self):
-        self.assertEqual(list(self.file["parameters/present"]), [0, 1])
+        self.assertEqual(self.text("parameters/path"), [
+            "material.youngs_modulus", "material.yield_stress", "material.break_strain"])
+        for row, name in enumerate(("youngs_modulus", "yield_stress", "break_strain")):
+            self.assertEqual(list(self.file["parameters"][name]["row"]), [-1, row])
         for name, truth in (("youngs_modulus", 200e9), ("yield_stress", 350e6), ("break_strain", 0.02)):
             group = self.file["parameters"][name]
             self.assertEqual(group.attrs["path"], "material." + name)

@@ -55,7 +55,7 @@ TEST(SceneFitResult, IsShownAsAWholeOrByFit) {
 TEST(SceneFitResult, IsExportedAsTablesAndJson) {
   const Workplace place;
   write_results(place);
-  EXPECT_TRUE(shown(place, {"export", "x.h5"}).starts_with("name,law,status,reason,material."));
+  EXPECT_TRUE(shown(place, {"export", "x.h5"}).starts_with("name,law,status,reason,fit."));
   EXPECT_EQ(lines_of(shown(place, {"export", "x.h5", "--what", "targets"})), 1U + 2U + 2U + 1U);
   EXPECT_EQ(lines_of(shown(place, {"export", "x.h5", "--what", "curves"})), 1U + 50U + 50U + 30U);
   const auto json = nlohmann::json::parse(shown(place, {"export", "x.h5", "--to", "json"}));

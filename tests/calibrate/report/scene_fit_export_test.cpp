@@ -47,7 +47,7 @@ TEST(SceneFitJson, HoldsParametersTargetsStartsAndCounts) {
   EXPECT_EQ(fit["parameters"]["youngs_modulus"]["unit"], "Pa");
   EXPECT_EQ(fit["parameters"]["break_strain"]["verdict"], "limited by sampling");
   EXPECT_EQ(fit["parameters"]["break_strain"]["path"], "material.break_strain");
-  EXPECT_EQ(fit["correlation"][0][1], -0.42);
+  EXPECT_EQ(fit["correlation"]["matrix"][0][1], -0.42);
   EXPECT_EQ(fit["targets"][0]["abscissa"], "support 2");
   EXPECT_EQ(fit["targets"][0]["break_at"], 0.0605);
   EXPECT_EQ(fit["targets"][1]["level"], "twist");
@@ -104,24 +104,24 @@ TEST(SceneFitCsv, HasARowPerFitWithAllParametersThatAnyHas) {
   const auto column = [&](const std::string& title) {
     return static_cast<std::size_t>(std::ranges::find(rows[0], title) - rows[0].begin());
   };
-  const std::size_t modulus = column("material.youngs_modulus [Pa]");
+  const std::size_t modulus = column("fit.youngs_modulus [Pa]");
   ASSERT_EQ(modulus, 4U);
   EXPECT_EQ(rows[1].at(column("law")), "ideal");
   EXPECT_EQ(rows[1][modulus], "200000000000");
-  EXPECT_EQ(std::stod(rows[1].at(column("material.youngs_modulus.extrapolated [Pa]"))),
+  EXPECT_EQ(std::stod(rows[1].at(column("fit.youngs_modulus.extrapolated [Pa]"))),
             record_of_a.extrapolated);
-  EXPECT_EQ(std::stod(rows[1].at(column("material.youngs_modulus.segments_error [Pa]"))),
+  EXPECT_EQ(std::stod(rows[1].at(column("fit.youngs_modulus.segments_error [Pa]"))),
             record_of_a.error);
-  EXPECT_EQ(rows[1].at(column("material.youngs_modulus.degrees_of_freedom [1]")), "28.8");
-  EXPECT_EQ(rows[1].at(column("material.youngs_modulus.verdict")), "identified");
-  EXPECT_EQ(rows[1].at(column("material.break_strain [1]")), "");
-  EXPECT_EQ(rows[1].at(column("material.break_strain.verdict")), "");
-  EXPECT_EQ(rows[2].at(column("material.break_strain.standard_error [1]")), "0.0004");
-  EXPECT_EQ(rows[2].at(column("material.break_strain.noise_error [1]")), "0.0001");
-  EXPECT_EQ(rows[2].at(column("material.break_strain.sampling_error [1]")), "0.00039");
-  EXPECT_EQ(rows[2].at(column("material.break_strain.misfit_error [1]")), "0.0002");
-  EXPECT_EQ(rows[2].at(column("material.break_strain.verdict_number")), "0.018");
-  EXPECT_EQ(rows[2].at(column("material.break_strain.extrapolated [1]")), "") << "not known";
+  EXPECT_EQ(rows[1].at(column("fit.youngs_modulus.degrees_of_freedom [1]")), "28.8");
+  EXPECT_EQ(rows[1].at(column("fit.youngs_modulus.verdict")), "identified");
+  EXPECT_EQ(rows[1].at(column("fit.break_strain [1]")), "");
+  EXPECT_EQ(rows[1].at(column("fit.break_strain.verdict")), "");
+  EXPECT_EQ(rows[2].at(column("fit.break_strain.standard_error [1]")), "0.0004");
+  EXPECT_EQ(rows[2].at(column("fit.break_strain.noise_error [1]")), "0.0001");
+  EXPECT_EQ(rows[2].at(column("fit.break_strain.sampling_error [1]")), "0.00039");
+  EXPECT_EQ(rows[2].at(column("fit.break_strain.misfit_error [1]")), "0.0002");
+  EXPECT_EQ(rows[2].at(column("fit.break_strain.verdict_number")), "0.018");
+  EXPECT_EQ(rows[2].at(column("fit.break_strain.extrapolated [1]")), "") << "not known";
   EXPECT_EQ(rows[2].at(column("cost [1]")), "49.1");
   EXPECT_EQ(rows[3][2], "failed");
   EXPECT_EQ(rows[3][4], "");

@@ -70,7 +70,7 @@ TEST_F(SceneFitStore, GivesBackEveryWordOfEachEnumeration) {
     record.targets[0].kind = static_cast<Abscissa>(word % 5);
     record.result.targets[0].level = static_cast<Level>(word % 5);
     record.result.parameters[0].judgement->verdict = static_cast<Verdict>(word % 5);
-    record.result.parameters[0].dimension = static_cast<Dimension>(word);
+    record.targets[1].abscissa_is = static_cast<Dimension>(word);
     record.result.starts[0].outcome = static_cast<LeastSquaresOutcome>(word % 5);
   }
   const std::vector<SceneFitRecord> read = round_trip(scene_contents_of(records)).records;
@@ -143,8 +143,6 @@ TEST_F(SceneFitStore, HasNoDatasetThatItsDocumentationDoesNotName) {
 TEST_F(SceneFitStore, NamesTheUnitsOfColumnsThatMixThem) {
   write_scene_fit_store(path_, scene_contents_of({filled_scene_record("a")}));
   const io::Hdf5File file = io::Hdf5File::open(path_);
-  EXPECT_EQ(file.root().read_texts("parameters/value_units"),
-            (std::vector<std::string>{"Pa", "Pa", "1"}));
   EXPECT_EQ(file.root().read_texts("targets/abscissa_units"),
             (std::vector<std::string>{"m", "rad"}));
   EXPECT_EQ(file.root().read_texts("targets/ordinate_units"),
@@ -182,6 +180,23 @@ TEST_F(SceneFitStore, NamesAFileOfAnotherSchemaOrVersion) {
   EXPECT_NE(write("plastica/scene-fits", kSceneFitVersion).find("/fits/name"), std::string::npos);
 }
 
+TEST_F(SceneFitStore, NamesAParameterThatIsNotInARowOfItsOwn) {
+  write_scene_fit_store(path_, scene_contents_of({filled_scene_record("a")}));
+  const std::string other = folder_.file("other.h5");
+  const std::string row = "parameters/yield_stress/row";
+  for (const std::int64_t wrong : {0, 7, -2}) {
+    const io::Hdf5File from = io::Hdf5File::open(path_);
+    EXPECT_EQ(from.root().read<std::int64_t>(row), std::vector<std::int64_t>{1});
+    auto to = io::Hdf5File::create(other);
+    io::write_schema(to.root(), kSceneFitSchema, kSceneFitVersion);
+    copy_but(from.root(), to.root(), row);
+    to.root().write(row, std::vector<std::int64_t>{wrong});
+    to.commit();
+    EXPECT_EQ(message_of([&] { read_scene_fit_store(other); }),
+              other + ": /parameters: must have each parameter of a fit in a row of its own");
+  }
+}
+
 TEST_F(SceneFitStore, NamesARowOfAFitThatIsNotThere) {
   const auto contents = scene_contents_of({filled_scene_record("a")});
   const auto spoilt = [&](const std::string& table) {
@@ -199,7 +214,7 @@ TEST_F(SceneFitStore, NamesARowOfAFitThatIsNotThere) {
     }
     return message_of([&] { read_scene_fit_store(other); });
   };
-  for (const std::string table : {"parameters", "segments", "targets", "starts", "warnings"}) {
+  for (const std::string table : {"segments", "targets", "starts", "warnings"}) {
     EXPECT_EQ(spoilt(table), folder_.file("other.h5") + ": /" + table +
                                  "/fit: names a fit that is not in the file");
   }

@@ -38,8 +38,11 @@ inline auto members(const SceneSegments& v) {
   return std::tie(a, b, c);
 }
 inline auto members(const SceneFitResult& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
+  static_assert(sizeof(SceneFitResult) == sizeof(FitOutcome) + 152,
+                "all members are compared here");
+  return std::tie(static_cast<const FitOutcome&>(v), v.targets, v.degrees_of_freedom, v.starts,
+                  v.outcome, v.runs, v.search_runs, v.failed_runs, v.segment_iterations,
+                  v.segments);
 }
 inline auto members(const SceneFitRecord& v) {
   const auto& [a, b, c, d, e] = v;

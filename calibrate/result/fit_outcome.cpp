@@ -1,4 +1,4 @@
-#include "calibrate/result/result.hpp"
+#include "calibrate/result/fit_outcome.hpp"
 
 #include <stdexcept>
 
@@ -13,14 +13,19 @@ std::string_view name_of(FitStatus status) {
   return "unknown";
 }
 
-const FittedParameter& FitResult::parameter(std::string_view name) const {
+const FittedParameter* FitOutcome::find_parameter(std::string_view name) const {
   for (const FittedParameter& parameter : parameters) {
-    if (parameter.name() == name) return parameter;
+    if (parameter.path == name || parameter.name() == name) return &parameter;
   }
+  return nullptr;
+}
+
+const FittedParameter& FitOutcome::parameter(std::string_view name) const {
+  if (const FittedParameter* found = find_parameter(name)) return *found;
   throw std::out_of_range("no parameter " + std::string(name));
 }
 
-std::vector<const FittedParameter*> FitResult::free_parameters() const {
+std::vector<const FittedParameter*> FitOutcome::free_parameters() const {
   std::vector<const FittedParameter*> free;
   for (const FittedParameter& parameter : parameters) {
     if (parameter.role == ParameterRole::Free) free.push_back(&parameter);

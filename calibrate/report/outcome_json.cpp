@@ -1,0 +1,55 @@
+#include "calibrate/report/outcome_json.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "calibrate/report/described.hpp"
+#include "calibrate/report/shown_intervals.hpp"
+
+namespace plastica::calibrate::report {
+namespace {
+
+Json parameter_json(const FittedParameter& parameter) {
+  Json object = {{"path", parameter.path},
+                 {"unit", si_unit(parameter.dimension)},
+                 {"role", word_of(parameter.role)}};
+  JsonDescriber described(object, &parameter);
+  kDescribeParameter(described);
+  return object;
+}
+
+/// Rows of the matrix of the free parameters; empty if the fit gave none.
+Json correlation_json(const FitOutcome& outcome) {
+  std::vector<std::string> names;
+  for (const FittedParameter* parameter : outcome.free_parameters()) {
+    names.push_back(parameter->name());
+  }
+  Json matrix = matrix_json(outcome.correlation, names.size());
+  if (matrix.empty()) names.clear();
+  return {{"parameters", std::move(names)}, {"matrix", std::move(matrix)}};
+}
+
+}  // namespace
+
+Json matrix_json(std::span<const double> values, std::size_t n) {
+  Json rows = Json::array();
+  if (values.size() != n * n) return rows;
+  for (std::size_t i = 0; i < n; ++i) rows.push_back(numbers(values.subspan(i * n, n)));
+  return rows;
+}
+
+void add_outcome(Json& fit, const FitOutcome& outcome) {
+  Json parameters = Json::object();
+  for (const FittedParameter& parameter : outcome.parameters) {
+    parameters[parameter.name()] = parameter_json(parameter);
+  }
+  fit["parameters"] = std::move(parameters);
+  fit["correlation"] = correlation_json(outcome);
+  const FitIntervals& intervals = outcome.intervals;
+  const bool any = !intervals.profiles.empty() || intervals.residuals.resamples > 0 ||
+                   intervals.specimens.resamples > 0;
+  if (any) fit["intervals"] = intervals_json(shown_intervals(outcome));
+}
+
+}  // namespace plastica::calibrate::report

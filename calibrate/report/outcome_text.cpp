@@ -1,0 +1,71 @@
+#include "calibrate/report/outcome_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "calibrate/report/parameter_words.hpp"
+#include "plastica/report/table.hpp"
+
+namespace plastica::calibrate::report {
+
+using plastica::report::Ink;
+using plastica::report::kWidth;
+using plastica::report::Table;
+using Align = Table::Align;
+
+std::string parameters_text(
+    const FitOutcome& fit, const ReportOptions& options, const Ink& ink,
+    const std::function<std::vector<std::string>(const FittedParameter&)>& notes_on) {
+  if (fit.parameters.empty()) return {};
+  Table table({{"", Align::Left},
+               {"value ± error", Align::PlusMinus},
+               {"", Align::Left},
+               {fmt::format("{:.4g} % interval", 100.0 * options.confidence), Align::Range},
+               {"verdict", Align::Left}});
+  for (const FittedParameter& parameter : fit.parameters) {
+    const DisplayUnit unit = display_unit(parameter);
+    table.add({short_name(parameter.path), value_text(parameter, unit), std::string(unit.name),
+               interval_text(parameter, unit), verdict_text(parameter)});
+    if (!notes_on) continue;
+    for (std::string& note : notes_on(parameter)) table.add_note(std::move(note));
+  }
+  return '\n' + ink.heading("Parameters\n") + table.text(2, kWidth);
+}
+
+std::vector<StrongCorrelation> strong_correlations(const FitOutcome& fit) {
+  const std::vector<const FittedParameter*> free = fit.free_parameters();
+  const std::size_t n = free.size();
+  std::vector<StrongCorrelation> all;
+  if (fit.correlation.size() != n * n) return all;
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = a + 1; b < n; ++b) {
+      const double value = fit.correlation[a * n + b];
+      if (std::fabs(value) > kStrongCorrelation) all.push_back({free[a], free[b], value});
+    }
+  }
+  return all;
+}
+
+std::string correlations_text(const FitOutcome& fit, const Ink& ink) {
+  Table table({{"", Align::Left}, {"", Align::Right}});
+  for (const StrongCorrelation& pair : strong_correlations(fit)) {
+    table.add({short_name(pair.a->path) + ", " + short_name(pair.b->path),
+               fmt::format("{:+.3f}", pair.value)});
+  }
+  if (table.rows() == 0) return {};
+  const std::string heading = fmt::format("Correlations above {}\n", kStrongCorrelation);
+  return '\n' + ink.heading(heading) + table.text(2, kWidth);
+}
+
+std::string warnings_text(std::initializer_list<const std::vector<std::string>*> lists,
+                          const Ink& ink) {
+  std::string text;
+  for (const std::vector<std::string>* list : lists) {
+    for (const std::string& warning : *list) text += wrapped("  ! ", printable(warning), kWidth);
+  }
+  return text.empty() ? text : '\n' + ink.bad("Warnings\n") + text;
+}
+
+}  // namespace plastica::calibrate::report

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "calibrate/inference/intervals.hpp"
+#include "calibrate/problem/law.hpp"
+#include "calibrate/result/fitted_parameter.hpp"
+
+namespace plastica::calibrate {
+
+/// How a fit ended. Ranked: a smaller one is better.
+enum class FitStatus {
+  Fitted,    ///< parameters found; look at the warnings
+  Failed,    ///< the optimizer or the model gave nothing usable; `reason` says what
+  Rejected,  ///< the target could not be fitted at all: see the target's status and reason
+};
+
+std::string_view name_of(FitStatus status);
+
+/// What every fit says, of a specimen's curve or through scenes; can explain itself (report/).
+struct FitOutcome {
+  FitStatus status = FitStatus::Failed;
+  std::string reason;    ///< one sentence for all but Fitted
+  Law law = Law::Ideal;  ///< that was fitted; of several targets the first one's
+  std::vector<FittedParameter> parameters;
+  /// Of the free parameters that the curves can say something of, in their order (n x n), row by
+  /// row; NaN where one is not identified, empty without a fit.
+  std::vector<double> correlation;
+  FitIntervals intervals;  ///< of the free parameters, in their order: those that were asked for
+  std::vector<std::string> warnings;
+
+  bool is_fitted() const { return status == FitStatus::Fitted; }
+  /// The parameter of a path, or of its last part. @throws std::out_of_range
+  const FittedParameter& parameter(std::string_view name) const;
+  /// The same; null if there is none.
+  const FittedParameter* find_parameter(std::string_view name) const;
+  /// The free ones, in their order: the rows of `intervals` (n_free).
+  std::vector<const FittedParameter*> free_parameters() const;
+};
+
+}  // namespace plastica::calibrate

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "calibrate/fit/options.hpp"
+#include "calibrate/result/result.hpp"
+#include "calibrate/result/scene_fit_record.hpp"
+#include "calibrate/store/tables.hpp"
+
+/// Parameters as files of versions 3 and 4 have them; not installed.
+namespace plastica::calibrate::store {
+
+/// Of curves: a table for each parameter of the options, and which fits have theirs.
+void read_parameters_4(const TableReader& tables, std::vector<FitRecord>& records,
+                       const FitOptions& options);
+
+/// Through scenes: one table, a row for each parameter of each fit.
+void read_scene_parameters_4(const TableReader& tables, std::vector<SceneFitRecord*>& records);
+
+}  // namespace plastica::calibrate::store

@@ -1,0 +1,119 @@
+#include "calibrate/store/parameter_tables.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <string_view>
+
+#include "plastica/model/field.hpp"
+
+namespace plastica::calibrate::store {
+namespace {
+
+std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
+
+/// Where the table of a parameter is.
+template <typename Paths>
+std::string table_of(const std::string& path, const Paths& all) {
+  const auto alike = std::ranges::count_if(
+      all, [&](const std::string& other) { return last_part(other) == last_part(path); });
+  return "parameters/" + std::string(alike > 1 ? std::string_view(path) : last_part(path));
+}
+
+const StoredParameter* find(const std::vector<StoredParameter>& all, const FittedParameter& p) {
+  const auto found = std::ranges::find(all, p.path, &StoredParameter::path);
+  const bool same = found != all.end() && found->dimension == p.dimension && found->role == p.role;
+  return same ? &*found : nullptr;
+}
+
+/// Whether each number below a count is there once.
+bool are_all_rows(std::vector<std::int64_t> rows) {
+  std::ranges::sort(rows);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i] != static_cast<std::int64_t>(i)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<StoredParameter> parameters_of(std::span<const FitOutcome* const> fits) {
+  std::vector<StoredParameter> all;
+  for (const FitOutcome* fit : fits) {
+    for (const FittedParameter& p : fit->parameters) {
+      if (std::ranges::find(all, p.path, &StoredParameter::path) == all.end()) {
+        all.push_back({p.path, p.dimension, p.role});
+      }
+    }
+  }
+  return all;
+}
+
+void write_parameters(io::Hdf5Group& root, std::span<const FitOutcome* const> fits,
+                      const std::vector<StoredParameter>& all) {
+  std::vector<std::string> paths;
+  for (const StoredParameter& parameter : all) paths.push_back(parameter.path);
+  for (const FitOutcome* fit : fits) {
+    for (const FittedParameter& p : fit->parameters) {
+      if (find(all, p) == nullptr) {
+        throw std::logic_error("write_parameters: " + p.path + " is not as the file has it");
+      }
+    }
+  }
+  root.group("parameters").write_texts("path", paths);
+  for (const StoredParameter& parameter : all) {
+    std::vector<const FittedParameter*> rows;
+    std::vector<std::int64_t> numbers;
+    for (const FitOutcome* fit : fits) {
+      const auto at = std::ranges::find(fit->parameters, parameter.path, &FittedParameter::path);
+      const bool there = at != fit->parameters.end();
+      rows.push_back(there ? &*at : nullptr);
+      numbers.push_back(there ? at - fit->parameters.begin() : -1);
+    }
+    const std::string path = table_of(parameter.path, paths);
+    io::Hdf5Group table = root.group(path);
+    table.write("row", numbers, {{}, kDeflate});
+    table.set_attribute("row", "meaning", "which of the fit's parameters it is; -1: none");
+    write_columns(table, std::move(rows), kDescribeParameter, si_unit(parameter.dimension));
+    root.set_attribute(path, "path", parameter.path);
+    root.set_attribute(path, "role", word_of(parameter.role));
+  }
+}
+
+void read_parameters(const TableReader& tables, std::span<FitOutcome* const> fits) {
+  const io::Hdf5Group& root = tables.root();
+  const std::vector<std::string> paths = root.read_texts("parameters/path");
+  std::vector<std::vector<std::int64_t>> rows;
+  std::vector<std::vector<std::int64_t>> of_fit(fits.size());
+  for (const std::string& path : paths) {
+    const std::string table = table_of(path, paths);
+    rows.push_back(root.read<std::int64_t>(table + "/row"));
+    if (rows.back().size() != fits.size()) tables.refuse(table + "/row", "must have one a fit");
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+      if (rows.back()[i] != -1) of_fit[i].push_back(rows.back()[i]);
+    }
+  }
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (!are_all_rows(of_fit[i])) {
+      tables.refuse("parameters", "must have each parameter of a fit in a row of its own");
+    }
+    fits[i]->parameters.resize(of_fit[i].size());
+  }
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const Field* field = find_field_or_null(paths[k]);
+    if (field == nullptr) io::refuse_value(root, "parameters/path", paths[k], "must be a field");
+    const std::string table = table_of(paths[k], paths);
+    const auto role = enumerator_of<ParameterRole>(root, table, root.text_attribute(table, "role"));
+    std::vector<FittedParameter*> parameters(fits.size(), nullptr);
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+      if (rows[k][i] == -1) continue;
+      parameters[i] = &fits[i]->parameters[static_cast<std::size_t>(rows[k][i])];
+      parameters[i]->path = paths[k];
+      parameters[i]->dimension = field->dimension;
+      parameters[i]->role = role;
+    }
+    tables.columns(table, std::move(parameters), kDescribeParameter);
+  }
+}
+
+}  // namespace plastica::calibrate::store

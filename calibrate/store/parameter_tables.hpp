@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "calibrate/result/fit_outcome.hpp"
+#include "calibrate/store/tables.hpp"
+
+/// Parameters of fits, a table each: /parameters/NAME has a row for each fit of the file, whatever
+/// it was fitted to; not installed.
+namespace plastica::calibrate::store {
+
+/// Whose table it is.
+struct StoredParameter {
+  std::string path;
+  Dimension dimension = Dimension::None;
+  ParameterRole role = ParameterRole::Free;
+};
+
+/// Those that any fit has, in the order in which they come up first.
+std::vector<StoredParameter> parameters_of(std::span<const FitOutcome* const> fits);
+
+/// Writes /parameters/path, in the order of `all`, and a table each under the last part of its
+/// path, or all of the path where two have the same. Its column `row` says which of a fit's
+/// parameters it is, -1: the fit does not have it.
+/// @throws std::logic_error if a fit has one that is not among `all`, or otherwise than there
+void write_parameters(io::Hdf5Group& root, std::span<const FitOutcome* const> fits,
+                      const std::vector<StoredParameter>& all);
+
+/// Fills the parameters of fits that have none yet. @throws InputError
+void read_parameters(const TableReader& tables, std::span<FitOutcome* const> fits);
+
+}  // namespace plastica::calibrate::store
