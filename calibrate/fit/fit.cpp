@@ -136,7 +136,7 @@ void add_tied_errors(const ParameterSet& set, FitResult& result) {
   }
 }
 
-/// Of most curves the sampling leaves some of the break open: up to this fraction no word is lost.
+/// The sampling of most curves leaves a break uncertain; up to this fraction there is no warning.
 constexpr double kMinor = 0.01;
 
 void add_warnings(const Target& target, FitResult& result) {

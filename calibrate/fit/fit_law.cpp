@@ -13,7 +13,7 @@
 namespace plastica::calibrate {
 namespace {
 
-/// A stress, modulus or rate of this fraction of the least usual one has no effect that shows.
+/// A stress, modulus or rate of this fraction of the smallest usual one has no visible effect.
 constexpr double kNothing = 1e-6;
 
 /// Lets a search begin where a simpler law's ended; what the law has beyond that one begins where

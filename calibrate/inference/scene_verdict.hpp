@@ -12,7 +12,7 @@ namespace plastica::calibrate {
 
 /// Sets verdict and number of a parameter that has its value and errors.
 /// @param half  half the interval that a break's sampling leaves [SI]
-/// @param prior  fraction of its prior in all that is known of it [1]; 0 without one
+/// @param prior  fraction of the information on it that is its prior's [1]; 0 without one
 void judge(double half, const SegmentsError& segments, double prior, FittedParameter& parameter);
 
 /// Says what a reader must not overlook.

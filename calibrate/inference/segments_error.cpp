@@ -10,7 +10,7 @@
 namespace plastica::calibrate {
 namespace {
 
-/// A fit knows its values no better than to this fraction of them.
+/// A fit finds its values to this fraction of them.
 constexpr double kSettled = 1e-6;
 /// Below it an extrapolation goes further than all values together.
 constexpr double kMinOrder = 0.5;

@@ -22,7 +22,7 @@ std::string_view name_of(Verdict verdict);
 
 /// From this relative standard error on a parameter is weak.
 inline constexpr double kWeak = 0.1;
-/// Above this fraction of its prior a parameter is the prior's.
+/// Above this fraction of the information a parameter is determined by its prior.
 inline constexpr double kOfPrior = 0.5;
 
 /// From this size on a correlation is named: the curves determine a combination of the two
@@ -38,7 +38,7 @@ struct Evidence {
   double half = 0.0;            ///< half the interval that a break's sampling leaves
   double standard_error = 0.0;  ///< from both
   double segments = 0.0;  ///< half the interval that the number of segments leaves; 0: none known
-  double prior = 0.0;     ///< fraction of its prior in all that is known of it [1]
+  double prior = 0.0;     ///< fraction of the information on it that is its prior's [1]
 };
 
 struct Judgement {

@@ -167,7 +167,7 @@ void add_misfit(const Records<FitRecord>& /*records*/, const LawComparison& comp
           [](const ComparedLaw& law) { return significant(100.0 * law.fit.misfit_fraction, 2); });
 }
 
-/// Several targets have a fraction each, one has its size, too.
+/// The misfit of each target as a fraction; of a lone one its size, too.
 void add_misfit(const Records<SceneFitRecord>& records, const LawComparison& comparison,
                 Table& table) {
   const std::vector<SceneTarget>& targets = records.front()->targets;

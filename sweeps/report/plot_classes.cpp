@@ -115,7 +115,7 @@ std::vector<double> bounds_between(double low, double high) {
     while (bounds.size() > 2 && bounds[bounds.size() - 2] > high) bounds.pop_back();
     if (bounds.size() <= kMaxClasses + 1) break;
   }
-  // What is finer than these fractions the first class.
+  // What is finer than these shares the first class.
   if (bounds.size() > kMaxClasses + 1) {
     bounds.erase(bounds.begin(), bounds.end() - static_cast<std::ptrdiff_t>(kMaxClasses + 1));
   }

@@ -12,7 +12,7 @@
 /// chain come to a lane of a chain of packs, whichever instruction set that is compiled for.
 ///
 /// A visitor has size(vector), index(integer) and flag(bool), which say the shape that all lanes
-/// fraction, and number(scalar), in which lanes may differ.
+/// share, and number(scalar), in which lanes may differ.
 namespace plastica::chain {
 
 /// Writes down a chain's shape and numbers.
