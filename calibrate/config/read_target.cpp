@@ -129,14 +129,6 @@ bool is_quantity(const TomlValue& value) {
 }
 
 /// "auto", "off" or a strain.
-CorrectionChoice read_choice(const TomlValue& value) {
-  using enum CorrectionChoice::Mode;
-  if (value.is_string() && value.string() == "auto") return {Automatic, 0.0};
-  if (value.is_string() && value.string() == "off") return {Off, 0.0};
-  if (!is_quantity(value)) throw value.error("must be \"auto\", \"off\" or a strain");
-  return {Set, value.quantity(Dimension::Strain)};
-}
-
 void read_corrections(const TomlTable& table, TargetOptions& options) {
   if (const auto value = table.find("toe")) options.toe = read_choice(*value);
   if (const auto value = table.find("preload")) options.preload = read_choice(*value);
@@ -233,6 +225,16 @@ void read_characteristics(const TomlTable& table, TargetOptions& options) {
 }
 
 }  // namespace
+
+CorrectionChoice read_choice(const TomlValue& value, Dimension dimension) {
+  using enum CorrectionChoice::Mode;
+  if (value.is_string() && value.string() == "auto") return {Automatic, 0.0};
+  if (value.is_string() && value.string() == "off") return {Off, 0.0};
+  if (!is_quantity(value)) {
+    throw value.error("must be \"auto\", \"off\" or a " + std::string(name_of(dimension)));
+  }
+  return {Set, value.quantity(dimension)};
+}
 
 void read_target(const TomlTable& table, const std::string& folder, TargetBlock& block) {
   static constexpr std::array<std::string_view, 3> kTests{"tension", "bending", "torsion"};

@@ -7,6 +7,9 @@
 
 namespace plastica::calibrate {
 
+/// "auto", "off" or an amount. @param dimension  of the amount
+CorrectionChoice read_choice(const io::TomlValue& value, Dimension dimension = Dimension::Strain);
+
 /// What a [[target]] says.
 struct TargetBlock {
   TargetSource source;    ///< files and columns; `test`, `measure`, `loading` as in the options

@@ -13,8 +13,10 @@
 #include "calibrate/config/read_fit_options.hpp"
 #include "calibrate/config/read_intervals.hpp"
 #include "calibrate/config/read_parameters.hpp"
+#include "calibrate/config/read_target.hpp"
 #include "calibrate/config/target_files.hpp"
 #include "calibrate/config/unique_names.hpp"
+#include "calibrate/trial/scene_drive.hpp"
 #include "calibrate/trial/scene_model.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/scene_file.hpp"
@@ -199,6 +201,11 @@ class Reader {
         read_column(ordinate, weighted.target.ordinate_factor, read.source.ordinate_unit);
     read.source.where = table.where();
     read_csv_options(table, read.source.csv);
+    if (const auto trim = table.find("trim")) {
+      const Dimension dimension =
+          abscissa_dimension(weighted.setup.scene, weighted.target, weighted.target.abscissa_where);
+      read.source.trim = read_choice(*trim, dimension);
+    }
     if (const auto noise = table.find("noise")) {
       const Scene& scene = weighted.setup.scene;
       const std::size_t index =

@@ -125,8 +125,11 @@ std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
                           : significant(100.0 * of_target.break_strain, 4));
     }
     table.add(std::move(cells));
-    if (target.broke)
-      table.add_note("broke at " + abscissa_text(target) + " " + break_text(target));
+    if (!target.broke) continue;
+    std::string note = "broke at " + abscissa_text(target) + ' ' + break_text(target);
+    if (target.broke->cut > 1)
+      note += "; " + counted(target.broke->cut, "row") + " after it left out";
+    table.add_note(std::move(note));
   }
   return '\n' + ink.heading("Targets\n") + table.text(2, kWidth);
 }

@@ -67,6 +67,9 @@ inline constexpr auto kDescribeSceneTarget = [](auto& d) {
     inner("break_at", "", PLASTICA_MEMBER(at), "abscissa of the break");
     inner("break_half_interval", "", PLASTICA_MEMBER(half_interval),
           "the break is anywhere within this on both sides");
+    inner.since(5, [](auto& later) {
+      later("rows_after_break", "1", PLASTICA_MEMBER(cut), "measured after it, which do not count");
+    });
   });
 };
 

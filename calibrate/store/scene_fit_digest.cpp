@@ -10,6 +10,8 @@ void add_to(io::Digest& digest, const SceneTarget& t) {
   digest.reals(t.abscissa).reals(t.ordinate).text(t.abscissa_probe).text(t.ordinate_probe);
   digest.real(t.abscissa_factor).real(t.ordinate_factor).real(t.noise.value_or(kNan));
   digest.real(t.broke ? t.broke->at : kNan).real(t.broke ? t.broke->half_interval : kNan);
+  // Decides nothing, but stands in the result; one sample is what the version before had.
+  if (t.broke && t.broke->cut > 1) digest.integer(t.broke->cut);
 }
 
 void add_to(io::Digest& digest, const SceneFitOptions& options) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "calibrate/target/scene_break.hpp"
 #include "calibrate/trial/scene_drive.hpp"
 #include "calibrate/trial/scene_model.hpp"
 #include "plastica/io/units.hpp"
@@ -66,13 +67,7 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
     target.abscissa.push_back(at);
     target.ordinate.push_back(number(y));
   }
-  const std::size_t n = target.ordinate.size();
-  if (n > 2 && target.ordinate[n - 1] == 0.0 && target.ordinate[n - 2] != 0.0) {
-    const double half = 0.5 * (target.abscissa[n - 1] - target.abscissa[n - 2]);
-    target.broke = SceneBreak{target.abscissa[n - 2] + half, std::abs(half)};
-    target.abscissa.pop_back();
-    target.ordinate.pop_back();
-  }
+  cut_at_break(target, source.trim);
   return target;
 }
 

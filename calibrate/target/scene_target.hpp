@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calibrate/target/import.hpp"
+#include "calibrate/target/options.hpp"
 #include "plastica/base/quantity.hpp"
 #include "plastica/io/csv.hpp"
 #include "plastica/model/scene.hpp"
@@ -16,6 +17,7 @@ namespace plastica::calibrate {
 struct SceneBreak {
   double at = 0.0;             ///< abscissa [SI]
   double half_interval = 0.0;  ///< it lies anywhere within this on both sides [SI], >= 0
+  std::size_t cut = 0;         ///< samples after it, which were measured and do not count
 
   /// Where it is known to be broken, coming from a last intact sample.
   double broken_from(double last) const {
@@ -63,14 +65,15 @@ struct SceneTargetSource {
   ColumnSource abscissa;  ///< a name or number; no pattern
   ColumnSource ordinate;
   io::CsvOptions csv;
+  /// At the break, see scene_break.hpp; amount: the abscissa [SI] beyond which the beam is broken.
+  CorrectionChoice trim{};
   SourceLocation where;                             ///< of the user's words, for error lines
   SourceLocation abscissa_unit{}, ordinate_unit{};  ///< of given units, likewise
 };
 
 /// Reads a measured curve; units come from the source or the file and must fit the probes.
 ///
-/// A last row whose ordinate is exactly zero, after others that are not, says that the beam broke
-/// between the row before and this one.
+/// An ordinate that falls to zero and stays there says that the beam broke (scene_break.hpp).
 /// @param probes  its names of probes, factors and noise are kept
 /// @throws InputError for a file, column or unit that is missing or does not fit, a cell without a
 ///         number, an abscissa that goes back, a probe that the scene does not have

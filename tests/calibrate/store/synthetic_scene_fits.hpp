@@ -13,8 +13,8 @@ namespace plastica::calibrate {
 
 // As in same_bits.hpp: what is new does not compile until it is named here.
 inline auto members(const SceneBreak& v) {
-  const auto& [a, b] = v;
-  return std::tie(a, b);
+  const auto& [a, b, c] = v;
+  return std::tie(a, b, c);
 }
 inline auto members(const SceneTarget& v) {
   // Where the user's words stood is not stored.

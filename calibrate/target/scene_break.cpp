@@ -1,0 +1,56 @@
+#include "calibrate/target/scene_break.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastica::calibrate {
+namespace {
+
+using Mode = CorrectionChoice::Mode;
+
+/// Samples up to the first beyond an abscissa.
+std::optional<std::size_t> intact_up_to(const SceneTarget& target, double abscissa) {
+  const auto beyond = std::ranges::find_if(
+      target.abscissa, [&](double x) { return abscissa < 0.0 ? x < abscissa : x > abscissa; });
+  const auto intact = static_cast<std::size_t>(beyond - target.abscissa.begin());
+  if (intact == 0 || intact == target.abscissa.size()) return std::nullopt;
+  return intact;
+}
+
+}  // namespace
+
+std::optional<std::size_t> intact_samples(const SceneTarget& target, const CorrectionChoice& trim) {
+  if (trim.mode == Mode::Off) return std::nullopt;
+  if (trim.mode == Mode::Set) return intact_up_to(target, trim.amount);
+  const std::vector<double>& x = target.abscissa;
+  const std::vector<double>& y = target.ordinate;
+  double largest = 0.0;
+  for (const double value : y) largest = std::max(largest, std::abs(value));
+  std::size_t intact = y.size();
+  while (intact > 0 && std::abs(y[intact - 1]) <= kBeamZero * largest) --intact;
+  const std::size_t fallen = y.size() - intact;
+  if (fallen == 0 || intact < 2) return std::nullopt;
+  const double fall = std::abs(y[intact - 1] - y[intact]);
+  if (target.kind == Abscissa::Time) {
+    const bool zeros = std::all_of(y.begin() + static_cast<std::ptrdiff_t>(intact), y.end(),
+                                   [](double value) { return value == 0.0; });
+    if (fall < 0.5 * largest || !(zeros || fallen >= 3)) return std::nullopt;
+    return intact;
+  }
+  const bool goes_back = std::abs(x[intact]) < std::abs(x[intact - 1]);
+  if (goes_back || fall < kBeamDrop * largest) return std::nullopt;
+  return intact;
+}
+
+void cut_at_break(SceneTarget& target, const CorrectionChoice& trim) {
+  const std::optional<std::size_t> intact = intact_samples(target, trim);
+  if (!intact) return;
+  const double last = target.abscissa[*intact - 1];
+  const double half = 0.5 * (target.abscissa[*intact] - last);
+  target.broke = SceneBreak{
+      .at = last + half, .half_interval = std::abs(half), .cut = target.abscissa.size() - *intact};
+  target.abscissa.resize(*intact);
+  target.ordinate.resize(*intact);
+}
+
+}  // namespace plastica::calibrate

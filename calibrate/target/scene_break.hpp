@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "calibrate/target/options.hpp"
+#include "calibrate/target/scene_target.hpp"
+
+namespace plastica::calibrate {
+
+/// How many samples of a beam's curve came before its break; the rest is cut.
+///
+/// Automatic: the ordinate falls in one step, and stays, at or below `kBeamZero` of the largest
+/// one until the end, by `kBeamDrop` of the largest or more, while the abscissa does not go back: a
+/// beam that is let go goes back. Over the time of a motion, which has no way back, by half of the
+/// largest, to zeros or to three samples or more. Set: broken beyond the amount, an abscissa in SI.
+/// @return empty: it did not break
+std::optional<std::size_t> intact_samples(const SceneTarget& target, const CorrectionChoice& trim);
+
+inline constexpr double kBeamZero = 0.05;  ///< as `TargetOptions::zero_fraction`
+inline constexpr double kBeamDrop = 0.2;   ///< as `TargetOptions::drop_fraction`
+
+/// Cuts a curve at its break, which lies anywhere between the last intact sample and the next.
+void cut_at_break(SceneTarget& target, const CorrectionChoice& trim);
+
+}  // namespace plastica::calibrate
