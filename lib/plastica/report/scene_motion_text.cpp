@@ -235,9 +235,8 @@ std::string frequency_text(const io::SceneRecord& record, const Ink& ink) {
   const std::string text = '\n' + ink.heading("Frequencies\n");
   if (table.rows() == 0) return text + "  no peak stands out\n";
   return text + table.text(2, kWidth) +
-         fmt::format(
-             "  seen from {:.3g} to {:.4g} Hz, told apart from a distance of {:.3g} Hz on\n",
-             theory::kHannMainLobe / duration, 0.5 * rate, theory::kApart / duration);
+         fmt::format("  found from {:.3g} to {:.4g} Hz, resolved if at least {:.3g} Hz apart\n",
+                     theory::kHannMainLobe / duration, 0.5 * rate, theory::kApart / duration);
 }
 
 }  // namespace plastica::report

@@ -186,7 +186,7 @@ TEST(MotionReport, ListsTheFrequenciesOfDisplacementsAndVelocities) {
   EXPECT_TRUE(has(part, "\n  speed     29.9")) << part;
   EXPECT_TRUE(has(part, "  m/s\n")) << part;
   EXPECT_FALSE(has(part, "kinetic")) << part;
-  EXPECT_TRUE(has(part, "seen from 10 to 500 Hz, told apart from a distance of 15 Hz on")) << part;
+  EXPECT_TRUE(has(part, "found from 10 to 500 Hz, resolved if at least 15 Hz apart")) << part;
 }
 
 TEST(MotionReport, HasNoFrequenciesOfStaticsOrFewOrUnevenSamples) {
