@@ -68,7 +68,7 @@ std::string step_text(const io::SceneRecord& record) {
   if (cut.empty()) return taken;
   const FixedSteps planned = fixed_steps(path_stops(record.setup.scene, solver), solver.time_step);
   return fmt::format("{}: {} are cut to {}the samples, {} apart", taken, asked,
-                     cut == "samples" ? "" : "divide the way between ", text_of(planned.samples));
+                     cut == "samples" ? "" : "divide the time between ", text_of(planned.samples));
 }
 
 std::string joints_table(const io::SceneRecord& record, const std::vector<EventRow>& rows) {

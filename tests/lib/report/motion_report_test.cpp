@@ -80,7 +80,7 @@ TEST(MotionReport, TellsTheStepsThatRanAndWhatCutThem) {
   record.response.shortest_step = record.response.longest_step = 0.5e-3;
   EXPECT_TRUE(has(scene_report(record),
                   "  step            500 µs, fixed: 700 µs are cut to divide "
-                  "the way between the samples, 1 ms apart\n"))
+                  "the time between the samples, 1 ms apart\n"))
       << scene_report(record);
   EXPECT_EQ(motion().at("step_cut"), "division");
   record.setup.solver.time_step = 0.5e-3;
