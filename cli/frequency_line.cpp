@@ -15,7 +15,7 @@ namespace plastica::cli {
 namespace {
 
 constexpr int kShown = 3;
-/// Ways to move that nothing resists, of a rigid body.
+/// Modes of motion that nothing resists, of a rigid body.
 constexpr int kMaxFree = 6;
 /// Frequencies that are the same to three figures.
 constexpr double kSame = 5e-4;
@@ -64,8 +64,8 @@ std::string frequency_line(const Model& model, const Setup& setup) {
   });
   const std::string unresisted =
       free == 0 ? ""
-                : fmt::format("nothing{} resists {} to move", pillars ? " but pillars" : "",
-                              report::counted(free, "way"));
+                : fmt::format("nothing{} resists {} of motion", pillars ? " but pillars" : "",
+                              report::counted(free, "mode"));
   if (frequencies.empty()) return unresisted + "\n";
   const SolverOptions& solver = setup.solver;
   std::vector<double> steps;

@@ -91,7 +91,7 @@ void check_without_digest(const std::string& path) {
   if (io::check_content_digest(path)) return;
   tell(
       "warning: {}: has no digest (an older version or another program wrote it), so that damage "
-      "cannot be seen\n",
+      "cannot be detected\n",
       path);
   try_reading(path);
 }

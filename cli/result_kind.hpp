@@ -11,8 +11,8 @@ namespace plastica::cli {
 /// What a result file holds.
 enum class ResultKind { Fits, Scene, Sweep, SceneFits };
 
-/// Says on the standard error where a result file has no digest, so that damage cannot be seen, and
-/// makes sure that reading it ends.
+/// Says on the standard error where a result file has no digest, so that damage cannot be detected,
+/// and makes sure that reading it ends.
 /// @throws InputError if it cannot be read or is damaged
 void check_without_digest(const std::string& path);
 

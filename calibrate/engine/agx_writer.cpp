@@ -12,7 +12,7 @@ constexpr std::string_view kAgxRemarks = R"(#
 # AGX Dynamics: a joint is an agx.LockJoint whose compliance about each axis is 1/stiffness
 # [rad/(N m)]; about an axis that is free its force range is nothing. A lock joint is elastic: the
 # yield moments, hardened stiffnesses and break angles of JOINTS are for a listener of yours (a
-# force range alone would cap the moment, and keep nothing of the turn). AGX damps a constraint
+# force range alone would cap the moment, and keep nothing of the rotation). AGX damps a constraint
 # over its damping time [s] (`setDamping`): left at its default.
 #
 #   beam = build(simulation)        # segments and joints, as this module was exported
@@ -26,8 +26,8 @@ constexpr std::string_view kSegmentHead =
 constexpr std::string_view kJointHead =
     "# name, parent (-1: the ground), child, half joint, the joint's frame in the parent and in "
     "the\n"
-    "# child (point, rotation), translations held, turning (0 free, 1 sprung, 2 rigid), tributary\n"
-    "# length, stiffness, hardened stiffness, yield moment, break angle; inf: never\n"
+    "# child (point, rotation), translations held, rotation (0 free, 1 sprung, 2 rigid),\n"
+    "# tributary length, stiffness, hardened stiffness, yield moment, break angle; inf: never\n"
     "JOINTS = [\n";
 
 constexpr std::string_view kCode = R"(]

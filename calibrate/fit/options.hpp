@@ -19,8 +19,7 @@ enum class Objective {
   /// depend on how densely the curve is sampled.
   StrainPath,
   /// f = sum w_i r_i^2 / sum w_i over the samples; w_i = weight_i/noise^2, where a weight or a
-  /// noise
-  /// that is not given is 1.
+  /// noise that is not given is 1.
   LeastSquares,
 };
 

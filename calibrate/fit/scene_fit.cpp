@@ -179,7 +179,7 @@ class SceneFit {
     if (noise.pooled) {
       result_.warnings.push_back(fmt::format(
           "{}: its {} samples leave {:.2g} degrees of freedom, too few to estimate its "
-          "noise: it has the pooled noise of all targets, {:.3g} (SI); state it (noise) "
+          "noise: the pooled noise of all targets is used for it, {:.3g} (SI); state its noise "
           "if it is known",
           target.name, of_target.samples, noise.degrees_left, of_target.noise));
     }

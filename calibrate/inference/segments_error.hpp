@@ -25,11 +25,11 @@ std::string_view name_of(SegmentsTrend trend);
 ///
 /// A coarse chain answers otherwise than the continuous beam, and the fitted number makes up for
 /// it: f(N) = f_0 + C N^-p. With the observed order p, but no more than the joints have (2; 1 where
-/// an end is welded), f_0 = f(2N) + (f(2N) - f(N))/(2^p - 1). The errors are grid convergence
-/// indices, F_s times the distance to f_0, with F_s = 1.25, or 3 if p was assumed or is beyond the
-/// joints' by more than 1. Where no order is observed they are 3 times the spread of the values,
-/// and no less than a millionth of them: fits know their values no better. Source: Roache, J.
-/// Fluids Eng. 116 (1994) 405.
+/// an end is rigidly clamped), f_0 = f(2N) + (f(2N) - f(N))/(2^p - 1). The errors are grid
+/// convergence indices, F_s times the distance to f_0, with F_s = 1.25, or 3 if p was assumed or is
+/// beyond the joints' by more than 1. Where no order is observed they are 3 times the spread of the
+/// values, and no less than a millionth of them: fits know their values no better. Source: Roache,
+/// J. Fluids Eng. 116 (1994) 405.
 struct SegmentsError {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 

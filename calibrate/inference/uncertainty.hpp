@@ -29,8 +29,9 @@ namespace plastica::calibrate {
 ///
 /// Not identified is a parameter whose column of J vanishes (its fraction of the misfit is below
 /// 1e-12 of the largest stress for a relative change of one), or which takes part in a
-/// combination that J does not see (an eigenvalue of A, scaled to a unit diagonal, below 1e-12);
-/// and a yield stress that the curve does not show (identifiable_yield.hpp).
+/// combination that is not identifiable from J (an eigenvalue of A, scaled to a unit diagonal,
+/// below 1e-12); and a yield stress that is not identifiable from the curve
+/// (identifiable_yield.hpp).
 struct Uncertainty {
   std::vector<bool> identified;        ///< (n)
   std::vector<double> standard_error;  ///< SI (n); NaN if not identified

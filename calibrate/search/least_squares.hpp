@@ -14,7 +14,7 @@ struct LeastSquaresProblem {
   std::vector<double> upper;  ///< (n), finite, above lower
   std::vector<double> start;  ///< (n), within the box
   std::size_t residuals = 0;  ///< m, at least n
-  /// Residuals at a point. May throw: the exception leaves `minimize_squares` unchanged.
+  /// Residuals at a point. May throw: `minimize_squares` passes the exception on.
   /// @return false where there are none; taken as a very bad point
   using AtPoint = std::function<bool(std::span<const double> x, std::span<double> residual)>;
   /// Residuals at several points, for those who find them side by side.

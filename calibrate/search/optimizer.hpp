@@ -14,8 +14,8 @@ struct Problem {
   std::vector<double> lower;  ///< (n), finite
   std::vector<double> upper;  ///< (n), finite, above lower
   std::vector<double> start;  ///< (n), within the box
-  /// Cost at x (n); fills `gradient` (n) if it is not empty. May throw: the exception leaves
-  /// `minimize` unchanged. Not-a-number or infinite costs are taken as very bad points.
+  /// Cost at x (n); fills `gradient` (n) if it is not empty. May throw: `minimize`
+  /// passes the exception on. Not-a-number or infinite costs are taken as very bad points.
   std::function<double(std::span<const double> x, std::span<double> gradient)> cost;
   /// The same cost as a sum of squares |r|^2 with exact slopes J = dr/dx, for "gauss-newton": fills
   /// `gradient` with J^T r (n), half of that of the cost, and `normal` with J^T J (n x n), row by

@@ -24,9 +24,10 @@ constexpr io::DatasetOptions kPlain{{}, store::kDeflate};
 
 void check(const SceneFitRecord& record) {
   const std::vector<TargetFit>& made = record.result.targets;
-  if (record.weights.size() != record.targets.size()) refuse(record, "has not a weight a target");
+  if (record.weights.size() != record.targets.size())
+    refuse(record, "does not have a weight for each target");
   if (!made.empty() && made.size() != record.targets.size()) {
-    refuse(record, "has not a fit a target");
+    refuse(record, "does not have a fit for each target");
   }
   for (std::size_t p = 0; p < record.targets.size(); ++p) {
     const SceneTarget& target = record.targets[p];
@@ -36,10 +37,10 @@ void check(const SceneFitRecord& record) {
     if (made.empty()) continue;
     if (made[p].name != target.name) refuse(record, "has a fit of another name than its target");
     if (!made[p].fitted.empty() && made[p].fitted.size() != target.abscissa.size()) {
-      refuse(record, "has not a fitted ordinate an abscissa");
+      refuse(record, "does not have a fitted ordinate for each abscissa");
     }
     if (made[p].fitted_error.size() != made[p].fitted.size()) {
-      refuse(record, "has not an error a fitted ordinate");
+      refuse(record, "does not have an error for each fitted ordinate");
     }
   }
 }

@@ -47,7 +47,7 @@ std::vector<double> bare_ends(const Scene& scene) {
 }
 
 /// The segments' fractions of the length where they are not even; empty where they are, or where
-/// the rule Half, which does not go with fractions, divides the beam anew.
+/// the rule Half, which does not go with fractions, sets the lengths.
 /// @param ends  of its segments
 std::vector<double> uneven_fractions(const Scene& scene, const std::vector<double>& ends) {
   if (scene.end_rule == EndRule::Half) return {};

@@ -20,7 +20,7 @@ Setup remeshed(const Setup& setup, Division division);
 Setup remeshed(const WeightedTarget& weighted, Division division);
 
 /// Order in the segments' length at which the joints of a chain answer as a continuous beam does:
-/// 2, or 1 where a welded end leaves a joint out.
+/// 2, or 1 where a rigidly clamped end leaves a joint out.
 double order_of_joints(const Scene& scene);
 
 }  // namespace plastica::calibrate

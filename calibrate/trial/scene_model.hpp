@@ -47,7 +47,7 @@ struct SceneCurve {
 /// The scene never breaks: its limits are taken off, so that no value of them makes the curve jump;
 /// `StrainAtBreak` says what its limit would have to be. Driven by the target, the scene has a
 /// sample where the target has one; else the curve is straight between the recorded samples
-/// (solver.steps), and where the scene's path ends early its ramps go on (`gone_on`). Never
+/// (solver.steps), and where the scene's path ends early its ramps go on (`is_extended`). Never
 /// changes, so that threads share it.
 class SceneModel {
  public:

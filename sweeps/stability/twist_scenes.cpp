@@ -23,12 +23,12 @@ StabilityCase torque(const Knobs& knobs) {
   const std::size_t turn = probe(made, ProbeQuantity::Angle, inner, Component::Z);
   const std::size_t root = probe(made, ProbeQuantity::Angle, Place::start(), Component::Z);
   if (knobs.segments >= 2.0) {
-    made.expected.references.push_back({.what = "turn of a joint",
+    made.expected.references.push_back({.what = "rotation of a joint",
                                         .probe = turn,
                                         .value = (b.n == 2.0 ? 1.5 : 1.0) * T * b.L / b.n / b.GJ,
                                         .tolerance = 1e-8});
   }
-  made.expected.references.push_back({.what = "turn of the half joint",
+  made.expected.references.push_back({.what = "rotation of the half joint",
                                       .probe = root,
                                       .value = 0.5 * T * b.L / b.n / b.GJ,
                                       .tolerance = 1e-8});
@@ -109,7 +109,7 @@ StabilityCase vibration_twisted(const Knobs& knobs) {
     const double own = solver.scheme == Scheme::GeneralizedAlpha
                            ? std::min(2.0, steps * phase * phase * phase / 4.0)
                            : 0.0;
-    made.expected.references.push_back({.what = "turn of an end",
+    made.expected.references.push_back({.what = "rotation of an end",
                                         .probe = turn,
                                         .value = end * std::sin(turned),
                                         .size = end,

@@ -72,8 +72,7 @@ inline constexpr double kAccurate = 0.01;
 ///
 /// - Failed: the status is not usable (`plastica::usable`): the run has said so.
 /// - Undetected: the status is usable and yet a number is not finite; the recorded beam is no chain
-/// of
-///   rigid segments, is out of balance (statics) or has a joint beyond its cap (`audit`); the
+///   of rigid segments, is out of balance (statics) or has a joint beyond its cap (`audit`); the
 ///   scheme made energy, or a kept quantity or a reference of the chain is missed, and neither the
 ///   energy balance nor a warning says so.
 /// - Inaccurate: energy is not balanced (`kBalanceTolerance`), or the scheme dissipated more than

@@ -143,7 +143,7 @@ TEST_F(Faults, AFlippedBitIsSeenWhereverAResultIsRead) {
       EXPECT_EQ(lines_of(ended.err), 1U) << ended.err;
     }
   }
-  // As older versions wrote it: read, and said that damage cannot be seen.
+  // As older versions wrote it: read, and said that damage cannot be detected.
   place_.write("a.h5", bytes.substr(512));
   const CommandResult ended = place_.run({"show", "a.h5"});
   EXPECT_EQ(ended.code, 0);

@@ -142,7 +142,7 @@ TEST_F(MotionResult, ForetellsWaysToMoveThatNothingResists) {
   const CommandResult result = place_.run({"simulate", "beam.toml", "--dry-run"});
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_TRUE(has(result.out, " Hz: at least ")) << result.out;
-  EXPECT_TRUE(has(result.out, " steps a period; nothing resists 1 way to move\n")) << result.out;
+  EXPECT_TRUE(has(result.out, " steps a period; nothing resists 1 mode of motion\n")) << result.out;
 }
 
 TEST_F(MotionResult, ForetellsTheFrequenciesOfLongChains) {

@@ -89,7 +89,7 @@ struct GroundJoint {
   bool outer = true;         ///< at the segment's outer end, or at its inner one
   typename L::Frame local;   ///< of its axes, as seen from the segment
   typename L::Frame ground;  ///< of its axes, undeformed
-  typename L::Spin motion;   ///< turn of the ground, times the history [rad]
+  typename L::Spin motion;   ///< rotation of the ground, times the history [rad]
 };
 
 /// How the chain is joined to the ground at its start.

@@ -55,7 +55,7 @@ struct JointModel {
   }
 };
 
-/// L_p of a joint: of the scene, or the depth of its section; 0 in the report's formulas [m].
+/// L_p of a joint: of the scene, or the depth of its section; 0 in Wendelius' formulas [m].
 inline double hinge_length(const Scene& scene, const JointModel& joint) {
   return scene.hinge_length.value_or(scene.formulas == Formulas::Report ? 0.0 : joint.height);
 }

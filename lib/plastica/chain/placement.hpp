@@ -4,7 +4,7 @@
 
 namespace plastica::chain {
 
-/// The ground's frame at joint 0 at a time, with its prescribed turn.
+/// The ground's frame at joint 0 at a time, with its prescribed rotation.
 template <class L>
 inline typename L::Frame root_frame(const Chain<L>& chain, double time) {
   const auto factor = factor_as<typename L::Scalar>(chain.histories[chain.root.history].at(time));

@@ -35,7 +35,7 @@ struct RightSide {
   }
 };
 
-/// The motion that a right-hand side correction.
+/// The motion that follows from a right-hand side.
 template <class L, bool kElastic>
 struct Solution {
   using S = typename L::Scalar;

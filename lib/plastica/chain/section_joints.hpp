@@ -233,8 +233,8 @@ class SectionJoints final : public SectionJointsBase<L, kElastic> {
 
   /// Slope that a joint of an elastic stiffness per length keeps for Newton's method when its law
   /// has none: where all joints of a bar yield at once without hardening, their fractions of a
-  /// prescribed turn would be undetermined (with float, nothing but rounding). What has converged
-  /// does not know of it, and a step is off by this fraction.
+  /// prescribed rotation would be undetermined (with float, nothing but rounding). What has
+  /// converged does not know of it, and a step is off by this fraction.
   static S rest_of(const S& stiffness, const S& length) {
     return constant<S>(kIsDouble<S> ? 1e-9 : 1e-4) * stiffness / length;
   }

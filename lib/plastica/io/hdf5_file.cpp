@@ -118,7 +118,7 @@ std::string innermost_error() {
   std::string message;
   const auto take_first = [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
     *static_cast<std::string*>(out) = error->desc != nullptr ? error->desc : "";
-    return 1;  // stops the walk
+    return 1;  // stops the iteration
   };
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_first, &message);
   H5Eclear2(H5E_DEFAULT);

@@ -116,8 +116,8 @@ class Feeder {
 
 std::uint64_t scene_digest(const Setup& setup) {
   Feeder feeder;
-  // Fields by their path, so that a field that joins the table later changes every digest, but by
-  // their first one, so that journals outlive a new name.
+  // Fields by their path, so that a field that joins the table later changes every digest. A field
+  // that was renamed counts by its former path, so that journals stay usable.
   for (const Field& field : fields()) feeder.all(old_path(field.path), field.get(setup));
   const Scene& scene = setup.scene;
   feeder.all(scene.beam, scene.regions, scene.drive.strain, scene.supports, scene.loads,

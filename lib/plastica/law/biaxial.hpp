@@ -15,8 +15,8 @@
 /// (law/uniaxial_material.hpp). Stiffnesses are E and r^2 G.
 ///
 /// The flow of an increment has the direction n = xi/R of its end (closest-point return):
-///   sigma_k = trial_k - K_k p n_k,  X_j = X_j0 exp(-gamma_j p) + C_j/gamma_j (1 - exp(-gamma_j p))
-///   n
+///   sigma_k = trial_k - K_k p n_k,
+///   X_j = X_j0 exp(-gamma_j p) + C_j/gamma_j (1 - exp(-gamma_j p)) n
 /// so that xi_k = R b_k/a_k with b = trial - sum X_j0 exp(-gamma_j p) and
 ///   a_k = R(p) + K_k p + sum C_j (1 - exp(-gamma_j p))/gamma_j,
 /// and p solves sum (b_k/a_k)^2 = 1. While the direction stays, this is exact, however long the

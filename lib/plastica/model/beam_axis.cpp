@@ -56,9 +56,8 @@ bool is_end(double fraction, std::span<const double> ends) {
 
 /// Deals segments to the stretches between `nodes` so that the longest is as short as possible, at
 /// least one each: the next one goes to the stretch whose segments are longest, the first of
-/// several. (Ceilings of stretch/length add up to the number of segments for some length, so no
-/// stretch ends with less than its fraction of all segments but one a stretch, which it starts
-/// with.)
+/// several. (Ceilings of stretch/length add up to the number of segments for some length. So no
+/// stretch ends with less than its fraction of the segments that are left when each has one.)
 /// @param half_ends  the two end segments are half as long as the others of their stretch
 std::vector<std::size_t> dealt_segments(std::span<const double> nodes, std::size_t segments,
                                         bool half_ends) {

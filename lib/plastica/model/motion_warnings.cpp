@@ -222,7 +222,7 @@ std::optional<std::string> articulated_yield(const Facts& facts) {
     return std::nullopt;
   }
   return "articulated schemes leave the axial force out of yielding, and do not measure it; "
-         "rules.yield_model = \"interaction\" with another scheme sees it";
+         "rules.yield_model = \"interaction\" with another scheme takes it into account";
 }
 
 std::optional<std::string> late_cut(const Facts& facts) {

@@ -24,8 +24,8 @@ enum class EndRule {
   Auto,         ///< HalfJoint; with Wendelius' formulas, Equal
   HalfJoint,    ///< a joint to the ground with the tributary length of half a segment
   Equal,        ///< the end segment is clamped; all joints have l = (L_a + L_b)/2
-  Half,         ///< clamped; end segments are half as long and belong whole to their only joint
-  ThreeHalves,  ///< clamped; equal segments, the end ones belong whole to their only joint
+  Half,         ///< clamped; end segments are half as long, all of each for its only joint
+  ThreeHalves,  ///< clamped; equal segments, all of an end one for its only joint
 };
 
 /// What of the permanent strain is held against the break limit: its present size (Wendelius'

@@ -172,8 +172,9 @@ std::span<const EnergyEntry> energy_entries() {
       {&Energies::kinetic, "kinetic", "of the motion"},
       {&Energies::elastic, "elastic", "stored in joints and springs"},
       {&Energies::plastic, "plastic", "work of yielding so far"},
-      {&Energies::damping, "damping", "taken by the joints' damping so far"},
-      {&Energies::numerical_dissipation, "numerical_dissipation", "taken by the scheme so far"},
+      {&Energies::damping, "damping", "dissipated by the joints' damping so far"},
+      {&Energies::numerical_dissipation, "numerical_dissipation",
+       "dissipated by the scheme so far"},
       {&Energies::impact, "impact", "lost in impacts so far"},
       {&Energies::fracture, "fracture", "elastic energy of joints that were cut, so far"},
   }};

@@ -57,7 +57,7 @@ bool is_idle(const io::SceneRecord& record, const EnergyEntry& entry);
 std::optional<double> residual_fraction(const io::SceneRecord& record);
 
 /// What keeps a motion's fixed steps shorter than `solver.time_step`: "samples", which are nearer
-/// to each other; "division", the way from one sample to the next into equal steps; or nothing.
+/// to each other; "division", of the time from one sample to the next into equal steps; or nothing.
 std::string_view step_cut(const io::SceneRecord& record);
 
 /// The word of a solver field that is a choice: "generalized_alpha" of "solver.scheme".

@@ -64,7 +64,7 @@ std::string buckling_text(const io::SceneRecord& record, const Ink& ink) {
   std::string text = '\n' + ink.heading("Buckling");
   if (!response.buckling) {
     return text +
-           "\n  none is told: nothing acts, no equilibrium on the path is stable and has not "
+           "\n  none is reported: nothing acts, no equilibrium on the path is stable and has not "
            "yielded,\n  or the tangent there is not symmetric\n";
   }
   const BucklingModes& modes = *response.buckling;
@@ -97,7 +97,7 @@ std::string vibration_text(const io::SceneRecord& record, const Ink& ink) {
   if (record.setup.solver.frequencies == 0) return {};
   std::string text = '\n' + ink.heading("Natural frequencies about the loaded state");
   if (!record.response.vibration)
-    return text + "\n  none is told: the path ended before, or the tangent is not symmetric\n";
+    return text + "\n  none is reported: the path ended before, or the tangent is not symmetric\n";
   text += record.level == Level::Planar ? ", in its plane\n" : "\n";
   const VibrationModes& modes = *record.response.vibration;
   Table table = table_of("frequency", "Hz");

@@ -68,7 +68,7 @@ std::string step_text(const io::SceneRecord& record) {
   if (cut.empty()) return taken;
   const FixedSteps planned = fixed_steps(path_stops(record.setup.scene, solver), solver.time_step);
   return fmt::format("{}: {} are cut to {}the samples, {} apart", taken, asked,
-                     cut == "samples" ? "" : "divide the way between ", text_of(planned.samples));
+                     cut == "samples" ? "" : "divide the time between ", text_of(planned.samples));
 }
 
 std::string joints_table(const io::SceneRecord& record, const std::vector<EventRow>& rows) {
@@ -235,9 +235,8 @@ std::string frequency_text(const io::SceneRecord& record, const Ink& ink) {
   const std::string text = '\n' + ink.heading("Frequencies\n");
   if (table.rows() == 0) return text + "  no peak stands out\n";
   return text + table.text(2, kWidth) +
-         fmt::format(
-             "  seen from {:.3g} to {:.4g} Hz, told apart from a distance of {:.3g} Hz on\n",
-             theory::kHannMainLobe / duration, 0.5 * rate, theory::kApart / duration);
+         fmt::format("  found from {:.3g} to {:.4g} Hz, resolved if at least {:.3g} Hz apart\n",
+                     theory::kHannMainLobe / duration, 0.5 * rate, theory::kApart / duration);
 }
 
 }  // namespace plastica::report

@@ -29,13 +29,13 @@ std::string yield_warning(const Scene& scene, const SolverOptions& options, cons
                   : stretches ? "a motion of joints at the ends, which do not stretch,"
                               : "a motion of rigid joints") +
       " leaves the axial force out of yielding: up to " + force;
-  const std::string seen = per_axis    ? "; \"interaction\" sees it"
-                           : stretches ? ""
-                                       : "; solver.translation = \"elastic\" sees it within the "
-                                         "beam";
-  if (note.left <= 0.0) return text + ", beyond which nothing is carried" + seen;
+  const std::string advice =
+      per_axis    ? "; \"interaction\" takes it into account"
+      : stretches ? ""
+                  : "; solver.translation = \"elastic\" takes it into account within the beam";
+  if (note.left <= 0.0) return text + ", beyond which nothing is carried" + advice;
   return text + ", where a joint yielded; a joint carries up to " +
-         figure(100.0 * (1.0 / note.left - 1.0)) + " % more than the section" + seen;
+         figure(100.0 * (1.0 / note.left - 1.0)) + " % more than the section" + advice;
 }
 
 }  // namespace

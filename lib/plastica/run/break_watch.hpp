@@ -16,7 +16,8 @@ using JointAngles = std::array<double, 3>;
 
 /// The permanent strain at break is met within this fraction of the limit, if steps can be cut
 /// back; joints nearer to their limits than this break together. (On the plateau of ideal
-/// plasticity even bending is shared evenly to 1e-7 only, since any fraction is in equilibrium.)
+/// plasticity the joints share uniform bending evenly to 1e-7 only, since any distribution is in
+/// equilibrium.)
 inline constexpr double kBreakTolerance = 1e-4;
 
 /// How a joint's law distributes permanent rotation along a beam whose moment varies.
@@ -34,16 +35,15 @@ Localization localization_of(const Scene& scene);
 /// The strain of a joint is (h/2) Theta/L_p, with the hinge length L_p and the rotation Theta that
 /// a length L_p of the beam takes there:
 /// - Distributed: Theta = theta_p L_p/l. The curvature theta_p/l converges with the segments by
-/// itself,
-///   at the clamp of a cantilever too; a mean over L_p would make fine chains stronger than coarse.
+///   itself, at the clamp of a cantilever too; a mean over L_p would make fine chains stronger than
+///   coarse.
 /// - else, l < L_p: the sum over a window of length L_p around the joint, moved into the beam at
 ///   its ends, a joint counting with the fraction of its length that the window covers.
 /// - else, Saturating: Theta = theta_p L_p/l.
 /// - else, Concentrated: what the neighbours turn as well is spread, what the joint turns beyond
-/// them
-///   gathers in the hinge: Theta = theta_n L_p/l + (theta_p - theta_n), theta_n the larger of the
-///   neighbours' curvatures times l, at most theta_p. So uniform moment (theta_n = theta_p) and a
-///   lone hinge (theta_n = 0) both come out as in a fine chain.
+///   them gathers in the hinge: Theta = theta_n L_p/l + (theta_p - theta_n), theta_n the larger of
+///   the neighbours' curvatures times l, at most theta_p. So uniform moment (theta_n = theta_p) and
+///   a lone hinge (theta_n = 0) both come out as in a fine chain.
 /// L_p = 0: theta_p over the joint's own length, as in Wendelius' report.
 class BreakWatch {
  public:

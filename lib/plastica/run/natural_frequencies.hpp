@@ -12,9 +12,9 @@ namespace plastica {
 /// The chain is that of the scene's level, with the tangent of its joints' laws at rest, springs,
 /// half joints and rigid clamps, and the inertia that `solver.rotary_inertia` asks for. Supports
 /// hold their directions still, whatever motion they prescribe; pillars, which push on one side
-/// alone, are left out, and so is all that loads and gravity do to the stiffness. Ways to move that
-/// nothing resists (rigid-body motions of a free beam, hinges) have the frequency 0: that is said
-/// of every frequency below 1e-5 of what the softest joint or support and the mass that it moves
+/// alone, are left out, and so is all that loads and gravity do to the stiffness. Modes that
+/// nothing resists (rigid-body motions of a free beam, hinges) have the frequency 0. So have those
+/// whose frequency is below 1e-5 of what the softest joint or support and the mass that it moves
 /// make. Found by counting negative pivots, in time proportional to segments and `count`.
 /// @param model  of a chain
 /// @param count  1 … `chain_freedoms`
@@ -36,8 +36,8 @@ struct LoadedFrequencies {
 /// The lowest natural frequencies of a beam about its loaded state: the end of a path of
 /// equilibria; of a motion, the equilibrium under what acts at its time 0. Where nothing acts,
 /// those of the unloaded beam. A planar level has those in its plane. Forces take part in the
-/// stiffness, supports that touch hold, and joints that have yielded unload. Ways in which an
-/// unstable state would be left have the frequency 0.
+/// stiffness, supports that touch hold, and joints that have yielded unload. The unstable modes
+/// of an unstable state have the frequency 0.
 /// @param options  as for `simulate`
 /// @param count    1 … the chain's degrees of freedom
 /// @throws InputError as `prepare`, and as above; where loads have no potential (they follow their

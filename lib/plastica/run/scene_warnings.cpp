@@ -332,15 +332,15 @@ std::optional<std::string> no_potential(const Facts& facts) {
   if (load) {
     return model_detail::item_name("load", *load) +
            (facts.scene.loads[*load].follows ? ".follows" : ".moment, of a fixed axis in space,") +
-           " has no potential: where equilibria become unstable is only told if an odd number of "
-           "ways opens at once; pairs of them, and flutter, are not seen";
+           " has no potential: where equilibria become unstable is only reported if an odd number "
+           "of modes does so at once; pairs of modes, and flutter, are not detected";
   }
   if (facts.options.buckling > 0 && facts.level.level == Level::Planar) {
     const LevelChoice in_space{.level = Level::Spatial, .reason = {}};
     const auto unconservative = model_detail::load_without_potential(facts.scene, in_space);
     if (unconservative) {
       return model_detail::item_name("load", *unconservative) +
-             ".moment has no potential in space: solver.buckling sees the beam's plane alone";
+             ".moment has no potential in space: solver.buckling covers the beam's plane alone";
     }
   }
   return {};

@@ -23,7 +23,7 @@ mask_t<S> may_improve(const S& imbalance, const S& enough) {
 ///
 /// @param assemble  places the chain and gathers all that acts on it
 /// @param condition  asked for at each iteration with the placed chain; its default makes time
-/// fixed
+///                   fixed
 /// @return not converged after `max_iterations`, or as soon as a number is not finite
 template <class L, bool kElastic, class Assemble, class Condition>
 NewtonOutcome<typename L::Scalar> equilibrate(const chain::Chain<L>& chain,

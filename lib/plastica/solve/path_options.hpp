@@ -12,8 +12,7 @@
 namespace plastica::solve {
 
 /// Below this fraction of the first slope of time over the control point's displacement, and
-/// downwards, a
-/// path carries no more load.
+/// downwards, a path carries no more load.
 inline constexpr double kLimitSlope = 1e-3;
 
 /// A path whose slope falls to less than this part of the step before bends.

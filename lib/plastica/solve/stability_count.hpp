@@ -83,9 +83,8 @@ void for_each_constraint_pivot(const chain::Chain<L>& chain, const PathCondition
 
 }  // namespace detail
 
-/// In how many independent ways an equilibrium would be left at the least push: the number of
-/// negative eigenvalues of the tangent among the motions that the constraints allow (0: stable), by
-/// Sylvester's law of inertia
+/// Number of independent unstable modes of an equilibrium: that of the negative eigenvalues of the
+/// tangent among the motions that the constraints allow (0: stable), by Sylvester's law of inertia
 ///
 ///   count = negative(K) + negative(-W^T K^-1 W) - constraints,
 ///

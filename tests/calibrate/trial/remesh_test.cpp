@@ -26,7 +26,7 @@ Setup bar(int segments) {
   return setup;
 }
 
-TEST(Redivided, HalvesAndDoublesTheSegments) {
+TEST(Remeshed, HalvesAndDoublesTheSegments) {
   EXPECT_EQ(remeshed(bar(8), Division::Half).scene.beam.segments, 4);
   EXPECT_EQ(remeshed(bar(8), Division::Twice).scene.beam.segments, 16);
   EXPECT_EQ(remeshed(bar(7), Division::Twice).scene.beam.segments, 14);
@@ -38,7 +38,7 @@ TEST(Redivided, HalvesAndDoublesTheSegments) {
   EXPECT_EQ(remeshed(half, Division::Twice).scene.beam.segments, 17);
 }
 
-TEST(Redivided, CutsUnevenSegmentsInTwoAndJoinsThem) {
+TEST(Remeshed, CutsUnevenSegmentsInTwoAndJoinsThem) {
   plastica::Setup setup = bar(4);
   setup.scene.beam.segment_fractions = {0.1, 0.2, 0.3, 0.4};
   setup.scene.loads[0].at = {0.0, 2};  // at 0.3 of the length
@@ -53,7 +53,7 @@ TEST(Redivided, CutsUnevenSegmentsInTwoAndJoinsThem) {
   EXPECT_TRUE(usable(simulate(half.scene, half.solver).status));
 }
 
-TEST(Redivided, RefusesWhatWouldBeAnotherScene) {
+TEST(Remeshed, RefusesWhatWouldBeAnotherScene) {
   const auto refusal = [](const plastica::Setup& setup, Division division) {
     return message_of([&] { (void)remeshed(setup, division); });
   };
@@ -71,7 +71,7 @@ TEST(Redivided, RefusesWhatWouldBeAnotherScene) {
   EXPECT_EQ(refusal(lengths, Division::Twice), "beam.joint_lengths: are given for each joint");
 }
 
-TEST(Redivided, KnowsTheOrderOfTheJoints) {
+TEST(Remeshed, KnowsTheOrderOfTheJoints) {
   Scene scene;
   EXPECT_EQ(order_of_joints(scene), 2.0);
   scene.end_rule = EndRule::Equal;

@@ -31,7 +31,7 @@ TEST(CheckModes, RefusesLoadsWithoutAPotential) {
     });
   };
   EXPECT_EQ(turned(Level::Spatial), rule + "load[2] has a moment of a fixed axis in space");
-  EXPECT_EQ(turned(Level::Planar), "no error");  // a warning says that it sees the plane alone
+  EXPECT_EQ(turned(Level::Planar), "no error");  // a warning says that it covers the plane alone
 }
 
 TEST(CheckModes, RefusesThemOfCouponsOfTwistAndInFloat) {

@@ -45,7 +45,7 @@ TEST(ModeReport, SaysWhereNothingIsFound) {
   io::SceneRecord record = column("-1 kN", "buckling = 1\n");
   record.response.buckling.reset();
   EXPECT_TRUE(has(scene_report(record),
-                  "  none is told: nothing acts, no equilibrium on the path is stable"));
+                  "  none is reported: nothing acts, no equilibrium on the path is stable"));
   record.setup.solver.buckling = 0;
   EXPECT_FALSE(has(scene_report(record), "Buckling"));
   EXPECT_TRUE(nlohmann::json::parse(scene_json(record))["buckling"].is_null());

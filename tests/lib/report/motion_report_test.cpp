@@ -80,7 +80,7 @@ TEST(MotionReport, TellsTheStepsThatRanAndWhatCutThem) {
   record.response.shortest_step = record.response.longest_step = 0.5e-3;
   EXPECT_TRUE(has(scene_report(record),
                   "  step            500 µs, fixed: 700 µs are cut to divide "
-                  "the way between the samples, 1 ms apart\n"))
+                  "the time between the samples, 1 ms apart\n"))
       << scene_report(record);
   EXPECT_EQ(motion().at("step_cut"), "division");
   record.setup.solver.time_step = 0.5e-3;
@@ -186,7 +186,7 @@ TEST(MotionReport, ListsTheFrequenciesOfDisplacementsAndVelocities) {
   EXPECT_TRUE(has(part, "\n  speed     29.9")) << part;
   EXPECT_TRUE(has(part, "  m/s\n")) << part;
   EXPECT_FALSE(has(part, "kinetic")) << part;
-  EXPECT_TRUE(has(part, "seen from 10 to 500 Hz, told apart from a distance of 15 Hz on")) << part;
+  EXPECT_TRUE(has(part, "found from 10 to 500 Hz, resolved if at least 15 Hz apart")) << part;
 }
 
 TEST(MotionReport, HasNoFrequenciesOfStaticsOrFewOrUnevenSamples) {

@@ -36,7 +36,7 @@ TEST(StabilityPoints, ReachEveryEdgeAndEveryLevel) {
   }
 }
 
-TEST(StabilityPoints, HaveANormalPointThatIsSoundInEveryScene) {
+TEST(StabilityPoints, HaveANormalPointThatIsValidInEveryScene) {
   const auto rows = run_stability({.only = {"/normal"}, .threads = 1});
   EXPECT_EQ(rows.size(), base_scenes().size());
   for (const StabilityRow& row : rows) {

@@ -124,7 +124,7 @@ TEST(Verdict, CallsAMotionInaccurateThatSaysSo) {
   Energies& last = made.response.chain.energy.back();
   last.numerical_dissipation = 0.02 * last.external;
   EXPECT_EQ(class_of(made), Inaccurate);
-  // Energy that the scheme has made and the energy balance error does not tell.
+  // Energy that the scheme has made and the energy balance error does not show.
   last.numerical_dissipation = -0.02 * last.external;
   EXPECT_EQ(class_of(made), Undetected);
 }
