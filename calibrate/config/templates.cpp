@@ -197,7 +197,7 @@ kind = "clamp"                    # "pin", "roller", "guide", "elastic", "inclin
 # translation = ["0 mm", "5 mm", "0 mm"]                   # moves, times its history
 
 [[load]]
-at      = "end"                   # with to = "start" and force in N/m: spread between both
+at      = "end"                   # or from and to, and force in N/m: spread between both
 force   = ["0 N", "-140 N", "0 N"]
 # moment  = ["10 N m", "0 N m", "0 N m"]
 # follows = true                  # turns with the beam

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "plastica/model/beam_axis.hpp"
@@ -148,6 +149,8 @@ void ChainRunner<L, kElastic>::finish() {
       for (double& time : *times) time = body_.record.factor_at(time);
     }
   }
+  response.energy_balance_error =
+      energy_balance_error(std::span(response.chain.energy).first(response.samples));
   const auto& strain = body_.strains.strain;
   response.permanent_strain = *std::max_element(strain.begin(), strain.end());
 }

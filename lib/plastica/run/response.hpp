@@ -148,8 +148,8 @@ struct Response {
   /// Of a path at a planar level: some joint is under thrust, while no support keeps the beam from
   /// leaving its plane, so that nothing tells whether it does.
   bool unheld_thrust = false;
-  /// `plastica::energy_balance_error` of a motion [1]; above `kBalanceTolerance` its status is
-  /// `NotBalanced`.
+  /// `plastica::energy_balance_error` [1]; of a motion above `kBalanceTolerance` its status is
+  /// `NotBalanced`. At rest it falls with the square of the step.
   double energy_balance_error = 0.0;
   /// Of a motion: what the momentum of fragments that no support holds has changed by beyond the
   /// impulses of their loads, at most, over the largest sum of the segments' momenta so far; the

@@ -324,6 +324,49 @@ std::optional<std::string> cut_corners(const Facts& facts) {
          " m; without segment_lengths and joint_lengths segments end at the corners";
 }
 
+/// A held rotation within the beam: half joints to the ground on both sides, where no node's joint
+/// is.
+std::optional<std::string> inner_clamps(const Facts& facts) {
+  if (facts.layout.end_rule != EndRule::HalfJoint) return std::nullopt;
+  for (std::size_t i = 0; i < facts.scene.supports.size(); ++i) {
+    const Support& support = facts.scene.supports[i];
+    const double at = fraction_of(support.at, facts.layout.ends);
+    const HeldFreedoms held = support.held();
+    const bool turns = (held[3] && bends_about_x(facts.level)) ||
+                       (held[4] && bends_about_y(facts.level)) ||
+                       (held[5] && facts.level.level != Level::Planar);
+    if (support.to || !turns || at <= 0.0 || at >= 1.0) continue;
+    const std::string what = model_detail::item_name("support", i) +
+                             " holds rotations within the "
+                             "beam: what the two half joints beside it carry is in its reaction "
+                             "alone, not in probes, tables and pictures of joints";
+    return facts.scene.yield_model == YieldModel::Elastic || !longest_joint(facts)
+               ? what
+               : what + ", and they do not break; a beam for each side, clamped at its end, does";
+  }
+  return std::nullopt;
+}
+
+/// Turning points of histories that no sample keeps; at rest the path goes over them all the same.
+std::optional<std::string> missed_corners(const Facts& facts) {
+  if (facts.options.analysis == Analysis::Dynamics) return std::nullopt;
+  const ChainModel& chain = *facts.model.chain;
+  std::size_t missed = 0;
+  double first = 0.0;
+  for (std::size_t i = 0; i < chain.stops.size(); ++i) {
+    const double time = chain.stops[i];
+    const bool cut =
+        std::ranges::any_of(facts.scene.cuts, [&](const Cut& each) { return each.time == time; });
+    if (chain.recorded[i] || cut) continue;
+    if (missed++ == 0) first = time;
+  }
+  if (missed == 0) return std::nullopt;
+  return "histories turn between two samples, " +
+         (missed == 1 ? "at " : std::to_string(missed) + " times, first at ") + figure(first) +
+         " s: the path goes over these points, but curves, least and most of probes leave them "
+         "out; solver.steps says how many samples there are";
+}
+
 /// Loads whose work depends on the path: the tangent at an equilibrium is not symmetric.
 std::optional<std::string> no_potential(const Facts& facts) {
   if (facts.options.analysis == Analysis::Dynamics) return {};
@@ -367,7 +410,7 @@ std::vector<std::string> scene_warnings(const Model& model) {
   const Facts facts(model);
   std::vector<std::string> warnings;
   for (const auto find : {short_beam, hinge, cap, thin_wall, per_axis, warping, softening,
-                          inner_places, cut_corners, no_potential}) {
+                          inner_places, cut_corners, inner_clamps, missed_corners, no_potential}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (facts.options.analysis == Analysis::Dynamics) {

@@ -127,6 +127,10 @@ typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L
     }
     for (std::size_t k = 0; k < L::kTranslations; ++k) {
       w.force_scale = larger_scale(w.force_scale, w.transmitted.outer[i].force[k]);
+      // A bed may carry each segment's load where it acts, so that no joint has a force.
+      if (!w.forgets) {
+        w.force_scale = larger_scale(w.force_scale, w.outer_forces.wrench[i].force[k]);
+      }
     }
   }
   for (std::size_t k = 0; k < L::kTranslations; ++k) {
