@@ -13,10 +13,14 @@ struct OuterForces {
   std::vector<Wrench<L>> wrench;        ///< (N)
   std::vector<Impedance<L>> impedance;  ///< (N)
   AxialForces<L> axial;                 ///< where laws see them, in statics
+  /// Largest component of the force of a spring to the ground [N]: of a bed that carries each load
+  /// where it acts, so that no joint has a force, it is what an imbalance is small against.
+  typename L::Scalar largest_spring{};
 
   void reset(std::size_t n) {
     wrench.assign(n, {});
     impedance.assign(n, {});
+    largest_spring = constant<typename L::Scalar>(0);
   }
 };
 
@@ -105,6 +109,7 @@ void add_springs(const Chain<L>& chain, const Placement<L>& placement, const Fac
     for (std::size_t i = 0; i < L::kTranslations; ++i) {
       k(i, i) = spring.stiffness[i];
       force[i] = -(spring.stiffness[i] * off[i]);
+      outer_forces.largest_spring = max(outer_forces.largest_spring, abs(force[i]));
     }
     Impedance<L>& impedance = outer_forces.impedance[spring.segment];
     add_point_stiffness(fraction * k, arm, impedance);

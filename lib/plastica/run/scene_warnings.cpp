@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 
-#include "plastica/chain/joint_model.hpp"
 #include "plastica/model/beam_axis.hpp"
 #include "plastica/model/check_parts.hpp"
 #include "plastica/model/check_value.hpp"
@@ -16,98 +15,14 @@
 #include "plastica/model/section_kind.hpp"
 #include "plastica/model/yield_warnings.hpp"
 #include "plastica/run/chain_model.hpp"
-#include "plastica/run/scene_joints.hpp"
+#include "plastica/run/joint_warnings.hpp"
+#include "plastica/run/warning_facts.hpp"
 
 namespace plastica {
 namespace {
 
 using model_detail::figure;
-
-/// What the warnings need to know of a scene.
-struct Facts {
-  explicit Facts(const Model& of)
-      : model(of),
-        scene(of.chain->scene),
-        options(of.chain->options),
-        layout(of.chain->layout),
-        section(layout.regions[0].properties),
-        level{of.level, of.chain->across == 1 ? BendingAxis::X : BendingAxis::Y, {}} {}
-
-  const Model& model;
-  const Scene& scene;
-  const SolverOptions& options;
-  const chain::Layout& layout;
-  const SectionProperties& section;  ///< of the scene's own
-  LevelChoice level;
-};
-
-bool bends_about_x(const LevelChoice& level) {
-  return level.level == Level::Spatial ||
-         (level.level == Level::Planar && level.bending == BendingAxis::X);
-}
-bool bends_about_y(const LevelChoice& level) {
-  return level.level == Level::Spatial ||
-         (level.level == Level::Planar && level.bending == BendingAxis::Y);
-}
-
-/// Calls `use` with each segment's length [m] and the region of the beam that it is of.
-template <class Use>
-void for_each_segment(const Facts& facts, const Use& use) {
-  const chain::Layout& layout = facts.layout;
-  for (std::size_t i = 0; i < layout.size(); ++i) {
-    use(layout.segment_length[i], layout.regions[layout.segment_regions[i].middle]);
-  }
-}
-
-/// Depth in bending about an axis, the mean over the beam [m].
-double depth_of(const Facts& facts, bool about_x) {
-  double sum = 0.0;
-  double length = 0.0;
-  for_each_segment(facts, [&](double along, const chain::BeamRegion& region) {
-    const SectionProperties& section = region.properties;
-    sum += along * 2.0 * (about_x ? section.outer_distance_x : section.outer_distance_y);
-    length += along;
-  });
-  return sum / length;
-}
-
-/// A joint that can break, and how many hinge lengths it stands for.
-struct LongJoint {
-  double length = 0.0;  ///< [m]
-  double hinge = 0.0;   ///< L_p [m]
-  double times() const { return length / hinge; }
-};
-
-/// Of all joints that can break the one that stands for the most hinge lengths; if hinges have no
-/// length, any of them.
-std::optional<LongJoint> longest_joint(const Facts& facts) {
-  std::optional<LongJoint> longest;
-  const Scene& scene = facts.scene;
-  for (const chain::JointModel& joint :
-       scene_joints(*facts.model.chain, material_values(scene.material))) {
-    for (std::size_t k = 0; k < joint.resists.size(); ++k) {
-      const double limit = k < 2 ? std::min(joint.limit[k], joint.limit[3]) : joint.limit[k];
-      if (!joint.resists[k] || !std::isfinite(limit)) continue;
-      const LongJoint found{joint.length[k], chain::hinge_length(scene, joint)};
-      if (!longest || found.times() > longest->times()) longest = found;
-    }
-  }
-  return longest;
-}
-
-/// How many equal segments, or with EndRule::Half equal ones but for the ends, have no longer joint
-/// than a length.
-double segments_for(double longest, const Facts& facts) {
-  const chain::Layout& layout = facts.layout;
-  bool bare = layout.end_rule == EndRule::ThreeHalves;
-  for (const auto& half : layout.bare_half) {
-    bare = bare || (bends_about_x(facts.level) && half[0] > 0.0) ||
-           (bends_about_y(facts.level) && half[1] > 0.0);
-  }
-  const double least =
-      std::ceil((bare ? 1.5 : 1.0) * facts.scene.beam.length / longest * (1.0 - 1e-9));
-  return layout.end_rule == EndRule::Half ? least + 1.0 : least;
-}
+using namespace run_detail;
 
 /// Shear's fraction of the tip deflection of a cantilever, clamped where the beam begins, under a
 /// tip force: phi/(1 + phi), phi = integral(dz/(kappa G A)) over integral((L - z)^2 dz/(E I)), for
@@ -151,35 +66,6 @@ std::optional<std::string> short_beam(const Facts& facts) {
   return text + "is " + figure(100.0 * fraction) +
          " % of a cantilever's tip deflection (Timoshenko); solver.translation = \"elastic\" has "
          "it";
-}
-
-/// Whether yielding gathers in one joint: no hardening, and not a section of fibres.
-bool is_ideal(const Scene& scene) {
-  return scene.yield_model != YieldModel::Fibre &&
-         scene.material.hardening.law == HardeningLaw::Ideal;
-}
-
-std::optional<std::string> hinge(const Facts& facts) {
-  const Scene& scene = facts.scene;
-  if (scene.yield_model == YieldModel::Elastic || facts.level.level == Level::Twist) {
-    return std::nullopt;
-  }
-  const std::optional<LongJoint> longest = longest_joint(facts);
-  if (!longest) return std::nullopt;
-  if (longest->hinge == 0.0) {
-    if (!is_ideal(scene)) return std::nullopt;
-    return "without a hinge length a break depends on the segments: an ideal joint takes all of "
-           "the rotation, which at break falls as 1/N";
-  }
-  const double over = longest->times();
-  if (over <= 1.0 + 1e-9) return std::nullopt;
-  const std::string cost =
-      is_ideal(scene) ? "under an even moment their strain is " + figure(over) + " times too large"
-                      : "where less than such a length yields, its strain is up to " +
-                            figure(over) + " times too small";
-  return "joints that can break stand for " + figure(longest->length) +
-         " m, more than the hinge length of " + figure(longest->hinge) + " m: " + cost + "; " +
-         figure(segments_for(longest->hinge, facts)) + " equal segments would do";
 }
 
 /// Whether a history lets go of what it had reached.
@@ -324,29 +210,6 @@ std::optional<std::string> cut_corners(const Facts& facts) {
          " m; without segment_lengths and joint_lengths segments end at the corners";
 }
 
-/// A held rotation within the beam: half joints to the ground on both sides, where no node's joint
-/// is.
-std::optional<std::string> inner_clamps(const Facts& facts) {
-  if (facts.layout.end_rule != EndRule::HalfJoint) return std::nullopt;
-  for (std::size_t i = 0; i < facts.scene.supports.size(); ++i) {
-    const Support& support = facts.scene.supports[i];
-    const double at = fraction_of(support.at, facts.layout.ends);
-    const HeldFreedoms held = support.held();
-    const bool turns = (held[3] && bends_about_x(facts.level)) ||
-                       (held[4] && bends_about_y(facts.level)) ||
-                       (held[5] && facts.level.level != Level::Planar);
-    if (support.to || !turns || at <= 0.0 || at >= 1.0) continue;
-    const std::string what = model_detail::item_name("support", i) +
-                             " holds rotations within the "
-                             "beam: what the two half joints beside it carry is in its reaction "
-                             "alone, not in probes, tables and pictures of joints";
-    return facts.scene.yield_model == YieldModel::Elastic || !longest_joint(facts)
-               ? what
-               : what + ", and they do not break; a beam for each side, clamped at its end, does";
-  }
-  return std::nullopt;
-}
-
 /// Turning points of histories that no sample keeps; at rest the path goes over them all the same.
 std::optional<std::string> missed_corners(const Facts& facts) {
   if (facts.options.analysis == Analysis::Dynamics) return std::nullopt;
@@ -409,8 +272,9 @@ std::vector<std::string> scene_warnings(const Model& model) {
   if (!model.chain) return {};
   const Facts facts(model);
   std::vector<std::string> warnings;
-  for (const auto find : {short_beam, hinge, cap, thin_wall, per_axis, warping, softening,
-                          inner_places, cut_corners, inner_clamps, missed_corners, no_potential}) {
+  for (const auto find :
+       {short_beam, hinge_warning, cap, thin_wall, per_axis, warping, softening, inner_places,
+        cut_corners, inner_clamp_warning, missed_corners, no_potential}) {
     if (auto warning = find(facts)) warnings.push_back(std::move(*warning));
   }
   if (facts.options.analysis == Analysis::Dynamics) {

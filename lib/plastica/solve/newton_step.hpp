@@ -109,8 +109,7 @@ void assemble(const chain::Chain<L>& chain, chain::JointLaws<L, kElastic>& laws,
 template <class L, bool kElastic>
 typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L, kElastic>& w) {
   using S = typename L::Scalar;
-  S moment = constant<S>(0);
-  S force = constant<S>(0);
+  S moment = constant<S>(0), force = constant<S>(0);
   if (w.forgets) {
     w.moment_scale = w.settled_moment;
     w.force_scale = w.settled_force;
@@ -127,12 +126,9 @@ typename L::Scalar relative_imbalance(const chain::Chain<L>& chain, NewtonWork<L
     }
     for (std::size_t k = 0; k < L::kTranslations; ++k) {
       w.force_scale = larger_scale(w.force_scale, w.transmitted.outer[i].force[k]);
-      // A bed may carry each segment's load where it acts, so that no joint has a force.
-      if (!w.forgets) {
-        w.force_scale = larger_scale(w.force_scale, w.outer_forces.wrench[i].force[k]);
-      }
     }
   }
+  if (!w.forgets) w.force_scale = larger_scale(w.force_scale, w.outer_forces.largest_spring);
   for (std::size_t k = 0; k < L::kTranslations; ++k) {
     force = larger_size(force, w.recursion.root_balance()[k]);
   }

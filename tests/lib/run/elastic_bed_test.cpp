@@ -64,6 +64,30 @@ TEST(ElasticBed, BendsUnderALoadInTheMiddleAsHetenyiSays) {
   expect_errors_fall([&](int n) { return deflection(n, 0.5, 0.01) / exact - 1.0; }, 0.025, 2.0);
 }
 
+/// No joint has a force: each segment's load is the bed's beneath it, y = q/k everywhere.
+TEST(ElasticBed, SettlesEvenlyUnderALoadThatIsSpreadAsItIs) {
+  for (const Level level : {Level::Planar, Level::Spatial}) {
+    for (const int segments : {1, 2, 20, 200}) {
+      for (const double begin : {0.0, 0.3}) {
+        if (segments == 1 && begin > 0.0) continue;  // a segment ends where the bed begins
+        Scene scene = on_bed(segments);
+        scene.supports[0].at = {begin, {}};
+        if (level == Level::Spatial) {
+          scene.supports[1].hold = HeldFreedoms{true, false, true, false, true, true};
+        }
+        scene.loads.push_back({.at = {begin, {}}, .to = Place::end(), .force = {0.0, 0.01, 0.0}});
+        add_probe(scene, ProbeQuantity::Displacement, Place::start(), Component::Y);
+        add_probe(scene, ProbeQuantity::Displacement, Place::end(), Component::Y);
+        const double settled = 0.01 / scene.supports[0].stiffness[1];
+        const Response response = completed(scene, {.level = level, .steps = 2});
+        for (const std::size_t end : {0U, 1U}) {
+          EXPECT_NEAR(last_of(response, end), settled, 1e-9 * settled) << segments;
+        }
+      }
+    }
+  }
+}
+
 /// Even of order 4: where the load acts the chain has the beam's slope.
 TEST(ElasticBed, BendsUnderALoadAtItsEndAsHetenyiSays) {
   const double b = kBetaL;

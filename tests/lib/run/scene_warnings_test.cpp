@@ -217,6 +217,36 @@ TEST(SceneWarnings, AskEachRegionForItsSection) {
   EXPECT_TRUE(warns(short_of(0.5), "is 0.0192 % of"));
 }
 
+TEST(SceneWarnings, SayWhatAClampWithinTheBeamLeavesOut) {
+  const auto held_at = [](double at, bool breaks) {
+    return warnings_of([=](Scene& s) {
+      s.supports.push_back({{at, {}}, SupportKind::Clamp});
+      if (breaks) s.material.break_strain = 0.02;
+    });
+  };
+  const std::string text = "support[2] holds rotations within the beam";
+  EXPECT_TRUE(warns(held_at(0.5, false), text));
+  EXPECT_FALSE(warns(held_at(0.5, false), "do not break"));
+  EXPECT_TRUE(warns(held_at(0.5, true), "they do not break"));
+  EXPECT_FALSE(warns(held_at(1.0, true), text));
+  EXPECT_FALSE(warns(warnings_of([](Scene& s) {
+                       s.supports.push_back({{0.5, {}}, SupportKind::Roller});
+                     }),
+                     "holds rotations"));
+}
+
+/// Ten samples over four seconds keep the turn at 2 s, and not those at 1 s and 3 s.
+TEST(SceneWarnings, SayThatTurningPointsLieBetweenSamples) {
+  const auto turned = [](int steps) {
+    Scene scene = cantilever();
+    scene.loads[0].history = History::turning_points({1.0, -1.0, 1.0, 0.0});
+    check_scene(scene, {});
+    return scene_warnings(prepare(scene, {.steps = steps}));
+  };
+  EXPECT_TRUE(warns(turned(10), "histories turn between two samples, 2 times, first at 1 s"));
+  EXPECT_FALSE(warns(turned(12), "histories turn"));
+}
+
 TEST(SceneWarnings, SayThatABreakWithoutHingeLengthDependsOnTheSegments) {
   const std::string text = "without a hinge length a break depends on the segments";
   EXPECT_TRUE(warns(warnings_of([](Scene& s) {
