@@ -30,11 +30,15 @@ void advise_on(const FittedParameter& parameter, std::vector<std::string>& advic
   }
 }
 
+/// Neighbouring residuals of noise are not as alike as this.
+constexpr double kAlike = 0.5;
+
 }  // namespace
 
 std::string misfit_meaning(const FitResult& result) {
   const std::string name(phrase_of(result.law));
-  const bool noise = result.runs_test_p >= kFewRuns;
+  // Of a short curve the elastic samples may drown the runs of the others: neighbours tell, too.
+  const bool noise = result.runs_test_p >= kFewRuns && !(result.autocorrelation > kAlike);
   if (lacks_fit(result.misfit_fraction, result.runs_test_p)) {
     return name + " does not describe this curve";
   }

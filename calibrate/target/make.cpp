@@ -1,5 +1,7 @@
 #include "calibrate/target/make.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -130,6 +132,17 @@ void measure(Target& target, const ElasticLine& line, const RawFacts& facts, dou
   }
 }
 
+/// From soft plastics to diamond: beyond them a unit is wrong, most likely.
+void warn_of_units(Target& target) {
+  constexpr double kSoft = 0.5e9, kStiff = 1.3e12;
+  const Characteristics& c = target.characteristics;
+  if (target.test != Test::Tension || !c.youngs_modulus || c.modulus_method == "given") return;
+  if (*c.youngs_modulus >= kSoft && *c.youngs_modulus <= kStiff) return;
+  target.warnings.push_back(
+      fmt::format("Young's modulus of {:.4g} GPa: are the units of strain and stress right?",
+                  *c.youngs_modulus / 1e9));
+}
+
 }  // namespace
 
 void process_target(Target& target, const TargetOptions& options) {
@@ -173,6 +186,7 @@ void process_target(Target& target, const TargetOptions& options) {
   shift_strain(target, *line, options);
   if (!convert_to_true(target, options)) return;
   measure(target, *line, facts, noise, options);
+  warn_of_units(target);
   if (monotonic) check_sampling(target, noise, options);
 }
 

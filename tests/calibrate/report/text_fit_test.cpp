@@ -144,6 +144,18 @@ TEST(FitReport, ShowsFixedAndTiedParametersWithoutVerdicts) {
   EXPECT_TRUE(has(text, "tied\n"));
 }
 
+/// Many elastic samples may hide the runs of a few others from the runs test.
+TEST(FitReport, CallsNoMisfitNoiseWhoseNeighboursAreAlike) {
+  FitRecord record = fitted_record();
+  record.result.misfit_word = "fair";
+  record.result.misfit_fraction = 0.03;
+  record.result.runs_test_p = 0.5;
+  record.result.autocorrelation = 0.1;
+  EXPECT_TRUE(has(fit_report(record), "within its noise"));
+  record.result.autocorrelation = 0.8;
+  EXPECT_FALSE(has(fit_report(record), "within its noise"));
+}
+
 TEST(FitReport, ListsStrongCorrelationsOnly) {
   FitRecord record = fitted_record();
   EXPECT_FALSE(has(fit_report(record), "Correlations"));
