@@ -201,10 +201,11 @@ std::string energy_text(const io::SceneRecord& record, const Ink& ink) {
   const double wrong = record.response.energy_balance_error;
   if (wrong > kBalanceTolerance) {
     const std::string percent = fmt::format("{:.2g} %", 100.0 * wrong);
+    const bool made = is_motion(record) && wrong > *fraction;
+    const std::string what = made ? "  the scheme has made " + percent + " of the energy"
+                                  : "  the energy balance is off by " + percent;
     text +=
-        ink.bad(wrong > *fraction
-                    ? "  the scheme has made " + percent + " of the energy: take smaller steps\n"
-                    : "  the energy balance is off by " + percent + ": take smaller steps\n");
+        ink.bad(what + (is_motion(record) ? ": take smaller steps\n" : ": raise solver.steps\n"));
   }
   return text;
 }

@@ -145,6 +145,14 @@ TEST(SceneReport, ShowsProbesReactionsPeaksAndEnergiesThatBalance) {
   EXPECT_LT(residual_fraction(record).value(), 1e-3);
 }
 
+TEST(SceneReport, SaysWhatHelpsAPathWhoseEnergyIsNotBalanced) {
+  io::SceneRecord record = broken();
+  EXPECT_FALSE(has(scene_report(record), "energy balance"));
+  record.response.energy_balance_error = 0.05;
+  EXPECT_TRUE(
+      has(scene_report(record), "\n  the energy balance is off by 5 %: raise solver.steps\n"));
+}
+
 TEST(SceneReport, OfACouponHasNoBeamAndTellsTheBreak) {
   const std::string text = scene_report(record_of(coupon_text()));
   EXPECT_TRUE(
