@@ -39,7 +39,7 @@ CellDescriber<SegmentsError> columns_of(const SegmentsError* segments, const std
 
 }  // namespace
 
-ParameterColumns::ParameterColumns(std::vector<FitRow> fits) {
+ParameterColumns::ParameterColumns(const std::vector<FitRow>& fits) {
   std::vector<const FitIntervals*> intervals;
   for (const FitRow& row : fits) {
     intervals.push_back(&row.fit->intervals);

@@ -22,7 +22,7 @@ struct FitRow {
 /// "fit.yield_stress.standard_error [Pa]"; with the whole path where two have the same last part.
 class ParameterColumns {
  public:
-  explicit ParameterColumns(std::vector<FitRow> fits);
+  explicit ParameterColumns(const std::vector<FitRow>& fits);
 
   void add_titles(std::vector<std::string>& header) const;
   /// Empty cells for what the fit does not have.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "calibrate/report/csv_cells.hpp"
@@ -10,8 +9,6 @@
 
 namespace plastica::calibrate::report {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 Json bootstrap_of(const BootstrapResult& bootstrap, const ShownIntervals& shown) {
   if (bootstrap.resamples == 0) return nullptr;

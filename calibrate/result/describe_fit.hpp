@@ -1,6 +1,7 @@
 #pragma once
 
 #include "calibrate/result/describe.hpp"
+#include "calibrate/result/fit_outcome.hpp"
 
 /// What is said of a fit and of its search, see describe.hpp.
 namespace plastica::calibrate {

@@ -52,6 +52,7 @@ std::vector<StoredParameter> parameters_of(std::span<const FitOutcome* const> fi
 void write_parameters(io::Hdf5Group& root, std::span<const FitOutcome* const> fits,
                       const std::vector<StoredParameter>& all) {
   std::vector<std::string> paths;
+  paths.reserve(all.size());
   for (const StoredParameter& parameter : all) paths.push_back(parameter.path);
   for (const FitOutcome* fit : fits) {
     for (const FittedParameter& p : fit->parameters) {

@@ -183,6 +183,7 @@ void write_scene_fit_store(const std::string& path, const SceneFitContents& cont
   io::write_inputs(root, contents.inputs);
   io::write_meta(root, contents.meta);
   std::vector<double> seconds;
+  seconds.reserve(records.size());
   for (const SceneFitRecord* record : records) seconds.push_back(record->seconds);
   root.write("meta/fit_seconds", seconds, {"s"});
   file.commit();

@@ -139,7 +139,7 @@ std::vector<double> segment_ends(const Scene& scene) {
     ends.back() = 1.0;
     return ends;
   }
-  const std::vector<double> even = even_ends(scene);
+  std::vector<double> even = even_ends(scene);
   if (!scene.beam.joint_lengths.empty()) return even;
   const std::vector<double> needed = needed_ends(scene);
   const auto falls_on_even = [&](double fraction) { return is_end(fraction, even); };

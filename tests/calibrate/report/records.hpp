@@ -12,7 +12,7 @@
 /// Records of made-up fits, for tests of what is written of them.
 namespace plastica::calibrate::testing {
 
-inline FittedParameter free_parameter(std::string name, Dimension dimension, double value,
+inline FittedParameter free_parameter(const std::string& name, Dimension dimension, double value,
                                       double error, double start, double lower, double upper) {
   FittedParameter parameter;
   parameter.path = "material." + name;
