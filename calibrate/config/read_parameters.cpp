@@ -16,8 +16,6 @@ using io::TomlValue;
 
 constexpr std::string_view kAuto = "auto";
 
-std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
-
 /// A material field by its path or its last part; of a fit through scenes any number by its path.
 /// Old names are names, too.
 const Field* parameter_field_or_null(std::string_view written, ParameterScope scope) {

@@ -195,7 +195,7 @@ LawFit law_fit_of(const SceneFitRecord& record) {
   }
   for (const FittedParameter& p : result.parameters) {
     if (p.path == "material.break_strain" || p.path == "material.break_shear_strain") continue;
-    fit.parameters.push_back(p.path.substr(p.path.rfind('.') + 1));
+    fit.parameters.push_back(p.name());
     fit.verdicts.push_back(p.verdict());
   }
   for (const SceneStart& start : result.starts) {

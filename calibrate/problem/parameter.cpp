@@ -35,10 +35,7 @@ void check_bounds(const Parameter& p) {
 
 }  // namespace
 
-std::string Parameter::name() const {
-  const std::string_view path = field->path;
-  return std::string(path.substr(path.rfind('.') + 1));
-}
+std::string Parameter::name() const { return std::string(last_part(field->path)); }
 
 void check_parameters(const std::vector<Parameter>& parameters) {
   bool any_free = false;

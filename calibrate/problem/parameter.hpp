@@ -2,12 +2,19 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plastica/base/check.hpp"
 #include "plastica/model/field.hpp"
 
 namespace plastica::calibrate {
+
+/// "yield_stress" of "material.yield_stress". Numbers of the field table have no other with the
+/// same one.
+inline std::string_view last_part(std::string_view path) {
+  return path.substr(path.rfind('.') + 1);
+}
 
 /// What a fit may do with a parameter.
 enum class ParameterRole { Free, Fixed, Tied };
@@ -35,7 +42,7 @@ struct Parameter {
   std::optional<Prior> prior;  ///< Free, of a fit through scenes
   SourceLocation where;        ///< for error lines
 
-  /// "yield_stress" of "material.yield_stress": the name that reports use.
+  /// The last part of its path: the name that reports use.
   std::string name() const;
 };
 

@@ -12,8 +12,6 @@
 namespace plastica::calibrate::report {
 namespace {
 
-std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
-
 template <typename Row>
 void append(std::vector<std::string>& to, const std::vector<std::string> CellDescriber<Row>::*list,
             const CellDescriber<Row>& from) {
@@ -53,16 +51,9 @@ ParameterColumns::ParameterColumns(const std::vector<FitRow>& fits) {
   intervals_ = interval_columns(intervals);
 }
 
-std::string ParameterColumns::title(const Parameter& parameter) const {
-  const std::string_view name = last_part(parameter.path);
-  const auto alike = std::ranges::count_if(
-      parameters_, [&](const Parameter& other) { return last_part(other.path) == name; });
-  return "fit." + std::string(alike > 1 ? std::string_view(parameter.path) : name);
-}
-
 void ParameterColumns::add_titles(std::vector<std::string>& header) const {
   for (const Parameter& parameter : parameters_) {
-    const std::string of = title(parameter);
+    const std::string of = "fit." + std::string(last_part(parameter.path));
     const std::string_view unit = si_unit(parameter.dimension);
     const FittedParameter* none = nullptr;
     append(header, &CellDescriber<FittedParameter>::names, columns_of(none, of, unit));

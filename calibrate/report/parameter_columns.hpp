@@ -19,7 +19,7 @@ struct FitRow {
 /// Of each parameter that any fit has, in the order in which they come up first: value, errors,
 /// bounds, verdict; of fits with other segments the extrapolated value and half its interval;
 /// intervals of profile and bootstrap where any fit has them. Titles are "fit.yield_stress [Pa]",
-/// "fit.yield_stress.standard_error [Pa]"; with the whole path where two have the same last part.
+/// "fit.yield_stress.standard_error [Pa]".
 class ParameterColumns {
  public:
   explicit ParameterColumns(const std::vector<FitRow>& fits);
@@ -33,7 +33,6 @@ class ParameterColumns {
     std::string path;
     Dimension dimension = Dimension::None;
   };
-  std::string title(const Parameter& parameter) const;
 
   std::vector<Parameter> parameters_;
   std::vector<IntervalColumn> intervals_;

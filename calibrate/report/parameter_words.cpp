@@ -7,9 +7,7 @@
 
 namespace plastica::calibrate::report {
 
-std::string short_name(std::string_view path) {
-  return printable(path.substr(path.rfind('.') + 1));
-}
+std::string short_name(std::string_view path) { return printable(last_part(path)); }
 
 DisplayUnit display_unit(const FittedParameter& parameter) {
   return display_unit_of(parameter.path, parameter.dimension, parameter.value);

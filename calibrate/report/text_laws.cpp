@@ -37,7 +37,7 @@ struct LawParameter {
   double error = 0.0;  ///< NaN: none
   bool shown = true;
 
-  std::string name() const { return printable(path.substr(path.rfind('.') + 1)); }
+  std::string name() const { return printable(last_part(path)); }
 };
 
 std::vector<LawParameter> parameters_of(const FitRecord& record) {

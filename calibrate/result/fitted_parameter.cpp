@@ -2,6 +2,6 @@
 
 namespace plastica::calibrate {
 
-std::string FittedParameter::name() const { return path.substr(path.rfind('.') + 1); }
+std::string FittedParameter::name() const { return std::string(last_part(path)); }
 
 }  // namespace plastica::calibrate

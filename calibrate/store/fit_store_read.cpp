@@ -55,9 +55,9 @@ class StoreReader {
     if (tables_.version() >= 5) {
       std::vector<FitOutcome*> fits;
       for (FitRecord& record : records_) fits.push_back(&record.result);
-      store::read_parameters(tables_, fits);
+      store::read_parameters(root_, tables_.version(), fits);
     } else {
-      store::read_parameters_4(tables_, records_, options_);
+      store::read_parameters_4(root_, tables_.version(), records_, options_);
     }
     for (const FitRecord& record : records_) {
       if (record.result.is_fitted() && record.result.parameters.empty()) {

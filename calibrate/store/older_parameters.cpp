@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "calibrate/store/fit_rules.hpp"
 #include "calibrate/store/stored_options.hpp"
 #include "plastica/base/renamed.hpp"
 #include "plastica/model/field.hpp"
@@ -57,9 +58,10 @@ void read_rows_3(const TableReader& tables, const std::vector<FittedParameter*>&
 
 }  // namespace
 
-void read_parameters_4(const TableReader& tables, std::vector<FitRecord>& records,
+void read_parameters_4(const io::Hdf5Group& root, int version, std::vector<FitRecord>& records,
                        const FitOptions& options) {
-  const auto present = tables.root().read<std::uint8_t>("parameters/present");
+  const TableReader tables(root, kParameterRules, version);
+  const auto present = root.read<std::uint8_t>("parameters/present");
   if (present.size() != records.size()) {
     tables.refuse("parameters/present", "does not have a row for each fit");
   }
@@ -90,7 +92,9 @@ void read_parameters_4(const TableReader& tables, std::vector<FitRecord>& record
   }
 }
 
-void read_scene_parameters_4(const TableReader& tables, std::vector<SceneFitRecord*>& records) {
+void read_scene_parameters_4(const io::Hdf5Group& root, int version,
+                             std::vector<SceneFitRecord*>& records) {
+  const TableReader tables(root, kParameterRules, version);
   const auto member = PLASTICA_MEMBER(result.parameters);
   const auto parameters = tables.items("parameters", records, member, kDescribeWhoseParameter);
   if (tables.version() == 3) {
@@ -101,7 +105,7 @@ void read_scene_parameters_4(const TableReader& tables, std::vector<SceneFitReco
   for (FittedParameter* parameter : parameters.rows) {
     parameter->path = new_path(parameter->path);
     if (find_field_or_null(parameter->path) != nullptr) continue;
-    io::refuse_value(tables.root(), "parameters/path", parameter->path, "must be a field");
+    io::refuse_value(root, "parameters/path", parameter->path, "must be a field");
   }
 }
 

@@ -11,10 +11,11 @@
 namespace plastica::calibrate::store {
 
 /// Of curves: a table for each parameter of the options, and which fits have theirs.
-void read_parameters_4(const TableReader& tables, std::vector<FitRecord>& records,
+void read_parameters_4(const io::Hdf5Group& root, int version, std::vector<FitRecord>& records,
                        const FitOptions& options);
 
 /// Through scenes: one table, a row for each parameter of each fit.
-void read_scene_parameters_4(const TableReader& tables, std::vector<SceneFitRecord*>& records);
+void read_scene_parameters_4(const io::Hdf5Group& root, int version,
+                             std::vector<SceneFitRecord*>& records);
 
 }  // namespace plastica::calibrate::store

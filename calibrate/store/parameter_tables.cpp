@@ -5,19 +5,14 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "calibrate/store/fit_rules.hpp"
 #include "plastica/model/field.hpp"
 
 namespace plastica::calibrate::store {
 namespace {
 
-std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
-
-/// Where the table of a parameter is.
-template <typename Paths>
-std::string table_of(const std::string& path, const Paths& all) {
-  const auto alike = std::ranges::count_if(
-      all, [&](const std::string& other) { return last_part(other) == last_part(path); });
-  return "parameters/" + std::string(alike > 1 ? std::string_view(path) : last_part(path));
+std::string table_of(const std::string& path) {
+  return "parameters/" + std::string(last_part(path));
 }
 
 const StoredParameter* find(const std::vector<StoredParameter>& all, const FittedParameter& p) {
@@ -71,7 +66,7 @@ void write_parameters(io::Hdf5Group& root, std::span<const FitOutcome* const> fi
       rows.push_back(there ? &*at : nullptr);
       numbers.push_back(there ? at - fit->parameters.begin() : -1);
     }
-    const std::string path = table_of(parameter.path, paths);
+    const std::string path = table_of(parameter.path);
     io::Hdf5Group table = root.group(path);
     table.write("row", numbers, {{}, kDeflate});
     table.set_attribute("row", "meaning", "which of the fit's parameters it is; -1: none");
@@ -81,13 +76,13 @@ void write_parameters(io::Hdf5Group& root, std::span<const FitOutcome* const> fi
   }
 }
 
-void read_parameters(const TableReader& tables, std::span<FitOutcome* const> fits) {
-  const io::Hdf5Group& root = tables.root();
+void read_parameters(const io::Hdf5Group& root, int version, std::span<FitOutcome* const> fits) {
+  const TableReader tables(root, kParameterRules, version);
   const std::vector<std::string> paths = root.read_texts("parameters/path");
   std::vector<std::vector<std::int64_t>> rows;
   std::vector<std::vector<std::int64_t>> of_fit(fits.size());
   for (const std::string& path : paths) {
-    const std::string table = table_of(path, paths);
+    const std::string table = table_of(path);
     rows.push_back(root.read<std::int64_t>(table + "/row"));
     if (rows.back().size() != fits.size()) tables.refuse(table + "/row", "must have one a fit");
     for (std::size_t i = 0; i < fits.size(); ++i) {
@@ -103,7 +98,7 @@ void read_parameters(const TableReader& tables, std::span<FitOutcome* const> fit
   for (std::size_t k = 0; k < paths.size(); ++k) {
     const Field* field = find_field_or_null(paths[k]);
     if (field == nullptr) io::refuse_value(root, "parameters/path", paths[k], "must be a field");
-    const std::string table = table_of(paths[k], paths);
+    const std::string table = table_of(paths[k]);
     const auto role = enumerator_of<ParameterRole>(root, table, root.text_attribute(table, "role"));
     std::vector<FittedParameter*> parameters(fits.size(), nullptr);
     for (std::size_t i = 0; i < fits.size(); ++i) {

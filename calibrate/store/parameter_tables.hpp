@@ -22,13 +22,14 @@ struct StoredParameter {
 std::vector<StoredParameter> parameters_of(std::span<const FitOutcome* const> fits);
 
 /// Writes /parameters/path, in the order of `all`, and a table each under the last part of its
-/// path, or all of the path where two have the same. Its column `row` says which of a fit's
-/// parameters it is, -1: the fit does not have it.
+/// path. Its column `row` says which of a fit's parameters it is, -1: the fit does not have it.
 /// @throws std::logic_error if a fit has one that is not among `all`, or otherwise than there
 void write_parameters(io::Hdf5Group& root, std::span<const FitOutcome* const> fits,
                       const std::vector<StoredParameter>& all);
 
-/// Fills the parameters of fits that have none yet. @throws InputError
-void read_parameters(const TableReader& tables, std::span<FitOutcome* const> fits);
+/// Fills the parameters of fits that have none yet.
+/// @param version  of the file, 5 or later
+/// @throws InputError
+void read_parameters(const io::Hdf5Group& root, int version, std::span<FitOutcome* const> fits);
 
 }  // namespace plastica::calibrate::store

@@ -28,9 +28,9 @@ class Reader {
     if (tables_.version() >= 5) {
       std::vector<FitOutcome*> fits;
       for (SceneFitRecord* record : records_) fits.push_back(&record->result);
-      store::read_parameters(tables_, fits);
+      store::read_parameters(tables_.root(), tables_.version(), fits);
     } else {
-      store::read_scene_parameters_4(tables_, records_);
+      store::read_scene_parameters_4(tables_.root(), tables_.version(), records_);
     }
     const auto correlation = tables_.lists("correlation", records_.size());
     for (std::size_t i = 0; i < records_.size(); ++i) {

@@ -17,12 +17,23 @@ std::optional<std::size_t> intact_up_to(const SceneTarget& target, double abscis
   return intact;
 }
 
+/// Whether the step to a sample lets the beam go: towards zero, or against the ordinate, as when a
+/// cycle ends on its way through zero. Which way the ordinate acts is told by the work until there,
+/// of which a beam takes more than it gives.
+bool is_let_go(const SceneTarget& target, std::size_t sample) {
+  const std::vector<double>& x = target.abscissa;
+  const std::vector<double>& y = target.ordinate;
+  if (std::abs(x[sample]) < std::abs(x[sample - 1])) return true;
+  double work = 0.0;
+  for (std::size_t i = 1; i < sample; ++i) work += 0.5 * (y[i] + y[i - 1]) * (x[i] - x[i - 1]);
+  return work * y[sample - 1] * (x[sample] - x[sample - 1]) < 0.0;
+}
+
 }  // namespace
 
 std::optional<std::size_t> intact_samples(const SceneTarget& target, const CorrectionChoice& trim) {
   if (trim.mode == Mode::Off) return std::nullopt;
   if (trim.mode == Mode::Set) return intact_up_to(target, trim.amount);
-  const std::vector<double>& x = target.abscissa;
   const std::vector<double>& y = target.ordinate;
   double largest = 0.0;
   for (const double value : y) largest = std::max(largest, std::abs(value));
@@ -37,8 +48,7 @@ std::optional<std::size_t> intact_samples(const SceneTarget& target, const Corre
     if (fall < 0.5 * largest || !(zeros || fallen >= 3)) return std::nullopt;
     return intact;
   }
-  const bool goes_back = std::abs(x[intact]) < std::abs(x[intact - 1]);
-  if (goes_back || fall < kBeamDrop * largest) return std::nullopt;
+  if (fall < kBeamDrop * largest || is_let_go(target, intact)) return std::nullopt;
   return intact;
 }
 

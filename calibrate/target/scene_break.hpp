@@ -11,9 +11,10 @@ namespace plastica::calibrate {
 /// How many samples of a beam's curve came before its break; the rest is cut.
 ///
 /// Automatic: the ordinate falls in one step, and stays, at or below `kBeamZero` of the largest
-/// one until the end, by `kBeamDrop` of the largest or more, while the abscissa does not go back: a
-/// beam that is let go goes back. Over the time of a motion, which has no way back, by half of the
-/// largest, to zeros or to three samples or more. Set: broken beyond the amount, an abscissa in SI.
+/// one until the end, by `kBeamDrop` of the largest or more, in a step that does not let the beam
+/// go: not towards the abscissa 0, nor against the ordinate. Over the time of a motion, which has
+/// no way back, by half of the largest, to zeros or to three samples or more. Set: broken beyond
+/// the amount, an abscissa in SI.
 /// @return empty: it did not break
 std::optional<std::size_t> intact_samples(const SceneTarget& target, const CorrectionChoice& trim);
 

@@ -88,10 +88,11 @@ std::optional<std::string> inner_clamp_warning(const Facts& facts) {
                        (held[4] && bends_about_y(facts.level)) ||
                        (held[5] && facts.level.level != Level::Planar);
     if (support.to || !turns || at <= 0.0 || at >= 1.0) continue;
-    const std::string what = model_detail::item_name("support", i) +
-                             " holds rotations within the "
-                             "beam: what the two half joints beside it carry is in its reaction "
-                             "alone, not in probes, tables and pictures of joints";
+    const std::string what =
+        model_detail::item_name("support", i) +
+        " holds rotations within the beam: what the two half joints beside it "
+        "carry is in its reaction alone, not in probes, tables and pictures of "
+        "joints";
     return facts.scene.yield_model == YieldModel::Elastic || !longest_joint(facts)
                ? what
                : what + ", and they do not break; a beam for each side, clamped at its end, does";

@@ -95,6 +95,9 @@ TEST_F(SceneTargetFile, IsLetGoWhereItsAbscissaGoesBack) {
   ASSERT_TRUE(broke("2,0\n"));
   EXPECT_EQ(broke("2,0\n")->half_interval, 0.0);
   ASSERT_TRUE(broke("1.5,250\n2.1,0\n2.2,0\n"));
+  // A cycle that ends on its way back through zero, and one that breaks on its way on.
+  EXPECT_FALSE(broke("1,0\n-0.1,-500\n0.2,-10\n"));
+  EXPECT_TRUE(broke("1,0\n-0.1,-500\n-0.2,-510\n-0.3,-10\n"));
 }
 
 TEST_F(SceneTargetFile, BreaksWhereTheUserSays) {

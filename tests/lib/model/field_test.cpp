@@ -39,6 +39,15 @@ TEST(FieldTable, HasNoPathTwice) {
   EXPECT_GE(paths.size(), 30U);
 }
 
+/// Results call a fitted number by the last part of its path alone.
+TEST(FieldTable, HasNoTwoNumbersOfOneLastPart) {
+  std::set<std::string_view> names;
+  for (const Field& field : fields()) {
+    if (field.kind == FieldKind::Choice) continue;
+    EXPECT_TRUE(names.insert(field.path.substr(field.path.rfind('.') + 1)).second) << field.path;
+  }
+}
+
 TEST(FieldTable, DocumentsEveryFieldInOneLine) {
   for (const Field& field : fields()) {
     EXPECT_FALSE(field.doc.empty()) << field.path;
