@@ -32,6 +32,7 @@ SINGLE_PLACES = [
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include\s*"([^"]+)"', re.M)
 LEFT_TO_DO = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X)\b")
+CONFLICT = re.compile(r"^(<{7}|>{7}) ", re.M)
 MACHINE_PATH = re.compile(r"(?<![\w.}*-])/(home|root|Users|w[o]rk)/")
 SOURCE = {".cpp", ".hpp"}
 COUNTED = SOURCE | {".py", ".cmake"}
@@ -59,9 +60,13 @@ def check_length(path, text):
 
 
 def check_words(path, text):
-    for pattern, what in ((LEFT_TO_DO, "is left to do"), (MACHINE_PATH, "is a machine's path")):
+    for pattern, what in (
+        (LEFT_TO_DO, "is left to do"),
+        (MACHINE_PATH, "is a machine's path"),
+        (CONFLICT, "is of a merge that was not ended"),
+    ):
         for match in pattern.finditer(text):
-            yield f"{path}:{line_at(text, match.start())}: '{match.group()}' {what}"
+            yield f"{path}:{line_at(text, match.start())}: '{match.group().strip()}' {what}"
 
 
 def check_includes(path, text):

@@ -105,6 +105,10 @@ class CheckTree(unittest.TestCase):
     def test_what_is_left_to_do_is_a_breach(self):
         self.assert_one(self.breaches(cli__a_dot_cpp="// TO" + "DO: mend\n"), "is left to do")
 
+    def test_a_merge_that_was_not_ended_is_a_breach(self):
+        self.assert_one(self.breaches(README_dot_md="<" * 7 + " HEAD\na\n"),
+                        "README.md:1: '<<<<<" + "<<' is of a merge that was not ended")
+
     def test_an_ignored_file_is_not_read(self):
         self.assertEqual([], self.breaches(_dot_gitignore="/build/\n",
                                            build__a_dot_hpp="int a();\n"))

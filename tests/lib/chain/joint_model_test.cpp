@@ -50,7 +50,7 @@ TEST(JointModel, HasTheCapsAndLeversOfACircle) {
     EXPECT_NEAR(inner.stiffness[0], scene_stiffness, 1e-12 * scene_stiffness);
     EXPECT_NEAR(inner.stiffness[3], 200e9 * pi / 4.0 * d * d, 1e-4);
     EXPECT_NEAR(inner.cap[3], 250e6 * pi / 4.0 * d * d, 1e-6);
-    for (const std::size_t k : {0, 1, 2}) {
+    for (std::size_t k = 0; k < 3; ++k) {
       EXPECT_NEAR(inner.strain_per_angle(k), 0.5 * d / 0.25, 1e-14) << k;
     }
     EXPECT_NEAR(inner.stress(0, bending), plastic ? 250e6 * 16.0 / (3.0 * pi) : 250e6, 1e-3);

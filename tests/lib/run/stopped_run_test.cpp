@@ -9,6 +9,7 @@
 #include "plastica/run/batch.hpp"
 #include "tests/support/motion_scene.hpp"
 #include "tests/support/response_bits.hpp"
+#include "tests/support/sanitized.hpp"
 
 /// Runs that a flag ends: within a step, not to be taken for results, and without a trace in what
 /// is run next.
@@ -242,7 +243,7 @@ TEST(StoppedBatch, OfPathsSideBySideEndsInTheFirstStepThatYieldsAsInAnyOther) {
   const auto begin = Clock::now();
   const std::vector<Response> whole = run_batch(model, values, values.size(), options);
   const auto took = Clock::now() - begin;
-  constexpr int kTries = 150;
+  constexpr int kTries = testing::kSanitized ? 40 : 150;
   for (int i = 0; i < kTries; ++i) {
     std::atomic<bool> stop{false};
     options.stop = &stop;
@@ -261,7 +262,7 @@ TEST(StoppedBatch, HasTheSameBitsWithAFlagThatIsNeverRaised) {
   // Of many segments an articulated motion is stepped in other stretches in company than alone.
   std::vector<BatchCase> cases;
   SolverOptions options = testing::motion_options(Scheme::ArticulatedMidpoint, 1e-6, 2);
-  options.duration = 3e-4;
+  options.duration = 1e-4;
   for (int i = 0; i < 3; ++i) cases.push_back({std::to_string(i), struck(3000), options});
   const std::atomic<bool> stop{false};
   BatchOptions how;
