@@ -339,8 +339,8 @@ std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<cons
   return results;
 }
 
-std::vector<FitResult> fit_batch(std::span<const Target> targets, const FitOptions& options,
-                                 const BatchFitOptions& batch) {
+std::vector<FitResult> fit(std::span<const Target> targets, const FitOptions& options,
+                           const BatchFitOptions& batch) {
   return fit_cases(targets, cases_of(targets.size(), options), options, batch);
 }
 

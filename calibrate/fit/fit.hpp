@@ -40,14 +40,14 @@ struct FitCase {
 /// All fits of targets with these options: every law of the first target, then of the next.
 std::vector<FitCase> cases_of(std::size_t targets, const FitOptions& options);
 
-/// Fits cases in parallel, as `fit_batch`. Result i belongs to case i.
+/// Fits cases in parallel, as `fit`. Result i belongs to case i.
 std::vector<FitResult> fit_cases(std::span<const Target> targets, std::span<const FitCase> cases,
                                  const FitOptions& options, const BatchFitOptions& batch = {});
 
 /// Fits targets in parallel, each with every law (`cases_of`). Without laws result i belongs to
 /// target i and has the same bits for every number of threads and every order of the targets. A fit
 /// that was not begun has the reason "not run".
-std::vector<FitResult> fit_batch(std::span<const Target> targets, const FitOptions& options,
-                                 const BatchFitOptions& batch = {});
+std::vector<FitResult> fit(std::span<const Target> targets, const FitOptions& options,
+                           const BatchFitOptions& batch = {});
 
 }  // namespace plastica::calibrate

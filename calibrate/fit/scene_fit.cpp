@@ -297,7 +297,7 @@ class SceneFit {
 
 }  // namespace
 
-SceneFitResult fit_scenes(std::span<const WeightedTarget> targets, const SceneFitOptions& options) {
+SceneFitResult fit(std::span<const WeightedTarget> targets, const SceneFitOptions& options) {
   check_scene_fit(targets, options);
   return SceneFit(targets, options).run();
 }
@@ -310,7 +310,7 @@ void check_scenes(std::span<const WeightedTarget> targets, const SceneFitOptions
 SceneFitResult fit_scene(const Setup& setup, const SceneTarget& target,
                          const SceneFitOptions& options) {
   const std::vector<WeightedTarget> targets{{setup, target}};
-  return fit_scenes(targets, options);
+  return fit(targets, options);
 }
 
 }  // namespace plastica::calibrate

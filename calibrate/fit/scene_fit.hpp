@@ -45,7 +45,7 @@ struct SceneFitOptions {
   int starts = 10;
   /// Starts besides these; what a point does not name begins at its start.
   std::vector<StartPoint> further_starts{};
-  /// Laws that are compared (scene_laws.hpp); `fit_scenes` has that of the scenes.
+  /// Laws that are compared (scene_laws.hpp); `fit` has that of the scenes.
   std::vector<Law> laws{};
   std::uint64_t seed = 1;    ///< of the points' scrambling, and of resamples
   double confidence = 0.95;  ///< of the intervals, within (0, 1)
@@ -74,12 +74,12 @@ struct SceneFitOptions {
 /// values is not in them, nor is what segments do: see `SceneSegments`.
 /// @throws InputError for a scene, target or parameter that is bad input, and if the probe of an
 ///         abscissa turns round on the path from the start values; FitInterrupted by the hooks
-SceneFitResult fit_scenes(std::span<const WeightedTarget> targets, const SceneFitOptions& options);
+SceneFitResult fit(std::span<const WeightedTarget> targets, const SceneFitOptions& options);
 
-/// Refuses what `fit_scenes` would refuse before its first run. @throws InputError
+/// Refuses what `fit` would refuse before its first run. @throws InputError
 void check_scenes(std::span<const WeightedTarget> targets, const SceneFitOptions& options);
 
-/// The same as `fit_scenes` for one target.
+/// The same as `fit` for one target.
 SceneFitResult fit_scene(const Setup& setup, const SceneTarget& target,
                          const SceneFitOptions& options);
 

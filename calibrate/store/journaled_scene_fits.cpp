@@ -147,7 +147,7 @@ SceneFitResult JournaledSceneFits::fit_law(std::size_t index, bool complete,
     }
   };
   for_simpler([&](const SceneFitResult& simpler) { start_from(simpler, options); });
-  SceneFitResult result = fit_scenes(targets, options);
+  SceneFitResult result = calibrate::fit(targets, options);
   for_simpler([&](const SceneFitResult& simpler) { compare_with(simpler, targets, result); });
   return result;
 }
@@ -173,7 +173,7 @@ std::optional<SceneFitResult> JournaledSceneFits::fit(std::size_t index, bool co
   if (alone) options.hooks.progress = within_;
   try {
     return fits_[index].law ? fit_law(index, complete, std::move(options))
-                            : fit_scenes(cases_[fits_[index].of].targets, options);
+                            : calibrate::fit(cases_[fits_[index].of].targets, options);
   } catch (const FitInterrupted&) {
     return std::nullopt;
   } catch (const InputError& error) {

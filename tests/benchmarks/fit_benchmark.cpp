@@ -63,10 +63,9 @@ void batch_of_fits(benchmark::State& state) {
   const FitOptions options = all_free();
   std::size_t evaluations = 0;
   // Made, and the memory of a batch touched, before the clock runs.
-  fit_batch(targets(), options, {static_cast<int>(state.range(0)), nullptr, {}});
+  fit(targets(), options, {static_cast<int>(state.range(0)), nullptr, {}});
   for (auto _ : state) {
-    const auto results =
-        fit_batch(targets(), options, {static_cast<int>(state.range(0)), nullptr, {}});
+    const auto results = fit(targets(), options, {static_cast<int>(state.range(0)), nullptr, {}});
     evaluations = 0;
     for (const FitResult& result : results) evaluations += result.evaluations();
   }

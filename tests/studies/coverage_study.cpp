@@ -117,7 +117,7 @@ TEST(Coverage, PopulationOfSpecimensIsThatOfTheirTruths) {
 
   // What one fit of all curves says: how well their mean is known, nothing of their scatter.
   options.threads = 0;
-  const SceneFitResult one = fit_scenes(pooled, options);
+  const SceneFitResult one = fit(pooled, options);
   ASSERT_EQ(one.status, FitStatus::Fitted) << one.reason;
   for (std::size_t k = 0; k < 2; ++k) {
     const FittedParameter& p = one.parameters[k];
@@ -228,7 +228,7 @@ TEST(Coverage, JointFitsHoldTheTruthWhoeverDeterminesIt) {
       for (std::size_t t = 0; t < joint.targets.size(); ++t) {
         targets.push_back({bilinear_coupon(), measured(joint.targets[t], kTruth, 5000 + seed, t)});
       }
-      const SceneFitResult result = fit_scenes(targets, options);
+      const SceneFitResult result = fit(targets, options);
       for (std::size_t k = 0; k < 3; ++k) {
         const auto holds = [&](double low, double high) {
           return low <= truth[k] && truth[k] <= high;

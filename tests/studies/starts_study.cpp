@@ -65,7 +65,7 @@ Tally fit_from(const StartsProblem& problem, int fits, int starts, double best) 
     options.parameters = far_off(problem.parameters, options.seed);
     if (starts > 0) options.starts = starts;
     options.segments_error = false;
-    tally.add(fit_scenes(std::vector{problem.weighted}, options));
+    tally.add(fit(std::vector{problem.weighted}, options));
   }
   return tally;
 }
@@ -79,7 +79,7 @@ TEST(Starts, ReachTheBestFitFromWhereverTheyAre) {
     SceneFitOptions at_truth{
         .parameters = problem.parameters, .starts = 1, .segments_error = false};
     Tally truth;
-    truth.add(fit_scenes(std::vector{problem.weighted}, at_truth));
+    truth.add(fit(std::vector{problem.weighted}, at_truth));
     const Tally found = fit_from(problem, fits, 0, truth.best);
     fmt::print("{:16} {} of {} reach the best cost, {:.0f} runs a fit", problem.name,
                found.reached(), fits, found.runs / fits);

@@ -1,17 +1,18 @@
-"""What the library promises: the headers that lib/plastica/README.md lists.
+"""What the libraries promise: the headers that lib/plastica/README.md and calibrate/README.md list.
 
-Installed are these, what they include, and what the installed headers of calibrate and sweeps
-include; a header that is nobody's business is not. The project of tests/consumer, built against the
+Installed are these, what they include, and what the installed headers of sweeps include; a header
+that is nobody's business is not. The project of tests/consumer, built against the
 installed library, includes what is promised and nothing else.
 """
 
 import re
 
-LIST = "lib/plastica/README.md"
-LISTED = re.compile(r"^\| `(plastica/[\w/*]+\.hpp)`", re.M)
+# Where each library is, what lists its headers, and where their paths begin.
+LIBRARIES = [("lib", "lib/plastica/README.md", "lib"), ("calibrate", "calibrate/README.md", "")]
+LISTED = re.compile(r"^\| `((?:plastica|calibrate)/[\w/*]+\.hpp)`", re.M)
 OURS = re.compile(r'^#include "([^"]+)"', re.M)
 OTHERS = re.compile(r"^#include <([^>]+/[^>]+|\w+\.h(?:pp)?|Eigen\w*)>", re.M)
-PROMISED = re.compile(r"^#include <(plastica/[^>]+)>", re.M)
+PROMISED = re.compile(r"^#include <((?:plastica|calibrate)/[^>]+)>", re.M)
 SETS = re.compile(r"PUBLIC FILE_SET HEADERS(?: BASE_DIRS \S+)?(?: FILES)?([^)]*?)(?:PRIVATE|\))")
 
 
@@ -44,31 +45,46 @@ def installed(root, folder):
     return headers
 
 
-def check_public_headers(root):
-    if not (root / LIST).is_file():
-        return
-    promised = set()
-    for pattern in LISTED.findall((root / LIST).read_text(encoding="utf-8")):
-        paths = {str(path.relative_to(root)) for path in (root / "lib").glob(pattern)}
-        if not paths:
-            yield f"{LIST}: {pattern} is not there"
+def promised_by(root, listing, base):
+    """The headers that a page lists, and those of its patterns that match none."""
+    promised, missing = set(), []
+    for pattern in LISTED.findall((root / listing).read_text(encoding="utf-8")):
+        paths = {str(path.relative_to(root)) for path in (root / base).glob(pattern)}
         promised |= paths
-    theirs = closure(root, installed(root, "calibrate") | installed(root, "sweeps"))
-    needed = closure(root, promised) | {path for path in theirs if path.startswith("lib/")}
-    ours = installed(root, "lib")
-    for path in sorted(ours - needed):
-        yield f"{path}: is installed, and no header that {LIST} promises needs it"
-    for path in sorted(needed - ours):
-        yield f"{path}: is not installed, and a header that {LIST} promises needs it"
-    for path in sorted(needed):
-        for name in OTHERS.findall((root / path).read_text(encoding="utf-8")):
-            yield f"{path}: <{name}> would be needed by every user of the library"
-    used = set()
+        if not paths:
+            missing.append(f"{listing}: {pattern} is not there")
+    return promised, missing
+
+
+def used_by_consumers(root):
+    """What the project of tests/consumer includes of ours, by the file that does."""
     for path in sorted((root / "tests/consumer").glob("*.cpp")):
-        names = PROMISED.findall(path.read_text(encoding="utf-8"))
-        used |= {f"lib/{name}" for name in names}
-        for name in names:
-            if f"lib/{name}" not in promised:
-                yield f"{path.relative_to(root)}: <{name}> is not promised by {LIST}"
-    for path in sorted(promised - used):
-        yield f"{path}: is promised by {LIST}, and no project of tests/consumer includes it"
+        for name in PROMISED.findall(path.read_text(encoding="utf-8")):
+            yield path.relative_to(root), name, include_path(root, name)
+
+
+def check_public_headers(root):
+    libraries = [library for library in LIBRARIES if (root / library[1]).is_file()]
+    promises = {listing: promised_by(root, listing, base) for _, listing, base in libraries}
+    used = list(used_by_consumers(root))
+    for user, name, path in used if promises else []:
+        if not any(path in promised for promised, _ in promises.values()):
+            yield f"{user}: <{name}> is not promised by {' or '.join(promises)}"
+    for folder, listing, _ in libraries:
+        promised, missing = promises[listing]
+        yield from missing
+        others = {path for other in ("calibrate", "sweeps") if other != folder
+                  for path in installed(root, other)}
+        theirs = closure(root, others)
+        needed = closure(root, promised) | theirs
+        needed = {path for path in needed if path.startswith(folder + "/")}
+        ours = installed(root, folder)
+        for path in sorted(ours - needed):
+            yield f"{path}: is installed, and no header that {listing} promises needs it"
+        for path in sorted(needed - ours):
+            yield f"{path}: is not installed, and a header that {listing} promises needs it"
+        for path in sorted(needed):
+            for name in OTHERS.findall((root / path).read_text(encoding="utf-8")):
+                yield f"{path}: <{name}> would be needed by every user of the library"
+        for path in sorted(promised - {path for _, _, path in used}):
+            yield f"{path}: is promised by {listing}, and no project of tests/consumer includes it"

@@ -101,13 +101,13 @@ TEST(FitBatch, GivesTheSameBitsForEveryNumberOfThreads) {
   for (const int threads : {1, 2, 3, 8}) {
     BatchFitOptions batch;
     batch.threads = threads;
-    EXPECT_EQ(bits_of(fit_batch(targets, options_with_break(), batch)), alone) << threads;
+    EXPECT_EQ(bits_of(fit(targets, options_with_break(), batch)), alone) << threads;
   }
 }
 
 TEST(FitBatch, GivesTheSameBitsForShuffledTargets) {
   const std::vector<Target> targets = specimens();
-  const std::vector<Bits> expected = bits_of(fit_batch(targets, options_with_break()));
+  const std::vector<Bits> expected = bits_of(fit(targets, options_with_break()));
   std::vector<std::size_t> order(targets.size());
   std::iota(order.begin(), order.end(), 0U);
   std::mt19937 random(1);
@@ -116,7 +116,7 @@ TEST(FitBatch, GivesTheSameBitsForShuffledTargets) {
   for (const std::size_t i : order) shuffled.push_back(targets[i]);
   BatchFitOptions batch;
   batch.threads = 3;
-  const std::vector<Bits> found = bits_of(fit_batch(shuffled, options_with_break(), batch));
+  const std::vector<Bits> found = bits_of(fit(shuffled, options_with_break(), batch));
   for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(found[i], expected[order[i]]) << i;
 }
 
@@ -131,13 +131,13 @@ TEST(FitBatch, TheSeedIsPartOfTheBits) {
 TEST(FitBatch, TargetsOfOneNameAndCurveGiveTheSameBitsAndOthersDiffer) {
   std::vector<Target> targets(3, specimens()[0]);
   targets[2].name = "another";
-  const std::vector<Bits> bits = bits_of(fit_batch(targets, options_with_break()));
+  const std::vector<Bits> bits = bits_of(fit(targets, options_with_break()));
   EXPECT_EQ(bits[0], bits[1]);
   EXPECT_NE(bits[0], bits[2]);  // by its seed
 }
 
 TEST(FitBatch, ARejectedTargetStopsNoOther) {
-  const std::vector<FitResult> results = fit_batch(specimens(), options_with_break());
+  const std::vector<FitResult> results = fit(specimens(), options_with_break());
   for (std::size_t i = 0; i < results.size(); ++i) {
     EXPECT_EQ(results[i].status, i % 8 == 5 ? FitStatus::Rejected : FitStatus::Fitted) << i;
   }
@@ -156,7 +156,7 @@ TEST(FitBatch, ReportsEachFitOnceAndOneAtATime) {
     calls[index] += result.reason == "not run" ? 100 : 1;
     --inside;
   };
-  fit_batch(targets, options_with_break(), batch);
+  fit(targets, options_with_break(), batch);
   EXPECT_TRUE(alone);
   EXPECT_EQ(calls, std::vector<int>(targets.size(), 1));
 }
@@ -171,7 +171,7 @@ TEST(FitBatch, StopsBetweenFits) {
   batch.finished = [&](std::size_t, const FitResult&) {
     if (++finished == 5) stop = true;
   };
-  const std::vector<FitResult> results = fit_batch(targets, options_with_break(), batch);
+  const std::vector<FitResult> results = fit(targets, options_with_break(), batch);
   std::size_t not_run = 0;
   for (const FitResult& result : results) not_run += result.reason == "not run" ? 1 : 0;
   EXPECT_EQ(not_run + static_cast<std::size_t>(finished), targets.size());
@@ -186,10 +186,10 @@ TEST(FitBatch, RefusesBadOptionsBeforeAnyFit) {
   int finished = 0;
   BatchFitOptions batch;
   batch.finished = [&](std::size_t, const FitResult&) { ++finished; };
-  EXPECT_EQ(message_of([&] { fit_batch(specimens(), options, batch); }),
+  EXPECT_EQ(message_of([&] { fit(specimens(), options, batch); }),
             "fit.confidence = 0: must be between 0 and 1");
   EXPECT_EQ(finished, 0);
-  EXPECT_TRUE(fit_batch({}, options_with_break()).empty());
+  EXPECT_TRUE(fit({}, options_with_break()).empty());
 }
 
 TEST(FitBatch, CarriesAnExceptionOfTheCallerOut) {
@@ -198,7 +198,7 @@ TEST(FitBatch, CarriesAnExceptionOfTheCallerOut) {
   batch.finished = [](std::size_t index, const FitResult&) {
     if (index == 3) throw 17;
   };
-  EXPECT_THROW(fit_batch(specimens(), options_with_break(), batch), int);
+  EXPECT_THROW(fit(specimens(), options_with_break(), batch), int);
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ TEST(FitLaw, FindsTheLawThatMadeTheCurve) {
   FitOptions options = modulus_and_yield();
   options.laws = {Law::Ideal, Law::Linear, Law::Voce};
   const std::vector<Target> targets{voce_target()};
-  const std::vector<FitResult> results = fit_batch(targets, options);
+  const std::vector<FitResult> results = fit(targets, options);
   ASSERT_EQ(results.size(), 3U);
   EXPECT_EQ(results[2].law, Law::Voce);
   EXPECT_NEAR(results[2].misfit_rms, 1e6, tolerance(0.1e6));

@@ -130,7 +130,7 @@ TEST(PublishedFits, StandardizedErrorsOfTwoHundredSpecimensAreNormal) {
     targets.push_back(target_from(samples, i + 1, 1.0));
     targets.back().name = samples.names()[i + 1];
   }
-  const std::vector<FitResult> results = fit_batch(targets, bilinear());
+  const std::vector<FitResult> results = fit(targets, bilinear());
   ASSERT_EQ(results.size(), 200U);
   const char* names[2] = {"yield_stress", "tangent_modulus"};
   for (std::size_t k = 0; k < 2; ++k) {

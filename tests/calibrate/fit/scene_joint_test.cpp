@@ -77,7 +77,7 @@ TEST(SceneJointFit, IsTighterThanEachTargetAlone) {
   const std::vector<WeightedTarget> targets{bent(8, 5.0, 1), twisted(8, 3.0, 2)};
   const SceneFitOptions options{
       .parameters = stiffness_and_yield(), .starts = 1, .segments_error = false};
-  const SceneFitResult both = fit_scenes(targets, options);
+  const SceneFitResult both = fit(targets, options);
   ASSERT_EQ(both.status, FitStatus::Fitted) << both.reason;
   EXPECT_EQ(both.targets[0].level, Level::Planar);
   EXPECT_EQ(both.targets[1].level, Level::Twist);
@@ -118,9 +118,9 @@ TEST(SceneJointFit, HasTheSameBitsOnEveryNumberOfThreads) {
   const std::vector<WeightedTarget> targets{bent(6, 5.0, 3), twisted(6, 3.0, 4)};
   SceneFitOptions options{.parameters = stiffness_and_yield(), .starts = 1};
   options.starts = 3;
-  const SceneFitResult one = fit_scenes(targets, options);
+  const SceneFitResult one = fit(targets, options);
   options.threads = 3;
-  const SceneFitResult three = fit_scenes(targets, options);
+  const SceneFitResult three = fit(targets, options);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(one.parameters[i].value, three.parameters[i].value);
     EXPECT_EQ(one.parameters[i].standard_error, three.parameters[i].standard_error);
@@ -141,8 +141,7 @@ TEST(SceneJointFit, JoinsACouponWithABeam) {
   for (int i = 1; i <= 20; ++i) coupon.target.abscissa.push_back(2e-4 * i);
   make_curve(coupon, {}, 1e6, 5);
   const std::vector<WeightedTarget> targets{bent(8, 5.0, 6), coupon};
-  const SceneFitResult fit =
-      fit_scenes(targets, {.parameters = stiffness_and_yield(), .starts = 1});
+  const SceneFitResult one = fit(targets, {.parameters = stiffness_and_yield(), .starts = 1});
   ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
   EXPECT_EQ(fit.targets[1].level, Level::Coupon);
   EXPECT_NEAR(fit.targets[1].noise, 1e6, 0.5e6);
@@ -162,22 +161,22 @@ TEST(SceneJointFit, SaysThatTargetsDisagreeOnTheBreak) {
   targets[1].target.broke = SceneBreak{0.071, 0.001};
   const SceneFitOptions options{.parameters = testing::all_three(), .starts = 1};
   const auto disagrees = [](const SceneFitResult& fit) {
-    return std::any_of(fit.warnings.begin(), fit.warnings.end(), [](const std::string& line) {
+    return std::any_of(one.warnings.begin(), fit.warnings.end(), [](const std::string& line) {
       return line.find("the targets disagree") != std::string::npos;
     });
   };
-  const SceneFitResult apart = fit_scenes(targets, options);
+  const SceneFitResult apart = fit(targets, options);
   EXPECT_TRUE(disagrees(apart));
   EXPECT_LT(apart.targets[0].break_strain, apart.parameter("break_strain").value);
   EXPECT_GT(apart.targets[1].break_strain, apart.parameter("break_strain").value);
   targets[1] = targets[0];
-  EXPECT_FALSE(disagrees(fit_scenes(targets, options)));
+  EXPECT_FALSE(disagrees(fit(targets, options)));
 }
 
 TEST(SceneJointFit, SaysThatSpecimensDiffer) {
   const auto differ = [](const std::vector<WeightedTarget>& targets) {
-    const SceneFitResult fit = fit_scenes(
-        targets, {.parameters = stiffness_and_yield(), .starts = 1, .segments_error = false});
+    const SceneFitResult one =
+        fit(targets, {.parameters = stiffness_and_yield(), .starts = 1, .segments_error = false});
     return std::ranges::any_of(fit.warnings, [](const std::string& line) {
       return line.find("is met far less closely than") != std::string::npos;
     });

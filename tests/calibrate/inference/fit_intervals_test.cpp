@@ -257,10 +257,10 @@ TEST(FitIntervals, HaveTheSameBitsForAnyThreadsAndCompany) {
   }
   const FitOptions options =
       with_intervals(young_and_yield(), {.profile = true, .bootstrap = 40, .block = 3});
-  const std::vector<FitResult> one = fit_batch(targets, options, on_threads(1));
+  const std::vector<FitResult> one = fit(targets, options, on_threads(1));
   EXPECT_NE(one[0].intervals.residuals.values, one[1].intervals.residuals.values);
   for (const int threads : {2, 3}) {
-    const std::vector<FitResult> other = fit_batch(targets, options, on_threads(threads));
+    const std::vector<FitResult> other = fit(targets, options, on_threads(threads));
     for (std::size_t i = 0; i < targets.size(); ++i) {
       EXPECT_EQ(other[i].intervals.residuals.values, one[i].intervals.residuals.values);
       EXPECT_EQ(other[i].intervals.profiles[1].searched, one[i].intervals.profiles[1].searched);
@@ -278,7 +278,7 @@ TEST(FitIntervals, BelongToTheLawThatIsFitted) {
   FitOptions options = with_intervals(young_and_yield(), {.profile = true, .bootstrap = 20});
   options.laws = {Law::Ideal, Law::Linear};
   const std::vector<Target> targets{plateau(6e6, 6, 60)};
-  const std::vector<FitResult> results = fit_batch(targets, options, on_threads(1));
+  const std::vector<FitResult> results = fit(targets, options, on_threads(1));
   ASSERT_EQ(results.size(), 2U);
   for (const FitResult& result : results) {
     const std::size_t free = result.free_parameters().size();

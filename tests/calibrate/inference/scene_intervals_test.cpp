@@ -194,7 +194,7 @@ TEST(SceneIntervals, OfSpecimensAreTheirScatter) {
   }
   SceneFitOptions options = yield_options();
   options.intervals = {.bootstrap = 20, .specimens = 1000};
-  const SceneFitResult result = fit_scenes(targets, options);
+  const SceneFitResult result = fit(targets, options);
   EXPECT_NEAR(result.parameters[0].value, 0.15, 1e-4);
   const double scatter = std::sqrt(squares / 8.0) / std::sqrt(8.0);
   const BootstrapInterval& specimens = result.intervals.specimens.intervals[0];
@@ -220,7 +220,7 @@ std::vector<WeightedTarget> two_kinds() {
 TEST(SceneIntervals, OfSpecimensDrawAsManyOfEachKindAsThereAre) {
   SceneFitOptions options = yield_options();
   options.intervals.specimens = 100;
-  const SceneFitResult result = fit_scenes(two_kinds(), options);
+  const SceneFitResult result = fit(two_kinds(), options);
   const std::vector<double>& values = result.intervals.specimens.values;
   ASSERT_EQ(values.size(), 200U);
   // The alike ones count two in all: only how often either of the others is drawn matters.
@@ -268,7 +268,7 @@ TEST(SceneIntervals, RefuseWhatCannotBeDrawn) {
   options.intervals.specimens = 100;
   std::vector<WeightedTarget> targets = two_kinds();
   targets.pop_back();
-  EXPECT_EQ(message_of([&] { fit_scenes(targets, options); }),
+  EXPECT_EQ(message_of([&] { fit(targets, options); }),
             "bootstrap_specimens = 100: needs several targets of each kind, and coupon 3 is the "
             "only one that measures its probe over its abscissa");
 }

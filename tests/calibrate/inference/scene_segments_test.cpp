@@ -170,8 +170,8 @@ TEST(SceneSegments, AreNoneOfCouponsAndWhereSwitchedOff) {
   options.segments_error = true;
   EXPECT_FALSE(fit_scene(coupon, pulled, options).segments);
   // Beside a beam it has no segments, and counts all the same.
-  const SceneFitResult both = fit_scenes(
-      std::vector<WeightedTarget>{{coupon, pulled}, {cantilever(8), continuous()}}, options);
+  const SceneFitResult both =
+      fit(std::vector<WeightedTarget>{{coupon, pulled}, {cantilever(8), continuous()}}, options);
   EXPECT_EQ(both.segments.value().segments, 8);
 }
 

@@ -60,7 +60,7 @@ TEST(FitStore, GivesBackEveryFieldOfEveryRecordBitByBit) {
 
 TEST(FitStore, GivesBackRealFitsBitByBit) {
   const auto targets = ideal_targets(5);
-  const auto results = fit_batch(targets, ideal_options());
+  const auto results = fit(targets, ideal_options());
   std::vector<FitRecord> records;
   for (std::size_t i = 0; i < targets.size(); ++i) records.push_back({targets[i], results[i]});
   EXPECT_TRUE(same_bits(round_trip(contents_of(records)).records, records));

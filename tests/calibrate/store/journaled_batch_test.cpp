@@ -38,7 +38,7 @@ class JournaledBatchTest : public ::testing::Test {
   std::string journal_ = io::journal_path(folder_.file("out.h5"));
   std::vector<Target> targets_ = ideal_targets(9);
   FitOptions options_ = ideal_options();
-  std::vector<FitResult> reference_ = fit_batch(targets_, options_);
+  std::vector<FitResult> reference_ = fit(targets_, options_);
 };
 
 TEST_F(JournaledBatchTest, GivesTheSameBitsAsAPlainBatchForEveryNumberOfThreads) {
@@ -119,7 +119,7 @@ TEST_F(JournaledBatchTest, TakesFromTheJournalInWhateverOrderTheTargetsCome) {
 TEST_F(JournaledBatchTest, FitsAgainWhatHasChanged) {
   leave_journal();
   targets_[4].corrected.stress[9] *= 1.001;
-  const auto expected = fit_batch(targets_, options_);
+  const auto expected = fit(targets_, options_);
   JournaledBatch batch(targets_, options_, {.journal = {journal_, true}});
   EXPECT_EQ(batch.resumed(), targets_.size() - 1);
   EXPECT_EQ(batch.stale(), 1U);
@@ -133,7 +133,7 @@ TEST_F(JournaledBatchTest, FitsEverythingAgainWithOtherOptions) {
   JournaledBatch batch(targets_, options_, {.journal = {journal_, true}});
   EXPECT_EQ(batch.resumed(), 0U);
   EXPECT_EQ(batch.stale(), targets_.size());
-  EXPECT_TRUE(same_bits(batch.run(), fit_batch(targets_, options_)));
+  EXPECT_TRUE(same_bits(batch.run(), fit(targets_, options_)));
 }
 
 TEST_F(JournaledBatchTest, RefusesToWriteOverTheJournalOfAnInterruptedRun) {
