@@ -90,6 +90,9 @@ CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptio
   table.cells_.reserve((lines.size() - layout.first_data) * width);
   for (std::size_t i = layout.first_data; i < lines.size(); ++i) {
     const bool closed = csv_text::split(lines[i].text, separator, cells);
+    // "# paused" amid numbers; a column of words may hold such a one.
+    const bool of_words = cells.size() == width && !layout.dialect.numeric.front();
+    if (csv_text::without_blanks(lines[i].text).starts_with('#') && !of_words) continue;
     const bool last = i + 1 == lines.size();
     while (cells.size() > width && cells.back().empty()) cells.pop_back();
     bool torn = last && (!closed || cells.size() < width);

@@ -17,7 +17,8 @@ struct CsvOptions {
   std::optional<std::size_t> header = {};  ///< line of the column names, from 1; 0: there is none
 };
 
-/// A delimited text file as laboratories write it: metadata lines, a header, a unit row, data.
+/// A delimited text file as laboratories write it: metadata lines, a header, a unit row, data. A
+/// line of the data that begins with # is a comment, unless the first column is one of words.
 ///
 /// The text is kept, cells are views into it; copies are not allowed, moves are.
 class CsvTable {
