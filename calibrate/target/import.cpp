@@ -153,7 +153,7 @@ std::vector<io::FoundColumn> stress_columns(const CsvTable& table, const io::Nam
   std::vector<io::FoundColumn> columns;
   for (std::size_t i = 0; i < table.columns(); ++i) {
     if (!matches_column(asked.name, table.names()[i])) continue;
-    columns.push_back({i, io::conversion_of(table, i, asked, dimension)});
+    columns.push_back(io::column_at(table, i, asked, dimension));
   }
   if (columns.empty()) {
     throw InputError(asked.where, asked.key, asked.name, "matches no column of " + table.file());
@@ -288,9 +288,8 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
         targets.push_back(std::move(target));
         continue;
       }
-      const bool as_fraction = !plan.strain->unit && table->units()[columns.strain.index].empty();
-      if (as_fraction && !plan.gauge_length && target.test == Test::Tension) {
-        warn_of_percent(target.raw.strain, target.warnings);
+      if (target.test == Test::Tension) {
+        warn_of_percent(columns.strain, target.raw.strain, target.warnings);
       }
       process_target(target, used);
       targets.push_back(std::move(target));

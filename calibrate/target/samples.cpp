@@ -24,7 +24,9 @@ void report_torn_row(const io::CsvTable& table, std::vector<Repair>& repairs) {
   repairs.push_back({"torn-last-row", 1, "the last row was cut off and is dropped"});
 }
 
-void warn_of_percent(std::span<const double> strains, std::vector<std::string>& warnings) {
+void warn_of_percent(const io::FoundColumn& column, std::span<const double> strains,
+                     std::vector<std::string>& warnings) {
+  if (column.has_unit) return;
   const bool beyond = std::ranges::any_of(
       strains, [](double strain) { return std::isfinite(strain) && std::abs(strain) > 1.0; });
   if (beyond) {

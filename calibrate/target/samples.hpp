@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "calibrate/target/target.hpp"
-#include "plastica/io/csv.hpp"
+#include "plastica/io/csv_column.hpp"
 
 /// Repairs that every measured curve gets, whether of a coupon or of a beam.
 namespace plastica::calibrate {
@@ -58,7 +58,8 @@ void report_torn_row(const io::CsvTable& table, std::vector<Repair>& repairs);
 
 /// Of strains that nobody gave a unit, which are taken as fractions: in percent they reach beyond 1
 /// at once.
-void warn_of_percent(std::span<const double> strains, std::vector<std::string>& warnings);
+void warn_of_percent(const io::FoundColumn& column, std::span<const double> strains,
+                     std::vector<std::string>& warnings);
 
 /// Drops rows without a finite abscissa or ordinate: "nan-rows".
 /// @param reported  how many of them another repair reports

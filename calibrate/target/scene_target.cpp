@@ -52,11 +52,8 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
       io::find_column(table, named(source.ordinate, "ordinate"), target.ordinate_is);
   target.abscissa = io::numbers_of(table, x);
   target.ordinate = io::numbers_of(table, y);
-  for (const auto& [column, asked, is, values] :
-       {std::tuple{x, &source.abscissa, target.abscissa_is, &target.abscissa},
-        std::tuple{y, &source.ordinate, target.ordinate_is, &target.ordinate}}) {
-    const bool as_fraction = !asked->unit && table.units()[column.index].empty();
-    if (as_fraction && is == Dimension::Strain) warn_of_percent(*values, target.warnings);
+  if (target.abscissa_is == Dimension::Strain) {
+    warn_of_percent(x, target.abscissa, target.warnings);
   }
   std::vector<std::size_t> rows(table.rows());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
@@ -65,7 +62,7 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
   drop_missing(samples);
   drop_duplicates(samples);
   if (samples.size() == 0) {
-    throw InputError({table.file(), 0}, table.names()[y.index], "", kNoSamples);
+    throw InputError({table.file(), 0}, table.label(y.index), "", kNoSamples);
   }
   const double tolerance =
       source.reversal_tolerance.value_or(kReversalFraction * range_of(target.abscissa));
@@ -76,7 +73,7 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
   if (is_driven(target.kind)) return target;
   const std::size_t back = first_back(target.abscissa, tolerance);
   if (back < samples.size()) {
-    throw InputError({table.file(), table.line_of_row(rows[back])}, table.names()[x.index],
+    throw InputError({table.file(), table.line_of_row(rows[back])}, table.label(x.index),
                      table.cell(rows[back], x.index),
                      "goes back by more than reversal_tolerance: a beam's curve is followed one "
                      "way; a scene that this column drives follows it to and fro");

@@ -46,6 +46,9 @@ class CsvTable {
   /// empty if the file gives none.
   const std::vector<std::string>& units() const { return units_; }
 
+  /// A column's name for error lines: "column 2" where the file has none.
+  std::string label(std::size_t column) const;
+
   std::size_t rows() const { return line_of_row_.size(); }
   std::size_t columns() const { return names_.size(); }
   int line_of_row(std::size_t row) const { return line_of_row_[row]; }

@@ -10,21 +10,23 @@ NamedColumn named_column(const std::string& words, const SourceLocation& where, 
   return {words.substr(0, colon), words.substr(colon + 1), where, std::move(key)};
 }
 
-UnitConversion conversion_of(const CsvTable& table, std::size_t index, const NamedColumn& column,
-                             Dimension dimension) {
-  if (column.unit) return unit_conversion(*column.unit, dimension, column.where, column.key);
+FoundColumn column_at(const CsvTable& table, std::size_t index, const NamedColumn& column,
+                      Dimension dimension) {
+  if (column.unit) {
+    return {index, unit_conversion(*column.unit, dimension, column.where, column.key)};
+  }
   const std::string& unit = table.units()[index];
   const bool is_fraction = dimension == Dimension::None || dimension == Dimension::Strain;
   if (unit.empty() && !is_fraction) {
     throw InputError(column.where, column.key, column.name,
                      "needs a unit, as " + table.file() + " gives none");
   }
-  return unit_conversion(unit, dimension, {table.file(), 0}, "unit of " + column.name);
+  return {index, unit_conversion(unit, dimension, {table.file(), 0}, "unit of " + column.name),
+          !unit.empty()};
 }
 
 FoundColumn find_column(const CsvTable& table, const NamedColumn& column, Dimension dimension) {
-  const std::size_t index = table.find(column.name, column.where, column.key);
-  return {index, conversion_of(table, index, column, dimension)};
+  return column_at(table, table.find(column.name, column.where, column.key), column, dimension);
 }
 
 std::vector<double> numbers_of(const CsvTable& table, const FoundColumn& column) {

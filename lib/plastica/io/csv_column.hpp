@@ -25,16 +25,17 @@ NamedColumn named_column(const std::string& words, const SourceLocation& where, 
 struct FoundColumn {
   std::size_t index = 0;
   UnitConversion to_si{};
+  bool has_unit = true;  ///< else it is taken for a fraction
 };
 
-/// @throws InputError if there is no such column, or as `conversion_of`
+/// A column by its name: in its given unit, or the table's. A strain or a pure number without
+/// either is a fraction.
+/// @throws InputError if there is none, if another one has no unit, or one that does not fit
 FoundColumn find_column(const CsvTable& table, const NamedColumn& column, Dimension dimension);
 
-/// What makes SI of a column's numbers: its given unit, or the table's. A strain or a pure number
-/// without either is a fraction.
-/// @throws InputError if another one has neither, or if the unit does not fit
-UnitConversion conversion_of(const CsvTable& table, std::size_t index, const NamedColumn& column,
-                             Dimension dimension);
+/// The same of a column whose place is known.
+FoundColumn column_at(const CsvTable& table, std::size_t index, const NamedColumn& column,
+                      Dimension dimension);
 
 /// The numbers of a column in SI, NaN where a cell has none.
 /// @throws InputError as `CsvTable::numbers`

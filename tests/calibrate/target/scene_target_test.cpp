@@ -254,6 +254,15 @@ TEST_F(SceneTargetFile, RefusesWhatIsNoCurveOfTheScene) {
   EXPECT_EQ(refusal("Way (mm),Force (N)\n0,NaN\n0,0\n2,5\n2,5\n1,6\n"),
             file("6: Way = 1: goes back by more than reversal_tolerance: a beam's curve is "
                  "followed one way; a scene that this column drives follows it to and fro"));
+  SceneTarget probes;
+  probes.abscissa_probe = "displacement";
+  probes.ordinate_probe = "force";
+  SceneTargetSource numbered = source("0,0\n2,5\n1,6\n");
+  numbered.abscissa = {"1", "mm", {}};
+  numbered.ordinate = {"2", "N", {}};
+  EXPECT_TRUE(message_of([&] {
+                read_scene_target(numbered, bend_test(4).scene, probes);
+              }).starts_with(file("3: column 1 = 1: goes back by more than reversal_tolerance: ")));
   EXPECT_EQ(refusal("Way (mm),Force (N)\n0,NaN\n1,NaN\n"),
             folder_.file("bar.csv") + ": Force: no row has both numbers");
   EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n1,much\n2,1\n"),
