@@ -26,13 +26,8 @@ std::optional<std::string> read_unit(const TomlTable& table, Dimension dimension
 }
 
 /// A header or number, or { column = "Stress", unit = "MPa" }.
-ColumnSource read_column(const TomlValue& value, Dimension dimension) {
-  if (value.is_table()) {
-    const TomlTable table = value.table();
-    const auto unit = read_unit(table, dimension);
-    const TomlValue column = table.at("column");
-    return {column_name(column), unit, column.where()};
-  }
+ColumnSource read_any_column(const TomlValue& value, Dimension dimension) {
+  if (value.is_table()) return read_column(value.table(), dimension);
   if (!value.is_string() && !value.is_number()) {
     throw value.error("must be a column, { column = \"...\", unit = \"" +
                       std::string(si_unit(dimension)) + "\" }");
@@ -95,11 +90,13 @@ void read_columns(const TomlTable& table, TargetSource& source) {
   using Column = std::optional<ColumnSource>;
   read_either<Column>(table, {"strain", &source.strain}, {"elongation", &source.elongation},
                       [](const TomlValue& value, bool direct) {
-                        return read_column(value, direct ? Dimension::Strain : Dimension::Length);
+                        return read_any_column(value,
+                                               direct ? Dimension::Strain : Dimension::Length);
                       });
   read_either<Column>(table, {"stress", &source.stress}, {"force", &source.force},
                       [](const TomlValue& value, bool direct) {
-                        return read_column(value, direct ? Dimension::Stress : Dimension::Force);
+                        return read_any_column(value,
+                                               direct ? Dimension::Stress : Dimension::Force);
                       });
   if (const auto value = table.find("gauge_length")) {
     source.gauge_length = read_specimen_value(*value, Dimension::Length);
@@ -225,6 +222,19 @@ void read_characteristics(const TomlTable& table, TargetOptions& options) {
 }
 
 }  // namespace
+
+ColumnSource read_column(const TomlTable& table, Dimension dimension) {
+  const auto unit = read_unit(table, dimension);
+  const TomlValue column = table.at("column");
+  return {column_name(column), unit, column.where()};
+}
+
+double read_factor(const TomlTable& table) {
+  const auto value = table.find("factor");
+  const double factor = value ? value->number() : 1.0;
+  if (factor == 0.0) throw value->error("must not be 0");
+  return factor;
+}
 
 CorrectionChoice read_choice(const TomlValue& value, Dimension dimension) {
   using enum CorrectionChoice::Mode;

@@ -10,6 +10,13 @@ namespace plastica::calibrate {
 /// "auto", "off" or an amount. @param dimension  of the amount
 CorrectionChoice read_choice(const io::TomlValue& value, Dimension dimension = Dimension::Strain);
 
+/// The column of a table { column = "Stress", unit = "MPa" }.
+/// @throws InputError for a unit that does not fit the dimension
+ColumnSource read_column(const io::TomlTable& table, Dimension dimension);
+
+/// The key `factor` of such a table; 1 without. @throws InputError for 0
+double read_factor(const io::TomlTable& table);
+
 /// What a [[target]] says.
 struct TargetBlock {
   TargetSource source;    ///< files and columns; `test`, `measure`, `loading` as in the options

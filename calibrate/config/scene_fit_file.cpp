@@ -17,7 +17,6 @@
 #include "calibrate/config/target_files.hpp"
 #include "calibrate/config/unique_names.hpp"
 #include "calibrate/trial/scene_drive.hpp"
-#include "calibrate/trial/scene_model.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/scene_file.hpp"
 #include "plastica/io/text_file.hpp"
@@ -31,23 +30,6 @@ using io::TomlValue;
 constexpr int kMaxEvaluations = 1'000'000;
 constexpr int kMaxStarts = 10'000;
 constexpr int kMaxScreened = 1'000'000;
-
-/// Column, unit and factor of one of both axes.
-ColumnSource read_column(const TomlTable& axis, double& factor, SourceLocation& unit_where) {
-  ColumnSource source;
-  const TomlValue column = axis.at("column");
-  source.column = column_name(column);
-  source.where = column.where();
-  if (const auto unit = axis.find("unit")) {
-    source.unit = unit->string();
-    unit_where = unit->where();
-  }
-  if (const auto value = axis.find("factor")) {
-    factor = value->number();
-    if (factor == 0.0) throw value->error("must not be 0");
-  }
-  return source;
-}
 
 /// "strain", "support[2]" or "load[1]", by its number from 1 on.
 void read_drive(const TomlValue& value, SceneTarget& target) {
@@ -187,32 +169,30 @@ class Reader {
   TargetTable read_table(const TomlTable& table) {
     TargetTable read;
     WeightedTarget& weighted = read.weighted;
+    SceneTarget& target = weighted.target;
     weighted.setup = read_scene(table.at("scene"));
     io::read_setup(table, weighted.setup);
     const TomlTable abscissa = table.at("abscissa").table();
     const TomlTable ordinate = table.at("ordinate").table();
-    read_kind(abscissa, weighted.target);
+    read_kind(abscissa, target);
     const TomlValue probe = ordinate.at("probe");
-    weighted.target.ordinate_probe = probe.string();
-    weighted.target.ordinate_where = probe.where();
-    read.source.abscissa =
-        read_column(abscissa, weighted.target.abscissa_factor, read.source.abscissa_unit);
-    read.source.ordinate =
-        read_column(ordinate, weighted.target.ordinate_factor, read.source.ordinate_unit);
-    read.source.where = table.where();
+    target.ordinate_probe = probe.string();
+    target.ordinate_where = probe.where();
+    const Dimension x = abscissa_dimension(weighted.setup.scene, target, target.abscissa_where);
+    const Dimension y = ordinate_dimension(weighted.setup.scene, target);
+    read.source.abscissa = read_column(abscissa, x);
+    read.source.ordinate = read_column(ordinate, y);
+    target.abscissa_factor = read_factor(abscissa);
+    target.ordinate_factor = read_factor(ordinate);
     read_csv_options(table, read.source.csv);
-    if (const auto trim = table.find("trim")) {
-      const Dimension dimension =
-          abscissa_dimension(weighted.setup.scene, weighted.target, weighted.target.abscissa_where);
-      read.source.trim = read_choice(*trim, dimension);
+    if (const auto trim = table.find("trim")) read.source.trim = read_choice(*trim, x);
+    if (const auto tolerance = table.find("reversal_tolerance")) {
+      read.source.reversal_tolerance = tolerance->quantity(x);
+      if (*read.source.reversal_tolerance < 0.0) throw tolerance->error("must be at least 0");
     }
     if (const auto noise = table.find("noise")) {
-      const Scene& scene = weighted.setup.scene;
-      const std::size_t index =
-          probe_index(scene, weighted.target.ordinate_probe, probe.key(), probe.where());
-      weighted.target.noise =
-          noise->quantity(dimension_of(scene.probes[index].quantity, scene.drive.deformation));
-      if (!(*weighted.target.noise > 0.0)) throw noise->error("must be above 0");
+      target.noise = noise->quantity(y);
+      if (!(*target.noise > 0.0)) throw noise->error("must be above 0");
     }
     if (const auto weight = table.find("weight")) {
       weighted.weight = weight->number_within(0.0, std::numeric_limits<double>::infinity(), false);

@@ -31,6 +31,7 @@ Json target_of(const SceneTarget& target, double weight, const TargetFit* of_tar
   object["ordinate_unit"] = si_unit(target.ordinate_is);
   object["samples_measured"] = target.abscissa.size();
   object["weight"] = number(weight);
+  object["repairs"] = described_list(target.repairs, kDescribeRepair);
   JsonDescriber<TargetFit> made(object, of_target);
   kDescribeTargetFit(made);
   return object;

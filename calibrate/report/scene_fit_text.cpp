@@ -9,6 +9,7 @@
 
 #include "calibrate/report/outcome_text.hpp"
 #include "calibrate/report/parameter_words.hpp"
+#include "calibrate/report/repairs_text.hpp"
 #include "calibrate/report/scene_errors_text.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/shown_intervals.hpp"
@@ -139,7 +140,8 @@ std::string targets_text(const SceneFitRecord& record, const Ink& ink) {
 std::string scene_fit_report(const SceneFitRecord& record, const ReportOptions& options) {
   const Ink ink(options.color);
   const SceneFitResult& result = record.result;
-  std::string text = header(record, ink) + parameters_text(result, options, ink);
+  std::string text = header(record, ink) + repairs_text({&record, 1}, options, ink) +
+                     parameters_text(result, options, ink);
   if (result.is_fitted() && !result.parameters.empty()) {
     text += scene_entry("errors", noise_text(result));
   }

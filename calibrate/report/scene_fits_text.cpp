@@ -7,6 +7,7 @@
 
 #include "calibrate/report/outcome_text.hpp"
 #include "calibrate/report/parameter_words.hpp"
+#include "calibrate/report/repairs_text.hpp"
 #include "calibrate/report/scene_fit_text.hpp"
 #include "calibrate/report/scene_fit_words.hpp"
 #include "calibrate/report/scene_population.hpp"
@@ -241,7 +242,7 @@ std::string scene_fits_report(std::span<const SceneFitRecord> records,
   } else if (!records.empty()) {
     text = table_text(records, shown, options, ink) +
            population_text(population, shown, options.confidence, ink) +
-           failures_text(records, ink);
+           failures_text(records, ink) + repairs_text(records, options, ink);
   }
   if (!text.empty()) text += '\n';
   const auto fitted = static_cast<std::size_t>(std::ranges::count(

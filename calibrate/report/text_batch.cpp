@@ -8,6 +8,7 @@
 
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/parameter_words.hpp"
+#include "calibrate/report/repairs_text.hpp"
 #include "calibrate/report/summary.hpp"
 #include "calibrate/report/text.hpp"
 #include "calibrate/report/text_groups.hpp"
@@ -241,46 +242,6 @@ std::string names_text(std::span<const FitRecord> records, const Ink& ink) {
   return text;
 }
 
-/// Specimens whose curves were mended in the same way.
-struct EqualRepairs {
-  std::string kind;
-  std::string sentence;
-  std::vector<std::pair<std::size_t, std::string_view>> specimens;  ///< samples, name
-};
-
-/// Repairs by kind and sentence, each sentence once, with the specimens that it holds for.
-std::string repairs_text(std::span<const FitRecord> records, const ReportOptions& options,
-                         const Ink& ink) {
-  std::vector<EqualRepairs> all;
-  for (const FitRecord& record : records) {
-    for (const Repair& repair : record.target.repairs) {
-      const std::string sentence = sentence_of(repair);
-      auto equal = std::find_if(all.begin(), all.end(), [&](const EqualRepairs& other) {
-        return other.kind == repair.kind && other.sentence == sentence;
-      });
-      if (equal == all.end()) equal = all.insert(all.end(), {repair.kind, sentence, {}});
-      equal->specimens.emplace_back(repair.count, record.target.name);
-    }
-  }
-  if (all.empty()) return {};
-  std::string text = '\n' + ink.heading("Repaired\n");
-  for (const EqualRepairs& equal : all) {
-    text += wrapped("  " + equal.kind + ": ", printable(equal.sentence), kWidth);
-    const std::size_t count = equal.specimens.size();
-    const std::size_t shown =
-        options.specimens_shown == 0 ? count : std::min(count, options.specimens_shown);
-    std::string list;
-    for (std::size_t i = 0; i < shown; ++i) {
-      const auto& [samples, name] = equal.specimens[i];
-      list += (i == 0 ? counted(samples, "sample") : ", " + std::to_string(samples)) + " in " +
-              printable(name);
-    }
-    if (shown < count) list += fmt::format(", and {} more", counted(count - shown, "specimen"));
-    text += wrapped("    ", list, kWidth);
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string batch_report(std::span<const FitRecord> records, const ReportOptions& options) {
@@ -288,8 +249,12 @@ std::string batch_report(std::span<const FitRecord> records, const ReportOptions
   const Counts counts = count_statuses(records);
   std::string text;
   if (!records.empty()) text += specimens_text(records, options, ink);
+  std::vector<RepairedCurve> repaired;
+  for (const FitRecord& record : records) {
+    repaired.push_back({record.target.name, record.target.repairs});
+  }
   text += groups_text(records, options, ink) + names_text(records, ink) +
-          repairs_text(records, options, ink);
+          repairs_text(repaired, options.specimens_shown, ink);
   if (!text.empty()) text += '\n';
   const std::string last = fmt::format("fitted {}, rejected {}, failed {}\n", counts.fitted,
                                        counts.rejected, counts.failed);

@@ -8,6 +8,7 @@
 #include "calibrate/report/format.hpp"
 #include "calibrate/report/outcome_text.hpp"
 #include "calibrate/report/parameter_words.hpp"
+#include "calibrate/report/repairs_text.hpp"
 #include "calibrate/report/shown_intervals.hpp"
 #include "calibrate/report/summary.hpp"
 #include "calibrate/report/text.hpp"
@@ -65,15 +66,7 @@ std::string size_of(const Correction& correction) {
 }
 
 std::string mending(const Target& target, const Ink& ink) {
-  std::string text;
-  if (!target.repairs.empty()) {
-    text += '\n' + ink.heading("Repairs\n");
-    for (const Repair& repair : target.repairs) {
-      const std::string first =
-          fmt::format("  {:<18}{:<14}", repair.kind, counted(repair.count, "sample"));
-      text += wrapped(first, printable(sentence_of(repair)), kWidth);
-    }
-  }
+  std::string text = repairs_text(target.repairs, ink);
   if (!target.corrections.empty()) {
     text += '\n' + ink.heading("Corrections\n");
     for (const Correction& correction : target.corrections) {

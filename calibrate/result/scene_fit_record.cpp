@@ -18,6 +18,14 @@ SceneFitRecord record_of(const SceneFitCase& one, SceneFitResult result) {
     record.weights.push_back(weighted.weight);
   }
   record.result = std::move(result);
+  std::vector<std::string> warnings;
+  for (const SceneTarget& target : record.targets) {
+    for (const std::string& warning : target.warnings) {
+      warnings.push_back(target.name + ": " + warning);
+    }
+  }
+  std::vector<std::string>& all = record.result.warnings;
+  all.insert(all.begin(), warnings.begin(), warnings.end());
   return record;
 }
 

@@ -12,6 +12,8 @@ void add_to(io::Digest& digest, const SceneTarget& t) {
   digest.real(t.broke ? t.broke->at : kNan).real(t.broke ? t.broke->half_interval : kNan);
   // Decides nothing, but stands in the result; one sample is what the version before had.
   if (t.broke && t.broke->cut > 1) digest.integer(t.broke->cut);
+  for (const Repair& repair : t.repairs) digest.text(repair.kind).integer(repair.count);
+  for (const std::string& warning : t.warnings) digest.text(warning);
 }
 
 void add_to(io::Digest& digest, const SceneFitOptions& options) {

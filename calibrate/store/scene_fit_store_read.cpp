@@ -67,6 +67,10 @@ class Reader {
       d("has_curve", "", PLASTICA_MEMBER(has_curve));
       d.optional("present", PLASTICA_MEMBER(made), kDescribeTargetFit);
     });
+    if (tables_.version() >= 6) {
+      (void)tables_.items("repairs", targets.rows, PLASTICA_MEMBER(repairs), kDescribeRepair,
+                          "target");
+    }
     const io::Ragged<double> abscissa = curve("abscissa", n);
     const io::Ragged<double> ordinate = curve("ordinate", n);
     const io::Ragged<double> fitted = curve("fitted", n);

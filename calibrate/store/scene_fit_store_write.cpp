@@ -126,6 +126,8 @@ void write_targets(io::Hdf5Group& root, const Records& records) {
   group.write("present", present, kPlain);
   store::write_columns(group, made, kDescribeTargetFit);
   write_curves(root, targets.rows, made);
+  store::write_items(root, "repairs", store::items_of(targets.rows, PLASTICA_MEMBER(repairs)),
+                     kDescribeRepair, "target");
 }
 
 void write_lists(io::Hdf5Group& root, const Records& records) {

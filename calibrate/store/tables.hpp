@@ -45,11 +45,12 @@ void write_columns(io::Hdf5Group& group, std::vector<const Row*> rows,
 }
 
 /// Writes a table, for more columns. @return its group
+/// @param owner  the column that says whose a row is
 template <typename Row, typename Description>
 io::Hdf5Group write_items(io::Hdf5Group& root, const std::string& path, const Items<Row>& items,
-                          const Description& description) {
+                          const Description& description, std::string_view owner = "fit") {
   io::Hdf5Group group = root.group(path);
-  group.write("fit", items.fits, {{}, kDeflate});
+  group.write(owner, items.fits, {{}, kDeflate});
   using Bare = std::remove_const_t<Row>;
   write_columns<Bare>(group, {items.rows.begin(), items.rows.end()}, description);
   return group;
@@ -81,13 +82,14 @@ class TableReader {
   /// @param records  pointers to them
   template <typename Records, typename Member, typename Description>
   auto items(const std::string& path, const Records& records, const Member& member,
-             const Description& description) const {
+             const Description& description, const std::string& owner = "fit") const {
     using Row = std::remove_reference_t<decltype(*member(*records[0]).begin())>;
     Items<Row> items;
-    items.fits = root_.read<std::uint64_t>(path + "/fit");
+    items.fits = root_.read<std::uint64_t>(path + "/" + owner);
     std::vector<std::size_t> next(records.size(), 0);
     for (const std::uint64_t fit : items.fits) {
-      if (fit >= records.size()) refuse(path + "/fit", "names a fit that is not in the file");
+      if (fit >= records.size())
+        refuse(path + "/" + owner, "names a " + owner + " that is not in the file");
       member(*records[fit]).emplace_back();
     }
     // Only now that no list grows any more.

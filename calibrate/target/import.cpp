@@ -1,6 +1,5 @@
 #include "calibrate/target/import.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -10,6 +9,8 @@
 
 #include "calibrate/target/column_pattern.hpp"
 #include "calibrate/target/make.hpp"
+#include "calibrate/target/named_column.hpp"
+#include "calibrate/target/samples.hpp"
 #include "plastica/io/read_input.hpp"
 #include "plastica/io/units.hpp"
 
@@ -27,6 +28,9 @@ struct Plan {
   const SpecimenValue* area = nullptr;
   const char* strain_field = "strain";
   const char* stress_field = "stress";
+
+  Dimension strain_is() const { return gauge_length ? Dimension::Length : Dimension::Strain; }
+  Dimension stress_is() const { return area ? Dimension::Force : Dimension::Stress; }
 };
 
 void check_value(const TargetSource& source, const SpecimenValue& value, const char* field) {
@@ -114,14 +118,11 @@ class Specimens {
 
   double number(std::size_t row, const SpecimenValue& value, Dimension dimension,
                 const char* field) const {
-    const std::size_t column = table_.find(value.from, value.where, field);
-    const std::string& unit = value.unit ? *value.unit : table_.units()[column];
-    const SourceLocation where = value.unit ? value.where : SourceLocation{table_.file(), 0};
-    const double si =
-        io::unit_conversion(unit, dimension, where, field)(table_.number(row, column));
+    const io::FoundColumn column = io::find_column(table_, named(value, field), dimension);
+    const double si = column.to_si(table_.number(row, column.index));
     if (si > 0.0 && std::isfinite(si)) return si;
-    throw InputError({table_.file(), table_.line_of_row(row)}, value.from, table_.cell(row, column),
-                     "must be a positive number");
+    throw InputError({table_.file(), table_.line_of_row(row)}, value.from,
+                     table_.cell(row, column.index), "must be a positive number");
   }
 
   void add_groups(std::size_t row, Target& target) const {
@@ -139,76 +140,42 @@ class Specimens {
   std::map<std::string, std::size_t> rows_;
 };
 
-io::UnitConversion conversion_of(const CsvTable& table, std::size_t column,
-                                 const ColumnSource& asked, Dimension dimension,
-                                 const char* field) {
-  const std::string& unit = asked.unit ? *asked.unit : table.units()[column];
-  const SourceLocation where = asked.unit ? asked.where : SourceLocation{table.file(), 0};
-  return io::unit_conversion(unit, dimension, where, field);
-}
-
 void reject(Target& target, std::string reason) {
   target.status = TargetStatus::Rejected;
   target.reason = std::move(reason);
 }
 
-std::vector<std::size_t> stress_columns(const CsvTable& table, const ColumnSource& asked,
-                                        const char* field) {
-  if (asked.column.find('*') == std::string::npos) {
-    return {table.find(asked.column, asked.where, field)};
+std::vector<io::FoundColumn> stress_columns(const CsvTable& table, const io::NamedColumn& asked,
+                                            Dimension dimension) {
+  if (asked.name.find('*') == std::string::npos) {
+    return {io::find_column(table, asked, dimension)};
   }
-  std::vector<std::size_t> columns;
+  std::vector<io::FoundColumn> columns;
   for (std::size_t i = 0; i < table.columns(); ++i) {
-    if (matches_column(asked.column, table.names()[i])) columns.push_back(i);
+    if (!matches_column(asked.name, table.names()[i])) continue;
+    columns.push_back(io::column_at(table, i, asked, dimension));
   }
   if (columns.empty()) {
-    throw InputError(asked.where, field, asked.column, "matches no column of " + table.file());
+    throw InputError(asked.where, asked.key, asked.name, "matches no column of " + table.file());
   }
   return columns;
 }
 
 struct Columns {
-  std::size_t strain = 0;
-  std::vector<std::size_t> stress;
+  io::FoundColumn strain;
+  std::vector<io::FoundColumn> stress;
 };
 
-/// @throws InputError if the file lacks a column, or a unit of stress that the block does not give
+/// @throws InputError if the file lacks a column or its unit, or has one that does not fit
 Columns columns_of(const Plan& plan, const CsvTable& table) {
-  Columns columns;
-  columns.strain = table.find(plan.strain->column, plan.strain->where, plan.strain_field);
-  columns.stress = stress_columns(table, *plan.stress, plan.stress_field);
-  for (const std::size_t column : columns.stress) {
-    if (plan.stress->unit || !table.units()[column].empty()) continue;
-    throw InputError(plan.stress->where, plan.stress_field, plan.stress->column,
-                     "needs a unit, as " + table.file() + " gives none");
-  }
-  return columns;
-}
-
-/// Strains that nobody gave a unit are taken as fractions; in percent they reach beyond 1 at once.
-void warn_of_percent(const Plan& plan, const CsvTable& table, std::size_t column, Target& target) {
-  if (plan.gauge_length || plan.strain->unit || !table.units()[column].empty()) return;
-  if (target.test != Test::Tension) return;
-  double largest = 0.0;
-  for (const double strain : target.raw.strain) {
-    if (std::isfinite(strain)) largest = std::max(largest, std::abs(strain));
-  }
-  if (largest > 1.0) {
-    target.warnings.emplace_back("strains above 100 %: if they are in percent, write unit = \"%\"");
-  }
+  return {io::find_column(table, named(*plan.strain, plan.strain_field), plan.strain_is()),
+          stress_columns(table, named(*plan.stress, plan.stress_field), plan.stress_is())};
 }
 
 /// Raw curve of one specimen, in SI.
-void read_curve(const Plan& plan, const CsvTable& table, std::size_t strain_column,
-                std::size_t stress_column, const Specimens* specimens, const std::string& stem,
+void read_curve(const Plan& plan, const CsvTable& table, const io::FoundColumn& strain,
+                const io::FoundColumn& stress, const Specimens* specimens, const std::string& stem,
                 Target& target) {
-  // What the block says must be right for the block; what the file says, for this specimen.
-  const auto to_strain =
-      conversion_of(table, strain_column, *plan.strain,
-                    plan.gauge_length ? Dimension::Length : Dimension::Strain, plan.strain_field);
-  const auto to_stress =
-      conversion_of(table, stress_column, *plan.stress,
-                    plan.area ? Dimension::Force : Dimension::Stress, plan.stress_field);
   double gauge_length = 1.0;
   double area = 1.0;
   const auto value_of = [&](const SpecimenValue& value, Dimension dimension, const char* field) {
@@ -222,19 +189,19 @@ void read_curve(const Plan& plan, const CsvTable& table, std::size_t strain_colu
     gauge_length = value_of(*plan.gauge_length, Dimension::Length, "gauge_length");
   if (plan.area) area = value_of(*plan.area, Dimension::Area, "area");
   if (plan.strain_rate) value_of(*plan.strain_rate, Dimension::StrainRate, "strain_rate");
-  Curve raw{table.numbers(strain_column), table.numbers(stress_column)};
-  for (double& value : raw.strain) value = to_strain(value) / gauge_length;
-  for (double& value : raw.stress) value = to_stress(value) / area;
+  Curve raw{io::numbers_of(table, strain), io::numbers_of(table, stress)};
+  for (double& value : raw.strain) value /= gauge_length;
+  for (double& value : raw.stress) value /= area;
   target.raw = std::move(raw);  // both columns or none
 }
 
 /// Units that the block itself gives, checked once, as an error of the block.
-void check_units(const TargetSource& source, const Plan& plan) {
+void check_units(const Plan& plan) {
   const auto check = [](const auto& asked, Dimension dimension, const char* field) {
     if (asked->unit) io::unit_conversion(*asked->unit, dimension, asked->where, field);
   };
-  check(plan.strain, source.elongation ? Dimension::Length : Dimension::Strain, plan.strain_field);
-  check(plan.stress, source.force ? Dimension::Force : Dimension::Stress, plan.stress_field);
+  check(plan.strain, plan.strain_is(), plan.strain_field);
+  check(plan.stress, plan.stress_is(), plan.stress_field);
   if (plan.gauge_length) check(plan.gauge_length, Dimension::Length, "gauge_length");
   if (plan.area) check(plan.area, Dimension::Area, "area");
   if (plan.strain_rate) check(plan.strain_rate, Dimension::StrainRate, "strain_rate");
@@ -259,7 +226,7 @@ void make_names_unique(std::vector<Target>& targets) {
 
 std::vector<Target> import_targets(const TargetSource& source, const TargetOptions& options) {
   const Plan plan = plan_of(source);
-  check_units(source, plan);
+  check_units(plan);
   TargetOptions used = options;
   used.test = source.test;
   used.measure = source.measure;
@@ -309,12 +276,10 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
       continue;
     }
     const bool pattern = plan.stress->column.find('*') != std::string::npos;
-    for (const std::size_t column : columns.stress) {
+    for (const io::FoundColumn& column : columns.stress) {
       Target target = first;
-      if (pattern) target.name += ":" + table->names()[column];
-      if (table->torn_last_row()) {
-        target.repairs.push_back({"torn-last-row", 1, "the last row was cut off and is dropped"});
-      }
+      if (pattern) target.name += ":" + table->names()[column.index];
+      report_torn_row(*table, target.repairs);
       try {
         read_curve(plan, *table, columns.strain, column, specimens ? &*specimens : nullptr, stem,
                    target);
@@ -323,7 +288,9 @@ std::vector<Target> import_targets(const TargetSource& source, const TargetOptio
         targets.push_back(std::move(target));
         continue;
       }
-      warn_of_percent(plan, *table, columns.strain, target);
+      if (target.test == Test::Tension) {
+        warn_of_percent(columns.strain, target.raw.strain, target.warnings);
+      }
       process_target(target, used);
       targets.push_back(std::move(target));
     }

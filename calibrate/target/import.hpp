@@ -16,7 +16,7 @@ struct ColumnSource {
   /// Name or number (from 1). A `*` stands for any characters: every column that matches is a
   /// specimen of its own; only for stress or force.
   std::string column;
-  std::optional<std::string> unit;  ///< empty: the file's own; a stress must have one of them
+  std::optional<std::string> unit;  ///< empty: the file's own; a strain or pure number needs none
   SourceLocation where;             ///< of the user's words, for error lines
 };
 
@@ -68,8 +68,8 @@ struct TargetSource {
 /// @return a target per specimen in order of files and columns; one that cannot be read or
 ///         repaired, or lacks a column or the unit of its stress, is Rejected with its reason
 /// @throws InputError for a block that contradicts itself, a file that is missing, a column that
-///         the table or every readable file lacks (so too a unit of stress that the block does not
-///         give), a unit in the block that does not fit
+///         the table or every readable file lacks (so too a unit that the block does not give, or
+///         that does not fit), a unit in the block that does not fit
 std::vector<Target> import_targets(const TargetSource& source, const TargetOptions& options = {});
 
 /// Proposes columns and units of a bare file of curves from their names and its unit row: strain

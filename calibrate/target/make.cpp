@@ -9,6 +9,7 @@
 #include "calibrate/target/characteristics.hpp"
 #include "calibrate/target/correct.hpp"
 #include "calibrate/target/repair.hpp"
+#include "calibrate/target/samples.hpp"
 #include "plastica/base/check.hpp"
 
 namespace plastica::calibrate {
@@ -155,12 +156,12 @@ void process_target(Target& target, const TargetOptions& options) {
   const RawFacts facts = drop_missing(target);
   Curve& curve = target.corrected;
   if (curve.size() == 0) {
-    return give_up(target, TargetStatus::Rejected, "no row has both strain and stress");
+    return give_up(target, TargetStatus::Rejected, kNoSamples);
   }
   target.loading = options.loading ? *options.loading : find_loading(curve);
   const bool monotonic = target.loading == Loading::Monotonic;
   if (monotonic) {
-    drop_outliers(target);
+    drop_outliers(samples_of(target));
     std::string reason = not_in_tension(curve);
     if (!reason.empty()) return give_up(target, TargetStatus::Rejected, std::move(reason));
     drop_foot_reversals(target, options.reversal_tolerance);
@@ -182,7 +183,7 @@ void process_target(Target& target, const TargetOptions& options) {
     goes_on = drop_unloading(target, line->modulus, options) || goes_on;
   }
   trim_at_break(target, line->modulus, goes_on, options);
-  if (monotonic) drop_strain_reversals(target, options.reversal_tolerance);
+  if (monotonic) drop_reversals(samples_of(target), options.reversal_tolerance, "strain");
   shift_strain(target, *line, options);
   if (!convert_to_true(target, options)) return;
   measure(target, *line, facts, noise, options);

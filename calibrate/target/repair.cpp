@@ -4,47 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "calibrate/target/characteristics.hpp"
+#include "calibrate/target/samples.hpp"
 
 namespace plastica::calibrate {
-namespace {
-
-void report(Target& target, const char* kind, std::size_t count, const char* what) {
-  if (count > 0) target.repairs.push_back({kind, count, std::to_string(count) + what});
-}
-
-/// Keeps the samples for which keep(i) holds, in order; returns how many were dropped.
-template <typename Keep>
-std::size_t filter(Curve& curve, Keep keep) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    if (!keep(i)) continue;
-    if (kept != i) {
-      curve.strain[kept] = curve.strain[i];
-      curve.stress[kept] = curve.stress[i];
-    }
-    ++kept;
-  }
-  const std::size_t dropped = curve.size() - kept;
-  curve.strain.resize(kept);
-  curve.stress.resize(kept);
-  return dropped;
-}
-
-/// Median of each value and its neighbours; the first and last value as they are.
-std::vector<double> medians_of_three(const std::vector<double>& values) {
-  std::vector<double> out = values;
-  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-    const auto [low, high] = std::minmax(values[i - 1], values[i]);
-    out[i] = std::clamp(values[i + 1], low, high);
-  }
-  return out;
-}
-
-}  // namespace
 
 RawFacts drop_missing(Target& target) {
   const Curve& raw = target.raw;
@@ -69,30 +33,11 @@ RawFacts drop_missing(Target& target) {
     for (std::size_t i = end_of_strain; i < n; ++i) removed += std::isfinite(raw.stress[i]) ? 1 : 0;
     facts.extensometer_removed = end_of_strain > 0 && removed > 0;
     if (!facts.extensometer_removed) removed = 0;
-    const std::size_t dropped = filter(target.corrected, [&](std::size_t i) {
-      return std::isfinite(raw.strain[i]) && std::isfinite(raw.stress[i]);
-    });
-    report(target, "nan-rows", dropped - removed, " rows without strain or stress dropped");
-    report(target, "extensometer-removed", removed,
-           " rows at the end have stress but no strain; Rm is taken from them too");
+    drop_missing(samples_of(target), removed);
+    note_repair(target.repairs, "extensometer-removed", removed,
+                "rows at the end have stress but no strain; Rm is taken from them too");
   }
-  Curve& curve = target.corrected;
-  bool any_twin = false;
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    any_twin = any_twin ||
-               (curve.strain[i] == curve.strain[i - 1] && curve.stress[i] == curve.stress[i - 1]);
-  }
-  if (any_twin) {
-    double strain = std::numeric_limits<double>::quiet_NaN();
-    double stress = strain;
-    const std::size_t dropped = filter(curve, [&](std::size_t i) {
-      if (curve.strain[i] == strain && curve.stress[i] == stress) return false;
-      strain = curve.strain[i];
-      stress = curve.stress[i];
-      return true;
-    });
-    report(target, "duplicates", dropped, " samples equal to the one before dropped");
-  }
+  drop_duplicates(samples_of(target));
   return facts;
 }
 
@@ -134,25 +79,6 @@ Loading find_loading(const Curve& curve) {
   return loops >= 3 && back > *high - *low ? Loading::Cyclic : Loading::Monotonic;
 }
 
-void drop_outliers(Target& target) {
-  const Curve before = target.corrected;
-  const auto& stress = before.stress;
-  const std::size_t n = stress.size();
-  if (n < 3) return;
-  const std::vector<double> medians = medians_of_three(stress);
-  const double largest = *std::max_element(medians.begin() + 1, medians.end() - 1);
-  if (!(largest > 0.0)) return;
-  const double threshold = std::max(0.2 * largest, 8.0 * noise_of(before.strain, stress));
-  const std::size_t dropped = filter(target.corrected, [&](std::size_t i) {
-    if (i == 0 || i + 1 == n) return true;
-    const double a = stress[i] - stress[i - 1];
-    const double b = stress[i] - stress[i + 1];
-    const double least = std::min(std::abs(a), std::abs(b));
-    return a * b <= 0.0 || least <= threshold || std::abs(a - b) >= 0.25 * least;
-  });
-  report(target, "outliers", dropped, " lone samples far off both neighbours dropped");
-}
-
 void drop_foot_reversals(Target& target, double tolerance) {
   Curve& curve = target.corrected;
   if (curve.size() == 0) return;
@@ -169,8 +95,8 @@ void drop_foot_reversals(Target& target, double tolerance) {
   const auto cut = static_cast<std::ptrdiff_t>(least);
   curve.strain.erase(curve.strain.begin(), curve.strain.begin() + cut);
   curve.stress.erase(curve.stress.begin(), curve.stress.begin() + cut);
-  report(target, "foot-reversals", least,
-         " samples at the foot dropped, where the strain ran backwards under a rising load");
+  note_repair(target.repairs, "foot-reversals", least,
+              "samples at the foot dropped, where the strain ran backwards under a rising load");
 }
 
 void drop_unloading_loops(Target& target, const TargetOptions& options) {
@@ -195,8 +121,9 @@ void drop_unloading_loops(Target& target, const TargetOptions& options) {
     for (std::size_t k = i; loop && k < end; ++k) keep[k] = false;
     i = end - 1;
   }
-  const std::size_t dropped = filter(target.corrected, [&](std::size_t i) { return keep[i]; });
-  report(target, "unloading-loops", dropped, " samples of unloading and reloading dropped");
+  const std::size_t dropped = filter(samples_of(target), [&](std::size_t i) { return keep[i]; });
+  note_repair(target.repairs, "unloading-loops", dropped,
+              "samples of unloading and reloading dropped");
 }
 
 bool drop_unloading(Target& target, double modulus, const TargetOptions& options) {
@@ -222,19 +149,9 @@ bool drop_unloading(Target& target, double modulus, const TargetOptions& options
   }
   curve.strain.resize(top + 1);
   curve.stress.resize(top + 1);
-  report(target, "unloading", n - top - 1, " samples of elastic unloading at the end dropped");
+  note_repair(target.repairs, "unloading", n - top - 1,
+              "samples of elastic unloading at the end dropped");
   return true;
-}
-
-void drop_strain_reversals(Target& target, double tolerance) {
-  Curve& curve = target.corrected;
-  double reached = -std::numeric_limits<double>::infinity();
-  const std::size_t dropped = filter(curve, [&](std::size_t i) {
-    if (curve.strain[i] < reached - tolerance) return false;
-    reached = std::max(reached, curve.strain[i]);
-    return true;
-  });
-  report(target, "strain-reversals", dropped, " samples dropped where the strain ran backwards");
 }
 
 }  // namespace plastica::calibrate

@@ -25,12 +25,6 @@ Loading find_loading(const Curve& curve);
 /// where the strain ran backwards by more than the tolerance: repair "foot-reversals".
 void drop_foot_reversals(Target& target, double tolerance);
 
-/// Drops lone outliers of a monotonic curve, repair "outliers": a sample that differs from both
-/// neighbours, to the same side, by more than 0.2 of the largest stress (the largest median of
-/// three neighbours) and 8 times the noise, while the neighbours differ by less than a quarter of
-/// that.
-void drop_outliers(Target& target);
-
 /// Drops unloading and reloading amid a monotonic curve, repair "unloading-loops": samples further
 /// than the tolerance below the strain reached, from half of Rm or more, in which the stress falls
 /// by a tenth of Rm or more, and comes back to (1 - drop_fraction) of where it was as the strain
@@ -44,8 +38,5 @@ void drop_unloading_loops(Target& target, const TargetOptions& options);
 /// break jumps or leaves that line.
 /// @return whether there was such an end: the specimen did not break
 bool drop_unloading(Target& target, double modulus, const TargetOptions& options);
-
-/// Drops samples further than the tolerance below the strain reached: "strain-reversals".
-void drop_strain_reversals(Target& target, double tolerance);
 
 }  // namespace plastica::calibrate

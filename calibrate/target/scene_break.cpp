@@ -20,18 +20,20 @@ std::optional<std::size_t> intact_up_to(const SceneTarget& target, double abscis
 /// Whether the step to a sample lets the beam go: towards zero, or against the ordinate, as when a
 /// cycle ends on its way through zero. Which way the ordinate acts is told by the work until there,
 /// of which a beam takes more than it gives.
-bool is_let_go(const SceneTarget& target, std::size_t sample) {
+bool is_let_go(const SceneTarget& target, std::size_t sample, double tolerance) {
   const std::vector<double>& x = target.abscissa;
   const std::vector<double>& y = target.ordinate;
-  if (std::abs(x[sample]) < std::abs(x[sample - 1])) return true;
+  if (std::abs(x[sample]) < std::abs(x[sample - 1]) - tolerance) return true;
   double work = 0.0;
   for (std::size_t i = 1; i < sample; ++i) work += 0.5 * (y[i] + y[i - 1]) * (x[i] - x[i - 1]);
-  return work * y[sample - 1] * (x[sample] - x[sample - 1]) < 0.0;
+  const double step = x[sample] - x[sample - 1];
+  return std::abs(step) > tolerance && work * y[sample - 1] * step < 0.0;
 }
 
 }  // namespace
 
-std::optional<std::size_t> intact_samples(const SceneTarget& target, const CorrectionChoice& trim) {
+std::optional<std::size_t> intact_samples(const SceneTarget& target, const CorrectionChoice& trim,
+                                          double tolerance) {
   if (trim.mode == Mode::Off) return std::nullopt;
   if (trim.mode == Mode::Set) return intact_up_to(target, trim.amount);
   const std::vector<double>& y = target.ordinate;
@@ -48,15 +50,21 @@ std::optional<std::size_t> intact_samples(const SceneTarget& target, const Corre
     if (fall < 0.5 * largest || !(zeros || fallen >= 3)) return std::nullopt;
     return intact;
   }
-  if (fall < kBeamDrop * largest || is_let_go(target, intact)) return std::nullopt;
+  if (fall < kBeamDrop * largest || is_let_go(target, intact, tolerance)) return std::nullopt;
   return intact;
 }
 
-void cut_at_break(SceneTarget& target, const CorrectionChoice& trim) {
-  const std::optional<std::size_t> intact = intact_samples(target, trim);
+void cut_at_break(SceneTarget& target, const CorrectionChoice& trim, double tolerance) {
+  const std::optional<std::size_t> intact = intact_samples(target, trim, tolerance);
   if (!intact) return;
-  const double last = target.abscissa[*intact - 1];
-  const double half = 0.5 * (target.abscissa[*intact] - last);
+  double last = target.abscissa[*intact - 1];
+  double next = target.abscissa[*intact];
+  if (!is_driven(target.kind)) {
+    const auto end = target.abscissa.begin() + static_cast<std::ptrdiff_t>(*intact);
+    last = *std::max_element(target.abscissa.begin(), end);
+    next = std::max(last, next);
+  }
+  const double half = 0.5 * (next - last);
   target.broke = SceneBreak{
       .at = last + half, .half_interval = std::abs(half), .cut = target.abscissa.size() - *intact};
   target.abscissa.resize(*intact);

@@ -1,33 +1,40 @@
 #include "calibrate/target/scene_target.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <numeric>
+#include <span>
 #include <utility>
 
+#include "calibrate/target/named_column.hpp"
+#include "calibrate/target/samples.hpp"
 #include "calibrate/target/scene_break.hpp"
 #include "calibrate/trial/scene_drive.hpp"
-#include "calibrate/trial/scene_model.hpp"
-#include "plastica/io/units.hpp"
 
 namespace plastica::calibrate {
 namespace {
 
-struct Column {
-  std::size_t index = 0;
-  io::UnitConversion convert;
-};
+/// The first sample further than the tolerance below the largest before it; all: none is.
+std::size_t first_back(std::span<const double> values, double tolerance) {
+  double reached = -std::numeric_limits<double>::infinity();
+  std::size_t i = 0;
+  for (; i < values.size() && values[i] >= reached - tolerance; ++i) {
+    reached = std::max(reached, values[i]);
+  }
+  return i;
+}
 
-Column find_column(const io::CsvTable& table, const ColumnSource& source,
-                   const SourceLocation& unit_where, Dimension dimension, std::string_view field) {
-  Column column;
-  column.index = table.find(source.column, source.where, field);
-  const std::string unit = source.unit.value_or(table.units()[column.index]);
-  const SourceLocation where = source.unit ? unit_where : SourceLocation{table.file(), 0};
-  column.convert = io::unit_conversion(unit, dimension, where, source.column);
-  return column;
+bool goes_one_way(std::vector<double> values, double tolerance) {
+  if (first_back(values, tolerance) == values.size()) return true;
+  for (double& value : values) value = -value;
+  return first_back(values, tolerance) == values.size();
+}
+
+double range_of(std::span<const double> values) {
+  const auto [low, high] = std::ranges::minmax_element(values);
+  return *high - *low;
 }
 
 }  // namespace
@@ -37,37 +44,41 @@ SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scen
   SceneTarget target = std::move(probes);
   const io::CsvTable table = io::CsvTable::read(source.file, source.csv);
   if (target.name.empty()) target.name = std::filesystem::path(source.file).stem().string();
-  const Probe& probe = scene.probes[probe_index(scene, target.ordinate_probe, "ordinate.probe",
-                                                target.ordinate_where)];
+  target.ordinate_is = ordinate_dimension(scene, target);
   target.abscissa_is = abscissa_dimension(scene, target, target.abscissa_where);
-  target.ordinate_is = dimension_of(probe.quantity, scene.drive.deformation);
-  const Column x =
-      find_column(table, source.abscissa, source.abscissa_unit, target.abscissa_is, "abscissa");
-  const Column y =
-      find_column(table, source.ordinate, source.ordinate_unit, target.ordinate_is, "ordinate");
-  target.abscissa.clear();
-  target.ordinate.clear();
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const SourceLocation where{table.file(), table.line_of_row(row)};
-    const auto number = [&](const Column& column) {
-      const double value = table.number(row, column.index);
-      if (!std::isfinite(value)) {
-        throw InputError(where, table.names()[column.index], table.cell(row, column.index),
-                         "must be a number in every row of a measured beam");
-      }
-      return column.convert(value);
-    };
-    const double at = number(x);
-    if (!is_driven(target.kind) && !target.abscissa.empty() && at < target.abscissa.back()) {
-      throw InputError(
-          where, table.names()[x.index], table.cell(row, x.index),
-          "goes back: a beam's curve is followed one way; a scene that this column drives "
-          "follows it to and fro");
-    }
-    target.abscissa.push_back(at);
-    target.ordinate.push_back(number(y));
+  const io::FoundColumn x =
+      io::find_column(table, named(source.abscissa, "abscissa"), target.abscissa_is);
+  const io::FoundColumn y =
+      io::find_column(table, named(source.ordinate, "ordinate"), target.ordinate_is);
+  target.abscissa = io::numbers_of(table, x);
+  target.ordinate = io::numbers_of(table, y);
+  if (target.abscissa_is == Dimension::Strain) {
+    warn_of_percent(x, target.abscissa, target.warnings);
   }
-  cut_at_break(target, source.trim);
+  std::vector<std::size_t> rows(table.rows());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  const Samples samples{target.abscissa, target.ordinate, target.repairs, &rows};
+  report_torn_row(table, target.repairs);
+  drop_missing(samples);
+  drop_duplicates(samples);
+  if (samples.size() == 0) {
+    throw InputError({table.file(), 0}, table.label(y.index), "", kNoSamples);
+  }
+  const double tolerance =
+      source.reversal_tolerance.value_or(kReversalFraction * range_of(target.abscissa));
+  if (target.kind != Abscissa::Time && goes_one_way(target.abscissa, tolerance)) {
+    drop_outliers(samples);
+  }
+  cut_at_break(target, source.trim, tolerance);
+  if (is_driven(target.kind)) return target;
+  const std::size_t back = first_back(target.abscissa, tolerance);
+  if (back < samples.size()) {
+    throw InputError({table.file(), table.line_of_row(rows[back])}, table.label(x.index),
+                     table.cell(rows[back], x.index),
+                     "goes back by more than reversal_tolerance: a beam's curve is followed one "
+                     "way; a scene that this column drives follows it to and fro");
+  }
+  drop_reversals(samples, 0.0, "abscissa");
   return target;
 }
 

@@ -55,6 +55,8 @@ struct SceneTarget {
   double ordinate_factor = 1.0;
   std::optional<double> noise;  ///< standard deviation of the ordinate [SI], > 0; empty: unknown
   std::optional<SceneBreak> broke;
+  std::vector<Repair> repairs;        ///< done to the samples, as of a coupon
+  std::vector<std::string> warnings;  ///< of the reading, for the fit's; not stored
   /// For error lines: of the probe or drive of the abscissa, and of the probe of the ordinate.
   SourceLocation abscissa_where{}, ordinate_where{};
 };
@@ -67,16 +69,23 @@ struct SceneTargetSource {
   io::CsvOptions csv;
   /// At the break, see scene_break.hpp; amount: the abscissa [SI] beyond which the beam is broken.
   CorrectionChoice trim{};
-  SourceLocation where;                             ///< of the user's words, for error lines
-  SourceLocation abscissa_unit{}, ordinate_unit{};  ///< of given units, likewise
+  /// How far the abscissa may run back, as noise of its measurement [SI], >= 0; empty: by
+  /// `kReversalFraction` of its range.
+  std::optional<double> reversal_tolerance{};
 };
+
+inline constexpr double kReversalFraction = 1e-3;
 
 /// Reads a measured curve; units come from the source or the file and must fit the probes.
 ///
-/// An ordinate that falls to zero and stays there says that the beam broke (scene_break.hpp).
+/// In this order, with a repair for each (samples.hpp): rows that lack a number and repeated
+/// samples are dropped, and lone outliers unless over time or where the abscissa turns round. An
+/// ordinate that falls to zero and stays there says that the beam broke (scene_break.hpp). Last,
+/// unless the scene follows the abscissa, samples at which it runs back within the tolerance are
+/// dropped: "abscissa-reversals".
 /// @param probes  its names of probes, factors and noise are kept
-/// @throws InputError for a file, column or unit that is missing or does not fit, a cell without a
-///         number, an abscissa that goes back, a probe that the scene does not have
+/// @throws InputError for a file, column or unit that is missing or does not fit, a cell of words,
+///         an abscissa that goes back further, a probe that the scene does not have
 SceneTarget read_scene_target(const SceneTargetSource& source, const Scene& scene,
                               SceneTarget probes);
 

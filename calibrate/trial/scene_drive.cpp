@@ -105,6 +105,12 @@ Dimension abscissa_dimension(const Scene& scene, const SceneTarget& target,
   return driven.rotates() ? driven.rotation_is : driven.straight_is;
 }
 
+Dimension ordinate_dimension(const Scene& scene, const SceneTarget& target) {
+  const std::size_t index =
+      probe_index(scene, target.ordinate_probe, "ordinate.probe", target.ordinate_where);
+  return dimension_of(scene.probes[index].quantity, scene.drive.deformation);
+}
+
 Setup driven_setup(const Setup& setup, const SceneTarget& target) {
   Setup followed = setup;
   Scene& scene = followed.scene;

@@ -14,6 +14,10 @@ namespace plastica::calibrate {
 Dimension abscissa_dimension(const Scene& scene, const SceneTarget& target,
                              const SourceLocation& where = {});
 
+/// What the ordinate of a target is: the quantity of its probe.
+/// @throws InputError for a probe that the scene does not have
+Dimension ordinate_dimension(const Scene& scene, const SceneTarget& target);
+
 /// The setup that follows a target's measured abscissa: sample i is reached at time i + 1, the
 /// first broken one, if there is one, a second after the last; recorded are these.
 ///

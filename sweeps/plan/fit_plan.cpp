@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "calibrate/config/read_parameters.hpp"
+#include "calibrate/config/read_target.hpp"
 #include "calibrate/store/scene_fit_digest.hpp"
+#include "calibrate/trial/scene_drive.hpp"
 #include "plastica/io/digest.hpp"
 #include "plastica/io/read_input.hpp"
 
@@ -13,37 +15,6 @@ namespace {
 
 using io::TomlTable;
 using io::TomlValue;
-
-/// One of the two columns and the probe that it is held against.
-struct Side {
-  std::string probe;
-  calibrate::ColumnSource column;
-  double factor = 1.0;
-};
-
-Side read_side(const TomlTable& fit, std::string_view name) {
-  const TomlValue value = fit.at(name);
-  const TomlTable table = value.table();
-  Side side;
-  side.probe = table.at("probe").string();
-  const TomlValue column = table.at("column");
-  side.column.column =
-      column.is_string() ? column.string() : std::to_string(column.integer(1, 1'000'000));
-  side.column.where = column.where();
-  if (const auto unit = table.find("unit")) side.column.unit = unit->string();
-  if (const auto factor = table.find("factor")) {
-    side.factor = factor->number();
-    if (side.factor == 0.0) throw factor->error("must not be 0");
-  }
-  return side;
-}
-
-Dimension dimension_of_probe(const Scene& scene, const std::string& name) {
-  for (const Probe& probe : scene.probes) {
-    if (probe.name == name) return dimension_of(probe.quantity, scene.drive.deformation);
-  }
-  return Dimension::None;
-}
 
 int integer_of(const TomlTable& fit, std::string_view key, int otherwise, int high) {
   const auto value = fit.find(key);
@@ -61,24 +32,26 @@ FitPlan read_fit_plan(const TomlTable& fit, const std::string& path, const Scene
   }
   plan.file = file.lexically_normal().string();
   plan.text = io::read_input(plan.file, io::kMaxTableBytes);
-  const Side abscissa = read_side(fit, "abscissa");
-  const Side ordinate = read_side(fit, "ordinate");
+  const TomlTable abscissa = fit.at("abscissa").table();
+  const TomlTable ordinate = fit.at("ordinate").table();
   calibrate::SceneTarget wanted;
   wanted.name = file.stem().string();
-  wanted.abscissa_probe = abscissa.probe;
-  wanted.ordinate_probe = ordinate.probe;
-  wanted.abscissa_factor = abscissa.factor;
-  wanted.ordinate_factor = ordinate.factor;
-  if (const auto noise = fit.find("noise")) {
-    wanted.noise = noise->quantity(dimension_of_probe(scene, ordinate.probe));
-    if (!(*wanted.noise > 0.0)) throw noise->error("must be above 0");
-  }
+  wanted.abscissa_probe = abscissa.at("probe").string();
+  wanted.abscissa_where = abscissa.at("probe").where();
+  wanted.ordinate_probe = ordinate.at("probe").string();
+  wanted.ordinate_where = ordinate.at("probe").where();
+  wanted.abscissa_factor = calibrate::read_factor(abscissa);
+  wanted.ordinate_factor = calibrate::read_factor(ordinate);
+  const Dimension measured = calibrate::ordinate_dimension(scene, wanted);
   calibrate::SceneTargetSource source;
   source.file = plan.file;
-  source.abscissa = abscissa.column;
-  source.ordinate = ordinate.column;
-  source.where = source.abscissa_unit = source.ordinate_unit = fit.where();
-  wanted.abscissa_where = wanted.ordinate_where = fit.where();
+  source.abscissa = calibrate::read_column(
+      abscissa, calibrate::abscissa_dimension(scene, wanted, wanted.abscissa_where));
+  source.ordinate = calibrate::read_column(ordinate, measured);
+  if (const auto noise = fit.find("noise")) {
+    wanted.noise = noise->quantity(measured);
+    if (!(*wanted.noise > 0.0)) throw noise->error("must be above 0");
+  }
   plan.target = calibrate::read_scene_target(source, scene, std::move(wanted));
   (void)fit.at("parameters");
   plan.options.segments_error = false;  // a sweep over the segments shows it itself

@@ -96,6 +96,11 @@ Sweep read_document(const TomlDocument& document) {
   root.check_unused();
   sweep.notes = sweep.scene.notes;
   sweep.notes.insert(sweep.notes.end(), root.notes().begin(), root.notes().end());
+  if (sweep.fit) {
+    for (const calibrate::Repair& repair : sweep.fit->target.repairs) {
+      sweep.notes.push_back(sweep.fit->file + ": " + repair.text);
+    }
+  }
   return sweep;
 }
 

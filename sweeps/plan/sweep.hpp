@@ -57,7 +57,8 @@ struct Sweep {
   std::optional<FitPlan> fit{};  ///< of each case, where the quantity is one of a fit
   int timed_runs = 0;  ///< of a case, after one to warm up; 0: it is run once and not timed
   std::vector<io::InputText> inputs;  ///< sweep file, scene, reference
-  std::vector<std::string> notes{};   ///< old names in these, each with the new one, for the user
+  /// For the user: old names in these, each with the new one; repairs of what is fitted.
+  std::vector<std::string> notes{};
 };
 
 /// A sweep's cases: all combinations of its axes, in the order of the axes, with groups of axes

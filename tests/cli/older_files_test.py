@@ -116,6 +116,7 @@ class OlderFiles(unittest.TestCase):
         with copy_of(self.folder) as file:
             file.attrs["version"] = 3
             give_old_rows(file)
+            del file["repairs"]
             group = file["parameters"]
             group["at_bound"] = group["at_lower"][:] | group["at_upper"][:]
             for column in ("logarithmic", "at_lower", "at_upper", "identified", "judged"):

@@ -76,6 +76,19 @@ TEST(SceneFitCommand, FindsTheIntervalsThatAreAskedFor) {
   EXPECT_NE(place.read("profile.gp").find("least cost"), std::string::npos);
 }
 
+TEST(SceneFitCommand, SaysWhatItMendedInTheCurves) {
+  const Workplace place;
+  write_bars(place);
+  place.write("a.csv", "Way (mm),Force (N)\n1,130\n# paused\n2,NaN\n2,263\n1,131\n-1,-131\n");
+  const CommandResult result = place.run({"calibrate", "fit.toml", "-o", "fit.h5"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const std::string mended =
+      "\nRepaired\n  nan-rows: rows dropped that lack one of the two numbers\n    1 sample in a\n";
+  EXPECT_NE(result.out.find(mended), std::string::npos) << result.out;
+  const CommandResult shown = place.run({"show", "fit.h5"});
+  EXPECT_NE(shown.out.find(mended), std::string::npos) << "kept with the result: " << shown.out;
+}
+
 TEST(SceneFitCommand, FitsTheShippedBendTest) {
   const Workplace place;
   const CommandResult result =
@@ -271,7 +284,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "fit.toml:4: material.break_strain: cannot be fitted: the target does not say "
                 "where it broke"),
         bad_fit("WrongUnit", "column = \"Way\"", "column = \"Way\", unit = \"N\"",
-                "fit.toml:8: Way…")),
+                "fit.toml:8: target[1].abscissa.unit = N: is not a unit of length (examples: m, "
+                "mm, in)")),
     name_of_case);
 
 }  // namespace

@@ -90,6 +90,9 @@ CsvTable CsvTable::parse(std::string_view text, std::string name, const CsvOptio
   table.cells_.reserve((lines.size() - layout.first_data) * width);
   for (std::size_t i = layout.first_data; i < lines.size(); ++i) {
     const bool closed = csv_text::split(lines[i].text, separator, cells);
+    // "# paused" amid numbers; a column of words may hold such a one.
+    const bool of_words = cells.size() == width && !layout.dialect.numeric.front();
+    if (csv_text::without_blanks(lines[i].text).starts_with('#') && !of_words) continue;
     const bool last = i + 1 == lines.size();
     while (cells.size() > width && cells.back().empty()) cells.pop_back();
     bool torn = last && (!closed || cells.size() < width);
@@ -149,10 +152,13 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
   const std::string_view text = cell(row, column);
   const csv_text::Number number = csv_text::read_number(text, decimal_);
   if (number.kind == CellKind::Number || number.kind == CellKind::Missing) return number.value;
-  const std::string& name = names_[column];
   throw InputError(
-      {file_, line_of_row_[row]}, name.empty() ? "column " + std::to_string(column + 1) : name,
-      text, number.kind == CellKind::OutOfRange ? "is a number out of range" : "is not a number");
+      {file_, line_of_row_[row]}, label(column), text,
+      number.kind == CellKind::OutOfRange ? "is a number out of range" : "is not a number");
+}
+
+std::string CsvTable::label(std::size_t column) const {
+  return names_[column].empty() ? "column " + std::to_string(column + 1) : names_[column];
 }
 
 std::vector<double> CsvTable::numbers(std::size_t column) const {

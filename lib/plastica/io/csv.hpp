@@ -17,7 +17,8 @@ struct CsvOptions {
   std::optional<std::size_t> header = {};  ///< line of the column names, from 1; 0: there is none
 };
 
-/// A delimited text file as laboratories write it: metadata lines, a header, a unit row, data.
+/// A delimited text file as laboratories write it: metadata lines, a header, a unit row, data. A
+/// line of the data that begins with # is a comment, unless the first column is one of words.
 ///
 /// The text is kept, cells are views into it; copies are not allowed, moves are.
 class CsvTable {
@@ -44,6 +45,9 @@ class CsvTable {
   /// Unit of each column from a unit row or from "name (unit)", "name [unit]", "name / unit";
   /// empty if the file gives none.
   const std::vector<std::string>& units() const { return units_; }
+
+  /// A column's name for error lines: "column 2" where the file has none.
+  std::string label(std::size_t column) const;
 
   std::size_t rows() const { return line_of_row_.size(); }
   std::size_t columns() const { return names_.size(); }

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "plastica/io/units.hpp"
-
 namespace plastica::io {
 
 NamedColumn named_column(const std::string& words, const SourceLocation& where, std::string key) {
@@ -12,20 +10,39 @@ NamedColumn named_column(const std::string& words, const SourceLocation& where, 
   return {words.substr(0, colon), words.substr(colon + 1), where, std::move(key)};
 }
 
+FoundColumn column_at(const CsvTable& table, std::size_t index, const NamedColumn& column,
+                      Dimension dimension) {
+  if (column.unit) {
+    return {index, unit_conversion(*column.unit, dimension, column.where, column.key)};
+  }
+  const std::string& unit = table.units()[index];
+  const bool is_fraction = dimension == Dimension::None || dimension == Dimension::Strain;
+  if (unit.empty() && !is_fraction) {
+    throw InputError(column.where, column.key, column.name,
+                     "needs a unit, as " + table.file() + " gives none");
+  }
+  return {index, unit_conversion(unit, dimension, {table.file(), 0}, "unit of " + column.name),
+          !unit.empty()};
+}
+
+FoundColumn find_column(const CsvTable& table, const NamedColumn& column, Dimension dimension) {
+  return column_at(table, table.find(column.name, column.where, column.key), column, dimension);
+}
+
+std::vector<double> numbers_of(const CsvTable& table, const FoundColumn& column) {
+  std::vector<double> values = table.numbers(column.index);
+  for (double& value : values) value = column.to_si(value);
+  return values;
+}
+
 std::vector<double> read_column(const CsvTable& table, const NamedColumn& column,
                                 Dimension dimension) {
-  const std::size_t index = table.find(column.name, column.where, column.key);
-  const UnitConversion to_si =
-      column.unit ? unit_conversion(*column.unit, dimension, column.where, column.key)
-                  : unit_conversion(table.units()[index], dimension, {table.file(), 0},
-                                    "unit of " + column.name);
-  std::vector<double> values = table.numbers(index);
+  const FoundColumn found = find_column(table, column, dimension);
+  std::vector<double> values = numbers_of(table, found);
   for (std::size_t row = 0; row < values.size(); ++row) {
-    if (!std::isfinite(values[row])) {
-      throw InputError({table.file(), table.line_of_row(row)}, column.name,
-                       std::string(table.cell(row, index)), "must be a number");
-    }
-    values[row] = to_si(values[row]);
+    if (std::isfinite(values[row])) continue;
+    throw InputError({table.file(), table.line_of_row(row)}, column.name,
+                     std::string(table.cell(row, found.index)), "must be a number");
   }
   return values;
 }

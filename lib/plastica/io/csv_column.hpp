@@ -6,6 +6,7 @@
 
 #include "plastica/base/quantity.hpp"
 #include "plastica/io/csv.hpp"
+#include "plastica/io/units.hpp"
 
 namespace plastica::io {
 
@@ -19,6 +20,26 @@ struct NamedColumn {
 
 /// "Stress:MPa" or "Stress": what stands behind the last colon is the unit.
 NamedColumn named_column(const std::string& words, const SourceLocation& where, std::string key);
+
+/// A column that was found, and what makes SI of its numbers.
+struct FoundColumn {
+  std::size_t index = 0;
+  UnitConversion to_si{};
+  bool has_unit = true;  ///< else it is taken for a fraction
+};
+
+/// A column by its name: in its given unit, or the table's. A strain or a pure number without
+/// either is a fraction.
+/// @throws InputError if there is none, if another one has no unit, or one that does not fit
+FoundColumn find_column(const CsvTable& table, const NamedColumn& column, Dimension dimension);
+
+/// The same of a column whose place is known.
+FoundColumn column_at(const CsvTable& table, std::size_t index, const NamedColumn& column,
+                      Dimension dimension);
+
+/// The numbers of a column in SI, NaN where a cell has none.
+/// @throws InputError as `CsvTable::numbers`
+std::vector<double> numbers_of(const CsvTable& table, const FoundColumn& column);
 
 /// A whole column in SI.
 /// @throws InputError if there is no such column, its unit does not fit, or a cell is no number

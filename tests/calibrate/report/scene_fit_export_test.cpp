@@ -86,6 +86,15 @@ TEST(SceneFitJson, SaysWhatTheSegmentsDo) {
   EXPECT_TRUE(fit_of()["segments"].is_null());
 }
 
+TEST(SceneFitJson, SaysWhatWasMendedInEachTarget) {
+  SceneFitRecord record = scene_record();
+  record.targets[1].repairs = {{"nan-rows", 3, "3 rows dropped"}};
+  const Json targets = Json::parse(scene_fits_json(std::vector{record}))["fits"][0]["targets"];
+  EXPECT_TRUE(targets[0]["repairs"].empty());
+  EXPECT_EQ(targets[1]["repairs"],
+            (Json{{{"kind", "nan-rows"}, {"count", 3}, {"text", "3 rows dropped"}}}));
+}
+
 TEST(SceneFitJson, IsWholeWhateverTheUsersText) {
   SceneFitRecord record = scene_record("\xff\"\n");
   record.result.warnings = {"\xc3"};

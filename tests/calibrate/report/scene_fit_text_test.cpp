@@ -51,6 +51,19 @@ TEST(SceneFitText, ShowsEachParameterWithErrorIntervalAndVerdict) {
       has_line(text, "  errors      noise estimated from residuals, 28.8 degrees of freedom"));
 }
 
+TEST(SceneFitText, SaysWhatWasMendedAsOfACoupon) {
+  SceneFitRecord lone = lone_scene_record("a", 200e9, 380e6);
+  EXPECT_FALSE(has(scene_fit_report(lone), "Repair"));
+  lone.targets[0].repairs = {{"nan-rows", 3, "3 rows dropped"}};
+  EXPECT_TRUE(
+      has(scene_fit_report(lone), "\nRepairs\n  nan-rows          3 samples     rows dropped\n"));
+  SceneFitRecord both = scene_record();
+  both.targets[1].repairs = lone.targets[0].repairs;
+  const std::string of_twisted = "\nRepaired\n  nan-rows: rows dropped\n    3 samples in twisted\n";
+  EXPECT_TRUE(has(scene_fit_report(both), of_twisted)) << scene_fit_report(both);
+  EXPECT_TRUE(has(scene_fits_report(std::vector{both, scene_record("other")}), of_twisted));
+}
+
 TEST(SceneFitText, SetsAllSourcesOfErrorsSideBySide) {
   const std::string text = scene_fit_report(scene_record());
   EXPECT_TRUE(has(text, "\nStandard errors\n"));

@@ -17,9 +17,9 @@ inline auto members(const SceneBreak& v) {
   return std::tie(a, b, c);
 }
 inline auto members(const SceneTarget& v) {
-  // Where the user's words stood is not stored.
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, where, other_where] = v;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
+  // Where the user's words stood is not stored, and warnings are with the fit's.
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, repairs, warnings, where, other_where] = v;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, repairs);
 }
 inline auto members(const TargetFit& v) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k] = v;
@@ -65,6 +65,7 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
   bent.ordinate_factor = 2.0;
   bent.noise = 1.5;
   bent.broke = SceneBreak{0.029, 0.0005};
+  bent.repairs = {{"nan-rows", 3, "3 rows without a number: ä"}, {"duplicates", 1, ""}};
   SceneTarget twisted;
   twisted.name = name + ", verdreht ä";
   twisted.abscissa = {0.0, 0.1, 0.2};
@@ -73,6 +74,7 @@ inline SceneFitRecord filled_scene_record(const std::string& name) {
   twisted.ordinate_probe = "torque";
   twisted.abscissa_is = Dimension::Angle;
   twisted.ordinate_is = Dimension::Moment;
+  twisted.repairs = {{"abscissa-reversals", 7, "7 samples"}};
 
   SceneFitResult r;
   r.status = FitStatus::Fitted;

@@ -115,7 +115,21 @@ TEST(ImportErrors, AStressWithoutAnyUnitIsOneOfTheBlock) {
   const CurveFiles files("no_unit");
   TargetSource source = CurveFiles::source({files.write_curve("one.csv", 1.0, 1e-6)});
   source.stress->unit.reset();
-  expect_error(source, 6, "stress", "");
+  expect_error(source, 6, "stress", "needs a unit");
+}
+
+TEST(ImportErrors, AUnitThatNoFileHasRightIsOneOfTheBlock) {
+  const CurveFiles files("bad_unit");
+  const std::string bad = files.write_curve("bad.csv", 1.0, 1e-6, "a,b [mm]");
+  TargetSource source = CurveFiles::source({bad});
+  source.stress->unit.reset();
+  expect_error(source, 0, "unit of b", "is not a unit of stress");
+  source.files.push_back(files.write_curve("good.csv", 1.0, 1e-6, "a,b [MPa]"));
+  const std::vector<Target> targets = import_targets(source);
+  EXPECT_EQ(targets.at(0).status, TargetStatus::Rejected);
+  EXPECT_EQ(targets[0].reason,
+            bad + ": unit of b = mm: is not a unit of stress (examples: Pa, MPa, ksi)");
+  EXPECT_EQ(targets.at(1).status, TargetStatus::Ready);
 }
 
 TEST(ImportErrors, OfAColumnOfWordsLeaveNoHalfACurveBehind) {

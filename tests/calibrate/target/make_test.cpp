@@ -17,7 +17,7 @@ TEST(MakeTarget, RejectsACurveWithoutASampleAndSaysWhy) {
   for (const Curve& curve : {Curve{}, Curve{{nan, 0.1}, {1.0, nan}}}) {
     const Target target = make_target("empty", curve);
     EXPECT_EQ(target.status, TargetStatus::Rejected);
-    EXPECT_EQ(target.reason, "no row has both strain and stress");
+    EXPECT_EQ(target.reason, "no row has both numbers");
   }
 }
 

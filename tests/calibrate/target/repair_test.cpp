@@ -71,6 +71,7 @@ TEST(Repair, TakesRmFromTheRowsAfterTheExtensometerWasRemoved) {
   const Target target = make_target("removed", curve);
   EXPECT_EQ(target.status, TargetStatus::Ready) << target.reason;
   EXPECT_EQ(count_of(target, "extensometer-removed"), 300U);
+  EXPECT_EQ(count_of(target, "nan-rows"), 0U) << "reported once";
   EXPECT_EQ(target.characteristics.rm, rm);
   EXPECT_FALSE(target.characteristics.strain_at_rm.has_value());
   EXPECT_FALSE(target.characteristics.observed_break.has_value());

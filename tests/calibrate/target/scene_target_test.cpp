@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "calibrate/target/samples.hpp"
 #include "calibrate/target/scene_break.hpp"
 #include "tests/calibrate/fit/bent_bar.hpp"
 #include "tests/lib/io/scratch_folder.hpp"
@@ -38,8 +39,26 @@ class SceneTargetFile : public ::testing::Test {
     source.file = folder_.write("bar.csv", text);
     source.abscissa = {"Way", {}, {"fit.toml", 4}};
     source.ordinate = {"Force", {}, {"fit.toml", 5}};
-    source.where = {"fit.toml", 3};
     return source;
+  }
+
+  /// Of a scene whose support follows the column.
+  SceneTarget read_driven(const std::string& text) {
+    SceneTarget driven;
+    driven.kind = Abscissa::Support;
+    driven.driven = 1;
+    driven.ordinate_probe = "force";
+    return read_scene_target(source(text), bend_test(4).scene, driven);
+  }
+
+  /// "kind: text", in their order.
+  static std::vector<std::string> repairs_of(const std::vector<Repair>& repairs) {
+    std::vector<std::string> all;
+    for (const Repair& repair : repairs) {
+      EXPECT_TRUE(repair.text.starts_with(std::to_string(repair.count)) || repair.count == 1);
+      all.push_back(repair.kind + ": " + repair.text);
+    }
+    return all;
   }
 
   std::string file(const std::string& line) const { return folder_.file("bar.csv") + ":" + line; }
@@ -82,13 +101,8 @@ TEST_F(SceneTargetFile, BreaksWhereTheForceFallsToZeroAndStaysThere) {
 }
 
 TEST_F(SceneTargetFile, IsLetGoWhereItsAbscissaGoesBack) {
-  SceneTarget driven;
-  driven.kind = Abscissa::Support;
-  driven.driven = 1;
-  driven.ordinate_probe = "force";
   const auto broke = [&](const std::string& rest) {
-    const std::string loaded = "Way (mm),Force (N)\n0,0\n1,500\n2,600\n";
-    return read_scene_target(source(loaded + rest), bend_test(4).scene, driven).broke;
+    return read_driven("Way (mm),Force (N)\n0,0\n1,500\n2,600\n" + rest).broke;
   };
   EXPECT_FALSE(broke("0.8,0\n"));
   EXPECT_FALSE(broke("0.9,10\n0.8,0\n"));
@@ -133,20 +147,138 @@ TEST_F(SceneTargetFile, OfAMotionBreaksByHalfOfTheLargestAtOnce) {
   EXPECT_FALSE(broke({100.0, 75.0, 50.0, 25.0, 0.0, 0.0, 0.0}));
 }
 
+TEST_F(SceneTargetFile, IsRepairedInTheWordsOfACoupon) {
+  const std::string rows = "0,0\n1,500\n1,500\n2,NaN\n,600\n3,700\n4,";
+  const SceneTarget beam = read("Way (mm),Force (N)\n" + rows);
+  EXPECT_EQ(beam.abscissa, (std::vector<double>{0.0, 1e-3, 3e-3}));
+  EXPECT_EQ(beam.ordinate, (std::vector<double>{0.0, 500.0, 700.0}));
+  EXPECT_EQ(repairs_of(beam.repairs),
+            (std::vector<std::string>{"torn-last-row: the last row was cut off and is dropped",
+                                      "nan-rows: 2 rows dropped that lack one of the two numbers",
+                                      "duplicates: 1 samples equal to the one before dropped"}));
+  TargetSource coupon;
+  coupon.files = {folder_.write("coupon.csv", "Way (%),Force (MPa)\n" + rows)};
+  coupon.strain = {"Way", {}, {}};
+  coupon.stress = {"Force", {}, {}};
+  EXPECT_EQ(repairs_of(import_targets(coupon).at(0).repairs), repairs_of(beam.repairs));
+}
+
+/// The load cell is lost: what it would have shown is not known.
+TEST_F(SceneTargetFile, DoesNotBreakWhereItsForceIsNoLongerMeasured) {
+  const SceneTarget target = read("Way (mm),Force (N)\n0,0\n1,500\n2,600\n3,NaN\n4,\n");
+  EXPECT_FALSE(target.broke);
+  EXPECT_EQ(target.ordinate, (std::vector<double>{0.0, 500.0, 600.0}));
+  const SceneTarget later = read("Way (mm),Force (N)\n0,0\n1,500\n2,600\n3,NaN\n4,0\n");
+  ASSERT_TRUE(later.broke) << "anywhere between the samples that are known";
+  EXPECT_DOUBLE_EQ(later.broke->at, 3e-3);
+  EXPECT_DOUBLE_EQ(later.broke->half_interval, 1e-3);
+}
+
+TEST_F(SceneTargetFile, LosesLoneOutliersIfItGoesOneWay) {
+  /// A line of 12 samples with one zero.
+  const auto line = [](int sign) {
+    std::string rows;
+    for (int i = 0; i < 12; ++i) {
+      rows += std::to_string(sign * i) + ',' + std::to_string(i == 8 ? 0 : sign * (100 + 10 * i)) +
+              '\n';
+    }
+    return rows;
+  };
+  const std::string header = "Way (mm),Force (N)\n";
+  EXPECT_EQ(repairs_of(read(header + line(1)).repairs),
+            (std::vector<std::string>{"outliers: 1 lone samples far off both neighbours dropped"}));
+  EXPECT_EQ(read_driven(header + line(1)).ordinate.size(), 11U);
+  EXPECT_EQ(read_driven(header + line(-1)).ordinate.size(), 11U);
+  // To and fro it may be a corner of the path, and of a motion a blow.
+  EXPECT_EQ(read_driven(header + line(1) + "0,5\n").ordinate.size(), 13U);
+  SceneTarget timed;
+  timed.kind = Abscissa::Time;
+  timed.ordinate_probe = "force";
+  EXPECT_EQ(read_scene_target(source("Way (s),Force (N)\n" + line(1)), bend_test(4).scene, timed)
+                .ordinate.size(),
+            12U);
+}
+
+TEST_F(SceneTargetFile, DropsWhatRunsBackWithinTheNoiseOfItsAbscissa) {
+  // A thousandth of 10 mm.
+  const std::string text = "Way (mm),Force (N)\n0,0\n5,500\n4.995,510\n4.9999,505\n10,600\n";
+  const SceneTarget target = read(text);
+  EXPECT_EQ(target.abscissa, (std::vector<double>{0.0, 5e-3, 10e-3}));
+  EXPECT_EQ(repairs_of(target.repairs),
+            (std::vector<std::string>{
+                "abscissa-reversals: 2 samples dropped where the abscissa ran backwards"}));
+  EXPECT_EQ(read_driven(text).ordinate.size(), 5U) << "a scene that follows it goes back, too";
+}
+
+TEST_F(SceneTargetFile, GoesBackAsFarAsTheUserSays) {
+  SceneTarget probes;
+  probes.abscissa_probe = "displacement";
+  probes.ordinate_probe = "force";
+  SceneTargetSource from = source("Way (mm),Force (N)\n0,0\n5,500\n4.9,510\n10,600\n");
+  const auto read_within = [&](double tolerance) {
+    from.reversal_tolerance = tolerance;
+    return read_scene_target(from, bend_test(4).scene, probes).ordinate.size();
+  };
+  EXPECT_EQ(read_within(0.2e-3), 3U);
+  EXPECT_THROW(read_within(0.05e-3), InputError);
+}
+
+TEST_F(SceneTargetFile, BreaksWhereItsAbscissaIsNoisyAndGoesBackAfterwards) {
+  const std::string loaded = "Way (mm),Force (N)\n0,0\n5,500\n10,600\n";
+  for (const std::string rest : {"9.995,0\n", "9.995,0\n10.2,0\n4,0\n", "10.002,0\n0,0\n"}) {
+    const SceneTarget target = read(loaded + rest);
+    EXPECT_EQ(target.abscissa, (std::vector<double>{0.0, 5e-3, 10e-3})) << rest;
+    ASSERT_TRUE(target.broke) << rest;
+    EXPECT_NEAR(target.broke->at, 10e-3, 2e-6) << rest;
+    EXPECT_GE(target.broke->at - target.broke->half_interval, 10e-3 - 1e-15) << rest;
+  }
+}
+
+TEST_F(SceneTargetFile, WarnsOfStrainsAbove100PercentWithoutAUnit) {
+  SceneTarget coupon;
+  coupon.kind = Abscissa::Strain;
+  coupon.ordinate_probe = "force";
+  const auto warnings = [&](const std::string& header) {
+    return read_scene_target(source(header + ",Force (N)\n0,0\n2,500\n"), bend_test(4).scene,
+                             coupon)
+        .warnings;
+  };
+  EXPECT_EQ(warnings("Way"),
+            (std::vector<std::string>{
+                "strains above 100 %: if they are in percent, write unit = \"%\""}));
+  EXPECT_TRUE(warnings("Way (%)").empty());
+}
+
 TEST_F(SceneTargetFile, RefusesWhatIsNoCurveOfTheScene) {
-  EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n2,5\n1,6\n"),
-            file("4: Way = 1: goes back: a beam's curve is followed one way; a scene that this "
-                 "column drives follows it to and fro"));
-  EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n2,NaN\n3,6\n"),
-            file("3: Force = NaN: must be a number in every row of a measured beam"));
+  // The line of the row stays the file's where rows before it were dropped.
+  EXPECT_EQ(refusal("Way (mm),Force (N)\n0,NaN\n0,0\n2,5\n2,5\n1,6\n"),
+            file("6: Way = 1: goes back by more than reversal_tolerance: a beam's curve is "
+                 "followed one way; a scene that this column drives follows it to and fro"));
+  SceneTarget probes;
+  probes.abscissa_probe = "displacement";
+  probes.ordinate_probe = "force";
+  SceneTargetSource numbered = source("0,0\n2,5\n1,6\n");
+  numbered.abscissa = {"1", "mm", {}};
+  numbered.ordinate = {"2", "N", {}};
+  EXPECT_TRUE(message_of([&] {
+                read_scene_target(numbered, bend_test(4).scene, probes);
+              }).starts_with(file("3: column 1 = 1: goes back by more than reversal_tolerance: ")));
+  EXPECT_EQ(refusal("Way (mm),Force (N)\n0,NaN\n1,NaN\n"),
+            folder_.file("bar.csv") + ": Force: no row has both numbers");
+  EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n1,much\n2,1\n"),
+            file("3: Force = much: is not a number"));
   EXPECT_EQ(refusal("Way (mm),Load (N)\n0,0\n2,1\n"),
             "fit.toml:5: ordinate = Force: is not a column of " + folder_.file("bar.csv") +
                 ", which has 2 columns: Way, Load");
   EXPECT_EQ(refusal("Way (mm),Force (N)\n0,0\n2,1\n", "load"),
             "fit.toml:5: ordinate.probe = load: is not one of the scene's probes: displacement, "
             "force");
-  EXPECT_NE(refusal("Way (mm),Force (MPa)\n0,0\n2,1\n").find("Force"), std::string::npos);
-  EXPECT_NE(refusal("Way (mm),Force\n0,0\n2,1\n").find("Force"), std::string::npos);
+  EXPECT_EQ(refusal("Way (mm),Force (MPa)\n0,0\n2,1\n"),
+            folder_.file("bar.csv") +
+                ": unit of Force = MPa: is not a unit of force (examples: N, kN, lbf)");
+  EXPECT_EQ(
+      refusal("Way (mm),Force\n0,0\n2,1\n"),
+      "fit.toml:5: ordinate = Force: needs a unit, as " + folder_.file("bar.csv") + " gives none");
 }
 
 }  // namespace

@@ -131,6 +131,14 @@ TEST(Csv, DropsTheEmptyColumnOfTrailingSeparators) {
   }
 }
 
+TEST(Csv, TakesLinesWithAHashAmidTheDataForComments) {
+  const CsvTable table = parse("# a machine\na,b\n1,2\n# paused\n# on, again\n3,4\n#the end\n");
+  EXPECT_EQ(table.numbers(1), (std::vector<double>{2.0, 4.0}));
+  EXPECT_EQ(table.line_of_row(1), 6);
+  EXPECT_FALSE(table.torn_last_row());
+  EXPECT_EQ(parse("id,b\n#1,2\n#2,3\nx,4\n").rows(), 3U) << "a column of words";
+}
+
 TEST(Csv, SkipsBlankLinesAndRowsOfSeparators) {
   const CsvTable table = parse("a,b\n\n1,2\n , \n\n3,4\n,\n");
   EXPECT_EQ(table.rows(), 2U);

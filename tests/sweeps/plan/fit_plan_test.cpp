@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sweeps/run/sweep_run.hpp"
+#include "tests/lib/io/scratch_folder.hpp"
 #include "tests/support/message.hpp"
 #include "tests/sweeps/sweep_text.hpp"
 
@@ -40,6 +41,18 @@ TEST(FitPlan, IsReadAndFitsEachCase) {
     EXPECT_GT(result.standard_error, 0.0);
     EXPECT_GT(result.segment_iterations(), 100);
   }
+}
+
+TEST(FitPlan, TellsOfRepairsOfItsCurve) {
+  EXPECT_TRUE(bend(kError, kFit).notes.empty());
+  const io::ScratchFolder folder;
+  const std::string file =
+      folder.write("a.csv", "Displacement (mm),Force (N)\n0,0\n1,NaN\n2,260\n");
+  std::string fit = kFit;
+  const std::string shipped = "../targets/bend_test.csv";
+  fit.replace(fit.find(shipped), shipped.size(), file);
+  EXPECT_EQ(bend(kError, fit).notes,
+            (std::vector<std::string>{file + ": 1 rows dropped that lack one of the two numbers"}));
 }
 
 TEST(FitPlan, DecidesTheIdsOfItsCases) {

@@ -1,0 +1,95 @@
+#include "calibrate/target/samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "calibrate/target/characteristics.hpp"
+
+namespace plastica::calibrate {
+
+Samples samples_of(Target& target) {
+  return {target.corrected.strain, target.corrected.stress, target.repairs};
+}
+
+void note_repair(std::vector<Repair>& repairs, std::string_view kind, std::size_t count,
+                 std::string_view what) {
+  if (count == 0) return;
+  repairs.push_back({std::string(kind), count, std::to_string(count) + ' ' + std::string(what)});
+}
+
+void report_torn_row(const io::CsvTable& table, std::vector<Repair>& repairs) {
+  if (!table.torn_last_row()) return;
+  repairs.push_back({"torn-last-row", 1, "the last row was cut off and is dropped"});
+}
+
+void warn_of_percent(const io::FoundColumn& column, std::span<const double> strains,
+                     std::vector<std::string>& warnings) {
+  if (column.has_unit) return;
+  const bool beyond = std::ranges::any_of(
+      strains, [](double strain) { return std::isfinite(strain) && std::abs(strain) > 1.0; });
+  if (beyond) {
+    warnings.emplace_back("strains above 100 %: if they are in percent, write unit = \"%\"");
+  }
+}
+
+void drop_missing(const Samples& samples, std::size_t reported) {
+  const std::size_t dropped = filter(samples, [&](std::size_t i) {
+    return std::isfinite(samples.abscissa[i]) && std::isfinite(samples.ordinate[i]);
+  });
+  note_repair(samples.repairs, "nan-rows", dropped - reported,
+              "rows dropped that lack one of the two numbers");
+}
+
+void drop_duplicates(const Samples& samples) {
+  double x = std::numeric_limits<double>::quiet_NaN();
+  double y = x;
+  const std::size_t dropped = filter(samples, [&](std::size_t i) {
+    if (samples.abscissa[i] == x && samples.ordinate[i] == y) return false;
+    x = samples.abscissa[i];
+    y = samples.ordinate[i];
+    return true;
+  });
+  note_repair(samples.repairs, "duplicates", dropped, "samples equal to the one before dropped");
+}
+
+std::vector<double> medians_of_three(std::span<const double> values) {
+  std::vector<double> out(values.begin(), values.end());
+  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+    const auto [low, high] = std::minmax(values[i - 1], values[i]);
+    out[i] = std::clamp(values[i + 1], low, high);
+  }
+  return out;
+}
+
+void drop_outliers(const Samples& samples) {
+  const std::vector<double> y = samples.ordinate;
+  const std::size_t n = y.size();
+  if (n < 3) return;
+  const std::vector<double> medians = medians_of_three(y);
+  const double largest = largest_magnitude(std::span(medians).subspan(1, n - 2));
+  if (!(largest > 0.0)) return;
+  const double threshold = std::max(0.2 * largest, 8.0 * noise_of(samples.abscissa, y));
+  const std::size_t dropped = filter(samples, [&](std::size_t i) {
+    if (i == 0 || i + 1 == n) return true;
+    const double a = y[i] - y[i - 1];
+    const double b = y[i] - y[i + 1];
+    const double least = std::min(std::abs(a), std::abs(b));
+    return a * b <= 0.0 || least <= threshold || std::abs(a - b) >= 0.25 * least;
+  });
+  note_repair(samples.repairs, "outliers", dropped, "lone samples far off both neighbours dropped");
+}
+
+void drop_reversals(const Samples& samples, double tolerance, std::string_view name) {
+  double reached = -std::numeric_limits<double>::infinity();
+  const std::size_t dropped = filter(samples, [&](std::size_t i) {
+    if (samples.abscissa[i] < reached - tolerance) return false;
+    reached = std::max(reached, samples.abscissa[i]);
+    return true;
+  });
+  note_repair(samples.repairs, std::string(name) + "-reversals", dropped,
+              "samples dropped where the " + std::string(name) + " ran backwards");
+}
+
+}  // namespace plastica::calibrate

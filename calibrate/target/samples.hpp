@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "calibrate/target/target.hpp"
+#include "plastica/io/csv_column.hpp"
+
+/// Repairs that every measured curve gets, whether of a coupon or of a beam.
+namespace plastica::calibrate {
+
+/// A measured curve under repair.
+struct Samples {
+  std::vector<double>& abscissa;  ///< [SI] (n)
+  std::vector<double>& ordinate;  ///< [SI] (n)
+  std::vector<Repair>& repairs;   ///< takes what was done
+  /// Of the file, (n) or more: kept in step with the samples. May be null.
+  std::vector<std::size_t>* rows = nullptr;
+
+  std::size_t size() const { return abscissa.size(); }
+};
+
+/// Why a curve without any sample is none.
+inline constexpr const char* kNoSamples = "no row has both numbers";
+
+/// Those of the corrected curve.
+Samples samples_of(Target& target);
+
+/// Keeps the samples for which keep(i) holds, in order; returns how many were dropped.
+template <typename Keep>
+std::size_t filter(const Samples& samples, Keep keep) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!keep(i)) continue;
+    if (kept != i) {
+      samples.abscissa[kept] = samples.abscissa[i];
+      samples.ordinate[kept] = samples.ordinate[i];
+      if (samples.rows != nullptr) (*samples.rows)[kept] = (*samples.rows)[i];
+    }
+    ++kept;
+  }
+  const std::size_t dropped = samples.size() - kept;
+  samples.abscissa.resize(kept);
+  samples.ordinate.resize(kept);
+  if (samples.rows != nullptr) samples.rows->resize(kept);
+  return dropped;
+}
+
+/// Adds a repair, if it touched any sample: the count goes before the text.
+void note_repair(std::vector<Repair>& repairs, std::string_view kind, std::size_t count,
+                 std::string_view what);
+
+/// "torn-last-row", where the table's last row was cut off.
+void report_torn_row(const io::CsvTable& table, std::vector<Repair>& repairs);
+
+/// Of strains that nobody gave a unit, which are taken as fractions: in percent they reach beyond 1
+/// at once.
+void warn_of_percent(const io::FoundColumn& column, std::span<const double> strains,
+                     std::vector<std::string>& warnings);
+
+/// Drops rows without a finite abscissa or ordinate: "nan-rows".
+/// @param reported  how many of them another repair reports
+void drop_missing(const Samples& samples, std::size_t reported = 0);
+
+/// Drops samples equal to the one before: "duplicates".
+void drop_duplicates(const Samples& samples);
+
+/// Drops lone outliers of a curve that goes one way, "outliers": a sample that differs from both
+/// neighbours, to the same side, by more than 0.2 of the largest |ordinate| (of the medians of
+/// three neighbours) and 8 times the noise, while the neighbours differ by less than a quarter of
+/// that.
+void drop_outliers(const Samples& samples);
+
+/// Drops samples further than the tolerance below the abscissa reached: "NAME-reversals".
+/// @param name  of the abscissa
+void drop_reversals(const Samples& samples, double tolerance, std::string_view name);
+
+/// Median of each value and its neighbours; the first and last value as they are.
+std::vector<double> medians_of_three(std::span<const double> values);
+
+}  // namespace plastica::calibrate
