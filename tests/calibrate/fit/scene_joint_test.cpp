@@ -142,10 +142,10 @@ TEST(SceneJointFit, JoinsACouponWithABeam) {
   make_curve(coupon, {}, 1e6, 5);
   const std::vector<WeightedTarget> targets{bent(8, 5.0, 6), coupon};
   const SceneFitResult one = fit(targets, {.parameters = stiffness_and_yield(), .starts = 1});
-  ASSERT_EQ(fit.status, FitStatus::Fitted) << fit.reason;
-  EXPECT_EQ(fit.targets[1].level, Level::Coupon);
-  EXPECT_NEAR(fit.targets[1].noise, 1e6, 0.5e6);
-  EXPECT_NEAR(fit.parameter("youngs_modulus").value / Truth{}.youngs_modulus, 1.0, 0.01);
+  ASSERT_EQ(one.status, FitStatus::Fitted) << one.reason;
+  EXPECT_EQ(one.targets[1].level, Level::Coupon);
+  EXPECT_NEAR(one.targets[1].noise, 1e6, 0.5e6);
+  EXPECT_NEAR(one.parameter("youngs_modulus").value / Truth{}.youngs_modulus, 1.0, 0.01);
 }
 
 TEST(SceneJointFit, SaysThatTargetsDisagreeOnTheBreak) {
@@ -161,7 +161,7 @@ TEST(SceneJointFit, SaysThatTargetsDisagreeOnTheBreak) {
   targets[1].target.broke = SceneBreak{0.071, 0.001};
   const SceneFitOptions options{.parameters = testing::all_three(), .starts = 1};
   const auto disagrees = [](const SceneFitResult& fit) {
-    return std::any_of(one.warnings.begin(), fit.warnings.end(), [](const std::string& line) {
+    return std::any_of(fit.warnings.begin(), fit.warnings.end(), [](const std::string& line) {
       return line.find("the targets disagree") != std::string::npos;
     });
   };
@@ -177,7 +177,7 @@ TEST(SceneJointFit, SaysThatSpecimensDiffer) {
   const auto differ = [](const std::vector<WeightedTarget>& targets) {
     const SceneFitResult one =
         fit(targets, {.parameters = stiffness_and_yield(), .starts = 1, .segments_error = false});
-    return std::ranges::any_of(fit.warnings, [](const std::string& line) {
+    return std::ranges::any_of(one.warnings, [](const std::string& line) {
       return line.find("is met far less closely than") != std::string::npos;
     });
   };
